@@ -1,0 +1,270 @@
+#include "chapters/exercise.hpp"
+
+#include <exception>
+
+#include "reference/bad_input.hpp"
+#include "reference/reference.hpp"
+#include "reference/text.hpp"
+
+namespace oddity {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+std::string names_of(std::span<const Parameter> parameters) {
+  std::string names;
+  for (const Parameter& p : parameters) names += (names.empty() ? "" : ", ") + std::string(p.name);
+  return names.empty() ? "none" : names;
+}
+
+}  // namespace
+
+// ---- values -----------------------------------------------------------------------------------------------
+
+bool finite(const Value& value) {
+  return value.size() > 0 &&
+         std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
+}
+
+double size_of(const Value& value) {
+  double size = 0;
+  for (double x : value) {
+    if (std::isnan(x)) return x;
+    size = std::max(size, std::abs(x));
+  }
+  return size;
+}
+
+double distance(const Value& a, const Value& b) {
+  if (a.size() != b.size() || a.size() == 0) return std::numeric_limits<double>::quiet_NaN();
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double difference = std::abs(a[i] - b[i]);
+    if (std::isnan(difference)) return difference;
+    largest = std::max(largest, difference);
+  }
+  return largest;
+}
+
+// ---- parameters -------------------------------------------------------------------------------------------
+
+Parameters::Parameters(std::span<const Parameter> declared) : declared_(declared) {
+  for (const Parameter& p : declared) values_.push_back(p.value);
+}
+
+std::size_t Parameters::index(std::string_view name) const {
+  const auto found = std::ranges::find(declared_, name, &Parameter::name);
+  if (found == declared_.end())
+    throw BadInput("no parameter '" + std::string(name) + "'; the parameters are: " + names_of(declared_));
+  return static_cast<std::size_t>(found - declared_.begin());
+}
+
+double Parameters::operator[](std::string_view name) const { return values_[index(name)]; }
+
+void Parameters::set(std::string_view name, double value) {
+  const std::size_t i = index(name);
+  const Parameter& p = declared_[i];
+  if (!(std::isfinite(value) && p.least <= value && value <= p.most))
+    throw BadInput("parameter " + std::string(name) + " = " + shortest(value) +
+                   " is out of its range: " + shortest(p.least) + " to " + shortest(p.most) +
+                   (p.unit.empty() ? "" : " ") + std::string(p.unit));
+  values_[i] = value;
+}
+
+// ---- claims -----------------------------------------------------------------------------------------------
+
+Tolerance exact() { return {0, "exact"}; }
+
+Tolerance printed_decimals(int decimals) {
+  return {0.5 * std::pow(10.0, -decimals),
+          "half a unit of decimal " + std::to_string(decimals) + ", the last one printed"};
+}
+
+Tolerance rounding(double scale, double ulps) {
+  return {ulps * epsilon * scale, rounded(ulps, 4) + " roundings of terms of size " + rounded(scale, 3)};
+}
+
+bool Check::holds() const {
+  return finite(left.value) && finite(right.value) && difference() <= tolerance.allowed;
+}
+
+Check never(std::string what, long violations, long samples, std::string where) {
+  return {std::move(what),
+          {"violations in " + std::to_string(samples) + " samples",
+           static_cast<double>(samples > 0 ? violations : -1)},
+          {"none", 0.0},
+          exact(),
+          1,
+          std::move(where)};
+}
+
+Worst::Worst(std::string quantity, std::string left, std::string right, double ulps)
+    : worst_{std::move(quantity), {std::move(left), {}}, {std::move(right), {}}, {}, 0, {}}, ulps_(ulps) {}
+
+void Worst::see(const Value& left, const Value& right, double scale, const std::string& where) {
+  see(left, right, rounding(scale, ulps_), scale, where);
+}
+
+void Worst::see(const Value& left, const Value& right, const Tolerance& tolerance, double scale,
+                const std::string& where) {
+  ++samples_;
+  const double difference = distance(left, right);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double ratio = std::isnan(difference)   ? infinity
+                       : difference == 0        ? 0
+                       : tolerance.allowed == 0 ? infinity
+                                                : difference / tolerance.allowed;
+  if (!(ratio > ratio_)) return;
+  ratio_ = ratio;
+  worst_.left.value = left;
+  worst_.right.value = right;
+  worst_.tolerance = tolerance;
+  worst_.scale = scale;
+  worst_.where = where;
+}
+
+Check Worst::check() const {
+  Check check = worst_;
+  check.where = "worst of " + std::to_string(samples_) + (check.where.empty() ? "" : ": " + check.where);
+  return check;
+}
+
+bool Reading::holds() const {
+  return !checks.empty() && std::ranges::all_of(checks, [](const Check& check) { return check.holds(); });
+}
+
+Verdict verdict(const Claim& claim) {
+  if (std::ranges::any_of(claim.near_misses, [](const Reading& near) { return near.holds(); }))
+    return Verdict::unsettled;
+  if (claim.printed.holds()) return Verdict::confirmed;
+  if (claim.meant.holds()) return Verdict::misprint;
+  if (claim.corrected.holds()) return Verdict::erratum;
+  return Verdict::unsettled;
+}
+
+// ---- methods ----------------------------------------------------------------------------------------------
+
+Knob no_knob() { return {"", {0}}; }
+
+Knob tolerances(int first, int last, int stride) {
+  Knob knob{"tolerance", {}};
+  for (int digits = first; digits <= last; digits += stride)
+    knob.settings.push_back(*number_in("1e-" + std::to_string(digits)));
+  return knob;
+}
+
+Knob doubling(std::string name, double first, int count) {
+  Knob knob{std::move(name), {}};
+  for (int i = 0; i < count; ++i) knob.settings.push_back(std::ldexp(first, i));
+  return knob;
+}
+
+Knob halving(std::string name, double first, int count) {
+  Knob knob{std::move(name), {}};
+  for (int i = 0; i < count; ++i) knob.settings.push_back(std::ldexp(first, -i));
+  return knob;
+}
+
+Quantity& Quantity::add(Method method) {
+  methods.push_back(std::move(method));
+  return *this;
+}
+
+Quantity& Quantity::add(Breakdown breakdown) {
+  breakdowns.push_back(std::move(breakdown));
+  return *this;
+}
+
+Quantity quantity(std::string name, std::string unit, std::string says, const Known& known, Tolerance need) {
+  return {std::move(name),
+          std::move(unit),
+          std::move(says),
+          {known.source, known.value},
+          known.error,
+          std::move(need),
+          {},
+          {}};
+}
+
+namespace {
+
+/// A result is off the scale when it is ten times as far from the truth as the truth is from zero.
+constexpr double far_away = 10;
+
+/// A conserved quantity that has changed by a hundredth makes another motion.
+constexpr double another_motion = 0.01;
+
+Outcome judge(const Quantity& quantity, const Answer& answer, double error) {
+  switch (answer.ending) {
+    case Ending::raised:
+      return Outcome::raised;
+    case Ending::stalled:
+      return Outcome::stalled;
+    case Ending::non_finite:
+      return Outcome::non_finite;
+    case Ending::reached:
+      break;
+  }
+  if (!finite(answer.value) || !std::isfinite(error)) return Outcome::non_finite;
+  const double scale = size_of(quantity.reference.value);
+  const double known_to = quantity.reference_error + 16 * epsilon * scale;
+  if (error > quantity.need.allowed && error > far_away * scale && scale > 0) return Outcome::diverged;
+  if (answer.error_estimate < error - known_to) return Outcome::deceived;
+  const bool accurate = error <= quantity.need.allowed;
+  if (!(answer.drift <= (accurate ? quantity.need.allowed : another_motion))) return Outcome::drifted;
+  return accurate ? Outcome::ok : Outcome::inaccurate;
+}
+
+}  // namespace
+
+Trial run(const Quantity& quantity, const Method& method, double setting) {
+  Trial trial{method.model, method.algorithm, method.knob.name, setting, {}, 0, Outcome::raised};
+  try {
+    trial.answer = method.run(setting);
+  } catch (const std::exception& exception) {
+    trial.answer.ending = Ending::raised;
+    trial.answer.message = exception.what();
+  }
+  trial.error = distance(trial.answer.value, quantity.reference.value);
+  trial.outcome = judge(quantity, trial.answer, trial.error);
+  return trial;
+}
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::confirmed:
+      return "confirmed";
+    case Verdict::misprint:
+      return "misprint";
+    case Verdict::erratum:
+      return "erratum";
+    case Verdict::unsettled:
+      return "unsettled";
+  }
+  return "?";
+}
+
+std::string_view name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::ok:
+      return "ok";
+    case Outcome::inaccurate:
+      return "inaccurate";
+    case Outcome::drifted:
+      return "drifted";
+    case Outcome::diverged:
+      return "diverged";
+    case Outcome::non_finite:
+      return "non-finite";
+    case Outcome::stalled:
+      return "stalled";
+    case Outcome::deceived:
+      return "deceived";
+    case Outcome::raised:
+      return "raised";
+  }
+  return "?";
+}
+
+}  // namespace oddity

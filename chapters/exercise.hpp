@@ -1,0 +1,271 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solvers/solved.hpp"
+
+/// The vocabulary of oddity: what the book says (exercise, claim, reading, check, verdict) and how a thing is
+/// computed (quantity, method, knob, trial, outcome).
+namespace oddity {
+
+class Reference;
+struct Known;
+
+/// One or more numbers: a scalar, a vector, a state, or several of them in a row.
+class Value {
+ public:
+  Value() = default;
+  Value(double x) : components_{x} {}
+  Value(std::initializer_list<double> xs) : components_(xs) {}
+  Value(std::vector<double> xs) : components_(std::move(xs)) {}
+  template <class Range>
+  requires requires(const Range& r) {
+    { *r.begin() } -> std::convertible_to<double>;
+    r.end();
+  } &&(!std::same_as<Range, Value>)Value(const Range& range) : components_(range.begin(), range.end()) {
+  }
+
+  std::size_t size() const { return components_.size(); }
+  double operator[](std::size_t i) const { return components_[i]; }
+  double& operator[](std::size_t i) { return components_[i]; }
+  auto begin() const { return components_.begin(); }
+  auto end() const { return components_.end(); }
+
+ private:
+  std::vector<double> components_;
+};
+
+/// All components finite, and at least one of them.
+bool finite(const Value&);
+/// The largest absolute component; NaN when one is NaN.
+double size_of(const Value&);
+/// The largest absolute difference of components; NaN when the two are not comparable (sizes differ, or NaN).
+double distance(const Value&, const Value&);
+
+// ---- parameters -------------------------------------------------------------------------------------------
+
+/// A named letter of an exercise. `least` and `most` bound what a user may ask for, both included.
+struct Parameter {
+  std::string_view name;
+  double value;
+  std::string_view unit;
+  std::string_view says;
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+};
+
+/// The values of an exercise's parameters in one run: its defaults, some of them overridden.
+class Parameters {
+ public:
+  explicit Parameters(std::span<const Parameter> declared);
+
+  double operator[](std::string_view name) const;
+  std::span<const Parameter> declared() const { return declared_; }
+  /// Throws BadInput for an unknown name or a value that is not finite or outside the declared range.
+  void set(std::string_view name, double value);
+
+ private:
+  std::size_t index(std::string_view name) const;
+  std::span<const Parameter> declared_;
+  std::vector<double> values_;
+};
+
+// ---- the book's side --------------------------------------------------------------------------------------
+
+/// A value, and how it was come by.
+struct Route {
+  std::string by;
+  Value value;
+};
+
+/// The largest difference that a check allows, and the reason why it is no larger.
+struct Tolerance {
+  double allowed = 0;
+  std::string reason;
+};
+
+Tolerance exact();
+/// Half a unit of the last of `decimals` printed decimals.
+Tolerance printed_decimals(int decimals);
+/// `ulps` roundings of a term of the given size.
+Tolerance rounding(double scale, double ulps = 64);
+
+/// One quantity by two independent routes.
+struct Check {
+  std::string quantity;
+  Route left, right;
+  Tolerance tolerance = {};
+  double scale = 0;        ///< size of the terms compared; 0: the larger of the two sides
+  std::string where = {};  ///< the inputs of the sample shown, and of how many it is the worst
+
+  double difference() const { return distance(left.value, right.value); }
+  bool holds() const;
+};
+
+/// A statement about every sample: how many of them violate it, against none.
+Check never(std::string what, long violations, long samples, std::string where = "");
+
+/// Compares two routes over many samples, and keeps the worst as a check.
+class Worst {
+ public:
+  Worst(std::string quantity, std::string left, std::string right, double ulps = 64);
+
+  /// One sample: allowed to differ by the class's ulps of `scale`, the size of the terms that were added up.
+  void see(const Value& left, const Value& right, double scale, const std::string& where);
+  /// One sample with a tolerance of its own.
+  void see(const Value& left, const Value& right, const Tolerance& tolerance, double scale,
+           const std::string& where);
+  Check check() const;
+
+ private:
+  Check worst_;
+  double ulps_;
+  double ratio_ = -1;
+  long samples_ = 0;
+};
+
+/// One way to read a claim: the formula or number it stands for, and the checks that all must hold.
+struct Reading {
+  std::string text;
+  std::vector<Check> checks;
+
+  bool holds() const;  ///< false when there is no check
+};
+
+enum class Verdict { confirmed, misprint, erratum, unsettled };
+
+/// One thing that the published solution says.
+struct Claim {
+  std::string id;    ///< "3.5-listing_value"
+  int line = 0;      ///< where it stands in the solutions text
+  std::string says;  ///< the claim in our words
+  Reading printed = {};
+  Reading meant = {};      ///< what it plainly meant, when print or extraction got in the way
+  Reading corrected = {};  ///< what is true instead
+  std::vector<Reading> near_misses =
+      {};                ///< what must not hold: a flipped sign, a dropped term, another digit
+  std::string why = {};  ///< unless confirmed: what is wrong, what is right, how it shows
+};
+
+/// Computed, never assigned: the first reading that holds decides; a near miss that holds unsettles all.
+Verdict verdict(const Claim&);
+
+// ---- the method's side ------------------------------------------------------------------------------------
+
+/// The one thing about a method that trades cost for accuracy, with its settings from coarse to fine.
+struct Knob {
+  std::string name;
+  std::vector<double> settings;
+};
+
+Knob no_knob();
+/// 10^-first, 10^-(first+stride), ..., 10^-last.
+Knob tolerances(int first = 2, int last = 12, int stride = 2);
+/// first, 2 first, 4 first, ...: `count` settings.
+Knob doubling(std::string name, double first, int count);
+/// first, first/2, first/4, ...: `count` settings.
+Knob halving(std::string name, double first, int count);
+
+/// How a trial ended. Computed from the answer, the reference and the quantity's need.
+enum class Outcome {
+  ok,
+  inaccurate,  ///< the error is above the need
+  drifted,   ///< a conserved quantity changed: by more than the need, or, where the error is above it, by 1 %
+  diverged,  ///< the error is ten times the true value's size
+  non_finite,
+  stalled,   ///< out of steps, evaluations or iterations
+  deceived,  ///< the method's own error estimate is below its true error
+  raised,    ///< the library reported an error
+};
+
+using Answer = Solved<Value>;
+
+/// A solver's result as a method's answer, its value seen through `see`.
+template <class T, class See = std::identity>
+Answer answer(const Solved<T>& solved, const See& see = {}) {
+  return {Value(see(solved.value)),
+          solved.evaluations,
+          solved.error_estimate,
+          solved.drift,
+          solved.ending,
+          solved.message};
+}
+
+/// A model solved by an algorithm.
+struct Method {
+  std::string model;
+  std::string algorithm;
+  Knob knob;
+  std::function<Answer(double setting)> run;
+  Outcome expected = Outcome::ok;  ///< at the finest setting; the suite is red when it ends otherwise
+  std::string why = {};            ///< why it is expected to fail
+};
+
+/// A known failure and its cure: two rows of the table of trials, both asserted.
+struct Breakdown {
+  std::string says;
+  std::string method;  ///< "model, algorithm"
+  double setting;
+  Outcome outcome;
+  std::string cure;  ///< "model, algorithm"
+  double cure_setting;
+};
+
+/// What is computed, with its true value and every way to compute it.
+struct Quantity {
+  std::string name;
+  std::string unit;
+  std::string says;
+  Route reference;  ///< `by` names the source
+  double reference_error = 0;
+  Tolerance need;  ///< the error that still counts as ok
+  std::vector<Method> methods = {};
+  std::vector<Breakdown> breakdowns = {};
+
+  Quantity& add(Method method);
+  Quantity& add(Breakdown breakdown);
+};
+
+/// A quantity whose truth is a reference value.
+Quantity quantity(std::string name, std::string unit, std::string says, const Known& known, Tolerance need);
+
+/// A method run at one setting of its knob.
+struct Trial {
+  std::string model, algorithm, knob;
+  double setting = 0;
+  Answer answer;
+  double error;
+  Outcome outcome;
+};
+
+/// Runs and judges; an exception out of the method is the outcome `raised`.
+Trial run(const Quantity&, const Method&, double setting);
+
+// ---- the exercise -----------------------------------------------------------------------------------------
+
+struct Findings {
+  std::vector<Claim> claims;
+  std::vector<Quantity> quantities;
+};
+
+struct Exercise {
+  std::string_view title;
+  std::string_view asks;  ///< what the book asks, in our words (Markdown with $math$)
+  std::span<const Parameter> parameters;
+  bool scene = false;  ///< it has motion
+  Findings (*study)(const Parameters&, const Reference&);
+};
+
+std::string_view name_of(Verdict);
+std::string_view name_of(Outcome);
+
+}  // namespace oddity

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace oddity {
+
+/// The user's input is at fault: the message says what, where, and what would be right. Exit code 2.
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace oddity

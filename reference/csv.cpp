@@ -1,0 +1,51 @@
+#include "reference/csv.hpp"
+
+#include <boost/tokenizer.hpp>
+#include <fstream>
+
+#include "reference/bad_input.hpp"
+#include "reference/text.hpp"
+
+namespace oddity {
+
+double CsvRow::number(std::size_t i) const {
+  if (const auto x = number_in(cells[i])) return *x;
+  throw BadInput(place + ": '" + cells[i] + "' in column " + std::to_string(i + 1) + " is not a number");
+}
+
+namespace {
+
+std::vector<std::string> split(const std::string& line, const std::string& place) {
+  using Separator = boost::escaped_list_separator<char>;
+  try {
+    const boost::tokenizer<Separator> cells(line, Separator());
+    return {cells.begin(), cells.end()};
+  } catch (const boost::escaped_list_error& error) {
+    throw BadInput(place + ": not a line of CSV: " + error.what());
+  }
+}
+
+}  // namespace
+
+CsvFile read_csv(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw BadInput("cannot read " + file.string() + ": a table is missing or not readable");
+  CsvFile csv;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (line.empty() || line.starts_with('#')) continue;
+    const std::string place = file.string() + ":" + std::to_string(number);
+    CsvRow row{place, split(line, place)};
+    if (csv.header.cells.empty())
+      csv.header = std::move(row);
+    else if (row.cells.size() == csv.header.cells.size())
+      csv.rows.push_back(std::move(row));
+    else
+      throw BadInput(place + ": " + std::to_string(row.cells.size()) + " cells where the header has " +
+                     std::to_string(csv.header.cells.size()));
+  }
+  if (csv.rows.empty()) throw BadInput(file.string() + ": the table has no rows");
+  return csv;
+}
+
+}  // namespace oddity

@@ -1,0 +1,139 @@
+#include "reference/make/taylor.hpp"
+
+#include <cmath>
+
+namespace oddity::truth {
+
+namespace {
+
+using Op = Tape::Op;
+
+Jet binary(Op op, Jet a, Jet b) { return {a.tape, a.tape->put({op, a.node, b.node})}; }
+Jet unary(Op op, Jet a) { return {a.tape, a.tape->put({op, a.node})}; }
+Jet scaled(Jet a, const Number& factor) { return {a.tape, a.tape->put({Op::scale, a.node, -1, factor})}; }
+Jet constant(Tape* tape, const Number& x) { return {tape, tape->put({Op::constant, -1, -1, x})}; }
+
+/// Sine and cosine need each other's series, so both are put, the sine first.
+int sine_node(Jet a) {
+  const int sine = a.tape->put({Op::sine, a.node});
+  a.tape->put({Op::cosine, a.node, sine});
+  return sine;
+}
+
+Number convolution(const Numbers& a, const Numbers& b, int k, int from, int to) {
+  Number sum = 0;
+  for (int j = from; j <= to; ++j) sum += a[static_cast<std::size_t>(j)] * b[static_cast<std::size_t>(k - j)];
+  return sum;
+}
+
+/// (1/k) sum of j a_j b_(k-j): coefficient k of the integral of a' b.
+Number integrated_product(const Numbers& a, const Numbers& b, int k) {
+  Number sum = 0;
+  for (int j = 1; j <= k; ++j) sum += j * a[static_cast<std::size_t>(j)] * b[static_cast<std::size_t>(k - j)];
+  return sum / k;
+}
+
+}  // namespace
+
+int Tape::put(Node node) {
+  nodes_.push_back(std::move(node));
+  return static_cast<int>(nodes_.size()) - 1;
+}
+
+void Tape::resize(int order) { series_.assign(nodes_.size(), Numbers(static_cast<std::size_t>(order) + 1)); }
+
+void Tape::advance(int k) {
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (nodes_[i].op != Op::variable) series_[i][static_cast<std::size_t>(k)] = coefficient(i, k);
+}
+
+Number Tape::coefficient(std::size_t i, int k) const {
+  const Node& node = nodes_[i];
+  const auto at = [&](int n) -> const Numbers& { return series_[static_cast<std::size_t>(n)]; };
+  const auto index = static_cast<std::size_t>(k);
+  const Numbers& self = series_[i];
+  switch (node.op) {
+    case Op::constant:
+      return k == 0 ? node.constant : Number(0);
+    case Op::add:
+      return at(node.a)[index] + at(node.b)[index];
+    case Op::subtract:
+      return at(node.a)[index] - at(node.b)[index];
+    case Op::scale:
+      return node.constant * at(node.a)[index];
+    case Op::multiply:
+      return convolution(at(node.a), at(node.b), k, 0, k);
+    case Op::divide:
+      return (at(node.a)[index] - convolution(at(node.b), self, k, 1, k)) / at(node.b)[0];
+    case Op::square_root:
+      return k == 0 ? sqrt(at(node.a)[0])
+                    : Number((at(node.a)[index] - convolution(self, self, k, 1, k - 1)) / (2 * self[0]));
+    case Op::exponential:
+      return k == 0 ? exp(at(node.a)[0]) : integrated_product(at(node.a), self, k);
+    case Op::sine:
+      return k == 0 ? sin(at(node.a)[0]) : integrated_product(at(node.a), series_[i + 1], k);
+    case Op::cosine:
+      return k == 0 ? cos(at(node.a)[0]) : Number(-integrated_product(at(node.a), at(node.b), k));
+    case Op::variable:
+      break;
+  }
+  return self[index];
+}
+
+Jet operator+(Jet a, Jet b) { return binary(Op::add, a, b); }
+Jet operator-(Jet a, Jet b) { return binary(Op::subtract, a, b); }
+Jet operator*(Jet a, Jet b) { return binary(Op::multiply, a, b); }
+Jet operator/(Jet a, Jet b) { return binary(Op::divide, a, b); }
+Jet operator+(Jet a, const Number& x) { return a + constant(a.tape, x); }
+Jet operator+(const Number& x, Jet a) { return a + x; }
+Jet operator-(Jet a, const Number& x) { return a + Number(-x); }
+Jet operator-(const Number& x, Jet a) { return constant(a.tape, x) - a; }
+Jet operator*(Jet a, const Number& x) { return scaled(a, x); }
+Jet operator*(const Number& x, Jet a) { return scaled(a, x); }
+Jet operator/(Jet a, const Number& x) { return scaled(a, 1 / x); }
+Jet operator/(const Number& x, Jet a) { return constant(a.tape, x) / a; }
+Jet operator-(Jet a) { return scaled(a, -1); }
+Jet sqrt(Jet a) { return unary(Op::square_root, a); }
+Jet exp(Jet a) { return unary(Op::exponential, a); }
+Jet sin(Jet a) { return {a.tape, sine_node(a)}; }
+Jet cos(Jet a) { return {a.tape, sine_node(a) + 1}; }
+
+/// Fills the tape with the series about (x, t); returns the step that its last two terms allow.
+Number TaylorProblem::expand(const Numbers& x, const Number& t, int order, const Number& tolerance) {
+  tape_.resize(order);
+  for (std::size_t i = 0; i < x.size(); ++i) tape_.set(unknowns_[i], 0, x[i]);
+  tape_.set(time_, 0, t);
+  tape_.set(time_, 1, 1);
+  for (int k = 0; k < order; ++k) {
+    tape_.advance(k);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      tape_.set(unknowns_[i], k + 1, tape_.get(derivatives_[i], k) / (k + 1));
+  }
+  double step = std::numeric_limits<double>::infinity();
+  for (int k : {order - 1, order}) {
+    Number largest = 0;
+    for (int unknown : unknowns_) largest = std::max<Number>(largest, abs(tape_.get(unknown, k)));
+    if (largest > 0) step = std::min(step, static_cast<double>(exp(log(tolerance / largest) / k)));
+  }
+  return Number(0.7) * step;
+}
+
+Numbers TaylorProblem::solve(Numbers x, Number t0, const Number& t1, int digits) {
+  const int order = digits + digits / 4 + 4;
+  const Number tolerance = pow(Number(10), -digits - 4);
+  while (t0 != t1) {
+    const Number step = expand(x, t0, order, tolerance);
+    const Number left = t1 - t0;
+    const bool last = abs(left) <= step;
+    const Number h = last ? left : Number(left > 0 ? step : -step);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      Number sum = tape_.get(unknowns_[i], order);
+      for (int k = order - 1; k >= 0; --k) sum = sum * h + tape_.get(unknowns_[i], k);
+      x[i] = sum;
+    }
+    t0 = last ? t1 : Number(t0 + h);
+  }
+  return x;
+}
+
+}  // namespace oddity::truth

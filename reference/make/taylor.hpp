@@ -1,0 +1,109 @@
+#pragma once
+
+#include <vector>
+
+#include "reference/truth.hpp"
+
+/// Initial value problems by Taylor series in high precision: every right-hand side is recorded once on a
+/// tape whose nodes then give the coefficients of its series, order by order.
+namespace oddity::truth {
+
+/// The record of a right-hand side.
+class Tape {
+ public:
+  enum class Op {
+    constant,
+    variable,
+    add,
+    subtract,
+    multiply,
+    divide,
+    scale,
+    square_root,
+    sine,
+    cosine,
+    exponential
+  };
+  struct Node {
+    Op op;
+    int a = -1;  ///< operand
+    int b = -1;  ///< second operand; for sine and cosine the other one of the pair
+    Number constant = 0;
+  };
+
+  int put(Node node);
+  /// Computes coefficient k of every node, those below k being known.
+  void advance(int k);
+  void set(int node, int k, Number x) {
+    series_[static_cast<std::size_t>(node)][static_cast<std::size_t>(k)] = std::move(x);
+  }
+  const Number& get(int node, int k) const {
+    return series_[static_cast<std::size_t>(node)][static_cast<std::size_t>(k)];
+  }
+  void resize(int order);
+
+ private:
+  Number coefficient(std::size_t node, int k) const;
+  std::vector<Node> nodes_;
+  std::vector<Numbers> series_;
+};
+
+/// A number on a tape; right-hand sides are generic in their number type and take these as well as Number.
+struct Jet {
+  Tape* tape = nullptr;
+  int node = -1;
+};
+
+Jet operator+(Jet, Jet);
+Jet operator-(Jet, Jet);
+Jet operator*(Jet, Jet);
+Jet operator/(Jet, Jet);
+Jet operator+(Jet, const Number&);
+Jet operator+(const Number&, Jet);
+Jet operator-(Jet, const Number&);
+Jet operator-(const Number&, Jet);
+Jet operator*(Jet, const Number&);
+Jet operator*(const Number&, Jet);
+Jet operator/(Jet, const Number&);
+Jet operator/(const Number&, Jet);
+Jet operator-(Jet);
+Jet sqrt(Jet);
+Jet sin(Jet);
+Jet cos(Jet);
+Jet exp(Jet);
+
+/// An initial value problem recorded on a tape: rhs(x, t) returns the derivatives of x.
+class TaylorProblem {
+ public:
+  template <class Rhs>
+  TaylorProblem(const Rhs& rhs, std::size_t dimension) {
+    std::vector<Jet> x;
+    for (std::size_t i = 0; i < dimension; ++i) x.push_back(variable());
+    const Jet t = variable();
+    const std::vector<Jet> dxdt = rhs(x, t);
+    for (std::size_t i = 0; i < dimension; ++i) {
+      unknowns_.push_back(x[i].node);
+      derivatives_.push_back(dxdt[i].node);
+    }
+    time_ = t.node;
+  }
+
+  /// The state at t1 from the state at t0, each step's remainder below 10^-digits.
+  Numbers solve(Numbers x, Number t0, const Number& t1, int digits);
+
+ private:
+  Jet variable() { return {&tape_, tape_.put({Tape::Op::variable})}; }
+  Number expand(const Numbers& x, const Number& t, int order, const Number& tolerance);
+
+  Tape tape_;
+  std::vector<int> unknowns_, derivatives_;
+  int time_ = -1;
+};
+
+/// rhs(const std::vector<T>& x, const T& t) -> std::vector<T>, for T = Number and T = Jet.
+template <class Rhs>
+Numbers solve_taylor(const Rhs& rhs, const Numbers& x0, const Number& t0, const Number& t1, int digits) {
+  return TaylorProblem(rhs, x0.size()).solve(x0, t0, t1, digits);
+}
+
+}  // namespace oddity::truth

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace oddity {
+
+/// A true value: components in the order of its table, each within `error` of the exact number.
+struct Known {
+  std::vector<double> value;
+  double error = 0;
+  std::string source;  ///< which table, or by which route it was computed on the spot
+};
+
+/// What is true. Values come from the CSV tables; where a table has no row for the inputs asked for, they are
+/// computed on the spot by the table's own generator, in high precision and by two routes.
+class Reference {
+ public:
+  /// Reads every table in `folder`. Throws BadInput naming file and line when one is missing or broken.
+  explicit Reference(const std::filesystem::path& folder);
+
+  /// The value of `table` at `inputs` (in the order of the table's columns).
+  /// Throws BadInput when there is no such table, or the number of inputs is not the table's.
+  Known operator()(std::string_view table, const std::vector<double>& inputs) const;
+
+ private:
+  struct Table {
+    std::string file;
+    std::size_t inputs = 0;
+    std::map<std::vector<double>, Known> rows;
+  };
+  static Table read(const std::filesystem::path& file);
+
+  std::map<std::string, Table, std::less<>> tables_;
+};
+
+}  // namespace oddity

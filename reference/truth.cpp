@@ -1,0 +1,61 @@
+#include "reference/truth.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "reference/text.hpp"
+
+namespace oddity::truth {
+
+namespace {
+
+/// The smallest power of ten that is not below x.
+Number power_of_ten_above(const Number& x) {
+  if (x == 0) return 0;
+  return pow(Number(10), ceil(log10(x)));
+}
+
+std::string digits_of(const Number& x, int digits) {
+  return x == 0 ? "0" : x.str(digits, std::ios_base::fmtflags(0));
+}
+
+}  // namespace
+
+Made make_row(const Truth& truth, const std::vector<double>& inputs, int digits) {
+  Made made{truth.first(inputs, digits), 0};
+  const Numbers second = truth.second(inputs, digits);
+  if (made.value.size() != truth.components.size() || second.size() != made.value.size())
+    throw std::logic_error("a route made " + std::to_string(second.size()) + " components of " +
+                           std::to_string(truth.components.size()));
+  const Number floor = pow(Number(10), -digits);
+  for (std::size_t i = 0; i < second.size(); ++i) {
+    const Number size = std::max<Number>(abs(made.value[i]), Number(1));
+    made.error = std::max<Number>(made.error, std::max<Number>(abs(made.value[i] - second[i]), size * floor));
+  }
+  made.error = power_of_ten_above(made.error);
+  return made;
+}
+
+std::string table(const std::string& name, const Truth& truth) {
+  std::ostringstream out;
+  out << "# " << truth.quantity << "\n"
+      << "# formula: " << truth.formula << "\n"
+      << "# made by: reference/make/" << name << ".cpp, working with " << working_digits << " digits (MPFR)\n"
+      << "# first route: " << truth.first_route << "\n"
+      << "# second route: " << truth.second_route << "\n"
+      << "# error: bounds the disagreement of the two routes, rounded up to a power of ten\n"
+      << "# inputs: the double nearest to the decimal shown, taken as exact\n";
+  for (const std::string& input : truth.inputs) out << input << ",";
+  out << "component,value,error,unit\n";
+  for (const std::vector<double>& row : truth.rows) {
+    const Made made = make_row(truth, row, table_digits);
+    for (std::size_t i = 0; i < made.value.size(); ++i) {
+      for (double input : row) out << shortest(input) << ",";
+      out << truth.components[i].name << "," << digits_of(made.value[i], 40) << ","
+          << digits_of(made.error, 2) << "," << truth.components[i].unit << "\n";
+    }
+  }
+  return out.str();
+}
+
+}  // namespace oddity::truth

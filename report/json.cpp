@@ -1,0 +1,261 @@
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "reference/bad_input.hpp"
+#include "report/results.hpp"
+
+namespace oddity {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int format = 1;
+
+template <class Enum, std::size_t N>
+Enum named(const Json& json, const std::array<Enum, N>& all) {
+  for (Enum value : all)
+    if (json == std::string(name_of(value))) return value;
+  throw std::runtime_error("unknown name " + json.dump());
+}
+
+constexpr std::array verdicts{Verdict::confirmed, Verdict::misprint, Verdict::erratum, Verdict::unsettled};
+constexpr std::array outcomes{Outcome::ok,         Outcome::inaccurate, Outcome::drifted,  Outcome::diverged,
+                              Outcome::non_finite, Outcome::stalled,    Outcome::deceived, Outcome::raised};
+
+/// JSON has no infinities and no NaN: they are null, and read as NaN.
+Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+double number(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+Json from(const Value& value) {
+  if (value.size() == 1) return from(value[0]);
+  Json json = Json::array();
+  for (double x : value) json.push_back(from(x));
+  return json;
+}
+Value value(const Json& json) {
+  if (!json.is_array()) return number(json);
+  std::vector<double> components;
+  for (const Json& x : json) components.push_back(number(x));
+  return components;
+}
+
+Json from(const Route& route) { return {{"by", route.by}, {"value", from(route.value)}}; }
+Route route(const Json& json) { return {json.at("by"), value(json.at("value"))}; }
+
+Json from(const Tolerance& t) { return {{"allowed", from(t.allowed)}, {"reason", t.reason}}; }
+Tolerance tolerance(const Json& json) { return {number(json.at("allowed")), json.at("reason")}; }
+
+Json from(const Check& c, const std::string& reading) {
+  return {{"reading", reading},
+          {"quantity", c.quantity},
+          {"left", from(c.left)},
+          {"right", from(c.right)},
+          {"difference", from(c.difference())},
+          {"tolerance", from(c.tolerance)},
+          {"scale", from(c.scale)},
+          {"where", c.where},
+          {"holds", c.holds()}};
+}
+Check check(const Json& json) {
+  return {json.at("quantity"),      route(json.at("left")),
+          route(json.at("right")),  tolerance(json.at("tolerance")),
+          number(json.at("scale")), json.at("where")};
+}
+
+/// The readings of a claim under their names; near misses are numbered.
+template <class C, class F>
+void for_each_reading(C& claim, const F& f) {
+  f("printed", claim.printed);
+  f("meant", claim.meant);
+  f("corrected", claim.corrected);
+  for (std::size_t i = 0; i < claim.near_misses.size(); ++i)
+    f("near miss " + std::to_string(i + 1), claim.near_misses[i]);
+}
+
+Json from(const JudgedClaim& judged) {
+  const Claim& claim = judged.claim;
+  Json readings = Json::object(), checks = Json::array();
+  for_each_reading(claim, [&](const std::string& name, const Reading& reading) {
+    if (reading.checks.empty()) return;
+    readings[name] = reading.text;
+    for (const Check& c : reading.checks) checks.push_back(from(c, name));
+  });
+  return {
+      {"id", claim.id},   {"line", claim.line},   {"says", claim.says}, {"verdict", name_of(judged.verdict)},
+      {"why", claim.why}, {"readings", readings}, {"checks", checks}};
+}
+JudgedClaim claim(const Json& json) {
+  JudgedClaim judged{{json.at("id"), json.at("line"), json.at("says")}, named(json.at("verdict"), verdicts)};
+  judged.claim.why = json.at("why");
+  std::size_t near_misses = 0;
+  for (const auto& [name, text] : json.at("readings").items()) near_misses += name.starts_with("near miss");
+  judged.claim.near_misses.resize(near_misses);
+  for_each_reading(judged.claim, [&](const std::string& name, Reading& reading) {
+    if (!json.at("readings").contains(name)) return;
+    reading.text = json.at("readings").at(name);
+    for (const Json& c : json.at("checks"))
+      if (c.at("reading") == name) reading.checks.push_back(check(c));
+  });
+  return judged;
+}
+
+Json from(const TimedTrial& t) {
+  return {{"model", t.model},
+          {"algorithm", t.algorithm},
+          {"knob", t.knob.empty() ? Json(nullptr) : Json(t.setting)},
+          {"knob_name", t.knob},
+          {"value", from(t.value)},
+          {"error", from(t.error)},
+          {"error_estimate", from(t.error_estimate)},
+          {"drift", from(t.drift)},
+          {"evaluations", t.evaluations},
+          {"seconds", from(t.seconds)},
+          {"spread", from(t.spread)},
+          {"outcome", name_of(t.outcome)},
+          {"message", t.message}};
+}
+TimedTrial trial(const Json& json) {
+  TimedTrial t;
+  t.model = json.at("model");
+  t.algorithm = json.at("algorithm");
+  t.knob = json.at("knob_name");
+  t.setting = json.at("knob").is_null() ? 0 : number(json.at("knob"));
+  t.value = value(json.at("value"));
+  t.error = number(json.at("error"));
+  t.error_estimate = number(json.at("error_estimate"));
+  t.drift = number(json.at("drift"));
+  t.evaluations = json.at("evaluations");
+  t.seconds = number(json.at("seconds"));
+  t.spread = number(json.at("spread"));
+  t.outcome = named(json.at("outcome"), outcomes);
+  t.message = json.at("message");
+  return t;
+}
+
+/// The trials of a quantity stand in one list; the methods say how many of them in turn are theirs.
+Json from(const QuantityResult& q) {
+  Json methods = Json::array(), trials = Json::array(), breakdowns = Json::array();
+  for (const MethodResult& m : q.methods) {
+    methods.push_back({{"model", m.model},
+                       {"algorithm", m.algorithm},
+                       {"expected", name_of(m.expected)},
+                       {"why", m.why},
+                       {"trials", m.trials.size()},
+                       {"as_expected", m.as_expected()}});
+    for (const TimedTrial& t : m.trials) trials.push_back(from(t));
+  }
+  for (const BreakdownResult& b : q.breakdowns)
+    breakdowns.push_back({{"says", b.says},
+                          {"expected", name_of(b.expected)},
+                          {"broken", from(b.broken)},
+                          {"cured", from(b.cured)},
+                          {"as_expected", b.as_expected()}});
+  return {{"name", q.name},
+          {"unit", q.unit},
+          {"says", q.says},
+          {"reference", from(q.reference.value)},
+          {"reference_source", q.reference.by},
+          {"reference_error", from(q.reference_error)},
+          {"need", from(q.need)},
+          {"methods", methods},
+          {"trials", trials},
+          {"breakdowns", breakdowns}};
+}
+QuantityResult quantity(const Json& json) {
+  QuantityResult q{json.at("name"),
+                   json.at("unit"),
+                   json.at("says"),
+                   {json.at("reference_source"), value(json.at("reference"))},
+                   number(json.at("reference_error")),
+                   tolerance(json.at("need")),
+                   {},
+                   {}};
+  std::size_t next = 0;
+  for (const Json& m : json.at("methods")) {
+    MethodResult method{m.at("model"), m.at("algorithm"), named(m.at("expected"), outcomes), m.at("why"), {}};
+    for (std::size_t i = 0; i < m.at("trials"); ++i)
+      method.trials.push_back(trial(json.at("trials").at(next++)));
+    q.methods.push_back(std::move(method));
+  }
+  for (const Json& b : json.at("breakdowns"))
+    q.breakdowns.push_back(
+        {b.at("says"), named(b.at("expected"), outcomes), trial(b.at("broken")), trial(b.at("cured"))});
+  return q;
+}
+
+Json from(const ExerciseResult& e) {
+  Json parameters = Json::array(), claims = Json::array(), quantities = Json::array();
+  for (const ParameterValue& p : e.parameters)
+    parameters.push_back({{"name", p.name}, {"value", from(p.value)}, {"unit", p.unit}, {"says", p.says}});
+  for (const JudgedClaim& c : e.claims) claims.push_back(from(c));
+  for (const QuantityResult& q : e.quantities) quantities.push_back(from(q));
+  return {{"number", to_string(e.number)},
+          {"title", e.title},
+          {"asks", e.asks},
+          {"scene", e.scene},
+          {"parameters", parameters},
+          {"claims", claims},
+          {"quantities", quantities},
+          {"failure", e.failure}};
+}
+ExerciseResult exercise(const Json& json) {
+  const auto number_of = exercise_number(json.at("number").get<std::string>());
+  if (!number_of) throw std::runtime_error("not an exercise number: " + json.at("number").dump());
+  ExerciseResult e{*number_of, json.at("title"),  json.at("asks"), json.at("scene"), {}, {},
+                   {},         json.at("failure")};
+  for (const Json& p : json.at("parameters"))
+    e.parameters.push_back({p.at("name"), number(p.at("value")), p.at("unit"), p.at("says")});
+  for (const Json& c : json.at("claims")) e.claims.push_back(claim(c));
+  for (const Json& q : json.at("quantities")) e.quantities.push_back(quantity(q));
+  return e;
+}
+
+}  // namespace
+
+std::string to_json(const Results& results) {
+  Json exercises = Json::array();
+  for (const ExerciseResult& e : results.exercises) exercises.push_back(from(e));
+  return Json{{"format", format}, {"exercises", exercises}}.dump(1) + "\n";
+}
+
+Results results_from_json(const std::string& text, const std::string& place) {
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("format") != format) throw std::runtime_error("written by another version of oddity");
+    Results results;
+    for (const Json& e : json.at("exercises")) results.exercises.push_back(exercise(e));
+    return results;
+  } catch (const std::exception& error) {
+    throw BadInput(place + ": not a results file: " + error.what());
+  }
+}
+
+Results read_results(const fs::path& file) {
+  std::ifstream in(file);
+  if (!in) throw BadInput("cannot read " + file.string());
+  std::ostringstream text;
+  text << in.rdbuf();
+  return results_from_json(text.str(), file.string());
+}
+
+void write_whole(const fs::path& file, const std::string& text) {
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  if (error) throw BadInput("cannot make the folder " + file.parent_path().string() + ": " + error.message());
+  const fs::path part = file.string() + ".part";
+  std::ofstream out(part, std::ios::binary);
+  out << text << std::flush;
+  if (!out)
+    throw BadInput("cannot write " + file.string() + ": the folder is not writable, or the disk is full");
+  out.close();
+  fs::rename(part, file, error);
+  if (error) throw BadInput("cannot write " + file.string() + ": " + error.message());
+}
+
+}  // namespace oddity

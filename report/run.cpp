@@ -1,0 +1,202 @@
+#include "report/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <execution>
+#include <mutex>
+
+#include "reference/bad_input.hpp"
+
+namespace oddity {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A task with its findings: where closures become plain values.
+struct Studied {
+  const Task* task;
+  Findings findings;
+  std::string failure;
+};
+
+/// A trial yet to be run, and where its result goes.
+struct Pending {
+  const Quantity* quantity;
+  const Method* method;
+  double setting;
+  TimedTrial* result;
+};
+
+/// Counts finished pieces of work for a progress display.
+class Tally {
+ public:
+  Tally(const Progress& progress, std::size_t all) : progress_(progress), all_(all) {}
+  void add() {
+    if (!progress_) return;
+    const std::lock_guard lock(mutex_);
+    progress_(++done_, all_);
+  }
+
+ private:
+  const Progress& progress_;
+  std::size_t all_, done_ = 0;
+  std::mutex mutex_;
+};
+
+Studied study(const Task& task, const Reference& truth) {
+  Studied studied{&task, {}, {}};
+  try {
+    studied.findings = task.entry->exercise.study(task.parameters, truth);
+  } catch (const BadInput&) {
+    throw;
+  } catch (const std::exception& exception) {
+    studied.failure = exception.what();
+  }
+  return studied;
+}
+
+/// std::for_each in parallel; the first exception thrown inside is thrown on (the standard one would
+/// terminate).
+template <class Range, class F>
+void parallel_for_each(Range& range, const F& f) {
+  std::exception_ptr thrown;
+  std::mutex mutex;
+  std::for_each(std::execution::par, range.begin(), range.end(), [&](auto& item) {
+    try {
+      f(item);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!thrown) thrown = std::current_exception();
+    }
+  });
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+TimedTrial as_result(const Trial& trial) {
+  const Answer& answer = trial.answer;
+  return {trial.model,
+          trial.algorithm,
+          trial.knob,
+          trial.setting,
+          answer.value,
+          trial.error,
+          answer.error_estimate,
+          answer.drift,
+          answer.evaluations,
+          trial.outcome,
+          answer.message,
+          std::numeric_limits<double>::quiet_NaN(),
+          std::numeric_limits<double>::quiet_NaN()};
+}
+
+const Method& method_named(const Quantity& quantity, const std::string& name) {
+  for (const Method& method : quantity.methods)
+    if (method.model + ", " + method.algorithm == name) return method;
+  throw std::logic_error("quantity " + quantity.name + " has no method '" + name + "'");
+}
+
+/// The result's shape, its trials still empty but registered in `pending`.
+QuantityResult shape(const Quantity& quantity, std::vector<Pending>& pending) {
+  QuantityResult result{quantity.name,
+                        quantity.unit,
+                        quantity.says,
+                        quantity.reference,
+                        quantity.reference_error,
+                        quantity.need,
+                        {},
+                        {}};
+  for (const Method& method : quantity.methods)
+    result.methods.push_back({method.model, method.algorithm, method.expected, method.why,
+                              std::vector<TimedTrial>(method.knob.settings.size())});
+  for (const Breakdown& breakdown : quantity.breakdowns)
+    result.breakdowns.push_back({breakdown.says, breakdown.outcome, {}, {}});
+  for (std::size_t m = 0; m < quantity.methods.size(); ++m)
+    for (std::size_t s = 0; s < quantity.methods[m].knob.settings.size(); ++s)
+      pending.push_back({&quantity, &quantity.methods[m], quantity.methods[m].knob.settings[s],
+                         &result.methods[m].trials[s]});
+  for (std::size_t b = 0; b < quantity.breakdowns.size(); ++b) {
+    const Breakdown& breakdown = quantity.breakdowns[b];
+    BreakdownResult& place = result.breakdowns[b];
+    pending.push_back(
+        {&quantity, &method_named(quantity, breakdown.method), breakdown.setting, &place.broken});
+    pending.push_back(
+        {&quantity, &method_named(quantity, breakdown.cure), breakdown.cure_setting, &place.cured});
+  }
+  return result;
+}
+
+ExerciseResult shape(const Studied& studied, std::vector<Pending>& pending) {
+  const Entry& entry = *studied.task->entry;
+  ExerciseResult result{entry.number,
+                        std::string(entry.exercise.title),
+                        std::string(entry.exercise.asks),
+                        entry.exercise.scene,
+                        {},
+                        {},
+                        {},
+                        studied.failure};
+  for (const Parameter& p : entry.exercise.parameters)
+    result.parameters.push_back(
+        {std::string(p.name), studied.task->parameters[p.name], std::string(p.unit), std::string(p.says)});
+  for (const Claim& claim : studied.findings.claims) result.claims.push_back({claim, verdict(claim)});
+  for (const Quantity& quantity : studied.findings.quantities)
+    result.quantities.push_back(shape(quantity, pending));
+  return result;
+}
+
+/// Median and quartile half-distance over batches, each as long as a tenth of a millisecond or one run.
+void time(const Pending& pending) {
+  constexpr std::chrono::microseconds batch{100};
+  constexpr std::size_t batches = 5;
+  const auto once = [&] {
+    const auto start = Clock::now();
+    static_cast<void>(pending.method->run(pending.setting));
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  const double first = once();
+  const auto runs = static_cast<long>(
+      std::clamp(std::chrono::duration<double>(batch).count() / std::max(first, 1e-8), 1.0, 1e4));
+  std::vector<double> seconds;
+  const std::size_t count = first > 0.05 ? 1 : batches;
+  for (std::size_t b = 0; b < count; ++b) {
+    const auto start = Clock::now();
+    for (long i = 0; i < runs; ++i) static_cast<void>(pending.method->run(pending.setting));
+    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count() /
+                      static_cast<double>(runs));
+  }
+  std::ranges::sort(seconds);
+  pending.result->seconds = seconds[count / 2];
+  pending.result->spread = (seconds[(3 * count) / 4] - seconds[count / 4]) / 2;
+}
+
+}  // namespace
+
+Results run(std::span<const Task> tasks, const Reference& truth, bool timed, const Progress& progress) {
+  std::vector<Studied> studied(tasks.size());
+  for (std::size_t i = 0; i < tasks.size(); ++i) studied[i].task = &tasks[i];
+  {
+    Tally tally(progress, tasks.size());
+    parallel_for_each(studied, [&](Studied& s) {
+      s = study(*s.task, truth);
+      tally.add();
+    });
+  }
+  Results results;
+  std::vector<Pending> pending;
+  for (const Studied& s : studied) results.exercises.push_back(shape(s, pending));
+
+  Tally tally(progress, pending.size() * (timed ? 2 : 1));
+  parallel_for_each(pending, [&](const Pending& p) {
+    *p.result = as_result(run(*p.quantity, *p.method, p.setting));
+    tally.add();
+  });
+  if (timed)
+    for (const Pending& p : pending) {
+      if (p.result->outcome != Outcome::raised) time(p);
+      tally.add();
+    }
+  return results;
+}
+
+}  // namespace oddity

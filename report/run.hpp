@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "reference/reference.hpp"
+#include "report/results.hpp"
+
+namespace oddity {
+
+/// An exercise with the parameters to study it at.
+struct Task {
+  const Entry* entry;
+  Parameters parameters;
+
+  explicit Task(const Entry& e) : entry(&e), parameters(e.exercise.parameters) {}
+};
+
+/// Called with how many of how many pieces of work are done; from several threads, one at a time.
+using Progress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Studies the tasks in parallel, then runs all their trials in parallel; when `timed`, runs each trial
+/// again, alone, in batches long enough for the clock. The results are in the order of the tasks and do not
+/// depend on the number of threads. BadInput out of a study is thrown on; any other exception becomes that
+/// exercise's `failure`.
+Results run(std::span<const Task> tasks, const Reference& truth, bool timed, const Progress& progress = {});
+
+}  // namespace oddity

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+/// Where things are, unless the command line says otherwise. Set by CMake.
+namespace oddity {
+
+std::filesystem::path reference_folder();  ///< the tables
+std::filesystem::path results_file();      ///< the last run's results
+std::filesystem::path report_folder();     ///< the last report
+std::string gnuplot();                     ///< the program that draws
+std::string version();
+
+}  // namespace oddity

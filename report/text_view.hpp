@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "report/results.hpp"
+
+namespace oddity {
+
+/// An exercise's results as text for a terminal: claims with verdicts, then every trial of every quantity.
+std::string text_view(const ExerciseResult&);
+
+/// "2.26011409398565", "(0.1, 0.2, 0.3)", long values cut short.
+std::string shown(const Value&, int digits = 9);
+/// "2.3e-14"; "0" for zero.
+std::string shown_error(double error);
+/// "12.3 us".
+std::string shown_time(double seconds);
+/// "step 0.001", "no knob".
+std::string shown_knob(const TimedTrial&);
+
+}  // namespace oddity

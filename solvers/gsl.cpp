@@ -1,0 +1,12 @@
+#include "solvers/gsl.hpp"
+
+#include <gsl/gsl_errno.h>
+
+namespace oddity {
+
+void quiet_gsl() {
+  static const auto previous = gsl_set_error_handler_off();
+  static_cast<void>(previous);
+}
+
+}  // namespace oddity

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "solvers/solved.hpp"
+
+/// Dense linear algebra over Eigen. `evaluations` counts multiplications and divisions, to leading order
+/// exact for the algorithm as published. Singular (a zero or non-finite pivot): the ending is `raised`.
+namespace oddity {
+
+enum class Factorization {
+  partial_pivot_lu,  ///< n^3/3, the default of engines
+  full_pivot_lu,     ///< n^3/3 and n^3/3 comparisons; reveals rank
+  householder_qr,    ///< m n^2 - n^3/3; also least squares
+  cholesky,          ///< n^3/6, symmetric positive definite only (LDL^T)
+};
+
+/// x with a x = b; least squares when a is taller than wide (QR only).
+Solved<Eigen::VectorXd> solve(Factorization, const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// The determinant by LU with partial pivoting.
+Solved<double> determinant(const Eigen::MatrixXd& a);
+/// The ratio of the extreme singular values; infinity when the least one is zero.
+double condition(const Eigen::MatrixXd& a);
+/// The number of singular values above `relative` times the largest.
+int rank(const Eigen::MatrixXd& a, double relative = 1e-12);
+
+}  // namespace oddity

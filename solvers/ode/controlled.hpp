@@ -1,0 +1,16 @@
+#pragma once
+
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+
+namespace oddity::ode::detail {
+
+/// An embedded Runge-Kutta method under Odeint's step control. Built here and not by make_controlled, which
+/// in Boost 1.74 hands the relative tolerance on as the largest step.
+template <class Plain>
+auto controlled(double tolerance) {
+  using Controlled = boost::numeric::odeint::controlled_runge_kutta<Plain>;
+  return Controlled(typename Controlled::error_checker_type(tolerance, tolerance),
+                    typename Controlled::step_adjuster_type(), Plain());
+}
+
+}  // namespace oddity::ode::detail

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <string_view>
+
+#include "solvers/ode/controlled.hpp"
+#include "solvers/ode/integrate.hpp"
+
+namespace oddity::ode {
+
+/// Order 5 with an embedded order 4 for the step control, seven evaluations a step of which the last is the
+/// next step's first.
+struct DormandPrince54 {
+  static constexpr std::string_view name = "Dormand-Prince 5(4)";
+  static constexpr Kind kind = Kind::controlled;
+  static constexpr int order = 5;
+  static constexpr double first_step = 1e-3;  ///< of the whole span
+  static constexpr auto success = boost::numeric::odeint::success;
+  /// The method without its step control.
+  template <class State>
+  using Plain = boost::numeric::odeint::runge_kutta_dopri5<State>;
+  template <class State>
+  static auto stepper(double tolerance) {
+    return detail::controlled<Plain<State>>(tolerance);
+  }
+};
+
+}  // namespace oddity::ode

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <boost/numeric/odeint/stepper/euler.hpp>
+#include <string_view>
+
+#include "solvers/ode/integrate.hpp"
+
+namespace oddity::ode {
+
+/// Order 1, one evaluation a step. Stable on the negative real axis to h |lambda| = 2, on the imaginary axis
+/// nowhere: every undamped oscillation grows.
+struct ExplicitEuler {
+  static constexpr std::string_view name = "explicit Euler";
+  static constexpr Kind kind = Kind::fixed;
+  static constexpr int order = 1;
+  template <class State>
+  static auto stepper() {
+    return boost::numeric::odeint::euler<State>();
+  }
+};
+
+}  // namespace oddity::ode

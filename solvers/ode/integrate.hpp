@@ -1,0 +1,176 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solvers/solved.hpp"
+
+/// Initial value problems over Boost.Odeint. States are std::array<double, N>; a system is called as
+/// system(x, dxdt, t). A partitioned system has x = (q, v) with q' = v and also offers system.acceleration(q,
+/// a): forces that depend on positions alone.
+///
+/// An algorithm is a type of this folder. Its `setting` is a step (fixed, partitioned) or a tolerance,
+/// absolute and relative (controlled). Time may run backward. No algorithm hangs or returns NaN as a success:
+/// a state that is not finite ends `non_finite`, a step too small to move the time or a spent budget ends
+/// `stalled`.
+namespace oddity::ode {
+
+enum class Kind { fixed, partitioned, controlled };
+
+/// Most evaluations of the right-hand side that one integration may take.
+constexpr long budget = 20'000'000;
+
+template <class State>
+bool finite(const State& x) {
+  double sum = 0;
+  for (double component : x) sum += component * 0.0;
+  return sum == 0.0;
+}
+
+/// States at the given times.
+template <class State>
+using Trajectory = Solved<std::vector<State>>;
+
+/// Called after each step with its two ends; true ends the integration there.
+struct NeverStop {
+  template <class State>
+  bool operator()(double, const State&, double, const State&) const {
+    return false;
+  }
+};
+
+namespace detail {
+
+template <class State>
+bool fail(Trajectory<State>& solved, Ending ending, std::string message) {
+  solved.ending = ending;
+  solved.message = std::move(message);
+  return false;
+}
+
+inline std::string at(double t) { return "at t = " + std::to_string(t); }
+
+template <class State>
+bool check_budget(Trajectory<State>& solved, double t) {
+  return solved.evaluations <= budget ||
+         fail(solved, Ending::stalled, "the budget of evaluations is spent " + at(t));
+}
+
+/// Steps of equal size from t0 to t1, no longer than `step`; false when the integration is over.
+template <class DoStep, class State, class OnStep>
+bool equal_steps(const DoStep& do_step, State& x, double t0, double t1, double step,
+                 Trajectory<State>& solved, const OnStep& on_step) {
+  const double count = std::max(1.0, std::ceil(std::abs(t1 - t0) / step * (1 - 1e-12)));
+  if (!(count <= static_cast<double>(budget)))
+    return fail(solved, Ending::stalled, "the step would take more steps than the budget allows");
+  const auto n = static_cast<long>(count);
+  const double h = (t1 - t0) / count;
+  for (long i = 0; i < n; ++i) {
+    const State before = x;
+    const double t = t0 + static_cast<double>(i) * h;
+    do_step(x, t, h);
+    if ((i % 16 == 15 || i + 1 == n) && !finite(x))
+      return fail(solved, Ending::non_finite, "the state is not finite " + at(t + h));
+    if (on_step(t, before, t + h, x)) return false;
+  }
+  return check_budget(solved, t1);
+}
+
+/// Steps chosen by the stepper's error control from t to t1; `h` is the step to try and goes on from call to
+/// call.
+template <class TryStep, class State, class OnStep>
+bool controlled_steps(const TryStep& try_step, State& x, double t, double t1, double& h,
+                      Trajectory<State>& solved, const OnStep& on_step) {
+  int rejected = 0;
+  while (t != t1) {
+    const bool last = std::abs(h) >= std::abs(t1 - t);
+    double tried = last ? t1 - t : h;
+    const State before = x;
+    const double from = t;
+    if (from + tried == from) return fail(solved, Ending::stalled, "the step became too small " + at(t));
+    if (!try_step(x, t, tried)) {
+      h = tried;
+      if (++rejected > 500) return fail(solved, Ending::stalled, "500 rejected steps " + at(t));
+      if (!check_budget(solved, t)) return false;
+      continue;
+    }
+    rejected = 0;
+    if (last) t = t1;
+    h = last && std::abs(h) > std::abs(tried) ? h : tried;
+    if (!finite(x)) return fail(solved, Ending::non_finite, "the state is not finite " + at(t));
+    if (on_step(from, before, t, x)) return false;
+    if (!check_budget(solved, t)) return false;
+  }
+  return true;
+}
+
+/// Advances x from times[0] through all of them by advance(x, t0, t1), keeping the states.
+template <class State, class Advance>
+void through(std::span<const double> times, State x, Trajectory<State>& solved, const Advance& advance) {
+  solved.value.push_back(x);
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const bool on = times[i] == times[i - 1] || advance(x, times[i - 1], times[i]);
+    solved.value.push_back(x);
+    if (!on) return;
+  }
+}
+
+}  // namespace detail
+
+/// The states at `times`, the first of which is the start's. The value ends with the last state reached.
+template <class Algorithm, class System, class State, class OnStep = NeverStop>
+Trajectory<State> integrate(const System& system, const State& start, std::span<const double> times,
+                            double setting, const OnStep& on_step = {}) {
+  Trajectory<State> solved;
+  if (!(setting > 0 && std::isfinite(setting))) {
+    detail::fail(solved, Ending::raised, "the step or tolerance must be positive and finite");
+    return solved;
+  }
+  const auto counted = [&system, &solved](const State& x, State& dxdt, double t) {
+    ++solved.evaluations;
+    system(x, dxdt, t);
+  };
+  if constexpr (Algorithm::kind == Kind::fixed) {
+    auto stepper = Algorithm::template stepper<State>();
+    const auto do_step = [&](State& x, double t, double h) { stepper.do_step(counted, x, t, h); };
+    detail::through(times, start, solved, [&](State& x, double t0, double t1) {
+      return detail::equal_steps(do_step, x, t0, t1, setting, solved, on_step);
+    });
+  } else if constexpr (Algorithm::kind == Kind::partitioned) {
+    auto stepper = Algorithm::template stepper<State>(system, solved.evaluations);
+    detail::through(times, start, solved, [&](State& x, double t0, double t1) {
+      return detail::equal_steps(stepper, x, t0, t1, setting, solved, on_step);
+    });
+  } else {
+    auto stepper = Algorithm::template stepper<State>(setting);
+    const auto try_step = [&](State& x, double& t, double& h) {
+      return stepper.try_step(counted, x, t, h) == Algorithm::success;
+    };
+    double h = times.size() > 1 ? (times.back() - times.front()) * Algorithm::first_step : 0;
+    detail::through(times, start, solved, [&](State& x, double t0, double t1) {
+      return detail::controlled_steps(try_step, x, t0, t1, h, solved, on_step);
+    });
+  }
+  return solved;
+}
+
+/// The state at t1 alone.
+template <class Algorithm, class System, class State>
+Solved<State> integrate(const System& system, const State& start, double t0, double t1, double setting) {
+  const std::array times{t0, t1};
+  auto trajectory = integrate<Algorithm>(system, start, std::span<const double>(times), setting);
+  return {trajectory.value.empty() ? start : trajectory.value.back(),
+          trajectory.evaluations,
+          trajectory.error_estimate,
+          trajectory.drift,
+          trajectory.ending,
+          trajectory.message};
+}
+
+}  // namespace oddity::ode

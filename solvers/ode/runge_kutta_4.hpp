@@ -1,0 +1,22 @@
+#pragma once
+
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <string_view>
+
+#include "solvers/ode/integrate.hpp"
+
+namespace oddity::ode {
+
+/// Kutta's classical method: order 4, four evaluations a step. Stable to h |lambda| = 2.785 on the negative
+/// real axis and 2.828 on the imaginary axis.
+struct RungeKutta4 {
+  static constexpr std::string_view name = "Runge-Kutta 4";
+  static constexpr Kind kind = Kind::fixed;
+  static constexpr int order = 4;
+  template <class State>
+  static auto stepper() {
+    return boost::numeric::odeint::runge_kutta4<State>();
+  }
+};
+
+}  // namespace oddity::ode

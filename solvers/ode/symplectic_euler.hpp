@@ -1,0 +1,32 @@
+#pragma once
+
+#include <boost/numeric/odeint/stepper/symplectic_euler.hpp>
+#include <string_view>
+
+#include "solvers/ode/partitioned.hpp"
+
+namespace oddity::ode {
+
+/// Order 1, one evaluation of the forces a step: q += h v, then v += h a(q). Stable on the imaginary axis to
+/// h |lambda| = 2, where energy oscillates but does not drift.
+struct SymplecticEuler {
+  static constexpr std::string_view name = "symplectic Euler";
+  static constexpr Kind kind = Kind::partitioned;
+  static constexpr int order = 1;
+  template <class State, class System>
+  static auto stepper(const System& system, long& evaluations) {
+    using Half = typename detail::Halves<State>::Half;
+    return [&system, &evaluations](State& x, double t, double h) {
+      const auto force = [&](const Half& q, Half& a) {
+        ++evaluations;
+        system.acceleration(q, a);
+      };
+      detail::Halves<State> halves(x);
+      boost::numeric::odeint::symplectic_euler<Half>().do_step(
+          force, std::pair(std::ref(halves.q), std::ref(halves.v)), t, h);
+      halves.put(x);
+    };
+  }
+};
+
+}  // namespace oddity::ode

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <boost/numeric/odeint/stepper/velocity_verlet.hpp>
+#include <memory>
+#include <string_view>
+
+#include "solvers/ode/partitioned.hpp"
+
+namespace oddity::ode {
+
+/// Order 2, one evaluation of the forces a step (and one to start). Symplectic and reversible; stable on the
+/// imaginary axis to h |lambda| = 2.
+struct VelocityVerlet {
+  static constexpr std::string_view name = "velocity Verlet";
+  static constexpr Kind kind = Kind::partitioned;
+  static constexpr int order = 2;
+  template <class State, class System>
+  static auto stepper(const System& system, long& evaluations) {
+    using Half = typename detail::Halves<State>::Half;
+    const auto verlet = std::make_shared<boost::numeric::odeint::velocity_verlet<Half>>();
+    return [&system, &evaluations, verlet](State& x, double t, double h) {
+      const auto force = [&](const Half& q, const Half&, Half& a, double) {
+        ++evaluations;
+        system.acceleration(q, a);
+      };
+      detail::Halves<State> halves(x);
+      verlet->do_step(force, std::pair(std::ref(halves.q), std::ref(halves.v)), t, h);
+      halves.put(x);
+    };
+  }
+};
+
+}  // namespace oddity::ode

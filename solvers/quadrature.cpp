@@ -1,0 +1,183 @@
+#include "solvers/quadrature.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace oddity {
+
+namespace {
+
+constexpr std::size_t intervals = 1000;
+
+struct Free {
+  void operator()(gsl_integration_workspace* w) const { gsl_integration_workspace_free(w); }
+  void operator()(gsl_integration_cquad_workspace* w) const { gsl_integration_cquad_workspace_free(w); }
+  void operator()(gsl_integration_glfixed_table* t) const { gsl_integration_glfixed_table_free(t); }
+};
+
+/// What a status, a value and an estimate amount to.
+Integral concluded(int status, double value, double estimate, double tolerance, long evaluations) {
+  Integral integral{value, evaluations, estimate};
+  if (!std::isfinite(value)) {
+    integral.ending = Ending::non_finite;
+    integral.message = "the result is not finite";
+  } else if (status == GSL_EMAXITER) {
+    integral.ending = Ending::stalled;
+    integral.message = gsl_strerror(status);
+  } else if (status != GSL_SUCCESS) {
+    integral.ending = Ending::raised;
+    integral.message = gsl_strerror(status);
+  } else if (!(estimate <= std::max(tolerance, tolerance * std::abs(value)))) {
+    integral.ending = Ending::stalled;
+    integral.message = "GSL reports success, but its error estimate is above the request";
+  }
+  return integral;
+}
+
+/// Runs one of GSL's adaptive rules on its workspace.
+template <class Call>
+Integral adaptive(FunctionOfOne f, double tolerance, const Call& call) {
+  quiet_gsl();
+  const std::unique_ptr<gsl_integration_workspace, Free> workspace(
+      gsl_integration_workspace_alloc(intervals));
+  CountedFunction counted{f};
+  const gsl_function function{&CountedFunction::call, &counted};
+  double value = 0, estimate = 0;
+  const int status = call(&function, workspace.get(), &value, &estimate);
+  return concluded(status, value, estimate, tolerance, counted.calls);
+}
+
+Integral fixed(double value, long evaluations) {
+  Integral integral{value, evaluations};
+  if (!std::isfinite(value)) {
+    integral.ending = Ending::non_finite;
+    integral.message = "the integrand is not finite at a node";
+  }
+  return integral;
+}
+
+Integral refused(const std::string& message) {
+  Integral integral;
+  integral.ending = Ending::raised;
+  integral.message = message;
+  return integral;
+}
+
+}  // namespace
+
+Integral qag(FunctionOfOne f, double a, double b, double tolerance) {
+  return adaptive(
+      f, tolerance, [&](const gsl_function* g, gsl_integration_workspace* w, double* value, double* e) {
+        return gsl_integration_qag(g, a, b, tolerance, tolerance, intervals, GSL_INTEG_GAUSS21, w, value, e);
+      });
+}
+
+Integral qags(FunctionOfOne f, double a, double b, double tolerance) {
+  return adaptive(f, tolerance,
+                  [&](const gsl_function* g, gsl_integration_workspace* w, double* value, double* e) {
+                    return gsl_integration_qags(g, a, b, tolerance, tolerance, intervals, w, value, e);
+                  });
+}
+
+Integral qagp(FunctionOfOne f, std::vector<double> points, double tolerance) {
+  return adaptive(f, tolerance,
+                  [&](const gsl_function* g, gsl_integration_workspace* w, double* value, double* e) {
+                    return gsl_integration_qagp(g, points.data(), points.size(), tolerance, tolerance,
+                                                intervals, w, value, e);
+                  });
+}
+
+Integral cquad(FunctionOfOne f, double a, double b, double tolerance) {
+  quiet_gsl();
+  const std::unique_ptr<gsl_integration_cquad_workspace, Free> workspace(
+      gsl_integration_cquad_workspace_alloc(intervals));
+  CountedFunction counted{f};
+  const gsl_function function{&CountedFunction::call, &counted};
+  double value = 0, estimate = 0;
+  const int status = gsl_integration_cquad(&function, a, b, tolerance, tolerance, workspace.get(), &value,
+                                           &estimate, nullptr);
+  return concluded(status, value, estimate, tolerance, counted.calls);
+}
+
+Integral gauss_legendre(FunctionOfOne f, double a, double b, int points) {
+  if (points < 1) return refused("Gauss-Legendre needs at least one point");
+  quiet_gsl();
+  const std::unique_ptr<gsl_integration_glfixed_table, Free> table(
+      gsl_integration_glfixed_table_alloc(static_cast<std::size_t>(points)));
+  CountedFunction counted{f};
+  const gsl_function function{&CountedFunction::call, &counted};
+  const double value = gsl_integration_glfixed(&function, a, b, table.get());
+  return fixed(value, counted.calls);
+}
+
+Integral simpson(FunctionOfOne f, double a, double b, int panels) {
+  if (panels < 2 || panels % 2 != 0) return refused("Simpson's rule needs an even number of panels");
+  const double h = (b - a) / panels;
+  double odd = 0, even = 0;
+  for (int i = 1; i < panels; i += 2) odd += f(a + i * h);
+  for (int i = 2; i < panels; i += 2) even += f(a + i * h);
+  return fixed(h / 3 * (f(a) + 4 * odd + 2 * even + f(b)), panels + 1);
+}
+
+Integral trapezoid(FunctionOfOne f, double a, double b, int panels) {
+  if (panels < 1) return refused("the trapezoid rule needs at least one panel");
+  const double h = (b - a) / panels;
+  double inside = 0;
+  for (int i = 1; i < panels; ++i) inside += f(a + i * h);
+  return fixed(h * (0.5 * f(a) + inside + 0.5 * f(b)), panels + 1);
+}
+
+namespace {
+
+/// Adds an inner integral's work to a total, and keeps the first failure.
+double absorb(const Integral& inner, Integral& total) {
+  total.evaluations += inner.evaluations;
+  if (!inner.reached() && total.reached()) {
+    total.ending = inner.ending;
+    total.message = inner.message;
+  }
+  return inner.value;
+}
+
+Integral combined(const Integral& outer, const Integral& inner) {
+  Integral total = outer;
+  total.evaluations = inner.evaluations;
+  if (outer.reached() && !inner.reached()) {
+    total.ending = inner.ending;
+    total.message = "inner integral: " + inner.message;
+  }
+  return total;
+}
+
+}  // namespace
+
+Integral nested(const Rule& rule, const std::function<double(double, double)>& f, double a, double b,
+                const Bound& low, const Bound& high) {
+  Integral inner;
+  const auto slice = [&](double x) {
+    return absorb(rule([&](double y) { return f(x, y); }, low(x), high(x)), inner);
+  };
+  const Integral outer = rule(slice, a, b);
+  return combined(outer, inner);
+}
+
+Integral nested(const Rule& rule, const std::function<double(double, double, double)>& f, double a, double b,
+                const Bound& low, const Bound& high, const std::function<double(double, double)>& bottom,
+                const std::function<double(double, double)>& top) {
+  Integral inner;
+  const auto slice = [&](double x) {
+    const auto column = [&](double y) { return [&f, x, y](double z) { return f(x, y, z); }; };
+    const auto line = [&](double y) { return absorb(rule(column(y), bottom(x, y), top(x, y)), inner); };
+    Integral middle = rule(line, low(x), high(x));
+    middle.evaluations = 0;
+    return absorb(middle, inner);
+  };
+  const Integral outer = rule(slice, a, b);
+  return combined(outer, inner);
+}
+
+}  // namespace oddity

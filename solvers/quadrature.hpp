@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "solvers/gsl.hpp"
+#include "solvers/solved.hpp"
+
+/// Integrals over a finite interval. The adaptive rules take one tolerance, absolute and relative (the larger
+/// counts); they end `raised` with GSL's own words when it reports an error, `stalled` when their estimate
+/// stays above the request (GSL may call that a success), `non_finite` when the result is no number.
+namespace oddity {
+
+using Integral = Solved<double>;
+
+/// Adaptive Gauss-Kronrod, 21 points. For smooth or mildly difficult integrands.
+Integral qag(FunctionOfOne f, double a, double b, double tolerance);
+/// Adaptive Gauss-Kronrod with Wynn's epsilon extrapolation. For integrable singularities, at best at the
+/// ends.
+Integral qags(FunctionOfOne f, double a, double b, double tolerance);
+/// QAGS with known points of difficulty: `points` are the ends and all that lies between, ascending.
+Integral qagp(FunctionOfOne f, std::vector<double> points, double tolerance);
+/// Doubly adaptive Clenshaw-Curtis. Evaluates the ends; leaves out points where f is not finite.
+Integral cquad(FunctionOfOne f, double a, double b, double tolerance);
+
+/// Fixed Gauss-Legendre with n >= 1 points: exact for polynomials up to degree 2n-1. No error estimate.
+Integral gauss_legendre(FunctionOfOne f, double a, double b, int points);
+/// Composite Simpson with an even number of panels, error C h^4. Evaluates the ends. No error estimate.
+Integral simpson(FunctionOfOne f, double a, double b, int panels);
+/// Composite trapezoid, error C h^2. Evaluates the ends. No error estimate.
+Integral trapezoid(FunctionOfOne f, double a, double b, int panels);
+
+/// A rule with its setting bound: integrates f over [a, b].
+using Rule = std::function<Integral(FunctionOfOne f, double a, double b)>;
+using Bound = std::function<double(double)>;
+
+/// The integral of f(x, y) over a <= x <= b, low(x) <= y <= high(x), the rule nested in itself.
+Integral nested(const Rule& rule, const std::function<double(double, double)>& f, double a, double b,
+                const Bound& low, const Bound& high);
+
+/// The integral of f(x, y, z) over a <= x <= b, low(x) <= y <= high(x), bottom(x, y) <= z <= top(x, y).
+Integral nested(const Rule& rule, const std::function<double(double, double, double)>& f, double a, double b,
+                const Bound& low, const Bound& high, const std::function<double(double, double)>& bottom,
+                const std::function<double(double, double)>& top);
+
+}  // namespace oddity

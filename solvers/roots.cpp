@@ -1,0 +1,50 @@
+#include "solvers/roots.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace oddity {
+
+namespace {
+
+struct Free {
+  void operator()(gsl_root_fsolver* s) const { gsl_root_fsolver_free(s); }
+};
+
+Solved<double> failed(Solved<double> root, Ending ending, std::string message) {
+  root.ending = ending;
+  root.message = std::move(message);
+  return root;
+}
+
+}  // namespace
+
+Solved<double> brent(FunctionOfOne f, double a, double b, double tolerance) {
+  quiet_gsl();
+  if (b < a) std::swap(a, b);
+  CountedFunction counted{f};
+  gsl_function function{&CountedFunction::call, &counted};
+  const std::unique_ptr<gsl_root_fsolver, Free> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
+  Solved<double> root{0.5 * (a + b)};
+  if (const int status = gsl_root_fsolver_set(solver.get(), &function, a, b); status != GSL_SUCCESS) {
+    root.evaluations = counted.calls;
+    return failed(root, Ending::raised, std::string("no bracket: ") + gsl_strerror(status));
+  }
+  for (int i = 0; i < 200; ++i) {
+    const int status = gsl_root_fsolver_iterate(solver.get());
+    const double low = gsl_root_fsolver_x_lower(solver.get());
+    const double high = gsl_root_fsolver_x_upper(solver.get());
+    root.value = gsl_root_fsolver_root(solver.get());
+    root.evaluations = counted.calls;
+    root.error_estimate = high - low;
+    if (status != GSL_SUCCESS) return failed(root, Ending::raised, gsl_strerror(status));
+    if (high - low <= tolerance || std::nextafter(low, high) >= high) return root;
+  }
+  return failed(root, Ending::stalled, "the bracket is still wider than the tolerance after 200 iterations");
+}
+
+}  // namespace oddity
