@@ -1,0 +1,3 @@
+#pragma once
+
+int run_catch(int argc, char** argv);

@@ -1,0 +1,102 @@
+#include "chapters/exercise.hpp"
+#include "tests/catch.hpp"
+
+using namespace oddity;
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST_CASE("NaN, infinity and unlike sizes never compare", "[values]") {
+  CHECK(std::isnan(distance(Value{1, no_number}, {1, 2})));
+  CHECK(std::isnan(distance({infinity}, {infinity})));
+  CHECK(std::isnan(distance({1, 2}, {1})));
+  CHECK(std::isnan(distance(Value(), Value())));
+  CHECK(distance({1, 2}, {1, 4}) == 2);
+}
+
+TEST_CASE("a check holds within its tolerance and never on NaN, infinity or nothing", "[values]") {
+  const auto check = [](Value left, Value right, double allowed) {
+    return Check{"x", {"a", std::move(left)}, {"b", std::move(right)}, {allowed, "a test"}}.holds();
+  };
+  CHECK(check(1, 1.5, 0.5));
+  CHECK_FALSE(check(1, 1.5, 0.49));
+  CHECK_FALSE(check(1, 1.5, no_number));
+  CHECK_FALSE(check(no_number, no_number, 1));
+  CHECK_FALSE(check(infinity, infinity, infinity));
+  CHECK_FALSE(check(infinity, 1, infinity));
+  CHECK_FALSE(check(Value(), Value(), 1));
+}
+
+TEST_CASE("statements about no sample do not hold", "[values]") {
+  CHECK(never("bad", 0, 10).holds());
+  CHECK_FALSE(never("bad", 1, 10).holds());
+  CHECK_FALSE(never("bad", 0, 0).holds());
+  CHECK_FALSE(Worst("x", "a", "b").check().holds());
+}
+
+TEST_CASE("the worst sample is kept, and NaN is the worst of all", "[values]") {
+  Worst worst("x", "a", "b");
+  worst.see(1, 1, {0.1, "a test"}, 1, "first");
+  worst.see(1, 1.3, {0.1, "a test"}, 1, "second");
+  worst.see(1, 1.2, {0.1, "a test"}, 1, "third");
+  CHECK(worst.check().where == "worst of 3: second");
+  worst.see(no_number, 1, {0.1, "a test"}, 1, "fourth");
+  CHECK(worst.check().where == "worst of 4: fourth");
+  CHECK_FALSE(worst.check().holds());
+}
+
+TEST_CASE("the first reading that holds decides; a near miss that holds unsettles", "[values]") {
+  const Reading yes{"", {{"x", {"a", 1}, {"b", 1}, exact()}}}, no{"", {{"x", {"a", 1}, {"b", 2}, exact()}}}, none;
+  const auto judged = [](Reading printed, Reading meant, Reading corrected, std::vector<Reading> near = {}) {
+    return verdict({"id", 1, "says", std::move(printed), std::move(meant), std::move(corrected), std::move(near)});
+  };
+  CHECK(judged(yes, yes, yes) == Verdict::confirmed);
+  CHECK(judged(no, yes, yes) == Verdict::misprint);
+  CHECK(judged(no, no, yes) == Verdict::erratum);
+  CHECK(judged(no, none, none) == Verdict::unsettled);
+  CHECK(judged(none, none, none) == Verdict::unsettled);
+  CHECK(judged(yes, none, none, {no}) == Verdict::confirmed);
+  CHECK(judged(yes, none, none, {no, yes}) == Verdict::unsettled);
+}
+
+namespace {
+
+Outcome outcome_of(const Answer& answer, Value reference = 1, double need = 1e-3) {
+  Quantity q{"q", "1", "", {"truth", std::move(reference)}, 0, {need, "a test"}};
+  q.add({"model", "algorithm", no_knob(), [=](double) { return answer; }});
+  return run(q, q.methods[0], 0).outcome;
+}
+
+Answer ended(Ending ending) {
+  Answer answer{1};
+  answer.ending = ending;
+  return answer;
+}
+
+}  // namespace
+
+TEST_CASE("outcomes are computed from value, estimate, drift and ending", "[values]") {
+  CHECK(outcome_of({1.0005}) == Outcome::ok);
+  CHECK(outcome_of({1.002}) == Outcome::inaccurate);
+  CHECK(outcome_of({12}) == Outcome::diverged);
+  CHECK(outcome_of({no_number}) == Outcome::non_finite);
+  CHECK(outcome_of({infinity}) == Outcome::non_finite);
+  CHECK(outcome_of({Value{1, 1}}) == Outcome::non_finite);
+  CHECK(outcome_of({1.0005, 1, 1e-4}) == Outcome::deceived);
+  CHECK(outcome_of({1.0005, 1, 1e-3}) == Outcome::ok);
+  CHECK(outcome_of({1.0005, 1, no_number, 2e-3}) == Outcome::drifted);
+  CHECK(outcome_of({1.1, 1, no_number, 2e-3}) == Outcome::inaccurate);
+  CHECK(outcome_of({1.1, 1, no_number, 0.02}) == Outcome::drifted);
+  CHECK(outcome_of({1, 1, no_number, no_number}) == Outcome::drifted);
+  CHECK(outcome_of(ended(Ending::raised)) == Outcome::raised);
+  CHECK(outcome_of(ended(Ending::stalled)) == Outcome::stalled);
+  CHECK(outcome_of(ended(Ending::non_finite)) == Outcome::non_finite);
+}
+
+TEST_CASE("a method that throws has raised", "[values]") {
+  Quantity q{"q", "1", "", {"truth", 1}, 0, {1, "a test"}};
+  q.add({"model", "algorithm", no_knob(), [](double) -> Answer { throw std::runtime_error("no"); }});
+  const Trial trial = run(q, q.methods[0], 0);
+  CHECK(trial.outcome == Outcome::raised);
+  CHECK(trial.answer.message == "no");
+}
