@@ -73,7 +73,8 @@ TEST_CASE("Gauss-Legendre keeps all digits at sizes that GSL has no table for", 
 TEST_CASE("Gauss-Legendre's error on x^(2n) is the one of theory", "[solvers]") {
   // Over [0, 1]: (n!)^4 / ((2n+1) ((2n)!)^2) [Abramowitz, Stegun 25.4.30].
   for (int n = 1; n <= 5; ++n) {
-    const double error = std::pow(std::tgamma(n + 1), 4) / ((2 * n + 1) * std::pow(std::tgamma(2 * n + 1), 2));
+    const double error =
+        std::pow(std::tgamma(n + 1), 4) / ((2 * n + 1) * std::pow(std::tgamma(2 * n + 1), 2));
     const auto power = [n](double x) { return std::pow(x, 2 * n); };
     CHECK(near(1.0 / (2 * n + 1) - gauss_legendre(power, 0, 1, n).value, error, 1e-15));
   }
@@ -191,7 +192,8 @@ TEST_CASE("nested rules count every innermost evaluation", "[solvers]") {
   };
   const auto zero = [](double) { return 0.0; };
   const auto one = [](double) { return 1.0; };
-  const auto area = nested(rule(5), [](double x, double y) { return x * y; }, 0, 1, zero, one);
+  const auto area = nested(
+      rule(5), [](double x, double y) { return x * y; }, 0, 1, zero, one);
   CHECK(near_ulps(area.value, 0.25, 4));
   CHECK(area.evaluations == 25);
   const auto volume = nested(
@@ -201,11 +203,12 @@ TEST_CASE("nested rules count every innermost evaluation", "[solvers]") {
   CHECK(volume.evaluations == 64);
 }
 
-TEST_CASE("a tetrahedron's volume and moments are exact with enough Gauss points, not with fewer", "[solvers]") {
+TEST_CASE("a tetrahedron's volume and moments are exact with enough Gauss points, not with fewer",
+          "[solvers]") {
   // x, y, z >= 0, x + y + z <= 1: volume 1/6, integral of x y z 1/720 (Dirichlet).
   const auto over_tetrahedron = [](const auto& f, int points) {
-    return nested([points](FunctionOfOne g, double a, double b) { return gauss_legendre(g, a, b, points); }, f,
-                  0, 1, [](double) { return 0.0; }, [](double x) { return 1 - x; },
+    return nested([points](FunctionOfOne g, double a, double b) { return gauss_legendre(g, a, b, points); },
+                  f, 0, 1, [](double) { return 0.0; }, [](double x) { return 1 - x; },
                   [](double, double) { return 0.0; }, [](double x, double y) { return 1 - x - y; });
   };
   const auto one = [](double, double, double) { return 1.0; };
@@ -232,9 +235,9 @@ TEST_CASE("the volume of the ball by nested QAGS", "[solvers]") {
 
 TEST_CASE("an inner integral that fails makes the outer one fail, and says so", "[solvers]") {
   const auto rule = [](FunctionOfOne f, double a, double b) { return qags(f, a, b, 1e-10); };
-  const auto area =
-      nested(rule, [](double, double y) { return 1 / y; }, 0, 1, [](double) { return 0.0; },
-             [](double) { return 1.0; });
+  const auto area = nested(
+      rule, [](double, double y) { return 1 / y; }, 0, 1, [](double) { return 0.0; },
+      [](double) { return 1.0; });
   CHECK_FALSE(area.reached());
   CHECK(area.message.find("inner integral") == 0);
 }
@@ -256,7 +259,8 @@ TEST_CASE("an integrand that is NaN, somewhere or everywhere, never reaches", "[
   CHECK(trapezoid(in_a_part, 0, 1, 4).ending == Ending::non_finite);
 }
 
-TEST_CASE("CQUAD leaves out an end where the integrand is 0/0 or infinite; Simpson's rule does not", "[solvers]") {
+TEST_CASE("CQUAD leaves out an end where the integrand is 0/0 or infinite; Simpson's rule does not",
+          "[solvers]") {
   const auto sinc = [](double x) { return std::sin(x) / x; };
   const Integral integral = cquad(sinc, 0, pi, 1e-12);
   CHECK(integral.reached());
