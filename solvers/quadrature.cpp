@@ -16,7 +16,7 @@ constexpr std::size_t intervals = 1000;
 
 /// Most evaluations that CQUAD may take: it has no limit of its own, and took 265 million on 1/x over [-1,
 /// 2].
-constexpr long cquad_budget = 2'000'000;
+constexpr long cquad_budget = 1'000'000;
 struct BudgetSpent {};
 
 struct Free {
