@@ -111,7 +111,7 @@ std::string chart_script(const QuantityResult& q, const std::string& title,
             std::to_string(failure_marks[i].mark) + " ps 1.1 lw 1.6 title " +
             quoted(std::string(name_of(failure_marks[i].outcome)));
   }
-  const int height = std::max(420, 120 + 20 * static_cast<int>(q.methods.size()));
+  const int height = std::max(420, 170 + 20 * static_cast<int>(q.methods.size() + failure_marks.size()));
   return "reset session\n" + data + "set terminal svg size 980," + std::to_string(height) +
          " dynamic font 'Helvetica,12' background '#ffffff'\n"
          "set output " +
