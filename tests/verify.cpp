@@ -89,7 +89,8 @@ void verify_register() {
                                    : " is neither encoded nor on record as not yet encoded"));
       CHECK(encoded != missing_on_record);
     }
-  for (const auto& [id, verdict] : suite->approved) {
+  for (const auto& row : suite->approved) {
+    const std::string &id = row.first, &verdict = row.second;
     const auto number = exercise_number(id.substr(0, id.find('-')));
     INFO("verdicts.csv: " << id);
     REQUIRE(number);
