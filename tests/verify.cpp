@@ -163,7 +163,7 @@ int verify(const SuiteRequest& request) {
   register_tests(judged.approved);
   CatchSession session(request.catch_arguments);
   if (!session.accepted())
-    throw BadInput("Catch2 does not take these arguments; oddity verify -- --help shows what it takes");
+    throw BadInput("Catch2 does not take these arguments; oddity verify -? shows what it takes");
   if (session.only_lists()) return session.run(), 0;
   const auto selected = session.selected();
   if (selected.empty()) throw BadInput("no test case matches; oddity verify --list-tests shows them all");
