@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "reference/text.hpp"
 #include "report/text_view.hpp"
@@ -361,41 +362,58 @@ std::string legend() {
          "error estimate is below its true error) or *raised* (the library reported an error) otherwise.\n\n";
 }
 
+/// A chapter's rows in the table of contents: one an exercise, and one for those not yet encoded.
+void add_chapter(const Results& results, const Chapter& chapter, bool links,
+                 std::vector<std::vector<std::string>>& rows) {
+  const std::string title = std::to_string(chapter.number) + ". " + std::string(chapter.title);
+  std::string first =
+      links && chapter.last_odd > 0 ? "[" + title + "](" + chapter_file(chapter.number) + ")" : title;
+  const auto add = [&](std::vector<std::string> cells) {
+    cells.insert(cells.begin(), std::exchange(first, ""));
+    cells.resize(7);
+    rows.push_back(std::move(cells));
+  };
+  for (const ExerciseResult* e : of_chapter(results, chapter.number)) {
+    Counts counts;
+    count(*e, counts);
+    const std::string name = to_string(e->number) + " " + e->title;
+    std::vector<std::string> cells{
+        links ? "[" + name + "](" + chapter_file(chapter.number) + "#" + anchor(*e) + ")" : name};
+    for (Verdict verdict : verdicts) cells.push_back(counts[verdict] ? std::to_string(counts[verdict]) : "");
+    cells.push_back(std::to_string(e->quantities.size()));
+    add(std::move(cells));
+  }
+  if (const auto missing = not_encoded(chapter); !missing.empty())
+    add({"*not yet encoded (" + std::to_string(missing.size()) + "):* " + listed(missing)});
+}
+
+std::string chapters_without_exercises() {
+  std::string text;
+  for (const Chapter& chapter : chapters())
+    if (chapter.last_odd == 0) text += (text.empty() ? "" : ", ") + std::to_string(chapter.number);
+  return text;
+}
+
 std::string index_text(const Results& results, bool links) {
   Counts all;
   for (const ExerciseResult& e : results.exercises) count(e, all);
   int total = 0;
   for (const auto& [verdict, n] : all) total += n;
+  std::size_t missing = 0;
   std::vector<std::vector<std::string>> rows;
   for (const Chapter& chapter : chapters()) {
-    const auto exercises = of_chapter(results, chapter.number);
-    const std::string title = std::to_string(chapter.number) + ". " + std::string(chapter.title);
-    if (chapter.last_odd == 0) {
-      rows.push_back({title, "no exercises", "", "", "", "", ""});
-      continue;
-    }
-    rows.push_back(
-        {links ? "[" + title + "](" + chapter_file(chapter.number) + ")" : title, "", "", "", "", "", ""});
-    for (const ExerciseResult* e : exercises) {
-      Counts counts;
-      count(*e, counts);
-      const std::string name = to_string(e->number) + " " + e->title;
-      std::vector<std::string> row{
-          "", links ? "[" + name + "](" + chapter_file(chapter.number) + "#" + anchor(*e) + ")" : name};
-      for (Verdict verdict : verdicts) row.push_back(counts[verdict] ? std::to_string(counts[verdict]) : "");
-      row.push_back(std::to_string(e->quantities.size()));
-      rows.push_back(std::move(row));
-    }
-    if (const auto missing = not_encoded(chapter); !missing.empty())
-      rows.push_back({"", "*not yet encoded (" + std::to_string(missing.size()) + "):* " + listed(missing),
-                      "", "", "", "", ""});
+    missing += not_encoded(chapter).size();
+    add_chapter(results, chapter, links, rows);
   }
-  return "# The solutions of *Game Physics*, checked by machine\n\n" +
-         plural(static_cast<int>(results.exercises.size()), "exercise", "exercises") + ", " +
-         plural(total, "claim", "claims") + ": " + sentence(all) + ".\n\n" + legend() + "## By chapter\n\n" +
+  std::string text = "# The solutions of *Game Physics*, checked by machine\n\n" +
+                     plural(static_cast<int>(results.exercises.size()), "exercise", "exercises") + ", " +
+                     plural(total, "claim", "claims") + ": " + sentence(all) + ".";
+  if (missing > 0) text += " Not yet encoded: " + std::to_string(missing) + " of 48 exercises.";
+  return text + "\n\n## What is wrong in the book\n\n" + errata_table(results, links) + "## By chapter\n\n" +
          table({"chapter", "exercise", "confirmed", "misprint", "erratum", "unsettled", "quantities"}, rows,
                "23456") +
-         "## The errata\n\n" + errata_table(results, links) +
+         "The solutions have no exercises in chapters " + chapters_without_exercises() +
+         ".\n\n## How to read this\n\n" + legend() +
          (links ? "How long each method took in this run: [times](times.md).\n" : "");
 }
 
