@@ -22,6 +22,10 @@ inline Rule gauss_rule(double points) {
 inline Rule simpson_rule(double panels) {
   return [n = static_cast<int>(panels)](FunctionOfOne f, double a, double b) { return simpson(f, a, b, n); };
 }
+inline Rule trapezoid_rule(double panels) {
+  return
+      [n = static_cast<int>(panels)](FunctionOfOne f, double a, double b) { return trapezoid(f, a, b, n); };
+}
 inline Rule qags_rule(double tolerance) {
   return [=](FunctionOfOne f, double a, double b) { return qags(f, a, b, tolerance); };
 }
