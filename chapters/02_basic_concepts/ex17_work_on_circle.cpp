@@ -37,7 +37,8 @@ double of_power(M m) { return abs(m.r * m.w) * (1 + abs(m.x())); }
 double of_growing_power(M m) { return of_power(m) * (1 + abs(m.T)); }
 double of_work(M m) { return abs(m.r) * (1 + abs(m.x())); }
 double of_growing_work(M m) { return of_work(m) * (abs(m.T) + 1 / abs(m.w)); }
-double of_late_work(M m) { return abs(m.r) * 30 * (30 + 1 / abs(m.w)); }
+double of_turns(M m) { return abs(m.r) * (10 + abs(m.x())) * (1 + m.w * m.w); }
+double of_maxima(M m) { return abs(m.r) * 400 * (m.w + 1 / m.w); }  // omega T up to 20 max(omega, 1)
 
 enum class Ways { both, forward };
 
@@ -242,7 +243,7 @@ std::vector<Claim> misprints(double seed) {
   Claim turn{"2.17-full_turn", 817, "after one turn the work is zero"};
   const auto until = [&](const std::string& text, double (*T)(double)) {
     const Form until_T{text, [T](M m) { return circle::work(Force::constant, m.at(T(m.w))); }};
-    return Samples{seed, "work of (1, 1, 1)", zero, of_late_work, Ways::forward}.of(until_T);
+    return Samples{seed, "work of (1, 1, 1)", zero, of_turns, Ways::forward}.of(until_T);
   };
   turn.printed = until("W(2 pi omega) = 0", [](double w) { return 2 * pi * w; });
   turn.meant = until("W(2 pi / omega) = 0", [](double w) { return 2 * pi / w; });
@@ -288,7 +289,7 @@ std::vector<Claim> conservation(double seed) {
   Claim trip{"2.17-round_trip", 817, "so once around the circle, from any start, the net work is zero"};
   const auto turn = [&](const std::string& text, Force force) {
     const Form form{text, [force](M m) { return work(force, m.at(m.T + 2 * pi / m.w), m.T); }};
-    return Samples{seed, "work of a turn from a random start", zero, of_late_work, Ways::forward}.of(form);
+    return Samples{seed, "work of a turn from a random start", zero, of_turns, Ways::forward}.of(form);
   };
   trip.printed = turn("(1, 1, 1)", Force::constant);
   trip.near_misses = {turn("(t, t, 1)", Force::growing)};
@@ -303,14 +304,14 @@ bool is_peak(Force force, M m, double T, double sign = 1) {
 
 double stationary(M m, int k) { return (pi / 4 + k * pi) / m.w; }
 
-/// All zeros of the power with `first` < x < 12.55, by Brent's method over a scan.
-Form zeros_of(Force force, double first) {
+/// All zeros of the power with |x| < 12.5 but the growing one's at 0, by Brent's method over a scan.
+Form zeros_of(Force force) {
   return {"Brent's method over a scan", [=](M m) {
             std::vector<double> found;
-            for (double x = first; x < 12.55; x += 0.1)
+            for (double x = -12.45; x < 12.5; x += 0.1)
               if (const auto root =
                       brent([&](double t) { return power(force, m, t); }, x / m.w, (x + 0.1) / m.w, 1e-15);
-                  root.reached())
+                  root.reached() && (force == Force::constant || abs(x) > 0.1))
                 found.push_back(m.w * root.value);
             return Value(found);
           }};
@@ -318,7 +319,7 @@ Form zeros_of(Force force, double first) {
 
 Form spaced(const std::string& text, double first, double step) {
   std::vector<double> all;
-  for (double x = first; x < 12.55; x += step) all.push_back(x);
+  for (double x = first - 4 * pi; x < 12.5; x += step) all.push_back(x);
   return {text, [all](M) { return Value(all); }};
 }
 
@@ -341,18 +342,18 @@ std::vector<Claim> extrema(double seed) {
   const auto twenty = [](M) { return 20.0; };
   const double first = pi / 4;
   Claim zeros{"2.17-zeros", 823, "W' = 0 where tan wT = 1: at wT = pi/4 + k pi, k any integer"};
-  const Samples roots{seed, "all zeros of W', as wT", zeros_of(constant, -12.45), twenty, Ways::forward};
-  zeros.printed = roots.of(spaced("pi/4 + k pi", first - 4 * pi, pi));
+  const Samples roots{seed, "all zeros of W', as wT", zeros_of(constant), twenty, Ways::forward};
+  zeros.printed = roots.of(spaced("pi/4 + k pi", first, pi));
   const Form tangents{"tan wT at the zeros", [=](M m) {
-                        Value all = zeros_of(constant, -12.45).value(m);
+                        Value all = zeros_of(constant).value(m);
                         for (std::size_t k = 0; k < all.size(); ++k) all[k] = std::tan(all[k]);
                         return all;
                       }};
   const Form ones{"1", [](M) { return Value(std::vector<double>(8, 1)); }};
   zeros.printed.checks.push_back(
       Samples{seed, "tan wT at the zeros", tangents, twenty, Ways::forward}.of(ones).checks[0]);
-  zeros.near_misses = {roots.of(spaced("pi/4 + 2 k pi", first - 4 * pi, 2 * pi)),
-                       roots.of(spaced("3 pi/4 + k pi", 3 * first - 4 * pi, pi))};
+  zeros.near_misses = {roots.of(spaced("pi/4 + 2 k pi", first, 2 * pi)),
+                       roots.of(spaced("3 pi/4 + k pi", 3 * first, pi))};
 
   Claim halves{"2.17-halves", 823, "half of these times are minima, the other half maxima"};
   const auto alternate = [=](const std::string& text, int even) {
@@ -377,8 +378,7 @@ std::vector<Claim> extrema(double seed) {
 
   Claim growing_zeros{"2.17-growing_zeros", 843,
                       "for (t, t, 1), W' = 0 at wT = pi/4 + k pi (and at T = 0, which is not named)"};
-  const Samples growing_roots{seed, "zeros of W' in T > 0, as wT", zeros_of(growing, 0.05), twenty,
-                              Ways::forward};
+  const Samples growing_roots{seed, "zeros of W' but T = 0, as wT", zeros_of(growing), twenty, Ways::forward};
   growing_zeros.printed = growing_roots.of(spaced("pi/4 + k pi", first, pi));
   growing_zeros.near_misses = {growing_roots.of(spaced("pi/4 + k pi/2", first, pi / 2))};
 
@@ -407,8 +407,8 @@ Claim maxima_value(double seed) {
       at_maxima("W at T = x by quadrature", [](M m, double x) { return work(Force::growing, m.at(x)); });
   const auto at_wT = at_maxima("W at w T = x by quadrature",
                                [](M m, double x) { return work(Force::growing, m.at(x / m.w)); });
-  const Samples literal{seed, "W at x = pi/4 + 2 n pi", at_T, of_late_work, Ways::forward};
-  const Samples turned{seed, "W at x = pi/4 + 2 n pi", at_wT, of_late_work, Ways::forward};
+  const Samples literal{seed, "W at x = pi/4 + 2 n pi", at_T, of_maxima, Ways::forward};
+  const Samples turned{seed, "W at x = pi/4 + 2 n pi", at_wT, of_maxima, Ways::forward};
   claim.printed =
       literal.of(at_maxima("W(x) = r w x sqrt 2", [](M m, double x) { return m.r * m.w * x * sqrt2; }));
   claim.meant =
