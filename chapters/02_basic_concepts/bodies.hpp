@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "chapters/02_basic_concepts/space.hpp"
 #include "chapters/exercise.hpp"
 #include "chapters/random.hpp"
 #include "solvers/quadrature.hpp"
@@ -11,6 +12,29 @@
 /// Integrals over plane and solid bodies: the rules by name, several integrals as one answer, and points in a
 /// box around the body.
 namespace oddity {
+
+// ---- inertia ----------------------------------------------------------------------------------------------
+
+/// Ixx, Iyy, Izz and the products of inertia Ixy, Ixz, Iyz; the inertia tensor has -Ixy, -Ixz, -Iyz beside
+/// its diagonal.
+using Six = std::array<double, 6>;
+constexpr const char* inertia_names[] = {"Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"};
+
+/// The six components of a mass at r.
+inline Six inertia_of(double mass, const Vector& r) {
+  const auto [x, y, z] = r;
+  return {mass * (y * y + z * z), mass * (x * x + z * z), mass * (x * x + y * y),
+          mass * x * y,           mass * x * z,           mass * y * z};
+}
+
+/// Component k of a unit mass at r from the angular momentum J w = r x (w x r): Ixx = ex . J ex, Ixy = -ex .
+/// J ey.
+inline double inertia_by_definition(std::size_t k, const Vector& r) {
+  constexpr std::size_t turned[] = {0, 1, 2, 1, 2, 2}, seen[] = {0, 1, 2, 0, 0, 1};
+  Vector axis{};
+  axis[turned[k]] = 1;
+  return (k < 3 ? 1 : -1) * cross(r, cross(axis, r))[seen[k]];
+}
 
 // ---- rules ------------------------------------------------------------------------------------------------
 

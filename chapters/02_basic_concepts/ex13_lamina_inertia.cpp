@@ -17,7 +17,6 @@ namespace oddity {
 namespace {
 
 using std::abs, std::sqrt;
-using Six = std::array<double, 6>;
 using InPlane = std::function<double(double x, double y)>;
 using InSpace = std::function<double(double x, double y, double z)>;
 
@@ -54,10 +53,7 @@ Integral rows(const Rule& rule, const InPlane& f, double left, bool by_root) {
 
 struct Lamina {
   double left, z, rho;
-  Six at(double x, double y) const {
-    return {rho * (y * y + z * z), rho * (x * x + z * z), rho * (x * x + y * y),
-            rho * x * y,           rho * x * z,           rho * y * z};
-  }
+  Six at(double x, double y) const { return inertia_of(rho, {x, y, z}); }
   /// The integrals of at() from 0 to x.
   Six primitive(double x, double y) const {
     const double cube = x * x * x / 3;
@@ -127,14 +123,6 @@ Quantity inertia(std::string name, std::string says, const Lamina& l, double see
 
 const Rule sixteen = gauss_rule(16);
 
-/// Component k from the definition of the angular momentum, at a point of unit density.
-double by_definition(std::size_t k, const Vector& r) {
-  constexpr std::size_t turned[] = {0, 1, 2, 1, 2, 2}, seen[] = {0, 1, 2, 0, 0, 1};
-  Vector axis{};
-  axis[turned[k]] = 1;
-  return (k < 3 ? 1 : -1) * cross(r, cross(axis, r))[seen[k]];
-}
-
 /// A component with its printed integrand and value, and a near miss of each; `exact`: by rows, in rational
 /// numbers.
 struct Component {
@@ -164,7 +152,7 @@ Check integrand_check(std::size_t k, const std::string& as, const InSpace& f, do
   Random random(seed);
   for (int i = 0; i < 20; ++i) {
     const double left = random.between(-1, 0.8), z = up * random.magnitude(0.1, 3);
-    const auto definition = [=](double x, double y) { return by_definition(k, {x, y, z}); };
+    const auto definition = [=](double x, double y) { return inertia_by_definition(k, {x, y, z}); };
     worst.see(columns(
                   sixteen, [&](double x, double y) { return f(x, y, z); }, left)
                   .value,
@@ -176,7 +164,7 @@ Check integrand_check(std::size_t k, const std::string& as, const InSpace& f, do
 
 Reading value_reading(const Component& c, std::size_t k, const std::array<long, 2>& value) {
   const double size = 4.0 / 3;  // the area
-  const auto definition = [=](double x, double y) { return by_definition(k, {x, y, 0}); };
+  const auto definition = [=](double x, double y) { return inertia_by_definition(k, {x, y, 0}); };
   const auto pair = [](const std::array<long, 2>& r) {
     return Value{static_cast<double>(r[0]), static_cast<double>(r[1])};
   };

@@ -6,14 +6,26 @@
 
 #include "reference/text.hpp"
 
-/// Vectors of three numbers.
+/// Vectors of three numbers; sums and multiples of any number.
 namespace oddity {
 
 using Vector = std::array<double, 3>;
 
-inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
+template <std::size_t n>
+std::array<double, n> operator+(std::array<double, n> a, const std::array<double, n>& b) {
+  for (std::size_t k = 0; k < n; ++k) a[k] += b[k];
+  return a;
+}
+template <std::size_t n>
+std::array<double, n> operator-(std::array<double, n> a, const std::array<double, n>& b) {
+  for (std::size_t k = 0; k < n; ++k) a[k] -= b[k];
+  return a;
+}
+template <std::size_t n>
+std::array<double, n> operator*(double s, std::array<double, n> a) {
+  for (double& each : a) each *= s;
+  return a;
+}
 inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
