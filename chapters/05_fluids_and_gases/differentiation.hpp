@@ -10,14 +10,39 @@
 /// chapter computed by all of them.
 namespace oddity::fields {
 
-namespace detail {
+/// The parameters of an identity: the fixed fields, the point, and the random fields of the claims.
+inline constexpr Parameter field_parameters[] = {
+    {"w", 1, "1/m", "wave number of the fields", 0.0625, 16},
+    {"x0", 0.3, "m", "where the fields are differentiated", -1, 1},
+    {"x1", -0.7, "m", "where the fields are differentiated", -1, 1},
+    {"x2", 0.9, "m", "where the fields are differentiated", -1, 1},
+    {"seed", 5, "", "of the random fields that the claims are checked with", 0, 9e15},
+};
 
+/// The fixed fields and the point.
+struct At {
+  explicit At(const Parameters& p) : waves{p["w"]}, x{p["x0"], p["x1"], p["x2"]} {}
+
+  auto phi() const {
+    return [w = waves](const auto& y) { return w.phi(y); };
+  }
+  auto f() const {
+    return [w = waves](const auto& y) { return w.f(y); };
+  }
+  auto g() const {
+    return [w = waves](const auto& y) { return w.g(y); };
+  }
+  std::vector<double> inputs() const { return {waves.w, x[0], x[1], x[2]}; }
+
+  Waves waves;
+  Point x;
+};
+
+/// s a + t b.
 inline double combined(double s, double a, double t, double b) { return s * a + t * b; }
 inline Point combined(double s, const Point& a, double t, const Point& b) {
   return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
 }
-
-}  // namespace detail
 
 /// Dual numbers: one call a direction, exact to rounding.
 struct ByDuals {
@@ -41,13 +66,13 @@ requires(order == 2 || order == 4) struct ByDifferences {
   auto along(const Field& f, const Point& x, const Point& u) {
     const auto slope = [&](double step) {
       calls += 2;
-      return detail::combined(1 / (2 * step), f(detail::combined(1, x, step, u)), -1 / (2 * step),
-                              f(detail::combined(1, x, -step, u)));
+      return combined(1 / (2 * step), f(combined(1, x, step, u)), -1 / (2 * step),
+                      f(combined(1, x, -step, u)));
     };
     if constexpr (order == 2)
       return slope(h);
     else
-      return detail::combined(4.0 / 3, slope(h), -1.0 / 3, slope(2 * h));
+      return combined(4.0 / 3, slope(h), -1.0 / 3, slope(2 * h));
   }
 };
 
