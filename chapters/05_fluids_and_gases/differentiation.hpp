@@ -106,25 +106,20 @@ inline Knob steps() {
 inline Tolerance nine_digits(const Value& of) { return {1e-9 * size_of(of), "nine digits of the largest"}; }
 
 /// Adds a model by every way: `compute` takes a way and returns the value. Costs count calls of the factors,
-/// of which each differentiated field has `factors`.
+/// of which each differentiated field has `factors`. Differences are expected to end `finest` at 2^-31.
 template <class Compute>
-void add_ways(Quantity& q, const std::string& model, long factors, const Compute& compute) {
-  q.add({model, "dual numbers", no_knob(), [compute, factors](double) {
-           ByDuals way;
-           const Value value(compute(way));
-           return Answer{value, factors * way.calls};
-         }});
-  const auto add_differences = [&]<int order>(const std::string& name) {
-    q.add({model, name, steps(),
-           [compute, factors](double h) {
-             ByDifferences<order> way{h};
-             const Value value(compute(way));
-             return Answer{value, factors * way.calls};
-           },
-           Outcome::inaccurate, "rounding grows as eps/h: the finest step is not the best"});
+void add_ways(Quantity& q, const std::string& model, long factors, const Compute& compute,
+              Outcome finest = Outcome::inaccurate,
+              const std::string& why = "rounding grows as eps/h: the finest step is not the best") {
+  const auto by = [compute, factors](auto way) {
+    const Value value(compute(way));
+    return Answer{value, factors * way.calls};
   };
-  add_differences.template operator()<2>("central differences 2");
-  add_differences.template operator()<4>("central differences 4");
+  q.add({model, "dual numbers", no_knob(), [by](double) { return by(ByDuals{}); }});
+  q.add({model, "central differences 2", steps(), [by](double h) { return by(ByDifferences<2>{h}); }, finest,
+         why});
+  q.add({model, "central differences 4", steps(), [by](double h) { return by(ByDifferences<4>{h}); }, finest,
+         why});
 }
 
 /// The two ends of the V of differences: what a fine step and a coarse one lose, and what cures it.

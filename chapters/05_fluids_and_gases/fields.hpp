@@ -159,6 +159,21 @@ auto curl(Field f, Frame frame = axes) {
   };
 }
 
+/// (f.grad) g
+template <class F, class G>
+auto advected(F f, G g, Frame frame = axes) {
+  return [f, g, frame]<class T>(const Triple<T>& x) {
+    const Triple<T> v = f(x);
+    Triple<T> sum{};
+    for (const Point& u : frame) {
+      const T weight = dot(u, v);
+      const Triple<T> slope = along(g, x, u);
+      for (std::size_t i = 0; i < 3; ++i) sum[i] += weight * slope[i];
+    }
+    return sum;
+  };
+}
+
 // ---- products of fields -----------------------------------------------------------------------------------
 
 /// phi f

@@ -98,7 +98,8 @@ class Reader {
  private:
   Terms sum() {
     Terms all;
-    double sign = take('-') ? -1 : 1;
+    double sign = next() == '-' ? -1 : 1;
+    if (!take('-')) take('+');
     do {
       for (Term& t : product()) all.push_back({sign * t.sign, std::move(t.factors)});
       sign = next() == '-' ? -1 : 1;
@@ -246,18 +247,36 @@ inline Reading hardest_to_see(const std::string& kind, const std::vector<Sample>
 }
 
 /// The lines of one exercise, and the claims that come of them.
-struct Proof {
-  std::string exercise;
+class Proof {
+ public:
+  Proof(std::string number, std::vector<Sample> at) : samples(std::move(at)), exercise(std::move(number)) {}
+
   std::vector<Sample> samples;
-  std::vector<Claim> claims = {};
+  std::vector<Claim> claims;
 
   /// Published lines hold; the near misses change each single sign and index.
   Claim& line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
               const std::string& by) {
-    Claim& claim = claims.emplace_back(Claim{exercise + "-" + slug, at, std::move(says)});
-    claim.printed = {written(rows), {compare(samples, rows, by)}};
+    Claim& claim = add(slug, at, std::move(says), rows, by);
     claim.near_misses = {hardest_to_see("a sign flipped", samples, rows, by, signs_flipped),
                          hardest_to_see("an index changed", samples, rows, by, indices_changed)};
+    return claim;
+  }
+  /// Published lines hold; the near misses are the lines given.
+  Claim& line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
+              const std::string& by, const std::vector<std::vector<Row>>& near_misses) {
+    Claim& claim = add(slug, at, std::move(says), rows, by);
+    for (const auto& near : near_misses)
+      claim.near_misses.push_back({written(near), {compare(samples, near, by)}});
+    return claim;
+  }
+
+ private:
+  std::string exercise;
+  Claim& add(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
+             const std::string& by) {
+    Claim& claim = claims.emplace_back(Claim{exercise + "-" + slug, at, std::move(says)});
+    claim.printed = {written(rows), {compare(samples, rows, by)}};
     return claim;
   }
 };

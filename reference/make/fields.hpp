@@ -37,9 +37,6 @@ struct Waves {
   }
 };
 
-inline Number real_part(const Number& z) { return z; }
-inline Number real_part(const Complex& z) { return z.real(); }
-
 /// d h_i / d x_j at x, h: Triple<Number> -> Triple<Number>, by central differences of steps
 /// radius / 2^k, extrapolated to zero (Aitken-Neville in the step's square).
 template <class Field>
@@ -64,46 +61,68 @@ Triple<Number> slope_by_differences(const Field& h, const Triple<Number>& x, std
   return column[0];
 }
 
-/// d h_i / d x_j at x, h: Triple<Complex> -> Triple<Complex>, as the mean of h e^{-it} / r over a circle of
+/// d h_i / d x_j at z, h: Triple<Complex> -> Triple<Complex>, as the mean of h e^{-it} / r over a circle of
 /// radius r by the trapezoid rule, which converges geometrically.
 template <class Field>
-Triple<Number> slope_by_cauchy(const Field& h, const Triple<Number>& x, std::size_t j, const Number& radius) {
-  constexpr int points = 64;
-  Triple<Number> mean{};
+Triple<Complex> slope_by_cauchy(const Field& h, const Triple<Complex>& z, std::size_t j, const Number& radius,
+                                int points = 64) {
+  Triple<Complex> mean{};
   for (int k = 0; k < points; ++k) {
     const Number t = 2 * pi() * k / points;
     const Complex on_circle(cos(t), sin(t));
-    Triple<Complex> z{Complex(x[0]), Complex(x[1]), Complex(x[2])};
-    z[j] += radius * on_circle;
-    const Triple<Complex> value = h(z);
-    for (std::size_t i = 0; i < 3; ++i) mean[i] += Complex(value[i] / on_circle).real() / (points * radius);
+    Triple<Complex> there = z;
+    there[j] += radius * on_circle;
+    const Triple<Complex> value = h(there);
+    for (std::size_t i = 0; i < 3; ++i) mean[i] += value[i] / (on_circle * Complex(points * radius));
   }
   return mean;
 }
 
-/// Row j: the slopes along x_j. `make_field` takes Waves<T> and gives the field h over T.
-template <class MakeField>
-Triple<Triple<Number>> slopes_by_differences(const MakeField& make_field, const std::vector<double>& in) {
-  const Number w = in[0], radius = 1 / (1 + w * w);
-  const auto h = make_field(Waves<Number>{w});
-  const Triple<Number> x{Number(in[1]), Number(in[2]), Number(in[3])};
-  return {slope_by_differences(h, x, 0, radius), slope_by_differences(h, x, 1, radius),
-          slope_by_differences(h, x, 2, radius)};
-}
-template <class MakeField>
-Triple<Triple<Number>> slopes_by_cauchy(const MakeField& make_field, const std::vector<double>& in) {
-  const Number w = in[0], radius = 1 / (1 + w * w);
-  const auto h = make_field(Waves<Complex>{Complex(w)});
-  const Triple<Number> x{Number(in[1]), Number(in[2]), Number(in[3])};
-  return {slope_by_cauchy(h, x, 0, radius), slope_by_cauchy(h, x, 1, radius),
-          slope_by_cauchy(h, x, 2, radius)};
+/// Row j: the slopes of a field along x_j.
+using Slopes = Triple<Triple<Number>>;
+
+/// Inside this radius neither route meets a frequency of the fields that it cannot follow.
+inline Number radius_for(const Number& w) { return 1 / (1 + w * w); }
+
+/// A table of first derivatives. `field(waves, inputs)` is the field h to be differentiated, generic in its
+/// number; `combine(slopes, waves, x)` makes the components of its slopes at x. Inputs: w, x0, x1, x2, and
+/// what the field takes besides.
+template <class Field, class Combine>
+Truth field_truth(std::string quantity, std::string formula, std::vector<std::string> components,
+                  std::vector<std::string> more_inputs, std::vector<std::vector<double>> rows, Field field,
+                  Combine combine) {
+  Truth truth{
+      std::move(quantity), std::move(formula), {"w", "x0", "x1", "x2"}, {}, std::move(rows), {}, {}, {}, {}};
+  for (std::string& name : components) truth.components.push_back({std::move(name), "1"});
+  truth.inputs.insert(truth.inputs.end(), more_inputs.begin(), more_inputs.end());
+  truth.first_route = "differences of the whole field, extrapolated to step zero";
+  truth.first = [=](const std::vector<double>& in, int) {
+    const Waves<Number> waves{Number(in[0])};
+    const Triple<Number> x{Number(in[1]), Number(in[2]), Number(in[3])};
+    Slopes slopes;
+    for (std::size_t j = 0; j < 3; ++j)
+      slopes[j] = slope_by_differences(field(waves, in), x, j, radius_for(waves.w));
+    return combine(slopes, waves, x);
+  };
+  truth.second_route = "Cauchy's integral of the whole field over a circle, by the trapezoid rule";
+  truth.second = [=](const std::vector<double>& in, int) {
+    const Waves<Number> waves{Number(in[0])};
+    const Triple<Number> x{Number(in[1]), Number(in[2]), Number(in[3])};
+    const Triple<Complex> z{Complex(x[0]), Complex(x[1]), Complex(x[2])};
+    Slopes slopes;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto slope =
+          slope_by_cauchy(field(Waves<Complex>{Complex(waves.w)}, in), z, j, radius_for(waves.w));
+      slopes[j] = {slope[0].real(), slope[1].real(), slope[2].real()};
+    }
+    return combine(slopes, waves, x);
+  };
+  return truth;
 }
 
-/// The rows that every table of the chapter holds: gentle, far out, quick, slow.
+/// The rows that the tables of one point hold: gentle, far out, quick, slow.
 inline std::vector<std::vector<double>> field_rows() {
   return {{1, 0.3, -0.7, 0.9}, {1, -1, 1, 0.125}, {16, 0.3, -0.7, 0.9}, {0.0625, 0.3, -0.7, 0.9}};
 }
-inline const std::string differences_route = "differences of the whole field, extrapolated to step zero";
-inline const std::string cauchy_route = "Cauchy's integral of the whole field on a circle, trapezoid rule";
 
 }  // namespace oddity::truth
