@@ -85,10 +85,16 @@ template <class Way, class Field>
 Matrix<double> slopes_by(Way& way, const Field& f, const Point& x) {
   return {way.along(f, x, axes[0]), way.along(f, x, axes[1]), way.along(f, x, axes[2])};
 }
+inline Point curl_of(const Matrix<double>& slopes) {
+  return {slopes[1][2] - slopes[2][1], slopes[2][0] - slopes[0][2], slopes[0][1] - slopes[1][0]};
+}
+/// (v.grad) of a field.
+inline Point advection_of(const Matrix<double>& slopes, const Point& v) {
+  return combined(1, combined(v[0], slopes[0], v[1], slopes[1]), v[2], slopes[2]);
+}
 template <class Way, class Field>
 Point curl_by(Way& way, const Field& f, const Point& x) {
-  const Matrix<double> d = slopes_by(way, f, x);
-  return {d[1][2] - d[2][1], d[2][0] - d[0][2], d[0][1] - d[1][0]};
+  return curl_of(slopes_by(way, f, x));
 }
 template <class Way, class Field>
 double divergence_by(Way& way, const Field& f, const Point& x) {

@@ -18,7 +18,7 @@ void fill(Sample& s, const Drawn& d) {
   s.put("fgrad_g", advected(d.f, d.g, d.frame)(d.x));
   s.put("fgrad_x", advected(d.f, position, d.frame)(d.x));
   s.put("along_f", along(position, d.x, d.f(d.x)));
-  s.put("div_x", divergence(position, d.frame)(d.x), 3);
+  s.put("div_x", divergence(position, d.frame)(d.x));
   s.put("f", d.f(d.x));
   s.put_vector("g", d.g, d.x);
   s.put_vector("x", position, d.x);
@@ -73,10 +73,7 @@ Quantity directional(const Parameters& p, const Reference& truth) {
   Quantity q = quantity("directional", "1", "(f.grad) x at x, for a field of wave number w", known,
                         nine_digits(known.value));
   add_ways(q, "along f", 1, [=](auto& way) { return way.along(position, x, f); });
-  const auto by_axes = [=](auto& way) {
-    const Matrix<double> d = slopes_by(way, position, x);
-    return combined(1, combined(f[0], d[0], f[1], d[1]), f[2], d[2]);
-  };
+  const auto by_axes = [=](auto& way) { return advection_of(slopes_by(way, position, x), f); };
   add_ways(q, "along the axes", 1, by_axes, Outcome::ok, "");
   q.add(
       Breakdown{"The position is linear, so that a difference has no truncation: the coarsest step is the "

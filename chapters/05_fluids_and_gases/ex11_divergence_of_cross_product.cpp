@@ -33,8 +33,7 @@ void fill(Sample& s, const Drawn& d) {
     const auto f = d.f(x), g = d.g(x);
     return std::array{f[1] * g[2] - f[2] * g[1], f[2] * g[0] - f[0] * g[2], f[0] * g[1] - f[1] * g[0]};
   };
-  const double div = divergence(cross_product(d.f, d.g), d.frame)(d.x);
-  s.put("div_fxg", div, std::abs(div));
+  s.put("div_fxg", divergence(cross_product(d.f, d.g), d.frame)(d.x));
   s.put("fxg", cross_by_determinants(d.f(d.x), d.g(d.x)));
   s.put_vector("f", d.f, d.x);
   s.put_vector("g", d.g, d.x);

@@ -110,8 +110,9 @@ Quantity gradient_of_product(const Parameters& p, const Reference& truth) {
   add_ways(q, "the four terms", 1, [=](auto& way) {
     way.calls += 2;
     const Point a = f(x), b = g(x);
-    const Point crosses = combined(1, cross(a, curl_by(way, g, x)), 1, cross(b, curl_by(way, f, x)));
-    return combined(1, crosses, 1, combined(1, way.along(g, x, a), 1, way.along(f, x, b)));
+    const Matrix<double> df = slopes_by(way, f, x), dg = slopes_by(way, g, x);
+    const Point crosses = combined(1, cross(a, curl_of(dg)), 1, cross(b, curl_of(df)));
+    return combined(1, crosses, 1, combined(1, advection_of(dg, a), 1, advection_of(df, b)));
   });
   add_breakdowns(q, "product as one field");
   return q;

@@ -27,6 +27,7 @@ struct Sample {
     values.push_back(value);
     sizes.push_back(size);
   }
+  void put(std::string name, double value) { put(std::move(name), value, std::abs(value)); }
   /// v0, v1, v2.
   void put(const std::string& name, const Point& v) {
     for (std::size_t i = 0; i < 3; ++i) put(name + digit(i), v[i], size_of(Value(v)));
@@ -50,12 +51,14 @@ struct Sample {
   }
 };
 
-/// Fields, a point and a turned frame, all at random; sizes and wave numbers over orders of magnitude.
+/// Fields, a point, a turned frame and a matrix, all at random; sizes and wave numbers of the fields over
+/// orders of magnitude.
 struct Drawn {
   ScalarField phi;
   VectorField f, g;
   Point x;
   Frame frame;
+  Matrix<double> m;
 };
 
 /// `fill(sample, drawn)` at 64 draws.
@@ -65,9 +68,10 @@ std::vector<Sample> sampled(Random random, const Fill& fill) {
   for (int n = 0; n < 64; ++n) {
     const auto size = [&] { return random.magnitude(1e-6, 1e6); };
     const auto rate = [&] { return random.magnitude(0.01, 10); };
-    Drawn drawn{{random, size(), rate()}, {random, size(), rate()}, {random, size(), rate()}, {}, {}};
+    Drawn drawn{{random, size(), rate()}, {random, size(), rate()}, {random, size(), rate()}, {}, {}, {}};
     drawn.x = random.point();
     drawn.frame = random_frame(random);
+    drawn.m = {random.point(), random.point(), random.point()};
     all.push_back({"draw " + std::to_string(n) + " at (" + shortest(drawn.x[0]) + ", " +
                    shortest(drawn.x[1]) + ", " + shortest(drawn.x[2]) + ")"});
     fill(all.back(), drawn);
