@@ -102,10 +102,10 @@ double divergence_by(Way& way, const Field& f, const Point& x) {
   return d[0][0] + d[1][1] + d[2][2];
 }
 
-/// 2^-3, 2^-5, ..., 2^-31.
-inline Knob steps() {
+/// 2^-3, 2^-5, ..., 2^-last.
+inline Knob steps(int last = 31) {
   Knob knob{"step", {}};
-  for (int k = 3; k <= 31; k += 2) knob.settings.push_back(std::ldexp(1.0, -k));
+  for (int k = 3; k <= last; k += 2) knob.settings.push_back(std::ldexp(1.0, -k));
   return knob;
 }
 

@@ -185,7 +185,7 @@ struct Row {
 
 inline std::string written(const std::vector<Row>& rows) {
   std::string text;
-  for (const Row& row : rows) text += (text.empty() ? "" : "; ") + row.right;
+  for (const Row& row : rows) text += (text.empty() ? "" : "; ") + row.left + " = " + row.right;
   return text;
 }
 
@@ -261,28 +261,29 @@ class Proof {
   /// Published lines hold; the near misses change each single sign and index.
   Claim& line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
               const std::string& by) {
-    Claim& claim = add(slug, at, std::move(says), rows, by);
-    claim.near_misses = {hardest_to_see("a sign flipped", samples, rows, by, signs_flipped),
-                         hardest_to_see("an index changed", samples, rows, by, indices_changed)};
+    claims.push_back({exercise + "-" + slug, at, std::move(says), {written(rows), {}}});
+    return also(rows, by);
+  }
+  /// A further comparison for the claim made last, with its near misses.
+  Claim& also(const std::vector<Row>& rows, const std::string& by) {
+    Claim& claim = claims.back();
+    claim.printed.checks.push_back(compare(samples, rows, by));
+    claim.near_misses.push_back(hardest_to_see("a sign flipped", samples, rows, by, signs_flipped));
+    claim.near_misses.push_back(hardest_to_see("an index changed", samples, rows, by, indices_changed));
     return claim;
   }
   /// Published lines hold; the near misses are the lines given.
   Claim& line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
               const std::string& by, const std::vector<std::vector<Row>>& near_misses) {
-    Claim& claim = add(slug, at, std::move(says), rows, by);
+    claims.push_back(
+        {exercise + "-" + slug, at, std::move(says), {written(rows), {compare(samples, rows, by)}}});
     for (const auto& near : near_misses)
-      claim.near_misses.push_back({written(near), {compare(samples, near, by)}});
-    return claim;
+      claims.back().near_misses.push_back({written(near), {compare(samples, near, by)}});
+    return claims.back();
   }
 
  private:
   std::string exercise;
-  Claim& add(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
-             const std::string& by) {
-    Claim& claim = claims.emplace_back(Claim{exercise + "-" + slug, at, std::move(says)});
-    claim.printed = {written(rows), {compare(samples, rows, by)}};
-    return claim;
-  }
 };
 
 }  // namespace oddity::fields
