@@ -109,7 +109,9 @@ inline Knob steps(int last = 31) {
   return knob;
 }
 
-inline Tolerance nine_digits(const Value& of) { return {1e-9 * size_of(of), "nine digits of the largest"}; }
+inline Tolerance nine_digits(const Value& of) {
+  return {1e-9 * size_of(of), "nine digits of the largest component"};
+}
 
 /// Adds a model by every way: `compute` takes a way and returns the value. Costs count calls of the factors,
 /// of which each differentiated field has `factors`. Differences are expected to end `finest` at 2^-31.
