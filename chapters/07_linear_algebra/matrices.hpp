@@ -3,6 +3,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 /// Square matrices, generic in their entries, and their products with the sums run in a given order.
@@ -51,6 +52,25 @@ std::vector<T> applied(const Matrix<T>& m, const std::vector<T>& x) {
       y[static_cast<std::size_t>(r)] =
           y[static_cast<std::size_t>(r)] + m(r, c) * x[static_cast<std::size_t>(c)];
   return y;
+}
+
+/// The determinant by fraction-free elimination with exchange of rows (Bareiss 1968): no division leaves a
+/// remainder. Its numbers are minors of the matrix.
+inline Whole bareiss(Matrix<Whole> m) {
+  Whole previous = 1, sign = 1;
+  for (int k = 0; k + 1 < m.n; ++k) {
+    int pivot = k;
+    while (pivot < m.n && m(pivot, k) == 0) ++pivot;
+    if (pivot == m.n) return 0;
+    if (pivot != k) {
+      for (int j = 0; j < m.n; ++j) std::swap(m(k, j), m(pivot, j));
+      sign = -sign;
+    }
+    for (int i = k + 1; i < m.n; ++i)
+      for (int j = k + 1; j < m.n; ++j) m(i, j) = (m(k, k) * m(i, j) - m(i, k) * m(k, j)) / previous;
+    previous = m(k, k);
+  }
+  return m.n == 0 ? 1 : sign * m(m.n - 1, m.n - 1);
 }
 
 enum class Order { ascending, descending, pairwise, fused };
