@@ -168,7 +168,7 @@ Reading same(std::string text, const std::vector<Sample>& all, const std::string
   Worst worst("whole number, in halves of 52 bits", left, right);
   for (const Sample& s : all) {
     const auto u = cast<Whole>(s.u), v = cast<Whole>(s.v), w = cast<Whole>(s.w);
-    worst.see(halves(one(u, v, w)), halves(other(u, v, w)), exact(), 1e9, shown(s.u) + ", " + shown(s.v));
+    worst.see(halves(one(u, v, w)), halves(other(u, v, w)), exact(), 0x1p53, shown(s.u) + ", " + shown(s.v));
   }
   return {std::move(text), {worst.check()}};
 }

@@ -101,7 +101,8 @@ Term operator/(const Term& a, const Term& b) {
 /// Two sides over all samples, exactly.
 Reading equal(const std::vector<Sample>& all, const Term& left, const Term& right) {
   Worst worst(left.text + " = " + right.text, left.text, right.text);
-  for (const Sample& s : all) worst.see(left.value(s), right.value(s), exact(), 1e3, "");
+  for (const Sample& s : all)
+    worst.see(left.value(s), right.value(s), exact(), std::max(1.0, size_of(right.value(s))), "");
   return {left.text + " = " + right.text, {worst.check()}};
 }
 
