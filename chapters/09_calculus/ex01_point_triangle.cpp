@@ -66,7 +66,7 @@ Quantity distance_quantity(std::string name, std::string says, const Case& at, c
     const Known one = truth("09_01_distance", inputs);
     known.value.push_back(std::ldexp(one.value[0], at.exponent));
     known.error = std::max(known.error, std::ldexp(one.error, at.exponent));
-    known.source = one.source;
+    if (known.source.empty() || one.source.starts_with("computed")) known.source = one.source;
   }
   return quantity(std::move(name), "m", std::move(says), known,
                   {std::ldexp(1e-12, at.exponent), "a few thousand roundings of the triangle's size"});
