@@ -13,7 +13,7 @@ using namespace bins;
 
 constexpr Parameter parameters[] = {
     {"n", 96, "", "spheres, beside fifteen edge cases", 2, 400},
-    {"frames", 16, "", "frames", 2, 64},
+    {"frames", 16, "", "frames", 6, 64},
     {"radius", 0.75, "", "largest radius, the world's side being 16", 0.05, 4},
     {"speed", 0.25, "", "largest speed on an axis, a frame", 0, 2},
     {"seed", 1, "", "of the random spheres", 0, 1e9},
