@@ -1,0 +1,103 @@
+// Compiled as C++17: see implicit.hpp.
+#include "solvers/ode/implicit.hpp"
+
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/implicit_euler.hpp>
+#include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
+#include <boost/numeric/odeint/stepper/rosenbrock4_controller.hpp>
+#include <utility>
+
+namespace oddity::ode::detail {
+
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+using Vector = boost::numeric::ublas::vector<double>;
+using Matrix = boost::numeric::ublas::matrix<double>;
+
+struct Rhs {
+  const ImplicitProblem& problem;
+  void operator()(const Vector& x, Vector& dxdt, double t) const {
+    problem.rhs(problem.object, &x[0], &dxdt[0], t);
+  }
+};
+
+struct Jacobian {
+  const ImplicitProblem& problem;
+  void operator()(const Vector& x, Matrix& matrix, double t) const {
+    Vector dfdt(x.size());
+    problem.jacobian(problem.object, &x[0], &matrix(0, 0), &dfdt[0], t);
+  }
+};
+
+/// The problem with its time as one more unknown, t' = 1. Odeint's rosenbrock4 (Boost 1.74) has its
+/// coefficient d4 with the wrong sign, and so is of order 1 where the right-hand side knows the time; of
+/// order 4 where it does not.
+struct AutonomousRhs {
+  const ImplicitProblem& problem;
+  void operator()(const Vector& x, Vector& dxdt, double) const {
+    problem.rhs(problem.object, &x[0], &dxdt[0], x[problem.n]);
+    dxdt[problem.n] = 1;
+  }
+};
+
+struct AutonomousJacobian {
+  const ImplicitProblem& problem;
+  void operator()(const Vector& x, Matrix& matrix, double, Vector& dfdt) const {
+    const std::size_t n = problem.n;
+    Matrix inner(n, n);
+    Vector by_time(n);
+    problem.jacobian(problem.object, &x[0], &inner(0, 0), &by_time[0], x[n]);
+    matrix.clear();
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) matrix(i, j) = inner(i, j);
+      matrix(i, n) = by_time[i];
+    }
+    dfdt.clear();
+  }
+};
+
+}  // namespace
+
+struct Rosenbrock::Stepper {
+  odeint::rosenbrock4_controller<odeint::rosenbrock4<double>> controller;
+  Vector x;
+};
+
+Rosenbrock::Rosenbrock(std::size_t n, double tolerance)
+    : stepper_(new Stepper{{tolerance, tolerance}, Vector(n + 1)}) {}
+Rosenbrock::~Rosenbrock() = default;
+Rosenbrock::Rosenbrock(Rosenbrock&&) noexcept = default;
+
+bool Rosenbrock::try_step(const ImplicitProblem& problem, double* x, double& t, double& h) {
+  Vector& state = stepper_->x;
+  std::copy_n(x, problem.n, state.begin());
+  state[problem.n] = t;
+  const auto system = std::make_pair(AutonomousRhs{problem}, AutonomousJacobian{problem});
+  const auto result = stepper_->controller.try_step(system, state, t, h);
+  if (result != odeint::success) return false;
+  std::copy_n(state.begin(), problem.n, x);
+  return true;
+}
+
+bool implicit_euler_step(const ImplicitProblem& problem, double* x, double t, double h) {
+  constexpr int most_iterations = 50;
+  struct NotConverged {};
+  Vector state(problem.n);
+  std::copy_n(x, problem.n, state.begin());
+  int iterations = 0;
+  const auto rhs = [&](const Vector& y, Vector& dydt, double s) {
+    if (++iterations > most_iterations) throw NotConverged();
+    Rhs{problem}(y, dydt, s);
+  };
+  odeint::implicit_euler<double> stepper(1e-11 * (1 + norm_2(state)));
+  try {
+    stepper.do_step(std::make_pair(rhs, Jacobian{problem}), state, t, h);
+  } catch (const NotConverged&) {
+    return false;
+  }
+  std::copy_n(state.begin(), problem.n, x);
+  return true;
+}
+
+}  // namespace oddity::ode::detail
