@@ -1,43 +1,161 @@
 #include "report/commands.hpp"
+
+#include <CLI/CLI.hpp>
 #include <iostream>
+
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "reference/verdicts.hpp"
+#include "report/progress.hpp"
 #include "report/run.hpp"
 #include "report/settings.hpp"
 #include "report/text_view.hpp"
+#include "report/write_report.hpp"
 
 namespace oddity {
-int command_line(int argc, char** argv) {
-  try {
-    const Reference truth(reference_folder());
-    for (const Entry& e : registry()) {
-      if (argc > 2 && to_string(e.number) != argv[2]) continue;
-      Task task(e);
-      for (int i = 3; i < argc; ++i) {
-        std::string a = argv[i];
-        auto eq = a.find('=');
-        task.parameters.set(a.substr(0, eq), number_in(a.substr(eq + 1)).value());
-      }
-      const Results r = run(std::span(&task, 1), truth, false);
-      std::cout << text_view(r.exercises[0]);
-      for (auto& c : r.exercises[0].claims) {
-        auto show = [&](const char* n, const Reading& g) {
-          for (auto& k : g.checks)
-            std::cout << c.claim.id << " " << n << " " << (k.holds() ? "holds " : "FAILS ") << k.quantity
-                      << ": " << shown(k.left.value, 17) << " | " << shown(k.right.value, 17) << " diff "
-                      << shown_error(k.difference()) << " tol " << shown_error(k.tolerance.allowed) << " "
-                      << k.where << "\n";
-        };
-        show("printed", c.claim.printed);
-        show("meant", c.claim.meant);
-        show("corrected", c.claim.corrected);
-        for (auto& m : c.claim.near_misses) show("near", m);
-      }
-    }
-  } catch (const BadInput& e) {
-    std::cerr << "oddity: " << e.what() << "\n";
-    return 2;
-  }
-  return 0;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string numbers_of_registry() {
+  std::string numbers;
+  for (const Entry& entry : registry()) numbers += (numbers.empty() ? "" : ", ") + to_string(entry.number);
+  return numbers;
 }
+
+const Entry& entry_of(const std::string& text) {
+  const auto number = exercise_number(text);
+  for (const Entry& entry : registry())
+    if (number == entry.number) return entry;
+  throw BadInput("no exercise '" + text + "'; the exercises are: " + numbers_of_registry());
+}
+
+/// "a=2.5" set in the parameters.
+void override_with(Parameters& parameters, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos) throw BadInput("'" + assignment + "' is not name=value");
+  const auto value = number_in(std::string_view(assignment).substr(equals + 1));
+  if (!value) throw BadInput("'" + assignment + "': '" + assignment.substr(equals + 1) + "' is not a number");
+  parameters.set(assignment.substr(0, equals), *value);
+}
+
+void list(const fs::path& folder) {
+  const Verdicts verdicts = read_verdicts(folder);
+  for (const Entry& entry : registry()) {
+    const std::string id = to_string(entry.number);
+    const auto claims =
+        std::ranges::count_if(verdicts, [&](const auto& row) { return row.first.starts_with(id + "-"); });
+    std::cout << id << "  " << entry.exercise.title << (entry.exercise.scene ? " (scene)" : "") << ", "
+              << claims << " claims\n";
+    for (const Parameter& p : entry.exercise.parameters)
+      std::cout << "      " << p.name << " = " << shortest(p.value) << (p.unit.empty() ? "" : " ") << p.unit
+                << "  " << p.says << "\n";
+  }
+}
+
+void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
+           bool json) {
+  Task task(entry_of(exercise));
+  for (const std::string& assignment : overrides) override_with(task.parameters, assignment);
+  const Reference truth(folder);
+  const Results results = run(std::span(&task, 1), truth, true);
+  std::cout << (json ? to_json(results) : text_view(results.exercises.front())) << std::flush;
+}
+
+bool older(const fs::path& file, const fs::path& than) {
+  return fs::last_write_time(file) < fs::last_write_time(than);
+}
+
+/// Older than the program or than a table.
+bool stale(const fs::path& results, const fs::path& folder) {
+  if (older(results, fs::read_symlink("/proc/self/exe"))) return true;
+  for (const auto& table : fs::directory_iterator(folder))
+    if (table.path().extension() == ".csv" && older(results, table)) return true;
+  return false;
+}
+
+Results last_results(const fs::path& folder) {
+  const fs::path file = results_file();
+  if (fs::exists(file) && !stale(file, folder)) return read_results(file);
+  const Reference truth(folder);
+  const std::vector<Task> tasks(registry().begin(), registry().end());
+  ProgressBar bar;
+  const Results results = run(tasks, truth, true, bar.callback());
+  write_whole(file, to_json(results));
+  return results;
+}
+
+void report(const fs::path& folder, int chapter, const fs::path& out) {
+  if (chapter != 0 && std::ranges::none_of(chapters(), [&](const Chapter& c) { return c.number == chapter; }))
+    throw BadInput("no chapter " + std::to_string(chapter) + "; the book has chapters 1 to 14");
+  const fs::path page = write_report(last_results(folder), chapter, out);
+  std::cout << "the report is in " << page.string() << "\n";
+}
+
+}  // namespace
+
+int command_line(int argc, char** argv, const Suite& suite) {
+  CLI::App app(
+      "oddity: the solutions of Game Physics, 2nd edition, checked by machine.\n"
+      "Without a verb: verify everything and write the report.",
+      "oddity");
+  app.set_version_flag("--version", version());
+  std::string folder = reference_folder().string();
+  app.add_option("--reference", folder, "folder of the reference tables")->capture_default_str();
+  app.require_subcommand(0, 1);
+
+  auto* list_verb = app.add_subcommand("list", "exercises, titles, parameters, number of claims");
+  list_verb->footer("Example: oddity list");
+
+  auto* verify_verb = app.add_subcommand("verify", "run the verification suite (Catch2) over all exercises");
+  std::string results;
+  verify_verb->add_option("--results", results, "also keep the results in this file, as JSON");
+  verify_verb->allow_extras();
+  verify_verb->footer(
+      "All else goes to Catch2: a test specification and its options, its reporters and 'markdown'.\n"
+      "Tags: [ch3] [3.5] [scene] [erratum] [misprint]. Catch2's own help: oddity verify -?\n"
+      "Examples: oddity verify '[ch3]~[scene]'    oddity verify '[3.5]' -s    oddity verify -r markdown -o "
+      "report.md");
+
+  auto* solve_verb = app.add_subcommand("solve", "one exercise: every quantity by every method");
+  std::string exercise;
+  std::vector<std::string> overrides;
+  bool json = false;
+  solve_verb->add_option("exercise", exercise, "its number, such as 3.5")->required();
+  solve_verb->add_option("overrides", overrides, "name=value for each parameter to change");
+  solve_verb->add_flag("--json", json, "print the results as JSON");
+  solve_verb->footer("Example: oddity solve 3.5 a=2.5");
+
+  auto* report_verb =
+      app.add_subcommand("report", "write the Markdown report, from the last results where they are fresh");
+  int chapter = 0;
+  std::string out = report_folder().string();
+  report_verb->add_option("--chapter", chapter, "one chapter only");
+  report_verb->add_option("--out", out, "folder to write to")->capture_default_str();
+  report_verb->footer("Example: oddity report --chapter 3 --out /tmp/report");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+
+  try {
+    if (*list_verb) return list(folder), 0;
+    if (*verify_verb) return suite({verify_verb->remaining(), folder, results});
+    if (*solve_verb) return solve(folder, exercise, overrides, json), 0;
+    if (*report_verb) return report(folder, chapter, out), 0;
+    const int verdict = suite({{}, folder, results_file()});
+    report(folder, 0, out);
+    return verdict;
+  } catch (const BadInput& error) {
+    std::cerr << "oddity: " << error.what() << "\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "oddity: internal error: " << error.what() << "\n";
+    return 1;
+  }
+}
+
 }  // namespace oddity

@@ -1,8 +1,26 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reference/reference.hpp"
+
 namespace oddity {
 
+/// What the suite is asked: Catch2's own arguments, the folder of the tables, and where to keep the results
+/// (nowhere when empty).
+struct SuiteRequest {
+  std::vector<std::string> catch_arguments;
+  std::filesystem::path reference_folder;
+  std::filesystem::path results_file;
+};
+
+/// Runs the verification suite; 0 green, 1 red. Throws BadInput.
+using Suite = std::function<int(const SuiteRequest&)>;
+
 /// The command line. Returns the exit code: 0 green, 1 a red suite, 2 bad input.
-int command_line(int argc, char** argv);
+int command_line(int argc, char** argv, const Suite& suite);
 
 }  // namespace oddity

@@ -1,3 +1,4 @@
 #include "report/commands.hpp"
+#include "tests/verify.hpp"
 
-int main(int argc, char** argv) { return oddity::command_line(argc, argv); }
+int main(int argc, char** argv) { return oddity::command_line(argc, argv, oddity::verify); }

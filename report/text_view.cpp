@@ -75,7 +75,7 @@ std::string shown(const Value& value, int digits) {
   return text + (value.size() > most ? ", ... " + std::to_string(value.size()) + " in all)" : ")");
 }
 
-std::string shown_error(double error) { return rounded(error, 2); }
+std::string shown_error(double error) { return std::isfinite(error) ? rounded(error, 2) : "-"; }
 
 std::string shown_time(double seconds) {
   if (!std::isfinite(seconds)) return "-";

@@ -1,9 +1,43 @@
-// Catch2's implementation where it is a header only (version 2), and the unit tests' main function.
+// Catch2's implementation, where version 2 has it in its header, and all that needs to see a whole session.
 #if !__has_include(<catch2/catch_all.hpp>)
 #define CATCH_CONFIG_RUNNER
 #endif
-#include "tests/catch.hpp"
-
 #include "tests/catch_main.hpp"
 
-int run_catch(int argc, char** argv) { return Catch::Session().run(argc, argv); }
+#include "tests/catch.hpp"
+
+namespace oddity {
+
+struct CatchSession::Session {
+  Catch::Session catch2;
+  bool accepted = false;
+};
+
+CatchSession::CatchSession(const std::vector<std::string>& arguments)
+    : session_(std::make_unique<Session>()) {
+  std::vector<const char*> words{"oddity"};
+  for (const std::string& argument : arguments) words.push_back(argument.c_str());
+  session_->accepted = session_->catch2.applyCommandLine(static_cast<int>(words.size()), words.data()) == 0;
+}
+
+CatchSession::~CatchSession() = default;
+
+bool CatchSession::accepted() const { return session_->accepted; }
+
+bool CatchSession::only_lists() const {
+  const Catch::ConfigData& data = session_->catch2.configData();
+  return data.showHelp || data.listTests || data.listTags || data.listReporters;
+}
+
+std::vector<std::string> CatchSession::selected() const {
+  Catch::Config& config = session_->catch2.config();
+  const auto& all = Catch::getAllTestCasesSorted(config);
+  std::vector<std::string> names;
+  for (const auto& test : config.hasTestFilters() ? Catch::filterTests(all, config.testSpec(), config) : all)
+    names.push_back(name_of(test));
+  return names;
+}
+
+int CatchSession::run() { return session_->catch2.run(); }
+
+}  // namespace oddity

@@ -1,3 +1,29 @@
 #pragma once
 
-int run_catch(int argc, char** argv);
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace oddity {
+
+/// A session of Catch2 in two steps, so that work can be done between the choice of test cases and their run.
+class CatchSession {
+ public:
+  /// The command line without the program's name. `accepted` is false when Catch2 does not take it.
+  explicit CatchSession(const std::vector<std::string>& arguments);
+  ~CatchSession();
+
+  bool accepted() const;
+  /// Help or a list is asked for, and no test case will run.
+  bool only_lists() const;
+  /// The names of the test cases that the command line selects.
+  std::vector<std::string> selected() const;
+  /// The number of failures.
+  int run();
+
+ private:
+  struct Session;
+  std::unique_ptr<Session> session_;
+};
+
+}  // namespace oddity

@@ -46,9 +46,11 @@ TEST_CASE("the worst sample is kept, and NaN is the worst of all", "[values]") {
 }
 
 TEST_CASE("the first reading that holds decides; a near miss that holds unsettles", "[values]") {
-  const Reading yes{"", {{"x", {"a", 1}, {"b", 1}, exact()}}}, no{"", {{"x", {"a", 1}, {"b", 2}, exact()}}}, none;
+  const Reading yes{"", {{"x", {"a", 1}, {"b", 1}, exact()}}}, no{"", {{"x", {"a", 1}, {"b", 2}, exact()}}},
+      none;
   const auto judged = [](Reading printed, Reading meant, Reading corrected, std::vector<Reading> near = {}) {
-    return verdict({"id", 1, "says", std::move(printed), std::move(meant), std::move(corrected), std::move(near)});
+    return verdict(
+        {"id", 1, "says", std::move(printed), std::move(meant), std::move(corrected), std::move(near)});
   };
   CHECK(judged(yes, yes, yes) == Verdict::confirmed);
   CHECK(judged(no, yes, yes) == Verdict::misprint);

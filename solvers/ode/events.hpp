@@ -49,7 +49,7 @@ Solved<Event<State>> find_event(const System& system, const State& start, double
   const auto state_after = [&](State x, double t, double s) {
     if constexpr (Algorithm::kind == Kind::fixed) {
       Algorithm::template stepper<State>().do_step(counted, x, t, s);
-    } else if constexpr (Algorithm::kind == Kind::partitioned) {
+    } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {
       Algorithm::template stepper<State>(system, inside)(x, t, s);
     } else if constexpr (requires { typename Algorithm::template Plain<State>; }) {
       typename Algorithm::template Plain<State>().do_step(counted, x, t, s);

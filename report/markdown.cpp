@@ -1,0 +1,488 @@
+#include "report/markdown.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "reference/text.hpp"
+#include "report/text_view.hpp"
+
+namespace oddity {
+
+namespace {
+
+// ---- Markdown's own needs ---------------------------------------------------------------------------------
+
+/// Text for a table cell or a paragraph: what Markdown would take for markup is escaped, except within $math$
+/// and `code`; a bar always, as a cell would end at it.
+std::string escaped(const std::string& text, bool in_cell = true) {
+  std::string out;
+  char within = 0;
+  for (char c : text) {
+    if (c == '$' || c == '`') {
+      if (within == 0)
+        within = c;
+      else if (within == c)
+        within = 0;
+    }
+    if (c == '\n' && in_cell) {
+      out += ' ';
+      continue;
+    }
+    const bool markup = within == 0 && (c == '*' || c == '_' || c == '<' || c == '~' || c == '[');
+    if (markup || (c == '|' && in_cell)) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+std::string code(const std::string& text) { return "`" + text + "`"; }
+
+/// Powers of ten as readers write them, which also do not break over a line's end: "4.4×10⁻¹⁶".
+std::string with_powers(const std::string& text) {
+  static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool exponent = text[i] == 'e' && i > 0 && i + 2 < text.size() &&
+                          std::isdigit(static_cast<unsigned char>(text[i - 1])) != 0 &&
+                          (text[i + 1] == '-' || text[i + 1] == '+');
+    if (!exponent) {
+      out += text[i];
+      continue;
+    }
+    out += text[i + 1] == '-' ? "×10⁻" : "×10";
+    for (i += 2; i + 1 < text.size() && text[i] == '0';) ++i;
+    for (; i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0; ++i)
+      out += digits[static_cast<std::size_t>(text[i] - '0')];
+    --i;
+  }
+  return out;
+}
+
+std::string error_cell(double error) { return with_powers(shown_error(error)); }
+std::string knob_cell(const TimedTrial& t) { return with_powers(shown_knob(t)); }
+std::string value_cell(const Value& value, int digits) { return with_powers(shown(value, digits)); }
+
+/// A column that holds numbers is set to the right.
+std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
+                  const std::string& right = "") {
+  const auto line = [](const std::vector<std::string>& cells) {
+    std::string text = "|";
+    for (const std::string& cell : cells) text += " " + cell + " |";
+    return text + "\n";
+  };
+  std::string text = line(header) + "|";
+  for (std::size_t i = 0; i < header.size(); ++i)
+    text += right.find(static_cast<char>('0' + i)) == std::string::npos ? " --- |" : " ---: |";
+  text += "\n";
+  for (const auto& row : rows) text += line(row);
+  return text + "\n";
+}
+
+// ---- counting ---------------------------------------------------------------------------------------------
+
+using Counts = std::map<Verdict, int>;
+constexpr std::array verdicts{Verdict::confirmed, Verdict::misprint, Verdict::erratum, Verdict::unsettled};
+
+void count(const ExerciseResult& e, Counts& counts) {
+  for (const JudgedClaim& c : e.claims) ++counts[c.verdict];
+}
+
+std::string plural(int n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+std::string sentence(Counts counts) {
+  return std::to_string(counts[Verdict::confirmed]) + " confirmed, " +
+         plural(counts[Verdict::misprint], "misprint", "misprints") + ", " +
+         plural(counts[Verdict::erratum], "erratum", "errata") + ", " +
+         std::to_string(counts[Verdict::unsettled]) + " unsettled";
+}
+
+std::vector<const ExerciseResult*> of_chapter(const Results& results, int chapter) {
+  std::vector<const ExerciseResult*> found;
+  for (const ExerciseResult& e : results.exercises)
+    if (e.number.chapter == chapter) found.push_back(&e);
+  return found;
+}
+
+std::vector<Number> not_encoded(const Chapter& chapter) {
+  std::vector<Number> missing;
+  for (int index = 1; index <= chapter.last_odd; index += 2) {
+    const Number number{chapter.number, index};
+    if (std::ranges::none_of(registry(), [&](const Entry& e) { return e.number == number; }))
+      missing.push_back(number);
+  }
+  return missing;
+}
+
+std::string listed(const std::vector<Number>& numbers) {
+  std::string text;
+  for (Number n : numbers) text += (text.empty() ? "" : ", ") + to_string(n);
+  return text;
+}
+
+/// GitHub's anchor of an exercise's heading.
+std::string anchor(const ExerciseResult& e) {
+  std::string text;
+  for (char c : to_string(e.number) + " " + e.title) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (c == ' ' || c == '-')
+      text += '-';
+    else if (c == '_' || static_cast<unsigned char>(c) >= 0x80)
+      text += c;
+  }
+  return text;
+}
+
+// ---- claims -----------------------------------------------------------------------------------------------
+
+const Reading& deciding(const JudgedClaim& judged) {
+  switch (judged.verdict) {
+    case Verdict::misprint:
+      return judged.claim.meant;
+    case Verdict::erratum:
+      return judged.claim.corrected;
+    default:
+      return judged.claim.printed;
+  }
+}
+
+std::string difference_of(const Check& c) {
+  if (c.tolerance.allowed == 0)
+    return c.difference() == 0 ? "equal" : "differ by " + shown_error(c.difference());
+  return "differ by " + shown_error(c.difference()) + ", allowed " + shown_error(c.tolerance.allowed);
+}
+
+/// The check with the least room: largest difference by tolerance.
+const Check& tightest(const Reading& reading) {
+  return *std::ranges::max_element(reading.checks, {}, [](const Check& c) {
+    return c.tolerance.allowed > 0 ? c.difference() / c.tolerance.allowed : c.difference() > 0 ? 1e300 : 0.0;
+  });
+}
+
+/// The numbers behind a verdict in a few words: what holds, or by how much the print is off.
+std::string evidence(const JudgedClaim& judged) {
+  const Reading& printed = judged.claim.printed;
+  const Reading& shown_reading = printed.checks.empty() ? deciding(judged) : printed;
+  if (shown_reading.checks.empty()) return "";
+  const Check& c = tightest(shown_reading);
+  std::string text = with_powers(escaped(c.quantity) + ": " + difference_of(c));
+  if (shown_reading.checks.size() > 1)
+    text += " (tightest of " + std::to_string(shown_reading.checks.size()) + " checks)";
+  return text;
+}
+
+std::string claims_table(const ExerciseResult& e) {
+  std::vector<std::vector<std::string>> rows;
+  for (const JudgedClaim& c : e.claims) {
+    const std::string verdict(name_of(c.verdict));
+    rows.push_back({code(c.claim.id), std::to_string(c.claim.line), escaped(c.claim.says),
+                    c.verdict == Verdict::confirmed ? verdict : "**" + verdict + "**", evidence(c)});
+  }
+  return table({"claim", "line", "the solution says", "verdict", "evidence"}, rows, "1");
+}
+
+std::vector<std::string> check_row(const std::string& reading, const Check& c) {
+  return {reading,
+          escaped(c.quantity) + (c.where.empty() ? "" : "<br>" + escaped(c.where)),
+          value_cell(c.left.value, 7) + "<br>" + escaped(c.left.by),
+          value_cell(c.right.value, 7) + "<br>" + escaped(c.right.by),
+          error_cell(c.difference()),
+          error_cell(c.tolerance.allowed) + "<br>" + escaped(c.tolerance.reason)};
+}
+
+/// What is wrong, what is right, and how it shows.
+std::string finding(const JudgedClaim& judged) {
+  const Claim& claim = judged.claim;
+  const std::string kind = judged.verdict == Verdict::erratum    ? "Erratum"
+                           : judged.verdict == Verdict::misprint ? "Misprint"
+                                                                 : "Unsettled";
+  std::string text = "**" + kind + " " + code(claim.id) + ".** " + claim.why + "\n\n";
+  std::vector<std::vector<std::string>> rows;
+  const auto add = [&](const std::string& name, const Reading& reading) {
+    if (reading.checks.empty()) return;
+    const Check& c = tightest(reading);
+    rows.push_back(check_row(name + ": " + escaped(reading.text), c));
+  };
+  add("printed", claim.printed);
+  add("meant", claim.meant);
+  add("corrected", claim.corrected);
+  return text + table({"reading", "compared", "one route", "another", "differ by", "allowed"}, rows);
+}
+
+// ---- methods ----------------------------------------------------------------------------------------------
+
+/// The cheapest trial that is ok, or none.
+const TimedTrial* cheapest_ok(const MethodResult& m) {
+  const TimedTrial* best = nullptr;
+  for (const TimedTrial& t : m.trials)
+    if (t.outcome == Outcome::ok && (!best || t.evaluations < best->evaluations)) best = &t;
+  return best;
+}
+
+/// Why methods are expected to fail, those with the same reason together.
+std::string expected_failures(const QuantityResult& q) {
+  std::vector<std::pair<std::string, std::string>> reasons;
+  for (const MethodResult& m : q.methods) {
+    if (m.why.empty()) continue;
+    const std::string reason = "*" + std::string(name_of(m.expected)) + "*: " + escaped(m.why, false);
+    const std::string name = escaped(m.model + ", " + m.algorithm, false);
+    const auto same = std::ranges::find(reasons, reason, &std::pair<std::string, std::string>::first);
+    if (same == reasons.end())
+      reasons.emplace_back(reason, name);
+    else
+      same->second += "; " + name;
+  }
+  std::string text;
+  for (const auto& [reason, names] : reasons) text += "- " + names + " - " + reason + ".\n";
+  return text.empty() ? "" : "Expected to fail at the finest setting:\n\n" + text + "\n";
+}
+
+std::string methods_table(const QuantityResult& q) {
+  std::vector<std::vector<std::string>> rows;
+  for (const MethodResult& m : q.methods) {
+    const TimedTrial* ok = cheapest_ok(m);
+    const TimedTrial& finest = m.trials.back();
+    const std::string outcome(name_of(finest.outcome));
+    rows.push_back({escaped(m.model), escaped(m.algorithm), ok ? knob_cell(*ok) : "never",
+                    ok ? std::to_string(ok->evaluations) : "", ok ? error_cell(ok->error) : "",
+                    knob_cell(finest), std::to_string(finest.evaluations), error_cell(finest.error),
+                    m.as_expected()
+                        ? outcome
+                        : "**" + outcome + "** (expected " + std::string(name_of(m.expected)) + ")"});
+  }
+  return table({"model", "algorithm", "cheapest that is ok", "evaluations", "error", "finest tried",
+                "evaluations", "error", "outcome"},
+               rows, "3467") +
+         expected_failures(q);
+}
+
+std::string breakdown_text(const BreakdownResult& b) {
+  const auto row = [](const std::string& what, const TimedTrial& t) {
+    return std::vector<std::string>{what,
+                                    escaped(t.model + ", " + t.algorithm),
+                                    knob_cell(t),
+                                    value_cell(t.value, 7),
+                                    error_cell(t.error),
+                                    std::to_string(t.evaluations),
+                                    std::string(name_of(t.outcome))};
+  };
+  return "**Where it breaks.** " + b.says + "\n\n" +
+         table({"", "method", "knob", "value", "error", "evaluations", "outcome"},
+               {row("breaks", b.broken), row("cure", b.cured)}, "45");
+}
+
+std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool charts) {
+  std::string text = "### " + code(q.name) + ": " + escaped(q.says, false) + "\n\n";
+  text += "Reference: " + value_cell(q.reference.value, 16) +
+          (q.unit == "1" ? "" : " " + escaped(q.unit, false)) + ", known to " +
+          error_cell(q.reference_error) + " (" + escaped(q.reference.by, false) + "). Needed to " +
+          error_cell(q.need.allowed) + ": " + escaped(q.need.reason, false) + ".\n\n";
+  if (charts && has_chart(q)) text += "![" + q.name + ": error against cost](" + chart_file(e, q) + ")\n\n";
+  text += methods_table(q);
+  for (const BreakdownResult& b : q.breakdowns) text += breakdown_text(b);
+  return text;
+}
+
+std::string parameters_text(const ExerciseResult& e) {
+  if (e.parameters.empty()) return "";
+  std::string text = "Parameters: ";
+  for (const ParameterValue& p : e.parameters)
+    text +=
+        (&p == &e.parameters.front() ? "" : "; ") +
+        code(p.name + " = " + rounded(p.value, 6) + (p.unit.empty() || p.unit == "1" ? "" : " " + p.unit)) +
+        " " + escaped(p.says, false);
+  return text + ".\n\n";
+}
+
+std::string exercise_text(const ExerciseResult& e, bool charts) {
+  std::string text =
+      "## " + to_string(e.number) + " " + e.title + "\n\n" + e.asks + "\n\n" + parameters_text(e);
+  if (!e.failure.empty()) return text + "**The study failed:** " + escaped(e.failure, false) + "\n\n";
+  Counts counts;
+  count(e, counts);
+  text += "### What the solution says: " + sentence(counts) + "\n\n" + claims_table(e);
+  for (const JudgedClaim& c : e.claims)
+    if (c.verdict != Verdict::confirmed) text += finding(c);
+  for (const QuantityResult& q : e.quantities) text += quantity_text(e, q, charts);
+  return text;
+}
+
+// ---- pages ------------------------------------------------------------------------------------------------
+
+std::string chapter_text(const Results& results, const Chapter& chapter, bool charts) {
+  std::string text =
+      "# Chapter " + std::to_string(chapter.number) + ": " + std::string(chapter.title) + "\n\n";
+  if (chapter.last_odd == 0) return text + "The solutions have no exercises in this chapter.\n\n";
+  const auto exercises = of_chapter(results, chapter.number);
+  Counts counts;
+  for (const ExerciseResult* e : exercises) count(*e, counts);
+  text +=
+      plural(static_cast<int>(exercises.size()), "exercise", "exercises") + ": " + sentence(counts) + ".\n\n";
+  if (const auto missing = not_encoded(chapter); !missing.empty())
+    text += "Not yet encoded (" + std::to_string(missing.size()) + "): " + listed(missing) + ".\n\n";
+  for (const ExerciseResult* e : exercises) text += exercise_text(*e, charts);
+  return text;
+}
+
+std::string errata_table(const Results& results, bool links) {
+  std::vector<std::vector<std::string>> rows;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims)
+      if (c.verdict == Verdict::erratum || c.verdict == Verdict::unsettled) {
+        const std::string id =
+            links ? "[" + c.claim.id + "](" + chapter_file(e.number.chapter) + "#" + anchor(e) + ")"
+                  : c.claim.id;
+        rows.push_back(
+            {id, std::string(name_of(c.verdict)), escaped(c.claim.says), escaped(c.claim.corrected.text)});
+      }
+  return rows.empty() ? "None in this run.\n\n"
+                      : table({"claim", "verdict", "the solution says", "right is"}, rows);
+}
+
+std::string legend() {
+  return "A claim is one thing that the published solution says. It is **confirmed** when independent "
+         "numbers agree with it as it is "
+         "printed; a **misprint** when they agree with what the text plainly meant; an **erratum** when only "
+         "a corrected statement "
+         "agrees; **unsettled** when nothing does. Verdicts are computed: each check compares two routes "
+         "that share nothing, within a "
+         "tolerance that has a reason, and each is known to fail when its left side is disturbed. Lines are "
+         "those of the solutions "
+         "document as plain text.\n\n"
+         "A method is a model solved by an algorithm; a trial runs it at one setting of its knob (step, "
+         "tolerance, points). Its cost is "
+         "counted in evaluations of the integrand or right-hand side. A trial is *ok* when its error is "
+         "within the need; *inaccurate*, "
+         "*drifted* (a conserved quantity changed), *diverged*, *non-finite*, *stalled* (out of steps), "
+         "*deceived* (the method's own "
+         "error estimate is below its true error) or *raised* (the library reported an error) otherwise.\n\n";
+}
+
+/// A chapter's rows in the table of contents: one an exercise, and one for those not yet encoded.
+void add_chapter(const Results& results, const Chapter& chapter, bool links,
+                 std::vector<std::vector<std::string>>& rows) {
+  const std::string title = std::to_string(chapter.number) + ". " + std::string(chapter.title);
+  std::string first =
+      links && chapter.last_odd > 0 ? "[" + title + "](" + chapter_file(chapter.number) + ")" : title;
+  const auto add = [&](std::vector<std::string> cells) {
+    cells.insert(cells.begin(), std::exchange(first, ""));
+    cells.resize(7);
+    rows.push_back(std::move(cells));
+  };
+  for (const ExerciseResult* e : of_chapter(results, chapter.number)) {
+    Counts counts;
+    count(*e, counts);
+    const std::string name = to_string(e->number) + " " + e->title;
+    std::vector<std::string> cells{
+        links ? "[" + name + "](" + chapter_file(chapter.number) + "#" + anchor(*e) + ")" : name};
+    for (Verdict verdict : verdicts) cells.push_back(counts[verdict] ? std::to_string(counts[verdict]) : "");
+    cells.push_back(std::to_string(e->quantities.size()));
+    add(std::move(cells));
+  }
+  if (const auto missing = not_encoded(chapter); !missing.empty())
+    add({"*not yet encoded (" + std::to_string(missing.size()) + "):* " + listed(missing)});
+}
+
+std::string chapters_without_exercises() {
+  std::string text;
+  for (const Chapter& chapter : chapters())
+    if (chapter.last_odd == 0) text += (text.empty() ? "" : ", ") + std::to_string(chapter.number);
+  return text;
+}
+
+std::string index_text(const Results& results, bool links) {
+  Counts all;
+  for (const ExerciseResult& e : results.exercises) count(e, all);
+  int total = 0;
+  for (const auto& [verdict, n] : all) total += n;
+  std::size_t missing = 0;
+  std::vector<std::vector<std::string>> rows;
+  for (const Chapter& chapter : chapters()) {
+    missing += not_encoded(chapter).size();
+    add_chapter(results, chapter, links, rows);
+  }
+  std::string text = "# The solutions of *Game Physics*, checked by machine\n\n" +
+                     plural(static_cast<int>(results.exercises.size()), "exercise", "exercises") + ", " +
+                     plural(total, "claim", "claims") + ": " + sentence(all) + ".";
+  if (missing > 0) text += " Not yet encoded: " + std::to_string(missing) + " of 48 exercises.";
+  return text + "\n\n## What is wrong in the book\n\n" + errata_table(results, links) + "## By chapter\n\n" +
+         table({"chapter", "exercise", "confirmed", "misprint", "erratum", "unsettled", "quantities"}, rows,
+               "23456") +
+         "The solutions have no exercises in chapters " + chapters_without_exercises() +
+         ".\n\n## How to read this\n\n" + legend() +
+         (links ? "How long each method took in this run: [times](times.md).\n" : "");
+}
+
+}  // namespace
+
+std::string chapter_file(int chapter) {
+  return "chapter_" + std::string(chapter < 10 ? "0" : "") + std::to_string(chapter) + ".md";
+}
+
+std::string chart_file(const ExerciseResult& e, const QuantityResult& q) {
+  return "charts/" + to_string(e.number) + "_" + q.name + ".svg";
+}
+
+bool has_chart(const QuantityResult& q) {
+  return q.methods.size() > 1 || (q.methods.size() == 1 && q.methods.front().trials.size() > 1);
+}
+
+std::string claims_evidence(const JudgedClaim& judged) {
+  std::string text =
+      judged.claim.id + " (line " + std::to_string(judged.claim.line) + "): " + judged.claim.says + "\n";
+  const auto add = [&](const std::string& name, const Reading& reading) {
+    for (const Check& c : reading.checks)
+      text += "  " + name + (c.holds() ? " holds: " : " FAILS: ") + c.quantity + ": " +
+              shown(c.left.value, 17) + " (" + c.left.by + ") against " + shown(c.right.value, 17) + " (" +
+              c.right.by + "), " + difference_of(c) + " (" + c.tolerance.reason + ")" +
+              (c.where.empty() ? "" : ", " + c.where) + "\n";
+  };
+  add("printed", judged.claim.printed);
+  add("meant", judged.claim.meant);
+  add("corrected", judged.claim.corrected);
+  for (const Reading& near : judged.claim.near_misses) add("near miss '" + near.text + "'", near);
+  return text;
+}
+
+std::string index_page(const Results& results) { return index_text(results, true); }
+
+std::string chapter_page(const Results& results, int number) {
+  for (const Chapter& chapter : chapters())
+    if (chapter.number == number) return chapter_text(results, chapter, true) + "[All chapters](README.md)\n";
+  return "";
+}
+
+std::string times_page(const Results& results) {
+  std::string text =
+      "# Times\n\nMedian and half the distance of the quartiles over batches, measured alone in the run at "
+      "hand. They differ from run to "
+      "run and from machine to machine; the counted work in the chapters does not.\n\n";
+  for (const ExerciseResult& e : results.exercises)
+    for (const QuantityResult& q : e.quantities) {
+      std::vector<std::vector<std::string>> rows;
+      for (const MethodResult& m : q.methods)
+        for (const TimedTrial& t : m.trials)
+          rows.push_back(
+              {escaped(t.model), escaped(t.algorithm), knob_cell(t), error_cell(t.error),
+               std::to_string(t.evaluations), shown_time(t.seconds), shown_time(t.spread),
+               t.evaluations > 0 ? shown_time(t.seconds / static_cast<double>(t.evaluations)) : "-"});
+      text +=
+          "## " + to_string(e.number) + " " + e.title + ": " + code(q.name) + "\n\n" +
+          table({"model", "algorithm", "knob", "error", "evaluations", "time", "spread", "per evaluation"},
+                rows, "34567");
+    }
+  return text;
+}
+
+std::string single_page(const Results& results) {
+  std::string text = index_text(results, false) + "\n";
+  for (const Chapter& chapter : chapters())
+    if (!of_chapter(results, chapter.number).empty()) text += chapter_text(results, chapter, false);
+  return text;
+}
+
+}  // namespace oddity

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "report/results.hpp"
+
+/// Markdown for GitHub, drawn from results alone. Every page but the one of times is the same from run to
+/// run.
+namespace oddity {
+
+/// The report's front page: what was found, by chapter and by exercise.
+std::string index_page(const Results&);
+/// A chapter's page: exercise by exercise, claims, methods, charts, breakdowns.
+std::string chapter_page(const Results&, int chapter);
+/// How long every method took, in the run at hand.
+std::string times_page(const Results&);
+/// The front page and all chapters in one, without charts.
+std::string single_page(const Results&);
+
+/// "chapter_03.md".
+std::string chapter_file(int chapter);
+/// "charts/3.5_quarter_period.svg".
+std::string chart_file(const ExerciseResult&, const QuantityResult&);
+/// A chart is drawn where there is a choice: two methods or more, or one with a knob.
+bool has_chart(const QuantityResult&);
+
+/// What speaks for a claim's verdict: each check of the reading that decided, one a line.
+std::string claims_evidence(const JudgedClaim&);
+
+}  // namespace oddity

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "report/commands.hpp"
+
+namespace oddity {
+
+/// The verification suite: one Catch2 test case an exercise, judged from the results of one parallel run, and
+/// one for the register. Its reporter `markdown` writes the report of the run to its stream.
+int verify(const SuiteRequest&);
+
+}  // namespace oddity
