@@ -147,22 +147,23 @@ std::vector<Claim> claims(double seed) {
               1,
               [](S s, double k) {
                 return Sides{of_angles(s.theta[0], s.phi[0], {std::sin(s.phi[0]), k * s.phi[1], 0}), s.m.v,
-                             s.speed};
+                             1 + s.speed};
               }),
       claim("2.3-velocity_p", 261, "v has the component 1/sqrt(1 + t^2) along P",
             along("1/sqrt(1 + t^2)", 0, true, [](S s) { return 1 / sqrt(s.d); }),
             {along("1/(1 + t^2)", 0, true, [](S s) { return 1 / s.d; })}),
       v_Q,
-      claim("2.3-velocity_r", 261, "v has no component along R",
-            along("0", 2, true, [](const Sample&) { return 0; }),
-            {along("z z'", 2, true, [](S s) { return s.t / (s.d * s.d); })}),
+      formula("2.3-velocity_r", 261, "v has no component along R", "v", "Cartesian dual numbers", all, 0, 1,
+              [](S s, double k) {
+                return Sides{of_angles(s.theta[0], s.phi[0], {s.v[0], s.v[1], k}), s.m.v, 1 + s.speed};
+              }),
       formula("2.3-acceleration_formula", 277,
               "a = 2 phi' cos(phi) P + (sin(phi) cos(phi) - phi'') Q - (phi'^2 + sin^2(phi)) R", "a",
               "Cartesian dual numbers", all, -1, 1,
               [](S s, double k) {
                 const double sine = std::sin(s.phi[0]), cosine = std::cos(s.phi[0]), w = s.phi[1];
                 const Vector3 parts{2 * w * cosine, sine * cosine + k * s.phi[2], -(w * w + sine * sine)};
-                return Sides{of_angles(s.theta[0], s.phi[0], parts), s.m.a, s.pull};
+                return Sides{of_angles(s.theta[0], s.phi[0], parts), s.m.a, 1 + s.pull};
               }),
       claim("2.3-acceleration_p", 277, "a has the component -2t/(1 + t^2)^(3/2) along P",
             along("-2t/(1 + t^2)^(3/2)", 0, false, [](S s) { return -2 * s.t / pow(s.d, 1.5); }),
@@ -206,8 +207,8 @@ Findings study(const Parameters& p, const Reference& truth) {
 Exercise exercise_2_3() {
   return {"Spherical helix",
           "The curve $(\\cos t,\\sin t,t)/\\sqrt{1+t^2}$ winds about the unit sphere: find its spherical "
-          "coordinates, its velocity and acceleration in the frame $\\{\\mathbf P,\\mathbf Q,\\mathbf R\\}$, "
-          "and where it ends.",
+          "coordinates, its velocity and acceleration in the frame $\\{\\mathbf P,\\mathbf Q,\\mathbf "
+          "R\\}$, and where it ends.",
           parameters, false, study};
 }
 

@@ -97,8 +97,8 @@ template <class F>
 Check limit(std::string what, const Value& said, double h, const F& f) {
   const auto found = limit_at_zero([&](double x) { return Value(f(x)); }, h, 10);
   return {std::move(what),
-          {"the text", said},
           {"Richardson's extrapolation", found.value},
+          {"the text", said},
           {found.error_estimate + 1e-15, "the extrapolation's error estimate, and one rounding"},
           1};
 }

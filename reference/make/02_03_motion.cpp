@@ -1,20 +1,12 @@
-#include <array>
 #include <cmath>
 
-#include "reference/make/routes.hpp"
+#include "reference/make/even_limit.hpp"
 
 // The curve lies on the unit sphere, its polar angle is t and its colatitude phi has cot(phi) = t. The second
 // route knows the positions alone.
 namespace oddity::truth {
 
 namespace {
-
-using Vector = std::array<Number, 3>;
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Number dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Numbers by_angles(const std::vector<double>& in, int) {
   const Number t = in[0], d = 1 + t * t;
@@ -28,44 +20,22 @@ Vector position(const Number& t) {
   return {cos(t) / d, sin(t) / d, t / d};
 }
 
-/// First and second derivative by central differences of steps 1/32, 1/64, ..., extrapolated (errors in h^2).
-std::array<Vector, 2> derivatives(const Number& t) {
-  constexpr int levels = 11;
-  std::vector<std::array<Vector, 2>> row;
-  for (int k = 0; k < levels; ++k) {
-    const Number h = ldexp(Number(1), -5 - k);
-    const Vector ahead = position(t + h), here = position(t), behind = position(t - h);
-    std::vector<std::array<Vector, 2>> next(1);
-    for (std::size_t i = 0; i < 3; ++i) {
-      next[0][0][i] = (ahead[i] - behind[i]) / (2 * h);
-      next[0][1][i] = (ahead[i] - 2 * here[i] + behind[i]) / (h * h);
-    }
-    for (int j = 1; j <= k; ++j) {
-      std::array<Vector, 2> better = next.back();
-      for (std::size_t d = 0; d < 2; ++d)
-        for (std::size_t i = 0; i < 3; ++i)
-          better[d][i] +=
-              (better[d][i] - row[static_cast<std::size_t>(j - 1)][d][i]) / (ldexp(Number(1), 2 * j) - 1);
-      next.push_back(better);
-    }
-    row = std::move(next);
-  }
-  return row.back();
-}
-
-Numbers by_positions(const std::vector<double>& in, int) {
+Numbers by_positions(const std::vector<double>& in, int digits) {
   const Number t = in[0];
   const Vector r = position(t);
   const Number flat = sqrt(r[0] * r[0] + r[1] * r[1]);
   const Vector P{-r[1] / flat, r[0] / flat, 0}, Q = cross(r, P);
-  const auto [v, a] = derivatives(t);
-  return {2 * asin(sqrt(r[0] * r[0] + r[1] * r[1] + (r[2] - 1) * (r[2] - 1)) / 2),
-          dot(v, P),
-          dot(v, Q),
-          dot(v, r),
-          dot(a, P),
-          dot(a, Q),
-          dot(a, r)};
+  const Numbers motion = even_limit(
+      [&](const Number& h) -> Numbers {
+        const Vector ahead = position(t + h), behind = position(t - h);
+        const Vector v = scaled(1 / (2 * h), sum(ahead, scaled(-1, behind)));
+        const Vector a = scaled(1 / (h * h), sum(sum(ahead, behind), scaled(-2, r)));
+        return {dot(v, P), dot(v, Q), dot(v, r), dot(a, P), dot(a, Q), dot(a, r)};
+      },
+      digits);
+  Numbers all{2 * asin(sqrt(r[0] * r[0] + r[1] * r[1] + (r[2] - 1) * (r[2] - 1)) / 2)};
+  all.insert(all.end(), motion.begin(), motion.end());
+  return all;
 }
 
 }  // namespace
