@@ -22,36 +22,18 @@ constexpr Parameter parameters[] = {
     {"seed", 1, "", "of the random motions in the proof", 0, 1e9},
 };
 
-using M = const Moment&;
-
-Matrix3 R_dot_R_transposed(M m) { return m.R_dot * transpose(m.R); }
-
-/// R^T x, R' x and R' R^T x at a moment.
-Vector3 back(M m, const Vector3& x) { return transpose(m.R) * x; }
-Vector3 rate(M m, const Vector3& x) { return m.R_dot * x; }
-Vector3 turned(M m, const Vector3& x) { return rate(m, back(m, x)); }
-
-/// R' R^T U by the text, columns.
-Matrix3 columns_of_the_text(M m, double k) {
-  const auto& [U1, U2, U3] = m.U;
-  const double g = 1 - m.gamma, s = m.sigma, w = m.theta_dot;
-  return Matrix3::columns(g * U2 - s * U3, -g * U1 + k * w * U3, s * U1 - w * U2);
-}
-
-/// b a^T - a b^T with its entries as the text collects them.
-Matrix3 collected(const Vector3& a, const Vector3& b, double k) {
-  const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
-  return {0, -z, k * y, z, 0, -x, -k * y, x, 0};
-}
-
 std::vector<Claim> claims(double seed) {
   const Moments moments(seed);
   const std::string duals = "dual numbers", by_quaternion = "quaternion and dual numbers";
-  /// A line of the proof that holds whatever |D'| is.
+  // A line of the proof that holds whatever |D'| is.
   const auto line = [&](const char* id, int number, const char* says, const char* quantity, auto sides) {
+    return formula(id, number, says, quantity, by_quaternion, moments.moving, 1, -1, sides);
+  };
+  // The same with a fixed axis too.
+  const auto result = [&](const char* id, int number, const char* says, const char* quantity, auto sides) {
     return formula(id, number, says, quantity, by_quaternion, moments.all, 1, -1, sides);
   };
-  /// A line of the proof that needs |D'| = 1.
+  // A line of the proof that needs |D'| = 1.
   const auto unit_line = [&](const char* id, int number, const char* says, const char* quantity, auto sides) {
     const auto with = [&](const char* text, const std::vector<Moment>& samples, double k) {
       return reading(text, quantity, by_quaternion, samples, [&](M m) { return sides(m, k); });
@@ -93,16 +75,16 @@ std::vector<Claim> claims(double seed) {
                      [](M m) {
                        return Sides{transpose(m.R) * m.R_dot, skew(m.w), m.size};
                      })}),
-      line("2.5-rotation_matrix", 319, "R = I + sigma S + (1 - gamma) S^2", "R",
-           [](M m, double k) {
-             return Sides{identity() + k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S), m.R,
-                          1 + std::abs(m.theta)};
-           }),
-      line("2.5-transpose", 319, "R^T = I - sigma S + (1 - gamma) S^2", "R^T",
-           [](M m, double k) {
-             return Sides{identity() - k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S), transpose(m.R),
-                          1 + std::abs(m.theta)};
-           }),
+      result("2.5-rotation_matrix", 319, "R = I + sigma S + (1 - gamma) S^2", "R",
+             [](M m, double k) {
+               return Sides{identity() + k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S), m.R,
+                            1 + std::abs(m.theta)};
+             }),
+      result("2.5-transpose", 319, "R^T = I - sigma S + (1 - gamma) S^2", "R^T",
+             [](M m, double k) {
+               return Sides{identity() - k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S), transpose(m.R),
+                            1 + std::abs(m.theta)};
+             }),
       line("2.5-derivative_of_s", 321, "S' = Skew(D')", "S'",
            [](M m, double k) {
              return Sides{skew(k * m.D_dot), m.S_dot, m.size};
@@ -116,7 +98,7 @@ std::vector<Claim> claims(double seed) {
                           m.R_dot, m.size};
            }),
       formula("2.5-no_power_rule", 325, "the derivative of S^2 is S S' + S' S, not 2 S S'", "(S^2)'", duals,
-              moments.all, 1, 0,
+              moments.moving, 1, 0,
               [](M m, double k) {
                 return Sides{(2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S), m.S2_dot, m.size};
               }),
@@ -258,27 +240,27 @@ std::vector<Claim> claims(double seed) {
                                    (1 - m.gamma) * skew(cross(U1, U2)),
                                R_dot_R_transposed(m), m.frame_size};
                 }),
-      line("2.5-sum_of_frame", 467, "Skew(w) = theta' Skew(U1) + sigma Skew(U2) + (1 - gamma) Skew(U3)",
-           "Skew(w)",
-           [](M m, double k) {
-             const auto& [U1, U2, U3] = m.U;
-             return Sides{m.theta_dot * skew(U1) + k * m.sigma * skew(U2) + (1 - m.gamma) * skew(U3),
-                          R_dot_R_transposed(m), m.frame_size};
-           }),
-      line("2.5-sum_of_axis", 469,
-           "Skew(w) = theta' Skew(D) + sin(theta) Skew(D') + (1 - cos(theta)) Skew(D x D')", "Skew(w)",
-           [&](M m, double k) {
-             return Sides{skew(w_of_the_text(m, k)), R_dot_R_transposed(m), m.frame_size};
-           }),
+      result("2.5-sum_of_frame", 467, "Skew(w) = theta' Skew(U1) + sigma Skew(U2) + (1 - gamma) Skew(U3)",
+             "Skew(w)",
+             [](M m, double k) {
+               const auto& [U1, U2, U3] = m.U;
+               return Sides{m.theta_dot * skew(U1) + k * m.sigma * skew(U2) + (1 - m.gamma) * skew(U3),
+                            R_dot_R_transposed(m), m.frame_size};
+             }),
+      result("2.5-sum_of_axis", 469,
+             "Skew(w) = theta' Skew(D) + sin(theta) Skew(D') + (1 - cos(theta)) Skew(D x D')", "Skew(w)",
+             [&](M m, double k) {
+               return Sides{skew(w_of_the_text(m, k)), R_dot_R_transposed(m), m.frame_size};
+             }),
       line("2.5-skew_is_one_to_one", 473, "Skew(A) = Skew(B) implies A = B: the entries give A back", "A",
            [](M m, double k) {
              return Sides{k * unskew(skew(m.w)), m.w};
            }),
-      line("2.5-angular_velocity", 475,
-           "w = theta' D + sin(theta) D' + (1 - cos(theta)) D x D', whatever |D'| is", "w",
-           [&](M m, double k) {
-             return Sides{w_of_the_text(m, k), m.w, m.size};
-           }),
+      result("2.5-angular_velocity", 475,
+             "w = theta' D + sin(theta) D' + (1 - cos(theta)) D x D', whatever |D'| is", "w",
+             [&](M m, double k) {
+               return Sides{w_of_the_text(m, k), m.w, m.size};
+             }),
   };
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "chapters/02_basic_concepts/rotations.hpp"
 #include "chapters/02_basic_concepts/sides.hpp"
-#include "chapters/02_basic_concepts/space.hpp"
 #include "chapters/random.hpp"
 #include "reference/reference.hpp"
 
@@ -9,40 +9,6 @@
 namespace oddity::rotating_axis {
 
 using namespace space;
-
-/// Rodrigues' matrix of the unit axis D and the angle.
-template <class T>
-Matrix<T> rodrigues(const Vector<T>& D, const T& angle) {
-  using std::cos, std::sin;
-  const Matrix<T> S = skew(D);
-  return identity<T>() + sin(angle) * S + (T(1.0) - cos(angle)) * (S * S);
-}
-
-/// (w, x, y, z).
-template <class T>
-using Quaternion = std::array<T, 4>;
-
-template <class T>
-Quaternion<T> quaternion(const Vector<T>& D, const T& angle) {
-  using std::cos, std::sin;
-  const T half = T(0.5) * angle, s = sin(half);
-  return {cos(half), s * D[0], s * D[1], s * D[2]};
-}
-/// The matrix of a unit quaternion.
-template <class T>
-Matrix<T> matrix(const Quaternion<T>& q) {
-  const T two(2.0), one(1.0);
-  const auto& [w, x, y, z] = q;
-  return {one - two * (y * y + z * z), two * (x * y - w * z),       two * (x * z + w * y),
-          two * (x * y + w * z),       one - two * (x * x + z * z), two * (y * z - w * x),
-          two * (x * z - w * y),       two * (y * z + w * x),       one - two * (x * x + y * y)};
-}
-/// The vector part of 2 q' q*.
-inline Vector3 turning(const Quaternion<Dual<double>>& q) {
-  const double w = q[0].value, w_dot = q[0].slope;
-  const Vector3 v{q[1].value, q[2].value, q[3].value}, v_dot{q[1].slope, q[2].slope, q[3].slope};
-  return 2.0 * (w * v_dot - w_dot * v - cross(v_dot, v));
-}
 
 /// Axis and angle as functions of time.
 struct Turning {
@@ -92,9 +58,32 @@ struct Moment {
   }
 };
 
-/// Moments of random motions: with any |D'|, with the clock set for |D'| = 1, and about a fixed axis.
+using M = const Moment&;
+
+inline Matrix3 R_dot_R_transposed(M m) { return m.R_dot * transpose(m.R); }
+
+/// R^T x, R' x and R' R^T x at a moment.
+inline Vector3 back(M m, const Vector3& x) { return transpose(m.R) * x; }
+inline Vector3 rate(M m, const Vector3& x) { return m.R_dot * x; }
+inline Vector3 turned(M m, const Vector3& x) { return rate(m, back(m, x)); }
+
+/// R' R^T U by the text, columns.
+inline Matrix3 columns_of_the_text(M m, double k) {
+  const auto& [U1, U2, U3] = m.U;
+  const double g = 1 - m.gamma, s = m.sigma, w = m.theta_dot;
+  return Matrix3::columns(g * U2 - s * U3, -g * U1 + k * w * U3, s * U1 - w * U2);
+}
+
+/// b a^T - a b^T with its entries as the text collects them.
+inline Matrix3 collected(const Vector3& a, const Vector3& b, double k) {
+  const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
+  return {0, -z, k * y, z, 0, -x, -k * y, x, 0};
+}
+
+/// Moments of random motions: with any |D'|, with the clock set for |D'| = 1, both of these, and all with
+/// those about a fixed axis.
 struct Moments {
-  std::vector<Moment> any, unit_speed, all;
+  std::vector<Moment> any, unit_speed, moving, all;
   explicit Moments(double seed) {
     Random random(seed);
     const auto vector = [](const std::array<double, 3>& x) { return Vector3{x[0], x[1], x[2]}; };
@@ -103,14 +92,15 @@ struct Moments {
                      vector(random.point(0.8)),        random.between(-7, 7),
                      random.magnitude(0.01, 10),       random.between(-1, 1)};
       const double t = random.between(-1, 1);
-      if (i % 20 == 9) motion.a -= motion.angle(t);
+      if (i % 20 == 9) motion.a += 0.01 - motion.angle(t);
       any.emplace_back(motion, t, random.magnitude(0.1, 10));
       unit_speed.emplace_back(motion, t, 1 / Moment(motion, t, 1).lambda);
       motion.q = motion.r = {0, 0, 0};
       if (i % 20 == 19) all.emplace_back(motion, t, 1);
     }
-    all.insert(all.begin(), unit_speed.begin(), unit_speed.end());
-    all.insert(all.begin(), any.begin(), any.end());
+    moving = any;
+    moving.insert(moving.end(), unit_speed.begin(), unit_speed.end());
+    all.insert(all.begin(), moving.begin(), moving.end());
   }
 };
 
@@ -134,19 +124,12 @@ struct Precession {
   }
 };
 
-/// The vector along the axis of a rotation, as long as its angle in [0, pi].
-inline Vector3 rotation_vector(const Matrix3& R) {
-  const Vector3 s = unskew(R);
-  const double sine = length(s), cosine = (R(0, 0) + R(1, 1) + R(2, 2) - 1) / 2;
-  return sine == 0 ? s : std::atan2(sine, cosine) / sine * s;
-}
-
 inline Quantity angular_velocity(double t, const Precession& motion, const Reference& truth) {
   Quantity w = quantity("angular_velocity", "rad/s", "w in x, y, z at t",
                         truth("02_05_angular_velocity", {t, motion.alpha, motion.Omega, motion.nu}),
                         {1e-10, "ten decimals"});
   using D1 = Dual<double>;
-  const Knob steps = halving("h", 0.5, 24);
+  const Knob steps{"h", {0x1p-1, 0x1p-4, 0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19, 0x1p-22, 0x1p-25}};
   const auto at = [=](double s) { return motion.rotation(s); };
   const auto central = [=](double h) { return 0.5 / h * (at(t + h) - at(t - h)); };
   const char* too_small = "rounding grows as eps/h when the step is halved on";
@@ -185,8 +168,8 @@ inline Quantity angular_velocity(double t, const Precession& motion, const Refer
       "turn. The rotation that leads from one to the other is then the shorter way round, backward.",
       "rotation from t - h to t + h, its vector over 2h", 0.5, Outcome::inaccurate, "2 q' q*, dual numbers",
       0});
-  w.add(Breakdown{"Steps of $2^{-24}$ leave $\\epsilon/h$, eight digits. Dual numbers have no step.",
-                  "Unskew(R' R^T), differences of order 4", 0x1p-24, Outcome::inaccurate,
+  w.add(Breakdown{"A step of $2^{-25}$ leaves $\\epsilon/h$, eight digits. Dual numbers have no step.",
+                  "Unskew(R' R^T), differences of order 4", 0x1p-25, Outcome::inaccurate,
                   "Unskew(R' R^T), dual numbers", 0});
   return w;
 }
