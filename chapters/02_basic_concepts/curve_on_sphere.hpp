@@ -185,7 +185,7 @@ inline Quantity orientation(double T, const Reference& truth) {
       .by_all("matrix", AsMatrix{}, Outcome::drifted)
       .by_all("quaternion", AsQuaternion{}, Outcome::drifted)
       .by<ode::RungeKutta4>("matrix, w of the printed listing", AsMatrix{true}, Outcome::inaccurate,
-                            "a rotation to ten digits, about the wrong axis");
+                            "a rotation, but the wrong one");
   const auto repaired = [&]<class Algorithm, class Model>(const char* name, Algorithm, Model model) {
     const bool first = Algorithm::order == 1;
     q.add({name, std::string(Algorithm::name), steps,
@@ -225,7 +225,7 @@ inline Quantity orthogonality(const Quantity& orientation) {
   }
   constexpr double coarse = 0x1p-4, fine = 0x1p-10;
   q.add(
-      Breakdown{"At sixteen steps a unit of time $R^TR$ is off by 7e-4. Gram and Schmidt's "
+      Breakdown{"At sixteen steps a unit of time $R^TR$ is off by $7\\cdot10^{-4}$. Gram and Schmidt's "
                 "orthonormalization after each step keeps it a rotation.",
                 "matrix, Runge-Kutta 4", coarse, Outcome::inaccurate,
                 "matrix, orthonormalized, Runge-Kutta 4", coarse});

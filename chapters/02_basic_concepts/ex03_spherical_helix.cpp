@@ -83,8 +83,8 @@ std::vector<Claim> claims(double seed) {
       along("t(t^2 - 1)/(1 + t^2)^2", 1, false, [](S s) { return s.t * (s.t * s.t - 1) / (s.d * s.d); });
   a_Q.why =
       "$\\sin\\phi\\cos\\phi-\\ddot\\phi=t/(1+t^2)-2t/(1+t^2)^2=t(t^2-1)/(1+t^2)^2$; the printed value "
-      "forgets the square that $\\ddot\\phi$ has four lines above. At $t=2$ it is $0.24$, not $-0.4$; for "
-      "$|t|>1$ even the sign is wrong.";
+      "forgets the square in $\\ddot\\phi$. At $t=2$ it is $0.24$, not $-0.4$; for $|t|>1$ even the sign "
+      "is wrong.";
   return {
       formula("2.3-on_the_sphere", 191, "rho = 1 for all t", "rho", "the unit sphere", all, 0.5, 1,
               [](S s, double k) {

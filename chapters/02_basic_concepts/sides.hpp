@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,12 +21,16 @@ struct Sides {
   double scale = 0;
 };
 
+/// A lambda passed for it is no obstacle to deducing Sample.
+template <class... Arguments>
+using SidesOf = std::type_identity_t<std::function<Sides(Arguments...)>>;
+
 /// The identity sides(sample) over all samples, each of which says where() it is.
-template <class Samples, class F>
-Check compare(std::string quantity, std::string left, std::string right, const Samples& samples,
-              const F& sides, double ulps = 64) {
+template <class Sample>
+Check compare(std::string quantity, std::string left, std::string right, const std::vector<Sample>& samples,
+              const SidesOf<const Sample&>& sides, double ulps = 64) {
   Worst worst(std::move(quantity), std::move(left), std::move(right), ulps);
-  for (const auto& sample : samples) {
+  for (const Sample& sample : samples) {
     const Sides both = sides(sample);
     const double larger = std::max(size_of(both.left), size_of(both.right));
     worst.see(both.left, both.right, both.scale > 0 ? both.scale : larger, sample.where());
@@ -33,9 +39,9 @@ Check compare(std::string quantity, std::string left, std::string right, const S
 }
 
 /// What the text says, sides(sample).left, against another route, sides(sample).right.
-template <class Samples, class F>
-Reading reading(std::string text, std::string quantity, std::string route, const Samples& samples,
-                const F& sides) {
+template <class Sample>
+Reading reading(std::string text, std::string quantity, std::string route, const std::vector<Sample>& samples,
+                const SidesOf<const Sample&>& sides) {
   return {std::move(text), {compare(std::move(quantity), "the text", std::move(route), samples, sides)}};
 }
 
@@ -46,12 +52,13 @@ inline Claim claim(std::string id, int line, std::string says, Reading printed,
 }
 
 /// A formula with a number k in it, sides(sample, k), as a claim: `k` as printed, `near` in the near miss.
-template <class Samples, class F>
+template <class Sample>
 Claim formula(std::string id, int line, std::string says, const std::string& quantity,
-              const std::string& route, const Samples& samples, double k, double near, const F& sides) {
+              const std::string& route, const std::vector<Sample>& samples, double k, double near,
+              const SidesOf<const Sample&, double>& sides) {
   const auto with = [&](std::string text, double number) {
     return reading(std::move(text), quantity, route, samples,
-                   [&](const auto& sample) { return sides(sample, number); });
+                   [&](const Sample& sample) { return sides(sample, number); });
   };
   const std::string miss = near == -k  ? "a sign flipped"
                            : near == 0 ? "a term dropped"
