@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "chapters/02_basic_concepts/space.hpp"
+#include "chapters/02_basic_concepts/vectors.hpp"
 #include "chapters/exercise.hpp"
 #include "chapters/random.hpp"
 #include "solvers/quadrature.hpp"

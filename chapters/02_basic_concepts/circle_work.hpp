@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "chapters/02_basic_concepts/bodies.hpp"
-#include "chapters/02_basic_concepts/space.hpp"
+#include "chapters/02_basic_concepts/vectors.hpp"
 #include "reference/reference.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/roots.hpp"

@@ -8,7 +8,7 @@
 
 #include "chapters/02_basic_concepts/bodies.hpp"
 #include "chapters/02_basic_concepts/rotations.hpp"
-#include "chapters/02_basic_concepts/space.hpp"
+#include "chapters/02_basic_concepts/vectors.hpp"
 #include "reference/reference.hpp"
 
 namespace oddity {

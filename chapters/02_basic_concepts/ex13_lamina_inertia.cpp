@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "chapters/02_basic_concepts/bodies.hpp"
-#include "chapters/02_basic_concepts/space.hpp"
+#include "chapters/02_basic_concepts/vectors.hpp"
 #include "reference/reference.hpp"
 #include "solvers/dual.hpp"
 

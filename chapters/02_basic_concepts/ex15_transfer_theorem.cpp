@@ -5,7 +5,7 @@
 // is zero. The solid is a tetrahedron, with moments m/20 (sum of the vertices' + 16 times the center's).
 
 #include "chapters/02_basic_concepts/bodies.hpp"
-#include "chapters/02_basic_concepts/space.hpp"
+#include "chapters/02_basic_concepts/vectors.hpp"
 #include "reference/reference.hpp"
 
 namespace oddity {

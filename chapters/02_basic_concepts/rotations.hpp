@@ -1,6 +1,6 @@
 #pragma once
 
-#include "chapters/02_basic_concepts/space.hpp"
+#include "chapters/02_basic_concepts/vectors.hpp"
 #include "chapters/exercise.hpp"
 
 /// Rotations by the angle theta about a unit axis w, and what comes close to one.
