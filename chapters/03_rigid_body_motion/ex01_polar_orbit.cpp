@@ -188,9 +188,10 @@ Sides sides(std::string_view slug, const Point& p) {
   throw std::logic_error("no line " + std::string(slug));
 }
 
-/// The line by its right side or its other one; a rewritten line is also zero on both curves.
+/// The line by its right side or its other one. A rewritten line is also zero on both curves: seen with its
+/// last term, 2 e^2 (rho^2 + x^2) r^2, on the other side.
 std::vector<Check> checks(const Line& line, Value Sides::*right, double seed) {
-  Worst equation("the equation", "left side", "right side"), zero("the line", "value on the curves", "zero");
+  Worst equation("the equation", "left side", "right side"), zero("0 = ...", "all but a term", "that term");
   const auto scale = [&](const Point& p) {
     const bool pure = line.slug == "ellipse";
     return pow(pure ? p.size / p.a : p.size, line.degree) / pow(p.q, line.divisions);
@@ -200,8 +201,10 @@ std::vector<Check> checks(const Line& line, Value Sides::*right, double seed) {
     equation.see(both.left, both.*right, scale(p), p.shown());
   }
   if (line.on != On::anywhere) return {equation.check()};
-  for (const Point& p : points(seed, On::both))
-    zero.see(sides(line.slug, p).*right, 0.0, scale(p), p.shown());
+  for (const Point& p : points(seed, On::both)) {
+    const double term = 2 * p.e * p.e * (p.rho * p.rho + p.x * p.x) * p.r * p.r;
+    zero.see((sides(line.slug, p).*right)[0] + term, term, scale(p), p.shown());
+  }
   return {equation.check(), zero.check()};
 }
 

@@ -308,7 +308,7 @@ inline Sides equations(std::string_view line, const Sample& k) {
     return {repeated(k.a, 2), {-f * x, -f * y, -g * c, -g * s}, {f * x, f * y, g * c, g * s}};
   }
   if (line == "radial") return {-mu / (r * r), rdd - r * w * w, rdd + r * w * w, pull};
-  if (line == "transverse") return {0.0, r * wd + 2 * rd * w, r * wd + rd * w, speed * speed / r};
+  if (line == "transverse") return {r * wd, -2 * rd * w, -rd * w, speed * speed / r};
   if (line == "areal")
     return {{r * (r * wd + 2 * rd * w), x * k.pushed[1] - y * k.pushed[0]},
             repeated(r * r * wd + 2 * r * rd * w, 2),
@@ -524,17 +524,17 @@ inline Claim claim_of(const Line& line, Sides (*sides)(std::string_view, const S
 
 // ---- statements -------------------------------------------------------------------------------------------
 
-/// d/dt (r x v) in space, for an acceleration of gravity plus `drag` times the velocity.
+/// d/dt (r x v) = r x a in space, for the acceleration of gravity less `drag` times the velocity.
 inline Reading constant_normal(std::string text, double drag, double seed) {
   Random random(seed);
-  Worst worst("d/dt (r x v)", "v x v + r x a", "0");
+  Worst worst("r x a, the rate of r x v", "first products", "second products");
   for (int i = 0; i < 100; ++i) {
     const auto r = random.point(), v = random.point();
     auto a = gravity(abs(random.magnitude(0.1, 10)), r);
     for (std::size_t j = 0; j < 3; ++j) a[j] -= drag * v[j];
-    const double size = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) * std::hypot(a[0], a[1], a[2]);
-    worst.see({r[1] * a[2] - r[2] * a[1], r[2] * a[0] - r[0] * a[2], r[0] * a[1] - r[1] * a[0]}, {0, 0, 0},
-              size, "sample " + std::to_string(i));
+    const double size = std::hypot(r[0], r[1], r[2]) * std::hypot(a[0], a[1], a[2]);
+    worst.see({r[1] * a[2], r[2] * a[0], r[0] * a[1]}, {r[2] * a[1], r[0] * a[2], r[1] * a[0]}, size,
+              "sample " + std::to_string(i));
   }
   return {std::move(text), {worst.check()}};
 }
