@@ -228,11 +228,11 @@ inline Quantity arrival(const Bead& bead, const Reference& truth) {
   add_event<ode::Fehlberg78>(time, stuck, EnergyInQ{bead}, Outcome::raised,
                              "q = q0 for ever solves it too, and that is the solution taken");
   time.add(
-      Breakdown{"The time's integrand is infinite at the release, and bisection goes there until it divides "
-                "by zero. In u, with q = q0 (1 - u^2), it is smooth: 16 points give twelve digits.",
+      Breakdown{"The time's integrand is infinite at the release, and bisection goes there until it "
+                "divides by zero. In u, with q = q0 (1 - u^2), it is smooth: 16 points give twelve digits.",
                 raw + ", QAG", 1e-10, Outcome::non_finite, substituted + ", Gauss-Legendre", 16});
   time.add(Breakdown{
-      "Energy alone, q' = -std::sqrt(...), lets a bead at rest stay at rest: the event never comes. In u "
+      "Energy alone, q' = -sqrt(...), lets a bead at rest stay at rest: the event never comes. In u "
       "the same level is regular at the release, and the bead leaves.",
       stuck + ", " + fehlberg, 1e-12, Outcome::raised, regular + ", " + fehlberg, 1e-12});
   return time;
@@ -273,7 +273,7 @@ inline Quantity slide(const Bead& bead, const Reference& truth) {
                   return by_inverted_integral(EnergyInU{bead}, horizon, static_cast<int>(n));
                 }});
   position.add(
-      Breakdown{"Energy alone, q' = -std::sqrt(...), lets a bead at rest stay at rest; the second-order "
+      Breakdown{"Energy alone, q' = -sqrt(...), lets a bead at rest stay at rest; the second-order "
                 "equation does not.",
                 stuck + ", " + fehlberg, 1e-12, Outcome::inaccurate, one + ", " + fehlberg, 1e-12});
   return position;

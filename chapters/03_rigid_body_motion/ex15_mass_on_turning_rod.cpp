@@ -190,8 +190,7 @@ std::vector<Claim> conclusions(const Run& run, const Run& mended, const Value& e
                        printed_decimals(5)}}};
   value.why =
       "The output belongs to the slip of the listing, `aux[0]*time` for `aux[1]*time` (2079), not to the "
-      "equation of "
-      "the text, whose $\\lambda(2)$ is 0.994210: what is printed is 16 percent too large.";
+      "equation of the text, whose $\\lambda(2)$ is 0.994210: what is printed is 16 percent too large.";
 
   Claim arrival{"3.15-d_value", 2181, "d = 0.814683"};
   const auto is_d = [&](const std::string& as, double x, const Tolerance& tolerance) {
@@ -207,8 +206,7 @@ std::vector<Claim> conclusions(const Run& run, const Run& mended, const Value& e
   meaning.corrected = {"d = lambda(2)/sqrt(2)", {is_d("|x(2)|/sqrt(2)", lambda / sqrt2, rounding(1))}};
   meaning.why =
       "$\\lambda$ is a distance along the segment and $d$ a coordinate: $d=\\lambda(2)/\\sqrt2$, as in the "
-      "output's own "
-      "1.15214 and 0.814683. The line is repeated in the summary (1869).";
+      "output's own 1.15214 and 0.814683. The line is repeated in the summary (1869).";
 
   Claim down{"3.15-slipped", 2181, "lambda has decreased"};
   down.printed = {"lambda(2) < lambda(0)",
@@ -239,12 +237,11 @@ Findings study(const Parameters& given, const Reference& truth) {
 }  // namespace
 
 Exercise exercise_3_15() {
-  return {
-      "Mass with a spring on a turning rod",
-      "A mass slides without friction on a segment from the origin to $(a,0,a)$ that turns about the "
-      "$x_3$-axis "
-      "at $\\pi/4$ a second; a spring joins it to $(c,0,0)$. Where does it arrive in the $(x_2,x_3)$-plane?",
-      parameters, true, study};
+  return {"Mass with a spring on a turning rod",
+          "A mass slides without friction on a segment from the origin to $(a,0,a)$ that turns about the "
+          "$x_3$-axis at $\\pi/4$ a second; a spring joins it to $(c,0,0)$. Where does it arrive in the "
+          "$(x_2,x_3)$-plane?",
+          parameters, true, study};
 }
 
 }  // namespace oddity

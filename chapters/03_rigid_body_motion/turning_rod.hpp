@@ -274,8 +274,8 @@ inline Quantity stiff_spring(const Rod& rod, const Reference& truth) {
       .by<ode::BulirschStoer>(name, along);
   const std::string runge_kutta = name + ", " + std::string(ode::RungeKutta4::name);
   place.add(Breakdown{
-      "The spring's tremor, about sqrt(K/m), must be resolved though nobody sees it: beyond a step of "
-      "2.83 over that frequency Runge-Kutta 4 blows it up. A smaller step cures it.",
+      "The spring's tremor, about sqrt(K/m), must be resolved though nobody sees it: beyond a step of 2.83 "
+      "over that frequency Runge-Kutta 4 blows it up. A smaller step cures it.",
       runge_kutta, 0.0625, Outcome::diverged, runge_kutta, 0.015625});
   place.add(Breakdown{
       "Nor is the tremor worth its cost: the spring taken as a bar of its rest length is right to a "

@@ -170,10 +170,8 @@ inline std::vector<Claim> slips(double seed) {
   rest.corrected = f.reading({"(0, pi b/4, 0)", [](S s) { return values(0, pi * s.b / 4, 0); }}, moving);
   rest.why =
       "The segment turns at a constant speed from the start and takes the mass along: by the text's own "
-      "formula "
-      "(1765) $x'(0)=\\lambda(0)D'(0)=(0,\\pi b/4,0)$, 1.11 m/s. The mass is at rest on the segment only, "
-      "and that "
-      "is what $\\lambda'(0)=0$ says.";
+      "formula (1765) $x'(0)=\\lambda(0)D'(0)=(0,\\pi b/4,0)$, 1.11 m/s. The mass is at rest on the "
+      "segment only, and that is what $\\lambda'(0)=0$ says.";
 
   const Version<Sample> zero{"zero", [](S) { return 0.0; }};
   f.add("lambda_dot_start", 1845, "lambda'(0) = D(0) . x'(0)",
@@ -205,20 +203,17 @@ inline std::vector<Claim> slips(double seed) {
       f.reading({"Cos(aux[1]*time), aux[1] = pi/4", [=](S s) { return code(s, 0.25 * pi); }}, tmp0);
   cosine.why =
       "The code takes `aux[0]`, which is $1/\\sqrt2$, for `aux[1]`, which is $\\pi/4$: in its equation of "
-      "motion the "
-      "spring sees the rod turn by 81 degrees, while the positions that it prints turn by 90.";
+      "motion the spring sees the rod turn by 81 degrees, while the positions that it prints turn by 90.";
 
-  const Version<Sample> tmp4{"1 - ell/r", [](S s) {
-                               return 1 - s.ell / length({s.x()[0] - s.c, s.x()[1], s.x()[2]});
-                             }};
-  const auto inverse = [](S s, double square) { return 1 - s.ell / sqrt(square); };
-  Claim& root = f.add("comment_root", 2093, "the comment on tmp4",
-                      {"1 - ell/sqrt(lambda (lambda - 2p + c^2))",
-                       [=](S s) { return inverse(s, s.s * std::abs(s.s - 2 * p(s) + s.c * s.c)); }},
-                      tmp4, {});
-  root.meant = f.reading({"1 - ell/sqrt(lambda (lambda - 2p) + c^2)",
-                          [=](S s) { return inverse(s, s.s * (s.s - 2 * p(s)) + s.c * s.c); }},
-                         tmp4);
+  const Version<Sample> square{"r^2", [](S s) {
+                                 const double r = length({s.x()[0] - s.c, s.x()[1], s.x()[2]});
+                                 return r * r;
+                               }};
+  Claim& root = f.add("comment_root", 2093, "r^2 in the comment on tmp4",
+                      {"lambda (lambda - 2p + c^2)", [](S s) { return s.s * (s.s - 2 * p(s) + s.c * s.c); }},
+                      square, {});
+  root.meant = f.reading(
+      {"lambda (lambda - 2p) + c^2", [](S s) { return s.s * (s.s - 2 * p(s)) + s.c * s.c; }}, square);
   root.why = "A parenthesis closes too late; the code below is right.";
   return f.claims;
 }
