@@ -11,6 +11,8 @@
 #pragma GCC diagnostic ignored "-Wuninitialized"  // Odeint copies steppers before their scratch is written
 #endif
 
+#include <algorithm>
+
 #include "chapters/03_rigid_body_motion/bead_on_cubic.hpp"
 
 namespace oddity {
@@ -279,6 +281,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   std::vector<Claim> claims = formulas(p["seed"]);
   for (const auto& more : {run_down(run), arrival_claims(run, truth)})
     claims.insert(claims.end(), more.begin(), more.end());
+  std::ranges::stable_sort(claims, {}, &Claim::line);
   return {claims, {arrival(bead, truth), slide(bead, truth)}};
 }
 

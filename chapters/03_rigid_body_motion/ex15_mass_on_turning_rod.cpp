@@ -12,6 +12,8 @@
 #pragma GCC diagnostic ignored "-Wuninitialized"  // Odeint copies steppers before their scratch is written
 #endif
 
+#include <algorithm>
+
 #include "chapters/03_rigid_body_motion/turning_rod_formulas.hpp"
 
 namespace oddity {
@@ -231,6 +233,7 @@ Findings study(const Parameters& given, const Reference& truth) {
   for (const auto& more : {geometry(seed), dynamics(seed), slips(seed), motion(seed, end),
                            listed(run, mended), conclusions(run, mended, end)})
     claims.insert(claims.end(), more.begin(), more.end());
+  std::ranges::stable_sort(claims, {}, &Claim::line);
   return {claims, {slide(rod, truth), stiff_spring(stiff, truth), runaway(fast)}};
 }
 
