@@ -47,10 +47,16 @@ Matrix3 outer_sum(S s, double k) {
   return outer(s.m.v, s.m.r) + outer(s.u_dot, s.u) + k * outer(cross(s.m.r, s.u_dot), s.b);
 }
 
+/// The listing's two functions, WFunction with the call mended.
 using Vec = Vector3&;
 void compute_terms(double t, Vec R, Vec V, Vec U, Vec UDot) {
   const Motion m = motion_of(position, t);
   R = m.r, V = m.v, U = V / length(V), UDot = listed_u_dot(m, false);
+}
+Vector3 w_function(double t) {
+  Vector3 R, V, U, UDot;
+  compute_terms(t, R, V, U, UDot);
+  return listed_w({R, V, {}}, UDot);
 }
 template <class... Arguments>
 Check callable(const char* arguments) {
@@ -100,19 +106,18 @@ std::vector<Claim> claims(double seed) {
 
   Claim result{"2.7-listing_result", 585, "WFunction returns the angular velocity"};
   result.printed = reading("as printed", "W", route, all, [](S s) {
-    return Sides{listed_w(s.m, listed_u_dot(s.m, false)), s.w, s.size};
+    return Sides{w_function(s.t), s.w, s.size};
   });
   result.corrected = reading("with A.Dot(U)", "W", route, all, [](S s) {
     return Sides{listed_w(s.m, listed_u_dot(s.m, true)), s.w, s.size};
   });
-  result.corrected.checks.push_back(compare("W as printed", "the listing's arithmetic",
-                                            "w + c (r_y r_z, -r_x r_z, r_x r_y), c = r''.u/|r'|", all,
-                                            [](S s) {
-                                              const auto [x, y, z] = s.m.r.e;
-                                              const double c = dot(s.m.a, s.u) / s.speed;
-                                              return Sides{listed_w(s.m, listed_u_dot(s.m, false)),
-                                                           s.w + c * Vector3{y * z, -x * z, x * y}, s.size};
-                                            }));
+  result.corrected.checks.push_back(
+      compare("W as printed", "the listing's arithmetic",
+              "w + c (r_y r_z, -r_x r_z, r_x r_y), c = r''.u/|r'|", all, [](S s) {
+                const auto [x, y, z] = s.m.r.e;
+                const double c = dot(s.m.a, s.u) / s.speed;
+                return Sides{w_function(s.t), s.w + c * Vector3{y * z, -x * z, x * y}, s.size};
+              }));
   result.why =
       "The signs and the pairing of the components are right, but UDot is not (see 2.7-listing_u_dot). "
       "What it adds to $\\dot RR^T$ is symmetric, so that the three entries picked are no longer those of "
