@@ -13,7 +13,7 @@
 /// box around the body.
 namespace oddity::bodies {
 
-using namespace vectors;
+using namespace basic_vectors;
 
 // ---- inertia ----------------------------------------------------------------------------------------------
 

@@ -7,7 +7,7 @@
 /// Rotations by the angle theta about a unit axis w, and what comes close to one.
 namespace oddity::rotation {
 
-using namespace vectors;
+using namespace basic_vectors;
 
 using Map = std::function<Vector(const Vector&)>;
 
