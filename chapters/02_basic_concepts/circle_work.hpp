@@ -12,6 +12,8 @@
 /// the power, which knows the path alone, and by every other method.
 namespace oddity::circle {
 
+using namespace bodies;
+
 using std::abs, std::cos, std::sin, std::sqrt, std::numbers::pi;
 
 /// A circular motion and a time.

@@ -7,7 +7,7 @@
 #include "reference/text.hpp"
 
 /// Vectors of three numbers; sums and multiples of any number.
-namespace oddity {
+namespace oddity::basic_vectors {
 
 using Vector = std::array<double, 3>;
 
@@ -36,4 +36,4 @@ inline std::string shown(const Vector& a) {
   return "(" + rounded(a[0], 4) + ", " + rounded(a[1], 4) + ", " + rounded(a[2], 4) + ")";
 }
 
-}  // namespace oddity
+}  // namespace oddity::basic_vectors
