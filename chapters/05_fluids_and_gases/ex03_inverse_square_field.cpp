@@ -3,8 +3,8 @@
 // frame turned at random. Right side: the published quotients of powers of x.x. Sizes of x run over a hundred
 // orders of magnitude. What happens at the origin shows in the flux through closed surfaces.
 
-#include "chapters/05_fluids_and_gases/differentiation.hpp"
 #include "chapters/05_fluids_and_gases/flux.hpp"
+#include "chapters/05_fluids_and_gases/inverse_square.hpp"
 #include "reference/text.hpp"
 
 namespace oddity {
@@ -12,7 +12,6 @@ namespace oddity {
 namespace {
 
 using namespace fields;
-using std::pow;
 
 constexpr Parameter parameters[] = {
     {"x0", 0.3, "m", "where the divergence is taken", -2, 2},
@@ -28,51 +27,8 @@ constexpr Parameter parameters[] = {
     {"seed", 5, "", "of the random points of the claims", 0, 9e15},
 };
 
-constexpr auto inverse_square = []<class T>(const Triple<T>& x) {
-  using std::sqrt;
-  const T r = sqrt(dot(x, x)), cube = r * r * r;
-  return Triple<T>{x[0] / cube, x[1] / cube, x[2] / cube};
-};
-
-/// The derivatives of the components by their own coordinates, summed from a turned frame.
-Point own_slopes(const Point& x, const Frame& frame) {
-  Point slopes{};
-  for (const Point& u : frame) {
-    const Point along_u = along(inverse_square, x, u);
-    for (std::size_t i = 0; i < 3; ++i) slopes[i] += u[i] * along_u[i];
-  }
-  return slopes;
-}
-
 // ---- the published formulas
 // ---------------------------------------------------------------------------------
-
-/// s is x.x, x one of the coordinates.
-using Formula = double (*)(double s, double x);
-
-template <Formula formula>
-Point each(const Point& x) {
-  const double s = dot(x, x);
-  return {formula(s, x[0]), formula(s, x[1]), formula(s, x[2])};
-}
-
-double quotient(double s, double x) { return (pow(s, 1.5) - 3 * x * x * pow(s, 0.5)) / pow(s, 3); }
-double quotient_factor_2(double s, double x) { return (pow(s, 1.5) - 2 * x * x * pow(s, 0.5)) / pow(s, 3); }
-double quotient_plus(double s, double x) { return (pow(s, 1.5) + 3 * x * x * pow(s, 0.5)) / pow(s, 3); }
-double simplified(double s, double x) { return (s - 3 * x * x) / pow(s, 2.5); }
-double simplified_plus(double s, double x) { return (s + 3 * x * x) / pow(s, 2.5); }
-double simplified_dropped(double s, double) { return s / pow(s, 2.5); }
-
-/// The three summands over the common denominator.
-Point brackets(const Point& x) {
-  const double s = x[0] * x[0] + x[1] * x[1] + x[2] * x[2], denominator = pow(s, 2.5);
-  return {(s - 3 * x[0] * x[0]) / denominator, (s - 3 * x[1] * x[1]) / denominator,
-          (s - 3 * x[2] * x[2]) / denominator};
-}
-Point brackets_first_twice(const Point& x) {
-  const Point b = brackets(x);
-  return {b[0], b[0], b[2]};
-}
 
 /// A published formula for the three derivatives, at sizes of x within `range` of 1 either way.
 Reading reading(const std::string& text, Point (*formula)(const Point&), double range, Random random) {
@@ -120,12 +76,13 @@ Check divergence_is_zero(const std::string& name, const Field& field, double pow
   for (int n = 0; n < 256; ++n) {
     const double r = std::abs(random.magnitude(1 / range, range));
     const Point u = random.direction(), x{r * u[0], r * u[1], r * u[2]};
-    worst.see(divergence(field, random_frame(random))(x), 0.0, pow(r, -power), "|x| = " + shortest(r));
+    worst.see(divergence(field, random_frame(random))(x), 0.0, std::pow(r, -power), "|x| = " + shortest(r));
   }
   return worst.check();
 }
 Check divergence_of_power(double power, Random random) {
   const auto field = [power](const auto& x) {
+    using std::pow;
     const auto scale = pow(dot(x, x), -power / 2);
     return std::array{x[0] * scale, x[1] * scale, x[2] * scale};
   };
@@ -173,59 +130,6 @@ std::vector<Claim> claims(Random random, const Reference& truth) {
   common.printed = reading("brackets with 3 x_0^2, 3 x_1^2, 3 x_2^2", brackets, 1e55, r);
   common.near_misses = {reading("the first bracket twice", brackets_first_twice, 1e55, r)};
   return {quotients, cancelled, summed, common, numerators, zero};
-}
-
-// ---- the quantities ---------------------------------------------------------------------------------------
-
-/// The three derivatives and their sum, times |x|^3.
-Value scaled(const Point& slopes, const Point& x) {
-  const double r = length(x);
-  const Point s{slopes[0] * r * r * r, slopes[1] * r * r * r, slopes[2] * r * r * r};
-  return {s[0], s[1], s[2], s[0] + s[1] + s[2]};
-}
-
-/// How differences with an absolute step are expected to end.
-struct Steps {
-  Outcome second = Outcome::inaccurate, fourth = Outcome::inaccurate;
-  std::string why = "rounding grows as eps/h: the finest step is not the best";
-};
-
-Quantity partials(const std::string& name, const std::string& says, const Point& x, const Reference& truth,
-                  Outcome quotient_ends, const Steps& absolute) {
-  const Known known = truth("05_03_partials", {x[0], x[1], x[2]});
-  Quantity q{
-      name,
-      "1",
-      says,
-      {known.source + ", and the sum zero", Value{known.value[0], known.value[1], known.value[2], 0.0}},
-      known.error,
-      {1e-9, "nine decimals"},
-      {},
-      {}};
-  const std::string field = "field", formula = "published derivatives";
-  const auto published = [x](Point (*f)(const Point&)) {
-    return [x, f](double) { return Answer{scaled(f(x), x), 3}; };
-  };
-  q.add({formula, "quotient rule", no_knob(), published(each<quotient>), quotient_ends,
-         quotient_ends == Outcome::ok ? "" : "|x|^6 overflows from |x| = 2e51 on"});
-  q.add({formula, "simplified", no_knob(), published(each<simplified>)});
-  const auto by = [x](auto way) {
-    Point slopes;
-    for (std::size_t i = 0; i < 3; ++i) slopes[i] = way.along(inverse_square, x, axes[i])[i];
-    return Answer{scaled(slopes, x), way.calls};
-  };
-  const double size = length(x);
-  q.add({field, "dual numbers", no_knob(), [=](double) { return by(ByDuals{}); }});
-  q.add({field + ", step h", "central differences 2", steps(),
-         [=](double h) { return by(ByDifferences<2>{h}); }, absolute.second, absolute.why});
-  q.add({field + ", step h", "central differences 4", steps(),
-         [=](double h) { return by(ByDifferences<4>{h}); }, absolute.fourth,
-         absolute.fourth == Outcome::ok ? "" : absolute.why});
-  q.add({field + ", step h |x|", "central differences 2", steps(),
-         [=](double h) { return by(ByDifferences<2>{h * size}); }, Outcome::inaccurate, Steps{}.why});
-  q.add({field + ", step h |x|", "central differences 4", steps(),
-         [=](double h) { return by(ByDifferences<4>{h * size}); }, Outcome::inaccurate, Steps{}.why});
-  return q;
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

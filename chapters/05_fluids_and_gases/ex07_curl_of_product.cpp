@@ -53,9 +53,7 @@ std::vector<Claim> claims(Random random) {
               {"grad_phi_x_f2", "phi,0 f1 - phi,1 f0"}},
              "grad phi along a turned frame");
   proof.line("identity", 3367, "curl (phi f) = phi curl f + grad phi x f",
-             {{"curl_phi_f0", "phi curl_f0 + grad_phi_x_f0"},
-              {"curl_phi_f1", "phi curl_f1 + grad_phi_x_f1"},
-              {"curl_phi_f2", "phi curl_f2 + grad_phi_x_f2"}},
+             each_component("curl_phi_f#", "phi curl_f# + grad_phi_x_f#"),
              "phi f differentiated as one field along a turned frame");
   return proof.claims;
 }

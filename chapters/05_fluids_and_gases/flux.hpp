@@ -73,7 +73,7 @@ inline Rule qags_with(double tolerance) {
   return [tolerance](FunctionOfOne f, double a, double b) { return qags(f, a, b, tolerance); };
 }
 
-const std::string low_order = "order 4 is too low for ten decimals with these panels";
+inline const std::string low_order = "order 4 is too low for ten decimals with these panels";
 
 /// The flux through a spheroid by several rules; `peaked`: the origin is so close to the surface that rules
 /// with fixed points miss the peak of the density.
