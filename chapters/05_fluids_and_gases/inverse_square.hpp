@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/05_fluids_and_gases/differentiation.hpp"
+#include "reference/text.hpp"
 
 /// The field x / |x|^3, its derivatives as published, and the quantity that they are.
 namespace oddity::fields {
@@ -54,6 +55,17 @@ inline Point brackets(const Point& x) {
 inline Point brackets_first_twice(const Point& x) {
   const Point b = brackets(x);
   return {b[0], b[0], b[2]};
+}
+
+/// A published formula for the three derivatives, at sizes of x within `range` of 1 either way.
+inline Reading reading(const std::string& text, Point (*formula)(const Point&), double range, Random random) {
+  Worst worst("d/dx_i (x_i / |x|^3), i = 0, 1, 2", "dual numbers along a turned frame", text);
+  for (int n = 0; n < 256; ++n) {
+    const double r = std::abs(random.magnitude(1 / range, range));
+    const Point u = random.direction(), x{r * u[0], r * u[1], r * u[2]};
+    worst.see(own_slopes(x, random_frame(random)), formula(x), 1 / dot(x, x) / r, "|x| = " + shortest(r));
+  }
+  return {text, {worst.check()}};
 }
 
 // ---- computed ---

@@ -30,7 +30,7 @@ Truth truth_05_03_spheroid_flux() {
           "surface integral of x.dS / |x|^3",
           {"a", "b", "d"},
           {{"flux", "1"}},
-          {{1.5, 1.5, 0.5}, {1, 2, 0.5}, {1, 2, 3}, {1, 2, 1.984375}, {1.5, 1.5, 0}},
+          {{1.5, 1.5, 0.375}, {1, 2, 0.5}, {1, 2, 3}, {1, 2, 1.984375}, {1.5, 1.5, 0}},
           "solid angle of the surface as seen from the origin",
           by_solid_angle,
           "double-exponential quadrature over the latitude",
