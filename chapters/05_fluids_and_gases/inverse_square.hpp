@@ -22,7 +22,7 @@ inline Point own_slopes(const Point& x, const Frame& frame) {
   return slopes;
 }
 
-// ---- as published ---
+// ---- as published -----------------------------------------------------------------------------------------
 
 /// s is x.x, x one of the coordinates.
 using Formula = double (*)(double s, double x);
@@ -68,7 +68,7 @@ inline Reading reading(const std::string& text, Point (*formula)(const Point&), 
   return {text, {worst.check()}};
 }
 
-// ---- computed ---
+// ---- computed ---------------------------------------------------------------------------------------------
 
 /// The three derivatives and their sum, times |x|^3.
 inline Value scaled(const Point& slopes, const Point& x) {

@@ -52,7 +52,7 @@ inline std::string derivative_of_f(int n, const std::string& component = "k1",
   return text + ")";
 }
 
-// ---- the quantities ---
+// ---- the quantities ---------------------------------------------------------------------------------------
 
 /// p sin(k.x + 1/2) + q exp(l.x); reference/make/05_15_repeated_curl.cpp has its own copy.
 struct PlaneWaves {
