@@ -114,7 +114,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
   verify_verb->allow_extras();
   verify_verb->footer(
       "All else goes to Catch2: a test specification and its options, its reporters and 'markdown'.\n"
-      "Tags: [ch3] [3.5] [scene] [erratum] [misprint]. Catch2's own help: oddity verify -- --help\n"
+      "Tags: [ch3] [3.5] [scene] [erratum] [misprint]. Catch2's own help: oddity verify -?\n"
       "Examples: oddity verify '[ch3]~[scene]'    oddity verify '[3.5]' -s    oddity verify -r markdown -o "
       "report.md");
 

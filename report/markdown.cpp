@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "reference/text.hpp"
 #include "report/text_view.hpp"
@@ -37,6 +38,31 @@ std::string escaped(const std::string& text, bool in_cell = true) {
 }
 
 std::string code(const std::string& text) { return "`" + text + "`"; }
+
+/// Powers of ten as readers write them, which also do not break over a line's end: "4.4×10⁻¹⁶".
+std::string with_powers(const std::string& text) {
+  static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool exponent = text[i] == 'e' && i > 0 && i + 2 < text.size() &&
+                          std::isdigit(static_cast<unsigned char>(text[i - 1])) != 0 &&
+                          (text[i + 1] == '-' || text[i + 1] == '+');
+    if (!exponent) {
+      out += text[i];
+      continue;
+    }
+    out += text[i + 1] == '-' ? "×10⁻" : "×10";
+    for (i += 2; i + 1 < text.size() && text[i] == '0';) ++i;
+    for (; i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0; ++i)
+      out += digits[static_cast<std::size_t>(text[i] - '0')];
+    --i;
+  }
+  return out;
+}
+
+std::string error_cell(double error) { return with_powers(shown_error(error)); }
+std::string knob_cell(const TimedTrial& t) { return with_powers(shown_knob(t)); }
+std::string value_cell(const Value& value, int digits) { return with_powers(shown(value, digits)); }
 
 /// A column that holds numbers is set to the right.
 std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
@@ -143,7 +169,7 @@ std::string evidence(const JudgedClaim& judged) {
   const Reading& shown_reading = printed.checks.empty() ? deciding(judged) : printed;
   if (shown_reading.checks.empty()) return "";
   const Check& c = tightest(shown_reading);
-  std::string text = escaped(c.quantity) + ": " + difference_of(c);
+  std::string text = with_powers(escaped(c.quantity) + ": " + difference_of(c));
   if (shown_reading.checks.size() > 1)
     text += " (tightest of " + std::to_string(shown_reading.checks.size()) + " checks)";
   return text;
@@ -162,10 +188,10 @@ std::string claims_table(const ExerciseResult& e) {
 std::vector<std::string> check_row(const std::string& reading, const Check& c) {
   return {reading,
           escaped(c.quantity) + (c.where.empty() ? "" : "<br>" + escaped(c.where)),
-          shown(c.left.value, 7) + "<br>" + escaped(c.left.by),
-          shown(c.right.value, 7) + "<br>" + escaped(c.right.by),
-          shown_error(c.difference()),
-          shown_error(c.tolerance.allowed) + "<br>" + escaped(c.tolerance.reason)};
+          value_cell(c.left.value, 7) + "<br>" + escaped(c.left.by),
+          value_cell(c.right.value, 7) + "<br>" + escaped(c.right.by),
+          error_cell(c.difference()),
+          error_cell(c.tolerance.allowed) + "<br>" + escaped(c.tolerance.reason)};
 }
 
 /// What is wrong, what is right, and how it shows.
@@ -197,28 +223,50 @@ const TimedTrial* cheapest_ok(const MethodResult& m) {
   return best;
 }
 
+/// Why methods are expected to fail, those with the same reason together.
+std::string expected_failures(const QuantityResult& q) {
+  std::vector<std::pair<std::string, std::string>> reasons;
+  for (const MethodResult& m : q.methods) {
+    if (m.why.empty()) continue;
+    const std::string reason = "*" + std::string(name_of(m.expected)) + "*: " + escaped(m.why, false);
+    const std::string name = escaped(m.model + ", " + m.algorithm, false);
+    const auto same = std::ranges::find(reasons, reason, &std::pair<std::string, std::string>::first);
+    if (same == reasons.end())
+      reasons.emplace_back(reason, name);
+    else
+      same->second += "; " + name;
+  }
+  std::string text;
+  for (const auto& [reason, names] : reasons) text += "- " + names + " - " + reason + ".\n";
+  return text.empty() ? "" : "Expected to fail at the finest setting:\n\n" + text + "\n";
+}
+
 std::string methods_table(const QuantityResult& q) {
   std::vector<std::vector<std::string>> rows;
   for (const MethodResult& m : q.methods) {
     const TimedTrial* ok = cheapest_ok(m);
     const TimedTrial& finest = m.trials.back();
-    rows.push_back({escaped(m.model), escaped(m.algorithm), ok ? shown_knob(*ok) : "never",
-                    ok ? std::to_string(ok->evaluations) : "", ok ? shown_error(ok->error) : "",
-                    shown_knob(finest), std::to_string(finest.evaluations), shown_error(finest.error),
-                    std::string(name_of(finest.outcome)) + (m.why.empty() ? "" : ": " + escaped(m.why))});
+    const std::string outcome(name_of(finest.outcome));
+    rows.push_back({escaped(m.model), escaped(m.algorithm), ok ? knob_cell(*ok) : "never",
+                    ok ? std::to_string(ok->evaluations) : "", ok ? error_cell(ok->error) : "",
+                    knob_cell(finest), std::to_string(finest.evaluations), error_cell(finest.error),
+                    m.as_expected()
+                        ? outcome
+                        : "**" + outcome + "** (expected " + std::string(name_of(m.expected)) + ")"});
   }
   return table({"model", "algorithm", "cheapest that is ok", "evaluations", "error", "finest tried",
                 "evaluations", "error", "outcome"},
-               rows, "3467");
+               rows, "3467") +
+         expected_failures(q);
 }
 
 std::string breakdown_text(const BreakdownResult& b) {
   const auto row = [](const std::string& what, const TimedTrial& t) {
     return std::vector<std::string>{what,
                                     escaped(t.model + ", " + t.algorithm),
-                                    shown_knob(t),
-                                    shown(t.value, 7),
-                                    shown_error(t.error),
+                                    knob_cell(t),
+                                    value_cell(t.value, 7),
+                                    error_cell(t.error),
                                     std::to_string(t.evaluations),
                                     std::string(name_of(t.outcome))};
   };
@@ -229,9 +277,10 @@ std::string breakdown_text(const BreakdownResult& b) {
 
 std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool charts) {
   std::string text = "### " + code(q.name) + ": " + escaped(q.says, false) + "\n\n";
-  text += "Reference: " + shown(q.reference.value, 16) + (q.unit == "1" ? "" : " " + escaped(q.unit, false)) +
-          ", known to " + shown_error(q.reference_error) + " (" + escaped(q.reference.by, false) +
-          "). Needed to " + shown_error(q.need.allowed) + ": " + escaped(q.need.reason, false) + ".\n\n";
+  text += "Reference: " + value_cell(q.reference.value, 16) +
+          (q.unit == "1" ? "" : " " + escaped(q.unit, false)) + ", known to " +
+          error_cell(q.reference_error) + " (" + escaped(q.reference.by, false) + "). Needed to " +
+          error_cell(q.need.allowed) + ": " + escaped(q.need.reason, false) + ".\n\n";
   if (charts && has_chart(q)) text += "![" + q.name + ": error against cost](" + chart_file(e, q) + ")\n\n";
   text += methods_table(q);
   for (const BreakdownResult& b : q.breakdowns) text += breakdown_text(b);
@@ -313,41 +362,58 @@ std::string legend() {
          "error estimate is below its true error) or *raised* (the library reported an error) otherwise.\n\n";
 }
 
+/// A chapter's rows in the table of contents: one an exercise, and one for those not yet encoded.
+void add_chapter(const Results& results, const Chapter& chapter, bool links,
+                 std::vector<std::vector<std::string>>& rows) {
+  const std::string title = std::to_string(chapter.number) + ". " + std::string(chapter.title);
+  std::string first =
+      links && chapter.last_odd > 0 ? "[" + title + "](" + chapter_file(chapter.number) + ")" : title;
+  const auto add = [&](std::vector<std::string> cells) {
+    cells.insert(cells.begin(), std::exchange(first, ""));
+    cells.resize(7);
+    rows.push_back(std::move(cells));
+  };
+  for (const ExerciseResult* e : of_chapter(results, chapter.number)) {
+    Counts counts;
+    count(*e, counts);
+    const std::string name = to_string(e->number) + " " + e->title;
+    std::vector<std::string> cells{
+        links ? "[" + name + "](" + chapter_file(chapter.number) + "#" + anchor(*e) + ")" : name};
+    for (Verdict verdict : verdicts) cells.push_back(counts[verdict] ? std::to_string(counts[verdict]) : "");
+    cells.push_back(std::to_string(e->quantities.size()));
+    add(std::move(cells));
+  }
+  if (const auto missing = not_encoded(chapter); !missing.empty())
+    add({"*not yet encoded (" + std::to_string(missing.size()) + "):* " + listed(missing)});
+}
+
+std::string chapters_without_exercises() {
+  std::string text;
+  for (const Chapter& chapter : chapters())
+    if (chapter.last_odd == 0) text += (text.empty() ? "" : ", ") + std::to_string(chapter.number);
+  return text;
+}
+
 std::string index_text(const Results& results, bool links) {
   Counts all;
   for (const ExerciseResult& e : results.exercises) count(e, all);
   int total = 0;
   for (const auto& [verdict, n] : all) total += n;
+  std::size_t missing = 0;
   std::vector<std::vector<std::string>> rows;
   for (const Chapter& chapter : chapters()) {
-    const auto exercises = of_chapter(results, chapter.number);
-    const std::string title = std::to_string(chapter.number) + ". " + std::string(chapter.title);
-    if (chapter.last_odd == 0) {
-      rows.push_back({title, "no exercises", "", "", "", "", ""});
-      continue;
-    }
-    rows.push_back(
-        {links ? "[" + title + "](" + chapter_file(chapter.number) + ")" : title, "", "", "", "", "", ""});
-    for (const ExerciseResult* e : exercises) {
-      Counts counts;
-      count(*e, counts);
-      const std::string name = to_string(e->number) + " " + e->title;
-      std::vector<std::string> row{
-          "", links ? "[" + name + "](" + chapter_file(chapter.number) + "#" + anchor(*e) + ")" : name};
-      for (Verdict verdict : verdicts) row.push_back(counts[verdict] ? std::to_string(counts[verdict]) : "");
-      row.push_back(std::to_string(e->quantities.size()));
-      rows.push_back(std::move(row));
-    }
-    if (const auto missing = not_encoded(chapter); !missing.empty())
-      rows.push_back({"", "*not yet encoded (" + std::to_string(missing.size()) + "):* " + listed(missing),
-                      "", "", "", "", ""});
+    missing += not_encoded(chapter).size();
+    add_chapter(results, chapter, links, rows);
   }
-  return "# The solutions of *Game Physics*, checked by machine\n\n" +
-         plural(static_cast<int>(results.exercises.size()), "exercise", "exercises") + ", " +
-         plural(total, "claim", "claims") + ": " + sentence(all) + ".\n\n" + legend() + "## By chapter\n\n" +
+  std::string text = "# The solutions of *Game Physics*, checked by machine\n\n" +
+                     plural(static_cast<int>(results.exercises.size()), "exercise", "exercises") + ", " +
+                     plural(total, "claim", "claims") + ": " + sentence(all) + ".";
+  if (missing > 0) text += " Not yet encoded: " + std::to_string(missing) + " of 48 exercises.";
+  return text + "\n\n## What is wrong in the book\n\n" + errata_table(results, links) + "## By chapter\n\n" +
          table({"chapter", "exercise", "confirmed", "misprint", "erratum", "unsettled", "quantities"}, rows,
                "23456") +
-         "## The errata\n\n" + errata_table(results, links) +
+         "The solutions have no exercises in chapters " + chapters_without_exercises() +
+         ".\n\n## How to read this\n\n" + legend() +
          (links ? "How long each method took in this run: [times](times.md).\n" : "");
 }
 
@@ -401,7 +467,7 @@ std::string times_page(const Results& results) {
       for (const MethodResult& m : q.methods)
         for (const TimedTrial& t : m.trials)
           rows.push_back(
-              {escaped(t.model), escaped(t.algorithm), shown_knob(t), shown_error(t.error),
+              {escaped(t.model), escaped(t.algorithm), knob_cell(t), error_cell(t.error),
                std::to_string(t.evaluations), shown_time(t.seconds), shown_time(t.spread),
                t.evaluations > 0 ? shown_time(t.seconds / static_cast<double>(t.evaluations)) : "-"});
       text +=

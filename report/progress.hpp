@@ -15,8 +15,8 @@ class ProgressBar {
  public:
   Progress callback() {
     if (isatty(STDERR_FILENO) == 0) return {};
-    return [this](std::size_t done, std::size_t all) {
-      if (done == 1) bar_ = std::make_unique<boost::timer::progress_display>(all, std::cerr, "");
+    return [this](const std::string& stage, std::size_t done, std::size_t all) {
+      if (done == 1) bar_ = std::make_unique<boost::timer::progress_display>(all, std::cerr, stage + "\n");
       if (bar_) ++*bar_;
       if (done == all) std::cerr << std::flush;
     };

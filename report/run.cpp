@@ -31,15 +31,17 @@ struct Pending {
 /// Counts finished pieces of work for a progress display.
 class Tally {
  public:
-  Tally(const Progress& progress, std::size_t all) : progress_(progress), all_(all) {}
+  Tally(const Progress& progress, std::string stage, std::size_t all)
+      : progress_(progress), stage_(std::move(stage)), all_(all) {}
   void add() {
     if (!progress_) return;
     const std::lock_guard lock(mutex_);
-    progress_(++done_, all_);
+    progress_(stage_, ++done_, all_);
   }
 
  private:
   const Progress& progress_;
+  std::string stage_;
   std::size_t all_, done_ = 0;
   std::mutex mutex_;
 };
@@ -176,7 +178,7 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
   std::vector<Studied> studied(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) studied[i].task = &tasks[i];
   {
-    Tally tally(progress, tasks.size());
+    Tally tally(progress, "studying the exercises", tasks.size());
     parallel_for_each(studied, [&](Studied& s) {
       s = study(*s.task, truth);
       tally.add();
@@ -186,7 +188,8 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
   std::vector<Pending> pending;
   for (const Studied& s : studied) results.exercises.push_back(shape(s, pending));
 
-  Tally tally(progress, pending.size() * (timed ? 2 : 1));
+  Tally tally(progress, timed ? "running and timing the trials" : "running the trials",
+              pending.size() * (timed ? 2 : 1));
   parallel_for_each(pending, [&](const Pending& p) {
     *p.result = as_result(run(*p.quantity, *p.method, p.setting));
     tally.add();

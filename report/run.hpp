@@ -16,8 +16,8 @@ struct Task {
   explicit Task(const Entry& e) : entry(&e), parameters(e.exercise.parameters) {}
 };
 
-/// Called with how many of how many pieces of work are done; from several threads, one at a time.
-using Progress = std::function<void(std::size_t done, std::size_t all)>;
+/// Called with how many of how many pieces of a stage's work are done; from several threads, one at a time.
+using Progress = std::function<void(const std::string& stage, std::size_t done, std::size_t all)>;
 
 /// Studies the tasks in parallel, then runs all their trials in parallel; when `timed`, runs each trial
 /// again, alone, in batches long enough for the clock. The results are in the order of the tasks and do not

@@ -69,7 +69,7 @@ void verify_exercise(Number number) {
     CHECK(claim.claim.id.starts_with(to_string(number) + "-"));
     CHECK(claim.claim.line > 0);
     verify_claim(claim);
-    CHECK(unnoticed_disturbances(claim).empty());
+    CHECK(unnoticed_disturbances(claim) == std::vector<std::string>());
   }
   for (const QuantityResult& q : e.quantities) verify_quantity(q);
 }
@@ -89,7 +89,8 @@ void verify_register() {
                                    : " is neither encoded nor on record as not yet encoded"));
       CHECK(encoded != missing_on_record);
     }
-  for (const auto& [id, verdict] : suite->approved) {
+  for (const auto& row : suite->approved) {
+    const std::string &id = row.first, &verdict = row.second;
     const auto number = exercise_number(id.substr(0, id.find('-')));
     INFO("verdicts.csv: " << id);
     REQUIRE(number);
@@ -162,7 +163,7 @@ int verify(const SuiteRequest& request) {
   register_tests(judged.approved);
   CatchSession session(request.catch_arguments);
   if (!session.accepted())
-    throw BadInput("Catch2 does not take these arguments; oddity verify -- --help shows what it takes");
+    throw BadInput("Catch2 does not take these arguments; oddity verify -? shows what it takes");
   if (session.only_lists()) return session.run(), 0;
   const auto selected = session.selected();
   if (selected.empty()) throw BadInput("no test case matches; oddity verify --list-tests shows them all");

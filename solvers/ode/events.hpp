@@ -29,10 +29,10 @@ State hermite(const State& x0, const State& d0, const State& x1, const State& d1
 
 }  // namespace detail
 
-/// The first time after t0 and up to t1 at which g(x, t) changes its sign, and the state there. Each step is
-/// sampled inside by its cubic, so that a double crossing is seen when it lasts a quarter of a step; the time
-/// is then found by Brent's method on states that the algorithm itself computes within the step.
-/// `error_estimate` is the width of the last bracket. `raised` when g keeps its sign.
+/// The first time after t0 and up to t1 at which g(x, t) changes its sign, and the state there. Each step is sampled
+/// inside by its cubic, so that a double crossing is seen when it lasts a quarter of a step; the time is then found by
+/// Brent's method on states that the algorithm itself computes within the step, and is as good as they are. `raised`
+/// when g keeps its sign.
 template <class Algorithm, class System, class State, class G>
 Solved<Event<State>> find_event(const System& system, const State& start, double t0, double t1,
                                 double setting, const G& g) {
@@ -45,15 +45,14 @@ Solved<Event<State>> find_event(const System& system, const State& start, double
   const auto refine = [&](double t, const State& x, double a, double b) {
     const auto state_after = [&](double s) {
       if (s == 0) return x;
-      const auto part = integrate<Algorithm>(system, x, t, t + s,
-                                             Algorithm::kind == Kind::controlled ? setting : std::abs(s));
+      const auto part =
+          integrate<Algorithm>(system, x, t, t + s, has_tolerance(Algorithm::kind) ? setting : std::abs(s));
       inside += part.evaluations;
       return part.value;
     };
     const auto miss = [&](double s) { return g(state_after(s), t + s); };
     const Solved<double> root = brent(miss, a, b, 4e-16 * (1 + std::abs(t)));
     event.value = {t + root.value, state_after(root.value)};
-    event.error_estimate = root.error_estimate;
     event.ending = root.ending;
     event.message = root.message;
   };

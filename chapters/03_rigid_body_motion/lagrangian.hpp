@@ -1,0 +1,81 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "chapters/exercise.hpp"
+#include "chapters/random.hpp"
+#include "solvers/dual.hpp"
+
+/// One degree of freedom q with v = q', and formulas about it. A function f(q, v, t) is generic in its number
+/// type; its derivatives are taken by dual numbers.
+namespace oddity {
+
+template <class F>
+double d_dq(const F& f, double q, double v, double t = 0) {
+  return f(Dual<double>(q, 1), Dual<double>(v), Dual<double>(t)).slope;
+}
+
+template <class F>
+double d_dv(const F& f, double q, double v, double t = 0) {
+  return f(Dual<double>(q), Dual<double>(v, 1), Dual<double>(t)).slope;
+}
+
+/// d/dt of df/dv along a motion with q' = v, v' = a.
+template <class F>
+double momentum_rate(const F& f, double q, double v, double a, double t = 0) {
+  using Along = Dual<double>;
+  using Outer = Dual<Along>;
+  return f(Outer(Along(q, v)), Outer(Along(v, a), Along(1)), Outer(Along(t, 1))).slope.slope;
+}
+
+/// v' by Lagrange's equation d/dt dL/dv = dL/dq.
+template <class L>
+double lagrange_acceleration(const L& lagrangian, double q, double v, double t = 0) {
+  using Along = Dual<double>;
+  using Outer = Dual<Along>;
+  const double mass = lagrangian(Outer(Along(q)), Outer(Along(v, 1), Along(1)), Outer(Along(t))).slope.slope;
+  return (d_dq(lagrangian, q, v, t) - momentum_rate(lagrangian, q, v, 0, t)) / mass;
+}
+
+/// The numbers as one value.
+template <class... Numbers>
+Value values(Numbers... x) {
+  return {static_cast<double>(x)...};
+}
+
+/// A way to write a quantity as a formula in the letters of a sample.
+template <class Sample>
+struct Version {
+  std::string text;
+  std::function<Value(const Sample&)> of;
+};
+
+/// Two versions of a quantity over 200 random samples. A sample is made by Sample(Random&); its size() bounds
+/// the terms that are added up, where() tells its letters.
+template <class Sample>
+Check compare(std::string quantity, const Version<Sample>& left, const Version<Sample>& right, double seed) {
+  Worst worst(std::move(quantity), left.text, right.text);
+  Random random(seed);
+  for (int i = 0; i < 200; ++i) {
+    const Sample sample(random);
+    worst.see(left.of(sample), right.of(sample), sample.size(), sample.where());
+  }
+  return worst.check();
+}
+
+/// The claim that `what` is as printed, judged by the version `truth`, with versions that must not be.
+template <class Sample>
+Claim formula_claim(std::string id, int line, const std::string& what, double seed,
+                    const Version<Sample>& printed, const Version<Sample>& truth,
+                    const std::vector<Version<Sample>>& near_misses) {
+  Claim claim{std::move(id), line, what + ": " + printed.text};
+  claim.printed = {printed.text, {compare(what, printed, truth, seed)}};
+  for (const Version<Sample>& near : near_misses)
+    claim.near_misses.push_back({near.text, {compare(what, near, truth, seed)}});
+  return claim;
+}
+
+}  // namespace oddity

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "reference/make/extrapolation.hpp"
+#include "reference/make/routes.hpp"
+#include "reference/make/taylor.hpp"
+
+/// The bead on the curve (q, q^2, q^3) let go at rest at q0, in two ways that share nothing.
+namespace oddity::truth {
+
+/// (x, y, z, x', y', z') as a point under gravity held by y - x^2 = 0 and z - x^3 = 0: both constraints
+/// differentiated twice, their two multipliers by Cramer's rule.
+struct HeldBead {
+  Number g;
+
+  template <class T>
+  std::vector<T> operator()(const std::vector<T>& s, const T&) const {
+    const T &x = s[0], &v = s[3];
+    const T x2 = x * x, x3 = x2 * x, x4 = x2 * x2, v2 = v * v;
+    const T r1 = Number(2) * v2, r2 = Number(6) * x * v2 + g;
+    const T g11 = Number(4) * x2 + Number(1), g12 = Number(6) * x3, g22 = Number(9) * x4 + Number(1);
+    const T determinant = g11 * g22 - g12 * g12;
+    const T m1 = (g22 * r1 - g12 * r2) / determinant, m2 = (g11 * r2 - g12 * r1) / determinant;
+    return {s[3], s[4], s[5], -(Number(2) * x * m1) - Number(3) * x2 * m2, m1, m2 - g};
+  }
+};
+
+/// dt/du on the energy's level, q = q0 (1 - u^2): smooth where the bead starts.
+inline Number seconds_per_u(const Number& q0, const Number& g, const Number& u) {
+  const Number q = q0 * (1 - u * u);
+  return 2 * sqrt(q0) * sqrt((1 + 4 * q * q + 9 * q * q * q * q) / (2 * g * (q0 * q0 + q0 * q + q * q)));
+}
+
+}  // namespace oddity::truth
