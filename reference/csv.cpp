@@ -15,8 +15,21 @@ double CsvRow::number(std::size_t i) const {
 
 namespace {
 
+/// Whether a quotation mark is left open, which Boost's tokenizer does not mind.
+bool quote_is_open(const std::string& line) {
+  bool open = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '\\')
+      ++i;
+    else if (line[i] == '"')
+      open = !open;
+  }
+  return open;
+}
+
 std::vector<std::string> split(const std::string& line, const std::string& place) {
   using Separator = boost::escaped_list_separator<char>;
+  if (quote_is_open(line)) throw BadInput(place + ": not a line of CSV: a quotation mark is not closed");
   try {
     const boost::tokenizer<Separator> cells(line, Separator());
     return {cells.begin(), cells.end()};

@@ -14,14 +14,53 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The columns of every table that follow its inputs.
-const std::vector<std::string> tail{"component", "value", "error", "unit"};
+/// The columns of a table: its inputs, then these.
+std::vector<std::string> columns_of(const truth::Truth& truth) {
+  std::vector<std::string> columns = truth.inputs;
+  for (const char* column : {"component", "value", "error", "unit"}) columns.emplace_back(column);
+  return columns;
+}
 
-std::size_t inputs_of(const CsvFile& csv) {
-  const auto& columns = csv.header.cells;
-  if (columns.size() < tail.size() || !std::equal(tail.rbegin(), tail.rend(), columns.rbegin()))
-    throw BadInput(csv.header.place + ": the columns must end in component,value,error,unit");
-  return columns.size() - tail.size();
+std::string listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ",") + word;
+  return list;
+}
+
+std::string listed(const std::vector<double>& numbers) {
+  std::vector<std::string> words;
+  for (double x : numbers) words.push_back(shortest(x));
+  return listed(words);
+}
+
+/// The rows of a table, each with all of its components in their order.
+std::map<std::vector<double>, Known> read(const fs::path& file, const truth::Truth& truth) {
+  const CsvFile csv = read_csv(file);
+  if (const auto columns = columns_of(truth); csv.header.cells != columns)
+    throw BadInput(csv.header.place + ": the columns must be " + listed(columns));
+  std::map<std::vector<double>, Known> rows;
+  const std::size_t n = truth.inputs.size();
+  for (const CsvRow& row : csv.rows) {
+    std::vector<double> inputs;
+    for (std::size_t i = 0; i < n; ++i) inputs.push_back(row.number(i));
+    const double value = row.number(n + 1), error = row.number(n + 2);
+    if (!std::ranges::all_of(inputs, [](double x) { return std::isfinite(x); }) || !std::isfinite(value) ||
+        !std::isfinite(error) || error < 0)
+      throw BadInput(row.place + ": inputs and value must be finite, error finite and not negative");
+    Known& known = rows[inputs];
+    if (known.value.size() == truth.components.size())
+      throw BadInput(row.place + ": a second row for these inputs");
+    if (const std::string& name = truth.components[known.value.size()].name; row.cells[n] != name)
+      throw BadInput(row.place + ": component " + row.cells[n] + " where " + name + " must be");
+    known.value.push_back(value);
+    known.error = std::max({known.error, error, std::abs(value) * 0x1p-53});
+    known.source = "table " + file.filename().string();
+  }
+  for (const auto& [inputs, known] : rows)
+    if (known.value.size() < truth.components.size())
+      throw BadInput(file.string() + ": no row for component " + truth.components[known.value.size()].name +
+                     " at " + listed(inputs));
+  return rows;
 }
 
 const truth::Entry* maker_of(std::string_view table) {
@@ -30,14 +69,13 @@ const truth::Entry* maker_of(std::string_view table) {
   return found == all.end() ? nullptr : &*found;
 }
 
-Known on_the_spot(std::string_view table, const std::vector<double>& inputs) {
-  const truth::Entry* maker = maker_of(table);
-  if (!maker) throw BadInput("no table reference/" + std::string(table) + ".csv");
-  const truth::Truth truth = maker->make();
-  if (inputs.size() != truth.inputs.size())
-    throw BadInput("table " + std::string(table) + " takes " + std::to_string(truth.inputs.size()) +
-                   " inputs, not " + std::to_string(inputs.size()));
-  const truth::Made made = truth::make_row(truth, inputs, truth::spot_digits);
+Known on_the_spot(const std::string& table, const truth::Truth& truth, const std::vector<double>& inputs) {
+  truth::Made made;
+  try {
+    made = truth::make_row(truth, inputs, truth::spot_digits);
+  } catch (const std::exception& error) {
+    throw BadInput("table " + table + " has no value at " + listed(inputs) + ": " + error.what());
+  }
   Known known{{},
               static_cast<double>(made.error),
               "computed on the spot: " + truth.first_route + "; and " + truth.second_route};
@@ -53,33 +91,23 @@ Known on_the_spot(std::string_view table, const std::vector<double>& inputs) {
 Reference::Reference(const fs::path& folder) {
   for (const truth::Entry& entry : truth::registry()) {
     const std::string name(entry.name);
-    tables_.emplace(name, read(folder / (name + ".csv")));
+    tables_.emplace(name, read(folder / (name + ".csv"), entry.make()));
   }
-}
-
-Reference::Table Reference::read(const fs::path& file) {
-  const CsvFile csv = read_csv(file);
-  Table table{file.filename().string(), inputs_of(csv), {}};
-  for (const CsvRow& row : csv.rows) {
-    std::vector<double> inputs;
-    for (std::size_t i = 0; i < table.inputs; ++i) inputs.push_back(row.number(i));
-    const double value = row.number(table.inputs + 1);
-    const double error = row.number(table.inputs + 2);
-    if (!(std::isfinite(value) && error >= 0))
-      throw BadInput(row.place + ": value must be finite, error not negative");
-    Known& known = table.rows[inputs];
-    known.value.push_back(value);
-    known.error = std::max({known.error, error, std::abs(value) * 0x1p-53});
-    known.source = "table " + table.file;
-  }
-  return table;
 }
 
 Known Reference::operator()(std::string_view name, const std::vector<double>& inputs) const {
   const auto table = tables_.find(name);
-  if (table == tables_.end()) throw BadInput("no table reference/" + std::string(name) + ".csv");
-  const auto row = table->second.rows.find(inputs);
-  return row != table->second.rows.end() ? row->second : on_the_spot(name, inputs);
+  const truth::Entry* maker = maker_of(name);
+  if (table == tables_.end() || !maker) throw BadInput("no table reference/" + std::string(name) + ".csv");
+  const auto& [file, rows] = *table;
+  if (!std::ranges::all_of(inputs, [](double x) { return std::isfinite(x); }))
+    throw BadInput("table " + file + " is asked at " + listed(inputs) + ": inputs must be finite");
+  if (const auto row = rows.find(inputs); row != rows.end()) return row->second;
+  const truth::Truth truth = maker->make();
+  if (inputs.size() != truth.inputs.size())
+    throw BadInput("table " + file + " takes " + std::to_string(truth.inputs.size()) + " inputs (" +
+                   listed(truth.inputs) + "), not " + std::to_string(inputs.size()));
+  return on_the_spot(file, truth, inputs);
 }
 
 }  // namespace oddity

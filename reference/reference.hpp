@@ -23,16 +23,12 @@ class Reference {
   explicit Reference(const std::filesystem::path& folder);
 
   /// The value of `table` at `inputs` (in the order of the table's columns).
-  /// Throws BadInput when there is no such table, or the number of inputs is not the table's.
+  /// Throws BadInput when there is no such table, when the inputs are not as many as the table's or not
+  /// finite, and when they are not tabulated and have no value that could be computed.
   Known operator()(std::string_view table, const std::vector<double>& inputs) const;
 
  private:
-  struct Table {
-    std::string file;
-    std::size_t inputs = 0;
-    std::map<std::vector<double>, Known> rows;
-  };
-  static Table read(const std::filesystem::path& file);
+  using Table = std::map<std::vector<double>, Known>;
 
   std::map<std::string, Table, std::less<>> tables_;
 };

@@ -29,6 +29,9 @@ Made make_row(const Truth& truth, const std::vector<double>& inputs, int digits)
                            std::to_string(truth.components.size()));
   const Number floor = pow(Number(10), -digits);
   for (std::size_t i = 0; i < second.size(); ++i) {
+    if (!isfinite(made.value[i]) || !isfinite(second[i]))
+      throw std::domain_error("the " + std::string(isfinite(second[i]) ? "first" : "second") +
+                              " route gives no finite " + truth.components[i].name);
     const Number size = std::max<Number>(abs(made.value[i]), Number(1));
     made.error = std::max<Number>(made.error, std::max<Number>(abs(made.value[i] - second[i]), size * floor));
   }

@@ -95,6 +95,7 @@ Dual<T> atan2(const Dual<T>& y, const Dual<T>& x) {
 template <class T>
 Dual<T> pow(const Dual<T>& a, double exponent) {
   using std::pow;
+  if (exponent == 0) return Dual<T>(1.0);  // its slope is zero even at a = 0
   return chained(a, T(pow(a.value, exponent)), T(exponent * pow(a.value, exponent - 1)));
 }
 

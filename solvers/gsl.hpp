@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <type_traits>
 
@@ -12,8 +13,13 @@ void quiet_gsl();
 /// A function of one number, by reference: no copy, no allocation, the shape that GSL wants.
 class FunctionOfOne {
  public:
+  FunctionOfOne(double (*f)(double))
+      : object_(reinterpret_cast<void*>(f)), call_([](double x, void* object) -> double {
+          return reinterpret_cast<double (*)(double)>(object)(x);
+        }) {}
   template <class F>
-  requires(!std::same_as<std::remove_cvref_t<F>, FunctionOfOne>) FunctionOfOne(F&& f)
+  requires(!std::same_as<std::remove_cvref_t<F>, FunctionOfOne> &&
+           !std::is_function_v<std::remove_reference_t<F>>) FunctionOfOne(F&& f)
       : object_(const_cast<void*>(static_cast<const void*>(std::addressof(f)))),
         call_([](double x, void* object) -> double {
           return (*static_cast<std::remove_reference_t<F>*>(object))(x);

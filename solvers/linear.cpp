@@ -39,6 +39,8 @@ std::pair<VectorXd, bool> solution(Factorization how, const MatrixXd& a, const V
       return {qr.solve(b), qr.matrixQR().diagonal().cwiseAbs().minCoeff() > 0};
     }
     case Factorization::cholesky: {
+      if (!a.isApprox(a.transpose()))  // of which Eigen would read one half only
+        return {VectorXd::Constant(a.cols(), std::numeric_limits<double>::quiet_NaN()), false};
       const Eigen::LDLT<MatrixXd> ldlt(a);
       return {ldlt.solve(b),
               ldlt.info() == Eigen::Success && ldlt.isPositive() && ldlt.vectorD().minCoeff() > 0};
@@ -57,6 +59,11 @@ Solved<VectorXd> solve(Factorization how, const MatrixXd& a, const VectorXd& b) 
   if (!shapes) {
     solved.ending = Ending::raised;
     solved.message = "the shapes do not fit";
+    return solved;
+  }
+  if (!a.allFinite() || !b.allFinite()) {
+    solved.ending = Ending::non_finite;
+    solved.message = "the matrix or the right-hand side is not finite";
     return solved;
   }
   auto [x, regular] = solution(how, a, b);
@@ -89,12 +96,14 @@ Solved<double> determinant(const MatrixXd& a) {
 }
 
 double condition(const MatrixXd& a) {
+  if (a.size() == 0 || !a.allFinite()) return std::numeric_limits<double>::quiet_NaN();
   const VectorXd s = Eigen::JacobiSVD<MatrixXd>(a).singularValues();
   const double least = s(s.size() - 1);
   return least > 0 ? s(0) / least : std::numeric_limits<double>::infinity();
 }
 
 int rank(const MatrixXd& a, double relative) {
+  if (a.size() == 0 || !a.allFinite()) return 0;
   const VectorXd s = Eigen::JacobiSVD<MatrixXd>(a).singularValues();
   int count = 0;
   for (double value : s) count += value > relative * s(0);

@@ -5,7 +5,9 @@
 #include "solvers/solved.hpp"
 
 /// Dense linear algebra over Eigen. `evaluations` counts multiplications and divisions, to leading order
-/// exact for the algorithm as published. Singular (a zero or non-finite pivot): the ending is `raised`.
+/// exact for the algorithm as published. Singular (a pivot that is zero) or, for Cholesky, not symmetric and
+/// positive definite: the ending is `raised`. Not finite: `non_finite`. A singular matrix whose pivots round
+/// to something else than zero is found by full_pivot_lu alone.
 namespace oddity {
 
 enum class Factorization {
@@ -19,9 +21,10 @@ enum class Factorization {
 Solved<Eigen::VectorXd> solve(Factorization, const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 /// The determinant by LU with partial pivoting.
 Solved<double> determinant(const Eigen::MatrixXd& a);
-/// The ratio of the extreme singular values; infinity when the least one is zero.
+/// The ratio of the extreme singular values; infinity when the least one is zero, NaN when a is empty or not
+/// finite.
 double condition(const Eigen::MatrixXd& a);
-/// The number of singular values above `relative` times the largest.
+/// The number of singular values above `relative` times the largest; zero when a is not finite.
 int rank(const Eigen::MatrixXd& a, double relative = 1e-12);
 
 }  // namespace oddity

@@ -6,12 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace oddity {
 
 namespace {
 
 constexpr std::size_t intervals = 1000;
+
+/// Most evaluations that CQUAD may take: it has no limit of its own, and took 265 million on 1/x over [-1,
+/// 2].
+constexpr long cquad_budget = 1'000'000;
+struct BudgetSpent {};
 
 struct Free {
   void operator()(gsl_integration_workspace* w) const { gsl_integration_workspace_free(w); }
@@ -84,6 +90,7 @@ Integral qags(FunctionOfOne f, double a, double b, double tolerance) {
 }
 
 Integral qagp(FunctionOfOne f, std::vector<double> points, double tolerance) {
+  if (points.size() < 2) return refused("QAGP needs the two ends of the interval");
   return adaptive(f, tolerance,
                   [&](const gsl_function* g, gsl_integration_workspace* w, double* value, double* e) {
                     return gsl_integration_qagp(g, points.data(), points.size(), tolerance, tolerance,
@@ -92,22 +99,70 @@ Integral qagp(FunctionOfOne f, std::vector<double> points, double tolerance) {
 }
 
 Integral cquad(FunctionOfOne f, double a, double b, double tolerance) {
+  if (b < a) {  // where GSL's estimate would be negative, and so below any request
+    Integral reversed = cquad(f, b, a, tolerance);
+    reversed.value = -reversed.value;
+    return reversed;
+  }
   quiet_gsl();
   const std::unique_ptr<gsl_integration_cquad_workspace, Free> workspace(
       gsl_integration_cquad_workspace_alloc(intervals));
-  CountedFunction counted{f};
+  long evaluations = 0;
+  bool undefined = false;
+  const auto watched = [&](double x) {
+    if (evaluations == cquad_budget) throw BudgetSpent();  // CQUAD owns nothing that this could leak
+    ++evaluations;
+    const double y = f(x);
+    undefined = undefined || (std::isnan(y) && x != a && x != b);
+    return y;
+  };
+  CountedFunction counted{watched};
   const gsl_function function{&CountedFunction::call, &counted};
-  double value = 0, estimate = 0;
-  const int status = gsl_integration_cquad(&function, a, b, tolerance, tolerance, workspace.get(), &value,
-                                           &estimate, nullptr);
-  return concluded(status, value, estimate, tolerance, counted.calls);
+  Integral integral;
+  try {
+    double value = 0, estimate = 0;
+    const int status = gsl_integration_cquad(&function, a, b, tolerance, tolerance, workspace.get(), &value,
+                                             &estimate, nullptr);
+    integral = concluded(status, value, estimate, tolerance, evaluations);
+  } catch (const BudgetSpent&) {
+    integral.evaluations = evaluations;
+    integral.ending = Ending::stalled;
+    integral.message = "the budget of evaluations is spent";
+  }
+  if (undefined) {
+    integral.ending = Ending::non_finite;
+    integral.message = "the integrand is not a number at a node inside the interval";
+  }
+  return integral;
 }
+
+namespace {
+
+/// GSL computes the nodes of those sizes that it has no table for to ten digits only; Newton's method on the
+/// Legendre polynomial, from there, gives all of them. Weights by [Abramowitz, Stegun 25.4.29].
+void polish(gsl_integration_glfixed_table& table) {
+  const auto n = static_cast<double>(table.n);
+  for (std::size_t i = 0; i < (table.n + 1) / 2; ++i) {
+    double& x = table.x[i];
+    double slope = 0;
+    for (int step = 0; step < 3; ++step) {
+      double before = 1, p = x;
+      for (double k = 2; k <= n; ++k) before = std::exchange(p, ((2 * k - 1) * x * p - (k - 1) * before) / k);
+      slope = n * (before - x * p) / (1 - x * x);
+      if (step < 2) x -= p / slope;
+    }
+    table.w[i] = 2 / ((1 - x * x) * slope * slope);
+  }
+}
+
+}  // namespace
 
 Integral gauss_legendre(FunctionOfOne f, double a, double b, int points) {
   if (points < 1) return refused("Gauss-Legendre needs at least one point");
   quiet_gsl();
   const std::unique_ptr<gsl_integration_glfixed_table, Free> table(
       gsl_integration_glfixed_table_alloc(static_cast<std::size_t>(points)));
+  if (!table->precomputed) polish(*table);
   CountedFunction counted{f};
   const gsl_function function{&CountedFunction::call, &counted};
   const double value = gsl_integration_glfixed(&function, a, b, table.get());

@@ -20,7 +20,8 @@ Integral qag(FunctionOfOne f, double a, double b, double tolerance);
 Integral qags(FunctionOfOne f, double a, double b, double tolerance);
 /// QAGS with known points of difficulty: `points` are the ends and all that lies between, ascending.
 Integral qagp(FunctionOfOne f, std::vector<double> points, double tolerance);
-/// Doubly adaptive Clenshaw-Curtis. Evaluates the ends; leaves out points where f is not finite.
+/// Doubly adaptive Clenshaw-Curtis. Evaluates the ends; leaves out points where f is infinite, and ends where
+/// it is NaN. NaN inside ends `non_finite`, a million evaluations `stalled`.
 Integral cquad(FunctionOfOne f, double a, double b, double tolerance);
 
 /// Fixed Gauss-Legendre with n >= 1 points: exact for polynomials up to degree 2n-1. No error estimate.

@@ -3,6 +3,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -26,7 +27,13 @@ Solved<double> failed(Solved<double> root, Ending ending, std::string message) {
 Solved<double> brent(FunctionOfOne f, double a, double b, double tolerance) {
   quiet_gsl();
   if (b < a) std::swap(a, b);
-  CountedFunction counted{f};
+  double size_at_ends = 0;
+  const auto watched = [&](double x) {
+    const double y = f(x);
+    if (x == a || x == b) size_at_ends = std::max(size_at_ends, std::abs(y));
+    return y;
+  };
+  CountedFunction counted{watched};
   gsl_function function{&CountedFunction::call, &counted};
   const std::unique_ptr<gsl_root_fsolver, Free> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
   Solved<double> root{0.5 * (a + b)};
@@ -42,7 +49,12 @@ Solved<double> brent(FunctionOfOne f, double a, double b, double tolerance) {
     root.evaluations = counted.calls;
     root.error_estimate = high - low;
     if (status != GSL_SUCCESS) return failed(root, Ending::raised, gsl_strerror(status));
-    if (high - low <= tolerance || std::nextafter(low, high) >= high) return root;
+    if (!(high - low <= tolerance) && std::nextafter(low, high) < high) continue;
+    if (low == high) return root;
+    const double miss = watched(root.value);
+    ++root.evaluations;
+    if (std::abs(miss) <= size_at_ends) return root;
+    return failed(root, Ending::raised, "f changes its sign at a pole and not at a root");
   }
   return failed(root, Ending::stalled, "the bracket is still wider than the tolerance after 200 iterations");
 }

@@ -21,8 +21,15 @@ int main(int argc, char** argv) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
     const fs::path file = fs::path(argv[1]) / (name + ".csv");
     const fs::path part = file.string() + ".part";
+    std::string text;
+    try {
+      text = table(name, entry.make());
+    } catch (const std::exception& error) {
+      std::cerr << "cannot make " << name << ": " << error.what() << "\n";
+      return 1;
+    }
     std::ofstream out(part);
-    out << table(name, entry.make()) << std::flush;
+    out << text << std::flush;
     if (!out) {
       std::cerr << "cannot write " << part.string() << "\n";
       return 2;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
+#include <stdexcept>
 
 #include "reference/truth.hpp"
 
@@ -10,7 +11,9 @@ namespace oddity::truth {
 inline Number pi() { return acos(Number(-1)); }
 
 /// The complete elliptic integral of the first kind, K(k), by the arithmetic-geometric mean [DLMF 19.8.5].
+/// Throws std::domain_error unless |k| < 1.
 inline Number elliptic_k(const Number& k) {
+  if (!(abs(k) < 1)) throw std::domain_error("K(k) needs |k| < 1");
   Number a = 1, b = sqrt(1 - k * k);
   while (abs(a - b) > pow(Number(10), 3 - static_cast<int>(working_digits))) {
     const Number mean = (a + b) / 2;

@@ -1,6 +1,7 @@
 #include "reference/make/taylor.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace oddity::truth {
 
@@ -98,7 +99,8 @@ Jet exp(Jet a) { return unary(Op::exponential, a); }
 Jet sin(Jet a) { return {a.tape, sine_node(a)}; }
 Jet cos(Jet a) { return {a.tape, sine_node(a) + 1}; }
 
-/// Fills the tape with the series about (x, t); returns the step that its last two terms allow.
+/// Fills the tape with the series about (x, t); returns the step that its last quarter of terms allows: of
+/// fewer all may vanish, as of exp(t^5) about zero.
 Number TaylorProblem::expand(const Numbers& x, const Number& t, int order, const Number& tolerance) {
   tape_.resize(order);
   for (std::size_t i = 0; i < x.size(); ++i) tape_.set(unknowns_[i], 0, x[i]);
@@ -110,7 +112,7 @@ Number TaylorProblem::expand(const Numbers& x, const Number& t, int order, const
       tape_.set(unknowns_[i], k + 1, tape_.get(derivatives_[i], k) / (k + 1));
   }
   double step = std::numeric_limits<double>::infinity();
-  for (int k : {order - 1, order}) {
+  for (int k = order - order / 4; k <= order; ++k) {
     Number largest = 0;
     for (int unknown : unknowns_) largest = std::max<Number>(largest, abs(tape_.get(unknown, k)));
     if (largest > 0) step = std::min(step, static_cast<double>(exp(log(tolerance / largest) / k)));
@@ -123,6 +125,7 @@ Numbers TaylorProblem::solve(Numbers x, Number t0, const Number& t1, int digits)
   const Number tolerance = pow(Number(10), -digits - 4);
   while (t0 != t1) {
     const Number step = expand(x, t0, order, tolerance);
+    if (t0 + step == t0) throw std::runtime_error("Taylor series: the step became too small");
     const Number left = t1 - t0;
     const bool last = abs(left) <= step;
     const Number h = last ? left : Number(left > 0 ? step : -step);

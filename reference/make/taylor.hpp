@@ -88,7 +88,8 @@ class TaylorProblem {
     time_ = t.node;
   }
 
-  /// The state at t1 from the state at t0, each step's remainder below 10^-digits.
+  /// The state at t1 from the state at t0, each step's remainder below 10^-digits. Throws std::runtime_error
+  /// when a pole stops it.
   Numbers solve(Numbers x, Number t0, const Number& t1, int digits);
 
  private:

@@ -7,6 +7,30 @@
 
 namespace oddity::ode {
 
+namespace detail {
+
+/// Odeint weighs its orders by their cost over the signed step. When time runs backward it so picks the
+/// dearest order, and takes up to 150 times the evaluations: here time itself is turned round instead.
+template <class State>
+struct BulirschStoerEitherWay {
+  boost::numeric::odeint::bulirsch_stoer<State> forward;
+
+  template <class System>
+  auto try_step(const System& system, State& x, double& t, double& h) {
+    if (h > 0) return forward.try_step(system, x, t, h);
+    const auto reversed = [&system](const State& y, State& dydt, double s) {
+      system(y, dydt, -s);
+      for (double& component : dydt) component = -component;
+    };
+    t = -t, h = -h;
+    const auto result = forward.try_step(reversed, x, t, h);
+    t = -t, h = -h;
+    return result;
+  }
+};
+
+}  // namespace detail
+
 /// Extrapolation of the modified midpoint rule with controlled step and order.
 struct BulirschStoer {
   static constexpr std::string_view name = "Bulirsch-Stoer";
@@ -15,7 +39,7 @@ struct BulirschStoer {
   static constexpr auto success = boost::numeric::odeint::success;
   template <class State>
   static auto stepper(double tolerance) {
-    return boost::numeric::odeint::bulirsch_stoer<State>(tolerance, tolerance);
+    return detail::BulirschStoerEitherWay<State>{{tolerance, tolerance}};
   }
 };
 

@@ -29,19 +29,27 @@ State hermite(const State& x0, const State& d0, const State& x1, const State& d1
 
 }  // namespace detail
 
+<<<<<<< HEAD
 /// The first time after t0 and up to t1 at which g(x, t) changes its sign, and the state there. Each step is sampled
 /// inside by its cubic, so that a double crossing is seen when it lasts a quarter of a step; the time is then found by
 /// Brent's method on states that the algorithm itself computes within the step, and is as good as they are. `raised`
 /// when g keeps its sign.
+=======
+/// The first time after t0 and up to t1 at which g(x, t), continuous, becomes zero or changes its sign, and
+/// the state there. Each step is sampled inside by its cubic, so that a double crossing is seen when it lasts
+/// a quarter of a step; the time is then found by Brent's method on states that the algorithm itself computes
+/// from the step's start (by one step of its plain stepper where it has one). `error_estimate` is the width
+/// of the last bracket. `raised` when g keeps its sign.
+>>>>>>> tests
 template <class Algorithm, class System, class State, class G>
 Solved<Event<State>> find_event(const System& system, const State& start, double t0, double t1,
                                 double setting, const G& g) {
   constexpr int samples = 4;
   Solved<Event<State>> event;
   long inside = 0;
-  bool found = false;
-  double before = g(start, t0);
+  bool found = false, whole = true;
 
+<<<<<<< HEAD
   const auto refine = [&](double t, const State& x, double a, double b) {
     const auto state_after = [&](double s) {
       if (s == 0) return x;
@@ -55,28 +63,68 @@ Solved<Event<State>> find_event(const System& system, const State& start, double
     event.value = {t + root.value, state_after(root.value)};
     event.ending = root.ending;
     event.message = root.message;
+=======
+  const auto counted = [&](const State& x, State& dxdt, double t) {
+    ++inside;
+    system(x, dxdt, t);
+>>>>>>> tests
   };
+  const auto state_after = [&](State x, double t, double s) {
+    if constexpr (Algorithm::kind == Kind::fixed) {
+      Algorithm::template stepper<State>().do_step(counted, x, t, s);
+    } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {
+      Algorithm::template stepper<State>(system, inside)(x, t, s);
+    } else if constexpr (requires { typename Algorithm::template Plain<State>; }) {
+      typename Algorithm::template Plain<State>().do_step(counted, x, t, s);
+    } else {
+      const auto part = integrate<Algorithm>(system, x, t, t + s, setting);
+      inside += part.evaluations;
+      whole = whole && part.reached();
+      x = part.value;
+    }
+    return x;
+  };
+
+  double before = g(start, t0);  // g where it last was not zero
+  double at_start = before;      // g at the start of the step
 
   const auto watch = [&](double t, const State& x, double t_next, const State& x_next) {
     const double h = t_next - t;
     State d0{}, d1{};
-    system(x, d0, t);
-    system(x_next, d1, t_next);
-    inside += 2;
+    counted(x, d0, t);
+    counted(x_next, d1, t_next);
+    const auto event_after = [&](double s) -> Event<State> {
+      if (s == h) return {t_next, x_next};
+      if (s == 0) return {t, x};
+      return {t + s, state_after(x, t, s)};
+    };
+    const auto miss = [&](double s) {
+      const auto candidate = event_after(s);
+      return g(candidate.state, candidate.time);
+    };
+    const auto refine = [&](double a, double b) {
+      const Solved<double> root = brent(miss, a, b, 4e-16 * (1 + std::abs(t)));
+      if (root.ending == Ending::raised) return false;
+      event.value = event_after(root.value);
+      event.error_estimate = root.error_estimate;
+      event.ending = whole ? root.ending : Ending::stalled;
+      event.message = whole ? root.message : "the algorithm did not reach a time inside a step";
+      return true;
+    };
+
     double left = 0;
     for (int k = 1; k <= samples; ++k) {
-      const double s = static_cast<double>(k) / samples;
-      const State y = k == samples ? x_next : detail::hermite(x, d0, x_next, d1, h, s);
-      const double now = g(y, t + s * h);
+      const double part = static_cast<double>(k) / samples, s = part * h;
+      double now = k == samples ? g(x_next, t_next) : g(detail::hermite(x, d0, x_next, d1, h, part), t + s);
       if (before * now < 0 || (now == 0 && before != 0)) {
-        found = true;
-        refine(t, x, left * h, s * h);
-        if (!event.reached() && x_next != x) refine(t, x, 0, h);
-        return true;
+        found = refine(left, s) || (left != 0 && at_start != 0 && refine(0, s));
+        if (found) return true;
+        now = miss(s);  // what the cubic saw is not there
       }
       if (now != 0) before = now;
       left = s;
     }
+    at_start = g(x_next, t_next);
     return false;
   };
 

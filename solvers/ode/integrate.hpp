@@ -76,23 +76,27 @@ bool equal_steps(const DoStep& do_step, State& x, double t0, double t1, double s
     return fail(solved, Ending::stalled, "the step would take more steps than the budget allows");
   const auto n = static_cast<long>(count);
   const double h = (t1 - t0) / count;
-  for (long i = 0; i < n; ++i) {
+  double t = t0;
+  for (long i = 1; i <= n; ++i) {
     const State before = x;
-    const double t = t0 + static_cast<double>(i) * h;
     do_step(x, t, h);
-    if ((i % 16 == 15 || i + 1 == n) && !finite(x))
-      return fail(solved, Ending::non_finite, "the state is not finite " + at(t + h));
-    if (on_step(t, before, t + h, x)) return false;
+    const double from = std::exchange(t, i == n ? t1 : t0 + static_cast<double>(i) * h);
+    if (i % 16 == 0 || i == n) {
+      if (!finite(x)) return fail(solved, Ending::non_finite, "the state is not finite " + at(t));
+      if (!check_budget(solved, t)) return false;
+    }
+    if (on_step(from, before, t, x)) return false;
   }
-  return check_budget(solved, t1);
+  return true;
 }
 
-/// Steps chosen by the stepper's error control from t to t1; `h` is the step to try and goes on from call to
-/// call.
+/// Steps chosen by the stepper's error control from t to t1; `h` is the step to try, its size goes on from
+/// call to call.
 template <class TryStep, class State, class OnStep>
 bool controlled_steps(const TryStep& try_step, State& x, double t, double t1, double& h,
                       Trajectory<State>& solved, const OnStep& on_step) {
   int rejected = 0;
+  h = std::copysign(h, t1 - t);
   while (t != t1) {
     const bool last = std::abs(h) >= std::abs(t1 - t);
     double tried = last ? t1 - t : h;
@@ -115,6 +119,12 @@ bool controlled_steps(const TryStep& try_step, State& x, double t, double t1, do
   return true;
 }
 
+/// The step that a controlled algorithm tries first: a part of the whole span, but enough to move the time.
+inline double first_step(std::span<const double> times, double part) {
+  const auto [low, high] = std::ranges::minmax(times);
+  return std::max((high - low) * part, 0x1p-50 * std::max(std::abs(low), std::abs(high)));
+}
+
 /// Advances x from times[0] through all of them by advance(x, t0, t1), keeping the states.
 template <class State, class Advance>
 void through(std::span<const double> times, State x, Trajectory<State>& solved, const Advance& advance) {
@@ -128,13 +138,18 @@ void through(std::span<const double> times, State x, Trajectory<State>& solved, 
 
 }  // namespace detail
 
-/// The states at `times`, the first of which is the start's. The value ends with the last state reached.
+/// The states at `times`, the first of which is the start's; they may go back and forth. The value ends with
+/// the last state reached.
 template <class Algorithm, class System, class State, class OnStep = NeverStop>
 Trajectory<State> integrate(const System& system, const State& start, std::span<const double> times,
                             double setting, const OnStep& on_step = {}) {
   Trajectory<State> solved;
   if (!(setting > 0 && std::isfinite(setting))) {
     detail::fail(solved, Ending::raised, "the step or tolerance must be positive and finite");
+    return solved;
+  }
+  if (times.empty() || !std::ranges::all_of(times, [](double t) { return std::isfinite(t); })) {
+    detail::fail(solved, Ending::raised, "there must be times, and they must be finite");
     return solved;
   }
   const auto counted = [&system, &solved](const State& x, State& dxdt, double t) {
@@ -154,7 +169,7 @@ Trajectory<State> integrate(const System& system, const State& start, std::span<
     });
   } else {
     const auto controlled = [&](const auto& try_step) {
-      double h = times.size() > 1 ? (times.back() - times.front()) * Algorithm::first_step : 0;
+      double h = detail::first_step(times, Algorithm::first_step);
       detail::through(times, start, solved, [&](State& x, double t0, double t1) {
         return detail::controlled_steps(try_step, x, t0, t1, h, solved, on_step);
       });

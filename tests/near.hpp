@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cmath>
+#include <ostream>
+
+#include "reference/text.hpp"
+
+/// got == expected within `allowed`, for CHECK: a failure prints both numbers with every digit. NaN is never
+/// near.
+struct Near {
+  double got, expected, allowed;
+  explicit operator bool() const { return std::abs(got - expected) <= allowed; }
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Near& near) {
+  return out << oddity::shortest(near.got) << " near " << oddity::shortest(near.expected) << " within "
+             << oddity::rounded(near.allowed, 3) << " (off by "
+             << oddity::rounded(near.got - near.expected, 3) << ")";
+}
+
+inline Near near(double got, double expected, double allowed) { return {got, expected, allowed}; }
+
+/// Within `ulps` units in the last place of the expected number.
+inline Near near_ulps(double got, double expected, double ulps) {
+  return {got, expected, ulps * std::abs(expected) * 0x1p-52};
+}
+
+/// low <= got <= high, for CHECK: a failure prints the number.
+struct Within {
+  double got, low, high;
+  explicit operator bool() const { return low <= got && got <= high; }
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Within& within) {
+  return out << oddity::shortest(within.got) << " within " << oddity::shortest(within.low) << " and "
+             << oddity::shortest(within.high);
+}
+
+inline Within within(double got, double low, double high) { return {got, low, high}; }

@@ -1,0 +1,142 @@
+// Every algorithm's certificate: its order measured, from both sides, on problems with and without explicit
+// time, forward and backward; where it controls its step, the error in proportion to the tolerance, and the
+// cost of a stiff problem. A new algorithm in solvers/ode/all.hpp is certified without a line here.
+
+#include "tests/catch.hpp"
+#include "tests/fit.hpp"
+#include "tests/near.hpp"
+#include "tests/ode_algorithms.hpp"
+
+using namespace oddity::ode;
+using namespace problems;
+
+namespace {
+
+struct Span {
+  double from, to;
+};
+
+/// The largest error along the way: at the end alone it may vanish by accident.
+template <class Algorithm>
+double error_of_fixed_steps(const Problem& problem, Span span, int n) {
+  const auto states = fixed_steps<Algorithm>(problem.system, problem.exact(span.from), span.from, span.to, n);
+  double worst = 0;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    worst = std::max(worst, distance(states[i], problem.exact(span.from + static_cast<double>(i) *
+                                                                              (span.to - span.from) / n)));
+  return worst;
+}
+
+/// Halves a step with which the error is small, but still far above rounding.
+template <class Algorithm>
+double measured_order(const Problem& problem, Span span, int times = 1) {
+  const int n =
+      times * (Algorithm::order <= 1 ? 1024 : Algorithm::order <= 4 ? 512 : Algorithm::order <= 5 ? 256 : 32);
+  return std::log2(error_of_fixed_steps<Algorithm>(problem, span, n / 2) /
+                   error_of_fixed_steps<Algorithm>(problem, span, n));
+}
+
+/// The slope of log(error at the end) against log(tolerance).
+template <class Algorithm>
+double proportionality(const Problem& problem, Span span) {
+  std::vector<double> tolerances, errors;
+  for (double tolerance : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
+    const auto solved =
+        integrate<Algorithm>(problem.system, problem.exact(span.from), span.from, span.to, tolerance);
+    CHECK(solved.reached());
+    const double error = distance(solved.value, problem.exact(span.to));
+    CHECK(within(error / tolerance, 0.05, 50));
+    tolerances.push_back(tolerance);
+    errors.push_back(error);
+  }
+  return slope(tolerances, errors);
+}
+
+}  // namespace
+
+TEST_CASE("every fixed step has its order without explicit time, forward and backward", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    if constexpr (Algorithm::kind != Kind::controlled || HasPlain<Algorithm>) {
+      for (Span span : {Span{0, 5}, Span{0, -5}})
+        CHECK(near(measured_order<Algorithm>(oscillator, span), Algorithm::order, 0.15));
+      for (Span span : {Span{-1.5, 1.5}, Span{1.5, -1.5}})
+        CHECK(near(measured_order<Algorithm>(separatrix, span), Algorithm::order, 0.25));
+    }
+  });
+}
+
+TEST_CASE("every fixed step has its order with explicit time, forward and backward", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    if constexpr (!partitioned<Algorithm> && (Algorithm::kind != Kind::controlled || HasPlain<Algorithm>)) {
+      for (Span span : {Span{0, 10}, Span{0, -10}})
+        CHECK(near(measured_order<Algorithm>(driven, span, 2), Algorithm::order, 0.25));
+    }
+  });
+}
+
+TEST_CASE("every controlled step has an error in proportion to its tolerance", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    if constexpr (Algorithm::kind == Kind::controlled) {
+      for (Span span : {Span{-1.5, 1.5}, Span{1.5, -1.5}})
+        CHECK(near(proportionality<Algorithm>(separatrix, span), 1, 0.15));
+      for (Span span : {Span{0, 8}, Span{0, -8}})
+        CHECK(near(proportionality<Algorithm>(driven, span), 1, 0.15));
+    }
+  });
+}
+
+TEST_CASE("every controlled step costs the same forward and backward", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    if constexpr (Algorithm::kind == Kind::controlled) {
+      for (double tolerance : {1e-4, 1e-8, 1e-12}) {
+        const auto forward = integrate<Algorithm>(oscillator.system, State{1, 0}, 0, 5, tolerance);
+        const auto backward = integrate<Algorithm>(oscillator.system, State{1, 0}, 0, -5, tolerance);
+        CHECK(forward.evaluations == backward.evaluations);
+        CHECK(near(forward.value[0], backward.value[0], 1e-15));
+      }
+    }
+  });
+}
+
+TEST_CASE("a controlled step on a stiff problem is as small as its stability asks", "[solvers]") {
+  // The attraction at the rate 1000 over two seconds needs 2000 / 3.3 steps of Dormand-Prince's six new
+  // evaluations; a looser tolerance saves nothing.
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    if constexpr (Algorithm::kind == Kind::controlled) {
+      for (double tolerance : {1e-2, 1e-4, 1e-6}) {
+        const auto solved = integrate<Algorithm>(stiff.system, stiff.exact(0), 0, 2, tolerance);
+        CHECK(solved.reached());
+        CHECK(distance(solved.value, stiff.exact(2)) < 10 * tolerance);
+        CHECK(within(static_cast<double>(solved.evaluations), 3000, 10'000));
+      }
+    }
+  });
+  const auto dormand_prince = integrate<DormandPrince54>(stiff.system, stiff.exact(0), 0, 2, 1e-4);
+  CHECK(within(static_cast<double>(dormand_prince.evaluations), 2 * rate / 3.307 * 6,
+               1.3 * 2 * rate / 3.307 * 6));
+}
+
+TEST_CASE("a fixed step on a stiff problem holds below its stability limit and explodes above", "[solvers]") {
+  const auto error = []<class Algorithm>(double h_times_rate) {
+    const auto solved = integrate<Algorithm>(stiff.system, stiff.exact(0), 0, 2, h_times_rate / rate);
+    return distance(solved.value, stiff.exact(2));
+  };
+  CHECK(error.operator()<ExplicitEuler>(1.98) < 1e-3);
+  CHECK(error.operator()<ExplicitEuler>(2.03) > 1e3);
+  CHECK(error.operator()<RungeKutta4>(2.75) < 1e-3);
+  CHECK(error.operator()<RungeKutta4>(2.84) > 1e3);
+}
+
+TEST_CASE("every algorithm comes back to where it started", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    const auto there = integrate<Algorithm>(separatrix.system, separatrix.exact(0), 0, 1, fine<Algorithm>);
+    const auto back = integrate<Algorithm>(separatrix.system, there.value, 1, 0, fine<Algorithm>);
+    CHECK(distance(back.value, separatrix.exact(0)) < 2e-3);
+  });
+}

@@ -1,0 +1,233 @@
+// How integrations end: at the times asked for, with the work counted, or with the reason why not.
+
+#include "tests/catch.hpp"
+#include "tests/near.hpp"
+#include "tests/ode_algorithms.hpp"
+
+using namespace oddity;
+using namespace oddity::ode;
+using namespace problems;
+
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Evaluations of one fixed step.
+template <class Algorithm>
+constexpr long stages = std::is_same_v<Algorithm, RungeKutta4> ? 4 : 1;
+
+template <class Algorithm>
+Trajectory<State> through(const Problem& problem, std::vector<double> times, double setting) {
+  return integrate<Algorithm>(problem.system, problem.exact(times[0]), std::span<const double>(times),
+                              setting);
+}
+
+}  // namespace
+
+// ---- reached ----------------------------------------------------------------------------------------------
+
+TEST_CASE("a fixed step costs its stages, Verlet one evaluation more to start", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    if constexpr (Algorithm::kind != Kind::controlled) {
+      const long start = std::is_same_v<Algorithm, VelocityVerlet>;
+      const auto evaluations = [](double end, double step) {
+        return integrate<Algorithm>(oscillator.system, State{1, 0}, 0, end, step).evaluations;
+      };
+      CHECK(evaluations(1, 0.125) == 8 * stages<Algorithm> + start);
+      CHECK(evaluations(1, 0.1) == 10 * stages<Algorithm> + start);
+      CHECK(evaluations(1, 0.3) == 4 * stages<Algorithm> + start);
+      CHECK(evaluations(-1, 0.3) == 4 * stages<Algorithm> + start);
+      CHECK(evaluations(1, 5) == 1 * stages<Algorithm> + start);
+    }
+  });
+}
+
+TEST_CASE("a controlled step costs its stages, Dormand-Prince's last stage being the next one's first",
+          "[solvers]") {
+  const auto evaluations = []<class Algorithm>() {
+    return integrate<Algorithm>(oscillator.system, State{1, 0}, 0, 5, 1e-6).evaluations;
+  };
+  CHECK(evaluations.operator()<CashKarp54>() % 6 == 0);
+  CHECK(evaluations.operator()<DormandPrince54>() % 6 == 1);
+  CHECK(evaluations.operator()<Fehlberg78>() % 13 == 0);
+}
+
+TEST_CASE("the evaluations reported are the calls that were made", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    const System system{oscillator.system.f};
+    const std::vector<double> times{0, 1, 1, 2.5};
+    const auto solved =
+        integrate<Algorithm>(system, State{1, 0}, std::span<const double>(times), fine<Algorithm>);
+    CHECK(solved.reached());
+    CHECK(solved.evaluations == system.calls);
+  });
+}
+
+TEST_CASE("every time asked for is hit exactly, in steps that join", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    for (const std::vector<double>& times : {std::vector{0.1, 0.35, 0.7, 1.2}, {1.2, 0.7, 0.35, 0.1}}) {
+      std::size_t hits = 0;
+      double last = times[0];
+      const auto watch = [&](double t, const State&, double t_next, const State&) {
+        if (t != last) FAIL("a step from " << t << " after one to " << last);
+        last = t_next;
+        hits += std::count(times.begin() + 1, times.end(), t_next) == 1;
+        return false;
+      };
+      const auto solved = integrate<Algorithm>(separatrix.system, separatrix.exact(times[0]),
+                                               std::span<const double>(times), fine<Algorithm>, watch);
+      CHECK(solved.reached());
+      CHECK(hits == 3);
+      CHECK(last == times.back());
+      for (std::size_t i = 0; i < times.size(); ++i)
+        CHECK(distance(solved.value[i], separatrix.exact(times[i])) < 3e-3);
+    }
+  });
+}
+
+TEST_CASE("times may repeat, turn back, or be one", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    const auto repeated = through<Algorithm>(separatrix, {0, 0, 1, 1, 1}, fine<Algorithm>);
+    CHECK(repeated.reached());
+    CHECK(repeated.value.size() == 5);
+    CHECK(repeated.value[0] == repeated.value[1]);
+    CHECK(repeated.value[2] == repeated.value[4]);
+
+    const std::vector<double> zigzag{0, 1, -0.5, 0};
+    const auto turned = through<Algorithm>(separatrix, zigzag, fine<Algorithm>);
+    CHECK(turned.reached());
+    for (std::size_t i = 0; i < zigzag.size(); ++i)
+      CHECK(distance(turned.value[i], separatrix.exact(zigzag[i])) < 5e-3);
+
+    for (const auto& still : {through<Algorithm>(separatrix, {2}, fine<Algorithm>),
+                              through<Algorithm>(separatrix, {2, 2}, fine<Algorithm>)}) {
+      CHECK(still.reached());
+      CHECK(still.evaluations == 0);
+      CHECK(still.value.back() == separatrix.exact(2));
+    }
+  });
+}
+
+TEST_CASE("far from zero, where time is coarse, the algorithms still move", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    const double t0 = 1e12;  // one unit in the last place is 1e-4
+    const auto solved = integrate<Algorithm>(oscillator.system, State{1, 0}, t0, t0 + 1,
+                                             Algorithm::kind == Kind::controlled ? 1e-6 : 0x1p-10);
+    CHECK(solved.reached());
+    CHECK(near(solved.value[0], std::cos(1), 1e-3));
+  });
+}
+
+TEST_CASE("a watcher ends the integration where it says so", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    int steps = 0;
+    const auto third = [&](double, const State&, double, const State&) { return ++steps == 3; };
+    const std::array times{0.0, 1.0};
+    const auto solved = integrate<Algorithm>(oscillator.system, State{1, 0}, std::span<const double>(times),
+                                             fine<Algorithm>, third);
+    CHECK(solved.reached());
+    CHECK(steps == 3);
+    CHECK(solved.value.size() == 2);
+    CHECK(within(solved.value.back()[0], 0.9, 1));
+  });
+}
+
+// ---- not reached ------------------------------------------------------------------------------------------
+
+TEST_CASE("no algorithm gets past a pole", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    const bool controlled = Algorithm::kind == Kind::controlled;
+    for (double setting :
+         controlled ? std::vector{1e-1, 1e-2, 1e-4, 1e-8, 1e-12} : std::vector{1e-2, 1e-3, 1e-4}) {
+      const auto solved = integrate<Algorithm>(pole.system, pole.exact(0), 0, 2, setting);
+      CHECK(solved.ending == (controlled ? Ending::stalled : Ending::non_finite));
+      CHECK(solved.message.find("at t = 1.") != std::string::npos);
+      CHECK(solved.evaluations < 50'000);
+    }
+  });
+}
+
+TEST_CASE("a fixed step that is too long for the pole passes it, with a number off every scale",
+          "[solvers]") {
+  const auto solved = integrate<ExplicitEuler>(pole.system, pole.exact(0), 0, 2, 0.1);
+  CHECK(solved.reached());
+  CHECK(solved.value[0] > 1e30);
+}
+
+TEST_CASE("a right-hand side that is NaN is never reached through", "[solvers]") {
+  const System system{[](const State& x, State& dxdt, double) { dxdt = {x[1], -std::sqrt(x[0])}; }};
+  for_each_algorithm([&]<class Algorithm>() {
+    INFO(Algorithm::name);
+    const auto solved = integrate<Algorithm>(system, State{1, 0}, 0, 10, fine<Algorithm>);
+    CHECK_FALSE(solved.reached());
+  });
+}
+
+TEST_CASE("a state that is not finite at the start is not reached", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    for (double bad : {no_number, infinity})
+      CHECK_FALSE(integrate<Algorithm>(oscillator.system, State{bad, 0}, 0, 1, fine<Algorithm>).reached());
+  });
+}
+
+TEST_CASE("a step or tolerance that is zero, negative or no number is refused", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    for (double setting : {0.0, -0.1, no_number, infinity}) {
+      const auto solved = integrate<Algorithm>(oscillator.system, State{1, 0}, 0, 1, setting);
+      CHECK(solved.ending == Ending::raised);
+      CHECK(solved.evaluations == 0);
+    }
+  });
+}
+
+TEST_CASE("times that are no numbers, and no times, are refused", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    for (double bad : {no_number, infinity, -infinity})
+      CHECK(integrate<Algorithm>(oscillator.system, State{1, 0}, 0, bad, fine<Algorithm>).ending ==
+            Ending::raised);
+    CHECK(integrate<Algorithm>(oscillator.system, State{1, 0}, std::span<const double>(), fine<Algorithm>)
+              .ending == Ending::raised);
+  });
+}
+
+TEST_CASE("a fixed step beyond the budget is refused before it starts", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    if constexpr (Algorithm::kind != Kind::controlled) {
+      for (double step : {1e-9, 1e-300}) {
+        const auto solved = integrate<Algorithm>(oscillator.system, State{1, 0}, 0, 1, step);
+        CHECK(solved.ending == Ending::stalled);
+        CHECK(solved.evaluations == 0);
+      }
+    }
+  });
+}
+
+TEST_CASE("the budget of evaluations ends an integration that goes on", "[solvers]") {
+  const auto at_rest = [](const State&, State& dxdt, double) { dxdt = {0, 0}; };
+  const auto solved = integrate<RungeKutta4>(at_rest, State{1, 0}, 0, 1, 1.0 / (budget / 2));
+  CHECK(solved.ending == Ending::stalled);
+  CHECK(within(static_cast<double>(solved.evaluations), budget, budget + 100));
+}
+
+TEST_CASE("a tolerance below rounding stalls or is met, and always ends", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    if constexpr (Algorithm::kind == Kind::controlled) {
+      const auto solved = integrate<Algorithm>(oscillator.system, State{1, 0}, 0, 1, 1e-19);
+      CHECK((solved.ending == Ending::stalled || solved.ending == Ending::reached));
+      if (solved.reached()) CHECK(near(solved.value[0], std::cos(1), 1e-10));
+    }
+  });
+}
