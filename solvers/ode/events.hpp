@@ -29,18 +29,11 @@ State hermite(const State& x0, const State& d0, const State& x1, const State& d1
 
 }  // namespace detail
 
-<<<<<<< HEAD
-/// The first time after t0 and up to t1 at which g(x, t) changes its sign, and the state there. Each step is sampled
-/// inside by its cubic, so that a double crossing is seen when it lasts a quarter of a step; the time is then found by
-/// Brent's method on states that the algorithm itself computes within the step, and is as good as they are. `raised`
-/// when g keeps its sign.
-=======
 /// The first time after t0 and up to t1 at which g(x, t), continuous, becomes zero or changes its sign, and
 /// the state there. Each step is sampled inside by its cubic, so that a double crossing is seen when it lasts
 /// a quarter of a step; the time is then found by Brent's method on states that the algorithm itself computes
-/// from the step's start (by one step of its plain stepper where it has one). `error_estimate` is the width
-/// of the last bracket. `raised` when g keeps its sign.
->>>>>>> tests
+/// from the step's start (by one step of its plain stepper where it has one), and is as good as they are: there
+/// is no error estimate. `raised` when g keeps its sign.
 template <class Algorithm, class System, class State, class G>
 Solved<Event<State>> find_event(const System& system, const State& start, double t0, double t1,
                                 double setting, const G& g) {
@@ -49,25 +42,9 @@ Solved<Event<State>> find_event(const System& system, const State& start, double
   long inside = 0;
   bool found = false, whole = true;
 
-<<<<<<< HEAD
-  const auto refine = [&](double t, const State& x, double a, double b) {
-    const auto state_after = [&](double s) {
-      if (s == 0) return x;
-      const auto part =
-          integrate<Algorithm>(system, x, t, t + s, has_tolerance(Algorithm::kind) ? setting : std::abs(s));
-      inside += part.evaluations;
-      return part.value;
-    };
-    const auto miss = [&](double s) { return g(state_after(s), t + s); };
-    const Solved<double> root = brent(miss, a, b, 4e-16 * (1 + std::abs(t)));
-    event.value = {t + root.value, state_after(root.value)};
-    event.ending = root.ending;
-    event.message = root.message;
-=======
   const auto counted = [&](const State& x, State& dxdt, double t) {
     ++inside;
     system(x, dxdt, t);
->>>>>>> tests
   };
   const auto state_after = [&](State x, double t, double s) {
     if constexpr (Algorithm::kind == Kind::fixed) {
@@ -106,7 +83,6 @@ Solved<Event<State>> find_event(const System& system, const State& start, double
       const Solved<double> root = brent(miss, a, b, 4e-16 * (1 + std::abs(t)));
       if (root.ending == Ending::raised) return false;
       event.value = event_after(root.value);
-      event.error_estimate = root.error_estimate;
       event.ending = whole ? root.ending : Ending::stalled;
       event.message = whole ? root.message : "the algorithm did not reach a time inside a step";
       return true;
