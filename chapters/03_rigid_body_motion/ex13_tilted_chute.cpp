@@ -22,7 +22,7 @@ namespace {
 using namespace tilted_chute;
 
 constexpr Parameter parameters[] = {
-    {"R", 1, "m", "radius", 0.1, 10},
+    {"R", 1, "m", "radius", 0.2, 10},
     {"L", 5, "m", "length of the chute", 1, 100},
     {"H", 3, "m", "fall over the length, less than L", 0.01, 99},
     {"g", 9.81, "m/s^2", "gravity", 0.1, 100},
