@@ -176,14 +176,17 @@ std::vector<Claim> conditions(double seed) {
   only.printed = {"K = g/2", {in_all("both equations hold, but not K = g/2", seed, [](F s) {
                     return !(s.satisfied(0) && s.satisfied(1)) || s.condition();
                   })}};
-  Worst push("the hill's force over the mass on (v1 t, v2 t) at K = g/2, times the cosine",
-             "g + x3'' by dual numbers", "none");
+  Worst push("the hill's vertical force over the mass on (v1 t, v2 t) at K = g/2", "g + x3'' by dual numbers",
+             "none");
   Random random(seed);
+  long buried = 0;
   for (int i = 0; i < 200; ++i) {
     const Sample s(random);
     const Pair v = at_the_right_speed({s.hill, s.g, {}, s.v}).v;
     const auto x3 = [&](const auto& t) { return s.hill.height(v[0] * t, v[1] * t); };
     push.see(s.g + second_derivative(x3, s.t), 0, s.g, s.where());
+    const double faster = random.between(1.01, 2);
+    buried += !(-s.g * s.t * s.t / 2 > s.hill.height(faster * v[0] * s.t, faster * v[1] * s.t));
   }
   only.corrected = {"K = g/2, or the particle is at rest on the top",
                     {in_all("both equations hold unlike `K = g/2 or v = 0`", seed,
@@ -191,7 +194,7 @@ std::vector<Claim> conditions(double seed) {
                               const bool at_rest = s.v[0] == 0 && s.v[1] == 0;
                               return (s.satisfied(0) && s.satisfied(1)) == (s.condition() || at_rest);
                             }),
-                     push.check()}};
+                     push.check(), never("faster than that, the free fall meets the hill", buried, 200)}};
   only.why =
       "At rest on the top, $v_1=v_2=0$ and $K=0$, the particle stays: both equations hold. For all other "
       "straight uniform paths $K=g/2$ is needed, and then the particle is in free fall: the hill does not "
