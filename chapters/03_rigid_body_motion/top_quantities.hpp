@@ -169,35 +169,57 @@ inline bool has_steady_precession(const Top& t, double c) {
   return std::cos(t.phi) > 0 && std::pow(t.mu3 * c, 2) > 4 * t.mu1 * t.m * t.g * t.l * std::cos(t.phi);
 }
 
-/// The slow and the fast rate of steady precession at the start's tilt, with the total spin c.
+/// The rate of the precession that the rigid body goes through one radian with, started at the given rate.
+inline Answer followed_precession(Top top, double c, double rate, double tolerance) {
+  top.theta = top.psi = top.dphi = 0;
+  top.dtheta = rate;
+  top.dpsi = c - rate * std::cos(top.phi);
+  const RigidBody model{top};
+  const auto end = ode::integrate<ode::Fehlberg78>(model, model.start(), 0, 1 / rate, tolerance);
+  const Vector d = model.observe(end.value, 1 / rate);
+  return answer(end, [&](const auto&) { return std::array{rate * std::atan2(d[0], -d[1])}; });
+}
+
+enum class Root { slow, fast };
+
+/// A rate of steady precession at the start's tilt, with the total spin c.
 inline Quantity steady_precession(const std::string& name, const std::string& says, const Top& top, double c,
-                                  const Reference& truth) {
+                                  Root which, const Reference& truth) {
+  const bool slow = which == Root::slow;
   Quantity q = quantity(name, "rad/s", says,
                         truth("03_33_steady", {top.m, top.l, top.mu1, top.mu3, top.g, top.phi, c}), {});
-  q.reference.value = Value{q.reference.value[0]};
+  q.reference.value = Value{q.reference.value[slow ? 0 : 1]};
   q.reference_error = 1e-16 * size_of(q.reference.value);
   q.need = {1e-9 * size_of(q.reference.value), "nine digits"};
   const double across = top.mu1 * std::cos(top.phi), momentum = top.mu3 * c, weight = top.m * top.g * top.l;
   const double root = std::sqrt(momentum * momentum - 4 * across * weight);
-  const bool fast = c > 1e5;
+  const bool of_fast_top = c > 1e5;
+  const double limit = slow ? weight / momentum : momentum / across;
+  const double taught = (slow ? momentum - root : momentum + root) / (2 * across);
+  const double stable = slow ? 2 * weight / (momentum + root) : taught;
   q.add({"limit of a fast top", "closed form", no_knob(),
          [=](double) {
-           return Answer{weight / momentum, 1};
+           return Answer{limit, 1};
          },
-         fast ? Outcome::ok : Outcome::inaccurate, fast ? "" : "the spin is not fast enough"});
+         of_fast_top ? Outcome::ok : Outcome::inaccurate, of_fast_top ? "" : "the spin is not fast enough"});
   q.add({"quadratic", "as it is taught", no_knob(),
          [=](double) {
-           return Answer{(momentum - root) / (2 * across), 1};
+           return Answer{taught, 1};
          },
-         fast ? Outcome::inaccurate : Outcome::ok, fast ? "two nearly equal numbers are subtracted" : ""});
-  q.add({"quadratic", "without cancellation", no_knob(), [=](double) {
-           return Answer{2 * weight / (momentum + root), 1};
-         }});
+         of_fast_top ? Outcome::inaccurate : Outcome::ok,
+         of_fast_top ? "two nearly equal numbers are subtracted" : ""});
+  if (slow)
+    q.add({"quadratic", "without cancellation", no_knob(), [=](double) { return Answer{stable, 1}; }});
   q.add({"balance of torques", "Brent", tolerances(6, 14), [=](double e) {
            const auto miss = [&](double rate) { return rate * (momentum - across * rate) - weight; };
-           const double most = std::min(momentum / (2 * across), 2 * weight / momentum);
-           return answer(brent(miss, 0, most, e * most));
+           const double vertex = momentum / (2 * across);
+           const double low = slow ? 0 : vertex, high = slow ? vertex : 2 * vertex;
+           const double narrow = slow ? std::min(high, 2 * weight / momentum) : high;
+           return answer(brent(miss, low, narrow, e * narrow));
          }});
+  if (!of_fast_top)
+    q.add({rigid_body, "Fehlberg 7(8), one radian", tolerances(4, 12),
+           [=](double e) { return followed_precession(top, c, stable, e); }});
   return q;
 }
 
@@ -322,16 +344,18 @@ inline Quantity looping(const Top& top, const Reference& truth) {
 inline std::vector<Quantity> heavy_top_quantities(const Top& top, const Reference& truth) {
   std::vector<Quantity> all{axis(top, truth), height(top, truth), nutation_bounds(top, truth),
                             sleeping_threshold(top)};
-  if (has_steady_precession(top, top.dpsi))
-    all.push_back(steady_precession("steady_precession", "slow rate at the start's tilt and total spin dpsi",
-                                    top, top.dpsi, truth));
+  if (has_steady_precession(top, top.dpsi)) {
+    const std::string says = "rate at the start's tilt and total spin dpsi";
+    all.push_back(steady_precession("steady_slow", "slow " + says, top, top.dpsi, Root::slow, truth));
+    all.push_back(steady_precession("steady_fast", "fast " + says, top, top.dpsi, Root::fast, truth));
+  }
   if (has_steady_precession(top, 0x1p20))
-    all.push_back(
-        steady_precession("steady_precession_fast", "the same at a spin of 2^20 rad/s", top, 0x1p20, truth)
-            .add(Breakdown{"The slow rate is the difference of two numbers that agree in ten "
-                           "digits; multiplied out by the other root, it is a sum.",
-                           "quadratic, as it is taught", 0, Outcome::inaccurate,
-                           "quadratic, without cancellation", 0}));
+    all.push_back(steady_precession("steady_slow_of_fast_top", "slow rate at a spin of 2^20 rad/s", top,
+                                    0x1p20, Root::slow, truth)
+                      .add(Breakdown{"The slow rate is the difference of two numbers that agree in ten "
+                                     "digits; multiplied out by the other root, it is a sum.",
+                                     "quadratic, as it is taught", 0, Outcome::inaccurate,
+                                     "quadratic, without cancellation", 0}));
   all.push_back(struck_upright(top, truth));
   all.push_back(past_the_vertical(top, truth));
   all.push_back(looping(top, truth));
