@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <optional>
+#include <limits>
 
 #include "reference/text.hpp"
 #include "report/settings.hpp"
@@ -55,7 +55,8 @@ class Order {
 
 /// No error is shown below this: the reference's own error, or rounding.
 double floor_of(const QuantityResult& q) {
-  return std::max({q.reference_error, size_of(q.reference.value) * 0x1p-53, 1e-300});
+  const double rounding = std::max(size_of(q.reference.value), 1e-3 * q.need.allowed) * 0x1p-53;
+  return std::max({q.reference_error, rounding, std::numeric_limits<double>::min()});
 }
 
 bool has_error(const TimedTrial& t) {
@@ -66,17 +67,19 @@ struct Decades {
   double low, high;
 };
 
+/// The decades that hold every error and the need; errors beyond a thousand times the true value's size are
+/// cut off.
 Decades error_decades(const QuantityResult& q) {
-  double low = q.need.allowed, high = q.need.allowed;
+  const double floor = floor_of(q), ceiling = std::max(1e3 * size_of(q.reference.value), 10 * q.need.allowed);
+  double low = q.need.allowed > 0 ? q.need.allowed : floor, high = low;
   for (const MethodResult& m : q.methods)
     for (const TimedTrial& t : m.trials)
       if (has_error(t)) {
-        low = std::min(low, std::max(t.error, floor_of(q)));
+        low = std::min(low, std::max(t.error, floor));
         high = std::max(high, t.error);
       }
-  if (!(low > 0)) low = 1e-17;
-  return {std::pow(10, std::floor(std::log10(low))),
-          std::pow(10, std::min(std::ceil(std::log10(high)) + 1, 6.0))};
+  if (ceiling > low) high = std::min(high, ceiling);
+  return {std::pow(10, std::floor(std::log10(low))), std::pow(10, std::ceil(std::log10(high)) + 1)};
 }
 
 }  // namespace

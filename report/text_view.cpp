@@ -68,10 +68,11 @@ std::string quantity_text(const QuantityResult& q) {
 
 std::string shown(const Value& value, int digits) {
   constexpr std::size_t most = 4;
-  if (value.size() == 1) return rounded(value[0], digits);
+  const auto component = [digits](double x) { return std::isnan(x) ? "nan" : rounded(x, digits); };
+  if (value.size() == 1) return component(value[0]);
   std::string text = "(";
   for (std::size_t i = 0; i < std::min(value.size(), most); ++i)
-    text += (i ? ", " : "") + rounded(value[i], digits);
+    text += (i ? ", " : "") + component(value[i]);
   return text + (value.size() > most ? ", ... " + std::to_string(value.size()) + " in all)" : ")");
 }
 

@@ -35,7 +35,6 @@ TEST_CASE("every algorithm finds a pendulum's and an oscillator's crossing, forw
       CHECK(near(quarter.value.time, direction * pi / 2, allowed));
       CHECK(near(quarter.value.state[0], 0, 1e-12));
       CHECK(near(quarter.value.state[1], -direction, allowed));
-      CHECK(quarter.error_estimate < 1e-14);
 
       const auto lowest = crossing<Algorithm>(separatrix, -1.5 * direction, 1.5 * direction, fine<Algorithm>);
       CHECK(lowest.reached());

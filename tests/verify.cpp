@@ -69,7 +69,7 @@ void verify_exercise(Number number) {
     CHECK(claim.claim.id.starts_with(to_string(number) + "-"));
     CHECK(claim.claim.line > 0);
     verify_claim(claim);
-    CHECK(unnoticed_disturbances(claim).empty());
+    CHECK(unnoticed_disturbances(claim) == std::vector<std::string>());
   }
   for (const QuantityResult& q : e.quantities) verify_quantity(q);
 }

@@ -4,14 +4,16 @@
 #include <cmath>
 #include <string>
 
-#include "chapters/02_basic_concepts/space.hpp"
+#include "chapters/02_basic_concepts/vectors.hpp"
 #include "chapters/exercise.hpp"
 #include "chapters/random.hpp"
 #include "solvers/quadrature.hpp"
 
 /// Integrals over plane and solid bodies: the rules by name, several integrals as one answer, and points in a
 /// box around the body.
-namespace oddity {
+namespace oddity::bodies {
+
+using namespace basic_vectors;
 
 // ---- inertia ----------------------------------------------------------------------------------------------
 
@@ -145,4 +147,4 @@ void add_box_methods(Quantity& quantity, const std::vector<double>& samples, dou
   add(Points::cells, "square cells", "the body's edge becomes a staircase of cells");
 }
 
-}  // namespace oddity
+}  // namespace oddity::bodies

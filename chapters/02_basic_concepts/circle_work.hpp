@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "chapters/02_basic_concepts/bodies.hpp"
-#include "chapters/02_basic_concepts/space.hpp"
+#include "chapters/02_basic_concepts/vectors.hpp"
 #include "reference/reference.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/roots.hpp"
@@ -11,6 +11,8 @@
 /// The work of the forces (1, 1, 1) and (t, t, 1) on a particle at (r cos wt, r sin wt, 0), by quadrature of
 /// the power, which knows the path alone, and by every other method.
 namespace oddity::circle {
+
+using namespace bodies;
 
 using std::abs, std::cos, std::sin, std::sqrt, std::numbers::pi;
 

@@ -1,9 +1,8 @@
 // Exercise 2.11: R (a x b) = (R a) x (R b) for every rotation R.
-//   R r = c r + s w x r + (1 - c) w (w . r),  c = cos theta, s = sin theta, |w| = 1   [Goldstein, 3rd
-//   ed., 4.62]
+//   R r = c r + s w x r + (1 - c) w (w . r),  c = cos theta, s = sin theta, |w| = 1   (Rodrigues)
 // The text computes in an orthonormal frame {u, v, w} along the axis. The other route is the quaternion
 // product q r q* in world coordinates, which has the half angle and no frame. Frames, angles and vectors are
-// random. [Goldstein] Goldstein, Poole, Safko, Classical Mechanics, p. 162.
+// random.
 
 #include <numbers>
 
@@ -22,102 +21,6 @@ constexpr Parameter parameters[] = {
     {"gap", 1, "", "distance of the triangle's two edge vectors", 0x1p-20, 1},
     {"seed", 11, "", "of the random samples", 0, 1e9},
 };
-
-// ---- the methods ------------------------------------------------------------------------------------------
-
-const Vector axis{1.0 / 3, 2.0 / 3, 2.0 / 3};
-
-/// The edges of a triangle; for gap = 2^-k, k <= 30, b is exact.
-struct Triangle {
-  Vector a{47436513 * 0x1p-25, 25959777 * 0x1p-25, -12996065 * 0x1p-25}, d;
-  explicit Triangle(double gap) : d(gap * Vector{-0.5, 1, 0.75}) {}
-  Vector b() const { return a + d; }
-};
-
-/// Steps or terms; 1 for a formula without.
-long work_of(double setting) { return std::max(1L, static_cast<long>(setting)); }
-
-Vector unit(const Vector& a) { return 1 / length(a) * a; }
-
-Quantity rotated_normal(double theta, double gap, const Reference& truth) {
-  Quantity q = quantity("rotated_normal", "", "unit normal of a rotated triangle with edges a, b",
-                        truth("02_11_rotated_normal", {theta, gap}),
-                        {1e-9, "nine digits: edges 2^-20 apart have no more"});
-  const Triangle t(gap);
-  for (const Way& way : ways(axis, theta)) {
-    const bool mirror = way.name == "rotation and mirror";
-    const auto add = [&](const std::string& name, bool right, long cost, const auto& normal) {
-      q.add({way.name, name, way.knob,
-             [=](double n) {
-               return Answer{unit(normal(way.map(static_cast<int>(n)))), cost};
-             },
-             right ? Outcome::ok : Outcome::inaccurate,
-             right    ? ""
-             : mirror ? "a mirror turns the product of two vectors another way than a vector"
-                      : "the angle or the length is off by more than nine digits"});
-    };
-    add("a x b, then rotated", way.rotates && way.by_theta, 1,
-        [t](const Map& R) { return R(cross(t.a, t.b())); });
-    add("a, b rotated, then product", (way.rotates && way.by_theta) || mirror, 2,
-        [t](const Map& R) { return cross(R(t.a), R(t.b())); });
-  }
-  return q;
-}
-
-Quantity identity_gap(double theta) {
-  Quantity q{"identity",
-             "",
-             "(R a) x (R b) - R (a x b) for the triangle with gap 1",
-             {"zero, for every rotation", Vector{}},
-             0,
-             {1e-12, "rounding of a few hundred products"},
-             {},
-             {}};
-  const Triangle t(1);
-  for (const Way& way : ways(axis, theta))
-    q.add({way.name, "both ways", way.knob,
-           [=](double n) {
-             const Map R = way.map(static_cast<int>(n));
-             return Answer{cross(R(t.a), R(t.b())) - R(cross(t.a, t.b())), 3 * work_of(n)};
-           },
-           way.rotates ? Outcome::ok : Outcome::inaccurate, way.rotates ? "" : "it is no rotation"});
-  q.add(Breakdown{
-      "Euler's steps lengthen every vector, and a product of two twice over; Cayley's steps turn by "
-      "the wrong angle, but they turn, and the identity holds from the first step on.",
-      "Euler steps, both ways", 1024, Outcome::inaccurate, "Cayley steps, both ways", 4});
-  return q;
-}
-
-Quantity sliver_normal(const Reference& truth) {
-  Quantity q = quantity("sliver_normal", "", "the same, edges 2^-30 apart, rotated by 2 rad",
-                        truth("02_11_rotated_normal", {2, 0x1p-30}), {1e-12, "twelve digits"});
-  const Triangle t(0x1p-30);
-  const Map R = rodrigues(axis, 2);
-  const auto add = [&](const std::string& model, const std::string& algorithm, long cost, const auto& normal,
-                       const std::string& why = "") {
-    q.add({model, algorithm, no_knob(),
-           [=](double) {
-             return Answer{unit(normal()), cost};
-           },
-           why.empty() ? Outcome::ok : Outcome::inaccurate, why});
-  };
-  const std::string cancels = "nine digits of a x b cancel";
-  add(
-      "edges a, b", "rotated, then product", 2, [=] { return cross(R(t.a), R(t.b())); }, cancels);
-  add(
-      "edges a, b", "product, then rotated", 1, [=] { return R(cross(t.a, t.b())); }, cancels);
-  add(
-      "edges a, b", "rotated, subtracted, then product", 2, [=] { return cross(R(t.a), R(t.b()) - R(t.a)); },
-      "R b - R a has the rounding of both");
-  add("edges a, b - a", "rotated, then product", 2, [=] { return cross(R(t.a), R(t.b() - t.a)); });
-  add("edges a, b - a", "product, then rotated", 1, [=] { return R(cross(t.a, t.b() - t.a)); });
-  q.add(
-      Breakdown{"Of two nearly equal edges the product keeps seven digits, in whatever order one rotates. "
-                "a x (b - a) is the same product and keeps them all, if b - a is formed before the rotation.",
-                "edges a, b, rotated, then product", 0, Outcome::inaccurate,
-                "edges a, b - a, rotated, then product", 0});
-  return q;
-}
 
 // ---- the claims -------------------------------------------------------------------------------------------
 

@@ -193,7 +193,7 @@ void add_events(Quantity& arrival, const std::string& name, const Model& model) 
 inline const std::string stuck = "energy in q", regular = "energy in u", one = "one coordinate",
                          cartesian = "Cartesian with constraints", raw = "energy integral over q",
                          substituted = "energy integral over u";
-inline const std::string dormand_prince{ode::DormandPrince54::name};
+inline const std::string fehlberg{ode::Fehlberg78::name};
 
 inline void add_integrals(Quantity& arrival, const Bead& bead) {
   const double q0 = bead.q0;
@@ -221,19 +221,20 @@ inline Quantity arrival(const Bead& bead, const Reference& truth) {
                            truth("03_07_arrival", {bead.q0, bead.g}), {});
   time.need = {4e-10 * time.reference.value[0], "nine decimals of the book's case"};
   add_integrals(time, bead);
-  add_events(time, regular, EnergyInU{bead});
+  add_event<ode::RungeKutta4>(time, regular, EnergyInU{bead});
+  add_event<ode::Fehlberg78>(time, regular, EnergyInU{bead});
   add_events(time, one, OneCoordinate{bead});
-  add_events(time, cartesian, CartesianWithConstraints{bead});
-  add_event<ode::DormandPrince54>(time, stuck, EnergyInQ{bead}, Outcome::raised,
-                                  "q = q0 for ever solves it too, and that is the solution taken");
+  add_event<ode::Fehlberg78>(time, cartesian, CartesianWithConstraints{bead});
+  add_event<ode::Fehlberg78>(time, stuck, EnergyInQ{bead}, Outcome::raised,
+                             "q = q0 for ever solves it too, and that is the solution taken");
   time.add(
-      Breakdown{"The time's integrand is infinite at the release, and bisection goes there until it divides "
-                "by zero. In u, with q = q0 (1 - u^2), it is smooth: 16 points give twelve digits.",
+      Breakdown{"The time's integrand is infinite at the release, and bisection goes there until it "
+                "divides by zero. In u, with q = q0 (1 - u^2), it is smooth: 16 points give twelve digits.",
                 raw + ", QAG", 1e-10, Outcome::non_finite, substituted + ", Gauss-Legendre", 16});
   time.add(Breakdown{
-      "Energy alone, q' = -std::sqrt(...), lets a bead at rest stay at rest: the event never comes. In u "
+      "Energy alone, q' = -sqrt(...), lets a bead at rest stay at rest: the event never comes. In u "
       "the same level is regular at the release, and the bead leaves.",
-      stuck + ", " + dormand_prince, 1e-12, Outcome::raised, regular + ", " + dormand_prince, 1e-12});
+      stuck + ", " + fehlberg, 1e-12, Outcome::raised, regular + ", " + fehlberg, 1e-12});
   return time;
 }
 
@@ -263,17 +264,18 @@ inline Quantity slide(const Bead& bead, const Reference& truth) {
   position.need = {1e-7 * size_of(position.reference.value), "a ten-millionth of the farthest coordinate"};
   Ladder(position, horizon, halving("step", 0.125, 9), tolerances())
       .closed_form("straight tangent", StraightTangent{bead}, Outcome::inaccurate, "the curve bends away")
-      .by<ode::DormandPrince54>(stuck, EnergyInQ{bead}, Outcome::inaccurate, "the bead never moves")
-      .by_all(regular, EnergyInU{bead})
+      .by<ode::Fehlberg78>(stuck, EnergyInQ{bead}, Outcome::inaccurate, "the bead never moves")
+      .by<ode::RungeKutta4>(regular, EnergyInU{bead})
+      .by<ode::Fehlberg78>(regular, EnergyInU{bead})
       .by_all(one, OneCoordinate{bead})
       .by_all(cartesian, CartesianWithConstraints{bead});
   position.add({substituted, "Gauss-Legendre, inverted by Brent", doubling("points", 4, 6), [=](double n) {
                   return by_inverted_integral(EnergyInU{bead}, horizon, static_cast<int>(n));
                 }});
-  position.add(Breakdown{
-      "Energy alone, q' = -std::sqrt(...), lets a bead at rest stay at rest; the second-order "
-      "equation does not.",
-      stuck + ", " + dormand_prince, 1e-12, Outcome::inaccurate, one + ", " + dormand_prince, 1e-12});
+  position.add(
+      Breakdown{"Energy alone, q' = -sqrt(...), lets a bead at rest stay at rest; the second-order "
+                "equation does not.",
+                stuck + ", " + fehlberg, 1e-12, Outcome::inaccurate, one + ", " + fehlberg, 1e-12});
   return position;
 }
 

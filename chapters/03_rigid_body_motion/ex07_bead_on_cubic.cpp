@@ -3,13 +3,15 @@
 //   one coordinate   (1 + 4q^2 + 9q^4) q'' = -(3g q^2 + 2q (2 + 9q^2) q'^2)
 //   energy           (1 + 4q^2 + 9q^4) q'^2 = 2g (q0^3 - q^3)
 // The equations judged are compared with Lagrange's equation, whose Lagrangian is differentiated by dual
-// numbers from the curve alone, and with the wire's forces in Cartesian coordinates. On the energy's level q
-// = q0 for ever is a solution too, and the time's integrand is infinite at q0; with q = q0 (1 - u^2) neither
-// is so.
+// numbers from the curve alone, and with the wire's forces in Cartesian coordinates. On the energy's level
+// q = q0 for ever is a solution too, and the time's integrand is infinite at q0; with q = q0 (1 - u^2)
+// neither is so.
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wuninitialized"  // Odeint copies steppers before their scratch is written
 #endif
+
+#include <algorithm>
 
 #include "chapters/03_rigid_body_motion/bead_on_cubic.hpp"
 
@@ -100,8 +102,8 @@ std::vector<Claim> formulas(double seed) {
                         }},
                        seed)}};
   all.back().why =
-      "The wire pushes as well: at the release with $\\sqrt{70}/14 = 0.598$ of the bead's weight. Its force "
-      "is normal to the curve and does no work, so that the conclusion stands.";
+      "The wire pushes as well: at the release with $\\sqrt{70}/14 = 0.598$ of the bead's weight. Its "
+      "force is normal to the curve and does no work, so that the conclusion stands.";
   return all;
 }
 
@@ -279,6 +281,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   std::vector<Claim> claims = formulas(p["seed"]);
   for (const auto& more : {run_down(run), arrival_claims(run, truth)})
     claims.insert(claims.end(), more.begin(), more.end());
+  std::ranges::stable_sort(claims, {}, &Claim::line);
   return {claims, {arrival(bead, truth), slide(bead, truth)}};
 }
 

@@ -27,8 +27,7 @@ struct Start {
   }
 };
 
-// ---- Kepler's equation E - e sin E = M, for |M| <= pi
-// -------------------------------------------------------
+// ---- Kepler's equation E - e sin E = M, 0 <= M <= pi ------------------------------------------------------
 
 /// Newton's method from E0; `stalled` when the last correction is not small after so many iterations.
 inline Solved<double> newton(double e, double M, double E0, int iterations) {
@@ -104,8 +103,7 @@ struct Ellipse {
   double minor;
 };
 
-// ---- models
-// -------------------------------------------------------------------------------------------------
+// ---- models -----------------------------------------------------------------------------------------------
 
 /// How much the energy and the angular momentum have changed: 1 + the larger relative change.
 inline double both_kept(double energy, double energy0, double h, double h0) {
@@ -165,6 +163,8 @@ struct Distance : Start {
 };
 
 /// (theta): equation (7), and V from equation (3). `V0` is the potential at the start that c0 and c1 take.
+/// On an ellipse V never changes its sign; at the aphelion it is (1 - e) times its mean, so that r loses as
+/// much.
 struct OneAngle : Start {
   double alpha, mean, c0, c1;
 

@@ -66,14 +66,15 @@ Check compare(std::string quantity, const Version<Sample>& left, const Version<S
   return worst.check();
 }
 
-/// The claim that `printed` is the quantity which `truth` computes, with versions that must not be.
+/// The claim that `what` is as printed, judged by the version `truth`, with versions that must not be.
 template <class Sample>
-Claim formula_claim(std::string id, int line, std::string says, double seed, const Version<Sample>& printed,
-                    const Version<Sample>& truth, const std::vector<Version<Sample>>& near_misses) {
-  Claim claim{std::move(id), line, std::move(says)};
-  claim.printed = {printed.text, {compare(claim.says, printed, truth, seed)}};
+Claim formula_claim(std::string id, int line, const std::string& what, double seed,
+                    const Version<Sample>& printed, const Version<Sample>& truth,
+                    const std::vector<Version<Sample>>& near_misses) {
+  Claim claim{std::move(id), line, what + ": " + printed.text};
+  claim.printed = {printed.text, {compare(what, printed, truth, seed)}};
   for (const Version<Sample>& near : near_misses)
-    claim.near_misses.push_back({near.text, {compare(claim.says, near, truth, seed)}});
+    claim.near_misses.push_back({near.text, {compare(what, near, truth, seed)}});
   return claim;
 }
 

@@ -110,7 +110,7 @@ inline Knob steps(int last = 31) {
 }
 
 inline Tolerance nine_digits(const Value& of) {
-  return {1e-9 * size_of(of), "nine digits of the largest component"};
+  return {1e-9 * std::max(size_of(of), 1e-6), "nine digits of the largest component"};
 }
 
 /// Adds a model by every way: `compute` takes a way and returns the value. Costs count calls of the factors,

@@ -26,43 +26,30 @@ void fill(Sample& s, const Drawn& d) {
   for (std::size_t j = 0; j < 3; ++j) s.put("slope" + digit(j), along(position, d.x, axes[j]));
 }
 
-/// One row a component, `#` standing for it.
-std::vector<Row> rows(const std::string& left, const std::string& right) {
-  std::vector<Row> all;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto at_component = [&](std::string text) {
-      for (char& c : text)
-        if (c == '#') c = digit(i)[0];
-      return text;
-    };
-    all.push_back({at_component(left), at_component(right)});
-  }
-  return all;
-}
-
 std::vector<Claim> claims(Random random) {
   Proof proof("5.1", sampled(random, fill));
   const std::string turned = "f.grad along a turned frame";
   proof.line("operator", 3105, "f.grad is f0 d/dx0 + f1 d/dx1 + f2 d/dx2 (on any field g)",
-             rows("fgrad_g#", "f0 g#,0 + f1 g#,1 + f2 g#,2"), turned);
-  proof.line(
-      "distributed", 3115, "the operator goes to every component of the position",
-      rows("fgrad_x#", "f0 x#,0 + f1 x#,1 + f2 x#,2"), turned,
-      {rows("fgrad_x#", "f1 x#,0 + f0 x#,1 + f2 x#,2"), rows("fgrad_x#", "f0 x#,0 - f1 x#,1 + f2 x#,2")});
+             each_component("fgrad_g#", "f0 g#,0 + f1 g#,1 + f2 g#,2"), turned);
+  proof.line("distributed", 3115, "the operator goes to every component of the position",
+             each_component("fgrad_x#", "f0 x#,0 + f1 x#,1 + f2 x#,2"), turned,
+             {each_component("fgrad_x#", "f1 x#,0 + f0 x#,1 + f2 x#,2"),
+              each_component("fgrad_x#", "f0 x#,0 - f1 x#,1 + f2 x#,2")});
   for (std::size_t j = 0; j < 3; ++j)
     proof.line("unit_vector_" + digit(j), 3125,
                "the derivative of the position by x" + digit(j) + " is e" + digit(j),
-               rows("slope" + digit(j) + "#", "e" + digit(j) + "#"),
+               each_component("slope" + digit(j) + "#", "e" + digit(j) + "#"),
                "the position along an axis, dual numbers",
-               {rows("slope" + digit(j) + "#", "e" + digit((j + 1) % 3) + "#"),
-                rows("slope" + digit(j) + "#", "- e" + digit(j) + "#")});
+               {each_component("slope" + digit(j) + "#", "e" + digit((j + 1) % 3) + "#"),
+                each_component("slope" + digit(j) + "#", "- e" + digit(j) + "#")});
   proof.line("sum_of_unit_vectors", 3125, "(f.grad) x is f0 e0 + f1 e1 + f2 e2",
-             rows("fgrad_x#", "f0 e0# + f1 e1# + f2 e2#"), turned,
-             {rows("fgrad_x#", "f0 e1# + f1 e0# + f2 e2#"), rows("fgrad_x#", "f0 e0# + f1 e1# - f2 e2#")});
-  proof.line("components", 3127, "its components are f0, f1, f2",
-             {{"fgrad_x0", "f0"}, {"fgrad_x1", "f1"}, {"fgrad_x2", "f2"}}, turned);
-  proof.line("identity", 3129, "(f.grad) x = f", rows("along_f#", "f#"), "the position along f, dual numbers",
-             {rows("along_f#", "- f#"), rows("along_f#", "div_x f#")});
+             each_component("fgrad_x#", "f0 e0# + f1 e1# + f2 e2#"), turned,
+             {each_component("fgrad_x#", "f0 e1# + f1 e0# + f2 e2#"),
+              each_component("fgrad_x#", "f0 e0# + f1 e1# - f2 e2#")});
+  proof.line("components", 3127, "its components are f0, f1, f2", each_component("fgrad_x#", "f#"), turned);
+  proof.line("identity", 3129, "(f.grad) x = f", each_component("along_f#", "f#"),
+             "the position along f, dual numbers",
+             {each_component("along_f#", "- f#"), each_component("along_f#", "div_x f#")});
   return proof.claims;
 }
 

@@ -58,7 +58,7 @@ void fill(Sample& s, const Drawn& d) {
     s.put("row" + digit(i) + "_f", along(d.f, d.x, m[i]));
   }
   s.put("v", point(turn * f));
-  s.put("w", point(turn * g));
+  s.put("u", point(turn * g));
   s.put("g", point(g));
   s.put_scalar("phi", d.phi, d.x);
   s.put_vector("f", d.f, d.x);
@@ -73,16 +73,10 @@ std::vector<Claim> claims(Random random) {
       "m00 f0,0 + m01 f1,0 + m02 f2,0 + m10 f0,1 + m11 f1,1 + m12 f2,1 + m20 f0,2 + m21 f1,2 + m22 f2,2";
 
   proof.line("product", 3271, "m_ij f_j, summed over j, is M f",
-             {{"Mf0", "m00 f0 + m01 f1 + m02 f2"},
-              {"Mf1", "m10 f0 + m11 f1 + m12 f2"},
-              {"Mf2", "m20 f0 + m21 f1 + m22 f2"}},
-             by_eigen);
+             each_component("Mf#", "m#0 f0 + m#1 f1 + m#2 f2"), by_eigen);
   proof.line("free_i", 3271,
              "i being the only free index, m_ij f_j is a vector: it turns with its factors (n, v)",
-             {{"turned_Mf0", "n00 v0 + n01 v1 + n02 v2"},
-              {"turned_Mf1", "n10 v0 + n11 v1 + n12 v2"},
-              {"turned_Mf2", "n20 v0 + n21 v1 + n22 v2"}},
-             "M f, turned");
+             each_component("turned_Mf#", "n#0 v0 + n#1 v1 + n#2 v2"), "M f, turned");
   proof.line("divergence", 3273, "div (M f) is d(m_ij f_j)/dx_i (h = M f)",
              {{"div_Mf", "h0,0 + h1,1 + h2,2"}}, whole);
   Claim& constants = proof.line("constants_outside", 3283, "the constants m_ij move out of the derivatives",
@@ -91,25 +85,14 @@ std::vector<Claim> claims(Random random) {
       {"the same of a matrix that varies, phi M",
        {compare(proof.samples, {{"div_phi_Mf", "phi (" + outside + ")"}}, whole)}});
   proof.line("row_times_matrix", 3285, "g_i m_ij, summed over i, is g^T M",
-             {{"gTM0", "g0 m00 + g1 m10 + g2 m20"},
-              {"gTM1", "g0 m01 + g1 m11 + g2 m21"},
-              {"gTM2", "g0 m02 + g1 m12 + g2 m22"}},
-             by_eigen);
+             each_component("gTM#", "g0 m0# + g1 m1# + g2 m2#"), by_eigen);
   proof.line("free_j", 3285,
-             "j being the only free index, g_i m_ij is a vector: it turns with its factors (w, n)",
-             {{"turned_gTM0", "w0 n00 + w1 n10 + w2 n20"},
-              {"turned_gTM1", "w0 n01 + w1 n11 + w2 n21"},
-              {"turned_gTM2", "w0 n02 + w1 n12 + w2 n22"}},
-             "g^T M, turned");
+             "j being the only free index, g_i m_ij is a vector: it turns with its factors (u, n)",
+             each_component("turned_gTM#", "u0 n0# + u1 n1# + u2 n2#"), "g^T M, turned");
   proof.line("commuted", 3285, "written m_ij g_i, it is M^T g",
-             {{"MTg0", "m00 g0 + m10 g1 + m20 g2"},
-              {"MTg1", "m01 g0 + m11 g1 + m21 g2"},
-              {"MTg2", "m02 g0 + m12 g1 + m22 g2"}},
-             by_eigen);
+             each_component("MTg#", "m0# g0 + m1# g1 + m2# g2"), by_eigen);
   proof.line("operator", 3291, "so m_ij d/dx_i is M^T grad (on any field phi)",
-             {{"MTgrad_phi0", "m00 phi,0 + m10 phi,1 + m20 phi,2"},
-              {"MTgrad_phi1", "m01 phi,0 + m11 phi,1 + m21 phi,2"},
-              {"MTgrad_phi2", "m02 phi,0 + m12 phi,1 + m22 phi,2"}},
+             each_component("MTgrad_phi#", "m0# phi,0 + m1# phi,1 + m2# phi,2"),
              "M^T times the gradient along a turned frame, by Eigen");
   Claim& identity = proof.line("identity", 3293, "div (M f) = (M^T grad).f: each f_j along column j of M",
                                {{"div_Mf", "column0_f0 + column1_f1 + column2_f2"}}, whole);

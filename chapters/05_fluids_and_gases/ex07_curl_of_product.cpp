@@ -53,9 +53,7 @@ std::vector<Claim> claims(Random random) {
               {"grad_phi_x_f2", "phi,0 f1 - phi,1 f0"}},
              "grad phi along a turned frame");
   proof.line("identity", 3367, "curl (phi f) = phi curl f + grad phi x f",
-             {{"curl_phi_f0", "phi curl_f0 + grad_phi_x_f0"},
-              {"curl_phi_f1", "phi curl_f1 + grad_phi_x_f1"},
-              {"curl_phi_f2", "phi curl_f2 + grad_phi_x_f2"}},
+             each_component("curl_phi_f#", "phi curl_f# + grad_phi_x_f#"),
              "phi f differentiated as one field along a turned frame");
   return proof.claims;
 }
@@ -66,7 +64,7 @@ Quantity curl_of_product(const Parameters& p, const Reference& truth) {
   const auto f = at.f();
   const Point x = at.x;
   const Known known = truth("05_07_curl", at.inputs());
-  Quantity q = quantity("curl_of_product", "1", "curl (phi f) at x, for two fields of wave number w", known,
+  Quantity q = quantity("curl_of_product", "1/m", "curl (phi f) at x, for two fields of wave number w", known,
                         nine_digits(known.value));
   add_ways(q, "product as one field", 2, [=](auto& way) { return curl_by(way, times(phi, f), x); });
   add_ways(q, "phi curl f + grad phi x f", 1, [=](auto& way) {

@@ -39,8 +39,7 @@ void fill(Sample& s, const Drawn& d) {
 std::vector<Claim> claims(Random random, const Known& mixed) {
   Proof proof("5.9", sampled(random, fill));
   const std::string turned = "curl grad phi along a turned frame";
-  proof.line("gradient", 3373, "the gradient in coordinates",
-             {{"grad0", "phi,0"}, {"grad1", "phi,1"}, {"grad2", "phi,2"}},
+  proof.line("gradient", 3373, "the gradient in coordinates", each_component("grad#", "phi,#"),
              "the gradient along a turned frame");
   const auto component = [&](int at, const std::string& i, const std::vector<Row>& terms,
                              const std::string& any) {
@@ -51,9 +50,8 @@ std::vector<Claim> claims(Random random, const Known& mixed) {
   component(3379, "0", {{"grad2,1", "phi,21"}, {"- grad1,2", "- phi,12"}}, "v2,1 - v1,2");
   component(3387, "1", {{"grad0,2", "phi,02"}, {"- grad2,0", "- phi,20"}}, "v0,2 - v2,0");
   component(3395, "2", {{"grad1,0", "phi,10"}, {"- grad0,1", "- phi,01"}}, "v1,0 - v0,1");
-  proof.line("identity", 3403, "curl grad phi = 0",
-             {{"curl_grad0", "zero"}, {"curl_grad1", "zero"}, {"curl_grad2", "zero"}}, turned,
-             {{{"curl_v0", "zero"}, {"curl_v1", "zero"}, {"curl_v2", "zero"}},
+  proof.line("identity", 3403, "curl grad phi = 0", each_component("curl_grad#", "zero"), turned,
+             {each_component("curl_v#", "zero"),
               {{"phi,21 + phi,12", "zero"}, {"phi,02 + phi,20", "zero"}, {"phi,10 + phi,01", "zero"}}});
   Claim& order =
       proof.line("order", 3405, "where second derivatives are continuous, their order is irrelevant",

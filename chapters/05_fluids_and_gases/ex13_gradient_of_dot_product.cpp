@@ -85,11 +85,8 @@ std::vector<Claim> claims(Random random) {
   components("third_term", {3625, 3633, 3641}, "(f.grad) g, equation (11)", "fgrad_g", third_11, turned);
   components("fourth_term", {3655, 3663, 3671}, "(g.grad) f, equation (12)", "ggrad_f", fourth_12, turned);
 
-  std::vector<Row> rows;
-  for (std::size_t i = 0; i < 3; ++i)
-    rows.push_back({"grad_fg" + digit(i), "f_x_curl_g" + digit(i) + " + g_x_curl_f" + digit(i) +
-                                              " + fgrad_g" + digit(i) + " + ggrad_f" + digit(i)});
-  proof.line("sum", 3681, "the four terms add up to grad (f.g)", rows,
+  proof.line("sum", 3681, "the four terms add up to grad (f.g)",
+             each_component("grad_fg#", "f_x_curl_g# + g_x_curl_f# + fgrad_g# + ggrad_f#"),
              "f.g differentiated as one field along a turned frame");
   Claim cancels{"5.13-cancellation", 3681, "in the sum of (9) to (12) quite a few terms cancel; (8) is left"};
   cancels.printed = {"8 of 14 terms cancel in each component", cancellation(proof.samples[0], true)};

@@ -183,6 +183,17 @@ struct Row {
   std::string left, right;
 };
 
+/// A row for each component, which `#` stands for.
+inline std::vector<Row> each_component(const std::string& left, const std::string& right) {
+  std::vector<Row> all;
+  for (char i : {'0', '1', '2'}) {
+    all.push_back({left, right});
+    std::ranges::replace(all.back().left, '#', i);
+    std::ranges::replace(all.back().right, '#', i);
+  }
+  return all;
+}
+
 inline std::string written(const std::vector<Row>& rows) {
   std::string text;
   for (const Row& row : rows) text += (text.empty() ? "" : "; ") + row.left + " = " + row.right;

@@ -32,7 +32,14 @@ void put(std::vector<double>& value, const std::vector<long>& ids) {
 Quantity bins_of(std::string name, std::string says, const std::vector<Lattice>& spheres, const Grid& grid) {
   std::vector<double> value;
   for (const Lattice& s : spheres) put(value, exact_ids(s, grid, hit_exactly));
-  return {std::move(name), "1", std::move(says), {"every bin in exact integers", value}, 0, exact(), {}, {}};
+  return {std::move(name),
+          "1",
+          std::move(says),
+          {"every bin in exact integers", value},
+          0,
+          {0.5, "whole numbers"},
+          {},
+          {}};
 }
 
 template <class Find>
@@ -130,7 +137,8 @@ Quantity by_hand(std::string name, std::string says, std::string because, const 
   std::vector<long> ids;
   for (const Index& i : hit) ids.push_back(grid.id(i));
   put(value, ids);
-  return {std::move(name), "1", std::move(says), {std::move(because), value}, 0, exact(), {}, {}};
+  return {
+      std::move(name), "1", std::move(says), {std::move(because), value}, 0, {0.5, "whole numbers"}, {}, {}};
 }
 
 Quantity tiny_sphere() {
@@ -194,7 +202,7 @@ Quantity objects_held(const Parameters& p) {
              "objects inside each of 8 spheres, 512 objects in a world of side 16",
              {"every object in exact integers", held},
              0,
-             exact(),
+             {0.5, "whole numbers"},
              {},
              {}};
   const Knob across = doubling("bins an axis", 2, 5);

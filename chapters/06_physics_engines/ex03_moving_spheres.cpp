@@ -91,7 +91,7 @@ Quantity pairs(const Parameters& p) {
              "and comparisons made are counted",
              {"every pair in exact integers", exact_pairs(all, count)},
              0,
-             exact(),
+             {0.5, "whole numbers"},
              {},
              {}};
   const auto add = [&](const char* model, const char* algorithm, const Knob& knob, const auto& find,

@@ -4,8 +4,7 @@
 // an entry. The counts come from eliminations run on counted numbers, never from a formula, and are compared
 // exactly, as coefficients of mu, alpha and delta; that the eliminations are right is seen modulo a prime.
 
-#include <functional>
-
+#include "chapters/07_linear_algebra/cost_laws.hpp"
 #include "chapters/07_linear_algebra/systems.hpp"
 #include "reference/text.hpp"
 
@@ -44,52 +43,6 @@ Cost sum_over_columns(const Counts& c) {
 }
 Cost total(const Counts& c) { return c.full + c.division; }
 Cost excess(const Counts& c) { return total(c) - c.forward_and_back; }
-
-using Table = std::vector<Counts>;
-
-/// Every size to 64, and some beyond; the largest first.
-Table counted_sizes() {
-  Table table;
-  for (std::size_t n : {200, 150, 100}) table.push_back(count(n));
-  for (std::size_t n = 64; n > 0; --n) table.push_back(count(n));
-  return table;
-}
-
-struct Formula {
-  std::string text;
-  std::function<Cost(double n)> cost;
-};
-
-/// A cost and what it should be: the formula as printed, what is true if that is not, else a near miss.
-struct Law {
-  std::string id;
-  int line;
-  std::string says, left;
-  std::function<Cost(const Counts&)> cost;
-  Formula printed, corrected, near_miss;
-  std::string why = {};
-};
-
-Reading reading(const Table& table, const Law& law, const Formula& formula) {
-  if (!formula.cost) return {};
-  Worst worst("coefficients of mu, alpha, delta", law.left, formula.text);
-  for (const Counts& c : table) {
-    const Cost left = law.cost(c), right = formula.cost(c.n);
-    if (c.n > 1)
-      worst.see({left.mu, left.alpha, left.delta}, {right.mu, right.alpha, right.delta}, exact(),
-                c.n * c.n * c.n, "n = " + shortest(c.n));
-  }
-  return {formula.text, {worst.check()}};
-}
-
-Claim claim(const Table& table, const Law& law) {
-  Claim claim{law.id, law.line, law.says};
-  claim.printed = reading(table, law, law.printed);
-  claim.corrected = reading(table, law, law.corrected);
-  if (law.near_miss.cost) claim.near_misses = {reading(table, law, law.near_miss)};
-  claim.why = law.why;
-  return claim;
-}
 
 std::vector<Law> laws() {
   const std::string counted = "counted", printed = "C' - C, both as printed";

@@ -117,19 +117,17 @@ Vector2d polar(const Vector2d& a, double radius) {
 }
 
 Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth, Outcome squares) {
-  Known known = truth("08_01_coordinates", {a[0], a[1]});
-  for (double& x : known.value) x = std::ldexp(x, exponent);
-  known.error = std::ldexp(known.error, exponent);
-  const double size = std::ldexp(std::max(1.0, a.norm()), exponent);
-  const Vector2d scaled = std::ldexp(1.0, exponent) * a;
-  Quantity q = quantity(exponent == 0 ? "coordinates" : "huge_coordinates", "m",
+  const Known known = truth("08_01_coordinates", {a[0], a[1]});
+  const double scale = std::ldexp(1.0, exponent);
+  Quantity q = quantity(exponent == 0 ? "coordinates" : "huge_coordinates",
+                        exponent == 0 ? "m" : "2^" + std::to_string(exponent) + " m",
                         exponent == 0 ? "(b1, b2)" : "(b1, b2), a times 2^" + std::to_string(exponent), known,
-                        {1e-14 * size, "a few dozen roundings"});
+                        {1e-14 * std::max(1.0, a.norm()), "a few dozen roundings"});
   const auto add = [&](const char* model, const char* algorithm, long multiplications, const auto& find,
                        Outcome expected = Outcome::ok, const char* why = "") {
     q.add({model, algorithm, no_knob(),
            [=](double) {
-             return Answer{Value(find(scaled)), multiplications};
+             return Answer{Value(Vector2d(find(scale * a) / scale)), multiplications};
            },
            expected, why});
   };

@@ -141,7 +141,8 @@ Quantity parallel(std::string name, std::string says, std::string because, const
                   Outcome in_integers, Outcome in_doubles, const std::string& why) {
   std::vector<double> truth;
   for (const Pair& pair : pairs) truth.push_back(pair.parallel);
-  Quantity q{std::move(name), "1", std::move(says), {std::move(because), truth}, 0, exact(), {}, {}};
+  Quantity q{
+      std::move(name), "1", std::move(says), {std::move(because), truth}, 0, {0.5, "whole numbers"}, {}, {}};
   const auto add = [&](const char* model, const char* algorithm, const Knob& knob, Outcome expected,
                        const auto& judge) {
     q.add({model, algorithm, knob,

@@ -24,7 +24,7 @@ constexpr Parameter parameters[] = {
 
 // ---- distances --------------------------------------------------------------------------------------------
 
-/// A triangle and points to measure from, all of it times 2^exponent.
+/// A triangle and points to measure from, all of it times 2^exponent, in which unit distances are given back.
 struct Case {
   Triangle<double> w;
   std::vector<Point> points;
@@ -53,7 +53,8 @@ std::vector<double> distances(const Case& at, const F& f, int setting) {
   const Triangle<T> w{
       {as<T>(at.w.v[0], at.exponent), as<T>(at.w.v[1], at.exponent), as<T>(at.w.v[2], at.exponent)}};
   std::vector<double> all;
-  for (const Point& p : at.points) all.push_back(static_cast<double>(f(w, as<T>(p, at.exponent), setting)));
+  for (const Point& p : at.points)
+    all.push_back(std::ldexp(static_cast<double>(f(w, as<T>(p, at.exponent), setting)), -at.exponent));
   return all;
 }
 
@@ -64,12 +65,12 @@ Quantity distance_quantity(std::string name, std::string says, const Case& at, c
     for (const Point& vertex : at.w.v) inputs.insert(inputs.end(), vertex.begin(), vertex.end());
     inputs.insert(inputs.end(), p.begin(), p.end());
     const Known one = truth("09_01_distance", inputs);
-    known.value.push_back(std::ldexp(one.value[0], at.exponent));
-    known.error = std::max(known.error, std::ldexp(one.error, at.exponent));
+    known.value.push_back(one.value[0]);
+    known.error = std::max(known.error, one.error);
     if (known.source.empty() || one.source.starts_with("computed")) known.source = one.source;
   }
-  return quantity(std::move(name), "m", std::move(says), known,
-                  {std::ldexp(1e-12, at.exponent), "a few thousand roundings of the triangle's size"});
+  return quantity(std::move(name), at.exponent == 0 ? "m" : "2^" + std::to_string(at.exponent) + " m",
+                  std::move(says), known, {1e-12, "a few thousand roundings of the triangle's size"});
 }
 
 /// Adds a method to a quantity: `f(triangle, point, setting)` is generic in the number type, and what it

@@ -4,8 +4,8 @@
 
 // Columns of the half disc x^2 + y^2 <= 1, y >= 0 with the density exp(k x):
 //   mass = int e^(kx) sqrt(1 - x^2) = pi I1(k)/k, first moments pi I2(k)/k and 2 (k cosh k - sinh k)/k^3
-//   [DLMF 10.32.2]. The second route takes circles of radius r: int_0^pi e^(kr cos t) dt = pi I0(kr) is not
-//   used.
+//   [DLMF 10.32.2]. Sectors: polar coordinates, the radius by a power series. [DLMF] NIST Digital Library of
+// Mathematical Functions.
 namespace oddity::truth {
 
 namespace {
@@ -18,8 +18,7 @@ Numbers by_bessel(const std::vector<double>& in, int) {
                   2 * (k * cosh(k) - sinh(k)) / (k * k * k));
 }
 
-/// Over the angle t from the x axis, the integral over the radius done by parts: with q = k cos t,
-/// int_0^1 r e^(qr) dr and int_0^1 r^2 e^(qr) dr as series, which no cancellation spoils.
+/// With q = k cos t: int_0^1 r^p e^(qr) dr = sum of q^n / (n! (n + p + 1)), integrated over the angle t.
 Numbers by_sectors(const std::vector<double>& in, int digits) {
   const Number k = in[0];
   const auto radial = [&](const Number& q, int power) -> Number {

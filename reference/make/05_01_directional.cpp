@@ -14,7 +14,7 @@ Truth truth_05_01_directional() {
     return sum;
   };
   return field_truth("(f.grad) x, f being the field in reference/make/fields.hpp",
-                     "f0 dx/dx0 + f1 dx/dx1 + f2 dx/dx2", {"v0", "v1", "v2"}, {}, field_rows(), position,
+                     "f0 dx/dx0 + f1 dx/dx1 + f2 dx/dx2", {"v0", "v1", "v2"}, "1", {}, field_rows(), position,
                      along_f);
 }
 

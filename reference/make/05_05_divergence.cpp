@@ -22,7 +22,7 @@ Truth truth_05_05_divergence() {
     rows.push_back(row);
   }
   return field_truth("divergence of h = M f, f being the field in reference/make/fields.hpp",
-                     "div h = dh0/dx0 + dh1/dx1 + dh2/dx2", {"div"},
+                     "div h = dh0/dx0 + dh1/dx1 + dh2/dx2", {"div"}, "1/m",
                      {"m00", "m01", "m02", "m10", "m11", "m12", "m20", "m21", "m22"}, rows, product,
                      divergence);
 }

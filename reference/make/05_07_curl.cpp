@@ -17,7 +17,7 @@ Truth truth_05_07_curl() {
   };
   return field_truth("curl of the product h = phi f of the two fields in reference/make/fields.hpp",
                      "curl h = (dh2/dx1 - dh1/dx2, dh0/dx2 - dh2/dx0, dh1/dx0 - dh0/dx1)",
-                     {"curl0", "curl1", "curl2"}, {}, field_rows(), product, curl);
+                     {"curl0", "curl1", "curl2"}, "1/m", {}, field_rows(), product, curl);
 }
 
 }  // namespace oddity::truth

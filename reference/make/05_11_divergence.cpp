@@ -20,7 +20,7 @@ Truth truth_05_11_divergence() {
   };
   return field_truth(
       "divergence of the cross product h = f x g of the two fields in reference/make/fields.hpp",
-      "div h = dh0/dx0 + dh1/dx1 + dh2/dx2", {"div"}, {}, field_rows(), product, divergence);
+      "div h = dh0/dx0 + dh1/dx1 + dh2/dx2", {"div"}, "1/m", {}, field_rows(), product, divergence);
 }
 
 }  // namespace oddity::truth

@@ -16,8 +16,8 @@ Truth truth_05_13_gradient() {
     return Numbers{d[0][0], d[1][0], d[2][0]};
   };
   return field_truth("gradient of the dot product h = f.g of the two fields in reference/make/fields.hpp",
-                     "grad h = (dh/dx0, dh/dx1, dh/dx2)", {"grad0", "grad1", "grad2"}, {}, field_rows(),
-                     product, gradient);
+                     "grad h = (dh/dx0, dh/dx1, dh/dx2)", {"grad0", "grad1", "grad2"}, "1/m", {},
+                     field_rows(), product, gradient);
 }
 
 }  // namespace oddity::truth

@@ -89,11 +89,11 @@ inline Number radius_for(const Number& w) { return 1 / (1 + w * w); }
 /// what the field takes besides.
 template <class Field, class Combine>
 Truth field_truth(std::string quantity, std::string formula, std::vector<std::string> components,
-                  std::vector<std::string> more_inputs, std::vector<std::vector<double>> rows, Field field,
-                  Combine combine) {
+                  const std::string& unit, std::vector<std::string> more_inputs,
+                  std::vector<std::vector<double>> rows, Field field, Combine combine) {
   Truth truth{
       std::move(quantity), std::move(formula), {"w", "x0", "x1", "x2"}, {}, std::move(rows), {}, {}, {}, {}};
-  for (std::string& name : components) truth.components.push_back({std::move(name), "1"});
+  for (std::string& name : components) truth.components.push_back({std::move(name), unit});
   truth.inputs.insert(truth.inputs.end(), more_inputs.begin(), more_inputs.end());
   truth.first_route = "differences of the whole field, extrapolated to step zero";
   truth.first = [=](const std::vector<double>& in, int) {

@@ -1,0 +1,212 @@
+#pragma once
+
+// The models and quantities of exercise 3.35: the top whose tip is at (A sin(lambda t), 0, 0).
+
+#include <complex>
+
+#include "chapters/03_rigid_body_motion/top.hpp"
+
+namespace oddity::top {
+
+/// The same top with its tip left where it is: what the solution proposes for the axis.
+inline Top with_fixed_tip(Top top) {
+  top.A = 0;
+  return top;
+}
+
+/// Near the vertical, z = d_x + i d_y: z'' - i a z' - alpha z = (m l A lambda^2/mu1) sin(lambda t).
+struct SmallTilt : Top {
+  Vector at(double t) const {
+    using Complex = std::complex<double>;
+    constexpr Complex i(0, 1);
+    const double kick = m * l * A * lambda * lambda / mu1;
+    const Complex forward = kick / (2.0 * i) / (-lambda * lambda + a() * lambda - alpha());
+    const Complex backward = -kick / (2.0 * i) / (-lambda * lambda - a() * lambda - alpha());
+    const AxisAndMomentum model{*this};
+    AxisAndMomentum::State rate;
+    model(model.start(), rate, 0);
+    const Complex root = std::sqrt(Complex(a() * a() - 4 * alpha()));
+    const Complex fast = (a() + root) / 2.0, slow = (a() - root) / 2.0;
+    const Complex z = Complex(axis()[0], axis()[1]) - forward - backward;
+    const Complex dz = Complex(rate[0], rate[1]) / i - lambda * (forward - backward);
+    const Complex of_fast = (dz - slow * z) / (fast - slow);
+    const Complex now = of_fast * std::exp(i * fast * t) + (z - of_fast) * std::exp(i * slow * t) +
+                        forward * std::exp(i * lambda * t) + backward * std::exp(-i * lambda * t);
+    return {now.real(), now.imag(), std::sqrt(std::max(0.0, 1 - std::norm(now)))};
+  }
+};
+
+/// The motion with the tip fixed, and its answer to the shaking to first order in A:
+/// (d, L, delta d, delta L).
+struct FirstOrderInA : Top {
+  using State = std::array<double, 12>;
+  State start() const {
+    State x{};
+    const auto fixed = AxisAndMomentum{*this}.start();
+    std::copy(fixed.begin(), fixed.end(), x.begin());
+    return x;
+  }
+  void operator()(const State& x, State& dxdt, double t) const {
+    const Vector d{x[0], x[1], x[2]}, L{x[3], x[4], x[5]}, dd{x[6], x[7], x[8]}, dL{x[9], x[10], x[11]};
+    const Vector weight{0, 0, -m * g}, push{-m * tip_acceleration(t), 0, 0};
+    const Vector turn = cross(L, d), pull = cross(d, weight), turn_1 = cross(dL, d), turn_2 = cross(L, dd),
+                 pull_1 = cross(dd, weight), pull_2 = cross(d, push);
+    for (std::size_t i = 0; i < 3; ++i) {
+      dxdt[i] = turn[i] / mu1;
+      dxdt[3 + i] = l * pull[i];
+      dxdt[6 + i] = (turn_1[i] + turn_2[i]) / mu1;
+      dxdt[9 + i] = l * (pull_1[i] + pull_2[i]);
+    }
+  }
+  Vector observe(const State& x, double) const {
+    const Vector d{x[0] + x[6], x[1] + x[7], x[2] + x[8]};
+    const double size = std::sqrt(dot(d, d));
+    return {d[0] / size, d[1] / size, d[2] / size};
+  }
+};
+
+inline std::vector<double> shaken_inputs(const Top& top) {
+  auto in = top.inputs();
+  in.insert(in.end(), {top.A, top.lambda});
+  return in;
+}
+
+inline constexpr const char* fixed_tip = "fixed tip, as proposed";
+inline constexpr const char* separate = "the accelerated tip turns the top";
+
+inline Quantity shaken_axis(const std::string& name, const std::string& says, const Top& top,
+                            const Reference& truth) {
+  const Horizon horizon{4};
+  Quantity q = quantity(name, "1", says, trajectory(truth, "03_35_axis", shaken_inputs(top), horizon),
+                        {1e-7, "a fiftieth of a second of arc"});
+  Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
+      .by<ode::Fehlberg78>(fixed_tip, AxisAndMomentum{with_fixed_tip(top)}, Outcome::inaccurate, separate)
+      .closed_form("small tilt", SmallTilt{top}, Outcome::inaccurate, "the tilt is not small")
+      .by<ode::Fehlberg78>("first order in A", FirstOrderInA{top}, Outcome::inaccurate,
+                           "terms of order A^2 are left out")
+      .by<ode::RungeKutta4>("Euler angles", EulerAngles{top})
+      .by<ode::Fehlberg78>("Euler angles", EulerAngles{top})
+      .by<ode::RungeKutta4>("rigid body, quaternion", RigidBody{top})
+      .by<ode::Fehlberg78>("rigid body, quaternion", RigidBody{top})
+      .by<ode::RungeKutta4>("axis and angular momentum", AxisAndMomentum{top})
+      .by<ode::Fehlberg78>("axis and angular momentum", AxisAndMomentum{top});
+  return q.add(Breakdown{
+      "The motion about a fixed tip, carried along with the tip, is another motion: to the axis the tip's "
+      "acceleration is a second gravity, which swings. The torque of -m p'' about the tip puts it right.",
+      std::string(fixed_tip) + ", Fehlberg 7(8)", 1e-11, Outcome::inaccurate,
+      "rigid body, quaternion, Fehlberg 7(8)", 1e-11});
+}
+
+inline Quantity nearly_upright(Top top, const Reference& truth) {
+  top.phi = 0.015625;
+  top.dtheta = top.dphi = 0;
+  top.A /= 16;
+  const Horizon horizon{4};
+  Quantity q =
+      quantity("nearly_upright", "1", "axis of the same top let go one degree off the vertical, A / 16",
+               trajectory(truth, "03_35_axis", shaken_inputs(top), horizon),
+               {1e-4, "twenty seconds of arc: nothing that is seen"});
+  Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 9))
+      .by<ode::Fehlberg78>(fixed_tip, AxisAndMomentum{with_fixed_tip(top)}, Outcome::inaccurate, separate)
+      .closed_form("small tilt", SmallTilt{top})
+      .by<ode::Fehlberg78>("first order in A", FirstOrderInA{top})
+      .by<ode::Fehlberg78>("Euler angles", EulerAngles{top})
+      .by<ode::RungeKutta4>("rigid body, quaternion", RigidBody{top})
+      .by<ode::Fehlberg78>("axis and angular momentum", AxisAndMomentum{top});
+  return q;
+}
+
+// ---- how far the fixed-tip motion is from the truth -------------------------------------------------------
+
+/// The frequency at which a top nutates about its steady precession, seen from the world, to a 64th.
+inline double nutation_frequency(const Top& t) {
+  const double u = std::cos(t.phi), inside = t.a() * t.a() - 4 * t.alpha() * u;
+  if (inside < 0) return t.a();
+  const double slow = 2 * t.alpha() / (t.a() + std::sqrt(inside));
+  const double rate = slow + std::hypot(t.a() - 2 * slow * u, slow * std::sin(t.phi));
+  return std::round(64 * rate) / 64;
+}
+
+/// (A, lambda), (A/8, lambda), (A, 2 lambda), and A at the nutation's frequency.
+inline std::array<Top, 4> shakings(const Top& top) {
+  std::array<Top, 4> all{top, top, top, top};
+  all[1].A /= 8;
+  all[2].lambda *= 2;
+  all[3].lambda = nutation_frequency(top);
+  return all;
+}
+
+inline double angle_between(const Vector& a, const Vector& b) {
+  const Vector normal = cross(a, b);
+  return std::atan2(std::sqrt(dot(normal, normal)), dot(a, b));
+}
+
+inline constexpr double observed_after = 4;
+
+template <class Algorithm, class Model>
+Answer followed_deviation(const Top& top, double tolerance) {
+  Answer answer;
+  std::vector<double> angles;
+  const Horizon horizon{observed_after, 1};
+  const auto still = observe_integrated<Algorithm>(Model{with_fixed_tip(top)}, horizon, tolerance);
+  answer.evaluations = still.evaluations;
+  for (const Top& shaken : shakings(top)) {
+    const auto moved = observe_integrated<Algorithm>(Model{shaken}, horizon, tolerance);
+    answer.evaluations += moved.evaluations;
+    if (moved.ending != Ending::reached) answer.ending = moved.ending;
+    const Value &x = still.value, &y = moved.value;
+    angles.push_back(angle_between({x[0], x[1], x[2]}, {y[0], y[1], y[2]}));
+  }
+  answer.value = Value(std::move(angles));
+  return answer;
+}
+
+inline Quantity deviation(const Top& top, const Reference& truth) {
+  const auto axis_at = [&](const Top& t) {
+    auto in = shaken_inputs(t);
+    in.push_back(observed_after);
+    return truth("03_35_axis", in);
+  };
+  Known known = axis_at(with_fixed_tip(top));
+  const Vector still{known.value[0], known.value[1], known.value[2]};
+  known.value.clear();
+  known.error = 1e-15;
+  for (const Top& shaken : shakings(top)) {
+    const auto x = axis_at(shaken).value;
+    known.value.push_back(angle_between(still, {x[0], x[1], x[2]}));
+  }
+  Quantity q =
+      quantity("deviation", "rad",
+               "angle after 4 s between the axis and that of the same top with its tip fixed, for (A, "
+               "lambda), (A/8, lambda), (A, 2 lambda) and A at the nutation's frequency",
+               known, {1e-6, "a fifth of a second of arc"});
+  q.add({fixed_tip, "no difference", no_knob(),
+         [](double) {
+           return Answer{{0, 0, 0, 0}, 0};
+         },
+         Outcome::inaccurate, separate});
+  q.add({"first order in A", "Fehlberg 7(8)", tolerances(3, 11),
+         [=](double e) { return followed_deviation<ode::Fehlberg78, FirstOrderInA>(top, e); },
+         Outcome::inaccurate, "terms of order A^2 are left out"});
+  q.add({"Euler angles", "Fehlberg 7(8)", tolerances(3, 11),
+         [=](double e) { return followed_deviation<ode::Fehlberg78, EulerAngles>(top, e); }});
+  q.add({"rigid body, quaternion", "Fehlberg 7(8)", tolerances(3, 11),
+         [=](double e) { return followed_deviation<ode::Fehlberg78, RigidBody>(top, e); }});
+  q.add({"axis and angular momentum", "Fehlberg 7(8)", tolerances(3, 11),
+         [=](double e) { return followed_deviation<ode::Fehlberg78, AxisAndMomentum>(top, e); }});
+  return q;
+}
+
+inline std::vector<Quantity> moving_tip_quantities(const Top& top, const Reference& truth) {
+  Top resonant = top, strong = top;
+  resonant.A /= 8;
+  resonant.lambda = nutation_frequency(top);
+  strong.A *= 4;
+  strong.lambda += 5;
+  return {shaken_axis("axis", "unit vector along the axis after 1, 2, 3 and 4 s", top, truth),
+          shaken_axis("near_resonance", "the same with A / 8 at the nutation's frequency", resonant, truth),
+          shaken_axis("strong_shaking", "the same with 4 A, 5 rad/s faster", strong, truth),
+          nearly_upright(top, truth), deviation(top, truth)};
+}
+
+}  // namespace oddity::top

@@ -1,0 +1,71 @@
+#include "reference/make/extrapolation.hpp"
+#include "reference/make/taylor.hpp"
+
+// A ball let go in a half cylinder of radius R whose axis falls by H over its length L. With e down the axis,
+// n upwards normal to it and f the horizontal, X = s e + R n + R (sin(phi) f - cos(phi) n).
+//   angle   s = u t + g sin(theta) t^2/2,  phi'' = -(g cos(theta)/R) sin(phi)
+//   space   X'' = -g k + m N, N = (X - P) - D D.(X - P), m from N.X'' = -|N'|^2
+namespace oddity::truth {
+
+namespace {
+
+struct Axis {
+  Number R, c, s, g;
+  explicit Axis(const std::vector<double>& in) : R(in[0]), g(in[3]) {
+    const Number L = in[1], H = in[2];
+    s = H / L;
+    c = sqrt(Number((L - H) * (L + H))) / L;
+  }
+  Numbers position(const Number& along, const Number& phi) const {
+    const Number half = sin(phi / 2), up = 2 * R * half * half;
+    return {along * c + up * s, R * sin(phi), up * c - along * s};
+  }
+};
+
+Numbers by_taylor(const std::vector<double>& in, int digits) {
+  const Axis axis(in);
+  const Number &c = axis.c, &s = axis.s, &g = axis.g, u = in[5], height = axis.R / axis.c;
+  const auto rhs = [&](const auto& x, const auto&) {
+    const auto z = x[2] - height;
+    const auto along = c * x[0] - s * z, speed = c * x[3] - s * x[5];
+    const auto n1 = x[0] - c * along, n3 = z + s * along;
+    const auto w1 = x[3] - c * speed, w3 = x[5] + s * speed;
+    const auto m = (g * n3 - w1 * w1 - x[4] * x[4] - w3 * w3) / (n1 * n1 + x[1] * x[1] + n3 * n3);
+    return std::vector{x[3], x[4], x[5], m * n1, m * x[1], m * n3 - g};
+  };
+  Numbers start = axis.position(0, Number(in[4]));
+  start.insert(start.end(), {u * c, Number(0), -u * s});
+  const Numbers x = solve_taylor(rhs, start, 0, Number(in[6]), digits + 6);
+  return {x[0], x[1], x[2]};
+}
+
+Numbers by_angle(const std::vector<double>& in, int digits) {
+  const Axis axis(in);
+  const Number square = axis.g * axis.c / axis.R, t = in[6];
+  const auto rhs = [&](const Numbers& x, const Number&) {
+    return Numbers{x[1], Number(-square * sin(x[0]))};
+  };
+  const Numbers x = solve_extrapolation(rhs, {Number(in[4]), Number(0)}, 0, t, digits + 4);
+  return axis.position(in[5] * t + axis.g * axis.s * t * t / 2, x[0]);
+}
+
+}  // namespace
+
+Truth truth_03_13_chute() {
+  std::vector<std::vector<double>> rows;
+  for (double phi : {1.0, 0.0, 1.5, 0.5 * 3.141592653589793})
+    for (double t : {1.0, 2.0, 3.0, 4.0}) rows.push_back({1, 5, 3, 9.81, phi, -1, t});
+  return {
+      "position t after the start in a tilted cylindrical chute, at the angle phi from its lowest line and "
+      "with the speed u down the axis",
+      "X'' = -g k + a force normal to the cylinder",
+      {"R", "L", "H", "g", "phi", "u", "t"},
+      {{"x1", "m"}, {"x2", "m"}, {"x3", "m"}},
+      rows,
+      "Taylor series of the Cartesian equations with the multiplier",
+      by_taylor,
+      "uniform acceleration along the axis, extrapolated midpoint rule on the angle about it",
+      by_angle};
+}
+
+}  // namespace oddity::truth

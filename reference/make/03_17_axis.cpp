@@ -1,0 +1,32 @@
+#include "reference/make/03_17_foucault.hpp"
+
+// The bob's ellipse at small amplitude, from position and velocity: x + i y = a exp(i w t) + b exp(-i w t), w
+// = sqrt(g/L), whose major axis has the direction of sqrt(a b).
+namespace oddity::truth {
+
+namespace {
+
+Numbers axis(const std::vector<double>& in, const Numbers& s) {
+  const Number m = Number(in[1]) / Number(in[3]);
+  return {atan2(Number(2 * (s[0] * s[1] + m * s[3] * s[4])),
+                Number(s[0] * s[0] - s[1] * s[1] + m * (s[3] * s[3] - s[4] * s[4]))) /
+          2};
+}
+
+}  // namespace
+
+Truth truth_03_17_axis() {
+  return {"direction, from west to north, of the major axis of a Foucault pendulum's ellipse",
+          foucault::formula,
+          foucault::inputs,
+          {{"alpha", "rad"}},
+          {{0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0, 3600}},
+          foucault::first_route,
+          [](const std::vector<double>& in, int digits) { return axis(in, foucault::by_taylor(in, digits)); },
+          foucault::second_route,
+          [](const std::vector<double>& in, int digits) {
+            return axis(in, foucault::by_extrapolation(in, digits));
+          }};
+}
+
+}  // namespace oddity::truth
