@@ -1,6 +1,9 @@
+#include "solvers/ode/events.hpp"
 #include "solvers/ode/implicit_euler.hpp"
 #include "solvers/ode/rosenbrock_4.hpp"
 #include "tests/catch.hpp"
+#include "tests/fit.hpp"
+#include "tests/near.hpp"
 
 using namespace oddity;
 
@@ -90,4 +93,126 @@ TEST_CASE("implicit methods take steps far beyond the explicit limit", "[solvers
 
 TEST_CASE("Rosenbrock 4 does not step over a pole", "[solvers]") {
   CHECK_FALSE(ode::integrate<ode::Rosenbrock4>(Pole{}, std::array{1.0}, 0, 2, 1e-6).reached());
+}
+
+namespace {
+
+/// theta'' = -sin(theta) between its unstable equilibria, and an equation with explicit time beside it:
+/// theta = 2 asin(tanh t), y = exp(sin t).
+struct Both {
+  using State = std::array<double, 3>;
+  template <class X, class T>
+  void operator()(const X& x, X& dxdt, const T& t) const {
+    using std::cos, std::sin;
+    dxdt[0] = x[1];
+    dxdt[1] = -sin(x[0]);
+    dxdt[2] = x[2] * cos(t);
+  }
+  static State exact(double t) {
+    return {2 * std::asin(std::tanh(t)), 2 / std::cosh(t), std::exp(std::sin(t))};
+  }
+};
+
+/// The error of the pendulum and of the equation with time, from `from` to `to`.
+template <class Algorithm>
+std::array<double, 2> errors(double from, double to, double setting) {
+  const auto solved = ode::integrate<Algorithm>(Both(), Both::exact(from), from, to, setting);
+  REQUIRE(solved.reached());
+  return {std::abs(solved.value[0] - Both::exact(to)[0]), std::abs(solved.value[2] - Both::exact(to)[2])};
+}
+
+double height(const std::array<double, 1>& x, double) { return x[0]; }
+
+}  // namespace
+
+TEST_CASE("implicit Euler has order 1 forward and backward", "[solvers]") {
+  for (double direction : {1.0, -1.0}) {
+    const auto coarse = errors<ode::ImplicitEuler>(-1.5 * direction, 1.5 * direction, 0x1p-9);
+    const auto fine = errors<ode::ImplicitEuler>(-1.5 * direction, 1.5 * direction, 0x1p-10);
+    CHECK(near(std::log2(coarse[0] / fine[0]), 1, 0.05));
+    CHECK(near(std::log2(coarse[1] / fine[1]), 1, 0.05));
+  }
+}
+
+TEST_CASE("Rosenbrock 4 has an error in proportion to its tolerance, forward and backward", "[solvers]") {
+  for (double direction : {1.0, -1.0}) {
+    std::vector<double> tolerances, pendulum, driven;
+    for (double tolerance : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
+      const auto error = errors<ode::Rosenbrock4>(-1.5 * direction, 1.5 * direction, tolerance);
+      tolerances.push_back(tolerance);
+      pendulum.push_back(error[0]);
+      driven.push_back(error[1]);
+    }
+    CHECK(near(slope(tolerances, pendulum), 1, 0.15));
+    CHECK(near(slope(tolerances, driven), 1, 0.2));
+  }
+}
+
+TEST_CASE("implicit Euler's step is 1/(1 + h k), however stiff", "[solvers]") {
+  for (double k : {0.5, 10.0, 1e3, 1e9}) {
+    const auto decay = [k](const auto& x, auto& dxdt, const auto&) { dxdt[0] = -k * x[0]; };
+    const auto solved = ode::integrate<ode::ImplicitEuler>(decay, std::array{1.0}, 0, 1, 1);
+    CHECK(near(solved.value[0], 1 / (1 + k), 3e-16));
+  }
+}
+
+TEST_CASE("a fast transient is over after few steps and leaves nothing behind", "[solvers]") {
+  const Relaxation stiff{1e6};
+  for (double tolerance : {1e-4, 1e-6, 1e-8}) {
+    const auto solved = ode::integrate<ode::Rosenbrock4>(stiff, std::array{2.0}, 0, 2, tolerance);
+    CHECK(solved.reached());
+    CHECK(near(solved.value[0], stiff.exact(2), tolerance));
+    CHECK(solved.evaluations < 2000);
+  }
+}
+
+TEST_CASE("implicit steps cost their evaluations and their Jacobians, and report all calls", "[solvers]") {
+  long calls = 0;
+  const auto counted = [&](const auto& x, auto& dxdt, const auto& t) {
+    ++calls;
+    Quadratic()(x, dxdt, t);
+  };
+  CHECK(ode::integrate<ode::ImplicitEuler>(counted, std::array{1.0}, 0, 1, 0.125).evaluations == 8 * 3);
+  CHECK(calls == 8 * 3);
+  calls = 0;
+  CHECK(ode::integrate<ode::Rosenbrock4>(counted, std::array{1.0}, 0, 1, 1e-6).evaluations == calls);
+  calls = 0;
+  CHECK(ode::find_event<ode::Rosenbrock4>(counted, std::array{1.0}, 0, 2, 1e-6, [](const auto& x, double) {
+          return x[0] - 0.5;
+        }).evaluations == calls);
+}
+
+TEST_CASE("implicit methods find events", "[solvers]") {
+  const auto crossing = []<class Algorithm>(double setting) {
+    const Relaxation stiff{1e3};
+    const auto event = ode::find_event<Algorithm>(stiff, std::array{stiff.exact(0)}, 0, 4, setting, height);
+    REQUIRE(event.reached());
+    return event.value.time - (3.14159265358979323846 / 2 + std::atan(1e-3));  // cos t + sin t / k = 0
+  };
+  CHECK(near(crossing.operator()<ode::ImplicitEuler>(0.01), 0, 1e-4));
+  for (double tolerance : {1e-4, 1e-6, 1e-8})
+    CHECK(near(crossing.operator()<ode::Rosenbrock4>(tolerance), 0, tolerance));
+}
+
+TEST_CASE("linearly implicit Euler steps over a pole, onto the solution's other branch", "[solvers]") {
+  for (double step : {0.01, 0.001}) {
+    const auto solved = ode::integrate<ode::ImplicitEuler>(Pole{}, std::array{1.0}, 0, 2, step);
+    CHECK(solved.reached());
+    CHECK(near(solved.value[0], -1, 10 * step));
+  }
+}
+
+TEST_CASE("implicit methods refuse a setting that is none, and end where the problem does", "[solvers]") {
+  const auto root = [](const auto& x, auto& dxdt, const auto&) {
+    using std::sqrt;
+    dxdt[0] = -1 - sqrt(x[0]);
+  };
+  for (double setting : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    CHECK(ode::integrate<ode::ImplicitEuler>(Quadratic{}, std::array{1.0}, 0, 1, setting).ending ==
+          Ending::raised);
+    CHECK(ode::integrate<ode::Rosenbrock4>(Quadratic{}, std::array{1.0}, 0, 1, setting).ending ==
+          Ending::raised);
+  }
+  CHECK_FALSE(ode::integrate<ode::ImplicitEuler>(root, std::array{1.0}, 0, 5, 0.01).reached());
+  CHECK_FALSE(ode::integrate<ode::Rosenbrock4>(root, std::array{1.0}, 0, 5, 1e-6).reached());
 }

@@ -125,8 +125,9 @@ Numbers TaylorProblem::solve(Numbers x, Number t0, const Number& t1, int digits)
   const Number tolerance = pow(Number(10), -digits - 4);
   while (t0 != t1) {
     const Number step = expand(x, t0, order, tolerance);
-    if (t0 + step == t0) throw std::runtime_error("Taylor series: the step became too small");
     const Number left = t1 - t0;
+    if (step < abs(left) * pow(Number(10), -20))
+      throw std::runtime_error("Taylor series: the step became too small");
     const bool last = abs(left) <= step;
     const Number h = last ? left : Number(left > 0 ? step : -step);
     for (std::size_t i = 0; i < x.size(); ++i) {
