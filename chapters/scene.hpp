@@ -118,7 +118,7 @@ class Ladder {
     const Horizon horizon = horizon_;
     quantity_.add(Method{
         std::move(name), std::string(Algorithm::name),
-        Algorithm::kind == ode::Kind::controlled ? tolerances_ : steps_,
+        ode::has_tolerance(Algorithm::kind) ? tolerances_ : steps_,
         [model, horizon](double setting) { return observe_integrated<Algorithm>(model, horizon, setting); },
         expected, std::move(why)});
     return *this;
@@ -144,7 +144,7 @@ class Ladder {
  private:
   template <class Algorithm>
   static constexpr bool low_order(int order) {
-    if constexpr (Algorithm::kind == ode::Kind::controlled)
+    if constexpr (ode::has_tolerance(Algorithm::kind))
       return false;
     else
       return Algorithm::order == order;

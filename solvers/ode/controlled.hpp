@@ -9,8 +9,9 @@ namespace oddity::ode::detail {
 template <class Plain>
 auto controlled(double tolerance) {
   using Controlled = boost::numeric::odeint::controlled_runge_kutta<Plain>;
+  static const Plain blank;  // static, and so zero: compilers object to a copy of scratch not yet written
   return Controlled(typename Controlled::error_checker_type(tolerance, tolerance),
-                    typename Controlled::step_adjuster_type(), Plain());
+                    typename Controlled::step_adjuster_type(), blank);
 }
 
 }  // namespace oddity::ode::detail

@@ -45,8 +45,8 @@ Solved<Event<State>> find_event(const System& system, const State& start, double
   const auto refine = [&](double t, const State& x, double a, double b) {
     const auto state_after = [&](double s) {
       if (s == 0) return x;
-      const auto part = integrate<Algorithm>(system, x, t, t + s,
-                                             Algorithm::kind == Kind::controlled ? setting : std::abs(s));
+      const auto part =
+          integrate<Algorithm>(system, x, t, t + s, has_tolerance(Algorithm::kind) ? setting : std::abs(s));
       inside += part.evaluations;
       return part.value;
     };

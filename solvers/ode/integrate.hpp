@@ -21,7 +21,12 @@
 /// `stalled`.
 namespace oddity::ode {
 
-enum class Kind { fixed, partitioned, controlled };
+enum class Kind { fixed, partitioned, controlled, implicit_fixed, implicit_controlled };
+
+/// The setting is a tolerance, not a step.
+constexpr bool has_tolerance(Kind kind) {
+  return kind == Kind::controlled || kind == Kind::implicit_controlled;
+}
 
 /// Most evaluations of the right-hand side that one integration may take.
 constexpr long budget = 20'000'000;
@@ -142,20 +147,27 @@ Trajectory<State> integrate(const System& system, const State& start, std::span<
     detail::through(times, start, solved, [&](State& x, double t0, double t1) {
       return detail::equal_steps(do_step, x, t0, t1, setting, solved, on_step);
     });
-  } else if constexpr (Algorithm::kind == Kind::partitioned) {
+  } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {
     auto stepper = Algorithm::template stepper<State>(system, solved.evaluations);
     detail::through(times, start, solved, [&](State& x, double t0, double t1) {
       return detail::equal_steps(stepper, x, t0, t1, setting, solved, on_step);
     });
   } else {
-    auto stepper = Algorithm::template stepper<State>(setting);
-    const auto try_step = [&](State& x, double& t, double& h) {
-      return stepper.try_step(counted, x, t, h) == Algorithm::success;
+    const auto controlled = [&](const auto& try_step) {
+      double h = times.size() > 1 ? (times.back() - times.front()) * Algorithm::first_step : 0;
+      detail::through(times, start, solved, [&](State& x, double t0, double t1) {
+        return detail::controlled_steps(try_step, x, t0, t1, h, solved, on_step);
+      });
     };
-    double h = times.size() > 1 ? (times.back() - times.front()) * Algorithm::first_step : 0;
-    detail::through(times, start, solved, [&](State& x, double t0, double t1) {
-      return detail::controlled_steps(try_step, x, t0, t1, h, solved, on_step);
-    });
+    if constexpr (Algorithm::kind == Kind::controlled) {
+      auto stepper = Algorithm::template stepper<State>(setting);
+      controlled([&](State& x, double& t, double& h) {
+        return stepper.try_step(counted, x, t, h) == Algorithm::success;
+      });
+    } else {
+      auto stepper = Algorithm::template stepper<State>(system, solved.evaluations, setting);
+      controlled([&](State& x, double& t, double& h) { return stepper(x, t, h); });
+    }
   }
   return solved;
 }

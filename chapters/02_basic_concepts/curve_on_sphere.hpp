@@ -1,0 +1,244 @@
+#pragma once
+
+#include <numbers>
+
+#include "chapters/02_basic_concepts/rotation_matrices.hpp"
+#include "chapters/02_basic_concepts/sides.hpp"
+#include "chapters/scene.hpp"
+
+/// Exercise 2.7: a curve on the unit sphere with its frame R = [r u r x u], u = r'/|r'|, the frame's angular
+/// velocity w, and ways to carry an orientation along R' = Skew(w) R.
+namespace oddity::curve_on_sphere {
+
+using namespace space;
+
+inline constexpr auto position = [](const auto& t) {
+  using std::cos, std::sin, std::sqrt;
+  using T = std::decay_t<decltype(t)>;
+  const T height = t * t, flat = T(1.0) - height, turn = T(std::numbers::pi) * t;
+  return Vector<T>{flat * cos(turn), flat * sin(turn), height} / sqrt(flat * flat + height * height);
+};
+
+template <class T>
+Matrix<T> frame(const T& t) {
+  const Vector<T> r = position(t), u = unit(derivative_of(position, t));
+  return Matrix<T>::columns(r, u, cross(r, u));
+}
+
+/// w along r x u and along r: r' = w x r and (r x u).u' = w.r.
+inline Vector3 angular_velocity(const Motion& m) {
+  return cross(m.r, m.v) + dot(m.r, cross(m.v, m.a)) / dot(m.v, m.v) * m.r;
+}
+
+/// The listing's UDot and W, in its arithmetic; `mended`: with A.Dot(U) in the place of R.Dot(U).
+inline Vector3 listed_u_dot(const Motion& m, bool mended) {
+  const double speed = length(m.v);
+  const Vector3 U = m.v / speed;
+  return (m.a - dot(mended ? m.a : m.r, U) * U) / speed;
+}
+inline Vector3 listed_w(const Motion& m, const Vector3& UDot) {
+  const Vector3 &R = m.r, &V = m.v, U = V / length(V), RxU = cross(R, U), RxUDot = cross(R, UDot);
+  return {-(V[1] * R[2] + UDot[1] * U[2] + RxUDot[1] * RxU[2]),
+          +(V[0] * R[2] + UDot[0] * U[2] + RxUDot[0] * RxU[2]),
+          -(V[0] * R[1] + UDot[0] * U[1] + RxUDot[0] * RxU[1])};
+}
+
+// ---- orientation as a scene -------------------------------------------------------------------------------
+
+struct Frame {
+  std::array<double, 9> at(double t) const { return frame(t).e; }
+};
+
+/// The largest entry of R^T R - I.
+inline double departure(const Matrix3& R) { return distance(transpose(R) * R, identity()); }
+
+/// w at the time t: the frame's, or the printed listing's.
+struct Turning {
+  bool listed = false;
+  Vector3 w(double t) const {
+    const Motion m = motion_of(position, t);
+    return listed ? listed_w(m, listed_u_dot(m, false)) : angular_velocity(m);
+  }
+};
+
+/// R, row by row. The invariant watched is 1 + |R^T R - I|, so that its relative change is the departure from
+/// a rotation.
+struct AsMatrix : Turning {
+  using State = std::array<double, 9>;
+  State start() const { return identity().e; }
+  void operator()(const State& x, State& dxdt, double t) const { dxdt = (skew(w(t)) * Matrix3{x}).e; }
+  std::array<double, 9> observe(const State& x, double) const { return x; }
+  double invariant(const State& x, double) const { return 1 + departure(Matrix3{x}); }
+};
+
+/// q with q' = (0, w) q / 2, read as a matrix by the formula for unit quaternions.
+struct AsQuaternion : Turning {
+  using State = Quaternion<double>;
+  State start() const { return {1, 0, 0, 0}; }
+  void operator()(const State& q, State& dqdt, double t) const {
+    const Vector3 v{q[1], q[2], q[3]}, half = 0.5 * w(t), turned = q[0] * half + cross(half, v);
+    dqdt = {-dot(half, v), turned[0], turned[1], turned[2]};
+  }
+  std::array<double, 9> observe(const State& q, double) const { return matrix(q).e; }
+  double invariant(const State& q, double) const { return 1 + departure(matrix(q)); }
+};
+
+/// The nearest thing to R by Gram and Schmidt, first column first.
+inline void repair(std::array<double, 9>& x) {
+  const Matrix3 R{x};
+  const Vector3 r = unit(R.column(0)), u = unit(R.column(1) - dot(R.column(1), r) * r);
+  x = Matrix3::columns(r, u, cross(r, u)).e;
+}
+inline void repair(Quaternion<double>& q) {
+  const double size = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  for (double& x : q) x /= size;
+}
+
+/// Calls step(x, t, h) -> evaluations through the horizon and observes.
+template <class Model, class State, class Step>
+Answer observe_steps(const Model& model, State x, const Horizon& horizon, double step, const Step& advance) {
+  Answer answer;
+  std::vector<double> seen;
+  const auto times = horizon.times();
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double from = times[i - 1], n = std::ceil((times[i] - from) / step), h = (times[i] - from) / n;
+    for (double k = 0; k < n; ++k) answer.evaluations += advance(x, from + k * h, h);
+    for (double component : model.observe(x, times[i])) seen.push_back(component);
+    answer.drift = std::max(answer.drift, model.invariant(x, times[i]) - 1);
+  }
+  answer.value = Value(std::move(seen));
+  return answer;
+}
+
+/// Integrated by a fixed step, the orientation repaired after each.
+template <class Algorithm, class Model>
+Answer observe_repaired(const Model& model, const Horizon& horizon, double step) {
+  return observe_steps(model, model.start(), horizon, step, [&](auto& x, double t, double h) {
+    const auto one = ode::integrate<Algorithm>(model, x, t, t + h, h);
+    x = one.value;
+    repair(x);
+    return one.evaluations;
+  });
+}
+
+/// R(t + h) = exp(Skew(W)) R(t). Order 2: W = h w at the middle; order 4: from w at two Gauss points, with
+/// the commutator [Iserles and Norsett, Phil. Trans. R. Soc. A 357 (1999) 983]. A rotation to rounding.
+inline Answer observe_exponentials(const Horizon& horizon, double step, int order) {
+  const AsMatrix model;
+  return observe_steps(model, model.start(), horizon, step, [&](auto& x, double t, double h) {
+    const double off = std::sqrt(3.0) / 6 * h, middle = t + h / 2;
+    Vector3 turn = h * model.w(middle);
+    if (order == 4) {
+      const Vector3 a = model.w(middle - off), b = model.w(middle + off);
+      turn = h / 2 * (a + b) - h * off / 2 * cross(a, b);
+    }
+    x = (exponential(turn) * Matrix3{x}).e;
+    return order / 2L;
+  });
+}
+
+// ---- the quantities ---------------------------------------------------------------------------------------
+
+inline Quantity angular_velocity_at(double t, const Reference& truth) {
+  Quantity w = quantity("angular_velocity", "1", "w in x, y, z at t", truth("02_07_angular_velocity", {t}),
+                        {1e-10, "ten decimals"});
+  const auto motion = [=] { return motion_of(position, t); };
+  const Vector3 listed = listed_w(motion(), listed_u_dot(motion(), false));
+  const bool wrong = distance(listed, w.reference.value) > w.need.allowed;
+  const Knob steps{"h", {0x1p-4, 0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19, 0x1p-22, 0x1p-25}};
+  w.add({"listing as printed", "closed form", no_knob(),
+         [=](double) {
+           return Answer{listed_w(motion(), listed_u_dot(motion(), false)), 1};
+         },
+         wrong ? Outcome::inaccurate : Outcome::ok, "UDot is not perpendicular to U, and R' R^T not skew"});
+  w.add({"listing with A.Dot(U)", "closed form", no_knob(), [=](double) {
+           return Answer{listed_w(motion(), listed_u_dot(motion(), true)), 1};
+         }});
+  w.add({"along r and r x u", "closed form", no_knob(), [=](double) {
+           return Answer{angular_velocity(motion()), 1};
+         }});
+  w.add({"Unskew(R' R^T)", "dual numbers", no_knob(), [=](double) {
+           const Matrix<Dual<double>> R = frame(Dual<double>(t, 1));
+           return Answer{unskew(slope_of(R) * transpose(value_of(R))), 1};
+         }});
+  w.add({"rotation from t - h to t + h", "its vector over 2h", steps,
+         [=](double h) {
+           return Answer{0.5 / h * rotation_vector(frame(t + h) * transpose(frame(t - h))), 2};
+         },
+         Outcome::inaccurate, "rounding grows as eps/h when the step is halved on"});
+  if (wrong)
+    w.add(Breakdown{
+        "The listing multiplies U by R.Dot(U), which is zero, where the formula above it has the "
+        "acceleration's component A.Dot(U).",
+        "listing as printed, closed form", 0, Outcome::inaccurate, "listing with A.Dot(U), closed form", 0});
+  return w;
+}
+
+inline Quantity orientation(double T, const Reference& truth) {
+  const Horizon horizon{T};
+  const Knob steps = halving("step", 0.125, 8);
+  Quantity q = quantity("orientation", "1", "R after T/4, T/2, 3T/4 and T, carried on from t = 0",
+                        trajectory(truth, "02_07_orientation", {}, horizon),
+                        {1e-8, "a five hundredth of a second of arc"});
+  Ladder(q, horizon, steps, tolerances())
+      .closed_form("frame", Frame{})
+      .by_all("matrix", AsMatrix{}, Outcome::drifted)
+      .by_all("quaternion", AsQuaternion{}, Outcome::drifted)
+      .by<ode::RungeKutta4>("matrix, w of the printed listing", AsMatrix{true}, Outcome::inaccurate,
+                            "a rotation, but the wrong one");
+  const auto repaired = [&]<class Algorithm, class Model>(const char* name, Algorithm, Model model) {
+    const bool first = Algorithm::order == 1;
+    q.add({name, std::string(Algorithm::name), steps,
+           [=](double h) { return observe_repaired<Algorithm>(model, horizon, h); },
+           first ? Outcome::inaccurate : Outcome::ok,
+           first ? "repaired it is a rotation, but not the right one" : ""});
+  };
+  repaired("matrix, orthonormalized", ode::ExplicitEuler{}, AsMatrix{});
+  repaired("matrix, orthonormalized", ode::RungeKutta4{}, AsMatrix{});
+  repaired("quaternion, normalized", ode::ExplicitEuler{}, AsQuaternion{});
+  repaired("quaternion, normalized", ode::RungeKutta4{}, AsQuaternion{});
+  q.add({"rotation vector", "exponential midpoint", steps,
+         [=](double h) { return observe_exponentials(horizon, h, 2); }, Outcome::inaccurate,
+         "its order is too low for this need at this step"});
+  q.add(
+      {"rotation vector", "Magnus 4", steps, [=](double h) { return observe_exponentials(horizon, h, 4); }});
+  return q;
+}
+
+/// The same trials, asked only whether what they end with is a rotation: R^T R at T.
+inline Quantity orthogonality(const Quantity& orientation) {
+  Quantity q{
+      "orthogonality",        "1", "R^T R at T, whatever the orientation", {"the unit matrix", identity()}, 0,
+      {1e-10, "ten decimals"}};
+  for (const Method& method : orientation.methods) {
+    Method asked = method;
+    asked.run = [run = method.run](double setting) {
+      Answer answer = run(setting);
+      Matrix3 R;
+      const std::size_t first = answer.value.size() - 9;
+      for (std::size_t i = 0; i < 9; ++i) R.e[i] = answer.value[first + i];
+      answer.value = transpose(R) * R;
+      return answer;
+    };
+    if (method.expected == Outcome::inaccurate) asked.expected = Outcome::ok;
+    q.add(std::move(asked));
+  }
+  constexpr double coarse = 0x1p-4, fine = 0x1p-10;
+  q.add(
+      Breakdown{"At sixteen steps a unit of time $R^TR$ is off by $7\\cdot10^{-4}$. Gram and Schmidt's "
+                "orthonormalization after each step keeps it a rotation.",
+                "matrix, Runge-Kutta 4", coarse, Outcome::inaccurate,
+                "matrix, orthonormalized, Runge-Kutta 4", coarse});
+  q.add(Breakdown{
+      "The quaternion loses its unit length, though ten times less. Normalizing it after each step costs "
+      "one root.",
+      "quaternion, Runge-Kutta 4", coarse, Outcome::inaccurate, "quaternion, normalized, Runge-Kutta 4",
+      coarse});
+  q.add(Breakdown{
+      "Euler's step along the tangent leaves the rotations outward, always: a thousand steps a unit of "
+      "time are not enough. A rotation by the vector h w stays on them at any step.",
+      "matrix, explicit Euler", fine, Outcome::drifted, "rotation vector, exponential midpoint", 0.125});
+  return q;
+}
+
+}  // namespace oddity::curve_on_sphere

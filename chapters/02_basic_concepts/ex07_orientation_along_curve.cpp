@@ -1,0 +1,219 @@
+// Exercise 2.7: a rigid sphere whose orientation is [r u r x u] along the curve r(t) on it, u = r'/|r'|: find
+// the angular velocity w, Skew(w) = R' R^T.
+//   w = r x r' + (r.(r' x r'')/|r'|^2) r          w = Unskew(r' r^T + u' u^T + (r x u')(r x u)^T)
+// The text's formulas and its listing need r, r', r''. The other route differentiates the frame itself by
+// dual numbers, or takes w from the formula on the left, which follows from r' = w x r and (r x u).u' = w.r
+// alone. The scene carries the orientation along R' = Skew(w) R and compares with the frame.
+
+#include <type_traits>
+
+#include "chapters/02_basic_concepts/curve_on_sphere.hpp"
+#include "chapters/random.hpp"
+
+namespace oddity {
+
+namespace {
+
+using namespace curve_on_sphere;
+
+constexpr Parameter parameters[] = {
+    {"t", 0.75, "1", "time at which w is computed", -8, 8},
+    {"T", 4, "1", "time until which the orientation is carried on from t = 0", 0.25, 64},
+    {"seed", 1, "", "of the random times", 0, 1e9},
+};
+
+// ---- the claims -------------------------------------------------------------------------------------------
+
+struct Sample {
+  double t;
+  Motion m = motion_of(position, t);
+  Matrix3 R, R_dot;  ///< the frame and its derivative by dual numbers
+  Vector3 u, b, u_dot, b_dot, w;
+  double speed = length(m.v), pull = length(m.a);
+  double size;  ///< of the terms in R'
+
+  explicit Sample(double time) : t(time) {
+    const Matrix<Dual<double>> both = frame(Dual<double>(t, 1));
+    R = value_of(both), R_dot = slope_of(both);
+    u = R.column(1), b = R.column(2), u_dot = R_dot.column(1), b_dot = R_dot.column(2);
+    w = angular_velocity(m), size = 4 * (speed + pull / speed);
+  }
+  std::string where() const { return "t = " + shortest(t); }
+};
+using S = const Sample&;
+
+/// The printed sum of three outer products, the last weighted.
+Matrix3 outer_sum(S s, double k) {
+  return outer(s.m.v, s.m.r) + outer(s.u_dot, s.u) + k * outer(cross(s.m.r, s.u_dot), s.b);
+}
+
+using Vec = Vector3&;
+void compute_terms(double t, Vec R, Vec V, Vec U, Vec UDot) {
+  const Motion m = motion_of(position, t);
+  R = m.r, V = m.v, U = V / length(V), UDot = listed_u_dot(m, false);
+}
+template <class... Arguments>
+Check callable(const char* arguments) {
+  return {"ComputeTerms(" + std::string(arguments) + ") can be called",
+          {"the text", 1},
+          {"the declared function", std::is_invocable_v<decltype(compute_terms), Arguments...> ? 1.0 : 0.0},
+          exact()};
+}
+
+std::vector<Claim> claims(double seed) {
+  Random random(seed);
+  std::vector<Sample> all{Sample(0.5), Sample(0), Sample(1), Sample(-1), Sample(20), Sample(-1000)};
+  for (int i = 0; i < 200; ++i) all.emplace_back(random.between(-3, 3));
+  const std::string duals = "dual numbers", of_frame = "the frame by dual numbers",
+                    route = "r x r' + kappa r";
+  const auto u_dot = [&](const char* text, auto factor) {
+    return reading(text, "u'", duals, all, [&](S s) {
+      return Sides{(s.m.a - factor(s) * s.u) / s.speed, s.u_dot, s.size};
+    });
+  };
+  const auto perpendicular = [&](const char* text, bool velocity) {
+    return reading(text, "the part across r", duals, all, [&](S s) {
+      const Vector3& x = velocity ? s.m.v : s.m.a;
+      return Sides{x, cross(s.m.r, cross(x, s.m.r)), s.speed + s.pull};
+    });
+  };
+
+  Claim listed_derivative{"2.7-listing_u_dot", 561, "the listing's UDot = (A - R.Dot(U) U)/length is u'"};
+  listed_derivative.printed = reading("R.Dot(U)", "u'", duals, all, [](S s) {
+    return Sides{listed_u_dot(s.m, false), s.u_dot, s.size};
+  });
+  listed_derivative.corrected = reading("A.Dot(U)", "u'", duals, all, [](S s) {
+    return Sides{listed_u_dot(s.m, true), s.u_dot, s.size};
+  });
+  listed_derivative.why =
+      "The formula above the listing takes the acceleration's component, $(\\ddot{\\mathbf "
+      "r}\\cdot\\mathbf u)\\mathbf u$. The listing takes the position's, which is zero: its UDot is "
+      "$\\ddot{\\mathbf r}/|\\dot{\\mathbf r}|$, not even perpendicular to $\\mathbf u$. It should read "
+      "`A.Dot(U)`.";
+
+  Claim call{"2.7-listing_call", 571, "WFunction can call ComputeTerms(t, R, V, A, U, UDot)"};
+  call.printed = {"six arguments", {callable<double, Vec, Vec, Vec, Vec, Vec>("t, R, V, A, U, UDot")}};
+  call.meant = {"five arguments", {callable<double, Vec, Vec, Vec, Vec>("t, R, V, U, UDot")}};
+  call.why =
+      "ComputeTerms is declared with five parameters, and WFunction has no A: the listing does not "
+      "compile. Without the A it does.";
+
+  Claim result{"2.7-listing_result", 585, "WFunction returns the angular velocity"};
+  result.printed = reading("as printed", "W", route, all, [](S s) {
+    return Sides{listed_w(s.m, listed_u_dot(s.m, false)), s.w, s.size};
+  });
+  result.corrected = reading("with A.Dot(U)", "W", route, all, [](S s) {
+    return Sides{listed_w(s.m, listed_u_dot(s.m, true)), s.w, s.size};
+  });
+  result.corrected.checks.push_back(compare("W as printed", "the listing's arithmetic",
+                                            "w + c (r_y r_z, -r_x r_z, r_x r_y), c = r''.u/|r'|", all,
+                                            [](S s) {
+                                              const auto [x, y, z] = s.m.r.e;
+                                              const double c = dot(s.m.a, s.u) / s.speed;
+                                              return Sides{listed_w(s.m, listed_u_dot(s.m, false)),
+                                                           s.w + c * Vector3{y * z, -x * z, x * y}, s.size};
+                                            }));
+  result.why =
+      "The signs and the pairing of the components are right, but UDot is not (see 2.7-listing_u_dot). "
+      "What it adds to $\\dot RR^T$ is symmetric, so that the three entries picked are no longer those of "
+      "a skew matrix: the result is off by $c\\,(r_yr_z,-r_xr_z,r_xr_y)$, $c=\\ddot{\\mathbf "
+      "r}\\cdot\\mathbf u/|\\dot{\\mathbf r}|$. At $t=0.75$ the listing gives $(0.9696,2.7156,4.8642)$, "
+      "and $\\mathbf w=(1.2157,2.9617,4.7289)$. At $t=0$, where the speed is stationary, it is right by "
+      "accident.";
+
+  return {
+      formula("2.7-on_the_sphere", 485, "|r| = 1 for all t", "|r|", "the unit sphere", all, 0.5, 1,
+              [](S s, double k) {
+                const double height = s.t * s.t, flat = 1 - height;
+                return Sides{std::hypot(flat, height) / std::pow(flat * flat + height * height, k), 1};
+              }),
+      claim("2.7-velocity_perpendicular", 485, "r.r' = 0 for all t",
+            perpendicular("r' has no part along r", true), {perpendicular("r'' has no part along r", false)}),
+      formula("2.7-rotation", 485, "R = [r u r x u] is a rotation matrix", "R^T R, det R", "a rotation", all,
+              1, -1,
+              [](S s, double k) {
+                const Vector3 u = s.m.v / s.speed;
+                const Matrix3 R = Matrix3::columns(s.m.r, u, k * cross(s.m.r, u));
+                return Sides{joined(transpose(R) * R, determinant(R)), joined(identity(), 1), 4};
+              }),
+      claim("2.7-skew_of_w", 493, "Skew(w) = R' R^T",
+            reading("R' R^T", "Skew(w)", route, all,
+                    [](S s) {
+                      return Sides{s.R_dot * transpose(s.R), skew(s.w), s.size};
+                    }),
+            {reading("R^T R', which has w in the body's frame", "Skew(w)", route, all,
+                     [](S s) {
+                       return Sides{transpose(s.R) * s.R_dot, skew(s.w), s.size};
+                     })}),
+      formula("2.7-quotient_rule", 499, "u' = (|r'|^2 r'' - (r'.r'') r')/|r'|^3", "u'", duals, all, 1, -1,
+              [](S s, double k) {
+                const double v = s.speed;
+                return Sides{(v * v * s.m.a - k * dot(s.m.v, s.m.a) * s.m.v) / (v * v * v), s.u_dot, s.size};
+              }),
+      claim("2.7-u_dot", 503, "u' = (r'' - (r''.u) u)/|r'|",
+            u_dot("the acceleration's component", [](S s) { return dot(s.m.a, s.u); }),
+            {u_dot("the position's component", [](S s) { return dot(s.m.r, s.u); }),
+             u_dot("the velocity's component", [](S s) { return dot(s.m.v, s.u); })}),
+      formula("2.7-product_rule", 509, "d(r x u)/dt = r' x u + r x u'", "(r x u)'", duals, all, 1, -1,
+              [](S s, double k) {
+                return Sides{cross(s.m.v, s.u) + k * cross(s.m.r, s.u_dot), s.b_dot, s.size};
+              }),
+      formula("2.7-parallel", 511, "r' x u = 0, they being parallel: d(r x u)/dt = r x u'",
+              "r' x u, (r x u)'", "zero, dual numbers", all, 1, 0,
+              [](S s, double k) {
+                const Vector3 gone = cross(s.m.v, s.u), left = cross(s.m.r, s.u_dot);
+                return Sides{k == 1 ? joined(gone, left) : joined(left, gone), joined(Vector3{}, s.b_dot),
+                             s.size};
+              }),
+      formula("2.7-columns", 515, "R' = [r' u' r x u']", "R'", of_frame, all, 1, -1,
+              [](S s, double k) {
+                return Sides{Matrix3::columns(s.m.v, s.u_dot, k * cross(s.m.r, s.u_dot)), s.R_dot, s.size};
+              }),
+      formula("2.7-outer_products", 531, "R' R^T = r' r^T + u' u^T + (r x u')(r x u)^T", "R' R^T", of_frame,
+              all, 1, 0,
+              [](S s, double k) {
+                return Sides{outer_sum(s, k), s.R_dot * transpose(s.R), s.size};
+              }),
+      formula("2.7-unskew_is_inverse", 533, "Unskew is the inverse of Skew", "Unskew(Skew(w))", route, all, 1,
+              -1,
+              [](S s, double k) {
+                return Sides{unskew(k * skew(s.w)), s.w};
+              }),
+      formula("2.7-angular_velocity", 535, "w = Unskew(r' r^T + u' u^T + (r x u')(r x u)^T)", "w", route, all,
+              1, 0,
+              [](S s, double k) {
+                return Sides{unskew(outer_sum(s, k)), s.w, s.size};
+              }),
+      formula("2.7-only_r_v_a", 537, "functions for r, r' and r'' are all that w needs", "w", of_frame, all,
+              1, 0,
+              [](S s, double k) {
+                return Sides{angular_velocity({s.m.r, s.m.v, k * s.m.a}), unskew(s.R_dot * transpose(s.R)),
+                             s.size};
+              }),
+      listed_derivative,
+      call,
+      formula("2.7-listing_signs", 579, "the listing picks w out of R' R^T with the signs -, +, -",
+              "W, UDot being right", route, all, 1, -1,
+              [](S s, double k) {
+                const Vector3 W = listed_w(s.m, s.u_dot);
+                return Sides{{W[0], k * W[1], W[2]}, s.w, s.size};
+              }),
+      result,
+  };
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  const Quantity carried = orientation(p["T"], truth);
+  return {claims(p["seed"]), {angular_velocity_at(p["t"], truth), carried, orthogonality(carried)}};
+}
+
+}  // namespace
+
+Exercise exercise_2_7() {
+  return {"Orientation along a curve on a sphere",
+          "A rigid sphere is turned so that a point of it follows $((1-t^2)\\cos\\pi t,(1-t^2)\\sin\\pi "
+          "t,t^2)/\\sqrt{(1-t^2)^2+t^4}$: choose an orientation matrix and find the angular velocity.",
+          parameters, true, study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "reference/text.hpp"
+
+/// Vectors of three numbers; sums and multiples of any number.
+namespace oddity {
+
+using Vector = std::array<double, 3>;
+
+template <std::size_t n>
+std::array<double, n> operator+(std::array<double, n> a, const std::array<double, n>& b) {
+  for (std::size_t k = 0; k < n; ++k) a[k] += b[k];
+  return a;
+}
+template <std::size_t n>
+std::array<double, n> operator-(std::array<double, n> a, const std::array<double, n>& b) {
+  for (std::size_t k = 0; k < n; ++k) a[k] -= b[k];
+  return a;
+}
+template <std::size_t n>
+std::array<double, n> operator*(double s, std::array<double, n> a) {
+  for (double& each : a) each *= s;
+  return a;
+}
+inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
+
+inline std::string shown(const Vector& a) {
+  return "(" + rounded(a[0], 4) + ", " + rounded(a[1], 4) + ", " + rounded(a[2], 4) + ")";
+}
+
+}  // namespace oddity

@@ -1,0 +1,132 @@
+#pragma once
+
+// The models and quantities of exercise 3.9.
+
+#include <cmath>
+
+#include "chapters/scene.hpp"
+#include "solvers/ode/implicit_euler.hpp"
+#include "solvers/ode/rosenbrock_4.hpp"
+
+namespace oddity::damped_ball {
+
+struct Ball {
+  double m, c, a, p1, p2, v1, v2;
+};
+
+// ---- the models -------------------------------------------------------------------------------------------
+
+/// The three regimes in one form, without cancellation where they meet: exp(-h t)(p C + (v + h p) S).
+/// Over-damped, the slow exponential is taken out of C and S; its rate h - w is (c/m)/(h + w).
+struct OneForm : Ball {
+  std::array<double, 2> at(double t) const {
+    const double h = a / (2 * m), d = h * h - c / m, w = std::sqrt(std::abs(d));
+    const double rate = d > 0 ? c / m / (h + w) : h;
+    const double even = d > 0 ? (1 + std::exp(-2 * w * t)) / 2 : std::cos(w * t);
+    const double odd = w == 0 ? t : d > 0 ? -std::expm1(-2 * w * t) / (2 * w) : std::sin(w * t) / w;
+    const auto x = [&](double p, double v) { return std::exp(-rate * t) * (p * even + (v + h * p) * odd); };
+    return {x(p1, v1), x(p2, v2)};
+  }
+};
+
+/// The book's case 1: K1 exp(r1 t) + K2 exp(r2 t), as written.
+struct TwoExponentials : Ball {
+  std::array<double, 2> at(double t) const {
+    const double root = std::sqrt(a * a - 4 * m * c), r1 = (-a + root) / (2 * m), r2 = (-a - root) / (2 * m);
+    const auto x = [&](double p, double v) {
+      const double k1 = (v - r2 * p) / (r1 - r2);
+      return k1 * std::exp(r1 * t) + (p - k1) * std::exp(r2 * t);
+    };
+    return {x(p1, v1), x(p2, v2)};
+  }
+};
+
+/// (x1, x2, x1', x2', work lost to friction).
+struct Plane : Ball {
+  using State = std::array<double, 5>;
+  State start() const { return {p1, p2, v1, v2, 0}; }
+  template <class X, class T>
+  void operator()(const X& x, X& dxdt, const T&) const {
+    dxdt = {x[2], x[3], (-c * x[0] - a * x[2]) / m, (-c * x[1] - a * x[3]) / m,
+            a * (x[2] * x[2] + x[3] * x[3])};
+  }
+  std::array<double, 2> observe(const State& x, double) const { return {x[0], x[1]}; }
+  double invariant(const State& x, double) const {
+    return m * (x[2] * x[2] + x[3] * x[3]) / 2 + c * (x[0] * x[0] + x[1] * x[1]) / 2 + x[4];
+  }
+};
+
+inline Known true_path(const Ball& b, const Horizon& horizon, const Reference& truth) {
+  return trajectory(truth, "03_09_ball", {b.m, b.c, b.a, b.p1, b.p2, b.v1, b.v2}, horizon);
+}
+
+inline Quantity path(const std::string& name, const std::string& says, const Ball& b,
+                     const Reference& truth) {
+  const Horizon horizon{5};
+  Quantity q = quantity(name, "m", says, true_path(b, horizon, truth), {1e-8, "a hundredth of a micrometre"});
+  Ladder ladder(q, horizon, halving("step", 0.125, 11), tolerances(3, 11));
+  ladder.closed_form("closed form, one for all regimes", OneForm{b});
+  if (b.a * b.a > 4 * b.m * b.c) ladder.closed_form("two exponentials", TwoExponentials{b});
+  ladder.by_all("plane", Plane{b}, Outcome::inaccurate, Outcome::inaccurate)
+      .by<ode::ImplicitEuler>("plane", Plane{b}, Outcome::inaccurate,
+                              "its order is too low for this need at this step")
+      .by<ode::Rosenbrock4>("plane", Plane{b});
+  return q;
+}
+
+/// Friction just above critical: the closed forms alone.
+inline Quantity near_critical_path(const Ball& b, const Reference& truth) {
+  const Horizon horizon{5};
+  Quantity q = quantity("near_critical", "m", "the same with friction 1e-13 of itself above the critical",
+                        true_path(b, horizon, truth), {1e-12, "twelve decimals"});
+  Ladder(q, horizon, no_knob(), no_knob())
+      .closed_form("one form for all regimes", OneForm{b})
+      .closed_form("two exponentials", TwoExponentials{b}, Outcome::inaccurate,
+                   "its two terms nearly cancel where the roots nearly meet");
+  return q.add(Breakdown{
+      "Where the roots nearly meet, the two exponentials have factors of a million and of opposite sign, and "
+      "lose as many "
+      "digits. One form for all regimes, with sinh(w t)/w as one function, loses none.",
+      "two exponentials, closed form", 0, Outcome::inaccurate, "one form for all regimes, closed form", 0});
+}
+
+/// The largest step at which the algorithm keeps a decaying motion bounded over a thousand steps, by
+/// bisection.
+template <class Algorithm>
+Answer largest_stable_step(const Ball& ball) {
+  struct Fast : Ball {
+    void operator()(const std::array<double, 2>& x, std::array<double, 2>& dxdt, double) const {
+      dxdt = {x[1], (-c * x[0] - a * x[1]) / m};
+    }
+  };
+  Answer limit{0};
+  double low = 0, high = 10 * ball.m / ball.a;
+  while (high - low > 1e-6 * high) {
+    const double h = (low + high) / 2;
+    const auto end = ode::integrate<Algorithm>(Fast{ball}, std::array{1.0, -ball.a / ball.m}, 0, 1000 * h, h);
+    limit.evaluations += end.evaluations;
+    (end.reached() && std::abs(end.value[1]) <= ball.a / ball.m ? low : high) = h;
+  }
+  limit.value = low;
+  return limit;
+}
+
+inline Quantity stability_limit(const Ball& ball) {
+  const double fastest = (ball.a + std::sqrt(ball.a * ball.a - 4 * ball.m * ball.c)) / (2 * ball.m);
+  Quantity q{"stability_limit",
+             "s",
+             "largest stable step of explicit Euler where friction is strong: 2/|r2|",
+             {"2/|r2| from the characteristic polynomial", 2 / fastest},
+             1e-16,
+             {1e-3 * 2 / fastest, "a thousandth of the limit"}};
+  q.add({"stiff", "explicit Euler, bisected", no_knob(),
+         [=](double) { return largest_stable_step<ode::ExplicitEuler>(ball); }});
+  q.add({"stiff", "Runge-Kutta 4, bisected, by 2/2.785294", no_knob(), [=](double) {
+           Answer limit = largest_stable_step<ode::RungeKutta4>(ball);
+           limit.value = limit.value[0] * 2 / 2.785293563405282;
+           return limit;
+         }});
+  return q;
+}
+
+}  // namespace oddity::damped_ball

@@ -1,0 +1,346 @@
+// Exercise 3.9: a ball in the plane on a spring of constant c with viscous friction a: when does it reach the
+// origin?
+//   m x'' + a x' + c x = 0 in each coordinate; with h = a/(2m), d = h^2 - c/m
+//   x = exp(-h t) (p C + (v + h p) S),   C, S = cosh and sinh/w, or cos and sin/w, or 1 and t, w = sqrt|d|
+// The equations are derived again from L = m|x'|^2/2 - c|x|^2/2 and Rayleigh's dissipation a|x'|^2/2 by dual
+// numbers; the published solutions are put into the differential equation, their derivatives taken by dual
+// numbers. Letters: r1 > r2 the real roots of m r^2 + a r + c; alpha, beta the parts of the complex ones.
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "chapters/03_rigid_body_motion/damped_ball.hpp"
+#include "chapters/random.hpp"
+#include "reference/text.hpp"
+#include "solvers/dual.hpp"
+
+namespace oddity {
+
+namespace {
+
+using namespace damped_ball;
+
+constexpr Parameter parameters[] = {
+    {"m", 1, "kg", "mass", 1e-2, 1e2},
+    {"c", 4, "N/m", "spring constant", 1e-3, 1e4},
+    {"a", 0.4, "N s/m", "viscous friction", 0, 1e3},
+    {"p1", 1, "m", "position at the start", -1e3, 1e3},
+    {"p2", 0.5, "m", "position at the start", -1e3, 1e3},
+    {"v1", 0, "m/s", "velocity at the start", -1e3, 1e3},
+    {"v2", 1.5, "m/s", "velocity at the start", -1e3, 1e3},
+    {"seed", 39, "", "of the random samples", 0, 1e9},
+};
+
+// ---- the claims -------------------------------------------------------------------------------------------
+
+/// m x'' + a x' + c x against zero, and x(0), x'(0) against p, v, at random times and parameters.
+/// form(m, c, a, p, v) returns x as a generic function of the time.
+template <class Form>
+Check solves(const std::string& formula, double seed, bool overdamped, const Form& form) {
+  Random random(seed);
+  Worst worst("(m x'' + a x', x(0), x'(0))", formula + ", differentiated by dual numbers", "(-c x, p, v)",
+              2048);
+  for (int i = 0; i < 200; ++i) {
+    const double m = random.between(0.3, 3), c = random.between(0.3, 3), p = random.between(-2, 2),
+                 v = random.between(-2, 2);
+    const double a = 2 * std::sqrt(m * c) * (overdamped ? random.between(1.1, 3) : random.between(0.05, 0.9));
+    const double t = random.between(0.1, 5);
+    const auto x = form(m, c, a, p, v);
+    const double x1 = derivative(x, t), x2 = second_derivative(x, t);
+    worst.see({m * x2 + a * x1, x(0.0), derivative(x, 0.0)}, {-c * x(t), p, v}, 10 + a * a / m,
+              "m = " + rounded(m, 4) + ", c = " + rounded(c, 4) + ", a = " + rounded(a, 4) +
+                  ", t = " + rounded(t, 4));
+  }
+  return worst.check();
+}
+
+constexpr auto two_exponentials(double sign) {
+  return [sign](double m, double c, double a, double p, double v) {
+    const double root = std::sqrt(a * a - sign * 4 * m * c), r1 = (-a + root) / (2 * m),
+                 r2 = (-a - root) / (2 * m);
+    const double k1 = (v - r2 * p) / (r1 - r2);
+    return [=](const auto& t) {
+      using std::exp;
+      return k1 * exp(r1 * t) + (p - k1) * exp(r2 * t);
+    };
+  };
+}
+
+/// sign = 1: the published K2 = (v - alpha p)/beta.
+constexpr auto damped_oscillation(double sign) {
+  return [sign](double m, double c, double a, double p, double v) {
+    const double alpha = -a / (2 * m), beta = std::sqrt(4 * m * c - a * a) / (2 * m);
+    return [=](const auto& t) {
+      using std::cos, std::exp, std::sin;
+      return exp(alpha * t) * (p * cos(beta * t) + (v - sign * alpha * p) / beta * sin(beta * t));
+    };
+  };
+}
+
+/// The accelerations that the energies imply, against those of the text with friction_sign = 1.
+Check equations(double seed, double friction_sign) {
+  Random random(seed);
+  Worst worst("m x''", "from L and Rayleigh's dissipation, by dual numbers", "-c x - a x'");
+  for (int i = 0; i < 200; ++i) {
+    const double m = random.between(0.1, 3), c = random.between(0.1, 3), a = random.between(0.1, 3);
+    const auto [x1, x2, unused] = random.point(3);
+    const auto [v1, v2, spare] = random.point(3);
+    const auto lagrangian = [&](const auto& q1, const auto& q2) {
+      return 0.5 * m * (v1 * v1 + v2 * v2) - 0.5 * c * (q1 * q1 + q2 * q2);
+    };
+    const auto dissipation = [&](const auto& u1, const auto& u2) { return 0.5 * a * (u1 * u1 + u2 * u2); };
+    using D = Dual<double>;
+    const Value derived{lagrangian(D(x1, 1), D(x2)).slope - dissipation(D(v1, 1), D(v2)).slope,
+                        lagrangian(D(x1), D(x2, 1)).slope - dissipation(D(v1), D(v2, 1)).slope};
+    worst.see(derived, {-c * x1 - friction_sign * a * v1, -c * x2 - friction_sign * a * v2}, 9 + 9,
+              "a = " + rounded(a, 4));
+  }
+  return worst.check();
+}
+
+/// First positive time at which the ball of an under-damped start with p and v parallel is at the origin,
+/// found by marching and bisection on the Cartesian closed form; v = s p.
+double first_passage(const Ball& b) {
+  const auto x = [&](double t) { return OneForm{b}.at(t)[0]; };
+  const double step = 1e-3 * std::sqrt(b.m / b.c);
+  double t = 0;
+  while (x(t) * x(t + step) > 0) t += step;
+  double low = t, high = t + step;
+  for (int i = 0; i < 60; ++i) (x(low) * x((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
+  return low;
+}
+
+enum class Branch { principal, forward, forward_unsigned };
+
+Check passage(double seed, Branch branch, const std::string& formula) {
+  Random random(seed);
+  Worst worst("first time at the origin", formula, "the sign change of x1(t), by bisection");
+  for (int i = 0; i < 50; ++i) {
+    const double s = random.between(-2, 2), p = random.between(0.2, 2);
+    const Ball b{1, random.between(1, 4), random.between(0.1, 0.9), p, 2 * p, s * p, 2 * s * p};
+    const double alpha = -b.a / 2, beta = std::sqrt(4 * b.c - b.a * b.a) / 2;
+    double angle = std::atan(-beta * b.p1 / (b.v1 - alpha * b.p1));
+    if (branch == Branch::forward_unsigned) angle = -angle;
+    if (branch != Branch::principal && angle < 0) angle += std::numbers::pi;
+    worst.see(angle / beta, first_passage(b), {1e-9, "bisection to rounding, slopes of order 1"}, 1,
+              "v = " + rounded(s, 4) + " p, a = " + rounded(b.a, 4));
+  }
+  return worst.check();
+}
+
+std::vector<Claim> claims(double seed) {
+  Claim motion{"3.9-equations", 1449, "each coordinate obeys m x'' + a x' + c x = 0"};
+  motion.printed = {"m x'' = -c x - a x'", {equations(seed, 1)}};
+  motion.near_misses = {{"friction that drives", {equations(seed, -1)}}};
+
+  Random random(seed + 1);
+  Worst vieta("(sum, product) of the roots by (-a/m, c/m)", "the published roots", "Vieta"),
+      without("the same", "roots without c", "Vieta");
+  Worst no_c("m r^2 + a r at the published roots", "as the text has the polynomial", "zero"),
+      with_c("m r^2 + a r at the published roots", "m r^2 + a r", "-c");
+  long wrong_signs = 0, positive = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double m = random.between(0.1, 3), c = random.between(0.1, 3), a = random.between(0.1, 9),
+                 d = a * a - 4 * m * c;
+    const std::complex<double> root = std::sqrt(std::complex<double>(d)), r1 = (-a + root) / (2 * m),
+                               r2 = (-a - root) / (2 * m);
+    const std::string where = "m = " + rounded(m, 4) + ", c = " + rounded(c, 4) + ", a = " + rounded(a, 4);
+    vieta.see({(r1 + r2).real(), (r1 * r2).real()}, {-a / m, c / m}, (a / m) * (a / m) + 1, where);
+    without.see({-a / m, (r1 * r2).real()}, {-a / m, 0}, (a / m) * (a / m) + 1, where);
+    const std::complex<double> p = m * r1 * r1 + a * r1;
+    no_c.see({p.real(), p.imag()}, {0, 0}, a * a / m + c, where);
+    with_c.see({p.real(), p.imag()}, {-c, 0}, a * a / m + c, where);
+    wrong_signs +=
+        d >= 0 ? !(r1.real() < 0 && r2.real() < 0 && r1.imag() == 0) : !(r1.real() < 0 && r1.imag() != 0);
+    positive += !(r1.real() > 0);
+  }
+  Claim polynomial{"3.9-characteristic_polynomial", 1453,
+                   "the characteristic polynomial is m r^2 + a r + (nothing)"};
+  polynomial.printed = {"m r^2 + a r = 0", {no_c.check()}};
+  polynomial.meant = {"m r^2 + a r + c = 0", {with_c.check()}};
+  polynomial.why =
+      "The last coefficient, $c$, is missing after its plus sign; the roots that follow have it.";
+
+  Claim roots{"3.9-roots", 1455, "the roots are (-a +- sqrt(a^2 - 4 m c))/(2 m)"};
+  roots.printed = {"sum -a/m, product c/m", {vieta.check()}};
+  roots.near_misses = {{"product 0", {without.check()}}};
+
+  Claim signs{"3.9-negative_roots", 1461,
+              "the roots are real and negative, or complex with negative real part"};
+  signs.printed = {"Re r < 0", {never("a root with a real part that is not negative", wrong_signs, 300)}};
+  signs.near_misses = {{"Re r > 0", {never("a root with a real part that is not positive", positive, 300)}}};
+
+  Claim overdamped{"3.9-two_exponentials", 1469,
+                   "for real roots x = K1 exp(r1 t) + K2 exp(r2 t) is the general solution"};
+  const Ball critical{1, 4, 4, 1, 0.5, 0, 1.5};
+  const double t = 1;
+  const Route with_t{"exp(r t) (p + (v - r p) t), r = -2",
+                     {std::exp(-2.0) * (1 + 2 * 1.0), std::exp(-2.0) * (0.5 + (1.5 + 1) * 1.0)}};
+  const auto [c1, c2] = TwoExponentials{critical}.at(t);
+  const auto [e1, e2] = OneForm{critical}.at(t);
+  overdamped.printed = {"for all real roots, the double one included",
+                        {solves("two exponentials", seed, true, two_exponentials(1)),
+                         {"x(1) at a^2 = 4 m c", {"two exponentials", {c1, c2}}, with_t, rounding(1)}}};
+  overdamped.corrected = {
+      "for r1 != r2; for a double root r, (K1 + K2 t) exp(r t)",
+      {solves("two exponentials", seed, true, two_exponentials(1)),
+       {"x(1) at a^2 = 4 m c", {"the limit of the two regimes", {e1, e2}}, with_t, rounding(1)}}};
+  overdamped.why =
+      "Case 1 includes $a^2 = 4mc$, where both exponentials are the same function: two starting values "
+      "cannot be met, and the formulas for "
+      "$K_1$ and $K_2$ divide by zero. The critically damped ball follows $(K_1 + K_2 t)\\,e^{rt}$. Just "
+      "beside it the two exponentials are "
+      "correct but cancel: they cancel, and lose digits without end (see `near_critical`).";
+
+  Claim limit{"3.9-limit", 1471, "whatever K1 and K2, x tends to zero"};
+  long far = 0, near = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double a = random.between(4.1, 20), k1 = random.magnitude(1e-3, 1e3),
+                 k2 = random.magnitude(1e-3, 1e3), root = std::sqrt(a * a - 16);
+    const auto x = [&](double s) {
+      return k1 * std::exp((-a + root) / 2 * s) + k2 * std::exp((-a - root) / 2 * s);
+    };
+    far += !(std::abs(x(500)) < 1e-12);
+    near += !(std::abs(x(0.01)) < 1e-12);
+  }
+  limit.printed = {"|x(500)| < 1e-12", {never("|x(500)| >= 1e-12 for |K| up to 1000", far, 200)}};
+  limit.near_misses = {{"already at t = 0.01", {never("|x(0.01)| >= 1e-12", near, 200)}}};
+
+  Claim never_reached{"3.9-overdamped_never_arrives", 1477,
+                      "with real roots the ball reaches the origin only after infinite time"};
+  const Ball thrown{1, 4, 5, 1, 2, -9, -18};
+  const double passes = std::log(8.0 / 5.0) / 3;
+  const auto [o1, o2] = OneForm{thrown}.at(passes);
+  never_reached.printed = {
+      "|x| > 0 for all t",
+      {never("the origin is passed by t = 1: x1(1) has changed its sign", OneForm{thrown}.at(1)[0] < 0, 1,
+             "m = 1, c = 4, a = 5, p = (1, 2), v = -9 p")}};
+  never_reached.corrected = {
+      "a ball thrown at the origin faster than |r2| |p| passes it once, at exp((r1 - r2) t) = -K2/K1",
+      {{"x at t = ln(8/5)/3", {"closed form", {o1, o2}}, {"the origin", {0, 0}}, rounding(2), 2}}};
+  never_reached.why =
+      "With $p$ and $v$ parallel both coordinates vanish together once if $v$ points to the origin and $|v| "
+      "> |r_2||p|$. For $m=1$, "
+      "$c=4$, $a=5$ the roots are $-1$ and $-4$; from $p$ with $v=-9p$, $x = \\frac13(-5e^{-t} + "
+      "8e^{-4t})\\,p$ is zero at $t = \\frac13\\ln\\frac85 = 0.157$.";
+
+  Claim sooner{"3.9-larger_friction_sooner", 1477,
+               "the larger the friction a, the sooner the ball is nearly at the origin"};
+  long slower = 0, faster = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double a = random.between(4.5, 60), b = a * random.between(1.05, 3);
+    const Ball one{1, 4, a, 1, 1, 0, 0}, other{1, 4, b, 1, 1, 0, 0};
+    slower += !(OneForm{other}.at(5)[0] < OneForm{one}.at(5)[0]);
+    faster += !(OneForm{other}.at(5)[0] > OneForm{one}.at(5)[0]);
+  }
+  sooner.printed = {"x(5) falls with a",
+                    {never("more friction leaves the ball farther away at t = 5", slower, 100)}};
+  sooner.corrected = {"x(5) grows with a beyond the critical 2 sqrt(m c)",
+                      {never("more friction leaves the ball nearer at t = 5", faster, 100)}};
+  sooner.why =
+      "Past critical damping the slow root $r_1 = -2c/(a+\\sqrt{a^2-4mc})$ goes to zero as $-c/a$: honey "
+      "holds the ball back. The fastest "
+      "approach is at $a = 2\\sqrt{mc}$.";
+
+  Claim solution{"3.9-damped_oscillation", 1491,
+                 "x = exp(alpha t)(p cos(beta t) + (v - alpha p)/beta sin(beta t)), alpha = -a/(2m), beta = "
+                 "sqrt(4mc - a^2)/(2m)"};
+  solution.printed = {"as stated", {solves("the published x(t)", seed, false, damped_oscillation(1))}};
+  solution.near_misses = {
+      {"(v + alpha p)/beta", {solves("(v + alpha p)/beta", seed, false, damped_oscillation(-1))}}};
+
+  Claim slope{"3.9-derivative", 1487,
+              "x' = exp(alpha t)(-beta K1 sin + beta K2 cos) + alpha exp(alpha t)(K1 cos + K2 sin)"};
+  Worst by_hand("x'", "the published derivative", "dual numbers"),
+      no_alpha("x'", "without its last term", "dual numbers");
+  for (int i = 0; i < 200; ++i) {
+    const double alpha = -random.unit(), beta = random.between(0.1, 3), k1 = random.between(-2, 2),
+                 k2 = random.between(-2, 2), s = random.between(0, 5);
+    const auto x = [&](const auto& u) { return exp(alpha * u) * (k1 * cos(beta * u) + k2 * sin(beta * u)); };
+    const double e = std::exp(alpha * s), co = std::cos(beta * s), si = std::sin(beta * s);
+    const double first = e * (-beta * k1 * si + beta * k2 * co);
+    by_hand.see(first + alpha * e * (k1 * co + k2 * si), derivative(x, s), 20, "t = " + rounded(s, 4));
+    no_alpha.see(first, derivative(x, s), 20, "t = " + rounded(s, 4));
+  }
+  slope.printed = {"as stated", {by_hand.check()}};
+  slope.near_misses = {{"without alpha exp(alpha t) (...)", {no_alpha.check()}}};
+
+  Claim arrival{"3.9-arrival_time", 1517,
+                "for p and v parallel the ball is at the origin at t = atan(-beta p1/(v1 - alpha p1))/beta"};
+  arrival.printed = {"the principal value", {passage(seed, Branch::principal, "atan(...)/beta")}};
+  arrival.corrected = {"plus pi/beta where the arctangent is negative",
+                       {passage(seed, Branch::forward, "atan(...)/beta, forward in time")}};
+  arrival.near_misses = {{"the sign inside dropped",
+                          {passage(seed, Branch::forward_unsigned, "atan(+...)/beta, forward in time")}}};
+  arrival.why =
+      "The arctangent's principal value is negative whenever $(v_1-\\alpha p_1)/p_1 > 0$, which includes "
+      "every ball let go at rest or moving away: "
+      "the formula then names a time before the start. The first arrival is $\\pi/\\beta$ later.";
+
+  Claim pointing{"3.9-velocity_points_to_origin", 1525,
+                 "what happens physically is that the velocity points to the origin at the start"};
+  const Ball away{1, 4, 0.4, 1, 2, 1, 2};
+  const auto [w1, w2] = OneForm{away}.at(first_passage(away));
+  pointing.printed = {
+      "p.v < 0 in every start that arrives",
+      {never("p.v >= 0 though the ball arrives: p = (1, 2), v = p", size_of({w1, w2}) < 1e-9, 1)}};
+  pointing.corrected = {"p and v parallel, in either direction",
+                        {{"x at the first sign change, v = p",
+                          {"closed form", {w1, w2}},
+                          {"the origin", {0, 0}},
+                          {1e-12, "bisection to rounding"},
+                          2}}};
+  pointing.why =
+      "Parallel is enough: a ball moving straight away from the origin turns round and comes back through "
+      "it.";
+
+  Claim misses{"3.9-not_parallel_never", 1541,
+               "for p and v not parallel the ball never reaches the origin in finite time"};
+  Worst momentum("x1 x2' - x2 x1' after t", "along the closed form", "exp(-a t/m) (p1 v2 - p2 v1)"),
+      steady("x1 x2' - x2 x1' after t", "along the closed form", "p1 v2 - p2 v1, without loss");
+  for (int i = 0; i < 200; ++i) {
+    const auto [p1, p2, u1] = random.point(2);
+    const auto [v1, v2, u2] = random.point(2);
+    const double a = random.between(0.1, 3.5), s = random.between(0.1, 6);
+    const auto x1 = damped_oscillation(1)(1, 4, a, p1, v1);
+    const auto x2 = damped_oscillation(1)(1, 4, a, p2, v2);
+    const double now = x1(s) * derivative(x2, s) - x2(s) * derivative(x1, s);
+    momentum.see(now, std::exp(-a * s) * (p1 * v2 - p2 * v1), 40,
+                 "a = " + rounded(a, 4) + ", t = " + rounded(s, 4));
+    steady.see(now, p1 * v2 - p2 * v1, 40, "a = " + rounded(a, 4) + ", t = " + rounded(s, 4));
+  }
+  misses.printed = {"the angular momentum decays but is never zero", {momentum.check()}};
+  misses.near_misses = {{"the angular momentum is conserved", {steady.check()}}};
+
+  return {motion, polynomial, roots,    signs,   overdamped, limit, never_reached,
+          sooner, slope,      solution, arrival, pointing,   misses};
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  const Ball ball{p["m"], p["c"], p["a"], p["p1"], p["p2"], p["v1"], p["v2"]};
+  Ball near_critical = ball, stiff = ball;
+  near_critical.a = 2 * std::sqrt(ball.m * ball.c) * (1 + 1e-13);
+  stiff.a = 20 * std::sqrt(ball.m * ball.c);
+  Quantity fast = path("stiff", "the same with ten times the critical friction", stiff, truth);
+  fast.add(
+      Breakdown{"The fast root is near -40: explicit Euler diverges for steps above 0.05, though the motion "
+                "that is left is slow. "
+                "Rosenbrock's method takes its steps from the motion.",
+                "plane, explicit Euler", 0.125, Outcome::diverged, "plane, Rosenbrock 4", 1e-11});
+  return {claims(p["seed"]),
+          {path("path", "position after 1.25, 2.5, 3.75 and 5 s", ball, truth),
+           near_critical_path(near_critical, truth), fast, stability_limit(stiff)}};
+}
+
+}  // namespace
+
+Exercise exercise_3_9() {
+  return {"Ball on a spring with friction",
+          "A ball in the plane is held by a spring of constant $c$ to the origin and slowed by viscous "
+          "friction $a$. Solve for its motion; when does "
+          "it reach the origin?",
+          parameters, true, study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+/// Solid spheres and a cube of cubic bins: bin (i, j, k) is the closed box [i h, (i+1) h] x [j h, (j+1) h] x
+/// ..., -half <= i, j, k < half. What touches counts as hit.
+namespace oddity::bins {
+
+using Point = std::array<double, 3>;
+using Index = std::array<int, 3>;
+
+struct Sphere {
+  Point c;
+  double r;
+};
+
+struct Grid {
+  double h;
+  int half;
+
+  long across() const { return 2L * half; }
+  long count() const { return across() * across() * across(); }
+  long id(const Index& i) const { return ((i[0] + half) * across() + i[1] + half) * across() + i[2] + half; }
+};
+
+/// Indices on one axis, both ends included; empty when low > high.
+struct Span {
+  int low, high;
+  long count() const { return std::max(0, high - low + 1); }
+};
+
+inline Span all_of(const Grid& grid) { return {-grid.half, grid.half - 1}; }
+
+/// Clamped as numbers: only what fits is ever converted to int.
+inline Span clamped(double low, double high, const Grid& grid) {
+  const double n = grid.half;
+  return {static_cast<int>(std::clamp(low, -n, n)), static_cast<int>(std::clamp(high, -n - 1, n - 1))};
+}
+
+/// The bins that [x - r, x + r] meets.
+inline Span reach(double x, double r, const Grid& grid) {
+  return clamped(std::ceil((x - r) / grid.h) - 1, std::floor((x + r) / grid.h), grid);
+}
+
+/// What misjudges a range: floor at both ends forgets a bin that ends where the interval begins.
+inline Span reach_by_floor(double x, double r, const Grid& grid) {
+  return clamped(std::floor((x - r) / grid.h), std::floor((x + r) / grid.h), grid);
+}
+
+/// Truncation merges the two bins beside zero, and rounds every negative coordinate the wrong way.
+inline Span reach_by_truncation(double x, double r, const Grid& grid) {
+  return clamped(std::trunc((x - r) / grid.h), std::trunc((x + r) / grid.h), grid);
+}
+
+/// Converted to 32 bits before it is clamped, as x86 does it: what does not fit becomes the least int.
+inline Span reach_converted_first(double x, double r, const Grid& grid) {
+  const auto convert = [](double y) { return std::abs(y) < 0x1p31 ? y : -0x1p31; };
+  return clamped(convert(std::ceil((x - r) / grid.h) - 1), convert(std::floor((x + r) / grid.h)), grid);
+}
+
+/// One bin wider on both sides: safe where (i h) / h rounds to less than i.
+inline Span reach_widened(double x, double r, const Grid& grid) {
+  return clamped(std::ceil((x - r) / grid.h) - 2, std::floor((x + r) / grid.h) + 1, grid);
+}
+
+/// The distance from x to bin i on one axis.
+inline double gap(double x, int i, double h) { return std::max({i * h - x, 0.0, x - (i + 1) * h}); }
+
+/// Is the squared distance to the box at most r^2 (Arvo, Graphics Gems, 1990, p. 335)?
+inline bool touches(const Sphere& s, const Index& i, double h) {
+  double squared = 0;
+  for (std::size_t a = 0; a < 3; ++a) squared += gap(s.c[a], i[a], h) * gap(s.c[a], i[a], h);
+  return squared <= s.r * s.r;
+}
+
+/// The same with the largest gap taken over to the other side: r^2 - d^2 = (r - d)(r + d) loses nothing.
+inline bool touches_factored(const Sphere& s, const Index& i, double h) {
+  std::array<double, 3> d;
+  for (std::size_t a = 0; a < 3; ++a) d[a] = gap(s.c[a], i[a], h);
+  std::ranges::sort(d);
+  return d[0] * d[0] + d[1] * d[1] <= (s.r - d[2]) * (s.r + d[2]);
+}
+
+inline bool always(const Sphere&, const Index&, double) { return true; }
+
+struct Hits {
+  std::vector<long> ids = {};  ///< ascending
+  long tests = 0;              ///< sphere-box tests
+};
+
+/// Every bin of the range, put to the test.
+template <class Reach, class Test>
+Hits hits(const Sphere& s, const Grid& grid, const Reach& range, const Test& test) {
+  Hits found;
+  const Span x = range(s.c[0], s.r, grid), y = range(s.c[1], s.r, grid), z = range(s.c[2], s.r, grid);
+  for (int i = x.low; i <= x.high; ++i)
+    for (int j = y.low; j <= y.high; ++j)
+      for (int k = z.low; k <= z.high; ++k) {
+        ++found.tests;
+        if (test(s, Index{i, j, k}, grid.h)) found.ids.push_back(grid.id({i, j, k}));
+      }
+  return found;
+}
+
+inline Span every_bin(double, double, const Grid& grid) { return all_of(grid); }
+
+/// No test at all: row by row, the interval that the sphere leaves in it. `tests` counts the rows.
+inline Hits hits_by_rows(const Sphere& s, const Grid& grid) {
+  Hits found;
+  const Span x = reach(s.c[0], s.r, grid), y = reach(s.c[1], s.r, grid);
+  for (int i = x.low; i <= x.high; ++i)
+    for (int j = y.low; j <= y.high; ++j) {
+      ++found.tests;
+      const double dx = gap(s.c[0], i, grid.h), dy = gap(s.c[1], j, grid.h);
+      const double left = s.r * s.r - (dx * dx + dy * dy);
+      if (left < 0) continue;
+      const Span z = reach(s.c[2], std::sqrt(left), grid);
+      for (int k = z.low; k <= z.high; ++k) found.ids.push_back(grid.id({i, j, k}));
+    }
+  return found;
+}
+
+}  // namespace oddity::bins

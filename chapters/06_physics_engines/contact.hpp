@@ -1,0 +1,169 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+
+#include "chapters/random.hpp"
+#include "solvers/linear.hpp"
+#include "solvers/ode/runge_kutta_4.hpp"
+
+/// A rigid body that is hit: what an impulse leaves behind, and the motion while a short force acts.
+namespace oddity::contact {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+inline Vector3d cross(const Vector3d& a, const Vector3d& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline Vector3d vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+
+/// The inverse by cofactors.
+inline Matrix3d inverse(const Matrix3d& a) {
+  Matrix3d rows;
+  rows.row(0) = cross(a.col(1), a.col(2));
+  rows.row(1) = cross(a.col(2), a.col(0));
+  rows.row(2) = cross(a.col(0), a.col(1));
+  return rows / rows.row(0).dot(a.col(0));
+}
+
+/// J^-1 L by elimination.
+inline Vector3d turned(const Matrix3d& inertia, const Vector3d& momentum) {
+  return solve(Factorization::partial_pivot_lu, inertia, momentum).value;
+}
+
+struct Body {
+  double mass;
+  Matrix3d inertia;  ///< about the center of mass, in the world's axes
+  Vector3d center, v, w;
+};
+
+/// The impulse f N shared by two points: `first` of it at P0, the rest at P1.
+struct Hit {
+  Vector3d p0, p1, impulse;
+  double first = 0.5;
+};
+
+/// (center, v, orientation by rows, angular momentum); time in units of the pulse.
+struct Pulse {
+  using State = std::array<double, 18>;
+  Body body;
+  Hit hit;
+  double length;
+  Matrix3d inverse_inertia = inverse(body.inertia);
+
+  static Eigen::Map<const Vector3d> part(const State& x, std::size_t from) {
+    return Eigen::Map<const Vector3d>(x.data() + from);
+  }
+  static Matrix3d orientation(const State& x) {
+    Matrix3d r;
+    r << x[6], x[7], x[8], x[9], x[10], x[11], x[12], x[13], x[14];
+    return r;
+  }
+  State start() const {
+    const Vector3d l = body.inertia * body.w;
+    return {body.center[0],
+            body.center[1],
+            body.center[2],
+            body.v[0],
+            body.v[1],
+            body.v[2],
+            1,
+            0,
+            0,
+            0,
+            1,
+            0,
+            0,
+            0,
+            1,
+            l[0],
+            l[1],
+            l[2]};
+  }
+  Vector3d angular_velocity(const State& x) const {
+    const Matrix3d r = orientation(x);
+    return r * (inverse_inertia * (r.transpose() * part(x, 15)));
+  }
+  /// The force rises and falls as 630 t^4 (1 - t)^4, whose integral is 1; its points move with the body.
+  void operator()(const State& x, State& dxdt, double t) const {
+    const Matrix3d r = orientation(x);
+    const Vector3d v = part(x, 3), w = angular_velocity(x);
+    const double bump = t * t * (1 - t) * (1 - t);
+    const Vector3d force = 630 * bump * bump * hit.impulse;
+    const Vector3d arm = r * (hit.first * (hit.p0 - body.center) + (1 - hit.first) * (hit.p1 - body.center));
+    const Vector3d torque = cross(arm, force);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const long k = static_cast<long>(i);
+      dxdt[i] = length * v[k];
+      dxdt[3 + i] = force[k] / body.mass;
+      const Vector3d column = length * cross(w, r.col(k));
+      for (std::size_t j = 0; j < 3; ++j) dxdt[6 + 3 * j + i] = column[static_cast<long>(j)];
+      dxdt[15 + i] = torque[k];
+    }
+  }
+};
+
+/// (v+, w+) after a pulse of the given length, by Runge-Kutta steps of a 128th of it.
+inline Solved<std::array<double, 6>> after_pulse(const Body& body, const Hit& hit, double length) {
+  const Pulse pulse{body, hit, length};
+  const auto end = ode::integrate<ode::RungeKutta4>(pulse, pulse.start(), 0, 1, 1.0 / 128);
+  const Vector3d w = pulse.angular_velocity(end.value);
+  return {{end.value[3], end.value[4], end.value[5], w[0], w[1], w[2]},
+          end.evaluations,
+          std::numeric_limits<double>::quiet_NaN(),
+          0,
+          end.ending,
+          end.message};
+}
+
+// ---- bodies -----------------------------------------------------------------------------------------------
+
+/// Uniformly distributed rotation, from a random unit quaternion.
+inline Matrix3d random_rotation(Random& random) {
+  Eigen::Vector4d q(random.normal(), random.normal(), random.normal(), random.normal());
+  q.normalize();
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  Matrix3d r;
+  r << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
+      1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
+      1 - 2 * (x * x + y * y);
+  return r;
+}
+
+inline Matrix3d box_inertia(double mass, double a, double b, double c) {
+  return mass / 12 * Vector3d(b * b + c * c, a * a + c * c, a * a + b * b).asDiagonal().toDenseMatrix();
+}
+
+/// A box of constant density, anywhere and turned anyhow.
+inline Body random_box(Random& random) {
+  const double mass = random.between(0.5, 2);
+  const Matrix3d r = random_rotation(random);
+  const Matrix3d own =
+      box_inertia(mass, random.between(0.5, 2), random.between(0.5, 2), random.between(0.5, 2));
+  return {mass, r * own * r.transpose(), vector(random.point()), vector(random.point()),
+          vector(random.point())};
+}
+
+/// Eight unequal masses: a body whose density is anything but constant.
+inline Body random_masses(Random& random) {
+  std::array<Vector3d, 8> at;
+  std::array<double, 8> masses;
+  Body body{0, Matrix3d::Zero(), Vector3d::Zero(), vector(random.point()), vector(random.point())};
+  for (std::size_t i = 0; i < 8; ++i) {
+    at[i] = vector(random.point(2));
+    masses[i] = random.between(0.02, 0.5);
+    body.mass += masses[i];
+    body.center += masses[i] * at[i];
+  }
+  body.center /= body.mass;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Vector3d r = at[i] - body.center;
+    body.inertia += masses[i] * (r.dot(r) * Matrix3d::Identity() - r * r.transpose());
+  }
+  return body;
+}
+
+}  // namespace oddity::contact

@@ -1,0 +1,226 @@
+// Exercise 8.1: two frames of the plane with one origin, the second's axes turned by pi/4. The book's
+//   b = R^T a,   R^T = 1/sqrt(2) (1 1; -1 1),   R the counterclockwise rotation by pi/4
+// is checked against the frames themselves: P = O + a1 u1 + a2 u2 = O + b1 v1 + b2 v2, v1 and v2 the powers
+// exp(i pi/4), i exp(i pi/4), and b by elimination. Example 8.1 itself, with c = (c1, c2), is not in the
+// solutions.
+
+#include <Eigen/Core>
+#include <complex>
+#include <numbers>
+
+#include "chapters/exercise.hpp"
+#include "chapters/random.hpp"
+#include "reference/reference.hpp"
+#include "reference/text.hpp"
+#include "solvers/linear.hpp"
+
+namespace oddity {
+
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Complex = std::complex<double>;
+
+constexpr Parameter parameters[] = {
+    {"a1", 2, "m", "first coordinate", -1e6, 1e6},
+    {"a2", 0.5, "m", "second coordinate", -1e6, 1e6},
+    {"seed", 1, "", "of the random points", 0, 1e9},
+};
+
+constexpr double quarter = std::numbers::pi / 4;
+
+Matrix2d rows(double a, double b, double c, double d) {
+  Matrix2d m;
+  m << a, b, c, d;
+  return m;
+}
+
+const Matrix2d printed = rows(1, 1, -1, 1) / std::sqrt(2.0);
+
+/// Coordinates of a point on axes turned by `angle` at `origin`, by elimination.
+Vector2d on_turned_axes(const Vector2d& point, const Vector2d& origin, double angle) {
+  const Complex v1 = std::polar(1.0, angle), v2 = v1 * Complex(0, 1);
+  return solve(Factorization::partial_pivot_lu, rows(v1.real(), v2.real(), v1.imag(), v2.imag()),
+               point - origin)
+      .value;
+}
+
+// ---- claims -----------------------------------------------------------------------------------------------
+
+/// The coordinates of the first frame's origin on the second's axes, the two origins `apart`.
+Check constants(double seed, double apart) {
+  Worst worst("(c1, c2)", "b - R^T a for a random point", "(0, 0)");
+  Random random(seed);
+  for (int n = 0; n < 100; ++n) {
+    const double size = std::abs(random.magnitude(1e-3, 1e3));
+    const auto draw = [&] { return Vector2d(random.between(-size, size), random.between(-size, size)); };
+    const Vector2d first = draw(), second = first + apart * draw(), a = draw();
+    worst.see(Value(Vector2d(on_turned_axes(first + a, second, quarter) - printed * a)), Value{0, 0},
+              4 * size, "size " + rounded(size, 3));
+  }
+  return worst.check();
+}
+
+Check coordinates(double seed, const std::string& by, const Matrix2d& matrix) {
+  Worst worst("(b1, b2)", by, "elimination on axes turned by pi/4");
+  Random random(seed);
+  for (int n = 0; n < 100; ++n) {
+    const Vector2d a(random.magnitude(1e-3, 1e3), random.magnitude(1e-3, 1e3));
+    worst.see(Value(Vector2d(matrix * a)), Value(on_turned_axes(a, Vector2d::Zero(), quarter)), a.norm(),
+              "a = (" + rounded(a[0], 4) + ", " + rounded(a[1], 4) + ")");
+  }
+  return worst.check();
+}
+
+/// The printed matrix against the transpose of the rotation that takes 1 to exp(i angle) and i to i exp(i
+/// angle).
+Check transpose_of_rotation(const std::string& by, double angle) {
+  const Complex one = std::polar(1.0, angle), i = one * Complex(0, 1);
+  return {"entries, row by row",
+          {"1/sqrt(2) (1 1; -1 1)", Value{printed(0, 0), printed(0, 1), printed(1, 0), printed(1, 1)}},
+          {by, Value{one.real(), one.imag(), i.real(), i.imag()}},
+          rounding(1)};
+}
+
+std::vector<Claim> claims(double seed) {
+  return {{"8.1-origin",
+           3977,
+           "with equal origins (c1, c2) = (0, 0)",
+           {"(0, 0)", {constants(seed, 0)}},
+           {},
+           {},
+           {{"also for origins a thousandth apart", {constants(seed, 1e-3)}}}},
+          {"8.1-matrix",
+           3981,
+           "b = 1/sqrt(2) (1 1; -1 1) a",
+           {"as printed", {coordinates(seed, "printed", printed)}},
+           {},
+           {},
+           {{"1/sqrt(2) (1 -1; 1 1)", {coordinates(seed, "transposed", printed.transpose())}},
+            {"without 1/sqrt(2)", {coordinates(seed, "not normalized", rows(1, 1, -1, 1))}}}},
+          {"8.1-transpose",
+           3991,
+           "the matrix is R^T, R the counterclockwise rotation by pi/4",
+           {"R = (cos -sin; sin cos) at pi/4", {transpose_of_rotation("R^T at pi/4", quarter)}},
+           {},
+           {},
+           {{"R clockwise", {transpose_of_rotation("R^T at -pi/4", -quarter)}},
+            {"R by pi/2", {transpose_of_rotation("R^T at pi/2", 2 * quarter)}}}}};
+}
+
+// ---- methods ----------------------------------------------------------------------------------------------
+
+Vector2d polar(const Vector2d& a, double radius) {
+  const double angle = std::atan2(a[1], a[0]) - quarter;
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth, Outcome squares) {
+  const Known known = truth("08_01_coordinates", {a[0], a[1]});
+  const double scale = std::ldexp(1.0, exponent);
+  Quantity q = quantity(exponent == 0 ? "coordinates" : "huge_coordinates",
+                        exponent == 0 ? "m" : "2^" + std::to_string(exponent) + " m",
+                        exponent == 0 ? "(b1, b2)" : "(b1, b2), a times 2^" + std::to_string(exponent), known,
+                        {1e-14 * std::max(1.0, a.norm()), "a few dozen roundings"});
+  const auto add = [&](const char* model, const char* algorithm, long multiplications, const auto& find,
+                       Outcome expected = Outcome::ok, const char* why = "") {
+    q.add({model, algorithm, no_knob(),
+           [=](double) {
+             return Answer{Value(Vector2d(find(scale * a) / scale)), multiplications};
+           },
+           expected, why});
+  };
+  add("matrix", "entries 1/sqrt(2)", 4, [](const Vector2d& x) { return Vector2d(printed * x); });
+  add("matrix", "sums over sqrt(2)", 2,
+      [](const Vector2d& x) { return Vector2d(Vector2d(x[0] + x[1], x[1] - x[0]) * std::sqrt(0.5)); });
+  add(
+      "matrix", "entries 0.7071", 4,
+      [](const Vector2d& x) { return Vector2d(0.7071 * rows(1, 1, -1, 1) * x); }, Outcome::inaccurate,
+      "four decimals of 1/sqrt(2)");
+  add("frames", "elimination", 6,
+      [](const Vector2d& x) { return on_turned_axes(x, Vector2d::Zero(), quarter); });
+  add("complex number", "times exp(-i pi/4)", 4, [](const Vector2d& x) {
+    const Complex b = Complex(x[0], x[1]) * std::polar(1.0, -quarter);
+    return Vector2d(b.real(), b.imag());
+  });
+  add("polar coordinates", "radius by hypot", 4,
+      [](const Vector2d& x) { return polar(x, std::hypot(x[0], x[1])); });
+  add(
+      "polar coordinates", "radius by squares", 4,
+      [](const Vector2d& x) { return polar(x, std::sqrt(x[0] * x[0] + x[1] * x[1])); }, squares,
+      squares == Outcome::ok ? "" : "the squares overflow");
+  return q;
+}
+
+/// Eight changes of pi/4 are none. The point is one for which rounding does not fall into a cycle, as it does
+/// for many: (2, 1/2) stays within 3e-14 for ever.
+Quantity full_turns() {
+  const Vector2d a(1234.567, -0.3333);
+  Quantity q{"full_turns",
+             "m",
+             "coordinates after full turns of eight changes each",
+             {"a itself", Value(a)},
+             0,
+             {1e-12 * a.norm(), "a few thousand roundings"},
+             {},
+             {}};
+  const Knob changes{"changes", {8, 256, 8192, 262144}};
+  const auto add = [&](const char* model, const char* algorithm, const auto& step, Outcome expected,
+                       const char* why) {
+    q.add({model, algorithm, changes,
+           [=](double n) {
+             Vector2d x = a;
+             for (long i = 0; i < static_cast<long>(n); ++i) x = step(x);
+             return Answer{Value(x), 4 * static_cast<long>(n)};
+           },
+           expected, why});
+  };
+  const double length = a.norm();
+  add(
+      "matrix", "entries 1/sqrt(2)", [](const Vector2d& x) { return Vector2d(printed * x); },
+      Outcome::inaccurate, "1/sqrt(2) is rounded, and the length shrinks with every change");
+  add(
+      "matrix", "entries 0.7071", [](const Vector2d& x) { return Vector2d(0.7071 * rows(1, 1, -1, 1) * x); },
+      Outcome::inaccurate, "each change shortens by 1e-5");
+  add(
+      "matrix", "length restored",
+      [=](const Vector2d& x) {
+        const Vector2d y = printed * x;
+        return Vector2d(y * (length / y.norm()));
+      },
+      Outcome::ok, "");
+  q.add({"two changes at once", "(b1, b2) = (a2, -a1)", changes, [=](double n) {
+           Vector2d x = a;
+           for (long i = 0; i < static_cast<long>(n); i += 2) x = Vector2d(x[1], -x[0]);
+           return Answer{Value(x), 0};
+         }});
+  q.add(
+      Breakdown{"The square of the double 1/sqrt(2) is 9e-17 too small, and the length shrinks in every "
+                "change. Two changes are a "
+                "quarter turn, which rounds nothing.",
+                "matrix, entries 1/sqrt(2)", 262144, Outcome::inaccurate,
+                "two changes at once, (b1, b2) = (a2, -a1)", 262144});
+  return q;
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  const Vector2d a(p["a1"], p["a2"]);
+  Quantity huge = coordinates_of(a, 600, truth, Outcome::non_finite);
+  huge.add(Breakdown{"A radius by squares overflows at 1e154; the matrix squares nothing.",
+                     "polar coordinates, radius by squares", 0, Outcome::non_finite,
+                     "matrix, entries 1/sqrt(2)", 0});
+  return {claims(p["seed"]), {coordinates_of(a, 0, truth, Outcome::ok), huge, full_turns()}};
+}
+
+}  // namespace
+
+Exercise exercise_8_1() {
+  return {
+      "Change of coordinates",
+      "Two coordinate systems of the plane share their origin, and the axes of one are the other's turned by "
+      "$\\pi/4$. How do the coordinates $b$ of a point follow from its coordinates $a$?",
+      parameters, false, study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+/// A tetrahedron, an affine map, and barycentric coordinates by volumes.
+namespace oddity::tetrahedra {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+inline Vector3d cross(const Vector3d& a, const Vector3d& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline double triple(const Vector3d& a, const Vector3d& b, const Vector3d& c) { return a.dot(cross(b, c)); }
+
+struct Tetrahedron {
+  std::array<Vector3d, 4> p;
+
+  Vector3d edge(std::size_t i) const { return p[i] - p[0]; }
+  Matrix3d edges() const {
+    Matrix3d v;
+    v << edge(1), edge(2), edge(3);
+    return v;
+  }
+};
+
+struct Affine {
+  Vector3d a;
+  double b;
+  double operator()(const Vector3d& p) const { return a.dot(p) + b; }
+};
+
+/// (c1, c2, c3) by the volumes of the tetrahedra that P makes with the faces.
+inline Vector3d by_volumes(const Tetrahedron& t, const Vector3d& p) {
+  const Vector3d v = p - t.p[0], v1 = t.edge(1), v2 = t.edge(2), v3 = t.edge(3);
+  return Vector3d(triple(v, v2, v3), triple(v1, v, v3), triple(v1, v2, v)) / triple(v1, v2, v3);
+}
+
+}  // namespace oddity::tetrahedra

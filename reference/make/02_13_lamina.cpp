@@ -1,0 +1,61 @@
+#include "reference/make/routes.hpp"
+
+// Columns: the integral over x^2 <= y <= 1 of x^p y^q is x^p (1 - x^(2q+2)) / (q + 1), a polynomial in x.
+// Rows: the integral over max(left, -sqrt y) <= x <= sqrt y of x^p y^q is a function of y with a root in it.
+namespace oddity::truth {
+
+namespace {
+
+Number power_integral(const Number& a, const Number& b, int n) {
+  return (pow(b, n + 1) - pow(a, n + 1)) / (n + 1);
+}
+
+/// The six components from the moments of x^p y^q.
+template <class Moment>
+Numbers components(const Moment& moment, const Number& z, const Number& rho) {
+  const Number area = moment(0, 0), xx = moment(2, 0), yy = moment(0, 2), zz = z * z * area;
+  return {rho * (yy + zz),
+          rho * (xx + zz),
+          rho * (xx + yy),
+          rho * Number(moment(1, 1)),
+          rho * z * Number(moment(1, 0)),
+          rho * z * Number(moment(0, 1))};
+}
+
+Numbers by_columns(const std::vector<double>& in, int) {
+  const Number left = in[0];
+  const auto moment = [&](int p, int q) -> Number {
+    return (power_integral(left, 1, p) - power_integral(left, 1, p + 2 * q + 2)) / (q + 1);
+  };
+  return components(moment, in[1], in[2]);
+}
+
+Numbers by_rows(const std::vector<double>& in, int digits) {
+  const Number left = in[0], corner = left * left;
+  const auto moment = [&](int p, int q) -> Number {
+    const auto cut = [&](const Number& y) -> Number { return pow(y, q) * power_integral(left, sqrt(y), p); };
+    const auto whole = [&](const Number& y) -> Number {
+      return pow(y, q) * power_integral(-sqrt(y), sqrt(y), p);
+    };
+    Number sum = corner < 1 ? integral(cut, corner, 1, digits) : Number(0);
+    if (left < 0) sum += integral(whole, 0, corner, digits);
+    return sum;
+  };
+  return components(moment, in[1], in[2]);
+}
+
+}  // namespace
+
+Truth truth_02_13_lamina() {
+  return {"inertia of the lamina x^2 <= y <= 1, left <= x <= 1 in the plane at height z, density rho",
+          "Ixx = rho int y^2 + z^2, Iyy = rho int x^2 + z^2, Izz = rho int x^2 + y^2, Ixy = rho int x y, ...",
+          {"left", "z", "rho"},
+          {{"Ixx", "1"}, {"Iyy", "1"}, {"Izz", "1"}, {"Ixy", "1"}, {"Ixz", "1"}, {"Iyz", "1"}},
+          {{-1, 0, 1}, {-1, 0.5, 2}, {-0.625, 1.5, 1}, {0.25, -2, 3}, {0.875, 10, 1}},
+          "columns: polynomials in x",
+          by_columns,
+          "rows: double-exponential quadrature over y",
+          by_rows};
+}
+
+}  // namespace oddity::truth

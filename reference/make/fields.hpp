@@ -1,0 +1,128 @@
+#pragma once
+
+#include <array>
+#include <boost/multiprecision/complex_adaptor.hpp>
+
+#include "reference/make/routes.hpp"
+
+/// Derivatives of fields in high precision by two routes that know no rule of differentiation:
+/// extrapolated differences on the line, and Cauchy's integral on a circle around the point in the complex
+/// plane. Fields are entire functions, generic in their number type.
+namespace oddity::truth {
+
+using Complex = boost::multiprecision::number<
+    boost::multiprecision::complex_adaptor<boost::multiprecision::mpfr_float_backend<working_digits>>,
+    boost::multiprecision::et_off>;
+
+template <class T>
+using Triple = std::array<T, 3>;
+
+/// The fields of chapter 5's quantities, of wave number w.
+template <class T>
+struct Waves {
+  T w;
+
+  T phi(const Triple<T>& x) const {
+    const T a = w * x[0], b = w * x[1], c = w * x[2];
+    return exp(a / 2) * sin(b + c) + a * b * c;
+  }
+  Triple<T> f(const Triple<T>& x) const {
+    const T a = w * x[0], b = w * x[1], c = w * x[2];
+    return {sin(a + 2 * b) * exp(c / 2) + b * c * c, cos(b * c) + a * a * c,
+            exp(-a / 2) * cos(2 * b - c) + a * b};
+  }
+  Triple<T> g(const Triple<T>& x) const {
+    const T a = w * x[0], b = w * x[1], c = w * x[2];
+    return {cos(a - c) * exp(b / 2) + b * b, sin(a * b) + a * c, exp(b / 2) * sin(a + c) + a * b * c};
+  }
+};
+
+/// d h_i / d x_j at x, h: Triple<Number> -> Triple<Number>, by central differences of steps
+/// radius / 2^k, extrapolated to zero (Aitken-Neville in the step's square).
+template <class Field>
+Triple<Number> slope_by_differences(const Field& h, const Triple<Number>& x, std::size_t j, Number radius) {
+  constexpr std::size_t levels = 13;
+  std::vector<Triple<Number>> column;
+  for (std::size_t k = 0; k < levels; ++k, radius /= 2) {
+    Triple<Number> ahead = x, behind = x;
+    ahead[j] += radius;
+    behind[j] -= radius;
+    Triple<Number> slope = h(ahead);
+    const Triple<Number> back = h(behind);
+    for (std::size_t i = 0; i < 3; ++i) slope[i] = (slope[i] - back[i]) / (2 * radius);
+    column.push_back(slope);
+    Number ratio = 1;
+    for (std::size_t m = k; m-- > 0;) {
+      ratio *= 4;
+      for (std::size_t i = 0; i < 3; ++i)
+        column[m][i] = column[m + 1][i] + (column[m + 1][i] - column[m][i]) / (ratio - 1);
+    }
+  }
+  return column[0];
+}
+
+/// d h_i / d x_j at z, h: Triple<Complex> -> Triple<Complex>, as the mean of h e^{-it} / r over a circle of
+/// radius r by the trapezoid rule, which converges geometrically.
+template <class Field>
+Triple<Complex> slope_by_cauchy(const Field& h, const Triple<Complex>& z, std::size_t j, const Number& radius,
+                                int points = 64) {
+  Triple<Complex> mean{};
+  for (int k = 0; k < points; ++k) {
+    const Number t = 2 * pi() * k / points;
+    const Complex on_circle(cos(t), sin(t));
+    Triple<Complex> there = z;
+    there[j] += radius * on_circle;
+    const Triple<Complex> value = h(there);
+    for (std::size_t i = 0; i < 3; ++i) mean[i] += value[i] / (on_circle * Complex(points * radius));
+  }
+  return mean;
+}
+
+/// Row j: the slopes of a field along x_j.
+using Slopes = Triple<Triple<Number>>;
+
+/// Inside this radius neither route meets a frequency of the fields that it cannot follow.
+inline Number radius_for(const Number& w) { return 1 / (1 + w * w); }
+
+/// A table of first derivatives. `field(waves, inputs)` is the field h to be differentiated, generic in its
+/// number; `combine(slopes, waves, x)` makes the components of its slopes at x. Inputs: w, x0, x1, x2, and
+/// what the field takes besides.
+template <class Field, class Combine>
+Truth field_truth(std::string quantity, std::string formula, std::vector<std::string> components,
+                  std::vector<std::string> more_inputs, std::vector<std::vector<double>> rows, Field field,
+                  Combine combine) {
+  Truth truth{
+      std::move(quantity), std::move(formula), {"w", "x0", "x1", "x2"}, {}, std::move(rows), {}, {}, {}, {}};
+  for (std::string& name : components) truth.components.push_back({std::move(name), "1"});
+  truth.inputs.insert(truth.inputs.end(), more_inputs.begin(), more_inputs.end());
+  truth.first_route = "differences of the whole field, extrapolated to step zero";
+  truth.first = [=](const std::vector<double>& in, int) {
+    const Waves<Number> waves{Number(in[0])};
+    const Triple<Number> x{Number(in[1]), Number(in[2]), Number(in[3])};
+    Slopes slopes;
+    for (std::size_t j = 0; j < 3; ++j)
+      slopes[j] = slope_by_differences(field(waves, in), x, j, radius_for(waves.w));
+    return combine(slopes, waves, x);
+  };
+  truth.second_route = "Cauchy's integral of the whole field over a circle, by the trapezoid rule";
+  truth.second = [=](const std::vector<double>& in, int) {
+    const Waves<Number> waves{Number(in[0])};
+    const Triple<Number> x{Number(in[1]), Number(in[2]), Number(in[3])};
+    const Triple<Complex> z{Complex(x[0]), Complex(x[1]), Complex(x[2])};
+    Slopes slopes;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto slope =
+          slope_by_cauchy(field(Waves<Complex>{Complex(waves.w)}, in), z, j, radius_for(waves.w));
+      slopes[j] = {slope[0].real(), slope[1].real(), slope[2].real()};
+    }
+    return combine(slopes, waves, x);
+  };
+  return truth;
+}
+
+/// The rows that the tables of one point hold: gentle, far out, quick, slow.
+inline std::vector<std::vector<double>> field_rows() {
+  return {{1, 0.3, -0.7, 0.9}, {1, -1, 1, 0.125}, {16, 0.3, -0.7, 0.9}, {0.0625, 0.3, -0.7, 0.9}};
+}
+
+}  // namespace oddity::truth

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string_view>
+
+#include "solvers/ode/implicit_problem.hpp"
+
+namespace oddity::ode {
+
+/// Order 1, stable for every step on the left half-plane (L-stable). One evaluation and one Jacobian by dual
+/// numbers (n + 1 evaluations) a step: the step's equation is solved by one Newton step. The system must be
+/// Differentiable.
+struct ImplicitEuler {
+  static constexpr std::string_view name = "linearly implicit Euler";
+  static constexpr Kind kind = Kind::implicit_fixed;
+  static constexpr int order = 1;
+  template <class State, class System>
+  static auto stepper(const System& system, long& evaluations) {
+    return [problem = detail::CountedProblem<System, State>{system, evaluations}](
+               State& x, double t, double h) { detail::implicit_euler_step(problem.view(), x.data(), t, h); };
+  }
+};
+
+}  // namespace oddity::ode

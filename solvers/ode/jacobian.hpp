@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <tuple>
+
+#include "solvers/dual.hpp"
+
+namespace oddity::ode {
+
+/// A system whose right-hand side is generic in its number type: it can be differentiated, and so solved
+/// implicitly.
+template <class System, class State>
+concept Differentiable = requires(const System& system,
+                                  const std::array<Dual<double>, std::tuple_size_v<State>>& x,
+                                  std::array<Dual<double>, std::tuple_size_v<State>>& dxdt, Dual<double> t) {
+  system(x, dxdt, t);
+};
+
+/// d(dxdt)/dx by rows into `matrix`, and d(dxdt)/dt into `dfdt`, exact to rounding: n + 1 evaluations.
+template <class System, class State>
+void jacobian(const System& system, const State& x, double* matrix, double* dfdt, double t) {
+  constexpr std::size_t n = std::tuple_size_v<State>;
+  for (std::size_t column = 0; column <= n; ++column) {
+    std::array<Dual<double>, n> y{}, dydt{};
+    for (std::size_t i = 0; i < n; ++i) y[i] = Dual<double>(x[i], i == column ? 1.0 : 0.0);
+    system(y, dydt, Dual<double>(t, column == n ? 1.0 : 0.0));
+    for (std::size_t i = 0; i < n; ++i) (column == n ? dfdt[i] : matrix[i * n + column]) = dydt[i].slope;
+  }
+}
+
+}  // namespace oddity::ode
