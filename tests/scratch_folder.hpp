@@ -1,0 +1,34 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+/// A folder of our own in the system's temporary one, gone at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    static std::atomic<int> count{0};
+    do {
+      path_ = std::filesystem::temp_directory_path() / ("oddity_scratch_" + std::to_string(count++));
+    } while (!std::filesystem::create_directories(path_));
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// The path of a file in the folder with this text.
+  std::filesystem::path file(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
