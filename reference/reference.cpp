@@ -46,7 +46,7 @@ std::map<std::vector<double>, Known> read(const fs::path& file, const truth::Tru
     const double value = row.number(n + 1), error = row.number(n + 2);
     if (!std::ranges::all_of(inputs, [](double x) { return std::isfinite(x); }) || !std::isfinite(value) ||
         !std::isfinite(error) || error < 0)
-      throw BadInput(row.place + ": inputs and value must be finite, error finite and not negative");
+      throw BadInput(row.place + ": inputs and value must be finite, error finite and positive");
     Known& known = rows[inputs];
     if (known.value.size() == truth.components.size())
       throw BadInput(row.place + ": a second row for these inputs");

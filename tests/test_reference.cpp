@@ -80,7 +80,7 @@ TEST_CASE("a broken line names file and line, and what would be right", "[refere
 
 TEST_CASE("a number that is none, or a negative error, names file and line", "[reference]") {
   const std::string complaint =
-      "03_05_quarter_period.csv:4: inputs and value must be finite, error finite and not negative";
+      "03_05_quarter_period.csv:4: inputs and value must be finite, error finite and positive";
   for (const char* row : {"0.5,I,nan,0,1", "0.5,I,inf,0,1", "nan,I,2,0,1", "inf,I,2,0,1", "0.5,I,2,-1e-9,1",
                           "0.5,I,2,nan,1", "0.5,I,2,inf,1"})
     CHECK(complaint_of(quarter, header + row + "\n") == complaint);
