@@ -39,7 +39,11 @@ Numbers by_extrapolation(const std::vector<double>& in, int digits) {
     return Numbers{x[2], x[3], fx - hold * x[0], fy - hold * x[1]};
   };
   const Number C = cos(b.theta0), S = sin(b.theta0), v = b.r * b.w0;
-  Numbers x = solve_extrapolation(rhs, {b.r * C, b.r * S, -v * S, v * C}, 0, Number(in[9]), digits + 6);
+  Numbers x{b.r * C, b.r * S, -v * S, v * C};
+  const Number t = in[9], per_piece = lever * sqrt(b.c / b.m);
+  const int pieces = 4 + static_cast<int>(ceil(Number(t * per_piece)));
+  for (int i = 0; i < pieces; ++i)  // so short that the first step tried stays finite
+    x = solve_extrapolation(rhs, x, Number(i * t / pieces), Number((i + 1) * t / pieces), digits + 6);
   x.resize(2);
   return x;
 }
