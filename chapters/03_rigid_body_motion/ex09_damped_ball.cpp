@@ -86,7 +86,7 @@ Check equations(double seed, double friction_sign) {
     const double m = random.between(0.1, 3), c = random.between(0.1, 3), a = random.between(0.1, 3);
     const auto [x1, x2, unused] = random.point(3);
     const auto [v1, v2, spare] = random.point(3);
-    const auto lagrangian = [&](const auto& q1, const auto& q2) {
+    const auto lagrangian = [&, v1 = v1, v2 = v2](const auto& q1, const auto& q2) {
       return 0.5 * m * (v1 * v1 + v2 * v2) - 0.5 * c * (q1 * q1 + q2 * q2);
     };
     const auto dissipation = [&](const auto& u1, const auto& u2) { return 0.5 * a * (u1 * u1 + u2 * u2); };
