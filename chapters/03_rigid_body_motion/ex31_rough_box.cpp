@@ -22,12 +22,12 @@ using namespace rough_box;
 using std::abs, std::cos, std::hypot, std::sin, std::tan;
 
 constexpr Parameter parameters[] = {
-    {"a", 0.3, "m", "half the box's length", 0.05, 1},
-    {"b", 0.2, "m", "half the box's width", 0.05, 1},
-    {"mu", 0.3, "", "coefficient of friction", 0.05, 1},
+    {"a", 0.3, "m", "half the box's length", 0.1, 0.5},
+    {"b", 0.2, "m", "half the box's width", 0.1, 0.5},
+    {"mu", 0.3, "", "coefficient of friction", 0.2, 1},
     {"g", 9.81, "m/s^2", "gravity", 1, 30},
-    {"u0", 2, "m/s", "velocity at the start, along the length", 0.1, 5},
-    {"v0", 0.5, "m/s", "velocity at the start, across", 0, 5},
+    {"u0", 2, "m/s", "velocity at the start, along the length", 0.1, 3},
+    {"v0", 0.5, "m/s", "velocity at the start, across", 0, 3},
     {"w0", 10, "rad/s", "angular velocity at the start", 0, 20},
     {"seed", 31, "", "seed of the random samples", 0, 1e9},
 };
