@@ -45,8 +45,8 @@ std::map<std::vector<double>, Known> read(const fs::path& file, const truth::Tru
     for (std::size_t i = 0; i < n; ++i) inputs.push_back(row.number(i));
     const double value = row.number(n + 1), error = row.number(n + 2);
     if (!std::ranges::all_of(inputs, [](double x) { return std::isfinite(x); }) || !std::isfinite(value) ||
-        !std::isfinite(error) || error < 0)
-      throw BadInput(row.place + ": inputs and value must be finite, error finite and not negative");
+        !std::isfinite(error) || !(error > 0))
+      throw BadInput(row.place + ": inputs and value must be finite, error finite and positive");
     Known& known = rows[inputs];
     if (known.value.size() == truth.components.size())
       throw BadInput(row.place + ": a second row for these inputs");

@@ -89,6 +89,7 @@ Results last_results(const fs::path& folder) {
 void report(const fs::path& folder, int chapter, const fs::path& out) {
   if (chapter != 0 && std::ranges::none_of(chapters(), [&](const Chapter& c) { return c.number == chapter; }))
     throw BadInput("no chapter " + std::to_string(chapter) + "; the book has chapters 1 to 14");
+  make_folder(out);
   const fs::path page = write_report(last_results(folder), chapter, out);
   std::cout << "the report is in " << page.string() << "\n";
 }

@@ -26,11 +26,15 @@ void draw_charts(const Results& results, int chapter, const fs::path& folder) {
 
 }  // namespace
 
-fs::path write_report(const Results& results, int chapter, const fs::path& folder) {
+void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder / "charts", error);
   if (error)
     throw BadInput("cannot make the folder " + (folder / "charts").string() + ": " + error.message());
+}
+
+fs::path write_report(const Results& results, int chapter, const fs::path& folder) {
+  make_folder(folder);
   const auto write = [&](const std::string& name, const std::string& text) {
     write_whole(folder / name, text);
     return folder / name;

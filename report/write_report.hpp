@@ -6,6 +6,9 @@
 
 namespace oddity {
 
+/// Makes the report's folder, so that a run is not lost for want of one. Throws BadInput when it cannot.
+void make_folder(const std::filesystem::path& folder);
+
 /// Writes the report's pages and charts into `folder` and returns the page to open first. One chapter, or all
 /// of them (0). Each file is whole or not there. Throws BadInput when the folder cannot be written.
 std::filesystem::path write_report(const Results&, int chapter, const std::filesystem::path& folder);

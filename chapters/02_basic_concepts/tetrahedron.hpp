@@ -32,8 +32,7 @@ struct Tetrahedron {
   }
   /// The six components about the origin.
   Answer integrated(const Rule& rule) const {
-    const auto [X, Y, Z] = corner;
-    const auto [a, b, c] = legs;
+    const double X = corner[0], Y = corner[1], Z = corner[2], a = legs[0], b = legs[1], c = legs[2];
     return all_of(6, [&](std::size_t k) {
       return nested(
           rule,

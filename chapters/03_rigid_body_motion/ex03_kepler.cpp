@@ -5,11 +5,6 @@
 // kepler_claims.hpp judges the derivation against Newton's law, kepler.hpp has the models. The reference is
 // Kepler's equation in universal variables and the Taylor series of the Cartesian equations, in 60 digits.
 
-#ifdef __GNUC__  // of a state of one number, GCC sees that Odeint copies steppers with their scratch
-                 // unwritten
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#endif
-
 #include "chapters/03_rigid_body_motion/kepler.hpp"
 #include "chapters/03_rigid_body_motion/kepler_claims.hpp"
 #include "chapters/scene.hpp"

@@ -7,10 +7,6 @@
 // q = q0 for ever is a solution too, and the time's integrand is infinite at q0; with q = q0 (1 - u^2)
 // neither is so.
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wuninitialized"  // Odeint copies steppers before their scratch is written
-#endif
-
 #include <algorithm>
 
 #include "chapters/03_rigid_body_motion/bead_on_cubic.hpp"

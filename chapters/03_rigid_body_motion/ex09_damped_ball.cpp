@@ -85,15 +85,15 @@ Check equations(double seed, double friction_sign) {
   for (int i = 0; i < 200; ++i) {
     const double m = random.between(0.1, 3), c = random.between(0.1, 3), a = random.between(0.1, 3);
     const auto [x1, x2, unused] = random.point(3);
-    const auto [v1, v2, spare] = random.point(3);
+    const std::array<double, 3> v = random.point(3);
     const auto lagrangian = [&](const auto& q1, const auto& q2) {
-      return 0.5 * m * (v1 * v1 + v2 * v2) - 0.5 * c * (q1 * q1 + q2 * q2);
+      return 0.5 * m * (v[0] * v[0] + v[1] * v[1]) - 0.5 * c * (q1 * q1 + q2 * q2);
     };
     const auto dissipation = [&](const auto& u1, const auto& u2) { return 0.5 * a * (u1 * u1 + u2 * u2); };
     using D = Dual<double>;
-    const Value derived{lagrangian(D(x1, 1), D(x2)).slope - dissipation(D(v1, 1), D(v2)).slope,
-                        lagrangian(D(x1), D(x2, 1)).slope - dissipation(D(v1), D(v2, 1)).slope};
-    worst.see(derived, {-c * x1 - friction_sign * a * v1, -c * x2 - friction_sign * a * v2}, 9 + 9,
+    const Value derived{lagrangian(D(x1, 1), D(x2)).slope - dissipation(D(v[0], 1), D(v[1])).slope,
+                        lagrangian(D(x1), D(x2, 1)).slope - dissipation(D(v[0]), D(v[1], 1)).slope};
+    worst.see(derived, {-c * x1 - friction_sign * a * v[0], -c * x2 - friction_sign * a * v[1]}, 9 + 9,
               "a = " + rounded(a, 4));
   }
   return worst.check();

@@ -5,10 +5,6 @@
 // numbers from the hill's height alone; its statements about paths are tried on integrated motions. Along a
 // straight path x3'' = -2K: at K = g/2 it is a free fall, and the hill pushes with g - 2K = 0.
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wuninitialized"  // Odeint copies steppers before their scratch is written
-#endif
-
 #include "chapters/03_rigid_body_motion/lagrangian.hpp"
 #include "chapters/03_rigid_body_motion/paraboloid_hill.hpp"
 #include "reference/text.hpp"

@@ -8,10 +8,6 @@
 // differentiated by nested dual numbers, in the plane's coordinates and in those of the cylinder, s along its
 // axis and phi about it.
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wuninitialized"  // Odeint copies steppers before their scratch is written
-#endif
-
 #include "chapters/03_rigid_body_motion/tilted_chute_geometry.hpp"
 #include "reference/bad_input.hpp"
 

@@ -8,10 +8,6 @@
 // bits
 //   [Intel 64 and IA-32 Architectures Software Developer's Manual, vol. 1, 8.3.8].
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wuninitialized"  // Odeint copies steppers before their scratch is written
-#endif
-
 #include <algorithm>
 
 #include "chapters/03_rigid_body_motion/turning_rod_formulas.hpp"

@@ -7,11 +7,6 @@
 // difference of two Earths that turn the opposite ways. The cone's integrals are taken by quadrature over its
 // points.
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wuninitialized"        // Odeint copies steppers before their scratch is
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // written
-#endif
-
 #include "chapters/03_rigid_body_motion/foucault_cone.hpp"
 
 namespace oddity {

@@ -6,11 +6,6 @@
 // What the text derives is compared with Lagrange's equations from the two energies, by dual numbers, and
 // with Newton's laws for each body and the tensions of the ropes' four ends.
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wuninitialized"        // Odeint copies steppers before their scratch is
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // written
-#endif
-
 #include "chapters/03_rigid_body_motion/lagrangian.hpp"
 #include "chapters/03_rigid_body_motion/two_pulleys.hpp"
 #include "reference/text.hpp"

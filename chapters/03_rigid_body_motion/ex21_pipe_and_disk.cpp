@@ -7,10 +7,6 @@
 // mu2 is the moment about a diameter, mu3 that about the pipe; J has the second moments of mass, (mu3/2,
 // mu3/2, mu2 - mu3/2). It takes phi constant; with phi free gravity would turn the pipe like a top.
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wuninitialized"  // Odeint copies steppers before their scratch is written
-#endif
-
 #include "chapters/03_rigid_body_motion/lagrangian.hpp"
 #include "chapters/03_rigid_body_motion/pipe_and_disk.hpp"
 #include "reference/text.hpp"

@@ -6,10 +6,6 @@
 // come from the points' positions by dual numbers. top.hpp has the models, top_quantities.hpp the
 // quantities.
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wuninitialized"  // Odeint copies steppers before their scratch is written
-#endif
-
 #include "chapters/03_rigid_body_motion/top_of_points.hpp"
 #include "chapters/03_rigid_body_motion/top_quantities.hpp"
 

@@ -17,7 +17,7 @@ using Table = std::vector<Counts>;
 /// Every size to 64, and some beyond; the largest first.
 inline Table counted_sizes() {
   Table table;
-  for (std::size_t n : {200, 150, 100}) table.push_back(count(n));
+  for (std::size_t n : {200u, 150u, 100u}) table.push_back(count(n));
   for (std::size_t n = 64; n > 0; --n) table.push_back(count(n));
   return table;
 }

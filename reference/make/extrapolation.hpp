@@ -50,10 +50,10 @@ bool extrapolated_step(const Rhs& rhs, Numbers& x, const Number& t, const Number
       next.push_back(std::move(better));
     }
     if (k > 3) {
-      Number change = 0;
+      bool settled = true;  // false for a NaN
       for (std::size_t i = 0; i < x.size(); ++i)
-        change = std::max<Number>(change, abs(next.back()[i] - row.back()[i]));
-      if (change <= tolerance) {
+        settled = settled && abs(next.back()[i] - row.back()[i]) <= tolerance;
+      if (settled) {
         x = next.back();
         return true;
       }

@@ -1,0 +1,244 @@
+#pragma once
+
+// The curves, models and quantities of exercise 3.29.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "chapters/scene.hpp"
+#include "solvers/dual.hpp"
+#include "solvers/quadrature.hpp"
+
+namespace oddity::planar_wire {
+
+using Point = std::array<double, 2>;
+
+enum class Shape { straight, semicircle, parabola };
+
+/// A wire of the size q: from (0, 0) to (q, 0); the upper half circle of radius q; y = x^2 from 0 to q. Its
+/// density is d0 (1 + k s/L) at the arc length s from its start.
+struct Wire {
+  Shape shape = Shape::straight;
+  double q = 1, d0 = 1, k = 0;
+
+  double end() const { return shape == Shape::semicircle ? std::numbers::pi : q; }
+  Point point(double u) const {
+    switch (shape) {
+      case Shape::straight:
+        return {u, 0};
+      case Shape::semicircle:
+        return {q * std::cos(u), q * std::sin(u)};
+      case Shape::parabola:
+        return {u, u * u};
+    }
+    return {};
+  }
+  /// ds/du
+  double stretch(double u) const {
+    return shape == Shape::straight ? 1 : shape == Shape::semicircle ? q : std::sqrt(1 + 4 * u * u);
+  }
+  double arc_length(double u) const {
+    return shape == Shape::straight     ? u
+           : shape == Shape::semicircle ? q * u
+                                        : u * std::sqrt(1 + 4 * u * u) / 2 + std::asinh(2 * u) / 4;
+  }
+  double density(double u) const { return d0 * (1 + k * arc_length(u) / arc_length(end())); }
+
+  /// The integral of f(u) ds by Gauss and Legendre with 32 points.
+  template <class F>
+  double along(const F& f) const {
+    return gauss_legendre([&](double u) { return f(u) * stretch(u); }, 0, end(), 32).value;
+  }
+  template <class F>
+  double over_mass(const F& f) const {
+    return along([&](double u) { return f(u) * density(u); });
+  }
+  Point center() const {
+    const double mass = over_mass([](double) { return 1; });
+    return {over_mass([&](double u) { return point(u)[0]; }) / mass,
+            over_mass([&](double u) { return point(u)[1]; }) / mass};
+  }
+};
+
+/// mu0, the center of mass, mu2 about it.
+using Inertia = std::array<double, 4>;
+
+/// From mu0 and the moments int x, int y, int (x^2 + y^2).
+inline Inertia about_center(double m0, double mx, double my, double m2) {
+  const double cx = mx / m0, cy = my / m0;
+  return {m0, cx, cy, m2 - m0 * (cx * cx + cy * cy)};
+}
+
+/// By the primitives of the moments, the density uniform.
+inline Inertia by_primitives(const Wire& w) {
+  const double q = w.q;
+  if (w.shape == Shape::straight) return about_center(w.d0 * q, w.d0 * q * q / 2, 0, w.d0 * q * q * q / 3);
+  if (w.shape == Shape::semicircle) {
+    const double m = std::numbers::pi * q * w.d0;
+    return about_center(m, 0, 2 * q * q * w.d0, m * q * q);
+  }
+  const double z = 2 * q, root = std::sqrt(1 + z * z), arsinh = std::asinh(z);
+  const double z2 = (z * (2 * z * z + 1) * root - arsinh) / 8;    // of z^2 sqrt(1 + z^2)
+  const double z4 = z * z * z * root * root * root / 6 - z2 / 2;  // of z^4 sqrt(1 + z^2)
+  return about_center(w.d0 * (z * root + arsinh) / 4, w.d0 * (root * root * root - 1) / 12, w.d0 * z2 / 8,
+                      w.d0 * (z2 / 8 + z4 / 32));
+}
+
+// ---- the inertia as a quantity ----------------------------------------------------------------------------
+
+/// The four moments by a rule over [a, b] in a parameter u of the curve.
+template <class Rule, class Position, class Stretch>
+Answer inertia_by(const Rule& rule, double a, double b, double d0, const Position& at,
+                  const Stretch& stretch) {
+  Answer answer;
+  const auto moment = [&](const auto& f) {
+    const Integral integral = rule(
+        [&](double u) {
+          const Point p = at(u);
+          return f(p[0], p[1]) * d0 * stretch(u);
+        },
+        a, b);
+    answer.evaluations += integral.evaluations;
+    if (!integral.reached()) answer.ending = integral.ending, answer.message = integral.message;
+    return integral.value;
+  };
+  const double m0 = moment([](double, double) { return 1.0; });
+  const double mx = moment([](double x, double) { return x; }),
+               my = moment([](double, double y) { return y; });
+  const double m2 = moment([](double x, double y) { return x * x + y * y; });
+  answer.value = about_center(m0, mx, my, m2);
+  return answer;
+}
+
+/// The usual rules for a curve's parametrization.
+template <class Position, class Stretch>
+void add_rules(Quantity& quantity, const std::string& name, double a, double b, double d0, const Position& at,
+               const Stretch& stretch, std::array<Outcome, 3> expected, const std::string& why = {}) {
+  const auto row = [&](const std::string& algorithm, const Knob& knob, Outcome outcome, auto rule) {
+    quantity.add({name, algorithm, knob,
+                  [=](double setting) {
+                    const auto set = [=](const auto& f, double from, double to) {
+                      return rule(f, from, to, setting);
+                    };
+                    return inertia_by(set, a, b, d0, at, stretch);
+                  },
+                  outcome, outcome == Outcome::ok ? "" : why});
+  };
+  row("Simpson", doubling("panels", 2, 10), expected[0], [](const auto& f, double from, double to, double n) {
+    return simpson(f, from, to, static_cast<int>(n));
+  });
+  row("Gauss-Legendre", doubling("points", 1, 7), expected[1],
+      [](const auto& f, double from, double to, double n) {
+        return gauss_legendre(f, from, to, static_cast<int>(n));
+      });
+  row("QAGS", tolerances(), expected[2],
+      [](const auto& f, double from, double to, double e) { return qags(f, from, to, e); });
+}
+
+inline Quantity inertia(const std::string& name, const Wire& w) {
+  const Inertia exact = by_primitives(w);
+  Quantity quantity{name,
+                    "kg, m, m, kg m^2",
+                    "mu0, the center of mass and mu2 of the " + name,
+                    {"primitives of the moments", exact},
+                    0,
+                    {}};
+  const double size = size_of(quantity.reference.value);
+  quantity.reference_error = 1e-14 * size;
+  quantity.need = {1e-10 * size, "ten digits of the largest"};
+  const std::string by_x = "as a graph over x";
+  const auto own = [w](double u) { return w.point(u); };
+  const auto stretch = [w](double u) { return w.stretch(u); };
+  constexpr auto ok = Outcome::ok;
+  if (w.shape != Shape::semicircle) {
+    add_rules(quantity, by_x, 0, w.end(), w.d0, own, stretch, {ok, ok, ok});
+    return quantity;
+  }
+  add_rules(quantity, "by the angle", 0, w.end(), w.d0, own, stretch, {ok, ok, ok});
+  add_rules(
+      quantity, by_x, -w.q, w.q, w.d0,
+      [w](double x) {
+        return Point{x, std::sqrt(w.q * w.q - x * x)};
+      },
+      [w](double x) { return w.q / std::sqrt(w.q * w.q - x * x); },
+      {Outcome::non_finite, Outcome::inaccurate, ok}, "ds/dx is infinite at both ends");
+  return quantity;
+}
+
+// ---- the falling wire -------------------------------------------------------------------------------------
+
+/// A wire thrown from the center c with velocity (u, v), turning with w from the angle 0. Its mark, at b in
+/// the body, is what is looked at.
+struct Thrown {
+  double mu0, mu2, u, v, w, g;
+  Point b;
+
+  Point mark(double x, double y, double theta) const {
+    const double C = std::cos(theta), S = std::sin(theta);
+    return {x + C * b[0] - S * b[1], y + S * b[0] + C * b[1]};
+  }
+};
+
+struct FreeFall : Thrown {
+  Point at(double t) const { return mark(u * t, v * t - g * t * t / 2, w * t); }
+};
+
+/// The wire as its center of mass alone.
+struct PointMass : Thrown {
+  Point at(double t) const { return mark(u * t, v * t - g * t * t / 2, 0); }
+};
+
+/// (x, y, theta, x', y', theta').
+struct Generalized : Thrown {
+  using State = std::array<double, 6>;
+  State start() const { return {0, 0, 0, u, v, w}; }
+  void operator()(const State& x, State& dxdt, double) const { dxdt = {x[3], x[4], x[5], 0, -g, 0}; }
+  void acceleration(const std::array<double, 3>&, std::array<double, 3>& a) const { a = {0, -g, 0}; }
+  Point observe(const State& x, double) const { return mark(x[0], x[1], x[2]); }
+  double invariant(const State& x, double) const {
+    return mu0 * (x[3] * x[3] + x[4] * x[4]) / 2 + mu2 * x[5] * x[5] / 2 + mu0 * g * x[1];
+  }
+};
+
+/// Two particles of mu0/2 with the same moments, (x1, y1, x2, y2) and velocities, at the distance 2 sqrt(mu2
+/// / mu0) that a massless rod holds: the constraint, twice differentiated.
+struct TwoParticles : Thrown {
+  using State = std::array<double, 8>;
+  double k() const { return std::sqrt(mu2 / mu0); }
+  State start() const { return {k(), 0, -k(), 0, u, v + w * k(), u, v - w * k()}; }
+  void operator()(const State& x, State& dxdt, double) const {
+    const double dx = x[0] - x[2], dy = x[1] - x[3], du = x[4] - x[6], dv = x[5] - x[7];
+    const double hold = (du * du + dv * dv) / (dx * dx + dy * dy) / 2;
+    dxdt = {x[4], x[5], x[6], x[7], -hold * dx, -hold * dy - g, hold * dx, hold * dy - g};
+  }
+  Point observe(const State& x, double) const {
+    return mark((x[0] + x[2]) / 2, (x[1] + x[3]) / 2, std::atan2(x[1] - x[3], x[0] - x[2]));
+  }
+  double invariant(const State& x, double) const {
+    return mu0 / 4 * (x[4] * x[4] + x[5] * x[5] + x[6] * x[6] + x[7] * x[7]) + mu0 * g * (x[1] + x[3]) / 2;
+  }
+};
+
+inline Quantity fall(const Thrown& thrown) {
+  const Horizon horizon{2};
+  std::vector<double> seen;
+  const auto times = horizon.times();
+  for (std::size_t i = 1; i < times.size(); ++i)
+    for (double x : FreeFall{thrown}.at(times[i])) seen.push_back(x);
+  Quantity q{"fall",
+             "m",
+             "position of the wire's first end after 0.5, 1, 1.5 and 2 s",
+             {"parabola of the center, uniform turning", Value(seen)},
+             1e-14 * size_of(Value(seen)),
+             {1e-6, "a micrometre"}};
+  Ladder(q, horizon, halving("step", 0.125, 10), tolerances())
+      .closed_form("center alone", PointMass{thrown}, Outcome::inaccurate, "the wire turns")
+      .closed_form("free fall", FreeFall{thrown})
+      .by_all("x, y, theta", Generalized{thrown})
+      .by_all("two particles and a rod", TwoParticles{thrown}, Outcome::inaccurate);
+  return q;
+}
+
+}  // namespace oddity::planar_wire

@@ -1,0 +1,288 @@
+#pragma once
+
+// The models and quantities of exercise 3.31.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "chapters/scene.hpp"
+#include "solvers/ode/events.hpp"
+#include "solvers/ode/rosenbrock_4.hpp"
+
+namespace oddity::rough_box {
+
+template <class T>
+using Three = std::array<T, 3>;
+
+inline double number(double x) { return x; }
+inline double number(const Dual<double>& x) { return x.value; }
+
+/// The foot of a box, 2a by 2b, under uniform pressure.
+struct Contact {
+  double a, b;
+
+  double gyration() const { return std::sqrt((a * a + b * b) / 3); }
+
+  /// The means over the foot of the unit velocity n and of its moment rho x n, when the centre moves with
+  /// (u, v) along the foot's axes and turns with w. Zero at rest.
+  template <class T>
+  Three<T> means(const T& u, const T& v, const T& w) const {
+    const double slide = std::hypot(number(u), number(v)), turn = std::abs(number(w)) * std::max(a, b);
+    if (slide + turn < 1e-100) return {T(0.0), T(0.0), T(0.0)};
+    return slide > 6 * turn ? by_points(u, v, w) : by_edges(u, v, w);
+  }
+
+  /// About the instantaneous centre c the velocity is w k x (rho - c); the integrals of the distance r from
+  /// c and of its gradient are, by the divergence theorem, those of r along the four edges.
+  template <class T>
+  Three<T> by_edges(const T& u, const T& v, const T& w) const {
+    const T cx = -v / w, cy = u / w;
+    const T right = a - cx, left = -a - cx, top = b - cy, bottom = -b - cy;
+    const T on_right = along_edge(right, bottom, top), on_left = along_edge(left, bottom, top);
+    const T on_top = along_edge(top, left, right), on_bottom = along_edge(bottom, left, right);
+    const T x = on_right - on_left, y = on_top - on_bottom;
+    const T r = (right * on_right - left * on_left + top * on_top - bottom * on_bottom) / 3.0;
+    const double over = (number(w) > 0 ? 1 : -1) / (4 * a * b);
+    return {-over * y, over * x, over * (r + cx * x + cy * y)};
+  }
+
+  /// Eight by eight points of Gauss and Legendre: exact to rounding when c is far outside the foot, where the
+  /// edges' terms cancel.
+  template <class T>
+  Three<T> by_points(const T& u, const T& v, const T& w) const {
+    constexpr std::array x{0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+    constexpr std::array weight{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
+                                0.1012285362903763};
+    using std::sqrt;
+    Three<T> mean{T(0.0), T(0.0), T(0.0)};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j)
+        for (const double px : {-a * x[i], a * x[i]})
+          for (const double py : {-b * x[j], b * x[j]}) {
+            const T vx = u - w * py, vy = v + w * px;
+            const T part = weight[i] * weight[j] / 4 / sqrt(vx * vx + vy * vy);
+            mean[0] += part * vx;
+            mean[1] += part * vy;
+            mean[2] += part * (px * vy - py * vx);
+          }
+    return mean;
+  }
+
+ private:
+  /// The integral of sqrt(k^2 + y^2) over y.
+  template <class T>
+  static T along_edge(const T& k, const T& y1, const T& y2) {
+    using std::log, std::sqrt;
+    const auto primitive = [&](const T& y) -> T {
+      const T r = sqrt(k * k + y * y);
+      if (number(k) == 0) return y * r / 2.0;
+      const T size = number(y) < 0 ? -y : y, distance = number(k) < 0 ? -k : k;
+      const T arsinh = log((size + r) / distance);
+      return (y * r + k * k * (number(y) < 0 ? -arsinh : arsinh)) / 2.0;
+    };
+    return primitive(y2) - primitive(y1);
+  }
+};
+
+// ---- the models -------------------------------------------------------------------------------------------
+
+/// A box on a level plane of friction mu; it starts along its own axes.
+struct Box : Contact {
+  double mu, g, u0, v0, w0;
+
+  double J() const { return gyration() * gyration(); }
+  template <class T>
+  T speed(const T& u, const T& v, const T& w) const {
+    using std::sqrt;
+    return sqrt(u * u + v * v + J() * w * w);
+  }
+  /// Accelerations in space of the box at the angle theta.
+  template <class T>
+  Three<T> friction(const T& theta, const T& u, const T& v, const T& w) const {
+    using std::cos, std::sin;
+    const T C = cos(theta), S = sin(theta);
+    const auto e = means(T(C * u + S * v), T(C * v - S * u), w);
+    const double most = -mu * g;
+    return {most * (C * e[0] - S * e[1]), most * (S * e[0] + C * e[1]), most / J() * e[2]};
+  }
+  double sliding_time() const { return std::hypot(u0, v0) / (mu * g); }
+  double spinning_time() const {
+    return std::abs(w0) / std::abs(friction(0.0, 0.0, 0.0, w0 == 0 ? 1.0 : w0)[2]);
+  }
+  /// Longer than the motion lasts.
+  double long_enough() const { return 1.5 * (sliding_time() + spinning_time()); }
+};
+
+using Pose = std::array<double, 4>;  ///< time of rest, x, y, theta
+
+/// Sliding and spinning as if each were alone.
+inline Pose uncoupled(const Box& box) {
+  const double slide = box.sliding_time(), spin = box.spinning_time();
+  return {std::max(slide, spin), box.u0 * slide / 2, box.v0 * slide / 2, box.w0 * spin / 2};
+}
+
+/// (x, y, theta, u, v, w) in time; `softness` replaces v/|v| by v/sqrt(v^2 + softness^2).
+struct InTime : Box {
+  using State = std::array<double, 6>;
+  double softness = 0;
+  State start() const { return {0, 0, 0, u0, v0, w0}; }
+  template <class X, class T>
+  void operator()(const X& x, X& dxdt, const T&) const {
+    using std::sqrt;
+    auto f = friction(x[2], x[3], x[4], x[5]);
+    if (softness > 0) {
+      const auto now = speed(x[3], x[4], x[5]);
+      const auto share = now / sqrt(now * now + softness * softness);
+      for (auto& component : f) component = component * share;
+    }
+    dxdt = {x[3], x[4], x[5], f[0], f[1], f[2]};
+  }
+};
+
+/// (x, y, theta, u, v, w, t) in the stretched time s, dt = speed ds: rest is approached as exp(-mu g s).
+struct Stretched : Box {
+  using State = std::array<double, 7>;
+  State start() const { return {0, 0, 0, u0, v0, w0, 0}; }
+  double end() const { return 45 / (mu * g); }
+  void operator()(const State& x, State& dxds, double) const {
+    const double now = speed(x[3], x[4], x[5]);
+    const auto f = friction(x[2], x[3], x[4], x[5]);
+    dxds = {now * x[3], now * x[4], now * x[5], now * f[0], now * f[1], now * f[2], now};
+  }
+};
+
+/// The state in which a box rests that is decelerated steadily from now on.
+inline Pose coasted(const InTime& box, double t, const InTime::State& x) {
+  const auto f = box.friction(x[2], x[3], x[4], x[5]);
+  const double now = box.speed(x[3], x[4], x[5]);
+  const double left = now * now / -(x[3] * f[0] + x[4] * f[1] + box.J() * x[5] * f[2]);
+  return {t + left, x[0] + x[3] * left / 2, x[1] + x[4] * left / 2, x[2] + x[5] * left / 2};
+}
+
+/// In time until a two-thousandth of the speed is left, and from there at a steady deceleration.
+template <class Algorithm>
+Solved<Pose> stopped_by_event(const Box& b, double setting) {
+  const InTime box{b};
+  const double least = 5e-4 * box.speed(box.u0, box.v0, box.w0);
+  const auto slow = [&](const InTime::State& x, double) { return box.speed(x[3], x[4], x[5]) - least; };
+  const auto event = ode::find_event<Algorithm>(box, box.start(), 0, box.long_enough(), setting, slow);
+  Solved<Pose> rest{coasted(box, event.value.time, event.value.state), event.evaluations + 1};
+  rest.ending = event.ending;
+  rest.message = event.message;
+  return rest;
+}
+
+template <class Algorithm>
+Solved<Pose> in_stretched_time(const Box& b, double setting) {
+  const Stretched box{b};
+  const auto end = ode::integrate<Algorithm>(box, box.start(), 0, box.end(), setting);
+  const auto& x = end.value;
+  Solved<Pose> rest{{x[6], x[0], x[1], x[2]}, end.evaluations};
+  rest.ending = end.ending;
+  rest.message = end.message;
+  return rest;
+}
+
+/// In time through the stop and on; `softness` 0 is friction that knows no rest. It gives no time of rest.
+template <class Algorithm>
+Solved<Pose> through_the_stop(const Box& b, double softness, double setting) {
+  const InTime box{b, softness};
+  const auto end = ode::integrate<Algorithm>(box, box.start(), 0, box.long_enough(), setting);
+  const auto& x = end.value;
+  Solved<Pose> rest{{box.long_enough(), x[0], x[1], x[2]}, end.evaluations};
+  rest.ending = end.ending;
+  rest.message = end.message;
+  return rest;
+}
+
+/// Steps of the midpoint rule for the velocities; a step that friction could end stops the box within it.
+inline Solved<Pose> with_stick_test(const Box& b, double h) {
+  const InTime box{b};
+  InTime::State x = box.start(), half{}, rate{};
+  Solved<Pose> rest;
+  const double too_long = box.long_enough();
+  for (double t = 0; t < too_long; t += h) {
+    box(x, rate, t);
+    const double now = box.speed(x[3], x[4], x[5]);
+    const double braking = -(x[3] * rate[3] + x[4] * rate[4] + box.J() * x[5] * rate[5]) / now;
+    rest.evaluations += 2;
+    if (now <= h * braking) {
+      rest.value = coasted(box, t, x);
+      return rest;
+    }
+    for (std::size_t i = 0; i < 6; ++i) half[i] = x[i] + h / 2 * rate[i];
+    box(half, rate, t + h / 2);
+    for (std::size_t i = 0; i < 6; ++i) x[i] += h * rate[i];
+  }
+  rest.ending = Ending::stalled;
+  rest.message = "the box has not come to rest";
+  return rest;
+}
+
+// ---- the quantities ---------------------------------------------------------------------------------------
+
+inline Value place(const Pose& rest) { return {rest[1], rest[2], rest[3]}; }
+inline Value moment(const Pose& rest) { return rest[0]; }
+
+inline const std::string in_time = "friction at full speed only", soft = "regularized friction",
+                         stretched = "time stretched by the speed", event = "stopped by event",
+                         sticks = "steps with a stick test", midpoint = "explicit midpoint";
+
+/// The methods that know a time of rest, seen through `see`.
+template <class See>
+void add_stopping(Quantity& q, const Box& box, const See& see) {
+  const Knob steps = halving("step", 0.0625, 10), stretched_steps = halving("step", 0.5, 8);
+  q.add({"sliding and spinning apart", "closed form", no_knob(),
+         [=](double) {
+           return Answer{see(uncoupled(box)), 1};
+         },
+         box.w0 == 0 || box.sliding_time() == 0 ? Outcome::ok : Outcome::inaccurate,
+         "each motion takes friction's direction away from the other, and both last longer"});
+  q.add({stretched, "Runge-Kutta 4", stretched_steps,
+         [=](double h) { return answer(in_stretched_time<ode::RungeKutta4>(box, h), see); }});
+  q.add({stretched, "Dormand-Prince 5(4)", tolerances(),
+         [=](double e) { return answer(in_stretched_time<ode::DormandPrince54>(box, e), see); }});
+  q.add({stretched, "Fehlberg 7(8)", tolerances(),
+         [=](double e) { return answer(in_stretched_time<ode::Fehlberg78>(box, e), see); }});
+  q.add({event, "Dormand-Prince 5(4)", tolerances(),
+         [=](double e) { return answer(stopped_by_event<ode::DormandPrince54>(box, e), see); }});
+  q.add({event, "Runge-Kutta 4", steps,
+         [=](double h) { return answer(stopped_by_event<ode::RungeKutta4>(box, h), see); }});
+  q.add({sticks, midpoint, steps, [=](double h) { return answer(with_stick_test(box, h), see); }});
+}
+
+inline Known true_rest(const Box& b, const Reference& truth) {
+  return truth("03_31_rest", {b.a, b.b, b.mu, b.g, b.u0, b.v0, b.w0});
+}
+
+inline Quantity time_to_rest(const Box& box, const Reference& truth) {
+  Known known = true_rest(box, truth);
+  known.value.resize(1);
+  Quantity q = quantity("time_to_rest", "s", "when the box comes to rest", known, {1e-6, "a microsecond"});
+  add_stopping(q, box, moment);
+  return q;
+}
+
+inline Quantity rest(const Box& box, const Reference& truth) {
+  Known known = true_rest(box, truth);
+  known.value.erase(known.value.begin());
+  Quantity q = quantity("rest", "m, m, rad", "position and angle at which the box comes to rest", known,
+                        {1e-6, "a micrometre, a fifth of a second of arc"});
+  add_stopping(q, box, place);
+  const Knob softness{"softness", {0.3, 0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001}};
+  q.add({in_time, "Runge-Kutta 4", halving("step", 0.0625, 6),
+         [=](double h) { return answer(through_the_stop<ode::RungeKutta4>(box, 0, h), place); },
+         Outcome::inaccurate, "at the stop friction changes its sign at every step: the box trembles"});
+  q.add({soft, "Dormand-Prince 5(4), tolerance 1e-9", softness,
+         [=](double e) { return answer(through_the_stop<ode::DormandPrince54>(box, e, 1e-9), place); }});
+  q.add({soft, "Rosenbrock 4, tolerance 1e-9", softness,
+         [=](double e) { return answer(through_the_stop<ode::Rosenbrock4>(box, e, 1e-9), place); }});
+  q.add({soft, "Runge-Kutta 4, step 1/256", softness,
+         [=](double e) { return answer(through_the_stop<ode::RungeKutta4>(box, e, 0x1p-8), place); },
+         Outcome::inaccurate, "unstable at rest when the step exceeds 2.8 softness / (mu g)"});
+  return q;
+}
+
+}  // namespace oddity::rough_box

@@ -1,0 +1,118 @@
+#pragma once
+
+// The models of exercise 3.27.
+
+#include <complex>
+#include <numbers>
+
+#include "chapters/03_rigid_body_motion/kepler.hpp"
+#include "chapters/scene.hpp"
+#include "solvers/ode/events.hpp"
+
+namespace oddity::two_bodies {
+
+struct Bodies {
+  double G, m1, m2, r0, r0_dot, phi0, phi0_dot;
+
+  std::vector<double> inputs() const { return {G, m1, m2, r0, r0_dot, phi0, phi0_dot}; }
+  /// The second body seen from the first: one body about a fixed sun of the mass of both.
+  kepler::Start relative() const { return {G, m1 + m2, r0, r0_dot, phi0, phi0_dot}; }
+};
+
+/// (r, u, phi), as published. The invariant is the energy per reduced mass; beta cannot drift.
+struct Published : Bodies {
+  using State = std::array<double, 3>;
+  State start() const { return {r0, r0_dot, phi0}; }
+  double beta() const { return r0 * r0 * phi0_dot; }
+  double gamma() const { return G * (m1 + m2); }
+  void operator()(const State& x, State& dxdt, double) const {
+    const double r2 = x[0] * x[0];
+    dxdt = {x[1], beta() * beta() / (r2 * x[0]) - gamma() / r2, beta() / r2};
+  }
+  std::array<double, 2> observe(const State& x, double) const {
+    return {x[0] * std::cos(x[2]), x[0] * std::sin(x[2])};
+  }
+  double invariant(const State& x, double) const {
+    return x[1] * x[1] / 2 + beta() * beta() / (2 * x[0] * x[0]) - gamma() / x[0];
+  }
+};
+
+/// (x1, y1, x2, y2 and their rates), the centre of mass at rest in the origin.
+struct BothBodies : Bodies {
+  using State = std::array<double, 8>;
+  using Half = std::array<double, 4>;
+  State start() const {
+    const auto p = relative().position(), v = relative().velocity();
+    const double a = -m2 / (m1 + m2), b = m1 / (m1 + m2);
+    return {a * p[0], a * p[1], b * p[0], b * p[1], a * v[0], a * v[1], b * v[0], b * v[1]};
+  }
+  void acceleration(const Half& q, Half& a) const {
+    const double dx = q[2] - q[0], dy = q[3] - q[1], square = dx * dx + dy * dy;
+    const double pull = G / (square * std::sqrt(square));
+    a = {m2 * pull * dx, m2 * pull * dy, -m1 * pull * dx, -m1 * pull * dy};
+  }
+  void operator()(const State& x, State& dxdt, double) const {
+    Half a{};
+    acceleration({x[0], x[1], x[2], x[3]}, a);
+    dxdt = {x[4], x[5], x[6], x[7], a[0], a[1], a[2], a[3]};
+  }
+  std::array<double, 2> observe(const State& x, double) const { return {x[2] - x[0], x[3] - x[1]}; }
+  /// The energy and the angular momentum about the centre of mass.
+  double invariant(const State& x, double) const {
+    const auto of = [&](const State& s) {
+      const double E = m1 / 2 * (s[4] * s[4] + s[5] * s[5]) + m2 / 2 * (s[6] * s[6] + s[7] * s[7]) -
+                       G * m1 * m2 / std::hypot(s[2] - s[0], s[3] - s[1]);
+      return std::array{E, m1 * (s[0] * s[5] - s[1] * s[4]) + m2 * (s[2] * s[7] - s[3] * s[6])};
+    };
+    const auto now = of(x), then = of(start());
+    return kepler::both_kept(now[0], then[0], now[1], then[1]);
+  }
+};
+
+/// x + i y = w^2 and dt = r ds turn the relative motion into w'' = (E/2) w, E the energy per reduced mass
+/// [Levi-Civita 1920]: nothing is singular at r = 0. The state is (w, w', t).
+struct LeviCivita {
+  using State = std::array<double, 5>;
+  double half_energy;
+
+  void operator()(const State& x, State& dxdt, double) const {
+    dxdt = {x[2], x[3], half_energy * x[0], half_energy * x[1], x[0] * x[0] + x[1] * x[1]};
+  }
+};
+
+/// Equal steps of s up to each time; the last part's length by Newton's method, dt/ds being r.
+inline Answer by_levi_civita(const kepler::Start& start, const Horizon& horizon, double step) {
+  const LeviCivita model{start.energy() / 2};
+  const auto p = start.position(), v = start.velocity();
+  const auto w = std::sqrt(std::complex(p[0], p[1])), rate = std::conj(w) * std::complex(v[0], v[1]) / 2.0;
+  LeviCivita::State x{w.real(), w.imag(), rate.real(), rate.imag(), 0};
+  Answer answer;
+  std::vector<double> seen;
+  const auto times = horizon.times();
+  const auto advance = [&](double s) {
+    const auto part = ode::integrate<ode::RungeKutta4>(model, x, 0, s, std::abs(s));
+    answer.evaluations += part.evaluations;
+    return part.value;
+  };
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    auto next = advance(step);
+    while (next[4] < times[i]) {
+      x = next;
+      next = advance(step);
+    }
+    double s = step * (times[i] - x[4]) / (next[4] - x[4]);
+    for (int newton = 0; newton < 8; ++newton) {
+      next = advance(s);
+      const double late = next[4] - times[i];
+      if (std::abs(late) < 1e-15 * times[i]) break;
+      s -= late / (next[0] * next[0] + next[1] * next[1]);
+    }
+    x = next;
+    seen.push_back(x[0] * x[0] - x[1] * x[1]);
+    seen.push_back(2 * x[0] * x[1]);
+  }
+  answer.value = Value(std::move(seen));
+  return answer;
+}
+
+}  // namespace oddity::two_bodies

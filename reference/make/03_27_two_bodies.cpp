@@ -1,0 +1,93 @@
+#include "reference/make/routes.hpp"
+#include "reference/make/taylor.hpp"
+
+// Two bodies that attract each other by G m1 m2/r^2, the second seen from the first. The first route solves
+// Kepler's equation in universal variables, z = alpha chi^2, alpha = 2/r0 - v0^2/gamma, gamma = G (m1 + m2)
+// [Bate, Mueller, White, Fundamentals of Astrodynamics, ch. 4]:
+//   sqrt(gamma) t = chi^3 C3(z) + s chi^2 C2(z) + r0 chi (1 - z C3(z)),   s = r0 r0'/sqrt(gamma).
+// The second route moves both bodies.
+namespace oddity::truth {
+
+namespace {
+
+struct Start {
+  Number m1, m2, G, x, y, vx, vy;
+
+  explicit Start(const std::vector<double>& in) : m1(in[1]), m2(in[2]), G(in[0]) {
+    const Number r = in[3], radial = in[4], phi = in[5], transverse = r * Number(in[6]);
+    const Number c = cos(phi), s = sin(phi);
+    x = r * c;
+    y = r * s;
+    vx = radial * c - transverse * s;
+    vy = radial * s + transverse * c;
+  }
+};
+
+/// C_k(z) = sum over j of (-z)^j / (2j + k)!, k = 2 or 3.
+Number stumpff(int k, const Number& z) {
+  if (abs(z) > 1) {
+    const Number w = sqrt(abs(z)), s = z > 0 ? sin(w) : sinh(w), c = z > 0 ? cos(w) : cosh(w);
+    return k == 2 ? Number((1 - c) / z) : Number((w - s) / (z * w));
+  }
+  Number term = k == 2 ? Number(1) / 2 : Number(1) / 6, sum = term;
+  for (int j = 1; abs(term) > pow(Number(10), -65); ++j) {
+    term *= -z / ((2 * j + k - 1) * (2 * j + k));
+    sum += term;
+  }
+  return sum;
+}
+
+Numbers by_kepler(const std::vector<double>& in, int digits) {
+  const Start a(in);
+  const Number gamma = a.G * (a.m1 + a.m2), root = sqrt(gamma), t = in[7], r0 = in[3];
+  const Number s = r0 * Number(in[4]) / root, alpha = 2 / r0 - (a.vx * a.vx + a.vy * a.vy) / gamma;
+  const auto time = [&](const Number& chi) -> Number {
+    const Number z = alpha * chi * chi, c3 = stumpff(3, z);
+    return (chi * chi * chi * c3 + s * chi * chi * stumpff(2, z) + r0 * chi * (1 - z * c3)) / root;
+  };
+  Number low = 0, high = 1;
+  while (time(high) < t) high *= 2;
+  while (high - low > high * pow(Number(10), -digits - 8)) {
+    const Number middle = (low + high) / 2;
+    (time(middle) < t ? low : high) = middle;
+  }
+  const Number chi = (low + high) / 2, z = alpha * chi * chi;
+  const Number f = 1 - chi * chi * stumpff(2, z) / r0, g = t - chi * chi * chi * stumpff(3, z) / root;
+  return {f * a.x + g * a.vx, f * a.y + g * a.vy};
+}
+
+Numbers by_taylor(const std::vector<double>& in, int digits) {
+  const Start a(in);
+  const auto rhs = [&](const auto& q, const auto&) {
+    const auto dx = q[2] - q[0], dy = q[3] - q[1];
+    const auto square = dx * dx + dy * dy;
+    const auto pull = a.G / (square * sqrt(square));
+    return std::vector{
+        q[4], q[5], q[6], q[7], a.m2 * pull * dx, a.m2 * pull * dy, -a.m1 * pull * dx, -a.m1 * pull * dy};
+  };
+  const Number first = a.m2 / (a.m1 + a.m2), second = a.m1 / (a.m1 + a.m2);
+  const Numbers end = solve_taylor(rhs,
+                                   {-first * a.x, -first * a.y, second * a.x, second * a.y, -first * a.vx,
+                                    -first * a.vy, second * a.vx, second * a.vy},
+                                   0, Number(in[7]), digits + 4);
+  return {end[2] - end[0], end[3] - end[1]};
+}
+
+}  // namespace
+
+Truth truth_03_27_two_bodies() {
+  std::vector<std::vector<double>> rows;
+  for (double rate : {1.5, 0.5, 0x1p-5})
+    for (double t : {1.0, 2.0, 3.0, 4.0}) rows.push_back({1, 2, 1, 1, 0.25, 0.5, rate, t});
+  return {"position of the second of two bodies, seen from the first, t after (r0, r0', phi0, phi0')",
+          "r'' = r phi'^2 - G (m1 + m2)/r^2, r^2 phi' constant",
+          {"G", "m1", "m2", "r0", "r0_dot", "phi0", "phi0_dot", "t"},
+          {{"x", "m"}, {"y", "m"}},
+          rows,
+          "Kepler's equation in universal variables, by bisection",
+          by_kepler,
+          "Taylor series of the two bodies in Cartesian coordinates",
+          by_taylor};
+}
+
+}  // namespace oddity::truth
