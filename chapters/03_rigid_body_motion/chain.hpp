@@ -1,0 +1,320 @@
+#pragma once
+
+// The models of exercise 3.25: n masses on massless rods that hang from a pivot at (0, h), theta_k the angle
+// of rod k from the downward vertical, mu_k the mass from k on. Every formula is generic in its number type
+// and in the containers of its angles (std::array or std::vector).
+
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "chapters/scene.hpp"
+#include "solvers/dual.hpp"
+#include "solvers/linear.hpp"
+
+namespace oddity::chain {
+
+// ---- accelerations ----------------------------------------------------------------------------------------
+
+/// theta'' from Newton's law for each mass and the rods' tensions: each rod's length, twice differentiated,
+/// is a row of a tridiagonal system. About 21 multiplications a link.
+template <class Lengths, class Angles>
+void by_tensions(const Lengths& m, const Lengths& r, double g, const Angles& theta, const Angles& omega,
+                 Angles& alpha) {
+  using std::cos, std::sin;
+  using T = std::decay_t<decltype(theta[0])>;
+  const std::size_t n = theta.size();
+  const T gravity = static_cast<T>(g), one = static_cast<T>(1.0);
+  Angles diagonal = theta, tension = theta, across = theta, light = theta;
+  for (std::size_t k = 0; k < n; ++k) {
+    light[k] = one / static_cast<T>(m[k]);
+    diagonal[k] = k == 0 ? light[0] : light[k] + light[k - 1];
+    tension[k] = static_cast<T>(r[k]) * omega[k] * omega[k];
+    if (k == 0) {
+      tension[0] += gravity * cos(theta[0]);
+      continue;
+    }
+    const T turn = theta[k] - theta[k - 1], beside = light[k - 1] * cos(turn),
+            factor = beside / diagonal[k - 1];
+    across[k] = light[k - 1] * sin(turn);
+    diagonal[k] -= factor * beside;
+    tension[k] += factor * tension[k - 1];
+    alpha[k] = beside;  // kept for the way back
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    if (k + 1 < n) tension[k] += alpha[k + 1] * tension[k + 1];
+    tension[k] /= diagonal[k];
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    T push = k == 0 ? -gravity * sin(theta[0]) : -tension[k - 1] * across[k];
+    if (k + 1 < n) push += tension[k + 1] * across[k + 1];
+    alpha[k] = push / static_cast<T>(r[k]);
+  }
+}
+
+/// Row i of the dense equations, sum over j of M_ij theta_j'' = f_i: the pattern for n masses.
+template <class Lengths, class Angles, class T>
+void dense_row(std::size_t i, const Lengths& mu, const Lengths& r, double g, const Angles& theta,
+               const Angles& omega, T* M, T& f) {
+  using std::cos, std::sin;
+  f = -static_cast<T>(mu[i] * g * r[i]) * sin(theta[i]);
+  for (std::size_t j = 0; j < theta.size(); ++j) {
+    const T weight = static_cast<T>(mu[std::max(i, j)] * r[i] * r[j]);
+    const T turn = theta[i] - theta[j];
+    M[j] = weight * cos(turn);
+    f -= weight * sin(turn) * omega[j] * omega[j];
+  }
+}
+
+template <class Lengths>
+Lengths mass_from_here_on(Lengths m) {
+  for (std::size_t k = m.size() - 1; k-- > 0;) m[k] += m[k + 1];
+  return m;
+}
+
+/// theta'' from the dense mass matrix by Gauss's elimination: M is positive definite and needs no pivots.
+template <std::size_t N, class T>
+void by_mass_matrix(const std::array<double, N>& mu, const std::array<double, N>& r, double g,
+                    const std::array<T, N>& theta, const std::array<T, N>& omega, std::array<T, N>& alpha) {
+  std::array<std::array<T, N>, N> M;
+  for (std::size_t i = 0; i < N; ++i) dense_row(i, mu, r, g, theta, omega, M[i].data(), alpha[i]);
+  for (std::size_t k = 0; k < N; ++k)
+    for (std::size_t i = k + 1; i < N; ++i) {
+      const T factor = M[i][k] / M[k][k];
+      for (std::size_t j = k + 1; j < N; ++j) M[i][j] -= factor * M[k][j];
+      alpha[i] -= factor * alpha[k];
+    }
+  for (std::size_t i = N; i-- > 0;) {
+    for (std::size_t j = i + 1; j < N; ++j) alpha[i] -= M[i][j] * alpha[j];
+    alpha[i] /= M[i][i];
+  }
+}
+
+/// The same for any n, by one of the library's factorizations.
+inline Solved<Eigen::VectorXd> by_factorization(Factorization how, const std::vector<double>& m,
+                                                const std::vector<double>& r, double g,
+                                                const std::vector<double>& theta,
+                                                const std::vector<double>& omega) {
+  const auto n = static_cast<Eigen::Index>(m.size());
+  const auto mu = mass_from_here_on(m);
+  Eigen::MatrixXd M(n, n);
+  Eigen::VectorXd f(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    dense_row(static_cast<std::size_t>(i), mu, r, g, theta, omega, M.col(i).data(), f(i));
+  return solve(how, M, f);
+}
+
+// ---- the triple pendulum ----------------------------------------------------------------------------------
+
+using Three = std::array<double, 3>;
+
+struct Triple {
+  Three m, r;
+  double g, h;
+  Three theta, omega;
+
+  std::vector<double> inputs() const {
+    std::vector<double> all;
+    for (const Three& x : {m, r}) all.insert(all.end(), x.begin(), x.end());
+    all.push_back(g);
+    all.push_back(h);
+    for (const Three& x : {theta, omega}) all.insert(all.end(), x.begin(), x.end());
+    return all;
+  }
+};
+
+/// (x1, y1, ..., x3, y3) of a state whose first three components are the angles.
+template <class State>
+auto positions(const Triple& c, const State& x) {
+  using std::cos, std::sin;
+  using T = std::decay_t<decltype(x[0])>;
+  std::array<T, 6> all;
+  T across = static_cast<T>(0.0), up = static_cast<T>(c.h);
+  for (std::size_t k = 0; k < 3; ++k) {
+    all[2 * k] = across += static_cast<T>(c.r[k]) * sin(x[k]);
+    all[2 * k + 1] = up -= static_cast<T>(c.r[k]) * cos(x[k]);
+  }
+  return all;
+}
+
+/// The kinetic and the potential energy, the heights counted from the pivot.
+inline double energy(const Triple& c, const std::array<double, 6>& x) {
+  double E = 0, vx = 0, vy = 0, y = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    vx += c.r[k] * x[k + 3] * std::cos(x[k]);
+    vy += c.r[k] * x[k + 3] * std::sin(x[k]);
+    y -= c.r[k] * std::cos(x[k]);
+    E += c.m[k] * ((vx * vx + vy * vy) / 2 + c.g * y);
+  }
+  return E;
+}
+
+enum class Equations { dense, tensions };
+
+/// (theta1..3, theta1'..3') in any number type.
+template <Equations how>
+struct Angles : Triple {
+  using State = std::array<double, 6>;
+  State start() const { return {theta[0], theta[1], theta[2], omega[0], omega[1], omega[2]}; }
+  template <class T, class Time>
+  void operator()(const std::array<T, 6>& x, std::array<T, 6>& dxdt, const Time&) const {
+    const std::array<T, 3> q{x[0], x[1], x[2]}, v{x[3], x[4], x[5]};
+    std::array<T, 3> a{};
+    if constexpr (how == Equations::dense)
+      by_mass_matrix(Three{m[0] + m[1] + m[2], m[1] + m[2], m[2]}, r, g, q, v, a);
+    else
+      by_tensions(m, r, g, q, v, a);
+    dxdt = {x[3], x[4], x[5], a[0], a[1], a[2]};
+  }
+  std::array<double, 6> observe(const State& x, double) const { return positions(*this, x); }
+  double invariant(const State& x, double) const { return energy(*this, x); }
+};
+
+/// K e = w^2 M e at small angles: K = diag(mu_i g r_i), M_ij = mu_max(i,j) r_i r_j.
+struct NormalModes : Triple {
+  Eigen::Vector3d w, cosine, sine;
+  Eigen::Matrix3d shape;
+
+  explicit NormalModes(const Triple& triple) : Triple(triple) {
+    Eigen::Matrix3d M, K = Eigen::Matrix3d::Zero();
+    const auto mu = mass_from_here_on(std::vector<double>(m.begin(), m.end()));
+    for (int i = 0; i < 3; ++i) {
+      const auto a = static_cast<std::size_t>(i);
+      K(i, i) = mu[a] * g * r[a];
+      for (int j = 0; j < 3; ++j)
+        M(i, j) = mu[static_cast<std::size_t>(std::max(i, j))] * r[a] * r[static_cast<std::size_t>(j)];
+    }
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> modes(K, M);
+    w = modes.eigenvalues().cwiseSqrt();
+    shape = modes.eigenvectors();  // shape^T M shape = 1
+    cosine = shape.transpose() * M * Eigen::Map<const Eigen::Vector3d>(theta.data());
+    sine = (shape.transpose() * M * Eigen::Map<const Eigen::Vector3d>(omega.data())).cwiseQuotient(w);
+  }
+  std::array<double, 6> at(double t) const {
+    const Eigen::Vector3d now =
+        shape * (cosine.array() * (w.array() * t).cos() + sine.array() * (w.array() * t).sin()).matrix();
+    return positions(*this, Three{now(0), now(1), now(2)});
+  }
+};
+
+// ---- in other precisions ----------------------------------------------------------------------------------
+
+/// Gragg's modified midpoint rule with 2, 4, ..., 20 substeps, extrapolated: order 20 in the number type T,
+/// and 120 evaluations a step. What is left of the error is rounding.
+template <class T, std::size_t N, class Rhs>
+void extrapolated_step(const Rhs& rhs, std::array<T, N>& x, T step, long& evaluations) {
+  constexpr int columns = 10;
+  std::array<std::array<T, N>, columns> table;
+  for (int k = 1; k <= columns; ++k) {
+    const T h = step / static_cast<T>(2 * k);
+    std::array<T, N> before = x, now = x, slope{};
+    rhs(x, slope, 0);
+    for (std::size_t i = 0; i < N; ++i) now[i] += h * slope[i];
+    for (int j = 1; j <= 2 * k; ++j) {
+      rhs(now, slope, 0);
+      for (std::size_t i = 0; i < N; ++i) {
+        const T next = before[i] + (j < 2 * k ? 2 * h : h) * slope[i];
+        before[i] = now[i];
+        now[i] = next;
+      }
+    }
+    evaluations += 2 * k + 1;
+    auto& row = table[static_cast<std::size_t>(k - 1)];
+    for (std::size_t i = 0; i < N; ++i) row[i] = (now[i] + before[i]) / 2;
+    for (int j = k - 1; j > 0; --j) {
+      const T ratio = static_cast<T>(k) / static_cast<T>(j), less = 1 / (ratio * ratio - 1);
+      const auto c = static_cast<std::size_t>(j - 1);
+      for (std::size_t i = 0; i < N; ++i)
+        table[c][i] = table[c + 1][i] + (table[c + 1][i] - table[c][i]) * less;
+    }
+  }
+  x = table[0];
+}
+
+/// Positions at t, the state carried in T.
+template <class T>
+Answer in_precision(const Triple& c, double t, double step) {
+  const Angles<Equations::tensions> model{c};
+  std::array<T, 6> x;
+  for (std::size_t i = 0; i < 6; ++i) x[i] = static_cast<T>(model.start()[i]);
+  Answer answer;
+  const int steps = static_cast<int>(std::ceil(t / step - 1e-9));
+  for (int i = 0; i < steps; ++i)
+    extrapolated_step(model, x, static_cast<T>(t) / static_cast<T>(steps), answer.evaluations);
+  std::vector<double> seen;
+  for (const T& y : positions(c, x)) seen.push_back(static_cast<double>(y));
+  answer.value = Value(std::move(seen));
+  return answer;
+}
+
+// ---- how fast neighbours part -----------------------------------------------------------------------------
+
+/// The state and its derivative by theta1(0), carried along by dual numbers.
+struct Variational : Angles<Equations::tensions> {
+  using State = std::array<double, 12>;
+  void operator()(const State& x, State& dxdt, double t) const {
+    std::array<Dual<double>, 6> y, slope;
+    for (std::size_t i = 0; i < 6; ++i) y[i] = {x[i], x[i + 6]};
+    Angles::operator()(y, slope, t);
+    for (std::size_t i = 0; i < 6; ++i) {
+      dxdt[i] = slope[i].value;
+      dxdt[i + 6] = slope[i].slope;
+    }
+  }
+};
+
+inline double rate_of(const Value& change, double t) { return std::log(size_of(change)) / t; }
+
+inline Answer growth_by_variation(const Triple& c, double t, double tolerance) {
+  const Variational model{{c}};
+  Variational::State x{};
+  for (std::size_t i = 0; i < 6; ++i) x[i] = model.start()[i];
+  x[6] = 1;
+  const auto end = ode::integrate<ode::Fehlberg78>(model, x, 0, t, tolerance);
+  return answer(end, [&](const Variational::State& y) {
+    std::array<Dual<double>, 3> q;
+    for (std::size_t i = 0; i < 3; ++i) q[i] = {y[i], y[i + 6]};
+    std::vector<double> change;
+    for (const auto& p : positions(c, q)) change.push_back(p.slope);
+    return rate_of(change, t);
+  });
+}
+
+inline Answer growth_by_neighbours(const Triple& c, double t, double apart) {
+  const auto end = [&](double by) {
+    Angles<Equations::tensions> model{c};
+    model.theta[0] += by;
+    return ode::integrate<ode::Fehlberg78>(model, model.start(), 0, t, 1e-14);
+  };
+  const auto above = end(apart / 2), below = end(-apart / 2);
+  const auto p = positions(c, above.value), q = positions(c, below.value);
+  std::vector<double> change;
+  for (std::size_t i = 0; i < 6; ++i) change.push_back((p[i] - q[i]) / apart);
+  return {rate_of(change, t), above.evaluations + below.evaluations};
+}
+
+// ---- a chain of n -----------------------------------------------------------------------------------------
+
+/// n links whose masses, lengths, angles and speeds run through dyadic patterns.
+struct Pattern {
+  std::vector<double> m, r, theta, omega;
+
+  explicit Pattern(int n) {
+    for (int k = 0; k < n; ++k) {
+      m.push_back(1 + k % 4 / 4.0);
+      r.push_back(1 + k % 3 / 4.0);
+      theta.push_back(k * 37 % 64 / 32.0 - 1);
+      omega.push_back(k * 29 % 64 / 32.0 - 1);
+    }
+  }
+};
+
+/// The first, the middle and the last.
+template <class Accelerations>
+Value chosen(const Accelerations& alpha, int n) {
+  const auto i = static_cast<decltype(alpha.size())>(n);
+  return {alpha[0], alpha[(i - 1) / 2], alpha[i - 1]};
+}
+
+}  // namespace oddity::chain

@@ -1,0 +1,218 @@
+// Exercise 3.25: three masses on rigid massless rods, hung one from the other: energies, equations of motion;
+// and a chain of n masses.
+//   pattern    sum_j mu_max(i,j) r_i r_j (cos(theta_i - theta_j) theta_j'' + sin(theta_i - theta_j)
+//   theta_j'^2)
+//                = -mu_i g r_i sin(theta_i),   mu_k the mass from k on
+//   tensions   (1/m_k + 1/m_(k-1)) t_k - c_k t_(k-1)/m_(k-1) - c_(k+1) t_(k+1)/m_k = r_k theta_k'^2 (+ g cos
+//              theta_1 for k = 1), c_k = cos(theta_k - theta_(k-1)): tridiagonal, so linear in n
+// The claims are judged against Lagrange's equations by nested dual numbers of the positions alone, and
+// against Newton's law with tensions. References: 60-digit Taylor series in Cartesian coordinates against
+// extrapolation in the angles. Masses, lengths and starts are dyadic, so that every precision starts from the
+// same state.
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored \
+    "-Wmaybe-uninitialized"  // Odeint copies steppers before their scratch is written
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#endif
+
+#include "chapters/03_rigid_body_motion/chain_claims.hpp"
+
+namespace oddity {
+
+namespace {
+
+using namespace chain;
+using enum Outcome;
+
+constexpr Parameter parameters[] = {
+    {"m1", 1, "kg", "mass next to the pivot", 1e-2, 1e2},
+    {"m2", 0.75, "kg", "mass in the middle", 1e-2, 1e2},
+    {"m3", 0.5, "kg", "mass at the end", 1e-2, 1e2},
+    {"r1", 1, "m", "length of the rod at the pivot", 0.1, 10},
+    {"r2", 0.75, "m", "length of the rod in the middle", 0.1, 10},
+    {"r3", 0.5, "m", "length of the rod at the end", 0.1, 10},
+    {"g", 9.8125, "m/s^2", "gravity", 0.1, 30},
+    {"h", 2.5, "m", "height of the pivot", -1e3, 1e3},
+    {"theta1", 0.25, "rad", "angle at the start, from the downward vertical", -7, 7},
+    {"theta2", 0.375, "rad", "angle at the start", -7, 7},
+    {"theta3", 0.5, "rad", "angle at the start", -7, 7},
+    {"omega1", 0, "rad/s", "angular velocity at the start", -10, 10},
+    {"omega2", 0, "rad/s", "angular velocity at the start", -10, 10},
+    {"omega3", 0, "rad/s", "angular velocity at the start", -10, 10},
+    {"seed", 325, "", "of the random samples", 0, 1e9},
+};
+
+constexpr Triple chaotic{{1, 0.75, 0.5}, {1, 0.75, 0.5}, 9.8125, 2.5, {2, 2.5, 3}, {0, 0, 0}};
+
+// ---- the motion -------------------------------------------------------------------------------------------
+
+Quantity motion(const Triple& start, const Reference& truth) {
+  const Horizon horizon{4};
+  Quantity q = quantity("motion", "m", "positions of the masses after 1, 2, 3 and 4 s",
+                        trajectory(truth, "03_25_chain", start.inputs(), horizon), {1e-6, "a micrometre"});
+  Ladder(q, horizon, halving("step", 0x1p-4, 9), tolerances(3, 11))
+      .closed_form("normal modes", NormalModes(start), inaccurate, "the angles are not small")
+      .by_all("dense mass matrix", Angles<Equations::dense>{start}, inaccurate, ok)
+      .by_all("tensions", Angles<Equations::tensions>{start}, inaccurate, ok);
+  return q.add(
+      Breakdown{"Modes that do not know of each other are a picture for small angles: at a quarter to half a "
+                "radian they "
+                "are off by centimetres within four seconds.",
+                "normal modes, closed form", 0, inaccurate, "tensions, Dormand-Prince 5(4)", 1e-9});
+}
+
+Quantity small_swing(const Triple& like, const Reference& truth) {
+  const Horizon horizon{4};
+  Triple start = like;
+  start.theta = {0x1p-10, 0x1.8p-10, 0x1p-9};
+  start.omega = {0, 0, 0};
+  Quantity q = quantity("small_swing", "m", "the same from angles of a thousandth",
+                        trajectory(truth, "03_25_chain", start.inputs(), horizon), {1e-6, "a micrometre"});
+  Ladder(q, horizon, halving("step", 0x1p-4, 7), tolerances(3, 9))
+      .closed_form("normal modes", NormalModes(start))
+      .by<ode::RungeKutta4>("tensions", Angles<Equations::tensions>{start})
+      .by<ode::DormandPrince54>("tensions", Angles<Equations::tensions>{start});
+  return q;
+}
+
+Quantity mode_frequencies(const Triple& c, const Reference& truth) {
+  std::vector<double> inputs = c.inputs();
+  inputs.resize(7);
+  const Known known = truth("03_25_modes", inputs);
+  const double size = size_of(known.value);
+  Quantity q = quantity("mode_frequencies", "rad/s", "angular frequencies of the three small oscillations",
+                        known, {1e-10 * size, "ten digits of the fastest"});
+  q.add({"dense pair (K, M)", "Eigen, Cholesky and QR", no_knob(), [=](double) {
+           return Answer{Value(NormalModes(c).w), 1};
+         }});
+  q.add({"tensions at rest", "one link's accelerations by dual numbers, then QR", no_knob(), [=](double) {
+           Eigen::Matrix3d minus;
+           for (int j = 0; j < 3; ++j) {
+             std::array<Dual<double>, 3> theta{}, omega{}, alpha{};
+             theta[static_cast<std::size_t>(j)].slope = 1;
+             by_tensions(c.m, c.r, c.g, theta, omega, alpha);
+             for (int i = 0; i < 3; ++i) minus(i, j) = -alpha[static_cast<std::size_t>(i)].slope;
+           }
+           Eigen::Vector3d w = minus.eigenvalues().real().cwiseSqrt();
+           std::sort(w.begin(), w.end());
+           return Answer{Value(w), 3};
+         }});
+  return q;
+}
+
+// ---- chaos ------------------------------------------------------------------------------------------------
+
+/// How each precision ends when all that is left of its error is rounding.
+struct Predicts {
+  Outcome in_float, in_double, in_long_double;
+};
+
+Quantity prediction(double t, const Reference& truth, const Predicts& expected) {
+  const Horizon once{t, 1};
+  const std::string seconds = shortest(t) + " s";
+  Quantity q = quantity("chaos_" + shortest(t) + "s", "m",
+                        "positions " + seconds + " after rest at (2, 2.5, 3) rad, in three precisions",
+                        trajectory(truth, "03_25_chain", chaotic.inputs(), once), {1e-2, "a centimetre"});
+  const Knob steps = halving("step", 0x1p-3, 4);
+  const std::string why = "its roundings have grown to the size of the motion";
+  const auto add = [&](std::string model, auto number, Outcome outcome) {
+    q.add({std::move(model), "extrapolated midpoint, order 20", steps,
+           [t](double step) { return in_precision<decltype(number)>(chaotic, t, step); }, outcome,
+           outcome == ok ? "" : why});
+  };
+  add("float", 0.0f, expected.in_float);
+  add("double", 0.0, expected.in_double);
+  add("long double", 0.0L, expected.in_long_double);
+  return q;
+}
+
+Quantity by_algorithm(double t, const Reference& truth, Outcome runge_kutta) {
+  const Horizon once{t, 1};
+  Quantity q = quantity("chaos_by_algorithm", "m",
+                        "positions " + shortest(t) + " s after rest at (2, 2.5, 3) rad, by algorithm",
+                        trajectory(truth, "03_25_chain", chaotic.inputs(), once), {1e-2, "a centimetre"});
+  Ladder(q, once, halving("step", 0x1p-6, 6), tolerances(5, 13))
+      .by<ode::RungeKutta4>("tensions", Angles<Equations::tensions>{chaotic}, runge_kutta)
+      .by<ode::DormandPrince54>("tensions", Angles<Equations::tensions>{chaotic})
+      .by<ode::Fehlberg78>("tensions", Angles<Equations::tensions>{chaotic})
+      .by<ode::BulirschStoer>("tensions", Angles<Equations::tensions>{chaotic});
+  return q;
+}
+
+Quantity growth(double t, const Reference& truth) {
+  std::vector<double> inputs = chaotic.inputs();
+  inputs.push_back(t);
+  Quantity q = quantity("growth", "1/s",
+                        "rate at which a change of theta1 grows within " + shortest(t) +
+                            " s of rest at (2, 2.5, 3) rad: log |d(position)/d(theta1)| / t",
+                        truth("03_25_growth", inputs), {1e-3, "a thousandth per second"});
+  q.add({"variational equation", "Fehlberg 7(8)", tolerances(6, 14),
+         [=](double tolerance) { return growth_by_variation(chaotic, t, tolerance); }});
+  q.add({"two neighbours",
+         "Fehlberg 7(8), their distance",
+         {"apart", {1e-2, 1e-4, 1e-6, 1e-8}},
+         [=](double apart) { return growth_by_neighbours(chaotic, t, apart); }});
+  return q.add(Breakdown{
+      "Two neighbours measure the growth only while they are neighbours: a hundredth of a radian apart they "
+      "are "
+      "as far apart as the pendulum is long within seconds. Dual numbers carry the derivative itself.",
+      "two neighbours, Fehlberg 7(8), their distance", 1e-2, inaccurate,
+      "variational equation, Fehlberg 7(8)", 1e-10});
+}
+
+// ---- n masses ---------------------------------------------------------------------------------------------
+
+Quantity cost(int n, double g, const Reference& truth) {
+  const Known known = truth("03_25_accelerations", {static_cast<double>(n), g});
+  const double size = size_of(known.value);
+  Quantity q = quantity("chain_of_" + std::to_string(n), "rad/s^2",
+                        "angular accelerations of the first, the middle and the last of " +
+                            std::to_string(n) + " links; cost in multiplications and divisions",
+                        known, {1e-9 * size, "nine digits"});
+  const Pattern p(n);
+  const auto dense = [&](std::string algorithm, Factorization how) {
+    q.add({"dense mass matrix", std::move(algorithm), no_knob(), [=](double) {
+             const auto solved = by_factorization(how, p.m, p.r, g, p.theta, p.omega);
+             Answer all = answer(solved, [=](const Eigen::VectorXd& alpha) {
+               return chosen(std::vector<double>(alpha.begin(), alpha.end()), n);
+             });
+             all.evaluations += 7L * n * n;
+             return all;
+           }});
+  };
+  dense("Cholesky", Factorization::cholesky);
+  if (n <= 100) dense("LU with partial pivoting", Factorization::partial_pivot_lu);
+  q.add({"tensions", "tridiagonal elimination", no_knob(), [=](double) {
+           std::vector<double> alpha(p.m.size());
+           by_tensions(p.m, p.r, g, p.theta, p.omega, alpha);
+           return Answer{chosen(alpha, n), 16L * n};
+         }});
+  return q;
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  const Triple start{{p["m1"], p["m2"], p["m3"]},
+                     {p["r1"], p["r2"], p["r3"]},
+                     p["g"],
+                     p["h"],
+                     {p["theta1"], p["theta2"], p["theta3"]},
+                     {p["omega1"], p["omega2"], p["omega3"]}};
+  return {claims(p["seed"]),
+          {motion(start, truth), small_swing(start, truth), mode_frequencies(start, truth),
+           prediction(2, truth, {ok, ok, ok}), prediction(4, truth, {inaccurate, ok, ok}),
+           by_algorithm(4, truth, ok),
+           growth(4, truth), cost(10, p["g"], truth), cost(100, p["g"], truth), cost(1000, p["g"], truth)}};
+}
+
+}  // namespace
+
+Exercise exercise_3_25() {
+  return {"Triple pendulum and a chain of n masses",
+          "Three masses hang one from the other by rigid massless rods. Find the kinetic and the potential "
+          "energy and the equations of motion in the angles $\\theta_1,\\theta_2,\\theta_3$; what becomes of "
+          "them for $n$ masses?",
+          parameters, true, study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,53 @@
+#include "reference/make/03_25_chain.hpp"
+
+#include "reference/make/extrapolation.hpp"
+#include "reference/make/taylor.hpp"
+
+// Positions of the triple pendulum's masses after the time t. Nearby starts part exponentially: both routes
+// work with digits to spare.
+namespace oddity::truth {
+
+namespace {
+
+Numbers by_taylor(const std::vector<double>& in, int digits) {
+  const TripleStart start(in);
+  const ChainTensions rhs{start.chain};
+  return rhs.positions(solve_taylor(rhs, rhs.start(start.theta, start.omega), 0, Number(in[14]), digits + 2));
+}
+
+Numbers by_extrapolation(const std::vector<double>& in, int digits) {
+  const TripleStart start(in);
+  const ChainAngles rhs{start.chain};
+  return rhs.positions(solve_extrapolation(rhs, start.angles(), 0, Number(in[14]), digits * 3 / 4));
+}
+
+}  // namespace
+
+Truth truth_03_25_chain() {
+  const std::vector<double> chain{1, 0.75, 0.5, 1, 0.75, 0.5, 9.8125, 2.5};
+  std::vector<std::vector<double>> rows;
+  const auto add = [&](const std::vector<double>& start, const std::vector<double>& times) {
+    for (double t : times) {
+      rows.push_back(chain);
+      rows.back().insert(rows.back().end(), start.begin(), start.end());
+      rows.back().push_back(t);
+    }
+  };
+  add({0.25, 0.375, 0.5, 0, 0, 0}, {1, 2, 3, 4});
+  add({0x1p-10, 0x1.8p-10, 0x1p-9, 0, 0, 0}, {1, 2, 3, 4});
+  add({2, 2.5, 3, 0, 0, 0}, {2, 4});
+  return {
+      "positions of the three masses of a chain t after it was let go, pivot at (0, h), theta from the "
+      "downward vertical",
+      "d/dt dL/dtheta_i' = dL/dtheta_i",
+      {"m1", "m2", "m3", "r1", "r2", "r3", "g", "h", "theta1", "theta2", "theta3", "omega1", "omega2",
+       "omega3", "t"},
+      {{"x1", "m"}, {"y1", "m"}, {"x2", "m"}, {"y2", "m"}, {"x3", "m"}, {"y3", "m"}},
+      rows,
+      "Taylor series in Cartesian coordinates with tensions",
+      by_taylor,
+      "extrapolated midpoint rule in the angles, dense mass matrix",
+      by_extrapolation};
+}
+
+}  // namespace oddity::truth
