@@ -195,6 +195,12 @@ constexpr double far_away = 10;
 /// A conserved quantity that has changed by a hundredth makes another motion.
 constexpr double another_motion = 0.01;
 
+/// The last of `samples` equal parts.
+Value last_of(const Value& value, int samples) {
+  const std::size_t part = value.size() / static_cast<std::size_t>(samples);
+  return Value(std::vector<double>(value.end() - static_cast<std::ptrdiff_t>(part), value.end()));
+}
+
 Outcome judge(const Quantity& quantity, const Answer& answer, double error) {
   switch (answer.ending) {
     case Ending::raised:
@@ -218,8 +224,25 @@ Outcome judge(const Quantity& quantity, const Answer& answer, double error) {
 
 }  // namespace
 
+std::vector<double> Horizon::times() const {
+  std::vector<double> all{0};
+  for (int k = 1; k <= samples; ++k) {
+    const double t = end * k / samples;
+    all.push_back(frames_a_second > 0 ? std::round(t * frames_a_second) / frames_a_second : t);
+  }
+  return all;
+}
+
+std::vector<double> Horizon::stops() const {
+  if (frames_a_second <= 0) return times();
+  std::vector<double> all{0};
+  const auto frames = std::lround(end * frames_a_second);
+  for (long frame = 1; frame <= frames; ++frame) all.push_back(static_cast<double>(frame) / frames_a_second);
+  return all;
+}
+
 Trial run(const Quantity& quantity, const Method& method, double setting) {
-  Trial trial{method.model, method.algorithm, method.knob.name, setting, {}, 0, Outcome::raised};
+  Trial trial{method.model, method.algorithm, method.knob.name, setting, {}, 0, 0, Outcome::raised};
   try {
     trial.answer = method.run(setting);
   } catch (const std::exception& exception) {
@@ -227,6 +250,8 @@ Trial run(const Quantity& quantity, const Method& method, double setting) {
     trial.answer.message = exception.what();
   }
   trial.error = distance(trial.answer.value, quantity.reference.value);
+  trial.final_error = distance(last_of(trial.answer.value, quantity.samples),
+                               last_of(quantity.reference.value, quantity.samples));
   trial.outcome = judge(quantity, trial.answer, trial.error);
   return trial;
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -161,6 +162,17 @@ Verdict verdict(const Claim&);
 
 // ---- the method's side ------------------------------------------------------------------------------------
 
+/// When a motion is looked at: at `samples` times, evenly spaced, the last at `end`. With a frame rate the
+/// times are the frames next to those, and every method has to be at every frame.
+struct Horizon {
+  double end;
+  int samples = 4;
+  double frames_a_second = 0;
+
+  std::vector<double> times() const;  ///< zero and the times looked at
+  std::vector<double> stops() const;  ///< zero and the times at which a method has to be
+};
+
 /// The one thing about a method that trades cost for accuracy, with its settings from coarse to fine.
 struct Knob {
   std::string name;
@@ -208,6 +220,8 @@ struct Method {
   std::function<Answer(double setting)> run;
   Outcome expected = Outcome::ok;  ///< at the finest setting; the suite is red when it ends otherwise
   std::string why = {};            ///< why it is expected to fail
+  /// The largest step that linear theory calls stable, with the model's Jacobian frozen along the motion.
+  std::function<double()> stable_step = {};
 };
 
 /// A known failure and its cure: two rows of the table of trials, both asserted.
@@ -230,6 +244,7 @@ struct Quantity {
   Tolerance need;  ///< the error that still counts as ok
   std::vector<Method> methods = {};
   std::vector<Breakdown> breakdowns = {};
+  int samples = 1;  ///< times of a motion; the value has the observables of one after the other
 
   Quantity& add(Method method);
   Quantity& add(Breakdown breakdown);
@@ -243,7 +258,8 @@ struct Trial {
   std::string model, algorithm, knob;
   double setting = 0;
   Answer answer;
-  double error;
+  double error;        ///< the largest of all components
+  double final_error;  ///< at the last time alone
   Outcome outcome;
 };
 
@@ -257,11 +273,21 @@ struct Findings {
   std::vector<Quantity> quantities;
 };
 
+/// The motion of an exercise that has one: what the views of stability, choice and models look at.
+struct Scene {
+  Quantity (*motion)(const Parameters&, const Horizon&, const Reference&);
+  double horizon;                        ///< s; where the book's motion is looked at last
+  double close;                          ///< what a game asks: 1 cm or 1 degree, in the observables' unit
+  std::string_view varied;               ///< the parameter that makes it hard
+  std::vector<double> over;              ///< its values, from easy to hard
+  std::vector<std::string_view> starts;  ///< parameters that differ from start to start
+};
+
 struct Exercise {
   std::string_view title;
   std::string_view asks;  ///< what the book asks, in our words (Markdown with $math$)
   std::span<const Parameter> parameters;
-  bool scene = false;  ///< it has motion
+  std::optional<Scene> scene;
   Findings (*study)(const Parameters&, const Reference&);
 };
 

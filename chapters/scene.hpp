@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "chapters/exercise.hpp"
 #include "reference/reference.hpp"
 #include "solvers/ode/all.hpp"
+#include "solvers/ode/stability.hpp"
 
 /// Exercises with motion: a ladder of models, each mapping its own state to the same observables.
 ///
@@ -18,18 +20,13 @@
 ///                                 acceleration(q, a), for x = (q, v) with forces of position alone.
 namespace oddity {
 
-/// The times at which a scene is looked at: `samples` of them, evenly spaced, the last at `end`.
-struct Horizon {
-  double end;
-  int samples = 4;
+/// What a game asks of a position [m] and of an angle [rad].
+inline constexpr double centimeter = 0.01, degree = std::numbers::pi / 180;
 
-  /// Zero and the sample times.
-  std::vector<double> times() const {
-    std::vector<double> all{0};
-    for (int k = 1; k <= samples; ++k) all.push_back(end * k / samples);
-    return all;
-  }
-};
+/// The scene as the book has it.
+inline Quantity motion(const Scene& scene, const Parameters& parameters, const Reference& truth) {
+  return scene.motion(parameters, {scene.horizon}, truth);
+}
 
 template <class Model>
 concept ClosedForm = requires(const Model& model, double t) {
@@ -62,30 +59,38 @@ inline Known trajectory(const Reference& truth, std::string_view name, std::vect
   return all;
 }
 
-/// A closed form at the horizon's times; its cost is one evaluation a time.
+/// A closed form at the horizon's stops; its cost is one evaluation a stop.
 template <ClosedForm Model>
 Answer observe_closed_form(const Model& model, const Horizon& horizon) {
+  const auto times = horizon.times(), stops = horizon.stops();
   std::vector<double> seen;
-  const auto times = horizon.times();
-  for (std::size_t i = 1; i < times.size(); ++i)
-    for (double x : model.at(times[i])) seen.push_back(x);
-  return {Value(std::move(seen)), horizon.samples};
+  std::size_t next = 1;
+  for (std::size_t i = 1; i < stops.size(); ++i) {
+    const auto observables = model.at(stops[i]);
+    if (next == times.size() || stops[i] != times[next]) continue;
+    seen.insert(seen.end(), observables.begin(), observables.end());
+    ++next;
+  }
+  return {Value(std::move(seen)), static_cast<long>(stops.size()) - 1};
 }
 
-/// A model integrated to the horizon, observed at its times, its invariant watched.
+/// A model integrated through the horizon's stops, observed at its times, its invariant watched.
 template <class Algorithm, class Model>
 Answer observe_integrated(const Model& model, const Horizon& horizon, double setting) {
-  const auto times = horizon.times();
+  const auto times = horizon.times(), stops = horizon.stops();
   const auto trajectory =
-      ode::integrate<Algorithm>(model, model.start(), std::span<const double>(times), setting);
+      ode::integrate<Algorithm>(model, model.start(), std::span<const double>(stops), setting);
   Answer answer{{}, trajectory.evaluations, trajectory.error_estimate,
                 0,  trajectory.ending,      trajectory.message};
   std::vector<double> seen;
+  std::size_t next = 1;
   for (std::size_t i = 1; i < trajectory.value.size(); ++i) {
-    for (double x : model.observe(trajectory.value[i], times[i])) seen.push_back(x);
+    if (next == times.size() || stops[i] != times[next]) continue;
+    ++next;
+    for (double x : model.observe(trajectory.value[i], stops[i])) seen.push_back(x);
     if constexpr (Conservative<Model>) {
-      const double at_start = model.invariant(trajectory.value[0], times[0]);
-      const double change = std::abs(model.invariant(trajectory.value[i], times[i]) - at_start);
+      const double at_start = model.invariant(trajectory.value[0], 0);
+      const double change = std::abs(model.invariant(trajectory.value[i], stops[i]) - at_start);
       answer.drift = std::max(answer.drift, change / std::max(std::abs(at_start), 1e-300));
     }
   }
@@ -93,14 +98,31 @@ Answer observe_integrated(const Model& model, const Horizon& horizon, double set
   return answer;
 }
 
+/// The eigenvalues of the model's Jacobian along its motion.
+template <class Model>
+ode::Spectrum spectrum(const Model& model, double end) {
+  const auto times = Horizon{end, 32}.times();
+  const auto motion =
+      ode::integrate<ode::DormandPrince54>(model, model.start(), std::span<const double>(times), 1e-8);
+  ode::Spectrum spectrum{end / static_cast<double>(times.size()), {}};
+  const auto rhs = [&](const double* x, double* dxdt, double t) {
+    typename Model::State state{}, derivative{};
+    std::copy_n(x, state.size(), state.begin());
+    model(state, derivative, t);
+    std::ranges::copy(derivative, dxdt);
+  };
+  for (std::size_t i = 0; i < motion.value.size(); ++i)
+    spectrum.at.push_back(ode::eigenvalues_of_jacobian(rhs, motion.value[i], times[i]));
+  return spectrum;
+}
+
 /// A scene's models and algorithms as the methods of one quantity.
 class Ladder {
  public:
   Ladder(Quantity& quantity, Horizon horizon, Knob steps, Knob tolerances)
-      : quantity_(quantity),
-        horizon_(horizon),
-        steps_(std::move(steps)),
-        tolerances_(std::move(tolerances)) {}
+      : quantity_(quantity), horizon_(horizon), steps_(std::move(steps)), tolerances_(std::move(tolerances)) {
+    quantity_.samples = horizon_.samples;
+  }
 
   template <ClosedForm Model>
   Ladder& closed_form(std::string name, const Model& model, Outcome expected = Outcome::ok,
@@ -116,18 +138,26 @@ class Ladder {
   template <class Algorithm, class Model>
   Ladder& by(std::string name, const Model& model, Outcome expected = Outcome::ok, std::string why = {}) {
     const Horizon horizon = horizon_;
-    quantity_.add(Method{
-        std::move(name), std::string(Algorithm::name),
+    Method method{
+        std::move(name),
+        std::string(Algorithm::name),
         ode::has_tolerance(Algorithm::kind) ? tolerances_ : steps_,
         [model, horizon](double setting) { return observe_integrated<Algorithm>(model, horizon, setting); },
-        expected, std::move(why)});
+        expected,
+        std::move(why)};
+    if constexpr (!ode::has_tolerance(Algorithm::kind))
+      method.stable_step = [model, horizon] {
+        return ode::stable_step(Algorithm::name, spectrum(model, horizon.end));
+      };
+    quantity_.add(std::move(method));
     return *this;
   }
 
-  /// The model by every algorithm that it allows; those of order 1 and 2 are expected to end `low_order`.
+  /// The model by the explicit algorithms that engines use, as far as it allows them, with what those of
+  /// order 1 and of order 2 are expected to end as.
   template <class Model>
-  Ladder& by_all(const std::string& name, const Model& model, Outcome first_order = Outcome::inaccurate,
-                 Outcome second_order = Outcome::ok) {
+  Ladder& by_common(const std::string& name, const Model& model, Outcome first_order = Outcome::inaccurate,
+                    Outcome second_order = Outcome::ok) {
     ode::for_each_algorithm([&]<class Algorithm>() {
       if constexpr (Algorithm::kind != ode::Kind::partitioned || Partitioned<Model>) {
         const bool first = low_order<Algorithm>(1), second = low_order<Algorithm>(2);

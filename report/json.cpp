@@ -112,11 +112,12 @@ Json from(const TimedTrial& t) {
           {"knob_name", t.knob},
           {"value", from(t.value)},
           {"error", from(t.error)},
+          {"final_error", from(t.final_error)},
           {"error_estimate", from(t.error_estimate)},
           {"drift", from(t.drift)},
           {"evaluations", t.evaluations},
-          {"seconds", from(t.seconds)},
-          {"spread", from(t.spread)},
+          {"seconds", from(t.time.seconds)},
+          {"spread", from(t.time.spread)},
           {"outcome", name_of(t.outcome)},
           {"message", t.message}};
 }
@@ -128,11 +129,12 @@ TimedTrial trial(const Json& json) {
   t.setting = json.at("knob").is_null() ? 0 : number(json.at("knob"));
   t.value = value(json.at("value"));
   t.error = number(json.at("error"));
+  t.final_error = number(json.at("final_error"));
   t.error_estimate = number(json.at("error_estimate"));
   t.drift = number(json.at("drift"));
   t.evaluations = json.at("evaluations");
-  t.seconds = number(json.at("seconds"));
-  t.spread = number(json.at("spread"));
+  t.time.seconds = number(json.at("seconds"));
+  t.time.spread = number(json.at("spread"));
   t.outcome = named(json.at("outcome"), outcomes);
   t.message = json.at("message");
   return t;

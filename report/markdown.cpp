@@ -468,8 +468,8 @@ std::string times_page(const Results& results) {
         for (const TimedTrial& t : m.trials)
           rows.push_back(
               {escaped(t.model), escaped(t.algorithm), knob_cell(t), error_cell(t.error),
-               std::to_string(t.evaluations), shown_time(t.seconds), shown_time(t.spread),
-               t.evaluations > 0 ? shown_time(t.seconds / static_cast<double>(t.evaluations)) : "-"});
+               std::to_string(t.evaluations), shown_time(t.time.seconds), shown_time(t.time.spread),
+               t.evaluations > 0 ? shown_time(t.time.seconds / static_cast<double>(t.evaluations)) : "-"});
       text +=
           "## " + to_string(e.number) + " " + e.title + ": " + code(q.name) + "\n\n" +
           table({"model", "algorithm", "knob", "error", "evaluations", "time", "spread", "per evaluation"},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,18 +16,24 @@ struct JudgedClaim {
   Verdict verdict = Verdict::unsettled;
 };
 
+/// How long something takes: the median of several batches, and half the distance of their quartiles.
+struct Time {
+  double seconds = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed
+  double spread = std::numeric_limits<double>::quiet_NaN();
+};
+
 struct TimedTrial {
   std::string model, algorithm, knob;
   double setting = 0;
   Value value;
-  double error = 0;
+  double error = 0;           ///< the largest of all components
+  double final_error = 0;     ///< at the last time alone
   double error_estimate = 0;  ///< NaN: the method has none
   double drift = 0;
   long evaluations = 0;
   Outcome outcome = Outcome::raised;
   std::string message;
-  double seconds = 0;  ///< median of several batches; NaN: not timed
-  double spread = 0;   ///< half the distance of the quartiles
+  Time time = {};
 };
 
 /// A method's trials from coarse to fine, and how the finest is expected to end.

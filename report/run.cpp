@@ -1,17 +1,15 @@
 #include "report/run.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <execution>
 #include <mutex>
 
 #include "reference/bad_input.hpp"
+#include "report/time.hpp"
 
 namespace oddity {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// A task with its findings: where closures become plain values.
 struct Studied {
@@ -83,13 +81,13 @@ TimedTrial as_result(const Trial& trial) {
           trial.setting,
           answer.value,
           trial.error,
+          trial.final_error,
           answer.error_estimate,
           answer.drift,
           answer.evaluations,
           trial.outcome,
           answer.message,
-          std::numeric_limits<double>::quiet_NaN(),
-          std::numeric_limits<double>::quiet_NaN()};
+          {}};
 }
 
 const Method& method_named(const Quantity& quantity, const std::string& name) {
@@ -133,7 +131,7 @@ ExerciseResult shape(const Studied& studied, std::vector<Pending>& pending) {
   ExerciseResult result{entry.number,
                         std::string(entry.exercise.title),
                         std::string(entry.exercise.asks),
-                        entry.exercise.scene,
+                        entry.exercise.scene.has_value(),
                         {},
                         {},
                         {},
@@ -145,31 +143,6 @@ ExerciseResult shape(const Studied& studied, std::vector<Pending>& pending) {
   for (const Quantity& quantity : studied.findings.quantities)
     result.quantities.push_back(shape(quantity, pending));
   return result;
-}
-
-/// Median and quartile half-distance over batches, each as long as a tenth of a millisecond or one run.
-void time(const Pending& pending) {
-  constexpr std::chrono::microseconds batch{100};
-  constexpr std::size_t batches = 5;
-  const auto once = [&] {
-    const auto start = Clock::now();
-    static_cast<void>(pending.method->run(pending.setting));
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
-  const double first = once();
-  const auto runs = static_cast<long>(
-      std::clamp(std::chrono::duration<double>(batch).count() / std::max(first, 1e-8), 1.0, 1e4));
-  std::vector<double> seconds;
-  const std::size_t count = first > 0.05 ? 1 : batches;
-  for (std::size_t b = 0; b < count; ++b) {
-    const auto start = Clock::now();
-    for (long i = 0; i < runs; ++i) static_cast<void>(pending.method->run(pending.setting));
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count() /
-                      static_cast<double>(runs));
-  }
-  std::ranges::sort(seconds);
-  pending.result->seconds = seconds[count / 2];
-  pending.result->spread = (seconds[(3 * count) / 4] - seconds[count / 4]) / 2;
 }
 
 }  // namespace
@@ -196,7 +169,7 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
   });
   if (timed)
     for (const Pending& p : pending) {
-      if (p.result->outcome != Outcome::raised) time(p);
+      if (p.result->outcome != Outcome::raised) p.result->time = time(*p.method, p.setting);
       tally.add();
     }
   return results;

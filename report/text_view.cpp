@@ -45,7 +45,7 @@ std::vector<std::string> trial_row(const TimedTrial& t) {
           shown(t.value),
           shown_error(t.error),
           std::to_string(t.evaluations),
-          shown_time(t.seconds),
+          shown_time(t.time.seconds),
           std::string(name_of(t.outcome)) + (t.message.empty() ? "" : ": " + t.message)};
 }
 

@@ -31,8 +31,8 @@ Results sample() {
   claim.claim.near_misses = {{"x = 2", {{"x", {"a", 2}, {"b", 1}, exact(), 1, "worst of 3"}}}};
   claim.claim.why = "a | bar";
   e.claims = {claim};
-  TimedTrial trial{"model", "algorithm", "step",      0.5, Value{1, 2}, 0.25, 0.5,
-                   0,       42,          Outcome::ok, "",  1e-6,        1e-8};
+  TimedTrial trial{"model", "algorithm", "step", 0.5,         Value{1, 2}, 0.25,        0.25,
+                   0.5,     0,           42,     Outcome::ok, "",          {1e-6, 1e-8}};
   QuantityResult q{"q", "m", "a length", {"table x.csv", Value{1, 2}}, 1e-16, {0.3, "a reason"}, {}, {}};
   q.methods = {{"model", "algorithm", Outcome::ok, "", {trial, trial}}};
   q.breakdowns = {{"it breaks", Outcome::ok, trial, trial}};
@@ -85,7 +85,7 @@ TEST_CASE("a page escapes what Markdown would take for markup, but not mathemati
 
 TEST_CASE("pages hold no times but the page of times", "[report]") {
   Results slow = sample(), fast = sample();
-  fast.exercises[0].quantities[0].methods[0].trials[0].seconds = 1e-9;
+  fast.exercises[0].quantities[0].methods[0].trials[0].time.seconds = 1e-9;
   CHECK(index_page(slow) == index_page(fast));
   CHECK(chapter_page(slow, 3) == chapter_page(fast, 3));
   CHECK(times_page(slow) != times_page(fast));

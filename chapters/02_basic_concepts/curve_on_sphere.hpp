@@ -182,8 +182,8 @@ inline Quantity orientation(double T, const Reference& truth) {
                         {1e-8, "a five hundredth of a second of arc"});
   Ladder(q, horizon, steps, tolerances())
       .closed_form("frame", Frame{})
-      .by_all("matrix", AsMatrix{}, Outcome::drifted)
-      .by_all("quaternion", AsQuaternion{}, Outcome::drifted)
+      .by_common("matrix", AsMatrix{}, Outcome::drifted)
+      .by_common("quaternion", AsQuaternion{}, Outcome::drifted)
       .by<ode::RungeKutta4>("matrix, w of the printed listing", AsMatrix{true}, Outcome::inaccurate,
                             "a rotation, but the wrong one");
   const auto repaired = [&]<class Algorithm, class Model>(const char* name, Algorithm, Model model) {

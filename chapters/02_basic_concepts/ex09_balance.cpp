@@ -280,7 +280,7 @@ Findings study(const Parameters& p, const Reference& truth) {
 Exercise exercise_2_9() {
   return {"Balance of a plate",
           "Show that a plate of point masses $m_i$ balances on every line through its center of mass $C$.",
-          parameters, false, study};
+          parameters, {}, study};
 }
 
 }  // namespace oddity

@@ -215,7 +215,7 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 Exercise exercise_2_11() {
   return {"Rotation of a cross product", "Show that $R(a\\times b)=(Ra)\\times(Rb)$ for every rotation $R$.",
-          parameters, false, study};
+          parameters, {}, study};
 }
 
 }  // namespace oddity

@@ -267,8 +267,8 @@ inline Quantity slide(const Bead& bead, const Reference& truth) {
       .by<ode::Fehlberg78>(stuck, EnergyInQ{bead}, Outcome::inaccurate, "the bead never moves")
       .by<ode::RungeKutta4>(regular, EnergyInU{bead})
       .by<ode::Fehlberg78>(regular, EnergyInU{bead})
-      .by_all(one, OneCoordinate{bead})
-      .by_all(cartesian, CartesianWithConstraints{bead});
+      .by_common(one, OneCoordinate{bead})
+      .by_common(cartesian, CartesianWithConstraints{bead});
   position.add({substituted, "Gauss-Legendre, inverted by Brent", doubling("points", 4, 6), [=](double n) {
                   return by_inverted_integral(EnergyInU{bead}, horizon, static_cast<int>(n));
                 }});

@@ -67,7 +67,7 @@ inline Quantity path(const std::string& name, const std::string& says, const Bal
   Ladder ladder(q, horizon, halving("step", 0.125, 11), tolerances(3, 11));
   ladder.closed_form("closed form, one for all regimes", OneForm{b});
   if (b.a * b.a > 4 * b.m * b.c) ladder.closed_form("two exponentials", TwoExponentials{b});
-  ladder.by_all("plane", Plane{b}, Outcome::inaccurate, Outcome::inaccurate)
+  ladder.by_common("plane", Plane{b}, Outcome::inaccurate, Outcome::inaccurate)
       .by<ode::ImplicitEuler>("plane", Plane{b}, Outcome::inaccurate,
                               "its order is too low for this need at this step")
       .by<ode::Rosenbrock4>("plane", Plane{b});

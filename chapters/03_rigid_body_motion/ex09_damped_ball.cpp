@@ -340,7 +340,7 @@ Exercise exercise_3_9() {
           "A ball in the plane is held by a spring of constant $c$ to the origin and slowed by viscous "
           "friction $a$. Solve for its motion; when does "
           "it reach the origin?",
-          parameters, true, study};
+          parameters, {}, study};
 }
 
 }  // namespace oddity

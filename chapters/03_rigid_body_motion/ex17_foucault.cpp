@@ -50,7 +50,7 @@ Exercise exercise_3_17() {
   return {"Foucault pendulum",
           "Derive the motion of a Foucault pendulum of length $L$ at latitude $\\lambda$ on an Earth that "
           "turns at $\\omega$ by Lagrange's equations. Then replace the point mass by a solid cone.",
-          parameters, true, study};
+          parameters, {}, study};
 }
 
 }  // namespace oddity

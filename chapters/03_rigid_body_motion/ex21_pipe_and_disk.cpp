@@ -270,7 +270,7 @@ Exercise exercise_3_21() {
           "A disk spins about a pipe that is held at the inclination $\\varphi$ and free to turn about the "
           "vertical. "
           "How do the two angles move under gravity? Under a horizontal force?",
-          parameters, true, study};
+          parameters, {}, study};
 }
 
 }  // namespace oddity

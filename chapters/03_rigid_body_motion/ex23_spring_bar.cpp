@@ -224,7 +224,7 @@ Exercise exercise_3_23() {
       "A light bar, hinged at one end, carries a mass $m$ at the distance $r$ and stands at the distance "
       "$s$ on a spring whose foot is $h$ below the level bar. What is its equation of motion, and when is "
       "it in equilibrium at $\\theta=0$?",
-      parameters, true, study};
+      parameters, {}, study};
 }
 
 }  // namespace oddity

@@ -53,8 +53,8 @@ Quantity motion(const Triple& start, const Reference& truth) {
                         trajectory(truth, "03_25_chain", start.inputs(), horizon), {1e-6, "a micrometre"});
   Ladder(q, horizon, halving("step", 0x1p-4, 9), tolerances(3, 11))
       .closed_form("normal modes", NormalModes(start), inaccurate, "the angles are not small")
-      .by_all("dense mass matrix", Angles<Equations::dense>{start}, inaccurate, ok)
-      .by_all("tensions", Angles<Equations::tensions>{start}, inaccurate, ok);
+      .by_common("dense mass matrix", Angles<Equations::dense>{start}, inaccurate, ok)
+      .by_common("tensions", Angles<Equations::tensions>{start}, inaccurate, ok);
   return q.add(
       Breakdown{"Modes that do not know of each other are a picture for small angles: at a quarter to half a "
                 "radian they "
@@ -212,7 +212,7 @@ Exercise exercise_3_25() {
           "Three masses hang one from the other by rigid massless rods. Find the kinetic and the potential "
           "energy and the equations of motion in the angles $\\theta_1,\\theta_2,\\theta_3$; what becomes of "
           "them for $n$ masses?",
-          parameters, true, study};
+          parameters, {}, study};
 }
 
 }  // namespace oddity

@@ -139,7 +139,7 @@ Exercise exercise_3_27() {
       "Two bodies by distance and angle",
       "Two bodies attract each other by gravity. Write their motion as a first-order system in the distance "
       "$r$, its rate $u$ and the angle $\\varphi$, ready to be integrated.",
-      parameters, true, study};
+      parameters, {}, study};
 }
 
 }  // namespace oddity

@@ -418,7 +418,7 @@ Exercise exercise_3_29() {
   return {"Rigid curve in the plane",
           "A rigid wire of any shape moves in the plane. Find its position, kinetic energy and generalized "
           "forces, as for a thin rod.",
-          parameters, true, study};
+          parameters, {}, study};
 }
 
 }  // namespace oddity

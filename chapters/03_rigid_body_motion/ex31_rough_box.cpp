@@ -231,7 +231,7 @@ Exercise exercise_3_31() {
   return {"Box on a rough plane",
           "A box slides and turns on a plane of friction $\\mu$. Where does it come to rest, and what does "
           "friction do at rest?",
-          parameters, true, study};
+          parameters, {}, study};
 }
 
 }  // namespace oddity

@@ -400,7 +400,7 @@ Exercise exercise_3_33() {
           "A top symmetric about its axis stands with its tip fixed under gravity. Find its equations of "
           "motion by Lagrange's method, in the angles $\\theta$ (precession), $\\phi$ (tilt) and $\\psi$ "
           "(spin).",
-          parameters, true, study};
+          parameters, {}, study};
 }
 
 }  // namespace oddity

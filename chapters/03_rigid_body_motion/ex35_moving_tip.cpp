@@ -280,7 +280,7 @@ Exercise exercise_3_35() {
       "Heavy top on a moving tip",
       "The tip of the heavy symmetric top moves to and fro as $(\\alpha\\sin\\lambda t,0,0)$. What becomes "
       "of its motion?",
-      parameters, true, study};
+      parameters, {}, study};
 }
 
 }  // namespace oddity

@@ -242,8 +242,8 @@ inline Quantity bob(const Pendulum& p, const Reference& truth) {
       .closed_form("small angle", SmallAngle{p}, Outcome::inaccurate, small)
       .by<ode::Fehlberg78>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
       .by<ode::RungeKutta4>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
-      .by_all(angles, TwoAngles{p})
-      .by_all(cartesian, Cartesian{p});
+      .by_common(angles, TwoAngles{p})
+      .by_common(cartesian, Cartesian{p});
   return q.add(Breakdown{
       "The published equations leave out the centrifugal force. At the default omega, of one turn in 100 s, "
       "it "

@@ -98,8 +98,8 @@ inline Quantity path(const std::string& name, const std::string& says, const Cas
     ladder.closed_form(line, StraightLine{c});
   else
     ladder.closed_form(line, StraightLine{c}, Outcome::inaccurate, "the hill pushes, and not along the line");
-  ladder.by_all(plane, in_plane(c), straight ? Outcome::ok : Outcome::inaccurate)
-      .by_all(space, InSpace{c}, euler)
+  ladder.by_common(plane, in_plane(c), straight ? Outcome::ok : Outcome::inaccurate)
+      .by_common(space, InSpace{c}, euler)
       .by<ode::RungeKutta4>("momenta", height_field::Momenta<Hill>{c.hill, c.g, in_plane(c).first})
       .by<ode::Fehlberg78>("momenta", height_field::Momenta<Hill>{c.hill, c.g, in_plane(c).first});
   return position;

@@ -112,9 +112,9 @@ inline Quantity under_force(const std::string& name, const std::string& says, co
   motion.need = {1e-8 * size_of(motion.reference.value), says_need};
   Ladder(motion, horizon, halving("step", 0.125, 10), tolerances(3, 11))
       .closed_form(constant, ConstantSpeeds{disk}, Outcome::inaccurate, "the force turns the pipe")
-      .by_all(one, OneAngle{disk})
-      .by_all(two, TwoAngles{disk}, euler[0])
-      .by_all(cartesian, Center{disk}, euler[1]);
+      .by_common(one, OneAngle{disk})
+      .by_common(two, TwoAngles{disk}, euler[0])
+      .by_common(cartesian, Center{disk}, euler[1]);
   return motion;
 }
 

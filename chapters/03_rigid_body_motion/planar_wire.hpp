@@ -236,8 +236,8 @@ inline Quantity fall(const Thrown& thrown) {
   Ladder(q, horizon, halving("step", 0.125, 10), tolerances())
       .closed_form("center alone", PointMass{thrown}, Outcome::inaccurate, "the wire turns")
       .closed_form("free fall", FreeFall{thrown})
-      .by_all("x, y, theta", Generalized{thrown})
-      .by_all("two particles and a rod", TwoParticles{thrown}, Outcome::inaccurate);
+      .by_common("x, y, theta", Generalized{thrown})
+      .by_common("two particles and a rod", TwoParticles{thrown}, Outcome::inaccurate);
   return q;
 }
 

@@ -108,8 +108,8 @@ inline Quantity swing(const Bar& bar, const Reference& truth) {
   Ladder(mass, horizon, halving("step", 0.125, 10), tolerances())
       .closed_form("small oscillation", SmallOscillation{bar}, Outcome::inaccurate,
                    "the frequency depends on the amplitude, and the spring is softer above than below")
-      .by_all("one angle", OneAngle{bar})
-      .by_all("Cartesian with constraint", CartesianWithConstraint{bar});
+      .by_common("one angle", OneAngle{bar})
+      .by_common("Cartesian with constraint", CartesianWithConstraint{bar});
   return mass;
 }
 

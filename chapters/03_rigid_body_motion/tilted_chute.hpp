@@ -149,8 +149,8 @@ inline Ladder swinging(Quantity& position, const Case& c, const Horizon& horizon
   ladder.closed_form(center, CenterLine{c}, Outcome::inaccurate, "the ball is beside the center line")
       .closed_form(small, SmallAngle{c}, Outcome::inaccurate, "the period grows with the amplitude")
       .closed_form(exact_angle, Jacobi{c})
-      .by_all(about, Angle{c})
-      .by_all(space, InSpace{c});
+      .by_common(about, Angle{c})
+      .by_common(space, InSpace{c});
   return ladder;
 }
 
@@ -160,7 +160,7 @@ inline Quantity swing(const Case& c, const Reference& truth) {
   const Horizon horizon{4};
   Quantity position = slide("swing", "position after 1, 2, 3 and 4 s of a ball let go beside the center line",
                             c, horizon, truth);
-  swinging(position, c, horizon).by_all(plane, in_plane(c), Outcome::drifted);
+  swinging(position, c, horizon).by_common(plane, in_plane(c), Outcome::drifted);
   return position;
 }
 

@@ -32,8 +32,8 @@ inline Quantity axis(const Top& top, const Reference& truth) {
       .by<ode::RungeKutta4>("one angle, precession by quadrature", OneAngle{{top}})
       .by<ode::DormandPrince54>("one angle, precession by quadrature", OneAngle{{top}})
       .by<ode::Fehlberg78>("one angle, precession by quadrature", OneAngle{{top}})
-      .by_all(euler_angles, EulerAngles{top})
-      .by_all(rigid_body, RigidBody{top})
+      .by_common(euler_angles, EulerAngles{top})
+      .by_common(rigid_body, RigidBody{top})
       .by<ode::RungeKutta4>(momentum_model, AxisAndMomentum{top})
       .by<ode::DormandPrince54>(momentum_model, AxisAndMomentum{top})
       .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum{top});

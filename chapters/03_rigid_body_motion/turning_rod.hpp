@@ -252,10 +252,10 @@ inline Quantity slide(const Rod& rod, const Reference& truth) {
                             "it multiplies the time by 1/sqrt(2) where the rod turns by pi/4 a second")
       .by<ode::RungeKutta4>("listing with the other rest length", other_length, Outcome::inaccurate,
                             "with sqrt((b-c)^2 + c^2) the spring is stretched from the start")
-      .by_all("along the rod", AlongTheRod{rod})
+      .by_common("along the rod", AlongTheRod{rod})
       .by<ode::RungeKutta4>("along the rod, with the work", AlongTheRodWithWork{rod})
       .by<ode::Fehlberg78>("along the rod, with the work", AlongTheRodWithWork{rod})
-      .by_all("Cartesian with constraints", CartesianWithConstraints{rod});
+      .by_common("Cartesian with constraints", CartesianWithConstraints{rod});
   return place;
 }
 

@@ -166,7 +166,7 @@ inline Quantity depths(const Pulleys& p, const Reference& truth) {
       .closed_form("normal modes", NormalModes(p))
       .closed_form("normal modes, pulleys without inertia", NormalModes(without_inertia(p)),
                    Outcome::inaccurate, "the pulleys' inertia slows the oscillation")
-      .by_all("two coordinates", TwoCoordinates{p}, Outcome::inaccurate, Outcome::inaccurate)
+      .by_common("two coordinates", TwoCoordinates{p}, Outcome::inaccurate, Outcome::inaccurate)
       .by<ode::RungeKutta4>("four coordinates with tensions", FourCoordinates{p})
       .by<ode::Fehlberg78>("four coordinates with tensions", FourCoordinates{p})
       .by<ode::RungeKutta4>(published, TwoCoordinates{p, 0}, Outcome::diverged, why)

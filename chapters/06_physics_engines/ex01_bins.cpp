@@ -239,7 +239,7 @@ Exercise exercise_6_1() {
       "Spheres in a grid of bins",
       "Which of the $n$ bins of a rectangular grid does a sphere of center $c$ and radius $r$ meet? Find a "
       "way that does not test every bin, and say what it costs.",
-      parameters, false, study};
+      parameters, {}, study};
 }
 
 }  // namespace oddity

@@ -177,7 +177,7 @@ Exercise exercise_7_3() {
   return {
       "The transpose of a product",
       "Show that $(AB)^T=B^TA^T$ for $n\\times n$ matrices, entry by entry. Does it hold in floating point?",
-      parameters, false, study};
+      parameters, {}, study};
 }
 
 }  // namespace oddity

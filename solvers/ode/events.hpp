@@ -32,8 +32,8 @@ State hermite(const State& x0, const State& d0, const State& x1, const State& d1
 /// The first time after t0 and up to t1 at which g(x, t), continuous, becomes zero or changes its sign, and
 /// the state there. Each step is sampled inside by its cubic, so that a double crossing is seen when it lasts
 /// a quarter of a step; the time is then found by Brent's method on states that the algorithm itself computes
-/// from the step's start (by one step of its plain stepper where it has one), and is as good as they are: there
-/// is no error estimate. `raised` when g keeps its sign.
+/// from the step's start (by one step of its plain stepper where it has one), and is as good as they are:
+/// there is no error estimate. `raised` when g keeps its sign.
 template <class Algorithm, class System, class State, class G>
 Solved<Event<State>> find_event(const System& system, const State& start, double t0, double t1,
                                 double setting, const G& g) {

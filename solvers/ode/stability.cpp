@@ -1,0 +1,112 @@
+#include "solvers/ode/stability.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "solvers/ode/all.hpp"
+
+namespace oddity::ode {
+
+namespace {
+
+using Plane = std::array<double, 2>;
+
+/// y' = z y in its real and imaginary parts, and, partitioned, q'' = Re(z^2) q.
+struct LinearProblem {
+  std::complex<double> z;
+
+  void operator()(const Plane& y, Plane& dydt, double) const {
+    dydt = {z.real() * y[0] - z.imag() * y[1], z.imag() * y[0] + z.real() * y[1]};
+  }
+  void acceleration(const std::array<double, 1>& q, std::array<double, 1>& a) const {
+    a = {(z * z).real() * q[0]};
+  }
+};
+
+template <class Algorithm>
+Plane one_step(const LinearProblem& problem, const Plane& y) {
+  return integrate<Algorithm>(problem, y, 0, 1, 1).value;
+}
+
+/// ln of the spectral radius of the 2 x 2 matrix whose columns are a step of (1, 0) and of (0, 1).
+double log_radius(const Plane& a, const Plane& b) {
+  const double half_trace = (a[0] + b[1]) / 2, determinant = a[0] * b[1] - a[1] * b[0];
+  const double discriminant = half_trace * half_trace - determinant;
+  return discriminant < 0 ? std::log(determinant) / 2
+                          : std::log(std::abs(half_trace) + std::sqrt(discriminant));
+}
+
+template <class Algorithm>
+double growth_of(const LinearProblem& problem) {
+  const Plane a = one_step<Algorithm>(problem, {1, 0});
+  if constexpr (Algorithm::kind == Kind::partitioned)
+    return log_radius(a, one_step<Algorithm>(problem, {0, 1}));
+  else
+    return std::log(std::hypot(a[0], a[1]));
+}
+
+/// How much more than in truth a disturbance grows over the spectrum, as a logarithm.
+double excess(std::string_view algorithm, const Spectrum& spectrum, double h) {
+  double sum = 0;
+  for (const Eigenvalues& eigenvalues : spectrum.at) {
+    double worst = 0;
+    for (const auto& lambda : eigenvalues)
+      worst = std::max(worst, growth(algorithm, h * lambda) / h - std::max(0.0, lambda.real()));
+    sum += worst * spectrum.span;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Eigenvalues eigenvalues_of_jacobian(const std::function<void(const double*, double*, double)>& rhs,
+                                    std::span<const double> x, double t) {
+  const auto n = static_cast<Eigen::Index>(x.size());
+  Eigen::MatrixXd jacobian(n, n);
+  Eigen::VectorXd y = Eigen::Map<const Eigen::VectorXd>(x.data(), n), above(n), below(n);
+  for (Eigen::Index column = 0; column < n; ++column) {
+    const double here = y[column], h = 6e-6 * std::max(1.0, std::abs(here));
+    y[column] = here + h;
+    rhs(y.data(), above.data(), t);
+    y[column] = here - h;
+    rhs(y.data(), below.data(), t);
+    y[column] = here;
+    jacobian.col(column) = (above - below) / (2 * h);
+  }
+  if (!jacobian.allFinite()) return {};
+  const auto eigenvalues = jacobian.eigenvalues().eval();
+  return {eigenvalues.begin(), eigenvalues.end()};
+}
+
+double growth(std::string_view algorithm, std::complex<double> z) {
+  std::optional<double> found;
+  for_each_algorithm([&]<class Algorithm>() {
+    if constexpr (!has_tolerance(Algorithm::kind))
+      if (Algorithm::name == algorithm) found = growth_of<Algorithm>({z});
+  });
+  if (!found) throw std::logic_error("no algorithm of fixed step is called " + std::string(algorithm));
+  return *found;
+}
+
+double stable_step(std::string_view algorithm, const Spectrum& spectrum) {
+  double fastest = 0;
+  for (const Eigenvalues& eigenvalues : spectrum.at)
+    for (const auto& lambda : eigenvalues) fastest = std::max(fastest, std::abs(lambda));
+  if (fastest == 0) return std::numeric_limits<double>::infinity();
+  const auto stable = [&](double h) { return excess(algorithm, spectrum, h) <= std::log(10.0); };
+  constexpr double smallest = 1e-4, largest = 50, factor = 1.05;
+  double low = smallest / fastest;
+  if (!stable(low)) return 0;
+  while (stable(low * factor))
+    if ((low *= factor) * fastest > largest) return std::numeric_limits<double>::infinity();
+  double high = low * factor;
+  for (int i = 0; i < 20; ++i) (stable((low + high) / 2) ? low : high) = (low + high) / 2;
+  return low;
+}
+
+}  // namespace oddity::ode
