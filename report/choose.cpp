@@ -1,13 +1,11 @@
 #include "report/choose.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <ranges>
 #include <utility>
 
-#include "report/starts.hpp"
 #include "report/time.hpp"
 
 namespace oddity {
@@ -15,49 +13,6 @@ namespace oddity {
 namespace {
 
 constexpr int seen_beside = 2, unseen_starts = 3, rounds = 4;
-
-/// Steps a frame, from one on, none much more than half as many again as the one before.
-constexpr std::array steps_a_frame{1,  2,  3,  4,  5,  6,  8,   10,  12,  16,  20,  24,
-                                   32, 40, 48, 64, 80, 96, 128, 160, 192, 256, 384, 512};
-
-std::vector<double> settings(const Method& method, const Need& need) {
-  std::vector<double> all;
-  if (method.knob.name == "step")
-    for (int steps : steps_a_frame) all.push_back(1 / (need.frames_a_second * steps));
-  else if (method.knob.name == "tolerance")
-    all = tolerances(2, 13, 1).settings;
-  else
-    all = method.knob.settings;
-  return all;
-}
-
-const Method* same_method(const Quantity& motion, const Method& method) {
-  const auto found = std::ranges::find_if(motion.methods, [&](const Method& other) {
-    return other.model == method.model && other.algorithm == method.algorithm;
-  });
-  return found == motion.methods.end() ? nullptr : &*found;
-}
-
-/// The method over the starts: its worst error in units of what was asked, and the first end that is not ok.
-Tried over(const std::vector<Start>& starts, const Method& method, double setting, Trial* first = nullptr) {
-  Tried tried{method.model, method.algorithm, method.knob.name, setting};
-  for (const Start& start : starts) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const Method* here = same_method(start.motion, method);
-    const Trial trial =
-        here ? run(start.motion, *here, setting)
-             : Trial{method.model, method.algorithm, {}, setting, {}, nan, nan, Outcome::raised};
-    if (first && &start == &starts.front()) *first = trial;
-    const double error = trial.error / start.motion.need.allowed;
-    tried.error =
-        std::isfinite(error) ? std::max(tried.error, error) : std::numeric_limits<double>::infinity();
-    if (tried.holds() && trial.outcome != Outcome::ok) {
-      tried.outcome = trial.outcome;
-      tried.where = start.says;
-    }
-  }
-  return tried;
-}
 
 /// Everything tried, and the search through a method's settings.
 class Search {
@@ -75,7 +30,7 @@ class Search {
     std::optional<Tried> chosen;
     for (int round = 0; round < rounds && (chosen = cheapest()); ++round) {
       unseen = starts_.beside(unseen_starts);
-      const Tried test = over(unseen, method_of(*chosen), chosen->setting);
+      const Tried test = oddity::attempt(unseen, method_of(*chosen), chosen->setting, need_);
       chosen->unseen_error = test.error;
       if (test.holds() && !unseen.empty()) break;
       std::ranges::move(unseen, std::back_inserter(seen_));
@@ -94,17 +49,10 @@ class Search {
 
   const Tried& attempt(const Method& method, double setting) {
     Trial first;
-    Tried tried = over(seen_, method, setting, &first);
-    const double frames = std::max(1.0, std::round(need_.horizon * need_.frames_a_second));
-    tried.evaluations_a_frame = static_cast<double>(first.answer.evaluations) / frames;
+    Tried tried = oddity::attempt(seen_, method, setting, need_, &first);
     tried.seconds_a_frame = first.outcome == Outcome::raised ? std::numeric_limits<double>::infinity()
-                                                             : cost_(method, setting, first) / frames;
+                                                             : cost_(method, setting, first) / need_.frames();
     return all_.emplace_back(std::move(tried));
-  }
-
-  /// Finer settings only cost more: the method does not exist here, or takes as long as all of its budget.
-  static bool hopeless(const Tried& tried) {
-    return tried.outcome == Outcome::raised || tried.evaluations_a_frame > 1e5;
   }
 
   /// The settings that held, on the starts as they are now; a method whose setting fails goes on to finer

@@ -6,26 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "report/need.hpp"
-#include "report/results.hpp"
-#include "report/run.hpp"
+#include "report/tried.hpp"
 
 /// The least that a scene needs: the cheapest model, algorithm and setting that holds for a need.
 namespace oddity {
-
-/// A method at one setting, over several starts.
-struct Tried {
-  std::string model, algorithm, knob;
-  double setting = 0;
-  double error = 0;  ///< the largest over the starts it was chosen on, in units of what was asked
-  Outcome outcome = Outcome::ok;
-  std::string where = {};  ///< the start on which it ended so, unless ok
-  double evaluations_a_frame = 0;
-  double seconds_a_frame = 0;
-  double unseen_error = std::numeric_limits<double>::quiet_NaN();  ///< over the starts it was not chosen on
-
-  bool holds() const { return outcome == Outcome::ok; }
-};
 
 struct Choice {
   Need need;

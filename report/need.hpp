@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 namespace oddity {
@@ -12,6 +13,8 @@ struct Need {
   double horizon = 10;          ///< s
   double frames_a_second = 60;  ///< a step divides the frame evenly, and every method is at every frame
   double budget = std::numeric_limits<double>::infinity();  ///< s a frame
+
+  double frames() const { return std::round(horizon * frames_a_second); }
 };
 
 }  // namespace oddity
