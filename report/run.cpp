@@ -169,7 +169,7 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
   });
   if (timed)
     for (const Pending& p : pending) {
-      if (p.result->outcome != Outcome::raised) p.result->time = time(*p.method, p.setting);
+      if (p.result->value.size() > 0) p.result->time = time(*p.method, p.setting);
       tally.add();
     }
   return results;
