@@ -273,6 +273,13 @@ struct Findings {
   std::vector<Quantity> quantities;
 };
 
+/// How the observables of one time are drawn: by name ("x" and "y" alone as a path in the plane), over time in
+/// this unit.
+struct Axes {
+  std::vector<std::string_view> observables;
+  std::string_view time = "s";
+};
+
 /// The motion of an exercise that has one: what the views of stability, choice and models look at.
 struct Scene {
   Quantity (*motion)(const Parameters&, const Horizon&, const Reference&);
@@ -281,6 +288,7 @@ struct Scene {
   std::string_view varied;               ///< the parameter that makes it hard
   std::vector<double> over;              ///< its values, from easy to hard
   std::vector<std::string_view> starts;  ///< parameters that differ from start to start
+  Axes axes = {};
 };
 
 struct Exercise {

@@ -22,12 +22,17 @@ class Reference {
   /// Reads every table in `folder`. Throws BadInput naming file and line when one is missing or broken.
   explicit Reference(const std::filesystem::path& folder);
 
+  /// Knows nothing: every value is NaN, so that nothing judged by it is ok. For motions that are only looked at.
+  static Reference nothing() { return {}; }
+
   /// The value of `table` at `inputs` (in the order of the table's columns).
   /// Throws BadInput when there is no such table, when the inputs are not as many as the table's or not
   /// finite, and when they are not tabulated and have no value that could be computed.
   Known operator()(std::string_view table, const std::vector<double>& inputs) const;
 
  private:
+  Reference() = default;
+
   using Table = std::map<std::vector<double>, Known>;
 
   std::map<std::string, Table, std::less<>> tables_;

@@ -4,14 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "report/fit.hpp"
 #include "report/results.hpp"
 
 namespace oddity {
 
-/// A gnuplot script that draws a quantity's work-precision diagram as SVG into `file`: error against
-/// evaluations, models by colour, algorithms by mark, failed trials as crosses above the frame's last decade,
-/// with their kind.
-std::string chart_script(const QuantityResult&, const std::string& title, const std::filesystem::path& file);
+/// A gnuplot script that draws a quantity's work-precision diagram as SVG into `file`: error against counted
+/// evaluations, or against time with its spread. Models by colour, algorithms by mark, with the fitted orders
+/// in the legend; the Pareto front; each failure under a sign of its kind, those without a number in a strip
+/// above the frame. By evaluations it holds no times.
+std::string chart_script(const QuantityResult&, const std::string& title, Cost,
+                         const std::filesystem::path& file);
 
 /// Runs gnuplot over the scripts. Throws std::runtime_error with its words when it fails.
 void draw(const std::vector<std::string>& scripts);

@@ -110,6 +110,17 @@ void report(const fs::path& folder, int chapter, const fs::path& out) {
   std::cout << "the report is in " << page.string() << "\n";
 }
 
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out) {
+  std::vector<Task> tasks;
+  for (const Entry& entry : registry())
+    if (exercises.empty()) tasks.emplace_back(entry);
+  for (const std::string& exercise : exercises) tasks.emplace_back(entry_of(exercise));
+  make_folder(out);
+  ProgressBar bar;
+  for (const fs::path& page : write_charts(run(tasks, Reference(folder), true, bar.callback()), out))
+    std::cout << page.string() << "\n";
+}
+
 }  // namespace
 
 int command_line(int argc, char** argv, const Suite& suite) {
@@ -174,6 +185,14 @@ int command_line(int argc, char** argv, const Suite& suite) {
   report_verb->add_option("--out", out, "folder to write to")->capture_default_str();
   report_verb->footer("Example: oddity report --chapter 3 --out /tmp/report");
 
+  auto* chart_verb =
+      app.add_subcommand("chart", "error against work and against time, drawn, with the tables");
+  std::vector<std::string> charted;
+  std::string charts = chart_folder().string();
+  chart_verb->add_option("exercises", charted, "their numbers, such as 3.5; none: all");
+  chart_verb->add_option("--out", charts, "folder to write to")->capture_default_str();
+  chart_verb->footer("Example: oddity chart 3.5 2.13 --out /tmp/charts");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -184,6 +203,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
     if (*list_verb) return list(folder), 0;
     if (*verify_verb) return suite({verify_verb->remaining(), folder, results});
     if (*solve_verb) return solve(folder, exercise, overrides, json), 0;
+    if (*chart_verb) return chart(folder, charted, charts), 0;
     if (*choose_verb) {
       if (digits > 0) need.error = std::pow(10, -digits), need.relative = true;
       if (digits == 0 && absolute->empty()) throw BadInput("choose needs --error or --digits");

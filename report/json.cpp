@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 1;
+constexpr int format = 2;
 
 template <class Enum, std::size_t N>
 Enum named(const Json& json, const std::array<Enum, N>& all) {
@@ -141,6 +141,37 @@ TimedTrial trial(const Json& json) {
 }
 
 /// The trials of a quantity stand in one list; the methods say how many of them in turn are theirs.
+Json from(const Trajectory& t) {
+  Json paths = Json::array();
+  for (const Path& p : t.paths)
+    paths.push_back({{"model", p.model},
+                     {"algorithm", p.algorithm},
+                     {"knob", p.knob},
+                     {"setting", from(p.setting)},
+                     {"error", from(p.error)},
+                     {"outcome", name_of(p.outcome)},
+                     {"value", from(p.value)}});
+  return {{"observables", t.observables},
+          {"time_unit", t.time_unit},
+          {"judged_at", from(Value(t.judged_at))},
+          {"times", from(Value(t.times))},
+          {"truest", t.truest},
+          {"paths", paths}};
+}
+Trajectory trajectory(const Json& json) {
+  const auto numbers = [](const Json& list) {
+    const Value all = value(list);
+    return std::vector<double>(all.begin(), all.end());
+  };
+  Trajectory t{json.at("observables"), json.at("time_unit"), numbers(json.at("judged_at")),
+               numbers(json.at("times")), {}, json.at("truest")};
+  for (const Json& p : json.at("paths"))
+    t.paths.push_back({p.at("model"), p.at("algorithm"), p.at("knob"), number(p.at("setting")),
+                       number(p.at("error")), named(p.at("outcome"), outcomes), value(p.at("value"))});
+  if (t.truest >= t.paths.size()) throw std::runtime_error("truest is none of the paths");
+  return t;
+}
+
 Json from(const QuantityResult& q) {
   Json methods = Json::array(), trials = Json::array(), breakdowns = Json::array();
   for (const MethodResult& m : q.methods) {
@@ -167,7 +198,8 @@ Json from(const QuantityResult& q) {
           {"need", from(q.need)},
           {"methods", methods},
           {"trials", trials},
-          {"breakdowns", breakdowns}};
+          {"breakdowns", breakdowns},
+          {"trajectory", q.trajectory ? from(*q.trajectory) : Json(nullptr)}};
 }
 QuantityResult quantity(const Json& json) {
   QuantityResult q{json.at("name"),
@@ -188,6 +220,7 @@ QuantityResult quantity(const Json& json) {
   for (const Json& b : json.at("breakdowns"))
     q.breakdowns.push_back(
         {b.at("says"), named(b.at("expected"), outcomes), trial(b.at("broken")), trial(b.at("cured"))});
+  if (!json.at("trajectory").is_null()) q.trajectory = trajectory(json.at("trajectory"));
   return q;
 }
 

@@ -247,15 +247,15 @@ std::string methods_table(const QuantityResult& q) {
     const TimedTrial* ok = cheapest_ok(m);
     const TimedTrial& finest = m.trials.back();
     const std::string outcome(name_of(finest.outcome));
-    rows.push_back({escaped(m.model), escaped(m.algorithm), ok ? knob_cell(*ok) : "never",
-                    ok ? std::to_string(ok->evaluations) : "", ok ? error_cell(ok->error) : "",
-                    knob_cell(finest), std::to_string(finest.evaluations), error_cell(finest.error),
-                    m.as_expected()
-                        ? outcome
-                        : "**" + outcome + "** (expected " + std::string(name_of(m.expected)) + ")"});
+    rows.push_back(
+        {escaped(m.model), escaped(m.algorithm), ok ? knob_cell(*ok) : "never",
+         ok ? std::to_string(ok->evaluations) : "", ok ? error_cell(ok->error) : "", knob_cell(finest),
+         std::to_string(finest.evaluations), error_cell(finest.error), escaped(shown_fit(m, fit(q, m))),
+         m.as_expected() ? outcome
+                         : "**" + outcome + "** (expected " + std::string(name_of(m.expected)) + ")"});
   }
   return table({"model", "algorithm", "cheapest that is ok", "evaluations", "error", "finest tried",
-                "evaluations", "error", "outcome"},
+                "evaluations", "error", "fit", "outcome"},
                rows, "3467") +
          expected_failures(q);
 }
@@ -275,13 +275,24 @@ std::string breakdown_text(const BreakdownResult& b) {
                {row("breaks", b.broken), row("cure", b.cured)}, "45");
 }
 
+std::string chart_link(const ExerciseResult& e, const QuantityResult& q, Cost kind) {
+  if (!has_chart(q)) return "";
+  return "![" + q.name + ": error against " + (kind == Cost::time ? "time" : "evaluations") + "](" +
+         chart_file(e, q, kind) + ")\n\n";
+}
+
+/// What is computed, its true value and how well it is needed.
+std::string quantity_head(const QuantityResult& q) {
+  return "### " + code(q.name) + ": " + escaped(q.says, false) +
+         "\n\nReference: " + value_cell(q.reference.value, 16) +
+         (q.unit == "1" ? "" : " " + escaped(q.unit, false)) + ", known to " + error_cell(q.reference_error) +
+         " (" + escaped(q.reference.by, false) + "). Needed to " + error_cell(q.need.allowed) + ": " +
+         escaped(q.need.reason, false) + ".\n\n";
+}
+
 std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool charts) {
-  std::string text = "### " + code(q.name) + ": " + escaped(q.says, false) + "\n\n";
-  text += "Reference: " + value_cell(q.reference.value, 16) +
-          (q.unit == "1" ? "" : " " + escaped(q.unit, false)) + ", known to " +
-          error_cell(q.reference_error) + " (" + escaped(q.reference.by, false) + "). Needed to " +
-          error_cell(q.need.allowed) + ": " + escaped(q.need.reason, false) + ".\n\n";
-  if (charts && has_chart(q)) text += "![" + q.name + ": error against cost](" + chart_file(e, q) + ")\n\n";
+  std::string text = quantity_head(q);
+  if (charts) text += chart_link(e, q, Cost::evaluations);
   text += methods_table(q);
   for (const BreakdownResult& b : q.breakdowns) text += breakdown_text(b);
   return text;
@@ -309,6 +320,50 @@ std::string exercise_text(const ExerciseResult& e, bool charts) {
     if (c.verdict != Verdict::confirmed) text += finding(c);
   for (const QuantityResult& q : e.quantities) text += quantity_text(e, q, charts);
   return text;
+}
+
+// ---- the tables behind the charts -------------------------------------------------------------------------
+
+std::string about_charts() {
+  return "Each point is a trial: a method at one setting of its knob. Times are the median of batches "
+         "measured "
+         "alone, with half the distance of the quartiles. A trial is on the *Pareto front* by evaluations "
+         "(E) "
+         "or by time (T) when no other is both cheaper and more accurate.\n\n";
+}
+
+/// Every trial with all that the charts show of it.
+std::string trials_table(const QuantityResult& q) {
+  const std::vector<bool> by_evaluations = pareto_front(q, Cost::evaluations),
+                          by_time = pareto_front(q, Cost::time);
+  std::vector<std::vector<std::string>> rows;
+  for (const MethodResult& m : q.methods)
+    for (const TimedTrial& t : m.trials) {
+      const std::string front =
+          std::string(by_evaluations[rows.size()] ? "E" : "") + (by_time[rows.size()] ? "T" : "");
+      rows.push_back(
+          {escaped(t.model), escaped(t.algorithm), knob_cell(t), error_cell(t.error),
+           error_cell(t.final_error), std::to_string(t.evaluations), shown_time(t.time.seconds),
+           shown_time(t.time.spread),
+           t.evaluations > 0 ? shown_time(t.time.seconds / static_cast<double>(t.evaluations)) : "-",
+           std::string(name_of(t.outcome)), front});
+    }
+  return table({"model", "algorithm", "knob", "error", "final error", "evaluations", "time", "spread",
+                "per evaluation", "outcome", "front"},
+               rows, "345678");
+}
+
+/// The power laws that methods follow, and where.
+std::string fits_table(const QuantityResult& q) {
+  std::vector<std::vector<std::string>> rows;
+  for (const MethodResult& m : q.methods)
+    if (const auto f = fit(q, m))
+      rows.push_back(
+          {escaped(m.model), escaped(m.algorithm), escaped(shown_fit(m, f)), error_cell(f->factor),
+           knob_cell(m.trials[f->first]) + " to " + with_powers(rounded(m.trials[f->last].setting, 4))});
+  if (rows.empty()) return "";
+  return "Fitted: error = factor × knob^exponent, for a knob that counts, factor × (1/knob)^exponent.\n\n" +
+         table({"model", "algorithm", "fit", "factor", "over"}, rows, "3");
 }
 
 // ---- pages ------------------------------------------------------------------------------------------------
@@ -423,8 +478,10 @@ std::string chapter_file(int chapter) {
   return "chapter_" + std::string(chapter < 10 ? "0" : "") + std::to_string(chapter) + ".md";
 }
 
-std::string chart_file(const ExerciseResult& e, const QuantityResult& q) {
-  return "charts/" + to_string(e.number) + "_" + q.name + ".svg";
+std::string chart_file(const ExerciseResult& e, const QuantityResult& q, Cost kind) {
+  std::string name = q.name;
+  std::ranges::replace(name, ' ', '_');
+  return "charts/" + to_string(e.number) + "_" + name + (kind == Cost::time ? "_time" : "") + ".svg";
 }
 
 bool has_chart(const QuantityResult& q) {
@@ -462,19 +519,19 @@ std::string times_page(const Results& results) {
       "hand. They differ from run to "
       "run and from machine to machine; the counted work in the chapters does not.\n\n";
   for (const ExerciseResult& e : results.exercises)
-    for (const QuantityResult& q : e.quantities) {
-      std::vector<std::vector<std::string>> rows;
-      for (const MethodResult& m : q.methods)
-        for (const TimedTrial& t : m.trials)
-          rows.push_back(
-              {escaped(t.model), escaped(t.algorithm), knob_cell(t), error_cell(t.error),
-               std::to_string(t.evaluations), shown_time(t.time.seconds), shown_time(t.time.spread),
-               t.evaluations > 0 ? shown_time(t.time.seconds / static_cast<double>(t.evaluations)) : "-"});
-      text +=
-          "## " + to_string(e.number) + " " + e.title + ": " + code(q.name) + "\n\n" +
-          table({"model", "algorithm", "knob", "error", "evaluations", "time", "spread", "per evaluation"},
-                rows, "34567");
-    }
+    for (const QuantityResult& q : e.quantities)
+      text += "## " + to_string(e.number) + " " + e.title + ": " + code(q.name) + "\n\n" +
+              chart_link(e, q, Cost::time) + trials_table(q);
+  return text;
+}
+
+std::string charts_page(const ExerciseResult& e) {
+  std::string text = "# " + to_string(e.number) + " " + e.title + "\n\n" + e.asks + "\n\n" +
+                     parameters_text(e) + about_charts();
+  for (const QuantityResult& q : e.quantities)
+    if (has_chart(q))
+      text += quantity_head(q) + chart_link(e, q, Cost::evaluations) + chart_link(e, q, Cost::time) +
+              fits_table(q) + trials_table(q);
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "report/fit.hpp"
 #include "report/results.hpp"
 
 /// Markdown for GitHub, drawn from results alone. Every page but the one of times is the same from run to
@@ -12,15 +13,17 @@ namespace oddity {
 std::string index_page(const Results&);
 /// A chapter's page: exercise by exercise, claims, methods, charts, breakdowns.
 std::string chapter_page(const Results&, int chapter);
-/// How long every method took, in the run at hand.
+/// How long every method took, in the run at hand, with the charts of error against time.
 std::string times_page(const Results&);
+/// An exercise's charts, by evaluations and by time, each with the table of all its trials beneath.
+std::string charts_page(const ExerciseResult&);
 /// The front page and all chapters in one, without charts.
 std::string single_page(const Results&);
 
 /// "chapter_03.md".
 std::string chapter_file(int chapter);
-/// "charts/3.5_quarter_period.svg".
-std::string chart_file(const ExerciseResult&, const QuantityResult&);
+/// "charts/3.5_quarter_period.svg", "charts/3.5_quarter_period_time.svg".
+std::string chart_file(const ExerciseResult&, const QuantityResult&, Cost);
 /// A chart is drawn where there is a choice: two methods or more, or one with a knob.
 bool has_chart(const QuantityResult&);
 

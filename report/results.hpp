@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,26 @@ struct QuantityResult {
   Tolerance need;
   std::vector<MethodResult> methods;
   std::vector<BreakdownResult> breakdowns;
+  std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
+};
+
+/// One model's motion as it is drawn.
+struct Path {
+  std::string model, algorithm, knob;
+  double setting = 0;
+  double error = 0;  ///< at the times where the reference is known
+  Outcome outcome = Outcome::raised;
+  Value value;  ///< the observables of one time after the other; not all of them where the motion broke off
+};
+
+/// A scene's motion, by each of its models.
+struct Trajectory {
+  std::vector<std::string> observables;  ///< their names, if they have any
+  std::string time_unit;
+  std::vector<double> judged_at;  ///< the times of the quantity's reference
+  std::vector<double> times;      ///< of the paths
+  std::vector<Path> paths;
+  std::size_t truest = 0;  ///< the path that is closest to the reference
 };
 
 struct ParameterValue {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <execution>
 #include <mutex>
+#include <numeric>
 
 #include "reference/bad_input.hpp"
 #include "report/time.hpp"
+#include "report/trajectory.hpp"
 
 namespace oddity {
 
@@ -145,6 +147,15 @@ ExerciseResult shape(const Studied& studied, std::vector<Pending>& pending) {
   return result;
 }
 
+/// The paths of a scene's motion, which is the quantity that its study made of it.
+void see_motion(const Task& task, ExerciseResult& result) {
+  const auto& scene = task.entry->exercise.scene;
+  if (!scene || !result.failure.empty()) return;
+  const std::string name = scene->motion(task.parameters, {scene->horizon}, Reference::nothing()).name;
+  for (QuantityResult& q : result.quantities)
+    if (q.name == name) q.trajectory = trajectory(*scene, task.parameters, q);
+}
+
 }  // namespace
 
 Results run(std::span<const Task> tasks, const Reference& truth, bool timed, const Progress& progress) {
@@ -167,9 +178,12 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
     *p.result = as_result(run(*p.quantity, *p.method, p.setting));
     tally.add();
   });
+  std::vector<std::size_t> places(tasks.size());
+  std::iota(places.begin(), places.end(), 0);
+  parallel_for_each(places, [&](std::size_t i) { see_motion(tasks[i], results.exercises[i]); });
   if (timed)
     for (const Pending& p : pending) {
-      if (p.result->outcome != Outcome::raised) p.result->time = time(*p.method, p.setting);
+      if (p.result->value.size() > 0) p.result->time = time(*p.method, p.setting);
       tally.add();
     }
   return results;

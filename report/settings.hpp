@@ -9,6 +9,7 @@ namespace oddity {
 std::filesystem::path reference_folder();  ///< the tables
 std::filesystem::path results_file();      ///< the last run's results
 std::filesystem::path report_folder();     ///< the last report
+std::filesystem::path chart_folder();      ///< the last charts
 std::string gnuplot();                     ///< the program that draws
 std::string version();
 

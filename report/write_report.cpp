@@ -10,16 +10,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Both charts of every quantity that has one; by time only where all is reported.
 void draw_charts(const Results& results, int chapter, const fs::path& folder) {
   std::vector<std::string> scripts;
   std::vector<fs::path> files;
   for (const ExerciseResult& e : results.exercises)
     for (const QuantityResult& q : e.quantities)
-      if ((chapter == 0 || e.number.chapter == chapter) && has_chart(q)) {
-        files.push_back(folder / chart_file(e, q));
-        scripts.push_back(chart_script(q, to_string(e.number) + " " + e.title + ": " + q.name,
-                                       files.back().string() + ".part"));
-      }
+      for (Cost kind : {Cost::evaluations, Cost::time})
+        if ((chapter == 0 || (e.number.chapter == chapter && kind == Cost::evaluations)) && has_chart(q)) {
+          files.push_back(folder / chart_file(e, q, kind));
+          scripts.push_back(chart_script(q, to_string(e.number) + " " + e.title + ": " + q.name, kind,
+                                         files.back().string() + ".part"));
+        }
   draw(scripts);
   for (const fs::path& file : files) fs::rename(file.string() + ".part", file);
 }
@@ -45,6 +47,17 @@ fs::path write_report(const Results& results, int chapter, const fs::path& folde
     if (c.last_odd > 0) write(chapter_file(c.number), chapter_page(results, c.number));
   write("times.md", times_page(results));
   return write("README.md", index_page(results));
+}
+
+std::vector<fs::path> write_charts(const Results& results, const fs::path& folder) {
+  make_folder(folder);
+  draw_charts(results, 0, folder);
+  std::vector<fs::path> pages;
+  for (const ExerciseResult& e : results.exercises) {
+    pages.push_back(folder / (to_string(e.number) + ".md"));
+    write_whole(pages.back(), charts_page(e));
+  }
+  return pages;
 }
 
 }  // namespace oddity

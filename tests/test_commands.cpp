@@ -65,7 +65,7 @@ TEST_CASE("list shows exercises with their parameters", "[commands]") {
 }
 
 TEST_CASE("every verb has help with an example", "[commands]") {
-  for (const std::string verb : {"list", "verify", "solve", "report"}) {
+  for (const std::string verb : {"list", "verify", "solve", "chart", "report"}) {
     const Ran ran = run(verb + " --help");
     INFO(ran.output);
     CHECK(ran.status == 0);
@@ -87,7 +87,7 @@ TEST_CASE("solve takes parameters and says where its reference comes from", "[co
 }
 
 TEST_CASE("bad input is named and ends with 2", "[commands]") {
-  const std::array<std::array<std::string, 2>, 10> cases{
+  const std::array<std::array<std::string, 2>, 11> cases{
       {{"solve 3.6", "no exercise '3.6'"},
        {"solve three", "no exercise 'three'"},
        {"solve", "exercise is required"},
@@ -97,6 +97,7 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
        {"solve 3.5 a=4", "out of its range"},
        {"solve 3.5 a=nan", "out of its range"},
        {"report --chapter 15", "no chapter 15"},
+       {"chart 3.4", "no exercise '3.4'"},
        {"verify '[3.99]'", "no test case matches"}}};
   for (const auto& [arguments, message] : cases) {
     const Ran ran = run(arguments);
@@ -113,6 +114,15 @@ TEST_CASE("a folder that cannot be written is named and ends with 2", "[commands
   CHECK(ran.status == 2);
   CHECK(says(ran, "/proc/no/such/folder"));
   CHECK(run("verify '[3.5]' --results /proc/no/results.json").status == 2);
+}
+
+TEST_CASE("chart draws both charts of a quantity and writes their page", "[commands]") {
+  const Scratch scratch;
+  const Ran ran = run("chart 9.1 --out " + scratch.path.string());
+  CHECK(ran.status == 0);
+  CHECK(says(ran, (scratch.path / "9.1.md").string()));
+  for (const char* file : {"9.1.md", "charts/9.1_distance.svg", "charts/9.1_distance_time.svg"})
+    CHECK(fs::file_size(scratch.path / file) > 1000);
 }
 
 TEST_CASE("a broken table is named with its line and ends with 2", "[commands]") {

@@ -1,6 +1,7 @@
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/verdicts.hpp"
+#include "report/chart.hpp"
 #include "report/disturb.hpp"
 #include "report/markdown.hpp"
 #include "report/run.hpp"
@@ -89,6 +90,35 @@ TEST_CASE("pages hold no times but the page of times", "[report]") {
   CHECK(index_page(slow) == index_page(fast));
   CHECK(chapter_page(slow, 3) == chapter_page(fast, 3));
   CHECK(times_page(slow) != times_page(fast));
+}
+
+TEST_CASE("charts hold no times but the charts of time", "[report]") {
+  Results slow = sample(), fast = sample();
+  fast.exercises[0].quantities[0].methods[0].trials[0].time = {1e-9, 1e-10};
+  const auto chart = [](const Results& results, Cost kind) {
+    return chart_script(results.exercises[0].quantities[0], "title", kind, "file.svg");
+  };
+  CHECK(chart(slow, Cost::evaluations) == chart(fast, Cost::evaluations));
+  CHECK(chart(slow, Cost::time) != chart(fast, Cost::time));
+}
+
+TEST_CASE("a chart shows every trial, those without a number too, and names each kind of failure once",
+          "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.methods[0].trials[0].outcome = Outcome::non_finite;
+  q.methods[0].trials[0].error = std::numeric_limits<double>::quiet_NaN();
+  q.methods[0].trials[0].evaluations = 7;
+  q.methods.push_back(q.methods[0]);
+  const std::string script = chart_script(q, "title", Cost::evaluations, "file.svg");
+  const auto count = [&](const std::string& text) {
+    int n = 0;
+    for (auto at = script.find(text); at != std::string::npos; at = script.find(text, at + 1)) ++n;
+    return n;
+  };
+  CHECK(count("\n7 ") == 4);
+  CHECK(count("\n42 ") == 2);
+  CHECK(count("title \"non-finite\"") == 1);
+  CHECK(count("off the scale") == 1);
 }
 
 TEST_CASE("a run does not depend on the number of threads, and repeats itself", "[report]") {

@@ -1,0 +1,125 @@
+#include "report/fit.hpp"
+
+#include <cmath>
+#include <functional>
+
+#include "chapters/random.hpp"
+#include "tests/catch.hpp"
+
+using namespace oddity;
+
+namespace {
+
+/// A method with one trial at each setting, its error and evaluations as given.
+MethodResult method(const std::string& knob, const std::vector<double>& settings,
+                    const std::function<double(double)>& error) {
+  MethodResult m{"model", "algorithm", Outcome::ok, "", {}};
+  for (double setting : settings) {
+    TimedTrial t{m.model, m.algorithm, knob, setting, {}, error(setting)};
+    t.outcome = std::isfinite(t.error) ? Outcome::ok : Outcome::non_finite;
+    m.trials.push_back(t);
+  }
+  return m;
+}
+
+/// A quantity of size 1, known to 1e-16.
+QuantityResult quantity_of(std::vector<MethodResult> methods) {
+  return {"q", "m", "", {"table", 1.0}, 1e-16, {1e-6, "a reason"}, std::move(methods), {}};
+}
+
+std::optional<Fit> fitted(const MethodResult& m) { return fit(quantity_of({m}), m); }
+
+const std::vector<double> steps = halving("step", 0.5, 10).settings;
+
+TimedTrial trial(long evaluations, double error, double seconds, Outcome outcome = Outcome::ok) {
+  TimedTrial t{"model", "algorithm", "step", 1, {}, error};
+  t.evaluations = evaluations;
+  t.outcome = outcome;
+  t.time.seconds = seconds;
+  return t;
+}
+
+}  // namespace
+
+TEST_CASE("the order of a step is the slope between saturation and rounding", "[fit]") {
+  const auto m = method("step", steps, [](double h) { return std::min(2.0, 3 * std::pow(h, 4)) + 2e-11; });
+  const auto f = fitted(m);
+  REQUIRE(f);
+  CHECK(std::abs(f->exponent - 4) < 0.02);
+  CHECK(std::abs(f->factor - 3) < 0.2);
+  CHECK(shown_fit(m, f).starts_with("order "));
+  CHECK(m.trials[f->last].error > 2e-10);
+}
+
+TEST_CASE("the coarse trials that follow another law are left out", "[fit]") {
+  const auto m = method("step", steps, [](double h) { return 0.1 * h * std::exp(10 * h); });
+  const auto f = fitted(m);
+  REQUIRE(f);
+  CHECK(std::abs(f->exponent - 1) < 0.15);
+  CHECK(f->last == steps.size() - 1);
+  CHECK(f->first > 2);
+}
+
+TEST_CASE("a count has its order in 1/n", "[fit]") {
+  const auto m = method("panels", doubling("panels", 4, 6).settings, [](double n) { return 5 / (n * n); });
+  const auto f = fitted(m);
+  REQUIRE(f);
+  CHECK(std::abs(f->exponent - 2) < 1e-9);
+  CHECK(std::abs(f->factor - 5) < 1e-9);
+  CHECK(shown_fit(m, f) == "order 2.00");
+}
+
+TEST_CASE("a tolerance has exponent and factor, and may scatter", "[fit]") {
+  Random random(1);
+  const auto m = method("tolerance", tolerances().settings,
+                        [&](double tol) { return 20 * tol * std::exp(random.between(-0.7, 0.7)); });
+  const auto f = fitted(m);
+  REQUIRE(f);
+  CHECK(std::abs(f->exponent - 1) < 0.1);
+  CHECK(shown_fit(m, f).starts_with("error ~ tol^"));
+}
+
+TEST_CASE("there is no fit where there is no power law", "[fit]") {
+  CHECK_FALSE(fitted(method("step", {0.5, 0.25}, [](double h) { return h; })));
+  CHECK_FALSE(fitted(method("", {0}, [](double) { return 1e-3; })));
+  CHECK_FALSE(fitted(method("step", steps, [](double) { return 1e-3; })));
+  CHECK_FALSE(fitted(method("step", steps, [](double h) { return 1e-12 / h; })));
+  CHECK_FALSE(fitted(method("step", steps, [](double h) { return 1e-17 * h; })));
+  CHECK_FALSE(
+      fitted(method("points", doubling("points", 2, 5).settings, [](double n) { return std::exp(-n); })));
+  CHECK_FALSE(fitted(method("terms", {8, 9, 10, 11}, [](double n) { return std::pow(2, -n); })));
+  CHECK_FALSE(fitted(method("step", steps, [](double) { return std::nan(""); })));
+  Random random(1);
+  CHECK_FALSE(fitted(method("step", steps, [&](double) { return random.between(1e-6, 1e-3); })));
+}
+
+TEST_CASE("failed trials are no part of a fit", "[fit]") {
+  auto m = method("step", {0.5, 0.25, 0.125}, [](double h) { return h * h / 2; });
+  REQUIRE(fitted(m));
+  m.trials[1].outcome = Outcome::diverged;
+  CHECK_FALSE(fitted(m));
+}
+
+TEST_CASE("the Pareto front holds what nothing beats", "[fit]") {
+  const MethodResult a{
+      "a", "x", Outcome::ok, "", {trial(10, 1e-2, 3e-6), trial(20, 1e-4, 2e-6), trial(40, 1e-3, 1e-6)}};
+  const MethodResult b{
+      "b",
+      "x",
+      Outcome::ok,
+      "",
+      {trial(20, 1e-4, 2e-6), trial(20, 1e-3, 4e-6), trial(1, 1e-9, 1e-9, Outcome::stalled),
+       trial(1, std::nan(""), 1e-9, Outcome::raised), trial(1, 1e9, 1e-9, Outcome::diverged)}};
+  const QuantityResult q = quantity_of({a, b});
+  CHECK(pareto_front(q, Cost::evaluations) ==
+        std::vector<bool>{true, true, false, true, false, false, false, false});
+  CHECK(pareto_front(q, Cost::time) ==
+        std::vector<bool>{false, true, true, true, false, false, false, false});
+}
+
+TEST_CASE("errors below the floor are equal on the front, and trials without a time are not on it", "[fit]") {
+  const MethodResult m{"a", "x", Outcome::ok, "", {trial(10, 1e-17, std::nan("")), trial(20, 0, 1e-6)}};
+  const QuantityResult q = quantity_of({m});
+  CHECK(pareto_front(q, Cost::evaluations) == std::vector<bool>{true, false});
+  CHECK(pareto_front(q, Cost::time) == std::vector<bool>{false, true});
+}
