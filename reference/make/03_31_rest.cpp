@@ -14,9 +14,10 @@ struct Box {
   Number inertia() const { return (a * a + b * b) / 3; }
 };
 
-/// Whatever is asked for: where the instantaneous centre crosses an edge, the friction has a singularity of
-/// the kind k^2 log k, which no step of high order takes. The speed falls at least as exp(-0.85 mu g s).
-constexpr int route_digits = 12;
+/// Where the instantaneous centre crosses an edge the friction has a singularity of the kind k^2 log k: the
+/// steps shrink towards it and grow again, and every digit costs more of them. The speed falls at least as
+/// exp(-0.85 mu g s).
+int worked_to(int digits) { return digits * 3 / 4; }
 
 /// The integral of the distance from a point along an edge that it sees at the distance k, from y1 to y2.
 Number along_edge(const Number& k, const Number& y1, const Number& y2) {
@@ -46,15 +47,15 @@ Numbers unit_means(const Box& box, const Number& u, const Number& v, const Numbe
 
 /// In pieces, so short that the first steps tried stay finite.
 template <class Rhs>
-Numbers to_rest(const Rhs& rhs, Numbers x, const Box& box) {
+Numbers to_rest(const Rhs& rhs, Numbers x, const Box& box, int digits) {
   constexpr int pieces = 16;
-  const Number piece = (route_digits + 2) * 3 / box.mu_g / pieces;
+  const Number piece = (worked_to(digits) + 2) * 3 / box.mu_g / pieces;
   for (int i = 0; i < pieces; ++i)
-    x = solve_extrapolation(rhs, x, Number(i * piece), Number((i + 1) * piece), route_digits);
+    x = solve_extrapolation(rhs, x, Number(i * piece), Number((i + 1) * piece), worked_to(digits));
   return x;
 }
 
-Numbers velocity_in_space(const std::vector<double>& in, int) {
+Numbers velocity_in_space(const std::vector<double>& in, int digits) {
   const Box box(in);
   const Number J = box.inertia();
   const auto rhs = [&](const Numbers& x, const Number&) {
@@ -69,12 +70,12 @@ Numbers velocity_in_space(const std::vector<double>& in, int) {
                    slow * e[2] / J,
                    speed};
   };
-  const Numbers x = to_rest(rhs, {Number(0), 0, 0, box.u, box.v, box.w, 0}, box);
+  const Numbers x = to_rest(rhs, {Number(0), 0, 0, box.u, box.v, box.w, 0}, box, digits);
   return {x[6], x[0], x[1], x[2]};
 }
 
 /// Velocities along the box's axes, scaled: (u, v, w) = speed (p, q, r), and the speed's logarithm.
-Numbers velocity_in_the_box(const std::vector<double>& in, int) {
+Numbers velocity_in_the_box(const std::vector<double>& in, int digits) {
   const Box box(in);
   const Number J = box.inertia();
   const Number speed0 = sqrt(box.u * box.u + box.v * box.v + J * box.w * box.w);
@@ -94,8 +95,8 @@ Numbers velocity_in_the_box(const std::vector<double>& in, int) {
                    -loss,
                    speed};
   };
-  const Numbers x =
-      to_rest(rhs, {Number(0), 0, 0, box.u / speed0, box.v / speed0, box.w / speed0, log(speed0), 0}, box);
+  const Numbers x = to_rest(
+      rhs, {Number(0), 0, 0, box.u / speed0, box.v / speed0, box.w / speed0, log(speed0), 0}, box, digits);
   return {x[7], x[0], x[1], x[2]};
 }
 
