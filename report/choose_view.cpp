@@ -10,15 +10,8 @@ namespace {
 
 std::string times_as(double factor) { return rounded(factor, 2) + " times"; }
 
-/// "2 steps a frame (1/120 s)", "tolerance 1e-06", "-".
-std::string setting_of(const Tried& tried, const Need& need) {
-  if (tried.knob != "step") return tried.knob.empty() ? "-" : tried.knob + " " + shortest(tried.setting);
-  const double steps = std::round(1 / (tried.setting * need.frames_a_second));
-  return shortest(steps) + (steps == 1 ? " step" : " steps") + " a frame";
-}
-
 std::string described(const Tried& tried, const Need& need) {
-  const std::string setting = setting_of(tried, need);
+  const std::string setting = shown_setting(tried, need);
   return tried.model + " by " + tried.algorithm + (setting == "-" ? "" : ", " + setting);
 }
 
@@ -90,7 +83,7 @@ std::string choice_text(const Choice& choice) {
   std::vector<std::vector<std::string>> rows{
       {"model", "algorithm", "setting", "error", "evaluations a frame", "time a frame", ""}};
   for (const Tried& tried : choice.tried)
-    rows.push_back({tried.model, tried.algorithm, setting_of(tried, choice.need),
+    rows.push_back({tried.model, tried.algorithm, shown_setting(tried, choice.need),
                     error_of(tried.error, choice), rounded(tried.evaluations_a_frame, 3),
                     shown_time(tried.seconds_a_frame), verdict_of(tried, choice)});
   return asked(choice) + "\n\n" + (choice.chosen ? answer_text(choice) : miss_text(choice)) +

@@ -140,6 +140,55 @@ TimedTrial trial(const Json& json) {
   return t;
 }
 
+Json from(const LeastModel& row) {
+  Json json{{"for", row.says},
+            {"error_asked", from(row.need.error)},
+            {"relative", row.need.relative},
+            {"horizon", from(row.need.horizon)},
+            {"frames_a_second", from(row.need.frames_a_second)}};
+  if (const auto& t = row.least)
+    json["least"] = {{"model", t->model},           {"algorithm", t->algorithm},
+                     {"knob", t->knob},             {"setting", from(t->setting)},
+                     {"error_in_needs", from(t->error)}, {"evaluations_a_frame", from(t->evaluations_a_frame)}};
+  return json;
+}
+LeastModel least_model(const Json& json) {
+  LeastModel row{json.at("for"),
+                 {number(json.at("error_asked")), json.at("relative"), number(json.at("horizon")),
+                  number(json.at("frames_a_second"))},
+                 {}};
+  if (json.contains("least")) {
+    const Json& least = json.at("least");
+    row.least = Tried{least.at("model"), least.at("algorithm"), least.at("knob"), number(least.at("setting")),
+                      number(least.at("error_in_needs"))};
+    row.least->evaluations_a_frame = number(least.at("evaluations_a_frame"));
+  }
+  return row;
+}
+
+Json from(const Ledger& ledger) {
+  Json least = Json::array(), break_evens = Json::array();
+  for (const LeastModel& row : ledger.least) least.push_back(from(row));
+  for (const BreakEven& b : ledger.break_evens)
+    break_evens.push_back({{"model", b.model},
+                           {"holds", from(b.holds)},
+                           {"fails", from(b.fails)},
+                           {"error_holds", from(b.error_holds)},
+                           {"error_fails", from(b.error_fails)}});
+  return {{"unit", ledger.unit},        {"parameter", ledger.parameter}, {"parameter_unit", ledger.parameter_unit},
+          {"from", from(ledger.from)},  {"to", from(ledger.to)},         {"least", least},
+          {"break_evens", break_evens}};
+}
+Ledger ledger(const Json& json) {
+  Ledger ledger{json.at("unit"), json.at("parameter"), json.at("parameter_unit"), number(json.at("from")),
+                number(json.at("to")), {}, {}};
+  for (const Json& row : json.at("least")) ledger.least.push_back(least_model(row));
+  for (const Json& b : json.at("break_evens"))
+    ledger.break_evens.push_back({b.at("model"), number(b.at("holds")), number(b.at("fails")),
+                                  number(b.at("error_holds")), number(b.at("error_fails"))});
+  return ledger;
+}
+
 /// The trials of a quantity stand in one list; the methods say how many of them in turn are theirs.
 Json from(const Trajectory& t) {
   Json paths = Json::array();
@@ -151,20 +200,21 @@ Json from(const Trajectory& t) {
                      {"error", from(p.error)},
                      {"outcome", name_of(p.outcome)},
                      {"value", from(p.value)}});
-  return {{"observables", t.observables},
-          {"time_unit", t.time_unit},
-          {"judged_at", from(Value(t.judged_at))},
-          {"times", from(Value(t.times))},
-          {"truest", t.truest},
-          {"paths", paths}};
+  return {
+      {"observables", t.observables},  {"time_unit", t.time_unit}, {"judged_at", from(Value(t.judged_at))},
+      {"times", from(Value(t.times))}, {"truest", t.truest},       {"paths", paths}};
 }
 Trajectory trajectory(const Json& json) {
   const auto numbers = [](const Json& list) {
     const Value all = value(list);
     return std::vector<double>(all.begin(), all.end());
   };
-  Trajectory t{json.at("observables"), json.at("time_unit"), numbers(json.at("judged_at")),
-               numbers(json.at("times")), {}, json.at("truest")};
+  Trajectory t{json.at("observables"),
+               json.at("time_unit"),
+               numbers(json.at("judged_at")),
+               numbers(json.at("times")),
+               {},
+               json.at("truest")};
   for (const Json& p : json.at("paths"))
     t.paths.push_back({p.at("model"), p.at("algorithm"), p.at("knob"), number(p.at("setting")),
                        number(p.at("error")), named(p.at("outcome"), outcomes), value(p.at("value"))});

@@ -6,6 +6,8 @@
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/parallel.hpp"
+#include "report/tried.hpp"
 
 namespace oddity {
 
@@ -136,6 +138,23 @@ std::optional<Ledger> ledger(const Task& task, const Reference& truth) {
   for (const std::string& model : models_of(motion))
     if (auto found = along.break_even(model, truest)) ledger.break_evens.push_back(*found);
   return ledger;
+}
+
+Results with_ledgers(Results results, std::span<const Task> tasks, const Reference& truth,
+                     const Progress& progress) {
+  struct Page {
+    const Task* task;
+    ExerciseResult* result;
+  };
+  std::vector<Page> pages;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (tasks[i].entry->exercise.scene) pages.push_back({&tasks[i], &results.exercises[i]});
+  Tally tally(progress, "looking for the least models", pages.size());
+  parallel_for_each(pages, [&](const Page& page) {
+    page.result->ledger = ledger(*page.task, truth);
+    tally.add();
+  });
+  return results;
 }
 
 }  // namespace oddity

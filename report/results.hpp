@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "chapters/contents.hpp"
+#include "report/need.hpp"
 
 /// What comes of a run, as plain values: everything that a view, a judge or a file needs, and nothing that
 /// runs.
@@ -56,16 +57,6 @@ struct BreakdownResult {
   bool as_expected() const { return broken.outcome == expected && cured.outcome == Outcome::ok; }
 };
 
-struct QuantityResult {
-  std::string name, unit, says;
-  Route reference;
-  double reference_error = 0;
-  Tolerance need;
-  std::vector<MethodResult> methods;
-  std::vector<BreakdownResult> breakdowns;
-  std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
-};
-
 /// One model's motion as it is drawn.
 struct Path {
   std::string model, algorithm, knob;
@@ -85,6 +76,54 @@ struct Trajectory {
   std::size_t truest = 0;  ///< the path that is closest to the reference
 };
 
+struct QuantityResult {
+  std::string name, unit, says;
+  Route reference;
+  double reference_error = 0;
+  Tolerance need;
+  std::vector<MethodResult> methods;
+  std::vector<BreakdownResult> breakdowns;
+  std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
+};
+
+/// A method at one setting, over several starts.
+struct Tried {
+  std::string model, algorithm, knob;
+  double setting = 0;
+  double error = 0;  ///< the largest over the starts it was chosen on, in units of what was asked
+  Outcome outcome = Outcome::ok;
+  std::string where = {};  ///< the start on which it ended so, unless ok
+  double evaluations_a_frame = 0;
+  double seconds_a_frame = 0;
+  double unseen_error = std::numeric_limits<double>::quiet_NaN();  ///< over the starts it was not chosen on
+
+  bool holds() const { return outcome == Outcome::ok; }
+};
+
+/// The first model of the ladder, from the least on, that holds for a need by any algorithm, with the least
+/// work.
+struct LeastModel {
+  std::string says;  ///< "1 degree", "10 digits"
+  Need need;
+  std::optional<Tried> least;  ///< none: nothing here holds
+};
+
+/// Where a model stops being enough for what a game asks, to one in a thousand; both ends are judged by the
+/// reference.
+struct BreakEven {
+  std::string model;
+  double holds = 0, fails = 0;              ///< values of the scene's hard parameter
+  double error_holds = 0, error_fails = 0;  ///< the model's at its best there, in the observables' unit
+};
+
+struct Ledger {
+  std::string unit;  ///< of the observables
+  std::string parameter, parameter_unit;
+  double from = 0, to = 0;        ///< the values between which the break-evens were looked for
+  std::vector<LeastModel> least;  ///< over 10 s at 60 frames a second: for a game, and for 10 digits
+  std::vector<BreakEven> break_evens;
+};
+
 struct ParameterValue {
   std::string name;
   double value = 0;
@@ -99,6 +138,7 @@ struct ExerciseResult {
   std::vector<JudgedClaim> claims;
   std::vector<QuantityResult> quantities;
   std::string failure;  ///< an exception that ended the study; empty: none
+  std::optional<Ledger> ledger = {};
 };
 
 struct Results {

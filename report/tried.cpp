@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "reference/text.hpp"
+
 namespace oddity {
 
 namespace {
@@ -54,6 +56,12 @@ Tried attempt(const std::vector<Start>& starts, const Method& method, double set
     }
   }
   return tried;
+}
+
+std::string shown_setting(const Tried& tried, const Need& need) {
+  if (tried.knob != "step") return tried.knob.empty() ? "-" : tried.knob + " " + shortest(tried.setting);
+  const double steps = std::round(1 / (tried.setting * need.frames_a_second));
+  return shortest(steps) + (steps == 1 ? " step" : " steps") + " a frame";
 }
 
 bool hopeless(const Tried& tried) {
