@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 1;
+constexpr int format = 2;
 
 template <class Enum, std::size_t N>
 Enum named(const Json& json, const std::array<Enum, N>& all) {
@@ -191,6 +191,69 @@ QuantityResult quantity(const Json& json) {
   return q;
 }
 
+/// A step or a limit: infinity, "every step", is a word.
+Json from_limit(double x) { return std::isinf(x) ? Json("every") : from(x); }
+double limit_in(const Json& json) {
+  return json == "every" ? std::numeric_limits<double>::infinity() : number(json);
+}
+
+Json from(const std::optional<TimedTrial>& t) { return t ? from(*t) : Json(nullptr); }
+std::optional<TimedTrial> maybe_trial(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional(trial(json));
+}
+
+Json from(const Stability& s) {
+  Json limits = Json::array(), map = Json::array();
+  for (const Limit& l : s.limits)
+    limits.push_back({{"model", l.model},
+                      {"algorithm", l.algorithm},
+                      {"step", from_limit(l.step())},
+                      {"theory", from_limit(l.theory)},
+                      {"stable", from(l.stable)},
+                      {"broken", from(l.broken)},
+                      {"cure", from(l.cure)},
+                      {"why", l.why}});
+  for (const MapRow& row : s.map) {
+    Json ends = Json::array();
+    for (Outcome outcome : row.outcomes) ends.push_back(name_of(outcome));
+    map.push_back({{"model", row.model},
+                   {"algorithm", row.algorithm},
+                   {"value", from(row.value)},
+                   {"theory", from_limit(row.theory)},
+                   {"outcomes", ends}});
+  }
+  return {{"quantity", s.quantity},
+          {"unit", s.unit},
+          {"horizon", from(s.horizon)},
+          {"close", from(s.close)},
+          {"limits", limits},
+          {"parameter", s.parameter},
+          {"parameter_unit", s.parameter_unit},
+          {"steps", s.steps},
+          {"map", map}};
+}
+Stability stability(const Json& json) {
+  Stability s{json.at("quantity"),
+              json.at("unit"),
+              number(json.at("horizon")),
+              number(json.at("close")),
+              {},
+              json.at("parameter"),
+              json.at("parameter_unit"),
+              json.at("steps"),
+              {}};
+  for (const Json& l : json.at("limits"))
+    s.limits.push_back({l.at("model"), l.at("algorithm"), limit_in(l.at("theory")),
+                        maybe_trial(l.at("stable")), maybe_trial(l.at("broken")), maybe_trial(l.at("cure")),
+                        l.at("why")});
+  for (const Json& r : json.at("map")) {
+    MapRow row{r.at("model"), r.at("algorithm"), number(r.at("value")), limit_in(r.at("theory")), {}};
+    for (const Json& outcome : r.at("outcomes")) row.outcomes.push_back(named(outcome, outcomes));
+    s.map.push_back(std::move(row));
+  }
+  return s;
+}
+
 Json from(const ExerciseResult& e) {
   Json parameters = Json::array(), claims = Json::array(), quantities = Json::array();
   for (const ParameterValue& p : e.parameters)
@@ -204,7 +267,8 @@ Json from(const ExerciseResult& e) {
           {"parameters", parameters},
           {"claims", claims},
           {"quantities", quantities},
-          {"failure", e.failure}};
+          {"failure", e.failure},
+          {"stability", e.stability ? from(*e.stability) : Json(nullptr)}};
 }
 ExerciseResult exercise(const Json& json) {
   const auto number_of = exercise_number(json.at("number").get<std::string>());
@@ -215,6 +279,7 @@ ExerciseResult exercise(const Json& json) {
     e.parameters.push_back({p.at("name"), number(p.at("value")), p.at("unit"), p.at("says")});
   for (const Json& c : json.at("claims")) e.claims.push_back(claim(c));
   for (const Json& q : json.at("quantities")) e.quantities.push_back(quantity(q));
+  if (!json.at("stability").is_null()) e.stability = stability(json.at("stability"));
   return e;
 }
 

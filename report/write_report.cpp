@@ -3,6 +3,7 @@
 #include "reference/bad_input.hpp"
 #include "report/chart.hpp"
 #include "report/markdown.hpp"
+#include "report/stability.hpp"
 
 namespace oddity {
 
@@ -13,13 +14,18 @@ namespace {
 void draw_charts(const Results& results, int chapter, const fs::path& folder) {
   std::vector<std::string> scripts;
   std::vector<fs::path> files;
-  for (const ExerciseResult& e : results.exercises)
+  for (const ExerciseResult& e : results.exercises) {
+    if (chapter == 0 && e.stability) {
+      files.push_back(folder / map_file(e));
+      scripts.push_back(map_script(e, files.back().string() + ".part"));
+    }
     for (const QuantityResult& q : e.quantities)
       if ((chapter == 0 || e.number.chapter == chapter) && has_chart(q)) {
         files.push_back(folder / chart_file(e, q));
         scripts.push_back(chart_script(q, to_string(e.number) + " " + e.title + ": " + q.name,
                                        files.back().string() + ".part"));
       }
+  }
   draw(scripts);
   for (const fs::path& file : files) fs::rename(file.string() + ".part", file);
 }
@@ -43,6 +49,7 @@ fs::path write_report(const Results& results, int chapter, const fs::path& folde
   if (chapter != 0) return write(chapter_file(chapter), chapter_page(results, chapter));
   for (const Chapter& c : chapters())
     if (c.last_odd > 0) write(chapter_file(c.number), chapter_page(results, c.number));
+  write("stability.md", stability_page(results));
   write("times.md", times_page(results));
   return write("README.md", index_page(results));
 }
