@@ -48,6 +48,20 @@ std::vector<std::string> limit_cells(const Stability& s, const Limit& l) {
           shown_cure(l, s.unit)};
 }
 
+/// The limits in columns, each model named above its own.
+std::string limits_text(const Stability& s) {
+  std::vector<std::vector<std::string>> rows{{header.begin() + 1, header.end()}};
+  const std::string* model = nullptr;
+  for (const Limit& l : s.limits) {
+    if (!model || *model != l.model) rows.push_back({l.model + ":"});
+    model = &l.model;
+    const auto cells = limit_cells(s, l);
+    rows.emplace_back(cells.begin() + 1, cells.end());
+    rows.back().front().insert(0, "  ");
+  }
+  return aligned(rows);
+}
+
 /// Reasons why theory and measurement differ, the same ones together.
 std::vector<std::pair<std::string, std::string>> reasons(const Stability& s) {
   std::vector<std::pair<std::string, std::string>> all;
@@ -164,9 +178,7 @@ std::string stability_text(const ExerciseResult& e) {
   std::string text = "Exercise " + to_string(e.number) + ": " + e.title + "\n" + s.quantity + " over " +
                      rounded(s.horizon, 4) + " s; close is " + with_unit(rounded(s.close, 3), s.unit) +
                      "\n\n";
-  std::vector<std::vector<std::string>> rows{header};
-  for (const Limit& l : s.limits) rows.push_back(limit_cells(s, l));
-  text += aligned(rows);
+  text += limits_text(s);
   for (const auto& [reason, names] : reasons(s)) text += "\n  " + names + ": " + reason + "\n";
   return text + map_text(s);
 }

@@ -65,7 +65,8 @@ void verify_quantity(const QuantityResult& q) {
 
 /// Whether a limit is the one on record: within 5 %, or infinite or zero as that is.
 bool same_limit(double measured, double on_record) {
-  return measured == on_record || std::abs(measured - on_record) <= 0.05 * on_record;
+  if (std::isinf(on_record)) return measured == on_record;
+  return std::abs(measured - on_record) <= 0.05 * on_record;
 }
 
 /// Whether theory and measurement differ by more than a factor of two, which takes a reason.
