@@ -75,7 +75,8 @@ std::string tics(const std::vector<double>& numbers, int direction) {
   return "(" + list + ")";
 }
 
-/// The cells of one panel as gnuplot's data: column, row, colour, letter; then theory's limits as lines.
+/// The cells of one panel as gnuplot's data: column, row, colour, letter; then theory's limits as lines,
+/// those beyond the steps shown along the edge.
 std::string panel_data(const std::vector<const MapRow*>& columns, const Stability& s) {
   std::string cells, theory;
   for (std::size_t column = 0; column < columns.size(); ++column) {
@@ -83,12 +84,11 @@ std::string panel_data(const std::vector<const MapRow*>& columns, const Stabilit
     for (std::size_t k = 0; k < row.outcomes.size(); ++k)
       cells += std::to_string(column) + " -" + std::to_string(k) + " 0x" + colour_of(row.outcomes[k]) + " " +
                letter_of(row.outcomes[k]) + "\n";
-    const double height = std::log2(row.theory / s.steps.front());
-    if (height < 0.5 && height > 0.5 - static_cast<double>(s.steps.size()))
-      theory += shortest(static_cast<double>(column) - 0.5) + " " + rounded(height, 5) + " 1 0\n";
+    const double top_edge = 0.5, bottom_edge = top_edge - static_cast<double>(s.steps.size());
+    const double height = std::clamp(std::log2(row.theory / s.steps.front()), bottom_edge, top_edge);
+    theory += shortest(static_cast<double>(column) - 0.5) + " " + rounded(height, 5) + " 1 0\n";
   }
-  return "$cells << EOD\n" + cells + "EOD\n$theory << EOD\n" + (theory.empty() ? "0 1e9 0 0\n" : theory) +
-         "EOD\n";
+  return "$cells << EOD\n" + cells + "EOD\n$theory << EOD\n" + theory + "EOD\n";
 }
 
 std::string legend_text(const Layout& layout) {

@@ -125,6 +125,9 @@ std::string stability_of_scene(const ExerciseResult& e) {
       text += "- " + escaped(names, false) + ": " + escaped(reason, false) + ".\n";
     text += "\n";
   }
+  for (const QuantityResult& q : e.quantities)
+    if (q.name == s.quantity)
+      for (const BreakdownResult& b : q.breakdowns) text += b.says + "\n\n";
   return text + "![outcome over step and " + s.parameter + "](" + map_file(e) + ")\n\n";
 }
 
