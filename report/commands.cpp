@@ -8,10 +8,13 @@
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "reference/verdicts.hpp"
+#include "report/chart.hpp"
 #include "report/choose.hpp"
+#include "report/ledger.hpp"
 #include "report/progress.hpp"
 #include "report/run.hpp"
 #include "report/settings.hpp"
+#include "report/stability.hpp"
 #include "report/text_view.hpp"
 #include "report/write_report.hpp"
 
@@ -91,14 +94,21 @@ bool stale(const fs::path& results, const fs::path& folder) {
   return false;
 }
 
+/// The last results where they are fresh, else those of a new run; with the ledgers, which a run of the suite
+/// does not need and does not make.
 Results last_results(const fs::path& folder) {
   const fs::path file = results_file();
-  if (fs::exists(file) && !stale(file, folder)) return read_results(file);
   const Reference truth(folder);
   const std::vector<Task> tasks(registry().begin(), registry().end());
   ProgressBar bar;
-  const Results results = run(tasks, truth, true, bar.callback());
-  write_whole(file, to_json(results));
+  Results results = fs::exists(file) && !stale(file, folder)
+                        ? read_results(file)
+                        : with_stability(run(tasks, truth, true, bar.callback()), tasks, truth,
+                                         read_limits(folder), bar.callback());
+  if (std::ranges::any_of(results.exercises, [](const ExerciseResult& e) { return e.scene && !e.ledger; })) {
+    results = with_ledgers(std::move(results), tasks, truth, bar.callback());
+    write_whole(file, to_json(results));
+  }
   return results;
 }
 
@@ -119,6 +129,49 @@ void chart(const fs::path& folder, const std::vector<std::string>& exercises, co
   ProgressBar bar;
   for (const fs::path& page : write_charts(run(tasks, Reference(folder), true, bar.callback()), out))
     std::cout << page.string() << "\n";
+}
+
+/// The exercises asked for, or all, of those that have a motion.
+std::vector<Task> scenes(const std::vector<std::string>& exercises) {
+  std::string numbers;
+  for (const Entry& entry : registry())
+    if (entry.exercise.scene) numbers += (numbers.empty() ? "" : ", ") + to_string(entry.number);
+  std::vector<Task> tasks;
+  for (const std::string& exercise : exercises) {
+    tasks.emplace_back(entry_of(exercise));
+    if (!tasks.back().entry->exercise.scene)
+      throw BadInput("exercise " + exercise + " has no motion; those that have one are: " + numbers);
+  }
+  if (exercises.empty())
+    for (const Entry& entry : registry())
+      if (entry.exercise.scene) tasks.emplace_back(entry);
+  return tasks;
+}
+
+void stability(const fs::path& folder, const std::vector<std::string>& exercises, bool rows,
+               const fs::path& out) {
+  const std::vector<Task> tasks = scenes(exercises);
+  const Reference truth(folder);
+  Results blank;
+  for (const Task& task : tasks) {
+    ExerciseResult& e = blank.exercises.emplace_back();
+    e.number = task.entry->number;
+    e.title = task.entry->exercise.title;
+  }
+  ProgressBar bar;
+  const Results results = with_stability(blank, tasks, truth, read_limits(folder), bar.callback());
+  if (rows) {
+    std::cout << limit_rows(results) << "\n" << map_rows(results) << std::flush;
+    return;
+  }
+  make_folder(out);
+  std::vector<std::string> scripts;
+  for (const ExerciseResult& e : results.exercises) {
+    std::cout << stability_text(e) << "\n";
+    scripts.push_back(map_script(e, (out / map_file(e)).string()));
+  }
+  draw(scripts);
+  std::cout << "the maps are in " << (out / "charts").string() << "\n" << std::flush;
 }
 
 }  // namespace
@@ -193,6 +246,17 @@ int command_line(int argc, char** argv, const Suite& suite) {
   chart_verb->add_option("--out", charts, "folder to write to")->capture_default_str();
   chart_verb->footer("Example: oddity chart 3.5 2.13 --out /tmp/charts");
 
+  auto* stability_verb =
+      app.add_subcommand("stability", "where methods break: by step, and over a parameter");
+  std::vector<std::string> moving;
+  bool rows = false;
+  std::string maps_out = report_folder().string();
+  stability_verb->add_option("exercises", moving,
+                             "their numbers, such as 3.5; all that have a motion if none");
+  stability_verb->add_flag("--rows", rows, "print the rows of limits.csv and stability_maps.csv instead");
+  stability_verb->add_option("--out", maps_out, "folder to draw the maps in")->capture_default_str();
+  stability_verb->footer("Example: oddity stability 3.5 --out /tmp/maps");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -210,6 +274,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
       return choose(folder, exercise, overrides, need);
     }
     if (*report_verb) return report(folder, chapter, out), 0;
+    if (*stability_verb) return stability(folder, moving, rows, maps_out), 0;
     const int verdict = suite({{}, folder, results_file()});
     report(folder, 0, out);
     return verdict;

@@ -147,9 +147,12 @@ Json from(const LeastModel& row) {
             {"horizon", from(row.need.horizon)},
             {"frames_a_second", from(row.need.frames_a_second)}};
   if (const auto& t = row.least)
-    json["least"] = {{"model", t->model},           {"algorithm", t->algorithm},
-                     {"knob", t->knob},             {"setting", from(t->setting)},
-                     {"error_in_needs", from(t->error)}, {"evaluations_a_frame", from(t->evaluations_a_frame)}};
+    json["least"] = {{"model", t->model},
+                     {"algorithm", t->algorithm},
+                     {"knob", t->knob},
+                     {"setting", from(t->setting)},
+                     {"error_in_needs", from(t->error)},
+                     {"evaluations_a_frame", from(t->evaluations_a_frame)}};
   return json;
 }
 LeastModel least_model(const Json& json) {
@@ -175,13 +178,19 @@ Json from(const Ledger& ledger) {
                            {"fails", from(b.fails)},
                            {"error_holds", from(b.error_holds)},
                            {"error_fails", from(b.error_fails)}});
-  return {{"unit", ledger.unit},        {"parameter", ledger.parameter}, {"parameter_unit", ledger.parameter_unit},
-          {"from", from(ledger.from)},  {"to", from(ledger.to)},         {"least", least},
-          {"break_evens", break_evens}};
+  return {
+      {"unit", ledger.unit},       {"parameter", ledger.parameter}, {"parameter_unit", ledger.parameter_unit},
+      {"from", from(ledger.from)}, {"to", from(ledger.to)},         {"least", least},
+      {"break_evens", break_evens}};
 }
 Ledger ledger(const Json& json) {
-  Ledger ledger{json.at("unit"), json.at("parameter"), json.at("parameter_unit"), number(json.at("from")),
-                number(json.at("to")), {}, {}};
+  Ledger ledger{json.at("unit"),
+                json.at("parameter"),
+                json.at("parameter_unit"),
+                number(json.at("from")),
+                number(json.at("to")),
+                {},
+                {}};
   for (const Json& row : json.at("least")) ledger.least.push_back(least_model(row));
   for (const Json& b : json.at("break_evens"))
     ledger.break_evens.push_back({b.at("model"), number(b.at("holds")), number(b.at("fails")),
@@ -274,6 +283,69 @@ QuantityResult quantity(const Json& json) {
   return q;
 }
 
+/// A step or a limit: infinity, "every step", is a word.
+Json from_limit(double x) { return std::isinf(x) ? Json("every") : from(x); }
+double limit_in(const Json& json) {
+  return json == "every" ? std::numeric_limits<double>::infinity() : number(json);
+}
+
+Json from(const std::optional<TimedTrial>& t) { return t ? from(*t) : Json(nullptr); }
+std::optional<TimedTrial> maybe_trial(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional(trial(json));
+}
+
+Json from(const Stability& s) {
+  Json limits = Json::array(), map = Json::array();
+  for (const Limit& l : s.limits)
+    limits.push_back({{"model", l.model},
+                      {"algorithm", l.algorithm},
+                      {"step", from_limit(l.step())},
+                      {"theory", from_limit(l.theory)},
+                      {"stable", from(l.stable)},
+                      {"broken", from(l.broken)},
+                      {"cure", from(l.cure)},
+                      {"why", l.why}});
+  for (const MapRow& row : s.map) {
+    Json ends = Json::array();
+    for (Outcome outcome : row.outcomes) ends.push_back(name_of(outcome));
+    map.push_back({{"model", row.model},
+                   {"algorithm", row.algorithm},
+                   {"value", from(row.value)},
+                   {"theory", from_limit(row.theory)},
+                   {"outcomes", ends}});
+  }
+  return {{"quantity", s.quantity},
+          {"unit", s.unit},
+          {"horizon", from(s.horizon)},
+          {"close", from(s.close)},
+          {"limits", limits},
+          {"parameter", s.parameter},
+          {"parameter_unit", s.parameter_unit},
+          {"steps", s.steps},
+          {"map", map}};
+}
+Stability stability(const Json& json) {
+  Stability s{json.at("quantity"),
+              json.at("unit"),
+              number(json.at("horizon")),
+              number(json.at("close")),
+              {},
+              json.at("parameter"),
+              json.at("parameter_unit"),
+              json.at("steps"),
+              {}};
+  for (const Json& l : json.at("limits"))
+    s.limits.push_back({l.at("model"), l.at("algorithm"), limit_in(l.at("theory")),
+                        maybe_trial(l.at("stable")), maybe_trial(l.at("broken")), maybe_trial(l.at("cure")),
+                        l.at("why")});
+  for (const Json& r : json.at("map")) {
+    MapRow row{r.at("model"), r.at("algorithm"), number(r.at("value")), limit_in(r.at("theory")), {}};
+    for (const Json& outcome : r.at("outcomes")) row.outcomes.push_back(named(outcome, outcomes));
+    s.map.push_back(std::move(row));
+  }
+  return s;
+}
+
 Json from(const ExerciseResult& e) {
   Json parameters = Json::array(), claims = Json::array(), quantities = Json::array();
   for (const ParameterValue& p : e.parameters)
@@ -287,7 +359,9 @@ Json from(const ExerciseResult& e) {
           {"parameters", parameters},
           {"claims", claims},
           {"quantities", quantities},
-          {"failure", e.failure}};
+          {"failure", e.failure},
+          {"stability", e.stability ? from(*e.stability) : Json(nullptr)},
+          {"ledger", e.ledger ? from(*e.ledger) : Json(nullptr)}};
 }
 ExerciseResult exercise(const Json& json) {
   const auto number_of = exercise_number(json.at("number").get<std::string>());
@@ -298,6 +372,8 @@ ExerciseResult exercise(const Json& json) {
     e.parameters.push_back({p.at("name"), number(p.at("value")), p.at("unit"), p.at("says")});
   for (const Json& c : json.at("claims")) e.claims.push_back(claim(c));
   for (const Json& q : json.at("quantities")) e.quantities.push_back(quantity(q));
+  if (!json.at("stability").is_null()) e.stability = stability(json.at("stability"));
+  if (!json.at("ledger").is_null()) e.ledger = ledger(json.at("ledger"));
   return e;
 }
 

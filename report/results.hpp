@@ -124,6 +124,38 @@ struct Ledger {
   std::vector<BreakEven> break_evens;
 };
 
+/// Up to which step a method of fixed step is stable, how it breaks beyond, and what cures it.
+struct Limit {
+  std::string model, algorithm;
+  double theory = 0;                 ///< s, of linear theory; infinity: every step is stable
+  std::optional<TimedTrial> stable;  ///< at the largest stable step; none: not even the finest tried is
+  std::optional<TimedTrial> broken;  ///< at the next longer step tried; none: every step tried is stable
+  std::optional<TimedTrial> cure;    ///< what is close enough where this method breaks
+  std::string why;                   ///< why theory and measurement differ, where it is on record
+
+  /// The largest stable step [s]; infinity: even the longest tried; 0: none.
+  double step() const;
+};
+
+/// How a method ends at one value of a scene's parameter, step by step.
+struct MapRow {
+  std::string model, algorithm;
+  double value = 0;
+  double theory = 0;  ///< s; infinity: every step is stable
+  std::vector<Outcome> outcomes;
+};
+
+/// Where the methods of a scene break: over the step, and over the parameter that makes the scene hard.
+struct Stability {
+  std::string quantity, unit;
+  double horizon = 0;  ///< s
+  double close = 0;    ///< the need, in the unit
+  std::vector<Limit> limits;
+  std::string parameter, parameter_unit;
+  std::vector<double> steps;  ///< of the map, from coarse to fine [s]
+  std::vector<MapRow> map;    ///< method by method, each from the easiest value to the hardest
+};
+
 struct ParameterValue {
   std::string name;
   double value = 0;
@@ -139,6 +171,7 @@ struct ExerciseResult {
   std::vector<QuantityResult> quantities;
   std::string failure;  ///< an exception that ended the study; empty: none
   std::optional<Ledger> ledger = {};
+  std::optional<Stability> stability = {};
 };
 
 struct Results {

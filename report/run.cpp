@@ -1,11 +1,9 @@
 #include "report/run.hpp"
 
-#include <algorithm>
-#include <execution>
-#include <mutex>
 #include <numeric>
 
 #include "reference/bad_input.hpp"
+#include "report/parallel.hpp"
 #include "report/time.hpp"
 #include "report/trajectory.hpp"
 
@@ -28,24 +26,6 @@ struct Pending {
   TimedTrial* result;
 };
 
-/// Counts finished pieces of work for a progress display.
-class Tally {
- public:
-  Tally(const Progress& progress, std::string stage, std::size_t all)
-      : progress_(progress), stage_(std::move(stage)), all_(all) {}
-  void add() {
-    if (!progress_) return;
-    const std::lock_guard lock(mutex_);
-    progress_(stage_, ++done_, all_);
-  }
-
- private:
-  const Progress& progress_;
-  std::string stage_;
-  std::size_t all_, done_ = 0;
-  std::mutex mutex_;
-};
-
 Studied study(const Task& task, const Reference& truth) {
   Studied studied{&task, {}, {}};
   try {
@@ -56,40 +36,6 @@ Studied study(const Task& task, const Reference& truth) {
     studied.failure = exception.what();
   }
   return studied;
-}
-
-/// std::for_each in parallel; the first exception thrown inside is thrown on (the standard one would
-/// terminate).
-template <class Range, class F>
-void parallel_for_each(Range& range, const F& f) {
-  std::exception_ptr thrown;
-  std::mutex mutex;
-  std::for_each(std::execution::par, range.begin(), range.end(), [&](auto& item) {
-    try {
-      f(item);
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!thrown) thrown = std::current_exception();
-    }
-  });
-  if (thrown) std::rethrow_exception(thrown);
-}
-
-TimedTrial as_result(const Trial& trial) {
-  const Answer& answer = trial.answer;
-  return {trial.model,
-          trial.algorithm,
-          trial.knob,
-          trial.setting,
-          answer.value,
-          trial.error,
-          trial.final_error,
-          answer.error_estimate,
-          answer.drift,
-          answer.evaluations,
-          trial.outcome,
-          answer.message,
-          {}};
 }
 
 const Method& method_named(const Quantity& quantity, const std::string& name) {
@@ -157,6 +103,23 @@ void see_motion(const Task& task, ExerciseResult& result) {
 }
 
 }  // namespace
+
+TimedTrial as_result(const Trial& trial) {
+  const Answer& answer = trial.answer;
+  return {trial.model,
+          trial.algorithm,
+          trial.knob,
+          trial.setting,
+          answer.value,
+          trial.error,
+          trial.final_error,
+          answer.error_estimate,
+          answer.drift,
+          answer.evaluations,
+          trial.outcome,
+          answer.message,
+          {}};
+}
 
 Results run(std::span<const Task> tasks, const Reference& truth, bool timed, const Progress& progress) {
   std::vector<Studied> studied(tasks.size());

@@ -19,6 +19,9 @@ struct Task {
 /// Called with how many of how many pieces of a stage's work are done; from several threads, one at a time.
 using Progress = std::function<void(const std::string& stage, std::size_t done, std::size_t all)>;
 
+/// A trial as plain values, not timed.
+TimedTrial as_result(const Trial&);
+
 /// Studies the tasks in parallel, then runs all their trials in parallel; when `timed`, runs each trial
 /// again, alone, in batches long enough for the clock. The results are in the order of the tasks and do not
 /// depend on the number of threads. BadInput out of a study is thrown on; any other exception becomes that

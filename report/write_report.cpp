@@ -2,7 +2,9 @@
 
 #include "reference/bad_input.hpp"
 #include "report/chart.hpp"
+#include "report/ledger.hpp"
 #include "report/markdown.hpp"
+#include "report/stability.hpp"
 
 namespace oddity {
 
@@ -14,7 +16,11 @@ namespace {
 void draw_charts(const Results& results, int chapter, const fs::path& folder) {
   std::vector<std::string> scripts;
   std::vector<fs::path> files;
-  for (const ExerciseResult& e : results.exercises)
+  for (const ExerciseResult& e : results.exercises) {
+    if (chapter == 0 && e.stability) {
+      files.push_back(folder / map_file(e));
+      scripts.push_back(map_script(e, files.back().string() + ".part"));
+    }
     for (const QuantityResult& q : e.quantities)
       for (Cost kind : {Cost::evaluations, Cost::time})
         if ((chapter == 0 || (e.number.chapter == chapter && kind == Cost::evaluations)) && has_chart(q)) {
@@ -22,6 +28,7 @@ void draw_charts(const Results& results, int chapter, const fs::path& folder) {
           scripts.push_back(chart_script(q, to_string(e.number) + " " + e.title + ": " + q.name, kind,
                                          files.back().string() + ".part"));
         }
+  }
   draw(scripts);
   for (const fs::path& file : files) fs::rename(file.string() + ".part", file);
 }
@@ -45,6 +52,8 @@ fs::path write_report(const Results& results, int chapter, const fs::path& folde
   if (chapter != 0) return write(chapter_file(chapter), chapter_page(results, chapter));
   for (const Chapter& c : chapters())
     if (c.last_odd > 0) write(chapter_file(c.number), chapter_page(results, c.number));
+  write("models.md", ledger_page(results));
+  write("stability.md", stability_page(results));
   write("times.md", times_page(results));
   return write("README.md", index_page(results));
 }

@@ -65,7 +65,7 @@ TEST_CASE("list shows exercises with their parameters", "[commands]") {
 }
 
 TEST_CASE("every verb has help with an example", "[commands]") {
-  for (const std::string verb : {"list", "verify", "solve", "chart", "report"}) {
+  for (const std::string verb : {"list", "verify", "solve", "chart", "report", "stability", "choose"}) {
     const Ran ran = run(verb + " --help");
     INFO(ran.output);
     CHECK(ran.status == 0);
@@ -86,8 +86,19 @@ TEST_CASE("solve takes parameters and says where its reference comes from", "[co
   CHECK(says(json, "\"number\": \"3.5\""));
 }
 
+TEST_CASE("stability shows the limits and draws the maps", "[commands]") {
+  const Scratch scratch;
+  const Ran ran = run("stability 3.5 --out " + scratch.path.string());
+  CHECK(ran.status == 0);
+  CHECK(says(ran, "explicit Euler"));
+  CHECK(says(ran, "measured/theory"));
+  CHECK(fs::file_size(scratch.path / "charts" / "3.5_stability.svg") > 10'000);
+  const Ran rows = run("stability 3.5 --rows");
+  CHECK(says(rows, "3.5,one angle,velocity Verlet,0.625,0.656,diverged,"));
+}
+
 TEST_CASE("bad input is named and ends with 2", "[commands]") {
-  const std::array<std::array<std::string, 2>, 11> cases{
+  const std::array<std::array<std::string, 2>, 14> cases{
       {{"solve 3.6", "no exercise '3.6'"},
        {"solve three", "no exercise 'three'"},
        {"solve", "exercise is required"},
@@ -98,6 +109,9 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
        {"solve 3.5 a=nan", "out of its range"},
        {"report --chapter 15", "no chapter 15"},
        {"chart 3.4", "no exercise '3.4'"},
+       {"stability 3.6", "no exercise '3.6'"},
+       {"stability 9.1", "exercise 9.1 has no motion; those that have one are: "},
+       {"choose 3.5", "choose needs --error"},
        {"verify '[3.99]'", "no test case matches"}}};
   for (const auto& [arguments, message] : cases) {
     const Ran ran = run(arguments);
@@ -145,6 +159,29 @@ TEST_CASE("a verdict that differs from the one on record makes the suite red", "
   const Ran red = run("--reference " + folder.string() + " verify '[3.5]'");
   CHECK(red.status == 1);
   CHECK(says(red, "3.5-value: erratum"));
+}
+
+TEST_CASE("a limit that moves, and a method that no longer breaks as on record, make the suite red",
+          "[commands]") {
+  for (const auto& [old, fresh] : std::array<std::array<std::string, 2>, 4>{
+           {{"velocity Verlet,0.625", "velocity Verlet,0.665"},
+            {"velocity Verlet,0.625", "velocity Verlet,inf"},
+            {"0.656,diverged", "0.656,non-finite"},
+            {"3.5,one angle,velocity Verlet", "3.5,one angle,leapfrog"}}}) {
+    const Scratch scratch;
+    const fs::path folder = tables(scratch);
+    replace_in(folder / "limits.csv", old, fresh);
+    const Ran red = run("--reference " + folder.string() + " verify '[3.5]'");
+    CHECK(red.status == 1);
+    CHECK(says(red, "the row of limits.csv to approve: 3.5,one angle,velocity"));
+  }
+}
+
+TEST_CASE("a map that changes makes the suite red", "[commands]") {
+  const Scratch scratch;
+  const fs::path folder = tables(scratch);
+  replace_in(folder / "stability_maps.csv", "velocity Verlet,0.125,XX", "velocity Verlet,0.125,Xd");
+  CHECK(run("--reference " + folder.string() + " verify '[3.5]'").status == 1);
 }
 
 TEST_CASE("a true value that changes makes the suite red", "[commands]") {

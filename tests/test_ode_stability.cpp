@@ -1,6 +1,8 @@
 // The limits of stability that the algorithms' docstrings give, measured: the largest h |lambda| up to which
 // one step of a linear problem has no eigenvalue outside of the unit circle.
 
+#include "solvers/ode/stability.hpp"
+
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_algorithms.hpp"
@@ -77,4 +79,25 @@ TEST_CASE("an oscillation stays for a thousand steps below the limit and is lost
   CHECK(amplitude.operator()<RungeKutta4>(2.8) <= 1);
   CHECK(amplitude.operator()<RungeKutta4>(2.86) > 1e6);
   CHECK(amplitude.operator()<ExplicitEuler>(0.1) > 100);
+}
+
+TEST_CASE("the stable step allows a tenfold growth beyond the truth's", "[solvers]") {
+  const double span = 10;
+  const auto along = [&](std::complex<double> lambda, std::string_view algorithm) {
+    return stable_step(algorithm, {span, {{lambda, -lambda}}});
+  };
+  const std::complex<double> turning(0, 1), parting(1, 0);
+  for (std::string_view algorithm : {"explicit Euler", "velocity Verlet", "Runge-Kutta 4"}) {
+    const double h = along(turning, algorithm);
+    INFO(algorithm << ": " << h);
+    CHECK(near(growth(algorithm, h * turning) / h * span, std::log(10.0), 1e-3));
+  }
+  CHECK(near(along(turning, "velocity Verlet"), 2, 0.15));
+  CHECK(along(turning, "velocity Verlet") > 2);
+  CHECK(along(turning, "Runge-Kutta 4") > 2 * std::sqrt(2.0));
+  for (std::string_view algorithm : {"velocity Verlet", "explicit Euler"}) {
+    INFO(algorithm << " grows no faster than what parts in truth");
+    CHECK(std::isinf(along(parting, algorithm)) == (algorithm == "velocity Verlet"));
+  }
+  CHECK(near(along(parting, "explicit Euler"), 2, 1));
 }

@@ -8,6 +8,7 @@
 #include "report/markdown.hpp"
 #include "report/progress.hpp"
 #include "report/run.hpp"
+#include "report/stability.hpp"
 #include "report/text_view.hpp"
 #include "tests/catch.hpp"
 #include "tests/catch_main.hpp"
@@ -20,6 +21,8 @@ namespace {
 struct Judged {
   Results results;
   Verdicts approved;
+  Limits limits;
+  Maps maps;
 };
 Judged* suite = nullptr;
 
@@ -60,6 +63,69 @@ void verify_quantity(const QuantityResult& q) {
   }
 }
 
+/// Whether a limit is the one on record: within 5 %, or infinite or zero as that is.
+bool same_limit(double measured, double on_record) {
+  if (std::isinf(on_record)) return measured == on_record;
+  return std::abs(measured - on_record) <= 0.05 * on_record;
+}
+
+/// Whether theory and measurement differ by more than a factor of two, which takes a reason.
+bool takes_a_reason(const Limit& limit) { return !(agreement(limit) >= 0.5 && agreement(limit) <= 2); }
+
+bool held(const TimedTrial& t) {
+  return (t.outcome == Outcome::ok || t.outcome == Outcome::inaccurate || t.outcome == Outcome::drifted) &&
+         t.drift <= 1;
+}
+
+void verify_limit(const ExerciseResult& e, const Limit& limit) {
+  const std::string row = limit_row(e, limit);
+  const auto approved = std::ranges::find_if(suite->limits, [&](const ApprovedLimit& a) {
+    return a.exercise == to_string(e.number) && a.model == limit.model && a.algorithm == limit.algorithm;
+  });
+  INFO(limit.model << ", " << limit.algorithm << " is stable to " << shown_step(limit) << " s, in theory to "
+                   << limit.theory << " s; beyond: " << beyond(limit)
+                   << "\nthe row of limits.csv to approve: " << row);
+  if (approved == suite->limits.end()) {
+    FAIL_CHECK("limits.csv has no row for this method");
+    return;
+  }
+  CHECK(same_limit(limit.step(), approved->step));
+  CHECK(same_limit(limit.theory, approved->theory));
+  CHECK(beyond(limit) == approved->beyond);
+  CHECK((!limit.stable || held(*limit.stable)));
+  CHECK((!limit.broken || !held(*limit.broken)));
+  CHECK((!limit.broken || limit.cure));
+  INFO("a reason is on record just where theory and measurement differ by more than a factor of two");
+  CHECK(takes_a_reason(limit) != approved->why.empty());
+}
+
+void verify_map(const ExerciseResult& e, const MapRow& row) {
+  const auto approved = std::ranges::find_if(suite->maps, [&](const ApprovedMap& a) {
+    return a.exercise == to_string(e.number) && a.model == row.model && a.algorithm == row.algorithm &&
+           a.value == row.value;
+  });
+  INFO("the row of stability_maps.csv to approve: " << map_row(e, row));
+  if (approved == suite->maps.end()) {
+    FAIL_CHECK("stability_maps.csv has no row for this method");
+    return;
+  }
+  CHECK(letters(row) == approved->outcomes);
+}
+
+/// Every limit and every row of the map is the one on record, and none on record is missing.
+void verify_stability(const ExerciseResult& e) {
+  const std::string number = to_string(e.number);
+  const std::size_t limits = e.stability ? e.stability->limits.size() : 0;
+  const std::size_t rows = e.stability ? e.stability->map.size() : 0;
+  INFO("rows of " << number << " in limits.csv and in stability_maps.csv");
+  CHECK(std::ranges::count(suite->limits, number, &ApprovedLimit::exercise) ==
+        static_cast<std::ptrdiff_t>(limits));
+  CHECK(std::ranges::count(suite->maps, number, &ApprovedMap::exercise) == static_cast<std::ptrdiff_t>(rows));
+  if (!e.stability) return;
+  for (const Limit& limit : e.stability->limits) verify_limit(e, limit);
+  for (const MapRow& row : e.stability->map) verify_map(e, row);
+}
+
 void verify_exercise(Number number) {
   const ExerciseResult& e = result_of(number);
   INFO("exercise " << to_string(number) << " raised: " << e.failure);
@@ -72,6 +138,7 @@ void verify_exercise(Number number) {
     CHECK(unnoticed_disturbances(claim) == std::vector<std::string>());
   }
   for (const QuantityResult& q : e.quantities) verify_quantity(q);
+  verify_stability(e);
 }
 
 /// Every odd exercise is encoded or on record as not yet encoded, and every verdict on record belongs to a
@@ -159,7 +226,10 @@ CATCH_REGISTER_REPORTER("markdown", MarkdownReporter)
 }  // namespace
 
 int verify(const SuiteRequest& request) {
-  Judged judged{{}, read_verdicts(request.reference_folder)};
+  Judged judged{{},
+                read_verdicts(request.reference_folder),
+                read_limits(request.reference_folder),
+                read_maps(request.reference_folder)};
   register_tests(judged.approved);
   CatchSession session(request.catch_arguments);
   if (!session.accepted())
@@ -170,7 +240,9 @@ int verify(const SuiteRequest& request) {
 
   const Reference truth(request.reference_folder);
   ProgressBar bar;
-  judged.results = run(tasks_of(selected), truth, !request.results_file.empty(), bar.callback());
+  const std::vector<Task> tasks = tasks_of(selected);
+  judged.results = with_stability(run(tasks, truth, !request.results_file.empty(), bar.callback()), tasks,
+                                  truth, judged.limits, bar.callback());
   suite = &judged;
   const int failed = session.run();
   suite = nullptr;

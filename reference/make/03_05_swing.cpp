@@ -26,7 +26,7 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
 
 Truth truth_03_05_swing() {
   std::vector<std::vector<double>> rows;
-  for (double a : {std::numbers::pi / 6, 2.0, 3.0})
+  for (double a : {std::numbers::pi / 6, 0.125, 0.5, 1.0, 2.0, 3.0})
     for (double t : {2.5, 5.0, 7.5, 10.0}) rows.push_back({a, 1, 9.81, t});
   return {"angle of a pendulum t after it was let go at rest from the angle a",
           "theta'' = -(g/L) sin(theta)",

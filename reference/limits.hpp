@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace oddity {
+
+/// A method's limit of stability as it is on record.
+struct ApprovedLimit {
+  std::string exercise, model, algorithm;
+  double step = 0;     ///< s, the largest stable one; infinity: every step; 0: none
+  double theory = 0;   ///< s, of linear theory
+  std::string beyond;  ///< the outcome just above; "stable" where no step breaks the method
+  std::string why;     ///< why the two differ, where they do by more than a factor of two
+  std::string place;   ///< file and line
+};
+
+/// How a method ends step by step at one value of the scene's parameter, as it is on record: a letter a step.
+struct ApprovedMap {
+  std::string exercise, model, algorithm;
+  double value = 0;
+  std::string outcomes;
+  std::string place;
+};
+
+using Limits = std::vector<ApprovedLimit>;
+using Maps = std::vector<ApprovedMap>;
+
+/// Reads limits.csv in `folder`. Throws BadInput naming file and line when it is missing or broken.
+Limits read_limits(const std::filesystem::path& folder);
+/// Reads stability_maps.csv in `folder`, likewise.
+Maps read_maps(const std::filesystem::path& folder);
+
+}  // namespace oddity

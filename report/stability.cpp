@@ -1,0 +1,240 @@
+#include "report/stability.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "report/parallel.hpp"
+
+namespace oddity {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr long enough_steps = 4096, most_steps = 262'144, most_evaluations = 200'000;
+
+/// The map's steps: the sample interval, halved again and again.
+constexpr int map_steps = 12;
+
+/// How finely theory's limit is to be undercut before a method counts as stable.
+constexpr double undercut = 4;
+
+/// A method tried at whole numbers of steps a sample interval.
+struct Search {
+  const Quantity& quantity;
+  const Method& method;
+  double interval;
+  double theory;
+
+  Trial trial(long steps) const { return run(quantity, method, interval / static_cast<double>(steps)); }
+
+  /// Whether the scan may end at this many steps an interval.
+  bool ends(long steps, const Trial& trial, bool is_stable) const {
+    const long all = steps * quantity.samples;
+    if (all >= most_steps || trial.answer.evaluations >= most_evaluations) return true;
+    const bool below_theory = !(theory > 0) || interval / static_cast<double>(steps) <= theory / undercut;
+    return is_stable && all >= enough_steps && below_theory;
+  }
+};
+
+/// The cheaper of two ends, one of which may be missing.
+void keep_cheaper(std::optional<TimedTrial>& best, const Trial& trial) {
+  if (trial.outcome == Outcome::ok && (!best || trial.answer.evaluations < best->evaluations))
+    best = as_result(trial);
+}
+
+bool of_fixed_step(const Method& method) { return static_cast<bool>(method.stable_step); }
+
+/// At the step that breaks the method: the cheapest other method that is close enough, the same model's if
+/// there is one. Where that step is too long for all, the cheapest with step control.
+std::optional<TimedTrial> cure_of(const Quantity& quantity, const Limit& limit) {
+  if (!limit.broken) return std::nullopt;
+  std::optional<TimedTrial> same_model, other_model, controlled;
+  for (const Method& method : quantity.methods)
+    if (of_fixed_step(method))
+      keep_cheaper(method.model == limit.model ? same_model : other_model,
+                   run(quantity, method, limit.broken->setting));
+  if (same_model) return same_model;
+  if (other_model) return other_model;
+  for (const Method& method : quantity.methods)
+    if (method.knob.name == "tolerance")
+      for (double tolerance : method.knob.settings)
+        keep_cheaper(controlled, run(quantity, method, tolerance));
+  return controlled;
+}
+
+/// A scene's motion at one set of parameters, as the map or the limits look at it.
+struct Motion {
+  std::size_t place;  ///< among the results
+  Quantity quantity;
+  double interval;
+  double value = 0;  ///< of the varied parameter
+  bool varied = false;
+};
+
+Motion motion_of(const Task& task, std::size_t place, const Reference& truth, std::optional<double> value) {
+  const Scene& scene = *task.entry->exercise.scene;
+  Parameters parameters = task.parameters;
+  if (value) parameters.set(scene.varied, *value);
+  Motion motion{place, scene.motion(parameters, {scene.horizon}, truth), 0, value.value_or(0),
+                value.has_value()};
+  motion.interval = scene.horizon / motion.quantity.samples;
+  motion.quantity.need = {scene.close, "what a game asks"};
+  return motion;
+}
+
+std::string unit_of(const Task& task, std::string_view parameter) {
+  for (const Parameter& p : task.parameters.declared())
+    if (p.name == parameter) return std::string(p.unit);
+  throw std::logic_error(to_string(task.entry->number) + " has no parameter " + std::string(parameter));
+}
+
+/// The scene's stability, its limits and its map still to be filled.
+Stability shape(const Task& task) {
+  const Scene& scene = *task.entry->exercise.scene;
+  Stability stability;
+  stability.horizon = scene.horizon;
+  stability.close = scene.close;
+  stability.parameter = scene.varied;
+  stability.parameter_unit = unit_of(task, scene.varied);
+  return stability;
+}
+
+/// One method of one motion: a limit or a row of the map.
+struct Piece {
+  const Motion* motion;
+  const Method* method;
+  Limit limit = {};
+  MapRow row = {};
+};
+
+MapRow row_of(const Motion& motion, const Method& method) {
+  MapRow row{method.model, method.algorithm, motion.value, method.stable_step(), {}};
+  for (int k = 0; k < map_steps; ++k)
+    row.outcomes.push_back(run(motion.quantity, method, std::ldexp(motion.interval, -k)).outcome);
+  return row;
+}
+
+void examine(Piece& piece) {
+  if (piece.motion->varied) {
+    piece.row = row_of(*piece.motion, *piece.method);
+  } else {
+    piece.limit = limit_of(piece.motion->quantity, *piece.method, piece.motion->interval);
+    piece.limit.cure = cure_of(piece.motion->quantity, piece.limit);
+  }
+}
+
+std::string reason_on_record(const Limits& on_record, const std::string& exercise, const Limit& limit) {
+  for (const ApprovedLimit& approved : on_record)
+    if (approved.exercise == exercise && approved.model == limit.model &&
+        approved.algorithm == limit.algorithm)
+      return approved.why;
+  return "";
+}
+
+/// The motions at the defaults and at every value of the varied parameter; their references may take a while.
+std::vector<Motion> motions_of(std::span<const Task> tasks, const Reference& truth,
+                               const Progress& progress) {
+  struct Request {
+    const Task* task;
+    std::size_t place;
+    std::optional<double> value;
+    Motion motion = {};
+  };
+  std::vector<Request> requests;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (const auto& scene = tasks[i].entry->exercise.scene) {
+      requests.push_back({&tasks[i], i, std::nullopt});
+      for (double value : scene->over) requests.push_back({&tasks[i], i, value});
+    }
+  Tally tally(progress, "looking up the motions", requests.size());
+  parallel_for_each(requests, [&](Request& request) {
+    request.motion = motion_of(*request.task, request.place, truth, request.value);
+    tally.add();
+  });
+  std::vector<Motion> motions;
+  for (Request& request : requests) motions.push_back(std::move(request.motion));
+  return motions;
+}
+
+}  // namespace
+
+double Limit::step() const { return !stable ? 0 : !broken ? infinity : stable->setting; }
+
+bool stable(const Trial& trial) {
+  return trial.answer.reached() && finite(trial.answer.value) && trial.outcome != Outcome::diverged &&
+         trial.outcome != Outcome::non_finite && trial.answer.drift <= 1;
+}
+
+Limit limit_of(const Quantity& quantity, const Method& method, double interval) {
+  Limit limit{method.model, method.algorithm, method.stable_step ? method.stable_step() : 0, {}, {}, {}, {}};
+  const Search search{quantity, method, interval, std::isfinite(limit.theory) ? limit.theory : 0};
+  long coarse = 0, fine = 0;  // steps an interval: the finest that is not stable, the coarsest of those below
+  for (long steps = 1;; steps = std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5))) {
+    const Trial trial = search.trial(steps);
+    const bool is_stable = stable(trial);
+    if (!is_stable) {
+      coarse = steps;
+      fine = 0;
+      limit.broken = as_result(trial);
+    } else if (fine == 0) {
+      fine = steps;
+      limit.stable = as_result(trial);
+    }
+    if (search.ends(steps, trial, is_stable)) break;
+  }
+  if (fine == 0) limit.stable.reset();
+  if (fine == 0 || coarse == 0) return limit;
+  while (fine - coarse > std::max(1L, fine / 100)) {
+    const long middle = std::midpoint(coarse, fine);
+    const Trial trial = search.trial(middle);
+    const bool is_stable = stable(trial);
+    (is_stable ? fine : coarse) = middle;
+    (is_stable ? limit.stable : limit.broken) = as_result(trial);
+  }
+  return limit;
+}
+
+Results with_stability(Results results, std::span<const Task> tasks, const Reference& truth,
+                       const Limits& on_record, const Progress& progress) {
+  const std::vector<Motion> motions = motions_of(tasks, truth, progress);
+  std::vector<Piece> pieces;
+  for (const Motion& motion : motions)
+    for (const Method& method : motion.quantity.methods)
+      if (of_fixed_step(method)) pieces.push_back({&motion, &method});
+  Tally tally(progress, "looking for the limits of stability", pieces.size());
+  parallel_for_each(pieces, [&](Piece& piece) {
+    examine(piece);
+    tally.add();
+  });
+  for (const Motion& motion : motions) {
+    if (motion.varied) continue;
+    Stability& stability = results.exercises.at(motion.place).stability.emplace(shape(tasks[motion.place]));
+    stability.quantity = motion.quantity.name;
+    stability.unit = motion.quantity.unit;
+    for (int k = 0; k < map_steps; ++k) stability.steps.push_back(std::ldexp(motion.interval, -k));
+  }
+  for (Piece& piece : pieces) {
+    ExerciseResult& exercise = results.exercises.at(piece.motion->place);
+    if (piece.motion->varied) {
+      exercise.stability->map.push_back(std::move(piece.row));
+    } else {
+      piece.limit.why = reason_on_record(on_record, to_string(exercise.number), piece.limit);
+      exercise.stability->limits.push_back(std::move(piece.limit));
+    }
+  }
+  for (ExerciseResult& exercise : results.exercises) {
+    if (!exercise.stability) continue;
+    const auto& limits = exercise.stability->limits;
+    std::ranges::stable_sort(exercise.stability->map, {}, [&](const MapRow& row) {
+      return std::ranges::find_if(limits,
+                                  [&](const Limit& limit) {
+                                    return limit.model == row.model && limit.algorithm == row.algorithm;
+                                  }) -
+             limits.begin();
+    });
+  }
+  return results;
+}
+
+}  // namespace oddity
