@@ -56,16 +56,6 @@ struct BreakdownResult {
   bool as_expected() const { return broken.outcome == expected && cured.outcome == Outcome::ok; }
 };
 
-struct QuantityResult {
-  std::string name, unit, says;
-  Route reference;
-  double reference_error = 0;
-  Tolerance need;
-  std::vector<MethodResult> methods;
-  std::vector<BreakdownResult> breakdowns;
-  std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
-};
-
 /// One model's motion as it is drawn.
 struct Path {
   std::string model, algorithm, knob;
@@ -83,6 +73,16 @@ struct Trajectory {
   std::vector<double> times;      ///< of the paths
   std::vector<Path> paths;
   std::size_t truest = 0;  ///< the path that is closest to the reference
+};
+
+struct QuantityResult {
+  std::string name, unit, says;
+  Route reference;
+  double reference_error = 0;
+  Tolerance need;
+  std::vector<MethodResult> methods;
+  std::vector<BreakdownResult> breakdowns;
+  std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
 };
 
 struct ParameterValue {

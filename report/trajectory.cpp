@@ -11,8 +11,8 @@ namespace {
 
 constexpr int samples = 240;
 
-/// A model's finest trial with the least error, and its place among the methods; those with no error at all are
-/// worse than any.
+/// A model's finest trial with the least error, and its place among the methods; those with no error at all
+/// are worse than any.
 struct Best {
   std::size_t method;
   const TimedTrial* trial;
@@ -70,7 +70,8 @@ std::optional<Trajectory> trajectory(const Scene& scene, const Parameters& param
       truest = &t;
       all.truest = all.paths.size();
     }
-    all.paths.push_back({t.model, t.algorithm, t.knob, t.setting, t.error, t.outcome, to_be_drawn(answer.value)});
+    all.paths.push_back(
+        {t.model, t.algorithm, t.knob, t.setting, t.error, t.outcome, to_be_drawn(answer.value)});
   }
   if (!truest) return {};
   return all;
