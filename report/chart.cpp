@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "reference/text.hpp"
+#include "report/gnuplot.hpp"
 #include "report/settings.hpp"
 #include "report/text_view.hpp"
 
@@ -14,9 +15,6 @@ namespace oddity {
 
 namespace {
 
-/// Okabe and Ito's colours, which colour-blind readers can tell apart, less the yellow that white swallows;
-/// an eighth model has the first colour again, dashed.
-constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 /// Marks of gnuplot's svg terminal that stay apart when small.
 constexpr std::array marks{7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14};
 constexpr auto sign_colour = "#8B0000";
@@ -33,26 +31,6 @@ constexpr std::array<FailureSign, 6> failure_signs{{{Outcome::drifted, 6, 1.25},
                                                     {Outcome::stalled, 3, 1.2},
                                                     {Outcome::deceived, 12, 1.6},
                                                     {Outcome::raised, 8, 1.5}}};
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + "\"";
-}
-
-/// Literal text where gnuplot takes enhanced text.
-std::string plain(const std::string& text) {
-  std::string out;
-  for (char c : text) {
-    if (std::string_view("{}^_@&~\\").find(c) != std::string_view::npos) out += '\\';
-    out += c;
-  }
-  return out;
-}
-std::string bold(const std::string& text) { return "{/:Bold " + plain(text) + "}"; }
 
 /// Each name's place in the order of first appearance.
 class Order {
@@ -125,10 +103,6 @@ std::string row(const Frame& frame, const TimedTrial& t, double y) {
   return text + "\n";
 }
 
-std::string block(const std::string& name, const std::string& rows) {
-  return name + " << EOD\n" + (rows.empty() ? "1 NaN NaN\n" : rows) + "EOD\n";
-}
-
 /// gnuplot's data blocks and the parts of its plot command.
 struct Plot {
   std::string data, parts;
@@ -155,8 +129,7 @@ void add_front(const QuantityResult& q, const Frame& frame, Plot& plot) {
 /// One model's methods, under its name when there are several.
 void add_model(const QuantityResult& q, const std::string& model, std::size_t index, const Frame& frame,
                Order& algorithm, Plot& plot) {
-  const std::string colour = std::string("lc rgb '") + colours[index % colours.size()] + "'" +
-                             (index < colours.size() ? "" : " dt 2");
+  const std::string colour = model_line(index);
   const auto methods = std::ranges::count(q.methods, model, &MethodResult::model);
   if (methods > 1) plot.add("keyentry with lines " + colour + " lw 5 title " + quoted(bold(model)));
   for (const MethodResult& m : q.methods) {
@@ -195,16 +168,19 @@ void add_failures(const QuantityResult& q, const Frame& frame, Plot& plot) {
 
 /// What is counted, as far as the knobs tell.
 std::string counted(const QuantityResult& q) {
-  bool steps = false, nodes = false;
+  bool steps = false, nodes = false, differences = false;
   for (const MethodResult& m : q.methods) {
     const std::string& knob = m.trials.front().knob;
-    steps |= knob == "step";
+    const bool differs = m.algorithm.find("difference") != std::string::npos;
+    differences |= differs;
+    steps |= knob == "step" && !differs;
     nodes |= knob == "panels" || knob == "points";
   }
-  return std::string("evaluations") + (steps && nodes ? " of the right-hand side or integrand"
-                                       : steps        ? " of the right-hand side"
-                                       : nodes        ? " of the integrand"
-                                                      : "");
+  return std::string("evaluations") + (differences      ? " of the function"
+                                       : steps && nodes ? " of the right-hand side or integrand"
+                                       : steps          ? " of the right-hand side"
+                                       : nodes          ? " of the integrand"
+                                                        : "");
 }
 
 std::string line_across(double y, const std::string& style, const std::string& title) {
@@ -215,10 +191,8 @@ std::string header(const QuantityResult& q, const std::string& title, const Fram
                    const std::filesystem::path& file) {
   const double decades = frame.errors.count();
   const double every = std::max(1.0, std::ceil(decades / 12));
-  const auto height = std::max<std::size_t>(480, 90 + 17 * entries);
-  return "set terminal svg size 1000," + std::to_string(height) +
-         " dynamic font 'Helvetica,12' background '#ffffff'\nset output " + quoted(file.string()) +
-         "\nset title " + quoted(title) +
+  const double height = std::max(480.0, 90 + 17 * static_cast<double>(entries));
+  return svg(height, file) + "set title " + quoted(title) +
          " noenhanced font ',14'\nset logscale xy\n"
          "set format x '10^{%L}'\nset xtics 10\nset format y '10^{%L}'\nset ytics " +
          shortest(frame.errors.low) + "," + shortest(std::pow(10, every)) + "," +

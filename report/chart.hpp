@@ -16,6 +16,11 @@ namespace oddity {
 std::string chart_script(const QuantityResult&, const std::string& title, Cost,
                          const std::filesystem::path& file);
 
+/// A gnuplot script that draws the motion of a quantity that has a trajectory: its observables over time, or
+/// "x" and "y" as a path; the true motion with the reference on it, and what each model makes of it.
+std::string trajectory_script(const QuantityResult&, const std::string& title,
+                              const std::filesystem::path& file);
+
 /// Runs gnuplot over the scripts. Throws std::runtime_error with its words when it fails.
 void draw(const std::vector<std::string>& scripts);
 

@@ -208,6 +208,16 @@ std::string breakdown_text(const BreakdownResult& b) {
                {row("breaks", b.broken), row("cure", b.cured)}, "45");
 }
 
+std::string picture_file(const ExerciseResult& e, const QuantityResult& q, const std::string& kind) {
+  std::string name = q.name;
+  std::ranges::replace(name, ' ', '_');
+  return "charts/" + to_string(e.number) + "_" + name + kind + ".svg";
+}
+
+std::string trajectory_link(const ExerciseResult& e, const QuantityResult& q) {
+  return q.trajectory ? "![" + q.name + ": the motion](" + trajectory_file(e, q) + ")\n\n" : "";
+}
+
 std::string chart_link(const ExerciseResult& e, const QuantityResult& q, Cost kind) {
   if (!has_chart(q)) return "";
   return "![" + q.name + ": error against " + (kind == Cost::time ? "time" : "evaluations") + "](" +
@@ -225,7 +235,7 @@ std::string quantity_head(const QuantityResult& q) {
 
 std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool charts) {
   std::string text = quantity_head(q);
-  if (charts) text += chart_link(e, q, Cost::evaluations);
+  if (charts) text += trajectory_link(e, q) + chart_link(e, q, Cost::evaluations);
   text += methods_table(q);
   for (const BreakdownResult& b : q.breakdowns) text += breakdown_text(b);
   return text;
@@ -415,9 +425,11 @@ std::string chapter_file(int chapter) {
 }
 
 std::string chart_file(const ExerciseResult& e, const QuantityResult& q, Cost kind) {
-  std::string name = q.name;
-  std::ranges::replace(name, ' ', '_');
-  return "charts/" + to_string(e.number) + "_" + name + (kind == Cost::time ? "_time" : "") + ".svg";
+  return picture_file(e, q, kind == Cost::time ? "_time" : "");
+}
+
+std::string trajectory_file(const ExerciseResult& e, const QuantityResult& q) {
+  return picture_file(e, q, "_motion");
 }
 
 bool has_chart(const QuantityResult& q) {
@@ -466,8 +478,8 @@ std::string charts_page(const ExerciseResult& e) {
                      parameters_text(e) + about_charts();
   for (const QuantityResult& q : e.quantities)
     if (has_chart(q))
-      text += quantity_head(q) + chart_link(e, q, Cost::evaluations) + chart_link(e, q, Cost::time) +
-              fits_table(q) + trials_table(q);
+      text += quantity_head(q) + trajectory_link(e, q) + chart_link(e, q, Cost::evaluations) +
+              chart_link(e, q, Cost::time) + fits_table(q) + trials_table(q);
   return text;
 }
 

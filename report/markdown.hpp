@@ -24,6 +24,8 @@ std::string single_page(const Results&);
 std::string chapter_file(int chapter);
 /// "charts/3.5_quarter_period.svg", "charts/3.5_quarter_period_time.svg".
 std::string chart_file(const ExerciseResult&, const QuantityResult&, Cost);
+/// "charts/3.5_swing_motion.svg".
+std::string trajectory_file(const ExerciseResult&, const QuantityResult&);
 /// A chart is drawn where there is a choice: two methods or more, or one with a knob.
 bool has_chart(const QuantityResult&);
 

@@ -12,22 +12,25 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Both charts of every quantity that has one; by time only where all is reported.
+/// The pictures of one chapter, or of all (0) and then by time too.
 void draw_charts(const Results& results, int chapter, const fs::path& folder) {
   std::vector<std::string> scripts;
   std::vector<fs::path> files;
+  const auto part = [&](const std::string& name) {
+    files.push_back(folder / name);
+    return files.back().string() + ".part";
+  };
   for (const ExerciseResult& e : results.exercises) {
-    if (chapter == 0 && e.stability) {
-      files.push_back(folder / map_file(e));
-      scripts.push_back(map_script(e, files.back().string() + ".part"));
-    }
-    for (const QuantityResult& q : e.quantities)
+    if (chapter == 0 && e.stability) scripts.push_back(map_script(e, part(map_file(e))));
+    for (const QuantityResult& q : e.quantities) {
+      if (chapter != 0 && e.number.chapter != chapter) continue;
+      const std::string title = to_string(e.number) + " " + e.title + ": " + q.name;
+      if (q.trajectory) scripts.push_back(trajectory_script(q, title, part(trajectory_file(e, q))));
+      if (!has_chart(q)) continue;
       for (Cost kind : {Cost::evaluations, Cost::time})
-        if ((chapter == 0 || (e.number.chapter == chapter && kind == Cost::evaluations)) && has_chart(q)) {
-          files.push_back(folder / chart_file(e, q, kind));
-          scripts.push_back(chart_script(q, to_string(e.number) + " " + e.title + ": " + q.name, kind,
-                                         files.back().string() + ".part"));
-        }
+        if (chapter == 0 || kind == Cost::evaluations)
+          scripts.push_back(chart_script(q, title, kind, part(chart_file(e, q, kind))));
+    }
   }
   draw(scripts);
   for (const fs::path& file : files) fs::rename(file.string() + ".part", file);

@@ -15,7 +15,10 @@ MethodResult method(const std::string& knob, const std::vector<double>& settings
                     const std::function<double(double)>& error) {
   MethodResult m{"model", "algorithm", Outcome::ok, "", {}};
   for (double setting : settings) {
-    TimedTrial t{m.model, m.algorithm, knob, setting, {}, error(setting)};
+    TimedTrial t;
+    t.knob = knob;
+    t.setting = setting;
+    t.error = error(setting);
     t.outcome = std::isfinite(t.error) ? Outcome::ok : Outcome::non_finite;
     m.trials.push_back(t);
   }
@@ -32,7 +35,9 @@ std::optional<Fit> fitted(const MethodResult& m) { return fit(quantity_of({m}), 
 const std::vector<double> steps = halving("step", 0.5, 10).settings;
 
 TimedTrial trial(long evaluations, double error, double seconds, Outcome outcome = Outcome::ok) {
-  TimedTrial t{"model", "algorithm", "step", 1, {}, error};
+  TimedTrial t;
+  t.knob = "step";
+  t.error = error;
   t.evaluations = evaluations;
   t.outcome = outcome;
   t.time.seconds = seconds;

@@ -134,6 +134,13 @@ TEST_CASE("a table asked with too few or too many inputs says how many it takes"
   CHECK(said({1, 1, 9.81, 1, 1}) == "table 03_05_swing takes 4 inputs (a,L,g,t), not 5");
 }
 
+TEST_CASE("a reference that knows nothing answers NaN, as many as the table has components", "[reference]") {
+  const Known known = Reference::nothing()("03_27_two_bodies", std::vector<double>(6, 0));
+  REQUIRE(known.value.size() == 2);
+  for (double x : known.value) CHECK(std::isnan(x));
+  CHECK(complaint([] { Reference::nothing()("no_such_table", {}); }).find("no table") != std::string::npos);
+}
+
 TEST_CASE("an unknown table is named", "[reference]") {
   CHECK(complaint([] { truth()("03_05_nothing", {1}); }) == "no table reference/03_05_nothing.csv");
   CHECK(complaint([] { truth()("", {1}); }) == "no table reference/.csv");

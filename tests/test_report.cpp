@@ -37,6 +37,9 @@ Results sample() {
   QuantityResult q{"q", "m", "a length", {"table x.csv", Value{1, 2}}, 1e-16, {0.3, "a reason"}, {}, {}};
   q.methods = {{"model", "algorithm", Outcome::ok, "", {trial, trial}}};
   q.breakdowns = {{"it breaks", Outcome::ok, trial, trial}};
+  q.trajectory = Trajectory{
+      {"x", "y"}, "s", {1}, {0.5, 1}, {{"model", "algorithm", "step", 0.5, 0.25, Outcome::ok, {1, 2, 3, 4}}},
+      0};
   e.quantities = {q};
   return {{e}};
 }
@@ -47,9 +50,9 @@ TEST_CASE("results survive the way to JSON and back", "[report]") {
   const Results results = sample();
   const std::string json = to_json(results);
   CHECK(to_json(results_from_json(json, "here")) == json);
-  for (const char* key :
-       {"\"number\": \"3.5\"", "\"claims\"", "\"verdict\": \"confirmed\"", "\"reference_error\"",
-        "\"trials\"", "\"evaluations\": 42", "\"seconds\"", "\"outcome\": \"ok\"", "\"knob\": 0.5"})
+  for (const char* key : {"\"number\": \"3.5\"", "\"claims\"", "\"verdict\": \"confirmed\"",
+                          "\"reference_error\"", "\"trials\"", "\"evaluations\": 42", "\"seconds\"",
+                          "\"outcome\": \"ok\"", "\"knob\": 0.5", "\"trajectory\""})
     CHECK(json.find(key) != std::string::npos);
 }
 
@@ -129,6 +132,30 @@ TEST_CASE("a run does not depend on the number of threads, and repeats itself", 
   for (const Task& task : all)
     one_by_one.exercises.push_back(run(std::span(&task, 1), truth, false).exercises.front());
   CHECK((together == to_json(one_by_one)));
+}
+
+TEST_CASE("every scene's motion can be drawn, and its truest path goes through the reference", "[report]") {
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  std::vector<Task> scenes;
+  for (const Entry& entry : registry())
+    if (entry.exercise.scene) scenes.emplace_back(entry);
+  int drawn = 0;
+  for (const ExerciseResult& e : run(scenes, truth, false).exercises)
+    for (const QuantityResult& q : e.quantities) {
+      if (!q.trajectory) continue;
+      ++drawn;
+      INFO(to_string(e.number) << " " << q.name);
+      const Trajectory& t = *q.trajectory;
+      const Value& path = t.paths.at(t.truest).value;
+      const std::size_t n = path.size() / t.times.size(), every = t.times.size() / t.judged_at.size();
+      CHECK((t.observables.empty() || t.observables.size() == n));
+      REQUIRE(q.reference.value.size() == n * t.judged_at.size());
+      const double allowed = q.need.allowed + 1e-6 * size_of(q.reference.value);
+      for (std::size_t i = 0; i < t.judged_at.size(); ++i)
+        for (std::size_t k = 0; k < n; ++k)
+          CHECK(std::abs(path[((i + 1) * every - 1) * n + k] - q.reference.value[i * n + k]) <= allowed);
+    }
+  CHECK(drawn == static_cast<int>(scenes.size()));
 }
 
 TEST_CASE("exercise numbers read as they are written", "[report]") {
