@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reference/reference.hpp"
+#include "reference/text.hpp"
 
 namespace oddity {
 
@@ -38,9 +39,9 @@ std::vector<Best> best_of_models(const QuantityResult& q) {
 
 /// Everything that a picture shows, and no more digits.
 Value to_be_drawn(const Value& value) {
-  std::vector<double> rounded;
-  for (double x : value) rounded.push_back(static_cast<double>(static_cast<float>(x)));
-  return rounded;
+  std::vector<double> drawn;
+  for (double x : value) drawn.push_back(number_in(rounded(x, 7)).value_or(x));
+  return drawn;
 }
 
 }  // namespace
