@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reference/reference.hpp"
+#include "reference/text.hpp"
 
 namespace oddity {
 
@@ -11,36 +12,36 @@ namespace {
 
 constexpr int samples = 240;
 
-/// A model's finest trial with the least error, and its place among the methods; those with no error at all
-/// are worse than any.
-struct Best {
-  std::size_t method;
-  const TimedTrial* trial;
-};
-
 bool better(const TimedTrial& a, const TimedTrial& b) {
   return a.error < b.error || (std::isfinite(a.error) && !std::isfinite(b.error));
 }
 
-std::vector<Best> best_of_models(const QuantityResult& q) {
-  std::vector<Best> best;
-  for (std::size_t i = 0; i < q.methods.size(); ++i) {
-    const TimedTrial& finest = q.methods[i].trials.back();
-    const auto same =
-        std::ranges::find_if(best, [&](const Best& b) { return b.trial->model == q.methods[i].model; });
+/// Of each model, in their order, the finest trial with the least error.
+std::vector<const TimedTrial*> best_of_models(const QuantityResult& q) {
+  std::vector<const TimedTrial*> best;
+  for (const MethodResult& m : q.methods) {
+    const TimedTrial& finest = m.trials.back();
+    const auto same = std::ranges::find(best, m.model, [](const TimedTrial* t) { return t->model; });
     if (same == best.end())
-      best.push_back({i, &finest});
-    else if (better(finest, *same->trial))
-      *same = {i, &finest};
+      best.push_back(&finest);
+    else if (better(finest, **same))
+      *same = &finest;
   }
   return best;
 }
 
+/// The trial's method over again; one that throws shows nothing.
+Answer again(const Quantity& seen, const TimedTrial& t) {
+  for (const Method& m : seen.methods)
+    if (m.model == t.model && m.algorithm == t.algorithm) return run(seen, m, t.setting).answer;
+  throw std::logic_error("the motion has no method '" + t.model + ", " + t.algorithm + "'");
+}
+
 /// Everything that a picture shows, and no more digits.
 Value to_be_drawn(const Value& value) {
-  std::vector<double> rounded;
-  for (double x : value) rounded.push_back(static_cast<double>(static_cast<float>(x)));
-  return rounded;
+  std::vector<double> drawn;
+  for (double x : value) drawn.push_back(number_in(rounded(x, 7)).value_or(x));
+  return drawn;
 }
 
 }  // namespace
@@ -58,20 +59,14 @@ std::optional<Trajectory> trajectory(const Scene& scene, const Parameters& param
   all.judged_at.erase(all.judged_at.begin());
   all.times.erase(all.times.begin());
   const TimedTrial* truest = nullptr;
-  for (const Best& best : best_of_models(judged)) {
-    const TimedTrial& t = *best.trial;
-    Answer answer;
-    try {
-      answer = seen.methods.at(best.method).run(t.setting);
-    } catch (const std::exception&) {
-      answer.value = {};
-    }
-    if (t.outcome == Outcome::ok && (!truest || better(t, *truest))) {
-      truest = &t;
+  for (const TimedTrial* t : best_of_models(judged)) {
+    const Answer answer = again(seen, *t);
+    if (t->outcome == Outcome::ok && answer.reached() && (!truest || better(*t, *truest))) {
+      truest = t;
       all.truest = all.paths.size();
     }
     all.paths.push_back(
-        {t.model, t.algorithm, t.knob, t.setting, t.error, t.outcome, to_be_drawn(answer.value)});
+        {t->model, t->algorithm, t->knob, t->setting, t->error, t->outcome, to_be_drawn(answer.value)});
   }
   if (!truest) return {};
   return all;

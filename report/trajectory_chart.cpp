@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "reference/text.hpp"
 #include "report/chart.hpp"
@@ -51,25 +52,38 @@ std::string rows(const std::vector<double>& times, const Value& value, std::size
   return text;
 }
 
+/// The paths from the truest to the most wrong, which is drawn on top of all.
+std::vector<std::size_t> by_error(const Trajectory& t) {
+  std::vector<std::size_t> order(t.paths.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](std::size_t i) {
+    return i == t.truest ? -1 : std::isfinite(t.paths[i].error) ? t.paths[i].error : INFINITY;
+  };
+  std::ranges::stable_sort(order, {}, key);
+  return order;
+}
+
 /// A line for each path: the truest broad and grey beneath, the others in their models' colours, the
-/// reference as rings.
-std::string lines(const Trajectory& t, const std::string& columns, bool titled) {
-  const auto title = [&](const std::string& text) { return titled ? "title " + quoted(text) : "notitle"; };
-  const auto name = [](const Path& p) { return bold(p.model) + ", " + plain(p.algorithm); };
-  const Path& true_path = t.paths[t.truest];
-  std::string text = "plot $p" + std::to_string(t.truest) + " using " + columns +
-                     " with lines lc rgb '#bbbbbb' lw 6 " +
-                     title(name(true_path) + ": true to " + shown_error(true_path.error));
-  for (std::size_t i = 0; i < t.paths.size(); ++i) {
-    if (i == t.truest) continue;
+/// reference as rings. With `dots`, each path has one at the reference's times.
+std::string lines(const Trajectory& t, const std::string& columns, bool titled, bool dots = false) {
+  const std::size_t every = t.times.size() / t.judged_at.size();
+  std::string text = "plot ";
+  for (std::size_t i : by_error(t)) {
     const Path& p = t.paths[i];
-    text +=
-        ", \\\n  $p" + std::to_string(i) + " using " + columns + " with lines " + model_line(i) + " lw 1.4 " +
-        title(name(p) + ": " +
-              (std::isfinite(p.error) ? "off by " + shown_error(p.error) : std::string(name_of(p.outcome))));
+    const bool truest = i == t.truest;
+    const std::string how = truest                   ? ": true to " + shown_error(p.error)
+                            : std::isfinite(p.error) ? ": off by " + shown_error(p.error)
+                                                     : ": " + std::string(name_of(p.outcome));
+    const std::string data = "$p" + std::to_string(i) + " using " + columns;
+    text += data + " with lines " + (truest ? "lc rgb '#bbbbbb' lw 6" : model_line(i) + " lw 1.4") +
+            (titled ? " title " + quoted(bold(p.model) + ", " + plain(p.algorithm + how)) : " notitle") +
+            ", \\\n  ";
+    if (dots && !truest)
+      text += data + " every " + std::to_string(every) + "::" + std::to_string(every - 1) + " with points " +
+              model_line(i) + " pt 7 ps 0.7 notitle, \\\n  ";
   }
-  return text + ", \\\n  $reference using " + columns + " with points lc rgb '#000000' pt 6 ps 1.1 lw 1.3 " +
-         title("reference") + "\n";
+  return text + "$reference using " + columns + " with points lc rgb '#000000' pt 6 ps 1.1 lw 1.3 " +
+         (titled ? "title 'reference'\n" : "notitle\n");
 }
 
 }  // namespace
@@ -92,19 +106,26 @@ std::string trajectory_script(const QuantityResult& q, const std::string& title,
   const double legend = 70 + 18 * static_cast<double>(t.paths.size() + 1);
   text += svg(std::max(height, legend), file) +
           "set border 3 lc rgb '#444444'\nset tics nomirror\nset grid lc rgb '#dddddd' lw 0.6\n"
-          "set key Left reverse enhanced spacing 1.1 samplen 2 font ',11'\n";
+          "set key Left reverse enhanced spacing 1.1 samplen 2 font ',10'\n";
   if (plane)
     return text + "set title " + quoted(title) +
            " noenhanced font ',14'\nset key outside right top vertical maxcols 1\n" +
            "set size ratio -1\nset xrange " + spans[0].range() + "\nset yrange " + spans[1].range() +
            "\nset xlabel " + quoted(labels[0]) + " noenhanced\nset ylabel " + quoted(labels[1]) +
-           " noenhanced\n" + lines(t, "2:3", true) + "unset output\n";
+           " noenhanced\n" + lines(t, "2:3", true, true) + "unset output\n";
 
   const double total = std::max(height, legend);
-  text += "set multiplot\nset lmargin at screen 0.09\nset rmargin at screen 0.6\nset label 1 " +
-          quoted(title) + " at screen 0.345, screen " + shortest(1 - 24 / total) +
-          " center noenhanced font ',14'\n" + "set key at screen 0.62, screen " + shortest(1 - 45 / total) +
-          " left top vertical maxcols 1\nset xrange [0:" + shortest(t.times.back()) + "]\n";
+  text += "set multiplot\nset label 1 " + quoted(title) + " at screen 0.315, screen " +
+          shortest(1 - 24 / total) +
+          " center noenhanced font ',14'\nset lmargin at screen 0.56\nset rmargin at screen 1\n"
+          "set tmargin at screen " +
+          shortest(1 - 45 / total) +
+          "\nset bmargin at screen 0\nset key left top\nunset border\nunset tics\nset xrange [0:1]\n"
+          "set yrange [0:1]\n" +
+          lines(t, "(NaN):(NaN)", true) +
+          "unset label 1\nunset key\nset border 3\nset xtics nomirror\nset ytics nomirror\n"
+          "set lmargin at screen 0.09\nset rmargin at screen 0.54\nset xrange [0:" +
+          shortest(t.times.back()) + "]\n";
   for (std::size_t k = 0; k < count; ++k) {
     const double top = total - 50 - panel * static_cast<double>(k);
     text += "set tmargin at screen " + shortest(top / total) + "\nset bmargin at screen " +
@@ -112,7 +133,7 @@ std::string trajectory_script(const QuantityResult& q, const std::string& title,
             quoted(labels[k]) + " noenhanced\n" +
             (k + 1 == count ? "set format x '%g'\nset xlabel 'time [" + t.time_unit + "]'\n"
                             : "set format x ''\n") +
-            lines(t, "1:" + std::to_string(k + 2), k == 0) + "unset label 1\nunset key\n";
+            lines(t, "1:" + std::to_string(k + 2), false);
   }
   return text + "unset multiplot\nunset output\n";
 }

@@ -107,7 +107,13 @@ Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& tr
 /// In years for seconds. From the aphelion the angle's rate sets the eccentricity: 0.1, 0.5, 0.9, 0.975,
 /// 0.99. Close is one degree of the Earth's orbit, in AU.
 Scene scene() {
-  return {planet, 2, degree, "theta0_dot", {5.95, 4.45, 2, 1, 0.63}, {"r0", "theta0", "theta0_dot"}};
+  return {planet,
+          2,
+          degree,
+          "theta0_dot",
+          {5.95, 4.45, 2, 1, 0.63},
+          {"r0", "theta0", "theta0_dot"},
+          {{"x", "y"}, "yr"}};
 }
 
 std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {

@@ -323,7 +323,9 @@ Quantity position(const Parameters& p, const Horizon& horizon, const Reference& 
   return path("path", "position at " + times_up_to(horizon), asked(p), horizon, truth);
 }
 
-Scene scene() { return {position, 5, centimeter, "a", {0.4, 4, 40, 200, 1000}, {"p1", "p2", "v2"}}; }
+Scene scene() {
+  return {position, 5, centimeter, "a", {0.4, 4, 40, 200, 1000}, {"p1", "p2", "v2"}, {{"x", "y"}}};
+}
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Horizon horizon{scene().horizon};

@@ -253,7 +253,9 @@ Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& tr
               times(asked(p), p["factor"]), false, Outcome::drifted, horizon, truth);
 }
 
-Scene scene() { return {slower, 2, centimeter, "factor", {0.99, 0.9, 0.75, 0.5, 0.2}, {"v1", "v2"}}; }
+Scene scene() {
+  return {slower, 2, centimeter, "factor", {0.99, 0.9, 0.75, 0.5, 0.2}, {"v1", "v2"}, {{"x1", "x2", "x3"}}};
+}
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Horizon horizon{scene().horizon};

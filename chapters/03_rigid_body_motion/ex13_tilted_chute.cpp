@@ -342,7 +342,9 @@ Quantity swinging_ball(const Parameters& p, const Horizon& horizon, const Refere
   return swing(asked(p), horizon, truth);
 }
 
-Scene scene() { return {swinging_ball, 4, centimeter, "phi", {0.1, 0.5, 1, 1.35, 1.5}, {"phi", "u"}}; }
+Scene scene() {
+  return {swinging_ball, 4, centimeter, "phi", {0.1, 0.5, 1, 1.35, 1.5}, {"phi", "u"}, {{"x1", "x2", "x3"}}};
+}
 
 Findings study(const Parameters& p, const Reference& truth) {
   const double seed = p["seed"];

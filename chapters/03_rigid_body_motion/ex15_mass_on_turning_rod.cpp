@@ -223,7 +223,9 @@ Quantity sliding(const Parameters& p, const Horizon& horizon, const Reference& t
 }
 
 /// The horizon is a quarter turn at the book's speed. From w = sqrt(2K/m) = 4.47 on the mass runs away.
-Scene scene() { return {sliding, 2, centimeter, "w", {0.25, 0.75, 1.5, 3, 4.25}, {"s", "c"}}; }
+Scene scene() {
+  return {sliding, 2, centimeter, "w", {0.25, 0.75, 1.5, 3, 4.25}, {"s", "c"}, {{"x1", "x2", "x3"}}};
+}
 
 Findings study(const Parameters& given, const Reference& truth) {
   const Horizon horizon{scene().horizon};

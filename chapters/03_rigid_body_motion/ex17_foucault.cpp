@@ -41,7 +41,8 @@ Quantity swinging_bob(const Parameters& p, const Horizon& horizon, const Referen
 /// coordinate.
 Scene scene() {
   return {
-      swinging_bob, 16, centimeter, "theta_dot", {3, 1, 0.25, 0.125, 0.0625}, {"theta", "phi", "theta_dot"}};
+      swinging_bob, 16, centimeter, "theta_dot", {3, 1, 0.25, 0.125, 0.0625}, {"theta", "phi", "theta_dot"},
+      {{"x", "y"}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -333,7 +333,9 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
   return depths(asked(p), horizon, truth);
 }
 
-Scene scene() { return {swing, 8, centimeter, "c1", {10, 40, 160, 1000, 10000}, {"y2", "y3", "v2"}}; }
+Scene scene() {
+  return {swing, 8, centimeter, "c1", {10, 40, 160, 1000, 10000}, {"y2", "y3", "v2"}, {{"y2", "y3"}}};
+}
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Pulleys pulleys = asked(p);
