@@ -64,7 +64,8 @@ inline Known trajectory(const Reference& truth, std::string_view name, std::vect
 
 /// "4 times up to 10 s".
 inline std::string times_up_to(const Horizon& horizon, const std::string& unit = "s") {
-  return std::to_string(horizon.samples) + " times up to " + shortest(horizon.end) + " " + unit;
+  const std::string times = horizon.samples == 1 ? " time up to " : " times up to ";
+  return std::to_string(horizon.samples) + times + shortest(horizon.end) + " " + unit;
 }
 
 /// A method that needs no steps: see(t, answer) gives the observables at each of the horizon's stops, and

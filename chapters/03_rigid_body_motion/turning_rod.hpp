@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "chapters/03_rigid_body_motion/lagrangian.hpp"
 #include "chapters/03_rigid_body_motion/listed_runge_kutta.hpp"
@@ -111,11 +112,13 @@ struct EndOnTheAxis : Rod {
   }
 };
 
-/// The spring a bar of its rest length: the distance along the rod is a matter of geometry.
+/// The spring a bar of its rest length: the distance along the rod is a matter of geometry. Raised where the
+/// bar does not reach the rod.
 struct RigidSpring : Rod {
   std::array<double, 3> at(double t) const {
-    const double p = c * root_half * std::cos(w * t);
-    return place(p + std::sqrt(ell * ell - c * c + p * p), t);
+    const double p = c * root_half * std::cos(w * t), square = ell * ell - c * c + p * p;
+    if (square < 0) throw std::domain_error("a bar as long as the spring does not reach the rod");
+    return place(p + std::sqrt(square), t);
   }
 };
 
