@@ -157,7 +157,8 @@ std::string how_it_breaks(const Limit& l, const std::string& unit) {
   const TimedTrial& t = *l.broken;
   if (!t.message.empty()) return beyond(l) + ": " + t.message;
   if (t.outcome == Outcome::drifted)
-    return "drifted: a conserved quantity changed by " + rounded(t.drift, 3) + " times its size";
+    return "drifted: a conserved quantity changed by " + rounded(t.drift, 3) + " times its size; error " +
+           with_unit(shown_error(t.error), unit);
   return beyond(l) + ": error " + with_unit(shown_error(t.error), unit);
 }
 

@@ -1,6 +1,7 @@
 #include "solvers/ode/events.hpp"
 #include "solvers/ode/implicit_euler.hpp"
 #include "solvers/ode/rosenbrock_4.hpp"
+#include "solvers/ode/stability.hpp"
 #include "tests/catch.hpp"
 #include "tests/fit.hpp"
 #include "tests/near.hpp"
@@ -33,6 +34,15 @@ struct Pole {
   template <class X, class T>
   void operator()(const X& x, X& dxdt, const T&) const {
     dxdt[0] = x[0] * x[0];
+  }
+};
+
+/// y' = z y in its real and imaginary parts.
+struct Spiral {
+  double re, im;
+  template <class X, class T>
+  void operator()(const X& y, X& dydt, const T&) const {
+    dydt = {re * y[0] - im * y[1], im * y[0] + re * y[1]};
   }
 };
 
@@ -215,4 +225,16 @@ TEST_CASE("implicit methods refuse a setting that is none, and end where the pro
   }
   CHECK_FALSE(ode::integrate<ode::ImplicitEuler>(root, std::array{1.0}, 0, 5, 0.01).reached());
   CHECK_FALSE(ode::integrate<ode::Rosenbrock4>(root, std::array{1.0}, 0, 5, 1e-6).reached());
+}
+
+TEST_CASE(
+    "linear theory's growth by implicit Euler is that of its steps, and its stable step has no limit where "
+    "the truth decays",
+    "[solvers]") {
+  for (const Spiral& z : {Spiral{-1, 0}, {-10, 5}, {0.5, 0.25}, {0, 2}}) {
+    const auto step = ode::integrate<ode::ImplicitEuler>(z, std::array{1.0, 0.0}, 0, 1, 1).value;
+    CHECK(near(ode::growth(ode::ImplicitEuler::name, {z.re, z.im}), std::log(std::hypot(step[0], step[1])),
+               1e-12));
+  }
+  CHECK(std::isinf(ode::stable_step(ode::ImplicitEuler::name, {10, {{{-1000, 0}, {-0.004, 0}}}})));
 }

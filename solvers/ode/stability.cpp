@@ -9,6 +9,7 @@
 #include <string>
 
 #include "solvers/ode/all.hpp"
+#include "solvers/ode/implicit_euler.hpp"
 
 namespace oddity::ode {
 
@@ -96,6 +97,7 @@ Eigenvalues eigenvalues_of_jacobian(const std::function<void(const double*, doub
 }
 
 double growth(std::string_view algorithm, std::complex<double> z) {
+  if (algorithm == ImplicitEuler::name) return -std::log(std::abs(1.0 - z));
   std::optional<double> found;
   for_each_algorithm([&]<class Algorithm>() {
     if constexpr (!has_tolerance(Algorithm::kind))
