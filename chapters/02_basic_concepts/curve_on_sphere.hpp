@@ -5,6 +5,7 @@
 #include "chapters/02_basic_concepts/rotation_matrices.hpp"
 #include "chapters/02_basic_concepts/sides.hpp"
 #include "chapters/scene.hpp"
+#include "chapters/stops.hpp"
 
 /// Exercise 2.7: a curve on the unit sphere with its frame R = [r u r x u], u = r'/|r'|, the frame's angular
 /// velocity w, and ways to carry an orientation along R' = Skew(w) R.
@@ -45,8 +46,10 @@ inline Vector3 listed_w(const Motion& m, const Vector3& UDot) {
 
 // ---- orientation as a scene -------------------------------------------------------------------------------
 
+/// The curve is run through at `pace` units of its time a second.
 struct Frame {
-  std::array<double, 9> at(double t) const { return frame(t).e; }
+  double pace;
+  std::array<double, 9> at(double t) const { return frame(pace * t).e; }
 };
 
 /// The largest entry of R^T R - I.
@@ -54,10 +57,11 @@ inline double departure(const Matrix3& R) { return distance(transpose(R) * R, id
 
 /// w at the time t: the frame's, or the printed listing's.
 struct Turning {
+  double pace;
   bool listed = false;
   Vector3 w(double t) const {
-    const Motion m = motion_of(position, t);
-    return listed ? listed_w(m, listed_u_dot(m, false)) : angular_velocity(m);
+    const Motion m = motion_of(position, pace * t);
+    return pace * (listed ? listed_w(m, listed_u_dot(m, false)) : angular_velocity(m));
   }
 };
 
@@ -94,18 +98,24 @@ inline void repair(Quaternion<double>& q) {
   for (double& x : q) x /= size;
 }
 
-/// Calls step(x, t, h) -> evaluations through the horizon and observes.
+/// Calls advance(x, t, h) -> evaluations through the horizon and observes.
 template <class Model, class State, class Step>
 Answer observe_steps(const Model& model, State x, const Horizon& horizon, double step, const Step& advance) {
   Answer answer;
   std::vector<double> seen;
-  const auto times = horizon.times();
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    const double from = times[i - 1], n = std::ceil((times[i] - from) / step), h = (times[i] - from) / n;
-    for (double k = 0; k < n; ++k) answer.evaluations += advance(x, from + k * h, h);
-    for (double component : model.observe(x, times[i])) seen.push_back(component);
-    answer.drift = std::max(answer.drift, model.invariant(x, times[i]) - 1);
-  }
+  const auto steps = [&](double from, double to) {
+    const double n = count_of_steps(to - from, step), h = (to - from) / n;
+    for (double k = 0; k < n && answer.evaluations <= ode::budget; ++k)
+      answer.evaluations += advance(x, from + k * h, h);
+    if (answer.evaluations <= ode::budget) return true;
+    answer.ending = Ending::stalled;
+    answer.message = "the budget of evaluations is spent";
+    return false;
+  };
+  through_stops(horizon, steps, [&](double t) {
+    for (double component : model.observe(x, t)) seen.push_back(component);
+    answer.drift = std::max(answer.drift, model.invariant(x, t) - 1);
+  });
   answer.value = Value(std::move(seen));
   return answer;
 }
@@ -123,8 +133,7 @@ Answer observe_repaired(const Model& model, const Horizon& horizon, double step)
 
 /// R(t + h) = exp(Skew(W)) R(t). Order 2: W = h w at the middle; order 4: from w at two Gauss points, with
 /// the commutator [Iserles and Norsett, Phil. Trans. R. Soc. A 357 (1999) 983]. A rotation to rounding.
-inline Answer observe_exponentials(const Horizon& horizon, double step, int order) {
-  const AsMatrix model;
+inline Answer observe_exponentials(const AsMatrix& model, const Horizon& horizon, double step, int order) {
   return observe_steps(model, model.start(), horizon, step, [&](auto& x, double t, double h) {
     const double off = std::sqrt(3.0) / 6 * h, middle = t + h / 2;
     Vector3 turn = h * model.w(middle);
@@ -174,17 +183,32 @@ inline Quantity angular_velocity_at(double t, const Reference& truth) {
   return w;
 }
 
-inline Quantity orientation(double T, const Reference& truth) {
-  const Horizon horizon{T};
+/// The frame at the horizon's times.
+inline Known true_orientation(double pace, const Horizon& horizon, const Reference& truth) {
+  Known all;
+  const auto times = horizon.times();
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const Known known = truth("02_07_orientation", {pace * times[i]});
+    all.value.insert(all.value.end(), known.value.begin(), known.value.end());
+    all.error = std::max(all.error, known.error);
+    all.source = known.source;
+  }
+  return all;
+}
+
+inline Quantity orientation(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  const double pace = p["pace"];
   const Knob steps = halving("step", 0.125, 8);
-  Quantity q = quantity("orientation", "1", "R after T/4, T/2, 3T/4 and T, carried on from t = 0",
-                        trajectory(truth, "02_07_orientation", {}, horizon),
-                        {1e-8, "a five hundredth of a second of arc"});
+  Quantity q =
+      quantity("orientation", "1", "R at four times, carried on from t = 0",
+               true_orientation(pace, horizon, truth), {1e-8, "a five hundredth of a second of arc"});
+  const AsMatrix as_matrix{pace}, as_listed{pace, true};
+  const AsQuaternion as_quaternion{pace};
   Ladder(q, horizon, steps, tolerances())
-      .closed_form("frame", Frame{})
-      .by_common("matrix", AsMatrix{}, Outcome::drifted)
-      .by_common("quaternion", AsQuaternion{}, Outcome::drifted)
-      .by<ode::RungeKutta4>("matrix, w of the printed listing", AsMatrix{true}, Outcome::inaccurate,
+      .closed_form("frame", Frame{pace})
+      .by_common("matrix", as_matrix, Outcome::drifted)
+      .by_common("quaternion", as_quaternion, Outcome::drifted)
+      .by<ode::RungeKutta4>("matrix, w of the printed listing", as_listed, Outcome::inaccurate,
                             "a rotation, but the wrong one");
   const auto repaired = [&]<class Algorithm, class Model>(const char* name, Algorithm, Model model) {
     const bool first = Algorithm::order == 1;
@@ -193,15 +217,15 @@ inline Quantity orientation(double T, const Reference& truth) {
            first ? Outcome::inaccurate : Outcome::ok,
            first ? "repaired it is a rotation, but not the right one" : ""});
   };
-  repaired("matrix, orthonormalized", ode::ExplicitEuler{}, AsMatrix{});
-  repaired("matrix, orthonormalized", ode::RungeKutta4{}, AsMatrix{});
-  repaired("quaternion, normalized", ode::ExplicitEuler{}, AsQuaternion{});
-  repaired("quaternion, normalized", ode::RungeKutta4{}, AsQuaternion{});
+  repaired("matrix, orthonormalized", ode::ExplicitEuler{}, as_matrix);
+  repaired("matrix, orthonormalized", ode::RungeKutta4{}, as_matrix);
+  repaired("quaternion, normalized", ode::ExplicitEuler{}, as_quaternion);
+  repaired("quaternion, normalized", ode::RungeKutta4{}, as_quaternion);
   q.add({"rotation vector", "exponential midpoint", steps,
-         [=](double h) { return observe_exponentials(horizon, h, 2); }, Outcome::inaccurate,
+         [=](double h) { return observe_exponentials(as_matrix, horizon, h, 2); }, Outcome::inaccurate,
          "its order is too low for this need at this step"});
-  q.add(
-      {"rotation vector", "Magnus 4", steps, [=](double h) { return observe_exponentials(horizon, h, 4); }});
+  q.add({"rotation vector", "Magnus 4", steps,
+         [=](double h) { return observe_exponentials(as_matrix, horizon, h, 4); }});
   return q;
 }
 

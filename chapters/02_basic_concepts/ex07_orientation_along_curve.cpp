@@ -18,7 +18,8 @@ using namespace curve_on_sphere;
 
 constexpr Parameter parameters[] = {
     {"t", 0.75, "1", "time at which w is computed", -8, 8},
-    {"T", 4, "1", "time until which the orientation is carried on from t = 0", 0.25, 64},
+    {"T", 4, "s", "time until which the orientation is carried on from t = 0", 0.25, 64},
+    {"pace", 1, "1/s", "units of the curve's time a second", 0.1, 16},
     {"seed", 1, "", "of the random times", 0, 1e9},
 };
 
@@ -207,8 +208,10 @@ std::vector<Claim> claims(double seed) {
   };
 }
 
+Scene scene() { return {orientation, 4, degree, "pace", {0.25, 0.5, 1, 2, 4, 8}, {"pace"}}; }
+
 Findings study(const Parameters& p, const Reference& truth) {
-  const Quantity carried = orientation(p["T"], truth);
+  const Quantity carried = orientation(p, {p["T"]}, truth);
   return {claims(p["seed"]), {angular_velocity_at(p["t"], truth), carried, orthogonality(carried)}};
 }
 
@@ -218,7 +221,7 @@ Exercise exercise_2_7() {
   return {"Orientation along a curve on a sphere",
           "A rigid sphere is turned so that a point of it follows $((1-t^2)\\cos\\pi t,(1-t^2)\\sin\\pi "
           "t,t^2)/\\sqrt{(1-t^2)^2+t^4}$: choose an orientation matrix and find the angular velocity.",
-          parameters, {}, study};
+          parameters, scene(), study};
 }
 
 }  // namespace oddity

@@ -233,16 +233,29 @@ std::vector<Claim> gravity(double seed) {
   return {none, accelerations, angular, integrated, constant_speeds};
 }
 
+Disk asked(const Parameters& p) {
+  return {p["m"], p["L"], p["r"], p["phi"], p["f"], p["k"], p["theta"], p["theta_dot"], p["psi_dot"]};
+}
+
+Quantity wind(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return under_force("wind", "center and spin at four times, under a horizontal force and friction", asked(p),
+                     {Outcome::inaccurate, Outcome::inaccurate}, horizon, truth);
+}
+
+Scene scene() {
+  return {wind, seconds, centimeter, "phi", {1.5, 1, 0.5, 0.2, 0.1, 0.05}, {"theta", "theta_dot", "psi_dot"}};
+}
+
 Findings study(const Parameters& p, const Reference& truth) {
-  const Disk pushed{p["m"], p["L"],     p["r"],         p["phi"],    p["f"],
-                    p["k"], p["theta"], p["theta_dot"], p["psi_dot"]};
+  const Disk pushed = asked(p);
+  const Horizon horizon{seconds};
   Disk free = pushed, frictionless = pushed, steep = pushed;
   free.f = free.k = frictionless.k = 0;
   steep.phi = 0.01;
   std::vector<Claim> claims = equations(p["seed"]);
   for (const Claim& claim : gravity(p["seed"])) claims.push_back(claim);
   Quantity fast = under_force("nearly_upright", "the same with the pipe at 0.01 rad from the vertical", steep,
-                              {Outcome::inaccurate, Outcome::inaccurate}, truth);
+                              {Outcome::inaccurate, Outcome::inaccurate}, horizon, truth);
   fast.add(Breakdown{
       "Where the pipe is nearly upright the division by $\\sin^2\\varphi$ makes a slow swing a quick one: "
       "explicit "
@@ -255,11 +268,9 @@ Findings study(const Parameters& p, const Reference& truth) {
       "radius even Runge-Kutta's center leaves for infinity. An angle cannot leave the circle.",
       cartesian + ", Runge-Kutta 4", 0.125, Outcome::non_finite, one + ", Runge-Kutta 4", 0.0009765625});
   return {claims,
-          {under_gravity(free, truth),
-           under_force("wind", "the same with a horizontal force and friction", pushed,
-                       {Outcome::inaccurate, Outcome::inaccurate}, truth),
+          {under_gravity(free, truth), motion(scene(), p, truth),
            under_force("frictionless", "the same with the force alone", frictionless,
-                       {Outcome::inaccurate, Outcome::inaccurate}, truth),
+                       {Outcome::inaccurate, Outcome::inaccurate}, horizon, truth),
            fast, upright(pushed)}};
 }
 
@@ -270,7 +281,7 @@ Exercise exercise_3_21() {
           "A disk spins about a pipe that is held at the inclination $\\varphi$ and free to turn about the "
           "vertical. "
           "How do the two angles move under gravity? Under a horizontal force?",
-          parameters, {}, study};
+          parameters, scene(), study};
 }
 
 }  // namespace oddity

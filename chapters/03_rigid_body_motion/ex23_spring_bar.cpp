@@ -26,7 +26,7 @@ constexpr Parameter parameters[] = {
     {"m", 1, "kg", "mass", 0.1, 100},
     {"r", 1, "m", "where the mass is on the bar", 0.1, 10},
     {"s", 0.5, "m", "where the spring is on the bar", 0.1, 10},
-    {"c", 98.1, "N/m", "spring constant", 1, 1e3},
+    {"c", 98.1, "N/m", "spring constant", 1, 1e4},
     {"h", 0.8, "m", "depth of the spring's foot", 0.2, 10},
     {"g", 9.81, "m/s^2", "gravity", 0, 100},
     {"ell", 1, "m", "rest length of the spring", 0.1, 20},
@@ -198,9 +198,19 @@ std::vector<Claim> claims(double seed) {
   return all;
 }
 
+Bar asked(const Parameters& p) {
+  return {p["m"], p["r"], p["s"], p["c"], p["h"], p["g"], p["ell"], p["theta0"], p["w0"]};
+}
+
+Quantity swing_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return swing(asked(p), horizon, truth);
+}
+
+Scene scene() { return {swing_of, 4, centimeter, "c", {20, 50, 100, 300, 1000, 2500}, {"theta0", "m", "h"}}; }
+
 Findings study(const Parameters& p, const Reference& truth) {
-  const Bar bar{p["m"], p["r"], p["s"], p["c"], p["h"], p["g"], p["ell"], p["theta0"], p["w0"]};
-  Quantity mass = swing(bar, truth);
+  const Bar bar = asked(p);
+  Quantity mass = motion(scene(), p, truth);
   mass.add(Breakdown{
       "Explicit Euler gains energy at every step: at eight steps a second the bar turns over "
       "and over. Classical Runge-Kutta follows it at 256 steps a second.",
@@ -224,7 +234,7 @@ Exercise exercise_3_23() {
       "A light bar, hinged at one end, carries a mass $m$ at the distance $r$ and stands at the distance "
       "$s$ on a spring whose foot is $h$ below the level bar. What is its equation of motion, and when is "
       "it in equilibrium at $\\theta=0$?",
-      parameters, {}, study};
+      parameters, scene(), study};
 }
 
 }  // namespace oddity

@@ -391,17 +391,24 @@ std::vector<Claim> claims(double seed) {
   return all;
 }
 
-Findings study(const Parameters& p, const Reference&) {
-  const Wire wire{Shape::parabola, p["q"], p["d"], 0};
-  const Inertia i = by_primitives(wire);
-  const Thrown thrown{i[0], i[3], p["u"], p["v"], p["w"], p["g"], {-i[1], -i[2]}};
+Wire parabola(const Parameters& p) { return {Shape::parabola, p["q"], p["d"], 0}; }
+
+Quantity fall_of(const Parameters& p, const Horizon& horizon, const Reference&) {
+  const Inertia i = by_primitives(parabola(p));
+  return fall({i[0], i[3], p["u"], p["v"], p["w"], p["g"], {-i[1], -i[2]}}, horizon);
+}
+
+Scene scene() { return {fall_of, 2, centimeter, "w", {1, 3, 6, 10, 20}, {"u", "v", "w"}}; }
+
+Findings study(const Parameters& p, const Reference& truth) {
+  const Wire wire = parabola(p);
   Quantity semicircle = inertia("semicircle", {Shape::semicircle, p["q"], p["d"], 0});
   semicircle.add(Breakdown{
       "As a graph over x the half circle has vertical ends, where ds/dx is infinite: a "
       "rule that takes the ends fails, Gauss and Legendre's gains one digit for ten times "
       "the points. By the angle the integrands are smooth.",
       "as a graph over x, Gauss-Legendre", 64, Outcome::inaccurate, "by the angle, Gauss-Legendre", 16});
-  Quantity falling = fall(thrown);
+  Quantity falling = motion(scene(), p, truth);
   falling.add(
       Breakdown{"Particles and a rod: explicit Euler lets the rod grow and the energy with it. With "
                 "the angle as a coordinate there is no rod to keep, and Verlet's method is exact.",
@@ -418,7 +425,7 @@ Exercise exercise_3_29() {
   return {"Rigid curve in the plane",
           "A rigid wire of any shape moves in the plane. Find its position, kinetic energy and generalized "
           "forces, as for a thin rod.",
-          parameters, {}, study};
+          parameters, scene(), study};
 }
 
 }  // namespace oddity

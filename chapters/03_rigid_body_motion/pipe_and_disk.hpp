@@ -90,9 +90,11 @@ inline Known true_motion(const Disk& d, const Horizon& horizon, const Reference&
 
 inline const std::string says_need = "a hundred-millionth of the angle turned through";
 
+inline constexpr double seconds = 8;
+
 inline Quantity under_gravity(const Disk& disk, const Reference& truth) {
-  const Horizon horizon{8};
-  Quantity motion = quantity("gravity", "m, m, rad", "center and spin after 2, 4, 6 and 8 s, gravity alone",
+  const Horizon horizon{seconds};
+  Quantity motion = quantity("gravity", "m, m, rad", "center and spin at four times, gravity alone",
                              true_motion(disk, horizon, truth), {});
   motion.need = {1e-8 * size_of(motion.reference.value), says_need};
   Ladder(motion, horizon, halving("step", 0.125, 9), tolerances(3, 11))
@@ -106,8 +108,7 @@ inline Quantity under_gravity(const Disk& disk, const Reference& truth) {
 
 /// `euler`: how explicit Euler ends on the two angles and on the center.
 inline Quantity under_force(const std::string& name, const std::string& says, const Disk& disk,
-                            std::array<Outcome, 2> euler, const Reference& truth) {
-  const Horizon horizon{8};
+                            std::array<Outcome, 2> euler, const Horizon& horizon, const Reference& truth) {
   Quantity motion = quantity(name, "m, m, rad", says, true_motion(disk, horizon, truth), {});
   motion.need = {1e-8 * size_of(motion.reference.value), says_need};
   Ladder(motion, horizon, halving("step", 0.125, 10), tolerances(3, 11))
@@ -121,7 +122,7 @@ inline Quantity under_force(const std::string& name, const std::string& says, co
 /// The pipe upright: nothing of theta is left.
 inline Quantity upright(Disk disk) {
   disk.phi = disk.f = disk.k = 0;
-  const Horizon horizon{8};
+  const Horizon horizon{seconds};
   Quantity motion{"upright",
                   "m, m, rad",
                   "the same with the pipe upright",

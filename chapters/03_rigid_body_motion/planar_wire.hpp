@@ -221,15 +221,14 @@ struct TwoParticles : Thrown {
   }
 };
 
-inline Quantity fall(const Thrown& thrown) {
-  const Horizon horizon{2};
+inline Quantity fall(const Thrown& thrown, const Horizon& horizon) {
   std::vector<double> seen;
   const auto times = horizon.times();
   for (std::size_t i = 1; i < times.size(); ++i)
     for (double x : FreeFall{thrown}.at(times[i])) seen.push_back(x);
   Quantity q{"fall",
              "m",
-             "position of the wire's first end after 0.5, 1, 1.5 and 2 s",
+             "position of the wire's first end at four times",
              {"parabola of the center, uniform turning", Value(seen)},
              1e-14 * size_of(Value(seen)),
              {1e-6, "a micrometre"}};

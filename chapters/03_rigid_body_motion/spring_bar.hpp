@@ -101,9 +101,8 @@ inline Known true_swing(const Bar& b, const Horizon& horizon, const Reference& t
   return trajectory(truth, "03_23_swing", {b.m, b.r, b.s, b.c, b.h, b.g, b.ell, b.theta0, b.w0}, horizon);
 }
 
-inline Quantity swing(const Bar& bar, const Reference& truth) {
-  const Horizon horizon{4};
-  Quantity mass = quantity("swing", "m", "position of the mass after 1, 2, 3 and 4 s",
+inline Quantity swing(const Bar& bar, const Horizon& horizon, const Reference& truth) {
+  Quantity mass = quantity("swing", "m", "position of the mass at four times",
                            true_swing(bar, horizon, truth), {1e-6, "a micrometre"});
   Ladder(mass, horizon, halving("step", 0.125, 10), tolerances())
       .closed_form("small oscillation", SmallOscillation{bar}, Outcome::inaccurate,

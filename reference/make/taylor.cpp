@@ -111,13 +111,13 @@ Number TaylorProblem::expand(const Numbers& x, const Number& t, int order, const
     for (std::size_t i = 0; i < x.size(); ++i)
       tape_.set(unknowns_[i], k + 1, tape_.get(derivatives_[i], k) / (k + 1));
   }
-  double step = std::numeric_limits<double>::infinity();
+  double growth = 0;  // of the coefficients, from order to order
   for (int k = order - order / 4; k <= order; ++k) {
     Number largest = 0;
     for (int unknown : unknowns_) largest = std::max<Number>(largest, abs(tape_.get(unknown, k)));
-    if (largest > 0) step = std::min(step, static_cast<double>(exp(log(tolerance / largest) / k)));
+    if (largest > 0) growth = std::max(growth, static_cast<double>(exp(log(largest) / k)));
   }
-  return Number(0.7) * step;
+  return Number(0.9 * static_cast<double>(exp(log(tolerance) / order)) / growth);
 }
 
 Numbers TaylorProblem::solve(Numbers x, Number t0, const Number& t1, int digits) {
