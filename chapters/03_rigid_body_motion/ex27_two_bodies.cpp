@@ -34,47 +34,49 @@ constexpr Parameter parameters[] = {
 // ---- the path ---------------------------------------------------------------------------------------------
 
 struct Expected {
-  Outcome euler, verlet, runge_kutta;
+  Outcome euler, euler_of_both, symplectic, verlet, runge_kutta;
 };
 
-Quantity path(const std::string& name, const std::string& says, const Bodies& b, const Reference& truth,
-              Knob steps, const Expected& expected) {
-  const Horizon horizon{4};
+Quantity path(const std::string& name, const std::string& says, const Bodies& b, const Horizon& horizon,
+              const Reference& truth, Knob steps, const Expected& expected) {
   const kepler::Start s = b.relative();
+  const bool ellipse = s.energy() < 0;
   const std::string order = "its order is too low for this need at this step",
-                    steep = "equal steps in time are too long where the bodies meet";
-  Quantity q = quantity(name, "m", "the second body seen from the first after 1, 2, 3 and 4 s, " + says,
+                    steep = "equal steps in time are too long where the bodies meet",
+                    published = "(r, u, phi)", both = "two bodies";
+  Quantity q = quantity(name, "m", "the second body seen from the first at four times, " + says,
                         trajectory(truth, "03_27_two_bodies", b.inputs(), horizon), {1e-6, "a micrometre"});
-  if (s.energy() < 0)
-    q.add({"Kepler's equation", "Newton from pi", no_knob(), [=](double) {
-             const kepler::Ellipse orbit(s);
-             Answer all;
-             std::vector<double> seen;
-             for (int k = 1; k <= horizon.samples; ++k) {
-               const double M = orbit.mean_anomaly(horizon.end * k / horizon.samples);
-               const auto E = kepler::newton(orbit.e, std::abs(M), std::numbers::pi, 50);
-               all.evaluations += E.evaluations;
-               if (!E.reached()) all.ending = E.ending;
-               for (double x : orbit.at_eccentric_anomaly(std::copysign(E.value, M))) seen.push_back(x);
-             }
-             all.value = Value(std::move(seen));
-             return all;
-           }});
+  q.add({"Kepler's equation", "Newton from pi", no_knob(), [=](double) { return by_kepler(s, horizon); },
+         ellipse ? ok : raised, ellipse ? "" : "the orbit is no ellipse"});
   q.add({"Levi-Civita's coordinates", "Runge-Kutta 4 in fictitious time", steps,
          [=](double step) { return by_levi_civita(s, horizon, step); }});
   const std::string why = expected.runge_kutta == ok ? "" : steep;
   Ladder(q, horizon, std::move(steps), tolerances(4, 12))
-      .by<ode::ExplicitEuler>("(r, u, phi)", Published{b}, expected.euler, order)
-      .by<ode::RungeKutta4>("(r, u, phi)", Published{b}, expected.runge_kutta, why)
-      .by<ode::DormandPrince54>("(r, u, phi)", Published{b})
-      .by<ode::Fehlberg78>("(r, u, phi)", Published{b})
-      .by<ode::VelocityVerlet>("two bodies", BothBodies{b}, expected.verlet,
-                               expected.verlet == ok ? "" : order)
-      .by<ode::RungeKutta4>("two bodies", BothBodies{b}, expected.runge_kutta, why)
-      .by<ode::DormandPrince54>("two bodies", BothBodies{b})
-      .by<ode::Fehlberg78>("two bodies", BothBodies{b})
-      .by<ode::BulirschStoer>("two bodies", BothBodies{b});
+      .by<ode::ExplicitEuler>(published, Published{b}, expected.euler, order)
+      .by<ode::RungeKutta4>(published, Published{b}, expected.runge_kutta, why)
+      .by<ode::DormandPrince54>(published, Published{b})
+      .by<ode::Fehlberg78>(published, Published{b})
+      .by<ode::ExplicitEuler>(both, BothBodies{b}, expected.euler_of_both, order)
+      .by<ode::SymplecticEuler>(both, BothBodies{b}, expected.symplectic, order)
+      .by<ode::VelocityVerlet>(both, BothBodies{b}, expected.verlet, expected.verlet == ok ? "" : order)
+      .by<ode::RungeKutta4>(both, BothBodies{b}, expected.runge_kutta, why)
+      .by<ode::DormandPrince54>(both, BothBodies{b})
+      .by<ode::Fehlberg78>(both, BothBodies{b})
+      .by<ode::BulirschStoer>(both, BothBodies{b});
   return q;
+}
+
+Bodies asked(const Parameters& p) {
+  return {p["G"], p["m1"], p["m2"], p["r0"], p["r0_dot"], p["phi0"], p["phi0_dot"]};
+}
+
+Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return path("path", "as asked", asked(p), horizon, truth, halving("step", 0x1p-4, 9),
+              {inaccurate, drifted, inaccurate, ok, ok});
+}
+
+Scene scene() {
+  return {path_of, 4, centimeter, "phi0_dot", {1.7, 1.5, 1, 0.5, 0.25, 0.17}, {"r0", "r0_dot", "phi0_dot"}};
 }
 
 /// The time of a turn of phi, against Kepler's third law with the sum of the masses.
@@ -112,10 +114,10 @@ Quantity period(const Bodies& b) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  const Bodies asked{p["G"], p["m1"], p["m2"], p["r0"], p["r0_dot"], p["phi0"], p["phi0_dot"]};
   constexpr Bodies eccentric{1, 2, 1, 1, 0.25, 0.5, 0.5}, near_collision{1, 2, 1, 1, 0.25, 0.5, 0x1p-5};
-  Quantity hit = path("near_collision", "e = 0.9997", near_collision, truth, halving("step", 0x1p-5, 9),
-                      {diverged, diverged, diverged});
+  const Horizon horizon{scene().horizon};
+  Quantity hit = path("near_collision", "e = 0.9997", near_collision, horizon, truth,
+                      halving("step", 0x1p-5, 9), {diverged, diverged, diverged, diverged, diverged});
   hit.add(Breakdown{
       "The bodies, let go at 0.25 m/s, pass each other at a six-thousandth of their distance and at 190 m/s: "
       "equal steps of time jump over it. In Levi-Civita's coordinates, with $dt = r\\,ds$, the same motion "
@@ -123,12 +125,11 @@ Findings study(const Parameters& p, const Reference& truth) {
       "harmonic oscillator, and equal steps of $s$ do.",
       "two bodies, Runge-Kutta 4", 0x1p-13, diverged,
       "Levi-Civita's coordinates, Runge-Kutta 4 in fictitious time", 0x1p-8});
-  std::vector<Quantity> all{
-      path("path", "as asked", asked, truth, halving("step", 0x1p-4, 9), {inaccurate, ok, ok}),
-      path("eccentric_path", "e = 0.92", eccentric, truth, halving("step", 0x1p-5, 9),
-           {drifted, inaccurate, ok}),
-      hit};
-  if (asked.relative().energy() < 0) all.push_back(period(asked));
+  std::vector<Quantity> all{motion(scene(), p, truth),
+                            path("eccentric_path", "e = 0.92", eccentric, horizon, truth,
+                                 halving("step", 0x1p-5, 9), {drifted, drifted, inaccurate, inaccurate, ok}),
+                            hit};
+  if (const Bodies bodies = asked(p); bodies.relative().energy() < 0) all.push_back(period(bodies));
   return {claims(p["seed"]), all};
 }
 
@@ -139,7 +140,7 @@ Exercise exercise_3_27() {
       "Two bodies by distance and angle",
       "Two bodies attract each other by gravity. Write their motion as a first-order system in the distance "
       "$r$, its rate $u$ and the angle $\\varphi$, ready to be integrated.",
-      parameters, {}, study};
+      parameters, scene(), study};
 }
 
 }  // namespace oddity

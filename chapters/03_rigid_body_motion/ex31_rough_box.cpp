@@ -9,7 +9,7 @@
 #pragma GCC diagnostic ignored "-Wuninitialized"  // Odeint copies steppers before their scratch is written
 #endif
 
-#include "chapters/03_rigid_body_motion/rough_box.hpp"
+#include "chapters/03_rigid_body_motion/rough_box_motion.hpp"
 #include "chapters/random.hpp"
 #include "reference/text.hpp"
 #include "solvers/quadrature.hpp"
@@ -208,8 +208,16 @@ Claim easily_modified(double seed) {
   return claim;
 }
 
+Box asked(const Parameters& p) { return {{p["a"], p["b"]}, p["mu"], p["g"], p["u0"], p["v0"], p["w0"]}; }
+
+Quantity slide_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return slide(asked(p), horizon, truth);
+}
+
+Scene scene() { return {slide_of, 1.25, centimeter, "mu", {0.2, 0.3, 0.5, 0.7, 1}, {"u0", "v0", "w0"}}; }
+
 Findings study(const Parameters& p, const Reference& truth) {
-  const Box box{{p["a"], p["b"]}, p["mu"], p["g"], p["u0"], p["v0"], p["w0"]};
+  const Box box = asked(p);
   Quantity end = rest(box, truth);
   end.add(
       Breakdown{"Friction that has full strength at any speed reverses at every step once the box should "
@@ -222,7 +230,7 @@ Findings study(const Parameters& p, const Reference& truth) {
                 soft + ", Runge-Kutta 4, step 1/256", 0.0001, Outcome::inaccurate,
                 soft + ", Rosenbrock 4, tolerance 1e-9", 0.0001});
   return {{rough_friction(p["seed"]), no_static_friction(p["seed"]), easily_modified(p["seed"])},
-          {time_to_rest(box, truth), end}};
+          {time_to_rest(box, truth), end, motion(scene(), p, truth)}};
 }
 
 }  // namespace
@@ -231,7 +239,7 @@ Exercise exercise_3_31() {
   return {"Box on a rough plane",
           "A box slides and turns on a plane of friction $\\mu$. Where does it come to rest, and what does "
           "friction do at rest?",
-          parameters, {}, study};
+          parameters, scene(), study};
 }
 
 }  // namespace oddity

@@ -379,9 +379,21 @@ Check along_the_motion(const Top& start) {
           {1e-9 * std::abs(c), "a thousand tolerances of the integration"}};
 }
 
+Top asked(const Parameters& p) {
+  return {p["m"],   p["l"],   p["mu1"],    p["mu3"],  p["g"],   p["theta"],
+          p["phi"], p["psi"], p["dtheta"], p["dphi"], p["dpsi"]};
+}
+
+Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return axis(asked(p), horizon, truth);
+}
+
+Scene scene() {
+  return {axis_of, duration, degree, "dpsi", {5, 10, 20, 30, 60, 100}, {"phi", "dtheta", "dpsi"}};
+}
+
 Findings study(const Parameters& p, const Reference& truth) {
-  const Top start{p["m"],   p["l"],   p["mu1"],    p["mu3"],  p["g"],   p["theta"],
-                  p["phi"], p["psi"], p["dtheta"], p["dphi"], p["dpsi"]};
+  const Top start = asked(p);
   const Judge judge("3.33", p["seed"]);
   Findings found;
   for (const auto& part :
@@ -390,6 +402,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   for (Claim& claim : found.claims)
     if (claim.id == "3.33-vertical_constant") claim.printed.checks.push_back(along_the_motion(start));
   found.quantities = heavy_top_quantities(start, truth);
+  found.quantities.insert(found.quantities.begin(), motion(scene(), p, truth));
   return found;
 }
 
@@ -400,7 +413,7 @@ Exercise exercise_3_33() {
           "A top symmetric about its axis stands with its tip fixed under gravity. Find its equations of "
           "motion by Lagrange's method, in the angles $\\theta$ (precession), $\\phi$ (tilt) and $\\psi$ "
           "(spin).",
-          parameters, {}, study};
+          parameters, scene(), study};
 }
 
 }  // namespace oddity

@@ -267,10 +267,23 @@ std::vector<Claim> claims(const Judge& judge) {
   return {force, about_axis, about_vertical, apart, center, given};
 }
 
+Top asked(const Parameters& p) {
+  return {p["m"],   p["l"],      p["mu1"],  p["mu3"],  p["g"], p["theta"], p["phi"],
+          p["psi"], p["dtheta"], p["dphi"], p["dpsi"], p["A"], p["lambda"]};
+}
+
+Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return shaken_axis("axis", "unit vector along the axis at four times", asked(p), horizon, truth);
+}
+
+Scene scene() {
+  return {axis_of, duration, degree, "lambda", {0.5, 1.5, 3, 6, 10, 14}, {"phi", "dtheta", "dpsi"}};
+}
+
 Findings study(const Parameters& p, const Reference& truth) {
-  const Top top{p["m"],   p["l"],      p["mu1"],  p["mu3"],  p["g"], p["theta"], p["phi"],
-                p["psi"], p["dtheta"], p["dphi"], p["dpsi"], p["A"], p["lambda"]};
-  return {claims(Judge("3.35", p["seed"], 1)), moving_tip_quantities(top, truth)};
+  std::vector<Quantity> quantities = moving_tip_quantities(asked(p), truth);
+  quantities.insert(quantities.begin(), motion(scene(), p, truth));
+  return {claims(Judge("3.35", p["seed"], 1)), quantities};
 }
 
 }  // namespace
@@ -280,7 +293,7 @@ Exercise exercise_3_35() {
       "Heavy top on a moving tip",
       "The tip of the heavy symmetric top moves to and fro as $(\\alpha\\sin\\lambda t,0,0)$. What becomes "
       "of its motion?",
-      parameters, {}, study};
+      parameters, scene(), study};
 }
 
 }  // namespace oddity

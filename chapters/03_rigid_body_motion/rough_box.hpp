@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "chapters/scene.hpp"
@@ -128,6 +129,7 @@ struct InTime : Box {
   using State = std::array<double, 6>;
   double softness = 0;
   State start() const { return {0, 0, 0, u0, v0, w0}; }
+  Three<double> observe(const State& x, double) const { return {x[0], x[1], x[2]}; }
   template <class X, class T>
   void operator()(const X& x, X& dxdt, const T&) const {
     using std::sqrt;
@@ -197,25 +199,37 @@ Solved<Pose> through_the_stop(const Box& b, double softness, double setting) {
   return rest;
 }
 
-/// Steps of the midpoint rule for the velocities; a step that friction could end stops the box within it.
-inline Solved<Pose> with_stick_test(const Box& b, double h) {
-  const InTime box{b};
-  InTime::State x = box.start(), half{}, rate{};
-  Solved<Pose> rest;
-  const double too_long = box.long_enough();
-  for (double t = 0; t < too_long; t += h) {
-    box(x, rate, t);
-    const double now = box.speed(x[3], x[4], x[5]);
-    const double braking = -(x[3] * rate[3] + x[4] * rate[4] + box.J() * x[5] * rate[5]) / now;
-    rest.evaluations += 2;
-    if (now <= h * braking) {
-      rest.value = coasted(box, t, x);
-      return rest;
-    }
+/// One step with a test whether friction can stop the box within it; if so, the pose in which it rests.
+enum class Stepping { semi_implicit_euler, midpoint };
+inline std::optional<Pose> step_or_stop(const InTime& box, Stepping rule, double t, double h,
+                                        InTime::State& x, long& evaluations) {
+  InTime::State rate{}, half{};
+  box(x, rate, t);
+  evaluations += rule == Stepping::midpoint ? 2 : 1;
+  const double now = box.speed(x[3], x[4], x[5]);
+  const double braking = -(x[3] * rate[3] + x[4] * rate[4] + box.J() * x[5] * rate[5]) / now;
+  if (now <= h * braking) return coasted(box, t, x);
+  if (rule == Stepping::midpoint) {
     for (std::size_t i = 0; i < 6; ++i) half[i] = x[i] + h / 2 * rate[i];
     box(half, rate, t + h / 2);
     for (std::size_t i = 0; i < 6; ++i) x[i] += h * rate[i];
+  } else {
+    for (std::size_t i = 3; i < 6; ++i) x[i] += h * rate[i];
+    for (std::size_t i = 0; i < 3; ++i) x[i] += h * x[i + 3];
   }
+  return {};
+}
+
+inline Solved<Pose> with_stick_test(const Box& b, double h) {
+  const InTime box{b};
+  InTime::State x = box.start();
+  Solved<Pose> rest;
+  const double too_long = box.long_enough();
+  for (double t = 0; t < too_long; t += h)
+    if (const auto pose = step_or_stop(box, Stepping::midpoint, t, h, x, rest.evaluations)) {
+      rest.value = *pose;
+      return rest;
+    }
   rest.ending = Ending::stalled;
   rest.message = "the box has not come to rest";
   return rest;

@@ -10,6 +10,9 @@
 
 namespace oddity::top {
 
+/// How long the tops are looked at.
+inline constexpr double duration = 4;
+
 using Vector = std::array<double, 3>;
 
 inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -112,6 +115,8 @@ struct HeightAlone : Top {
 struct OneAngle : Nutation {
   using State = std::array<double, 3>;
   State start() const { return {phi, dphi, theta}; }
+  /// No partitioned algorithm would carry theta along.
+  void acceleration(const std::array<double, 1>&, std::array<double, 1>&) const = delete;
   void operator()(const State& x, State& dxdt, double) const {
     dxdt = {x[1], tilting(x[0]), precession(x[0])};
   }

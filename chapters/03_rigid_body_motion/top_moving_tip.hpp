@@ -3,6 +3,7 @@
 // The models and quantities of exercise 3.35: the top whose tip is at (A sin(lambda t), 0, 0).
 
 #include <complex>
+#include <stdexcept>
 
 #include "chapters/03_rigid_body_motion/top.hpp"
 
@@ -32,7 +33,8 @@ struct SmallTilt : Top {
     const Complex of_fast = (dz - slow * z) / (fast - slow);
     const Complex now = of_fast * std::exp(i * fast * t) + (z - of_fast) * std::exp(i * slow * t) +
                         forward * std::exp(i * lambda * t) + backward * std::exp(-i * lambda * t);
-    return {now.real(), now.imag(), std::sqrt(std::max(0.0, 1 - std::norm(now)))};
+    if (!(std::norm(now) <= 1)) throw std::domain_error("the tilt is no longer small: |z| > 1");
+    return {now.real(), now.imag(), std::sqrt(1 - std::norm(now))};
   }
 };
 
@@ -75,21 +77,32 @@ inline constexpr const char* fixed_tip = "fixed tip, as proposed";
 inline constexpr const char* separate = "the accelerated tip turns the top";
 
 inline Quantity shaken_axis(const std::string& name, const std::string& says, const Top& top,
-                            const Reference& truth) {
-  const Horizon horizon{4};
+                            const Horizon& horizon, const Reference& truth) {
+  const std::string tilted = "Euler angles", quaternion = "rigid body, quaternion",
+                    momentum = "axis and angular momentum", first = "first order in A",
+                    order = "its order is too low for this need at this step",
+                    squares = "terms of order A^2 are left out";
+  const AxisAndMomentum proposed{with_fixed_tip(top)}, full{top};
+  const FirstOrderInA linear{top};
+  constexpr Outcome off = Outcome::inaccurate;
   Quantity q = quantity(name, "1", says, trajectory(truth, "03_35_axis", shaken_inputs(top), horizon),
                         {1e-7, "a fiftieth of a second of arc"});
   Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
-      .by<ode::Fehlberg78>(fixed_tip, AxisAndMomentum{with_fixed_tip(top)}, Outcome::inaccurate, separate)
-      .closed_form("small tilt", SmallTilt{top}, Outcome::inaccurate, "the tilt is not small")
-      .by<ode::Fehlberg78>("first order in A", FirstOrderInA{top}, Outcome::inaccurate,
-                           "terms of order A^2 are left out")
-      .by<ode::RungeKutta4>("Euler angles", EulerAngles{top})
-      .by<ode::Fehlberg78>("Euler angles", EulerAngles{top})
-      .by<ode::RungeKutta4>("rigid body, quaternion", RigidBody{top})
-      .by<ode::Fehlberg78>("rigid body, quaternion", RigidBody{top})
-      .by<ode::RungeKutta4>("axis and angular momentum", AxisAndMomentum{top})
-      .by<ode::Fehlberg78>("axis and angular momentum", AxisAndMomentum{top});
+      .by<ode::ExplicitEuler>(fixed_tip, proposed, off, separate)
+      .by<ode::RungeKutta4>(fixed_tip, proposed, off, separate)
+      .by<ode::DormandPrince54>(fixed_tip, proposed, off, separate)
+      .by<ode::Fehlberg78>(fixed_tip, proposed, off, separate)
+      .closed_form("small tilt", SmallTilt{top}, off, "the tilt is not small")
+      .by<ode::ExplicitEuler>(first, linear, off, squares)
+      .by<ode::RungeKutta4>(first, linear, off, squares)
+      .by<ode::DormandPrince54>(first, linear, off, squares)
+      .by<ode::Fehlberg78>(first, linear, off, squares)
+      .by_common(tilted, EulerAngles{top})
+      .by_common(quaternion, RigidBody{top}, Outcome::drifted)
+      .by<ode::ExplicitEuler>(momentum, full, off, order)
+      .by<ode::RungeKutta4>(momentum, full)
+      .by<ode::DormandPrince54>(momentum, full)
+      .by<ode::Fehlberg78>(momentum, full);
   return q.add(Breakdown{
       "The motion about a fixed tip, carried along with the tip, is another motion: to the axis the tip's "
       "acceleration is a second gravity, which swings. The torque of -m p'' about the tip puts it right.",
@@ -101,7 +114,7 @@ inline Quantity nearly_upright(Top top, const Reference& truth) {
   top.phi = 0.015625;
   top.dtheta = top.dphi = 0;
   top.A /= 16;
-  const Horizon horizon{4};
+  const Horizon horizon{duration};
   Quantity q =
       quantity("nearly_upright", "1", "axis of the same top let go one degree off the vertical, A / 16",
                trajectory(truth, "03_35_axis", shaken_inputs(top), horizon),
@@ -203,9 +216,10 @@ inline std::vector<Quantity> moving_tip_quantities(const Top& top, const Referen
   resonant.lambda = nutation_frequency(top);
   strong.A *= 4;
   strong.lambda += 5;
-  return {shaken_axis("axis", "unit vector along the axis after 1, 2, 3 and 4 s", top, truth),
-          shaken_axis("near_resonance", "the same with A / 8 at the nutation's frequency", resonant, truth),
-          shaken_axis("strong_shaking", "the same with 4 A, 5 rad/s faster", strong, truth),
+  const Horizon horizon{duration};
+  return {shaken_axis("near_resonance", "the same with A / 8 at the nutation's frequency", resonant, horizon,
+                      truth),
+          shaken_axis("strong_shaking", "the same with 4 A, 5 rad/s faster", strong, horizon, truth),
           nearly_upright(top, truth), deviation(top, truth)};
 }
 

@@ -1,103 +1,13 @@
-#include "reference/make/extrapolation.hpp"
+#include <limits>
 
-// A box of half sides a and b slides and turns on a rough level plane under the friction mu, its pressure
-// uniform: when, where and at which angle does it come to rest? Both routes stretch the time as dt = speed
-// ds, in which the end is never reached but approached exponentially.
+#include "reference/make/03_31_box.hpp"
+
+// When, where and at which angle does a box come to rest that slides and turns on a rough level plane?
 namespace oddity::truth {
 
 namespace {
 
-struct Box {
-  Number a, b, mu_g, u, v, w;
-  explicit Box(const std::vector<double>& in)
-      : a(in[0]), b(in[1]), mu_g(Number(in[2]) * Number(in[3])), u(in[4]), v(in[5]), w(in[6]) {}
-  Number inertia() const { return (a * a + b * b) / 3; }
-};
-
-/// Whatever is asked for: where the instantaneous centre crosses an edge, the friction has a singularity of
-/// the kind k^2 log k, which no step of high order takes. The speed falls at least as exp(-0.85 mu g s).
-constexpr int route_digits = 12;
-
-/// The integral of the distance from a point along an edge that it sees at the distance k, from y1 to y2.
-Number along_edge(const Number& k, const Number& y1, const Number& y2) {
-  const Number r1 = sqrt(k * k + y1 * y1), r2 = sqrt(k * k + y2 * y2);
-  const Number twice = y2 * r2 - y1 * r1;
-  const auto above = [&](const Number& y, const Number& r) -> Number {
-    return y < 0 ? Number(k * k / (r - y)) : Number(r + y);
-  };
-  return (k == 0 ? twice : Number(twice + k * k * log(above(y2, r2) / above(y1, r1)))) / 2;
-}
-
-/// The means over the box of the unit velocity and of its moment, in the box's own axes.
-Numbers unit_means(const Box& box, const Number& u, const Number& v, const Number& w) {
-  if (w == 0) {
-    const Number speed = sqrt(u * u + v * v);
-    return {u / speed, v / speed, 0};
-  }
-  const Number cx = -v / w, cy = u / w;
-  const Number right = box.a - cx, left = -box.a - cx, top = box.b - cy, bottom = -box.b - cy;
-  const Number on_right = along_edge(right, bottom, top), on_left = along_edge(left, bottom, top);
-  const Number on_top = along_edge(top, left, right), on_bottom = along_edge(bottom, left, right);
-  const Number x = on_right - on_left, y = on_top - on_bottom;
-  const Number r = (right * on_right - left * on_left + top * on_top - bottom * on_bottom) / 3;
-  const Number over = (w > 0 ? Number(1) : Number(-1)) / (4 * box.a * box.b);
-  return {-over * y, over * x, over * (r + cx * x + cy * y)};
-}
-
-/// In pieces, so short that the first steps tried stay finite.
-template <class Rhs>
-Numbers to_rest(const Rhs& rhs, Numbers x, const Box& box) {
-  constexpr int pieces = 16;
-  const Number piece = (route_digits + 2) * 3 / box.mu_g / pieces;
-  for (int i = 0; i < pieces; ++i)
-    x = solve_extrapolation(rhs, x, Number(i * piece), Number((i + 1) * piece), route_digits);
-  return x;
-}
-
-Numbers velocity_in_space(const std::vector<double>& in, int) {
-  const Box box(in);
-  const Number J = box.inertia();
-  const auto rhs = [&](const Numbers& x, const Number&) {
-    const Number C = cos(x[2]), S = sin(x[2]);
-    const Numbers e = unit_means(box, C * x[3] + S * x[4], C * x[4] - S * x[3], x[5]);
-    const Number speed = sqrt(x[3] * x[3] + x[4] * x[4] + J * x[5] * x[5]), slow = -box.mu_g * speed;
-    return Numbers{speed * x[3],
-                   speed * x[4],
-                   speed * x[5],
-                   slow * (C * e[0] - S * e[1]),
-                   slow * (S * e[0] + C * e[1]),
-                   slow * e[2] / J,
-                   speed};
-  };
-  const Numbers x = to_rest(rhs, {Number(0), 0, 0, box.u, box.v, box.w, 0}, box);
-  return {x[6], x[0], x[1], x[2]};
-}
-
-/// Velocities along the box's axes, scaled: (u, v, w) = speed (p, q, r), and the speed's logarithm.
-Numbers velocity_in_the_box(const std::vector<double>& in, int) {
-  const Box box(in);
-  const Number J = box.inertia();
-  const Number speed0 = sqrt(box.u * box.u + box.v * box.v + J * box.w * box.w);
-  const auto rhs = [&](const Numbers& x, const Number&) {
-    const Number &p = x[3], &q = x[4], &r = x[5];
-    const Number speed = exp(x[6]), C = cos(x[2]), S = sin(x[2]);
-    const Numbers e = unit_means(box, p, q, r);
-    const Number norm = p * p + q * q + J * r * r;  // 1; divided by, it stays so
-    const Number loss = box.mu_g * (e[0] * p + e[1] * q + e[2] * r) / norm;
-    const Number turn = speed * speed;
-    return Numbers{speed * speed * (C * p - S * q),
-                   speed * speed * (S * p + C * q),
-                   turn * r,
-                   turn * r * q - box.mu_g * e[0] + loss * p,
-                   -turn * r * p - box.mu_g * e[1] + loss * q,
-                   -box.mu_g * e[2] / J + loss * r,
-                   -loss,
-                   speed};
-  };
-  const Numbers x =
-      to_rest(rhs, {Number(0), 0, 0, box.u / speed0, box.v / speed0, box.w / speed0, log(speed0), 0}, box);
-  return {x[7], x[0], x[1], x[2]};
-}
+constexpr double for_ever = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -113,9 +23,9 @@ Truth truth_03_31_rest() {
        {0.5, 0.05, 0.3, 9.81, 2, 0.5, 10},
        {0.3, 0.2, 0.3, 9.81, 0.2, 0, 20}},
       "extrapolated midpoint rule, velocities in space, in a time stretched by the speed",
-      velocity_in_space,
+      [](const std::vector<double>& in, int) { return rough_box::velocity_in_space(in, for_ever); },
       "extrapolated midpoint rule, the direction of motion in the box's axes and the logarithm of the speed",
-      velocity_in_the_box};
+      [](const std::vector<double>& in, int) { return rough_box::velocity_in_the_box(in, for_ever); }};
 }
 
 }  // namespace oddity::truth

@@ -33,7 +33,7 @@ State hermite(const State& x0, const State& d0, const State& x1, const State& d1
 /// the state there. Each step is sampled inside by its cubic, so that a double crossing is seen when it lasts
 /// a quarter of a step; the time is then found by Brent's method on states that the algorithm itself computes
 /// from the step's start (by one step of its plain stepper where it has one), and is as good as they are:
-/// there is no error estimate. `raised` when g keeps its sign.
+/// there is no error estimate. `raised` when g keeps its sign; the value then is t1 and the state there.
 template <class Algorithm, class System, class State, class G>
 Solved<Event<State>> find_event(const System& system, const State& start, double t0, double t1,
                                 double setting, const G& g) {
@@ -108,6 +108,7 @@ Solved<Event<State>> find_event(const System& system, const State& start, double
   const auto trajectory = integrate<Algorithm>(system, start, std::span<const double>(times), setting, watch);
   event.evaluations = trajectory.evaluations + inside;
   if (found) return event;
+  if (trajectory.reached()) event.value = {t1, trajectory.value.back()};
   event.ending = trajectory.reached() ? Ending::raised : trajectory.ending;
   event.message = trajectory.reached() ? "the event does not happen in the time given" : trajectory.message;
   return event;
