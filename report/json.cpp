@@ -314,26 +314,18 @@ Json from(const Stability& s) {
                    {"theory", from_limit(row.theory)},
                    {"outcomes", ends}});
   }
-  return {{"quantity", s.quantity},
-          {"unit", s.unit},
-          {"horizon", from(s.horizon)},
-          {"close", from(s.close)},
-          {"limits", limits},
-          {"parameter", s.parameter},
-          {"parameter_unit", s.parameter_unit},
-          {"steps", s.steps},
-          {"map", map}};
+  return {{"quantity", s.quantity},   {"unit", s.unit},
+          {"time_unit", s.time_unit}, {"horizon", from(s.horizon)},
+          {"close", from(s.close)},   {"limits", limits},
+          {"parameter", s.parameter}, {"parameter_unit", s.parameter_unit},
+          {"steps", s.steps},         {"map", map}};
 }
 Stability stability(const Json& json) {
-  Stability s{json.at("quantity"),
-              json.at("unit"),
-              number(json.at("horizon")),
-              number(json.at("close")),
-              {},
-              json.at("parameter"),
-              json.at("parameter_unit"),
-              json.at("steps"),
-              {}};
+  Stability s{json.at("quantity"),      json.at("unit"),
+              json.at("time_unit"),     number(json.at("horizon")),
+              number(json.at("close")), {},
+              json.at("parameter"),     json.at("parameter_unit"),
+              json.at("steps"),         {}};
   for (const Json& l : json.at("limits"))
     s.limits.push_back({l.at("model"), l.at("algorithm"), limit_in(l.at("theory")),
                         maybe_trial(l.at("stable")), maybe_trial(l.at("broken")), maybe_trial(l.at("cure")),

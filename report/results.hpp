@@ -127,13 +127,13 @@ struct Ledger {
 /// Up to which step a method of fixed step is stable, how it breaks beyond, and what cures it.
 struct Limit {
   std::string model, algorithm;
-  double theory = 0;                 ///< s, of linear theory; infinity: every step is stable
+  double theory = 0;                 ///< of linear theory; infinity: every step is stable
   std::optional<TimedTrial> stable;  ///< at the largest stable step; none: not even the finest tried is
   std::optional<TimedTrial> broken;  ///< at the next longer step tried; none: every step tried is stable
   std::optional<TimedTrial> cure;    ///< what is close enough where this method breaks
   std::string why;                   ///< why theory and measurement differ, where it is on record
 
-  /// The largest stable step [s]; infinity: even the longest tried; 0: none.
+  /// The largest stable step; infinity: even the longest tried; 0: none.
   double step() const;
 };
 
@@ -141,18 +141,19 @@ struct Limit {
 struct MapRow {
   std::string model, algorithm;
   double value = 0;
-  double theory = 0;  ///< s; infinity: every step is stable
+  double theory = 0;  ///< infinity: every step is stable
   std::vector<Outcome> outcomes;
 };
 
 /// Where the methods of a scene break: over the step, and over the parameter that makes the scene hard.
 struct Stability {
   std::string quantity, unit;
-  double horizon = 0;  ///< s
-  double close = 0;    ///< the need, in the unit
+  std::string time_unit;  ///< of the horizon and of every step and limit
+  double horizon = 0;
+  double close = 0;  ///< the need, in the unit
   std::vector<Limit> limits;
   std::string parameter, parameter_unit;
-  std::vector<double> steps;  ///< of the map, from coarse to fine [s]
+  std::vector<double> steps;  ///< of the map, from coarse to fine
   std::vector<MapRow> map;    ///< method by method, each from the easiest value to the hardest
 };
 

@@ -117,7 +117,8 @@ std::string panel(const std::vector<const MapRow*>& columns, const Stability& s,
   return panel_data(columns, s) + "set title " + quoted(columns[0]->model + "\n" + columns[0]->algorithm) +
          " noenhanced font ',11' offset 0,-0.6\nset xtics " + tics(layout.values, 1) + "\nset xlabel " +
          axis_name(s.parameter, s.parameter_unit) + " noenhanced font ',10' offset 0,0.7\nset ytics " +
-         (first ? tics(s.steps, -1) : "('' 0)") + "\nset ylabel " + (first ? "'step [s]'" : "''") +
+         (first ? tics(s.steps, -1) : "('' 0)") + "\nset ylabel " +
+         (first ? axis_name("step", s.time_unit) : "''") +
          " font ',11'\nplot $cells using 1:2:(0.49):(0.48):3 with boxxyerror lc rgb variable, $cells using "
          "1:2:4 with labels font ',9', $theory using 1:2:3:4 with vectors nohead lw 3 lc rgb '#000000'\n"
          "unset label\nunset object\nunset arrow\n";

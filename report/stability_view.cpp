@@ -30,12 +30,15 @@ std::string with_unit(const std::string& value, const std::string& unit) {
 
 std::string quantity_line(const ExerciseResult& e) {
   const Stability& s = *e.stability;
-  return "`" + s.quantity + "` over " + rounded(s.horizon, 4) + " s; close is " +
+  return "`" + s.quantity + "` over " + rounded(s.horizon, 4) + " " + s.time_unit + "; close is " +
          with_unit(rounded(s.close, 3), s.unit);
 }
 
-const std::vector<std::string> header{"model",  "algorithm",       "stable to [s]", "breaks at [s]",
-                                      "theory", "measured/theory", "how it breaks", "cure there"};
+std::vector<std::string> header(const Stability& s) {
+  const std::string unit = " [" + s.time_unit + "]";
+  return {"model",         "algorithm",       "stable to" + unit, "breaks at" + unit,
+          "theory" + unit, "measured/theory", "how it breaks",    "cure there"};
+}
 
 std::vector<std::string> limit_cells(const Stability& s, const Limit& l) {
   return {l.model,
@@ -50,7 +53,8 @@ std::vector<std::string> limit_cells(const Stability& s, const Limit& l) {
 
 /// The limits in columns, each model named above its own.
 std::string limits_text(const Stability& s) {
-  std::vector<std::vector<std::string>> rows{{header.begin() + 1, header.end()}};
+  const auto names = header(s);
+  std::vector<std::vector<std::string>> rows{{names.begin() + 1, names.end()}};
   const std::string* model = nullptr;
   for (const Limit& l : s.limits) {
     if (!model || *model != l.model) rows.push_back({l.model + ":"});
@@ -86,8 +90,9 @@ std::string letters_and_theory(const MapRow& row, const std::vector<double>& ste
 }
 
 std::string map_text(const Stability& s) {
-  std::string text = "\nmap: each letter a step, " + rounded(s.steps.front(), 3) + " s and its halves to " +
-                     rounded(s.steps.back(), 3) + " s; the bar is theory's limit\n ";
+  std::string text = "\nmap: each letter a step, " + rounded(s.steps.front(), 3) + " " + s.time_unit +
+                     " and its halves to " + rounded(s.steps.back(), 3) + " " + s.time_unit +
+                     "; the bar is theory's limit\n ";
   for (Outcome outcome : outcomes_of_a_map)
     text += " " + std::string(1, letter_of(outcome)) + " " + std::string(name_of(outcome));
   std::vector<std::vector<std::string>> rows{
@@ -118,7 +123,7 @@ std::string stability_of_scene(const ExerciseResult& e) {
       cells.push_back(with_powers(escaped(text_of_cell)));
     rows.push_back(std::move(cells));
   }
-  text += table(header, rows, "2345");
+  text += table(header(s), rows, "2345");
   if (const auto why = reasons(s); !why.empty()) {
     text += "Where theory and measurement differ by more than a factor of two:\n\n";
     for (const auto& [reason, names] : why)
@@ -157,7 +162,8 @@ std::string how_it_breaks(const Limit& l, const std::string& unit) {
   const TimedTrial& t = *l.broken;
   if (!t.message.empty()) return beyond(l) + ": " + t.message;
   if (t.outcome == Outcome::drifted)
-    return "drifted: a conserved quantity changed by " + rounded(t.drift, 3) + " times its size";
+    return "drifted: a conserved quantity changed by " + rounded(t.drift, 3) + " times its size; error " +
+           with_unit(shown_error(t.error), unit);
   return beyond(l) + ": error " + with_unit(shown_error(t.error), unit);
 }
 
@@ -179,8 +185,8 @@ double agreement(const Limit& l) {
 std::string stability_text(const ExerciseResult& e) {
   const Stability& s = *e.stability;
   std::string text = "Exercise " + to_string(e.number) + ": " + e.title + "\n" + s.quantity + " over " +
-                     rounded(s.horizon, 4) + " s; close is " + with_unit(rounded(s.close, 3), s.unit) +
-                     "\n\n";
+                     rounded(s.horizon, 4) + " " + s.time_unit + "; close is " +
+                     with_unit(rounded(s.close, 3), s.unit) + "\n\n";
   text += limits_text(s);
   for (const auto& [reason, names] : reasons(s)) text += "\n  " + names + ": " + reason + "\n";
   return text + map_text(s);

@@ -79,9 +79,11 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
 
 Truth truth_03_03_orbit() {
   constexpr double four_pi_squared = 39.47841760435743;
-  const std::vector<std::vector<double>> orbits{{four_pi_squared, 1, 1, 0.09375, 1.75, 6.25},
-                                                {four_pi_squared, 1, 1.75, 1.7862, -2, 0.8943},
-                                                {four_pi_squared, 2, 1.75, -3.28124, 0.75, 0.409303}};
+  std::vector<std::vector<double>> orbits{{four_pi_squared, 1, 1, 0.09375, 1.75, 6.25},
+                                          {four_pi_squared, 1, 1.75, 1.7862, -2, 0.8943},
+                                          {four_pi_squared, 2, 1.75, -3.28124, 0.75, 0.409303}};
+  for (double theta0_dot : {5.95, 4.45, 2.0, 1.0, 0.63})
+    orbits.push_back({four_pi_squared, 1, 1, 0.09375, 1.75, theta0_dot});
   std::vector<std::vector<double>> rows;
   for (const auto& orbit : orbits)
     for (double t : {0.5, 1.0, 1.5, 2.0}) {

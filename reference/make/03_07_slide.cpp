@@ -24,7 +24,8 @@ Numbers by_energy(const std::vector<double>& in, int digits) {
 
 Truth truth_03_07_slide() {
   std::vector<std::vector<double>> rows;
-  for (const auto& [q0, g] : {std::pair{1.0, 1.0}, {1.0, 9.81}, {3.0, 1.0}, {0.25, 1.0}})
+  for (const auto& [q0, g] :
+       {std::pair{1.0, 1.0}, {1.0, 9.81}, {3.0, 1.0}, {0.25, 1.0}, {0.5, 1.0}, {1.5, 1.0}, {2.0, 1.0}})
     for (double t : {1.0, 2.0, 3.0, 4.0}) rows.push_back({q0, g, t});
   for (double t : {2.24, 2.241}) rows.push_back({1, 1, t});
   return {"position t after rest at (q0, q0^2, q0^3) on the curve (q, q^2, q^3), gravity along -z",

@@ -33,7 +33,7 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
 
 Truth truth_03_09_ball() {
   std::vector<std::vector<double>> rows;
-  for (double a : {0.4, 4.0, 4 * (1 + 1e-13), 40.0, 80.0})
+  for (double a : {0.4, 4.0, 4 * (1 + 1e-13), 40.0, 80.0, 200.0, 1000.0})
     for (double t : {1.25, 2.5, 3.75, 5.0}) rows.push_back({1, 4, a, 1, 0.5, 0, 1.5, t});
   return {"position in the plane of a ball on a spring with viscous friction",
           "m x'' + a x' + c x = 0, x(0) = p, x'(0) = v",

@@ -41,11 +41,11 @@ Numbers by_momenta(const std::vector<double>& in, int digits) {
 }  // namespace
 
 Truth truth_03_11_hill() {
+  std::vector<std::vector<double>> starts{
+      {1, 2, 10, 0, 0, 2, 2}, {1, 2, 10, 0, 0, 1.5, 1.5}, {1, 2, 10, 0, 0, 3, 3}, {1, 2, 10, 0, 0.25, 2, 2}};
+  for (double v : {1.98, 1.8, 1.0, 0.4}) starts.push_back({1, 2, 10, 0, 0, v, v});
   std::vector<std::vector<double>> rows;
-  for (const std::vector<double>& row : std::vector<std::vector<double>>{{1, 2, 10, 0, 0, 2, 2},
-                                                                         {1, 2, 10, 0, 0, 1.5, 1.5},
-                                                                         {1, 2, 10, 0, 0, 3, 3},
-                                                                         {1, 2, 10, 0, 0.25, 2, 2}})
+  for (const auto& row : starts)
     for (double t : {0.5, 1.0, 1.5, 2.0}) {
       rows.push_back(row);
       rows.back().push_back(t);

@@ -53,7 +53,7 @@ Numbers by_angle(const std::vector<double>& in, int digits) {
 
 Truth truth_03_13_chute() {
   std::vector<std::vector<double>> rows;
-  for (double phi : {1.0, 0.0, 1.5, 0.5 * 3.141592653589793})
+  for (double phi : {1.0, 0.0, 1.5, 0.5 * 3.141592653589793, 0.1, 0.5, 1.35})
     for (double t : {1.0, 2.0, 3.0, 4.0}) rows.push_back({1, 5, 3, 9.81, phi, -1, t});
   return {
       "position t after the start in a tilted cylindrical chute, at the angle phi from its lowest line and "

@@ -55,11 +55,11 @@ Numbers by_extrapolation(const std::vector<double>& in, int digits) {
 
 Truth truth_03_15_slide() {
   const double w = std::atan(1.0);
+  std::vector<std::vector<double>> rods{
+      {1, 1, 10, w, 2}, {1, 1, 1e4, w, 2}, {1, 1, 10, 1.5 * std::sqrt(20.0), 2}, {0.5, 2, 10, 2, 1}};
+  for (double turning : {0.25, 0.75, 1.5, 3.0, 4.25}) rods.push_back({1, 1, 10, turning, 2});
   std::vector<std::vector<double>> rows;
-  for (const std::vector<double>& rod : {std::vector<double>{1, 1, 10, w, 2},
-                                         {1, 1, 1e4, w, 2},
-                                         {1, 1, 10, 1.5 * std::sqrt(20.0), 2},
-                                         {0.5, 2, 10, 2, 1}})
+  for (const auto& rod : rods)
     for (double t : {0.5, 1.0, 1.5, 2.0}) {
       rows.push_back(rod);
       rows.back().push_back(t);

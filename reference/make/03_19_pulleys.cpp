@@ -52,10 +52,12 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
 }  // namespace
 
 Truth truth_03_19_pulleys() {
-  const std::vector<std::vector<double>> sets{
+  std::vector<std::vector<double>> sets{
       {1, 2, 0.5, 0.25, 0.5, 0.5, 40, 30, 1, 1, 1, 1.5, 9.81, 1, 2.5, 0.25, -0.5},
       {1, 2, 0.5, 0.25, 0.5, 0.5, 40, 30, 1, 1, 1, 1.5, 9.81, 2, 5, 0, 0},
       {0.25, 8, 4, 0.125, 0.5, 0.25, 1000, 20, 0.5, 2, 0.25, -1, 9.81, 0.5, 4, 1, 2}};
+  for (double c1 : {10.0, 160.0, 1000.0, 10000.0})
+    sets.push_back({1, 2, 0.5, 0.25, 0.5, 0.5, c1, 30, 1, 1, 1, 1.5, 9.81, 1, 2.5, 0.25, -0.5});
   std::vector<std::vector<double>> rows;
   for (auto set : sets)
     for (double t : {2, 4, 6, 8}) {
