@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -181,7 +182,7 @@ class Ladder {
   template <class Model>
   Ladder& by_common(const std::string& name, const Model& model, Outcome first_order = Outcome::inaccurate,
                     Outcome second_order = Outcome::ok) {
-    ode::for_each_algorithm(
+    ode::for_each_common_algorithm(
         [&]<class Algorithm>() { by_if_it_can<Algorithm>(name, model, first_order, second_order); });
     return *this;
   }
@@ -198,6 +199,37 @@ class Ladder {
         .template by<ode::Fehlberg78>(name, model);
   }
 
+  /// An algorithm that is not expected to end ok at its finest setting.
+  struct Exception {
+    std::string_view algorithm;
+    Outcome expected;
+    std::string why;
+  };
+
+  /// The model by the rest of the catalog, as far as it allows it: expected to end ok, but for the
+  /// exceptions. Throws std::logic_error for an exception that names none of these algorithms.
+  template <class Model>
+  Ladder& by_others(const std::string& name, const Model& model,
+                    const std::vector<Exception>& exceptions = {}) {
+    std::size_t used = 0;
+    for (std::string_view optional : ode::optional_algorithms)
+      if (!ode::has_sundials) used += named(exceptions, optional) != exceptions.end();
+    ode::for_each_other_algorithm([&]<class Algorithm>() {
+      if constexpr (Algorithm::kind != ode::Kind::partitioned || Partitioned<Model>) {
+        const auto exception = named(exceptions, Algorithm::name);
+        if (exception == exceptions.end()) {
+          by<Algorithm>(name, model);
+        } else {
+          ++used;
+          by<Algorithm>(name, model, exception->expected, exception->why);
+        }
+      }
+    });
+    if (used != exceptions.size())
+      throw std::logic_error(name + ": an exception names an algorithm that is not tried");
+    return *this;
+  }
+
  private:
   template <class Algorithm, class Model>
   void by_if_it_can(const std::string& name, const Model& model, Outcome first_order, Outcome second_order) {
@@ -209,6 +241,11 @@ class Ladder {
                              : Outcome::ok,
                     first || second ? "its order is too low for this need at this step" : "");
     }
+  }
+
+  static std::vector<Exception>::const_iterator named(const std::vector<Exception>& exceptions,
+                                                      std::string_view algorithm) {
+    return std::ranges::find(exceptions, algorithm, &Exception::algorithm);
   }
 
   template <class Algorithm>

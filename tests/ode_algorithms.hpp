@@ -35,8 +35,18 @@ std::vector<problems::State> fixed_steps(const problems::System& system, problem
   return states;
 }
 
+/// Its steps depend on those before, and so do its errors.
+template <class Algorithm>
+constexpr bool multistep = requires {
+  Algorithm::recurrence(0.0);
+};
+
+/// It begins with low order and few digits, which stay in the rest of the motion.
+template <class Algorithm>
+constexpr bool changes_order = Algorithm::kind == Kind::driven && !HasPlain<Algorithm>;
+
 /// A setting that solves the problems of this folder well: a small step, or a small tolerance.
 template <class Algorithm>
-constexpr double fine = Algorithm::kind == Kind::controlled ? 1e-9 : 1e-3;
+constexpr double fine = has_tolerance(Algorithm::kind) ? 1e-9 : 1e-3;
 
 }  // namespace oddity::ode

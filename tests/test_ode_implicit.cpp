@@ -182,8 +182,8 @@ TEST_CASE("implicit steps cost their evaluations and their Jacobians, and report
     ++calls;
     Quadratic()(x, dxdt, t);
   };
-  CHECK(ode::integrate<ode::ImplicitEuler>(counted, std::array{1.0}, 0, 1, 0.125).evaluations == 8 * 3);
-  CHECK(calls == 8 * 3);
+  CHECK(ode::integrate<ode::ImplicitEuler>(counted, std::array{1.0}, 0, 1, 0.125).evaluations == 8 * 2);
+  CHECK(calls == 8 * 2);
   calls = 0;
   CHECK(ode::integrate<ode::Rosenbrock4>(counted, std::array{1.0}, 0, 1, 1e-6).evaluations == calls);
   calls = 0;

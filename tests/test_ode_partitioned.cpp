@@ -65,6 +65,9 @@ TEST_CASE("the energy of an orbit is bounded over 1e5 steps of the symplectic me
   CHECK(near(verlet.second_half / verlet.first_half, 1, 0.01));
   CHECK(within(euler.first_half, 1e-3, 1e-1));
   CHECK(near(euler.second_half / euler.first_half, 1, 0.05));
+  const Drift mclachlan = drift<McLachlan4>(0.04);
+  CHECK(within(mclachlan.first_half, 1e-7, 1e-4));
+  CHECK(near(mclachlan.second_half / mclachlan.first_half, 1, 0.05));
 }
 
 TEST_CASE("explicit Euler's energy drifts over the same time", "[solvers]") {
@@ -76,6 +79,7 @@ TEST_CASE("explicit Euler's energy drifts over the same time", "[solvers]") {
 TEST_CASE("the symplectic methods keep the angular momentum to rounding", "[solvers]") {
   CHECK(drift<VelocityVerlet>(0.01).momentum < 1e-12);
   CHECK(drift<SymplecticEuler>(0.01).momentum < 1e-12);
+  CHECK(drift<McLachlan4>(0.01).momentum < 1e-12);
 }
 
 TEST_CASE("the energy's oscillation shrinks with the order of the method", "[solvers]") {
@@ -85,7 +89,8 @@ TEST_CASE("the energy's oscillation shrinks with the order of the method", "[sol
              0.1));
 }
 
-TEST_CASE("Verlet runs back step by step to its start; symplectic Euler does not", "[solvers]") {
+TEST_CASE("Verlet and McLachlan run back step by step to their start; symplectic Euler does not",
+          "[solvers]") {
   const auto there_and_back = []<class Algorithm>() {
     const auto start = Kepler::start(0.5);
     const auto there = integrate<Algorithm>(Kepler(), start, 0, 20, 0.01);
@@ -95,6 +100,7 @@ TEST_CASE("Verlet runs back step by step to its start; symplectic Euler does not
     return worst;
   };
   CHECK(there_and_back.operator()<VelocityVerlet>() < 1e-11);
+  CHECK(there_and_back.operator()<McLachlan4>() < 1e-11);
   CHECK(there_and_back.operator()<SymplecticEuler>() > 1e-4);
 }
 
@@ -111,6 +117,7 @@ TEST_CASE("a symplectic step keeps the area in phase space, explicit Euler's gro
            (4 * d * d);
   };
   CHECK(near(area.operator()<VelocityVerlet>(), 1, 1e-9));
+  CHECK(near(area.operator()<McLachlan4>(), 1, 1e-9));
   CHECK(near(area.operator()<SymplecticEuler>(), 1, 1e-9));
   CHECK(near(area.operator()<ExplicitEuler>(), 1 + 0.09 * std::cos(1.0), 1e-9));
 }

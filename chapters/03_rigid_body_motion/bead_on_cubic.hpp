@@ -184,7 +184,7 @@ template <class Model>
 void add_events(Quantity& arrival, const std::string& name, const Model& model) {
   add_event<ode::ExplicitEuler>(arrival, name, model, Outcome::inaccurate,
                                 "its order is too low for this need at this step");
-  ode::for_each_algorithm([&]<class Algorithm>() {
+  ode::for_each_common_algorithm([&]<class Algorithm>() {
     if constexpr (Algorithm::kind != ode::Kind::partitioned && !std::is_same_v<Algorithm, ode::ExplicitEuler>)
       add_event<Algorithm>(arrival, name, model);
   });

@@ -153,6 +153,8 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
       .closed_form("amplitude-corrected", AmplitudeCorrected{pendulum}, Outcome::inaccurate,
                    "terms of order a^4 in the frequency and of order a^3 in the shape are left out")
       .by_common("one angle", OneAngle{pendulum}, Outcome::inaccurate, Outcome::inaccurate)
+      .by_others("one angle", OneAngle{pendulum},
+                 {{"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps every swing"}})
       .by_common("Cartesian with constraint", CartesianWithConstraint{pendulum}, Outcome::inaccurate,
                  Outcome::inaccurate);
   angle.add(

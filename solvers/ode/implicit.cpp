@@ -18,17 +18,16 @@ using Vector = boost::numeric::ublas::vector<double>;
 using Matrix = boost::numeric::ublas::matrix<double>;
 
 struct Rhs {
-  const ImplicitProblem& problem;
+  const RawProblem& problem;
   void operator()(const Vector& x, Vector& dxdt, double t) const {
     problem.rhs(problem.object, &x[0], &dxdt[0], t);
   }
 };
 
 struct Jacobian {
-  const ImplicitProblem& problem;
+  const RawProblem& problem;
   void operator()(const Vector& x, Matrix& matrix, double t) const {
-    Vector dfdt(x.size());
-    problem.jacobian(problem.object, &x[0], &matrix(0, 0), &dfdt[0], t);
+    problem.jacobian(problem.object, &x[0], &matrix(0, 0), nullptr, t);
   }
 };
 
@@ -36,7 +35,7 @@ struct Jacobian {
 /// coefficient d4 with the wrong sign, and so is of order 1 where the right-hand side knows the time; of
 /// order 4 where it does not.
 struct AutonomousRhs {
-  const ImplicitProblem& problem;
+  const RawProblem& problem;
   void operator()(const Vector& x, Vector& dxdt, double) const {
     problem.rhs(problem.object, &x[0], &dxdt[0], x[problem.n]);
     dxdt[problem.n] = 1;
@@ -44,7 +43,7 @@ struct AutonomousRhs {
 };
 
 struct AutonomousJacobian {
-  const ImplicitProblem& problem;
+  const RawProblem& problem;
   void operator()(const Vector& x, Matrix& matrix, double, Vector& dfdt) const {
     const std::size_t n = problem.n;
     Matrix inner(n, n);
@@ -71,7 +70,7 @@ Rosenbrock::Rosenbrock(std::size_t n, double tolerance)
 Rosenbrock::~Rosenbrock() = default;
 Rosenbrock::Rosenbrock(Rosenbrock&&) noexcept = default;
 
-bool Rosenbrock::try_step(const ImplicitProblem& problem, double* x, double& t, double& h) {
+bool Rosenbrock::try_step(const RawProblem& problem, double* x, double& t, double& h) {
   Vector& state = stepper_->x;
   std::copy_n(x, problem.n, state.begin());
   state[problem.n] = t;
@@ -82,7 +81,7 @@ bool Rosenbrock::try_step(const ImplicitProblem& problem, double* x, double& t, 
   return true;
 }
 
-void implicit_euler_step(const ImplicitProblem& problem, double* x, double t, double h) {
+void implicit_euler_step(const RawProblem& problem, double* x, double t, double h) {
   Vector state(problem.n);
   std::copy_n(x, problem.n, state.begin());
   odeint::implicit_euler<double> one_newton_step(std::numeric_limits<double>::infinity());

@@ -1,19 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <memory>
 
-/// Odeint's implicit steppers keep their states in uBLAS and compile only as C++17 (with Boost 1.74). This is
-/// the seam: raw pointers on this side, Odeint behind it in implicit.cpp.
-namespace oddity::ode::detail {
+#include "solvers/ode/raw_problem.hpp"
 
-/// An initial value problem of n unknowns; `jacobian` fills d(dxdt)/dx by rows, and d(dxdt)/dt.
-struct ImplicitProblem {
-  std::size_t n;
-  const void* object;
-  void (*rhs)(const void* object, const double* x, double* dxdt, double t);
-  void (*jacobian)(const void* object, const double* x, double* matrix, double* dfdt, double t);
-};
+/// Odeint's implicit steppers keep their states in uBLAS and compile only as C++17 (with Boost 1.74). Odeint
+/// stands behind the seam in implicit.cpp.
+namespace oddity::ode::detail {
 
 /// Rosenbrock's method of order 4 with Odeint's step control.
 class Rosenbrock {
@@ -23,7 +16,7 @@ class Rosenbrock {
   Rosenbrock(Rosenbrock&&) noexcept;
 
   /// Whether the step was accepted; x, t and h are Odeint's to change.
-  bool try_step(const ImplicitProblem&, double* x, double& t, double& h);
+  bool try_step(const RawProblem&, double* x, double& t, double& h);
 
  private:
   struct Stepper;
@@ -32,6 +25,6 @@ class Rosenbrock {
 
 /// One step of the backward Euler method, its equation solved by one Newton step. Odeint would iterate, but
 /// from the second iteration on it factorizes the matrix that it has factorized before.
-void implicit_euler_step(const ImplicitProblem&, double* x, double t, double h);
+void implicit_euler_step(const RawProblem&, double* x, double t, double h);
 
 }  // namespace oddity::ode::detail

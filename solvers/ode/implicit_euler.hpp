@@ -2,13 +2,14 @@
 
 #include <string_view>
 
-#include "solvers/ode/implicit_problem.hpp"
+#include "solvers/ode/counted_problem.hpp"
+#include "solvers/ode/implicit.hpp"
 
 namespace oddity::ode {
 
-/// Order 1, stable for every step on the left half-plane (L-stable). One evaluation and one Jacobian by dual
-/// numbers (n + 1 evaluations) a step: the step's equation is solved by one Newton step. The system must be
-/// Differentiable.
+/// Order 1, stable for every step on the left half-plane (L-stable). One evaluation and one Jacobian a step,
+/// by dual numbers (n evaluations) where the system is Differentiable, else by central differences (2 n): the
+/// step's equation is solved by one Newton step.
 struct ImplicitEuler {
   static constexpr std::string_view name = "linearly implicit Euler";
   static constexpr Kind kind = Kind::implicit_fixed;

@@ -11,21 +11,22 @@
 
 #include "solvers/solved.hpp"
 
-/// Initial value problems over Boost.Odeint. States are std::array<double, N>; a system is called as
-/// system(x, dxdt, t). A partitioned system has x = (q, v) with q' = v and also offers system.acceleration(q,
-/// a): forces that depend on positions alone.
+/// Initial value problems over Boost.Odeint, GSL and SUNDIALS. States are std::array<double, N>; a system is
+/// called as system(x, dxdt, t). A partitioned system has x = (q, v) with q' = v and also offers
+/// system.acceleration(q, a): forces that depend on positions alone.
 ///
 /// An algorithm is a type of this folder. Its `setting` is a step (fixed, partitioned) or a tolerance,
-/// absolute and relative (controlled). Time may run backward. No algorithm hangs or returns NaN as a success:
-/// a state that is not finite ends `non_finite`, a step too small to move the time or a spent budget ends
-/// `stalled`.
+/// absolute and relative (controlled, driven). Time may run backward. No algorithm hangs or returns NaN as a
+/// success: a state that is not finite ends `non_finite`, a step too small to move the time or a spent budget
+/// ends `stalled`.
 namespace oddity::ode {
 
-enum class Kind { fixed, partitioned, controlled, implicit_fixed, implicit_controlled };
+/// A driven algorithm is a library's own driver, which chooses its steps and repeats those that fail.
+enum class Kind { fixed, partitioned, controlled, implicit_fixed, implicit_controlled, driven };
 
 /// The setting is a tolerance, not a step.
 constexpr bool has_tolerance(Kind kind) {
-  return kind == Kind::controlled || kind == Kind::implicit_controlled;
+  return kind == Kind::controlled || kind == Kind::implicit_controlled || kind == Kind::driven;
 }
 
 /// Most evaluations of the right-hand side that one integration may take.
@@ -119,6 +120,25 @@ bool controlled_steps(const TryStep& try_step, State& x, double t, double t1, do
   return true;
 }
 
+/// Steps that a library's driver chooses, from t to t1: advance(x, t, t1) makes one of them, not beyond t1,
+/// and says what went wrong, or null.
+template <class Advance, class State, class OnStep>
+bool driven_steps(Advance& advance, State& x, double t, double t1, Trajectory<State>& solved,
+                  const OnStep& on_step) {
+  while (t != t1) {
+    const State before = x;
+    const double from = t;
+    const char* trouble = advance(x, t, t1);
+    if (trouble) x = before, t = from;
+    if (!check_budget(solved, t)) return false;
+    if (!finite(x)) return fail(solved, Ending::non_finite, "the state is not finite " + at(t));
+    if (!trouble && t == from) trouble = "the step became too small";
+    if (trouble) return fail(solved, Ending::stalled, trouble + (" " + at(t)));
+    if (on_step(from, before, t, x)) return false;
+  }
+  return true;
+}
+
 /// The step that a controlled algorithm tries first: a part of the whole span, but enough to move the time.
 inline double first_step(std::span<const double> times, double part) {
   const auto [low, high] = std::ranges::minmax(times);
@@ -166,6 +186,12 @@ Trajectory<State> integrate(const System& system, const State& start, std::span<
     auto stepper = Algorithm::template stepper<State>(system, solved.evaluations);
     detail::through(times, start, solved, [&](State& x, double t0, double t1) {
       return detail::equal_steps(stepper, x, t0, t1, setting, solved, on_step);
+    });
+  } else if constexpr (Algorithm::kind == Kind::driven) {
+    auto advance = Algorithm::template stepper<State>(system, solved.evaluations, setting,
+                                                      detail::first_step(times, Algorithm::first_step));
+    detail::through(times, start, solved, [&](State& x, double t0, double t1) {
+      return detail::driven_steps(advance, x, t0, t1, solved, on_step);
     });
   } else {
     const auto controlled = [&](const auto& try_step) {

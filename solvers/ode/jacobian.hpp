@@ -8,8 +8,8 @@
 
 namespace oddity::ode {
 
-/// A system whose right-hand side is generic in its number type: it can be differentiated, and so solved
-/// implicitly.
+/// A system whose right-hand side is generic in its number type: it can be differentiated exactly. Of any
+/// other the Jacobian is taken by central differences (raw_problem.hpp).
 template <class System, class State>
 concept Differentiable = requires(const System& system,
                                   const std::array<Dual<double>, std::tuple_size_v<State>>& x,
@@ -17,16 +17,19 @@ concept Differentiable = requires(const System& system,
   system(x, dxdt, t);
 };
 
-/// d(dxdt)/dx by rows into `matrix`, and d(dxdt)/dt into `dfdt`, exact to rounding: n + 1 evaluations.
+/// d(dxdt)/dx by rows into `matrix` and, unless it is null, d(dxdt)/dt into `dfdt`, exact to rounding.
+/// Returns its evaluations: n, or n + 1.
 template <class System, class State>
-void jacobian(const System& system, const State& x, double* matrix, double* dfdt, double t) {
+long jacobian(const System& system, const State& x, double* matrix, double* dfdt, double t) {
   constexpr std::size_t n = std::tuple_size_v<State>;
-  for (std::size_t column = 0; column <= n; ++column) {
+  const std::size_t columns = dfdt ? n + 1 : n;
+  for (std::size_t column = 0; column < columns; ++column) {
     std::array<Dual<double>, n> y{}, dydt{};
     for (std::size_t i = 0; i < n; ++i) y[i] = Dual<double>(x[i], i == column ? 1.0 : 0.0);
     system(y, dydt, Dual<double>(t, column == n ? 1.0 : 0.0));
     for (std::size_t i = 0; i < n; ++i) (column == n ? dfdt[i] : matrix[i * n + column]) = dydt[i].slope;
   }
+  return static_cast<long>(columns);
 }
 
 }  // namespace oddity::ode

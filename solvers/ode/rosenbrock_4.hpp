@@ -2,13 +2,14 @@
 
 #include <string_view>
 
-#include "solvers/ode/implicit_problem.hpp"
+#include "solvers/ode/counted_problem.hpp"
+#include "solvers/ode/implicit.hpp"
 
 namespace oddity::ode {
 
 /// Order 4 with an embedded order 3 for the step control (Kaps-Rentrop's form, as in Odeint), L-stable: for
-/// stiff problems. Six evaluations and a Jacobian by dual numbers (n + 1 evaluations) a step. The system must
-/// be Differentiable.
+/// stiff problems. Six evaluations and a Jacobian with the derivative by time a step: by dual numbers (n + 1
+/// evaluations) where the system is Differentiable, else by central differences (2 n + 2).
 struct Rosenbrock4 {
   static constexpr std::string_view name = "Rosenbrock 4";
   static constexpr Kind kind = Kind::implicit_controlled;

@@ -21,8 +21,10 @@ using Plane = std::array<double, 2>;
 struct LinearProblem {
   std::complex<double> z;
 
-  void operator()(const Plane& y, Plane& dydt, double) const {
-    dydt = {z.real() * y[0] - z.imag() * y[1], z.imag() * y[0] + z.real() * y[1]};
+  template <class Y>
+  void operator()(const Y& y, Y& dydt, const auto&) const {
+    dydt[0] = z.real() * y[0] - z.imag() * y[1];
+    dydt[1] = z.imag() * y[0] + z.real() * y[1];
   }
   void acceleration(const std::array<double, 1>& q, std::array<double, 1>& a) const {
     a = {(z * z).real() * q[0]};
@@ -42,8 +44,20 @@ double log_radius(const Plane& a, const Plane& b) {
                           : std::log(std::abs(half_trace) + std::sqrt(discriminant));
 }
 
+/// ln of the largest root of the recurrence's characteristic polynomial.
+double log_radius(const Recurrence& c) {
+  const auto n = static_cast<Eigen::Index>(c.size());
+  Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) companion(0, i) = c[static_cast<std::size_t>(i)];
+  companion.diagonal(-1).setOnes();
+  const Eigen::VectorXcd roots = companion.eigenvalues();
+  return std::log(roots.cwiseAbs().maxCoeff());
+}
+
 template <class Algorithm>
 double growth_of(const LinearProblem& problem) {
+  if constexpr (requires { Algorithm::recurrence(problem.z); })
+    return log_radius(Algorithm::recurrence(problem.z));
   const Plane a = one_step<Algorithm>(problem, {1, 0});
   if constexpr (Algorithm::kind == Kind::partitioned)
     return log_radius(a, one_step<Algorithm>(problem, {0, 1}));
@@ -80,17 +94,15 @@ double excess(std::string_view algorithm, const Spectrum& spectrum, double h) {
 Eigenvalues eigenvalues_of_jacobian(const std::function<void(const double*, double*, double)>& rhs,
                                     std::span<const double> x, double t) {
   const auto n = static_cast<Eigen::Index>(x.size());
-  Eigen::MatrixXd jacobian(n, n);
-  Eigen::VectorXd y = Eigen::Map<const Eigen::VectorXd>(x.data(), n), above(n), below(n);
-  for (Eigen::Index column = 0; column < n; ++column) {
-    const double here = y[column], h = 6e-6 * std::max(1.0, std::abs(here));
-    y[column] = here + h;
-    rhs(y.data(), above.data(), t);
-    y[column] = here - h;
-    rhs(y.data(), below.data(), t);
-    y[column] = here;
-    jacobian.col(column) = (above - below) / (2 * h);
-  }
+  const detail::RawProblem problem{
+      x.size(), &rhs,
+      [](const void* object, const double* y, double* dydt, double time) {
+        (*static_cast<const std::function<void(const double*, double*, double)>*>(object))(y, dydt, time);
+        return detail::Call::ok;
+      },
+      nullptr};
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(n, n);
+  detail::differences(problem, x.data(), jacobian.data(), nullptr, t);
   if (!jacobian.allFinite()) return {};
   const auto eigenvalues = jacobian.eigenvalues().eval();
   return {eigenvalues.begin(), eigenvalues.end()};

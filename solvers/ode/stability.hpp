@@ -24,7 +24,8 @@ Eigenvalues eigenvalues_of_jacobian(const std::function<void(const double*, doub
 
 /// ln |R(z)|, the rate at which y' = lambda y grows in a step of the named algorithm, z = h lambda. A
 /// partitioned algorithm solves q'' = lambda^2 q, of which it takes the real part, and gives its faster
-/// growth. Throws std::logic_error for an algorithm that has no fixed step.
+/// growth; a multistep one gives the growth of its largest root. Throws std::logic_error for an algorithm
+/// that has no fixed step.
 double growth(std::string_view algorithm, std::complex<double> z);
 
 /// The largest step up to which disturbances grow, over the whole spectrum, less than tenfold beyond what

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <boost/numeric/odeint/stepper/adams_bashforth.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <string_view>
+
+#include "solvers/ode/integrate.hpp"
+#include "solvers/ode/multistep.hpp"
+
+namespace oddity::ode {
+
+/// Order 4, one evaluation a step, after three steps of Runge-Kutta 4; these again whenever the step changes.
+/// Stable to h |lambda| = 0.3 on the negative real axis and 0.430 on the imaginary axis.
+struct AdamsBashforth4 {
+  static constexpr std::string_view name = "Adams-Bashforth 4";
+  static constexpr Kind kind = Kind::fixed;
+  static constexpr int order = 4;
+  template <class State>
+  static auto stepper() {
+    namespace odeint = boost::numeric::odeint;
+    using Algebra = typename odeint::algebra_dispatcher<State>::algebra_type;
+    using Operations = typename odeint::operations_dispatcher<State>::operations_type;
+    return detail::Restarting<
+        odeint::adams_bashforth<order, State, double, State, double, Algebra, Operations,
+                                odeint::initially_resizer, odeint::runge_kutta4<State>>>();
+  }
+  static Recurrence recurrence(std::complex<double> z) {
+    Recurrence c;
+    for (double b : boost::numeric::odeint::detail::adams_bashforth_coefficients<double, order>())
+      c.push_back(z * b);
+    c[0] += 1;
+    return c;
+  }
+};
+
+}  // namespace oddity::ode

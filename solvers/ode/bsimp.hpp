@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+
+#include "solvers/ode/gsl_driver.hpp"
+
+namespace oddity::ode {
+
+/// Bader and Deuflhard's extrapolation of the linearly implicit midpoint rule: for stiff problems to high
+/// accuracy. Each step takes a Jacobian with the derivative by time: by dual numbers (n + 1 evaluations)
+/// where the system is Differentiable, else by central differences (2 n + 2).
+struct Bsimp : detail::Gsl<detail::GslStep::bsimp> {
+  static constexpr std::string_view name = "GSL bsimp";
+  static constexpr int order = 12;
+  /// The method without its step control.
+  template <class State>
+  using Plain = detail::PlainGsl<State, detail::GslStep::bsimp>;
+};
+
+}  // namespace oddity::ode

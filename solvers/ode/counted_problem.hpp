@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+
+#include "solvers/ode/integrate.hpp"
+#include "solvers/ode/jacobian.hpp"
+#include "solvers/ode/raw_problem.hpp"
+
+namespace oddity::ode::detail {
+
+/// A system as the libraries behind the seam want it, its evaluations counted: one past the budget is not
+/// made. The Jacobian comes from dual numbers where the system is Differentiable, else from central
+/// differences.
+template <class System, class State>
+struct CountedProblem {
+  const System& system;
+  long& evaluations;
+
+  static State state(const double* x) {
+    State copy{};
+    std::copy_n(x, copy.size(), copy.begin());
+    return copy;
+  }
+  static Call rhs(const void* self, const double* x, double* dxdt, double t) {
+    const auto& problem = *static_cast<const CountedProblem*>(self);
+    if (problem.evaluations > budget) return Call::budget_spent;
+    ++problem.evaluations;
+    State derivative{};
+    problem.system(state(x), derivative, t);
+    std::copy(derivative.begin(), derivative.end(), dxdt);
+    return finite(derivative) ? Call::ok : Call::not_finite;
+  }
+  static Call jacobian(const void* self, const double* x, double* matrix, double* dfdt, double t) {
+    const auto& problem = *static_cast<const CountedProblem*>(self);
+    if constexpr (Differentiable<System, State>) {
+      problem.evaluations += ode::jacobian(problem.system, state(x), matrix, dfdt, t);
+      return problem.evaluations <= budget ? Call::ok : Call::budget_spent;
+    } else {
+      return differences(problem.view(), x, matrix, dfdt, t);
+    }
+  }
+  RawProblem view() const { return {std::tuple_size_v<State>, this, &rhs, &jacobian}; }
+};
+
+}  // namespace oddity::ode::detail

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+#include "solvers/ode/sundials_driver.hpp"
+
+namespace oddity::ode {
+
+/// SUNDIALS's backward differentiation of variable step and order 1 to 5, its corrector solved by Newton
+/// iterations: for stiff problems. Now and then it takes a Jacobian: by dual numbers (n evaluations) where
+/// the system is Differentiable, else by central differences (2 n).
+struct CvodeBdf : detail::Sundials<detail::SundialsMethod::bdf> {
+  static constexpr std::string_view name = "CVODE BDF";
+};
+
+}  // namespace oddity::ode

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "solvers/ode/counted_problem.hpp"
+
+namespace oddity::ode {
+
+namespace detail {
+
+enum class GslStep { rk8pd, msadams, msbdf, bsimp };
+
+/// GSL's step, step control and evolution behind the seam.
+class GslDriver {
+ public:
+  GslDriver(GslStep, std::size_t n, double tolerance, double first_step);
+  ~GslDriver();
+  GslDriver(GslDriver&&) noexcept;
+
+  /// One accepted step from t, not beyond t1. What went wrong, or null.
+  const char* advance(const RawProblem&, double* x, double& t, double t1);
+  /// One step of h without control; x is not finite when it fails.
+  void plain_step(const RawProblem&, double* x, double t, double h);
+
+ private:
+  struct Driver;
+  std::unique_ptr<Driver> driver_;
+};
+
+/// An algorithm of GSL under GSL's own driver. GSL integrates through a NaN as if all were well, as its step
+/// control takes it for no error: here a derivative that is not finite fails the step, and GSL halves it.
+template <GslStep step>
+struct Gsl {
+  static constexpr Kind kind = Kind::driven;
+  static constexpr double first_step = 1e-3;  ///< of the whole span
+  template <class State, class System>
+  static auto stepper(const System& system, long& evaluations, double tolerance, double first) {
+    return [problem = CountedProblem<System, State>{system, evaluations},
+            driver = GslDriver(step, std::tuple_size_v<State>, tolerance, first)](State& x, double& t,
+                                                                                  double t1) mutable {
+      return driver.advance(problem.view(), x.data(), t, t1);
+    };
+  }
+};
+
+/// An algorithm of GSL without its step control.
+template <class State, GslStep step>
+struct PlainGsl {
+  template <class System>
+  void do_step(const System& system, State& x, double t, double h) {
+    const CountedProblem<System, State> problem{system, evaluations};
+    driver.plain_step(problem.view(), x.data(), t, h);
+  }
+  long evaluations = 0;
+  GslDriver driver{step, std::tuple_size_v<State>, 1, 1};
+};
+
+}  // namespace detail
+
+}  // namespace oddity::ode

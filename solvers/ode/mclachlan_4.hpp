@@ -1,0 +1,35 @@
+#pragma once
+
+#include <boost/numeric/odeint/stepper/base/symplectic_rkn_stepper_base.hpp>  // which the next forgets
+#include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
+#include <string_view>
+
+#include "solvers/ode/partitioned.hpp"
+
+namespace oddity::ode {
+
+/// McLachlan's symmetric composition of five drifts and four kicks: order 4, symplectic and reversible, four
+/// evaluations of the forces a step. Stable on the imaginary axis to h |lambda| = 2.967.
+struct McLachlan4 {
+  static constexpr std::string_view name = "McLachlan 4";
+  static constexpr Kind kind = Kind::partitioned;
+  static constexpr int order = 4;
+  template <class State, class System>
+  static auto stepper(const System& system, long& evaluations) {
+    using Half = typename detail::Halves<State>::Half;
+    return [&system, &evaluations](State& x, double t, double h) {
+      int stage = 0;
+      const auto force = [&](const Half& q, Half& a) {
+        if (++stage == 5) return void(a = {});  // Odeint asks once more, and takes the answer times zero
+        ++evaluations;
+        system.acceleration(q, a);
+      };
+      detail::Halves<State> halves(x);
+      boost::numeric::odeint::symplectic_rkn_sb3a_m4_mclachlan<Half>().do_step(
+          force, std::pair(std::ref(halves.q), std::ref(halves.v)), t, h);
+      halves.put(x);
+    };
+  }
+};
+
+}  // namespace oddity::ode

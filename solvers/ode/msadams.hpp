@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+#include "solvers/ode/gsl_driver.hpp"
+
+namespace oddity::ode {
+
+/// Adams's method of variable step and order 1 to 12, in Nordsieck's form, its corrector solved by up to
+/// three functional iterations: for smooth problems that are not stiff and dear to evaluate. Two to four
+/// evaluations a step.
+struct Msadams : detail::Gsl<detail::GslStep::msadams> {
+  static constexpr std::string_view name = "GSL msadams";
+};
+
+}  // namespace oddity::ode

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+#include "solvers/ode/gsl_driver.hpp"
+
+namespace oddity::ode {
+
+/// Backward differentiation of variable step and order 1 to 5, its corrector solved by up to three Newton
+/// iterations: for stiff problems. Two to four evaluations a step, and now and then a Jacobian with the
+/// derivative by time: by dual numbers (n + 1 evaluations) where the system is Differentiable, else by
+/// central differences (2 n + 2).
+struct Msbdf : detail::Gsl<detail::GslStep::msbdf> {
+  static constexpr std::string_view name = "GSL msbdf";
+};
+
+}  // namespace oddity::ode

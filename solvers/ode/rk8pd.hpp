@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+
+#include "solvers/ode/gsl_driver.hpp"
+
+namespace oddity::ode {
+
+/// Prince and Dormand's order 8 with an embedded order 7 for the step control, thirteen evaluations a step of
+/// which the last is the next step's first. Stable to h |lambda| = 5.166 on the negative real axis, on the
+/// imaginary axis nowhere: undamped oscillations grow, slowly, as h^10.
+struct Rk8pd : detail::Gsl<detail::GslStep::rk8pd> {
+  static constexpr std::string_view name = "GSL rk8pd";
+  static constexpr int order = 8;
+  /// The method without its step control.
+  template <class State>
+  using Plain = detail::PlainGsl<State, detail::GslStep::rk8pd>;
+};
+
+}  // namespace oddity::ode

@@ -1,0 +1,328 @@
+// The catalog against measurement: the stability of every fixed step on both axes, against its theory and
+// against one step of the library; and what the libraries do wrong, where they were repaired from outside.
+
+#include "solvers/ode/catalog.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include <complex>
+
+#include "solvers/ode/stability.hpp"
+#include "tests/catch.hpp"
+#include "tests/near.hpp"
+#include "tests/ode_algorithms.hpp"
+#ifdef ODDITY_SUNDIALS
+#include <arkode/arkode_erkstep.h>
+#include <nvector/nvector_serial.h>
+#endif
+
+using namespace oddity::ode;
+using namespace problems;
+
+namespace {
+
+using Complex = std::complex<double>;
+const Complex real_axis{-1, 0}, imaginary_axis{0, 1};
+
+const CatalogEntry& entry(std::string_view name) {
+  return *std::ranges::find(catalog(), name, &CatalogEntry::name);
+}
+
+/// The first r at which growth(r) > 0, in steps of 1e-3 and then bisected; infinity beyond 40.
+template <class Growth>
+double limit(const Growth& growth) {
+  const auto stable = [&](double r) { return growth(r) <= 1e-12; };
+  double low = 0;
+  while (stable(low + 1e-3))
+    if ((low += 1e-3) > 40) return std::numeric_limits<double>::infinity();
+  double high = low + 1e-3;
+  for (int i = 0; i < 40; ++i) (stable((low + high) / 2) ? low : high) = (low + high) / 2;
+  return low;
+}
+
+/// ln of the spectral radius of one plain step of a linear problem.
+template <class Algorithm>
+double plain_growth(const Problem& problem, double h) {
+  const auto column = [&](State x) {
+    typename Algorithm::template Plain<State>().do_step(problem.system, x, 0, h);
+    return x;
+  };
+  const State a = column({1, 0}), b = column({0, 1});
+  const double half_trace = (a[0] + b[1]) / 2, determinant = a[0] * b[1] - a[1] * b[0];
+  const double discriminant = half_trace * half_trace - determinant;
+  return discriminant < 0 ? std::log(determinant) / 2
+                          : std::log(std::abs(half_trace) + std::sqrt(discriminant));
+}
+
+struct Limits {
+  double real, imaginary;
+};
+
+template <class Algorithm>
+Limits measured() {
+  if constexpr (HasPlain<Algorithm>)
+    return {limit([](double h) { return plain_growth<Algorithm>(decay, h); }),
+            limit([](double h) { return plain_growth<Algorithm>(oscillator, h); })};
+  else
+    return {limit([](double r) { return growth(Algorithm::name, r * real_axis); }),
+            limit([](double r) { return growth(Algorithm::name, r * imaginary_axis); })};
+}
+
+/// A growth that begins with the sixth power is seen late: where the limit is 0 the measured one is this.
+constexpr double as_good_as_none = 0.5;
+
+/// The stability polynomial of a Runge-Kutta method: 1 + z + ... + z^order/order! and what follows, from
+/// sum b A^k 1 of its tableau in exact fractions.
+struct Polynomial {
+  std::string_view name;
+  int order;
+  std::vector<double> beyond;
+};
+const Polynomial polynomials[] = {
+    {"explicit Euler", 1, {}},
+    {"modified midpoint", 2, {1.0 / 8}},
+    {"Runge-Kutta 4", 4, {}},
+    {"Cash-Karp 5(4)", 5, {1.0 / 800}},
+    {"Dormand-Prince 5(4)", 5, {1.0 / 600}},
+    {"Fehlberg 7(8)", 8, {491.0 / 209018880, 1333.0 / 5643509760, -13.0 / 501645312, -65.0 / 4514807808}},
+    {"GSL rk8pd",
+     8,
+     {2.7521279901047076e-06, 2.4231996586958736e-07, 2.4389718205443207e-08, -2.0346152896857728e-10}},
+    {"ARKODE Zonneveld 4(3)", 4, {}},
+    {"ARKODE Verner 6(5)", 6, {1.0 / 5400}},
+};
+
+double log_of(const Polynomial& p, Complex z) {
+  Complex sum = 1, power = 1;
+  double factorial = 1;
+  for (int k = 1; k <= p.order; ++k) sum += (power *= z) / (factorial *= k);
+  for (double c : p.beyond) sum += c * (power *= z);
+  return std::log(std::abs(sum));
+}
+
+/// Equal to six decimals, or both infinite; a theory of none is none at all.
+bool agree(double measured, double theory) {
+  if (theory == 0) return measured < as_good_as_none;
+  return measured == theory || std::abs(measured - theory) < 2e-6;
+}
+
+}  // namespace
+
+TEST_CASE("every algorithm is in the catalog once, with its library", "[solvers]") {
+  std::size_t count = 0;
+  for_each_algorithm([&]<class Algorithm>() {
+    ++count;
+    CHECK(entry(Algorithm::name).kind == Algorithm::kind);
+    CHECK_FALSE(entry(Algorithm::name).library.empty());
+  });
+  CHECK(catalog().size() == count);
+  CHECK(not_in_catalog().empty() == has_sundials);
+  if (has_sundials)
+    for (std::string_view name : optional_algorithms)
+      CHECK(std::ranges::count(catalog(), name, &CatalogEntry::name) == 1);
+}
+
+TEST_CASE("the limits of stability in the catalog are those measured", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    if constexpr (!has_tolerance(Algorithm::kind) || HasPlain<Algorithm>) {
+      const CatalogEntry& stated = entry(Algorithm::name);
+      if (std::isnan(stated.imaginary_limit)) return;
+      const Limits limits = measured<Algorithm>();
+      INFO(Algorithm::name << ": measured " << limits.real << ", " << limits.imaginary << "; theory "
+                           << stated.real_limit << ", " << stated.imaginary_limit);
+      CHECK((std::isnan(stated.real_limit) || agree(limits.real, stated.real_limit)));
+      CHECK(agree(limits.imaginary, stated.imaginary_limit));
+    }
+  });
+}
+
+TEST_CASE("the limits of stability in the catalog are the roots of the stability polynomials", "[solvers]") {
+  for (const Polynomial& p : polynomials) {
+    if (!has_sundials && p.name.starts_with("ARKODE")) continue;
+    const auto along = [&](Complex axis) { return limit([&](double r) { return log_of(p, r * axis); }); };
+    INFO(p.name);
+    CHECK(agree(along(real_axis), entry(p.name).real_limit));
+    CHECK(agree(along(imaginary_axis), entry(p.name).imaginary_limit));
+  }
+}
+
+TEST_CASE("a step of each Runge-Kutta method is its stability polynomial", "[solvers]") {
+  for (const char* name : {"explicit Euler", "modified midpoint", "Runge-Kutta 4"})
+    for (Complex z : {Complex(-0.5, 0), Complex(0, 1), Complex(0.3, 0.7), Complex(-2, 1.5)}) {
+      const auto p = std::ranges::find(polynomials, name, &Polynomial::name);
+      INFO(name << " at " << z);
+      CHECK(near(growth(name, z), log_of(*p, z), 1e-14));
+    }
+}
+
+TEST_CASE("where the imaginary axis is unstable, growth begins with a high power", "[solvers]") {
+  const auto power = [](std::string_view name, double r) {
+    const auto p = std::ranges::find(polynomials, name, &Polynomial::name);
+    return std::log2(log_of(*p, {0, 2 * r}) / log_of(*p, {0, r}));
+  };
+  CHECK(near(power("explicit Euler", 0.01), 2, 0.01));
+  CHECK(near(power("modified midpoint", 0.05), 6, 0.1));
+  CHECK(near(power("Cash-Karp 5(4)", 0.1), 6, 0.1));
+  CHECK(near(power("GSL rk8pd", 0.25), 10, 0.4));
+}
+
+TEST_CASE("half the trace of McLachlan's step leaves -1 at the limit of the catalog", "[solvers]") {
+  // Five drifts a h and four kicks b h of q'' = -q.
+  const double z = std::sqrt(7.0 / 8) / 3;
+  const double a[] = {0.5 - z, -1.0 / 3 + z, 2.0 / 3, -1.0 / 3 + z, 0.5 - z}, b[] = {1, -0.5, -0.5, 1};
+  const auto half_trace = [&](double h) {
+    double sum = 0;
+    for (int column : {0, 1}) {
+      double q = column == 0, v = column == 1;
+      for (int i = 0; i < 5; ++i) {
+        q += a[i] * h * v;
+        if (i < 4) v -= b[i] * h * q;
+      }
+      sum += column == 0 ? q : v;
+    }
+    return sum / 2;
+  };
+  const double at = entry("McLachlan 4").imaginary_limit;
+  CHECK(std::abs(half_trace(at - 1e-5)) < 1);
+  CHECK(std::abs(half_trace(at + 1e-5)) > 1);
+}
+
+TEST_CASE("a multistep method grows, over many steps, as its largest root", "[solvers]") {
+  // y' = lambda y in one equation: lambda is real, and the largest root is alone.
+  const auto grown = []<class Algorithm>(double z) {
+    const auto system = [z](const auto& x, auto& dxdt, double) { dxdt[0] = z * x[0]; };
+    const auto after = [&](int n) {
+      std::vector<double> times;
+      for (int i = 0; i <= n; ++i) times.push_back(i);
+      return std::abs(
+          integrate<Algorithm>(system, std::array{1.0}, std::span<const double>(times), 1).value.back()[0]);
+    };
+    return std::log(after(400) / after(200)) / 200;
+  };
+  for (double z : {-0.1, -0.29, -0.31, -0.4, 0.1}) {
+    INFO("z = " << z);
+    CHECK(near(grown.operator()<AdamsBashforth4>(z), growth("Adams-Bashforth 4", z), 1e-6));
+  }
+  for (double z : {-0.1, -0.2, 0.1}) {
+    INFO("z = " << z);
+    CHECK(near(grown.operator()<AdamsBashforthMoulton6>(z), growth("Adams-Bashforth-Moulton 6", z), 1e-6));
+  }
+}
+
+TEST_CASE("Adams-Bashforth 4 is stable to three tenths on the real axis", "[solvers]") {
+  CHECK(near(measured<AdamsBashforth4>().real, 0.3, 1e-9));
+}
+
+TEST_CASE(
+    "linearly implicit Euler is stable on all of the left half-plane, damps what is fast, and also "
+    "some of what should grow",
+    "[solvers]") {
+  for (double r : {1e-3, 0.1, 1.0, 10.0, 1e3, 1e6})
+    for (double angle : {90.0, 100.0, 135.0, 180.0}) {
+      const Complex z = std::polar(r, angle * std::acos(-1) / 180);
+      INFO("z = " << z);
+      CHECK(growth("linearly implicit Euler", z) < 1e-16);
+      CHECK(near(growth("linearly implicit Euler", z), -std::log(std::abs(1.0 - z)), 1e-9));
+    }
+  CHECK(growth("linearly implicit Euler", -1e6) < std::log(2e-6));
+  CHECK(growth("linearly implicit Euler", {1, 0.9}) > 0);  // inside of |1 - z| = 1
+  CHECK(growth("linearly implicit Euler", {1, 1.1}) < 0);  // outside
+}
+
+// ---- what the libraries do wrong --------------------------------------------------------------------------
+
+namespace {
+
+/// The order that halving 128 steps of the oscillator measures.
+template <int steps, class... Starter>
+double order_of_adams() {
+  const auto error = [](int n) {
+    auto stepper = detail::AdamsBashforthMoulton<steps>::template stepper<State, Starter...>();
+    State x = oscillator.exact(0);
+    double worst = 0;
+    for (int i = 0; i < n; ++i) {
+      stepper.do_step(oscillator.system, x, i * 5.0 / n, 5.0 / n);
+      worst = std::max(worst, distance(x, oscillator.exact((i + 1) * 5.0 / n)));
+    }
+    return worst;
+  };
+  return std::log2(error(32) / error(64));
+}
+
+}  // namespace
+
+TEST_CASE("Odeint's starter leaves order 5 to Adams-Bashforth-Moulton; Fehlberg 7(8) leaves it its own",
+          "[solvers]") {
+  using OdeintsStarter = boost::numeric::odeint::runge_kutta4<State>;
+  CHECK(near(order_of_adams<6, OdeintsStarter>(), 5, 0.2));
+  CHECK(near(order_of_adams<8, OdeintsStarter>(), 5, 0.2));
+  CHECK(near(order_of_adams<6>(), 6, 0.2));
+  CHECK(near(order_of_adams<8>(), 8, 0.6));
+}
+
+TEST_CASE("a multistep method starts anew when its step changes", "[solvers]") {
+  // Ten steps of 0.1 and ten of 0.05: with the old history the change costs digits.
+  const auto restarted = [&](auto stepper, bool anew) {
+    State x = oscillator.exact(0);
+    double t = 0;
+    for (int i = 0; i < 20; ++i) {
+      const double h = i < 10 ? 0.1 : 0.05;
+      if (anew)
+        stepper.do_step(oscillator.system, x, t, h);
+      else
+        stepper.multistep.do_step(oscillator.system, x, t, h);
+      t += h;
+    }
+    return distance(x, oscillator.exact(1.5));
+  };
+  CHECK(restarted(AdamsBashforthMoulton6::stepper<State>(), true) < 1e-8);
+  CHECK(restarted(AdamsBashforthMoulton6::stepper<State>(), false) > 1e-5);
+  CHECK(restarted(AdamsBashforth4::stepper<State>(), true) < 5e-5);
+  CHECK(restarted(AdamsBashforth4::stepper<State>(), false) > 1e-4);
+}
+
+TEST_CASE("GSL's step control takes NaN for no error", "[solvers]") {
+  gsl_odeiv2_system system{[](double, const double x[], double dxdt[], void*) {
+                             dxdt[0] = std::sqrt(x[0]) - 1;  // from 0.5 down to zero, and then no number
+                             return static_cast<int>(GSL_SUCCESS);
+                           },
+                           nullptr, 1, nullptr};
+  gsl_odeiv2_driver* driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-6, 1e-6);
+  double t = 0, x[] = {0.5};
+  CHECK(gsl_odeiv2_driver_apply(driver, &t, 5, x) == GSL_SUCCESS);
+  CHECK(t == 5);
+  CHECK(std::isnan(x[0]));
+  gsl_odeiv2_driver_free(driver);
+}
+
+#if defined(ODDITY_SUNDIALS) && SUNDIALS_VERSION_MAJOR == 6 && SUNDIALS_VERSION_MINOR < 6
+
+TEST_CASE("SUNDIALS's own Verner has order 3, of 6", "[solvers]") {
+  const auto error = [](int n) {
+    SUNContext context = nullptr;
+    SUNContext_Create(nullptr, &context);
+    N_Vector x = N_VNew_Serial(2, context);
+    N_VGetArrayPointer(x)[0] = 1;
+    N_VGetArrayPointer(x)[1] = 0;
+    const auto rhs = [](double, N_Vector y, N_Vector dydt, void*) {
+      N_VGetArrayPointer(dydt)[0] = N_VGetArrayPointer(y)[1];
+      N_VGetArrayPointer(dydt)[1] = -N_VGetArrayPointer(y)[0];
+      return 0;
+    };
+    void* erk = ERKStepCreate(rhs, 0, x, context);
+    ERKStepSetTableNum(erk, ARKODE_VERNER_8_5_6);
+    ERKStepSetFixedStep(erk, 5.0 / n);
+    ERKStepSetStopTime(erk, 5);
+    double t = 0;
+    CHECK(ERKStepEvolve(erk, 5, x, &t, ARK_NORMAL) >= 0);
+    const double missed = distance({N_VGetArrayPointer(x)[0], N_VGetArrayPointer(x)[1]}, oscillator.exact(5));
+    ERKStepFree(&erk);
+    N_VDestroy(x);
+    SUNContext_Free(&context);
+    return missed;
+  };
+  CHECK(near(std::log2(error(64) / error(128)), 3, 0.2));
+}
+
+#endif
