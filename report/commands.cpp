@@ -6,6 +6,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "reference/verdicts.hpp"
+#include "report/bench.hpp"
 #include "report/progress.hpp"
 #include "report/run.hpp"
 #include "report/settings.hpp"
@@ -94,6 +95,11 @@ void report(const fs::path& folder, int chapter, const fs::path& out) {
   std::cout << "the report is in " << page.string() << "\n";
 }
 
+void time_all(const fs::path& folder) {
+  ProgressBar bar;
+  std::cout << bench_view(bench(Reference(folder), bar.callback())) << std::flush;
+}
+
 }  // namespace
 
 int command_line(int argc, char** argv, const Suite& suite) {
@@ -136,6 +142,10 @@ int command_line(int argc, char** argv, const Suite& suite) {
   report_verb->add_option("--out", out, "folder to write to")->capture_default_str();
   report_verb->footer("Example: oddity report --chapter 3 --out /tmp/report");
 
+  auto* bench_verb =
+      app.add_subcommand("bench", "how fast this build is: loops by hand, best methods, the suite");
+  bench_verb->footer("Times mean something only on an idle machine. Example: oddity bench");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -146,6 +156,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
     if (*list_verb) return list(folder), 0;
     if (*verify_verb) return suite({verify_verb->remaining(), folder, results});
     if (*solve_verb) return solve(folder, exercise, overrides, json), 0;
+    if (*bench_verb) return time_all(folder), 0;
     if (*report_verb) return report(folder, chapter, out), 0;
     const int verdict = suite({{}, folder, results_file()});
     report(folder, 0, out);
