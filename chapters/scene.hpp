@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -9,6 +11,7 @@
 
 #include "chapters/exercise.hpp"
 #include "reference/reference.hpp"
+#include "reference/text.hpp"
 #include "solvers/ode/all.hpp"
 #include "solvers/ode/stability.hpp"
 
@@ -59,19 +62,38 @@ inline Known trajectory(const Reference& truth, std::string_view name, std::vect
   return all;
 }
 
-/// A closed form at the horizon's stops; its cost is one evaluation a stop.
-template <ClosedForm Model>
-Answer observe_closed_form(const Model& model, const Horizon& horizon) {
+/// "4 times up to 10 s".
+inline std::string times_up_to(const Horizon& horizon, const std::string& unit = "s") {
+  return std::to_string(horizon.samples) + " times up to " + shortest(horizon.end) + " " + unit;
+}
+
+/// A method that needs no steps: see(t, answer) gives the observables at each of the horizon's stops, and
+/// counts its work in `answer`, which it may also end; those at the times are kept.
+template <class See>
+Answer observe_at_stops(const Horizon& horizon, const See& see) {
   const auto times = horizon.times(), stops = horizon.stops();
+  Answer answer;
   std::vector<double> seen;
-  std::size_t next = 1;
-  for (std::size_t i = 1; i < stops.size(); ++i) {
-    const auto observables = model.at(stops[i]);
+  std::size_t next = 1, kept = 0;
+  for (std::size_t i = 1; i < stops.size() && answer.reached(); ++i) {
+    const auto observables = see(stops[i], answer);
+    seen.resize(kept + observables.size());
+    std::ranges::copy(observables, seen.begin() + static_cast<std::ptrdiff_t>(kept));
     if (next == times.size() || stops[i] != times[next]) continue;
-    seen.insert(seen.end(), observables.begin(), observables.end());
+    kept = seen.size();
     ++next;
   }
-  return {Value(std::move(seen)), static_cast<long>(stops.size()) - 1};
+  answer.value = Value(std::move(seen));
+  return answer;
+}
+
+/// Its cost is one evaluation a stop.
+template <ClosedForm Model>
+Answer observe_closed_form(const Model& model, const Horizon& horizon) {
+  return observe_at_stops(horizon, [&](double t, Answer& answer) {
+    ++answer.evaluations;
+    return model.at(t);
+  });
 }
 
 /// A model integrated through the horizon's stops, observed at its times, its invariant watched.
@@ -158,20 +180,36 @@ class Ladder {
   template <class Model>
   Ladder& by_common(const std::string& name, const Model& model, Outcome first_order = Outcome::inaccurate,
                     Outcome second_order = Outcome::ok) {
-    ode::for_each_algorithm([&]<class Algorithm>() {
-      if constexpr (Algorithm::kind != ode::Kind::partitioned || Partitioned<Model>) {
-        const bool first = low_order<Algorithm>(1), second = low_order<Algorithm>(2);
-        by<Algorithm>(name, model,
-                      first    ? first_order
-                      : second ? second_order
-                               : Outcome::ok,
-                      first || second ? "its order is too low for this need at this step" : "");
-      }
-    });
+    ode::for_each_algorithm(
+        [&]<class Algorithm>() { by_if_it_can<Algorithm>(name, model, first_order, second_order); });
     return *this;
   }
 
+  /// The same without Cash-Karp and Bulirsch-Stoer, which spares a third of the compile time.
+  template <class Model>
+  Ladder& by_few(const std::string& name, const Model& model, Outcome first_order = Outcome::inaccurate,
+                 Outcome second_order = Outcome::ok) {
+    by_if_it_can<ode::ExplicitEuler>(name, model, first_order, second_order);
+    by_if_it_can<ode::SymplecticEuler>(name, model, first_order, second_order);
+    by_if_it_can<ode::VelocityVerlet>(name, model, first_order, second_order);
+    return by<ode::RungeKutta4>(name, model)
+        .template by<ode::DormandPrince54>(name, model)
+        .template by<ode::Fehlberg78>(name, model);
+  }
+
  private:
+  template <class Algorithm, class Model>
+  void by_if_it_can(const std::string& name, const Model& model, Outcome first_order, Outcome second_order) {
+    if constexpr (Algorithm::kind != ode::Kind::partitioned || Partitioned<Model>) {
+      const bool first = low_order<Algorithm>(1), second = low_order<Algorithm>(2);
+      by<Algorithm>(name, model,
+                    first    ? first_order
+                    : second ? second_order
+                             : Outcome::ok,
+                    first || second ? "its order is too low for this need at this step" : "");
+    }
+  }
+
   template <class Algorithm>
   static constexpr bool low_order(int order) {
     if constexpr (ode::has_tolerance(Algorithm::kind))

@@ -1,12 +1,15 @@
 #include "report/commands.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
+#include <map>
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "reference/verdicts.hpp"
 #include "report/bench.hpp"
+#include "report/choose.hpp"
 #include "report/progress.hpp"
 #include "report/run.hpp"
 #include "report/settings.hpp"
@@ -55,13 +58,26 @@ void list(const fs::path& folder) {
   }
 }
 
-void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
-           bool json) {
+Task task_of(const std::string& exercise, const std::vector<std::string>& overrides) {
   Task task(entry_of(exercise));
   for (const std::string& assignment : overrides) override_with(task.parameters, assignment);
+  return task;
+}
+
+void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
+           bool json) {
+  const Task task = task_of(exercise, overrides);
   const Reference truth(folder);
   const Results results = run(std::span(&task, 1), truth, true);
   std::cout << (json ? to_json(results) : text_view(results.exercises.front())) << std::flush;
+}
+
+/// 0 when something meets the need, else 1.
+int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
+           const Need& need) {
+  const Choice choice = oddity::choose(task_of(exercise, overrides), need, Reference(folder));
+  std::cout << choice_text(choice) << std::flush;
+  return choice.chosen ? 0 : 1;
 }
 
 bool older(const fs::path& file, const fs::path& than) {
@@ -134,6 +150,28 @@ int command_line(int argc, char** argv, const Suite& suite) {
   solve_verb->add_flag("--json", json, "print the results as JSON");
   solve_verb->footer("Example: oddity solve 3.5 a=2.5");
 
+  auto* choose_verb =
+      app.add_subcommand("choose", "the cheapest model, algorithm and step that a need allows");
+  Need need{0.01};
+  int digits = 0;
+  choose_verb->add_option("exercise", exercise, "its number, such as 3.33")->required();
+  choose_verb->add_option("overrides", overrides, "name=value for each parameter to change");
+  auto* absolute =
+      choose_verb->add_option("--error", need.error, "largest error of the observables, in their unit");
+  choose_verb->add_option("--digits", digits, "instead: right digits of the largest observable")
+      ->excludes(absolute)
+      ->check(CLI::Range(1, 15));
+  choose_verb->add_option("--horizon", need.horizon, "how far ahead [s]")->capture_default_str();
+  choose_verb->add_option("--fps", need.frames_a_second, "frames a second")->capture_default_str();
+  choose_verb->add_option("--budget", need.budget, "most time a frame: 5us, 300ns, 0.1ms")
+      ->transform(CLI::AsNumberWithUnit(
+          std::map<std::string, double>{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}},
+          CLI::AsNumberWithUnit::UNIT_REQUIRED));
+  choose_verb->footer(
+      "It is chosen on the start asked for and two beside it, and tested on three others. The exit code is 1 "
+      "when nothing meets the need.\n"
+      "Example: oddity choose 3.5 a=1 --error 1e-3 --horizon 10 --fps 60 --budget 5us");
+
   auto* report_verb =
       app.add_subcommand("report", "write the Markdown report, from the last results where they are fresh");
   int chapter = 0;
@@ -157,6 +195,11 @@ int command_line(int argc, char** argv, const Suite& suite) {
     if (*verify_verb) return suite({verify_verb->remaining(), folder, results});
     if (*solve_verb) return solve(folder, exercise, overrides, json), 0;
     if (*bench_verb) return time_all(folder), 0;
+    if (*choose_verb) {
+      if (digits > 0) need.error = std::pow(10, -digits), need.relative = true;
+      if (digits == 0 && absolute->empty()) throw BadInput("choose needs --error or --digits");
+      return choose(folder, exercise, overrides, need);
+    }
     if (*report_verb) return report(folder, chapter, out), 0;
     const int verdict = suite({{}, folder, results_file()});
     report(folder, 0, out);

@@ -13,24 +13,6 @@ std::size_t columns_of(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// Rows as aligned columns, two spaces apart.
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (widths.size() <= i) widths.push_back(0);
-      widths[i] = std::max(widths[i], columns_of(row[i]));
-    }
-  std::string text;
-  for (const auto& row : rows) {
-    std::string line = " ";
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += " " + row[i] + (i + 1 < row.size() ? std::string(widths[i] - columns_of(row[i]) + 1, ' ') : "");
-    text += line + "\n";
-  }
-  return text;
-}
-
 std::string claims_text(const ExerciseResult& e) {
   std::vector<std::vector<std::string>> rows;
   for (const JudgedClaim& c : e.claims)
@@ -65,6 +47,23 @@ std::string quantity_text(const QuantityResult& q) {
 }
 
 }  // namespace
+
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (widths.size() <= i) widths.push_back(0);
+      widths[i] = std::max(widths[i], columns_of(row[i]));
+    }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line = " ";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += " " + row[i] + (i + 1 < row.size() ? std::string(widths[i] - columns_of(row[i]) + 1, ' ') : "");
+    text += line + "\n";
+  }
+  return text;
+}
 
 std::string shown(const Value& value, int digits) {
   constexpr std::size_t most = 4;

@@ -9,6 +9,9 @@ namespace oddity {
 /// An exercise's results as text for a terminal: claims with verdicts, then every trial of every quantity.
 std::string text_view(const ExerciseResult&);
 
+/// Rows as aligned columns, two spaces apart and indented by two.
+std::string aligned(const std::vector<std::vector<std::string>>& rows);
+
 /// "2.26011409398565", "(0.1, 0.2, 0.3)", long values cut short.
 std::string shown(const Value&, int digits = 9);
 /// "2.3e-14"; "0" for zero.

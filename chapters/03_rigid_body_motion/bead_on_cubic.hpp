@@ -240,10 +240,7 @@ inline Quantity arrival(const Bead& bead, const Reference& truth) {
 
 /// The position from the energy integral over u: Brent's method on a Gauss rule.
 inline Answer by_inverted_integral(const EnergyInU& bead, const Horizon& horizon, int points) {
-  Answer answer;
-  std::vector<double> seen;
-  for (double t : horizon.times()) {
-    if (t == 0) continue;
+  return observe_at_stops(horizon, [&](double t, Answer& answer) {
     const auto late = [&](double u) {
       const auto time = gauss_legendre([&](double s) { return bead.seconds_per_u(s); }, 0, u, points);
       answer.evaluations += time.evaluations;
@@ -251,22 +248,21 @@ inline Answer by_inverted_integral(const EnergyInU& bead, const Horizon& horizon
     };
     double most = 1;
     while (late(most) < 0) most *= 2;
-    for (double x : bead.observe({brent(late, 0, most, 1e-14).value}, t)) seen.push_back(x);
-  }
-  answer.value = Value(std::move(seen));
-  return answer;
+    const auto u = brent(late, 0, most, 1e-14);
+    answer.ending = u.ending;
+    answer.message = u.message;
+    return bead.observe({u.value}, t);
+  });
 }
 
-inline Quantity slide(const Bead& bead, const Reference& truth) {
-  const Horizon horizon{4};
-  Quantity position = quantity("slide", "m", "position after 1, 2, 3 and 4 s",
+inline Quantity slide(const Bead& bead, const Horizon& horizon, const Reference& truth) {
+  Quantity position = quantity("slide", "m", "position at " + times_up_to(horizon),
                                trajectory(truth, "03_07_slide", {bead.q0, bead.g}, horizon), {});
   position.need = {1e-7 * size_of(position.reference.value), "a ten-millionth of the farthest coordinate"};
   Ladder(position, horizon, halving("step", 0.125, 9), tolerances())
       .closed_form("straight tangent", StraightTangent{bead}, Outcome::inaccurate, "the curve bends away")
       .by<ode::Fehlberg78>(stuck, EnergyInQ{bead}, Outcome::inaccurate, "the bead never moves")
-      .by<ode::RungeKutta4>(regular, EnergyInU{bead})
-      .by<ode::Fehlberg78>(regular, EnergyInU{bead})
+      .by_few(regular, EnergyInU{bead})
       .by_common(one, OneCoordinate{bead})
       .by_common(cartesian, CartesianWithConstraints{bead});
   position.add({substituted, "Gauss-Legendre, inverted by Brent", doubling("points", 4, 6), [=](double n) {

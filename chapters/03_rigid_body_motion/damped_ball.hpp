@@ -3,6 +3,7 @@
 // The models and quantities of exercise 3.9.
 
 #include <cmath>
+#include <stdexcept>
 
 #include "chapters/scene.hpp"
 #include "solvers/ode/implicit_euler.hpp"
@@ -29,9 +30,10 @@ struct OneForm : Ball {
   }
 };
 
-/// The book's case 1: K1 exp(r1 t) + K2 exp(r2 t), as written.
+/// The book's case 1: K1 exp(r1 t) + K2 exp(r2 t), as written; raised where the roots are complex.
 struct TwoExponentials : Ball {
   std::array<double, 2> at(double t) const {
+    if (a * a < 4 * m * c) throw std::domain_error("the roots are complex: a^2 < 4 m c");
     const double root = std::sqrt(a * a - 4 * m * c), r1 = (-a + root) / (2 * m), r2 = (-a - root) / (2 * m);
     const auto x = [&](double p, double v) {
       const double k1 = (v - r2 * p) / (r1 - r2);
@@ -41,8 +43,19 @@ struct TwoExponentials : Ball {
   }
 };
 
-/// (x1, x2, x1', x2', work lost to friction).
+/// (x1, x2, x1', x2').
 struct Plane : Ball {
+  using State = std::array<double, 4>;
+  State start() const { return {p1, p2, v1, v2}; }
+  template <class X, class T>
+  void operator()(const X& x, X& dxdt, const T&) const {
+    dxdt = {x[2], x[3], (-c * x[0] - a * x[2]) / m, (-c * x[1] - a * x[3]) / m};
+  }
+  std::array<double, 2> observe(const State& x, double) const { return {x[0], x[1]}; }
+};
+
+/// (x1, x2, x1', x2', work lost to friction): with it the energy is conserved.
+struct PlaneWithWork : Ball {
   using State = std::array<double, 5>;
   State start() const { return {p1, p2, v1, v2, 0}; }
   template <class X, class T>
@@ -60,23 +73,28 @@ inline Known true_path(const Ball& b, const Horizon& horizon, const Reference& t
   return trajectory(truth, "03_09_ball", {b.m, b.c, b.a, b.p1, b.p2, b.v1, b.v2}, horizon);
 }
 
-inline Quantity path(const std::string& name, const std::string& says, const Ball& b,
+inline Quantity path(const std::string& name, const std::string& says, const Ball& b, const Horizon& horizon,
                      const Reference& truth) {
-  const Horizon horizon{5};
   Quantity q = quantity(name, "m", says, true_path(b, horizon, truth), {1e-8, "a hundredth of a micrometre"});
-  Ladder ladder(q, horizon, halving("step", 0.125, 11), tolerances(3, 11));
-  ladder.closed_form("closed form, one for all regimes", OneForm{b});
-  if (b.a * b.a > 4 * b.m * b.c) ladder.closed_form("two exponentials", TwoExponentials{b});
-  ladder.by_common("plane", Plane{b}, Outcome::inaccurate, Outcome::inaccurate)
+  const double d = b.a * b.a - 4 * b.m * b.c;
+  Ladder(q, horizon, halving("step", 0.125, 11), tolerances(3, 11))
+      .closed_form("closed form, one for all regimes", OneForm{b})
+      .closed_form("two exponentials", TwoExponentials{b},
+                   d > 0   ? Outcome::ok
+                   : d < 0 ? Outcome::raised
+                           : Outcome::non_finite,
+                   d > 0 ? "" : "there are no two real roots")
+      .by_common("plane", Plane{b}, Outcome::inaccurate, Outcome::inaccurate)
       .by<ode::ImplicitEuler>("plane", Plane{b}, Outcome::inaccurate,
                               "its order is too low for this need at this step")
-      .by<ode::Rosenbrock4>("plane", Plane{b});
+      .by<ode::Rosenbrock4>("plane", Plane{b})
+      .by_few("plane, with the work", PlaneWithWork{b}, Outcome::inaccurate, Outcome::inaccurate)
+      .by<ode::Rosenbrock4>("plane, with the work", PlaneWithWork{b});
   return q;
 }
 
 /// Friction just above critical: the closed forms alone.
-inline Quantity near_critical_path(const Ball& b, const Reference& truth) {
-  const Horizon horizon{5};
+inline Quantity near_critical_path(const Ball& b, const Horizon& horizon, const Reference& truth) {
   Quantity q = quantity("near_critical", "m", "the same with friction 1e-13 of itself above the critical",
                         true_path(b, horizon, truth), {1e-12, "twelve decimals"});
   Ladder(q, horizon, no_knob(), no_knob())

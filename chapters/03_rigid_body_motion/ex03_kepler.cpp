@@ -35,21 +35,18 @@ std::vector<double> inputs(const Start& s) { return {s.G, s.M, s.r0, s.r0_dot, s
 
 // ---- the path ---------------------------------------------------------------------------------------------
 
+/// Raised unless the orbit is an ellipse.
 template <class Solve>
 Answer by_keplers_equation(const Start& start, const Horizon& horizon, const Solve& solve) {
   const Ellipse orbit(start);
-  Answer answer;
-  std::vector<double> seen;
-  const auto times = horizon.times();
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    const double M = orbit.mean_anomaly(times[i]);
+  return observe_at_stops(horizon, [&](double t, Answer& answer) {
+    const double M = orbit.mean_anomaly(t);
     const Solved<double> E = solve(orbit.e, abs(M));
     answer.evaluations += E.evaluations;
-    if (!E.reached()) answer.ending = E.ending;
-    for (double x : orbit.at_eccentric_anomaly(std::copysign(E.value, M))) seen.push_back(x);
-  }
-  answer.value = Value(std::move(seen));
-  return answer;
+    answer.ending = E.ending;
+    answer.message = E.message;
+    return orbit.at_eccentric_anomaly(std::copysign(E.value, M));
+  });
 }
 
 /// How the methods of equal steps end at the finest one.
@@ -64,11 +61,11 @@ void integrated(Ladder& ladder, const std::string& name, const Model& model, con
       .template by<ode::RungeKutta4>(
           name, model, equal.runge_kutta,
           equal.runge_kutta == Outcome::ok ? "" : "even these steps are too long at the perihelion")
+      .template by<ode::DormandPrince54>(name, model)
       .template by<ode::Fehlberg78>(name, model);
   if constexpr (Partitioned<Model>)
     ladder.template by<ode::SymplecticEuler>(name, model, Outcome::inaccurate, order)
         .template by<ode::VelocityVerlet>(name, model, Outcome::inaccurate, order)
-        .template by<ode::DormandPrince54>(name, model)
         .template by<ode::BulirschStoer>(name, model);
 }
 
@@ -76,10 +73,9 @@ struct Expected {
   EqualSteps angle = {}, distance = {}, polar = {}, cartesian = {};
 };
 
-Quantity path(const std::string& name, const std::string& says, const Start& s, const Reference& truth,
-              const Knob& steps, const Expected& expected) {
-  const Horizon horizon{2};
-  Quantity where = quantity(name, "AU", "position after 0.5, 1, 1.5 and 2 yr, " + says,
+Quantity path(const std::string& name, const std::string& says, const Start& s, const Horizon& horizon,
+              const Reference& truth, const Knob& steps, const Expected& expected) {
+  Quantity where = quantity(name, "AU", "position at " + times_up_to(horizon, "yr") + ", " + says,
                             trajectory(truth, "03_03_orbit", inputs(s), horizon),
                             {1e-6, "150 km, an 85th of the Earth's diameter"});
   const auto solved = [&](std::string algorithm, auto solve) {
@@ -99,10 +95,25 @@ Quantity path(const std::string& name, const std::string& says, const Start& s, 
   return where;
 }
 
-std::vector<Quantity> paths(const Start& asked, const Reference& truth) {
+Start asked(const Parameters& p) {
+  return {p["G"], p["M"], p["r0"], p["r0_dot"], p["theta0"], p["theta0_dot"]};
+}
+
+Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return path("path", "near the Earth's orbit unless asked otherwise", asked(p), horizon, truth,
+              halving("step", 0.125, 9), {{}, {}, {}, {Outcome::drifted, Outcome::ok}});
+}
+
+/// In years for seconds. From the aphelion the angle's rate sets the eccentricity: 0.1, 0.5, 0.9, 0.975,
+/// 0.99. Close is one degree of the Earth's orbit, in AU.
+Scene scene() {
+  return {planet, 2, degree, "theta0_dot", {5.95, 4.45, 2, 1, 0.63}, {"r0", "theta0", "theta0_dot"}};
+}
+
+std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {
   using enum Outcome;
-  Quantity earth = path("path", "near the Earth's orbit unless asked otherwise", asked, truth,
-                        halving("step", 0.125, 9), {{}, {}, {}, {drifted, ok}});
+  const Horizon horizon{scene().horizon};
+  Quantity earth = motion(scene(), p, truth);
   earth.add(
       {"With (4) and (5) as printed the ellipse drawn has the right size and the wrong orientation, and the "
        "planet comes to a halt on it. The square in (7) hides the sign of V0 at the start.",
@@ -116,14 +127,14 @@ std::vector<Quantity> paths(const Start& asked, const Reference& truth) {
        "orbit: it is 10 000 km late on it, and still misses the need. A higher order pays at once.",
        "equation (7), explicit Euler", 0x1p-11, inaccurate, "equation (7), Runge-Kutta 4", 0x1p-4});
 
-  Quantity comet = path("eccentric_path", "e = 0.9", eccentric, truth, halving("step", 0x1p-4, 10),
+  Quantity comet = path("eccentric_path", "e = 0.9", eccentric, horizon, truth, halving("step", 0x1p-4, 10),
                         {{}, {drifted, ok}, {non_finite, ok}, {drifted, ok}});
   comet.add(
       {"With 256 equal steps a year the planet turns by a radian a step at the perihelion, and is thrown "
        "out. Step control puts the steps where they are needed.",
        "Cartesian, Runge-Kutta 4", 0x1p-8, drifted, "Cartesian, Fehlberg 7(8)", 1e-12});
 
-  Quantity grazer = path("very_eccentric_path", "e = 0.99, two solar masses", very_eccentric, truth,
+  Quantity grazer = path("very_eccentric_path", "e = 0.99, two solar masses", very_eccentric, horizon, truth,
                          halving("step", 0x1p-6, 10),
                          {{}, {diverged, drifted}, {non_finite, drifted}, {diverged, drifted}});
   grazer.add(
@@ -225,13 +236,13 @@ Quantity period(const std::string& name, const std::string& says, const Start& s
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  const Start asked{p["G"], p["M"], p["r0"], p["r0_dot"], p["theta0"], p["theta0_dot"]};
-  std::vector<Quantity> all = paths(asked, truth);
+  const Start start = asked(p);
+  std::vector<Quantity> all = paths(p, truth);
   const auto append = [&](const std::vector<Quantity>& more) {
     all.insert(all.end(), more.begin(), more.end());
   };
   append(eccentric_anomalies(truth));
-  if (asked.energy() < 0) append({period("period", "near the Earth's unless asked otherwise", asked, truth)});
+  if (start.energy() < 0) append({period("period", "near the Earth's unless asked otherwise", start, truth)});
   append({period("period_eccentric", "e = 0.9", eccentric, truth),
           period("period_very_eccentric", "e = 0.99", very_eccentric, truth)});
   return {kepler::claims(p["seed"]), all};
@@ -245,7 +256,7 @@ Exercise exercise_3_3() {
       "Compute the planet's path $(r(t),\\theta(t))$ from $r_0,r_0',\\theta_0,\\theta_0'$: reduce the motion "
       "to one equation for $\\theta$ by writing the potential $V=-GM/r$ as a function of the angle, and "
       "solve it numerically.",
-      parameters, {}, study};
+      parameters, scene(), study};
 }
 
 }  // namespace oddity

@@ -24,6 +24,12 @@ constexpr Parameter parameters[] = {
     {"seed", 7, "", "seed of the random samples", 0, 1e9},
 };
 
+Quantity position(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return slide({p["q0"], p["g"]}, horizon, truth);
+}
+
+Scene scene() { return {position, 4, centimeter, "q0", {0.25, 0.5, 1, 1.5, 2}, {"q0"}}; }
+
 // ---- the claims: formulas ---------------------------------------------------------------------------------
 
 using S = const Sample&;
@@ -272,13 +278,12 @@ std::vector<Claim> arrival_claims(const std::vector<OneCoordinate::State>& run, 
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  const Bead bead{p["q0"], p["g"]};
   const auto run = book_run();
   std::vector<Claim> claims = formulas(p["seed"]);
   for (const auto& more : {run_down(run), arrival_claims(run, truth)})
     claims.insert(claims.end(), more.begin(), more.end());
   std::ranges::stable_sort(claims, {}, &Claim::line);
-  return {claims, {arrival(bead, truth), slide(bead, truth)}};
+  return {claims, {arrival({p["q0"], p["g"]}, truth), motion(scene(), p, truth)}};
 }
 
 }  // namespace
@@ -288,7 +293,7 @@ Exercise exercise_3_7() {
       "Bead on a cubic curve",
       "A bead slides without friction on the curve $(q,q^2,q^3)$ under gravity $-g\\,k$, let go at rest at "
       "$q=1$. Does $q$ decrease all the time, and when is the bead at the origin?",
-      parameters, {}, study};
+      parameters, scene(), study};
 }
 
 }  // namespace oddity

@@ -317,20 +317,29 @@ std::vector<Claim> claims(double seed) {
           sooner, slope,      solution, arrival, pointing,   misses};
 }
 
+Ball asked(const Parameters& p) { return {p["m"], p["c"], p["a"], p["p1"], p["p2"], p["v1"], p["v2"]}; }
+
+Quantity position(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return path("path", "position at " + times_up_to(horizon), asked(p), horizon, truth);
+}
+
+Scene scene() { return {position, 5, centimeter, "a", {0.4, 4, 40, 200, 1000}, {"p1", "p2", "v2"}}; }
+
 Findings study(const Parameters& p, const Reference& truth) {
-  const Ball ball{p["m"], p["c"], p["a"], p["p1"], p["p2"], p["v1"], p["v2"]};
+  const Horizon horizon{scene().horizon};
+  const Ball ball = asked(p);
   Ball near_critical = ball, stiff = ball;
   near_critical.a = 2 * std::sqrt(ball.m * ball.c) * (1 + 1e-13);
   stiff.a = 20 * std::sqrt(ball.m * ball.c);
-  Quantity fast = path("stiff", "the same with ten times the critical friction", stiff, truth);
+  Quantity fast = path("stiff", "the same with ten times the critical friction", stiff, horizon, truth);
   fast.add(
       Breakdown{"The fast root is near -40: explicit Euler diverges for steps above 0.05, though the motion "
                 "that is left is slow. "
                 "Rosenbrock's method takes its steps from the motion.",
                 "plane, explicit Euler", 0.125, Outcome::diverged, "plane, Rosenbrock 4", 1e-11});
   return {claims(p["seed"]),
-          {path("path", "position after 1.25, 2.5, 3.75 and 5 s", ball, truth),
-           near_critical_path(near_critical, truth), fast, stability_limit(stiff)}};
+          {motion(scene(), p, truth), near_critical_path(near_critical, horizon, truth), fast,
+           stability_limit(stiff)}};
 }
 
 }  // namespace
@@ -340,7 +349,7 @@ Exercise exercise_3_9() {
           "A ball in the plane is held by a spring of constant $c$ to the origin and slowed by viscous "
           "friction $a$. Solve for its motion; when does "
           "it reach the origin?",
-          parameters, {}, study};
+          parameters, scene(), study};
 }
 
 }  // namespace oddity

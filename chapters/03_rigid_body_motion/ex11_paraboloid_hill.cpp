@@ -242,25 +242,38 @@ Claim not_straight(double seed) {
   return claim;
 }
 
+/// From the top at the speed of the straight path.
+Case asked(const Parameters& p) {
+  return at_the_right_speed({{p["a1"], p["a2"]}, p["g"], {0, 0}, {p["v1"], p["v2"]}});
+}
+
+Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return path("slower",
+              "position at " + times_up_to(horizon) + ", from the top at a part of the straight path's speed",
+              times(asked(p), p["factor"]), false, Outcome::drifted, horizon, truth);
+}
+
+Scene scene() { return {slower, 2, centimeter, "factor", {0.99, 0.9, 0.75, 0.5, 0.2}, {"v1", "v2"}}; }
+
 Findings study(const Parameters& p, const Reference& truth) {
-  const Case right = at_the_right_speed({{p["a1"], p["a2"]}, p["g"], {0, 0}, {p["v1"], p["v2"]}});
+  const Horizon horizon{scene().horizon};
+  const Case right = asked(p);
   std::vector<Claim> claims = equations(p["seed"]);
   for (const Claim& claim : conditions(p["seed"])) claims.push_back(claim);
   claims.push_back(not_straight(p["seed"]));
-  Quantity slower = path("slower", "the same direction at a part of the speed", times(right, p["factor"]),
-                         false, Outcome::drifted, truth);
-  slower.add(Breakdown{
+  Quantity bent = motion(scene(), p, truth);
+  bent.add(Breakdown{
       "With three quarters of the speed the hill pushes, and not along the line: the closed form is "
       "off by metres after two seconds. The two equations of motion follow the path.",
       line + ", closed form", 0, Outcome::inaccurate, plane + ", Runge-Kutta 4", 0.0009765625});
   return {claims,
-          {path("straight", "position after 0.5, 1, 1.5 and 2 s at the speed of the straight path", right,
-                true, Outcome::drifted, truth),
-           slower,
+          {path("straight", "position at " + times_up_to(horizon) + ", at the speed of the straight path",
+                right, true, Outcome::drifted, horizon, truth),
+           bent,
            path("faster", "the same at twice that, the hill holding the particle back",
-                times(right, 2 * p["factor"]), false, Outcome::inaccurate, truth),
+                times(right, 2 * p["factor"]), false, Outcome::inaccurate, horizon, truth),
            path("beside", "in the same free fall from a start beside the top: straight as well",
-                beside(right, p["offset"]), true, Outcome::drifted, truth)}};
+                beside(right, p["offset"]), true, Outcome::drifted, horizon, truth)}};
 }
 
 }  // namespace
@@ -269,7 +282,7 @@ Exercise exercise_3_11() {
   return {"Straight paths on a paraboloid hill",
           "A particle slides without friction from the top of the hill $x_3 = -x_1^2/a_1^2 - x_2^2/a_2^2$. "
           "For which velocities is its motion over the plane $(v_1t, v_2t)$?",
-          parameters, {}, study};
+          parameters, scene(), study};
 }
 
 }  // namespace oddity

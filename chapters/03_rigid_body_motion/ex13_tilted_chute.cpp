@@ -332,11 +332,22 @@ std::vector<Claim> statements(double seed) {
   return {solution, stays, positive, always, speed, angle, form, still};
 }
 
-Findings study(const Parameters& p, const Reference& truth) {
-  const double seed = p["seed"];
+Case asked(const Parameters& p) {
   const Chute chute{p["R"], p["L"], p["H"]};
   if (!(chute.H < chute.L)) throw BadInput("the chute's fall H must be less than its length L");
-  const Case ball{chute, p["g"], p["phi"], p["u"]};
+  return {chute, p["g"], p["phi"], p["u"]};
+}
+
+Quantity swinging_ball(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return swing(asked(p), horizon, truth);
+}
+
+Scene scene() { return {swinging_ball, 4, centimeter, "phi", {0.1, 0.5, 1, 1.35, 1.5}, {"phi", "u"}}; }
+
+Findings study(const Parameters& p, const Reference& truth) {
+  const double seed = p["seed"];
+  const Horizon horizon{scene().horizon};
+  const Case ball = asked(p);
   Case center = ball, steep = ball, rim = ball;
   center.phi = 0;
   steep.phi = 1.5;
@@ -345,7 +356,8 @@ Findings study(const Parameters& p, const Reference& truth) {
   for (const auto& more : {axis(seed), solved(seed), derivatives(seed), motion(seed), statements(seed)})
     claims.insert(claims.end(), more.begin(), more.end());
   return {claims,
-          {swing(ball, truth), on_center(center, truth), below_rim(steep, truth), from_rim(rim, truth)}};
+          {motion(scene(), p, truth), on_center(center, horizon, truth), below_rim(steep, horizon, truth),
+           from_rim(rim, horizon, truth)}};
 }
 
 }  // namespace
@@ -356,7 +368,7 @@ Exercise exercise_3_13() {
       "A ball slides in a chute, the lower half of a cylinder of radius $R$ whose axis falls by $H$ over its "
       "length $L$. Write the chute as a height field and find the ball's equations of motion; how does it "
       "move on the center line?",
-      parameters, {}, study};
+      parameters, scene(), study};
 }
 
 }  // namespace oddity

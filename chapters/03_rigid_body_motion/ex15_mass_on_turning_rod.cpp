@@ -216,8 +216,18 @@ std::vector<Claim> conclusions(const Run& run, const Run& mended, const Value& e
   return {value, arrival, meaning, down};
 }
 
+Rod asked(const Parameters& p) { return {p["m"], p["c"], p["K"], p["w"], p["s"]}; }
+
+Quantity sliding(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return slide(asked(p), horizon, truth);
+}
+
+/// The horizon is a quarter turn at the book's speed. From w = sqrt(2K/m) = 4.47 on the mass runs away.
+Scene scene() { return {sliding, 2, centimeter, "w", {0.25, 0.75, 1.5, 3, 4.25}, {"s", "c"}}; }
+
 Findings study(const Parameters& given, const Reference& truth) {
-  const Rod rod{given["m"], given["c"], given["K"], given["w"], given["s"]};
+  const Horizon horizon{scene().horizon};
+  const Rod rod = asked(given);
   const Rod stiff{rod.m, rod.c, given["stiff"], rod.w, rod.s0};
   const Rod fast{rod.m, rod.c, rod.K, given["r"] * sqrt(2 * rod.K / rod.m), rod.s0};
   const double seed = given["seed"];
@@ -230,7 +240,7 @@ Findings study(const Parameters& given, const Reference& truth) {
                            listed(run, mended), conclusions(run, mended, end)})
     claims.insert(claims.end(), more.begin(), more.end());
   std::ranges::stable_sort(claims, {}, &Claim::line);
-  return {claims, {slide(rod, truth), stiff_spring(stiff, truth), runaway(fast)}};
+  return {claims, {motion(scene(), given, truth), stiff_spring(stiff, horizon, truth), runaway(fast)}};
 }
 
 }  // namespace
@@ -240,7 +250,7 @@ Exercise exercise_3_15() {
           "A mass slides without friction on a segment from the origin to $(a,0,a)$ that turns about the "
           "$x_3$-axis at $\\pi/4$ a second; a spring joins it to $(c,0,0)$. Where does it arrive in the "
           "$(x_2,x_3)$-plane?",
-          parameters, {}, study};
+          parameters, scene(), study};
 }
 
 }  // namespace oddity

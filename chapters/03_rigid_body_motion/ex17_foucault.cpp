@@ -29,9 +29,24 @@ constexpr Parameter parameters[] = {
     {"seed", 317, "", "seed of the random samples", 0, 1e9},
 };
 
+Pendulum asked(const Parameters& p) {
+  return {p["lambda"], p["L"], p["omega"], p["g"], p["theta"], p["phi"], p["theta_dot"], p["phi_dot"]};
+}
+
+Quantity swinging_bob(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return bob(asked(p), horizon, truth);
+}
+
+/// The slower it starts about the vertical, the closer the bob passes the lowest point, where theta is no
+/// coordinate.
+Scene scene() {
+  return {
+      swinging_bob, 16, centimeter, "theta_dot", {3, 1, 0.25, 0.125, 0.0625}, {"theta", "phi", "theta_dot"}};
+}
+
 Findings study(const Parameters& p, const Reference& truth) {
-  const Pendulum pendulum{p["lambda"], p["L"],   p["omega"],     p["g"],
-                          p["theta"],  p["phi"], p["theta_dot"], p["phi_dot"]};
+  const Horizon horizon{scene().horizon};
+  const Pendulum pendulum = asked(p);
   const double seed = p["seed"];
   std::vector<Claim> claims = geometry(seed);
   for (const auto& more : {point_forces(seed), center_of_mass(seed), moments(seed), tensor(seed)})
@@ -40,8 +55,8 @@ Findings study(const Parameters& p, const Reference& truth) {
 
   const Cone cone{p["h"], p["r"]};
   return {claims,
-          {bob(pendulum, truth), bob_on_earth(truth), push(pendulum, truth), hours(truth),
-           cone_swing(pendulum, cone, truth), inertia(cone)}};
+          {motion(scene(), p, truth), bob_on_earth(horizon, truth), push(pendulum, horizon, truth),
+           hours(truth), cone_swing(pendulum, cone, horizon, truth), inertia(cone)}};
 }
 
 }  // namespace
@@ -50,7 +65,7 @@ Exercise exercise_3_17() {
   return {"Foucault pendulum",
           "Derive the motion of a Foucault pendulum of length $L$ at latitude $\\lambda$ on an Earth that "
           "turns at $\\omega$ by Lagrange's equations. Then replace the point mass by a solid cone.",
-          parameters, {}, study};
+          parameters, scene(), study};
 }
 
 }  // namespace oddity

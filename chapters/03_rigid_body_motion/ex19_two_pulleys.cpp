@@ -324,9 +324,19 @@ std::vector<Claim> forces(double seed) {
   return {spring, on_pulley, on_mass, generalized, first};
 }
 
+Pulleys asked(const Parameters& p) {
+  return {p["m2"], p["m3"], p["I1"], p["I2"], p["R1"], p["R2"], p["c1"], p["c2"], p["L1"],
+          p["L2"], p["K1"], p["K2"], p["g"],  p["y2"], p["y3"], p["v2"], p["v3"]};
+}
+
+Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return depths(asked(p), horizon, truth);
+}
+
+Scene scene() { return {swing, 8, centimeter, "c1", {10, 40, 160, 1000, 10000}, {"y2", "y3", "v2"}}; }
+
 Findings study(const Parameters& p, const Reference& truth) {
-  const Pulleys pulleys{p["m2"], p["m3"], p["I1"], p["I2"], p["R1"], p["R2"], p["c1"], p["c2"], p["L1"],
-                        p["L2"], p["K1"], p["K2"], p["g"],  p["y2"], p["y3"], p["v2"], p["v3"]};
+  const Pulleys pulleys = asked(p);
   std::vector<Claim> claims = kinematics(p["seed"]);
   claims.push_back(two_freedoms());
   for (const auto& more : {derivatives(p["seed"]), forces(p["seed"])})
@@ -343,7 +353,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       "det(K - s M) = 0, quadratic formula", 0, Outcome::inaccurate,
       "det(K - s M) = 0, larger root and product", 0});
   return {claims,
-          {depths(pulleys, truth),
+          {motion(scene(), p, truth),
            frequencies("frequencies", "angular frequencies of the two modes, by their true values", pulleys,
                        false, truth),
            graded}};
@@ -357,7 +367,7 @@ Exercise exercise_3_19() {
       "A spring holds, by a rope over a fixed pulley, a second pulley; another spring holds, by a rope over "
       "that one, a mass. Find the equations of motion for the depths $y_2$ of the second pulley and $y_3$ "
       "of the mass.",
-      parameters, {}, study};
+      parameters, scene(), study};
 }
 
 }  // namespace oddity

@@ -233,15 +233,16 @@ inline const std::string cartesian = "Cartesian with constraint", angles = "two 
 inline const std::string turns_at_once =
     "each pass by the lowest point turns theta by half a turn, too fast for these steps";
 
-inline Quantity bob(const Pendulum& p, const Reference& truth) {
-  const Horizon horizon{16};
-  Quantity q = quantity("bob", "m", "horizontal position after 4, 8, 12 and 16 s",
+inline Quantity bob(const Pendulum& p, const Horizon& horizon, const Reference& truth) {
+  Quantity q = quantity("bob", "m", "horizontal position at " + times_up_to(horizon),
                         trajectory(truth, "03_17_bob", p.inputs(), horizon), {1e-6, "a micrometre"});
   Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
       .closed_form("averaged", SmallAngle{p, true}, Outcome::inaccurate, small)
       .closed_form("small angle", SmallAngle{p}, Outcome::inaccurate, small)
-      .by<ode::Fehlberg78>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
+      .by<ode::ExplicitEuler>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
       .by<ode::RungeKutta4>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
+      .by<ode::DormandPrince54>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
+      .by<ode::Fehlberg78>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
       .by_common(angles, TwoAngles{p})
       .by_common(cartesian, Cartesian{p});
   return q.add(Breakdown{
@@ -254,8 +255,7 @@ inline Quantity bob(const Pendulum& p, const Reference& truth) {
 /// Foucault's own pendulum: the Pantheon's 67 m, let go at rest 3 m aside.
 inline constexpr Pendulum pantheon{0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0};
 
-inline Quantity bob_on_earth(const Reference& truth) {
-  const Horizon horizon{16};
+inline Quantity bob_on_earth(const Horizon& horizon, const Reference& truth) {
   Quantity q =
       quantity("bob_on_earth", "m", "the same for the Pantheon's pendulum: 67 m, let go 3 m aside",
                trajectory(truth, "03_17_bob", pantheon.inputs(), horizon),
@@ -270,10 +270,9 @@ inline Quantity bob_on_earth(const Reference& truth) {
 }
 
 /// Pushed from the lowest point, where theta is no coordinate.
-inline Quantity push(Pendulum p, const Reference& truth) {
+inline Quantity push(Pendulum p, const Horizon& horizon, const Reference& truth) {
   p.phi = p.theta_dot = 0;
   p.phi_dot = 0.75;
-  const Horizon horizon{16};
   Quantity q = quantity("pushed_from_below", "m", "the same, pushed from the lowest point by phi' = 0.75 / s",
                         trajectory(truth, "03_17_bob", p.inputs(), horizon), {1e-6, "a micrometre"});
   const std::string why = "at the lowest point the first equation is divided by sin phi = 0";
@@ -314,13 +313,12 @@ inline Quantity hours(const Reference& truth) {
       angles + ", Runge-Kutta 4", 0.125, Outcome::non_finite, cartesian + ", Runge-Kutta 4", 0.125});
 }
 
-inline Quantity cone_swing(Pendulum p, const Cone& cone, const Reference& truth) {
-  const Horizon horizon{16};
+inline Quantity cone_swing(Pendulum p, const Cone& cone, const Horizon& horizon, const Reference& truth) {
   p.L = cone.equivalent_length();
   Known known = trajectory(truth, "03_17_bob", p.inputs(), horizon);
   for (double& x : known.value) x /= p.L;
   Quantity q =
-      quantity("cone", "1", "direction of a cone hung by its vertex (west, north) after 4, 8, 12, 16 s",
+      quantity("cone", "1", "direction of a cone hung by its vertex (west, north) at " + times_up_to(horizon),
                known, {1e-6, "a millionth"});
   Pendulum point = p, book = p;
   point.L = cone.L();

@@ -156,16 +156,15 @@ inline Ladder swinging(Quantity& position, const Case& c, const Horizon& horizon
 
 inline const std::string low_order = "its order is too low for this need at this step";
 
-inline Quantity swing(const Case& c, const Reference& truth) {
-  const Horizon horizon{4};
-  Quantity position = slide("swing", "position after 1, 2, 3 and 4 s of a ball let go beside the center line",
-                            c, horizon, truth);
+inline Quantity swing(const Case& c, const Horizon& horizon, const Reference& truth) {
+  Quantity position =
+      slide("swing", "position at " + times_up_to(horizon) + " of a ball let go beside the center line", c,
+            horizon, truth);
   swinging(position, c, horizon).by_common(plane, in_plane(c), Outcome::drifted);
   return position;
 }
 
-inline Quantity below_rim(const Case& c, const Reference& truth) {
-  const Horizon horizon{4};
+inline Quantity below_rim(const Case& c, const Horizon& horizon, const Reference& truth) {
   Quantity position = slide("steep", "the same from phi = 1.5, just below the rim", c, horizon, truth);
   swinging(position, c, horizon)
       .by<ode::ExplicitEuler>(plane, in_plane(c), Outcome::drifted, low_order)
@@ -181,8 +180,7 @@ inline Quantity below_rim(const Case& c, const Reference& truth) {
       plane + ", Bulirsch-Stoer", 1e-11, Outcome::non_finite, about + ", Bulirsch-Stoer", 1e-11});
 }
 
-inline Quantity on_center(const Case& c, const Reference& truth) {
-  const Horizon horizon{4};
+inline Quantity on_center(const Case& c, const Horizon& horizon, const Reference& truth) {
   Quantity position = slide("center", "the same from the center line", c, horizon, truth);
   Ladder(position, horizon, halving("step", 0.125, 10), tolerances(3, 11))
       .closed_form(center, CenterLine{c})
@@ -196,8 +194,7 @@ inline Quantity on_center(const Case& c, const Reference& truth) {
   return position;
 }
 
-inline Quantity from_rim(const Case& c, const Reference& truth) {
-  const Horizon horizon{4};
+inline Quantity from_rim(const Case& c, const Horizon& horizon, const Reference& truth) {
   const std::string why = "at |x2| = R the height's slope is infinite";
   Quantity position = slide("rim", "the same from the rim, x2 = R", c, horizon, truth);
   Ladder(position, horizon, halving("step", 0.125, 10), tolerances(3, 11))

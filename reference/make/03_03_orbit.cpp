@@ -55,6 +55,15 @@ Numbers by_kepler(const std::vector<double>& in, int digits) {
   return {f * a.x + g * a.vx, f * a.y + g * a.vy};
 }
 
+/// The time next to zero at which an ellipse is where it is at t: t less whole periods, by the third law. The
+/// time itself on any other orbit.
+Number within_a_turn(const Start& a, const Number& t) {
+  const Number axis = 1 / (2 / a.r0 - (a.vx * a.vx + a.vy * a.vy) / a.mu);
+  if (!(axis > 0)) return t;
+  const Number period = 2 * pi() * axis * sqrt(axis / a.mu);
+  return t - round(Number(t / period)) * period;
+}
+
 Numbers by_taylor(const std::vector<double>& in, int digits) {
   const Start a = start_of(in);
   const auto rhs = [&](const auto& q, const auto&) {
@@ -62,7 +71,7 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
     const auto pull = -a.mu / (square * sqrt(square));
     return std::vector{q[2], q[3], pull * q[0], pull * q[1]};
   };
-  const Numbers end = solve_taylor(rhs, {a.x, a.y, a.vx, a.vy}, 0, Number(in[6]), digits + 4);
+  const Numbers end = solve_taylor(rhs, {a.x, a.y, a.vx, a.vy}, 0, within_a_turn(a, in[6]), digits + 4);
   return {end[0], end[1]};
 }
 
@@ -86,7 +95,7 @@ Truth truth_03_03_orbit() {
           rows,
           "Kepler's equation in universal variables, by bisection",
           by_kepler,
-          "Taylor series of the Cartesian equation of motion",
+          "Taylor series of the Cartesian equation of motion, whole periods left out",
           by_taylor};
 }
 

@@ -1,0 +1,203 @@
+#include "report/choose.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <ranges>
+#include <utility>
+
+#include "report/starts.hpp"
+#include "report/time.hpp"
+
+namespace oddity {
+
+namespace {
+
+constexpr int seen_beside = 2, unseen_starts = 3, rounds = 4;
+
+/// Steps a frame, from one on, none much more than half as many again as the one before.
+constexpr std::array steps_a_frame{1,  2,  3,  4,  5,  6,  8,   10,  12,  16,  20,  24,
+                                   32, 40, 48, 64, 80, 96, 128, 160, 192, 256, 384, 512};
+
+std::vector<double> settings(const Method& method, const Need& need) {
+  std::vector<double> all;
+  if (method.knob.name == "step")
+    for (int steps : steps_a_frame) all.push_back(1 / (need.frames_a_second * steps));
+  else if (method.knob.name == "tolerance")
+    all = tolerances(2, 13, 1).settings;
+  else
+    all = method.knob.settings;
+  return all;
+}
+
+const Method* same_method(const Quantity& motion, const Method& method) {
+  const auto found = std::ranges::find_if(motion.methods, [&](const Method& other) {
+    return other.model == method.model && other.algorithm == method.algorithm;
+  });
+  return found == motion.methods.end() ? nullptr : &*found;
+}
+
+/// The method over the starts: its worst error in units of what was asked, and the first end that is not ok.
+Tried over(const std::vector<Start>& starts, const Method& method, double setting, Trial* first = nullptr) {
+  Tried tried{method.model, method.algorithm, method.knob.name, setting};
+  for (const Start& start : starts) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const Method* here = same_method(start.motion, method);
+    const Trial trial =
+        here ? run(start.motion, *here, setting)
+             : Trial{method.model, method.algorithm, {}, setting, {}, nan, nan, Outcome::raised};
+    if (first && &start == &starts.front()) *first = trial;
+    const double error = trial.error / start.motion.need.allowed;
+    tried.error =
+        std::isfinite(error) ? std::max(tried.error, error) : std::numeric_limits<double>::infinity();
+    if (tried.holds() && trial.outcome != Outcome::ok) {
+      tried.outcome = trial.outcome;
+      tried.where = start.says;
+    }
+  }
+  return tried;
+}
+
+/// Everything tried, and the search through a method's settings.
+class Search {
+ public:
+  Search(const Task& task, const Need& need, const Reference& truth, const Cost& cost)
+      : need_(need), cost_(cost), starts_(task, need, truth), seen_{starts_.asked()} {
+    std::ranges::move(starts_.beside(seen_beside), std::back_inserter(seen_));
+  }
+
+  Choice choose() {
+    for (const Method& method : seen_.front().motion.methods)
+      for (double setting : settings(method, need_))
+        if (const Tried& tried = attempt(method, setting); tried.holds() || hopeless(tried)) break;
+    std::vector<Start> unseen;
+    std::optional<Tried> chosen;
+    for (int round = 0; round < rounds && (chosen = cheapest()); ++round) {
+      unseen = starts_.beside(unseen_starts);
+      const Tried test = over(unseen, method_of(*chosen), chosen->setting);
+      chosen->unseen_error = test.error;
+      if (test.holds() && !unseen.empty()) break;
+      std::ranges::move(unseen, std::back_inserter(seen_));
+      try_again();
+      chosen.reset();
+    }
+    return summary(chosen, unseen);
+  }
+
+ private:
+  const Method& method_of(const Tried& tried) const {
+    return *std::ranges::find_if(seen_.front().motion.methods, [&](const Method& m) {
+      return m.model == tried.model && m.algorithm == tried.algorithm;
+    });
+  }
+
+  const Tried& attempt(const Method& method, double setting) {
+    Trial first;
+    Tried tried = over(seen_, method, setting, &first);
+    const double frames = std::max(1.0, std::round(need_.horizon * need_.frames_a_second));
+    tried.evaluations_a_frame = static_cast<double>(first.answer.evaluations) / frames;
+    tried.seconds_a_frame = first.outcome == Outcome::raised ? std::numeric_limits<double>::infinity()
+                                                             : cost_(method, setting, first) / frames;
+    return all_.emplace_back(std::move(tried));
+  }
+
+  /// Finer settings only cost more: the method does not exist here, or takes as long as all of its budget.
+  static bool hopeless(const Tried& tried) {
+    return tried.outcome == Outcome::raised || tried.evaluations_a_frame > 1e5;
+  }
+
+  /// The settings that held, on the starts as they are now; a method whose setting fails goes on to finer
+  /// ones.
+  void try_again() {
+    const std::vector<Tried> before = std::exchange(all_, {});
+    for (const Method& method : seen_.front().motion.methods) {
+      double from = std::numeric_limits<double>::quiet_NaN();
+      for (const Tried& tried : before)
+        if (tried.holds() && same(tried, method)) from = tried.setting;
+      bool reached = false;
+      for (double setting : settings(method, need_)) {
+        reached = reached || setting == from;
+        if (reached)
+          if (const Tried& tried = attempt(method, setting); tried.holds() || hopeless(tried)) break;
+      }
+    }
+    for (const Tried& tried : before)
+      if (!tried.holds()) all_.push_back(tried);
+  }
+
+  static bool same(const Tried& tried, const Method& method) {
+    return tried.model == method.model && tried.algorithm == method.algorithm;
+  }
+
+  bool affordable(const Tried& tried) const { return tried.seconds_a_frame <= need_.budget; }
+
+  std::optional<Tried> cheapest() const {
+    return least(all_, [&](const Tried& t) { return t.holds() && affordable(t); });
+  }
+
+  template <class Range, class Predicate>
+  static std::optional<Tried> least(const Range& range, const Predicate& predicate) {
+    std::optional<Tried> best;
+    for (const Tried& tried : range)
+      if (predicate(tried) && (!best || tried.seconds_a_frame < best->seconds_a_frame)) best = tried;
+    return best;
+  }
+
+  /// What comes nearest to a need that nothing meets: within the budget the smallest error, but what holds
+  /// and costs too much comes first.
+  std::optional<Tried> miss() const {
+    if (auto held = least(all_, [](const Tried& t) { return t.holds(); })) return held;
+    const auto nearest = std::ranges::min_element(all_, {}, &Tried::error);
+    return nearest == all_.end() ? std::nullopt : std::optional(*nearest);
+  }
+
+  Choice summary(const std::optional<Tried>& chosen, const std::vector<Start>& unseen) const {
+    const Quantity& motion = seen_.front().motion;
+    Choice choice{need_, motion.name, motion.unit, {}, {}, chosen, {}, {}, {}, {}, {}};
+    for (const Start& s : seen_) choice.seen.push_back(s.says);
+    for (const Start& s : unseen) choice.unseen.push_back(s.says);
+    for (const Method& method : motion.methods) {
+      std::optional<Tried> best;
+      for (const Tried& tried : all_)
+        if (same(tried, method) && (!best || tried.holds() || (!best->holds() && tried.error < best->error)))
+          best = tried;
+      if (best) choice.tried.push_back(*best);
+    }
+    std::ranges::stable_sort(choice.tried, {}, &Tried::seconds_a_frame);
+    if (!chosen) {
+      choice.nearest_miss = miss();
+      return choice;
+    }
+    for (const Tried& tried : all_)
+      if (!tried.holds() && tried.seconds_a_frame < chosen->seconds_a_frame &&
+          (!choice.next_cheaper || tried.seconds_a_frame > choice.next_cheaper->seconds_a_frame))
+        choice.next_cheaper = tried;
+    choice.next_richer = least(choice.tried, [&](const Tried& t) {
+      return t.holds() && t.model != chosen->model && t.seconds_a_frame > chosen->seconds_a_frame;
+    });
+    return choice;
+  }
+
+  const Need& need_;
+  const Cost& cost_;
+  Starts starts_;
+  std::vector<Start> seen_;
+  std::vector<Tried> all_;
+};
+
+}  // namespace
+
+double measured_cost(const Method& method, double setting, const Trial&) {
+  return time(method, setting).seconds;
+}
+
+Choice choose(const Task& task, const Need& need, const Reference& truth, const Cost& cost) {
+  Choice choice = Search(task, need, truth, cost).choose();
+  for (const Parameter& p : task.entry->exercise.parameters)
+    choice.parameters.push_back(
+        {std::string(p.name), task.parameters[p.name], std::string(p.unit), std::string(p.says)});
+  return choice;
+}
+
+}  // namespace oddity
