@@ -168,6 +168,7 @@ int verify(const SuiteRequest& request) {
   const auto selected = session.selected();
   if (selected.empty()) throw BadInput("no test case matches; oddity verify --list-tests shows them all");
 
+  if (!request.results_file.empty()) require_writable(request.results_file);
   const Reference truth(request.reference_folder);
   ProgressBar bar;
   judged.results = run(tasks_of(selected), truth, !request.results_file.empty(), bar.callback());
