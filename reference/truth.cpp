@@ -39,7 +39,7 @@ Made make_row(const Truth& truth, const std::vector<double>& inputs, int digits)
   return made;
 }
 
-std::string table(const std::string& name, const Truth& truth) {
+std::string heading(const std::string& name, const Truth& truth) {
   std::ostringstream out;
   out << "# " << truth.quantity << "\n"
       << "# formula: " << truth.formula << "\n"
@@ -50,6 +50,12 @@ std::string table(const std::string& name, const Truth& truth) {
       << "# inputs: the double nearest to the decimal shown, taken as exact\n";
   for (const std::string& input : truth.inputs) out << input << ",";
   out << "component,value,error,unit\n";
+  return out.str();
+}
+
+std::string table(const std::string& name, const Truth& truth) {
+  std::ostringstream out;
+  out << heading(name, truth);
   for (const std::vector<double>& row : truth.rows) {
     const Made made = make_row(truth, row, table_digits);
     for (std::size_t i = 0; i < made.value.size(); ++i) {

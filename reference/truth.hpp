@@ -51,6 +51,8 @@ struct Made {
 };
 Made make_row(const Truth&, const std::vector<double>& inputs, int digits);
 
+/// The table's provenance and the line that names its columns.
+std::string heading(const std::string& name, const Truth&);
 /// The whole table as CSV text.
 std::string table(const std::string& name, const Truth&);
 

@@ -8,6 +8,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "reference/verdicts.hpp"
+#include "report/bench.hpp"
 #include "report/chart.hpp"
 #include "report/choose.hpp"
 #include "report/ledger.hpp"
@@ -174,6 +175,11 @@ void stability(const fs::path& folder, const std::vector<std::string>& exercises
   std::cout << "the maps are in " << (out / "charts").string() << "\n" << std::flush;
 }
 
+void time_all(const fs::path& folder) {
+  ProgressBar bar;
+  std::cout << bench_view(bench(Reference(folder), bar.callback())) << std::flush;
+}
+
 }  // namespace
 
 int command_line(int argc, char** argv, const Suite& suite) {
@@ -257,6 +263,10 @@ int command_line(int argc, char** argv, const Suite& suite) {
   stability_verb->add_option("--out", maps_out, "folder to draw the maps in")->capture_default_str();
   stability_verb->footer("Example: oddity stability 3.5 --out /tmp/maps");
 
+  auto* bench_verb =
+      app.add_subcommand("bench", "how fast this build is: loops by hand, best methods, the suite");
+  bench_verb->footer("Times mean something only on an idle machine. Example: oddity bench");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -268,6 +278,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
     if (*verify_verb) return suite({verify_verb->remaining(), folder, results});
     if (*solve_verb) return solve(folder, exercise, overrides, json), 0;
     if (*chart_verb) return chart(folder, charted, charts), 0;
+    if (*bench_verb) return time_all(folder), 0;
     if (*choose_verb) {
       if (digits > 0) need.error = std::pow(10, -digits), need.relative = true;
       if (digits == 0 && absolute->empty()) throw BadInput("choose needs --error or --digits");

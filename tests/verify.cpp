@@ -238,6 +238,7 @@ int verify(const SuiteRequest& request) {
   const auto selected = session.selected();
   if (selected.empty()) throw BadInput("no test case matches; oddity verify --list-tests shows them all");
 
+  if (!request.results_file.empty()) require_writable(request.results_file);
   const Reference truth(request.reference_folder);
   ProgressBar bar;
   const std::vector<Task> tasks = tasks_of(selected);

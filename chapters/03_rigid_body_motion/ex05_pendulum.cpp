@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "chapters/03_rigid_body_motion/pendulum.hpp"
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
 #include "solvers/quadrature.hpp"
@@ -105,44 +106,8 @@ Quantity quarter_period(double a, const Reference& truth) {
 
 // ---- the pendulum -----------------------------------------------------------------------------------------
 
-struct Pendulum {
-  double a, L, g;
-};
-
-struct SmallAngle : Pendulum {
-  std::array<double, 1> at(double t) const { return {a * cos(sqrt(g / L) * t)}; }
-};
-
-/// The small angle's cosine at the frequency of amplitude a, to order a^2.
-struct AmplitudeCorrected : Pendulum {
-  std::array<double, 1> at(double t) const { return {a * cos(sqrt(g / L) * (1 - a * a / 16) * t)}; }
-};
-
-/// (theta, theta').
-struct OneAngle : Pendulum {
-  using State = std::array<double, 2>;
-  State start() const { return {a, 0}; }
-  void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], -g / L * sin(x[0])}; }
-  void acceleration(const std::array<double, 1>& q, std::array<double, 1>& dv) const {
-    dv = {-g / L * sin(q[0])};
-  }
-  std::array<double, 1> observe(const State& x, double) const { return {x[0]}; }
-  double invariant(const State& x, double) const { return L * x[1] * x[1] / 2 - g * cos(x[0]); }
-};
-
-/// (x, y, x', y') with the rod's tension from the constraint x^2 + y^2 = L^2, twice differentiated.
-struct CartesianWithConstraint : Pendulum {
-  using State = std::array<double, 4>;
-  State start() const { return {L * sin(a), -L * cos(a), 0, 0}; }
-  void operator()(const State& x, State& dxdt, double) const {
-    const double tension = (x[2] * x[2] + x[3] * x[3] - g * x[1]) / (x[0] * x[0] + x[1] * x[1]);
-    dxdt = {x[2], x[3], -tension * x[0], -tension * x[1] - g};
-  }
-  std::array<double, 1> observe(const State& x, double) const { return {std::atan2(x[0], -x[1])}; }
-  double invariant(const State& x, double) const { return (x[2] * x[2] + x[3] * x[3]) / 2 + g * x[1]; }
-};
-
 Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  using namespace pendulum;
   const Pendulum pendulum{p["a"], p["L"], p["g"]};
   Quantity angle = quantity("swing", "rad", "angle at four times",
                             trajectory(truth, "03_05_swing", {pendulum.a, pendulum.L, pendulum.g}, horizon),
@@ -152,6 +117,7 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
                    "the period grows with the amplitude")
       .closed_form("amplitude-corrected", AmplitudeCorrected{pendulum}, Outcome::inaccurate,
                    "terms of order a^4 in the frequency and of order a^3 in the shape are left out")
+      .closed_form("Jacobi's function by its Fourier series", FourierSeries{pendulum})
       .by_common("one angle", OneAngle{pendulum}, Outcome::inaccurate, Outcome::inaccurate)
       .by_others("one angle", OneAngle{pendulum},
                  {{"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps every swing"}})

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -101,6 +102,16 @@ struct Ellipse {
 
  private:
   double minor;
+};
+
+/// The position at t by Kepler's equation, solved by Newton's method from Danby's start.
+struct ByKeplersEquation : Ellipse {
+  explicit ByKeplersEquation(const Start& start) : Ellipse(start) {}
+  std::array<double, 2> at(double t) const {
+    const double M = mean_anomaly(t);
+    const Solved<double> E = newton(e, M, M + std::copysign(0.85 * e, M), 20);
+    return at_eccentric_anomaly(E.reached() ? E.value : std::numeric_limits<double>::quiet_NaN());
+  }
 };
 
 // ---- models -----------------------------------------------------------------------------------------------

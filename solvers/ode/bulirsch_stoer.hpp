@@ -17,14 +17,14 @@ struct BulirschStoerEitherWay {
 
   template <class System>
   auto try_step(const System& system, State& x, double& t, double& h) {
-    if (h > 0) return forward.try_step(system, x, t, h);
-    const auto reversed = [&system](const State& y, State& dydt, double s) {
-      system(y, dydt, -s);
-      for (double& component : dydt) component = -component;
+    const double sign = h > 0 ? 1 : -1;
+    const auto forth = [&system, sign](const State& y, State& dydt, double s) {
+      system(y, dydt, sign * s);
+      for (double& component : dydt) component *= sign;
     };
-    t = -t, h = -h;
-    const auto result = forward.try_step(reversed, x, t, h);
-    t = -t, h = -h;
+    t *= sign, h *= sign;
+    const auto result = forward.try_step(forth, x, t, h);
+    t *= sign, h *= sign;
     return result;
   }
 };

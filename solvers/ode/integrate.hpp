@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -63,38 +64,45 @@ bool fail(Trajectory<State>& solved, Ending ending, std::string message) {
 inline std::string at(double t) { return "at t = " + std::to_string(t); }
 
 template <class State>
-bool check_budget(Trajectory<State>& solved, double t) {
-  return solved.evaluations <= budget ||
+bool check_budget(long evaluations, Trajectory<State>& solved, double t) {
+  return evaluations <= budget ||
          fail(solved, Ending::stalled, "the budget of evaluations is spent " + at(t));
 }
 
-/// Steps of equal size from t0 to t1, no longer than `step`; false when the integration is over.
+/// Steps of equal size from t0 to t1, no longer than `step`; false when the integration is over. The state is
+/// stepped in a local copy, which the compiler can keep in registers.
 template <class DoStep, class State, class OnStep>
-bool equal_steps(const DoStep& do_step, State& x, double t0, double t1, double step,
+[[gnu::always_inline]] inline bool equal_steps(DoStep& do_step, State& x, double t0, double t1, double step, const long& evaluations,
                  Trajectory<State>& solved, const OnStep& on_step) {
   const double count = std::max(1.0, std::ceil(std::abs(t1 - t0) / step * (1 - 1e-12)));
   if (!(count <= static_cast<double>(budget)))
     return fail(solved, Ending::stalled, "the step would take more steps than the budget allows");
   const auto n = static_cast<long>(count);
   const double h = (t1 - t0) / count;
-  double t = t0;
-  for (long i = 1; i <= n; ++i) {
-    const State before = x;
-    do_step(x, t, h);
-    const double from = std::exchange(t, i == n ? t1 : t0 + static_cast<double>(i) * h);
-    if (i % 16 == 0 || i == n) {
-      if (!finite(x)) return fail(solved, Ending::non_finite, "the state is not finite " + at(t));
-      if (!check_budget(solved, t)) return false;
+  const auto time_of = [=](long i) { return i == n ? t1 : t0 + static_cast<double>(i) * h; };
+  State now = x;
+  for (long i = 0; i < n;) {
+    for (const long end = std::min(i + 16, n); i < end; ++i) {
+      if constexpr (std::is_same_v<OnStep, NeverStop>) {
+        do_step(now, t0 + static_cast<double>(i) * h, h);
+      } else {
+        const State before = now;
+        do_step(now, time_of(i), h);
+        if (on_step(time_of(i), before, time_of(i + 1), now)) return x = now, false;
+      }
     }
-    if (on_step(from, before, t, x)) return false;
+    if (!finite(now))
+      return x = now, fail(solved, Ending::non_finite, "the state is not finite " + at(time_of(i)));
+    if (!check_budget(evaluations, solved, time_of(i))) return x = now, false;
   }
+  x = now;
   return true;
 }
 
 /// Steps chosen by the stepper's error control from t to t1; `h` is the step to try, its size goes on from
 /// call to call.
 template <class TryStep, class State, class OnStep>
-bool controlled_steps(const TryStep& try_step, State& x, double t, double t1, double& h,
+bool controlled_steps(TryStep& try_step, State& x, double t, double t1, double& h, const long& evaluations,
                       Trajectory<State>& solved, const OnStep& on_step) {
   int rejected = 0;
   h = std::copysign(h, t1 - t);
@@ -107,7 +115,7 @@ bool controlled_steps(const TryStep& try_step, State& x, double t, double t1, do
     if (!try_step(x, t, tried)) {
       h = tried;
       if (++rejected > 500) return fail(solved, Ending::stalled, "500 rejected steps " + at(t));
-      if (!check_budget(solved, t)) return false;
+      if (!check_budget(evaluations, solved, t)) return false;
       continue;
     }
     rejected = 0;
@@ -115,7 +123,7 @@ bool controlled_steps(const TryStep& try_step, State& x, double t, double t1, do
     h = last && std::abs(h) > std::abs(tried) ? h : tried;
     if (!finite(x)) return fail(solved, Ending::non_finite, "the state is not finite " + at(t));
     if (on_step(from, before, t, x)) return false;
-    if (!check_budget(solved, t)) return false;
+    if (!check_budget(evaluations, solved, t)) return false;
   }
   return true;
 }
@@ -147,7 +155,7 @@ inline double first_step(std::span<const double> times, double part) {
 
 /// Advances x from times[0] through all of them by advance(x, t0, t1), keeping the states.
 template <class State, class Advance>
-void through(std::span<const double> times, State x, Trajectory<State>& solved, const Advance& advance) {
+[[gnu::always_inline]] inline void through(std::span<const double> times, State x, Trajectory<State>& solved, const Advance& advance) {
   solved.value.push_back(x);
   for (std::size_t i = 1; i < times.size(); ++i) {
     const bool on = times[i] == times[i - 1] || advance(x, times[i - 1], times[i]);
@@ -172,20 +180,21 @@ Trajectory<State> integrate(const System& system, const State& start, std::span<
     detail::fail(solved, Ending::raised, "there must be times, and they must be finite");
     return solved;
   }
-  const auto counted = [&system, &solved](const State& x, State& dxdt, double t) {
-    ++solved.evaluations;
+  long evaluations = 0;  // not `solved`'s: a local stays in a register
+  const auto counted = [&system, &evaluations](const State& x, State& dxdt, double t) {
+    ++evaluations;
     system(x, dxdt, t);
   };
   if constexpr (Algorithm::kind == Kind::fixed) {
     auto stepper = Algorithm::template stepper<State>();
-    const auto do_step = [&](State& x, double t, double h) { stepper.do_step(counted, x, t, h); };
-    detail::through(times, start, solved, [&](State& x, double t0, double t1) {
-      return detail::equal_steps(do_step, x, t0, t1, setting, solved, on_step);
+    auto do_step = [&](State& x, double t, double h) { stepper.do_step(counted, x, t, h); };
+    detail::through(times, start, solved, [&](State& x, double t0, double t1) __attribute__((always_inline)) {
+      return detail::equal_steps(do_step, x, t0, t1, setting, evaluations, solved, on_step);
     });
   } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {
-    auto stepper = Algorithm::template stepper<State>(system, solved.evaluations);
-    detail::through(times, start, solved, [&](State& x, double t0, double t1) {
-      return detail::equal_steps(stepper, x, t0, t1, setting, solved, on_step);
+    auto stepper = Algorithm::template stepper<State>(system, evaluations);
+    detail::through(times, start, solved, [&](State& x, double t0, double t1) __attribute__((always_inline)) {
+      return detail::equal_steps(stepper, x, t0, t1, setting, evaluations, solved, on_step);
     });
   } else if constexpr (Algorithm::kind == Kind::driven) {
     auto advance = Algorithm::template stepper<State>(system, solved.evaluations, setting,
@@ -194,10 +203,10 @@ Trajectory<State> integrate(const System& system, const State& start, std::span<
       return detail::driven_steps(advance, x, t0, t1, solved, on_step);
     });
   } else {
-    const auto controlled = [&](const auto& try_step) {
+    const auto controlled = [&](auto&& try_step) {
       double h = detail::first_step(times, Algorithm::first_step);
       detail::through(times, start, solved, [&](State& x, double t0, double t1) {
-        return detail::controlled_steps(try_step, x, t0, t1, h, solved, on_step);
+        return detail::controlled_steps(try_step, x, t0, t1, h, evaluations, solved, on_step);
       });
     };
     if constexpr (Algorithm::kind == Kind::controlled) {
@@ -206,10 +215,11 @@ Trajectory<State> integrate(const System& system, const State& start, std::span<
         return stepper.try_step(counted, x, t, h) == Algorithm::success;
       });
     } else {
-      auto stepper = Algorithm::template stepper<State>(system, solved.evaluations, setting);
+      auto stepper = Algorithm::template stepper<State>(system, evaluations, setting);
       controlled([&](State& x, double& t, double& h) { return stepper(x, t, h); });
     }
   }
+  solved.evaluations = evaluations;
   return solved;
 }
 

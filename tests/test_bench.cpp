@@ -1,0 +1,67 @@
+// What `oddity bench` computes, apart from the clock.
+
+#include "report/bench.hpp"
+#include "tests/catch.hpp"
+
+using namespace oddity;
+
+TEST_CASE("integrators and loops written by hand do the same arithmetic", "[bench]") {
+  const std::vector<Race> all = races();
+  REQUIRE(all.size() == 15);
+  for (const Race& race : all) {
+    INFO(race.model << ", " << race.algorithm);
+    const Run hand = race.by_hand(), integrated = race.by_integrate();
+    CHECK(hand.state.size() == static_cast<std::size_t>(race.states));
+    CHECK(hand.evaluations == integrated.evaluations);
+    CHECK(distance(hand.state, integrated.state) <= (race.algorithm == "Fehlberg 7(8)" ? 1e-12 : 0));
+    CHECK(hand.evaluations > 100);
+  }
+}
+
+TEST_CASE("the median and half the distance of the quartiles", "[bench]") {
+  const Spread spread = spread_of({5, 1, 4, 2, 3, 9, 7, 8});
+  CHECK(spread.median == 5);
+  CHECK(spread.half_width == 2.5);
+  CHECK(spread_of({2}).median == 2);
+}
+
+TEST_CASE("a ratio holds up to its limit, and where there is none", "[bench]") {
+  RaceResult race{"pendulum", 2, "Runge-Kutta 4", 1.05, {1, 0}, {1, 0}, {1.05, 0}, 1, 1, 0};
+  CHECK(race.holds());
+  race.ratio.median = 1.06;
+  CHECK_FALSE(race.holds());
+  race.limit = 0;
+  CHECK(race.holds());
+}
+
+TEST_CASE("the critical path is the longest study and then the longest trial", "[bench]") {
+  const SuiteTime suite{{{"3.1", "a", 1, 9, 3, "x"}, {"3.3", "b", 2, 9, 2, "y"}}, 20, 10};
+  CHECK(suite.critical_path() == 5);
+  CHECK(suite.speed_up() == 2);
+}
+
+TEST_CASE("the view shows each limit and whether it held", "[bench]") {
+  const Entrant entrant{"Fehlberg 7(8), tolerance 1e-09", 1e-9, 1300, 5e-10, 6e-10, {2e-5, 1e-7}, 1760};
+  Bench bench{"perf_event_open: no", {}, {}, {{{"3.5", "Pendulum", 0.1, 0.2, 0.05, "swing"}}, 8, 5}};
+  bench.races = {{"pendulum", 2, "Runge-Kutta 4", 1.05, {1e-8, 0}, {1.2e-8, 0}, {1.2, 0.01}, 10, 11, 0},
+                 {"pendulum", 2, "explicit Euler", 0, {1e-8, 0}, {1.1e-8, 0}, {1.1, 0.01}, 10, 11, 0}};
+  bench.contests = {{"pendulum",
+                     "pendulum",
+                     1e-9,
+                     1.1e-8,
+                     entrant,
+                     entrant,
+                     2000,
+                     "series",
+                     {4e-8, 1e-9},
+                     3.6,
+                     20,
+                     1e-16,
+                     2e-16}};
+  const std::string view = bench_view(bench);
+  for (const char* part : {"1.05, BROKEN", "2000, holds", "20, holds", "10, holds", "3.6", "1.60",
+                           "perf_event_open: no", "5e-10", "6e-10", "swing"}) {
+    INFO(view);
+    CHECK(view.find(part) != std::string::npos);
+  }
+}
