@@ -62,11 +62,13 @@ std::optional<Fit> fit(const QuantityResult& q, const MethodResult& m) {
     x.push_back(counts ? -std::log(t.setting) : std::log(t.setting));
     y.push_back(within ? std::log(t.error) : std::numeric_limits<double>::quiet_NaN());
   }
+  const auto in_range =
+      static_cast<std::size_t>(std::ranges::count_if(y, [](double v) { return !std::isnan(v); }));
   std::optional<Fit> best;
   for (std::size_t first = 0; first < n; ++first)
     for (std::size_t last = first + 1; last < n && x[last] < x[last - 1] && y[last] < y[last - 1]; ++last) {
       const std::size_t points = last - first + 1;
-      if (points < 3 || x[first] - x[last] < std::log(4) * (1 - 1e-9)) continue;
+      if (points < 3 || 2 * points < in_range || x[first] - x[last] < std::log(4) * (1 - 1e-9)) continue;
       if (best && points < best->last - best->first + 1) continue;
       const Line line =
           line_through(std::span(x).subspan(first, points), std::span(y).subspan(first, points));

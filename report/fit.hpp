@@ -20,9 +20,9 @@ struct Fit {
 double error_floor(const QuantityResult&);
 
 /// The fit over the longest run of trials, the finest of equals, whose errors lie between ten times the floor
-/// and the true value's size, fall from setting to setting, and follow one power law: within a tenth
-/// for a step or count, within a factor of 3 for a tolerance or samples, whose errors scatter. At least three
-/// trials that span a factor of four in the knob, and an exponent of at least 1/4; else none.
+/// and the true value's size, fall from setting to setting, and follow one power law: within a tenth for a
+/// step or count, within a factor of 3 for a tolerance or samples, whose errors scatter. At least three
+/// trials, half of those between the bounds, a factor of four in the knob and an exponent of 1/4; else none.
 std::optional<Fit> fit(const QuantityResult&, const MethodResult&);
 
 /// "order 3.99", "error ~ tol^0.98"; empty for none.
