@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -98,12 +100,12 @@ Answer observe_closed_form(const Model& model, const Horizon& horizon) {
   });
 }
 
-/// A model integrated through the horizon's stops, observed at its times, its invariant watched.
-template <class Algorithm, class Model>
-Answer observe_integrated(const Model& model, const Horizon& horizon, double setting) {
-  const auto times = horizon.times(), stops = horizon.stops();
-  const auto trajectory =
-      ode::integrate<Algorithm>(model, model.start(), std::span<const double>(stops), setting);
+/// A motion through the horizon's stops, observed at its times, the model's invariant watched. One function
+/// for all algorithms.
+template <class Model>
+[[gnu::noinline]] Answer observed(const Model& model, const Horizon& horizon, std::span<const double> stops,
+                                  const ode::Trajectory<typename Model::State>& trajectory) {
+  const auto times = horizon.times();
   Answer answer{{}, trajectory.evaluations, trajectory.error_estimate,
                 0,  trajectory.ending,      trajectory.message};
   std::vector<double> seen;
@@ -120,6 +122,13 @@ Answer observe_integrated(const Model& model, const Horizon& horizon, double set
   }
   answer.value = Value(std::move(seen));
   return answer;
+}
+
+template <class Algorithm, class Model>
+Answer observe_integrated(const Model& model, const Horizon& horizon, double setting) {
+  const auto stops = horizon.stops();
+  return observed(model, horizon, stops,
+                  ode::integrate<Algorithm>(model, model.start(), std::span<const double>(stops), setting));
 }
 
 /// The eigenvalues of the model's Jacobian along its motion.
@@ -162,19 +171,15 @@ class Ladder {
   template <class Algorithm, class Model>
   Ladder& by(std::string name, const Model& model, Outcome expected = Outcome::ok, std::string why = {}) {
     const Horizon horizon = horizon_;
-    Method method{
-        std::move(name),
-        std::string(Algorithm::name),
-        ode::has_tolerance(Algorithm::kind) ? tolerances_ : steps_,
-        [model, horizon](double setting) { return observe_integrated<Algorithm>(model, horizon, setting); },
-        expected,
-        std::move(why)};
+    std::function<double()> stable_step;
     if constexpr (!ode::has_tolerance(Algorithm::kind))
-      method.stable_step = [model, horizon] {
+      stable_step = [model, horizon] {
         return ode::stable_step(Algorithm::name, spectrum(model, horizon.end));
       };
-    quantity_.add(std::move(method));
-    return *this;
+    return add(
+        std::move(name), Algorithm::name, ode::has_tolerance(Algorithm::kind),
+        [model, horizon](double setting) { return observe_integrated<Algorithm>(model, horizon, setting); },
+        expected, std::move(why), std::move(stable_step));
   }
 
   /// The model by the explicit algorithms that engines use, as far as it allows them, with what those of
