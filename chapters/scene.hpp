@@ -236,6 +236,10 @@ class Ladder {
   }
 
  private:
+  Ladder& add(std::string model, std::string_view algorithm, bool has_tolerance,
+              std::function<Answer(double setting)> run, Outcome expected, std::string why,
+              std::function<double()> stable_step);
+
   template <class Algorithm, class Model>
   void by_if_it_can(const std::string& name, const Model& model, Outcome first_order, Outcome second_order) {
     if constexpr (Algorithm::kind != ode::Kind::partitioned || Partitioned<Model>) {
