@@ -159,6 +159,7 @@ Quantity horizon_by_digits(const std::string& name, const std::string& from_A_to
   const Horizon seconds{12, 12};
   Known rate = parting(t1, truth);
   const double per_digit = std::numbers::ln10 * (t1 - t0) / (rate.value[0] - parting(t0, truth).value[0]);
+  rate.error *= per_digit * per_digit * t1 / (std::numbers::ln10 * (t1 - t0));
   rate.value = {per_digit};
   rate.source = "ln(10) over the growth rate of neighbours from " + shortest(t0) + " to " + shortest(t1) +
                 " s, " + rate.source;
@@ -242,7 +243,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   Quantity lost = prediction(8, truth, {inaccurate, inaccurate, ok});
   lost.add(Breakdown{
       "Neighbours part up to seventyfold a second: whatever the algorithm, double is decimetres off after "
-      "eight seconds, and no shorter step helps. Digits do: each buys half a second.",
+      "eight seconds, and no shorter step helps. Digits do: each buys half a second or more.",
       "double, extrapolated midpoint, order 20", 0x1p-6, inaccurate,
       "long double, extrapolated midpoint, order 20", 0x1p-6});
   return {claims(p["seed"]),
