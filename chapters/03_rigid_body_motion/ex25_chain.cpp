@@ -17,6 +17,8 @@
 #endif
 
 #include "chapters/03_rigid_body_motion/chain_claims.hpp"
+#include "chapters/03_rigid_body_motion/chain_prediction.hpp"
+#include "reference/text.hpp"
 
 namespace oddity {
 
@@ -47,9 +49,18 @@ constexpr Triple chaotic{{1, 0.75, 0.5}, {1, 0.75, 0.5}, 9.8125, 2.5, {2, 2.5, 3
 
 // ---- the motion -------------------------------------------------------------------------------------------
 
-Quantity motion(const Triple& start, const Reference& truth) {
-  const Horizon horizon{4};
-  Quantity q = quantity("motion", "m", "positions of the masses after 1, 2, 3 and 4 s",
+Triple asked(const Parameters& p) {
+  return {{p["m1"], p["m2"], p["m3"]},
+          {p["r1"], p["r2"], p["r3"]},
+          p["g"],
+          p["h"],
+          {p["theta1"], p["theta2"], p["theta3"]},
+          {p["omega1"], p["omega2"], p["omega3"]}};
+}
+
+Quantity hanging(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  const Triple start = asked(p);
+  Quantity q = quantity("motion", "m", "positions of the masses at four times",
                         trajectory(truth, "03_25_chain", start.inputs(), horizon), {1e-6, "a micrometre"});
   Ladder(q, horizon, halving("step", 0x1p-4, 9), tolerances(3, 11))
       .closed_form("normal modes", NormalModes(start), inaccurate, "the angles are not small")
@@ -60,6 +71,10 @@ Quantity motion(const Triple& start, const Reference& truth) {
                 "radian they "
                 "are off by centimetres within four seconds.",
                 "normal modes, closed form", 0, inaccurate, "tensions, Dormand-Prince 5(4)", 1e-9});
+}
+
+Scene scene() {
+  return {hanging, 4, centimeter, "theta1", {0.0625, 0.25, 0.5, 1, 1.5}, {"theta1", "theta2", "theta3"}};
 }
 
 Quantity small_swing(const Triple& like, const Reference& truth) {
@@ -118,12 +133,44 @@ Quantity prediction(double t, const Reference& truth, const Predicts& expected) 
   const std::string why = "its roundings have grown to the size of the motion";
   const auto add = [&](std::string model, auto number, Outcome outcome) {
     q.add({std::move(model), "extrapolated midpoint, order 20", steps,
-           [t](double step) { return in_precision<decltype(number)>(chaotic, t, step); }, outcome,
+           [once](double step) { return in_precision<decltype(number)>(chaotic, once, step); }, outcome,
            outcome == ok ? "" : why});
   };
   add("float", 0.0f, expected.in_float);
   add("double", 0.0, expected.in_double);
   add("long double", 0.0L, expected.in_long_double);
+  return q;
+}
+
+/// log |d(position)/d(theta1)| of the chaotic start at t.
+Known parting(double t, const Reference& truth) {
+  std::vector<double> inputs = chaotic.inputs();
+  inputs.push_back(t);
+  Known known = truth("03_25_growth", inputs);
+  known.value[0] *= t;
+  return known;
+}
+
+/// What the digits from the precision A to B buy, against the rate at which neighbours part from t0 to t1.
+template <class A, class B>
+Quantity horizon_by_digits(const std::string& name, const std::string& from_A_to_B, double t0, double t1,
+                           const Reference& truth) {
+  constexpr double close = 1e-2;
+  const Horizon seconds{12, 12};
+  Known rate = parting(t1, truth);
+  const double per_digit = std::numbers::ln10 * (t1 - t0) / (rate.value[0] - parting(t0, truth).value[0]);
+  rate.error *= per_digit * per_digit * t1 / (std::numbers::ln10 * (t1 - t0));
+  rate.value = {per_digit};
+  rate.source = "ln(10) over the growth rate of neighbours from " + shortest(t0) + " to " + shortest(t1) +
+                " s, " + rate.source;
+  Quantity q =
+      quantity(name, "s",
+               "how much further ahead, to a centimetre, each decimal digit " + from_A_to_B +
+                   " predicts the start at rest at (2, 2.5, 3) rad",
+               rate, {0.25 * per_digit, "a quarter: neighbours do not part evenly along the motion"});
+  const Value all = trajectory(truth, "03_25_chain", chaotic.inputs(), seconds).value;
+  q.add({from_A_to_B, "extrapolated midpoint, order 20", halving("step", 0x1p-5, 3),
+         [=](double step) { return seconds_per_digit<A, B>(chaotic, seconds, all, close, step); }});
   return q;
 }
 
@@ -192,17 +239,22 @@ Quantity cost(int n, double g, const Reference& truth) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  const Triple start{{p["m1"], p["m2"], p["m3"]},
-                     {p["r1"], p["r2"], p["r3"]},
-                     p["g"],
-                     p["h"],
-                     {p["theta1"], p["theta2"], p["theta3"]},
-                     {p["omega1"], p["omega2"], p["omega3"]}};
+  const Triple start = asked(p);
+  Quantity lost = prediction(8, truth, {inaccurate, inaccurate, ok});
+  lost.add(Breakdown{
+      "Neighbours part up to seventyfold a second: whatever the algorithm, double is decimetres off after "
+      "eight seconds, and no shorter step helps. Digits do: each buys half a second or more.",
+      "double, extrapolated midpoint, order 20", 0x1p-6, inaccurate,
+      "long double, extrapolated midpoint, order 20", 0x1p-6});
   return {claims(p["seed"]),
-          {motion(start, truth), small_swing(start, truth), mode_frequencies(start, truth),
-           prediction(2, truth, {ok, ok, ok}), prediction(4, truth, {inaccurate, ok, ok}),
-           by_algorithm(4, truth, ok),
-           growth(4, truth), cost(10, p["g"], truth), cost(100, p["g"], truth), cost(1000, p["g"], truth)}};
+          {motion(scene(), p, truth), small_swing(start, truth), mode_frequencies(start, truth),
+           prediction(2, truth, {ok, ok, ok}), prediction(4, truth, {inaccurate, ok, ok}), lost,
+           prediction(12, truth, {inaccurate, inaccurate, inaccurate}),
+           horizon_by_digits<float, double>("seconds_per_digit", "from float to double", 4, 8, truth),
+           horizon_by_digits<double, long double>("seconds_per_digit_beyond", "from double to long double", 8,
+                                                  12, truth),
+           by_algorithm(4, truth, ok), growth(4, truth), cost(10, p["g"], truth), cost(100, p["g"], truth),
+           cost(1000, p["g"], truth)}};
 }
 
 }  // namespace
@@ -212,7 +264,7 @@ Exercise exercise_3_25() {
           "Three masses hang one from the other by rigid massless rods. Find the kinetic and the potential "
           "energy and the equations of motion in the angles $\\theta_1,\\theta_2,\\theta_3$; what becomes of "
           "them for $n$ masses?",
-          parameters, {}, study};
+          parameters, scene(), study};
 }
 
 }  // namespace oddity

@@ -19,32 +19,36 @@ struct ChainData {
 struct ChainAngles {
   const ChainData& c;
 
-  Numbers operator()(const Numbers& x, const Number&) const {
+  template <class T>
+  std::vector<T> operator()(const std::vector<T>& x, const T&) const {
     const std::size_t n = c.m.size();
     Numbers mu = c.m;
     for (std::size_t k = n - 1; k-- > 0;) mu[k] += mu[k + 1];
-    std::vector<Numbers> M(n, Numbers(n));
-    Numbers f(n);
+    std::vector<T> f, C, S;
     for (std::size_t i = 0; i < n; ++i) {
-      f[i] = -mu[i] * c.g * c.r[i] * sin(x[i]);
-      for (std::size_t j = 0; j < n; ++j) {
-        const Number weight = mu[i > j ? i : j] * c.r[i] * c.r[j], turn = x[i] - x[j];
-        M[i][j] = weight * cos(turn);
-        f[i] -= weight * sin(turn) * x[n + j] * x[n + j];
-      }
+      C.push_back(cos(x[i]));
+      S.push_back(sin(x[i]));
+      f.push_back(S[i] * Number(-mu[i] * c.g * c.r[i]));
     }
+    std::vector<std::vector<T>> M(n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        const Number weight = mu[i > j ? i : j] * c.r[i] * c.r[j];
+        M[i].push_back((C[i] * C[j] + S[i] * S[j]) * weight);
+        if (i != j) f[i] = f[i] - (S[i] * C[j] - C[i] * S[j]) * weight * (x[n + j] * x[n + j]);
+      }
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = k + 1; i < n; ++i) {
-        const Number factor = M[i][k] / M[k][k];
-        for (std::size_t j = k; j < n; ++j) M[i][j] -= factor * M[k][j];
-        f[i] -= factor * f[k];
+        const T factor = M[i][k] / M[k][k];
+        for (std::size_t j = k; j < n; ++j) M[i][j] = M[i][j] - factor * M[k][j];
+        f[i] = f[i] - factor * f[k];
       }
-    Numbers dxdt(2 * n);
+    std::vector<T> dxdt(x.begin() + static_cast<std::ptrdiff_t>(n), x.end());
     for (std::size_t i = n; i-- > 0;) {
-      dxdt[i] = x[n + i];
-      for (std::size_t j = i + 1; j < n; ++j) f[i] -= M[i][j] * dxdt[n + j];
-      dxdt[n + i] = f[i] / M[i][i];
+      for (std::size_t j = i + 1; j < n; ++j) f[i] = f[i] - M[i][j] * f[j];
+      f[i] = f[i] / M[i][i];
     }
+    dxdt.insert(dxdt.end(), f.begin(), f.end());
     return dxdt;
   }
 
