@@ -39,7 +39,7 @@ inline constexpr std::array outcomes_of_a_map{Outcome::ok,       Outcome::inaccu
 char letter_of(Outcome);
 /// The letters of a row's outcomes, from the coarsest step to the finest.
 std::string letters(const MapRow&);
-/// "0.625", "every step", "none above 0.0001".
+/// "0.625", "at least 2.5", "none above 0.0001".
 std::string shown_step(const Limit&);
 /// How a method breaks at the step just above its limit, with its numbers; empty when nothing breaks it.
 std::string how_it_breaks(const Limit&, const std::string& unit);

@@ -20,7 +20,7 @@ std::string colour_of(Outcome outcome) {
 
 // Pixels.
 constexpr int cell_width = 34, cell_height = 17, gap = 22, title = 76;
-constexpr int left = 78, top = 74, bottom = 40, legend = 150;
+constexpr int left = 96, top = 74, bottom = 40, legend = 150;
 
 std::string quoted(const std::string& text) {
   std::string out = "\"";

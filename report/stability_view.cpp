@@ -152,7 +152,7 @@ std::string letters(const MapRow& row) {
 
 std::string shown_step(const Limit& l) {
   if (!l.stable) return "none above " + rounded(l.broken->setting, 3);
-  return l.broken ? rounded(l.stable->setting, 3) : "every step";
+  return (l.broken ? "" : "at least ") + rounded(l.stable->setting, 3);
 }
 
 std::string beyond(const Limit& l) { return l.broken ? std::string(name_of(l.broken->outcome)) : "stable"; }

@@ -76,7 +76,7 @@ TEST_CASE("a method that no step breaks has no limit", "[stability]") {
   const Limit limit = found(stable_up_to(infinity));
   CHECK(limit.step() == infinity);
   CHECK_FALSE(limit.broken);
-  CHECK(shown_step(limit) == "every step");
+  CHECK(shown_step(limit) == "at least 2");
   CHECK(beyond(limit) == "stable");
   CHECK(how_it_breaks(limit, "m").empty());
 }

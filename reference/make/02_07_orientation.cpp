@@ -20,7 +20,7 @@ Numbers by_positions(const std::vector<double>& in, int digits) {
 
 Truth truth_02_07_orientation() {
   std::vector<std::vector<double>> rows;
-  for (double t : {0.25, 0.5, 0.75, 1.0, 2.0, 3.0, 4.0, 8.0, 12.0, 16.0, 32.0, 48.0, 64.0})
+  for (double t : {0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0, 48.0, 64.0})
     rows.push_back({t});
   std::vector<Component> components;
   for (const char* row : {"x", "y", "z"})

@@ -57,12 +57,13 @@ Numbers by_center(const std::vector<double>& in, int digits) {
 }  // namespace
 
 Truth truth_03_21_disk() {
+  std::vector<std::vector<double>> starts{{1, 2, 0.5, 1, 0, 0, 2, 0.5, 10},
+                                          {1, 2, 0.5, 1, 3, 0.2, 2, 0.5, 10},
+                                          {1, 2, 0.5, 1, 3, 0, 2, 0.5, 10},
+                                          {1, 2, 0.5, 0.01, 3, 0.2, 2, 0.5, 10}};
+  for (double theta : {1.5, 0.5, 0.2, 0.1}) starts.push_back({1, 2, 0.5, theta, 3, 0.2, 2, 0.5, 10});
   std::vector<std::vector<double>> rows;
-  for (const std::vector<double>& row :
-       std::vector<std::vector<double>>{{1, 2, 0.5, 1, 0, 0, 2, 0.5, 10},
-                                        {1, 2, 0.5, 1, 3, 0.2, 2, 0.5, 10},
-                                        {1, 2, 0.5, 1, 3, 0, 2, 0.5, 10},
-                                        {1, 2, 0.5, 0.01, 3, 0.2, 2, 0.5, 10}})
+  for (const auto& row : starts)
     for (double t : {2.0, 4.0, 6.0, 8.0}) {
       rows.push_back(row);
       rows.back().push_back(t);

@@ -77,7 +77,7 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
 
 Truth truth_03_27_two_bodies() {
   std::vector<std::vector<double>> rows;
-  for (double rate : {1.5, 0.5, 0x1p-5})
+  for (double rate : {1.5, 0.5, 0x1p-5, 1.7, 1.0, 0.25, 0.17})
     for (double t : {1.0, 2.0, 3.0, 4.0}) rows.push_back({1, 2, 1, 1, 0.25, 0.5, rate, t});
   return {"position of the second of two bodies, seen from the first, t after (r0, r0', phi0, phi0')",
           "r'' = r phi'^2 - G (m1 + m2)/r^2, r^2 phi' constant",

@@ -16,7 +16,8 @@ Numbers place(const std::vector<double>& in, int digits, const Until& until) {
 
 Truth truth_03_31_slide() {
   std::vector<std::vector<double>> rows;
-  for (double t : {0.3125, 0.625, 0.9375, 1.25}) rows.push_back({0.3, 0.2, 0.3, 9.81, 2, 0.5, 10, t});
+  for (double mu : {0.3, 0.2, 0.5, 0.7, 1.0})
+    for (double t : {0.3125, 0.625, 0.9375, 1.25}) rows.push_back({0.3, 0.2, mu, 9.81, 2, 0.5, 10, t});
   return {
       "position and angle of a box that slides and turns on a rough level plane, t after its start",
       "u' = -mu g <n>, (a^2 + b^2)/3 w' = -mu g <rho x n>, n the direction of the velocity at the point rho "

@@ -14,11 +14,13 @@ std::vector<double> at_rest(std::vector<double> in) {
 
 Truth truth_03_33_axis() {
   std::vector<std::vector<double>> rows;
-  const std::vector<std::vector<double>> starts{
+  std::vector<std::vector<double>> starts{
       {1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 0.5, 0.25, 30},  // default: precesses and nutates
       {1, 0.25, 0.125, 0.0625, 9.81, 0, 0, 0, 0, 0.5, 16},             // upright, struck, too slow to sleep
       {1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 6.4, -0.5, 18},  // passes close to the vertical
       {1, 0.25, 0.125, 0.0625, 9.81, 0, 2, 0, 1, 1, 5}};               // hangs and loops
+  for (double spin : {100.0, 60.0, 20.0, 10.0, 5.0})
+    starts.push_back({1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 0.5, 0.25, spin});
   for (const auto& start : starts)
     for (double t : {1.0, 2.0, 3.0, 4.0}) {
       rows.push_back(start);

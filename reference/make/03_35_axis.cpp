@@ -14,8 +14,10 @@ Truth truth_03_35_axis() {
   for (double t : {1.0, 2.0, 3.0, 4.0}) {
     add(tilted, 0.0625, 3, t);
     add(tilted, 0.0078125, 14.171875, t);  // near the nutation's frequency
-    add(tilted, 0.25, 8, t);             // shaken harder than gravity pulls
+    add(tilted, 0.25, 8, t);               // shaken harder than gravity pulls
     add(upright, 0.00390625, 3, t);
+    for (double lambda : {0.5, 1.5, 6.0, 10.0, 14.0})
+      if (lambda != 6 || t != 4) add(tilted, 0.0625, lambda, t);
   }
   add(tilted, 0, 3, 4);
   add(tilted, 0.0078125, 3, 4);
