@@ -203,6 +203,13 @@ class Ladder {
   }
 
  private:
+  Ladder& add(std::string name, std::string_view algorithm, bool tolerance, std::function<Answer(double)> run,
+              Outcome expected, std::string why, std::function<double()> stable_step) {
+    quantity_.add(Method{std::move(name), std::string(algorithm), tolerance ? tolerances_ : steps_,
+                         std::move(run), expected, std::move(why), std::move(stable_step)});
+    return *this;
+  }
+
   template <class Algorithm, class Model>
   void by_if_it_can(const std::string& name, const Model& model, Outcome first_order, Outcome second_order) {
     if constexpr (Algorithm::kind != ode::Kind::partitioned || Partitioned<Model>) {
