@@ -90,7 +90,8 @@ void verify_limit(const ExerciseResult& e, const Limit& limit) {
     return;
   }
   CHECK(same_limit(limit.step(), approved->step));
-  CHECK(same_limit(limit.theory, approved->theory));
+  const bool singular = limit.theory < 1e-3 * limit.step();  // and so its limit is as good as zero
+  CHECK(((singular && approved->theory < 1e-3 * limit.step()) || same_limit(limit.theory, approved->theory)));
   CHECK(beyond(limit) == approved->beyond);
   CHECK((!limit.stable || held(*limit.stable)));
   CHECK((!limit.broken || !held(*limit.broken)));

@@ -61,7 +61,7 @@ Truth truth_03_21_disk() {
                                           {1, 2, 0.5, 1, 3, 0.2, 2, 0.5, 10},
                                           {1, 2, 0.5, 1, 3, 0, 2, 0.5, 10},
                                           {1, 2, 0.5, 0.01, 3, 0.2, 2, 0.5, 10}};
-  for (double theta : {1.5, 0.5, 0.2, 0.1}) starts.push_back({1, 2, 0.5, theta, 3, 0.2, 2, 0.5, 10});
+  for (double theta : {1.5, 0.5, 0.2, 0.1, 0.05}) starts.push_back({1, 2, 0.5, theta, 3, 0.2, 2, 0.5, 10});
   std::vector<std::vector<double>> rows;
   for (const auto& row : starts)
     for (double t : {2.0, 4.0, 6.0, 8.0}) {
