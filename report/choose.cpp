@@ -17,8 +17,8 @@ constexpr int seen_beside = 2, unseen_starts = 3, rounds = 4;
 /// Everything tried, and the search through a method's settings.
 class Search {
  public:
-  Search(const Task& task, const Need& need, const Reference& truth, const Cost& cost)
-      : need_(need), cost_(cost), starts_(task, need, truth), seen_{starts_.asked()} {
+  Search(const Task& task, const Need& need, const Reference& truth, const Price& price)
+      : need_(need), price_(price), starts_(task, need, truth), seen_{starts_.asked()} {
     std::ranges::move(starts_.beside(seen_beside), std::back_inserter(seen_));
   }
 
@@ -50,8 +50,9 @@ class Search {
   const Tried& attempt(const Method& method, double setting) {
     Trial first;
     Tried tried = oddity::attempt(seen_, method, setting, need_, &first);
-    tried.seconds_a_frame = first.outcome == Outcome::raised ? std::numeric_limits<double>::infinity()
-                                                             : cost_(method, setting, first) / need_.frames();
+    tried.seconds_a_frame = first.outcome == Outcome::raised
+                                ? std::numeric_limits<double>::infinity()
+                                : price_(method, setting, first) / need_.frames();
     return all_.emplace_back(std::move(tried));
   }
 
@@ -128,7 +129,7 @@ class Search {
   }
 
   const Need& need_;
-  const Cost& cost_;
+  const Price& price_;
   Starts starts_;
   std::vector<Start> seen_;
   std::vector<Tried> all_;
@@ -136,12 +137,12 @@ class Search {
 
 }  // namespace
 
-double measured_cost(const Method& method, double setting, const Trial&) {
+double measured_price(const Method& method, double setting, const Trial&) {
   return time(method, setting).seconds;
 }
 
-Choice choose(const Task& task, const Need& need, const Reference& truth, const Cost& cost) {
-  Choice choice = Search(task, need, truth, cost).choose();
+Choice choose(const Task& task, const Need& need, const Reference& truth, const Price& price) {
+  Choice choice = Search(task, need, truth, price).choose();
   for (const Parameter& p : task.entry->exercise.parameters)
     choice.parameters.push_back(
         {std::string(p.name), task.parameters[p.name], std::string(p.unit), std::string(p.says)});

@@ -28,15 +28,15 @@ struct Choice {
 };
 
 /// What a method costs over the whole horizon [s].
-using Cost = std::function<double(const Method&, double setting, const Trial&)>;
+using Price = std::function<double(const Method&, double setting, const Trial&)>;
 
 /// Measured on this machine.
-double measured_cost(const Method&, double setting, const Trial&);
+double measured_price(const Method&, double setting, const Trial&);
 
 /// Chooses on the task's start and two beside it, tests on three others (the scene's `starts`, each up to a
 /// tenth off), and moves on to the next cheapest, with fresh starts, while the test fails. Throws BadInput
 /// when the exercise has no motion or the need is not positive.
-Choice choose(const Task&, const Need&, const Reference&, const Cost& = measured_cost);
+Choice choose(const Task&, const Need&, const Reference&, const Price& = measured_price);
 
 /// The choice as a sentence and a table, for a terminal.
 std::string choice_text(const Choice&);

@@ -72,8 +72,9 @@ bool check_budget(long evaluations, Trajectory<State>& solved, double t) {
 /// Steps of equal size from t0 to t1, no longer than `step`; false when the integration is over. The state is
 /// stepped in a local copy, which the compiler can keep in registers.
 template <class DoStep, class State, class OnStep>
-[[gnu::always_inline]] inline bool equal_steps(DoStep& do_step, State& x, double t0, double t1, double step, const long& evaluations,
-                 Trajectory<State>& solved, const OnStep& on_step) {
+[[gnu::always_inline]] inline bool equal_steps(DoStep& do_step, State& x, double t0, double t1, double step,
+                                               const long& evaluations, Trajectory<State>& solved,
+                                               const OnStep& on_step) {
   const double count = std::max(1.0, std::ceil(std::abs(t1 - t0) / step * (1 - 1e-12)));
   if (!(count <= static_cast<double>(budget)))
     return fail(solved, Ending::stalled, "the step would take more steps than the budget allows");
@@ -131,14 +132,14 @@ bool controlled_steps(TryStep& try_step, State& x, double t, double t1, double& 
 /// Steps that a library's driver chooses, from t to t1: advance(x, t, t1) makes one of them, not beyond t1,
 /// and says what went wrong, or null.
 template <class Advance, class State, class OnStep>
-bool driven_steps(Advance& advance, State& x, double t, double t1, Trajectory<State>& solved,
-                  const OnStep& on_step) {
+bool driven_steps(Advance& advance, State& x, double t, double t1, const long& evaluations,
+                  Trajectory<State>& solved, const OnStep& on_step) {
   while (t != t1) {
     const State before = x;
     const double from = t;
     const char* trouble = advance(x, t, t1);
     if (trouble) x = before, t = from;
-    if (!check_budget(solved, t)) return false;
+    if (!check_budget(evaluations, solved, t)) return false;
     if (!finite(x)) return fail(solved, Ending::non_finite, "the state is not finite " + at(t));
     if (!trouble && t == from) trouble = "the step became too small";
     if (trouble) return fail(solved, Ending::stalled, trouble + (" " + at(t)));
@@ -155,7 +156,8 @@ inline double first_step(std::span<const double> times, double part) {
 
 /// Advances x from times[0] through all of them by advance(x, t0, t1), keeping the states.
 template <class State, class Advance>
-[[gnu::always_inline]] inline void through(std::span<const double> times, State x, Trajectory<State>& solved, const Advance& advance) {
+[[gnu::always_inline]] inline void through(std::span<const double> times, State x, Trajectory<State>& solved,
+                                           const Advance& advance) {
   solved.value.push_back(x);
   for (std::size_t i = 1; i < times.size(); ++i) {
     const bool on = times[i] == times[i - 1] || advance(x, times[i - 1], times[i]);
@@ -188,19 +190,21 @@ Trajectory<State> integrate(const System& system, const State& start, std::span<
   if constexpr (Algorithm::kind == Kind::fixed) {
     auto stepper = Algorithm::template stepper<State>();
     auto do_step = [&](State& x, double t, double h) { stepper.do_step(counted, x, t, h); };
-    detail::through(times, start, solved, [&](State& x, double t0, double t1) __attribute__((always_inline)) {
-      return detail::equal_steps(do_step, x, t0, t1, setting, evaluations, solved, on_step);
-    });
+    detail::through(
+        times, start, solved, [&](State & x, double t0, double t1) __attribute__((always_inline)) {
+          return detail::equal_steps(do_step, x, t0, t1, setting, evaluations, solved, on_step);
+        });
   } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {
     auto stepper = Algorithm::template stepper<State>(system, evaluations);
-    detail::through(times, start, solved, [&](State& x, double t0, double t1) __attribute__((always_inline)) {
-      return detail::equal_steps(stepper, x, t0, t1, setting, evaluations, solved, on_step);
-    });
+    detail::through(
+        times, start, solved, [&](State & x, double t0, double t1) __attribute__((always_inline)) {
+          return detail::equal_steps(stepper, x, t0, t1, setting, evaluations, solved, on_step);
+        });
   } else if constexpr (Algorithm::kind == Kind::driven) {
-    auto advance = Algorithm::template stepper<State>(system, solved.evaluations, setting,
+    auto advance = Algorithm::template stepper<State>(system, evaluations, setting,
                                                       detail::first_step(times, Algorithm::first_step));
     detail::through(times, start, solved, [&](State& x, double t0, double t1) {
-      return detail::driven_steps(advance, x, t0, t1, solved, on_step);
+      return detail::driven_steps(advance, x, t0, t1, evaluations, solved, on_step);
     });
   } else {
     const auto controlled = [&](auto&& try_step) {
