@@ -45,8 +45,8 @@ concept Conservative = requires(const Model& model, const typename Model::State&
 };
 
 template <class Model>
-concept Partitioned = std::tuple_size_v<typename Model::State>
-% 2 == 0 && requires(const Model& model, ode::detail::Halves<typename Model::State>& halves) {
+concept Partitioned = (std::tuple_size_v<typename Model::State> % 2 == 0) &&
+                      requires(const Model& model, ode::detail::Halves<typename Model::State>& halves) {
   model.acceleration(halves.q, halves.v);
 };
 
