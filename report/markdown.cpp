@@ -414,6 +414,8 @@ std::string index_text(const Results& results, bool links) {
          ".\n\n## How to read this\n\n" + legend() +
          (links ? "The least model that each scene needs: [models](models.md).\n\n"
                   "Where methods of fixed step break, and what cures it: [stability](stability.md).\n\n"
+                  "The algorithms, their certificates, and what their libraries do wrong: "
+                  "[algorithms](algorithms.md).\n\n"
                   "How long each method took in this run: [times](times.md).\n"
                 : "");
 }

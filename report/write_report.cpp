@@ -1,6 +1,7 @@
 #include "report/write_report.hpp"
 
 #include "reference/bad_input.hpp"
+#include "report/catalog_page.hpp"
 #include "report/chart.hpp"
 #include "report/ledger.hpp"
 #include "report/markdown.hpp"
@@ -55,6 +56,7 @@ fs::path write_report(const Results& results, int chapter, const fs::path& folde
   if (chapter != 0) return write(chapter_file(chapter), chapter_page(results, chapter));
   for (const Chapter& c : chapters())
     if (c.last_odd > 0) write(chapter_file(c.number), chapter_page(results, c.number));
+  write("algorithms.md", catalog_page());
   write("models.md", ledger_page(results));
   write("stability.md", stability_page(results));
   write("times.md", times_page(results));

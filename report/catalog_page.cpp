@@ -1,0 +1,54 @@
+#include "report/catalog_page.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "reference/text.hpp"
+#include "report/markup.hpp"
+#include "solvers/ode/catalog.hpp"
+
+namespace oddity {
+
+namespace {
+
+std::string setting_of(ode::Kind kind) { return ode::has_tolerance(kind) ? "tolerance" : "step"; }
+
+std::string limit_cell(double limit) {
+  if (std::isnan(limit)) return "-";
+  return std::isinf(limit) ? "all" : limit == 0 ? "none" : rounded(limit, 7);
+}
+
+std::string evaluations_cell(const ode::CatalogEntry& a) {
+  const std::string count = a.evaluations == 0 ? "varies" : std::to_string(a.evaluations);
+  return count + (a.jacobian ? " + Jacobian" : "");
+}
+
+}  // namespace
+
+std::string catalog_page() {
+  std::vector<std::vector<std::string>> rows, remarks;
+  for (const ode::CatalogEntry& a : ode::catalog()) {
+    rows.push_back({std::string(a.name), std::string(a.library), setting_of(a.kind),
+                    a.order == 0 ? "varies" : std::to_string(a.order), evaluations_cell(a),
+                    limit_cell(a.real_limit), limit_cell(a.imaginary_limit), escaped(std::string(a.theory))});
+    if (!a.remark.empty()) remarks.push_back({std::string(a.name), escaped(std::string(a.remark))});
+  }
+  std::string text =
+      "# The catalog of algorithms\n\n"
+      "Every algorithm that integrates a motion here has a certificate in the tests: its order is measured, "
+      "from both sides, with and without explicit time, forward and backward; its evaluations are counted; "
+      "and its limits of stability are measured beside the theory that this table gives. A limit is the "
+      "largest $h\\,|\\lambda|$ at which $y'=\\lambda y$ does not grow, on the negative real axis and on the "
+      "imaginary axis. An algorithm that is set by a tolerance chooses its steps; where it has limits, they "
+      "are those of its plain step.\n\n" +
+      table({"algorithm", "library", "set by", "order", "evaluations a step", "real limit", "imaginary limit",
+             "theory"},
+            rows, "356") +
+      "## What the libraries do wrong\n\nFound by the certificates; each is repaired from outside.\n\n" +
+      table({"algorithm", "what was found, and what is done"}, remarks);
+  if (const auto missing = ode::not_in_catalog(); !missing.empty())
+    text += "Not in this build: " + escaped(std::string(missing), false) + ".\n\n";
+  return text + "[All chapters](README.md)\n";
+}
+
+}  // namespace oddity
