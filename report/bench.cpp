@@ -101,7 +101,7 @@ Entrant cheapest(const Contest& contest, double unit_seconds, const Error& error
               setting,
               end.answer.evaluations,
               end.error,
-              through.error,
+              std::max(end.error, through.error),
               time,
               units};
   }
@@ -201,7 +201,10 @@ std::string contest_text(const ContestResult& c) {
                   shown_error(c.closed_worst_error), shown_time(c.closed_time.seconds),
                   fixed(c.closed_units, 1), limit_text(c.closed_limit, 0, c.closed_units <= c.closed_limit)});
   return "\n" + c.says + ", to " + shown_error(c.need) + "; one unit is a right-hand side by hand, " +
-         shown_time(c.unit_seconds) + "\n" + aligned(rows);
+         shown_time(c.unit_seconds) +
+         "\n(integrated straight to the end; the worst error also on the same method stopped at many "
+         "times)\n" +
+         aligned(rows);
 }
 
 std::string suite_text(const SuiteTime& suite) {
