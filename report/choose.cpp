@@ -79,6 +79,12 @@ class Search {
     return tried.model == method.model && tried.algorithm == method.algorithm;
   }
 
+  /// What broke off has no cost to compare.
+  static bool came_to_an_end(const Tried& tried) {
+    return tried.outcome != Outcome::non_finite && tried.outcome != Outcome::stalled &&
+           tried.outcome != Outcome::raised;
+  }
+
   bool affordable(const Tried& tried) const { return tried.seconds_a_frame <= need_.budget; }
 
   std::optional<Tried> cheapest() const {
@@ -103,7 +109,7 @@ class Search {
 
   Choice summary(const std::optional<Tried>& chosen, const std::vector<Start>& unseen) const {
     const Quantity& motion = seen_.front().motion;
-    Choice choice{need_, motion.name, motion.unit, {}, {}, chosen, {}, {}, {}, {}, {}};
+    Choice choice{need_, motion.name, motion.unit, "s", {}, {}, chosen, {}, {}, {}, {}, {}};
     for (const Start& s : seen_) choice.seen.push_back(s.says);
     for (const Start& s : unseen) choice.unseen.push_back(s.says);
     for (const Method& method : motion.methods) {
@@ -119,7 +125,7 @@ class Search {
       return choice;
     }
     for (const Tried& tried : all_)
-      if (!tried.holds() && tried.seconds_a_frame < chosen->seconds_a_frame &&
+      if (!tried.holds() && came_to_an_end(tried) && tried.seconds_a_frame < chosen->seconds_a_frame &&
           (!choice.next_cheaper || tried.seconds_a_frame > choice.next_cheaper->seconds_a_frame))
         choice.next_cheaper = tried;
     choice.next_richer = least(choice.tried, [&](const Tried& t) {
@@ -143,6 +149,7 @@ double measured_price(const Method& method, double setting, const Trial&) {
 
 Choice choose(const Task& task, const Need& need, const Reference& truth, const Price& price) {
   Choice choice = Search(task, need, truth, price).choose();
+  choice.time_unit = task.entry->exercise.scene->axes.time;
   for (const Parameter& p : task.entry->exercise.parameters)
     choice.parameters.push_back(
         {std::string(p.name), task.parameters[p.name], std::string(p.unit), std::string(p.says)});

@@ -13,12 +13,12 @@ namespace oddity {
 
 struct Choice {
   Need need;
-  std::string quantity, unit;
+  std::string quantity, unit, time_unit;
   std::vector<ParameterValue> parameters;
   std::vector<Tried>
       tried;  ///< every method at its cheapest setting that holds, or else at its best; by cost
   std::optional<Tried> chosen;
-  std::optional<Tried> next_cheaper;  ///< the dearest of those that are cheaper and fail
+  std::optional<Tried> next_cheaper;  ///< the dearest of those that are cheaper, come to an end and fail
   std::optional<Tried> next_richer;   ///< the cheapest other model that holds
   std::optional<Tried> nearest_miss;  ///< when nothing is chosen
   std::vector<std::string> seen, unseen;

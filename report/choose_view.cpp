@@ -35,8 +35,9 @@ std::string failing_of(const Tried& tried, const Choice& choice) {
 
 std::string asked(const Choice& choice) {
   const Need& need = choice.need;
-  return choice.quantity + " within " + error_of(1, choice) + " over " + shortest(need.horizon) + " s at " +
-         shortest(need.frames_a_second) + " frames a second" +
+  return choice.quantity + " within " + error_of(1, choice) + " over " + shortest(need.horizon) + " " +
+         choice.time_unit + " at " + shortest(need.frames_a_second) + " frames a " +
+         (choice.time_unit == "s" ? "second" : choice.time_unit) +
          (std::isfinite(need.budget) ? ", for at most " + shown_time(need.budget) + " a frame" : "");
 }
 

@@ -41,8 +41,8 @@ std::string quantity_text(const QuantityResult& q) {
     for (const TimedTrial& t : m.trials) rows.push_back(trial_row(t));
   text += aligned(rows);
   for (const BreakdownResult& b : q.breakdowns)
-    text += "  " + std::string(b.as_expected() ? "breaks as expected: " : "DOES NOT BREAK AS EXPECTED: ") +
-            b.says + "\n" + aligned({trial_row(b.broken), trial_row(b.cured)});
+    text += "  " + std::string(b.as_expected() ? "breaks: " : "does not break so here: ") + b.says + "\n" +
+            aligned({trial_row(b.broken), trial_row(b.cured)});
   return text;
 }
 
