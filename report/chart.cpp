@@ -126,7 +126,7 @@ void add_front(const QuantityResult& q, const Frame& frame, Plot& plot) {
   plot.add("$front using 1:2 with steps lc rgb '#999999' lw 2.5 title 'Pareto front'");
 }
 
-/// One model's methods, under its name when there are several.
+/// One model's methods, under its name when there are several. Where the marks begin again, lines are dashed.
 void add_model(const QuantityResult& q, const std::string& model, std::size_t index, const Frame& frame,
                Order& algorithm, Plot& plot) {
   const std::string colour = model_line(index);
@@ -137,8 +137,9 @@ void add_model(const QuantityResult& q, const std::string& model, std::size_t in
     const std::string name = "$d" + std::to_string(&m - q.methods.data());
     std::string inside, strip;
     for (const TimedTrial& t : m.trials) (frame.within(t) ? inside : strip) += row(frame, t, frame.y(t));
-    const std::string style =
-        colour + " pt " + std::to_string(marks[algorithm(m.algorithm) % marks.size()]) + " ps 0.6 lw 1.1 ";
+    const std::size_t place = algorithm(m.algorithm);
+    const std::string style = colour + " pt " + std::to_string(marks[place % marks.size()]) +
+                              (place < marks.size() ? "" : " dt 4") + " ps 0.6 lw 1.1 ";
     const std::string fitted = shown_fit(m, fit(q, m));
     const std::string title = m.algorithm + (fitted.empty() ? "" : " (" + fitted + ")");
     plot.data += block(name, inside);

@@ -174,27 +174,21 @@ Json from(const Ledger& ledger) {
   for (const LeastModel& row : ledger.least) least.push_back(from(row));
   for (const BreakEven& b : ledger.break_evens)
     break_evens.push_back({{"model", b.model},
+                           {"parameter", b.parameter},
+                           {"parameter_unit", b.parameter_unit},
                            {"holds", from(b.holds)},
                            {"fails", from(b.fails)},
                            {"error_holds", from(b.error_holds)},
                            {"error_fails", from(b.error_fails)}});
-  return {
-      {"unit", ledger.unit},       {"parameter", ledger.parameter}, {"parameter_unit", ledger.parameter_unit},
-      {"from", from(ledger.from)}, {"to", from(ledger.to)},         {"least", least},
-      {"break_evens", break_evens}};
+  return {{"unit", ledger.unit}, {"least", least}, {"break_evens", break_evens}, {"never", ledger.never}};
 }
 Ledger ledger(const Json& json) {
-  Ledger ledger{json.at("unit"),
-                json.at("parameter"),
-                json.at("parameter_unit"),
-                number(json.at("from")),
-                number(json.at("to")),
-                {},
-                {}};
+  Ledger ledger{json.at("unit"), {}, {}, json.at("never")};
   for (const Json& row : json.at("least")) ledger.least.push_back(least_model(row));
   for (const Json& b : json.at("break_evens"))
-    ledger.break_evens.push_back({b.at("model"), number(b.at("holds")), number(b.at("fails")),
-                                  number(b.at("error_holds")), number(b.at("error_fails"))});
+    ledger.break_evens.push_back({b.at("model"), b.at("parameter"), b.at("parameter_unit"),
+                                  number(b.at("holds")), number(b.at("fails")), number(b.at("error_holds")),
+                                  number(b.at("error_fails"))});
   return ledger;
 }
 

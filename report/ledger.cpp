@@ -14,7 +14,7 @@ namespace oddity {
 namespace {
 
 std::string close_in_words(const Scene& scene, const std::string& unit) {
-  if (unit == "m" && scene.close == 0.01) return "1 cm";
+  if (unit.starts_with("m") && scene.close == 0.01) return unit == "m" ? "1 cm" : "1 cm, 0.01 rad";
   if (std::abs(scene.close - std::acos(-1.0) / 180) < 1e-12) return "1 degree";
   return rounded(scene.close, 3) + (unit == "1" ? "" : " " + unit);
 }
@@ -49,31 +49,69 @@ LeastModel least_model(std::vector<Start>& start, const std::string& says, const
   return {says, need, {}};
 }
 
-/// A scene along its hard parameter, looked at over the ledger's horizon.
+/// A parameter, and values of it between which a model may stop being enough.
+struct Line {
+  const Parameter* parameter;
+  std::vector<double> values;
+};
+
+/// The scene's hard parameter over its values; then each that differs from start to start, from a sixteenth
+/// of its value to four times it.
+std::vector<Line> lines(const Task& task, const Scene& scene) {
+  const auto declared = [&](std::string_view name) {
+    return &*std::ranges::find(task.parameters.declared(), name, &Parameter::name);
+  };
+  std::vector<Line> all{{declared(scene.varied), scene.over}};
+  for (std::string_view name : scene.starts) {
+    Line line{declared(name), {}};
+    for (double factor : {0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0})
+      if (const double value = factor * task.parameters[name];
+          value != 0 && value >= line.parameter->least && value <= line.parameter->most)
+        line.values.push_back(value);
+    all.push_back(std::move(line));
+  }
+  return all;
+}
+
+/// A scene's models beside each other over the ledger's horizon, one parameter moved.
 class Along {
  public:
-  Along(const Task& task, const Need& need, const Reference& truth)
-      : task_(task), scene_(*task.entry->exercise.scene), need_(need), truth_(truth) {}
+  Along(const Task& task, const Need& need, const Reference& truth, std::size_t truest)
+      : task_(task),
+        scene_(*task.entry->exercise.scene),
+        need_(need),
+        truth_(truth),
+        truest_(truest),
+        lines_(lines(task, scene_)) {}
 
-  /// The first value at which a model that held no longer does, bracketed; nothing when that does not happen.
-  /// `truest` is where the search takes the motion from; the bracket is judged by the reference.
-  std::optional<BreakEven> break_even(const std::string& model, std::size_t truest) const {
-    for (std::size_t i = 0; i + 1 < scene_.over.size(); ++i) {
-      double holds = scene_.over[i], fails = scene_.over[i + 1];
-      const auto enough = [&](double at) { return stood_in(model, truest, at) <= scene_.close; };
-      if (!enough(holds) || enough(fails)) continue;
-      while (std::abs(fails - holds) > 1e-3 * std::abs(holds))
-        (enough((holds + fails) / 2) ? holds : fails) = (holds + fails) / 2;
-      const BreakEven found{model, holds, fails, judged(model, holds), judged(model, fails)};
-      if (found.error_holds <= scene_.close && !(found.error_fails <= scene_.close)) return found;
-    }
+  /// Where the model stops or begins to be enough, on the first line on which it does.
+  std::optional<BreakEven> break_even(const std::string& model) const {
+    for (const Line& line : lines_)
+      for (std::size_t i = 0; i + 1 < line.values.size(); ++i)
+        if (auto found = between(model, *line.parameter, line.values[i], line.values[i + 1])) return found;
     return {};
   }
 
+  /// Whether the model is enough at the task's own parameters.
+  bool enough(const std::string& model) const {
+    return enough(model, *lines_.front().parameter, task_.parameters[scene_.varied]);
+  }
+
  private:
-  Quantity motion(double at, const Reference& truth) const {
+  std::optional<BreakEven> between(const std::string& model, const Parameter& p, double a, double b) const {
+    if (enough(model, p, a) == enough(model, p, b)) return {};
+    double holds = enough(model, p, a) ? a : b, fails = holds == a ? b : a;
+    while (std::abs(fails - holds) > 1e-3 * std::abs(holds))
+      (enough(model, p, (holds + fails) / 2) ? holds : fails) = (holds + fails) / 2;
+    const BreakEven found{model, std::string(p.name),     std::string(p.unit),    holds,
+                          fails, judged(model, p, holds), judged(model, p, fails)};
+    const bool confirmed = found.error_holds <= scene_.close && !(found.error_fails <= scene_.close);
+    return confirmed ? std::optional(found) : std::nullopt;
+  }
+
+  Quantity motion(const Parameter& p, double at, const Reference& truth) const {
     Parameters parameters = task_.parameters;
-    parameters.set(scene_.varied, at);
+    parameters.set(p.name, at);
     return scene_.motion(parameters, {need_.horizon, 4, need_.frames_a_second}, truth);
   }
 
@@ -87,18 +125,23 @@ class Along {
     return best;
   }
 
-  double stood_in(const std::string& model, std::size_t truest, double at) const {
-    Quantity seen = motion(at, Reference::nothing());
-    const Method& method = seen.methods.at(truest);
+  /// With the truest method in place of the truth.
+  bool enough(const std::string& model, const Parameter& p, double at) const {
+    Quantity seen = motion(p, at, Reference::nothing());
+    const Method& method = seen.methods.at(truest_);
     seen.reference.value = run(seen, method, method.knob.settings.back()).answer.value;
-    return best_error(seen, model);
+    return best_error(seen, model) <= scene_.close;
   }
-  double judged(const std::string& model, double at) const { return best_error(motion(at, truth_), model); }
+  double judged(const std::string& model, const Parameter& p, double at) const {
+    return best_error(motion(p, at, truth_), model);
+  }
 
   const Task& task_;
   const Scene& scene_;
   const Need& need_;
   const Reference& truth_;
+  std::size_t truest_;
+  std::vector<Line> lines_;
 };
 
 /// The method that comes nearest to the reference at its finest setting.
@@ -123,20 +166,15 @@ std::optional<Ledger> ledger(const Task& task, const Reference& truth) {
   const Starts starts(task, game, truth);
   std::vector<Start> start{starts.asked()};
   const Quantity& motion = start.front().motion;
-  const auto declared = std::ranges::find(task.parameters.declared(), scene.varied, &Parameter::name);
-  Ledger ledger{motion.unit,
-                std::string(scene.varied),
-                std::string(declared->unit),
-                scene.over.front(),
-                scene.over.back(),
-                {},
-                {}};
+  Ledger ledger{motion.unit, {}, {}, {}};
+  const Along along(task, game, truth, truest_method(motion));
   ledger.least.push_back(least_model(start, close_in_words(scene, motion.unit), game));
   ledger.least.push_back(least_model(start, "10 digits", digits));
-  const Along along(task, game, truth);
-  const std::size_t truest = truest_method(motion);
   for (const std::string& model : models_of(motion))
-    if (auto found = along.break_even(model, truest)) ledger.break_evens.push_back(*found);
+    if (auto found = along.break_even(model))
+      ledger.break_evens.push_back(*found);
+    else if (!along.enough(model))
+      ledger.never.push_back(model);
   return ledger;
 }
 

@@ -10,7 +10,9 @@ namespace oddity {
 namespace {
 
 std::string with_unit(const std::string& number, const std::string& unit) {
-  return with_powers(number) + (unit.empty() || unit == "1" ? "" : " " + unit);
+  return with_powers(number) + (unit.empty() || unit == "1"           ? ""
+                                : unit.find(',') == std::string::npos ? " " + unit
+                                                                      : " (" + unit + ")");
 }
 
 std::string error_of(const LeastModel& row, const Ledger& ledger) {
@@ -29,9 +31,16 @@ std::vector<std::string> least_row(const LeastModel& row, const Ledger& ledger) 
 }
 
 std::string break_even_text(const BreakEven& b, const Ledger& ledger) {
-  return "- *" + escaped(b.model) + "* is enough to `" + ledger.parameter +
-         "` = " + with_unit(rounded(b.holds, 3), ledger.parameter_unit) + ", where it errs by " +
+  return "- *" + escaped(b.model) + "* is enough " + (b.holds < b.fails ? "up to" : "from") + " `" +
+         b.parameter + "` = " + with_unit(rounded(b.holds, 3), b.parameter_unit) +
+         (b.holds < b.fails ? "" : " on") + ", where it errs by " +
          with_unit(shown_error(b.error_holds), ledger.unit) + ".\n";
+}
+
+std::string never_text(const std::vector<std::string>& models) {
+  std::string names;
+  for (const std::string& model : models) names += (names.empty() ? "*" : ", *") + escaped(model) + "*";
+  return models.empty() ? "" : "- Not enough wherever it was looked: " + names + ".\n";
 }
 
 std::string section(const ExerciseResult& e) {
@@ -42,10 +51,7 @@ std::string section(const ExerciseResult& e) {
       "## " + to_string(e.number) + " " + e.title + "\n\n" +
       table({"for", "least model", "algorithm", "setting", "error", "evaluations a frame"}, rows, "5");
   for (const BreakEven& b : ledger.break_evens) text += break_even_text(b, ledger);
-  if (ledger.break_evens.empty())
-    text += "No model stops being enough as `" + ledger.parameter + "` goes from " + rounded(ledger.from, 3) +
-            " to " + with_unit(rounded(ledger.to, 3), ledger.parameter_unit) + ".\n";
-  return text + "\n";
+  return text + never_text(ledger.never) + "\n";
 }
 
 }  // namespace
@@ -53,14 +59,14 @@ std::string section(const ExerciseResult& e) {
 std::string ledger_page(const Results& results) {
   std::string text =
       "# The least model\n\nFor each scene the first model of its ladder, from the least on, that holds over "
-      "10 s at 60 frames a second: to one centimetre or one degree, which is what a game asks, and to ten "
-      "digits. Of the model's algorithms the one with the least counted work is given; what is cheapest in "
-      "time on a machine, and for starts beside this one, `oddity choose` says. A break-even is the value of "
-      "the parameter that makes the scene hard at which a lesser model stops being enough for the game: it "
-      "is "
-      "looked for with the best method in place of the truth, to one in a thousand, and both of its sides "
-      "are "
-      "judged by the reference.\n\n";
+      "10 s at 60 frames a second (of a year, where the scene's time is in years): to one centimetre or one "
+      "degree, which is what a game asks, and to ten digits. Of the model's algorithms the one with the "
+      "least "
+      "counted work is given; what is cheapest in time on a machine, and for starts beside this one, `oddity "
+      "choose` says. A break-even is a value at which a model stops or begins to be enough for the game: of "
+      "the parameter that makes the scene hard, or, where that has none, of one that differs from start to "
+      "start, from a sixteenth of its value to four times it. It is looked for with the best method in place "
+      "of the truth, to one in a thousand, and both of its sides are judged by the reference.\n\n";
   for (const ExerciseResult& e : results.exercises)
     if (e.ledger) text += section(e);
   return text + "[All chapters](README.md)\n";

@@ -108,20 +108,19 @@ struct LeastModel {
   std::optional<Tried> least;  ///< none: nothing here holds
 };
 
-/// Where a model stops being enough for what a game asks, to one in a thousand; both ends are judged by the
+/// Where a model stops being enough for what a game asks, to one in a thousand; both sides are judged by the
 /// reference.
 struct BreakEven {
-  std::string model;
-  double holds = 0, fails = 0;              ///< values of the scene's hard parameter
+  std::string model, parameter, parameter_unit;
+  double holds = 0, fails = 0;              ///< values of the parameter
   double error_holds = 0, error_fails = 0;  ///< the model's at its best there, in the observables' unit
 };
 
 struct Ledger {
-  std::string unit;  ///< of the observables
-  std::string parameter, parameter_unit;
-  double from = 0, to = 0;        ///< the values between which the break-evens were looked for
+  std::string unit;               ///< of the observables
   std::vector<LeastModel> least;  ///< over 10 s at 60 frames a second: for a game, and for 10 digits
   std::vector<BreakEven> break_evens;
+  std::vector<std::string> never;  ///< models that are not enough for a game wherever it was looked
 };
 
 /// Up to which step a method of fixed step is stable, how it breaks beyond, and what cures it.

@@ -173,8 +173,9 @@ TEST_CASE("every tabulated value made again is the value stored", "[reference][s
 }
 
 TEST_CASE("every table in the folder has a maker", "[reference]") {
+  const std::set<std::string> on_record{"verdicts.csv", "limits.csv", "stability_maps.csv"};
   for (const auto& file : fs::directory_iterator(tables)) {
-    if (file.path().extension() != ".csv" || file.path().filename() == "verdicts.csv") continue;
+    if (file.path().extension() != ".csv" || on_record.contains(file.path().filename().string())) continue;
     const auto& all = truth::registry();
     INFO(file.path().string());
     CHECK(std::any_of(all.begin(), all.end(),
