@@ -44,7 +44,7 @@ std::string catalog_page() {
       table({"algorithm", "library", "set by", "order", "evaluations a step", "real limit", "imaginary limit",
              "theory"},
             rows, "356") +
-      "## What the libraries do wrong\n\nFound by the certificates; each is repaired from outside.\n\n" +
+      "## What was found in the libraries\n\nBy the certificates; what is wrong is repaired from outside.\n\n" +
       table({"algorithm", "what was found, and what is done"}, remarks);
   if (const auto missing = ode::not_in_catalog(); !missing.empty())
     text += "Not in this build: " + escaped(std::string(missing), false) + ".\n\n";

@@ -162,7 +162,7 @@ constexpr Facts facts<ArkodeVerner65>{
     1.306765,
     polynomial,
     "ERKStep of SUNDIALS 6.4 takes the last stage for the next step's first, as it stands at the step's end, "
-    "though it is another state (llnl/sundials#311, mended in 6.6.1): measured order 3. The table is given "
+    "though it is another state (llnl/sundials#311): measured order 3. The table is given "
     "the "
     "step's end as a ninth stage, and the order is 6"};
 #endif
