@@ -109,7 +109,7 @@ Quantity quarter_period(double a, const Reference& truth) {
 Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   using namespace pendulum;
   const Pendulum pendulum{p["a"], p["L"], p["g"]};
-  Quantity angle = quantity("swing", "rad", "angle at four times",
+  Quantity angle = quantity("swing", "rad", "angle at " + times_up_to(horizon),
                             trajectory(truth, "03_05_swing", {pendulum.a, pendulum.L, pendulum.g}, horizon),
                             {1e-6, "a fifth of a second of arc"});
   Ladder(angle, horizon, halving("step", 0.125, 9), tolerances())
