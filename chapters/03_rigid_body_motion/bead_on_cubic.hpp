@@ -264,6 +264,9 @@ inline Quantity slide(const Bead& bead, const Horizon& horizon, const Reference&
       .by<ode::Fehlberg78>(stuck, EnergyInQ{bead}, Outcome::inaccurate, "the bead never moves")
       .by_few(regular, EnergyInU{bead})
       .by_common(one, OneCoordinate{bead})
+      .by_others(one, OneCoordinate{bead},
+                 {{"linearly implicit Euler", Outcome::inaccurate,
+                   "its order is too low for this need at this step"}})
       .by_common(cartesian, CartesianWithConstraints{bead});
   position.add({substituted, "Gauss-Legendre, inverted by Brent", doubling("points", 4, 6), [=](double n) {
                   return by_inverted_integral(EnergyInU{bead}, horizon, static_cast<int>(n));

@@ -85,9 +85,9 @@ inline Quantity path(const std::string& name, const std::string& says, const Bal
                            : Outcome::non_finite,
                    d > 0 ? "" : "there are no two real roots")
       .by_common("plane", Plane{b}, Outcome::inaccurate, Outcome::inaccurate)
-      .by<ode::ImplicitEuler>("plane", Plane{b}, Outcome::inaccurate,
-                              "its order is too low for this need at this step")
-      .by<ode::Rosenbrock4>("plane", Plane{b})
+      .by_others("plane", Plane{b},
+                 {{"linearly implicit Euler", Outcome::inaccurate,
+                   "its order is too low for this need at this step"}})
       .by_few("plane, with the work", PlaneWithWork{b}, Outcome::inaccurate, Outcome::inaccurate)
       .by<ode::Rosenbrock4>("plane, with the work", PlaneWithWork{b});
   return q;

@@ -100,8 +100,18 @@ Start asked(const Parameters& p) {
 }
 
 Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return path("path", "near the Earth's orbit unless asked otherwise", asked(p), horizon, truth,
-              halving("step", 0.125, 9), {{}, {}, {}, {Outcome::drifted, Outcome::ok}});
+  const Start s = asked(p);
+  const Knob steps = halving("step", 0.125, 9);
+  Quantity where = path("path", "near the Earth's orbit unless asked otherwise", s, horizon, truth, steps,
+                        {{}, {}, {}, {Outcome::drifted, Outcome::ok}});
+  Ladder(where, horizon, steps, tolerances())
+      .by<ode::CashKarp54>("Cartesian", Cartesian{s})
+      .by_others(
+          "Cartesian", Cartesian{s},
+          {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
+           {"linearly implicit Euler", Outcome::drifted,
+            "of order 1, and it takes energy out: the planet spirals in"}});
+  return where;
 }
 
 /// In years for seconds. From the aphelion the angle's rate sets the eccentricity: 0.1, 0.5, 0.9, 0.975,

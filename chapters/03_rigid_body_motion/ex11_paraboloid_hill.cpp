@@ -247,10 +247,19 @@ Case asked(const Parameters& p) {
   return at_the_right_speed({{p["a1"], p["a2"]}, p["g"], {0, 0}, {p["v1"], p["v2"]}});
 }
 
+constexpr auto low_order = "its order is too low for this need at this step";
+
 Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return path("slower",
-              "position at " + times_up_to(horizon) + ", from the top at a part of the straight path's speed",
-              times(asked(p), p["factor"]), false, Outcome::drifted, horizon, truth);
+  const Case c = times(asked(p), p["factor"]);
+  Quantity position =
+      path("slower",
+           "position at " + times_up_to(horizon) + ", from the top at a part of the straight path's speed", c,
+           false, Outcome::drifted, horizon, truth);
+  Ladder(position, horizon, halving("step", 0.125, 9), tolerances(3, 11))
+      .by_others(plane, in_plane(c),
+                 {{"modified midpoint", Outcome::inaccurate, low_order},
+                  {"linearly implicit Euler", Outcome::inaccurate, low_order}});
+  return position;
 }
 
 Scene scene() {

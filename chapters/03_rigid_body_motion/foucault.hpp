@@ -244,6 +244,10 @@ inline Quantity bob(const Pendulum& p, const Horizon& horizon, const Reference& 
       .by<ode::DormandPrince54>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
       .by<ode::Fehlberg78>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
       .by_common(angles, TwoAngles{p})
+      .by_others(
+          angles, TwoAngles{p},
+          {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
+           {"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps every swing"}})
       .by_common(cartesian, Cartesian{p});
   return q.add(Breakdown{
       "The published equations leave out the centrifugal force. At the default omega, of one turn in 100 s, "

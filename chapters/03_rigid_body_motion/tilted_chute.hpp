@@ -160,7 +160,10 @@ inline Quantity swing(const Case& c, const Horizon& horizon, const Reference& tr
   Quantity position =
       slide("swing", "position at " + times_up_to(horizon) + " of a ball let go beside the center line", c,
             horizon, truth);
-  swinging(position, c, horizon).by_common(plane, in_plane(c), Outcome::drifted);
+  swinging(position, c, horizon)
+      .by_common(plane, in_plane(c), Outcome::drifted)
+      .by_others(about, Angle{c},
+                 {{"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps every swing"}});
   return position;
 }
 

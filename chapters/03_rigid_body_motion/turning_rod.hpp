@@ -285,6 +285,9 @@ inline Quantity slide(const Rod& rod, const Horizon& horizon, const Reference& t
       .by<ode::RungeKutta4>("listing with the other rest length", other_length, Outcome::inaccurate,
                             "with sqrt((b-c)^2 + c^2) the spring is stretched from the start")
       .by_common("along the rod", AlongTheRod{rod})
+      .by_others("along the rod", AlongTheRod{rod},
+                 {{"linearly implicit Euler", Outcome::inaccurate,
+                   "its order is too low for this need at this step"}})
       .by_few("along the rod, with the work", AlongTheRodWithWork{rod})
       .by_common("in the turning plane", InTheTurningPlane{rod})
       .by_common("Cartesian with constraints", CartesianWithConstraints{rod});
