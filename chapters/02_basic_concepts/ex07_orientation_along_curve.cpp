@@ -208,7 +208,15 @@ std::vector<Claim> claims(double seed) {
   };
 }
 
-Scene scene() { return {orientation, 4, degree, "pace", {0.25, 0.5, 1, 2, 4, 8}, {"pace"}}; }
+Scene scene() {
+  return {orientation,
+          4,
+          degree,
+          "pace",
+          {0.25, 0.5, 1, 2, 4, 8},
+          {"pace"},
+          {{"r_x", "u_x", "rxu_x", "r_y", "u_y", "rxu_y", "r_z", "u_z", "rxu_z"}}};
+}
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Quantity carried = orientation(p, {p["T"]}, truth);

@@ -239,11 +239,17 @@ Disk asked(const Parameters& p) {
 
 Quantity wind(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   return under_force("wind", "center and spin at four times, under a horizontal force and friction", asked(p),
-                     {Outcome::inaccurate, Outcome::inaccurate}, horizon, truth);
+                     {Outcome::inaccurate, Outcome::inaccurate}, horizon, truth, Tried::whole_catalog);
 }
 
 Scene scene() {
-  return {wind, seconds, centimeter, "phi", {1.5, 1, 0.5, 0.2, 0.1, 0.05}, {"theta", "theta_dot", "psi_dot"}};
+  return {wind,
+          seconds,
+          centimeter,
+          "phi",
+          {1.5, 1, 0.5, 0.2, 0.1, 0.05},
+          {"theta", "theta_dot", "psi_dot"},
+          {{"x", "y", "psi"}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

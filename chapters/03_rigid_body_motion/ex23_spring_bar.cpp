@@ -206,7 +206,9 @@ Quantity swing_of(const Parameters& p, const Horizon& horizon, const Reference& 
   return swing(asked(p), horizon, truth);
 }
 
-Scene scene() { return {swing_of, 4, centimeter, "c", {20, 50, 100, 300, 1000, 2500}, {"theta0", "m", "h"}}; }
+Scene scene() {
+  return {swing_of, 4, centimeter, "c", {20, 50, 100, 300, 1000, 2500}, {"theta0", "m", "h"}, {{"x", "y"}}};
+}
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Bar bar = asked(p);

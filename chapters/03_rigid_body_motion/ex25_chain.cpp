@@ -65,7 +65,9 @@ Quantity hanging(const Parameters& p, const Horizon& horizon, const Reference& t
   Ladder(q, horizon, halving("step", 0x1p-4, 9), tolerances(3, 11))
       .closed_form("normal modes", NormalModes(start), inaccurate, "the angles are not small")
       .by_common("dense mass matrix", Angles<Equations::dense>{start}, inaccurate, ok)
-      .by_common("tensions", Angles<Equations::tensions>{start}, inaccurate, ok);
+      .by_common("tensions", Angles<Equations::tensions>{start}, inaccurate, ok)
+      .by_others("tensions", Angles<Equations::tensions>{start},
+                 {{"linearly implicit Euler", inaccurate, "of order 1, and it damps every swing"}});
   return q.add(
       Breakdown{"Modes that do not know of each other are a picture for small angles: at a quarter to half a "
                 "radian they "
@@ -74,7 +76,13 @@ Quantity hanging(const Parameters& p, const Horizon& horizon, const Reference& t
 }
 
 Scene scene() {
-  return {hanging, 4, centimeter, "theta1", {0.0625, 0.25, 0.5, 1, 1.5}, {"theta1", "theta2", "theta3"}};
+  return {hanging,
+          4,
+          centimeter,
+          "theta1",
+          {0.0625, 0.25, 0.5, 1, 1.5},
+          {"theta1", "theta2", "theta3"},
+          {{"x1", "y1", "x2", "y2", "x3", "y3"}}};
 }
 
 Quantity small_swing(const Triple& like, const Reference& truth) {

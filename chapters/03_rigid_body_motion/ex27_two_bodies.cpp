@@ -71,12 +71,19 @@ Bodies asked(const Parameters& p) {
 }
 
 Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return path("path", "as asked", asked(p), horizon, truth, halving("step", 0x1p-4, 9),
-              {inaccurate, drifted, inaccurate, ok, ok});
+  const Knob steps = halving("step", 0x1p-4, 9);
+  Quantity q =
+      path("path", "as asked", asked(p), horizon, truth, steps, {inaccurate, drifted, inaccurate, ok, ok});
+  Ladder(q, horizon, steps, tolerances(4, 12))
+      .by_others("two bodies", BothBodies{asked(p)},
+                 {{"linearly implicit Euler", drifted, "of order 1, and the orbit shrinks"}});
+  return q;
 }
 
 Scene scene() {
-  return {path_of, 4, centimeter, "phi0_dot", {1.7, 1.5, 1, 0.5, 0.25, 0.17}, {"r0", "r0_dot", "phi0_dot"}};
+  return {
+      path_of,     4, centimeter, "phi0_dot", {1.7, 1.5, 1, 0.5, 0.25, 0.17}, {"r0", "r0_dot", "phi0_dot"},
+      {{"x", "y"}}};
 }
 
 /// The time of a turn of phi, against Kepler's third law with the sum of the masses.

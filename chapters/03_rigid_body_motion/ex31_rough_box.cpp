@@ -214,7 +214,10 @@ Quantity slide_of(const Parameters& p, const Horizon& horizon, const Reference& 
   return slide(asked(p), horizon, truth);
 }
 
-Scene scene() { return {slide_of, 1.25, centimeter, "mu", {0.2, 0.3, 0.5, 0.7, 1}, {"u0", "v0", "w0"}}; }
+Scene scene() {
+  return {
+      slide_of, 1.25, centimeter, "mu", {0.2, 0.3, 0.5, 0.7, 1}, {"u0", "v0", "w0"}, {{"x", "y", "theta"}}};
+}
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Box box = asked(p);

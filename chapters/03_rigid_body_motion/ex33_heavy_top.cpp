@@ -389,7 +389,8 @@ Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& t
 }
 
 Scene scene() {
-  return {axis_of, duration, degree, "dpsi", {5, 10, 20, 30, 60, 100}, {"phi", "dtheta", "dpsi"}};
+  return {axis_of,          duration, degree, "dpsi", {5, 10, 20, 30, 60, 100}, {"phi", "dtheta", "dpsi"},
+          {{"x", "y", "z"}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -273,11 +273,18 @@ Top asked(const Parameters& p) {
 }
 
 Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return shaken_axis("axis", "unit vector along the axis at four times", asked(p), horizon, truth);
+  Quantity axis = shaken_axis("axis", "unit vector along the axis at four times", asked(p), horizon, truth);
+  Ladder(axis, horizon, shaken_steps(), tolerances(3, 11))
+      .by_others(
+          "axis and angular momentum", AxisAndMomentum{asked(p)},
+          {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
+           {"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps the nodding"}});
+  return axis;
 }
 
 Scene scene() {
-  return {axis_of, duration, degree, "lambda", {0.5, 1.5, 3, 6, 10, 14}, {"phi", "dtheta", "dpsi"}};
+  return {axis_of,          duration, degree, "lambda", {0.5, 1.5, 3, 6, 10, 14}, {"phi", "dtheta", "dpsi"},
+          {{"x", "y", "z"}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -106,16 +106,22 @@ inline Quantity under_gravity(const Disk& disk, const Reference& truth) {
   return motion;
 }
 
+enum class Tried { common, whole_catalog };
+
 /// `euler`: how explicit Euler ends on the two angles and on the center.
 inline Quantity under_force(const std::string& name, const std::string& says, const Disk& disk,
-                            std::array<Outcome, 2> euler, const Horizon& horizon, const Reference& truth) {
+                            std::array<Outcome, 2> euler, const Horizon& horizon, const Reference& truth,
+                            Tried tried = Tried::common) {
   Quantity motion = quantity(name, "m, m, rad", says, true_motion(disk, horizon, truth), {});
   motion.need = {1e-8 * size_of(motion.reference.value), says_need};
-  Ladder(motion, horizon, halving("step", 0.125, 10), tolerances(3, 11))
-      .closed_form(constant, ConstantSpeeds{disk}, Outcome::inaccurate, "the force turns the pipe")
-      .by_common(one, OneAngle{disk})
-      .by_common(two, TwoAngles{disk}, euler[0])
-      .by_common(cartesian, Center{disk}, euler[1]);
+  Ladder ladder(motion, horizon, halving("step", 0.125, 10), tolerances(3, 11));
+  ladder.closed_form(constant, ConstantSpeeds{disk}, Outcome::inaccurate, "the force turns the pipe")
+      .by_common(one, OneAngle{disk});
+  if (tried == Tried::whole_catalog)
+    ladder.by_others(one, OneAngle{disk},
+                     {{"linearly implicit Euler", Outcome::inaccurate,
+                       "its order is too low for this need at this step"}});
+  ladder.by_common(two, TwoAngles{disk}, euler[0]).by_common(cartesian, Center{disk}, euler[1]);
   return motion;
 }
 

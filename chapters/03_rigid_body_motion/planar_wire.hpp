@@ -236,6 +236,9 @@ inline Quantity fall(const Thrown& thrown, const Horizon& horizon) {
       .closed_form("center alone", PointMass{thrown}, Outcome::inaccurate, "the wire turns")
       .closed_form("free fall", FreeFall{thrown})
       .by_common("x, y, theta", Generalized{thrown})
+      .by_others("x, y, theta", Generalized{thrown},
+                 {{"linearly implicit Euler", Outcome::inaccurate,
+                   "its order is too low for this need at this step"}})
       .by_common("two particles and a rod", TwoParticles{thrown}, Outcome::inaccurate);
   return q;
 }

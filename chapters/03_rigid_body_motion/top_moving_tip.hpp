@@ -76,6 +76,8 @@ inline std::vector<double> shaken_inputs(const Top& top) {
 inline constexpr const char* fixed_tip = "fixed tip, as proposed";
 inline constexpr const char* separate = "the accelerated tip turns the top";
 
+inline Knob shaken_steps() { return halving("step", 0.03125, 8); }
+
 inline Quantity shaken_axis(const std::string& name, const std::string& says, const Top& top,
                             const Horizon& horizon, const Reference& truth) {
   const std::string tilted = "Euler angles", quaternion = "rigid body, quaternion",
@@ -87,7 +89,7 @@ inline Quantity shaken_axis(const std::string& name, const std::string& says, co
   constexpr Outcome off = Outcome::inaccurate;
   Quantity q = quantity(name, "1", says, trajectory(truth, "03_35_axis", shaken_inputs(top), horizon),
                         {1e-7, "a fiftieth of a second of arc"});
-  Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
+  Ladder(q, horizon, shaken_steps(), tolerances(3, 11))
       .by<ode::ExplicitEuler>(fixed_tip, proposed, off, separate)
       .by<ode::RungeKutta4>(fixed_tip, proposed, off, separate)
       .by<ode::DormandPrince54>(fixed_tip, proposed, off, separate)

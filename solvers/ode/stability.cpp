@@ -44,8 +44,31 @@ double log_radius(const Plane& a, const Plane& b) {
                           : std::log(std::abs(half_trace) + std::sqrt(discriminant));
 }
 
+/// The root next to 1 of the recurrence's characteristic polynomial, by Newton's method, where it is certain
+/// to be the largest: with b[1], b[2], ... the coefficients of what the polynomial leaves when divided by it,
+/// the others are smaller where sum |b[k]| / |root|^k < 1 (Cauchy).
+std::optional<std::complex<double>> principal_root(const Recurrence& c) {
+  std::complex<double> root = 1;
+  for (int i = 0; i < 10; ++i) {
+    const double size = std::abs(root);
+    std::complex<double> value = 1, slope = 0;
+    double others = -1, power = 1;
+    for (const auto& coefficient : c) {
+      others += std::abs(value) * power;
+      power /= size;
+      slope = slope * root + value;
+      value = value * root - coefficient;
+    }
+    const auto correction = value / slope;
+    root -= correction;
+    if (std::abs(correction) < 1e-14) return others < 1 ? std::optional(root) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
 /// ln of the largest root of the recurrence's characteristic polynomial.
 double log_radius(const Recurrence& c) {
+  if (const auto root = principal_root(c)) return std::log(std::abs(*root));
   const auto n = static_cast<Eigen::Index>(c.size());
   Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) companion(0, i) = c[static_cast<std::size_t>(i)];
