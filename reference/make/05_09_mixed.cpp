@@ -14,9 +14,11 @@ Numbers by_differences(const std::vector<double>& in, int) {
   const Number radius = radius_for(waves.w);
   const auto phi = [&](const Triple<Number>& y) { return Triple<Number>{waves.phi(y), 0, 0}; };
   Numbers all;
-  for (const auto& [first, second] : orders) {
-    const auto inner = [&](const Triple<Number>& y) { return slope_by_differences(phi, y, first, radius); };
-    all.push_back(slope_by_differences(inner, x, second, radius)[0]);
+  for (const auto& order : orders) {
+    const auto inner = [&](const Triple<Number>& y) {
+      return slope_by_differences(phi, y, order[0], radius);
+    };
+    all.push_back(slope_by_differences(inner, x, order[1], radius)[0]);
   }
   return all;
 }
@@ -30,11 +32,11 @@ Numbers by_cauchy(const std::vector<double>& in, int) {
     return Triple<Complex>{waves.phi(y), Complex(0), Complex(0)};
   };
   Numbers all;
-  for (const auto& [first, second] : orders) {
+  for (const auto& order : orders) {
     const auto inner = [&](const Triple<Complex>& y) {
-      return slope_by_cauchy(phi, y, first, radius, points);
+      return slope_by_cauchy(phi, y, order[0], radius, points);
     };
-    all.push_back(slope_by_cauchy(inner, x, second, radius, points)[0].real());
+    all.push_back(slope_by_cauchy(inner, x, order[1], radius, points)[0].real());
   }
   return all;
 }
