@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -155,17 +156,26 @@ void polish(gsl_integration_glfixed_table& table) {
   }
 }
 
+/// The rule of so many points. A thread keeps those that it has used: nested integrals ask for them again and
+/// again.
+const gsl_integration_glfixed_table& rule_of(int points) {
+  thread_local std::map<int, std::unique_ptr<gsl_integration_glfixed_table, Free>> rules;
+  auto& rule = rules[points];
+  if (!rule) {
+    rule.reset(gsl_integration_glfixed_table_alloc(static_cast<std::size_t>(points)));
+    if (!rule->precomputed) polish(*rule);
+  }
+  return *rule;
+}
+
 }  // namespace
 
 Integral gauss_legendre(FunctionOfOne f, double a, double b, int points) {
   if (points < 1) return refused("Gauss-Legendre needs at least one point");
   quiet_gsl();
-  const std::unique_ptr<gsl_integration_glfixed_table, Free> table(
-      gsl_integration_glfixed_table_alloc(static_cast<std::size_t>(points)));
-  if (!table->precomputed) polish(*table);
   CountedFunction counted{f};
   const gsl_function function{&CountedFunction::call, &counted};
-  const double value = gsl_integration_glfixed(&function, a, b, table.get());
+  const double value = gsl_integration_glfixed(&function, a, b, &rule_of(points));
   return fixed(value, counted.calls);
 }
 

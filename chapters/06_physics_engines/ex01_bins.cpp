@@ -56,7 +56,7 @@ Answer answer_for(const std::vector<Sphere>& spheres, const Find& find) {
 
 template <class Reach, class Test>
 Method by(std::string model, std::string algorithm, const std::vector<Sphere>& spheres, const Grid& grid,
-          const Reach& range, const Test& test, Outcome expected = Outcome::ok, std::string why = {}) {
+          Reach range, Test test, Outcome expected = Outcome::ok, std::string why = {}) {
   return {std::move(model),
           std::move(algorithm),
           no_knob(),
@@ -239,7 +239,9 @@ Exercise exercise_6_1() {
       "Spheres in a grid of bins",
       "Which of the $n$ bins of a rectangular grid does a sphere of center $c$ and radius $r$ meet? Find a "
       "way that does not test every bin, and say what it costs.",
-      parameters, {}, study};
+      parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

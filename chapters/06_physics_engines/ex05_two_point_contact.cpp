@@ -74,7 +74,7 @@ Quantity spin(const Parameters& p, const Reference& truth) {
          [=](double) { return box.turned_by((box.torque(box.l0) + box.torque(box.l1)) / 2, 2); }});
   q.add({"one end", "one torque", no_knob(), [=](double) { return box.turned_by(box.torque(box.l1), 1); },
          Outcome::inaccurate, "the arm is the end's, not the midpoint's"});
-  const auto rule = [&](const char* name, const char* knob, double first, const auto& formula) {
+  const auto rule = [&](const char* name, const char* knob, double first, auto formula) {
     q.add({"segment", name, doubling(knob, first, 3), [=](double n) {
              return along_edge(box, [=](FunctionOfOne g, double low, double high) {
                return formula(g, low, high, static_cast<int>(n));
