@@ -1,11 +1,8 @@
 #include "reference/make/routes.hpp"
 #include "reference/make/taylor.hpp"
+#include "reference/make/universal_kepler.hpp"
 
-// r'' = -G M r/|r|^3 from a start in polar coordinates. The first route solves Kepler's equation in universal
-// variables, z = alpha chi^2, alpha = 2/r0 - v0^2/(G M) [Bate, Mueller, White, Fundamentals of Astrodynamics,
-// ch. 4]:
-//   sqrt(G M) t = chi^3 C3(z) + s chi^2 C2(z) + r0 chi (1 - z C3(z)),   s = r0 r0'/sqrt(G M),
-// with Stumpff's functions C2, C3; it holds for ellipse, parabola and hyperbola, and needs no perihelion.
+// r'' = -G M r/|r|^3 from a start in polar coordinates, by Kepler's equation in universal variables.
 namespace oddity::truth {
 
 namespace {
@@ -21,38 +18,9 @@ Start start_of(const std::vector<double>& in) {
           radial * s + transverse * c};
 }
 
-/// C_k(z) = sum over j of (-z)^j / (2j + k)!, k = 2 or 3.
-Number stumpff(int k, const Number& z) {
-  if (abs(z) > 1) {
-    const Number w = sqrt(abs(z)), s = z > 0 ? sin(w) : sinh(w), c = z > 0 ? cos(w) : cosh(w);
-    return k == 2 ? Number((1 - c) / z) : Number((w - s) / (z * w));
-  }
-  Number term = k == 2 ? Number(1) / 2 : Number(1) / 6, sum = term;
-  for (int j = 1; abs(term) > pow(Number(10), -65); ++j) {
-    term *= -z / ((2 * j + k - 1) * (2 * j + k));
-    sum += term;
-  }
-  return sum;
-}
-
 Numbers by_kepler(const std::vector<double>& in, int digits) {
   const Start a = start_of(in);
-  const Number root_mu = sqrt(a.mu), t = in[6];
-  const Number s = (a.x * a.vx + a.y * a.vy) / root_mu;
-  const Number alpha = 2 / a.r0 - (a.vx * a.vx + a.vy * a.vy) / a.mu;
-  const auto time = [&](const Number& chi) -> Number {
-    const Number z = alpha * chi * chi, c3 = stumpff(3, z);
-    return (chi * chi * chi * c3 + s * chi * chi * stumpff(2, z) + a.r0 * chi * (1 - z * c3)) / root_mu;
-  };
-  Number low = 0, high = 1;
-  while (time(high) < t) high *= 2;
-  while (high - low > high * pow(Number(10), -digits - 8)) {
-    const Number middle = (low + high) / 2;
-    (time(middle) < t ? low : high) = middle;
-  }
-  const Number chi = (low + high) / 2, z = alpha * chi * chi;
-  const Number f = 1 - chi * chi * stumpff(2, z) / a.r0, g = t - chi * chi * chi * stumpff(3, z) / root_mu;
-  return {f * a.x + g * a.vx, f * a.y + g * a.vy};
+  return by_universal_kepler(a.mu, {a.x, a.y, a.vx, a.vy}, in[6], digits);
 }
 
 /// The time next to zero at which an ellipse is where it is at t: t less whole periods, by the third law. The

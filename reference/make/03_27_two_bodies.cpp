@@ -1,11 +1,9 @@
 #include "reference/make/routes.hpp"
 #include "reference/make/taylor.hpp"
+#include "reference/make/universal_kepler.hpp"
 
 // Two bodies that attract each other by G m1 m2/r^2, the second seen from the first. The first route solves
-// Kepler's equation in universal variables, z = alpha chi^2, alpha = 2/r0 - v0^2/gamma, gamma = G (m1 + m2)
-// [Bate, Mueller, White, Fundamentals of Astrodynamics, ch. 4]:
-//   sqrt(gamma) t = chi^3 C3(z) + s chi^2 C2(z) + r0 chi (1 - z C3(z)),   s = r0 r0'/sqrt(gamma).
-// The second route moves both bodies.
+// Kepler's equation in universal variables with mu = G (m1 + m2); the second moves both bodies.
 namespace oddity::truth {
 
 namespace {
@@ -23,37 +21,9 @@ struct Start {
   }
 };
 
-/// C_k(z) = sum over j of (-z)^j / (2j + k)!, k = 2 or 3.
-Number stumpff(int k, const Number& z) {
-  if (abs(z) > 1) {
-    const Number w = sqrt(abs(z)), s = z > 0 ? sin(w) : sinh(w), c = z > 0 ? cos(w) : cosh(w);
-    return k == 2 ? Number((1 - c) / z) : Number((w - s) / (z * w));
-  }
-  Number term = k == 2 ? Number(1) / 2 : Number(1) / 6, sum = term;
-  for (int j = 1; abs(term) > pow(Number(10), -65); ++j) {
-    term *= -z / ((2 * j + k - 1) * (2 * j + k));
-    sum += term;
-  }
-  return sum;
-}
-
 Numbers by_kepler(const std::vector<double>& in, int digits) {
   const Start a(in);
-  const Number gamma = a.G * (a.m1 + a.m2), root = sqrt(gamma), t = in[7], r0 = in[3];
-  const Number s = r0 * Number(in[4]) / root, alpha = 2 / r0 - (a.vx * a.vx + a.vy * a.vy) / gamma;
-  const auto time = [&](const Number& chi) -> Number {
-    const Number z = alpha * chi * chi, c3 = stumpff(3, z);
-    return (chi * chi * chi * c3 + s * chi * chi * stumpff(2, z) + r0 * chi * (1 - z * c3)) / root;
-  };
-  Number low = 0, high = 1;
-  while (time(high) < t) high *= 2;
-  while (high - low > high * pow(Number(10), -digits - 8)) {
-    const Number middle = (low + high) / 2;
-    (time(middle) < t ? low : high) = middle;
-  }
-  const Number chi = (low + high) / 2, z = alpha * chi * chi;
-  const Number f = 1 - chi * chi * stumpff(2, z) / r0, g = t - chi * chi * chi * stumpff(3, z) / root;
-  return {f * a.x + g * a.vx, f * a.y + g * a.vy};
+  return by_universal_kepler(a.G * (a.m1 + a.m2), {a.x, a.y, a.vx, a.vy}, in[7], digits);
 }
 
 Numbers by_taylor(const std::vector<double>& in, int digits) {
