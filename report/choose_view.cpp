@@ -23,8 +23,9 @@ std::string error_of(double in_needs, const Choice& choice) {
 }
 
 std::string cost_of(const Tried& tried) {
-  return shown_time(tried.seconds_a_frame) + " a frame (" + rounded(tried.evaluations_a_frame, 3) +
-         (tried.evaluations_a_frame == 1 ? " evaluation)" : " evaluations)");
+  const std::string evaluations = rounded(tried.evaluations_a_frame, 3);
+  return shown_time(tried.seconds_a_frame) + " a frame (" + evaluations +
+         (evaluations == "1" ? " evaluation)" : " evaluations)");
 }
 
 std::string failing_of(const Tried& tried, const Choice& choice) {
