@@ -54,7 +54,8 @@ std::string answer_text(const Choice& choice) {
   if (std::isfinite(choice.need.budget))
     text += ", " + rounded(100 * best.seconds_a_frame / choice.need.budget, 2) + " % of the budget";
   text += ".\n  margin: on starts that it was not chosen on its error is " +
-          error_of(best.unseen_error, choice) + ", " + times_as(choice.margin()) + " less than asked.\n";
+          error_of(best.unseen_error, choice) +
+          (best.unseen_error > 0 ? ", " + times_as(choice.margin()) + " less than asked.\n" : ".\n");
   if (choice.next_cheaper) text += "  next cheaper: " + failing_of(*choice.next_cheaper, choice) + ".\n";
   if (const auto& richer = choice.next_richer)
     text += "  next richer: " + described(*richer, choice.need) + ", " + cost_of(*richer) + ": " +
