@@ -407,17 +407,17 @@ std::string index_text(const Results& results, bool links) {
                      plural(static_cast<int>(results.exercises.size()), "exercise", "exercises") + ", " +
                      plural(total, "claim", "claims") + ": " + sentence(all) + ".";
   if (missing > 0) text += " Not yet encoded: " + std::to_string(missing) + " of 48 exercises.";
+  if (links)
+    text +=
+        "\n\nFor games: [the least model that each scene needs](models.md), "
+        "[where methods break, and what cures it](stability.md), "
+        "[the algorithms and what was found in their libraries](algorithms.md), "
+        "[how long each method took](times.md).";
   return text + "\n\n## What is wrong in the book\n\n" + errata_table(results, links) + "## By chapter\n\n" +
          table({"chapter", "exercise", "confirmed", "misprint", "erratum", "unsettled", "quantities"}, rows,
                "23456") +
          "The solutions have no exercises in chapters " + chapters_without_exercises() +
-         ".\n\n## How to read this\n\n" + legend() +
-         (links ? "The least model that each scene needs: [models](models.md).\n\n"
-                  "Where methods of fixed step break, and what cures it: [stability](stability.md).\n\n"
-                  "The algorithms, their certificates, and what their libraries do wrong: "
-                  "[algorithms](algorithms.md).\n\n"
-                  "How long each method took in this run: [times](times.md).\n"
-                : "");
+         ".\n\n## How to read this\n\n" + legend();
 }
 
 }  // namespace
