@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <vector>
 
 namespace oddity {
@@ -27,7 +28,9 @@ Time time(const Method& method, double setting) {
                       static_cast<double>(runs));
   }
   std::ranges::sort(seconds);
-  return {seconds[count / 2], (seconds[(3 * count) / 4] - seconds[count / 4]) / 2};
+  const double spread = count > 1 ? (seconds[(3 * count) / 4] - seconds[count / 4]) / 2
+                                  : std::numeric_limits<double>::quiet_NaN();
+  return {seconds[count / 2], spread};
 }
 
 }  // namespace oddity

@@ -5,8 +5,8 @@
 
 namespace oddity {
 
-/// The method at one setting, over batches each as long as a tenth of a millisecond or one run. To mean
-/// anything it has to run alone.
+/// The method at one setting, over batches each as long as a tenth of a millisecond or one run; a run of more
+/// than a twentieth of a second is timed once, and has no spread. To mean anything it has to run alone.
 Time time(const Method&, double setting);
 
 }  // namespace oddity
