@@ -30,7 +30,8 @@ class Search {
     std::optional<Tried> chosen;
     for (int round = 0; round < rounds && (chosen = cheapest()); ++round) {
       unseen = starts_.beside(unseen_starts);
-      const Tried test = oddity::attempt(unseen, method_of(*chosen), chosen->setting, need_);
+      const Tried test = oddity::attempt(
+          unseen, *method_of(seen_.front().motion, chosen->model, chosen->algorithm), chosen->setting, need_);
       chosen->unseen_error = test.error;
       if (test.holds() && !unseen.empty()) break;
       std::ranges::move(unseen, std::back_inserter(seen_));
@@ -41,12 +42,6 @@ class Search {
   }
 
  private:
-  const Method& method_of(const Tried& tried) const {
-    return *std::ranges::find_if(seen_.front().motion.methods, [&](const Method& m) {
-      return m.model == tried.model && m.algorithm == tried.algorithm;
-    });
-  }
-
   const Tried& attempt(const Method& method, double setting) {
     Trial first;
     Tried tried = oddity::attempt(seen_, method, setting, need_, &first);
@@ -109,7 +104,7 @@ class Search {
 
   Choice summary(const std::optional<Tried>& chosen, const std::vector<Start>& unseen) const {
     const Quantity& motion = seen_.front().motion;
-    Choice choice{need_, motion.name, motion.unit, "s", {}, {}, chosen, {}, {}, {}, {}, {}};
+    Choice choice{need_, motion.name, motion.unit, "s", {}, chosen, {}, {}, {}, {}, {}};
     for (const Start& s : seen_) choice.seen.push_back(s.says);
     for (const Start& s : unseen) choice.unseen.push_back(s.says);
     for (const Method& method : motion.methods) {
@@ -150,9 +145,6 @@ double measured_price(const Method& method, double setting, const Trial&) {
 Choice choose(const Task& task, const Need& need, const Reference& truth, const Price& price) {
   Choice choice = Search(task, need, truth, price).choose();
   choice.time_unit = task.entry->exercise.scene->axes.time;
-  for (const Parameter& p : task.entry->exercise.parameters)
-    choice.parameters.push_back(
-        {std::string(p.name), task.parameters[p.name], std::string(p.unit), std::string(p.says)});
   return choice;
 }
 

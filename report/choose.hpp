@@ -14,7 +14,6 @@ namespace oddity {
 struct Choice {
   Need need;
   std::string quantity, unit, time_unit;
-  std::vector<ParameterValue> parameters;
   std::vector<Tried>
       tried;  ///< every method at its cheapest setting that holds, or else at its best; by cost
   std::optional<Tried> chosen;

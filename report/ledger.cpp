@@ -73,10 +73,20 @@ std::vector<Line> lines(const Task& task, const Scene& scene) {
   return all;
 }
 
+/// A model's error at its best: the least of its algorithms', each at its finest setting.
+double best_error(const Quantity& motion, const std::string& model) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const Method& method : motion.methods)
+    if (method.model == model)
+      if (const double error = run(motion, method, method.knob.settings.back()).error; error < best)
+        best = error;
+  return best;
+}
+
 /// A scene's models beside each other over the ledger's horizon, one parameter moved.
 class Along {
  public:
-  Along(const Task& task, const Need& need, const Reference& truth, std::size_t truest)
+  Along(const Task& task, const Need& need, const Reference& truth, const Method& truest)
       : task_(task),
         scene_(*task.entry->exercise.scene),
         need_(need),
@@ -90,11 +100,6 @@ class Along {
       for (std::size_t i = 0; i + 1 < line.values.size(); ++i)
         if (auto found = between(model, *line.parameter, line.values[i], line.values[i + 1])) return found;
     return {};
-  }
-
-  /// Whether the model is enough at the task's own parameters.
-  bool enough(const std::string& model) const {
-    return enough(model, *lines_.front().parameter, task_.parameters[scene_.varied]);
   }
 
  private:
@@ -115,21 +120,12 @@ class Along {
     return scene_.motion(parameters, {need_.horizon, 4, need_.frames_a_second}, truth);
   }
 
-  /// The model's error at its best: the least of its algorithms', each at its finest setting.
-  static double best_error(const Quantity& motion, const std::string& model) {
-    double best = std::numeric_limits<double>::infinity();
-    for (const Method& method : motion.methods)
-      if (method.model == model)
-        if (const double error = run(motion, method, method.knob.settings.back()).error; error < best)
-          best = error;
-    return best;
-  }
-
   /// With the truest method in place of the truth.
   bool enough(const std::string& model, const Parameter& p, double at) const {
     Quantity seen = motion(p, at, Reference::nothing());
-    const Method& method = seen.methods.at(truest_);
-    seen.reference.value = run(seen, method, method.knob.settings.back()).answer.value;
+    const Method* method = method_of(seen, truest_.model, truest_.algorithm);
+    if (!method) return false;
+    seen.reference.value = run(seen, *method, method->knob.settings.back()).answer.value;
     return best_error(seen, model) <= scene_.close;
   }
   double judged(const std::string& model, const Parameter& p, double at) const {
@@ -140,21 +136,17 @@ class Along {
   const Scene& scene_;
   const Need& need_;
   const Reference& truth_;
-  std::size_t truest_;
+  const Method& truest_;
   std::vector<Line> lines_;
 };
 
 /// The method that comes nearest to the reference at its finest setting.
-std::size_t truest_method(const Quantity& motion) {
-  std::size_t truest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < motion.methods.size(); ++i)
-    if (const double error = run(motion, motion.methods[i], motion.methods[i].knob.settings.back()).error;
-        error < least) {
-      least = error;
-      truest = i;
-    }
-  return truest;
+const Method& truest_method(const Quantity& motion) {
+  const auto error = [&](const Method& m) {
+    const double e = run(motion, m, m.knob.settings.back()).error;
+    return std::isnan(e) ? std::numeric_limits<double>::infinity() : e;
+  };
+  return *std::ranges::min_element(motion.methods, {}, error);
 }
 
 }  // namespace
@@ -173,7 +165,7 @@ std::optional<Ledger> ledger(const Task& task, const Reference& truth) {
   for (const std::string& model : models_of(motion))
     if (auto found = along.break_even(model))
       ledger.break_evens.push_back(*found);
-    else if (!along.enough(model))
+    else if (!(best_error(motion, model) <= scene.close))
       ledger.never.push_back(model);
   return ledger;
 }

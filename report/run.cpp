@@ -104,6 +104,12 @@ void see_motion(const Task& task, ExerciseResult& result) {
 
 }  // namespace
 
+const Method* method_of(const Quantity& quantity, std::string_view model, std::string_view algorithm) {
+  const auto found = std::ranges::find_if(
+      quantity.methods, [&](const Method& m) { return m.model == model && m.algorithm == algorithm; });
+  return found == quantity.methods.end() ? nullptr : &*found;
+}
+
 TimedTrial as_result(const Trial& trial) {
   const Answer& answer = trial.answer;
   return {trial.model,

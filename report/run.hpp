@@ -19,6 +19,10 @@ struct Task {
 /// Called with how many of how many pieces of a stage's work are done; from several threads, one at a time.
 using Progress = std::function<void(const std::string& stage, std::size_t done, std::size_t all)>;
 
+/// The quantity's method of this model by this algorithm; null when it has none: what a motion offers depends
+/// on its parameters.
+const Method* method_of(const Quantity&, std::string_view model, std::string_view algorithm);
+
 /// A trial as plain values, not timed.
 TimedTrial as_result(const Trial&);
 

@@ -89,19 +89,11 @@ std::string unit_of(const Task& task, std::string_view parameter) {
   throw std::logic_error(to_string(task.entry->number) + " has no parameter " + std::string(parameter));
 }
 
-/// Years where a parameter is a rate by the year, else seconds.
-std::string time_unit_of(const Task& task) {
-  return std::ranges::any_of(task.parameters.declared(),
-                             [](const Parameter& p) { return p.unit.ends_with("/yr"); })
-             ? "yr"
-             : "s";
-}
-
 /// The scene's stability, its limits and its map still to be filled.
 Stability shape(const Task& task) {
   const Scene& scene = *task.entry->exercise.scene;
   Stability stability;
-  stability.time_unit = time_unit_of(task);
+  stability.time_unit = scene.axes.time;
   stability.horizon = scene.horizon;
   stability.close = scene.close;
   stability.parameter = scene.varied;

@@ -14,13 +14,6 @@ namespace {
 constexpr std::array steps_a_frame{1,  2,  3,  4,  5,  6,  8,   10,  12,  16,  20,  24,
                                    32, 40, 48, 64, 80, 96, 128, 160, 192, 256, 384, 512};
 
-const Method* same_method(const Quantity& motion, const Method& method) {
-  const auto found = std::ranges::find_if(motion.methods, [&](const Method& other) {
-    return other.model == method.model && other.algorithm == method.algorithm;
-  });
-  return found == motion.methods.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 std::vector<double> settings(const Method& method, const Need& need) {
@@ -39,7 +32,7 @@ Tried attempt(const std::vector<Start>& starts, const Method& method, double set
   Tried tried{method.model, method.algorithm, method.knob.name, setting};
   for (const Start& start : starts) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const Method* here = same_method(start.motion, method);
+    const Method* here = method_of(start.motion, method.model, method.algorithm);
     const Trial trial =
         here ? run(start.motion, *here, setting)
              : Trial{method.model, method.algorithm, {}, setting, {}, nan, nan, Outcome::raised};
