@@ -2,11 +2,96 @@
 
 namespace oddity {
 
-Ladder& Ladder::add(std::string model, std::string_view algorithm, bool has_tolerance,
-                    std::function<Answer(double setting)> run, Outcome expected, std::string why,
-                    std::function<double()> stable_step) {
-  quantity_.add(Method{std::move(model), std::string(algorithm), has_tolerance ? tolerances_ : steps_,
-                       std::move(run), expected, std::move(why), std::move(stable_step)});
+template <std::size_t n>
+Answer ModelOf<n>::run(std::string_view algorithm, const Horizon& horizon, double setting) const {
+  const auto stops = horizon.stops();
+  return observed(horizon, stops, ode::precompiled<n>(algorithm)(*this, start(), stops, setting, {}));
+}
+
+template <std::size_t n>
+Answer ModelOf<n>::observed(const Horizon& horizon, std::span<const double> stops,
+                            const ode::Trajectory<State>& trajectory) const {
+  const auto times = horizon.times();
+  Answer answer{{}, trajectory.evaluations, trajectory.error_estimate,
+                0,  trajectory.ending,      trajectory.message};
+  std::vector<double> seen;
+  std::size_t next = 1;
+  for (std::size_t i = 1; i < trajectory.value.size(); ++i) {
+    if (next == times.size() || stops[i] != times[next]) continue;
+    ++next;
+    observe(trajectory.value[i], stops[i], seen);
+    if (!conservative()) continue;
+    const double at_start = invariant(trajectory.value[0], 0);
+    const double change = std::abs(invariant(trajectory.value[i], stops[i]) - at_start);
+    answer.drift = std::max(answer.drift, change / std::max(std::abs(at_start), 1e-300));
+  }
+  answer.value = Value(std::move(seen));
+  return answer;
+}
+
+template <std::size_t n>
+ode::Spectrum ModelOf<n>::spectrum(double end) const {
+  const auto times = Horizon{end, 32}.times();
+  long steps = 0;  // a model that chatters about rest would take millions
+  const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
+  const auto motion = ode::integrate_precompiled<ode::DormandPrince54, n>(*this, start(), times, 1e-8,
+                                                                          ode::Watch<n>(enough));
+  ode::Spectrum spectrum{end / static_cast<double>(times.size()), {}};
+  const auto rhs = [&](const double* x, double* dxdt, double t) {
+    State state{}, derivative{};
+    std::copy_n(x, n, state.begin());
+    (*this)(state, derivative, t);
+    std::ranges::copy(derivative, dxdt);
+  };
+  for (std::size_t i = 0; i < motion.value.size(); ++i)
+    spectrum.at.push_back(ode::eigenvalues_of_jacobian(rhs, motion.value[i], times[i]));
+  return spectrum;
+}
+
+#define ODDITY_MODEL(n, type) template class type<n>;
+ODDITY_FOR_UNKNOWNS(ODDITY_MODEL, ModelOf)
+
+Ladder& Ladder::add(std::string name, Asked algorithm, std::function<Answer(double setting)> run,
+                    std::shared_ptr<const AnyModel> model, Outcome expected, std::string why) {
+  std::function<double()> stable_step;
+  if (!algorithm.has_tolerance)
+    stable_step = [model = std::move(model), algorithm, end = horizon_.end] {
+      return ode::stable_step(algorithm.name, model->spectrum(end));
+    };
+  quantity_.add(Method{std::move(name), std::string(algorithm.name),
+                       algorithm.has_tolerance ? tolerances_ : steps_, std::move(run), expected,
+                       std::move(why), std::move(stable_step)});
+  return *this;
+}
+
+Ladder& Ladder::by_precompiled(std::string name, Asked algorithm, std::shared_ptr<const AnyModel> model,
+                               Outcome expected, std::string why) {
+  const auto run = [model, algorithm, horizon = horizon_](double setting) {
+    return model->run(algorithm.name, horizon, setting);
+  };
+  return add(std::move(name), algorithm, run, model, expected, std::move(why));
+}
+
+Ladder& Ladder::by_others_erased(const std::string& name, const std::shared_ptr<const AnyModel>& model,
+                                 const std::vector<Exception>& exceptions) {
+  const auto named = [&](std::string_view algorithm) {
+    return std::ranges::find(exceptions, algorithm, &Exception::algorithm);
+  };
+  std::size_t used = 0;
+  for (std::string_view optional : ode::optional_algorithms)
+    if (!ode::has_sundials) used += named(optional) != exceptions.end();
+  ode::for_each_other_algorithm([&]<class Algorithm>() {
+    if (Algorithm::kind == ode::Kind::partitioned && !model->partitioned()) return;
+    const auto exception = named(Algorithm::name);
+    if (exception == exceptions.end()) {
+      by_precompiled(name, asked<Algorithm>, model, Outcome::ok, "");
+    } else {
+      ++used;
+      by_precompiled(name, asked<Algorithm>, model, exception->expected, exception->why);
+    }
+  });
+  if (used != exceptions.size())
+    throw std::logic_error(name + ": an exception names an algorithm that is not tried");
   return *this;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -42,12 +43,6 @@ concept ClosedForm = requires(const Model& model, double t) {
 template <class Model>
 concept Conservative = requires(const Model& model, const typename Model::State& x) {
   { model.invariant(x, 0.0) } -> std::convertible_to<double>;
-};
-
-template <class Model>
-concept Partitioned = (std::tuple_size_v<typename Model::State> % 2 == 0) &&
-                      requires(const Model& model, ode::detail::Halves<typename Model::State>& halves) {
-  model.acceleration(halves.q, halves.v);
 };
 
 /// The true observables at a scene's times, one look-up of the table `name` a time: inputs, then the time.
@@ -101,55 +96,77 @@ Answer observe_closed_form(const Model& model, const Horizon& horizon) {
   });
 }
 
-/// A motion through the horizon's stops, observed at its times, the model's invariant watched. One function
-/// for all algorithms.
+/// A model as the precompiled algorithms see it.
+class AnyModel {
+ public:
+  virtual ~AnyModel() = default;
+  virtual bool partitioned() const = 0;
+  /// Its motion by a precompiled algorithm.
+  virtual Answer run(std::string_view algorithm, const Horizon&, double setting) const = 0;
+  /// The eigenvalues of its Jacobian along its motion.
+  virtual ode::Spectrum spectrum(double end) const = 0;
+};
+
+/// A model of n unknowns.
+template <std::size_t n>
+class ModelOf : public AnyModel, public ode::AnySystem<n> {
+ public:
+  using typename ode::AnySystem<n>::State;
+
+  virtual State start() const = 0;
+  /// Adds the observables to those seen.
+  virtual void observe(const State& x, double t, std::vector<double>& seen) const = 0;
+  virtual bool conservative() const = 0;
+  virtual double invariant(const State& x, double t) const = 0;
+
+  Answer run(std::string_view algorithm, const Horizon&, double setting) const final;
+  ode::Spectrum spectrum(double end) const final;
+  /// A motion through the horizon's stops, observed at its times, the model's invariant watched.
+  Answer observed(const Horizon&, std::span<const double> stops, const ode::Trajectory<State>&) const;
+};
+
 template <class Model>
-[[gnu::noinline]] Answer observed(const Model& model, const Horizon& horizon, std::span<const double> stops,
-                                  const ode::Trajectory<typename Model::State>& trajectory) {
-  const auto times = horizon.times();
-  Answer answer{{}, trajectory.evaluations, trajectory.error_estimate,
-                0,  trajectory.ending,      trajectory.message};
-  std::vector<double> seen;
-  std::size_t next = 1;
-  for (std::size_t i = 1; i < trajectory.value.size(); ++i) {
-    if (next == times.size() || stops[i] != times[next]) continue;
-    ++next;
-    for (double x : model.observe(trajectory.value[i], stops[i])) seen.push_back(x);
-    if constexpr (Conservative<Model>) {
-      const double at_start = model.invariant(trajectory.value[0], 0);
-      const double change = std::abs(model.invariant(trajectory.value[i], stops[i]) - at_start);
-      answer.drift = std::max(answer.drift, change / std::max(std::abs(at_start), 1e-300));
-    }
+using ModelLike = ModelOf<std::tuple_size_v<typename Model::State>>;
+
+template <class Model>
+class Erased final : public ode::Adapted<ModelLike<Model>, Model> {
+ public:
+  using typename ModelLike<Model>::State;
+  using ode::Adapted<ModelLike<Model>, Model>::Adapted, ode::Adapted<ModelLike<Model>, Model>::system;
+
+  bool partitioned() const override { return ode::Partitioned<Model, State>; }
+  State start() const override { return system().start(); }
+  void observe(const State& x, double t, std::vector<double>& seen) const override {
+    const auto observables = system().observe(x, t);
+    seen.insert(seen.end(), observables.begin(), observables.end());
   }
-  answer.value = Value(std::move(seen));
-  return answer;
+  bool conservative() const override { return Conservative<Model>; }
+  double invariant(const State& x, double t) const override {
+    if constexpr (Conservative<Model>)
+      return system().invariant(x, t);
+    else
+      throw std::logic_error("the model has no invariant");
+  }
+};
+
+template <class Model>
+std::shared_ptr<const Erased<Model>> erased(const Model& model) {
+  static_assert(ode::is_precompiled<typename Model::State>,
+                "add the model's number of unknowns to those of solvers/ode/integrate.hpp");
+  return std::make_shared<const Erased<Model>>(model);
+}
+
+template <class Algorithm, class Model>
+Answer observe_integrated(const Erased<Model>& model, const Horizon& horizon, double setting) {
+  const auto stops = horizon.stops();
+  return model.observed(horizon, stops,
+                        ode::integrate<Algorithm>(model.system(), model.start(),
+                                                  std::span<const double>(stops), setting));
 }
 
 template <class Algorithm, class Model>
 Answer observe_integrated(const Model& model, const Horizon& horizon, double setting) {
-  const auto stops = horizon.stops();
-  return observed(model, horizon, stops,
-                  ode::integrate<Algorithm>(model, model.start(), std::span<const double>(stops), setting));
-}
-
-/// The eigenvalues of the model's Jacobian along its motion.
-template <class Model>
-ode::Spectrum spectrum(const Model& model, double end) {
-  const auto times = Horizon{end, 32}.times();
-  long steps = 0;  // a model that chatters about rest would take millions
-  const auto enough = [&](double, const auto&, double, const auto&) { return ++steps > 100'000; };
-  const auto motion = ode::integrate<ode::DormandPrince54>(model, model.start(),
-                                                           std::span<const double>(times), 1e-8, enough);
-  ode::Spectrum spectrum{end / static_cast<double>(times.size()), {}};
-  const auto rhs = [&](const double* x, double* dxdt, double t) {
-    typename Model::State state{}, derivative{};
-    std::copy_n(x, state.size(), state.begin());
-    model(state, derivative, t);
-    std::ranges::copy(derivative, dxdt);
-  };
-  for (std::size_t i = 0; i < motion.value.size(); ++i)
-    spectrum.at.push_back(ode::eigenvalues_of_jacobian(rhs, motion.value[i], times[i]));
-  return spectrum;
+  return observe_integrated<Algorithm>(*erased(model), horizon, setting);
 }
 
 /// A scene's models and algorithms as the methods of one quantity.
@@ -173,16 +190,7 @@ class Ladder {
   /// The model by one algorithm.
   template <class Algorithm, class Model>
   Ladder& by(std::string name, const Model& model, Outcome expected = Outcome::ok, std::string why = {}) {
-    const Horizon horizon = horizon_;
-    std::function<double()> stable_step;
-    if constexpr (!ode::has_tolerance(Algorithm::kind))
-      stable_step = [model, horizon] {
-        return ode::stable_step(Algorithm::name, spectrum(model, horizon.end));
-      };
-    return add(
-        std::move(name), Algorithm::name, ode::has_tolerance(Algorithm::kind),
-        [model, horizon](double setting) { return observe_integrated<Algorithm>(model, horizon, setting); },
-        expected, std::move(why), std::move(stable_step));
+    return by_erased<Algorithm>(std::move(name), erased(model), expected, std::move(why));
   }
 
   /// The model by the explicit algorithms that engines use, as far as it allows them, with what those of
@@ -190,21 +198,22 @@ class Ladder {
   template <class Model>
   Ladder& by_common(const std::string& name, const Model& model, Outcome first_order = Outcome::inaccurate,
                     Outcome second_order = Outcome::ok) {
-    ode::for_each_common_algorithm(
-        [&]<class Algorithm>() { by_if_it_can<Algorithm>(name, model, first_order, second_order); });
-    return *this;
+    const auto any = erased(model);
+    return by_fixed_steps(name, any, first_order, second_order)
+        .template by_erased<ode::CashKarp54>(name, any)
+        .template by_erased<ode::DormandPrince54>(name, any)
+        .template by_erased<ode::Fehlberg78>(name, any)
+        .template by_erased<ode::BulirschStoer>(name, any);
   }
 
-  /// The same without Cash-Karp and Bulirsch-Stoer, which spares a third of the compile time.
+  /// The same without Cash-Karp and Bulirsch-Stoer.
   template <class Model>
   Ladder& by_few(const std::string& name, const Model& model, Outcome first_order = Outcome::inaccurate,
                  Outcome second_order = Outcome::ok) {
-    by_if_it_can<ode::ExplicitEuler>(name, model, first_order, second_order);
-    by_if_it_can<ode::SymplecticEuler>(name, model, first_order, second_order);
-    by_if_it_can<ode::VelocityVerlet>(name, model, first_order, second_order);
-    return by<ode::RungeKutta4>(name, model)
-        .template by<ode::DormandPrince54>(name, model)
-        .template by<ode::Fehlberg78>(name, model);
+    const auto any = erased(model);
+    return by_fixed_steps(name, any, first_order, second_order)
+        .template by_erased<ode::DormandPrince54>(name, any)
+        .template by_erased<ode::Fehlberg78>(name, any);
   }
 
   /// An algorithm that is not expected to end ok at its finest setting.
@@ -219,53 +228,49 @@ class Ladder {
   template <class Model>
   Ladder& by_others(const std::string& name, const Model& model,
                     const std::vector<Exception>& exceptions = {}) {
-    std::size_t used = 0;
-    for (std::string_view optional : ode::optional_algorithms)
-      if (!ode::has_sundials) used += named(exceptions, optional) != exceptions.end();
-    ode::for_each_other_algorithm([&]<class Algorithm>() {
-      if constexpr (Algorithm::kind != ode::Kind::partitioned || Partitioned<Model>) {
-        const auto exception = named(exceptions, Algorithm::name);
-        if (exception == exceptions.end()) {
-          by<Algorithm>(name, model);
-        } else {
-          ++used;
-          by<Algorithm>(name, model, exception->expected, exception->why);
-        }
-      }
-    });
-    if (used != exceptions.size())
-      throw std::logic_error(name + ": an exception names an algorithm that is not tried");
-    return *this;
+    return by_others_erased(name, erased(model), exceptions);
   }
 
  private:
-  Ladder& add(std::string model, std::string_view algorithm, bool has_tolerance,
-              std::function<Answer(double setting)> run, Outcome expected, std::string why,
-              std::function<double()> stable_step);
+  /// What the ladder asks of an algorithm.
+  struct Asked {
+    std::string_view name;
+    bool has_tolerance;
+  };
+  template <class Algorithm>
+  static constexpr Asked asked{Algorithm::name, ode::has_tolerance(Algorithm::kind)};
+
+  Ladder& add(std::string model, Asked, std::function<Answer(double setting)> run,
+              std::shared_ptr<const AnyModel>, Outcome expected, std::string why);
+  Ladder& by_precompiled(std::string name, Asked, std::shared_ptr<const AnyModel>, Outcome expected,
+                         std::string why);
+  Ladder& by_others_erased(const std::string& name, const std::shared_ptr<const AnyModel>&,
+                           const std::vector<Exception>&);
 
   template <class Algorithm, class Model>
-  void by_if_it_can(const std::string& name, const Model& model, Outcome first_order, Outcome second_order) {
-    if constexpr (Algorithm::kind != ode::Kind::partitioned || Partitioned<Model>) {
-      const bool first = low_order<Algorithm>(1), second = low_order<Algorithm>(2);
-      by<Algorithm>(name, model,
-                    first    ? first_order
-                    : second ? second_order
-                             : Outcome::ok,
-                    first || second ? "its order is too low for this need at this step" : "");
+  Ladder& by_erased(std::string name, const std::shared_ptr<const Erased<Model>>& model,
+             Outcome expected = Outcome::ok, std::string why = {}) {
+    if constexpr (ode::Precompiled<Algorithm>) {
+      return by_precompiled(std::move(name), asked<Algorithm>, model, expected, std::move(why));
+    } else {
+      const Horizon horizon = horizon_;
+      return add(
+          std::move(name), asked<Algorithm>,
+          [model, horizon](double setting) { return observe_integrated<Algorithm>(*model, horizon, setting); },
+          model, expected, std::move(why));
     }
   }
 
-  static std::vector<Exception>::const_iterator named(const std::vector<Exception>& exceptions,
-                                                      std::string_view algorithm) {
-    return std::ranges::find(exceptions, algorithm, &Exception::algorithm);
-  }
-
-  template <class Algorithm>
-  static constexpr bool low_order(int order) {
-    if constexpr (ode::has_tolerance(Algorithm::kind))
-      return false;
-    else
-      return Algorithm::order == order;
+  template <class Model>
+  Ladder& by_fixed_steps(const std::string& name, const std::shared_ptr<const Erased<Model>>& model,
+                         Outcome first_order, Outcome second_order) {
+    const std::string too_low = "its order is too low for this need at this step";
+    by_erased<ode::ExplicitEuler>(name, model, first_order, too_low);
+    if constexpr (ode::Partitioned<Model, typename Model::State>) {
+      by_erased<ode::SymplecticEuler>(name, model, first_order, too_low);
+      by_erased<ode::VelocityVerlet>(name, model, second_order, too_low);
+    }
+    return by_erased<ode::RungeKutta4>(name, model);
   }
 
   Quantity& quantity_;

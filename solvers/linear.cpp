@@ -1,7 +1,15 @@
 #include "solvers/linear.hpp"
 
-#include <Eigen/Dense>
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_linalg.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <limits>
+#include <memory>
+
+#include "solvers/gsl.hpp"
 
 namespace oddity {
 
@@ -47,6 +55,36 @@ std::pair<VectorXd, bool> solution(Factorization how, const MatrixXd& a, const V
     }
   }
   return {};
+}
+
+// ---- GSL's side -------------------------------------------------------------------------------------------
+
+template <auto free>
+struct Free {
+  template <class T>
+  void operator()(T* object) const {
+    free(object);
+  }
+};
+using GslMatrix = std::unique_ptr<gsl_matrix, Free<gsl_matrix_free>>;
+using GslVector = std::unique_ptr<gsl_vector, Free<gsl_vector_free>>;
+
+GslMatrix copied(const MatrixXd& a) {
+  GslMatrix copy(gsl_matrix_alloc(static_cast<std::size_t>(a.rows()), static_cast<std::size_t>(a.cols())));
+  for (std::size_t i = 0; i < copy->size1; ++i)
+    for (std::size_t j = 0; j < copy->size2; ++j)
+      gsl_matrix_set(copy.get(), i, j, a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+  return copy;
+}
+
+/// From the largest on, by one-sided Jacobi rotations, which keep the digits of the small ones.
+std::vector<double> singular_values(const MatrixXd& a) {
+  quiet_gsl();
+  const GslMatrix tall = copied(a.rows() < a.cols() ? MatrixXd(a.transpose()) : a);
+  const GslMatrix right(gsl_matrix_alloc(tall->size2, tall->size2));
+  const GslVector values(gsl_vector_alloc(tall->size2));
+  gsl_linalg_SV_decomp_jacobi(tall.get(), right.get(), values.get());
+  return {values->data, values->data + values->size};
 }
 
 }  // namespace
@@ -97,17 +135,31 @@ Solved<double> determinant(const MatrixXd& a) {
 
 double condition(const MatrixXd& a) {
   if (a.size() == 0 || !a.allFinite()) return std::numeric_limits<double>::quiet_NaN();
-  const VectorXd s = Eigen::JacobiSVD<MatrixXd>(a).singularValues();
-  const double least = s(s.size() - 1);
-  return least > 0 ? s(0) / least : std::numeric_limits<double>::infinity();
+  const std::vector<double> s = singular_values(a);
+  return s.back() > 0 ? s.front() / s.back() : std::numeric_limits<double>::infinity();
 }
 
 int rank(const MatrixXd& a, double relative) {
   if (a.size() == 0 || !a.allFinite()) return 0;
-  const VectorXd s = Eigen::JacobiSVD<MatrixXd>(a).singularValues();
-  int count = 0;
-  for (double value : s) count += value > relative * s(0);
-  return count;
+  const std::vector<double> s = singular_values(a);
+  return static_cast<int>(std::ranges::count_if(s, [&](double x) { return x > relative * s.front(); }));
+}
+
+std::vector<std::complex<double>> eigenvalues(const MatrixXd& a) {
+  quiet_gsl();
+  if (a.size() == 0 || a.rows() != a.cols() || !a.allFinite()) return {};
+  const GslMatrix destroyed = copied(a);
+  const std::size_t n = destroyed->size1;
+  const std::unique_ptr<gsl_vector_complex, Free<gsl_vector_complex_free>> found(gsl_vector_complex_alloc(n));
+  const std::unique_ptr<gsl_eigen_nonsymm_workspace, Free<gsl_eigen_nonsymm_free>> space(
+      gsl_eigen_nonsymm_alloc(n));
+  if (gsl_eigen_nonsymm(destroyed.get(), found.get(), space.get()) != GSL_SUCCESS) return {};
+  std::vector<std::complex<double>> all;
+  for (std::size_t i = 0; i < n; ++i) {
+    const gsl_complex z = gsl_vector_complex_get(found.get(), i);
+    all.emplace_back(GSL_REAL(z), GSL_IMAG(z));
+  }
+  return all;
 }
 
 }  // namespace oddity

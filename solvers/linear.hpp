@@ -1,10 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
+#include <vector>
 
 #include "solvers/solved.hpp"
 
-/// Dense linear algebra over Eigen. `evaluations` counts multiplications and divisions, to leading order
+/// Dense linear algebra over Eigen, singular values and the eigenvalues of any matrix over GSL, which takes a
+/// tenth of the time to compile. `evaluations` counts multiplications and divisions, to leading order
 /// exact for the algorithm as published. Singular (a pivot that is zero) or, for Cholesky, not symmetric and
 /// positive definite: the ending is `raised`. Not finite: `non_finite`. A singular matrix whose pivots round
 /// to something else than zero is found by full_pivot_lu alone.
@@ -26,5 +29,16 @@ Solved<double> determinant(const Eigen::MatrixXd& a);
 double condition(const Eigen::MatrixXd& a);
 /// The number of singular values above `relative` times the largest; zero when a is not finite.
 int rank(const Eigen::MatrixXd& a, double relative = 1e-12);
+/// The eigenvalues of a square matrix, in no order; none when it is not finite or they do not converge.
+std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXd& a);
+
+/// The oscillations of m x'' + k x = 0.
+struct Modes {
+  Eigen::VectorXd squares;  ///< of the angular frequencies, from the smallest on
+  Eigen::MatrixXd shapes;   ///< a column each; shapes^T m shapes = 1
+};
+
+/// Of k symmetric, m symmetric and positive definite.
+Modes modes(const Eigen::MatrixXd& k, const Eigen::MatrixXd& m);
 
 }  // namespace oddity

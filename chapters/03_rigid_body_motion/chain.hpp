@@ -4,7 +4,7 @@
 // of rod k from the downward vertical, mu_k the mass from k on. Every formula is generic in its number type
 // and in the containers of its angles (std::array or std::vector).
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -185,9 +185,9 @@ struct NormalModes : Triple {
       for (int j = 0; j < 3; ++j)
         M(i, j) = mu[static_cast<std::size_t>(std::max(i, j))] * r[a] * r[static_cast<std::size_t>(j)];
     }
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> modes(K, M);
-    w = modes.eigenvalues().cwiseSqrt();
-    shape = modes.eigenvectors();  // shape^T M shape = 1
+    const Modes all = modes(K, M);
+    w = all.squares.cwiseSqrt();
+    shape = all.shapes;
     cosine = shape.transpose() * M * Eigen::Map<const Eigen::Vector3d>(theta.data());
     sine = (shape.transpose() * M * Eigen::Map<const Eigen::Vector3d>(omega.data())).cwiseQuotient(w);
   }

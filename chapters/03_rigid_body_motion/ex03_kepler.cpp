@@ -63,7 +63,7 @@ void integrated(Ladder& ladder, const std::string& name, const Model& model, con
           equal.runge_kutta == Outcome::ok ? "" : "even these steps are too long at the perihelion")
       .template by<ode::DormandPrince54>(name, model)
       .template by<ode::Fehlberg78>(name, model);
-  if constexpr (Partitioned<Model>)
+  if constexpr (ode::Partitioned<Model, typename Model::State>)
     ladder.template by<ode::SymplecticEuler>(name, model, Outcome::inaccurate, order)
         .template by<ode::VelocityVerlet>(name, model, Outcome::inaccurate, order)
         .template by<ode::BulirschStoer>(name, model);

@@ -2,12 +2,13 @@
 
 // The models and quantities of exercise 3.19.
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 
 #include "chapters/03_rigid_body_motion/two_coordinates.hpp"
 #include "chapters/scene.hpp"
+#include "solvers/linear.hpp"
 
 namespace oddity::two_pulleys {
 
@@ -123,26 +124,25 @@ inline Pair at_rest(const Pulleys& p) {
 class NormalModes {
  public:
   explicit NormalModes(const Pulleys& p)
-      : solver_(stiffness(p), mass_matrix(p)), rest_(at_rest(p)[0], at_rest(p)[1]) {
-    const Eigen::Matrix2d to_modes = solver_.eigenvectors().transpose() * mass_matrix(p);
+      : rest_(at_rest(p)[0], at_rest(p)[1]) {
+    const Modes both = modes(stiffness(p), mass_matrix(p));
+    w_ = both.squares.cwiseSqrt();
+    shapes_ = both.shapes;
+    const Eigen::Matrix2d to_modes = shapes_.transpose() * mass_matrix(p);
     position_ = to_modes * (Eigen::Vector2d(p.y2, p.y3) - rest_);
     velocity_ = to_modes * Eigen::Vector2d(p.v2, p.v3);
   }
-  Pair frequencies() const { return {frequency(0), frequency(1)}; }
+  Pair frequencies() const { return {w_[0], w_[1]}; }
   Pair at(double t) const {
     Eigen::Vector2d y = rest_;
-    for (int k = 0; k < 2; ++k) {
-      const double w = frequency(k);
-      y += (position_[k] * std::cos(w * t) + velocity_[k] / w * std::sin(w * t)) *
-           solver_.eigenvectors().col(k);
-    }
+    for (int k = 0; k < 2; ++k)
+      y += (position_[k] * std::cos(w_[k] * t) + velocity_[k] / w_[k] * std::sin(w_[k] * t)) * shapes_.col(k);
     return {y[0], y[1]};
   }
 
  private:
-  double frequency(int k) const { return std::sqrt(solver_.eigenvalues()[k]); }
-  Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> solver_;
-  Eigen::Vector2d rest_, position_, velocity_;
+  Eigen::Vector2d w_, rest_, position_, velocity_;
+  Eigen::Matrix2d shapes_;
 };
 
 inline Pulleys without_inertia(Pulleys p) {
@@ -190,7 +190,7 @@ inline Quantity depths(const Pulleys& p, const Horizon& horizon, const Reference
 /// Vieta, from the product; c = c1 c2 without subtraction.
 inline Pair by_quadratic(const Pulleys& p, bool vieta) {
   const Eigen::Matrix2d m = mass_matrix(p), k = stiffness(p);
-  const double a = m.determinant(), b = m(0, 0) * k(1, 1) + m(1, 1) * k(0, 0) - 2 * m(0, 1) * k(0, 1),
+  const double a = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0), b = m(0, 0) * k(1, 1) + m(1, 1) * k(0, 0) - 2 * m(0, 1) * k(0, 1),
                c = p.c1 * p.c2, root = std::sqrt(b * b - 4 * a * c), larger = (b + root) / (2 * a);
   return {std::sqrt(vieta ? c / (a * larger) : (b - root) / (2 * a)), std::sqrt(larger)};
 }

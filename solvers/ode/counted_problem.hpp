@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "solvers/ode/integrate.hpp"
+#include "solvers/ode/any_system.hpp"
+#include "solvers/ode/integrate_inlined.hpp"
 #include "solvers/ode/jacobian.hpp"
 #include "solvers/ode/raw_problem.hpp"
 
@@ -32,14 +33,29 @@ struct CountedProblem {
   }
   static Call jacobian(const void* self, const double* x, double* matrix, double* dfdt, double t) {
     const auto& problem = *static_cast<const CountedProblem*>(self);
-    if constexpr (Differentiable<System, State>) {
-      problem.evaluations += ode::jacobian(problem.system, state(x), matrix, dfdt, t);
+    const auto counted = [&](long evaluations) {
+      problem.evaluations += evaluations;
       return problem.evaluations <= budget ? Call::ok : Call::budget_spent;
-    } else {
-      return differences(problem.view(), x, matrix, dfdt, t);
-    }
+    };
+    if constexpr (Differentiable<System, State>)
+      return counted(ode::jacobian(problem.system, state(x), matrix, dfdt, t));
+    else if constexpr (std::is_base_of_v<AnySystem<std::tuple_size_v<State>>, System>)
+      if (problem.system.differentiable())
+        return counted(problem.system.jacobian(state(x), matrix, dfdt, t));
+    return differences(problem.view(), x, matrix, dfdt, t);
   }
   RawProblem view() const { return {std::tuple_size_v<State>, this, &rhs, &jacobian}; }
+};
+
+/// A library's driver on a system.
+template <class Driver, class System, class State>
+struct Driven {
+  CountedProblem<System, State> problem;
+  Driver driver;
+
+  const char* operator()(State& x, double& t, double t1) {
+    return driver.advance(problem.view(), x.data(), t, t1);
+  }
 };
 
 }  // namespace oddity::ode::detail

@@ -3,7 +3,7 @@
 #include <boost/numeric/odeint/stepper/euler.hpp>
 #include <string_view>
 
-#include "solvers/ode/integrate.hpp"
+#include "solvers/ode/integrate_inlined.hpp"
 
 namespace oddity::ode {
 

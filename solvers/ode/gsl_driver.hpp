@@ -33,14 +33,12 @@ class GslDriver {
 template <GslStep step>
 struct Gsl {
   static constexpr Kind kind = Kind::driven;
+  static constexpr bool precompiled = true;
   static constexpr double first_step = 1e-3;  ///< of the whole span
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations, double tolerance, double first) {
-    return [problem = CountedProblem<System, State>{system, evaluations},
-            driver = GslDriver(step, std::tuple_size_v<State>, tolerance, first)](State& x, double& t,
-                                                                                  double t1) mutable {
-      return driver.advance(problem.view(), x.data(), t, t1);
-    };
+    return Driven<GslDriver, System, State>{{system, evaluations},
+                                            GslDriver(step, std::tuple_size_v<State>, tolerance, first)};
   }
 };
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "solvers/ode/integrate.hpp"
+#include "solvers/ode/integrate_inlined.hpp"
 
 namespace oddity::ode::detail {
 

@@ -3,7 +3,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <string_view>
 
-#include "solvers/ode/integrate.hpp"
+#include "solvers/ode/integrate_inlined.hpp"
 
 namespace oddity::ode {
 

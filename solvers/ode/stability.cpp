@@ -1,6 +1,5 @@
 #include "solvers/ode/stability.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "solvers/linear.hpp"
 #include "solvers/ode/all.hpp"
 #include "solvers/ode/implicit_euler.hpp"
 
@@ -66,15 +66,22 @@ std::optional<std::complex<double>> principal_root(const Recurrence& c) {
   return std::nullopt;
 }
 
-/// ln of the largest root of the recurrence's characteristic polynomial.
+/// ln of the largest root of the recurrence's characteristic polynomial: by its companion matrix, a complex
+/// number x + i y being the real matrix (x, -y; y, x).
 double log_radius(const Recurrence& c) {
   if (const auto root = principal_root(c)) return std::log(std::abs(*root));
-  const auto n = static_cast<Eigen::Index>(c.size());
-  Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) companion(0, i) = c[static_cast<std::size_t>(i)];
-  companion.diagonal(-1).setOnes();
-  const Eigen::VectorXcd roots = companion.eigenvalues();
-  return std::log(roots.cwiseAbs().maxCoeff());
+  const auto n = static_cast<Eigen::Index>(2 * c.size());
+  Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(n, n);
+  companion.diagonal(-2).setOnes();
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(2 * i);
+    companion(0, column) = companion(1, column + 1) = c[i].real();
+    companion(0, column + 1) = -c[i].imag();
+    companion(1, column) = c[i].imag();
+  }
+  double largest = 0;
+  for (const auto& root : eigenvalues(companion)) largest = std::max(largest, std::abs(root));
+  return std::log(largest);
 }
 
 template <class Algorithm>
@@ -125,11 +132,9 @@ Eigenvalues eigenvalues_of_jacobian(const std::function<void(const double*, doub
         return detail::Call::ok;
       },
       nullptr};
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(n, n);
-  detail::differences(problem, x.data(), jacobian.data(), nullptr, t);
-  if (!jacobian.allFinite()) return {};
-  const auto eigenvalues = jacobian.eigenvalues().eval();
-  return {eigenvalues.begin(), eigenvalues.end()};
+  Eigen::MatrixXd transposed(n, n);  // Eigen's columns are the problem's rows; the eigenvalues are the same
+  detail::differences(problem, x.data(), transposed.data(), nullptr, t);
+  return eigenvalues(transposed);
 }
 
 double growth(std::string_view algorithm, std::complex<double> z) {

@@ -32,14 +32,12 @@ class SundialsDriver {
 template <SundialsMethod method>
 struct Sundials {
   static constexpr Kind kind = Kind::driven;
+  static constexpr bool precompiled = true;
   static constexpr double first_step = 0;
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations, double tolerance, double) {
-    return [problem = CountedProblem<System, State>{system, evaluations},
-            driver = SundialsDriver(method, std::tuple_size_v<State>, tolerance)](State& x, double& t,
-                                                                                  double t1) mutable {
-      return driver.advance(problem.view(), x.data(), t, t1);
-    };
+    return Driven<SundialsDriver, System, State>{
+        {system, evaluations}, SundialsDriver(method, std::tuple_size_v<State>, tolerance)};
   }
 };
 

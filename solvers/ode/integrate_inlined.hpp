@@ -1,0 +1,186 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "solvers/ode/integrate.hpp"
+
+/// How every algorithm is driven through the times, compiled into its caller.
+namespace oddity::ode {
+
+namespace detail {
+
+/// `what`, at which time.
+std::string at_time(const char* what, double t);
+
+template <class State>
+bool fail(Trajectory<State>& solved, Ending ending, const char* what, double t) {
+  solved.ending = ending;
+  solved.message = at_time(what, t);
+  return false;
+}
+
+template <class State>
+bool check_budget(long evaluations, Trajectory<State>& solved, double t) {
+  return evaluations <= budget || fail(solved, Ending::stalled, "the budget of evaluations is spent", t);
+}
+
+/// Steps of equal size from t0 to t1, no longer than `step`; false when the integration is over. The state is
+/// stepped in a local copy, which the compiler can keep in registers.
+template <class DoStep, class State, class OnStep>
+[[gnu::always_inline]] inline bool equal_steps(DoStep& do_step, State& x, double t0, double t1, double step,
+                                               const long& evaluations, Trajectory<State>& solved,
+                                               const OnStep& on_step) {
+  const double count = std::max(1.0, std::ceil(std::abs(t1 - t0) / step * (1 - 1e-12)));
+  if (!(count <= static_cast<double>(budget)))
+    return fail(solved, Ending::stalled, "the step would take more steps than the budget allows", t0);
+  const auto n = static_cast<long>(count);
+  const double h = (t1 - t0) / count;
+  const auto time_of = [=](long i) { return i == n ? t1 : t0 + static_cast<double>(i) * h; };
+  State now = x;
+  for (long i = 0; i < n;) {
+    for (const long end = std::min(i + 16, n); i < end; ++i) {
+      if constexpr (std::is_same_v<OnStep, NeverStop>) {
+        do_step(now, t0 + static_cast<double>(i) * h, h);
+      } else {
+        const State before = now;
+        do_step(now, time_of(i), h);
+        if (on_step(time_of(i), before, time_of(i + 1), now)) return x = now, false;
+      }
+    }
+    if (!finite(now))
+      return x = now, fail(solved, Ending::non_finite, "the state is not finite", time_of(i));
+    if (!check_budget(evaluations, solved, time_of(i))) return x = now, false;
+  }
+  x = now;
+  return true;
+}
+
+/// Steps chosen by the stepper's error control from t to t1; `h` is the step to try, its size goes on from
+/// call to call.
+template <class TryStep, class State, class OnStep>
+bool controlled_steps(TryStep& try_step, State& x, double t, double t1, double& h, const long& evaluations,
+                      Trajectory<State>& solved, const OnStep& on_step) {
+  int rejected = 0;
+  h = std::copysign(h, t1 - t);
+  while (t != t1) {
+    const bool last = std::abs(h) >= std::abs(t1 - t);
+    double tried = last ? t1 - t : h;
+    const State before = x;
+    const double from = t;
+    if (from + tried == from) return fail(solved, Ending::stalled, "the step became too small", t);
+    if (!try_step(x, t, tried)) {
+      h = tried;
+      if (++rejected > 500) return fail(solved, Ending::stalled, "500 rejected steps", t);
+      if (!check_budget(evaluations, solved, t)) return false;
+      continue;
+    }
+    rejected = 0;
+    if (last) t = t1;
+    h = last && std::abs(h) > std::abs(tried) ? h : tried;
+    if (!finite(x)) return fail(solved, Ending::non_finite, "the state is not finite", t);
+    if (on_step(from, before, t, x)) return false;
+    if (!check_budget(evaluations, solved, t)) return false;
+  }
+  return true;
+}
+
+/// Steps that a library's driver chooses, from t to t1: advance(x, t, t1) makes one of them, not beyond t1,
+/// and says what went wrong, or null.
+template <class Advance, class State, class OnStep>
+bool driven_steps(Advance& advance, State& x, double t, double t1, const long& evaluations,
+                  Trajectory<State>& solved, const OnStep& on_step) {
+  while (t != t1) {
+    const State before = x;
+    const double from = t;
+    const char* trouble = advance(x, t, t1);
+    if (trouble) x = before, t = from;
+    if (!check_budget(evaluations, solved, t)) return false;
+    if (!finite(x)) return fail(solved, Ending::non_finite, "the state is not finite", t);
+    if (!trouble && t == from) trouble = "the step became too small";
+    if (trouble) return fail(solved, Ending::stalled, trouble, t);
+    if (on_step(from, before, t, x)) return false;
+  }
+  return true;
+}
+
+/// The step that a controlled algorithm tries first: a part of the whole span, but enough to move the time.
+double first_step(std::span<const double> times, double part);
+
+/// What is wrong with the times or the step or tolerance; null: nothing.
+const char* nonsense(std::span<const double> times, double setting);
+
+/// Advances x from times[0] through all of them by advance(x, t0, t1), keeping the states.
+template <class State, class Advance>
+[[gnu::always_inline]] inline void through(std::span<const double> times, State x, Trajectory<State>& solved,
+                                           const Advance& advance) {
+  solved.value.push_back(x);
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const bool on = times[i] == times[i - 1] || advance(x, times[i - 1], times[i]);
+    solved.value.push_back(x);
+    if (!on) return;
+  }
+}
+
+}  // namespace detail
+
+template <class Algorithm, class System, class State, class OnStep>
+Trajectory<State> integrate_inlined(const System& system, const State& start, std::span<const double> times,
+                                    double setting, const OnStep& on_step) {
+  Trajectory<State> solved;
+  if (const char* what = detail::nonsense(times, setting)) {
+    solved.ending = Ending::raised;
+    solved.message = what;
+    return solved;
+  }
+  long evaluations = 0;  // not `solved`'s: a local stays in a register
+  const auto counted = [&system, &evaluations](const State& x, State& dxdt, double t) {
+    ++evaluations;
+    system(x, dxdt, t);
+  };
+  if constexpr (Algorithm::kind == Kind::fixed) {
+    auto stepper = Algorithm::template stepper<State>();
+    auto do_step = [&](State& x, double t, double h) { stepper.do_step(counted, x, t, h); };
+    detail::through(
+        times, start, solved, [&](State & x, double t0, double t1) __attribute__((always_inline)) {
+          return detail::equal_steps(do_step, x, t0, t1, setting, evaluations, solved, on_step);
+        });
+  } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {
+    auto stepper = Algorithm::template stepper<State>(system, evaluations);
+    detail::through(
+        times, start, solved, [&](State & x, double t0, double t1) __attribute__((always_inline)) {
+          return detail::equal_steps(stepper, x, t0, t1, setting, evaluations, solved, on_step);
+        });
+  } else if constexpr (Algorithm::kind == Kind::driven) {
+    auto advance = Algorithm::template stepper<State>(system, evaluations, setting,
+                                                      detail::first_step(times, Algorithm::first_step));
+    detail::through(times, start, solved, [&](State& x, double t0, double t1) {
+      return detail::driven_steps(advance, x, t0, t1, evaluations, solved, on_step);
+    });
+  } else {
+    const auto controlled = [&](auto&& try_step) {
+      double h = detail::first_step(times, Algorithm::first_step);
+      detail::through(times, start, solved, [&](State& x, double t0, double t1) {
+        return detail::controlled_steps(try_step, x, t0, t1, h, evaluations, solved, on_step);
+      });
+    };
+    if constexpr (Algorithm::kind == Kind::controlled) {
+      auto stepper = Algorithm::template stepper<State>(setting);
+      controlled([&](State& x, double& t, double& h) {
+        return stepper.try_step(counted, x, t, h) == Algorithm::success;
+      });
+    } else {
+      auto stepper = Algorithm::template stepper<State>(system, evaluations, setting);
+      controlled([&](State& x, double& t, double& h) { return stepper(x, t, h); });
+    }
+  }
+  solved.evaluations = evaluations;
+  return solved;
+}
+
+}  // namespace oddity::ode
