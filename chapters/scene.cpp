@@ -51,29 +51,48 @@ ode::Spectrum ModelOf<n>::spectrum(double end) const {
 #define ODDITY_MODEL(n, type) template class type<n>;
 ODDITY_FOR_UNKNOWNS(ODDITY_MODEL, ModelOf)
 
-Ladder& Ladder::add(std::string name, Asked algorithm, std::function<Answer(double setting)> run,
-                    std::shared_ptr<const AnyModel> model, Outcome expected, std::string why) {
+Ladder& Ladder::add(std::string name, Any model, std::string_view algorithm, bool has_tolerance,
+                    Outcome expected, std::string why) {
   std::function<double()> stable_step;
-  if (!algorithm.has_tolerance)
-    stable_step = [model = std::move(model), algorithm, end = horizon_.end] {
-      return ode::stable_step(algorithm.name, model->spectrum(end));
+  if (!has_tolerance)
+    stable_step = [model, algorithm, end = horizon_.end] {
+      return ode::stable_step(algorithm, model->spectrum(end));
     };
-  quantity_.add(Method{std::move(name), std::string(algorithm.name),
-                       algorithm.has_tolerance ? tolerances_ : steps_, std::move(run), expected,
-                       std::move(why), std::move(stable_step)});
+  const auto run = [model, algorithm, horizon = horizon_](double setting) {
+    return model->run(algorithm, horizon, setting);
+  };
+  quantity_.add(Method{std::move(name), std::string(algorithm), has_tolerance ? tolerances_ : steps_, run,
+                       expected, std::move(why), std::move(stable_step)});
   return *this;
 }
 
-Ladder& Ladder::by_precompiled(std::string name, Asked algorithm, std::shared_ptr<const AnyModel> model,
-                               Outcome expected, std::string why) {
-  const auto run = [model, algorithm, horizon = horizon_](double setting) {
-    return model->run(algorithm.name, horizon, setting);
-  };
-  return add(std::move(name), algorithm, run, model, expected, std::move(why));
+Ladder& Ladder::by_fixed_steps(const std::string& name, const Any& model, Outcome first_order,
+                               Outcome second_order) {
+  const std::string too_low = "its order is too low for this need at this step";
+  by<ode::ExplicitEuler>(name, model, first_order, too_low);
+  if (model->partitioned())
+    by<ode::SymplecticEuler>(name, model, first_order, too_low)
+        .by<ode::VelocityVerlet>(name, model, second_order, too_low);
+  return by<ode::RungeKutta4>(name, model);
 }
 
-Ladder& Ladder::by_others_erased(const std::string& name, const std::shared_ptr<const AnyModel>& model,
-                                 const std::vector<Exception>& exceptions) {
+Ladder& Ladder::by_common(const std::string& name, const Any& model, Outcome first_order,
+                          Outcome second_order) {
+  return by_fixed_steps(name, model, first_order, second_order)
+      .by<ode::CashKarp54>(name, model)
+      .by<ode::DormandPrince54>(name, model)
+      .by<ode::Fehlberg78>(name, model)
+      .by<ode::BulirschStoer>(name, model);
+}
+
+Ladder& Ladder::by_few(const std::string& name, const Any& model, Outcome first_order, Outcome second_order) {
+  return by_fixed_steps(name, model, first_order, second_order)
+      .by<ode::DormandPrince54>(name, model)
+      .by<ode::Fehlberg78>(name, model);
+}
+
+Ladder& Ladder::by_others(const std::string& name, const Any& model,
+                          const std::vector<Exception>& exceptions) {
   const auto named = [&](std::string_view algorithm) {
     return std::ranges::find(exceptions, algorithm, &Exception::algorithm);
   };
@@ -84,10 +103,10 @@ Ladder& Ladder::by_others_erased(const std::string& name, const std::shared_ptr<
     if (Algorithm::kind == ode::Kind::partitioned && !model->partitioned()) return;
     const auto exception = named(Algorithm::name);
     if (exception == exceptions.end()) {
-      by_precompiled(name, asked<Algorithm>, model, Outcome::ok, "");
+      by<Algorithm>(name, model);
     } else {
       ++used;
-      by_precompiled(name, asked<Algorithm>, model, exception->expected, exception->why);
+      by<Algorithm>(name, model, exception->expected, exception->why);
     }
   });
   if (used != exceptions.size())

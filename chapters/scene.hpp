@@ -156,17 +156,10 @@ std::shared_ptr<const Erased<Model>> erased(const Model& model) {
   return std::make_shared<const Erased<Model>>(model);
 }
 
-template <class Algorithm, class Model>
-Answer observe_integrated(const Erased<Model>& model, const Horizon& horizon, double setting) {
-  const auto stops = horizon.stops();
-  return model.observed(horizon, stops,
-                        ode::integrate<Algorithm>(model.system(), model.start(),
-                                                  std::span<const double>(stops), setting));
-}
-
+/// The model's motion by one algorithm.
 template <class Algorithm, class Model>
 Answer observe_integrated(const Model& model, const Horizon& horizon, double setting) {
-  return observe_integrated<Algorithm>(*erased(model), horizon, setting);
+  return erased(model)->run(Algorithm::name, horizon, setting);
 }
 
 /// A scene's models and algorithms as the methods of one quantity.
@@ -190,7 +183,7 @@ class Ladder {
   /// The model by one algorithm.
   template <class Algorithm, class Model>
   Ladder& by(std::string name, const Model& model, Outcome expected = Outcome::ok, std::string why = {}) {
-    return by_erased<Algorithm>(std::move(name), erased(model), expected, std::move(why));
+    return by<Algorithm>(std::move(name), any(model), expected, std::move(why));
   }
 
   /// The model by the explicit algorithms that engines use, as far as it allows them, with what those of
@@ -198,22 +191,14 @@ class Ladder {
   template <class Model>
   Ladder& by_common(const std::string& name, const Model& model, Outcome first_order = Outcome::inaccurate,
                     Outcome second_order = Outcome::ok) {
-    const auto any = erased(model);
-    return by_fixed_steps(name, any, first_order, second_order)
-        .template by_erased<ode::CashKarp54>(name, any)
-        .template by_erased<ode::DormandPrince54>(name, any)
-        .template by_erased<ode::Fehlberg78>(name, any)
-        .template by_erased<ode::BulirschStoer>(name, any);
+    return by_common(name, any(model), first_order, second_order);
   }
 
   /// The same without Cash-Karp and Bulirsch-Stoer.
   template <class Model>
   Ladder& by_few(const std::string& name, const Model& model, Outcome first_order = Outcome::inaccurate,
                  Outcome second_order = Outcome::ok) {
-    const auto any = erased(model);
-    return by_fixed_steps(name, any, first_order, second_order)
-        .template by_erased<ode::DormandPrince54>(name, any)
-        .template by_erased<ode::Fehlberg78>(name, any);
+    return by_few(name, any(model), first_order, second_order);
   }
 
   /// An algorithm that is not expected to end ok at its finest setting.
@@ -228,50 +213,27 @@ class Ladder {
   template <class Model>
   Ladder& by_others(const std::string& name, const Model& model,
                     const std::vector<Exception>& exceptions = {}) {
-    return by_others_erased(name, erased(model), exceptions);
+    return by_others(name, any(model), exceptions);
   }
 
  private:
-  /// What the ladder asks of an algorithm.
-  struct Asked {
-    std::string_view name;
-    bool has_tolerance;
-  };
-  template <class Algorithm>
-  static constexpr Asked asked{Algorithm::name, ode::has_tolerance(Algorithm::kind)};
-
-  Ladder& add(std::string model, Asked, std::function<Answer(double setting)> run,
-              std::shared_ptr<const AnyModel>, Outcome expected, std::string why);
-  Ladder& by_precompiled(std::string name, Asked, std::shared_ptr<const AnyModel>, Outcome expected,
-                         std::string why);
-  Ladder& by_others_erased(const std::string& name, const std::shared_ptr<const AnyModel>&,
-                           const std::vector<Exception>&);
-
-  template <class Algorithm, class Model>
-  Ladder& by_erased(std::string name, const std::shared_ptr<const Erased<Model>>& model,
-             Outcome expected = Outcome::ok, std::string why = {}) {
-    if constexpr (ode::Precompiled<Algorithm>) {
-      return by_precompiled(std::move(name), asked<Algorithm>, model, expected, std::move(why));
-    } else {
-      const Horizon horizon = horizon_;
-      return add(
-          std::move(name), asked<Algorithm>,
-          [model, horizon](double setting) { return observe_integrated<Algorithm>(*model, horizon, setting); },
-          model, expected, std::move(why));
-    }
-  }
-
+  using Any = std::shared_ptr<const AnyModel>;
   template <class Model>
-  Ladder& by_fixed_steps(const std::string& name, const std::shared_ptr<const Erased<Model>>& model,
-                         Outcome first_order, Outcome second_order) {
-    const std::string too_low = "its order is too low for this need at this step";
-    by_erased<ode::ExplicitEuler>(name, model, first_order, too_low);
-    if constexpr (ode::Partitioned<Model, typename Model::State>) {
-      by_erased<ode::SymplecticEuler>(name, model, first_order, too_low);
-      by_erased<ode::VelocityVerlet>(name, model, second_order, too_low);
-    }
-    return by_erased<ode::RungeKutta4>(name, model);
+  static Any any(const Model& model) {
+    return erased(model);
   }
+
+  template <class Algorithm>
+  Ladder& by(std::string name, Any model, Outcome expected = Outcome::ok, std::string why = {}) {
+    return add(std::move(name), std::move(model), Algorithm::name, ode::has_tolerance(Algorithm::kind),
+               expected, std::move(why));
+  }
+  Ladder& by_common(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
+  Ladder& by_few(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
+  Ladder& by_fixed_steps(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
+  Ladder& by_others(const std::string& name, const Any&, const std::vector<Exception>&);
+  Ladder& add(std::string name, Any model, std::string_view algorithm, bool has_tolerance, Outcome expected,
+              std::string why);
 
   Quantity& quantity_;
   Horizon horizon_;

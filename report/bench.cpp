@@ -45,17 +45,18 @@ Batch batch(const std::function<Run()>& f, long evaluations, int runs, const Ins
 RaceResult race(const Race& race, const Instructions& counter) {
   constexpr int batches = 100;
   constexpr double batch_seconds = 3e-4;
-  const Run hand = race.by_hand(), integrated = race.by_integrate();
+  const Run hand = race.by_hand(), integrated = race.inlined();
   const int runs = static_cast<int>(
       std::ceil(batch_seconds / std::max(seconds([&] { static_cast<void>(race.by_hand()); }), 1e-6)));
-  std::vector<double> hand_times, integrate_times, ratios, hand_counts, integrate_counts;
+  std::vector<double> hand_times, inlined_times, precompiled_times, ratios, hand_counts, inlined_counts;
   for (int b = 0; b < batches; ++b) {  // in turn, each side first in half of the batches
     const auto by_hand = [&] { return batch(race.by_hand, hand.evaluations, runs, counter); };
     Batch first = b % 2 ? Batch{} : by_hand();
-    const Batch second = batch(race.by_integrate, integrated.evaluations, runs, counter);
+    const Batch second = batch(race.inlined, integrated.evaluations, runs, counter);
     if (b % 2) first = by_hand();
     hand_times.push_back(first.seconds), hand_counts.push_back(first.instructions);
-    integrate_times.push_back(second.seconds), integrate_counts.push_back(second.instructions);
+    inlined_times.push_back(second.seconds), inlined_counts.push_back(second.instructions);
+    precompiled_times.push_back(batch(race.precompiled, integrated.evaluations, runs, counter).seconds);
     ratios.push_back(second.seconds / first.seconds);
   }
   return {race.model,
@@ -63,10 +64,11 @@ RaceResult race(const Race& race, const Instructions& counter) {
           race.algorithm,
           race.limit,
           spread_of(hand_times),
-          spread_of(integrate_times),
+          spread_of(inlined_times),
+          spread_of(precompiled_times),
           spread_of(ratios),
           spread_of(hand_counts).median,
-          spread_of(integrate_counts).median,
+          spread_of(inlined_counts).median,
           distance(hand.state, integrated.state)};
 }
 
@@ -163,17 +165,18 @@ std::string limit_text(double limit, int decimals, bool holds) {
 }
 
 std::string races_text(const Bench& bench) {
-  Rows rows{{"model", "states", "algorithm", "by hand", "integrate", "ratio", "+-", "at most", "instructions",
-             "difference"}};
+  Rows rows{{"model", "states", "algorithm", "by hand", "inlined", "ratio", "+-", "at most", "instructions",
+             "difference", "precompiled"}};
   for (const RaceResult& r : bench.races) {
-    const double instructions = r.instructions_by_integrate / r.instructions_by_hand;
+    const double instructions = r.instructions_inlined / r.instructions_by_hand;
     rows.push_back({r.model, std::to_string(r.states), r.algorithm, shown_time(r.by_hand.median),
-                    shown_time(r.by_integrate.median), fixed(r.ratio.median, 3), fixed(r.ratio.half_width, 3),
+                    shown_time(r.inlined.median), fixed(r.ratio.median, 3), fixed(r.ratio.half_width, 3),
                     r.limit > 0 ? limit_text(r.limit, 2, r.holds()) : "-", fixed(instructions, 3),
-                    r.difference == 0 ? "0" : shown_error(r.difference)});
+                    r.difference == 0 ? "0" : shown_error(r.difference), shown_time(r.precompiled.median)});
   }
   return "The integrators against loops written by hand: time of one right-hand side, medians of batches in "
-         "turn\n" +
+         "turn\n(inlined: compiled into the model; precompiled: as the scenes run it, the model behind a "
+         "virtual call)\n" +
          aligned(rows) +
          (bench.no_instructions.empty()
               ? ""

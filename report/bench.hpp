@@ -23,8 +23,9 @@ struct RaceResult {
   int states;
   std::string algorithm;
   double limit;  ///< of the ratio; 0: none is set
-  Spread by_hand, by_integrate, ratio;
-  double instructions_by_hand, instructions_by_integrate;
+  Spread by_hand, inlined, precompiled;
+  Spread ratio;  ///< of inlined to by hand
+  double instructions_by_hand, instructions_inlined;
   double difference;  ///< the largest, between the two final states
 
   bool holds() const { return limit == 0 || ratio.median <= limit; }

@@ -7,32 +7,14 @@
 #include <numbers>
 #include <utility>
 
-#include "chapters/03_rigid_body_motion/kepler.hpp"
-#include "chapters/03_rigid_body_motion/pendulum.hpp"
-#include "chapters/scene.hpp"
+#include "report/bench_models.hpp"
+#include "solvers/ode/integrate_inlined.hpp"
 
 namespace oddity {
 
 namespace {
 
-// ---- the models as the scenes have them -------------------------------------------------------------------
-
-/// A planet in space, (x, y, z, x', y', z').
-struct SpatialKepler {
-  double mu;
-  using State = std::array<double, 6>;
-  void acceleration(const std::array<double, 3>& q, std::array<double, 3>& a) const {
-    const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2], pull = -mu / (square * std::sqrt(square));
-    a = {pull * q[0], pull * q[1], pull * q[2]};
-  }
-  void operator()(const State& x, State& dxdt, double) const {
-    std::array<double, 3> a{};
-    acceleration({x[0], x[1], x[2]}, a);
-    dxdt = {x[3], x[4], x[5], a[0], a[1], a[2]};
-  }
-};
-
-// ---- and by hand ------------------------------------------------------------------------------------------
+// ---- by hand ------------------------------------------------------------------------------------------
 
 /// Calls f(0), ..., f(N - 1), with no loop left to the compiler.
 template <std::size_t N, class F>
@@ -238,16 +220,17 @@ long fehlberg_78(const Hand& model, double* out, double span, double tolerance) 
 
 // ---- the races --------------------------------------------------------------------------------------------
 
-constexpr double step = 0x1p-9, span = 4, tolerance = 1e-10;
+using bench::span, bench::step, bench::tolerance;
 constexpr long steps = 2048;
 static_assert(static_cast<double>(steps) * step == span);
 
 template <class Algorithm, class Model>
-std::function<Run()> integrated(const Model& model, const typename Model::State& start) {
+std::function<Run()> inlined(const Model& model, const typename Model::State& start) {
   return [=] {
-    const auto end =
-        ode::integrate<Algorithm>(model, start, 0, span, has_tolerance(Algorithm::kind) ? tolerance : step);
-    return Run{{end.value.begin(), end.value.end()}, end.evaluations};
+    const std::array times{0.0, span};
+    const auto path = ode::integrate_inlined<Algorithm>(model, start, std::span<const double>(times),
+                                                        bench::setting(Algorithm::kind));
+    return Run{{path.value.back().begin(), path.value.back().end()}, path.evaluations};
   };
 }
 
@@ -266,7 +249,8 @@ void add_races(std::vector<Race>& all, const std::string& name, const Model& mod
                const typename Model::State& start) {
   const auto race = [&]<class Algorithm>(double limit, const auto& loop) {
     all.push_back({name, static_cast<int>(start.size()), std::string(Algorithm::name), limit,
-                   by_hand(start, loop), integrated<Algorithm>(model, start)});
+                   by_hand(start, loop), inlined<Algorithm>(model, start),
+                   bench::precompiled(model, start, Algorithm::name, Algorithm::kind)});
   };
   race.template operator()<ode::ExplicitEuler>(0, [=](double* x) {
     explicit_euler(hand, x, step, steps);
@@ -296,7 +280,8 @@ std::vector<Race> races() {
   add_races(all, "pendulum", swing, PendulumByHand{-9.81}, swing.start());
   const kepler::Cartesian planet{{1, 1, 1, 0, 0, 1.2}};
   add_races(all, "planet in its plane", planet, PlanarKeplerByHand{1}, planet.start());
-  add_races(all, "planet in space", SpatialKepler{1}, SpatialKeplerByHand{1}, {1, 0, 0, 0, 1.1, 0.4});
+  add_races(all, "planet in space", bench::SpatialKepler{1}, SpatialKeplerByHand{1},
+            {1, 0, 0, 0, 1.1, 0.4});
   return all;
 }
 
@@ -327,15 +312,27 @@ Knob half_decades() {
   return knob;
 }
 
+/// The model by several algorithms, each compiled into it.
 template <class Model>
 Quantity motion(const std::string& name, const Model& model, const Known& known, const Horizon& horizon) {
   Quantity quantity = oddity::quantity(name, "1", name, known, {1e-9, "nine decimals"});
-  Ladder ladder(quantity, horizon, halving("step", 0x1p-6, 10), half_decades());
-  ladder.by<ode::RungeKutta4>(name, model);
-  ladder.by<ode::CashKarp54>(name, model);
-  ladder.by<ode::DormandPrince54>(name, model);
-  ladder.by<ode::Fehlberg78>(name, model);
-  ladder.by<ode::BulirschStoer>(name, model);
+  quantity.samples = horizon.samples;
+  const auto by = [&]<class Algorithm>(Knob knob) {
+    const auto run = [model, times = horizon.times()](double setting) {
+      const auto path = ode::integrate_inlined<Algorithm>(model, model.start(),
+                                                          std::span<const double>(times), setting);
+      std::vector<double> seen;
+      for (std::size_t i = 1; i < path.value.size(); ++i)
+        for (double x : model.observe(path.value[i], times[i])) seen.push_back(x);
+      return Answer{Value(std::move(seen)), path.evaluations, path.error_estimate, 0, path.ending, path.message};
+    };
+    quantity.add(Method{name, std::string(Algorithm::name), std::move(knob), run});
+  };
+  by.template operator()<ode::RungeKutta4>(halving("step", 0x1p-6, 10));
+  by.template operator()<ode::CashKarp54>(half_decades());
+  by.template operator()<ode::DormandPrince54>(half_decades());
+  by.template operator()<ode::Fehlberg78>(half_decades());
+  by.template operator()<ode::BulirschStoer>(half_decades());
   return quantity;
 }
 

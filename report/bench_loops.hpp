@@ -8,8 +8,8 @@
 #include "reference/reference.hpp"
 
 /// The integrators beside loops written by hand: the same arithmetic on plain arrays, every loop over
-/// components unrolled, nothing counted or checked. Both sides are compiled in one file with the flags of the
-/// scenes.
+/// components unrolled, nothing counted or checked. Those
+/// two are compiled in one file with the same flags.
 namespace oddity {
 
 /// The state at the end, and how many right-hand sides it took.
@@ -18,13 +18,14 @@ struct Run {
   long evaluations = 0;
 };
 
-/// One algorithm on one model, both ways.
+/// One algorithm on one model: by hand, with integrate_inlined, and as the scenes run it, with algorithm and
+/// model compiled apart.
 struct Race {
   std::string model;
   int states = 0;
   std::string algorithm;
   double limit = 0;  ///< the most that the ratio may be; 0: no limit is set
-  std::function<Run()> by_hand, by_integrate;
+  std::function<Run()> by_hand, inlined, precompiled;
 };
 
 /// Every algorithm with a fixed step, and Fehlberg 7(8), on models of 2, 4 and 6 states.

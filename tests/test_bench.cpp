@@ -10,10 +10,12 @@ TEST_CASE("integrators and loops written by hand do the same arithmetic", "[benc
   REQUIRE(all.size() == 15);
   for (const Race& race : all) {
     INFO(race.model << ", " << race.algorithm);
-    const Run hand = race.by_hand(), integrated = race.by_integrate();
+    const Run hand = race.by_hand();
     CHECK(hand.state.size() == static_cast<std::size_t>(race.states));
-    CHECK(hand.evaluations == integrated.evaluations);
-    CHECK(distance(hand.state, integrated.state) <= (race.algorithm == "Fehlberg 7(8)" ? 1e-12 : 0));
+    for (const Run& integrated : {race.inlined(), race.precompiled()}) {
+      CHECK(hand.evaluations == integrated.evaluations);
+      CHECK(distance(hand.state, integrated.state) <= (race.algorithm == "Fehlberg 7(8)" ? 1e-12 : 0));
+    }
     CHECK(hand.evaluations > 100);
   }
 }
@@ -26,7 +28,7 @@ TEST_CASE("the median and half the distance of the quartiles", "[bench]") {
 }
 
 TEST_CASE("a ratio holds up to its limit, and where there is none", "[bench]") {
-  RaceResult race{"pendulum", 2, "Runge-Kutta 4", 1.05, {1, 0}, {1, 0}, {1.05, 0}, 1, 1, 0};
+  RaceResult race{"pendulum", 2, "Runge-Kutta 4", 1.05, {1, 0}, {1, 0}, {1, 0}, {1.05, 0}, 1, 1, 0};
   CHECK(race.holds());
   race.ratio.median = 1.06;
   CHECK_FALSE(race.holds());
@@ -43,8 +45,8 @@ TEST_CASE("the critical path is the longest study and then the longest trial", "
 TEST_CASE("the view shows each limit and whether it held", "[bench]") {
   const Entrant entrant{"Fehlberg 7(8), tolerance 1e-09", 1e-9, 1300, 5e-10, 6e-10, {2e-5, 1e-7}, 1760};
   Bench bench{"perf_event_open: no", {}, {}, {{{"3.5", "Pendulum", 0.1, 0.2, 0.05, "swing"}}, 8, 5}};
-  bench.races = {{"pendulum", 2, "Runge-Kutta 4", 1.05, {1e-8, 0}, {1.2e-8, 0}, {1.2, 0.01}, 10, 11, 0},
-                 {"pendulum", 2, "explicit Euler", 0, {1e-8, 0}, {1.1e-8, 0}, {1.1, 0.01}, 10, 11, 0}};
+  bench.races = {{"pendulum", 2, "Runge-Kutta 4", 1.05, {1e-8, 0}, {1.2e-8, 0}, {1.5e-8, 0}, {1.2, 0.01}, 10, 11, 0},
+                 {"pendulum", 2, "explicit Euler", 0, {1e-8, 0}, {1.1e-8, 0}, {1.4e-8, 0}, {1.1, 0.01}, 10, 11, 0}};
   bench.contests = {{"pendulum",
                      "pendulum",
                      1e-9,
