@@ -10,8 +10,10 @@
 namespace oddity::truth {
 
 constexpr unsigned working_digits = 60;
-using Number = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<working_digits>,
-                                             boost::multiprecision::et_off>;
+/// On the stack: to allocate a number on the heap takes as long as to multiply two.
+using Backend =
+    boost::multiprecision::mpfr_float_backend<working_digits, boost::multiprecision::allocate_stack>;
+using Number = boost::multiprecision::number<Backend, boost::multiprecision::et_off>;
 using Numbers = std::vector<Number>;
 
 /// A route to the truth: the components at the inputs, to about `digits` digits.

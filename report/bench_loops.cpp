@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <execution>
 #include <numbers>
 #include <utility>
 
 #include "report/bench_models.hpp"
-#include "solvers/ode/integrate_inlined.hpp"
+#include "report/parallel.hpp"
 
 namespace oddity {
 
@@ -294,8 +293,8 @@ template <class At>
 Known gathered(const Horizon& horizon, const At& at) {
   const auto times = horizon.times();
   std::vector<Known> known(times.size());
-  std::for_each(std::execution::par, times.begin(), times.end(), [&](const double& t) {
-    if (t > 0) known[static_cast<std::size_t>(&t - times.data())] = at(t);
+  in_parallel(times.size(), [&](std::size_t i) {
+    if (times[i] > 0) known[i] = at(times[i]);
   });
   Known all;
   for (const Known& one : known) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <execution>
+#include <functional>
 #include <mutex>
 #include <string>
 
@@ -28,21 +27,12 @@ class Tally {
   std::mutex mutex_;
 };
 
-/// std::for_each in parallel; the first exception thrown inside is thrown on (the standard one would
-/// terminate).
+/// Calls f(0), ..., f(count - 1) in parallel, and throws the first exception thrown inside.
+void in_parallel(std::size_t count, const std::function<void(std::size_t)>& f);
+
 template <class Range, class F>
 void parallel_for_each(Range& range, const F& f) {
-  std::exception_ptr thrown;
-  std::mutex mutex;
-  std::for_each(std::execution::par, range.begin(), range.end(), [&](auto& item) {
-    try {
-      f(item);
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!thrown) thrown = std::current_exception();
-    }
-  });
-  if (thrown) std::rethrow_exception(thrown);
+  in_parallel(range.size(), [&](std::size_t i) { f(range[i]); });
 }
 
 }  // namespace oddity

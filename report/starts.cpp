@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <execution>
 #include <optional>
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/parallel.hpp"
 
 namespace oddity {
 
@@ -61,14 +61,12 @@ std::vector<Start> Starts::beside(int count) {
   std::vector<Parameters> drawn;
   for (int i = 0; i < count; ++i) drawn.push_back(draw());
   std::vector<std::optional<Start>> made(drawn.size());
-  std::transform(std::execution::par, drawn.begin(), drawn.end(), made.begin(),
-                 [&](const Parameters& p) -> std::optional<Start> {
-                   try {
-                     return start(p);
-                   } catch (const std::exception&) {
-                     return {};
-                   }
-                 });
+  in_parallel(drawn.size(), [&](std::size_t i) {
+    try {
+      made[i] = start(drawn[i]);
+    } catch (const std::exception&) {  // no reference there
+    }
+  });
   std::vector<Start> known;
   for (auto& one : made)
     if (one) known.push_back(std::move(*one));

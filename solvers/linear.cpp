@@ -162,4 +162,26 @@ std::vector<std::complex<double>> eigenvalues(const MatrixXd& a) {
   return all;
 }
 
+Modes modes(const MatrixXd& k, const MatrixXd& m) {
+  quiet_gsl();
+  const GslMatrix stiffness = copied(k), mass = copied(m);
+  const std::size_t n = stiffness->size1;
+  const GslVector squares(gsl_vector_alloc(n));
+  const GslMatrix shapes(gsl_matrix_alloc(n, n));
+  const std::unique_ptr<gsl_eigen_gensymmv_workspace, Free<gsl_eigen_gensymmv_free>> space(
+      gsl_eigen_gensymmv_alloc(n));
+  gsl_eigen_gensymmv(stiffness.get(), mass.get(), squares.get(), shapes.get(), space.get());
+  gsl_eigen_gensymmv_sort(squares.get(), shapes.get(), GSL_EIGEN_SORT_VAL_ASC);
+  Modes found{VectorXd(k.rows()), MatrixXd(k.rows(), k.rows())};
+  for (Eigen::Index j = 0; j < k.rows(); ++j) {
+    const auto column = static_cast<std::size_t>(j);
+    VectorXd shape(k.rows());
+    for (Eigen::Index i = 0; i < k.rows(); ++i)
+      shape[i] = gsl_matrix_get(shapes.get(), static_cast<std::size_t>(i), column);
+    found.squares[j] = gsl_vector_get(squares.get(), column);
+    found.shapes.col(j) = shape / std::sqrt(shape.dot(m * shape));
+  }
+  return found;
+}
+
 }  // namespace oddity

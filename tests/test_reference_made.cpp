@@ -2,13 +2,13 @@
 
 #include "reference/truth.hpp"
 
-#include <execution>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
+#include "report/parallel.hpp"
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
 
@@ -19,41 +19,39 @@ namespace {
 
 const fs::path tables = fs::path(ODDITY_SOURCE) / "reference";
 
-using truth::Numbers, truth::Number;
-
 truth::Truth two_routes(truth::Route first, truth::Route second) {
   return {"a test", "x", {"x"}, {{"x", "1"}}, {{1}}, "first", std::move(first), "second", std::move(second)};
 }
 
-truth::Route gives(const Number& x) {
-  return [x](const std::vector<double>&, int) { return Numbers{x}; };
+truth::Route gives(const truth::Number& x) {
+  return [x](const std::vector<double>&, int) { return truth::Numbers{x}; };
 }
 
 }  // namespace
 
 TEST_CASE("a made row's error bounds the disagreement of its routes by a power of ten", "[reference]") {
-  const auto error = [](const Number& first, const Number& second) {
+  const auto error = [](const truth::Number& first, const truth::Number& second) {
     return truth::make_row(two_routes(gives(first), gives(second)), {1}, 30).error;
   };
-  CHECK(error(1, 1) == pow(Number(10), -30));
-  CHECK(abs(error(1000, 1000) / pow(Number(10), -27) - 1) < 1e-40);
-  CHECK(error(1, Number("1.0000003")) == pow(Number(10), -6));
-  CHECK(error(0, Number("3e-20")) == pow(Number(10), -19));
+  CHECK(error(1, 1) == pow(truth::Number(10), -30));
+  CHECK(abs(error(1000, 1000) / pow(truth::Number(10), -27) - 1) < 1e-40);
+  CHECK(error(1, truth::Number("1.0000003")) == pow(truth::Number(10), -6));
+  CHECK(error(0, truth::Number("3e-20")) == pow(truth::Number(10), -19));
 }
 
 TEST_CASE("a route without a finite value makes no row", "[reference]") {
-  const Number nan = std::numeric_limits<Number>::quiet_NaN(), inf = std::numeric_limits<Number>::infinity();
-  for (const Number& bad : {nan, inf}) {
+  const truth::Number nan = std::numeric_limits<truth::Number>::quiet_NaN(), inf = std::numeric_limits<truth::Number>::infinity();
+  for (const truth::Number& bad : {nan, inf}) {
     CHECK_THROWS_AS(truth::make_row(two_routes(gives(bad), gives(1)), {1}, 24), std::domain_error);
     CHECK_THROWS_AS(truth::make_row(two_routes(gives(1), gives(bad)), {1}, 24), std::domain_error);
   }
-  const truth::Route empty = [](const std::vector<double>&, int) { return Numbers{}; };
+  const truth::Route empty = [](const std::vector<double>&, int) { return truth::Numbers{}; };
   CHECK_THROWS_AS(truth::make_row(two_routes(empty, gives(1)), {1}, 24), std::logic_error);
   CHECK_THROWS_AS(truth::make_row(two_routes(gives(1), empty), {1}, 24), std::logic_error);
 }
 
 TEST_CASE("a table's text is its provenance, its header and its rows", "[reference]") {
-  CHECK(truth::table("00_00_test", two_routes(gives(Number(1) / 3), gives(Number(1) / 3))) ==
+  CHECK(truth::table("00_00_test", two_routes(gives(truth::Number(1) / 3), gives(truth::Number(1) / 3))) ==
         "# a test\n"
         "# formula: x\n"
         "# made by: reference/make/00_00_test.cpp, working with 60 digits (MPFR)\n"
@@ -133,8 +131,7 @@ std::vector<MadeAgain> all_made_again() {
   std::vector<std::pair<MadeAgain*, std::size_t>> work;
   for (MadeAgain& table : all)
     for (std::size_t row = 0; row < table.rows.size(); ++row) work.emplace_back(&table, row);
-  std::for_each(std::execution::par, work.begin(), work.end(),
-                [](const auto& piece) { piece.first->make(piece.second); });
+  parallel_for_each(work, [](const auto& piece) { piece.first->make(piece.second); });
   return all;
 }
 
@@ -147,7 +144,7 @@ void compare(const std::vector<std::string>& stored, const MadeAgain& again, std
   for (std::size_t i = 0; i < inputs.size(); ++i) CHECK(stored[i] == shortest(inputs[i]));
   CHECK(stored[inputs.size()] == again.truth.components[component].name);
   CHECK(stored.back() == again.truth.components[component].unit);
-  const Number value(stored[inputs.size() + 1]), error(stored[inputs.size() + 2]);
+  const truth::Number value(stored[inputs.size() + 1]), error(stored[inputs.size() + 2]);
   const truth::Made& made = again.rows[row];
   INFO("stored " << value << " +- " << error << ", made " << made.value[component] << " +- " << made.error);
   CHECK(abs(value - made.value[component]) <= error + made.error);

@@ -9,6 +9,7 @@
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/ode/events.hpp"
+#include "solvers/roots.hpp"
 #include "solvers/quadrature.hpp"
 
 /// A bead on the frictionless curve (q, q^2, q^3) under gravity along -z, let go at rest at q0: its

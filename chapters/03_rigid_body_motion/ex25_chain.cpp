@@ -106,7 +106,7 @@ Quantity mode_frequencies(const Triple& c, const Reference& truth) {
   const double size = size_of(known.value);
   Quantity q = quantity("mode_frequencies", "rad/s", "angular frequencies of the three small oscillations",
                         known, {1e-10 * size, "ten digits of the fastest"});
-  q.add({"dense pair (K, M)", "Eigen, Cholesky and QR", no_knob(), [=](double) {
+  q.add({"dense pair (K, M)", "GSL, Cholesky and QR", no_knob(), [=](double) {
            return Answer{Value(NormalModes(c).w), 1};
          }});
   q.add({"tensions at rest", "one link's accelerations by dual numbers, then GSL's QR", no_knob(), [=](double) {

@@ -205,7 +205,7 @@ inline Quantity frequencies(const std::string& name, const std::string& says, co
   };
   const Outcome small = graded ? Outcome::inaccurate : Outcome::ok;
   const std::string why = graded ? "it errs by roundings of the larger eigenvalue" : "";
-  q.add({"generalized eigenproblem", "Eigen, self-adjoint", no_knob(),
+  q.add({"generalized eigenproblem", "GSL, self-adjoint", no_knob(),
          [=](double) { return ratios(NormalModes(p).frequencies()); }, small, why});
   q.add({"det(K - s M) = 0", "quadratic formula", no_knob(),
          [=](double) { return ratios(by_quadratic(p, false)); }, small, why});

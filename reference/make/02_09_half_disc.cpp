@@ -1,5 +1,3 @@
-#include <boost/math/special_functions/bessel.hpp>
-
 #include "reference/make/routes.hpp"
 
 // Columns of the half disc x^2 + y^2 <= 1, y >= 0 with the density exp(k x):
@@ -12,9 +10,20 @@ namespace {
 
 Numbers centered(const Number& mass, const Number& x, const Number& y) { return {mass, x / mass, y / mass}; }
 
+/// I_n(k) [DLMF 10.25.2]; no term is negative.
+Number bessel_i(int n, const Number& k) {
+  Number term = 1, sum = 0;
+  for (int m = 1; m <= n; ++m) term *= k / (2 * m);
+  for (int m = 1; term > sum * pow(Number(10), -static_cast<int>(working_digits)); ++m) {
+    sum += term;
+    term *= k * k / (4 * m * (m + n));
+  }
+  return sum;
+}
+
 Numbers by_bessel(const std::vector<double>& in, int) {
   const Number k = in[0];
-  return centered(pi() / k * boost::math::cyl_bessel_i(1, k), pi() / k * boost::math::cyl_bessel_i(2, k),
+  return centered(pi() / k * bessel_i(1, k), pi() / k * bessel_i(2, k),
                   2 * (k * cosh(k) - sinh(k)) / (k * k * k));
 }
 

@@ -26,11 +26,11 @@ Numbers by_differences(const std::vector<double>& in, int) {
 
 Numbers by_cauchy(const std::vector<double>& in, int) {
   const Triple<Number> x = point(in);
-  const Triple<Complex> z{Complex(x[0]), Complex(x[1]), Complex(x[2])};
+  const Triple<Complex> z{complex(x[0]), complex(x[1]), complex(x[2])};
   const Number r = length(x);
   Numbers all;
   for (std::size_t i = 0; i < 3; ++i)
-    all.push_back(r * r * r * slope_by_cauchy(field<Complex>, z, i, Number(r / 16))[i].real());
+    all.push_back(r * r * r * real(slope_by_cauchy(field<Complex>, z, i, Number(r / 16))[i]));
   return all;
 }
 

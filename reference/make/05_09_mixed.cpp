@@ -36,7 +36,7 @@ Numbers by_cauchy(const std::vector<double>& in, int) {
     const auto inner = [&](const Triple<Complex>& y) {
       return slope_by_cauchy(phi, y, order[0], radius, points);
     };
-    all.push_back(slope_by_cauchy(inner, x, order[1], radius, points)[0].real());
+    all.push_back(real(slope_by_cauchy(inner, x, order[1], radius, points)[0]));
   }
   return all;
 }

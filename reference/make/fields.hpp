@@ -10,9 +10,16 @@
 /// plane. Fields are entire functions, generic in their number type.
 namespace oddity::truth {
 
-using Complex = boost::multiprecision::number<
-    boost::multiprecision::complex_adaptor<boost::multiprecision::mpfr_float_backend<working_digits>>,
-    boost::multiprecision::et_off>;
+/// Boost's complex numbers want their parts on the heap.
+using Part = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<working_digits>,
+                                           boost::multiprecision::et_off>;
+using Complex = boost::multiprecision::number<boost::multiprecision::complex_adaptor<Part::backend_type>,
+                                              boost::multiprecision::et_off>;
+inline Complex complex(const Number& real, const Number& imaginary = 0) {
+  return Complex(Part(real), Part(imaginary));
+}
+inline Number real(const Complex& z) { return Number(z.real()); }
+inline Complex operator*(const Number& a, const Complex& z) { return complex(a) * z; }
 
 template <class T>
 using Triple = std::array<T, 3>;
@@ -69,11 +76,11 @@ Triple<Complex> slope_by_cauchy(const Field& h, const Triple<Complex>& z, std::s
   Triple<Complex> mean{};
   for (int k = 0; k < points; ++k) {
     const Number t = 2 * pi() * k / points;
-    const Complex on_circle(cos(t), sin(t));
+    const Complex on_circle = complex(cos(t), sin(t));
     Triple<Complex> there = z;
     there[j] += radius * on_circle;
     const Triple<Complex> value = h(there);
-    for (std::size_t i = 0; i < 3; ++i) mean[i] += value[i] / (on_circle * Complex(points * radius));
+    for (std::size_t i = 0; i < 3; ++i) mean[i] += value[i] / (on_circle * complex(points * radius));
   }
   return mean;
 }
@@ -108,12 +115,12 @@ Truth field_truth(std::string quantity, std::string formula, std::vector<std::st
   truth.second = [=](const std::vector<double>& in, int) {
     const Waves<Number> waves{Number(in[0])};
     const Triple<Number> x{Number(in[1]), Number(in[2]), Number(in[3])};
-    const Triple<Complex> z{Complex(x[0]), Complex(x[1]), Complex(x[2])};
+    const Triple<Complex> z{complex(x[0]), complex(x[1]), complex(x[2])};
     Slopes slopes;
     for (std::size_t j = 0; j < 3; ++j) {
       const auto slope =
-          slope_by_cauchy(field(Waves<Complex>{Complex(waves.w)}, in), z, j, radius_for(waves.w));
-      slopes[j] = {slope[0].real(), slope[1].real(), slope[2].real()};
+          slope_by_cauchy(field(Waves<Complex>{complex(waves.w)}, in), z, j, radius_for(waves.w));
+      slopes[j] = {real(slope[0]), real(slope[1]), real(slope[2])};
     }
     return combine(slopes, waves, x);
   };

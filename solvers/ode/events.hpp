@@ -1,11 +1,9 @@
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <optional>
+#include <functional>
 
 #include "solvers/ode/integrate.hpp"
-#include "solvers/roots.hpp"
 
 namespace oddity::ode {
 
@@ -17,15 +15,15 @@ struct Event {
 
 namespace detail {
 
-/// The cubic through two states with their derivatives, at the fraction s of the step h between them.
-template <class State>
-State hermite(const State& x0, const State& d0, const State& x1, const State& d1, double h, double s) {
-  const double a = (1 + 2 * s) * (1 - s) * (1 - s), b = s * (1 - s) * (1 - s) * h;
-  const double c = s * s * (3 - 2 * s), d = -s * s * (1 - s) * h;
-  State x{};
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = a * x0[i] + b * d0[i] + c * x1[i] + d * d1[i];
-  return x;
-}
+template <std::size_t n>
+using Step = bool(const AnySystem<n>&, std::array<double, n>& x, double t, double h, double setting,
+                  long& evaluations);
+
+template <std::size_t n>
+Solved<Event<std::array<double, n>>> find_event(
+    const AnySystem<n>& system, Integrate<n>& integrate, Step<n>& step, const std::array<double, n>& start,
+    double t0, double t1, double setting,
+    const std::function<double(const std::array<double, n>&, double)>& g);
 
 }  // namespace detail
 
@@ -34,84 +32,13 @@ State hermite(const State& x0, const State& d0, const State& x1, const State& d1
 /// a quarter of a step; the time is then found by Brent's method on states that the algorithm itself computes
 /// from the step's start (by one step of its plain stepper where it has one), and is as good as they are:
 /// there is no error estimate. `raised` when g keeps its sign; the value then is t1 and the state there.
-template <class Algorithm, class System, class State, class G>
-Solved<Event<State>> find_event(const System& system, const State& start, double t0, double t1,
-                                double setting, const G& g) {
-  constexpr int samples = 4;
-  Solved<Event<State>> event;
-  long inside = 0;
-  bool found = false, whole = true;
-
-  const auto counted = [&](const State& x, State& dxdt, double t) {
-    ++inside;
-    system(x, dxdt, t);
-  };
-  const auto state_after = [&](State x, double t, double s) {
-    if constexpr (Algorithm::kind == Kind::fixed) {
-      Algorithm::template stepper<State>().do_step(counted, x, t, s);
-    } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {
-      Algorithm::template stepper<State>(system, inside)(x, t, s);
-    } else if constexpr (requires { typename Algorithm::template Plain<State>; }) {
-      typename Algorithm::template Plain<State>().do_step(counted, x, t, s);
-    } else {
-      const auto part = integrate<Algorithm>(system, x, t, t + s, setting);
-      inside += part.evaluations;
-      whole = whole && part.reached();
-      x = part.value;
-    }
-    return x;
-  };
-
-  double before = g(start, t0);  // g where it last was not zero
-  double at_start = before;      // g at the start of the step
-
-  const auto watch = [&](double t, const State& x, double t_next, const State& x_next) {
-    const double h = t_next - t;
-    State d0{}, d1{};
-    counted(x, d0, t);
-    counted(x_next, d1, t_next);
-    const auto event_after = [&](double s) -> Event<State> {
-      if (s == h) return {t_next, x_next};
-      if (s == 0) return {t, x};
-      return {t + s, state_after(x, t, s)};
-    };
-    const auto miss = [&](double s) {
-      const auto candidate = event_after(s);
-      return g(candidate.state, candidate.time);
-    };
-    const auto refine = [&](double a, double b) {
-      const Solved<double> root = brent(miss, a, b, 4e-16 * (1 + std::abs(t)));
-      if (root.ending == Ending::raised) return false;
-      event.value = event_after(root.value);
-      event.ending = whole ? root.ending : Ending::stalled;
-      event.message = whole ? root.message : "the algorithm did not reach a time inside a step";
-      return true;
-    };
-
-    double left = 0;
-    for (int k = 1; k <= samples; ++k) {
-      const double part = static_cast<double>(k) / samples, s = part * h;
-      double now = k == samples ? g(x_next, t_next) : g(detail::hermite(x, d0, x_next, d1, h, part), t + s);
-      if (before * now < 0 || (now == 0 && before != 0)) {
-        found = refine(left, s) || (left != 0 && at_start != 0 && refine(0, s));
-        if (found) return true;
-        now = miss(s);  // what the cubic saw is not there
-      }
-      if (now != 0) before = now;
-      left = s;
-    }
-    at_start = g(x_next, t_next);
-    return false;
-  };
-
-  const std::array times{t0, t1};
-  const auto trajectory = integrate<Algorithm>(system, start, std::span<const double>(times), setting, watch);
-  event.evaluations = trajectory.evaluations + inside;
-  if (found) return event;
-  if (trajectory.reached()) event.value = {t1, trajectory.value.back()};
-  event.ending = trajectory.reached() ? Ending::raised : trajectory.ending;
-  event.message = trajectory.reached() ? "the event does not happen in the time given" : trajectory.message;
-  return event;
+template <class Algorithm, class System, std::size_t n, class G>
+Solved<Event<std::array<double, n>>> find_event(const System& system, const std::array<double, n>& start,
+                                                double t0, double t1, double setting, const G& g) {
+  static_assert(Precompiled<Algorithm> && is_precompiled<std::array<double, n>>);
+  const Adapted<AnySystem<n>, const System&> any(system);
+  return detail::find_event<n>(any, integrate_precompiled<Algorithm, n>, step_precompiled<Algorithm, n>,
+                               start, t0, t1, setting, g);
 }
 
 }  // namespace oddity::ode

@@ -99,6 +99,11 @@ Trajectory<std::array<double, n>> integrate_precompiled(const AnySystem<n>& syst
                                                         std::span<const double> times, double setting,
                                                         const Watch<n>& watch);
 
+/// One step of h, by the algorithm's plain stepper where it has one; whether it got there.
+template <class Algorithm, std::size_t n>
+bool step_precompiled(const AnySystem<n>& system, std::array<double, n>& x, double t, double h,
+                      double setting, long& evaluations);
+
 /// As `integrate`, system and algorithm always compiled into one: for the innermost loop of a game.
 template <class Algorithm, class System, class State, class OnStep = NeverStop>
 Trajectory<State> integrate_inlined(const System& system, const State& start, std::span<const double> times,

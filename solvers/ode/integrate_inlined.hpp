@@ -115,6 +115,18 @@ double first_step(std::span<const double> times, double part);
 /// What is wrong with the times or the step or tolerance; null: nothing.
 const char* nonsense(std::span<const double> times, double setting);
 
+/// A system whose evaluations are counted.
+template <class System, class State>
+struct Counted {
+  const System& system;
+  long& evaluations;
+
+  void operator()(const State& x, State& dxdt, double t) const {
+    ++evaluations;
+    system(x, dxdt, t);
+  }
+};
+
 /// Advances x from times[0] through all of them by advance(x, t0, t1), keeping the states.
 template <class State, class Advance>
 [[gnu::always_inline]] inline void through(std::span<const double> times, State x, Trajectory<State>& solved,
@@ -139,10 +151,7 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
     return solved;
   }
   long evaluations = 0;  // not `solved`'s: a local stays in a register
-  const auto counted = [&system, &evaluations](const State& x, State& dxdt, double t) {
-    ++evaluations;
-    system(x, dxdt, t);
-  };
+  const detail::Counted<System, State> counted{system, evaluations};
   if constexpr (Algorithm::kind == Kind::fixed) {
     auto stepper = Algorithm::template stepper<State>();
     auto do_step = [&](State& x, double t, double h) { stepper.do_step(counted, x, t, h); };

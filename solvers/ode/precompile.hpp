@@ -17,9 +17,33 @@ Trajectory<std::array<double, n>> integrate_precompiled(const AnySystem<n>& syst
     return integrate_inlined<Algorithm>(system, start, times, setting, watch);
 }
 
-#define ODDITY_PRECOMPILE_FOR(n, Algorithm)                                                          \
-  template Trajectory<std::array<double, n>> integrate_precompiled<Algorithm, n>(                    \
-      const AnySystem<n>&, const std::array<double, n>&, std::span<const double>, double, const Watch<n>&);
+template <class Algorithm, std::size_t n>
+bool step_precompiled(const AnySystem<n>& system, std::array<double, n>& x, double t, double h,
+                      double setting, long& evaluations) {
+  using State = std::array<double, n>;
+  const detail::Counted<AnySystem<n>, State> counted{system, evaluations};
+  if constexpr (Algorithm::kind == Kind::fixed) {
+    Algorithm::template stepper<State>().do_step(counted, x, t, h);
+  } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {
+    Algorithm::template stepper<State>(system, evaluations)(x, t, h);
+  } else if constexpr (requires { typename Algorithm::template Plain<State>; }) {
+    typename Algorithm::template Plain<State>().do_step(counted, x, t, h);
+  } else {
+    const std::array times{t, t + h};
+    const auto part = integrate_precompiled<Algorithm, n>(system, x, times, setting, {});
+    evaluations += part.evaluations;
+    x = part.value.back();
+    return part.reached();
+  }
+  return true;
+}
+
+#define ODDITY_PRECOMPILE_FOR(n, Algorithm)                                                               \
+  template Trajectory<std::array<double, n>> integrate_precompiled<Algorithm, n>(                         \
+      const AnySystem<n>&, const std::array<double, n>&, std::span<const double>, double,                 \
+      const Watch<n>&);                                                                                   \
+  template bool step_precompiled<Algorithm, n>(const AnySystem<n>&, std::array<double, n>&, double, double, \
+                                               double, long&);
 #define ODDITY_PRECOMPILE(Algorithm) ODDITY_FOR_UNKNOWNS(ODDITY_PRECOMPILE_FOR, Algorithm)
 
 }  // namespace oddity::ode

@@ -1,0 +1,82 @@
+#include "reference/make/extrapolation.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace oddity::truth {
+
+namespace {
+
+using Rhs = std::function<Numbers(const Numbers& x, const Number& t)>;
+
+/// The modified midpoint rule (Gragg) over one big step in n substeps, n even; its error has even powers
+/// only.
+Numbers modified_midpoint(const Rhs& rhs, const Numbers& x0, const Number& t, const Number& big, int n) {
+  const Number h = big / n;
+  const auto moved = [](const Numbers& x, const Number& by, const Numbers& v) {
+    Numbers sum = x;
+    for (std::size_t i = 0; i < x.size(); ++i) sum[i] += by * v[i];
+    return sum;
+  };
+  Numbers before = x0;
+  Numbers now = moved(x0, h, rhs(x0, t));
+  for (int k = 1; k < n; ++k) {
+    Numbers next = moved(before, 2 * h, rhs(now, Number(t + k * h)));
+    before = std::move(now);
+    now = std::move(next);
+  }
+  Numbers smoothed = moved(before, h, rhs(now, Number(t + big)));
+  for (std::size_t i = 0; i < now.size(); ++i) smoothed[i] = (smoothed[i] + now[i]) / 2;
+  return smoothed;
+}
+
+/// One big step, extrapolated to zero substep (Aitken-Neville in h^2); false when the columns do not settle.
+bool extrapolated_step(const Rhs& rhs, Numbers& x, const Number& t, const Number& big,
+                       const Number& tolerance) {
+  constexpr int columns = 22;
+  std::vector<Numbers> row;
+  for (int k = 1; k <= columns; ++k) {
+    std::vector<Numbers> next{modified_midpoint(rhs, x, t, big, 2 * k)};
+    for (int j = 1; j < k; ++j) {
+      const Number ratio = Number(k) / (k - j);
+      const auto& previous = next.back();
+      Numbers better = previous;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        better[i] += (previous[i] - row[static_cast<std::size_t>(j - 1)][i]) / (ratio * ratio - 1);
+      next.push_back(std::move(better));
+    }
+    if (k > 3) {
+      bool settled = true;  // false for a NaN
+      for (std::size_t i = 0; i < x.size(); ++i)
+        settled = settled && abs(next.back()[i] - row.back()[i]) <= tolerance;
+      if (settled) {
+        x = next.back();
+        return true;
+      }
+    }
+    row = std::move(next);
+  }
+  return false;
+}
+
+}  // namespace
+
+Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits) {
+  const Number tolerance = pow(Number(10), -digits - 3);
+  Number big = (t1 - t0) / 4;
+  while (t0 != t1) {
+    const bool last = abs(big) >= abs(Number(t1 - t0));
+    const Number step = last ? Number(t1 - t0) : big;
+    if (extrapolated_step(rhs, x, t0, step, tolerance)) {
+      t0 = last ? t1 : Number(t0 + step);
+      big = step * 1.5;
+    } else {
+      big = step / 2;
+      if (abs(big) < pow(Number(10), -20))
+        throw std::runtime_error("extrapolation: the step became too small");
+    }
+  }
+  return x;
+}
+
+}  // namespace oddity::truth

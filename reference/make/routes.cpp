@@ -1,0 +1,26 @@
+#include "reference/make/routes.hpp"
+
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <stdexcept>
+
+namespace oddity::truth {
+
+Number pi() { return acos(Number(-1)); }
+
+Number elliptic_k(const Number& k) {
+  if (!(abs(k) < 1)) throw std::domain_error("K(k) needs |k| < 1");
+  Number a = 1, b = sqrt(1 - k * k);
+  while (abs(a - b) > pow(Number(10), 3 - static_cast<int>(working_digits))) {
+    const Number mean = (a + b) / 2;
+    b = sqrt(a * b);
+    a = mean;
+  }
+  return pi() / (a + b);
+}
+
+Number integral(const std::function<Number(const Number&)>& f, const Number& a, const Number& b, int digits) {
+  boost::math::quadrature::tanh_sinh<Number> rule(15, pow(Number(10), -120));
+  return rule.integrate(f, a, b, Number(pow(Number(10), -digits - 4)));
+}
+
+}  // namespace oddity::truth
