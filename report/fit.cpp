@@ -10,15 +10,15 @@ namespace oddity {
 namespace {
 
 /// A straight line through points, and the farthest that one of them is above or below it.
-struct Line {
+struct FittedLine {
   double slope, intercept, off;
 };
 
-Line line_through(std::span<const double> x, std::span<const double> y) {
+FittedLine line_through(std::span<const double> x, std::span<const double> y) {
   const auto n = static_cast<double>(x.size());
   double sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (std::size_t i = 0; i < x.size(); ++i) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
-  Line line{(n * sxy - sx * sy) / (n * sxx - sx * sx), 0, 0};
+  FittedLine line{(n * sxy - sx * sy) / (n * sxx - sx * sx), 0, 0};
   line.intercept = (sy - line.slope * sx) / n;
   for (std::size_t i = 0; i < x.size(); ++i)
     line.off = std::max(line.off, std::abs(y[i] - line.intercept - line.slope * x[i]));
@@ -70,7 +70,7 @@ std::optional<Fit> fit(const QuantityResult& q, const MethodResult& m) {
       const std::size_t points = last - first + 1;
       if (points < 3 || 2 * points < in_range || x[first] - x[last] < std::log(4) * (1 - 1e-9)) continue;
       if (best && points < best->last - best->first + 1) continue;
-      const Line line =
+      const FittedLine line =
           line_through(std::span(x).subspan(first, points), std::span(y).subspan(first, points));
       if (line.off <= allowed && line.slope >= 0.25)
         best = Fit{line.slope, std::exp(line.intercept), first, last};

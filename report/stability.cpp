@@ -21,7 +21,7 @@ constexpr int map_steps = 12;
 constexpr double undercut = 4;
 
 /// A method tried at whole numbers of steps a sample interval.
-struct Search {
+struct StepSearch {
   const Quantity& quantity;
   const Method& method;
   double interval;
@@ -170,7 +170,7 @@ bool stable(const Trial& trial) {
 
 Limit limit_of(const Quantity& quantity, const Method& method, double interval) {
   Limit limit{method.model, method.algorithm, method.stable_step ? method.stable_step() : 0, {}, {}, {}, {}};
-  const Search search{quantity, method, interval, std::isfinite(limit.theory) ? limit.theory : 0};
+  const StepSearch search{quantity, method, interval, std::isfinite(limit.theory) ? limit.theory : 0};
   long coarse = 0, fine = 0;  // steps an interval: the finest that is not stable, the coarsest of those below
   for (long steps = 1;; steps = std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5))) {
     const Trial trial = search.trial(steps);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "reference/text.hpp"
+#include "report/gnuplot.hpp"
 #include "report/stability.hpp"
 
 namespace oddity {
@@ -20,16 +21,7 @@ std::string colour_of(Outcome outcome) {
 
 // Pixels.
 constexpr int cell_width = 34, cell_height = 17, gap = 22, title = 76;
-constexpr int left = 96, top = 74, bottom = 40, legend = 150;
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c == '\n' ? "\\n" : std::string(1, c);
-  }
-  return out + "\"";
-}
+constexpr int left = 96, top = 74, bottom = 40, key_width = 150;
 
 /// Each name once, in the order of first appearance.
 template <class T, class Name>
@@ -52,7 +44,7 @@ struct Layout {
         values(each_once(s.map, &MapRow::value)),
         panel_width(cell_width * static_cast<int>(values.size())),
         panel_height(cell_height * static_cast<int>(s.steps.size())),
-        width(left + static_cast<int>(algorithms.size()) * (panel_width + gap) + legend),
+        width(left + static_cast<int>(algorithms.size()) * (panel_width + gap) + key_width),
         height(top + static_cast<int>(models.size()) * (panel_height + title) - title + bottom) {}
 
   std::string x(int pixels) const { return shortest(static_cast<double>(pixels) / width); }
@@ -92,7 +84,7 @@ std::string panel_data(const std::vector<const MapRow*>& columns, const Stabilit
 }
 
 std::string legend_text(const Layout& layout) {
-  const int x = layout.width - legend + 8;
+  const int x = layout.width - key_width + 8;
   std::string text;
   int y = top;
   for (Outcome outcome : outcomes_of_a_map) {

@@ -24,14 +24,14 @@ std::string shown_agreement(const Limit& limit) {
   return ratio == 1 ? "within" : std::isfinite(ratio) && ratio > 0 ? rounded(ratio, 3) : "-";
 }
 
-std::string with_unit(const std::string& value, const std::string& unit) {
+std::string in_unit(const std::string& value, const std::string& unit) {
   return unit.empty() || unit == "1" ? value : value + " " + unit;
 }
 
 std::string quantity_line(const ExerciseResult& e) {
   const Stability& s = *e.stability;
   return "`" + s.quantity + "` over " + rounded(s.horizon, 4) + " " + s.time_unit + "; close is " +
-         with_unit(rounded(s.close, 3), s.unit);
+         in_unit(rounded(s.close, 3), s.unit);
 }
 
 std::vector<std::string> header(const Stability& s) {
@@ -101,7 +101,7 @@ std::string map_text(const Stability& s) {
     const bool first =
         &row == s.map.data() || (&row)[-1].model != row.model || (&row)[-1].algorithm != row.algorithm;
     rows.push_back({first ? row.model : "", first ? row.algorithm : "",
-                    with_unit(rounded(row.value, 4), s.parameter_unit), letters_and_theory(row, s.steps)});
+                    in_unit(rounded(row.value, 4), s.parameter_unit), letters_and_theory(row, s.steps)});
   }
   return text + "\n" + aligned(rows);
 }
@@ -163,8 +163,8 @@ std::string how_it_breaks(const Limit& l, const std::string& unit) {
   if (!t.message.empty()) return beyond(l) + ": " + t.message;
   if (t.outcome == Outcome::drifted)
     return "drifted: a conserved quantity changed by " + rounded(t.drift, 3) + " times its size; error " +
-           with_unit(shown_error(t.error), unit);
-  return beyond(l) + ": error " + with_unit(shown_error(t.error), unit);
+           in_unit(shown_error(t.error), unit);
+  return beyond(l) + ": error " + in_unit(shown_error(t.error), unit);
 }
 
 std::string shown_cure(const Limit& l, const std::string& unit) {
@@ -172,7 +172,7 @@ std::string shown_cure(const Limit& l, const std::string& unit) {
   const TimedTrial& t = *l.cure;
   return (t.model == l.model ? "" : t.model + ", ") + t.algorithm +
          (t.setting == l.broken->setting ? "" : ", " + shown_knob(t)) + ": error " +
-         with_unit(shown_error(t.error), unit) + ", " + std::to_string(t.evaluations) + " evaluations";
+         in_unit(shown_error(t.error), unit) + ", " + std::to_string(t.evaluations) + " evaluations";
 }
 
 double agreement(const Limit& l) {
@@ -186,7 +186,7 @@ std::string stability_text(const ExerciseResult& e) {
   const Stability& s = *e.stability;
   std::string text = "Exercise " + to_string(e.number) + ": " + e.title + "\n" + s.quantity + " over " +
                      rounded(s.horizon, 4) + " " + s.time_unit + "; close is " +
-                     with_unit(rounded(s.close, 3), s.unit) + "\n\n";
+                     in_unit(rounded(s.close, 3), s.unit) + "\n\n";
   text += limits_text(s);
   for (const auto& [reason, names] : reasons(s)) text += "\n  " + names + ": " + reason + "\n";
   return text + map_text(s);

@@ -5,7 +5,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <limits>
 #include <memory>
 
@@ -31,32 +30,6 @@ long work(Factorization how, long m, long n) {
   return 0;
 }
 
-/// The solution, and whether the factorization found the matrix regular.
-std::pair<VectorXd, bool> solution(Factorization how, const MatrixXd& a, const VectorXd& b) {
-  switch (how) {
-    case Factorization::partial_pivot_lu: {
-      const Eigen::PartialPivLU<MatrixXd> lu(a);
-      return {lu.solve(b), lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0};
-    }
-    case Factorization::full_pivot_lu: {
-      const Eigen::FullPivLU<MatrixXd> lu(a);
-      return {lu.solve(b), lu.isInvertible()};
-    }
-    case Factorization::householder_qr: {
-      const Eigen::HouseholderQR<MatrixXd> qr(a);
-      return {qr.solve(b), qr.matrixQR().diagonal().cwiseAbs().minCoeff() > 0};
-    }
-    case Factorization::cholesky: {
-      if (!a.isApprox(a.transpose()))  // of which Eigen would read one half only
-        return {VectorXd::Constant(a.cols(), std::numeric_limits<double>::quiet_NaN()), false};
-      const Eigen::LDLT<MatrixXd> ldlt(a);
-      return {ldlt.solve(b),
-              ldlt.info() == Eigen::Success && ldlt.isPositive() && ldlt.vectorD().minCoeff() > 0};
-    }
-  }
-  return {};
-}
-
 // ---- GSL's side -------------------------------------------------------------------------------------------
 
 template <auto free>
@@ -75,6 +48,52 @@ GslMatrix copied(const MatrixXd& a) {
     for (std::size_t j = 0; j < copy->size2; ++j)
       gsl_matrix_set(copy.get(), i, j, a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
   return copy;
+}
+
+GslVector copied(const VectorXd& b) {
+  GslVector copy(gsl_vector_alloc(static_cast<std::size_t>(b.size())));
+  std::ranges::copy(b, copy->data);
+  return copy;
+}
+
+/// The solution by Householder's reflections, and whether the triangle they leave has no zero on its
+/// diagonal.
+std::pair<VectorXd, bool> least_squares(const MatrixXd& a, const VectorXd& b) {
+  quiet_gsl();
+  const GslMatrix qr = copied(a);
+  const GslVector right = copied(b), tau(gsl_vector_alloc(qr->size2)), x(gsl_vector_alloc(qr->size2)),
+                  residual(gsl_vector_alloc(qr->size1));
+  gsl_linalg_QR_decomp(qr.get(), tau.get());
+  bool regular = true;
+  for (std::size_t i = 0; i < qr->size2; ++i) regular = regular && gsl_matrix_get(qr.get(), i, i) != 0;
+  if (regular) gsl_linalg_QR_lssolve(qr.get(), tau.get(), right.get(), x.get(), residual.get());
+  return {Eigen::Map<const VectorXd>(x->data, a.cols()), regular};
+}
+
+// ---- Eigen's side -----------------------------------------------------------------------------------------
+
+/// The solution, and whether the factorization found the matrix regular.
+std::pair<VectorXd, bool> solution(Factorization how, const MatrixXd& a, const VectorXd& b) {
+  switch (how) {
+    case Factorization::partial_pivot_lu: {
+      const Eigen::PartialPivLU<MatrixXd> lu(a);
+      return {lu.solve(b), lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0};
+    }
+    case Factorization::full_pivot_lu: {
+      const Eigen::FullPivLU<MatrixXd> lu(a);
+      return {lu.solve(b), lu.isInvertible()};
+    }
+    case Factorization::householder_qr:
+      return least_squares(a, b);
+    case Factorization::cholesky: {
+      if (!a.isApprox(a.transpose()))  // of which Eigen would read one half only
+        return {VectorXd::Constant(a.cols(), std::numeric_limits<double>::quiet_NaN()), false};
+      const Eigen::LDLT<MatrixXd> ldlt(a);
+      return {ldlt.solve(b),
+              ldlt.info() == Eigen::Success && ldlt.isPositive() && ldlt.vectorD().minCoeff() > 0};
+    }
+  }
+  return {};
 }
 
 /// From the largest on, by one-sided Jacobi rotations, which keep the digits of the small ones.

@@ -29,7 +29,7 @@ long evaluations_of(long n) {
 }
 
 template <class Algorithm>
-Trajectory<State> through(const Problem& problem, std::vector<double> times, double setting) {
+ode::Trajectory<State> through(const Problem& problem, std::vector<double> times, double setting) {
   return integrate<Algorithm>(problem.system, problem.exact(times[0]), std::span<const double>(times),
                               setting);
 }

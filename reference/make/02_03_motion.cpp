@@ -6,7 +6,7 @@
 // route knows the positions alone.
 namespace oddity::truth {
 
-namespace {
+namespace motion_02_03 {
 
 Numbers by_angles(const std::vector<double>& in, int) {
   const Number t = in[0], d = 1 + t * t;
@@ -38,9 +38,10 @@ Numbers by_positions(const std::vector<double>& in, int digits) {
   return all;
 }
 
-}  // namespace
+}  // namespace motion_02_03
 
 Truth truth_02_03_motion() {
+  using namespace motion_02_03;
   std::vector<std::vector<double>> rows;
   for (double t : {-1e8, -50.0, -3.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 7.0, 50.0, 1e8}) rows.push_back({t});
   return {

@@ -5,7 +5,7 @@
 // knows the matrices alone.
 namespace oddity::truth {
 
-namespace {
+namespace angular_velocity_02_05 {
 
 Vector axis(const Number& t, const Number& alpha, const Number& Omega) {
   return {sin(alpha) * cos(Omega * t), sin(alpha) * sin(Omega * t), cos(alpha)};
@@ -37,9 +37,10 @@ Numbers by_matrices(const std::vector<double>& in, int digits) {
   return angular_velocity(rotation, in[0], digits);
 }
 
-}  // namespace
+}  // namespace angular_velocity_02_05
 
 Truth truth_02_05_angular_velocity() {
+  using namespace angular_velocity_02_05;
   return {
       "angular velocity at t of the rotation by nu t about a unit axis at the angle alpha from z, precessing "
       "about z with Omega",

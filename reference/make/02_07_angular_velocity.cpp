@@ -6,7 +6,7 @@
 //   a_e = -2 pi psi' sin(psi),  a_n = psi'' + pi^2 sin(psi) cos(psi)
 namespace oddity::truth {
 
-namespace {
+namespace angular_velocity_02_07 {
 
 Numbers by_angles(const std::vector<double>& in, int) {
   const curve_on_sphere::Angles a{Number(in[0])};
@@ -22,9 +22,10 @@ Numbers by_positions(const std::vector<double>& in, int digits) {
   return angular_velocity(frame, Number(in[0]), digits);
 }
 
-}  // namespace
+}  // namespace angular_velocity_02_07
 
 Truth truth_02_07_angular_velocity() {
+  using namespace angular_velocity_02_07;
   return {"angular velocity at t of the orientation [r u r x u] on a curve of the unit sphere, u = r'/|r'|",
           "Skew(w) = R' R^T, r = ((1 - t^2) cos(pi t), (1 - t^2) sin(pi t), t^2)/sqrt((1 - t^2)^2 + t^4)",
           {"t"},

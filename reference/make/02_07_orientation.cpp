@@ -2,7 +2,7 @@
 
 namespace oddity::truth {
 
-namespace {
+namespace orientation_02_07 {
 
 Numbers flat(const Matrix& R) {
   Numbers all;
@@ -16,9 +16,10 @@ Numbers by_positions(const std::vector<double>& in, int digits) {
   return flat(curve_on_sphere::frame_by_positions(Number(in[0]), digits));
 }
 
-}  // namespace
+}  // namespace orientation_02_07
 
 Truth truth_02_07_orientation() {
+  using namespace orientation_02_07;
   std::vector<std::vector<double>> rows;
   for (double t : {0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0, 48.0, 64.0})
     rows.push_back({t});

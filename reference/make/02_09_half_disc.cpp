@@ -6,7 +6,7 @@
 // Mathematical Functions.
 namespace oddity::truth {
 
-namespace {
+namespace half_disc_02_09 {
 
 Numbers centered(const Number& mass, const Number& x, const Number& y) { return {mass, x / mass, y / mass}; }
 
@@ -47,9 +47,10 @@ Numbers by_sectors(const std::vector<double>& in, int digits) {
                   over(2, [](const Number& t) { return Number(sin(t)); }));
 }
 
-}  // namespace
+}  // namespace half_disc_02_09
 
 Truth truth_02_09_half_disc() {
+  using namespace half_disc_02_09;
   return {"mass and center of mass of the half disc x^2 + y^2 <= 1, y >= 0 with the density exp(k x)",
           "m = int e^(kx), m x = int x e^(kx), m y = int y e^(kx)",
           {"k"},

@@ -6,7 +6,7 @@
 // perpendicular to w; applied to a and to b before their product.
 namespace oddity::truth {
 
-namespace {
+namespace rotated_normal_02_11 {
 
 Numbers cross(const Numbers& a, const Numbers& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -43,9 +43,10 @@ Numbers by_reflections(const std::vector<double>& in, int) {
   return unit(cross(turned(first_edge()), turned(second_edge(in[1]))));
 }
 
-}  // namespace
+}  // namespace rotated_normal_02_11
 
 Truth truth_02_11_rotated_normal() {
+  using namespace rotated_normal_02_11;
   return {"unit normal of a triangle with edges a, b, rotated by theta about w",
           "R (a x b) / |a x b|, a = (47436513, 25959777, -12996065)/2^25, b = a + gap (-1/2, 1, 3/4), w = "
           "(1, 2, 2)/3",

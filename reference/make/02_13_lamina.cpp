@@ -4,7 +4,7 @@
 // Rows: the integral over max(left, -sqrt y) <= x <= sqrt y of x^p y^q is a function of y with a root in it.
 namespace oddity::truth {
 
-namespace {
+namespace lamina_02_13 {
 
 Number power_integral(const Number& a, const Number& b, int n) {
   return (pow(b, n + 1) - pow(a, n + 1)) / (n + 1);
@@ -44,9 +44,10 @@ Numbers by_rows(const std::vector<double>& in, int digits) {
   return components(moment, in[1], in[2]);
 }
 
-}  // namespace
+}  // namespace lamina_02_13
 
 Truth truth_02_13_lamina() {
+  using namespace lamina_02_13;
   return {"inertia of the lamina x^2 <= y <= 1, left <= x <= 1 in the plane at height z, density rho",
           "Ixx = rho int y^2 + z^2, Iyy = rho int x^2 + z^2, Izz = rho int x^2 + y^2, Ixy = rho int x y, ...",
           {"left", "z", "rho"},

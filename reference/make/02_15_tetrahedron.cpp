@@ -6,7 +6,7 @@
 // is the mean over the midpoints of its sides.
 namespace oddity::truth {
 
-namespace {
+namespace tetrahedron_02_15 {
 
 /// The six components from a function that integrates a quadratic over the body.
 template <class Integrate>
@@ -41,9 +41,10 @@ Numbers by_slices(const std::vector<double>& in, int digits) {
   });
 }
 
-}  // namespace
+}  // namespace tetrahedron_02_15
 
 Truth truth_02_15_tetrahedron() {
+  using namespace tetrahedron_02_15;
   return {
       "inertia about the origin of a tetrahedron with legs a, b, c from the corner (x, y, z), density rho",
       "Ixx = rho int y^2 + z^2, Iyy = rho int x^2 + z^2, Izz = rho int x^2 + y^2, Ixy = rho int x y, ...",

@@ -5,7 +5,7 @@
 // - sin x - 1).
 namespace oddity::truth {
 
-namespace {
+namespace work_02_17 {
 
 Numbers by_antiderivative(const std::vector<double>& in, int) {
   const Number r = in[0], w = in[1], x = w * Number(in[2]), c = cos(x), s = sin(x);
@@ -27,9 +27,10 @@ Numbers by_quadrature(const std::vector<double>& in, int digits) {
   return work;
 }
 
-}  // namespace
+}  // namespace work_02_17
 
 Truth truth_02_17_work() {
+  using namespace work_02_17;
   return {"work done on a particle that circles at the radius r with angular speed omega, in the time T",
           "int_0^T F . v dt for F = (1, 1, 1) and for F = (t, t, 1)",
           {"r", "omega", "T"},

@@ -7,7 +7,7 @@
 // e times that to the directrix x = p/e, squared: x^2 + y^2 = (p - e x)^2.
 namespace oddity::truth {
 
-namespace {
+namespace radius_03_01 {
 
 Numbers by_polar_equation(const std::vector<double>& in, int) {
   return {in[1] / (1 + in[0] * cos(Number(in[2])))};
@@ -30,9 +30,10 @@ Numbers by_bisection(const std::vector<double>& in, int digits) {
   return {(low + high) / 2};
 }
 
-}  // namespace
+}  // namespace radius_03_01
 
 Truth truth_03_01_radius() {
+  using namespace radius_03_01;
   return {
       "distance from the focus, at the polar angle theta, of the conic of eccentricity e and semi-latus "
       "rectum p = e rho",

@@ -5,7 +5,7 @@
 // dE/dM = 1/(1 - e cos E), and E(pi) = pi.
 namespace oddity::truth {
 
-namespace {
+namespace eccentric_anomaly_03_03 {
 
 Numbers by_bisection(const std::vector<double>& in, int digits) {
   const Number e = in[0], M = in[1];
@@ -23,9 +23,10 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
   return solve_taylor(rhs, {pi()}, pi(), Number(in[1]), digits + 2);
 }
 
-}  // namespace
+}  // namespace eccentric_anomaly_03_03
 
 Truth truth_03_03_eccentric_anomaly() {
+  using namespace eccentric_anomaly_03_03;
   return {"eccentric anomaly E of the mean anomaly M",
           "E - e sin E = M",
           {"e", "M"},

@@ -5,7 +5,7 @@
 // r'' = -G M r/|r|^3 from a start in polar coordinates, by Kepler's equation in universal variables.
 namespace oddity::truth {
 
-namespace {
+namespace orbit_03_03 {
 
 struct Start {
   Number mu, r0, x, y, vx, vy;
@@ -43,9 +43,10 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
   return {end[0], end[1]};
 }
 
-}  // namespace
+}  // namespace orbit_03_03
 
 Truth truth_03_03_orbit() {
+  using namespace orbit_03_03;
   constexpr double four_pi_squared = 39.47841760435743;
   std::vector<std::vector<double>> orbits{{four_pi_squared, 1, 1, 0.09375, 1.75, 6.25},
                                           {four_pi_squared, 1, 1.75, 1.7862, -2, 0.8943},

@@ -7,7 +7,7 @@
 // and T is the integral of 1/(h u^2) over a turn, by the trapezoidal rule (converging geometrically).
 namespace oddity::truth {
 
-namespace {
+namespace period_03_03 {
 
 Numbers by_kepler(const std::vector<double>& in, int) {
   const Number mu = Number(in[0]) * Number(in[1]), r = in[2], v = in[3], w = in[5];
@@ -32,9 +32,10 @@ Numbers by_turn(const std::vector<double>& in, int digits) {
   return {sum};
 }
 
-}  // namespace
+}  // namespace period_03_03
 
 Truth truth_03_03_period() {
+  using namespace period_03_03;
   constexpr double four_pi_squared = 39.47841760435743;
   return {"period of the orbit through (r0, theta0) with (r0', theta0')",
           "2 pi a^(3/2) / sqrt(G M), a = semi-major axis",

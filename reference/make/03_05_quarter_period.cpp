@@ -7,7 +7,7 @@
 // the singular integrand, written as 2 sin((a+t)/2) sin((a-t)/2) so that nothing cancels at its end.
 namespace oddity::truth {
 
-namespace {
+namespace quarter_period_03_05 {
 
 Numbers by_agm(const std::vector<double>& in, int) {
   return {sqrt(Number(2)) * elliptic_k(sin(Number(in[0]) / 2))};
@@ -21,9 +21,10 @@ Numbers by_quadrature(const std::vector<double>& in, int digits) {
   return {integral(from_the_end, 0, a, digits)};
 }
 
-}  // namespace
+}  // namespace quarter_period_03_05
 
 Truth truth_03_05_quarter_period() {
+  using namespace quarter_period_03_05;
   std::vector<std::vector<double>> rows;
   for (double a : {std::ldexp(1.0, -10), std::numbers::pi / 6, 1.0, std::numbers::pi / 2, 2.5, 3.0, 3.125})
     rows.push_back({a});

@@ -8,7 +8,7 @@
 // k = sin(a/2) [DLMF 22.19.2 shifted by a quarter period].
 namespace oddity::truth {
 
-namespace {
+namespace swing_03_05 {
 
 Numbers by_jacobi(const std::vector<double>& in, int) {
   const Number a = in[0], L = in[1], g = in[2], t = in[3];
@@ -22,9 +22,10 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
   return {solve_taylor(rhs, {Number(in[0]), Number(0)}, 0, Number(in[3]), digits)[0]};
 }
 
-}  // namespace
+}  // namespace swing_03_05
 
 Truth truth_03_05_swing() {
+  using namespace swing_03_05;
   std::vector<std::vector<double>> rows;
   for (double a : {std::numbers::pi / 6, 0.125, 0.5, 1.0, 2.0, 3.0})
     for (double t : {2.5, 5.0, 7.5, 10.0}) rows.push_back({a, 1, 9.81, t});

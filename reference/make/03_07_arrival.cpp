@@ -4,7 +4,7 @@
 // written in the distance x = q0 - q from its end so that nothing cancels there.
 namespace oddity::truth {
 
-namespace {
+namespace arrival_03_07 {
 
 Numbers by_quadrature(const std::vector<double>& in, int digits) {
   const Number q0 = in[0], g = in[1];
@@ -37,9 +37,10 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
   throw std::runtime_error("Newton's method does not find the bead at the origin");
 }
 
-}  // namespace
+}  // namespace arrival_03_07
 
 Truth truth_03_07_arrival() {
+  using namespace arrival_03_07;
   std::vector<std::vector<double>> rows;
   for (double q0 : {0.25, 1.0, 3.0})
     for (double g : {1.0, 4.0, 9.81}) rows.push_back({q0, g});

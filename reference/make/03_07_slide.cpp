@@ -3,7 +3,7 @@
 // The position of the bead let go at q0 after the time t.
 namespace oddity::truth {
 
-namespace {
+namespace slide_03_07 {
 
 Numbers by_taylor(const std::vector<double>& in, int digits) {
   const Number q0 = in[0];
@@ -20,9 +20,10 @@ Numbers by_energy(const std::vector<double>& in, int digits) {
   return {q, q * q, q * q * q};
 }
 
-}  // namespace
+}  // namespace slide_03_07
 
 Truth truth_03_07_slide() {
+  using namespace slide_03_07;
   std::vector<std::vector<double>> rows;
   for (const auto& [q0, g] :
        {std::pair{1.0, 1.0}, {1.0, 9.81}, {3.0, 1.0}, {0.25, 1.0}, {0.5, 1.0}, {1.5, 1.0}, {2.0, 1.0}})

@@ -6,7 +6,7 @@
 // for d = 0.
 namespace oddity::truth {
 
-namespace {
+namespace ball_03_09 {
 
 Numbers by_closed_form(const std::vector<double>& in, int) {
   const Number m = in[0], c = in[1], a = in[2], t = in[7];
@@ -29,9 +29,10 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
   return {end[0], end[1]};
 }
 
-}  // namespace
+}  // namespace ball_03_09
 
 Truth truth_03_09_ball() {
+  using namespace ball_03_09;
   std::vector<std::vector<double>> rows;
   for (double a : {0.4, 4.0, 4 * (1 + 1e-13), 40.0, 80.0, 200.0, 1000.0})
     for (double t : {1.25, 2.5, 3.75, 5.0}) rows.push_back({1, 4, a, 1, 0.5, 0, 1.5, t});

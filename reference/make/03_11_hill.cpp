@@ -6,7 +6,7 @@
 //   momenta        p = x' + (grad . x') grad,  p' = (grad . x') d(grad)/dt - g grad
 namespace oddity::truth {
 
-namespace {
+namespace hill_03_11 {
 
 Numbers on_the_hill(const std::vector<double>& in, const Numbers& x) {
   const Number a1 = in[0], a2 = in[1];
@@ -38,9 +38,10 @@ Numbers by_momenta(const std::vector<double>& in, int digits) {
   return on_the_hill(in, solve_extrapolation(rhs, start, 0, Number(in[7]), digits + 4));
 }
 
-}  // namespace
+}  // namespace hill_03_11
 
 Truth truth_03_11_hill() {
+  using namespace hill_03_11;
   std::vector<std::vector<double>> starts{
       {1, 2, 10, 0, 0, 2, 2}, {1, 2, 10, 0, 0, 1.5, 1.5}, {1, 2, 10, 0, 0, 3, 3}, {1, 2, 10, 0, 0.25, 2, 2}};
   for (double v : {1.98, 1.8, 1.0, 0.4}) starts.push_back({1, 2, 10, 0, 0, v, v});

@@ -7,7 +7,7 @@
 //   space   X'' = -g k + m N, N = (X - P) - D D.(X - P), m from N.X'' = -|N'|^2
 namespace oddity::truth {
 
-namespace {
+namespace chute_03_13 {
 
 struct Axis {
   Number R, c, s, g;
@@ -49,9 +49,10 @@ Numbers by_angle(const std::vector<double>& in, int digits) {
   return axis.position(in[5] * t + axis.g * axis.s * t * t / 2, x[0]);
 }
 
-}  // namespace
+}  // namespace chute_03_13
 
 Truth truth_03_13_chute() {
+  using namespace chute_03_13;
   std::vector<std::vector<double>> rows;
   for (double phi : {1.0, 0.0, 1.5, 0.5 * 3.141592653589793, 0.1, 0.5, 1.35})
     for (double t : {1.0, 2.0, 3.0, 4.0}) rows.push_back({1, 5, 3, 9.81, phi, -1, t});

@@ -7,7 +7,7 @@
 // foot, at rest on the rod, the spring unstretched.
 namespace oddity::truth {
 
-namespace {
+namespace slide_03_15 {
 
 struct Rod {
   Number m, c, K, w, s;
@@ -51,9 +51,10 @@ Numbers by_extrapolation(const std::vector<double>& in, int digits) {
   return x;
 }
 
-}  // namespace
+}  // namespace slide_03_15
 
 Truth truth_03_15_slide() {
+  using namespace slide_03_15;
   const double w = std::atan(1.0);
   std::vector<std::vector<double>> rods{
       {1, 1, 10, w, 2}, {1, 1, 1e4, w, 2}, {1, 1, 10, 1.5 * std::sqrt(20.0), 2}, {0.5, 2, 10, 2, 1}};

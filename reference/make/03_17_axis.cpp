@@ -4,7 +4,7 @@
 // = sqrt(g/L), whose major axis has the direction of sqrt(a b).
 namespace oddity::truth {
 
-namespace {
+namespace axis_03_17 {
 
 Numbers axis(const std::vector<double>& in, const Numbers& s) {
   const Number m = Number(in[1]) / Number(in[3]);
@@ -13,9 +13,10 @@ Numbers axis(const std::vector<double>& in, const Numbers& s) {
           2};
 }
 
-}  // namespace
+}  // namespace axis_03_17
 
 Truth truth_03_17_axis() {
+  using namespace axis_03_17;
   return {"direction, from west to north, of the major axis of a Foucault pendulum's ellipse",
           foucault::formula,
           foucault::inputs,

@@ -2,13 +2,14 @@
 
 namespace oddity::truth {
 
-namespace {
+namespace bob_03_17 {
 
 Numbers plane(Numbers s) { return {s[0], s[1]}; }
 
-}  // namespace
+}  // namespace bob_03_17
 
 Truth truth_03_17_bob() {
+  using namespace bob_03_17;
   std::vector<std::vector<double>> sets{{0.75, 1, 0.0625, 9.81, 0.5, 0.25, 1, 0},
                                         {0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0},
                                         {-0.25, 1, 1, 9.81, 2, 1.5, 0.5, 0},

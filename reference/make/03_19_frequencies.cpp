@@ -4,7 +4,7 @@
 // K - w^2 M, which is the number of frequencies below w [Sylvester's law of inertia].
 namespace oddity::truth {
 
-namespace {
+namespace frequencies_03_19 {
 
 using pulleys::Matrices;
 
@@ -34,9 +34,10 @@ Numbers by_inertia(const std::vector<double>& in, int digits) {
   return w;
 }
 
-}  // namespace
+}  // namespace frequencies_03_19
 
 Truth truth_03_19_frequencies() {
+  using namespace frequencies_03_19;
   return {"angular frequencies of two pulleys, two springs and a mass",
           "det(K - w^2 M) = 0, M = ((m2 + I1/R1^2 + I2/R2^2, -I2/R2^2), (-I2/R2^2, m3 + I2/R2^2)), K = ((c1 "
           "+ 4 c2, -2 c2), (-2 c2, c2))",

@@ -8,7 +8,7 @@
 // on the far sides of their pulleys.
 namespace oddity::truth {
 
-namespace {
+namespace pulleys_03_19 {
 
 constexpr std::size_t L1 = 8, L2 = 9, K1 = 10, K2 = 11, g = 12, y2 = 13, y3 = 14, v2 = 15, v3 = 16, time = 17;
 
@@ -49,9 +49,10 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
   return {end[0], end[1]};
 }
 
-}  // namespace
+}  // namespace pulleys_03_19
 
 Truth truth_03_19_pulleys() {
+  using namespace pulleys_03_19;
   std::vector<std::vector<double>> sets{
       {1, 2, 0.5, 0.25, 0.5, 0.5, 40, 30, 1, 1, 1, 1.5, 9.81, 1, 2.5, 0.25, -0.5},
       {1, 2, 0.5, 0.25, 0.5, 0.5, 40, 30, 1, 1, 1, 1.5, 9.81, 2, 5, 0, 0},

@@ -7,7 +7,7 @@
 //   center  M x'' = (f, 0) - k x' + a force to the center of its circle, M = m + m r^2/(4 L^2)
 namespace oddity::truth {
 
-namespace {
+namespace disk_03_21 {
 
 struct Pipe {
   Number m, L, moment, sine, cosine, f, k, theta, theta_dot, psi_dot, t;
@@ -54,9 +54,10 @@ Numbers by_center(const std::vector<double>& in, int digits) {
   return {end[0], end[1], end[4]};
 }
 
-}  // namespace
+}  // namespace disk_03_21
 
 Truth truth_03_21_disk() {
+  using namespace disk_03_21;
   std::vector<std::vector<double>> starts{{1, 2, 0.5, 1, 0, 0, 2, 0.5, 10},
                                           {1, 2, 0.5, 1, 3, 0.2, 2, 0.5, 10},
                                           {1, 2, 0.5, 1, 3, 0, 2, 0.5, 10},

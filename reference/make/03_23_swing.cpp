@@ -5,7 +5,7 @@
 // that stands on (s, -h); where the mass is, t after it was let go at the angle theta0 with angular speed w0.
 namespace oddity::truth {
 
-namespace {
+namespace swing_03_23 {
 
 struct Bar {
   Number m, r, s, c, h, g, ell, theta0, w0;
@@ -48,9 +48,10 @@ Numbers by_extrapolation(const std::vector<double>& in, int digits) {
   return x;
 }
 
-}  // namespace
+}  // namespace swing_03_23
 
 Truth truth_03_23_swing() {
+  using namespace swing_03_23;
   std::vector<std::vector<double>> rows;
   const double stiff = 98100;
   for (double t : {1.0, 2.0, 3.0, 4.0}) {

@@ -6,7 +6,7 @@
 // beyond a joint resists its acceleration a by the force A a + b.
 namespace oddity::truth {
 
-namespace {
+namespace accelerations_03_25 {
 
 struct Pattern {
   ChainData chain;
@@ -81,9 +81,10 @@ Numbers by_articulation(const std::vector<double>& in, int) {
   return chosen(alpha);
 }
 
-}  // namespace
+}  // namespace accelerations_03_25
 
 Truth truth_03_25_accelerations() {
+  using namespace accelerations_03_25;
   std::vector<std::vector<double>> rows;
   for (double g : {9.8125, 1.5})
     for (double n : {3.0, 10.0, 30.0, 100.0, 300.0, 1000.0}) rows.push_back({n, g});

@@ -2,33 +2,53 @@
 
 #include <algorithm>
 
+#include "reference/make/checkpoints.hpp"
 #include "reference/make/taylor.hpp"
 
 // Positions of the triple pendulum's masses after the time t. Nearby starts part exponentially: both routes
 // work with digits to spare.
 namespace oddity::truth {
 
-namespace {
+namespace chain_03_25 {
 
 /// Past 4 s neighbours of the wide start part so fast that 42 digits would take minutes a row.
 int digits_at(double t, int digits) { return t > 4 ? std::min(digits, 32) : digits; }
 
+/// The inputs but the time, and the digits.
+std::vector<double> motion(std::vector<double> in, int digits) {
+  in.back() = digits;
+  return in;
+}
+
+template <class Rhs>
+Numbers at(Checkpoints& kept, const Rhs& rhs, const Numbers& start, const std::vector<double>& in,
+           int asked) {
+  const double t = in[14];
+  const int digits = digits_at(t, asked);
+  return rhs.positions(kept.at(
+      t, motion(in, digits), [&] { return start; },
+      [&](const Numbers& x, const Number& t0, const Number& t1) {
+        return solve_taylor(rhs, x, t0, t1, digits + 4);
+      }));
+}
+
 Numbers by_tensions(const std::vector<double>& in, int digits) {
+  static Checkpoints kept;
   const TripleStart start(in);
   const ChainTensions rhs{start.chain};
-  return rhs.positions(solve_taylor(rhs, rhs.start(start.theta, start.omega), 0, Number(in[14]),
-                                    digits_at(in[14], digits) + 2));
+  return at(kept, rhs, rhs.start(start.theta, start.omega), in, digits);
 }
 
 Numbers by_angles(const std::vector<double>& in, int digits) {
+  static Checkpoints kept;
   const TripleStart start(in);
-  const ChainAngles rhs{start.chain};
-  return rhs.positions(solve_taylor(rhs, start.angles(), 0, Number(in[14]), digits_at(in[14], digits) + 2));
+  return at(kept, ChainAngles{start.chain}, start.angles(), in, digits);
 }
 
-}  // namespace
+}  // namespace chain_03_25
 
 Truth truth_03_25_chain() {
+  using namespace chain_03_25;
   const std::vector<double> chain{1, 0.75, 0.5, 1, 0.75, 0.5, 9.8125, 2.5};
   std::vector<std::vector<double>> rows;
   const auto add = [&](const std::vector<double>& start, const std::vector<double>& times) {

@@ -1,4 +1,5 @@
 #include "reference/make/03_25_chain.hpp"
+#include "reference/make/checkpoints.hpp"
 #include "reference/make/taylor.hpp"
 
 // How fast a change of theta1 at the start grows: log of the largest |d(position)/d(theta1)| in m/rad after
@@ -6,22 +7,40 @@
 // difference's error to be seen.
 namespace oddity::truth {
 
-namespace {
+namespace growth_03_25 {
 
-template <class End>
-Numbers rate(const Number& apart, const Number& t, const End& end) {
-  const Numbers above = end(apart), below = end(-apart);
+/// The difference of two trajectories has half of the digits that they are worked to.
+int worked_to(int digits) { return std::min(38, 12 + digits); }
+
+/// start(apart) -> the start moved by it.
+template <class Rhs, class Start>
+Numbers rate(Checkpoints& kept, const Rhs& rhs, const std::vector<double>& in, int digits,
+             const Number& apart, const Start& start) {
+  const double t = in[14];
+  TaylorProblem problem(rhs, start(apart).size());
+  const auto end = [&](double side) {
+    std::vector<double> motion = in;
+    motion.back() = digits;
+    motion.push_back(side);
+    return rhs.positions(kept.at(
+        t, motion, [&] { return start(Number(side * apart)); },
+        [&](const Numbers& x, const Number& t0, const Number& t1) {
+          return problem.solve(x, t0, t1, digits);
+        }));
+  };
+  const Numbers above = end(1), below = end(-1);
   Number largest = 0;
   for (std::size_t i = 0; i < above.size(); ++i)
     largest = std::max<Number>(largest, abs(Number(above[i] - below[i])) / (2 * apart));
   return {log(largest) / t};
 }
 
-Numbers by_tensions(const std::vector<double>& in, int) {
+Numbers by_tensions(const std::vector<double>& in, int asked) {
+  static Checkpoints kept;
   const TripleStart start(in);
   const ChainTensions rhs{start.chain};
-  TaylorProblem problem(rhs, 12);
-  return rate(pow(Number(10), -20), in[14], [&](const Number& apart) {
+  const int digits = worked_to(asked);
+  return rate(kept, rhs, in, digits, pow(Number(10), -digits / 2 - 1), [&](const Number& apart) {
     Numbers x = rhs.start(start.theta, start.omega);
     const Number c = cos(apart), s = sin(apart);
     for (std::size_t i : {0u, 6u}) {
@@ -29,24 +48,26 @@ Numbers by_tensions(const std::vector<double>& in, int) {
       x[i] = c * across - s * up;
       x[i + 1] = s * across + c * up;
     }
-    return rhs.positions(problem.solve(x, 0, Number(in[14]), 38));
+    return x;
   });
 }
 
-Numbers by_angles(const std::vector<double>& in, int) {
+Numbers by_angles(const std::vector<double>& in, int asked) {
+  static Checkpoints kept;
   const TripleStart start(in);
-  const ChainAngles rhs{start.chain};
-  TaylorProblem problem(rhs, 6);
-  return rate(pow(Number(10), -19), in[14], [&](const Number& apart) {
-    Numbers x = start.angles();
-    x[0] += apart;
-    return rhs.positions(problem.solve(x, 0, Number(in[14]), 36));
-  });
+  const int digits = worked_to(asked) - 2;
+  return rate(kept, ChainAngles{start.chain}, in, digits, pow(Number(10), -digits / 2 - 1),
+              [&](const Number& apart) {
+                Numbers x = start.angles();
+                x[0] += apart;
+                return x;
+              });
 }
 
-}  // namespace
+}  // namespace growth_03_25
 
 Truth truth_03_25_growth() {
+  using namespace growth_03_25;
   std::vector<std::vector<double>> rows;
   for (double t : {4.0, 8.0, 12.0})
     rows.push_back({1, 0.75, 0.5, 1, 0.75, 0.5, 9.8125, 2.5, 2, 2.5, 3, 0, 0, 0, t});

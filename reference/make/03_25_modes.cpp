@@ -5,7 +5,7 @@
 // string; Sturm's sign count on that tridiagonal matrix, bisected.
 namespace oddity::truth {
 
-namespace {
+namespace modes_03_25 {
 
 Numbers by_cubic(const std::vector<double>& in, int) {
   const Number m1 = in[0], m2 = in[1], m3 = in[2], r1 = in[3], r2 = in[4], r3 = in[5], g = in[6];
@@ -50,9 +50,10 @@ Numbers by_string(const std::vector<double>& in, int) {
   return rates;
 }
 
-}  // namespace
+}  // namespace modes_03_25
 
 Truth truth_03_25_modes() {
+  using namespace modes_03_25;
   return {
       "angular frequencies of the small oscillations of three masses in a chain, ascending",
       "det(K - w^2 M) = 0, K = diag(mu_i g r_i), M_ij = mu_max(i,j) r_i r_j",

@@ -6,7 +6,7 @@
 // Kepler's equation in universal variables with mu = G (m1 + m2); the second moves both bodies.
 namespace oddity::truth {
 
-namespace {
+namespace two_bodies_03_27 {
 
 struct Start {
   Number m1, m2, G, x, y, vx, vy;
@@ -43,9 +43,10 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
   return {end[2] - end[0], end[3] - end[1]};
 }
 
-}  // namespace
+}  // namespace two_bodies_03_27
 
 Truth truth_03_27_two_bodies() {
+  using namespace two_bodies_03_27;
   std::vector<std::vector<double>> rows;
   for (double rate : {1.5, 0.5, 0x1p-5, 1.7, 1.0, 0.25, 0.17})
     for (double t : {1.0, 2.0, 3.0, 4.0}) rows.push_back({1, 2, 1, 1, 0.25, 0.5, rate, t});

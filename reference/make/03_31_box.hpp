@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reference/make/checkpoints.hpp"
 #include "reference/make/extrapolation.hpp"
 
 /// A box of half sides a and b slides and turns on a rough level plane under the friction mu, its pressure
@@ -8,9 +9,10 @@
 namespace oddity::truth::rough_box {
 
 struct Box {
+  std::vector<double> inputs;
   Number a, b, mu_g, u, v, w;
   explicit Box(const std::vector<double>& in)
-      : a(in[0]), b(in[1]), mu_g(Number(in[2]) * Number(in[3])), u(in[4]), v(in[5]), w(in[6]) {}
+      : inputs(in), a(in[0]), b(in[1]), mu_g(Number(in[2]) * Number(in[3])), u(in[4]), v(in[5]), w(in[6]) {}
   Number inertia() const { return (a * a + b * b) / 3; }
 };
 
@@ -47,15 +49,25 @@ inline Numbers unit_means(const Box& box, const Number& u, const Number& v, cons
 }
 
 /// Until rest, or until the component `clock` of x, the time, has come to t. The speed falls at least as
-/// exp(-0.85 mu g s). In pieces, so short that the
-/// first steps tried stay finite; the last one's length by Newton's method, which comes from below, the speed
-/// falling.
+/// exp(-0.85 mu g s). In pieces, which are kept, so short that the first steps tried stay finite; the last
+/// one's length by Newton's method, which comes from below, the speed falling.
 template <class Rhs>
-Numbers until(const Number& t, const Rhs& rhs, Numbers x, std::size_t clock, const Box& box, int digits) {
-  constexpr int pieces = 16;
+Numbers until(const Number& t, const Rhs& rhs, const Numbers& start, std::size_t clock, const Box& box,
+              int digits, Checkpoints& kept) {
+  constexpr std::size_t pieces = 16;
   const Number piece = (digits + 2) * 3 / box.mu_g / pieces;
-  for (int i = 0; i < pieces; ++i) {
-    const Numbers next = solve_extrapolation(rhs, x, Number(i * piece), Number((i + 1) * piece), digits);
+  std::vector<double> motion = box.inputs;
+  motion.push_back(digits);
+  const auto at_piece = [&](std::size_t k) {
+    return kept.state(
+        k, motion, [&] { return start; },
+        [&](const Numbers& x, std::size_t i) {
+          return solve_extrapolation(rhs, x, Number((i - 1) * piece), Number(i * piece), digits);
+        });
+  };
+  Numbers x = start;
+  for (std::size_t k = 1; k <= pieces; ++k) {
+    const Numbers next = at_piece(k);
     if (next[clock] > t) {
       for (Number left = t - x[clock]; left > pow(Number(10), -digits - 4); left = t - x[clock])
         x = solve_extrapolation(rhs, x, 0, Number(left / rhs(x, 0)[clock]), digits);
@@ -68,6 +80,7 @@ Numbers until(const Number& t, const Rhs& rhs, Numbers x, std::size_t clock, con
 
 /// (t, x, y, theta): velocities in space.
 inline Numbers velocity_in_space(const std::vector<double>& in, const Number& t, int digits) {
+  static Checkpoints kept;
   const Box box(in);
   const Number J = box.inertia();
   const auto rhs = [&](const Numbers& x, const Number&) {
@@ -82,13 +95,14 @@ inline Numbers velocity_in_space(const std::vector<double>& in, const Number& t,
                    slow * e[2] / J,
                    speed};
   };
-  const Numbers x = until(t, rhs, {Number(0), 0, 0, box.u, box.v, box.w, 0}, 6, box, worked_to(digits));
+  const Numbers x = until(t, rhs, {Number(0), 0, 0, box.u, box.v, box.w, 0}, 6, box, worked_to(digits), kept);
   return {x[6], x[0], x[1], x[2]};
 }
 
 /// (t, x, y, theta): velocities along the box's axes, scaled: (u, v, w) = speed (p, q, r), and the speed's
 /// logarithm.
 inline Numbers velocity_in_the_box(const std::vector<double>& in, const Number& t, int digits) {
+  static Checkpoints kept;
   const Box box(in);
   const Number J = box.inertia();
   const Number speed0 = sqrt(box.u * box.u + box.v * box.v + J * box.w * box.w);
@@ -110,7 +124,7 @@ inline Numbers velocity_in_the_box(const std::vector<double>& in, const Number& 
   };
   const Numbers x =
       until(t, rhs, {Number(0), 0, 0, box.u / speed0, box.v / speed0, box.w / speed0, log(speed0), 0}, 7, box,
-            worked_to(digits) - 2);
+            worked_to(digits) - 2, kept);
   return {x[7], x[0], x[1], x[2]};
 }
 

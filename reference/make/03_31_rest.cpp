@@ -5,13 +5,14 @@
 // When, where and at which angle does a box come to rest that slides and turns on a rough level plane?
 namespace oddity::truth {
 
-namespace {
+namespace rest_03_31 {
 
 constexpr double for_ever = std::numeric_limits<double>::infinity();
 
-}  // namespace
+}  // namespace rest_03_31
 
 Truth truth_03_31_rest() {
+  using namespace rest_03_31;
   return {
       "when and where a box comes to rest that slides and turns on a rough level plane",
       "u' = -mu g <n>, (a^2 + b^2)/3 w' = -mu g <rho x n>, n the direction of the velocity at the point rho "

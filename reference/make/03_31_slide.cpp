@@ -3,7 +3,7 @@
 // Where a box is that slides and turns on a rough level plane, the time t after its start. At rest it stays.
 namespace oddity::truth {
 
-namespace {
+namespace slide_03_31 {
 
 template <class Until>
 Numbers place(const std::vector<double>& in, int digits, const Until& until) {
@@ -12,9 +12,10 @@ Numbers place(const std::vector<double>& in, int digits, const Until& until) {
   return all;
 }
 
-}  // namespace
+}  // namespace slide_03_31
 
 Truth truth_03_31_slide() {
+  using namespace slide_03_31;
   std::vector<std::vector<double>> rows;
   for (double mu : {0.3, 0.2, 0.5, 0.7, 1.0})
     for (double t : {0.3125, 0.625, 0.9375, 1.25}) rows.push_back({0.3, 0.2, mu, 9.81, 2, 0.5, 10, t});

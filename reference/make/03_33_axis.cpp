@@ -3,16 +3,17 @@
 // The axis of the heavy symmetric top with its tip fixed.
 namespace oddity::truth {
 
-namespace {
+namespace axis_03_33 {
 
 std::vector<double> at_rest(std::vector<double> in) {
   in.insert(in.end() - 1, 2, 0.0);
   return in;
 }
 
-}  // namespace
+}  // namespace axis_03_33
 
 Truth truth_03_33_axis() {
+  using namespace axis_03_33;
   std::vector<std::vector<double>> rows;
   std::vector<std::vector<double>> starts{
       {1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 0.5, 0.25, 30},  // default: precesses and nutates

@@ -3,7 +3,7 @@
 // The heights of a nutating top's axis: the roots in [-1, 1] of (e - 2 alpha u)(1 - u^2) - (b - a u)^2.
 namespace oddity::truth {
 
-namespace {
+namespace bounds_03_33 {
 
 struct Cubic {
   Number alpha, a, b, e, u0;
@@ -46,9 +46,10 @@ Numbers by_bisection(const std::vector<double>& in, int digits) {
   return {root(-1), root(1)};
 }
 
-}  // namespace
+}  // namespace bounds_03_33
 
 Truth truth_03_33_bounds() {
+  using namespace bounds_03_33;
   return {"least and greatest height cos(phi) of the axis of a heavy symmetric top with fixed tip",
           "(e - 2 alpha u)(1 - u^2) - (b - a u)^2 = 0, alpha = m g l/mu1, a = mu3 c/mu1, b = gamma/mu1",
           {"m", "l", "mu1", "mu3", "g", "phi", "dtheta", "dphi", "dpsi"},

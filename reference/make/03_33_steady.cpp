@@ -3,7 +3,7 @@
 // The two rates of steady precession at the tilt phi and the spin c: mu1 W^2 cos(phi) - mu3 c W + m g l = 0.
 namespace oddity::truth {
 
-namespace {
+namespace steady_03_33 {
 
 Numbers by_formula(const std::vector<double>& in, int) {
   const Number m = in[0], l = in[1], mu1 = in[2], mu3 = in[3], g = in[4], c = in[6];
@@ -27,9 +27,10 @@ Numbers by_newton(const std::vector<double>& in, int) {
   return {root(0), root(Number(mu3 * c / (mu1 * u)))};
 }
 
-}  // namespace
+}  // namespace steady_03_33
 
 Truth truth_03_33_steady() {
+  using namespace steady_03_33;
   return {"slow and fast rate of steady precession of a heavy symmetric top of tilt phi and spin c",
           "mu1 W^2 cos(phi) - mu3 c W + m g l = 0",
           {"m", "l", "mu1", "mu3", "g", "phi", "c"},

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "reference/make/checkpoints.hpp"
 #include "reference/make/extrapolation.hpp"
 #include "reference/make/routes.hpp"
 #include "reference/make/taylor.hpp"
@@ -29,6 +30,12 @@ struct ShakenTop {
         lambda(in[12]) {}
 };
 
+/// The inputs but the time, and the digits.
+inline std::vector<double> motion(std::vector<double> in, int digits) {
+  in[13] = digits;
+  return in;
+}
+
 /// (d, L): the axis and the angular momentum about the tip, in the world's coordinates.
 inline Numbers axis_by_momentum(const std::vector<double>& in, int digits) {
   const ShakenTop s(in);
@@ -46,7 +53,12 @@ inline Numbers axis_by_momentum(const std::vector<double>& in, int digits) {
                        per * (x[3] * x[1] - x[4] * x[0]), -(weight * x[1]),
                        weight * x[0] + push * x[2],       -(push * x[1])};
   };
-  const Numbers end = solve_taylor(rhs, start, 0, Number(in[13]), digits + 4);
+  static Checkpoints kept;
+  const Numbers end = kept.at(
+      in[13], motion(in, digits), [&] { return start; },
+      [&](const Numbers& x, const Number& t0, const Number& t1) {
+        return solve_taylor(rhs, x, t0, t1, digits + 4);
+      });
   return {end[0], end[1], end[2]};
 }
 
@@ -71,7 +83,12 @@ inline Numbers axis_by_quaternion(const std::vector<double>& in, int digits) {
                    (q * w2 + k * w1 - i * spin) / 2,  (q * spin + i * w2 - j * w1) / 2,
                    -gyro * w2 - s.l * f2 / s.mu1,     gyro * w1 + s.l * f1 / s.mu1};
   };
-  const Numbers x = solve_extrapolation(rhs, start, 0, Number(in[13]), digits + 4);
+  static Checkpoints kept;
+  const Numbers x = kept.at(
+      in[13], motion(in, digits), [&] { return start; },
+      [&](const Numbers& y, const Number& t0, const Number& t1) {
+        return solve_extrapolation(rhs, y, t0, t1, digits + 4);
+      });
   return {2 * (x[1] * x[3] + x[0] * x[2]), 2 * (x[2] * x[3] - x[0] * x[1]),
           x[0] * x[0] - x[1] * x[1] - x[2] * x[2] + x[3] * x[3]};
 }

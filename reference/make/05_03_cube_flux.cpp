@@ -5,7 +5,7 @@
 // flux density once y is integrated, z y / ((x^2 + z^2) r).
 namespace oddity::truth {
 
-namespace {
+namespace cube_flux_05_03 {
 
 /// The sum of `face(z, from, to)` over the six faces: z is the distance along the outward normal, from and to
 /// are the face's corners in its own plane.
@@ -47,9 +47,10 @@ Numbers by_quadrature(const std::vector<double>& in, int digits) {
   })};
 }
 
-}  // namespace
+}  // namespace cube_flux_05_03
 
 Truth truth_05_03_cube_flux() {
+  using namespace cube_flux_05_03;
   return {"flux of x / |x|^3 through the cube of half side h around c",
           "surface integral of x.dS / |x|^3",
           {"h", "c0", "c1", "c2"},

@@ -4,7 +4,7 @@
 // it is analytic up to the distance |x|.
 namespace oddity::truth {
 
-namespace {
+namespace partials_05_03 {
 
 template <class T>
 Triple<T> field(const Triple<T>& x) {
@@ -34,9 +34,10 @@ Numbers by_cauchy(const std::vector<double>& in, int) {
   return all;
 }
 
-}  // namespace
+}  // namespace partials_05_03
 
 Truth truth_05_03_partials() {
+  using namespace partials_05_03;
   std::vector<std::vector<double>> rows{{0.3, -0.7, 0.9}, {1, 1, 1}, {1, 0, 0}};
   for (int k : {-20, 180}) rows.push_back({std::ldexp(0.3, k), std::ldexp(-0.7, k), std::ldexp(0.9, k)});
   return {"the derivatives by x_i of x_i / |x|^3, times |x|^3",

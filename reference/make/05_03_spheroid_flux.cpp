@@ -6,7 +6,7 @@
 // cosine of the polar angle, (d + b u) / sqrt(...), gains from u = -1 to 1.
 namespace oddity::truth {
 
-namespace {
+namespace spheroid_flux_05_03 {
 
 Numbers by_quadrature(const std::vector<double>& in, int digits) {
   const Number a = in[0], b = in[1], d = in[2];
@@ -23,9 +23,10 @@ Numbers by_solid_angle(const std::vector<double>& in, int) {
   return {2 * pi() * (cosine_at_pole(d + b) - cosine_at_pole(d - b))};
 }
 
-}  // namespace
+}  // namespace spheroid_flux_05_03
 
 Truth truth_05_03_spheroid_flux() {
+  using namespace spheroid_flux_05_03;
   return {"flux of x / |x|^3 through a spheroid of semi-axes a, a, b, its centre at the distance d along b",
           "surface integral of x.dS / |x|^3",
           {"a", "b", "d"},

@@ -3,7 +3,7 @@
 // Each mixed derivative of phi in both orders: the inner derivative is taken as a field of its own.
 namespace oddity::truth {
 
-namespace {
+namespace mixed_05_09 {
 
 /// The components: which derivative is taken first, which second.
 constexpr std::array<std::array<std::size_t, 2>, 6> orders{{{1, 2}, {2, 1}, {2, 0}, {0, 2}, {0, 1}, {1, 0}}};
@@ -41,9 +41,10 @@ Numbers by_cauchy(const std::vector<double>& in, int) {
   return all;
 }
 
-}  // namespace
+}  // namespace mixed_05_09
 
 Truth truth_05_09_mixed() {
+  using namespace mixed_05_09;
   return {"mixed second derivatives of the field phi in reference/make/fields.hpp, in both orders",
           "phi_ij = d/dx_j (d phi / dx_i)",
           {"w", "x0", "x1", "x2"},

@@ -7,7 +7,7 @@
 // variables and differentiates its coefficients.
 namespace oddity::truth {
 
-namespace {
+namespace repeated_curl_05_15 {
 
 const Triple<Number> p{1, -2, Number(1) / 2}, q{Number(3) / 4, 1, -1};
 const Triple<Number> k{2, 1, -1}, l{Number(1) / 2, -1, Number(1) / 4};
@@ -89,9 +89,10 @@ Numbers by_series(const std::vector<double>& in, int) {
   return {f[0][{0, 0, 0}], f[1][{0, 0, 0}], f[2][{0, 0, 0}]};
 }
 
-}  // namespace
+}  // namespace repeated_curl_05_15
 
 Truth truth_05_15_repeated_curl() {
+  using namespace repeated_curl_05_15;
   std::vector<std::vector<double>> rows;
   for (std::vector<double> row : field_rows())
     for (double n : {1, 2, 3, 4}) {

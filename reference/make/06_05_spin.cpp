@@ -7,7 +7,7 @@
 // over the segment, in the box's own axes, where the inertia tensor is diagonal.
 namespace oddity::truth {
 
-namespace {
+namespace spin_06_05 {
 
 struct Box {
   Number jx, jy, jz, cosine, sine, l0, l1, f, y, z;
@@ -47,9 +47,10 @@ Numbers by_segment(const std::vector<double>& in, int digits) {
   return {component(0), component(1), component(2)};
 }
 
-}  // namespace
+}  // namespace spin_06_05
 
 Truth truth_06_05_spin() {
+  using namespace spin_06_05;
   return {"change of angular velocity of a box, hit evenly along a part of the edge that it stands on",
           "J^-1 (r(M) x f N), M the middle of the segment",
           {"a", "b", "c", "m", "theta", "l0", "l1", "f"},

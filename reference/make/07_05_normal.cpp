@@ -2,7 +2,7 @@
 
 namespace oddity::truth {
 
-namespace {
+namespace normal_07_05 {
 
 Numbers cross(const Numbers& a, const Numbers& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -41,9 +41,10 @@ std::vector<double> needle(double s) {
   return {0, 0, 0, 1.08231, 0.73914, -0.31277, 1.08231 + s, 0.73914 - 2 * s, -0.31277 + s / 3};
 }
 
-}  // namespace
+}  // namespace normal_07_05
 
 Truth truth_07_05_normal() {
+  using namespace normal_07_05;
   return {"normal of the triangle PQR, as long as twice its area; flat and needle-like triangles",
           "(Q-P) x (R-Q)",
           {"p1", "p2", "p3", "q1", "q2", "q3", "r1", "r2", "r3"},

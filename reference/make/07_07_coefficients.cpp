@@ -4,7 +4,7 @@
 
 namespace oddity::truth {
 
-namespace {
+namespace coefficients_07_07 {
 
 Numbers vector(const std::vector<double>& in, std::size_t i) {
   return {in[3 * i], in[3 * i + 1], in[3 * i + 2]};
@@ -62,9 +62,10 @@ std::vector<double> nearly_dependent(double gap) {
           1.13};
 }
 
-}  // namespace
+}  // namespace coefficients_07_07
 
 Truth truth_07_07_coefficients() {
+  using namespace coefficients_07_07;
   std::vector<std::vector<double>> rows;
   for (double gap : {1.0, 1e-3, 1e-6, 1e-10, 1e-13}) rows.push_back(nearly_dependent(gap));
   return {"coefficients of p = x u + y v + z w, and of p = x' u x v + y' v x w + z' w x u",

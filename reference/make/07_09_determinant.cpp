@@ -5,7 +5,7 @@
 
 namespace oddity::truth {
 
-namespace {
+namespace determinant_07_09 {
 
 Numbers by_elimination(const std::vector<double>& in, int) {
   Numbers a(in.begin(), in.end());
@@ -51,9 +51,10 @@ std::vector<double> hilbert(double shift) {
   return a;
 }
 
-}  // namespace
+}  // namespace determinant_07_09
 
 Truth truth_07_09_determinant() {
+  using namespace determinant_07_09;
   std::vector<std::string> names;
   for (const char* i : {"1", "2", "3", "4"})
     for (const char* j : {"1", "2", "3", "4"}) names.push_back(std::string("a") + i + j);

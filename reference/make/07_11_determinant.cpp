@@ -6,7 +6,7 @@
 // (37 k mod 64)/64, s_k = -1 for every third k: the powers of two cancel in the product.
 namespace oddity::truth {
 
-namespace {
+namespace determinant_07_11 {
 
 Numbers diagonal(const std::vector<double>& in) {
   const int n = static_cast<int>(in[0]), e = static_cast<int>(in[1]);
@@ -34,9 +34,10 @@ Numbers by_logarithms(const std::vector<double>& in, int) {
   return {sign * exp(sum)};
 }
 
-}  // namespace
+}  // namespace determinant_07_11
 
 Truth truth_07_11_determinant() {
+  using namespace determinant_07_11;
   return {"determinant of an n x n triangular matrix whose diagonal entries are 2^e in size, then 2^-e",
           "product of the diagonal entries",
           {"n", "e"},

@@ -3,7 +3,7 @@
 // A triangular matrix with u_k = s_k m_k 2^e, m_k = 1 + (37 k mod 64)/64, s_k = -1 for every third k.
 namespace oddity::truth {
 
-namespace {
+namespace log_determinant_07_11 {
 
 Number size_of(int k, int e) { return Number(64 + 37 * k % 64) / 64 * pow(Number(2), e); }
 
@@ -19,9 +19,10 @@ Numbers by_logarithms(const std::vector<double>& in, int) {
   return {sum};
 }
 
-}  // namespace
+}  // namespace log_determinant_07_11
 
 Truth truth_07_11_log_determinant() {
+  using namespace log_determinant_07_11;
   return {
       "logarithm of the size of the determinant of an n x n triangular matrix with entries of size 2^e on "
       "its diagonal",

@@ -3,7 +3,7 @@
 // Coordinates with respect to axes turned counterclockwise by a quarter of pi, the origin staying.
 namespace oddity::truth {
 
-namespace {
+namespace coordinates_08_01 {
 
 Numbers by_projection(const std::vector<double>& in, int) {
   const Number x = in[0], y = in[1], root = sqrt(Number(2));
@@ -16,9 +16,10 @@ Numbers by_angle(const std::vector<double>& in, int) {
   return {radius * cos(angle), radius * sin(angle)};
 }
 
-}  // namespace
+}  // namespace coordinates_08_01
 
 Truth truth_08_01_coordinates() {
+  using namespace coordinates_08_01;
   return {"coordinates of the point (a1, a2) on axes turned counterclockwise by pi/4",
           "b = R^T a, R the counterclockwise rotation by pi/4",
           {"a1", "a2"},

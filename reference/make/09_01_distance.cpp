@@ -6,7 +6,7 @@
 // form and over s by bisection of the derivative: it knows nothing of edges and regions.
 namespace oddity::truth {
 
-namespace {
+namespace distance_09_01 {
 
 using Point = std::array<Number, 3>;
 
@@ -70,9 +70,10 @@ Numbers by_bisection(const std::vector<double>& in, int) {
   return {length(gap(low, best(low)))};
 }
 
-}  // namespace
+}  // namespace distance_09_01
 
 Truth truth_09_01_distance() {
+  using namespace distance_09_01;
   using Row = std::vector<double>;
   const double thin = std::ldexp(1.0, -27), close = std::ldexp(1.0, -30);
   const Row fair{1, 2, -1, 4, 3, 0, 0, 4, 1}, line{1, 2, -1, 4, 3, 0, 2.5, 2.5, -0.5},

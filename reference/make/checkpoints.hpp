@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "reference/truth.hpp"
+
+/// A motion that is looked at at many times is integrated once.
+namespace oddity::truth {
+
+/// States along motions, kept from call to call. For many threads.
+class Checkpoints {
+ public:
+  /// State number k of a motion, the start being number 0, each made from the one before. `motion` tells the
+  /// motions apart: all that `start` and `next` depend on.
+  Numbers state(std::size_t k, const std::vector<double>& motion, const std::function<Numbers()>& start,
+                const std::function<Numbers(const Numbers& x, std::size_t k)>& next);
+
+  /// The state at t >= 0, through those at whole seconds.
+  Numbers at(double t, const std::vector<double>& motion, const std::function<Numbers()>& start,
+             const std::function<Numbers(const Numbers& x, const Number& t0, const Number& t1)>& advance);
+
+ private:
+  struct Motion {
+    std::mutex mutex;
+    std::vector<Numbers> states;
+  };
+  std::shared_ptr<Motion> find(const std::vector<double>& motion);
+
+  std::mutex mutex_;
+  std::map<std::vector<double>, std::shared_ptr<Motion>> motions_;
+};
+
+}  // namespace oddity::truth
