@@ -1,5 +1,7 @@
 #include "chapters/scene.hpp"
 
+#include "solvers/ode/all.hpp"
+
 namespace oddity {
 
 template <std::size_t n>
@@ -34,8 +36,8 @@ ode::Spectrum ModelOf<n>::spectrum(double end) const {
   const auto times = Horizon{end, 32}.times();
   long steps = 0;  // a model that chatters about rest would take millions
   const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
-  const auto motion = ode::integrate_precompiled<ode::DormandPrince54, n>(*this, start(), times, 1e-8,
-                                                                          ode::Watch<n>(enough));
+  const auto motion =
+      ode::integrate_precompiled<ode::DormandPrince54, n>(*this, start(), times, 1e-8, ode::Watch<n>(enough));
   ode::Spectrum spectrum{end / static_cast<double>(times.size()), {}};
   const auto rhs = [&](const double* x, double* dxdt, double t) {
     State state{}, derivative{};
@@ -51,18 +53,18 @@ ode::Spectrum ModelOf<n>::spectrum(double end) const {
 #define ODDITY_MODEL(n, type) template class type<n>;
 ODDITY_FOR_UNKNOWNS(ODDITY_MODEL, ModelOf)
 
-Ladder& Ladder::add(std::string name, Any model, std::string_view algorithm, bool has_tolerance,
-                    Outcome expected, std::string why) {
+Ladder& Ladder::add(std::string name, Any model, ode::Brief algorithm, Outcome expected, std::string why) {
   std::function<double()> stable_step;
-  if (!has_tolerance)
+  if (!algorithm.has_tolerance)
     stable_step = [model, algorithm, end = horizon_.end] {
-      return ode::stable_step(algorithm, model->spectrum(end));
+      return ode::stable_step(algorithm.name, model->spectrum(end));
     };
   const auto run = [model, algorithm, horizon = horizon_](double setting) {
-    return model->run(algorithm, horizon, setting);
+    return model->run(algorithm.name, horizon, setting);
   };
-  quantity_.add(Method{std::move(name), std::string(algorithm), has_tolerance ? tolerances_ : steps_, run,
-                       expected, std::move(why), std::move(stable_step)});
+  quantity_.add(Method{std::move(name), std::string(algorithm.name),
+                       algorithm.has_tolerance ? tolerances_ : steps_, run, expected, std::move(why),
+                       std::move(stable_step)});
   return *this;
 }
 

@@ -16,7 +16,8 @@
 #include "chapters/exercise.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
-#include "solvers/ode/all.hpp"
+#include "solvers/ode/algorithms.hpp"
+#include "solvers/ode/integrate.hpp"
 #include "solvers/ode/stability.hpp"
 
 /// Exercises with motion: a ladder of models, each mapping its own state to the same observables.
@@ -159,7 +160,7 @@ std::shared_ptr<const Erased<Model>> erased(const Model& model) {
 /// The model's motion by one algorithm.
 template <class Algorithm, class Model>
 Answer observe_integrated(const Model& model, const Horizon& horizon, double setting) {
-  return erased(model)->run(Algorithm::name, horizon, setting);
+  return erased(model)->run(ode::brief<Algorithm>().name, horizon, setting);
 }
 
 /// A scene's models and algorithms as the methods of one quantity.
@@ -225,15 +226,13 @@ class Ladder {
 
   template <class Algorithm>
   Ladder& by(std::string name, Any model, Outcome expected = Outcome::ok, std::string why = {}) {
-    return add(std::move(name), std::move(model), Algorithm::name, ode::has_tolerance(Algorithm::kind),
-               expected, std::move(why));
+    return add(std::move(name), std::move(model), ode::brief<Algorithm>(), expected, std::move(why));
   }
   Ladder& by_common(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
   Ladder& by_few(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
   Ladder& by_fixed_steps(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
   Ladder& by_others(const std::string& name, const Any&, const std::vector<Exception>&);
-  Ladder& add(std::string name, Any model, std::string_view algorithm, bool has_tolerance, Outcome expected,
-              std::string why);
+  Ladder& add(std::string name, Any model, ode::Brief algorithm, Outcome expected, std::string why);
 
   Quantity& quantity_;
   Horizon horizon_;

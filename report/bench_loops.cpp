@@ -8,6 +8,7 @@
 
 #include "report/bench_models.hpp"
 #include "report/parallel.hpp"
+#include "solvers/ode/all.hpp"
 
 namespace oddity {
 
@@ -279,8 +280,7 @@ std::vector<Race> races() {
   add_races(all, "pendulum", swing, PendulumByHand{-9.81}, swing.start());
   const kepler::Cartesian planet{{1, 1, 1, 0, 0, 1.2}};
   add_races(all, "planet in its plane", planet, PlanarKeplerByHand{1}, planet.start());
-  add_races(all, "planet in space", bench::SpatialKepler{1}, SpatialKeplerByHand{1},
-            {1, 0, 0, 0, 1.1, 0.4});
+  add_races(all, "planet in space", bench::SpatialKepler{1}, SpatialKeplerByHand{1}, {1, 0, 0, 0, 1.1, 0.4});
   return all;
 }
 
@@ -318,12 +318,13 @@ Quantity motion(const std::string& name, const Model& model, const Known& known,
   quantity.samples = horizon.samples;
   const auto by = [&]<class Algorithm>(Knob knob) {
     const auto run = [model, times = horizon.times()](double setting) {
-      const auto path = ode::integrate_inlined<Algorithm>(model, model.start(),
-                                                          std::span<const double>(times), setting);
+      const auto path =
+          ode::integrate_inlined<Algorithm>(model, model.start(), std::span<const double>(times), setting);
       std::vector<double> seen;
       for (std::size_t i = 1; i < path.value.size(); ++i)
         for (double x : model.observe(path.value[i], times[i])) seen.push_back(x);
-      return Answer{Value(std::move(seen)), path.evaluations, path.error_estimate, 0, path.ending, path.message};
+      return Answer{
+          Value(std::move(seen)), path.evaluations, path.error_estimate, 0, path.ending, path.message};
     };
     quantity.add(Method{name, std::string(Algorithm::name), std::move(knob), run});
   };

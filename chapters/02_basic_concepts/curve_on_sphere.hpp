@@ -6,6 +6,7 @@
 #include "chapters/02_basic_concepts/sides.hpp"
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
+#include "solvers/ode/all.hpp"
 
 /// Exercise 2.7: a curve on the unit sphere with its frame R = [r u r x u], u = r'/|r'|, the frame's angular
 /// velocity w, and ways to carry an orientation along R' = Skew(w) R.

@@ -8,9 +8,10 @@
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
+#include "solvers/ode/all.hpp"
 #include "solvers/ode/events.hpp"
-#include "solvers/roots.hpp"
 #include "solvers/quadrature.hpp"
+#include "solvers/roots.hpp"
 
 /// A bead on the frictionless curve (q, q^2, q^3) under gravity along -z, let go at rest at q0: its
 /// Lagrangian from the curve alone, and its models, whose observables are the position.

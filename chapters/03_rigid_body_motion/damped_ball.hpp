@@ -6,8 +6,6 @@
 #include <stdexcept>
 
 #include "chapters/scene.hpp"
-#include "solvers/ode/implicit_euler.hpp"
-#include "solvers/ode/rosenbrock_4.hpp"
 
 namespace oddity::damped_ball {
 

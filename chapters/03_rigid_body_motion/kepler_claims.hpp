@@ -14,8 +14,8 @@
 #include "chapters/random.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
-#include "solvers/ode/fehlberg_78.hpp"
-#include "solvers/ode/runge_kutta_4.hpp"
+#include "solvers/ode/algorithms.hpp"
+#include "solvers/ode/integrate.hpp"
 #include "solvers/quadrature.hpp"
 
 /// The published lines of exercise 3.3, judged on random orbits. What is true comes from Newton's law alone:

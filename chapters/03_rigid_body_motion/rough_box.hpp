@@ -10,7 +10,6 @@
 
 #include "chapters/scene.hpp"
 #include "solvers/ode/events.hpp"
-#include "solvers/ode/rosenbrock_4.hpp"
 
 namespace oddity::rough_box {
 

@@ -4,7 +4,6 @@
 
 #include "chapters/03_rigid_body_motion/rough_box.hpp"
 #include "chapters/stops.hpp"
-#include "solvers/ode/implicit_euler.hpp"
 
 namespace oddity::rough_box {
 

@@ -12,8 +12,6 @@
 #include "chapters/scene.hpp"
 #include "solvers/differences.hpp"
 #include "solvers/ode/events.hpp"
-#include "solvers/ode/implicit_euler.hpp"
-#include "solvers/ode/rosenbrock_4.hpp"
 
 namespace oddity::spring_bar {
 

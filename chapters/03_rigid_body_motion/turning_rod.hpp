@@ -306,7 +306,7 @@ inline Quantity stiff_spring(const Rod& rod, const Horizon& horizon, const Refer
       .by<ode::DormandPrince54>(name, along)
       .by<ode::Fehlberg78>(name, along)
       .by<ode::BulirschStoer>(name, along);
-  const std::string runge_kutta = name + ", " + std::string(ode::RungeKutta4::name);
+  const std::string runge_kutta = name + ", " + std::string(ode::brief<ode::RungeKutta4>().name);
   place.add(Breakdown{
       "The spring's tremor, about sqrt(K/m), must be resolved though nobody sees it: beyond a step of 2.83 "
       "over that frequency Runge-Kutta 4 blows it up. A smaller step cures it.",
@@ -341,9 +341,9 @@ inline Quantity runaway(const Rod& rod) {
                 return Answer{rod.w * root_half, 1};
               },
               Outcome::inaccurate, "the spring holds back in proportion"});
-  growth.add({"along the rod", std::string(ode::RungeKutta4::name), foldings,
+  growth.add({"along the rod", std::string(ode::brief<ode::RungeKutta4>().name), foldings,
               [=](double n) { return late_rate<ode::RungeKutta4>(along, rate, n, 1 / (64 * rate)); }});
-  growth.add({"along the rod", std::string(ode::Fehlberg78::name), foldings,
+  growth.add({"along the rod", std::string(ode::brief<ode::Fehlberg78>().name), foldings,
               [=](double n) { return late_rate<ode::Fehlberg78>(along, rate, n, 1e-12); }});
   return growth;
 }

@@ -33,10 +33,9 @@ Numbers Checkpoints::at(
     double t, const std::vector<double>& motion, const std::function<Numbers()>& start,
     const std::function<Numbers(const Numbers& x, const Number& t0, const Number& t1)>& advance) {
   const double whole = std::floor(t);
-  const Numbers x = state(static_cast<std::size_t>(whole), motion, start,
-                          [&](const Numbers& before, std::size_t k) {
-                            return advance(before, Number(k - 1), Number(k));
-                          });
+  const Numbers x =
+      state(static_cast<std::size_t>(whole), motion, start,
+            [&](const Numbers& before, std::size_t k) { return advance(before, Number(k - 1), Number(k)); });
   return t == whole ? x : advance(x, Number(whole), Number(t));
 }
 

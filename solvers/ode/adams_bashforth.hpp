@@ -14,7 +14,6 @@ namespace oddity::ode {
 struct AdamsBashforth4 {
   static constexpr std::string_view name = "Adams-Bashforth 4";
   static constexpr Kind kind = Kind::fixed;
-  static constexpr bool precompiled = true;
   static constexpr int order = 4;
   template <class State>
   static auto stepper() {

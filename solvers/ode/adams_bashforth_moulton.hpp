@@ -43,7 +43,6 @@ struct AdamsBashforthMoulton {
 /// to h |lambda| = 0.698 on the negative real axis and 0.526 on the imaginary axis.
 struct AdamsBashforthMoulton6 : detail::AdamsBashforthMoulton<6> {
   static constexpr std::string_view name = "Adams-Bashforth-Moulton 6";
-  static constexpr bool precompiled = true;
 };
 
 }  // namespace oddity::ode

@@ -4,6 +4,7 @@
 
 #include "solvers/ode/adams_bashforth.hpp"
 #include "solvers/ode/adams_bashforth_moulton.hpp"
+#include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/bsimp.hpp"
 #include "solvers/ode/bulirsch_stoer.hpp"
 #include "solvers/ode/cash_karp_54.hpp"
@@ -63,16 +64,6 @@ void for_each_other_algorithm(const F& f) {
   f.template operator()<ArkodeVerner65>();
 #endif
 }
-
-#ifdef ODDITY_SUNDIALS
-inline constexpr bool has_sundials = true;
-#else
-inline constexpr bool has_sundials = false;
-#endif
-
-/// Those that are in the catalog only where CMake found SUNDIALS.
-inline constexpr std::string_view optional_algorithms[] = {"CVODE Adams", "CVODE BDF",
-                                                           "ARKODE Zonneveld 4(3)", "ARKODE Verner 6(5)"};
 
 template <class F>
 void for_each_algorithm(const F& f) {

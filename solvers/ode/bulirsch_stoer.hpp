@@ -35,7 +35,6 @@ struct BulirschStoerEitherWay {
 struct BulirschStoer {
   static constexpr std::string_view name = "Bulirsch-Stoer";
   static constexpr Kind kind = Kind::controlled;
-  static constexpr bool precompiled = true;
   static constexpr double first_step = 1e-2;  ///< of the whole span
   static constexpr auto success = boost::numeric::odeint::success;
   template <class State>

@@ -92,8 +92,8 @@ Solved<Event<std::array<double, n>>> find_event(
   return event;
 }
 
-#define ODDITY_FIND_EVENT(n, name)                                                                   \
-  template Solved<Event<std::array<double, n>>> name<n>(                                             \
+#define ODDITY_FIND_EVENT(n, name)                                                                        \
+  template Solved<Event<std::array<double, n>>> name<n>(                                                  \
       const AnySystem<n>&, Integrate<n>&, Step<n>&, const std::array<double, n>&, double, double, double, \
       const std::function<double(const std::array<double, n>&, double)>&);
 ODDITY_FOR_UNKNOWNS(ODDITY_FIND_EVENT, find_event)

@@ -35,7 +35,7 @@ Solved<Event<std::array<double, n>>> find_event(
 template <class Algorithm, class System, std::size_t n, class G>
 Solved<Event<std::array<double, n>>> find_event(const System& system, const std::array<double, n>& start,
                                                 double t0, double t1, double setting, const G& g) {
-  static_assert(Precompiled<Algorithm> && is_precompiled<std::array<double, n>>);
+  static_assert(is_precompiled<std::array<double, n>>);
   const Adapted<AnySystem<n>, const System&> any(system);
   return detail::find_event<n>(any, integrate_precompiled<Algorithm, n>, step_precompiled<Algorithm, n>,
                                start, t0, t1, setting, g);

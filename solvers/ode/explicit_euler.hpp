@@ -12,7 +12,6 @@ namespace oddity::ode {
 struct ExplicitEuler {
   static constexpr std::string_view name = "explicit Euler";
   static constexpr Kind kind = Kind::fixed;
-  static constexpr bool precompiled = true;
   static constexpr int order = 1;
   template <class State>
   static auto stepper() {

@@ -13,7 +13,6 @@ namespace oddity::ode {
 struct Fehlberg78 {
   static constexpr std::string_view name = "Fehlberg 7(8)";
   static constexpr Kind kind = Kind::controlled;
-  static constexpr bool precompiled = true;
   static constexpr int order = 8;
   static constexpr double first_step = 1e-3;  ///< of the whole span
   static constexpr auto success = boost::numeric::odeint::success;

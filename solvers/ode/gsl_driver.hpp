@@ -33,7 +33,6 @@ class GslDriver {
 template <GslStep step>
 struct Gsl {
   static constexpr Kind kind = Kind::driven;
-  static constexpr bool precompiled = true;
   static constexpr double first_step = 1e-3;  ///< of the whole span
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations, double tolerance, double first) {

@@ -13,7 +13,6 @@ namespace oddity::ode {
 struct ImplicitEuler {
   static constexpr std::string_view name = "linearly implicit Euler";
   static constexpr Kind kind = Kind::implicit_fixed;
-  static constexpr bool precompiled = true;
   static constexpr int order = 1;
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {

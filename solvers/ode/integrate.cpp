@@ -2,9 +2,7 @@
 
 namespace oddity::ode::detail {
 
-std::string at_time(const char* what, double t) {
-  return std::string(what) + " at t = " + std::to_string(t);
-}
+std::string at_time(const char* what, double t) { return std::string(what) + " at t = " + std::to_string(t); }
 
 double first_step(std::span<const double> times, double part) {
   const auto [low, high] = std::ranges::minmax(times);

@@ -59,7 +59,8 @@ class Watch {
   Watch() = default;
   template <class OnStep>
   explicit Watch(const OnStep& on_step)
-      : object_(&on_step), call_([](const void* object, double t0, const State& x0, double t1, const State& x1) {
+      : object_(&on_step),
+        call_([](const void* object, double t0, const State& x0, double t1, const State& x1) {
           return (*static_cast<const OnStep*>(object))(t0, x0, t1, x1);
         }) {}
 
@@ -72,17 +73,14 @@ class Watch {
   bool (*call_)(const void*, double, const State&, double, const State&) = nullptr;
 };
 
-/// An algorithm that is compiled once for each of these numbers of unknowns, in the solvers' own files, and
-/// sees a system as AnySystem.
-template <class Algorithm>
-concept Precompiled = Algorithm::precompiled;
-
-/// F(n, arguments) for each number of unknowns n.
-#define ODDITY_FOR_UNKNOWNS(F, ...)                                                              \
-  F(1, __VA_ARGS__)                                                                              \
-  F(2, __VA_ARGS__)                                                                              \
-  F(3, __VA_ARGS__)                                                                              \
-  F(4, __VA_ARGS__)                                                                              \
+/// Every algorithm is compiled once for each of these numbers of unknowns, in the solvers' own files, and
+/// sees a system as AnySystem: who calls it needs no more than its declaration (algorithms.hpp). F(n,
+/// arguments) for each number of unknowns n.
+#define ODDITY_FOR_UNKNOWNS(F, ...) \
+  F(1, __VA_ARGS__)                 \
+  F(2, __VA_ARGS__)                 \
+  F(3, __VA_ARGS__)                 \
+  F(4, __VA_ARGS__)                 \
   F(5, __VA_ARGS__) F(6, __VA_ARGS__) F(7, __VA_ARGS__) F(8, __VA_ARGS__) F(9, __VA_ARGS__) F(12, __VA_ARGS__)
 
 template <class State>
@@ -109,13 +107,21 @@ template <class Algorithm, class System, class State, class OnStep = NeverStop>
 Trajectory<State> integrate_inlined(const System& system, const State& start, std::span<const double> times,
                                     double setting, const OnStep& on_step = {});
 
+/// What a caller may ask of an algorithm that it does not see.
+struct Brief {
+  std::string_view name;
+  bool has_tolerance;
+};
+template <class Algorithm>
+Brief brief();
+
 /// The states at `times`, the first of which is the start's; they may go back and forth. The value ends with
-/// the last state reached.
+/// the last state reached. Throws std::logic_error when a partitioned algorithm is asked for a system that is
+/// not partitioned.
 template <class Algorithm, class System, class State, class OnStep = NeverStop>
 Trajectory<State> integrate(const System& system, const State& start, std::span<const double> times,
                             double setting, const OnStep& on_step = {}) {
-  static_assert(Algorithm::kind != Kind::partitioned || Partitioned<System, State>);
-  if constexpr (Precompiled<Algorithm> && is_precompiled<State>) {
+  if constexpr (is_precompiled<State>) {
     constexpr std::size_t n = std::tuple_size_v<State>;
     const Adapted<AnySystem<n>, const System&> any(system);
     if constexpr (std::is_same_v<OnStep, NeverStop>)
@@ -128,11 +134,12 @@ Trajectory<State> integrate(const System& system, const State& start, std::span<
 }
 
 template <std::size_t n>
-using Integrate = Trajectory<std::array<double, n>>(const AnySystem<n>& system, const std::array<double, n>& start,
+using Integrate = Trajectory<std::array<double, n>>(const AnySystem<n>& system,
+                                                    const std::array<double, n>& start,
                                                     std::span<const double> times, double setting,
                                                     const Watch<n>& watch);
 
-/// The precompiled algorithm of this name. Throws std::logic_error when there is none.
+/// The algorithm of this name. Throws std::logic_error when there is none.
 template <std::size_t n>
 Integrate<n>& precompiled(std::string_view algorithm);
 

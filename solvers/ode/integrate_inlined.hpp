@@ -53,8 +53,7 @@ template <class DoStep, class State, class OnStep>
         if (on_step(time_of(i), before, time_of(i + 1), now)) return x = now, false;
       }
     }
-    if (!finite(now))
-      return x = now, fail(solved, Ending::non_finite, "the state is not finite", time_of(i));
+    if (!finite(now)) return x = now, fail(solved, Ending::non_finite, "the state is not finite", time_of(i));
     if (!check_budget(evaluations, solved, time_of(i))) return x = now, false;
   }
   x = now;

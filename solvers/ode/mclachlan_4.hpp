@@ -13,7 +13,6 @@ namespace oddity::ode {
 struct McLachlan4 {
   static constexpr std::string_view name = "McLachlan 4";
   static constexpr Kind kind = Kind::partitioned;
-  static constexpr bool precompiled = true;
   static constexpr int order = 4;
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {

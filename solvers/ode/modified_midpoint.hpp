@@ -13,7 +13,6 @@ namespace oddity::ode {
 struct ModifiedMidpoint {
   static constexpr std::string_view name = "modified midpoint";
   static constexpr Kind kind = Kind::fixed;
-  static constexpr bool precompiled = true;
   static constexpr int order = 2;
   static constexpr unsigned short substeps = 2;
   template <class State>

@@ -38,12 +38,18 @@ bool step_precompiled(const AnySystem<n>& system, std::array<double, n>& x, doub
   return true;
 }
 
-#define ODDITY_PRECOMPILE_FOR(n, Algorithm)                                                               \
-  template Trajectory<std::array<double, n>> integrate_precompiled<Algorithm, n>(                         \
-      const AnySystem<n>&, const std::array<double, n>&, std::span<const double>, double,                 \
-      const Watch<n>&);                                                                                   \
+template <class Algorithm>
+Brief brief() {
+  return {Algorithm::name, has_tolerance(Algorithm::kind)};
+}
+
+#define ODDITY_PRECOMPILE_FOR(n, Algorithm)                                                                 \
+  template Trajectory<std::array<double, n>> integrate_precompiled<Algorithm, n>(                           \
+      const AnySystem<n>&, const std::array<double, n>&, std::span<const double>, double, const Watch<n>&); \
   template bool step_precompiled<Algorithm, n>(const AnySystem<n>&, std::array<double, n>&, double, double, \
                                                double, long&);
-#define ODDITY_PRECOMPILE(Algorithm) ODDITY_FOR_UNKNOWNS(ODDITY_PRECOMPILE_FOR, Algorithm)
+#define ODDITY_PRECOMPILE(Algorithm)                    \
+  ODDITY_FOR_UNKNOWNS(ODDITY_PRECOMPILE_FOR, Algorithm) \
+  template Brief brief<Algorithm>();
 
 }  // namespace oddity::ode

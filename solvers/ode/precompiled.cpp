@@ -9,10 +9,9 @@ template <std::size_t n>
 Integrate<n>& precompiled(std::string_view algorithm) {
   Integrate<n>* found = nullptr;
   for_each_algorithm([&]<class Algorithm>() {
-    if constexpr (Precompiled<Algorithm>)
-      if (Algorithm::name == algorithm) found = &integrate_precompiled<Algorithm, n>;
+    if (Algorithm::name == algorithm) found = &integrate_precompiled<Algorithm, n>;
   });
-  if (!found) throw std::logic_error("no algorithm " + std::string(algorithm) + " is precompiled");
+  if (!found) throw std::logic_error("there is no algorithm " + std::string(algorithm));
   return *found;
 }
 

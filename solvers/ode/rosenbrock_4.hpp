@@ -13,7 +13,6 @@ namespace oddity::ode {
 struct Rosenbrock4 {
   static constexpr std::string_view name = "Rosenbrock 4";
   static constexpr Kind kind = Kind::implicit_controlled;
-  static constexpr bool precompiled = true;
   static constexpr int order = 4;
   static constexpr double first_step = 1e-3;  ///< of the whole span
   template <class State, class System>

@@ -12,7 +12,6 @@ namespace oddity::ode {
 struct RungeKutta4 {
   static constexpr std::string_view name = "Runge-Kutta 4";
   static constexpr Kind kind = Kind::fixed;
-  static constexpr bool precompiled = true;
   static constexpr int order = 4;
   template <class State>
   static auto stepper() {

@@ -32,12 +32,11 @@ class SundialsDriver {
 template <SundialsMethod method>
 struct Sundials {
   static constexpr Kind kind = Kind::driven;
-  static constexpr bool precompiled = true;
   static constexpr double first_step = 0;
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations, double tolerance, double) {
-    return Driven<SundialsDriver, System, State>{
-        {system, evaluations}, SundialsDriver(method, std::tuple_size_v<State>, tolerance)};
+    return Driven<SundialsDriver, System, State>{{system, evaluations},
+                                                 SundialsDriver(method, std::tuple_size_v<State>, tolerance)};
   }
 };
 

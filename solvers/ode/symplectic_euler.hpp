@@ -12,7 +12,6 @@ namespace oddity::ode {
 struct SymplecticEuler {
   static constexpr std::string_view name = "symplectic Euler";
   static constexpr Kind kind = Kind::partitioned;
-  static constexpr bool precompiled = true;
   static constexpr int order = 1;
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {

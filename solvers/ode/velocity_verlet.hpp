@@ -13,7 +13,6 @@ namespace oddity::ode {
 struct VelocityVerlet {
   static constexpr std::string_view name = "velocity Verlet";
   static constexpr Kind kind = Kind::partitioned;
-  static constexpr bool precompiled = true;
   static constexpr int order = 2;
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {
