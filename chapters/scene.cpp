@@ -53,6 +53,12 @@ ode::Spectrum ModelOf<n>::spectrum(double end) const {
 #define ODDITY_MODEL(n, type) template class type<n>;
 ODDITY_FOR_UNKNOWNS(ODDITY_MODEL, ModelOf)
 
+bool is_other_algorithm(std::string_view name) {
+  bool found = false;
+  ode::for_each_other_algorithm([&]<class Algorithm>() { found = found || Algorithm::name == name; });
+  return found;
+}
+
 Ladder& Ladder::add(std::string name, Any model, ode::Brief algorithm, Outcome expected, std::string why) {
   std::function<double()> stable_step;
   if (!algorithm.has_tolerance)

@@ -163,6 +163,9 @@ Answer observe_integrated(const Model& model, const Horizon& horizon, double set
   return erased(model)->run(ode::brief<Algorithm>().name, horizon, setting);
 }
 
+/// One of those that Ladder::by_others tries.
+bool is_other_algorithm(std::string_view name);
+
 /// A scene's models and algorithms as the methods of one quantity.
 class Ladder {
  public:

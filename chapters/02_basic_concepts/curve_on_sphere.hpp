@@ -6,7 +6,6 @@
 #include "chapters/02_basic_concepts/sides.hpp"
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
-#include "solvers/ode/all.hpp"
 
 /// Exercise 2.7: a curve on the unit sphere with its frame R = [r u r x u], u = r'/|r'|, the frame's angular
 /// velocity w, and ways to carry an orientation along R' = Skew(w) R.
@@ -215,29 +214,22 @@ inline Quantity orientation(const Parameters& p, const Horizon& horizon, const R
            {"linearly implicit Euler", Outcome::drifted, "of order 1, and the quaternion shrinks"}})
       .by<ode::RungeKutta4>("matrix, w of the printed listing", as_listed, Outcome::inaccurate,
                             "a rotation, but the wrong one");
-  const auto repaired = [&]<class Algorithm, class Model>(const char* name, Algorithm, Model model) {
-    const bool first = Algorithm::order == 1;
-    q.add({name, std::string(Algorithm::name), steps,
-           [=](double h) { return observe_repaired<Algorithm>(model, horizon, h); },
-           first ? Outcome::inaccurate : Outcome::ok,
-           first ? "repaired it is a rotation, but not the right one" : ""});
+  const auto repaired = [&]<class Algorithm>(const std::string& name, const auto& model, Outcome expected) {
+    q.add({name, std::string(ode::brief<Algorithm>().name), steps,
+           [=](double h) { return observe_repaired<Algorithm>(model, horizon, h); }, expected,
+           expected == Outcome::ok ? "" : "repaired it is a rotation, but not the right one"});
   };
-  repaired("matrix, orthonormalized", ode::ExplicitEuler{}, as_matrix);
-  repaired("matrix, orthonormalized", ode::RungeKutta4{}, as_matrix);
-  repaired("quaternion, normalized", ode::ExplicitEuler{}, as_quaternion);
-  repaired("quaternion, normalized", ode::RungeKutta4{}, as_quaternion);
+  const std::string orthonormal = "matrix, orthonormalized", normal = "quaternion, normalized";
+  repaired.template operator()<ode::ExplicitEuler>(orthonormal, as_matrix, Outcome::inaccurate);
+  repaired.template operator()<ode::RungeKutta4>(orthonormal, as_matrix, Outcome::ok);
+  repaired.template operator()<ode::ExplicitEuler>(normal, as_quaternion, Outcome::inaccurate);
+  repaired.template operator()<ode::RungeKutta4>(normal, as_quaternion, Outcome::ok);
   q.add({"rotation vector", "exponential midpoint", steps,
          [=](double h) { return observe_exponentials(as_matrix, horizon, h, 2); }, Outcome::inaccurate,
          "its order is too low for this need at this step"});
   q.add({"rotation vector", "Magnus 4", steps,
          [=](double h) { return observe_exponentials(as_matrix, horizon, h, 4); }});
   return q;
-}
-
-inline bool is_common(std::string_view algorithm) {
-  bool other = false;
-  ode::for_each_other_algorithm([&]<class Algorithm>() { other = other || Algorithm::name == algorithm; });
-  return !other;
 }
 
 /// The same trials, but for the rest of the catalog, asked only whether what they end with is a rotation:
@@ -247,7 +239,7 @@ inline Quantity orthogonality(const Quantity& orientation) {
       "orthogonality",        "1", "R^T R at T, whatever the orientation", {"the unit matrix", identity()}, 0,
       {1e-10, "ten decimals"}};
   for (const Method& method : orientation.methods) {
-    if (!is_common(method.algorithm)) continue;
+    if (is_other_algorithm(method.algorithm)) continue;
     Method asked = method;
     asked.run = [run = method.run](double setting) {
       Answer answer = run(setting);

@@ -8,7 +8,6 @@
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
-#include "solvers/ode/all.hpp"
 #include "solvers/ode/events.hpp"
 #include "solvers/quadrature.hpp"
 #include "solvers/roots.hpp"
@@ -178,24 +177,26 @@ void add_event(Quantity& arrival, const std::string& name, const Model& model, O
     return time;
   };
   const Knob steps = halving("step", latest(model) / 32, 8);
-  arrival.add({name, std::string(Algorithm::name),
-               Algorithm::kind == ode::Kind::controlled ? tolerances() : steps, run, expected, why});
+  const ode::Brief algorithm = ode::brief<Algorithm>();
+  arrival.add({name, std::string(algorithm.name), algorithm.has_tolerance ? tolerances() : steps, run,
+               expected, why});
 }
 
 template <class Model>
 void add_events(Quantity& arrival, const std::string& name, const Model& model) {
   add_event<ode::ExplicitEuler>(arrival, name, model, Outcome::inaccurate,
                                 "its order is too low for this need at this step");
-  ode::for_each_common_algorithm([&]<class Algorithm>() {
-    if constexpr (Algorithm::kind != ode::Kind::partitioned && !std::is_same_v<Algorithm, ode::ExplicitEuler>)
-      add_event<Algorithm>(arrival, name, model);
-  });
+  add_event<ode::RungeKutta4>(arrival, name, model);
+  add_event<ode::CashKarp54>(arrival, name, model);
+  add_event<ode::DormandPrince54>(arrival, name, model);
+  add_event<ode::Fehlberg78>(arrival, name, model);
+  add_event<ode::BulirschStoer>(arrival, name, model);
 }
 
 inline const std::string stuck = "energy in q", regular = "energy in u", one = "one coordinate",
                          cartesian = "Cartesian with constraints", raw = "energy integral over q",
                          substituted = "energy integral over u";
-inline const std::string fehlberg{ode::Fehlberg78::name};
+inline const std::string fehlberg{ode::brief<ode::Fehlberg78>().name};
 
 inline void add_integrals(Quantity& arrival, const Bead& bead) {
   const double q0 = bead.q0;
