@@ -33,8 +33,8 @@ struct CountedProblem {
   }
   static Call jacobian(const void* self, const double* x, double* matrix, double* dfdt, double t) {
     const auto& problem = *static_cast<const CountedProblem*>(self);
-    const auto counted = [&](long evaluations) {
-      problem.evaluations += evaluations;
+    const auto counted = [&](long made) {
+      problem.evaluations += made;
       return problem.evaluations <= budget ? Call::ok : Call::budget_spent;
     };
     if constexpr (Differentiable<System, State>)
