@@ -21,7 +21,7 @@ std::string colour_of(Outcome outcome) {
 
 // Pixels.
 constexpr int cell_width = 34, cell_height = 17, gap = 22, title_height = 76;
-constexpr int left = 96, top_edge = 74, bottom = 40, key_width = 150;
+constexpr int left = 96, above = 74, bottom = 40, key_width = 150;
 
 /// Each name once, in the order of first appearance.
 template <class T, class Name>
@@ -45,7 +45,7 @@ struct Layout {
         panel_width(cell_width * static_cast<int>(values.size())),
         panel_height(cell_height * static_cast<int>(s.steps.size())),
         width(left + static_cast<int>(algorithms.size()) * (panel_width + gap) + key_width),
-        height(top_edge + static_cast<int>(models.size()) * (panel_height + title_height) - title_height +
+        height(above + static_cast<int>(models.size()) * (panel_height + title_height) - title_height +
                bottom) {}
 
   std::string x(int pixels) const { return shortest(static_cast<double>(pixels) / width); }
@@ -54,7 +54,7 @@ struct Layout {
 
   std::string margins(std::size_t model, std::size_t algorithm) const {
     const int across = left + static_cast<int>(algorithm) * (panel_width + gap);
-    const int down = top_edge + static_cast<int>(model) * (panel_height + title_height);
+    const int down = above + static_cast<int>(model) * (panel_height + title_height);
     return "set lmargin at screen " + x(across) + "\nset rmargin at screen " + x(across + panel_width) +
            "\nset tmargin at screen " + y(down) + "\nset bmargin at screen " + y(down + panel_height) + "\n";
   }
@@ -87,7 +87,7 @@ std::string panel_data(const std::vector<const MapRow*>& columns, const Stabilit
 std::string legend_text(const Layout& layout) {
   const int x = layout.width - key_width + 8;
   std::string text;
-  int y = top_edge;
+  int y = above;
   for (Outcome outcome : outcomes_of_a_map) {
     text += "set object rectangle from " + layout.at(x, y) + " to " + layout.at(x + 22, y + 16) +
             " fc rgb '#" + colour_of(outcome) + "' fs solid 1 noborder\nset label '" + letter_of(outcome) +
