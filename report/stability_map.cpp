@@ -20,8 +20,8 @@ std::string colour_of(Outcome outcome) {
 }
 
 // Pixels.
-constexpr int cell_width = 34, cell_height = 17, gap = 22, title_height = 76;
-constexpr int left = 96, above = 74, bottom = 40, key_width = 150;
+constexpr int cell_width = 34, cell_height = 17, panel_gap = 22, title_height = 76;
+constexpr int left_edge = 96, upper_edge = 74, lower_edge = 40, key_width = 150;
 
 /// Each name once, in the order of first appearance.
 template <class T, class Name>
@@ -44,17 +44,17 @@ struct Layout {
         values(each_once(s.map, &MapRow::value)),
         panel_width(cell_width * static_cast<int>(values.size())),
         panel_height(cell_height * static_cast<int>(s.steps.size())),
-        width(left + static_cast<int>(algorithms.size()) * (panel_width + gap) + key_width),
-        height(above + static_cast<int>(models.size()) * (panel_height + title_height) - title_height +
-               bottom) {}
+        width(left_edge + static_cast<int>(algorithms.size()) * (panel_width + panel_gap) + key_width),
+        height(upper_edge + static_cast<int>(models.size()) * (panel_height + title_height) - title_height +
+               lower_edge) {}
 
   std::string x(int pixels) const { return shortest(static_cast<double>(pixels) / width); }
   std::string y(int pixels) const { return shortest(1 - static_cast<double>(pixels) / height); }
   std::string at(int across, int down) const { return "screen " + x(across) + ", screen " + y(down); }
 
   std::string margins(std::size_t model, std::size_t algorithm) const {
-    const int across = left + static_cast<int>(algorithm) * (panel_width + gap);
-    const int down = above + static_cast<int>(model) * (panel_height + title_height);
+    const int across = left_edge + static_cast<int>(algorithm) * (panel_width + panel_gap);
+    const int down = upper_edge + static_cast<int>(model) * (panel_height + title_height);
     return "set lmargin at screen " + x(across) + "\nset rmargin at screen " + x(across + panel_width) +
            "\nset tmargin at screen " + y(down) + "\nset bmargin at screen " + y(down + panel_height) + "\n";
   }
@@ -87,17 +87,17 @@ std::string panel_data(const std::vector<const MapRow*>& columns, const Stabilit
 std::string legend_text(const Layout& layout) {
   const int x = layout.width - key_width + 8;
   std::string text;
-  int y = above;
+  int y = upper_edge;
   for (Outcome outcome : outcomes_of_a_map) {
     text += "set object rectangle from " + layout.at(x, y) + " to " + layout.at(x + 22, y + 16) +
             " fc rgb '#" + colour_of(outcome) + "' fs solid 1 noborder\nset label '" + letter_of(outcome) +
             "' at " + layout.at(x + 11, y + 8) + " center font ',10' front\nset label '" +
-            std::string(name_of(outcome)) + "' at " + layout.at(x + 30, y + 8) + " left font ',11'\n";
+            std::string(name_of(outcome)) + "' at " + layout.at(x + 30, y + 8) + " left_edge font ',11'\n";
     y += 20;
   }
   return text + "set arrow from " + layout.at(x, y + 15) + " to " + layout.at(x + 22, y + 15) +
          " nohead lw 3 lc rgb '#000000'\nset label \"limit of\\nlinear theory\" at " +
-         layout.at(x + 30, y + 8) + " left font ',11'\n";
+         layout.at(x + 30, y + 8) + " left_edge font ',11'\n";
 }
 
 std::string axis_name(const std::string& name, const std::string& unit) {
