@@ -92,12 +92,12 @@ std::string legend_text(const Layout& layout) {
     text += "set object rectangle from " + layout.at(x, y) + " to " + layout.at(x + 22, y + 16) +
             " fc rgb '#" + colour_of(outcome) + "' fs solid 1 noborder\nset label '" + letter_of(outcome) +
             "' at " + layout.at(x + 11, y + 8) + " center font ',10' front\nset label '" +
-            std::string(name_of(outcome)) + "' at " + layout.at(x + 30, y + 8) + " left_edge font ',11'\n";
+            std::string(name_of(outcome)) + "' at " + layout.at(x + 30, y + 8) + " left font ',11'\n";
     y += 20;
   }
   return text + "set arrow from " + layout.at(x, y + 15) + " to " + layout.at(x + 22, y + 15) +
          " nohead lw 3 lc rgb '#000000'\nset label \"limit of\\nlinear theory\" at " +
-         layout.at(x + 30, y + 8) + " left_edge font ',11'\n";
+         layout.at(x + 30, y + 8) + " left font ',11'\n";
 }
 
 std::string axis_name(const std::string& name, const std::string& unit) {
