@@ -185,11 +185,14 @@ TEST_CASE("implicit steps cost their evaluations and their Jacobians, and report
   CHECK(ode::integrate<ode::ImplicitEuler>(counted, std::array{1.0}, 0, 1, 0.125).evaluations == 8 * 2);
   CHECK(calls == 8 * 2);
   calls = 0;
-  CHECK(ode::integrate<ode::Rosenbrock4>(counted, std::array{1.0}, 0, 1, 1e-6).evaluations == calls);
+  const long reported = ode::integrate<ode::Rosenbrock4>(counted, std::array{1.0}, 0, 1, 1e-6).evaluations;
+  CHECK(reported == calls);
   calls = 0;
-  CHECK(ode::find_event<ode::Rosenbrock4>(counted, std::array{1.0}, 0, 2, 1e-6, [](const auto& x, double) {
-          return x[0] - 0.5;
-        }).evaluations == calls);
+  const long reported_by_event =
+      ode::find_event<ode::Rosenbrock4>(counted, std::array{1.0}, 0, 2, 1e-6, [](const auto& x, double) {
+        return x[0] - 0.5;
+      }).evaluations;
+  CHECK(reported_by_event == calls);
 }
 
 TEST_CASE("implicit methods find events", "[solvers]") {
