@@ -220,7 +220,7 @@ long fehlberg_78(const Hand& model, double* out, double span, double tolerance) 
 
 // ---- the races --------------------------------------------------------------------------------------------
 
-using bench::span, bench::step, bench::tolerance;
+using raced::span, raced::step, raced::tolerance;
 constexpr long steps = 2048;
 static_assert(static_cast<double>(steps) * step == span);
 
@@ -229,7 +229,7 @@ std::function<Run()> inlined(const Model& model, const typename Model::State& st
   return [=] {
     const std::array times{0.0, span};
     const auto path = ode::integrate_inlined<Algorithm>(model, start, std::span<const double>(times),
-                                                        bench::setting(Algorithm::kind));
+                                                        raced::setting(Algorithm::kind));
     return Run{{path.value.back().begin(), path.value.back().end()}, path.evaluations};
   };
 }
@@ -250,7 +250,7 @@ void add_races(std::vector<Race>& all, const std::string& name, const Model& mod
   const auto race = [&]<class Algorithm>(double limit, const auto& loop) {
     all.push_back({name, static_cast<int>(start.size()), std::string(Algorithm::name), limit,
                    by_hand(start, loop), inlined<Algorithm>(model, start),
-                   bench::precompiled(model, start, Algorithm::name, Algorithm::kind)});
+                   raced::precompiled(model, start, Algorithm::name, Algorithm::kind)});
   };
   race.template operator()<ode::ExplicitEuler>(0, [=](double* x) {
     explicit_euler(hand, x, step, steps);
@@ -280,7 +280,7 @@ std::vector<Race> races() {
   add_races(all, "pendulum", swing, PendulumByHand{-9.81}, swing.start());
   const kepler::Cartesian planet{{1, 1, 1, 0, 0, 1.2}};
   add_races(all, "planet in its plane", planet, PlanarKeplerByHand{1}, planet.start());
-  add_races(all, "planet in space", bench::SpatialKepler{1}, SpatialKeplerByHand{1}, {1, 0, 0, 0, 1.1, 0.4});
+  add_races(all, "planet in space", raced::SpatialKepler{1}, SpatialKeplerByHand{1}, {1, 0, 0, 0, 1.1, 0.4});
   return all;
 }
 

@@ -6,7 +6,7 @@
 #include "report/bench_loops.hpp"
 
 /// What is raced, and as the scenes run it.
-namespace oddity::bench {
+namespace oddity::raced {
 
 constexpr double step = 0x1p-9, span = 4, tolerance = 1e-10;
 
@@ -35,4 +35,4 @@ std::function<Run()> precompiled(const kepler::Cartesian&, const std::array<doub
 std::function<Run()> precompiled(const SpatialKepler&, const std::array<double, 6>& start,
                                  std::string_view algorithm, ode::Kind);
 
-}  // namespace oddity::bench
+}  // namespace oddity::raced

@@ -1,6 +1,6 @@
 #include "report/bench_models.hpp"
 
-namespace oddity::bench {
+namespace oddity::raced {
 
 namespace {
 
@@ -32,4 +32,4 @@ std::function<Run()> precompiled(const SpatialKepler& model, const std::array<do
   return any(model, start, algorithm, kind);
 }
 
-}  // namespace oddity::bench
+}  // namespace oddity::raced

@@ -45,8 +45,9 @@ TEST_CASE("the critical path is the longest study and then the longest trial", "
 TEST_CASE("the view shows each limit and whether it held", "[bench]") {
   const Entrant entrant{"Fehlberg 7(8), tolerance 1e-09", 1e-9, 1300, 5e-10, 6e-10, {2e-5, 1e-7}, 1760};
   Bench bench{"perf_event_open: no", {}, {}, {{{"3.5", "Pendulum", 0.1, 0.2, 0.05, "swing"}}, 8, 5}};
-  bench.races = {{"pendulum", 2, "Runge-Kutta 4", 1.05, {1e-8, 0}, {1.2e-8, 0}, {1.5e-8, 0}, {1.2, 0.01}, 10, 11, 0},
-                 {"pendulum", 2, "explicit Euler", 0, {1e-8, 0}, {1.1e-8, 0}, {1.4e-8, 0}, {1.1, 0.01}, 10, 11, 0}};
+  bench.races = {
+      {"pendulum", 2, "Runge-Kutta 4", 1.05, {1e-8, 0}, {1.2e-8, 0}, {1.5e-8, 0}, {1.2, 0.01}, 10, 11, 0},
+      {"pendulum", 2, "explicit Euler", 0, {1e-8, 0}, {1.1e-8, 0}, {1.4e-8, 0}, {1.1, 0.01}, 10, 11, 0}};
   bench.contests = {{"pendulum",
                      "pendulum",
                      1e-9,

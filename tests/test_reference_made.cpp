@@ -40,7 +40,8 @@ TEST_CASE("a made row's error bounds the disagreement of its routes by a power o
 }
 
 TEST_CASE("a route without a finite value makes no row", "[reference]") {
-  const truth::Number nan = std::numeric_limits<truth::Number>::quiet_NaN(), inf = std::numeric_limits<truth::Number>::infinity();
+  const truth::Number nan = std::numeric_limits<truth::Number>::quiet_NaN(),
+                      inf = std::numeric_limits<truth::Number>::infinity();
   for (const truth::Number& bad : {nan, inf}) {
     CHECK_THROWS_AS(truth::make_row(two_routes(gives(bad), gives(1)), {1}, 24), std::domain_error);
     CHECK_THROWS_AS(truth::make_row(two_routes(gives(1), gives(bad)), {1}, 24), std::domain_error);

@@ -109,19 +109,20 @@ Quantity mode_frequencies(const Triple& c, const Reference& truth) {
   q.add({"dense pair (K, M)", "GSL, Cholesky and QR", no_knob(), [=](double) {
            return Answer{Value(NormalModes(c).w), 1};
          }});
-  q.add({"tensions at rest", "one link's accelerations by dual numbers, then GSL's QR", no_knob(), [=](double) {
-           Eigen::Matrix3d minus;
-           for (int j = 0; j < 3; ++j) {
-             std::array<Dual<double>, 3> theta{}, omega{}, alpha{};
-             theta[static_cast<std::size_t>(j)].slope = 1;
-             by_tensions(c.m, c.r, c.g, theta, omega, alpha);
-             for (int i = 0; i < 3; ++i) minus(i, j) = -alpha[static_cast<std::size_t>(i)].slope;
-           }
-           std::vector<double> w;
-           for (const auto& square : eigenvalues(minus)) w.push_back(std::sqrt(square.real()));
-           std::ranges::sort(w);
-           return Answer{Value(w), 3};
-         }});
+  q.add(
+      {"tensions at rest", "one link's accelerations by dual numbers, then GSL's QR", no_knob(), [=](double) {
+         Eigen::Matrix3d minus;
+         for (int j = 0; j < 3; ++j) {
+           std::array<Dual<double>, 3> theta{}, omega{}, alpha{};
+           theta[static_cast<std::size_t>(j)].slope = 1;
+           by_tensions(c.m, c.r, c.g, theta, omega, alpha);
+           for (int i = 0; i < 3; ++i) minus(i, j) = -alpha[static_cast<std::size_t>(i)].slope;
+         }
+         std::vector<double> w;
+         for (const auto& square : eigenvalues(minus)) w.push_back(std::sqrt(square.real()));
+         std::ranges::sort(w);
+         return Answer{Value(w), 3};
+       }});
   return q;
 }
 

@@ -123,8 +123,7 @@ inline Pair at_rest(const Pulleys& p) {
 /// Oscillations about the equilibrium in the directions that diagonalize M and K.
 class NormalModes {
  public:
-  explicit NormalModes(const Pulleys& p)
-      : rest_(at_rest(p)[0], at_rest(p)[1]) {
+  explicit NormalModes(const Pulleys& p) : rest_(at_rest(p)[0], at_rest(p)[1]) {
     const Modes both = modes(stiffness(p), mass_matrix(p));
     w_ = both.squares.cwiseSqrt();
     shapes_ = both.shapes;
@@ -190,8 +189,9 @@ inline Quantity depths(const Pulleys& p, const Horizon& horizon, const Reference
 /// Vieta, from the product; c = c1 c2 without subtraction.
 inline Pair by_quadratic(const Pulleys& p, bool vieta) {
   const Eigen::Matrix2d m = mass_matrix(p), k = stiffness(p);
-  const double a = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0), b = m(0, 0) * k(1, 1) + m(1, 1) * k(0, 0) - 2 * m(0, 1) * k(0, 1),
-               c = p.c1 * p.c2, root = std::sqrt(b * b - 4 * a * c), larger = (b + root) / (2 * a);
+  const double a = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0),
+               b = m(0, 0) * k(1, 1) + m(1, 1) * k(0, 0) - 2 * m(0, 1) * k(0, 1), c = p.c1 * p.c2,
+               root = std::sqrt(b * b - 4 * a * c), larger = (b + root) / (2 * a);
   return {std::sqrt(vieta ? c / (a * larger) : (b - root) / (2 * a)), std::sqrt(larger)};
 }
 

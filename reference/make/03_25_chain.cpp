@@ -14,19 +14,13 @@ namespace chain_03_25 {
 /// Past 4 s neighbours of the wide start part so fast that 42 digits would take minutes a row.
 int digits_at(double t, int digits) { return t > 4 ? std::min(digits, 32) : digits; }
 
-/// The inputs but the time, and the digits.
-std::vector<double> motion(std::vector<double> in, int digits) {
-  in.back() = digits;
-  return in;
-}
-
 template <class Rhs>
 Numbers at(Checkpoints& kept, const Rhs& rhs, const Numbers& start, const std::vector<double>& in,
            int asked) {
   const double t = in[14];
   const int digits = digits_at(t, asked);
   return rhs.positions(kept.at(
-      t, motion(in, digits), [&] { return start; },
+      t, motion_of(in, digits), [&] { return start; },
       [&](const Numbers& x, const Number& t0, const Number& t1) {
         return solve_taylor(rhs, x, t0, t1, digits + 4);
       }));

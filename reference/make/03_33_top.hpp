@@ -30,12 +30,6 @@ struct ShakenTop {
         lambda(in[12]) {}
 };
 
-/// The inputs but the time, and the digits.
-inline std::vector<double> motion(std::vector<double> in, int digits) {
-  in[13] = digits;
-  return in;
-}
-
 /// (d, L): the axis and the angular momentum about the tip, in the world's coordinates.
 inline Numbers axis_by_momentum(const std::vector<double>& in, int digits) {
   const ShakenTop s(in);
@@ -55,7 +49,7 @@ inline Numbers axis_by_momentum(const std::vector<double>& in, int digits) {
   };
   static Checkpoints kept;
   const Numbers end = kept.at(
-      in[13], motion(in, digits), [&] { return start; },
+      in[13], motion_of(in, digits), [&] { return start; },
       [&](const Numbers& x, const Number& t0, const Number& t1) {
         return solve_taylor(rhs, x, t0, t1, digits + 4);
       });
@@ -85,7 +79,7 @@ inline Numbers axis_by_quaternion(const std::vector<double>& in, int digits) {
   };
   static Checkpoints kept;
   const Numbers x = kept.at(
-      in[13], motion(in, digits), [&] { return start; },
+      in[13], motion_of(in, digits), [&] { return start; },
       [&](const Numbers& y, const Number& t0, const Number& t1) {
         return solve_extrapolation(rhs, y, t0, t1, digits + 4);
       });

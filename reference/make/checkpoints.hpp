@@ -35,4 +35,10 @@ class Checkpoints {
   std::map<std::vector<double>, std::shared_ptr<Motion>> motions_;
 };
 
+/// What tells motions apart: the inputs, and the digits in the place of the time, the last of them.
+inline std::vector<double> motion_of(std::vector<double> inputs, int digits) {
+  inputs.back() = digits;
+  return inputs;
+}
+
 }  // namespace oddity::truth

@@ -27,7 +27,7 @@ class AnySystem {
 
 /// (q, v) with q' = v, and the forces depend on q alone.
 template <class System, class State>
-concept Partitioned = std::tuple_size_v<State> % 2 == 0 &&
+concept Partitioned = (std::tuple_size_v<State> % 2 == 0) &&
                       requires(const System& system, std::array<double, std::tuple_size_v<State> / 2>& half) {
   system.acceleration(half, half);
 };

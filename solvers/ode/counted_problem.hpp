@@ -40,8 +40,7 @@ struct CountedProblem {
     if constexpr (Differentiable<System, State>)
       return counted(ode::jacobian(problem.system, state(x), matrix, dfdt, t));
     else if constexpr (std::is_base_of_v<AnySystem<std::tuple_size_v<State>>, System>)
-      if (problem.system.differentiable())
-        return counted(problem.system.jacobian(state(x), matrix, dfdt, t));
+      if (problem.system.differentiable()) return counted(problem.system.jacobian(state(x), matrix, dfdt, t));
     return differences(problem.view(), x, matrix, dfdt, t);
   }
   RawProblem view() const { return {std::tuple_size_v<State>, this, &rhs, &jacobian}; }
