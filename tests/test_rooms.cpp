@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <set>
 
 #include "tests/catch.hpp"
@@ -9,16 +8,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The files that a source file of ours includes by quotes, and those by angle brackets.
-std::set<std::string> includes(const fs::path& file, const std::string& open) {
+/// The files that a source file of ours includes between `open` and `close`: "" or <>.
+std::set<std::string> includes(const fs::path& file, char open, char close) {
   std::ifstream in(file);
-  const std::regex pattern("^#include " + open + "([^\">]+)[\">]");
+  const std::string start = std::string("#include ") + open;
   std::set<std::string> found;
-  std::smatch match;
   for (std::string line; std::getline(in, line);)
-    if (std::regex_search(line, match, pattern)) found.insert(match[1]);
+    if (line.rfind(start, 0) == 0)
+      found.insert(line.substr(start.size(), line.find(close, start.size()) - start.size()));
   return found;
 }
+std::set<std::string> ours(const fs::path& file) { return includes(file, '"', '"'); }
+std::set<std::string> others(const fs::path& file) { return includes(file, '<', '>'); }
 
 std::vector<fs::path> sources(const std::string& room) {
   std::vector<fs::path> files;
@@ -33,7 +34,7 @@ void may_know(const std::string& room, const std::vector<std::string>& rooms) {
   const auto files = sources(room);
   REQUIRE_FALSE(files.empty());
   for (const fs::path& file : files)
-    for (const std::string& included : includes(file, "\"")) {
+    for (const std::string& included : ours(file)) {
       INFO(file.string() << " includes " << included);
       CHECK(std::any_of(rooms.begin(), rooms.end(),
                         [&](const auto& known) { return included.rfind(known + "/", 0) == 0; }));
@@ -48,7 +49,7 @@ TEST_CASE("each room knows only the rooms below it", "[rooms]") {
   may_know("chapters", {"chapters", "solvers", "reference"});
   for (const fs::path& file : sources("report"))
     if (file.filename() != "main.cpp")
-      for (const std::string& included : includes(file, "\"")) {
+      for (const std::string& included : ours(file)) {
         INFO(file.string() << " includes " << included);
         CHECK(included.rfind("tests/", 0) != 0);
         const bool may = included == "solvers/ode/catalog.hpp" || file.filename() == "bench_loops.cpp";
@@ -58,8 +59,8 @@ TEST_CASE("each room knows only the rooms below it", "[rooms]") {
 
 TEST_CASE("the vocabulary needs the standard library only", "[rooms]") {
   const fs::path vocabulary = fs::path(ODDITY_SOURCE) / "chapters" / "exercise.hpp";
-  CHECK(includes(vocabulary, "\"") == std::set<std::string>{"solvers/solved.hpp"});
-  for (const std::string& included : includes(vocabulary, "<"))
+  CHECK(ours(vocabulary) == std::set<std::string>{"solvers/solved.hpp"});
+  for (const std::string& included : others(vocabulary))
     CHECK(included.find('/') == std::string::npos);
 }
 
@@ -68,7 +69,7 @@ TEST_CASE("exercises do not print, test, look at a clock or draw from the librar
   const std::set<std::string> forbidden{"iostream", "cstdio", "print",           "chrono",
                                         "ctime",    "random", "catch2/catch.hpp"};
   for (const fs::path& file : sources("chapters"))
-    for (const std::string& included : includes(file, "<")) {
+    for (const std::string& included : others(file)) {
       INFO(file.string() << " includes " << included);
       CHECK(forbidden.count(included) == 0);
     }

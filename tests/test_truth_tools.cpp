@@ -5,7 +5,7 @@
 #include "reference/make/taylor.hpp"
 #include "tests/catch.hpp"
 
-using namespace oddity::truth;
+namespace oddity::truth {
 
 namespace {
 
@@ -138,3 +138,5 @@ TEST_CASE("double-exponential quadrature: smooth and singular integrands", "[ref
   CHECK(agree(over_unit([](const Number& x) -> Number { return log(x); }), -1));
   CHECK(agree(integral([](const Number& x) -> Number { return 1 / (1 + x * x); }, -1, 1, digits), pi() / 2));
 }
+
+}  // namespace oddity::truth

@@ -45,7 +45,7 @@ void fill(Sample& s, const Drawn& d) {
 /// A line as a polynomial: how often each product of symbols occurs, zeros left out.
 std::map<std::vector<std::size_t>, double> polynomial(const std::string& line, const Sample& symbols) {
   std::map<std::vector<std::size_t>, double> counts;
-  for (Term& t : Reader(line, symbols).read()) {
+  for (Term& t : read_terms(line, symbols)) {
     std::ranges::sort(t.factors);
     counts[t.factors] += t.sign;
   }
@@ -62,7 +62,7 @@ std::vector<Check> cancellation(const Sample& symbols, bool with_fourth) {
         first_9[i] + " + " + second_10[i] + " + " + third_11[i] + (with_fourth ? " + " + fourth_12[i] : "");
     const auto left = polynomial(sum, symbols), right = polynomial(left_8[i], symbols);
     differing += left != right;
-    cancelled[i] = static_cast<double>(Reader(sum, symbols).read().size() - left.size());
+    cancelled[i] = static_cast<double>(read_terms(sum, symbols).size() - left.size());
   }
   return {
       never("the sum of (9) to (12) is another polynomial than (8)", differing, 3),
