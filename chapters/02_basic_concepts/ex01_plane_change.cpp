@@ -13,7 +13,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex02_01 {
 
 using namespace plane_change;
 using std::numbers::sqrt2;
@@ -139,9 +139,10 @@ std::vector<Claim> claims(double h, double seed) {
   };
 }
 
-}  // namespace
+}  // namespace ex02_01
 
 Exercise exercise_2_1() {
+  using namespace ex02_01;
   return {"Curve that changes its plane",
           "The curve $\\mathbf r(t)=(t,t^3,0)$ for $t<0$, $(t,0,t^3)$ for $t\\ge0$: show that position, "
           "velocity and acceleration are continuous at $t=0$, and that the normal $\\mathbf N$ is not.",

@@ -9,7 +9,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex02_03 {
 
 using namespace spherical_helix;
 
@@ -202,9 +202,10 @@ Findings study(const Parameters& p, const Reference& truth) {
            colatitude("colatitude_near_the_south_pole", -1e8, truth), limits_at_infinity()}};
 }
 
-}  // namespace
+}  // namespace ex02_03
 
 Exercise exercise_2_3() {
+  using namespace ex02_03;
   return {"Spherical helix",
           "The curve $(\\cos t,\\sin t,t)/\\sqrt{1+t^2}$ winds about the unit sphere: find its spherical "
           "coordinates, its velocity and acceleration in the frame $\\{\\mathbf P,\\mathbf Q,\\mathbf "

@@ -10,7 +10,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex02_05 {
 
 using namespace rotating_axis;
 
@@ -268,9 +268,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(p["seed"]), {angular_velocity(p["t"], {p["alpha"], p["Omega"], p["nu"]}, truth)}};
 }
 
-}  // namespace
+}  // namespace ex02_05
 
 Exercise exercise_2_5() {
+  using namespace ex02_05;
   return {"Rotation about a moving axis",
           "A body is turned by the angle $\\theta(t)$ about the unit axis $\\mathbf D(t)$: show that its "
           "angular velocity is $\\mathbf w=\\dot\\theta\\mathbf D+\\sin\\theta\\,\\dot{\\mathbf "

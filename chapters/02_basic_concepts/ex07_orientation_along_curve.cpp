@@ -12,7 +12,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex02_07 {
 
 using namespace curve_on_sphere;
 
@@ -223,9 +223,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(p["seed"]), {angular_velocity_at(p["t"], truth), carried, orthogonality(carried)}};
 }
 
-}  // namespace
+}  // namespace ex02_07
 
 Exercise exercise_2_7() {
+  using namespace ex02_07;
   return {"Orientation along a curve on a sphere",
           "A rigid sphere is turned so that a point of it follows $((1-t^2)\\cos\\pi t,(1-t^2)\\sin\\pi "
           "t,t^2)/\\sqrt{(1-t^2)^2+t^4}$: choose an orientation matrix and find the angular velocity.",

@@ -9,7 +9,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex02_09 {
 
 using rotation::Map, rotation::quaternion;
 using namespace disc;
@@ -275,9 +275,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims, {half_disc(p["k"], p["phi"], p["seed"], truth), far_balance()}};
 }
 
-}  // namespace
+}  // namespace ex02_09
 
 Exercise exercise_2_9() {
+  using namespace ex02_09;
   return {"Balance of a plate",
           "Show that a plate of point masses $m_i$ balances on every line through its center of mass $C$.",
           parameters, {}, study};

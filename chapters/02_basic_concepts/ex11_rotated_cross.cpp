@@ -12,7 +12,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex02_11 {
 
 using namespace rotation;
 
@@ -211,9 +211,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {all, {rotated_normal(p["theta"], p["gap"], truth), identity_gap(p["theta"]), sliver_normal(truth)}};
 }
 
-}  // namespace
+}  // namespace ex02_11
 
 Exercise exercise_2_11() {
+  using namespace ex02_11;
   return {"Rotation of a cross product", "Show that $R(a\\times b)=(Ra)\\times(Rb)$ for every rotation $R$.",
           parameters, {}, study};
 }

@@ -12,7 +12,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex02_13 {
 
 using namespace lamina;
 using InSpace = std::function<double(double x, double y, double z)>;
@@ -218,9 +218,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(p["seed"]), {whole, cut}};
 }
 
-}  // namespace
+}  // namespace ex02_13
 
 Exercise exercise_2_13() {
+  using namespace ex02_13;
   return {"Inertia of a parabolic lamina",
           "Find $I_{xx}, I_{yy}, I_{zz}, I_{xy}, I_{xz}, I_{yz}$ of the flat region $x^2\\le y\\le 1$, "
           "$z=0$, with unit density.",

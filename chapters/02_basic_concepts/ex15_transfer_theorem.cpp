@@ -8,7 +8,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex02_15 {
 
 using namespace solid;
 
@@ -258,9 +258,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims, {about_origin(t, p["seed"], truth), about_center(t, p["far"], truth)}};
 }
 
-}  // namespace
+}  // namespace ex02_15
 
 Exercise exercise_2_15() {
+  using namespace ex02_15;
   return {"Transfer theorem",
           "Express the inertia components of particles about the origin, $I_{xx}=\\sum m_i(y_i^2+z_i^2)$, "
           "$I_{xy}=\\sum m_ix_iy_i$, ..., through those about their center of mass.",

@@ -9,7 +9,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex02_17 {
 
 using namespace circle;
 
@@ -218,9 +218,10 @@ Findings study(const Parameters& p, const Reference& truth) {
            early_work(truth), maximum(m, p["turn"], truth)}};
 }
 
-}  // namespace
+}  // namespace ex02_17
 
 Exercise exercise_2_17() {
+  using namespace ex02_17;
   return {
       "Work around a circle",
       "A particle is at $(r\\cos\\omega t, r\\sin\\omega t, 0)$. What work do $F=(1,1,1)$ and $F=(t,t,1)$ do "

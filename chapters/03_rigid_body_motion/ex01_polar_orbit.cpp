@@ -17,7 +17,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_01 {
 
 using std::cos, std::sin, std::sqrt, std::abs, std::hypot, std::pow, std::numbers::pi;
 
@@ -360,9 +360,10 @@ std::vector<Quantity> radii(const Parameters& p, const Reference& truth) {
 
 Findings study(const Parameters& p, const Reference& truth) { return {claims(p["seed"]), radii(p, truth)}; }
 
-}  // namespace
+}  // namespace ex03_01
 
 Exercise exercise_3_1() {
+  using namespace ex03_01;
   return {"The polar equation of an orbit is an ellipse",
           "Show that the orbit $r = e\\rho/(1+e\\cos\\theta)$ satisfies the equation of an ellipse with one "
           "focus at the origin.",

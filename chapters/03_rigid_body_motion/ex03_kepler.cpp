@@ -12,7 +12,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_03 {
 
 using namespace kepler;
 
@@ -264,9 +264,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {kepler::claims(p["seed"]), all};
 }
 
-}  // namespace
+}  // namespace ex03_03
 
 Exercise exercise_3_3() {
+  using namespace ex03_03;
   return {
       "Kepler's orbit in polar coordinates",
       "Compute the planet's path $(r(t),\\theta(t))$ from $r_0,r_0',\\theta_0,\\theta_0'$: reduce the motion "

@@ -17,7 +17,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_05 {
 
 using std::cos, std::sin, std::sqrt, std::numbers::pi;
 
@@ -242,9 +242,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(truth), {quarter, motion(scene(), p, truth)}};
 }
 
-}  // namespace
+}  // namespace ex03_05
 
 Exercise exercise_3_5() {
+  using namespace ex03_05;
   return {"Pendulum from 30 degrees",
           "How long does a pendulum, let go at rest from the angle $a$, take to its lowest point? Evaluate "
           "$I(a)=\\int_0^a d\\psi/\\sqrt{\\cos\\psi-\\cos a}$, whose integrand is infinite at its end.",

@@ -13,7 +13,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_07 {
 
 using namespace bead_on_cubic;
 using std::abs, std::sqrt;
@@ -286,9 +286,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims, {arrival({p["q0"], p["g"]}, truth), motion(scene(), p, truth)}};
 }
 
-}  // namespace
+}  // namespace ex03_07
 
 Exercise exercise_3_7() {
+  using namespace ex03_07;
   return {
       "Bead on a cubic curve",
       "A bead slides without friction on the curve $(q,q^2,q^3)$ under gravity $-g\\,k$, let go at rest at "

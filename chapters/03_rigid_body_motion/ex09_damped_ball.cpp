@@ -17,7 +17,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_09 {
 
 using namespace damped_ball;
 
@@ -344,9 +344,10 @@ Findings study(const Parameters& p, const Reference& truth) {
            stability_limit(stiff)}};
 }
 
-}  // namespace
+}  // namespace ex03_09
 
 Exercise exercise_3_9() {
+  using namespace ex03_09;
   return {"Ball on a spring with friction",
           "A ball in the plane is held by a spring of constant $c$ to the origin and slowed by viscous "
           "friction $a$. Solve for its motion; when does "

@@ -11,7 +11,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_11 {
 
 using namespace paraboloid_hill;
 
@@ -287,9 +287,10 @@ Findings study(const Parameters& p, const Reference& truth) {
                 beside(right, p["offset"]), true, Outcome::drifted, horizon, truth)}};
 }
 
-}  // namespace
+}  // namespace ex03_11
 
 Exercise exercise_3_11() {
+  using namespace ex03_11;
   return {"Straight paths on a paraboloid hill",
           "A particle slides without friction from the top of the hill $x_3 = -x_1^2/a_1^2 - x_2^2/a_2^2$. "
           "For which velocities is its motion over the plane $(v_1t, v_2t)$?",

@@ -13,7 +13,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_13 {
 
 using namespace tilted_chute;
 
@@ -362,9 +362,10 @@ Findings study(const Parameters& p, const Reference& truth) {
            from_rim(rim, horizon, truth)}};
 }
 
-}  // namespace
+}  // namespace ex03_13
 
 Exercise exercise_3_13() {
+  using namespace ex03_13;
   return {
       "Ball in a tilted chute",
       "A ball slides in a chute, the lower half of a cylinder of radius $R$ whose axis falls by $H$ over its "

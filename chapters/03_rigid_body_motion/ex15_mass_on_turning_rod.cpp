@@ -14,7 +14,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_15 {
 
 using namespace turning_rod;
 
@@ -245,9 +245,10 @@ Findings study(const Parameters& given, const Reference& truth) {
   return {claims, {motion(scene(), given, truth), stiff_spring(stiff, horizon, truth), runaway(fast)}};
 }
 
-}  // namespace
+}  // namespace ex03_15
 
 Exercise exercise_3_15() {
+  using namespace ex03_15;
   return {"Mass with a spring on a turning rod",
           "A mass slides without friction on a segment from the origin to $(a,0,a)$ that turns about the "
           "$x_3$-axis at $\\pi/4$ a second; a spring joins it to $(c,0,0)$. Where does it arrive in the "

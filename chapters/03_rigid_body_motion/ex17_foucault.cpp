@@ -11,7 +11,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_17 {
 
 using namespace foucault;
 
@@ -60,9 +60,10 @@ Findings study(const Parameters& p, const Reference& truth) {
            hours(truth), cone_swing(pendulum, cone, horizon, truth), inertia(cone)}};
 }
 
-}  // namespace
+}  // namespace ex03_17
 
 Exercise exercise_3_17() {
+  using namespace ex03_17;
   return {"Foucault pendulum",
           "Derive the motion of a Foucault pendulum of length $L$ at latitude $\\lambda$ on an Earth that "
           "turns at $\\omega$ by Lagrange's equations. Then replace the point mass by a solid cone.",

@@ -13,7 +13,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_19 {
 
 using namespace two_pulleys;
 
@@ -361,9 +361,10 @@ Findings study(const Parameters& p, const Reference& truth) {
            graded}};
 }
 
-}  // namespace
+}  // namespace ex03_19
 
 Exercise exercise_3_19() {
+  using namespace ex03_19;
   return {
       "Two pulleys and two springs",
       "A spring holds, by a rope over a fixed pulley, a second pulley; another spring holds, by a rope over "

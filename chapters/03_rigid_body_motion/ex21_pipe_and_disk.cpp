@@ -13,7 +13,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_21 {
 
 using namespace pipe_and_disk;
 
@@ -280,9 +280,10 @@ Findings study(const Parameters& p, const Reference& truth) {
            fast, upright(pushed)}};
 }
 
-}  // namespace
+}  // namespace ex03_21
 
 Exercise exercise_3_21() {
+  using namespace ex03_21;
   return {"Pipe and disk",
           "A disk spins about a pipe that is held at the inclination $\\varphi$ and free to turn about the "
           "vertical. "

@@ -17,7 +17,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_23 {
 
 using namespace spring_bar;
 using std::cos, std::sin, std::sqrt;
@@ -228,9 +228,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(p["seed"]), {small_frequency(bar), mass, fast}};
 }
 
-}  // namespace
+}  // namespace ex03_23
 
 Exercise exercise_3_23() {
+  using namespace ex03_23;
   return {
       "Bar on a spring",
       "A light bar, hinged at one end, carries a mass $m$ at the distance $r$ and stands at the distance "

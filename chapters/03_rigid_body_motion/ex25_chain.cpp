@@ -22,7 +22,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_25 {
 
 using namespace chain;
 using enum Outcome;
@@ -277,9 +277,10 @@ Findings study(const Parameters& p, const Reference& truth) {
            cost(10, p["g"], truth), cost(100, p["g"], truth), cost(1000, p["g"], truth)}};
 }
 
-}  // namespace
+}  // namespace ex03_25
 
 Exercise exercise_3_25() {
+  using namespace ex03_25;
   return {"Triple pendulum and a chain of n masses",
           "Three masses hang one from the other by rigid massless rods. Find the kinetic and the potential "
           "energy and the equations of motion in the angles $\\theta_1,\\theta_2,\\theta_3$; what becomes of "

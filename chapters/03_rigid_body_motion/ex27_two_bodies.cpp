@@ -15,7 +15,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_27 {
 
 using namespace two_bodies;
 using enum Outcome;
@@ -169,9 +169,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {said, all};
 }
 
-}  // namespace
+}  // namespace ex03_27
 
 Exercise exercise_3_27() {
+  using namespace ex03_27;
   return {
       "Two bodies by distance and angle",
       "Two bodies attract each other by gravity. Write their motion as a first-order system in the distance "

@@ -20,7 +20,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_29 {
 
 using namespace planar_wire;
 using std::cos, std::sin;
@@ -419,9 +419,10 @@ Findings study(const Parameters& p, const Reference& truth) {
            inertia("parabola", wire), falling}};
 }
 
-}  // namespace
+}  // namespace ex03_29
 
 Exercise exercise_3_29() {
+  using namespace ex03_29;
   return {"Rigid curve in the plane",
           "A rigid wire of any shape moves in the plane. Find its position, kinetic energy and generalized "
           "forces, as for a thin rod.",

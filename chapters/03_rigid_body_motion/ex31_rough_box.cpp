@@ -16,7 +16,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_31 {
 
 using namespace rough_box;
 using std::abs, std::cos, std::hypot, std::sin, std::tan;
@@ -236,9 +236,10 @@ Findings study(const Parameters& p, const Reference& truth) {
           {time_to_rest(box, truth), end, motion(scene(), p, truth)}};
 }
 
-}  // namespace
+}  // namespace ex03_31
 
 Exercise exercise_3_31() {
+  using namespace ex03_31;
   return {"Box on a rough plane",
           "A box slides and turns on a plane of friction $\\mu$. Where does it come to rest, and what does "
           "friction do at rest?",

@@ -11,7 +11,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_33 {
 
 using namespace top;
 using std::cos, std::sin;
@@ -407,9 +407,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return found;
 }
 
-}  // namespace
+}  // namespace ex03_33
 
 Exercise exercise_3_33() {
+  using namespace ex03_33;
   return {"Heavy symmetric top",
           "A top symmetric about its axis stands with its tip fixed under gravity. Find its equations of "
           "motion by Lagrange's method, in the angles $\\theta$ (precession), $\\phi$ (tilt) and $\\psi$ "

@@ -9,7 +9,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex03_35 {
 
 using namespace top;
 using std::cos, std::sin;
@@ -293,9 +293,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(Judge("3.35", p["seed"], 1)), quantities};
 }
 
-}  // namespace
+}  // namespace ex03_35
 
 Exercise exercise_3_35() {
+  using namespace ex03_35;
   return {
       "Heavy top on a moving tip",
       "The tip of the heavy symmetric top moves to and fro as $(\\alpha\\sin\\lambda t,0,0)$. What becomes "

@@ -8,7 +8,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex05_01 {
 
 using namespace fields;
 
@@ -79,9 +79,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(Random(p["seed"])), {directional(p, truth)}};
 }
 
-}  // namespace
+}  // namespace ex05_01
 
 Exercise exercise_5_1() {
+  using namespace ex05_01;
   return {"Directional derivative of the position",
           "Show that $(\\mathbf f\\cdot\\nabla)\\mathbf x = \\mathbf f$, where $\\mathbf x$ is the position. "
           "Below `x0,1` is the derivative of $x_0$ by $x_1$.",

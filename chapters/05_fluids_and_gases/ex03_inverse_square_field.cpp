@@ -9,7 +9,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex05_03 {
 
 using namespace fields;
 
@@ -161,9 +161,10 @@ Findings study(const Parameters& p, const Reference& truth) {
            close, cube_flux({p["h"], {0.25 * p["h"], -0.5 * p["h"], 0.125 * p["h"]}}, truth)}};
 }
 
-}  // namespace
+}  // namespace ex05_03
 
 Exercise exercise_5_3() {
+  using namespace ex05_03;
   return {
       "Divergence of the inverse-square field",
       "Show that $\\nabla\\cdot(\\mathbf x/|\\mathbf x|^3) = 0$. The origin, where the field is not defined, "

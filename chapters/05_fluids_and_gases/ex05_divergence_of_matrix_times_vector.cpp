@@ -10,7 +10,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex05_05 {
 
 using namespace fields;
 
@@ -128,9 +128,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(Random(p["seed"])), {divergence_of_product(p, truth)}};
 }
 
-}  // namespace
+}  // namespace ex05_05
 
 Exercise exercise_5_5() {
+  using namespace ex05_05;
   return {"Divergence of a matrix times a vector",
           "Show that $\\nabla\\cdot(M\\mathbf f) = (M^T\\nabla)\\cdot\\mathbf f$ for a constant matrix $M$. "
           "Below "

@@ -9,7 +9,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex05_07 {
 
 using namespace fields;
 
@@ -80,9 +80,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(Random(p["seed"])), {curl_of_product(p, truth)}};
 }
 
-}  // namespace
+}  // namespace ex05_07
 
 Exercise exercise_5_7() {
+  using namespace ex05_07;
   return {"Curl of a scalar times a vector",
           "Show that $\\nabla\\times(\\varphi\\mathbf f) = \\varphi\\,\\nabla\\times\\mathbf f + "
           "\\nabla\\varphi\\times\\mathbf f$. Below `f2,1` is the derivative of $f_2$ by $x_1$, and `phi_f` "

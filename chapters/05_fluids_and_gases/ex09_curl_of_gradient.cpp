@@ -10,7 +10,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex05_09 {
 
 using namespace fields;
 
@@ -126,9 +126,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(Random(p["seed"]), mixed), {mixed_derivatives(at, mixed), peano_curl()}};
 }
 
-}  // namespace
+}  // namespace ex05_09
 
 Exercise exercise_5_9() {
+  using namespace ex05_09;
   return {"Curl of a gradient",
           "Show that $\\nabla\\times\\nabla\\varphi = 0$. Below `phi,12` is the derivative of $\\varphi$ by "
           "$x_1$, "

@@ -10,7 +10,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex05_11 {
 
 using namespace fields;
 
@@ -105,9 +105,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(Random(p["seed"])), {divergence_of_product(p, truth)}};
 }
 
-}  // namespace
+}  // namespace ex05_11
 
 Exercise exercise_5_11() {
+  using namespace ex05_11;
   return {
       "Divergence of a cross product",
       "Show that $\\nabla\\cdot(\\mathbf f\\times\\mathbf g) = (\\nabla\\times\\mathbf f)\\cdot\\mathbf g "

@@ -8,7 +8,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex05_13 {
 
 using namespace fields;
 
@@ -119,9 +119,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(Random(p["seed"])), {gradient_of_product(p, truth)}};
 }
 
-}  // namespace
+}  // namespace ex05_13
 
 Exercise exercise_5_13() {
+  using namespace ex05_13;
   return {"Gradient of a dot product",
           "Show that $\\nabla(\\mathbf f\\cdot\\mathbf g) = \\mathbf f\\times(\\nabla\\times\\mathbf g) + "
           "\\mathbf g\\times(\\nabla\\times\\mathbf f) + (\\mathbf f\\cdot\\nabla)\\mathbf g + "

@@ -8,7 +8,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex05_15 {
 
 using namespace fields;
 
@@ -95,9 +95,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return findings;
 }
 
-}  // namespace
+}  // namespace ex05_15
 
 Exercise exercise_5_15() {
+  using namespace ex05_15;
   return {"Repeated curl in index notation",
           "Write $(\\nabla\\times)^n\\mathbf f$ with the permutation tensor $e_{ijk}$. Below `e(i j k)` is "
           "the tensor, and "

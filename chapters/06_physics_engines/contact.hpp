@@ -6,7 +6,8 @@
 
 #include "chapters/random.hpp"
 #include "solvers/linear.hpp"
-#include "solvers/ode/runge_kutta_4.hpp"
+#include "solvers/ode/algorithms.hpp"
+#include "solvers/ode/integrate.hpp"
 
 /// A rigid body that is hit: what an impulse leaves behind, and the motion while a short force acts.
 namespace oddity::contact {
@@ -46,63 +47,40 @@ struct Hit {
   double first = 0.5;
 };
 
-/// (center, v, orientation by rows, angular momentum); time in units of the pulse.
+/// (v, two columns of the orientation, angular momentum about the center); time in units of the pulse.
 struct Pulse {
-  using State = std::array<double, 18>;
+  using State = std::array<double, 12>;
   Body body;
   Hit hit;
   double length;
   Matrix3d inverse_inertia = inverse(body.inertia);
 
-  static Eigen::Map<const Vector3d> part(const State& x, std::size_t from) {
-    return Eigen::Map<const Vector3d>(x.data() + from);
-  }
+  static Vector3d part(const State& x, std::size_t from) { return {x[from], x[from + 1], x[from + 2]}; }
   static Matrix3d orientation(const State& x) {
     Matrix3d r;
-    r << x[6], x[7], x[8], x[9], x[10], x[11], x[12], x[13], x[14];
+    r.col(0) = part(x, 3);
+    r.col(1) = part(x, 6);
+    r.col(2) = cross(part(x, 3), part(x, 6));
     return r;
   }
   State start() const {
     const Vector3d l = body.inertia * body.w;
-    return {body.center[0],
-            body.center[1],
-            body.center[2],
-            body.v[0],
-            body.v[1],
-            body.v[2],
-            1,
-            0,
-            0,
-            0,
-            1,
-            0,
-            0,
-            0,
-            1,
-            l[0],
-            l[1],
-            l[2]};
+    return {body.v[0], body.v[1], body.v[2], 1, 0, 0, 0, 1, 0, l[0], l[1], l[2]};
   }
   Vector3d angular_velocity(const State& x) const {
     const Matrix3d r = orientation(x);
-    return r * (inverse_inertia * (r.transpose() * part(x, 15)));
+    return r * (inverse_inertia * (r.transpose() * part(x, 9)));
   }
   /// The force rises and falls as 630 t^4 (1 - t)^4, whose integral is 1; its points move with the body.
   void operator()(const State& x, State& dxdt, double t) const {
     const Matrix3d r = orientation(x);
-    const Vector3d v = part(x, 3), w = angular_velocity(x);
     const double bump = t * t * (1 - t) * (1 - t);
     const Vector3d force = 630 * bump * bump * hit.impulse;
     const Vector3d arm = r * (hit.first * (hit.p0 - body.center) + (1 - hit.first) * (hit.p1 - body.center));
-    const Vector3d torque = cross(arm, force);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const long k = static_cast<long>(i);
-      dxdt[i] = length * v[k];
-      dxdt[3 + i] = force[k] / body.mass;
-      const Vector3d column = length * cross(w, r.col(k));
-      for (std::size_t j = 0; j < 3; ++j) dxdt[6 + 3 * j + i] = column[static_cast<long>(j)];
-      dxdt[15 + i] = torque[k];
-    }
+    const Vector3d w = length * angular_velocity(x);
+    const Vector3d parts[] = {force / body.mass, cross(w, part(x, 3)), cross(w, part(x, 6)),
+                              cross(arm, force)};
+    for (std::size_t k = 0; k < 12; ++k) dxdt[k] = parts[k / 3][static_cast<long>(k % 3)];
   }
 };
 
@@ -111,7 +89,7 @@ inline Solved<std::array<double, 6>> after_pulse(const Body& body, const Hit& hi
   const Pulse pulse{body, hit, length};
   const auto end = ode::integrate<ode::RungeKutta4>(pulse, pulse.start(), 0, 1, 1.0 / 128);
   const Vector3d w = pulse.angular_velocity(end.value);
-  return {{end.value[3], end.value[4], end.value[5], w[0], w[1], w[2]},
+  return {{end.value[0], end.value[1], end.value[2], w[0], w[1], w[2]},
           end.evaluations,
           std::numeric_limits<double>::quiet_NaN(),
           0,

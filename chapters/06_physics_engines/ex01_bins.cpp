@@ -9,7 +9,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex06_01 {
 
 using namespace bins;
 
@@ -232,9 +232,10 @@ Findings study(const Parameters& p, const Reference&) {
   return {claims(p), {all_cases(p), objects_held(p), huge_tangent(), tiny_sphere(), rounded_boundary()}};
 }
 
-}  // namespace
+}  // namespace ex06_01
 
 Exercise exercise_6_1() {
+  using namespace ex06_01;
   return {
       "Spheres in a grid of bins",
       "Which of the $n$ bins of a rectangular grid does a sphere of center $c$ and radius $r$ meet? Find a "

@@ -7,7 +7,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex06_03 {
 
 using namespace bins;
 
@@ -178,9 +178,10 @@ Claim many_ways(const Parameters& p) {
 
 Findings study(const Parameters& p, const Reference&) { return {{many_ways(p)}, {pairs(p)}}; }
 
-}  // namespace
+}  // namespace ex06_03
 
 Exercise exercise_6_3() {
+  using namespace ex06_03;
   return {"Moving spheres",
           "The published solutions leave this one open: no answer is required, and there are many ways. "
           "Ours: find the "

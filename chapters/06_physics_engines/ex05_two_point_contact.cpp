@@ -10,7 +10,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex06_05 {
 
 using namespace contact;
 
@@ -209,9 +209,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(p["seed"]), {spin(p, truth), rebound(p), patch(p)}};
 }
 
-}  // namespace
+}  // namespace ex06_05
 
 Exercise exercise_6_5() {
+  using namespace ex06_05;
   return {"Contact at two points",
           "Two bodies touch at two points $P_0$, $P_1$. Find the delta function of the set and with it the "
           "velocities "

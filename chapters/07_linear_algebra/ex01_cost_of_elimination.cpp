@@ -10,7 +10,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex07_01 {
 
 using namespace elimination;
 
@@ -267,9 +267,10 @@ Findings study(const Parameters& p, const Reference&) {
           {solution("system", random_system(static_cast<std::size_t>(p["n"]), random), false), large}};
 }
 
-}  // namespace
+}  // namespace ex07_01
 
 Exercise exercise_7_1() {
+  using namespace ex07_01;
   return {"Forward and full elimination",
           "An augmented $n\\times(n+1)$ matrix is made diagonal by clearing every column below *and above* "
           "its pivot. How many multiplications ($\\mu$), additions ($\\alpha$) and divisions ($\\delta$) is "

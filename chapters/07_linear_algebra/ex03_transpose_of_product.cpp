@@ -11,7 +11,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex07_03 {
 
 using namespace matrices;
 
@@ -171,9 +171,10 @@ Findings study(const Parameters& p, const Reference&) {
   return {claims(random), {same_bits(p["decades"], random), identity(static_cast<int>(p["m"]), random)}};
 }
 
-}  // namespace
+}  // namespace ex07_03
 
 Exercise exercise_7_3() {
+  using namespace ex07_03;
   return {
       "The transpose of a product",
       "Show that $(AB)^T=B^TA^T$ for $n\\times n$ matrices, entry by entry. Does it hold in floating point?",

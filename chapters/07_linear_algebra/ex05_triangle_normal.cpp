@@ -15,7 +15,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex07_05 {
 
 using namespace triangles;
 
@@ -222,9 +222,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims, {far, thin, twice_area(flat(1, 1e-6), truth)}};
 }
 
-}  // namespace
+}  // namespace ex07_05
 
 Exercise exercise_7_5() {
+  using namespace ex07_05;
   return {"Three equal cross products",
           "Show that $u+v+w=0$ implies $u\\times v=v\\times w=w\\times u$, and say what this means for a "
           "triangle with these edges.",

@@ -11,7 +11,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex07_07 {
 
 using namespace bases;
 using vectors::operator*;
@@ -197,9 +197,10 @@ Findings study(const Parameters& chosen, const Reference& truth) {
            dual_coefficients(chosen["gap"], truth), nearly, left_over(1e-10, truth)}};
 }
 
-}  // namespace
+}  // namespace ex07_07
 
 Exercise exercise_7_7() {
+  using namespace ex07_07;
   return {"Coefficients over a general basis",
           "Write $p$ over linearly independent vectors $u$, $v$, $w$, and over $u\\times v$, $v\\times w$, "
           "$w\\times u$: the coefficients are quotients of triple products. What becomes of them when the "

@@ -12,7 +12,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex07_09 {
 
 using namespace determinants;
 
@@ -273,9 +273,10 @@ Findings study(const Parameters& p, const Reference& truth) {
           {hilbert("hilbert", p["s"], truth), shifted, determinant_one(static_cast<int>(p["m"]), random)}};
 }
 
-}  // namespace
+}  // namespace ex07_09
 
 Exercise exercise_7_9() {
+  using namespace ex07_09;
   return {"The 24 terms of a determinant",
           "Write out $\\det A=\\sum_\\sigma\\varepsilon_\\sigma "
           "a_{\\sigma(1)1}a_{\\sigma(2)2}a_{\\sigma(3)3}a_{\\sigma(4)4}$ for a $4\\times4$ matrix: all 24 "

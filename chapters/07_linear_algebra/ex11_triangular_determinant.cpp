@@ -10,7 +10,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex07_11 {
 
 using namespace matrices;
 
@@ -148,9 +148,10 @@ Findings study(const Parameters& p, const Reference& truth) {
           {diagonals::determinant_of(n, e, truth), diagonals::log_determinant(n, e, truth, random)}};
 }
 
-}  // namespace
+}  // namespace ex07_11
 
 Exercise exercise_7_11() {
+  using namespace ex07_11;
   return {"The determinant of a triangular matrix",
           "Show that the determinant of an upper triangular matrix is the product of its diagonal entries. "
           "What if that product, or a part of it, is out of the range of a double?",

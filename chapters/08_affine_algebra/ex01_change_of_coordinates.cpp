@@ -16,7 +16,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex08_01 {
 
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
@@ -213,9 +213,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(p["seed"]), {coordinates_of(a, 0, truth, Outcome::ok), huge, full_turns()}};
 }
 
-}  // namespace
+}  // namespace ex08_01
 
 Exercise exercise_8_1() {
+  using namespace ex08_01;
   return {
       "Change of coordinates",
       "Two coordinate systems of the plane share their origin, and the axes of one are the other's turned by "

@@ -9,7 +9,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex08_03 {
 
 using namespace subspaces;
 
@@ -211,9 +211,10 @@ Findings study(const Parameters& p, const Reference&) {
   return {claims(p["seed"]), {random, nearly, rounded}};
 }
 
-}  // namespace
+}  // namespace ex08_03
 
 Exercise exercise_8_3() {
+  using namespace ex08_03;
   return {"Parallel affine subspaces",
           "Two affine subspaces $A_i=P_i+V_i$: are they parallel, that is, does one of the vector spaces "
           "$V_1$, $V_2$ "

@@ -10,7 +10,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex08_05 {
 
 using namespace tetrahedra;
 
@@ -196,9 +196,10 @@ std::vector<Quantity> quantities(const Parameters& p) {
 
 Findings study(const Parameters& p, const Reference&) { return {claims(p["seed"]), quantities(p)}; }
 
-}  // namespace
+}  // namespace ex08_05
 
 Exercise exercise_8_5() {
+  using namespace ex08_05;
   return {
       "Affine map on a tetrahedron",
       "An affine map $f$ is known at the four vertices $P_i$ of a tetrahedron. Compute $f(P)$ for any point "

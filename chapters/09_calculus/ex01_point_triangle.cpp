@@ -10,7 +10,7 @@
 
 namespace oddity {
 
-namespace {
+namespace ex09_01 {
 
 using namespace triangles;
 using Point = Vec<double>;
@@ -231,9 +231,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(p["seed"]), quantities(p, truth)};
 }
 
-}  // namespace
+}  // namespace ex09_01
 
 Exercise exercise_9_1() {
+  using namespace ex09_01;
   return {
       "Distance from a point to a triangle",
       "Find the distance from a point $P$ to a triangle $V_0V_1V_2$: parametrize the triangle by $s,t\\ge0$, "
