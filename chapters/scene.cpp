@@ -1,6 +1,6 @@
 #include "chapters/scene.hpp"
 
-#include "solvers/ode/all.hpp"
+#include "solvers/ode/algorithms.hpp"
 
 namespace oddity {
 
@@ -55,22 +55,23 @@ ODDITY_FOR_UNKNOWNS(ODDITY_MODEL, ModelOf)
 
 bool is_other_algorithm(std::string_view name) {
   bool found = false;
-  ode::for_each_other_algorithm([&]<class Algorithm>() { found = found || Algorithm::name == name; });
+  ode::for_each_other_algorithm(
+      [&]<class Algorithm>() { found = found || ode::brief<Algorithm>().name == name; });
   return found;
 }
 
 Ladder& Ladder::add(std::string name, Any model, ode::Brief algorithm, Outcome expected, std::string why) {
   std::function<double()> stable_step;
-  if (!algorithm.has_tolerance)
+  const bool has_tolerance = ode::has_tolerance(algorithm.kind);
+  if (!has_tolerance)
     stable_step = [model, algorithm, end = horizon_.end] {
       return ode::stable_step(algorithm.name, model->spectrum(end));
     };
   const auto run = [model, algorithm, horizon = horizon_](double setting) {
     return model->run(algorithm.name, horizon, setting);
   };
-  quantity_.add(Method{std::move(name), std::string(algorithm.name),
-                       algorithm.has_tolerance ? tolerances_ : steps_, run, expected, std::move(why),
-                       std::move(stable_step)});
+  quantity_.add(Method{std::move(name), std::string(algorithm.name), has_tolerance ? tolerances_ : steps_,
+                       run, expected, std::move(why), std::move(stable_step)});
   return *this;
 }
 
@@ -108,8 +109,9 @@ Ladder& Ladder::by_others(const std::string& name, const Any& model,
   for (std::string_view optional : ode::optional_algorithms)
     if (!ode::has_sundials) used += named(optional) != exceptions.end();
   ode::for_each_other_algorithm([&]<class Algorithm>() {
-    if (Algorithm::kind == ode::Kind::partitioned && !model->partitioned()) return;
-    const auto exception = named(Algorithm::name);
+    const ode::Brief algorithm = ode::brief<Algorithm>();
+    if (algorithm.kind == ode::Kind::partitioned && !model->partitioned()) return;
+    const auto exception = named(algorithm.name);
     if (exception == exceptions.end()) {
       by<Algorithm>(name, model);
     } else {

@@ -178,8 +178,8 @@ void add_event(Quantity& arrival, const std::string& name, const Model& model, O
   };
   const Knob steps = halving("step", latest(model) / 32, 8);
   const ode::Brief algorithm = ode::brief<Algorithm>();
-  arrival.add({name, std::string(algorithm.name), algorithm.has_tolerance ? tolerances() : steps, run,
-               expected, why});
+  arrival.add({name, std::string(algorithm.name), ode::has_tolerance(algorithm.kind) ? tolerances() : steps,
+               run, expected, why});
 }
 
 template <class Model>

@@ -110,7 +110,7 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
 /// What a caller may ask of an algorithm that it does not see.
 struct Brief {
   std::string_view name;
-  bool has_tolerance;
+  Kind kind;
 };
 template <class Algorithm>
 Brief brief();

@@ -40,7 +40,7 @@ bool step_precompiled(const AnySystem<n>& system, std::array<double, n>& x, doub
 
 template <class Algorithm>
 Brief brief() {
-  return {Algorithm::name, has_tolerance(Algorithm::kind)};
+  return {Algorithm::name, Algorithm::kind};
 }
 
 #define ODDITY_PRECOMPILE_FOR(n, Algorithm)                                                                 \
