@@ -5,45 +5,58 @@
 
 #include "reference/truth.hpp"
 
+using namespace oddity::truth;
+namespace fs = std::filesystem;
+
+namespace {
+
+int bad_input(const std::string& message) {
+  std::cerr << message
+            << "\nusage: make_reference FOLDER [TABLE...]\n"
+               "  for example: make_reference reference 03_05_quarter_period\n";
+  return 2;
+}
+
+bool registered(const std::string& name) {
+  return std::ranges::any_of(registry(), [&](const Entry& entry) { return entry.name == name; });
+}
+
+/// A table is written whole, or not at all.
+bool write_whole(const fs::path& file, const std::string& text) {
+  const fs::path part = file.string() + ".part";
+  std::ofstream out(part);
+  out << text << std::flush;
+  if (!out) return false;
+  out.close();
+  fs::rename(part, file);
+  return true;
+}
+
+}  // namespace
+
 /// make_reference FOLDER [TABLE...]: makes the named tables, or all of them, in FOLDER.
 int main(int argc, char** argv) {
-  using namespace oddity::truth;
-  namespace fs = std::filesystem;
-  if (argc < 2) {
-    std::cerr << "usage: make_reference FOLDER [TABLE...]\n  for example: make_reference reference "
-                 "03_05_quarter_period\n";
-    return 2;
-  }
+  if (argc < 2) return bad_input("no folder is named");
+  const fs::path folder = argv[1];
+  if (!fs::is_directory(folder)) return bad_input(folder.string() + " is not a folder");
   const std::vector<std::string> wanted(argv + 2, argv + argc);
-  std::size_t made = 0;
+  for (const std::string& name : wanted)
+    if (!registered(name))
+      return bad_input(name + " is no table: a table is made by reference/make/TABLE.cpp");
   for (const Entry& entry : registry()) {
     const std::string name(entry.name);
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
-    const fs::path file = fs::path(argv[1]) / (name + ".csv");
-    const fs::path part = file.string() + ".part";
-    std::string text;
+    if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) continue;
+    const fs::path file = folder / (name + ".csv");
     try {
-      text = table(name, entry.make());
+      if (!write_whole(file, table(name, entry.make()))) {
+        std::cerr << "cannot write " << file.string() << "\n";
+        return 2;
+      }
     } catch (const std::exception& error) {
       std::cerr << "cannot make " << name << ": " << error.what() << "\n";
       return 1;
     }
-    std::ofstream out(part);
-    out << text << std::flush;
-    if (!out) {
-      std::cerr << "cannot write " << part.string() << "\n";
-      return 2;
-    }
-    out.close();
-    fs::rename(part, file);
     std::cout << file.string() << "\n";
-    ++made;
-  }
-  if (made < wanted.size()) {
-    std::cerr << "no such table among:";
-    for (const std::string& name : wanted) std::cerr << " " << name;
-    std::cerr << "; a table is made by reference/make/TABLE.cpp\n";
-    return 2;
   }
   return 0;
 }
