@@ -131,7 +131,7 @@ std::array<double, 2> errors(double from, double to, double setting) {
   return {std::abs(solved.value[0] - Both::exact(to)[0]), std::abs(solved.value[2] - Both::exact(to)[2])};
 }
 
-double unknown(const std::array<double, 1>& x, double) { return x[0]; }
+double height(const std::array<double, 1>& x, double) { return x[0]; }
 
 }  // namespace
 
@@ -198,7 +198,7 @@ TEST_CASE("implicit steps cost their evaluations and their Jacobians, and report
 TEST_CASE("implicit methods find events", "[solvers]") {
   const auto crossing = []<class Algorithm>(double setting) {
     const Relaxation stiff{1e3};
-    const auto event = ode::find_event<Algorithm>(stiff, std::array{stiff.exact(0)}, 0, 4, setting, unknown);
+    const auto event = ode::find_event<Algorithm>(stiff, std::array{stiff.exact(0)}, 0, 4, setting, height);
     REQUIRE(event.reached());
     return event.value.time - (3.14159265358979323846 / 2 + std::atan(1e-3));  // cos t + sin t / k = 0
   };
