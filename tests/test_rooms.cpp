@@ -60,8 +60,7 @@ TEST_CASE("each room knows only the rooms below it", "[rooms]") {
 TEST_CASE("the vocabulary needs the standard library only", "[rooms]") {
   const fs::path vocabulary = fs::path(ODDITY_SOURCE) / "chapters" / "exercise.hpp";
   CHECK(ours(vocabulary) == std::set<std::string>{"solvers/solved.hpp"});
-  for (const std::string& included : others(vocabulary))
-    CHECK(included.find('/') == std::string::npos);
+  for (const std::string& included : others(vocabulary)) CHECK(included.find('/') == std::string::npos);
 }
 
 TEST_CASE("exercises do not print, test, look at a clock or draw from the library's distributions",

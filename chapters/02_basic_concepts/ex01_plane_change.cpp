@@ -146,7 +146,9 @@ Exercise exercise_2_1() {
   return {"Curve that changes its plane",
           "The curve $\\mathbf r(t)=(t,t^3,0)$ for $t<0$, $(t,0,t^3)$ for $t\\ge0$: show that position, "
           "velocity and acceleration are continuous at $t=0$, and that the normal $\\mathbf N$ is not.",
-          parameters, {}, [](const Parameters& p, const Reference&) {
+          parameters,
+          {},
+          [](const Parameters& p, const Reference&) {
             return Findings{claims(p["h"], p["seed"]), {one_sided_limits(p["h"])}};
           }};
 }

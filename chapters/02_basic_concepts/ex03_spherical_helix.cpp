@@ -210,7 +210,9 @@ Exercise exercise_2_3() {
           "The curve $(\\cos t,\\sin t,t)/\\sqrt{1+t^2}$ winds about the unit sphere: find its spherical "
           "coordinates, its velocity and acceleration in the frame $\\{\\mathbf P,\\mathbf Q,\\mathbf "
           "R\\}$, and where it ends.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

@@ -276,7 +276,9 @@ Exercise exercise_2_5() {
           "A body is turned by the angle $\\theta(t)$ about the unit axis $\\mathbf D(t)$: show that its "
           "angular velocity is $\\mathbf w=\\dot\\theta\\mathbf D+\\sin\\theta\\,\\dot{\\mathbf "
           "D}+(1-\\cos\\theta)\\,\\mathbf D\\times\\dot{\\mathbf D}$.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

@@ -281,7 +281,9 @@ Exercise exercise_2_9() {
   using namespace ex02_09;
   return {"Balance of a plate",
           "Show that a plate of point masses $m_i$ balances on every line through its center of mass $C$.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

@@ -215,8 +215,11 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 Exercise exercise_2_11() {
   using namespace ex02_11;
-  return {"Rotation of a cross product", "Show that $R(a\\times b)=(Ra)\\times(Rb)$ for every rotation $R$.",
-          parameters, {}, study};
+  return {"Rotation of a cross product",
+          "Show that $R(a\\times b)=(Ra)\\times(Rb)$ for every rotation $R$.",
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

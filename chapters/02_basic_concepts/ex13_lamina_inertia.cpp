@@ -225,7 +225,9 @@ Exercise exercise_2_13() {
   return {"Inertia of a parabolic lamina",
           "Find $I_{xx}, I_{yy}, I_{zz}, I_{xy}, I_{xz}, I_{yz}$ of the flat region $x^2\\le y\\le 1$, "
           "$z=0$, with unit density.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

@@ -265,7 +265,9 @@ Exercise exercise_2_15() {
   return {"Transfer theorem",
           "Express the inertia components of particles about the origin, $I_{xx}=\\sum m_i(y_i^2+z_i^2)$, "
           "$I_{xy}=\\sum m_ix_iy_i$, ..., through those about their center of mass.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

@@ -226,7 +226,9 @@ Exercise exercise_2_17() {
       "Work around a circle",
       "A particle is at $(r\\cos\\omega t, r\\sin\\omega t, 0)$. What work do $F=(1,1,1)$ and $F=(t,t,1)$ do "
       "until the time $T$, and when is it extremal?",
-      parameters, {}, study};
+      parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

@@ -367,7 +367,9 @@ Exercise exercise_3_1() {
   return {"The polar equation of an orbit is an ellipse",
           "Show that the orbit $r = e\\rho/(1+e\\cos\\theta)$ satisfies the equation of an ellipse with one "
           "focus at the origin.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

@@ -86,7 +86,9 @@ Exercise exercise_5_1() {
   return {"Directional derivative of the position",
           "Show that $(\\mathbf f\\cdot\\nabla)\\mathbf x = \\mathbf f$, where $\\mathbf x$ is the position. "
           "Below `x0,1` is the derivative of $x_0$ by $x_1$.",
-          field_parameters, {}, study};
+          field_parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

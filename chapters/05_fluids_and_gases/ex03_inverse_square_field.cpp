@@ -169,7 +169,9 @@ Exercise exercise_5_3() {
       "Divergence of the inverse-square field",
       "Show that $\\nabla\\cdot(\\mathbf x/|\\mathbf x|^3) = 0$. The origin, where the field is not defined, "
       "shows in the flux through a closed surface: $4\\pi$ around it, zero otherwise.",
-      parameters, {}, study};
+      parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

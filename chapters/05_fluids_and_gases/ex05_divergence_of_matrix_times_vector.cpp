@@ -136,7 +136,9 @@ Exercise exercise_5_5() {
           "Show that $\\nabla\\cdot(M\\mathbf f) = (M^T\\nabla)\\cdot\\mathbf f$ for a constant matrix $M$. "
           "Below "
           "`f2,1` is the derivative of $f_2$ by $x_1$.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

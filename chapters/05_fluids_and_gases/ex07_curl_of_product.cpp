@@ -88,7 +88,9 @@ Exercise exercise_5_7() {
           "Show that $\\nabla\\times(\\varphi\\mathbf f) = \\varphi\\,\\nabla\\times\\mathbf f + "
           "\\nabla\\varphi\\times\\mathbf f$. Below `f2,1` is the derivative of $f_2$ by $x_1$, and `phi_f` "
           "the product.",
-          field_parameters, {}, study};
+          field_parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

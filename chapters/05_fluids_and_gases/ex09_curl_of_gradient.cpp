@@ -134,7 +134,9 @@ Exercise exercise_5_9() {
           "Show that $\\nabla\\times\\nabla\\varphi = 0$. Below `phi,12` is the derivative of $\\varphi$ by "
           "$x_1$, "
           "then by $x_2$.",
-          field_parameters, {}, study};
+          field_parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

@@ -113,7 +113,9 @@ Exercise exercise_5_11() {
       "Divergence of a cross product",
       "Show that $\\nabla\\cdot(\\mathbf f\\times\\mathbf g) = (\\nabla\\times\\mathbf f)\\cdot\\mathbf g "
       "- (\\nabla\\times\\mathbf g)\\cdot\\mathbf f$. Below `f2,1` is the derivative of $f_2$ by $x_1$.",
-      field_parameters, {}, study};
+      field_parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

@@ -127,7 +127,9 @@ Exercise exercise_5_13() {
           "Show that $\\nabla(\\mathbf f\\cdot\\mathbf g) = \\mathbf f\\times(\\nabla\\times\\mathbf g) + "
           "\\mathbf g\\times(\\nabla\\times\\mathbf f) + (\\mathbf f\\cdot\\nabla)\\mathbf g + "
           "(\\mathbf g\\cdot\\nabla)\\mathbf f$. Below `f2,1` is the derivative of $f_2$ by $x_1$.",
-          field_parameters, {}, study};
+          field_parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

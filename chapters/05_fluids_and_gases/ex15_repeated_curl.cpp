@@ -103,7 +103,9 @@ Exercise exercise_5_15() {
           "Write $(\\nabla\\times)^n\\mathbf f$ with the permutation tensor $e_{ijk}$. Below `e(i j k)` is "
           "the tensor, and "
           "`f(m, j l)` the derivative of $f_m$ by $x_j$ and $x_l$.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

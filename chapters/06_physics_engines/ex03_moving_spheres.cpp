@@ -186,7 +186,9 @@ Exercise exercise_6_3() {
           "The published solutions leave this one open: no answer is required, and there are many ways. "
           "Ours: find the "
           "overlapping pairs among $n$ moving spheres without testing all $n(n-1)/2$ in every frame.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

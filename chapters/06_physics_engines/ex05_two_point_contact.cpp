@@ -217,7 +217,9 @@ Exercise exercise_6_5() {
           "Two bodies touch at two points $P_0$, $P_1$. Find the delta function of the set and with it the "
           "velocities "
           "$v^+$, $w^+$ after the impulse; compare with contact along the segment $P_0P_1$.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

@@ -275,7 +275,9 @@ Exercise exercise_7_1() {
           "An augmented $n\\times(n+1)$ matrix is made diagonal by clearing every column below *and above* "
           "its pivot. How many multiplications ($\\mu$), additions ($\\alpha$) and divisions ($\\delta$) is "
           "that, and is it ever cheaper than forward elimination with back substitution?",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

@@ -178,7 +178,9 @@ Exercise exercise_7_3() {
   return {
       "The transpose of a product",
       "Show that $(AB)^T=B^TA^T$ for $n\\times n$ matrices, entry by entry. Does it hold in floating point?",
-      parameters, {}, study};
+      parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

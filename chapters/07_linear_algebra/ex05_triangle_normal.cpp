@@ -229,7 +229,9 @@ Exercise exercise_7_5() {
   return {"Three equal cross products",
           "Show that $u+v+w=0$ implies $u\\times v=v\\times w=w\\times u$, and say what this means for a "
           "triangle with these edges.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

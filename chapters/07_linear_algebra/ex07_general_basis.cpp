@@ -205,7 +205,9 @@ Exercise exercise_7_7() {
           "Write $p$ over linearly independent vectors $u$, $v$, $w$, and over $u\\times v$, $v\\times w$, "
           "$w\\times u$: the coefficients are quotients of triple products. What becomes of them when the "
           "basis is nearly dependent?",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

@@ -281,7 +281,9 @@ Exercise exercise_7_9() {
           "Write out $\\det A=\\sum_\\sigma\\varepsilon_\\sigma "
           "a_{\\sigma(1)1}a_{\\sigma(2)2}a_{\\sigma(3)3}a_{\\sigma(4)4}$ for a $4\\times4$ matrix: all 24 "
           "terms with their signs.",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

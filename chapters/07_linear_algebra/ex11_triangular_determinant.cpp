@@ -155,7 +155,9 @@ Exercise exercise_7_11() {
   return {"The determinant of a triangular matrix",
           "Show that the determinant of an upper triangular matrix is the product of its diagonal entries. "
           "What if that product, or a part of it, is out of the range of a double?",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

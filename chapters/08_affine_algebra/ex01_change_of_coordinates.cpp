@@ -221,7 +221,9 @@ Exercise exercise_8_1() {
       "Change of coordinates",
       "Two coordinate systems of the plane share their origin, and the axes of one are the other's turned by "
       "$\\pi/4$. How do the coordinates $b$ of a point follow from its coordinates $a$?",
-      parameters, {}, study};
+      parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

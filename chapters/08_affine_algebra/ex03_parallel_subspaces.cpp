@@ -219,7 +219,9 @@ Exercise exercise_8_3() {
           "Two affine subspaces $A_i=P_i+V_i$: are they parallel, that is, does one of the vector spaces "
           "$V_1$, $V_2$ "
           "contain the other?",
-          parameters, {}, study};
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

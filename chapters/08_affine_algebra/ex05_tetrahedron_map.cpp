@@ -204,7 +204,9 @@ Exercise exercise_8_5() {
       "Affine map on a tetrahedron",
       "An affine map $f$ is known at the four vertices $P_i$ of a tetrahedron. Compute $f(P)$ for any point "
       "$P$, by its barycentric coordinates.",
-      parameters, {}, study};
+      parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

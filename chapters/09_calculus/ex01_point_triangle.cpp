@@ -239,7 +239,9 @@ Exercise exercise_9_1() {
       "Distance from a point to a triangle",
       "Find the distance from a point $P$ to a triangle $V_0V_1V_2$: parametrize the triangle by $s,t\\ge0$, "
       "$s+t\\le1$ and minimize the squared distance $f(s,t)$.",
-      parameters, {}, study};
+      parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity
