@@ -185,9 +185,5 @@ Results results_from_json(const std::string& text, const std::string& place);
 
 /// Throws BadInput when the file cannot be read.
 Results read_results(const std::filesystem::path& file);
-/// Throws BadInput when the file could not be written, so that no run is lost for it; makes its folder.
-void require_writable(const std::filesystem::path& file);
-/// Writes the whole file or none of it. Throws BadInput when it cannot be written.
-void write_whole(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace oddity

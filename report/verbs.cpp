@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "reference/bad_input.hpp"
+#include "reference/files.hpp"
 #include "reference/text.hpp"
 #include "reference/verdicts.hpp"
 #include "report/bench.hpp"

@@ -1,6 +1,7 @@
 #include "report/write_report.hpp"
 
 #include "reference/bad_input.hpp"
+#include "reference/files.hpp"
 #include "report/catalog_page.hpp"
 #include "report/chart.hpp"
 #include "report/ledger.hpp"

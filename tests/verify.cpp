@@ -3,6 +3,7 @@
 #include <deque>
 
 #include "reference/bad_input.hpp"
+#include "reference/files.hpp"
 #include "reference/verdicts.hpp"
 #include "report/disturb.hpp"
 #include "report/markdown.hpp"

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
+#include "reference/bad_input.hpp"
+#include "reference/files.hpp"
 #include "reference/truth.hpp"
 
 using namespace oddity::truth;
@@ -21,17 +22,6 @@ bool registered(const std::string& name) {
   return std::ranges::any_of(registry(), [&](const Entry& entry) { return entry.name == name; });
 }
 
-/// A table is written whole, or not at all.
-bool write_whole(const fs::path& file, const std::string& text) {
-  const fs::path part = file.string() + ".part";
-  std::ofstream out(part);
-  out << text << std::flush;
-  if (!out) return false;
-  out.close();
-  fs::rename(part, file);
-  return true;
-}
-
 }  // namespace
 
 /// make_reference FOLDER [TABLE...]: makes the named tables, or all of them, in FOLDER.
@@ -48,10 +38,9 @@ int main(int argc, char** argv) {
     if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) continue;
     const fs::path file = folder / (name + ".csv");
     try {
-      if (!write_whole(file, table(name, entry.make()))) {
-        std::cerr << "cannot write " << file.string() << "\n";
-        return 2;
-      }
+      oddity::write_whole(file, table(name, entry.make()));
+    } catch (const oddity::BadInput& error) {
+      return bad_input(error.what());
     } catch (const std::exception& error) {
       std::cerr << "cannot make " << name << ": " << error.what() << "\n";
       return 1;
