@@ -192,7 +192,7 @@ namespace {
 /// A result is off the scale when it is ten times as far from the truth as the truth is from zero.
 constexpr double far_away = 10;
 
-/// A conserved quantity that has changed by a hundredth makes another motion.
+/// A conserved quantity that has changed by a hundredth of what moves in it makes another motion.
 constexpr double another_motion = 0.01;
 
 /// The last of `samples` equal parts.
@@ -201,7 +201,16 @@ Value last_of(const Value& value, int samples) {
   return Value(std::vector<double>(value.end() - static_cast<std::ptrdiff_t>(part), value.end()));
 }
 
-Outcome judge(const Quantity& quantity, const Answer& answer, double error) {
+double largest(const std::vector<double>& errors) {
+  double largest = 0;
+  for (double e : errors) {
+    if (std::isnan(e)) return e;
+    largest = std::max(largest, e);
+  }
+  return largest;
+}
+
+Outcome judge(const Quantity& quantity, const Answer& answer, double error, double in_needs) {
   switch (answer.ending) {
     case Ending::raised:
       return Outcome::raised;
@@ -213,46 +222,78 @@ Outcome judge(const Quantity& quantity, const Answer& answer, double error) {
       break;
   }
   if (!finite(answer.value) || !std::isfinite(error)) return Outcome::non_finite;
-  const double scale = size_of(quantity.reference.value);
+  const bool accurate = in_needs <= 1;
+  const double scale =
+      largest(quantity.errors(Value(std::vector<double>(quantity.reference.value.size(), 0.0))));
   const double known_to = quantity.reference_error + 16 * epsilon * scale;
-  if (error > quantity.need.allowed && error > far_away * scale && scale > 0) return Outcome::diverged;
+  if (!accurate && error > far_away * scale && scale > 0) return Outcome::diverged;
   if (answer.error_estimate < error - known_to) return Outcome::deceived;
-  const bool accurate = error <= quantity.need.allowed;
-  if (!(answer.drift <= (accurate ? quantity.need.allowed : another_motion))) return Outcome::drifted;
+  if (!(answer.drift <= another_motion)) return Outcome::drifted;
   return accurate ? Outcome::ok : Outcome::inaccurate;
 }
 
 }  // namespace
 
+int Horizon::count() const {
+  return frames_per_second > 0 ? static_cast<int>(std::lround(end * frames_per_second)) : samples;
+}
+
 std::vector<double> Horizon::times() const {
   std::vector<double> all{0};
-  for (int k = 1; k <= samples; ++k) {
-    const double t = end * k / samples;
-    all.push_back(frames_a_second > 0 ? std::round(t * frames_a_second) / frames_a_second : t);
-  }
+  for (int k = 1; k <= count(); ++k)
+    all.push_back(frames_per_second > 0 ? k / frames_per_second : end * k / samples);
   return all;
 }
 
-std::vector<double> Horizon::stops() const {
-  if (frames_a_second <= 0) return times();
-  std::vector<double> all{0};
-  const auto frames = std::lround(end * frames_a_second);
-  for (long frame = 1; frame <= frames; ++frame) all.push_back(static_cast<double>(frame) / frames_a_second);
+std::vector<std::string_view> Quantity::units() const {
+  std::vector<std::string_view> all;
+  for (const Norm& norm : norms)
+    if (std::ranges::find(all, norm.unit) == all.end()) all.push_back(norm.unit);
+  if (all.empty()) all.push_back(unit);
   return all;
+}
+
+std::vector<double> Quantity::errors(const Value& value) const {
+  const Value& truth = reference.value;
+  if (norms.empty()) return {distance(value, truth)};
+  const auto all = units();
+  const std::size_t parts = truth.size() / static_cast<std::size_t>(samples);
+  if (value.size() != truth.size() || !finite(value) || !finite(truth))
+    return std::vector<double>(all.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> errors(all.size(), 0);
+  for (std::size_t first = 0; first < truth.size(); first += parts)
+    for (const Norm& norm : norms) {
+      double far = 0;
+      for (std::size_t i : norm.components) far = std::hypot(far, value[first + i] - truth[first + i]);
+      double& error = errors[static_cast<std::size_t>(std::ranges::find(all, norm.unit) - all.begin())];
+      error = std::max(error, far);
+    }
+  return errors;
+}
+
+double Quantity::in_needs(const std::vector<double>& errors) const {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double allowed = i < needs.size() ? needs[i] : need.allowed;
+    ratios.push_back(errors[i] == 0 ? 0 : errors[i] / allowed);
+  }
+  return largest(ratios);
 }
 
 Trial run(const Quantity& quantity, const Method& method, double setting) {
-  Trial trial{method.model, method.algorithm, method.knob.name, setting, {}, 0, 0, Outcome::raised};
+  Trial trial{method.model, method.algorithm, method.knob.name, setting, {}, {}, 0, 0, 0, Outcome::raised};
   try {
     trial.answer = method.run(setting);
   } catch (const std::exception& exception) {
     trial.answer.ending = Ending::raised;
     trial.answer.message = exception.what();
   }
-  trial.error = distance(trial.answer.value, quantity.reference.value);
+  trial.errors = quantity.errors(trial.answer.value);
+  trial.error = largest(trial.errors);
   trial.final_error = distance(last_of(trial.answer.value, quantity.samples),
                                last_of(quantity.reference.value, quantity.samples));
-  trial.outcome = judge(quantity, trial.answer, trial.error);
+  trial.in_needs = quantity.in_needs(trial.errors);
+  trial.outcome = judge(quantity, trial.answer, trial.error, trial.in_needs);
   return trial;
 }
 

@@ -162,15 +162,15 @@ Verdict verdict(const Claim&);
 
 // ---- the method's side ------------------------------------------------------------------------------------
 
-/// When a motion is looked at: at `samples` times, evenly spaced, the last at `end`. With a frame rate the
-/// times are the frames next to those, and every method has to be at every frame.
+/// When a motion is looked at: at `samples` times, evenly spaced, the last at `end`; with a frame rate, at
+/// every frame. Every method has to be there.
 struct Horizon {
   double end;
   int samples = 4;
-  double frames_a_second = 0;
+  double frames_per_second = 0;
 
   std::vector<double> times() const;  ///< zero and the times looked at
-  std::vector<double> stops() const;  ///< zero and the times at which a method has to be
+  int count() const;                  ///< of the times looked at
 };
 
 /// The one thing about a method that trades cost for accuracy, with its settings from coarse to fine.
@@ -191,8 +191,8 @@ Knob halving(std::string name, double first, int count);
 enum class Outcome {
   ok,
   inaccurate,  ///< the error is above the need
-  drifted,   ///< a conserved quantity changed: by more than the need, or, where the error is above it, by 1 %
-  diverged,  ///< the error is ten times the true value's size
+  drifted,     ///< a conserved quantity changed by 1 % of what moves in it
+  diverged,    ///< the error is ten times the true value's size
   non_finite,
   stalled,   ///< out of steps, evaluations or iterations
   deceived,  ///< the method's own error estimate is below its true error
@@ -234,6 +234,12 @@ struct Breakdown {
   double cure_setting;
 };
 
+/// Components of a value that make one point, or one angle: its error is their distance from the truth.
+struct Norm {
+  std::string_view unit;
+  std::vector<std::size_t> components;
+};
+
 /// What is computed, with its true value and every way to compute it.
 struct Quantity {
   std::string name;
@@ -244,7 +250,17 @@ struct Quantity {
   Tolerance need;  ///< the error that still counts as ok
   std::vector<Method> methods = {};
   std::vector<Breakdown> breakdowns = {};
-  int samples = 1;  ///< times of a motion; the value has the observables of one after the other
+  int samples = 1;               ///< times of a motion; the value has the observables of one after the other
+  std::vector<Norm> norms = {};  ///< of one time; none: the largest component
+  /// The need in each of `units()`; empty: `need` in all of them.
+  std::vector<double> needs = {};
+
+  /// The distinct units of the norms, in their order; without norms the quantity's.
+  std::vector<std::string_view> units() const;
+  /// The largest error in each of `units()` over all times; NaN where the value is not comparable.
+  std::vector<double> errors(const Value&) const;
+  /// The largest error in needs: up to 1 is enough.
+  double in_needs(const std::vector<double>& errors) const;
 
   Quantity& add(Method method);
   Quantity& add(Breakdown breakdown);
@@ -258,8 +274,10 @@ struct Trial {
   std::string model, algorithm, knob;
   double setting = 0;
   Answer answer;
-  double error;        ///< the largest of all components
-  double final_error;  ///< at the last time alone
+  std::vector<double> errors;  ///< the largest in each of the quantity's units
+  double error;                ///< the largest of these
+  double final_error;          ///< at the last time alone
+  double in_needs;             ///< the error in needs, each unit by its own
   Outcome outcome;
 };
 
@@ -273,11 +291,12 @@ struct Findings {
   std::vector<Quantity> quantities;
 };
 
-/// How the observables of one time are drawn: by name ("x" and "y" alone as a path in the plane), over time in
-/// this unit.
+/// The observables of one time: by name ("x" and "y" alone are drawn as a path in the plane), over time in
+/// this unit, and which of them make a point or an angle.
 struct Axes {
   std::vector<std::string_view> observables;
   std::string_view time = "s";
+  std::vector<Norm> norms = {};
 };
 
 /// The motion of an exercise that has one: what the views of stability, choice and models look at.

@@ -6,38 +6,77 @@ namespace oddity {
 
 template <std::size_t n>
 Answer ModelOf<n>::run(std::string_view algorithm, const Horizon& horizon, double setting) const {
-  const auto stops = horizon.stops();
-  return observed(horizon, stops, ode::precompiled<n>(algorithm)(*this, start(), stops, setting, {}));
+  const auto times = horizon.times();
+  return observed(times, ode::precompiled<n>(algorithm)(*this, start(), times, setting, {}));
 }
 
 template <std::size_t n>
-Answer ModelOf<n>::observed(const Horizon& horizon, std::span<const double> stops,
-                            const ode::Trajectory<State>& trajectory) const {
-  const auto times = horizon.times();
+Answer ModelOf<n>::observed(std::span<const double> times, const ode::Trajectory<State>& trajectory) const {
   Answer answer{{}, trajectory.evaluations, trajectory.error_estimate,
                 0,  trajectory.ending,      trajectory.message};
   std::vector<double> seen;
-  std::size_t next = 1;
-  for (std::size_t i = 1; i < trajectory.value.size(); ++i) {
-    if (next == times.size() || stops[i] != times[next]) continue;
-    ++next;
-    observe(trajectory.value[i], stops[i], seen);
-    if (!conservative()) continue;
-    const double at_start = invariant(trajectory.value[0], 0);
-    const double change = std::abs(invariant(trajectory.value[i], stops[i]) - at_start);
-    answer.drift = std::max(answer.drift, change / std::max(std::abs(at_start), 1e-300));
-  }
+  for (std::size_t i = 1; i < trajectory.value.size(); ++i) observe(trajectory.value[i], times[i], seen);
   answer.value = Value(std::move(seen));
+  answer.drift = drift(times, trajectory.value);
   return answer;
+}
+
+namespace {
+
+/// No change of a conserved quantity at all, but for the rounding of its terms.
+bool is_rounding(double change, const Conserved& at_start) {
+  constexpr double roundings = 256 * std::numeric_limits<double>::epsilon();
+  return change <= roundings * (std::abs(at_start.value) + at_start.moving);
+}
+
+}  // namespace
+
+template <std::size_t n>
+double ModelOf<n>::drift(std::span<const double> times, std::span<const State> motion) const {
+  if (motion.empty()) return 0;
+  const std::vector<Conserved> at_start = conserved(motion[0], times[0]);
+  if (at_start.empty()) return 0;
+  const std::vector<double> scale = moving(times.back());
+  double drift = 0;
+  for (std::size_t i = 1; i < motion.size(); ++i) {
+    const std::vector<Conserved> now = conserved(motion[i], times[i]);
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      const double change = std::abs(now[k].value - at_start[k].value);
+      if (std::isnan(change)) return change;
+      if (!is_rounding(change, at_start[k])) drift = std::max(drift, change / scale[k]);
+    }
+  }
+  return drift;
+}
+
+template <std::size_t n>
+auto ModelOf<n>::accurate_motion(std::span<const double> times) const -> ode::Trajectory<State> {
+  long steps = 0;  // a model that chatters about rest would take millions
+  const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
+  return ode::integrate_precompiled<ode::DormandPrince54, n>(*this, start(), times, 1e-8,
+                                                             ode::Watch<n>(enough));
+}
+
+template <std::size_t n>
+std::vector<double> ModelOf<n>::moving(double end) const {
+  const std::lock_guard lock(mutex_);
+  auto& most = moving_[end];
+  if (!most.empty()) return most;
+  const auto times = Horizon{end, 128}.times();
+  const auto motion = accurate_motion(times);
+  most.resize(conserved(start(), 0).size());
+  for (std::size_t i = 0; i < motion.value.size(); ++i) {
+    const std::vector<Conserved> now = conserved(motion.value[i], times[i]);
+    for (std::size_t k = 0; k < most.size(); ++k)
+      if (now[k].moving > most[k]) most[k] = now[k].moving;
+  }
+  return most;
 }
 
 template <std::size_t n>
 ode::Spectrum ModelOf<n>::spectrum(double end) const {
   const auto times = Horizon{end, 32}.times();
-  long steps = 0;  // a model that chatters about rest would take millions
-  const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
-  const auto motion =
-      ode::integrate_precompiled<ode::DormandPrince54, n>(*this, start(), times, 1e-8, ode::Watch<n>(enough));
+  const auto motion = accurate_motion(times);
   ode::Spectrum spectrum{end / static_cast<double>(times.size()), {}};
   const auto rhs = [&](const double* x, double* dxdt, double t) {
     State state{}, derivative{};

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -13,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "chapters/conserved.hpp"
 #include "chapters/exercise.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
@@ -24,16 +27,24 @@
 ///
 /// A closed form offers            at(t) -> array of observables.
 /// A model to be integrated offers State, start() -> State, operator()(x, dxdt, t), observe(x, t) ->
-/// observables, and, where there are any,       invariant(x, t) -> double, a conserved quantity;
+/// observables, and, where there are any,       conserved(x, t) -> array of Conserved;
 ///                                 acceleration(q, a), for x = (q, v) with forces of position alone.
 namespace oddity {
 
 /// What a game asks of a position [m] and of an angle [rad].
 inline constexpr double centimeter = 0.01, degree = std::numbers::pi / 180;
 
-/// The scene as the book has it.
+/// The scene's motion, its observables judged by its norms.
+inline Quantity motion(const Scene& scene, const Parameters& parameters, const Horizon& horizon,
+                       const Reference& truth) {
+  Quantity seen = scene.motion(parameters, horizon, truth);
+  seen.samples = horizon.count();
+  seen.norms = scene.axes.norms;
+  return seen;
+}
+/// As the book has it.
 inline Quantity motion(const Scene& scene, const Parameters& parameters, const Reference& truth) {
-  return scene.motion(parameters, {scene.horizon}, truth);
+  return motion(scene, parameters, {scene.horizon}, truth);
 }
 
 template <class Model>
@@ -43,55 +54,41 @@ concept ClosedForm = requires(const Model& model, double t) {
 
 template <class Model>
 concept Conservative = requires(const Model& model, const typename Model::State& x) {
-  { model.invariant(x, 0.0) } -> std::convertible_to<double>;
+  { model.conserved(x, 0.0)[0] } -> std::convertible_to<Conserved>;
 };
 
-/// The true observables at a scene's times, one look-up of the table `name` a time: inputs, then the time.
-inline Known trajectory(const Reference& truth, std::string_view name, std::vector<double> inputs,
+/// The true observables at a scene's times: the table `name`, whose last input is the time, at these inputs.
+inline Known trajectory(const Reference& truth, std::string_view name, const std::vector<double>& inputs,
                         const Horizon& horizon) {
-  Known all;
-  inputs.push_back(0);
-  for (double t : horizon.times()) {
-    if (t == 0) continue;
-    inputs.back() = t;
-    const Known known = truth(name, inputs);
-    all.value.insert(all.value.end(), known.value.begin(), known.value.end());
-    all.error = std::max(all.error, known.error);
-    all.source = known.source;
-  }
-  return all;
+  const auto times = horizon.times();
+  return truth.motion(name, inputs, std::span(times).subspan(1));
 }
 
 /// "4 times up to 10 s".
 inline std::string times_up_to(const Horizon& horizon, const std::string& unit = "s") {
-  const std::string times = horizon.samples == 1 ? " time up to " : " times up to ";
-  return std::to_string(horizon.samples) + times + shortest(horizon.end) + " " + unit;
+  const std::string times = horizon.count() == 1 ? " time up to " : " times up to ";
+  return std::to_string(horizon.count()) + times + shortest(horizon.end) + " " + unit;
 }
 
-/// A method that needs no steps: see(t, answer) gives the observables at each of the horizon's stops, and
-/// counts its work in `answer`, which it may also end; those at the times are kept.
+/// A method that needs no steps: see(t, answer) gives the observables at each of the horizon's times, and
+/// counts its work in `answer`, which it may also end.
 template <class See>
-Answer observe_at_stops(const Horizon& horizon, const See& see) {
-  const auto times = horizon.times(), stops = horizon.stops();
+Answer observe_at_times(const Horizon& horizon, const See& see) {
+  const auto times = horizon.times();
   Answer answer;
   std::vector<double> seen;
-  std::size_t next = 1, kept = 0;
-  for (std::size_t i = 1; i < stops.size() && answer.reached(); ++i) {
-    const auto observables = see(stops[i], answer);
-    seen.resize(kept + observables.size());
-    std::ranges::copy(observables, seen.begin() + static_cast<std::ptrdiff_t>(kept));
-    if (next == times.size() || stops[i] != times[next]) continue;
-    kept = seen.size();
-    ++next;
+  for (std::size_t i = 1; i < times.size() && answer.reached(); ++i) {
+    const auto observables = see(times[i], answer);
+    seen.insert(seen.end(), observables.begin(), observables.end());
   }
   answer.value = Value(std::move(seen));
   return answer;
 }
 
-/// Its cost is one evaluation a stop.
+/// Its cost is one evaluation per time.
 template <ClosedForm Model>
 Answer observe_closed_form(const Model& model, const Horizon& horizon) {
-  return observe_at_stops(horizon, [&](double t, Answer& answer) {
+  return observe_at_times(horizon, [&](double t, Answer& answer) {
     ++answer.evaluations;
     return model.at(t);
   });
@@ -117,13 +114,24 @@ class ModelOf : public AnyModel, public ode::AnySystem<n> {
   virtual State start() const = 0;
   /// Adds the observables to those seen.
   virtual void observe(const State& x, double t, std::vector<double>& seen) const = 0;
-  virtual bool conservative() const = 0;
-  virtual double invariant(const State& x, double t) const = 0;
+  /// None where the model has none.
+  virtual std::vector<Conserved> conserved(const State& x, double t) const = 0;
 
   Answer run(std::string_view algorithm, const Horizon&, double setting) const final;
   ode::Spectrum spectrum(double end) const final;
-  /// A motion through the horizon's stops, observed at its times, the model's invariant watched.
-  Answer observed(const Horizon&, std::span<const double> stops, const ode::Trajectory<State>&) const;
+  /// A motion through the times, observed there, the conserved quantities watched.
+  Answer observed(std::span<const double> times, const ode::Trajectory<State>&) const;
+
+ private:
+  /// The model's motion to eight digits, as far as it comes in 100,000 steps.
+  ode::Trajectory<State> accurate_motion(std::span<const double> times) const;
+  /// By how much the conserved quantities change along a motion, at most, each by what moves in it.
+  double drift(std::span<const double> times, std::span<const State> motion) const;
+  /// The most that moves in each conserved quantity along the model's own motion up to `end`.
+  std::vector<double> moving(double end) const;
+
+  mutable std::mutex mutex_;
+  mutable std::map<double, std::vector<double>> moving_;
 };
 
 template <class Model>
@@ -141,12 +149,13 @@ class Erased final : public ode::Adapted<ModelLike<Model>, Model> {
     const auto observables = system().observe(x, t);
     seen.insert(seen.end(), observables.begin(), observables.end());
   }
-  bool conservative() const override { return Conservative<Model>; }
-  double invariant(const State& x, double t) const override {
-    if constexpr (Conservative<Model>)
-      return system().invariant(x, t);
-    else
-      throw std::logic_error("the model has no invariant");
+  std::vector<Conserved> conserved(const State& x, double t) const override {
+    if constexpr (Conservative<Model>) {
+      const auto all = system().conserved(x, t);
+      return {all.begin(), all.end()};
+    } else {
+      return {};
+    }
   }
 };
 
@@ -171,7 +180,7 @@ class Ladder {
  public:
   Ladder(Quantity& quantity, Horizon horizon, Knob steps, Knob tolerances)
       : quantity_(quantity), horizon_(horizon), steps_(std::move(steps)), tolerances_(std::move(tolerances)) {
-    quantity_.samples = horizon_.samples;
+    quantity_.samples = horizon_.count();
   }
 
   template <ClosedForm Model>

@@ -7,17 +7,14 @@
 
 namespace oddity {
 
-/// For methods that keep their own time: advance(from, to) from one stop of the horizon to the next, until it
-/// returns false, and look(t) at the times looked at.
+/// For methods that keep their own time: advance(from, to) from one of the horizon's times to the next, until
+/// it returns false, and look(t) at each.
 template <class Advance, class Look>
-void through_stops(const Horizon& horizon, const Advance& advance, const Look& look) {
-  const auto times = horizon.times(), stops = horizon.stops();
-  std::size_t next = 1;
-  for (std::size_t i = 1; i < stops.size(); ++i) {
-    if (!advance(stops[i - 1], stops[i])) return;
-    if (next == times.size() || stops[i] != times[next]) continue;
-    look(stops[i]);
-    ++next;
+void through_times(const Horizon& horizon, const Advance& advance, const Look& look) {
+  const auto times = horizon.times();
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (!advance(times[i - 1], times[i])) return;
+    look(times[i]);
   }
 }
 

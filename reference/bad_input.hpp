@@ -9,4 +9,9 @@ struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The time that the user gave is over.
+struct OutOfTime : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 }  // namespace oddity

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <optional>
+#include <sstream>
 
 #include "reference/bad_input.hpp"
 #include "reference/csv.hpp"
+#include "reference/files.hpp"
 #include "reference/text.hpp"
 #include "reference/truth.hpp"
 
@@ -75,16 +79,24 @@ Known unknown(const truth::Truth& truth) {
   return {std::vector<double>(truth.components.size(), nan), nan, "nothing"};
 }
 
-Known on_the_spot(const std::string& table, const truth::Truth& truth, const std::vector<double>& inputs) {
+std::string source_of(const truth::Truth& truth) {
+  return "computed on the spot: " + truth.first_route + "; and " + truth.second_route;
+}
+
+/// What `make` makes for the table at the inputs. What is out of time is no bad input.
+template <class Make>
+Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::vector<double>& inputs,
+                  const Make& make) {
   truth::Made made;
   try {
-    made = truth::make_row(truth, inputs, truth::spot_digits);
+    made = make();
+  } catch (const OutOfTime&) {
+    throw;
   } catch (const std::exception& error) {
-    throw BadInput("table " + table + " has no value at " + listed(inputs) + ": " + error.what());
+    throw BadInput("table " + std::string(table) + " has no value at " + listed(inputs) + ": " +
+                   error.what());
   }
-  Known known{{},
-              static_cast<double>(made.error),
-              "computed on the spot: " + truth.first_route + "; and " + truth.second_route};
+  Known known{{}, static_cast<double>(made.error), source_of(truth)};
   for (const truth::Number& x : made.value) {
     known.value.push_back(static_cast<double>(x));
     known.error = std::max(known.error, std::abs(known.value.back()) * 0x1p-53);
@@ -94,27 +106,134 @@ Known on_the_spot(const std::string& table, const truth::Truth& truth, const std
 
 }  // namespace
 
-Reference::Reference(const fs::path& folder) {
-  for (const truth::Entry& entry : truth::registry()) {
-    const std::string name(entry.name);
-    tables_.emplace(name, read(folder / (name + ".csv"), entry.make()));
+namespace {
+
+/// At how many of its times a motion's second route is compared with the first.
+constexpr std::size_t compared_times = 48;
+
+/// All that a motion made on the spot depends on.
+std::string motion_key(std::string_view table, const std::vector<double>& inputs,
+                       std::span<const double> times) {
+  return std::string(table) + " " + std::string(truth::fingerprint_of_makers) + " " +
+         std::to_string(truth::spot_digits) + " " + std::to_string(compared_times) + " (" + listed(inputs) +
+         ") at " + listed(std::vector<double>(times.begin(), times.end()));
+}
+
+fs::path kept_file(const fs::path& cache, const std::string& key) {
+  std::ostringstream name;
+  name << key.substr(0, key.find(' ')) << "_" << std::hex << std::hash<std::string>()(key) << ".txt";
+  return cache / name.str();
+}
+
+/// The motion kept under the key: a line with the key, one with the error, one with the values.
+std::optional<Known> kept_motion(const fs::path& cache, const std::string& key, std::size_t size) {
+  std::ifstream in(kept_file(cache, key));
+  std::string line, word;
+  if (!std::getline(in, line) || line != key) return {};
+  std::vector<double> numbers;
+  while (in >> word)
+    if (const auto number = number_in(word)) numbers.push_back(*number);
+  if (numbers.size() != size + 1) return {};
+  return Known{{numbers.begin() + 1, numbers.end()}, numbers.front(), ""};
+}
+
+void keep_motion(const fs::path& cache, const std::string& key, const Known& known) {
+  std::string text = key + "\n" + shortest(known.error) + "\n";
+  for (double x : known.value) text += shortest(x) + "\n";
+  try {
+    write_whole(kept_file(cache, key), text);
+  } catch (const BadInput&) {  // it will be made again
   }
 }
 
-Known Reference::operator()(std::string_view name, const std::vector<double>& inputs) const {
-  const auto table = tables_.find(name);
-  const truth::Entry* maker = maker_of(name);
-  if (maker && tables_.empty()) return unknown(maker->make());
-  if (table == tables_.end() || !maker) throw BadInput("no table reference/" + std::string(name) + ".csv");
-  const auto& [file, rows] = *table;
+/// Rows that a table has, one a time; none when one is missing.
+template <class Table>
+std::optional<Known> tabulated(const Table& rows, std::vector<double> inputs, std::span<const double> times) {
+  Known all;
+  inputs.push_back(0);
+  for (double t : times) {
+    inputs.back() = t;
+    const auto row = rows.find(inputs);
+    if (row == rows.end()) return {};
+    all.value.insert(all.value.end(), row->second.value.begin(), row->second.value.end());
+    all.error = std::max(all.error, row->second.error);
+    all.source = row->second.source;
+  }
+  return all;
+}
+
+void require_finite(std::string_view table, std::span<const double> inputs) {
   if (!std::ranges::all_of(inputs, [](double x) { return std::isfinite(x); }))
-    throw BadInput("table " + file + " is asked at " + listed(inputs) + ": inputs must be finite");
+    throw BadInput("table " + std::string(table) + " is asked at " +
+                   listed(std::vector<double>(inputs.begin(), inputs.end())) + ": inputs must be finite");
+}
+
+void require_count(std::string_view table, const truth::Truth& truth, std::size_t inputs) {
+  if (inputs != truth.inputs.size())
+    throw BadInput("table " + std::string(table) + " takes " + std::to_string(truth.inputs.size()) +
+                   " inputs (" + listed(truth.inputs) + "), not " + std::to_string(inputs));
+}
+
+}  // namespace
+
+Reference::Reference(const fs::path& folder, fs::path cache) : cache_(std::move(cache)) {
+  Tables tables;
+  for (const truth::Entry& entry : truth::registry()) {
+    const std::string name(entry.name);
+    tables.emplace(name, read(folder / (name + ".csv"), entry.make()));
+  }
+  tables_ = std::make_shared<Tables>(std::move(tables));
+}
+
+Reference Reference::watched(std::function<void()> tick) const {
+  Reference copy = *this;
+  copy.tick_ = std::move(tick);
+  return copy;
+}
+
+const Reference::Table& Reference::table(std::string_view name) const {
+  const auto table = tables_->find(name);
+  if (table == tables_->end() || !maker_of(name))
+    throw BadInput("no table reference/" + std::string(name) + ".csv");
+  return table->second;
+}
+
+Known Reference::operator()(std::string_view name, const std::vector<double>& inputs) const {
+  const truth::Entry* maker = maker_of(name);
+  if (maker && tables_->empty()) return unknown(maker->make());
+  const Table& rows = table(name);
+  require_finite(name, inputs);
   if (const auto row = rows.find(inputs); row != rows.end()) return row->second;
   const truth::Truth truth = maker->make();
-  if (inputs.size() != truth.inputs.size())
-    throw BadInput("table " + file + " takes " + std::to_string(truth.inputs.size()) + " inputs (" +
-                   listed(truth.inputs) + "), not " + std::to_string(inputs.size()));
-  return on_the_spot(file, truth, inputs);
+  require_count(name, truth, inputs.size());
+  return on_the_spot(name, truth, inputs, [&] { return truth::make_row(truth, inputs, truth::spot_digits); });
+}
+
+Known Reference::motion(std::string_view name, const std::vector<double>& inputs,
+                        std::span<const double> times) const {
+  const truth::Entry* maker = maker_of(name);
+  if (maker && tables_->empty()) {
+    const Known one = unknown(maker->make());
+    return {std::vector<double>(times.size() * one.value.size(), one.error), one.error, one.source};
+  }
+  const Table& rows = table(name);
+  require_finite(name, inputs);
+  require_finite(name, times);
+  if (auto known = tabulated(rows, inputs, times)) return *known;
+  const truth::Truth truth = maker->make();
+  require_count(name, truth, inputs.size() + 1);
+  const std::string key = cache_.empty() ? "" : motion_key(name, inputs, times);
+  if (!cache_.empty())
+    if (auto kept = kept_motion(cache_, key, times.size() * truth.components.size())) {
+      kept->source = source_of(truth);
+      return *kept;
+    }
+  const Known known = on_the_spot(name, truth, inputs, [&] {
+    return truth::make_motion(truth, inputs, {times.begin(), times.end()}, truth::spot_digits, compared_times,
+                              tick_);
+  });
+  if (!cache_.empty()) keep_motion(cache_, key, known);
+  return known;
 }
 
 }  // namespace oddity

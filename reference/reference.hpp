@@ -1,7 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,26 +19,42 @@ struct Known {
 };
 
 /// What is true. Values come from the CSV tables; where a table has no row for the inputs asked for, they are
-/// computed on the spot by the table's own generator, in high precision and by two routes.
+/// computed on the spot by the table's own generator, in high precision and by two routes. A copy shares the
+/// tables.
 class Reference {
  public:
-  /// Reads every table in `folder`. Throws BadInput naming file and line when one is missing or broken.
-  explicit Reference(const std::filesystem::path& folder);
+  /// Reads every table in `folder`. Motions made on the spot are kept in `cache`, if it is named and can be
+  /// written. Throws BadInput naming file and line when a table is missing or broken.
+  explicit Reference(const std::filesystem::path& folder, std::filesystem::path cache = {});
 
-  /// Knows nothing: every value is NaN, so that nothing judged by it is ok. For motions that are only looked at.
+  /// Knows nothing: every value is NaN, so that nothing judged by it is ok. For motions that are only looked
+  /// at.
   static Reference nothing() { return {}; }
+
+  /// The same, which calls `tick` between pieces of its work; what that throws ends it.
+  Reference watched(std::function<void()> tick) const;
 
   /// The value of `table` at `inputs` (in the order of the table's columns).
   /// Throws BadInput when there is no such table, when the inputs are not as many as the table's or not
   /// finite, and when they are not tabulated and have no value that could be computed.
   Known operator()(std::string_view table, const std::vector<double>& inputs) const;
 
+  /// The values of `table` at ascending times, which are its last input, one after the other: from its rows
+  /// where it has all of them, or else by one integration. Throws as above.
+  Known motion(std::string_view table, const std::vector<double>& inputs_but_time,
+               std::span<const double> times) const;
+
  private:
   Reference() = default;
 
   using Table = std::map<std::vector<double>, Known>;
+  using Tables = std::map<std::string, Table, std::less<>>;
 
-  std::map<std::string, Table, std::less<>> tables_;
+  const Table& table(std::string_view name) const;
+
+  std::shared_ptr<const Tables> tables_ = std::make_shared<Tables>();
+  std::filesystem::path cache_;
+  std::function<void()> tick_;
 };
 
 }  // namespace oddity

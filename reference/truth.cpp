@@ -1,8 +1,10 @@
 #include "reference/truth.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
+#include "reference/make/motions.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::truth {
@@ -21,19 +23,47 @@ std::string digits_of(const Number& x, int digits) {
 
 }  // namespace
 
-Made make_row(const Truth& truth, const std::vector<double>& inputs, int digits) {
-  Made made{truth.first(inputs, digits), 0};
-  const Numbers second = truth.second(inputs, digits);
-  if (made.value.size() != truth.components.size() || second.size() != made.value.size())
+namespace {
+
+/// Both routes at the same inputs: raises `error` to their disagreement, and to what so many digits leave
+/// open.
+void compare(const Truth& truth, const Numbers& first, const Numbers& second, int digits, Number& error) {
+  if (first.size() != truth.components.size() || second.size() != first.size())
     throw std::logic_error("a route made " + std::to_string(second.size()) + " components of " +
                            std::to_string(truth.components.size()));
   const Number floor = pow(Number(10), -digits);
   for (std::size_t i = 0; i < second.size(); ++i) {
-    if (!isfinite(made.value[i]) || !isfinite(second[i]))
+    if (!isfinite(first[i]) || !isfinite(second[i]))
       throw std::domain_error("the " + std::string(isfinite(second[i]) ? "first" : "second") +
                               " route gives no finite " + truth.components[i].name);
-    const Number size = std::max<Number>(abs(made.value[i]), Number(1));
-    made.error = std::max<Number>(made.error, std::max<Number>(abs(made.value[i] - second[i]), size * floor));
+    const Number size = std::max<Number>(abs(first[i]), Number(1));
+    error = std::max<Number>(error, std::max<Number>(abs(first[i] - second[i]), size * floor));
+  }
+}
+
+}  // namespace
+
+Made make_row(const Truth& truth, const std::vector<double>& inputs, int digits) {
+  Made made{truth.first(inputs, digits), 0};
+  compare(truth, made.value, truth.second(inputs, digits), digits, made.error);
+  made.error = power_of_ten_above(made.error);
+  return made;
+}
+
+Made make_motion(const Truth& truth, const std::vector<double>& inputs_but_time,
+                 const std::vector<double>& times, int digits, std::size_t compared, const Tick& tick) {
+  Motions first(tick), second(tick);
+  std::vector<double> inputs = inputs_but_time;
+  inputs.push_back(0);
+  Made made{{}, 0};
+  const std::size_t stride = std::max<std::size_t>(1, times.size() / std::max<std::size_t>(1, compared));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (tick) tick();
+    inputs.back() = times[i];
+    const Numbers value = truth.first(inputs, {digits, &first});
+    const bool is_compared = (times.size() - 1 - i) % stride == 0;
+    compare(truth, value, is_compared ? truth.second(inputs, {digits, &second}) : value, digits, made.error);
+    made.value.insert(made.value.end(), value.begin(), value.end());
   }
   made.error = power_of_ten_above(made.error);
   return made;

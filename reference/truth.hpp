@@ -16,8 +16,22 @@ using Backend =
 using Number = boost::multiprecision::number<Backend, boost::multiprecision::et_off>;
 using Numbers = std::vector<Number>;
 
-/// A route to the truth: the components at the inputs, to about `digits` digits.
-using Route = std::function<Numbers(const std::vector<double>& inputs, int digits)>;
+class Motions;
+
+/// How many digits a route is to give, and, where a motion is asked for at many times, what it has
+/// integrated.
+struct Precision {
+  int digits;
+  Motions* kept = nullptr;
+
+  Precision(int digits, Motions* kept = nullptr) : digits(digits), kept(kept) {}
+  operator int() const { return digits; }
+};
+inline Precision operator+(const Precision& p, int more) { return {p.digits + more, p.kept}; }
+inline Precision operator-(const Precision& p, int less) { return {p.digits - less, p.kept}; }
+
+/// A route to the truth: the components at the inputs, to about as many digits as asked.
+using Route = std::function<Numbers(const std::vector<double>& inputs, Precision)>;
 
 struct Component {
   std::string name;
@@ -53,6 +67,15 @@ struct Made {
 };
 Made make_row(const Truth&, const std::vector<double>& inputs, int digits);
 
+/// Called between pieces of work; throws to end them.
+using Tick = std::function<void()>;
+
+/// A motion, whose last input is the time, at ascending `times`: one integration by each route. The first
+/// route's values, time after time; the second bounds their error at `compared` of the times, evenly spread,
+/// the last of them included. Throws as make_row, and what `tick` throws.
+Made make_motion(const Truth&, const std::vector<double>& inputs_but_time, const std::vector<double>& times,
+                 int digits, std::size_t compared, const Tick& tick = {});
+
 /// The table's provenance and the line that names its columns.
 std::string heading(const std::string& name, const Truth&);
 /// The whole table as CSV text.
@@ -61,5 +84,8 @@ std::string table(const std::string& name, const Truth&);
 /// Digits asked of both routes for a table, and for a value made on the spot.
 constexpr int table_digits = 42;
 constexpr int spot_digits = 24;
+
+/// Changes with any maker's source. Generated when the program is built.
+extern const std::string_view fingerprint_of_makers;
 
 }  // namespace oddity::truth

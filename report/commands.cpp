@@ -87,7 +87,7 @@ void add_choose(CLI::App& app, Session& s) {
       ->check(CLI::Range(1, 15));
   choose->add_option("--horizon", s.need.horizon, "how far ahead [s, or the scene's own unit]")
       ->capture_default_str();
-  choose->add_option("--fps", s.need.frames_a_second, "frames a second")->capture_default_str();
+  choose->add_option("--fps", s.need.frames_per_second, "frames a second")->capture_default_str();
   choose->add_option("--budget", s.need.budget, "most time a frame: 5us, 300ns, 0.1ms")
       ->transform(CLI::AsNumberWithUnit(
           std::map<std::string, double>{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}},

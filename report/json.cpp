@@ -145,50 +145,71 @@ Json from(const LeastModel& row) {
             {"error_asked", from(row.need.error)},
             {"relative", row.need.relative},
             {"horizon", from(row.need.horizon)},
-            {"frames_a_second", from(row.need.frames_a_second)}};
+            {"frames_per_second", from(row.need.frames_per_second)}};
   if (const auto& t = row.least)
     json["least"] = {{"model", t->model},
                      {"algorithm", t->algorithm},
                      {"knob", t->knob},
                      {"setting", from(t->setting)},
                      {"error_in_needs", from(t->error)},
+                     {"errors", from(Value(t->errors))},
                      {"evaluations_a_frame", from(t->evaluations_a_frame)}};
   return json;
 }
 LeastModel least_model(const Json& json) {
   LeastModel row{json.at("for"),
                  {number(json.at("error_asked")), json.at("relative"), number(json.at("horizon")),
-                  number(json.at("frames_a_second"))},
+                  number(json.at("frames_per_second"))},
                  {}};
   if (json.contains("least")) {
     const Json& least = json.at("least");
     row.least = Tried{least.at("model"), least.at("algorithm"), least.at("knob"), number(least.at("setting")),
                       number(least.at("error_in_needs"))};
+    for (double error : value(least.at("errors"))) row.least->errors.push_back(error);
     row.least->evaluations_a_frame = number(least.at("evaluations_a_frame"));
   }
   return row;
 }
 
+Json from(const Interval& interval) { return Json::array({from(interval.from), from(interval.to)}); }
+Interval interval(const Json& json) { return {number(json.at(0)), number(json.at(1))}; }
+
+std::vector<double> numbers(const Json& json) {
+  std::vector<double> all;
+  for (const Json& x : json) all.push_back(number(x));
+  return all;
+}
+
+Json from(const BreakEven& b) {
+  Json enough = Json::array();
+  for (const Interval& i : b.enough) enough.push_back(from(i));
+  return {{"model", b.model},
+          {"parameter", b.parameter},
+          {"parameter_unit", b.parameter_unit},
+          {"looked", from(b.looked)},
+          {"enough", enough},
+          {"holding", from(Value(b.holding))},
+          {"failing", from(Value(b.failing))}};
+}
+BreakEven break_even(const Json& json) {
+  BreakEven b{
+      json.at("model"), json.at("parameter"), json.at("parameter_unit"), interval(json.at("looked")), {}};
+  for (const Json& i : json.at("enough")) b.enough.push_back(interval(i));
+  b.holding = numbers(json.at("holding"));
+  b.failing = numbers(json.at("failing"));
+  return b;
+}
+
 Json from(const Ledger& ledger) {
   Json least = Json::array(), break_evens = Json::array();
   for (const LeastModel& row : ledger.least) least.push_back(from(row));
-  for (const BreakEven& b : ledger.break_evens)
-    break_evens.push_back({{"model", b.model},
-                           {"parameter", b.parameter},
-                           {"parameter_unit", b.parameter_unit},
-                           {"holds", from(b.holds)},
-                           {"fails", from(b.fails)},
-                           {"error_holds", from(b.error_holds)},
-                           {"error_fails", from(b.error_fails)}});
+  for (const BreakEven& b : ledger.break_evens) break_evens.push_back(from(b));
   return {{"unit", ledger.unit}, {"least", least}, {"break_evens", break_evens}, {"never", ledger.never}};
 }
 Ledger ledger(const Json& json) {
   Ledger ledger{json.at("unit"), {}, {}, json.at("never")};
   for (const Json& row : json.at("least")) ledger.least.push_back(least_model(row));
-  for (const Json& b : json.at("break_evens"))
-    ledger.break_evens.push_back({b.at("model"), b.at("parameter"), b.at("parameter_unit"),
-                                  number(b.at("holds")), number(b.at("fails")), number(b.at("error_holds")),
-                                  number(b.at("error_fails"))});
+  for (const Json& b : json.at("break_evens")) ledger.break_evens.push_back(break_even(b));
   return ledger;
 }
 

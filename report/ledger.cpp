@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/parallel.hpp"
@@ -13,10 +14,20 @@ namespace oddity {
 
 namespace {
 
-std::string close_in_words(const Scene& scene, const std::string& unit) {
-  if (unit.starts_with("m") && scene.close == 0.01) return unit == "m" ? "1 cm" : "1 cm, 0.01 rad";
-  if (std::abs(scene.close - std::acos(-1.0) / 180) < 1e-12) return "1 degree";
-  return rounded(scene.close, 3) + (unit == "1" ? "" : " " + unit);
+/// "1 cm", "1 degree", "1 cm, 1 degree".
+std::string game_in_words(const Quantity& motion) {
+  std::string words;
+  for (std::string_view unit : motion.units())
+    words += (words.empty() ? "" : ", ") + std::string(unit == "m"    ? "1 cm"
+                                                       : unit == "AU" ? "1 degree of the Earth's orbit"
+                                                                      : "1 degree");
+  return words;
+}
+
+Need game_need() {
+  Need need{degree};
+  need.errors = {{"m", centimeter}};
+  return need;
 }
 
 /// The models of a motion in the order of its ladder.
@@ -43,7 +54,8 @@ std::optional<Tried> cheapest(const std::vector<Start>& start, const std::string
 
 LeastModel least_model(std::vector<Start>& start, const std::string& says, const Need& need) {
   Quantity& motion = start.front().motion;
-  motion.need.allowed = need.error * (need.relative ? size_of(motion.reference.value) : 1);
+  motion.needs = needs_of(need, motion);
+  motion.need.allowed = *std::ranges::min_element(motion.needs);
   for (const std::string& model : models_of(motion))
     if (auto found = cheapest(start, model, need)) return {says, need, found};
   return {says, need, {}};
@@ -73,100 +85,181 @@ std::vector<Line> lines(const Task& task, const Scene& scene) {
   return all;
 }
 
-/// A model's error at its best: the least of its algorithms', each at its finest setting.
-double best_error(const Quantity& motion, const std::string& model) {
-  double best = std::numeric_limits<double>::infinity();
-  for (const Method& method : motion.methods)
-    if (method.model == model)
-      if (const double error = run(motion, method, method.knob.settings.back()).error; error < best)
-        best = error;
+/// The motion as the model itself has it: by the algorithm whose two finest settings agree best, or by one
+/// that has no setting. What it errs by is the model's, not the algorithm's.
+std::optional<Value> solved(const Quantity& motion, const std::string& model) {
+  std::optional<Value> best;
+  double best_change = std::numeric_limits<double>::infinity();
+  for (const Method& method : motion.methods) {
+    if (method.model != model) continue;
+    const auto& settings = method.knob.settings;
+    const Answer fine = run(motion, method, settings.back()).answer;
+    if (!fine.reached() || !finite(fine.value)) continue;
+    if (settings.size() == 1) return fine.value;
+    const Answer coarser = run(motion, method, settings[settings.size() - 2]).answer;
+    const double change = coarser.reached() ? distance(fine.value, coarser.value) : std::nan("");
+    if (change < best_change) {
+      best_change = change;
+      best = fine.value;
+    }
+  }
   return best;
+}
+
+/// Values from a to b: in proportion where they have one sign and span more than fourfold, else evenly
+/// spaced.
+std::vector<double> spaced(double a, double b, int count) {
+  const bool in_proportion = a * b > 0 && (b / a > 4 || a / b > 4);
+  std::vector<double> values;
+  for (int i = 0; i <= count; ++i) {
+    const double part = static_cast<double>(i) / count;
+    values.push_back(i == 0          ? a
+                     : i == count    ? b
+                     : in_proportion ? a * std::pow(b / a, part)
+                                     : a + (b - a) * part);
+  }
+  return values;
 }
 
 /// A scene's models beside each other over the ledger's horizon, one parameter moved.
 class Along {
  public:
-  Along(const Task& task, const Need& need, const Reference& truth, const Method& truest)
+  Along(const Task& task, const Need& need, const Reference& truth, std::string truest)
       : task_(task),
         scene_(*task.entry->exercise.scene),
         need_(need),
         truth_(truth),
-        truest_(truest),
+        truest_(std::move(truest)),
         lines_(lines(task, scene_)) {}
 
-  /// Where the model stops or begins to be enough, on the first line on which it does.
+  /// Where the model is enough, along the first line on which it is enough somewhere and somewhere not.
   std::optional<BreakEven> break_even(const std::string& model) const {
     for (const Line& line : lines_)
-      for (std::size_t i = 0; i + 1 < line.values.size(); ++i)
-        if (auto found = between(model, *line.parameter, line.values[i], line.values[i + 1])) return found;
+      if (line.values.size() > 1)
+        if (auto found = along(model, *line.parameter, line.values)) return found;
     return {};
   }
 
  private:
-  std::optional<BreakEven> between(const std::string& model, const Parameter& p, double a, double b) const {
-    if (enough(model, p, a) == enough(model, p, b)) return {};
-    double holds = enough(model, p, a) ? a : b, fails = holds == a ? b : a;
-    while (std::abs(fails - holds) > 1e-3 * std::abs(holds))
-      (enough(model, p, (holds + fails) / 2) ? holds : fails) = (holds + fails) / 2;
-    const BreakEven found{model, std::string(p.name),     std::string(p.unit),    holds,
-                          fails, judged(model, p, holds), judged(model, p, fails)};
-    const bool confirmed = found.error_holds <= scene_.close && !(found.error_fails <= scene_.close);
-    return confirmed ? std::optional(found) : std::nullopt;
+  struct Look {
+    double at, error;  ///< in needs; infinite where the model has no motion
+    bool enough() const { return error <= 1; }
+  };
+
+  /// Looked at in equal parts, and where the error comes near to what is asked without crossing it, finer: an
+  /// island narrower than a thousandth of the range may be missed.
+  std::optional<BreakEven> along(const std::string& model, const Parameter& p,
+                                 const std::vector<double>& values) const {
+    constexpr int parts = 96;
+    const auto [least, most] = std::ranges::minmax(values);
+    std::vector<Look> looks;
+    for (double at : spaced(least, most, parts)) {
+      const Look next = look(model, p, at);
+      if (!looks.empty()) refine(model, p, looks, next, 3);
+      looks.push_back(next);
+    }
+    BreakEven found{model, std::string(p.name), std::string(p.unit), {least, most}, {}};
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      if (looks[i].enough() && (i == 0 || !looks[i - 1].enough()))
+        found.enough.push_back({i == 0 ? least : crossing(model, p, looks[i - 1], looks[i], found), most});
+      if (i > 0 && looks[i - 1].enough() && !looks[i].enough())
+        found.enough.back().to = crossing(model, p, looks[i], looks[i - 1], found);
+    }
+    const bool everywhere = found.holding.empty();
+    return everywhere ? std::nullopt : std::optional(found);
+  }
+
+  /// Looks between the last look and the next where both are on one side and either is near the border.
+  void refine(const std::string& model, const Parameter& p, std::vector<Look>& looks, const Look& next,
+              int depth) const {
+    constexpr double near_border = 1.5;
+    const Look& last = looks.back();
+    const double nearest = std::min(std::abs(std::log(last.error)), std::abs(std::log(next.error)));
+    if (depth == 0 || last.enough() != next.enough() || !(nearest < std::log(near_border))) return;
+    const Look middle = look(model, p, (last.at + next.at) / 2);
+    refine(model, p, looks, middle, depth - 1);
+    looks.push_back(middle);
+    refine(model, p, looks, next, depth - 1);
+  }
+
+  /// The value on the side that holds, to one in a thousand; both sides are judged by the reference.
+  double crossing(const std::string& model, const Parameter& p, Look fails, Look holds,
+                  BreakEven& found) const {
+    while (std::abs(fails.at - holds.at) > 1e-3 * std::abs(holds.at)) {
+      const Look middle = look(model, p, (fails.at + holds.at) / 2);
+      (middle.enough() ? holds : fails) = middle;
+    }
+    found.holding.push_back(error(model, motion(p, holds.at, truth_)));
+    found.failing.push_back(error(model, motion(p, fails.at, truth_)));
+    return holds.at;
   }
 
   Quantity motion(const Parameter& p, double at, const Reference& truth) const {
     Parameters parameters = task_.parameters;
     parameters.set(p.name, at);
-    return scene_.motion(parameters, {need_.horizon, 4, need_.frames_a_second}, truth);
+    Quantity seen = oddity::motion(scene_, parameters, {need_.horizon, 1, need_.frames_per_second}, truth);
+    seen.needs = needs_of(need_, seen);
+    return seen;
   }
 
-  /// With the truest method in place of the truth.
-  bool enough(const std::string& model, const Parameter& p, double at) const {
-    Quantity seen = motion(p, at, Reference::nothing());
-    const Method* method = method_of(seen, truest_.model, truest_.algorithm);
-    if (!method) return false;
-    seen.reference.value = run(seen, *method, method->knob.settings.back()).answer.value;
-    return best_error(seen, model) <= scene_.close;
+  static double error(const std::string& model, const Quantity& seen) {
+    const auto value = solved(seen, model);
+    const double error = value ? seen.in_needs(seen.errors(*value)) : std::nan("");
+    return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
   }
-  double judged(const std::string& model, const Parameter& p, double at) const {
-    return best_error(motion(p, at, truth_), model);
+
+  /// With the truest model in place of the truth.
+  Look look(const std::string& model, const Parameter& p, double at) const {
+    Quantity seen = motion(p, at, Reference::nothing());
+    const auto truth = solved(seen, truest_);
+    if (!truth) return {at, std::numeric_limits<double>::infinity()};
+    seen.reference.value = *truth;
+    return {at, error(model, seen)};
   }
 
   const Task& task_;
   const Scene& scene_;
   const Need& need_;
   const Reference& truth_;
-  const Method& truest_;
+  std::string truest_;
   std::vector<Line> lines_;
 };
 
-/// The method that comes nearest to the reference at its finest setting.
-const Method& truest_method(const Quantity& motion) {
-  const auto error = [&](const Method& m) {
-    const double e = run(motion, m, m.knob.settings.back()).error;
-    return std::isnan(e) ? std::numeric_limits<double>::infinity() : e;
-  };
-  return *std::ranges::min_element(motion.methods, {}, error);
+/// The model that, solved exactly, comes nearest to the reference; of those as near the last, the richest.
+std::string truest_model(const Quantity& motion) {
+  std::string truest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::string& model : models_of(motion)) {
+    const auto value = solved(motion, model);
+    const double error = value ? motion.in_needs(motion.errors(*value)) : std::nan("");
+    if (error <= std::max(least, 1e-6)) {
+      truest = model;
+      least = std::min(error, least);
+    }
+  }
+  return truest;
 }
 
 }  // namespace
 
 std::optional<Ledger> ledger(const Task& task, const Reference& truth) {
   if (!task.entry->exercise.scene) return {};
-  const Scene& scene = *task.entry->exercise.scene;
-  const Need game{scene.close}, digits{1e-10, true};
+  const Need game = game_need(), digits{1e-10, true};
   const Starts starts(task, game, truth);
   std::vector<Start> start{starts.asked()};
-  const Quantity& motion = start.front().motion;
+  const Quantity motion = start.front().motion;
   Ledger ledger{motion.unit, {}, {}, {}};
-  const Along along(task, game, truth, truest_method(motion));
-  ledger.least.push_back(least_model(start, close_in_words(scene, motion.unit), game));
+  const Along along(task, game, truth, truest_model(motion));
+  ledger.least.push_back(least_model(start, game_in_words(motion), game));
   ledger.least.push_back(least_model(start, "10 digits", digits));
-  for (const std::string& model : models_of(motion))
-    if (auto found = along.break_even(model))
+  for (const std::string& model : models_of(motion)) {
+    if (auto found = along.break_even(model)) {
       ledger.break_evens.push_back(*found);
-    else if (!(best_error(motion, model) <= scene.close))
-      ledger.never.push_back(model);
+      continue;
+    }
+    const auto value = solved(motion, model);
+    if (!value || !(motion.in_needs(motion.errors(*value)) <= 1)) ledger.never.push_back(model);
+  }
   return ledger;
 }
 

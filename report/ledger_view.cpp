@@ -16,8 +16,11 @@ std::string with_unit(const std::string& number, const std::string& unit) {
 }
 
 std::string error_of(const LeastModel& row, const Ledger& ledger) {
-  const std::string error = shown_error(row.least->error * row.need.error);
-  return row.need.relative ? with_powers(error) + " of the motion" : with_unit(error, ledger.unit);
+  if (row.need.relative)
+    return with_powers(shown_error(row.least->error * row.need.error)) + " of the motion";
+  std::string text;
+  for (double error : row.least->errors) text += (text.empty() ? "" : ", ") + with_powers(shown_error(error));
+  return text + (ledger.unit == "1" ? "" : " " + ledger.unit);
 }
 
 std::vector<std::string> least_row(const LeastModel& row, const Ledger& ledger) {
@@ -30,17 +33,27 @@ std::vector<std::string> least_row(const LeastModel& row, const Ledger& ledger) 
           rounded(row.least->evaluations_a_frame, 3)};
 }
 
-std::string break_even_text(const BreakEven& b, const Ledger& ledger) {
-  return "- *" + escaped(b.model) + "* is enough " + (b.holds < b.fails ? "up to" : "from") + " `" +
-         b.parameter + "` = " + with_unit(rounded(b.holds, 3), b.parameter_unit) +
-         (b.holds < b.fails ? "" : " on") + ", where it errs by " +
-         with_unit(shown_error(b.error_holds), ledger.unit) + ".\n";
+/// "up to 0.21", "from 109 on", "between 3 and 4".
+std::string interval_text(const Interval& enough, const BreakEven& b) {
+  const bool from_start = enough.from == b.looked.from, to_end = enough.to == b.looked.to;
+  if (from_start) return "up to " + with_unit(rounded(enough.to, 3), b.parameter_unit);
+  if (to_end) return "from " + with_unit(rounded(enough.from, 3), b.parameter_unit) + " on";
+  return "between " + rounded(enough.from, 4) + " and " + with_unit(rounded(enough.to, 4), b.parameter_unit);
+}
+
+std::string break_even_text(const BreakEven& b) {
+  std::string where;
+  for (std::size_t i = 0; i < b.enough.size(); ++i)
+    where += (i == 0 ? " " : i + 1 == b.enough.size() ? " and " : ", ") + interval_text(b.enough[i], b);
+  return "- *" + escaped(b.model) + "* is enough for `" + b.parameter + "`" + where + " (of " +
+         rounded(b.looked.from, 3) + " to " + with_unit(rounded(b.looked.to, 3), b.parameter_unit) +
+         ", which was searched).\n";
 }
 
 std::string never_text(const std::vector<std::string>& models) {
   std::string names;
   for (const std::string& model : models) names += (names.empty() ? "*" : ", *") + escaped(model) + "*";
-  return models.empty() ? "" : "- Not enough wherever it was looked: " + names + ".\n";
+  return models.empty() ? "" : "- Enough nowhere in the ranges searched: " + names + ".\n";
 }
 
 std::string section(const ExerciseResult& e) {
@@ -49,8 +62,8 @@ std::string section(const ExerciseResult& e) {
   for (const LeastModel& row : ledger.least) rows.push_back(least_row(row, ledger));
   std::string text =
       "## " + to_string(e.number) + " " + e.title + "\n\n" +
-      table({"for", "least model", "algorithm", "setting", "error", "evaluations a frame"}, rows, "5");
-  for (const BreakEven& b : ledger.break_evens) text += break_even_text(b, ledger);
+      table({"for", "model", "algorithm", "setting", "error", "evaluations per frame"}, rows, "5");
+  for (const BreakEven& b : ledger.break_evens) text += break_even_text(b);
   return text + never_text(ledger.never) + "\n";
 }
 
@@ -58,15 +71,21 @@ std::string section(const ExerciseResult& e) {
 
 std::string ledger_page(const Results& results) {
   std::string text =
-      "# The least model\n\nFor each scene the first model of its ladder, from the least on, that holds over "
-      "10 s at 60 frames a second (of a year, where the scene's time is in years): to one centimetre or one "
-      "degree, which is what a game asks, and to ten digits. Of the model's algorithms the one with the "
-      "least "
-      "counted work is given; what is cheapest in time on a machine, and for starts beside this one, `oddity "
-      "choose` says. A break-even is a value at which a model stops or begins to be enough for the game: of "
-      "the parameter that makes the scene hard, or, where that has none, of one that differs from start to "
-      "start, from a sixteenth of its value to four times it. It is looked for with the best method in place "
-      "of the truth, to one in a thousand, and both of its sides are judged by the reference.\n\n";
+      "# The cheapest sufficient model\n\nFor each scene, the first of its models, from the simplest on, "
+      "that holds at "
+      "every frame over 10 s at 60 frames per second (over 10 years, where the scene's time is in years): to "
+      "one "
+      "centimetre and one degree, which is what a game asks, and to ten digits. Among the model's algorithms "
+      "the "
+      "one with the least counted work is shown; `oddity choose` adds times on your machine, starts of your "
+      "own and "
+      "a margin. The lines below each table say for which values of a parameter a model is enough for the "
+      "game, "
+      "when it is solved exactly: the parameter that makes the scene hard, or, where the model does not "
+      "depend on "
+      "it, one of the start's, from a sixteenth of its value to four times it. Each border is known to one "
+      "in a "
+      "thousand and was checked with the reference on both sides.\n\n";
   for (const ExerciseResult& e : results.exercises)
     if (e.ledger) text += section(e);
   return text + "[All chapters](README.md)\n";

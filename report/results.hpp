@@ -91,10 +91,12 @@ struct Tried {
   std::string model, algorithm, knob;
   double setting = 0;
   double error = 0;  ///< the largest over the starts it was chosen on, in units of what was asked
+  std::vector<double> errors = {};  ///< the same in each of the motion's units
   Outcome outcome = Outcome::ok;
   std::string where = {};  ///< the start on which it ended so, unless ok
   double evaluations_a_frame = 0;
-  double seconds_a_frame = 0;
+  double seconds_a_frame = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed
+  double spread = 0;                                                  ///< of the seconds
   double unseen_error = std::numeric_limits<double>::quiet_NaN();  ///< over the starts it was not chosen on
 
   bool holds() const { return outcome == Outcome::ok; }
@@ -108,17 +110,24 @@ struct LeastModel {
   std::optional<Tried> least;  ///< none: nothing here holds
 };
 
-/// Where a model stops being enough for what a game asks, to one in a thousand; both sides are judged by the
-/// reference.
+/// Values of a parameter between which a model is enough.
+struct Interval {
+  double from, to;
+};
+
+/// Where a model is enough for what a game asks, solved exactly, along one parameter.
 struct BreakEven {
   std::string model, parameter, parameter_unit;
-  double holds = 0, fails = 0;              ///< values of the parameter
-  double error_holds = 0, error_fails = 0;  ///< the model's at its best there, in the observables' unit
+  Interval looked;               ///< the parameter's values that were looked through
+  std::vector<Interval> enough;  ///< ascending, apart; each end inside to one in a thousand
+  /// The model's error in needs at the ends inside, on the side that holds and on the one that fails, by the
+  /// reference.
+  std::vector<double> holding = {}, failing = {};
 };
 
 struct Ledger {
   std::string unit;               ///< of the observables
-  std::vector<LeastModel> least;  ///< over 10 s at 60 frames a second: for a game, and for 10 digits
+  std::vector<LeastModel> least;  ///< over 10 s at 60 frames per second: for a game, and for 10 digits
   std::vector<BreakEven> break_evens;
   std::vector<std::string> never;  ///< models that are not enough for a game wherever it was looked
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/parallel.hpp"
@@ -13,9 +14,17 @@ namespace oddity {
 namespace {
 
 constexpr double nearby = 0.1;
-constexpr int looks = 4;
 
 }  // namespace
+
+double game_error(std::string_view unit) { return unit == "m" ? centimeter : degree; }
+
+std::vector<double> needs_of(const Need& need, const Quantity& motion) {
+  const double scale = need.relative ? size_of(motion.reference.value) : 1;
+  std::vector<double> needs;
+  for (std::string_view unit : motion.units()) needs.push_back(need.error_in(unit) * scale);
+  return needs;
+}
 
 Starts::Starts(const Task& task, const Need& need, const Reference& truth)
     : task_(task), need_(need), truth_(truth) {
@@ -23,19 +32,19 @@ Starts::Starts(const Task& task, const Need& need, const Reference& truth)
     throw BadInput("exercise " + to_string(task.entry->number) + " has no motion to choose a method for");
   for (const auto& [name, value] :
        {std::pair("error", need.error), std::pair("horizon", need.horizon),
-        std::pair("frame rate", need.frames_a_second), std::pair("budget", need.budget)})
+        std::pair("frame rate", need.frames_per_second), std::pair("budget", need.budget)})
     if (!(value > 0))
       throw BadInput("the " + std::string(name) + " must be positive, and is " + shortest(value));
-  if (need.horizon * need.frames_a_second < 1) throw BadInput("the horizon is shorter than a frame");
+  if (need.horizon * need.frames_per_second < 1) throw BadInput("the horizon is shorter than a frame");
 }
 
 Start Starts::start(const Parameters& p) const {
   std::string says;
   for (std::string_view name : scene().starts)
     says += (says.empty() ? "" : ", ") + std::string(name) + " = " + rounded(p[name], 4);
-  Start start{says, scene().motion(p, {need_.horizon, looks, need_.frames_a_second}, truth_)};
-  const double scale = need_.relative ? size_of(start.motion.reference.value) : 1;
-  start.motion.need = {need_.error * scale, "asked for"};
+  Start start{says, motion(scene(), p, horizon(), truth_)};
+  start.motion.needs = needs_of(need_, start.motion);
+  start.motion.need = {*std::ranges::min_element(start.motion.needs), "asked for"};
   return start;
 }
 
@@ -57,6 +66,20 @@ Parameters Starts::draw() {
   return p;
 }
 
+Quantity Starts::disturbed(double part) const {
+  Parameters p = task_.parameters;
+  const std::string_view name = scene().starts.front();
+  const double value = p[name], change = part * (value == 0 ? 1 : std::abs(value));
+  const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
+  p.set(name, value + change <= declared->most ? value + change : value - change);
+  return motion(scene(), p, horizon(), Reference::nothing());
+}
+
+Quantity Starts::one_frame() const {
+  const Horizon frame{1 / need_.frames_per_second, 1, need_.frames_per_second};
+  return motion(scene(), task_.parameters, frame, Reference::nothing());
+}
+
 std::vector<Start> Starts::beside(int count) {
   std::vector<Parameters> drawn;
   for (int i = 0; i < count; ++i) drawn.push_back(draw());
@@ -64,6 +87,8 @@ std::vector<Start> Starts::beside(int count) {
   in_parallel(drawn.size(), [&](std::size_t i) {
     try {
       made[i] = start(drawn[i]);
+    } catch (const OutOfTime&) {
+      throw;
     } catch (const std::exception&) {  // no reference there
     }
   });

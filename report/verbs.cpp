@@ -122,8 +122,10 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
 
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const Need& need) {
-  const Choice choice = oddity::choose(task_of(exercise, overrides), need, Reference(folder));
-  std::cout << choice_text(choice) << std::flush;
+  ProgressBar bar;
+  const Choice choice = oddity::choose(task_of(exercise, overrides), need,
+                                       Reference(folder, motions_folder()), measured_price, bar.callback());
+  std::cout << choice_text(choice, false) << std::flush;
   return choice.chosen ? 0 : 1;
 }
 

@@ -65,14 +65,13 @@ struct Turning {
   }
 };
 
-/// R, row by row. The invariant watched is 1 + |R^T R - I|, so that its relative change is the departure from
-/// a rotation.
+/// R, row by row. What is conserved is |R^T R - I|, the departure from a rotation.
 struct AsMatrix : Turning {
   using State = std::array<double, 9>;
   State start() const { return identity().e; }
   void operator()(const State& x, State& dxdt, double t) const { dxdt = (skew(w(t)) * Matrix3{x}).e; }
   std::array<double, 9> observe(const State& x, double) const { return x; }
-  double invariant(const State& x, double) const { return 1 + departure(Matrix3{x}); }
+  OneConserved conserved(const State& x, double) const { return {{{departure(Matrix3{x}), 1}}}; }
 };
 
 /// q with q' = (0, w) q / 2, read as a matrix by the formula for unit quaternions.
@@ -84,7 +83,7 @@ struct AsQuaternion : Turning {
     dqdt = {-dot(half, v), turned[0], turned[1], turned[2]};
   }
   std::array<double, 9> observe(const State& q, double) const { return matrix(q).e; }
-  double invariant(const State& q, double) const { return 1 + departure(matrix(q)); }
+  OneConserved conserved(const State& q, double) const { return {{{departure(matrix(q)), 1}}}; }
 };
 
 /// The nearest thing to R by Gram and Schmidt, first column first.
@@ -112,9 +111,9 @@ Answer observe_steps(const Model& model, State x, const Horizon& horizon, double
     answer.message = "the budget of evaluations is spent";
     return false;
   };
-  through_stops(horizon, steps, [&](double t) {
+  through_times(horizon, steps, [&](double t) {
     for (double component : model.observe(x, t)) seen.push_back(component);
-    answer.drift = std::max(answer.drift, model.invariant(x, t) - 1);
+    answer.drift = std::max(answer.drift, model.conserved(x, t)[0].value);
   });
   answer.value = Value(std::move(seen));
   return answer;
@@ -185,15 +184,10 @@ inline Quantity angular_velocity_at(double t, const Reference& truth) {
 
 /// The frame at the horizon's times.
 inline Known true_orientation(double pace, const Horizon& horizon, const Reference& truth) {
-  Known all;
-  const auto times = horizon.times();
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    const Known known = truth("02_07_orientation", {pace * times[i]});
-    all.value.insert(all.value.end(), known.value.begin(), known.value.end());
-    all.error = std::max(all.error, known.error);
-    all.source = known.source;
-  }
-  return all;
+  std::vector<double> times = horizon.times();
+  times.erase(times.begin());
+  for (double& t : times) t *= pace;
+  return truth.motion("02_07_orientation", {}, times);
 }
 
 inline Quantity orientation(const Parameters& p, const Horizon& horizon, const Reference& truth) {

@@ -215,7 +215,9 @@ Scene scene() {
           "pace",
           {0.25, 0.5, 1, 2, 4, 8},
           {"pace"},
-          {{"r_x", "u_x", "rxu_x", "r_y", "u_y", "rxu_y", "r_z", "u_z", "rxu_z"}}};
+          {{"r_x", "u_x", "rxu_x", "r_y", "u_y", "rxu_y", "r_z", "u_z", "rxu_z"},
+           "s",
+           {{"rad", {0, 3, 6}}, {"rad", {1, 4, 7}}, {"rad", {2, 5, 8}}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -79,8 +79,8 @@ struct OneCoordinate : Bead {
   }
   void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], acceleration(x[0], x[1])}; }
   std::array<double, 3> observe(const State& x, double) const { return curve(x[0]); }
-  double invariant(const State& x, double) const {
-    return metric(x[0]) * x[1] * x[1] / 2 + g * x[0] * x[0] * x[0];
+  OneConserved conserved(const State& x, double) const {
+    return energy_of(metric(x[0]) * x[1] * x[1] / 2, g * x[0] * x[0] * x[0]);
   }
 };
 
@@ -98,8 +98,8 @@ struct CartesianWithConstraints : Bead {
     dsdt = {s[3], s[4], s[5], -j1 * m1 - j2 * m2, m1, m2 - g};
   }
   std::array<double, 3> observe(const State& s, double) const { return {s[0], s[1], s[2]}; }
-  double invariant(const State& s, double) const {
-    return (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]) / 2 + g * s[2];
+  OneConserved conserved(const State& s, double) const {
+    return energy_of((s[3] * s[3] + s[4] * s[4] + s[5] * s[5]) / 2, g * s[2]);
   }
 };
 
@@ -243,7 +243,7 @@ inline Quantity arrival(const Bead& bead, const Reference& truth) {
 
 /// The position from the energy integral over u: Brent's method on a Gauss rule.
 inline Answer by_inverted_integral(const EnergyInU& bead, const Horizon& horizon, int points) {
-  return observe_at_stops(horizon, [&](double t, Answer& answer) {
+  return observe_at_times(horizon, [&](double t, Answer& answer) {
     const auto late = [&](double u) {
       const auto time = gauss_legendre([&](double s) { return bead.seconds_per_u(s); }, 0, u, points);
       answer.evaluations += time.evaluations;

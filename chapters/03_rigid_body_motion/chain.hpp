@@ -139,15 +139,16 @@ auto positions(const Triple& c, const State& x) {
 }
 
 /// The kinetic and the potential energy, the heights counted from the pivot.
-inline double energy(const Triple& c, const std::array<double, 6>& x) {
-  double E = 0, vx = 0, vy = 0, y = 0;
+inline OneConserved energy(const Triple& c, const std::array<double, 6>& x) {
+  double kinetic = 0, potential = 0, vx = 0, vy = 0, y = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     vx += c.r[k] * x[k + 3] * std::cos(x[k]);
     vy += c.r[k] * x[k + 3] * std::sin(x[k]);
     y -= c.r[k] * std::cos(x[k]);
-    E += c.m[k] * ((vx * vx + vy * vy) / 2 + c.g * y);
+    kinetic += c.m[k] * (vx * vx + vy * vy) / 2;
+    potential += c.m[k] * c.g * y;
   }
-  return E;
+  return energy_of(kinetic, potential);
 }
 
 enum class Equations { dense, tensions };
@@ -168,7 +169,7 @@ struct Angles : Triple {
     dxdt = {x[3], x[4], x[5], a[0], a[1], a[2]};
   }
   std::array<double, 6> observe(const State& x, double) const { return positions(*this, x); }
-  double invariant(const State& x, double) const { return energy(*this, x); }
+  OneConserved conserved(const State& x, double) const { return energy(*this, x); }
 };
 
 /// K e = w^2 M e at small angles: K = diag(mu_i g r_i), M_ij = mu_max(i,j) r_i r_j.

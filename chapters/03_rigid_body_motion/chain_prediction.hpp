@@ -58,7 +58,7 @@ Answer in_precision(const Triple& c, const Horizon& horizon, double step) {
       extrapolated_step(model, x, static_cast<T>(to - from) / static_cast<T>(steps), answer.evaluations);
     return true;
   };
-  through_stops(horizon, go_on, [&](double) {
+  through_times(horizon, go_on, [&](double) {
     for (const T& y : positions(c, x)) seen.push_back(static_cast<double>(y));
   });
   answer.value = Value(std::move(seen));

@@ -62,8 +62,8 @@ struct PlaneWithWork : Ball {
             a * (x[2] * x[2] + x[3] * x[3])};
   }
   std::array<double, 2> observe(const State& x, double) const { return {x[0], x[1]}; }
-  double invariant(const State& x, double) const {
-    return m * (x[2] * x[2] + x[3] * x[3]) / 2 + c * (x[0] * x[0] + x[1] * x[1]) / 2 + x[4];
+  OneConserved conserved(const State& x, double) const {
+    return energy_of(m * (x[2] * x[2] + x[3] * x[3]) / 2, c * (x[0] * x[0] + x[1] * x[1]) / 2 + x[4]);
   }
 };
 

@@ -39,7 +39,7 @@ std::vector<double> inputs(const Start& s) { return {s.G, s.M, s.r0, s.r0_dot, s
 template <class Solve>
 Answer by_keplers_equation(const Start& start, const Horizon& horizon, const Solve& solve) {
   const Ellipse orbit(start);
-  return observe_at_stops(horizon, [&](double t, Answer& answer) {
+  return observe_at_times(horizon, [&](double t, Answer& answer) {
     const double M = orbit.mean_anomaly(t);
     const Solved<double> E = solve(orbit.e, abs(M));
     answer.evaluations += E.evaluations;
@@ -123,7 +123,7 @@ Scene scene() {
           "theta0_dot",
           {5.95, 4.45, 2, 1, 0.63},
           {"r0", "theta0", "theta0_dot"},
-          {{"x", "y"}, "yr"}};
+          {{"x", "y"}, "yr", {{"AU", {0, 1}}}}};
 }
 
 std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {

@@ -133,7 +133,9 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
   return angle;
 }
 
-Scene scene() { return {swing, 10, degree, "a", {0.125, 0.5, 1, 2, 3}, {"a", "L"}, {{"theta"}}}; }
+Scene scene() {
+  return {swing, 10, degree, "a", {0.125, 0.5, 1, 2, 3}, {"a", "L"}, {{"theta"}, "s", {{"rad", {0}}}}};
+}
 
 // ---- the claims -------------------------------------------------------------------------------------------
 

@@ -28,7 +28,15 @@ Quantity position(const Parameters& p, const Horizon& horizon, const Reference& 
   return slide({p["q0"], p["g"]}, horizon, truth);
 }
 
-Scene scene() { return {position, 4, centimeter, "q0", {0.25, 0.5, 1, 1.5, 2}, {"q0"}, {{"x", "y", "z"}}}; }
+Scene scene() {
+  return {position,
+          4,
+          centimeter,
+          "q0",
+          {0.25, 0.5, 1, 1.5, 2},
+          {"q0"},
+          {{"x", "y", "z"}, "s", {{"m", {0, 1, 2}}}}};
+}
 
 // ---- the claims: formulas ---------------------------------------------------------------------------------
 

@@ -324,7 +324,13 @@ Quantity position(const Parameters& p, const Horizon& horizon, const Reference& 
 }
 
 Scene scene() {
-  return {position, 5, centimeter, "a", {0.4, 4, 40, 200, 1000}, {"p1", "p2", "v2"}, {{"x", "y"}}};
+  return {position,
+          5,
+          centimeter,
+          "a",
+          {0.4, 4, 40, 200, 1000},
+          {"p1", "p2", "v2"},
+          {{"x", "y"}, "s", {{"m", {0, 1}}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

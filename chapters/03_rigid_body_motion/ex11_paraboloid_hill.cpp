@@ -263,7 +263,13 @@ Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& tr
 }
 
 Scene scene() {
-  return {slower, 2, centimeter, "factor", {0.99, 0.9, 0.75, 0.5, 0.2}, {"v1", "v2"}, {{"x1", "x2", "x3"}}};
+  return {slower,
+          2,
+          centimeter,
+          "factor",
+          {0.99, 0.9, 0.75, 0.5, 0.2},
+          {"v1", "v2"},
+          {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

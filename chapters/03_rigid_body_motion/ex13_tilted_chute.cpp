@@ -343,7 +343,13 @@ Quantity swinging_ball(const Parameters& p, const Horizon& horizon, const Refere
 }
 
 Scene scene() {
-  return {swinging_ball, 4, centimeter, "phi", {0.1, 0.5, 1, 1.35, 1.5}, {"phi", "u"}, {{"x1", "x2", "x3"}}};
+  return {swinging_ball,
+          4,
+          centimeter,
+          "phi",
+          {0.1, 0.5, 1, 1.35, 1.5},
+          {"phi", "u"},
+          {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -224,7 +224,13 @@ Quantity sliding(const Parameters& p, const Horizon& horizon, const Reference& t
 
 /// The horizon is a quarter turn at the book's speed. From w = sqrt(2K/m) = 4.47 on the mass runs away.
 Scene scene() {
-  return {sliding, 2, centimeter, "w", {0.25, 0.75, 1.5, 3, 4.25}, {"s", "c"}, {{"x1", "x2", "x3"}}};
+  return {sliding,
+          2,
+          centimeter,
+          "w",
+          {0.25, 0.75, 1.5, 3, 4.25},
+          {"s", "c"},
+          {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}}};
 }
 
 Findings study(const Parameters& given, const Reference& truth) {

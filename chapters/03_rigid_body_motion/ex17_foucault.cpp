@@ -40,9 +40,13 @@ Quantity swinging_bob(const Parameters& p, const Horizon& horizon, const Referen
 /// The slower it starts about the vertical, the closer the bob passes the lowest point, where theta is no
 /// coordinate.
 Scene scene() {
-  return {
-      swinging_bob, 16, centimeter, "theta_dot", {3, 1, 0.25, 0.125, 0.0625}, {"theta", "phi", "theta_dot"},
-      {{"x", "y"}}};
+  return {swinging_bob,
+          16,
+          centimeter,
+          "theta_dot",
+          {3, 1, 0.25, 0.125, 0.0625},
+          {"theta", "phi", "theta_dot"},
+          {{"x", "y"}, "s", {{"m", {0, 1}}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

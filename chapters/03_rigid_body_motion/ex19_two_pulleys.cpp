@@ -334,7 +334,13 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
 }
 
 Scene scene() {
-  return {swing, 8, centimeter, "c1", {10, 40, 160, 1000, 10000}, {"y2", "y3", "v2"}, {{"y2", "y3"}}};
+  return {swing,
+          8,
+          centimeter,
+          "c1",
+          {10, 40, 160, 1000, 10000},
+          {"y2", "y3", "v2"},
+          {{"y2", "y3"}, "s", {{"m", {0}}, {"m", {1}}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

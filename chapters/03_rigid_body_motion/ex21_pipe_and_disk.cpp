@@ -249,7 +249,7 @@ Scene scene() {
           "phi",
           {1.5, 1, 0.5, 0.2, 0.1, 0.05},
           {"theta", "theta_dot", "psi_dot"},
-          {{"x", "y", "psi"}}};
+          {{"x", "y", "psi"}, "s", {{"m", {0, 1}}, {"rad", {2}}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -207,7 +207,13 @@ Quantity swing_of(const Parameters& p, const Horizon& horizon, const Reference& 
 }
 
 Scene scene() {
-  return {swing_of, 4, centimeter, "c", {20, 50, 100, 300, 1000, 2500}, {"theta0", "m", "h"}, {{"x", "y"}}};
+  return {swing_of,
+          4,
+          centimeter,
+          "c",
+          {20, 50, 100, 300, 1000, 2500},
+          {"theta0", "m", "h"},
+          {{"x", "y"}, "s", {{"m", {0, 1}}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -82,7 +82,7 @@ Scene scene() {
           "theta1",
           {0.0625, 0.25, 0.5, 1, 1.5},
           {"theta1", "theta2", "theta3"},
-          {{"x1", "y1", "x2", "y2", "x3", "y3"}}};
+          {{"x1", "y1", "x2", "y2", "x3", "y3"}, "s", {{"m", {0, 1}}, {"m", {2, 3}}, {"m", {4, 5}}}}};
 }
 
 Quantity small_swing(const Triple& like, const Reference& truth) {

@@ -81,9 +81,13 @@ Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& t
 }
 
 Scene scene() {
-  return {
-      path_of,     4, centimeter, "phi0_dot", {1.7, 1.5, 1, 0.5, 0.25, 0.17}, {"r0", "r0_dot", "phi0_dot"},
-      {{"x", "y"}}};
+  return {path_of,
+          4,
+          centimeter,
+          "phi0_dot",
+          {1.7, 1.5, 1, 0.5, 0.25, 0.17},
+          {"r0", "r0_dot", "phi0_dot"},
+          {{"x", "y"}, "s", {{"m", {0, 1}}}}};
 }
 
 /// The time of a turn of phi, against Kepler's third law with the sum of the masses.

@@ -398,7 +398,10 @@ Quantity fall_of(const Parameters& p, const Horizon& horizon, const Reference&) 
   return fall({i[0], i[3], p["u"], p["v"], p["w"], p["g"], {-i[1], -i[2]}}, horizon);
 }
 
-Scene scene() { return {fall_of, 2, centimeter, "w", {1, 3, 6, 10, 20}, {"u", "v", "w"}, {{"x", "y"}}}; }
+Scene scene() {
+  return {
+      fall_of, 2, centimeter, "w", {1, 3, 6, 10, 20}, {"u", "v", "w"}, {{"x", "y"}, "s", {{"m", {0, 1}}}}};
+}
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Wire wire = parabola(p);

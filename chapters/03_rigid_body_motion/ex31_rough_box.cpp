@@ -215,8 +215,13 @@ Quantity slide_of(const Parameters& p, const Horizon& horizon, const Reference& 
 }
 
 Scene scene() {
-  return {
-      slide_of, 1.25, centimeter, "mu", {0.2, 0.3, 0.5, 0.7, 1}, {"u0", "v0", "w0"}, {{"x", "y", "theta"}}};
+  return {slide_of,
+          1.25,
+          centimeter,
+          "mu",
+          {0.2, 0.3, 0.5, 0.7, 1},
+          {"u0", "v0", "w0"},
+          {{"x", "y", "theta"}, "s", {{"m", {0, 1}}, {"rad", {2}}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

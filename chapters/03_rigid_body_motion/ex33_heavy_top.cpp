@@ -389,8 +389,13 @@ Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& t
 }
 
 Scene scene() {
-  return {axis_of,          duration, degree, "dpsi", {5, 10, 20, 30, 60, 100}, {"phi", "dtheta", "dpsi"},
-          {{"x", "y", "z"}}};
+  return {axis_of,
+          duration,
+          degree,
+          "dpsi",
+          {5, 10, 20, 30, 60, 100},
+          {"phi", "dtheta", "dpsi"},
+          {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -283,8 +283,13 @@ Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& t
 }
 
 Scene scene() {
-  return {axis_of,          duration, degree, "lambda", {0.5, 1.5, 3, 6, 10, 14}, {"phi", "dtheta", "dpsi"},
-          {{"x", "y", "z"}}};
+  return {axis_of,
+          duration,
+          degree,
+          "lambda",
+          {0.5, 1.5, 3, 6, 10, 14},
+          {"phi", "dtheta", "dpsi"},
+          {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -120,9 +120,9 @@ struct Cartesian : Pendulum {
   }
   std::array<double, 4> flat(const State& s) const { return {s[0], s[1], s[3], s[4]}; }
   Pair observe(const State& s, double) const { return {s[0], s[1]}; }
-  double invariant(const State& s, double) const {
+  OneConserved conserved(const State& s, double) const {
     const Space<double> r{s[0], s[1], s[2]}, u{s[3], s[4], s[5]}, turned = outer(w(), r);
-    return (inner(u, u) - inner(turned, turned)) / 2 - g * s[2];
+    return energy_of(inner(u, u) / 2, -inner(turned, turned) / 2 - g * s[2]);
   }
 };
 
@@ -145,12 +145,12 @@ struct TwoAngles : Pendulum {
   Pair observe(const State& x, double) const {
     return {L * std::cos(x[0]) * std::sin(x[1]), L * std::sin(x[0]) * std::sin(x[1])};
   }
-  double invariant(const State& x, double) const {
+  OneConserved conserved(const State& x, double) const {
     const double s = std::sin(x[1]);
     const auto r = Axes<double>({x[0], x[1]}).R;
     const auto turned = outer(w(), r);
-    return L * L * (s * s * x[2] * x[2] + x[3] * x[3] - centrifugal * inner(turned, turned)) / 2 -
-           g * L * std::cos(x[1]);
+    return energy_of(L * L * (s * s * x[2] * x[2] + x[3] * x[3]) / 2,
+                     -L * L * centrifugal * inner(turned, turned) / 2 - g * L * std::cos(x[1]));
   }
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "chapters/03_rigid_body_motion/lagrangian_2.hpp"
+#include "chapters/conserved.hpp"
 
 /// A point that slides without friction on the surface x3 = h(x1, x2) under gravity. A surface offers
 /// height(x1, x2), generic in its number type; gradient(x); and bend(x, v) = v^T (Hessian of h) v.
@@ -38,10 +39,10 @@ struct InPlane {
   std::array<double, 3> observe(const State& x, double) const {
     return {x[0], x[1], surface.height(x[0], x[1])};
   }
-  double invariant(const State& x, double) const {
+  OneConserved conserved(const State& x, double) const {
     const Pair n = surface.gradient({x[0], x[1]});
     const double rise = n[0] * x[2] + n[1] * x[3];
-    return (x[2] * x[2] + x[3] * x[3] + rise * rise) / 2 + g * surface.height(x[0], x[1]);
+    return energy_of((x[2] * x[2] + x[3] * x[3] + rise * rise) / 2, g * surface.height(x[0], x[1]));
   }
 };
 
@@ -70,9 +71,9 @@ struct Momenta {
   std::array<double, 3> observe(const State& x, double) const {
     return {x[0], x[1], surface.height(x[0], x[1])};
   }
-  double invariant(const State& x, double) const {
+  OneConserved conserved(const State& x, double) const {
     const Pair v = velocity(x, surface.gradient({x[0], x[1]}));
-    return (v[0] * x[2] + v[1] * x[3]) / 2 + g * surface.height(x[0], x[1]);
+    return energy_of((v[0] * x[2] + v[1] * x[3]) / 2, g * surface.height(x[0], x[1]));
   }
 };
 

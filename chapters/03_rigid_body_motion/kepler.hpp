@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "chapters/conserved.hpp"
 #include "solvers/roots.hpp"
 #include "solvers/solved.hpp"
 
@@ -116,11 +117,6 @@ struct ByKeplersEquation : Ellipse {
 
 // ---- models -----------------------------------------------------------------------------------------------
 
-/// How much the energy and the angular momentum have changed: 1 + the larger relative change.
-inline double both_kept(double energy, double energy0, double h, double h0) {
-  return 1 + std::max(std::abs(energy / energy0 - 1), std::abs(h / h0 - 1));
-}
-
 /// (x, y, x', y').
 struct Cartesian : Start {
   using State = std::array<double, 4>;
@@ -135,9 +131,10 @@ struct Cartesian : Start {
     dxdt = {x[2], x[3], a[0], a[1]};
   }
   std::array<double, 2> observe(const State& x, double) const { return {x[0], x[1]}; }
-  double invariant(const State& x, double) const {
-    const double energy_now = (x[2] * x[2] + x[3] * x[3]) / 2 - mu() / std::hypot(x[0], x[1]);
-    return both_kept(energy_now, energy(), x[0] * x[3] - x[1] * x[2], h());
+  /// The energy and the angular momentum, of which at most distance times speed could move.
+  std::array<Conserved, 2> conserved(const State& x, double) const {
+    const double r = std::hypot(x[0], x[1]), square = x[2] * x[2] + x[3] * x[3];
+    return {{{square / 2 - mu() / r, square / 2}, {x[0] * x[3] - x[1] * x[2], r * std::sqrt(square)}}};
   }
 };
 
@@ -151,9 +148,10 @@ struct Polar : Start {
   std::array<double, 2> observe(const State& x, double) const {
     return {x[0] * std::cos(x[1]), x[0] * std::sin(x[1])};
   }
-  double invariant(const State& x, double) const {
-    const double energy_now = (x[2] * x[2] + x[0] * x[0] * x[3] * x[3]) / 2 - mu() / x[0];
-    return both_kept(energy_now, energy(), x[0] * x[0] * x[3], h());
+  std::array<Conserved, 2> conserved(const State& x, double) const {
+    const double square = x[2] * x[2] + x[0] * x[0] * x[3] * x[3];
+    return {
+        {{square / 2 - mu() / x[0], square / 2}, {x[0] * x[0] * x[3], std::abs(x[0]) * std::sqrt(square)}}};
   }
 };
 
@@ -168,8 +166,8 @@ struct Distance : Start {
   std::array<double, 2> observe(const State& x, double) const {
     return {x[0] * std::cos(x[2]), x[0] * std::sin(x[2])};
   }
-  double invariant(const State& x, double) const {
-    return x[1] * x[1] / 2 + h() * h() / (2 * x[0] * x[0]) - mu() / x[0];
+  OneConserved conserved(const State& x, double) const {
+    return energy_of(x[1] * x[1] / 2 + h() * h() / (2 * x[0] * x[0]), -mu() / x[0]);
   }
 };
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "chapters/conserved.hpp"
+
 /// A pendulum of length L let go at rest from the angle a: closed forms and models to be integrated.
 namespace oddity::pendulum {
 
@@ -58,7 +60,9 @@ struct OneAngle : Pendulum {
     dv = {-g / L * std::sin(q[0])};
   }
   std::array<double, 1> observe(const State& x, double) const { return {x[0]}; }
-  double invariant(const State& x, double) const { return L * x[1] * x[1] / 2 - g * std::cos(x[0]); }
+  OneConserved conserved(const State& x, double) const {
+    return energy_of(L * x[1] * x[1] / 2, -g * std::cos(x[0]));
+  }
 };
 
 /// (x, y, x', y') with the rod's tension from the constraint x^2 + y^2 = L^2, twice differentiated.
@@ -70,7 +74,9 @@ struct CartesianWithConstraint : Pendulum {
     dxdt = {x[2], x[3], -tension * x[0], -tension * x[1] - g};
   }
   std::array<double, 1> observe(const State& x, double) const { return {std::atan2(x[0], -x[1])}; }
-  double invariant(const State& x, double) const { return (x[2] * x[2] + x[3] * x[3]) / 2 + g * x[1]; }
+  OneConserved conserved(const State& x, double) const {
+    return energy_of((x[2] * x[2] + x[3] * x[3]) / 2, g * x[1]);
+  }
 };
 
 }  // namespace oddity::pendulum

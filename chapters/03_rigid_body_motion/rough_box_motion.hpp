@@ -46,7 +46,7 @@ Answer slide_in_stretched_time(const Box& b, const Horizon& horizon, double sett
     }
     return true;
   };
-  through_stops(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
+  through_times(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
   answer.value = Value(std::move(seen));
   return answer;
 }
@@ -75,7 +75,7 @@ Answer slide_until_event(const Box& b, const Horizon& horizon, double setting) {
     }
     return true;
   };
-  through_stops(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
+  through_times(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
   answer.value = Value(std::move(seen));
   return answer;
 }
@@ -99,7 +99,7 @@ inline Answer slide_with_stick_test(const Box& b, Stepping rule, const Horizon& 
     }
     return true;
   };
-  through_stops(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
+  through_times(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
   answer.value = Value(std::move(seen));
   return answer;
 }

@@ -64,7 +64,9 @@ struct OneAngle : Bar {
     a = {acceleration_at(q[0])};
   }
   std::array<double, 2> observe(const State& x, double) const { return position(x[0]); }
-  double invariant(const State& x, double) const { return m * r * r * x[1] * x[1] / 2 + potential(x[0]); }
+  OneConserved conserved(const State& x, double) const {
+    return energy_of(m * r * r * x[1] * x[1] / 2, potential(x[0]));
+  }
 };
 
 /// (x, y, x', y') of the mass; the spring's force reaches it through the lever, s/r of it, and the bar holds
@@ -87,9 +89,9 @@ struct CartesianWithConstraint : Bar {
     dxdt = {x[2], x[3], f[0] - hold * x[0], f[1] - hold * x[1]};
   }
   std::array<double, 2> observe(const State& x, double) const { return {x[0], x[1]}; }
-  double invariant(const State& x, double) const {
+  OneConserved conserved(const State& x, double) const {
     const double stretch = std::hypot(s / r * x[0] - s, s / r * x[1] + h) - ell;
-    return m * (x[2] * x[2] + x[3] * x[3]) / 2 + m * g * x[1] + c * stretch * stretch / 2;
+    return energy_of(m * (x[2] * x[2] + x[3] * x[3]) / 2, m * g * x[1] + c * stretch * stretch / 2);
   }
 };
 

@@ -98,7 +98,9 @@ struct Angle : Case {
     dv = {-square() * std::sin(q[0])};
   }
   Point observe(const State& x, double t) const { return chute.position(along(t), x[0]); }
-  double invariant(const State& x, double) const { return x[1] * x[1] / 2 + square() * (1 - std::cos(x[0])); }
+  OneConserved conserved(const State& x, double) const {
+    return energy_of(x[1] * x[1] / 2, square() * (1 - std::cos(x[0])));
+  }
 };
 
 /// (x1, x2, x3, x1', x2', x3') with the chute's force along the way to its axis.
@@ -117,8 +119,8 @@ struct InSpace : Case {
     dxdt = {x[3], x[4], x[5], m * n1, m * n2, m * n3 - g};
   }
   Point observe(const State& x, double) const { return {x[0], x[1], x[2]}; }
-  double invariant(const State& x, double) const {
-    return (x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2 + g * x[2];
+  OneConserved conserved(const State& x, double) const {
+    return energy_of((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, g * x[2]);
   }
 };
 

@@ -91,9 +91,9 @@ struct Nutation : Top {
   void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], tilting(x[0])}; }
   void acceleration(const std::array<double, 1>& q, std::array<double, 1>& dv) const { dv = {tilting(q[0])}; }
   std::array<double, 1> observe(const State& x, double) const { return {std::cos(x[0])}; }
-  double invariant(const State& x, double) const {
+  OneConserved conserved(const State& x, double) const {
     const double turning = precession(x[0]) * std::sin(x[0]);
-    return x[1] * x[1] + turning * turning + 2 * alpha() * std::cos(x[0]);
+    return energy_of(x[1] * x[1] + turning * turning, 2 * alpha() * std::cos(x[0]));
   }
 };
 
@@ -123,7 +123,7 @@ struct OneAngle : Nutation {
   Vector observe(const State& x, double) const {
     return {std::sin(x[2]) * std::sin(x[0]), -std::cos(x[2]) * std::sin(x[0]), std::cos(x[0])};
   }
-  double invariant(const State& x, double t) const { return Nutation::invariant({x[0], x[1]}, t); }
+  OneConserved conserved(const State& x, double t) const { return Nutation::conserved({x[0], x[1]}, t); }
 };
 
 /// (theta, phi, psi, theta', phi', psi').
@@ -142,11 +142,13 @@ struct EulerAngles : Top {
   Vector observe(const State& x, double) const {
     return {std::sin(x[0]) * std::sin(x[1]), -std::cos(x[0]) * std::sin(x[1]), std::cos(x[1])};
   }
-  /// The energy; with a moving tip, which does work, the spin momentum.
-  double invariant(const State& x, double) const {
+  /// The spin momentum; with a tip at rest the energy too, of which the axis' part moves.
+  std::array<Conserved, 2> conserved(const State& x, double) const {
     const double s = std::sin(x[1]), c = std::cos(x[1]), total = x[5] + x[3] * c;
-    return A != 0 ? mu3 * total
-                  : (mu1 * (x[4] * x[4] + x[3] * x[3] * s * s) + mu3 * total * total) / 2 + m * g * l * c;
+    const double across = mu1 * std::hypot(x[4], x[3] * s), spin = mu3 * total;
+    const double kinetic = across * across / (2 * mu1);
+    return {{{spin, std::hypot(spin, across)},
+             A != 0 ? Conserved{0, 0} : Conserved{kinetic + spin * total / 2 + m * g * l * c, kinetic}}};
   }
 };
 
@@ -166,7 +168,10 @@ struct AxisAndMomentum : Top {
     dxdt = {turn[0] / mu1, turn[1] / mu1, turn[2] / mu1, l * torque[0], l * torque[1], l * torque[2]};
   }
   Vector observe(const State& x, double) const { return {x[0], x[1], x[2]}; }
-  double invariant(const State& x, double) const { return x[0] * x[3] + x[1] * x[4] + x[2] * x[5]; }
+  /// The spin momentum.
+  OneConserved conserved(const State& x, double) const {
+    return {{{x[0] * x[3] + x[1] * x[4] + x[2] * x[5], std::hypot(x[3], x[4], x[5])}}};
+  }
 };
 
 /// (quaternion, angular velocity in body coordinates): Euler's equations with the torque about the tip.
@@ -201,11 +206,13 @@ struct RigidBody : Top {
     return {2 * (x[1] * x[3] + x[0] * x[2]) / norm, 2 * (x[2] * x[3] - x[0] * x[1]) / norm,
             1 - 2 * (x[1] * x[1] + x[2] * x[2]) / norm};
   }
-  /// The energy; with a moving tip the quaternion's square.
-  double invariant(const State& x, double t) const {
-    return A != 0
-               ? x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]
-               : (mu1 * (x[4] * x[4] + x[5] * x[5]) + mu3 * x[6] * x[6]) / 2 + m * g * l * observe(x, t)[2];
+  /// The quaternion's square; with a tip at rest the energy too, of which the axis' part moves.
+  std::array<Conserved, 2> conserved(const State& x, double t) const {
+    const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
+    const double kinetic = mu1 * (x[4] * x[4] + x[5] * x[5]) / 2;
+    return {{{square, 1},
+             A != 0 ? Conserved{0, 0}
+                    : Conserved{kinetic + mu3 * x[6] * x[6] / 2 + m * g * l * observe(x, t)[2], kinetic}}};
   }
 };
 

@@ -20,7 +20,7 @@ struct Bodies {
   kepler::Start relative() const { return {G, m1 + m2, r0, r0_dot, phi0, phi0_dot}; }
 };
 
-/// (r, u, phi), as published. The invariant is the energy per reduced mass; beta cannot drift.
+/// (r, u, phi), as published. What is conserved is the energy per reduced mass; beta cannot drift.
 struct Published : Bodies {
   using State = std::array<double, 3>;
   State start() const { return {r0, r0_dot, phi0}; }
@@ -33,8 +33,8 @@ struct Published : Bodies {
   std::array<double, 2> observe(const State& x, double) const {
     return {x[0] * std::cos(x[2]), x[0] * std::sin(x[2])};
   }
-  double invariant(const State& x, double) const {
-    return x[1] * x[1] / 2 + beta() * beta() / (2 * x[0] * x[0]) - gamma() / x[0];
+  OneConserved conserved(const State& x, double) const {
+    return energy_of(x[1] * x[1] / 2 + beta() * beta() / (2 * x[0] * x[0]), -gamma() / x[0]);
   }
 };
 
@@ -59,14 +59,12 @@ struct BothBodies : Bodies {
   }
   std::array<double, 2> observe(const State& x, double) const { return {x[2] - x[0], x[3] - x[1]}; }
   /// The energy and the angular momentum about the centre of mass.
-  double invariant(const State& x, double) const {
-    const auto of = [&](const State& s) {
-      const double E = m1 / 2 * (s[4] * s[4] + s[5] * s[5]) + m2 / 2 * (s[6] * s[6] + s[7] * s[7]) -
-                       G * m1 * m2 / std::hypot(s[2] - s[0], s[3] - s[1]);
-      return std::array{E, m1 * (s[0] * s[5] - s[1] * s[4]) + m2 * (s[2] * s[7] - s[3] * s[6])};
-    };
-    const auto now = of(x), then = of(start());
-    return kepler::both_kept(now[0], then[0], now[1], then[1]);
+  std::array<Conserved, 2> conserved(const State& x, double) const {
+    const double kinetic = (m1 * (x[4] * x[4] + x[5] * x[5]) + m2 * (x[6] * x[6] + x[7] * x[7])) / 2;
+    const double turning = m1 * (x[0] * x[5] - x[1] * x[4]) + m2 * (x[2] * x[7] - x[3] * x[6]);
+    const double most = m1 * std::hypot(x[0], x[1]) * std::hypot(x[4], x[5]) +
+                        m2 * std::hypot(x[2], x[3]) * std::hypot(x[6], x[7]);
+    return {{{kinetic - G * m1 * m2 / std::hypot(x[2] - x[0], x[3] - x[1]), kinetic}, {turning, most}}};
   }
 };
 
@@ -96,7 +94,7 @@ inline Answer by_kepler(const kepler::Start& start, const Horizon& horizon) {
     now = orbit.at_eccentric_anomaly(std::copysign(E.value, M));
     return E.reached();
   };
-  through_stops(horizon, solve, [&](double) { seen.insert(seen.end(), now.begin(), now.end()); });
+  through_times(horizon, solve, [&](double) { seen.insert(seen.end(), now.begin(), now.end()); });
   answer.value = Value(std::move(seen));
   return answer;
 }
@@ -143,7 +141,7 @@ inline Answer by_levi_civita(const kepler::Start& start, const Horizon& horizon,
     }
     return fail(Ending::stalled, "the time of the stop is not met");
   };
-  through_stops(horizon, go_on, [&](double) {
+  through_times(horizon, go_on, [&](double) {
     seen.push_back(x[0] * x[0] - x[1] * x[1]);
     seen.push_back(2 * x[0] * x[1]);
   });

@@ -50,8 +50,8 @@ struct Lagrangian : Pulleys {
   }
 };
 
-inline double energy(const Pulleys& p, const Pair& y, const Pair& v) {
-  return KineticEnergy{p}(y, v) + PotentialEnergy{p}(y, v);
+inline OneConserved energy(const Pulleys& p, const Pair& y, const Pair& v) {
+  return energy_of(KineticEnergy{p}(y, v), PotentialEnergy{p}(y, v));
 }
 
 // ---- the models -------------------------------------------------------------------------------------------
@@ -78,7 +78,7 @@ struct TwoCoordinates : Pulleys {
     dxdt = {x[2], x[3], a[0], a[1]};
   }
   Pair observe(const State& x, double) const { return {x[0], x[1]}; }
-  double invariant(const State& x, double) const { return energy(*this, {x[0], x[1]}, {x[2], x[3]}); }
+  OneConserved conserved(const State& x, double) const { return energy(*this, {x[0], x[1]}, {x[2], x[3]}); }
 };
 
 /// Depths and pulley angles, free of one another; the ropes' tensions on the far sides of the pulleys keep
@@ -100,7 +100,7 @@ struct FourCoordinates : Pulleys {
     dxdt = {x[4], x[5], x[6], x[7], a[0], a[1], a[2], a[3]};
   }
   Pair observe(const State& x, double) const { return {x[0], x[1]}; }
-  double invariant(const State& x, double) const { return energy(*this, {x[0], x[1]}, {x[4], x[5]}); }
+  OneConserved conserved(const State& x, double) const { return energy(*this, {x[0], x[1]}, {x[4], x[5]}); }
 };
 
 inline Eigen::Matrix2d mass_matrix(const Pulleys& p) {

@@ -18,7 +18,7 @@ Start start_of(const std::vector<double>& in) {
           radial * s + transverse * c};
 }
 
-Numbers by_kepler(const std::vector<double>& in, int digits) {
+Numbers by_kepler(const std::vector<double>& in, Precision digits) {
   const Start a = start_of(in);
   return by_universal_kepler(a.mu, {a.x, a.y, a.vx, a.vy}, in[6], digits);
 }
@@ -32,7 +32,7 @@ Number within_a_turn(const Start& a, const Number& t) {
   return t - round(Number(t / period)) * period;
 }
 
-Numbers by_taylor(const std::vector<double>& in, int digits) {
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Start a = start_of(in);
   const auto rhs = [&](const auto& q, const auto&) {
     const auto square = q[0] * q[0] + q[1] * q[1];

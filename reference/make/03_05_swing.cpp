@@ -16,7 +16,7 @@ Numbers by_jacobi(const std::vector<double>& in, int) {
   return {2 * asin(k * boost::math::jacobi_cd(k, Number(sqrt(g / L) * t)))};
 }
 
-Numbers by_taylor(const std::vector<double>& in, int digits) {
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Number minus_g_over_L = -Number(in[2]) / Number(in[1]);
   const auto rhs = [&](const auto& x, const auto&) { return std::vector{x[1], minus_g_over_L * sin(x[0])}; };
   return {solve_taylor(rhs, {Number(in[0]), Number(0)}, 0, Number(in[3]), digits)[0]};

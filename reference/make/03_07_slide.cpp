@@ -5,14 +5,14 @@ namespace oddity::truth {
 
 namespace slide_03_07 {
 
-Numbers by_taylor(const std::vector<double>& in, int digits) {
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Number q0 = in[0];
   const Numbers start{q0, q0 * q0, q0 * q0 * q0, 0, 0, 0};
-  const Numbers s = TaylorProblem(HeldBead{Number(in[1])}, 6).solve(start, 0, Number(in[2]), digits + 4);
+  const Numbers s = solve_taylor(HeldBead{Number(in[1])}, start, 0, Number(in[2]), digits + 4);
   return {s[0], s[1], s[2]};
 }
 
-Numbers by_energy(const std::vector<double>& in, int digits) {
+Numbers by_energy(const std::vector<double>& in, Precision digits) {
   const Number q0 = in[0], g = in[1];
   const auto rhs = [&](const Numbers& u, const Number&) { return Numbers{1 / seconds_per_u(q0, g, u[0])}; };
   const Number u = solve_extrapolation(rhs, {Number(0)}, 0, Number(in[2]), digits + 4)[0];

@@ -19,7 +19,7 @@ Numbers by_closed_form(const std::vector<double>& in, int) {
   return {at(in[3], in[5]), at(in[4], in[6])};
 }
 
-Numbers by_taylor(const std::vector<double>& in, int digits) {
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Number stiffness = -Number(in[1]) / Number(in[0]), friction = -Number(in[2]) / Number(in[0]);
   const auto rhs = [&](const auto& x, const auto&) {
     return std::vector{x[2], x[3], stiffness * x[0] + friction * x[2], stiffness * x[1] + friction * x[3]};

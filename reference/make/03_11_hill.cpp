@@ -13,7 +13,7 @@ Numbers on_the_hill(const std::vector<double>& in, const Numbers& x) {
   return {x[0], x[1], -(x[0] * x[0] / (a1 * a1)) - x[1] * x[1] / (a2 * a2)};
 }
 
-Numbers by_taylor(const std::vector<double>& in, int digits) {
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Number b1 = 2 / (Number(in[0]) * in[0]), b2 = 2 / (Number(in[1]) * in[1]), g = in[2], one = 1;
   const auto rhs = [&](const auto& x, const auto&) {
     const auto n1 = b1 * x[0], n2 = b2 * x[1];
@@ -24,7 +24,7 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
                                       Number(in[7]), digits + 4));
 }
 
-Numbers by_momenta(const std::vector<double>& in, int digits) {
+Numbers by_momenta(const std::vector<double>& in, Precision digits) {
   const Number b1 = 2 / (Number(in[0]) * in[0]), b2 = 2 / (Number(in[1]) * in[1]), g = in[2];
   const auto rhs = [&](const Numbers& x, const Number&) {
     const Number n1 = -b1 * x[0], n2 = -b2 * x[1];

@@ -22,7 +22,7 @@ struct Axis {
   }
 };
 
-Numbers by_taylor(const std::vector<double>& in, int digits) {
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Axis axis(in);
   const Number &c = axis.c, &s = axis.s, &g = axis.g, u = in[5], height = axis.R / axis.c;
   const auto rhs = [&](const auto& x, const auto&) {
@@ -39,7 +39,7 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
   return {x[0], x[1], x[2]};
 }
 
-Numbers by_angle(const std::vector<double>& in, int digits) {
+Numbers by_angle(const std::vector<double>& in, Precision digits) {
   const Axis axis(in);
   const Number square = axis.g * axis.c / axis.R, t = in[6];
   const auto rhs = [&](const Numbers& x, const Number&) {

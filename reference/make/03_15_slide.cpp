@@ -16,7 +16,7 @@ struct Rod {
 };
 
 /// s'' = w^2 s / 2 - (K / m) (1 - ell / r) (s - p), p the projection of (c, 0, 0) on the rod, r the length.
-Numbers by_taylor(const std::vector<double>& in, int digits) {
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Rod rod(in);
   const Number ell = rod.rest_length(), K_over_m = rod.K / rod.m, centrifugal = rod.w * rod.w / 2;
   const Number c_squared = rod.c * rod.c, root_half = sqrt(Number(0.5));
@@ -32,7 +32,7 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
 
 /// The mass in space, held by x . n1 = x . n2 = 0, twice differentiated; n1 and n2 turn with the rod and are
 /// normal to it and to each other.
-Numbers by_extrapolation(const std::vector<double>& in, int digits) {
+Numbers by_extrapolation(const std::vector<double>& in, Precision digits) {
   const Rod rod(in);
   const Number ell = rod.rest_length(), h = sqrt(Number(0.5)), w = rod.w, w2 = rod.w * rod.w;
   const auto rhs = [&](const Numbers& s, const Number& t) {

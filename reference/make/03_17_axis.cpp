@@ -23,9 +23,11 @@ Truth truth_03_17_axis() {
           {{"alpha", "rad"}},
           {{0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0, 3600}},
           foucault::first_route,
-          [](const std::vector<double>& in, int digits) { return axis(in, foucault::by_taylor(in, digits)); },
+          [](const std::vector<double>& in, Precision digits) {
+            return axis(in, foucault::by_taylor(in, digits));
+          },
           foucault::second_route,
-          [](const std::vector<double>& in, int digits) {
+          [](const std::vector<double>& in, Precision digits) {
             return axis(in, foucault::by_extrapolation(in, digits));
           }};
 }

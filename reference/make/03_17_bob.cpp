@@ -24,17 +24,18 @@ Truth truth_03_17_bob() {
       row.push_back(t);
       rows.push_back(row);
     }
-  return {"horizontal position, to the west and to the north, of a Foucault pendulum's bob",
-          foucault::formula,
-          foucault::inputs,
-          {{"x", "m"}, {"y", "m"}},
-          rows,
-          foucault::first_route,
-          [](const std::vector<double>& in, int digits) { return plane(foucault::by_taylor(in, digits)); },
-          foucault::second_route,
-          [](const std::vector<double>& in, int digits) {
-            return plane(foucault::by_extrapolation(in, digits));
-          }};
+  return {
+      "horizontal position, to the west and to the north, of a Foucault pendulum's bob",
+      foucault::formula,
+      foucault::inputs,
+      {{"x", "m"}, {"y", "m"}},
+      rows,
+      foucault::first_route,
+      [](const std::vector<double>& in, Precision digits) { return plane(foucault::by_taylor(in, digits)); },
+      foucault::second_route,
+      [](const std::vector<double>& in, Precision digits) {
+        return plane(foucault::by_extrapolation(in, digits));
+      }};
 }
 
 }  // namespace oddity::truth

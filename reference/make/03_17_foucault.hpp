@@ -23,7 +23,7 @@ inline Numbers start(const std::vector<double>& in) {
 }
 
 /// Turning axes: Coriolis and centrifugal force, and the rod's tension from |r| = L, differentiated twice.
-inline Numbers by_taylor(const std::vector<double>& in, int digits) {
+inline Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Number L = in[1], wy = in[2] * cos(Number(in[0])), wz = -in[2] * sin(Number(in[0])), g = in[3];
   const Number two = 2, square = wy * wy + wz * wz;
   const auto rhs = [&](const auto& s, const auto&) {
@@ -40,7 +40,7 @@ inline Numbers by_taylor(const std::vector<double>& in, int digits) {
 
 /// Axes that do not turn: gravity turns instead, and the rod pulls; no other force. Seen in the turning axes
 /// at the end.
-inline Numbers by_extrapolation(const std::vector<double>& in, int digits) {
+inline Numbers by_extrapolation(const std::vector<double>& in, Precision digits) {
   const Number L = in[1], w = in[2], c = cos(Number(in[0])), s = sin(Number(in[0])), g = in[3], t = in[8];
   const auto turned = [&](const Number& x, const Number& y, const Number& z, const Number& angle) {
     const Number co = cos(angle), si = sin(angle), along = (y * c - z * s) * (1 - co);
@@ -59,7 +59,8 @@ inline Numbers by_extrapolation(const std::vector<double>& in, int digits) {
     return Numbers{
         q[3], q[4], q[5], down[0] - tension * q[0], down[1] - tension * q[1], down[2] - tension * q[2]};
   };
-  const int pieces = 1 + static_cast<int>(in[8] / std::sqrt(in[1] / in[3]));  // of a radian of swing
+  const int pieces =
+      digits.kept ? 1 : 1 + static_cast<int>(in[8] / std::sqrt(in[1] / in[3]));  // of a radian of swing
   for (int i = 0; i < pieces; ++i)
     x = solve_extrapolation(rhs, x, t * i / pieces, t * (i + 1) / pieces, digits + 6);
   const Numbers r = turned(x[0], x[1], x[2], -w * t), u = turned(x[3], x[4], x[5], -w * t);

@@ -33,7 +33,7 @@ Numbers by_modes(const std::vector<double>& in, int) {
   return {e2 + p[0] + q[0], e3 + p[1] + q[1]};
 }
 
-Numbers by_taylor(const std::vector<double>& in, int digits) {
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Number m2 = in[0], m3 = in[1], turn1 = Number(in[2]) / (Number(in[4]) * in[4]),
                turn2 = Number(in[3]) / (Number(in[5]) * in[5]), c1 = in[6], c2 = in[7];
   const Number rest1 = Number(in[K1]) - in[L1], rest2 = Number(in[K2]) - in[L2];

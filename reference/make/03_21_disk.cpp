@@ -25,7 +25,7 @@ struct Pipe {
         t(in[9]) {}
 };
 
-Numbers by_taylor(const std::vector<double>& in, int digits) {
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Pipe p(in);
   const Number inertia = (p.m * p.L * p.L + p.moment) * p.sine * p.sine;
   const Number pull = -p.f * p.L * p.sine / inertia, drag = -p.k * p.L * p.L * p.sine * p.sine / inertia;
@@ -37,7 +37,7 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
   return {p.L * p.sine * cos(theta), p.L * p.sine * sin(theta), psi};
 }
 
-Numbers by_center(const std::vector<double>& in, int digits) {
+Numbers by_center(const std::vector<double>& in, Precision digits) {
   const Pipe p(in);
   const Number mass = p.m + p.moment / (p.L * p.L), radius = p.L * p.sine;
   const auto rhs = [&](const Numbers& s, const Number&) {

@@ -14,7 +14,7 @@ struct Bar {
 };
 
 /// The spring's square length is h^2 + 2 s^2 + 2 s (h sin - s cos); half its derivative is s (s sin + h cos).
-Numbers by_taylor(const std::vector<double>& in, int digits) {
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Bar b(in);
   const Number inertia = b.m * b.r * b.r, torque = b.m * b.g * b.r;
   const auto rhs = [&](const auto& x, const auto&) {
@@ -28,7 +28,7 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
 }
 
 /// The mass in the plane, held by |x| = r, twice differentiated; the spring acts through the lever s/r.
-Numbers by_extrapolation(const std::vector<double>& in, int digits) {
+Numbers by_extrapolation(const std::vector<double>& in, Precision digits) {
   const Bar b(in);
   const Number lever = b.s / b.r;
   const auto rhs = [&](const Numbers& x, const Number&) {
@@ -41,7 +41,7 @@ Numbers by_extrapolation(const std::vector<double>& in, int digits) {
   const Number C = cos(b.theta0), S = sin(b.theta0), v = b.r * b.w0;
   Numbers x{b.r * C, b.r * S, -v * S, v * C};
   const Number t = in[9], per_piece = lever * sqrt(b.c / b.m);
-  const int pieces = 4 + static_cast<int>(ceil(Number(t * per_piece)));
+  const int pieces = digits.kept ? 1 : 4 + static_cast<int>(ceil(Number(t * per_piece)));
   for (int i = 0; i < pieces; ++i)  // so short that the first step tried stays finite
     x = solve_extrapolation(rhs, x, Number(i * t / pieces), Number((i + 1) * t / pieces), digits + 6);
   x.resize(2);

@@ -12,13 +12,15 @@ namespace oddity::truth {
 namespace chain_03_25 {
 
 /// Past 4 s neighbours of the wide start part so fast that 42 digits would take minutes a row.
-int digits_at(double t, int digits) { return t > 4 ? std::min(digits, 32) : digits; }
+Precision digits_at(double t, Precision asked) {
+  return {t > 4 ? std::min(asked.digits, 32) : asked.digits, asked.kept};
+}
 
 template <class Rhs>
 Numbers at(Checkpoints& kept, const Rhs& rhs, const Numbers& start, const std::vector<double>& in,
-           int asked) {
+           Precision asked) {
   const double t = in[14];
-  const int digits = digits_at(t, asked);
+  const Precision digits = digits_at(t, asked);
   return rhs.positions(kept.at(
       t, motion_of(in, digits), [&] { return start; },
       [&](const Numbers& x, const Number& t0, const Number& t1) {
@@ -26,14 +28,14 @@ Numbers at(Checkpoints& kept, const Rhs& rhs, const Numbers& start, const std::v
       }));
 }
 
-Numbers by_tensions(const std::vector<double>& in, int digits) {
+Numbers by_tensions(const std::vector<double>& in, Precision digits) {
   static Checkpoints kept;
   const TripleStart start(in);
   const ChainTensions rhs{start.chain};
   return at(kept, rhs, rhs.start(start.theta, start.omega), in, digits);
 }
 
-Numbers by_angles(const std::vector<double>& in, int digits) {
+Numbers by_angles(const std::vector<double>& in, Precision digits) {
   static Checkpoints kept;
   const TripleStart start(in);
   return at(kept, ChainAngles{start.chain}, start.angles(), in, digits);

@@ -21,12 +21,12 @@ struct Start {
   }
 };
 
-Numbers by_kepler(const std::vector<double>& in, int digits) {
+Numbers by_kepler(const std::vector<double>& in, Precision digits) {
   const Start a(in);
   return by_universal_kepler(a.G * (a.m1 + a.m2), {a.x, a.y, a.vx, a.vy}, in[7], digits);
 }
 
-Numbers by_taylor(const std::vector<double>& in, int digits) {
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Start a(in);
   const auto rhs = [&](const auto& q, const auto&) {
     const auto dx = q[2] - q[0], dy = q[3] - q[1];

@@ -20,7 +20,7 @@ struct Box {
 /// steps shrink towards it and grow again, and every digit costs many of them. So a table has 31, and a value
 /// made on the spot 15. Both ways err alike there, by more than they differ: the second one works to two
 /// digits less, and their disagreement bounds the first one's error.
-inline int worked_to(int digits) { return digits > spot_digits ? 31 : 15; }
+inline Precision worked_to(Precision asked) { return {asked.digits > spot_digits ? 31 : 15, asked.kept}; }
 
 /// The integral of the distance from a point along an edge that it sees at the distance k, from y1 to y2.
 inline Number along_edge(const Number& k, const Number& y1, const Number& y2) {
@@ -53,7 +53,7 @@ inline Numbers unit_means(const Box& box, const Number& u, const Number& v, cons
 /// one's length by Newton's method, which comes from below, the speed falling.
 template <class Rhs>
 Numbers until(const Number& t, const Rhs& rhs, const Numbers& start, std::size_t clock, const Box& box,
-              int digits, Checkpoints& kept) {
+              Precision digits, Checkpoints& kept) {
   constexpr std::size_t pieces = 16;
   const Number piece = (digits + 2) * 3 / box.mu_g / pieces;
   std::vector<double> motion = box.inputs;
@@ -79,7 +79,7 @@ Numbers until(const Number& t, const Rhs& rhs, const Numbers& start, std::size_t
 }
 
 /// (t, x, y, theta): velocities in space.
-inline Numbers velocity_in_space(const std::vector<double>& in, const Number& t, int digits) {
+inline Numbers velocity_in_space(const std::vector<double>& in, const Number& t, Precision digits) {
   static Checkpoints kept;
   const Box box(in);
   const Number J = box.inertia();
@@ -101,7 +101,7 @@ inline Numbers velocity_in_space(const std::vector<double>& in, const Number& t,
 
 /// (t, x, y, theta): velocities along the box's axes, scaled: (u, v, w) = speed (p, q, r), and the speed's
 /// logarithm.
-inline Numbers velocity_in_the_box(const std::vector<double>& in, const Number& t, int digits) {
+inline Numbers velocity_in_the_box(const std::vector<double>& in, const Number& t, Precision digits) {
   static Checkpoints kept;
   const Box box(in);
   const Number J = box.inertia();

@@ -6,7 +6,7 @@ namespace oddity::truth {
 namespace slide_03_31 {
 
 template <class Until>
-Numbers place(const std::vector<double>& in, int digits, const Until& until) {
+Numbers place(const std::vector<double>& in, Precision digits, const Until& until) {
   Numbers all = until({in.begin(), in.begin() + 7}, Number(in[7]), digits);
   all.erase(all.begin());
   return all;
@@ -27,11 +27,11 @@ Truth truth_03_31_slide() {
       {{"x", "m"}, {"y", "m"}, {"theta", "rad"}},
       rows,
       "extrapolated midpoint rule, velocities in space, in a time stretched by the speed",
-      [](const std::vector<double>& in, int digits) {
+      [](const std::vector<double>& in, Precision digits) {
         return place(in, digits, rough_box::velocity_in_space);
       },
       "extrapolated midpoint rule, the direction of motion in the box's axes and the logarithm of the speed",
-      [](const std::vector<double>& in, int digits) {
+      [](const std::vector<double>& in, Precision digits) {
         return place(in, digits, rough_box::velocity_in_the_box);
       }};
 }

@@ -35,9 +35,11 @@ Truth truth_03_33_axis() {
       {{"x", "1"}, {"y", "1"}, {"z", "1"}},
       rows,
       "Taylor series of the axis and the angular momentum",
-      [](const std::vector<double>& in, int digits) { return axis_by_momentum(at_rest(in), digits); },
+      [](const std::vector<double>& in, Precision digits) { return axis_by_momentum(at_rest(in), digits); },
       "extrapolated midpoint rule on the quaternion and Euler's equations in body coordinates",
-      [](const std::vector<double>& in, int digits) { return axis_by_quaternion(at_rest(in), digits); }};
+      [](const std::vector<double>& in, Precision digits) {
+        return axis_by_quaternion(at_rest(in), digits);
+      }};
 }
 
 }  // namespace oddity::truth

@@ -31,7 +31,7 @@ struct ShakenTop {
 };
 
 /// (d, L): the axis and the angular momentum about the tip, in the world's coordinates.
-inline Numbers axis_by_momentum(const std::vector<double>& in, int digits) {
+inline Numbers axis_by_momentum(const std::vector<double>& in, Precision digits) {
   const ShakenTop s(in);
   const Number st = sin(s.theta), ct = cos(s.theta), sp = sin(s.phi), cp = cos(s.phi);
   const std::array<Number, 3> d{st * sp, -ct * sp, cp}, node{ct, st, 0}, up{0, 0, 1};
@@ -57,7 +57,7 @@ inline Numbers axis_by_momentum(const std::vector<double>& in, int digits) {
 }
 
 /// (q, w): quaternion and Euler's equations in body coordinates.
-inline Numbers axis_by_quaternion(const std::vector<double>& in, int digits) {
+inline Numbers axis_by_quaternion(const std::vector<double>& in, Precision digits) {
   const ShakenTop s(in);
   const Number half = s.phi / 2, sum = (s.theta + s.psi) / 2, difference = (s.theta - s.psi) / 2;
   const Number spin = s.dpsi + s.dtheta * cos(s.phi), across = s.dtheta * sin(s.phi);

@@ -79,4 +79,37 @@ Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& 
   return x;
 }
 
+namespace {
+
+/// A motion by the states at the times asked for.
+struct ExtrapolatedPath : Path {
+  struct State {
+    Number t;
+    Numbers x;
+  };
+  std::vector<State> known;
+
+  ExtrapolatedPath(const Numbers& x0, const Number& t0) : known{{t0, x0}} {}
+
+  Numbers at(const Number& t, const Rhs& rhs, int digits) {
+    const auto comes_before = [&](const State& s) { return abs(s.t - known[0].t) <= abs(t - known[0].t); };
+    const State from = *std::ranges::find_if(known.rbegin(), known.rend(), comes_before);
+    if (from.t == t) return from.x;
+    known.push_back({t, solve_extrapolation(rhs, from.x, from.t, t, digits)});
+    return known.back().x;
+  }
+};
+
+}  // namespace
+
+Numbers solve_extrapolation(const Rhs& rhs, const Numbers& x, const Number& t0, const Number& t1,
+                            Precision precision) {
+  const int digits = precision.digits;
+  if (!precision.kept) return solve_extrapolation(rhs, x, t0, t1, digits);
+  precision.kept->tick();
+  return precision.kept
+      ->path(rhs.target_type(), x, t0, t1, digits, [&] { return std::make_unique<ExtrapolatedPath>(x, t0); })
+      .at(t1, rhs, digits);
+}
+
 }  // namespace oddity::truth

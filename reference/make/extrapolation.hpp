@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "reference/truth.hpp"
+#include "reference/make/motions.hpp"
 
 /// Initial value problems by extrapolation of the modified midpoint rule in high precision.
 namespace oddity::truth {
@@ -11,5 +11,9 @@ namespace oddity::truth {
 /// when the step becomes too small.
 Numbers solve_extrapolation(const std::function<Numbers(const Numbers& x, const Number& t)>& rhs, Numbers x,
                             Number t0, const Number& t1, int digits);
+
+/// The same where a motion may be asked for at many times: from the last of those asked for before.
+Numbers solve_extrapolation(const std::function<Numbers(const Numbers& x, const Number& t)>& rhs,
+                            const Numbers& x, const Number& t0, const Number& t1, Precision);
 
 }  // namespace oddity::truth

@@ -1,5 +1,6 @@
 #include "reference/make/taylor.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -120,24 +121,49 @@ Number TaylorProblem::expand(const Numbers& x, const Number& t, int order, const
   return Number(0.9 * static_cast<double>(exp(log(tolerance) / order)) / growth);
 }
 
-Numbers TaylorProblem::solve(Numbers x, Number t0, const Number& t1, int digits) {
+TaylorProblem::Step TaylorProblem::step(const Numbers& x, const Number& t, const Number& t1, int digits) {
   const int order = digits + digits / 4 + 4;
-  const Number tolerance = pow(Number(10), -digits - 4);
-  while (t0 != t1) {
-    const Number step = expand(x, t0, order, tolerance);
-    const Number left = t1 - t0;
-    if (step < abs(left) * pow(Number(10), -20))
-      throw std::runtime_error("Taylor series: the step became too small");
-    const bool last = abs(left) <= step;
-    const Number h = last ? left : Number(left > 0 ? step : -step);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      Number sum = tape_.get(unknowns_[i], order);
-      for (int k = order - 1; k >= 0; --k) sum = sum * h + tape_.get(unknowns_[i], k);
-      x[i] = sum;
-    }
-    t0 = last ? t1 : Number(t0 + h);
+  Step step{t, expand(x, t, order, pow(Number(10), -digits - 4)), {}};
+  if (step.length < abs(Number(t1 - t)) * pow(Number(10), -20))
+    throw std::runtime_error("Taylor series: the step became too small");
+  for (int unknown : unknowns_) step.series.push_back(tape_.series(unknown));
+  return step;
+}
+
+Numbers TaylorProblem::Step::at(const Number& t) const {
+  const Number h = t - t0;
+  Numbers x;
+  for (const Numbers& c : series) {
+    Number sum = c.back();
+    for (std::size_t k = c.size() - 1; k-- > 0;) sum = sum * h + c[k];
+    x.push_back(sum);
   }
   return x;
+}
+
+Numbers TaylorProblem::solve(Numbers x, Number t0, const Number& t1, int digits) {
+  while (t0 != t1) {
+    const Step next = step(x, t0, t1, digits);
+    const Number left = t1 - t0;
+    const bool last = abs(left) <= next.length;
+    const Number end = last ? t1 : left > 0 ? Number(t0 + next.length) : Number(t0 - next.length);
+    x = next.at(end);
+    t0 = end;
+  }
+  return x;
+}
+
+Numbers TaylorPath::at(const Number& t, const Motions& request) {
+  const Number start = steps_.empty() ? t_ : steps_.front().t0;
+  while (steps_.empty() || abs(t - start) > abs(t_ - start)) {
+    request.tick();
+    steps_.push_back(problem_.step(x_, t_, t, digits_));
+    const Number& length = steps_.back().length;
+    t_ = t > start ? Number(t_ + length) : Number(t_ - length);
+    x_ = steps_.back().at(t_);
+  }
+  const auto reaches = [&](const TaylorProblem::Step& step) { return abs(t - step.t0) <= step.length; };
+  return std::ranges::find_if(steps_, reaches)->at(t);
 }
 
 }  // namespace oddity::truth

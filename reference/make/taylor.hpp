@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "reference/truth.hpp"
+#include "reference/make/motions.hpp"
 
 /// Initial value problems by Taylor series in high precision: every right-hand side is recorded once on a
 /// tape whose nodes then give the coefficients of its series, order by order.
@@ -40,6 +40,7 @@ class Tape {
   const Number& get(int node, int k) const {
     return series_[static_cast<std::size_t>(node)][static_cast<std::size_t>(k)];
   }
+  const Numbers& series(int node) const { return series_[static_cast<std::size_t>(node)]; }
   void resize(int order);
 
  private:
@@ -92,6 +93,15 @@ class TaylorProblem {
   /// when a pole stops it.
   Numbers solve(Numbers x, Number t0, const Number& t1, int digits);
 
+  /// One step of a motion: its polynomials about t0, good for |t - t0| <= length.
+  struct Step {
+    Number t0, length;
+    std::vector<Numbers> series;  ///< an unknown each, from order 0 on
+    Numbers at(const Number& t) const;
+  };
+  /// The longest step from (x, t) towards t1 whose remainder is below 10^-digits. Throws as `solve`.
+  Step step(const Numbers& x, const Number& t, const Number& t1, int digits);
+
  private:
   Jet variable() { return {&tape_, tape_.put({Tape::Op::variable})}; }
   Number expand(const Numbers& x, const Number& t, int order, const Number& tolerance);
@@ -101,10 +111,33 @@ class TaylorProblem {
   int time_ = -1;
 };
 
+/// A motion by the polynomials of its steps.
+class TaylorPath final : public Path {
+ public:
+  TaylorPath(TaylorProblem problem, Numbers x0, Number t0, int digits)
+      : problem_(std::move(problem)), x_(std::move(x0)), t_(std::move(t0)), digits_(digits) {}
+
+  /// The state at t, integrating further where t is beyond what is known.
+  Numbers at(const Number& t, const Motions& request);
+
+ private:
+  TaylorProblem problem_;
+  Numbers x_;  ///< the state at the end of the last step, t_
+  Number t_;
+  int digits_;
+  std::vector<TaylorProblem::Step> steps_;
+};
+
 /// rhs(const std::vector<T>& x, const T& t) -> std::vector<T>, for T = Number and T = Jet.
 template <class Rhs>
-Numbers solve_taylor(const Rhs& rhs, const Numbers& x0, const Number& t0, const Number& t1, int digits) {
-  return TaylorProblem(rhs, x0.size()).solve(x0, t0, t1, digits);
+Numbers solve_taylor(const Rhs& rhs, const Numbers& x0, const Number& t0, const Number& t1,
+                     Precision precision) {
+  const int digits = precision.digits;
+  if (!precision.kept) return TaylorProblem(rhs, x0.size()).solve(x0, t0, t1, digits);
+  auto& path = precision.kept->path(typeid(Rhs), x0, t0, t1, digits, [&] {
+    return std::make_unique<TaylorPath>(TaylorProblem(rhs, x0.size()), x0, t0, digits);
+  });
+  return path.at(t1, *precision.kept);
 }
 
 }  // namespace oddity::truth

@@ -1,0 +1,10 @@
+# cmake -P: writes OUT, a hash of the files of the makers (FOLDER) as a constant.
+file(GLOB files "${FOLDER}/*.cpp" "${FOLDER}/*.hpp")
+list(SORT files)
+set(all "")
+foreach(file IN LISTS files)
+  file(SHA256 "${file}" hash)
+  string(APPEND all ${hash})
+endforeach()
+string(SHA256 hash "${all}")
+file(WRITE "${OUT}" "#include \"reference/truth.hpp\"\n\nconst std::string_view oddity::truth::fingerprint_of_makers = \"${hash}\";\n")
