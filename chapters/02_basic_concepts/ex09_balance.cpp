@@ -6,6 +6,7 @@
 
 #include "chapters/02_basic_concepts/half_disc.hpp"
 #include "chapters/02_basic_concepts/rotations.hpp"
+#include "solvers/counted.hpp"
 
 namespace oddity {
 
@@ -241,18 +242,21 @@ Quantity far_balance() {
              {},
              {}};
   const auto add = [&](const std::string& model, const std::string& algorithm, bool relative) {
-    const auto moments = [=](double) {
-      std::vector<double> all;
+    const auto moments = [=]<class T>(T all_mass) {
+      std::vector<T> all;
       for (int j = 0; j < 8; ++j) {
-        const Vector N{cos(0.3 + j), sin(0.3 + j), 0};
-        double sum = 0;
-        for (const Particle& p : particles) sum += p.m * dot(N, relative ? p.r - center : p.r);
-        all.push_back(relative ? sum : sum - 16 * dot(N, center));
+        const auto along = [x = T(cos(0.3 + j)), y = T(sin(0.3 + j))](const Vector& r) {
+          return x * T(r[0]) + y * T(r[1]);
+        };
+        T sum = 0.0;
+        for (const Particle& p : particles) sum = sum + T(p.m) * along(relative ? p.r - center : p.r);
+        all.push_back(relative ? sum : sum - all_mass * along(center));
       }
-      return Answer{all, 40};
+      return all;
     };
-    q.add({model, algorithm, no_knob(), moments, relative ? Outcome::ok : Outcome::inaccurate,
-           relative ? "" : "terms of size 1e10 cancel"});
+    const long work = operations_of([&] { return moments(Counted<double>(16)); }).all_but_additions();
+    q.add({model, algorithm, no_knob(), [=](double) { return Answer{moments(16.0), work}; },
+           relative ? Outcome::ok : Outcome::inaccurate, relative ? "" : "terms of size 1e10 cancel"});
   };
   add("positions relative to the center", "sum of m N . (P - C)", true);
   add("positions from the origin", "sum of m N . P - m N . C", false);

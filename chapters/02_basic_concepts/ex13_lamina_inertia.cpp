@@ -6,6 +6,7 @@
 // also cut off at x = left and moved to the height z, so that no component vanishes.
 
 #include <numeric>
+#include <utility>
 
 #include "chapters/02_basic_concepts/parabolic_lamina.hpp"
 #include "solvers/dual.hpp"
@@ -94,6 +95,13 @@ std::vector<Claim> component_claims(const Component& c, std::size_t k, double se
   value.printed = value_reading(c, k, c.value);
   value.near_misses = {value_reading(c, k, c.near_value)};
   value.says = value.printed.text;
+  if (k == 0) {
+    value.says = "Ixx = 47";
+    value.meant = std::exchange(value.printed, value_reading(c, k, {47, 1}));
+    value.why =
+        "The fraction bar is lost in the text at hand: $\\tfrac47$. The lamina has the mass $\\tfrac43$ and "
+        "lies within 1 of the axis, so that no moment can be above $\\tfrac43$.";
+  }
   return {integrand, value};
 }
 
@@ -138,9 +146,19 @@ std::vector<Claim> steps(double seed) {
                         "derivative of " + as, [=](double x) { return derivative(f, x); }, seed),
                     ends}};
   };
-  Claim last{"2.13-ixx_antiderivative", 695, "its antiderivative is (x - x^7/7)/3, between -1 and 1"};
-  last.printed = primitive(7);
+  const auto as_it_stands = [=] {
+    const auto f = [](const auto& x) { return x - x * x * x * x * x * x * x / 73.0; };
+    return Reading{"x - x^7/73",
+                   {against_inner(
+                       "derivative of x - x^7/73", [=](double x) { return derivative(f, x); }, seed)}};
+  };
+  Claim last{"2.13-ixx_antiderivative", 695, "the antiderivative, between -1 and 1, is x - x^7/73"};
+  last.printed = as_it_stands();
+  last.meant = primitive(7);
   last.near_misses = {primitive(6)};
+  last.why =
+      "The bar above the 3 is lost in the text at hand: $(x-x^7/7)/3$, whose difference is $\\tfrac47$. As it "
+      "stands it is $\\tfrac{144}{73}$.";
   return {flat, inner, outer, last};
 }
 

@@ -34,6 +34,7 @@ struct Moment {
   Vector3 D, D_dot, w;
   std::array<Vector3, 3> U;
   Matrix3 S, S_dot, S2_dot, R, R_dot;  ///< R of the quaternion; derivatives by dual numbers
+  Solved<Value> S_slope;               ///< S' by differences, extrapolated
   double size;                         ///< of the terms in R' R^T, on unit vectors
   double frame_size;                   ///< of the same on the vectors U
 
@@ -52,6 +53,14 @@ struct Moment {
     R = value_of(turned), R_dot = slope_of(turned);
     size = (1 + std::abs(theta)) * (1 + lambda + std::abs(theta_dot));
     frame_size = (1 + lambda * lambda) * size;
+    const double step = 0.25 / (1 + std::abs(rate));
+    S_slope = limit_at_zero(
+        [&](double h) {
+          const auto then = [&](double s) { return skew(turning_axis.axis(t + rate * s)); };
+          return Value(0.5 / h * (then(h) - then(-h)));
+        },
+        step, 8);
+    S_slope.error_estimate += 0x1p-48 * std::ldexp(1 / step, 8);
   }
   std::string where() const {
     return "t = " + shortest(t) + ", theta = " + rounded(theta, 4) + ", |D'| = " + rounded(lambda, 4);

@@ -66,6 +66,15 @@ Claim formula(std::string id, int line, std::string says, const std::string& qua
   return claim(std::move(id), line, std::move(says), with("as printed", k), {with(miss, near)});
 }
 
+/// A claim whose fraction bar the text at hand has lost: what stands there, and what was meant by it.
+inline Claim lost_bar(Claim claim, Reading as_it_stands, std::string why) {
+  claim.meant = std::move(claim.printed);
+  claim.meant.text = "a quotient";
+  claim.printed = std::move(as_it_stands);
+  claim.why = std::move(why);
+  return claim;
+}
+
 /// All numbers in a row.
 template <class... Parts>
 Value joined(const Parts&... parts) {

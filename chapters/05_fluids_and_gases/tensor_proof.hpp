@@ -110,7 +110,7 @@ class Tensorial {
   Reading reading(const std::vector<Said>& all) const {
     Reading reading;
     for (const Said& said : all) {
-      reading.text += (reading.text.empty() ? "" : "; ") + said.right;
+      reading.text += (reading.text.empty() ? "" : "; ") + said.left + " = " + said.right;
       reading.checks.push_back(compare(said));
     }
     return reading;

@@ -71,6 +71,22 @@ Matrix<Whole> bordered(const Matrix<Whole>& m) {
   return filled<Whole>(m.n + 1, [&](int r, int c) { return r < m.n && c < m.n ? m(r, c) : Whole{r == c}; });
 }
 
+/// The matrix with the first `columns` columns cleared below the diagonal, without a remainder (Bareiss 1968).
+Matrix<Whole> eliminated(Matrix<Whole> m, int columns) {
+  Whole previous = 1;
+  for (int k = 0; k < columns; ++k) {
+    for (int pivot = k; m(k, k) == 0 && pivot < m.n; ++pivot)
+      for (int c = 0; m(pivot, k) != 0 && c < m.n; ++c) std::swap(m(k, c), m(pivot, c));
+    const Matrix<Whole> before = m;
+    if (before(k, k) == 0) continue;
+    for (int r = k + 1; r < m.n; ++r)
+      for (int c = k; c < m.n; ++c)
+        m(r, c) = (before(k, k) * before(r, c) - before(r, k) * before(k, c)) / previous;
+    previous = before(k, k);
+  }
+  return m;
+}
+
 std::vector<Claim> claims(const Random& random) {
   const auto determinant_of = [](const auto& m) { return bareiss(m); };
   const auto none = [](const auto&) { return Whole{0}; };
@@ -105,9 +121,12 @@ std::vector<Claim> claims(const Random& random) {
             equal("the last term alone", "last term", "det by elimination", random, false, last_term,
                   determinant_of)),
       claim("7.11-zeros", 3965, "the first n-1 entries of the last row are zero",
-            equal("U", "sum of squares of u_n1, ..., u_n,n-1", "0", random, true, first_entries, none),
-            equal("a full matrix", "sum of squares of a_n1, ..., a_n,n-1", "0", random, false, first_entries,
-                  none)),
+            equal(
+                "U, left by an elimination", "sum of squares of u_n1, ..., u_n,n-1", "0", random, false,
+                [&](const auto& m) { return first_entries(eliminated(m, m.n - 1)); }, none),
+            equal(
+                "before its last column is cleared", "sum of squares of u_n1, ..., u_n,n-1", "0", random, false,
+                [&](const auto& m) { return first_entries(eliminated(m, m.n - 2)); }, none)),
       claim("7.11-only_contribution", 3965, "only the entry u_nn contributes",
             equal("the last term is all of det U", "last term", det, random, true, last_term, determinant_of),
             equal(

@@ -17,7 +17,7 @@ struct Sample {
 
   Vector3d c() const { return by_volumes(t, p); }
   double c0() const {
-    return triple(t.p[1] - p, t.p[2] - p, t.p[3] - p) / triple(t.edge(1), t.edge(2), t.edge(3));
+    return triple<double>(t.p[1] - p, t.p[2] - p, t.p[3] - p) / triple(t.edge(1), t.edge(2), t.edge(3));
   }
   /// Of what the volumes' cancellations can do to a sum of terms of size x.
   double scale(double x) const { return condition * x; }

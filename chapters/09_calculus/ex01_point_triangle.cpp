@@ -7,6 +7,7 @@
 
 #include "chapters/09_calculus/point_triangle_claims.hpp"
 #include "reference/reference.hpp"
+#include "solvers/counted.hpp"
 
 namespace oddity {
 
@@ -79,9 +80,8 @@ template <class F>
 void add_counted(Quantity& q, const Case& at, Method method, const F& f) {
   std::vector<std::pair<double, long>> work;
   for (double setting : method.knob.settings) {
-    Counted::operations = 0;
-    static_cast<void>(distances<Counted>(at, f, static_cast<int>(setting)));
-    work.emplace_back(setting, Counted::operations);
+    const auto run = [&] { return distances<Counted<double>>(at, f, static_cast<int>(setting)); };
+    work.emplace_back(setting, operations_of(run).all_but_additions());
   }
   method.run = [=](double setting) {
     const auto same = [&](const auto& row) { return row.first == setting; };
