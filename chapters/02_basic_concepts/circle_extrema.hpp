@@ -102,8 +102,10 @@ inline std::vector<Claim> extrema(double seed) {
   growing_zeros.corrected = growing_roots.of(and_zero(printed_zeros));
   growing_zeros.near_misses = {growing_roots.of(and_zero(spaced("3 pi/4 + k pi", 3 * first, pi)))};
   growing_zeros.why =
-      "$W'=r\\omega T(\\cos\\omega T-\\sin\\omega T)$ has the factor $T$: it is zero at $T=0$ as well, a minimum, "
-      "$W\\approx r\\omega T^2/2$, and no $\\pi/4+k\\pi$. A search for the first maximum that starts at $T=0$ "
+      "$W'=r\\omega T(\\cos\\omega T-\\sin\\omega T)$ has the factor $T$: it is zero at $T=0$ as well, a "
+      "minimum, "
+      "$W\\approx r\\omega T^2/2$, and no $\\pi/4+k\\pi$. A search for the first maximum that starts at "
+      "$T=0$ "
       "ends there, with $W=0$ for $0.1107$ ($r=\\omega=1$).";
 
   Claim local{"2.17-local_maxima", 843, "those with even k are local maxima (k >= 0)"};

@@ -46,7 +46,7 @@ struct Samples {
   Ways ways = Ways::both;
 
   Reading of(const Form& form) const {
-    Worst worst(quantity, form.text, truth.text);
+    Worst worst(quantity + ", against " + truth.text, form.text, truth.text);
     Random random(seed);
     for (int i = 0; i < 50; ++i) {
       const Motion m = any(ways, random);

@@ -90,8 +90,8 @@ std::vector<Claim> claims(double seed) {
   a_Q.printed = along("-t/(1 + t^2)", 1, false, [](S s) { return -s.t / s.d; });
   a_Q.corrected =
       along("t(t^2 - 1)/(1 + t^2)^2", 1, false, [](S s) { return s.t * (s.t * s.t - 1) / (s.d * s.d); });
-  a_Q.near_misses = {along("t(t^2 + 1)/(1 + t^2)^2", 1, false,
-                           [](S s) { return s.t * (s.t * s.t + 1) / (s.d * s.d); })};
+  a_Q.near_misses = {
+      along("t(t^2 + 1)/(1 + t^2)^2", 1, false, [](S s) { return s.t * (s.t * s.t + 1) / (s.d * s.d); })};
   a_Q.why =
       "$\\sin\\phi\\cos\\phi-\\ddot\\phi=t/(1+t^2)-2t/(1+t^2)^2=t(t^2-1)/(1+t^2)^2$; the printed value "
       "forgets the square in $\\ddot\\phi$. At $t=2$ it is $0.24$, not $-0.4$; for $|t|>1$ even the sign "
@@ -101,19 +101,20 @@ std::vector<Claim> claims(double seed) {
               [](S s, double k) {
                 return Sides{std::hypot(std::cos(s.t), std::sin(s.t), s.t) / pow(s.d, k), 1};
               }),
-      lost_bar(formula("2.3-spherical_coordinates", 193,
-                       "x = cos(theta) sin(phi), y = sin(theta) sin(phi), z = cos(phi), with x, y and z as given",
-                       "r", "the position, the angles being atan2 of it", all, 1, -1,
-                       [](S s, double k) {
-                         return Sides{at_angles(s.theta[0], k * s.phi[0]), s.m.r, 1};
-                       }),
-               reading("x = cos t sqrt(1 + t^2)", "(x, y, z)", "the angles, atan2 of the position", all,
-                       [](S s) {
-                         return Sides{sqrt(s.d) * Vector3{std::cos(s.t), std::sin(s.t), s.t},
-                                      at_angles(s.theta[0], s.phi[0]), s.d};
-                       }),
-               "The bars above the roots are lost in the text at hand: $x=\\cos t/\\sqrt{1+t^2}$. As products "
-               "they leave the sphere: at $t=1$, $|(x,y,z)|$ is 2."),
+      lost_bar(
+          formula("2.3-spherical_coordinates", 193,
+                  "x = cos(theta) sin(phi), y = sin(theta) sin(phi), z = cos(phi), with x, y and z as given",
+                  "r", "the position, the angles being atan2 of it", all, 1, -1,
+                  [](S s, double k) {
+                    return Sides{at_angles(s.theta[0], k * s.phi[0]), s.m.r, 1};
+                  }),
+          reading("x = cos t sqrt(1 + t^2)", "(x, y, z)", "the angles, atan2 of the position", all,
+                  [](S s) {
+                    return Sides{sqrt(s.d) * Vector3{std::cos(s.t), std::sin(s.t), s.t},
+                                 at_angles(s.theta[0], s.phi[0]), s.d};
+                  }),
+          "The bars above the roots are lost in the text at hand: $x=\\cos t/\\sqrt{1+t^2}$. As products "
+          "they leave the sphere: at $t=1$, $|(x,y,z)|$ is 2."),
       formula("2.3-sine_of_phi", 201, "sin(phi) = 1/sqrt(1 + t^2), positive", "sin(phi)", angles, all, 1, -1,
               [](S s, double k) {
                 return Sides{k / sqrt(s.d), std::sin(s.phi[0]), 4};
@@ -139,19 +140,20 @@ std::vector<Claim> claims(double seed) {
               [](S s, double k) {
                 return Sides{{0, 0, k, 0}, {s.rho[1], s.rho[2], s.theta[1], s.theta[2]}, 4};
               }),
-      lost_bar(formula("2.3-derivative_of_acos", 211, "the derivative of acos(u)", "slope",
-                       "atan2 in dual numbers", all, -1, 1,
-                       [](S s, double k) {
-                         const double u = s.m.r[2];
-                         return Sides{k / sqrt((1 - u) * (1 + u)), slope_of_acos(u), s.d * sqrt(s.d)};
-                       }),
-               reading("-1 sqrt(1 - u^2)", "slope", "atan2 in dual numbers", all,
-                       [](S s) {
-                         const double u = s.m.r[2];
-                         return Sides{-sqrt((1 - u) * (1 + u)), slope_of_acos(u), s.d * sqrt(s.d)};
-                       }),
-               "The bar is lost in the text at hand: $-1/\\sqrt{1-u^2}$. At $u=0.6$ that is $-1.25$, the product "
-               "$-0.8$."),
+      lost_bar(
+          formula("2.3-derivative_of_acos", 211, "the derivative of acos(u)", "slope",
+                  "atan2 in dual numbers", all, -1, 1,
+                  [](S s, double k) {
+                    const double u = s.m.r[2];
+                    return Sides{k / sqrt((1 - u) * (1 + u)), slope_of_acos(u), s.d * sqrt(s.d)};
+                  }),
+          reading("-1 sqrt(1 - u^2)", "slope", "atan2 in dual numbers", all,
+                  [](S s) {
+                    const double u = s.m.r[2];
+                    return Sides{-sqrt((1 - u) * (1 + u)), slope_of_acos(u), s.d * sqrt(s.d)};
+                  }),
+          "The bar is lost in the text at hand: $-1/\\sqrt{1-u^2}$. At $u=0.6$ that is $-1.25$, the product "
+          "$-0.8$."),
       lost_bar(formula("2.3-derivative_of_z", 219, "dz/dt is (1 + t^2)^(-3/2)", "z'", "dual numbers", all,
                        -1.5, -0.5,
                        [](S s, double k) {
@@ -164,16 +166,17 @@ std::vector<Claim> claims(double seed) {
                        }),
                "The bar is lost in the text at hand: $z=t/\\sqrt{1+t^2}$. The derivative of the product is "
                "$(1+2t^2)/\\sqrt{1+t^2}$, 2.12 at $t=1$ for 0.354."),
-      lost_bar(formula("2.3-chain_rule", 229, "phi' by the chain rule", "phi'", angles, all, -1, 1,
-                       [](S s, double k) {
-                         return Sides{k / sqrt(1 - s.t * s.t / s.d) * pow(s.d, -1.5), s.phi[1], 1};
-                       }),
-               reading("-1 sqrt(1 - t^2/(1 + t^2)) (1 + t^2)^(-3/2)", "phi'", angles, all,
-                       [](S s) {
-                         return Sides{-sqrt(1 - s.t * s.t / s.d) * pow(s.d, -1.5), s.phi[1], 1};
-                       }),
-               "The bar above the root is lost in the text at hand; the root divides. At $t=1$ the quotient is "
-               "$-\\tfrac12$, the product $-\\tfrac14$."),
+      lost_bar(
+          formula("2.3-chain_rule", 229, "phi' by the chain rule", "phi'", angles, all, -1, 1,
+                  [](S s, double k) {
+                    return Sides{k / sqrt(1 - s.t * s.t / s.d) * pow(s.d, -1.5), s.phi[1], 1};
+                  }),
+          reading("-1 sqrt(1 - t^2/(1 + t^2)) (1 + t^2)^(-3/2)", "phi'", angles, all,
+                  [](S s) {
+                    return Sides{-sqrt(1 - s.t * s.t / s.d) * pow(s.d, -1.5), s.phi[1], 1};
+                  }),
+          "The bar above the root is lost in the text at hand; the root divides. At $t=1$ the quotient is "
+          "$-\\tfrac12$, the product $-\\tfrac14$."),
       formula("2.3-phi_dot", 229, "phi' = -1/(1 + t^2)", "phi'", angles, all, -1, 1,
               [](S s, double k) {
                 return Sides{k / s.d, s.phi[1], 1 / sqrt(s.d)};

@@ -99,15 +99,16 @@ std::vector<Claim> claims(double seed) {
                       {never("moments at which R' R^T is singular", count - regular, count)}};
   singular.corrected = {
       "R' R^T is singular, and determined by its images all the same",
-      {determinants("det R' R^T", 0, true), compare("R' R^T from its images, A U^T", "A U^T", "R' R^T",
-                                                    moments.unit_speed, [](M m) {
-                                                      const Matrix3 M = R_dot_R_transposed(m);
-                                                      const Matrix3 U = Matrix3::columns(m.U[0], m.U[1], m.U[2]);
-                                                      return Sides{(M * U) * transpose(U), M, m.frame_size};
-                                                    })}};
+      {determinants("det R' R^T", 0, true),
+       compare("R' R^T from its images, A U^T", "A U^T", "R' R^T", moments.unit_speed, [](M m) {
+         const Matrix3 M = R_dot_R_transposed(m);
+         const Matrix3 U = Matrix3::columns(m.U[0], m.U[1], m.U[2]);
+         return Sides{(M * U) * transpose(U), M, m.frame_size};
+       })}};
   singular.near_misses = {{"so is R' R^T + I", {determinants("det (R' R^T + I)", 1, true)}}};
   singular.why =
-      "A skew $3\\times3$ matrix is never invertible, since $\\det S=\\det S^T=-\\det S$: $\\dot RR^T$ has the "
+      "A skew $3\\times3$ matrix is never invertible, since $\\det S=\\det S^T=-\\det S$: $\\dot RR^T$ has "
+      "the "
       "eigenvalues $0,\\pm i|\\mathbf w|$ and the determinant 0 at every moment. The conclusion stands, for "
       "$M=AU^T$ follows from $MU=A$ for every matrix $M$: it is $U$ that has to be invertible.";
 
@@ -150,8 +151,8 @@ std::vector<Claim> claims(double seed) {
                 return Sides{(2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S), m.S2_dot, m.size};
               }),
       formula("2.5-determined_by_images", 327,
-              "three independent vectors and their images determine an invertible matrix (and any other)", "M", "the matrix itself",
-              moments.unit_speed, 1, 0,
+              "three independent vectors and their images determine an invertible matrix (and any other)",
+              "M", "the matrix itself", moments.unit_speed, 1, 0,
               [](M m, double k) {
                 const Matrix3 matrix = m.R_dot + 2.0 * identity();
                 const auto& [U1, U2, U3] = m.U;
@@ -270,16 +271,16 @@ std::vector<Claim> claims(double seed) {
                          R_dot_R_transposed(m), m.frame_size};
           }),
       about_skew("2.5-skew_entries", 453, "B A^T - A B^T has the entries of A x B, arranged as printed",
-           "B A^T - A B^T", "outer products", -1,
-           [](M m, double k) {
-             const Vector3 A = m.w, B = m.R.column(0) + m.D_dot;
-             return Sides{collected(A, B, k), outer(B, A) - outer(A, B), m.size * m.size};
-           }),
+                 "B A^T - A B^T", "outer products", -1,
+                 [](M m, double k) {
+                   const Vector3 A = m.w, B = m.R.column(0) + m.D_dot;
+                   return Sides{collected(A, B, k), outer(B, A) - outer(A, B), m.size * m.size};
+                 }),
       about_skew("2.5-skew_identity", 459, "B A^T - A B^T = Skew(A x B)", "B A^T - A B^T", "Skew(A x B)", -1,
-           [](M m, double k) {
-             const Vector3 A = m.w, B = m.R.column(0) + m.D_dot;
-             return Sides{k * (outer(B, A) - outer(A, B)), skew(cross(A, B)), m.size * m.size};
-           }),
+                 [](M m, double k) {
+                   const Vector3 A = m.w, B = m.R.column(0) + m.D_dot;
+                   return Sides{k * (outer(B, A) - outer(A, B)), skew(cross(A, B)), m.size * m.size};
+                 }),
       unit_line("2.5-sum_of_cross_products", 465,
                 "Skew(w) = theta' Skew(U2 x U3) + sigma Skew(U3 x U1) + (1 - gamma) Skew(U1 x U2)", "Skew(w)",
                 [](M m, double k) {
@@ -300,15 +301,16 @@ std::vector<Claim> claims(double seed) {
              [&](M m, double k) {
                return Sides{skew(w_of_the_text(m, k)), R_dot_R_transposed(m), m.frame_size};
              }),
-      about_skew("2.5-skew_is_one_to_one", 473,
-           "Skew(A) = Skew(B) implies A = B: the squares of the entries' differences add up to 2 |A - B|^2",
-           "2 |A - B|^2", "squared entries of Skew(A) - Skew(B)", 0.5,
-           [](M m, double k) {
-             const Vector3 A = m.w, B = m.R.column(0) + m.D_dot;
-             double squares = 0;
-             for (double entry : skew(A) - skew(B)) squares += entry * entry;
-             return Sides{2 * k * dot(A - B, A - B), squares, m.size * m.size};
-           }),
+      about_skew(
+          "2.5-skew_is_one_to_one", 473,
+          "Skew(A) = Skew(B) implies A = B: the squares of the entries' differences add up to 2 |A - B|^2",
+          "2 |A - B|^2", "squared entries of Skew(A) - Skew(B)", 0.5,
+          [](M m, double k) {
+            const Vector3 A = m.w, B = m.R.column(0) + m.D_dot;
+            double squares = 0;
+            for (double entry : skew(A) - skew(B)) squares += entry * entry;
+            return Sides{2 * k * dot(A - B, A - B), squares, m.size * m.size};
+          }),
       result("2.5-angular_velocity", 475,
              "w = theta' D + sin(theta) D' + (1 - cos(theta)) D x D', whatever |D'| is", "w",
              [&](M m, double k) {
@@ -325,13 +327,16 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 Exercise exercise_2_5() {
   using namespace ex02_05;
-  return {"Rotation about a moving axis",
-          "A body is turned by the angle $\\theta(t)$ about the unit axis $\\mathbf D(t)$: show that its "
-          "angular velocity is $\\mathbf w=\\dot\\theta\\mathbf D+\\sin\\theta\\,\\dot{\\mathbf "
-          "D}+(1-\\cos\\theta)\\,\\mathbf D\\times\\dot{\\mathbf D}$.",
-          parameters,
-          {},
-          study};
+  return {
+      "Rotation about a moving axis",
+      "A body is turned by the angle $\\theta(t)$ about the unit axis $\\mathbf D(t)$: show that its "
+      "angular velocity is $\\mathbf w=\\dot\\theta\\mathbf D+\\sin\\theta\\,\\dot{\\mathbf "
+      "D}+(1-\\cos\\theta)\\,\\mathbf D\\times\\dot{\\mathbf D}$. Below `U1`, `U2`, `U3` are $\\mathbf D$, "
+      "$\\dot{\\mathbf D}$ and $\\mathbf D\\times\\dot{\\mathbf D}$, `S` is Skew(D), `sigma` and `gamma` are "
+      "the sine and the cosine of $\\theta$.",
+      parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

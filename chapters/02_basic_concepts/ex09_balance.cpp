@@ -91,7 +91,7 @@ struct Side {
 };
 
 Reading compare(const Side& side, const Side& truth, double seed) {
-  Worst worst(side.text, side.text, truth.text);
+  Worst worst(side.text + ", against " + truth.text, side.text, truth.text);
   Random random(seed);
   for (int i = 0; i < 60; ++i) {
     const Plate plate = random_plate(random, side.through);
@@ -255,7 +255,10 @@ Quantity far_balance() {
       return all;
     };
     const long work = operations_of([&] { return moments(Counted<double>(16)); }).all_but_additions();
-    q.add({model, algorithm, no_knob(), [=](double) { return Answer{moments(16.0), work}; },
+    q.add({model, algorithm, no_knob(),
+           [=](double) {
+             return Answer{moments(16.0), work};
+           },
            relative ? Outcome::ok : Outcome::inaccurate, relative ? "" : "terms of size 1e10 cancel"});
   };
   add("positions relative to the center", "sum of m N . (P - C)", true);
@@ -283,11 +286,14 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 Exercise exercise_2_9() {
   using namespace ex02_09;
-  return {"Balance of a plate",
-          "Show that a plate of point masses $m_i$ balances on every line through its center of mass $C$.",
-          parameters,
-          {},
-          study};
+  return {
+      "Balance of a plate",
+      "Show that a plate of point masses $m_i$ balances on every line through its center of mass $C$. Below "
+      "$D$ and $N$ are the line's direction and normal, $s$ and $t$ the coordinates of a point along them, "
+      "counted from $C$.",
+      parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

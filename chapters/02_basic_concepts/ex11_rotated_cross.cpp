@@ -61,7 +61,7 @@ double of_product(S m) { return 1 + length(m.a) * length(m.b); }
 
 Reading compare(const std::string& text, const std::string& by, double (*size)(S), double seed,
                 const Formula& formula, const Formula& truth) {
-  Worst worst(text, text, by);
+  Worst worst("against " + by, text, by);
   Random random(seed);
   for (int i = 0; i < 100; ++i) {
     const Sample m = random_sample(random, i);
@@ -225,7 +225,11 @@ Findings study(const Parameters& p, const Reference& truth) {
 Exercise exercise_2_11() {
   using namespace ex02_11;
   return {"Rotation of a cross product",
-          "Show that $R(a\\times b)=(Ra)\\times(Rb)$ for every rotation $R$.",
+          "Show that $R(a\\times b)=(Ra)\\times(Rb)$ for every rotation $R$. Below `c` and `s` are cosine "
+          "and sine "
+          "of its angle, `u`, `v`, `w` an orthonormal frame with `w` along its axis, and `a0`, `b0`, `g0`, "
+          "... the "
+          "components of $a$, $b$ and $a\\times b$ in that frame.",
           parameters,
           {},
           study};

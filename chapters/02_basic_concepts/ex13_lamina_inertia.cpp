@@ -157,7 +157,8 @@ std::vector<Claim> steps(double seed) {
   last.meant = primitive(7);
   last.near_misses = {primitive(6)};
   last.why =
-      "The bar above the 3 is lost in the text at hand: $(x-x^7/7)/3$, whose difference is $\\tfrac47$. As it "
+      "The bar above the 3 is lost in the text at hand: $(x-x^7/7)/3$, whose difference is $\\tfrac47$. As "
+      "it "
       "stands it is $\\tfrac{144}{73}$.";
   return {flat, inner, outer, last};
 }

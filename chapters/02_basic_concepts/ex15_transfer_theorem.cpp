@@ -73,7 +73,7 @@ struct Samples {
   int power = 2;  ///< the terms are m r^power
 
   Reading of(const std::string& text, const Formula& formula) const {
-    Worst worst(quantity, text, by);
+    Worst worst(quantity + ", against " + by, text, by);
     Random random(seed);
     for (int i = 0; i < 60; ++i) {
       System system = random_system(random);
@@ -265,7 +265,8 @@ Exercise exercise_2_15() {
   using namespace ex02_15;
   return {"Transfer theorem",
           "Express the inertia components of particles about the origin, $I_{xx}=\\sum m_i(y_i^2+z_i^2)$, "
-          "$I_{xy}=\\sum m_ix_iy_i$, ..., through those about their center of mass.",
+          "$I_{xy}=\\sum m_ix_iy_i$, ..., through those about their center of mass $c$. Below "
+          "a prime marks what is taken relative to $c$.",
           parameters,
           {},
           study};

@@ -8,6 +8,7 @@
 /// Exercise 2.5: a rotation about a moving axis, and its angular velocity by several methods.
 namespace oddity::rotating_axis {
 
+using namespace identities;
 using namespace space;
 
 /// Axis and angle as functions of time.

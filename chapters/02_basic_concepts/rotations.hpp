@@ -177,12 +177,10 @@ inline Quantity sliver_normal(const Reference& truth) {
   add(
       "edges a, b", "product, then rotated", [=](const Map& R) { return R(cross(t.a, t.b())); }, cancels);
   add(
-      "edges a, b", "rotated, subtracted, then product", [=](const Map& R) { return cross(R(t.a), R(t.b()) - R(t.a)); },
-      "R b - R a has the rounding of both");
-  add("edges a, b - a", "rotated, then product",
-      [=](const Map& R) { return cross(R(t.a), R(t.b() - t.a)); });
-  add("edges a, b - a", "product, then rotated",
-      [=](const Map& R) { return R(cross(t.a, t.b() - t.a)); });
+      "edges a, b", "rotated, subtracted, then product",
+      [=](const Map& R) { return cross(R(t.a), R(t.b()) - R(t.a)); }, "R b - R a has the rounding of both");
+  add("edges a, b - a", "rotated, then product", [=](const Map& R) { return cross(R(t.a), R(t.b() - t.a)); });
+  add("edges a, b - a", "product, then rotated", [=](const Map& R) { return R(cross(t.a, t.b() - t.a)); });
   q.add(
       Breakdown{"Of two nearly equal edges the product keeps seven digits, in whatever order one rotates. "
                 "a x (b - a) is the same product and keeps them all, if b - a is formed before the rotation.",

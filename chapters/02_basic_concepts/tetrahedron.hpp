@@ -152,13 +152,15 @@ inline Quantity about_center(const Tetrahedron& near, double far, const Referenc
   q.add({back, "five particles", no_knob(),
          [t](double) {
            const System all = t.particles();
-           return Answer{inertia_about(all, {}) - inertia_of(mass_of(all), center_of(all)), static_cast<long>(all.size())};
+           return Answer{inertia_about(all, {}) - inertia_of(mass_of(all), center_of(all)),
+                         static_cast<long>(all.size())};
          },
          Outcome::inaccurate, cancels});
   q.add({back, "compensated sum", no_knob(),
          [t](double) {
            const System all = t.particles();
-           return Answer{compensated_about_origin(all) - inertia_of(mass_of(all), center_of(all)), static_cast<long>(all.size())};
+           return Answer{compensated_about_origin(all) - inertia_of(mass_of(all), center_of(all)),
+                         static_cast<long>(all.size())};
          },
          Outcome::inaccurate, cancels + ": each square was rounded before it was added"});
   q.add({back, "Gauss-Legendre", doubling("points", 2, 3),
@@ -169,15 +171,17 @@ inline Quantity about_center(const Tetrahedron& near, double far, const Referenc
            return answer;
          },
          Outcome::diverged, cancels + ", and the bounds are rounded"});
-  q.add({"center first", "five particles", no_knob(), [t](double) {
-           const System all = t.particles();
-           return Answer{inertia_about(all, center_of(all)), 2 * static_cast<long>(all.size())};  // two passes
-         }});
+  q.add(
+      {"center first", "five particles", no_knob(), [t](double) {
+         const System all = t.particles();
+         return Answer{inertia_about(all, center_of(all)), 2 * static_cast<long>(all.size())};  // two passes
+       }});
   q.add({"about a particle, transferred back", "five particles", no_knob(), [t](double) {
            System all = t.particles();
            const Vector first = all[0].r;
            for (Particle& p : all) p.r = p.r - first;
-           return Answer{inertia_about(all, {}) - inertia_of(mass_of(all), center_of(all)), static_cast<long>(all.size())};
+           return Answer{inertia_about(all, {}) - inertia_of(mass_of(all), center_of(all)),
+                         static_cast<long>(all.size())};
          }});
   q.add({"running center", "five particles", no_knob(), [t](double) {
            const System all = t.particles();

@@ -99,8 +99,8 @@ class Tensorial {
 
   Check compare(const Said& said) const {
     const IndexExpression expression(said.right, said.free);
-    Worst worst(said.left + " = " + said.right, "curls nested along a turned frame, or as it is named",
-                "the index expression as it is written");
+    Worst worst("the index expression, against " + said.left,
+                said.left + ", differentiated along a turned frame", "the index expression as it is written");
     for (const Sampled& s : samples_) {
       const Point left = s.left.at(said.left);
       worst.see(left, expression.value(s.tensors), expression.size(s.tensors), s.where);

@@ -155,7 +155,8 @@ inline Check small_subset(const Parameters& p, double largest) {
   long large = 0;
   const auto spheres = random_spheres(p["seed"], 400, 8, largest);
   for (const Lattice& s : spheres) large += 50 * hits(s.sphere(), grid, reach, always).tests > grid.count();
-  return never("spheres whose range is above a fiftieth of 4096 bins, r up to " + shortest(largest) + " bins", large, 400);
+  return never("spheres whose range is above a fiftieth of 4096 bins, r up to " + shortest(largest) + " bins",
+               large, 400);
 }
 
 inline Claim typically_less(const Parameters& p) {
@@ -185,7 +186,9 @@ inline Check range_is_everything(const Parameters& p, double radius_over_width) 
   long less = 0;
   for (int n = 0; n < 400; ++n)
     less += hits({random.point(8), radius_over_width * 16}, grid, reach, always).tests < grid.count();
-  return never("spheres of r = " + shortest(radius_over_width) + " widths whose range is smaller than the grid", less, 400);
+  return never(
+      "spheres of r = " + shortest(radius_over_width) + " widths whose range is smaller than the grid", less,
+      400);
 }
 
 inline Claim unless_large(const Parameters& p) {

@@ -20,9 +20,7 @@ struct Sample {
   /// What the impulse does to v, and at most to w.
   double kick() const { return std::abs(f) / body.mass; }
   double twist() const { return yielding() * angular_impulse(); }
-  double angular_impulse() const {
-    return std::abs(f) * std::max(arm(hit.p0).norm(), arm(hit.p1).norm());
-  }
+  double angular_impulse() const { return std::abs(f) * std::max(arm(hit.p0).norm(), arm(hit.p1).norm()); }
   /// The size of J^-1.
   double yielding() const { return inverse(body.inertia).cwiseAbs().sum(); }
 };
@@ -41,9 +39,9 @@ std::vector<Sample> samples(double seed, int count, const MakeBody& make_body) {
 }
 
 template <class Left, class Right>
-Check compare(const std::vector<Sample>& all, std::string what, std::string by_left, std::string by_right,
-              const Left& left, const Right& right) {
-  Worst worst(std::move(what), std::move(by_left), std::move(by_right));
+Check compare(const std::vector<Sample>& all, std::string what, const std::string& by_left,
+              const std::string& by_right, const Left& left, const Right& right) {
+  Worst worst(std::move(what) + ", " + by_left + " against " + by_right, by_left, by_right);
   for (const Sample& s : all) worst.see(Value(left(s)), Value(right(s)), s.scale(), "f = " + rounded(s.f, 6));
   return worst.check();
 }
@@ -120,8 +118,8 @@ inline Tolerance of_v(const Sample& s) {
           "1.4e-12 of the impulse by the steps of the pulse, 1.4e-11 by the rounded ends of the cubes"};
 }
 
-/// While the pulse acts the body turns by no more than |w| and the impulse make of 1e-6 s, and arms and inertia
-/// turn with it.
+/// While the pulse acts the body turns by no more than |w| and the impulse make of 1e-6 s, and arms and
+/// inertia turn with it.
 inline Tolerance of_w(const Sample& s) {
   const double turn = pulse * (s.body.w.norm() + s.twist());
   const double momentum = (s.body.inertia * s.body.w).norm() + s.angular_impulse();
@@ -130,9 +128,10 @@ inline Tolerance of_w(const Sample& s) {
 }
 
 template <class Formula>
-Check against_motion(const std::vector<Sample>& all, const std::string& what, std::string by,
+Check against_motion(const std::vector<Sample>& all, const std::string& what, const std::string& by,
                      std::size_t from, const Formula& formula) {
-  Worst worst(what, std::move(by), "motion under half the pulse at either point");
+  const std::string motion = "motion under half the pulse at either point";
+  Worst worst(what + ", " + by + " against " + motion, by, motion);
   for (const Sample& s : all) {
     const double scale = from == 0 ? s.body.v.norm() + s.kick() : s.body.w.norm() + s.twist();
     worst.see(Value(formula(s)), Value(by_motion(s, from)), from == 0 ? of_v(s) : of_w(s), scale,

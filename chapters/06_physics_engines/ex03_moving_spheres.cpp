@@ -158,9 +158,10 @@ Claim many_ways(const Parameters& p) {
   const auto with = [](double across, Follow how) {
     return [=](const auto& frames) { return by_bins(frames, grid_of(across), how); };
   };
-  Claim claim{"6.3-many_ways", 3739,
-              "there are many ways to do it (no answer is given that could be judged: what is checked is that "
-              "five algorithms for one such question find the same pairs)"};
+  Claim claim{
+      "6.3-many_ways", 3739,
+      "there are many ways to do it (no answer is given that could be judged: what is checked is that "
+      "five algorithms for one such question find the same pairs)"};
   claim.printed = {
       "at least five ways",
       {agrees(p, "bins rebuilt", with(8, Follow::rebuilt)),

@@ -48,9 +48,7 @@ Vector3<T> dual_cramer(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T
 }
 
 inline Method triple_products(const Basis& s, const auto& formula) {
-  const auto in = [=]<class T>(T) {
-    return formula(cast<T>(s.a), cast<T>(s.b), cast<T>(s.c), cast<T>(s.p));
-  };
+  const auto in = [=]<class T>(T) { return formula(cast<T>(s.a), cast<T>(s.b), cast<T>(s.c), cast<T>(s.p)); };
   const long work = operations_of([&] { return in(Counted<double>()); }).all_but_additions();
   return {"triple products", "Cramer", {"significant bits", {24, 53, 106}}, [=](double bits) {
             const auto by = [&](auto zero) { return Value(cast<double>(in(zero))); };

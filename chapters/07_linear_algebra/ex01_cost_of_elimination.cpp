@@ -88,10 +88,12 @@ std::vector<Law> laws() {
        &Counts::full,
        {"(2 mu + alpha)(n-1)n(n+1)/2", printed_full},
        {"(2 mu + alpha)(n-1)n(n+1)/2 + mu n(n-1)/2", [](double n) { return printed_full(n) + diagonals(n); }},
-       {"(2 mu + alpha)(n-1)n(n+1)/2 + mu n(n+1)/2", [](double n) { return printed_full(n) + n * (n + 1) / 2 * mu; }},
+       {"(2 mu + alpha)(n-1)n(n+1)/2 + mu n(n+1)/2",
+        [](double n) { return printed_full(n) + n * (n + 1) / 2 * mu; }},
        "With column $k$ the diagonal entries of the $k-1$ rows above are multiplied by the pivot: "
        "$\\mu\\,n(n-1)/2$ in all, $27\\mu+12\\alpha$ and not $24\\mu+12\\alpha$ for $n=3$. Without them the "
-       "solution is wrong (see the methods). If they are multiplied once at the end, by one product a row, they "
+       "solution is wrong (see the methods). If they are multiplied once at the end, by one product a row, "
+       "they "
        "still cost $\\mu(n-1)$."},
       {"7.1-division_cost",
        3795,
@@ -136,7 +138,8 @@ std::vector<Law> laws() {
        {"n(n-1)[(2 mu + alpha) n - mu]", [](double n) { return six_times(n, n * entry - mu); }},
        {"n(n-1)[(2 mu + alpha) n - mu - 2 alpha]",
         [](double n) { return six_times(n, n * entry - mu - 2 * alpha); }},
-       {"n(n-1)[(2 mu + alpha) n - mu - alpha]", [](double n) { return six_times(n, n * entry - mu - alpha); }},
+       {"n(n-1)[(2 mu + alpha) n - mu - alpha]",
+        [](double n) { return six_times(n, n * entry - mu - alpha); }},
        "$(2\\mu+\\alpha)(n+1)-3(\\mu+\\alpha)=(2\\mu+\\alpha)n-\\mu-2\\alpha$: the $2\\alpha$ was lost. For "
        "$n=2$ the left side is $\\mu$, the right side as printed $\\mu+\\tfrac23\\alpha$."},
       {"7.1-excess",
@@ -147,7 +150,8 @@ std::vector<Law> laws() {
        {"n(n-1)[(2 mu + alpha) n - mu]", [](double n) { return six_times(n, n * entry - mu); }},
        {"n(n-1)[(2 mu + alpha) n + 2 mu - 2 alpha]",
         [](double n) { return six_times(n, n * entry + 2 * mu - 2 * alpha); }},
-       {"n(n-1)[(2 mu + alpha) n + mu - 2 alpha]", [](double n) { return six_times(n, n * entry + mu - 2 * alpha); }},
+       {"n(n-1)[(2 mu + alpha) n + mu - 2 alpha]",
+        [](double n) { return six_times(n, n * entry + mu - 2 * alpha); }},
        "The multiplied diagonal entries add $\\mu\\,n(n-1)/2$, and the factoring loses $2\\alpha$. For $n=3$ "
        "the excess is $8\\mu+\\alpha$, not $5\\mu+3\\alpha$."},
   };
@@ -197,19 +201,20 @@ std::vector<Claim> comparisons(const Table& t) {
 
   Claim threshold{"7.1-threshold", 3807, "C' >= C when n >= mu/(2 mu + alpha)"};
   const auto holds = [&](double n, double m, double a) { return paid(six_excess(t, n), m, a) >= 0; };
-  threshold.printed = {"n >= mu/(2 mu + alpha) is enough, n > 1",
-                       {at_prices("prices and n >= mu/(2 mu + alpha) with C' < C", [&](double n, double m, double a) {
-                         return n * (2 * m + a) >= m && !holds(n, m, a);
-                       })}};
-  threshold.corrected = {"exactly when n >= 2 (alpha - mu)/(2 mu + alpha), n > 1",
-                         {at_prices("prices and n that this judges wrongly",
-                                    [&](double n, double m, double a) {
-                                      return (n * (2 * m + a) >= 2 * (a - m)) != holds(n, m, a);
-                                    })}};
+  threshold.printed = {
+      "n >= mu/(2 mu + alpha) is enough, n > 1",
+      {at_prices("prices and n >= mu/(2 mu + alpha) with C' < C",
+                 [&](double n, double m, double a) { return n * (2 * m + a) >= m && !holds(n, m, a); })}};
+  threshold.corrected = {
+      "exactly when n >= 2 (alpha - mu)/(2 mu + alpha), n > 1",
+      {at_prices("prices and n that this judges wrongly", [&](double n, double m, double a) {
+        return (n * (2 * m + a) >= 2 * (a - m)) != holds(n, m, a);
+      })}};
   threshold.near_misses = {
       {"exactly when n >= (alpha - mu)/(2 mu + alpha)",
-       {at_prices("prices and n that this judges wrongly",
-                  [&](double n, double m, double a) { return (n * (2 * m + a) >= a - m) != holds(n, m, a); })}}};
+       {at_prices("prices and n that this judges wrongly", [&](double n, double m, double a) {
+         return (n * (2 * m + a) >= a - m) != holds(n, m, a);
+       })}}};
   threshold.why =
       "The bracket is $(2\\mu+\\alpha)n-\\mu-2\\alpha$ by the printed totals and "
       "$(2\\mu+\\alpha)n+2\\mu-2\\alpha$ by the count. With $\\mu=1$, $\\alpha=12$ the latter is negative up "
@@ -217,29 +222,30 @@ std::vector<Claim> comparisons(const Table& t) {
       "affected.";
 
   Claim half{"7.1-half", 3807, "mu/(2 mu + alpha) is smaller than 1/2"};
-  half.printed = {"< 1/2", {at_prices("prices with mu/(2 mu + alpha) of 1/2 or more", [](double, double m, double a) {
-                    return !(2 * m < 2 * m + a);
-                  })}};
-  half.near_misses = {{"< 1/3", {at_prices("prices with mu/(2 mu + alpha) of 1/3 or more", [](double, double m, double a) {
-                         return !(3 * m < 2 * m + a);
-                       })}}};
+  half.printed = {"< 1/2",
+                  {at_prices("prices with mu/(2 mu + alpha) of 1/2 or more",
+                             [](double, double m, double a) { return !(2 * m < 2 * m + a); })}};
+  half.near_misses = {{"< 1/3",
+                       {at_prices("prices with mu/(2 mu + alpha) of 1/3 or more",
+                                  [](double, double m, double a) { return !(3 * m < 2 * m + a); })}}};
 
   Claim always{"7.1-all_n", 3807, "C' >= C for all n >= 1"};
   always.printed = {"coefficient by coefficient: whatever the prices",
                     {at_sizes("n with C' < C at some prices", t, 1, [](const Counts& c) {
                       return excess(c).mu < 0 || excess(c).alpha < 0 || excess(c).delta < 0;
                     })}};
-  always.near_misses = {{"C' > C for all n >= 1",
-                         {at_sizes("n without C' > C", t, 1, [](const Counts& c) { return !(excess(c).mu > 0); })}}};
+  always.near_misses = {{"C' > C for all n >= 1", {at_sizes("n without C' > C", t, 1, [](const Counts& c) {
+                           return !(excess(c).mu > 0);
+                         })}}};
 
   Claim cheaper{"7.1-cheaper", 3807, "forward elimination, not full elimination, keeps the costs down"};
   cheaper.printed = {"fewer multiplications and no more additions and divisions, n > 1",
                      {at_sizes("n for which forward does not cost less", t, 2, [](const Counts& c) {
                        return !(excess(c).mu > 0 && excess(c).alpha >= 0 && excess(c).delta >= 0);
                      })}};
-  cheaper.near_misses = {{"fewer additions as well", {at_sizes("n without fewer additions", t, 2, [](const Counts& c) {
-                            return !(excess(c).alpha > 0);
-                          })}}};
+  cheaper.near_misses = {{"fewer additions as well",
+                          {at_sizes("n without fewer additions", t, 2,
+                                    [](const Counts& c) { return !(excess(c).alpha > 0); })}}};
   return {positive, threshold, half, always, cheaper};
 }
 

@@ -131,7 +131,10 @@ Claim transpose_of_b(const Random& random) {
   claim.printed = {"B = [b'_rc]", {worst.check()}};
   claim.meant = transposes("([b'_rc] y).x", random, [](const auto& m) { return transposed(m); });
   claim.near_misses = {transposes("([b_rc] y).x", random, [](const auto& m) { return m; })};
-  claim.why = "The exponent T is missing: $B^T=[b'_{rc}]$. The conclusion has it.";
+  claim.why =
+      "The exponent T is missing: $B^T=[b'_{rc}]$, as the conclusion has it. For the rows $(1,2)$, $(3,4)$ "
+      "of $B$ "
+      "the matrix $[b'_{rc}]$ has the rows $(1,3)$, $(2,4)$.";
   return claim;
 }
 

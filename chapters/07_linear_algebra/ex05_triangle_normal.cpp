@@ -63,7 +63,7 @@ using Expression = std::function<Vector(const Sample&)>;
 /// Two vectors over all samples, exactly.
 Reading equal(std::string text, const std::vector<Sample>& all, const std::string& left,
               const Expression& one, const std::string& right, const Expression& other) {
-  Worst worst("vector", left, right);
+  Worst worst(left + " and " + right, left, right);
   for (const Sample& s : all)
     worst.see(one(s), other(s), exact(), 1 + dot(s.u, s.u) + dot(s.v, s.v) + dot(s.w, s.w),
               shown(s.u) + ", " + shown(s.v));
@@ -124,7 +124,8 @@ Claim triangle(const std::vector<Sample>& closed) {
     return s.u != Vector{} && s.v != Vector{} && s.w != Vector{};
   })};
   c.why =
-      "Three vectors on one line, $u=(1,0,0)$, $v=(2,0,0)$, $w=(-3,0,0)$, have the sum zero as well: all three "
+      "Three vectors on one line, $u=(1,0,0)$, $v=(2,0,0)$, $w=(-3,0,0)$, have the sum zero as well: all "
+      "three "
       "products are 0. The triangle is flat, lies in many planes, and its unit normal is $0/0$. That the "
       "products are equal, and their length twice the area, holds there too.";
   return c;
@@ -142,7 +143,8 @@ std::vector<Claim> lines(const std::vector<Sample>& open, const std::vector<Samp
       "0 = u x (u + v - w)", closed, "u x (u + v - w)", [](auto& s) { return cross(s.u, s.u + s.v - s.w); },
       "0", zero)};
   inserted.why =
-      "A stray cross stands before $v$ inside the bracket; the next line expands $u\\times(u+v+w)$.";
+      "A stray cross stands before $v$ inside the bracket; the next line expands $u\\times(u+v+w)$. Read "
+      "as it stands, with $u=(1,0,0)$, $v=(0,1,0)$ and $w=(-1,-1,0)$, it is $(0,-1,-1)$ and not 0.";
 
   Claim reduced{"7.5-reduced", 3845, "u x u + u x v + u x w is 0 + u x v - w x u"};
   reduced.printed = equal("0 + u x v - w x v", open, "u x u + u x v + u x w", expanded, "0 + u x v - w x v",
@@ -190,7 +192,7 @@ Reading same(std::string text, const std::vector<Sample>& all, const std::string
     constexpr Whole base = Whole{1} << 52;
     return Value{static_cast<double>(x / base), static_cast<double>(x % base)};
   };
-  Worst worst("whole number, in halves of 52 bits", left, right);
+  Worst worst(left + " and " + right + ", in halves of 52 bits", left, right);
   for (const Sample& s : all) {
     const auto u = cast<Whole>(s.u), v = cast<Whole>(s.v), w = cast<Whole>(s.w);
     worst.see(halves(one(u, v, w)), halves(other(u, v, w)), exact(), 0x1p53, shown(s.u) + ", " + shown(s.v));
@@ -218,7 +220,8 @@ std::vector<Claim> geometry(const std::vector<Sample>& open, const std::vector<S
       claim("7.5-plane", 3853, "the three vectors lie in a plane",
             same("u . v x w = 0", closed, "u . v x w", "0", volume, none),
             same("for any u, v, w", open, "u . v x w", "0", volume, none)),
-      claim("7.5-any_two_edges", 3853, "any two of the edges give a normal vector, of the same length (in the order of the walk)",
+      claim("7.5-any_two_edges", 3853,
+            "any two of the edges give a normal vector, of the same length (in the order of the walk)",
             {"perpendicular to all edges, the same length by every two",
              {same("", closed, "sum of (u x v . edge)^2", "0", out_of_perpendicular, none).checks[0],
               same("", closed, "|u x v|^2 from w x v, u x w, u x v", "|u x v|^2", others, length).checks[0]}},
@@ -230,9 +233,8 @@ std::vector<Claim> geometry(const std::vector<Sample>& open, const std::vector<S
             same(
                 "16 |u x v|^2 = 16 area^2", closed, "16 |u x v|^2", heron,
                 [=](auto&... x) { return 16 * length(x...); }, sixteen_areas))};
-  all[1].near_misses.push_back(equal(
-      "in either order the same vector", closed, "u x v", normal, "v x u",
-      [](auto& s) { return cross(s.v, s.u); }));
+  all[1].near_misses.push_back(equal("in either order the same vector", closed, "u x v", normal, "v x u",
+                                     [](auto& s) { return cross(s.v, s.u); }));
   all.push_back(triangle(closed));
   return all;
 }

@@ -116,7 +116,7 @@ Claim claim(const std::vector<Sample>& all, const Line& line) {
 /// The volume times any vector, and what the coefficients make of the basis; in the first item or the second.
 Line combination(bool dual) {
   const Vector q{3, -1, 4};
-  const Term left{"D q", [=](const Sample& s) { return Value(triple(s.u, s.v, s.w) * q); }};
+  const Term left{"(u.vxw) q", [=](const Sample& s) { return Value(triple(s.u, s.v, s.w) * q); }};
   const auto sum = [=](double last) {
     return [=](const Sample& s) {
       if (dual)
@@ -169,7 +169,9 @@ Claim dual_z_equation(const std::vector<Sample>& all) {
   c.printed = equal(all, along(v, p), z * dots);
   c.meant = equal(all, along(v, p), z * volume(v, w, u));
   c.near_misses = {equal(all, along(v, p), z * volume(v, u, w))};
-  c.why = "A dot stands where the cross belongs: $v\\cdot w\\times u$. The solution for $z$ has it.";
+  c.why =
+      "A dot stands where the cross belongs: $v\\cdot w\\times u$. The solution for $z$ has it. With "
+      "twice the unit vectors for a basis the volume is 8, and no product of two dots is a number at all.";
   return c;
 }
 
@@ -177,15 +179,15 @@ Claim dual_z_equation(const std::vector<Sample>& all) {
 Claim lost_bar(const std::vector<Sample>& all, const std::string& id, int line, const Unknown& unknown,
                const Letter& letter, const Term& near_miss) {
   const Term bottom = volume(u, v, w), top = along(letter, p);
-  const Term run_together{top.text + bottom.text, [=](const Sample& s) {
-                            return Value(top.value(s)[0] * bottom.value(s)[0]);
-                          }};
+  const Term run_together{top.text + bottom.text,
+                          [=](const Sample& s) { return Value(top.value(s)[0] * bottom.value(s)[0]); }};
   Claim c{id, line, unknown.name + " = " + run_together.text};
   c.printed = equal(all, unknown, run_together);
   c.meant = equal(all, unknown, top / bottom);
   c.near_misses = {equal(all, unknown, near_miss)};
   c.why = "The fraction bar is lost in the text at hand: $" + unknown.name + "=(" + letter.name +
-          "\\cdot p)/(u\\cdot v\\times w)$, as in the line before it. As a product it is off by the square of the "
+          "\\cdot p)/(u\\cdot v\\times w)$, as in the line before it. As a product it is off by the square "
+          "of the "
           "volume $u\\cdot v\\times w$: with twice the unit vectors for a basis, 64 times.";
   return c;
 }

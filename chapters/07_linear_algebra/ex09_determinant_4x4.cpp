@@ -168,7 +168,9 @@ std::vector<Claim> claims(const Random& random) {
   formula.meant = {"det A = sum of e_s a_s(1)1 ...",
                    {sums("sum over the permutations", random, over_permutations(true))}};
   formula.near_misses = {{"all signs plus", {sums("sum without signs", random, over_permutations(false))}}};
-  formula.why = "An equals sign stands between the summation sign and the product that it sums.";
+  formula.why =
+      "An equals sign stands between the summation sign and the product that it sums. A "
+      "product alone is one of 24 terms: 1 for a matrix of ones, whose determinant is 0.";
 
   Claim permutations{"7.9-permutations", 3935, "there are 4! = 24 permutations"};
   const auto number_of = [](double n) {

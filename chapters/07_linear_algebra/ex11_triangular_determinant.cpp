@@ -43,7 +43,7 @@ Whole cofactor_term(const Matrix<Whole>& m, int column) {
 /// Two whole numbers for random matrices of 1 to 8 rows, exactly.
 Reading equal(std::string text, const std::string& left, const std::string& right, Random random,
               bool triangular, const auto& one, const auto& other) {
-  Worst worst(text, left, right);
+  Worst worst(left + " and " + right, left, right);
   for (int n = 8; n >= 1; --n)
     for (int sample = 0; sample < 10; ++sample) {
       const auto m = random_matrix(n, random, triangular);
@@ -71,7 +71,8 @@ Matrix<Whole> bordered(const Matrix<Whole>& m) {
   return filled<Whole>(m.n + 1, [&](int r, int c) { return r < m.n && c < m.n ? m(r, c) : Whole{r == c}; });
 }
 
-/// The matrix with the first `columns` columns cleared below the diagonal, without a remainder (Bareiss 1968).
+/// The matrix with the first `columns` columns cleared below the diagonal, without a remainder (Bareiss
+/// 1968).
 Matrix<Whole> eliminated(Matrix<Whole> m, int columns) {
   Whole previous = 1;
   for (int k = 0; k < columns; ++k) {
@@ -125,8 +126,8 @@ std::vector<Claim> claims(const Random& random) {
                 "U, left by an elimination", "sum of squares of u_n1, ..., u_n,n-1", "0", random, false,
                 [&](const auto& m) { return first_entries(eliminated(m, m.n - 1)); }, none),
             equal(
-                "before its last column is cleared", "sum of squares of u_n1, ..., u_n,n-1", "0", random, false,
-                [&](const auto& m) { return first_entries(eliminated(m, m.n - 2)); }, none)),
+                "before its last column is cleared", "sum of squares of u_n1, ..., u_n,n-1", "0", random,
+                false, [&](const auto& m) { return first_entries(eliminated(m, m.n - 2)); }, none)),
       claim("7.11-only_contribution", 3965, "only the entry u_nn contributes",
             equal("the last term is all of det U", "last term", det, random, true, last_term, determinant_of),
             equal(

@@ -102,8 +102,11 @@ inline Quantity twice_area(const Triangle& t, const Reference& truth) {
   const auto add = [&](const char* model, const char* algorithm, const auto& f,
                        Outcome expected = Outcome::ok, const std::string& why = "") {
     const long work = work_of(t, f);
-    q.add({model, algorithm, no_knob(), [=](double) { return Answer{f(t.p, t.q, t.r), work}; }, expected,
-           why});
+    q.add({model, algorithm, no_knob(),
+           [=](double) {
+             return Answer{f(t.p, t.q, t.r), work};
+           },
+           expected, why});
   };
   add("edges", "|u x v|",
       [](const auto& a, const auto& b, const auto& c) { return length(cross(b - a, c - b)); });

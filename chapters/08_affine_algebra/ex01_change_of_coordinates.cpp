@@ -207,8 +207,8 @@ Quantity full_turns() {
       "matrix", "entries 1/sqrt(2)", [](const auto& x) { return by_entries(x, printed(0, 0)); },
       Outcome::inaccurate, "1/sqrt(2) is rounded, and the length shrinks with every change");
   add(
-      "matrix", "entries 0.7071", [](const auto& x) { return by_entries(x, 0.7071); },
-      Outcome::inaccurate, "each change shortens by 1e-5");
+      "matrix", "entries 0.7071", [](const auto& x) { return by_entries(x, 0.7071); }, Outcome::inaccurate,
+      "each change shortens by 1e-5");
   add(
       "matrix", "length restored",
       [=]<class T>(const Vector2<T>& x) {

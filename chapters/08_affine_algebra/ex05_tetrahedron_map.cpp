@@ -234,7 +234,7 @@ Exercise exercise_8_5() {
   return {
       "Affine map on a tetrahedron",
       "An affine map $f$ is known at the four vertices $P_i$ of a tetrahedron. Compute $f(P)$ for any point "
-      "$P$, by its barycentric coordinates.",
+      "$P$, by its barycentric coordinates $c_i$. Below $V_i=P_i-P_0$ and $V=P-P_0$.",
       parameters,
       {},
       study};

@@ -44,9 +44,9 @@ inline std::vector<Sample> samples(double seed, double height, double most) {
 
 /// left(sample) against right(sample), vectors whose terms are of size terms(sample).
 template <class Left, class Right, class Terms>
-inline Check compare(const std::vector<Sample>& all, std::string what, std::string by_left,
-                     std::string by_right, const Left& left, const Right& right, const Terms& terms) {
-  Worst worst(std::move(what), std::move(by_left), std::move(by_right));
+inline Check compare(const std::vector<Sample>& all, std::string what, const std::string& by_left,
+                     const std::string& by_right, const Left& left, const Right& right, const Terms& terms) {
+  Worst worst(std::move(what) + ", " + by_left + " against " + by_right, by_left, by_right);
   for (const Sample& s : all)
     worst.see(Value(left(s)), Value(right(s)), s.scale(terms(s)), "condition " + rounded(s.condition, 3));
   return worst.check();

@@ -238,7 +238,9 @@ Exercise exercise_9_1() {
   return {
       "Distance from a point to a triangle",
       "Find the distance from a point $P$ to a triangle $V_0V_1V_2$: parametrize the triangle by $s,t\\ge0$, "
-      "$s+t\\le1$ and minimize the squared distance $f(s,t)$.",
+      "$s+t\\le1$ and minimize the squared distance $f(s,t)$. Below "
+      "$E_1=V_1-V_0$, $E_2=V_2-V_0$ and $D=V_0-P$. (That the book's Example 9.8 treats this function is its "
+      "word: checked is that the seven regions minimize it.)",
       parameters,
       {},
       study};
