@@ -9,10 +9,10 @@
 
 using namespace oddity;
 
-using Number = Counted<double>;
+using Real = Counted<double>;
 
 TEST_CASE("every operation on counted numbers is counted by its kind", "[counted]") {
-  const Number a = 3, b = 2;
+  const Real a = 3, b = 2;
   const Operations all = operations_of([&] { return (a + b) * (a - b) / sqrt(a) + sin(b) * -a; });
   CHECK(all.additions == 3);
   CHECK(all.multiplications == 2);
@@ -22,19 +22,19 @@ TEST_CASE("every operation on counted numbers is counted by its kind", "[counted
 }
 
 TEST_CASE("counted numbers have the values of plain ones", "[counted]") {
-  Number x = 7;
-  x /= Number(2);
-  x -= Number(0.5);
+  Real x = 7;
+  x /= Real(2);
+  x -= Real(0.5);
   CHECK(x.value() == 3);
-  CHECK(floor(x / Number(2)).value() == 1);
-  CHECK(hypot(Number(3), Number(4)).value() == 5);
-  CHECK((x > Number(2) && x == Number(3)));
+  CHECK(floor(x / Real(2)).value() == 1);
+  CHECK(hypot(Real(3), Real(4)).value() == 5);
+  CHECK((x > Real(2) && x == Real(3)));
 }
 
 TEST_CASE("a count neither sees another thread's operations nor loses those around it", "[counted]") {
-  const Number a = 3;
+  const Real a = 3;
   const Operations outer = operations_of([&] {
-    const Number before = a * a;
+    const Real before = a * a;
     std::thread([&] { static_cast<void>(a * a * a); }).join();
     const Operations inner = operations_of([&] { return before * before * before; });
     CHECK(inner.multiplications == 2);
@@ -43,7 +43,7 @@ TEST_CASE("a count neither sees another thread's operations nor loses those arou
 }
 
 TEST_CASE("chapters and report have their costs and triangles side by side", "[counted]") {
-  const elimination::Cost cost = operations_of([] { return Number(2) * Number(3); });
+  const elimination::Cost cost = operations_of([] { return Real(2) * Real(3); });
   CHECK(cost.mu == 1);
   CHECK(std::is_enum_v<Cost>);
   CHECK(triangle_normals::flat(0, 1).inputs().size() == 9);

@@ -97,8 +97,19 @@ inline std::vector<Claim> extrema(double seed) {
                   return Value(all);
                 }};
   };
+  // The first three from x = -3 on, so that lists of different lengths can be compared.
+  const auto three = [](const Form& form) {
+    return Form{form.text, [=](M m) {
+                  std::vector<double> found;
+                  for (double x : Value(form.value(m)))
+                    if (x > -3 && found.size() < 3) found.push_back(x);
+                  return Value(found);
+                }};
+  };
+  const Samples nearest{seed, "the first three zeros of W' from wT = -3 on", three(zeros_of(growing)), twenty,
+                        Ways::forward};
   const Form printed_zeros = spaced("pi/4 + k pi", first, pi);
-  growing_zeros.printed = growing_roots.of(printed_zeros);
+  growing_zeros.printed = nearest.of(three(printed_zeros));
   growing_zeros.corrected = growing_roots.of(and_zero(printed_zeros));
   growing_zeros.near_misses = {growing_roots.of(and_zero(spaced("3 pi/4 + k pi", 3 * first, pi)))};
   growing_zeros.why =

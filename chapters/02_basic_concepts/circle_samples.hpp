@@ -65,7 +65,7 @@ inline Reading none(const std::string& text, double seed, const std::function<bo
     const Motion m = any(Ways::forward, random);
     for (int k = 0; k < 12; ++k, ++samples) wrong += violates(m, k);
   }
-  return {text, {never("violation of: " + text, wrong, samples)}};
+  return {text, {never(text + ", cases against it", wrong, samples)}};
 }
 
 const Form zero{"zero", [](M) { return 0.0; }};

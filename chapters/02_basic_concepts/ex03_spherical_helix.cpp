@@ -31,7 +31,7 @@ std::vector<Check> spiral(std::string what, double turned, const F& size) {
     growing += !(size(b) < size(a));
     angle += std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
   }
-  return {never(std::move(what) + " grows", growing, steps),
+  return {never("steps in which the " + std::move(what) + " grows", growing, steps),
           {"angle turned from t = 1 to t = 1 + 100 pi",
            {"the text: once in 2 pi", turned},
            {"sum of angles between positions", angle},
@@ -226,9 +226,9 @@ std::vector<Claim> claims(double seed) {
       claim("2.3-distance_vanishes", 285, "the distance from the axis goes to 0 as t becomes infinite",
             at_end("0", "r", 1, 0, distance_from_axis), {at_end("1", "r", 1, 1, distance_from_axis)}),
       claim("2.3-spiral_in_the_plane", 285, "in the plane the path is a spiral into the origin",
-            {"r shrinks, turning on", spiral("r", 100 * pi, distance_from_axis)},
-            {{"turning the other way", spiral("r", -100 * pi, distance_from_axis)},
-             {"z shrinks", spiral("z", 100 * pi, z)}}),
+            {"r shrinks, turning on", spiral("distance from the axis", 100 * pi, distance_from_axis)},
+            {{"turning the other way", spiral("distance from the axis", -100 * pi, distance_from_axis)},
+             {"z shrinks", spiral("height", 100 * pi, z)}}),
       claim("2.3-height_rewritten", 287,
             "t/sqrt(1 + t^2) = sqrt(t^2/(1 + t^2)) = sqrt(1 - 1/(1 + t^2)) on the way to infinity",
             chain("for t > 0", later), {chain("for t < 0 as well", earlier)}),

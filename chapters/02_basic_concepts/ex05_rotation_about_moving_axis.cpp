@@ -25,7 +25,8 @@ constexpr Parameter parameters[] = {
 /// Skew(D') against differences of S = Skew(D(t)), extrapolated.
 Claim derivative_of_s(const std::vector<Moment>& moments) {
   const auto with = [&](const char* text, double k) {
-    Worst worst("S'", "Skew(D')", "differences of Skew(D(t)), extrapolated");
+    Worst worst("S', Skew(D') against extrapolated differences", "Skew(D')",
+                "differences of Skew(D(t)), extrapolated");
     for (M m : moments)
       worst.see(skew(k * m.D_dot), m.S_slope.value,
                 {m.S_slope.error_estimate, "the extrapolation's error estimate"}, m.lambda, m.where());
@@ -52,14 +53,19 @@ std::vector<Claim> claims(double seed) {
     return formula(id, number, says, quantity, route, moments.moving, 1, near, sides);
   };
   // A line of the proof that needs |D'| = 1.
-  const auto unit_line = [&](const char* id, int number, const char* says, const char* quantity, auto sides) {
-    const auto with = [&](const char* text, const std::vector<Moment>& samples, double k) {
-      return reading(text, quantity, by_quaternion, samples, [&](M m) { return sides(m, k); });
+  const auto against = [&](const std::string& route) {
+    return [&, route](const char* id, int number, const char* says, const char* quantity, auto sides) {
+      const auto with = [&](const char* text, const std::vector<Moment>& samples, double k) {
+        return reading(text, quantity, route, samples, [&](M m) { return sides(m, k); });
+      };
+      return claim(id, number, std::string(says) + " (|D'| = 1)",
+                   with("where |D'| = 1", moments.unit_speed, 1),
+                   {with("where |D'| = 1, a sign flipped", moments.unit_speed, -1),
+                    with("for any |D'|", moments.any, 1)});
     };
-    return claim(id, number, std::string(says) + " (|D'| = 1)", with("where |D'| = 1", moments.unit_speed, 1),
-                 {with("where |D'| = 1, a sign flipped", moments.unit_speed, -1),
-                  with("for any |D'|", moments.any, 1)});
   };
+  const auto unit_line = against(by_quaternion), unit_line_of_frame = against("D and D' by dual numbers"),
+             unit_line_of_skew = against("products with the matrix S' by dual numbers");
 
   Claim frame{"2.5-orthonormal_frame", 337, "D, D' and D x D' are unit vectors at right angles"};
   const auto gram = [](const Matrix3& U) {
@@ -175,23 +181,26 @@ std::vector<Claim> claims(double seed) {
               }),
       singular,
       frame,
-      unit_line("2.5-cross_products", 341, "U1 = U2 x U3, U2 = U3 x U1, U3 = U1 x U2", "U1, U2, U3",
-                [](M m, double k) {
-                  const auto& [U1, U2, U3] = m.U;
-                  return Sides{joined(k * cross(U2, U3), cross(U3, U1), cross(U1, U2)), joined(U1, U2, U3),
-                               m.frame_size};
-                }),
-      line("2.5-images_under_s", 343, "S U1 = 0, S U2 = U3, S U3 = -U2", "S U1, S U2, S U3",
-           [](M m, double k) {
-             const auto& [U1, U2, U3] = m.U;
-             return Sides{joined(Vector3{}, U3, -k * U2), joined(m.S * U1, m.S * U2, m.S * U3), m.frame_size};
-           }),
-      unit_line("2.5-images_under_s_dot", 345, "S' U1 = -U3, S' U2 = 0, S' U3 = U1", "S' U1, S' U2, S' U3",
-                [](M m, double k) {
-                  const auto& [U1, U2, U3] = m.U;
-                  return Sides{joined(-U3, Vector3{}, k * U1),
-                               joined(m.S_dot * U1, m.S_dot * U2, m.S_dot * U3), m.frame_size};
-                }),
+      unit_line_of_frame("2.5-cross_products", 341, "U1 = U2 x U3, U2 = U3 x U1, U3 = U1 x U2", "U1, U2, U3",
+                         [](M m, double k) {
+                           const auto& [U1, U2, U3] = m.U;
+                           return Sides{joined(k * cross(U2, U3), cross(U3, U1), cross(U1, U2)),
+                                        joined(U1, U2, U3), m.frame_size};
+                         }),
+      about_skew(
+          "2.5-images_under_s", 343, "S U1 = 0, S U2 = U3, S U3 = -U2", "S U1, S U2, S U3",
+          "products with the matrix S", -1,
+          [](M m, double k) {
+            const auto& [U1, U2, U3] = m.U;
+            return Sides{joined(Vector3{}, U3, -k * U2), joined(m.S * U1, m.S * U2, m.S * U3), m.frame_size};
+          }),
+      unit_line_of_skew("2.5-images_under_s_dot", 345, "S' U1 = -U3, S' U2 = 0, S' U3 = U1",
+                        "S' U1, S' U2, S' U3",
+                        [](M m, double k) {
+                          const auto& [U1, U2, U3] = m.U;
+                          return Sides{joined(-U3, Vector3{}, k * U1),
+                                       joined(m.S_dot * U1, m.S_dot * U2, m.S_dot * U3), m.frame_size};
+                        }),
       line("2.5-rt_u1", 349, "R^T U1 = U1 - sigma S U1 + (1 - gamma) S^2 U1 = U1", "R^T U1",
            [](M m, double k) {
              const Vector3& U1 = m.U[0];

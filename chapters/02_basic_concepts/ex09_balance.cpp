@@ -169,7 +169,7 @@ std::vector<Claim> derivation(double seed) {
       {"C + s D + t N for every point", each(rebuilt)}, {"the point", each(itself)},
       {"C + s D", each(projected)});
   add("decomposition", 595, "s = D . (P - C), t = N . (P - C)", {"(s, t)", each(s_and_t)},
-      {"by Cramer's rule", each(by_cramer)}, {"(t, s)", each(t_and_s)});
+      {"Cramer's rule", each(by_cramer)}, {"(t, s)", each(t_and_s)});
   add("first_moment", 603, "the first moment about the fulcrum is the sum of m t", {"sum of m t", first},
       torque, {"sum of m s", along});
   add("with_normals", 605, "= sum of m N . (P - C)", {"sum of m N . (P - C)", first}, torque,

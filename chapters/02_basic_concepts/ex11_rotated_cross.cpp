@@ -116,7 +116,8 @@ std::vector<Claim> claims(double seed) {
   };
   const std::string q = "quaternion q r q*";
   const Row rows[] = {
-      {"rigid", 623, "a rotation preserves the relationships of a, b and a x b", "before the rotation", one,
+      {"rigid", 623, "a rotation preserves the relationships of a, b and a x b",
+       "their dot products before the rotation", one,
        [=](S m) { return by_gram(m, quaternion(m.w, m.theta)); },
        [=](S m) { return by_gram(m, [](const Vector& r) { return r; }); }, "so does a reflection",
        [=](S m) { return by_gram(m, mirrored(quaternion(m.w, m.theta))); }},

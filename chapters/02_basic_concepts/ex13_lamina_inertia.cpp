@@ -54,7 +54,8 @@ std::array<long, 2> sum(std::array<long, 2> a, std::array<long, 2> b) {
 
 /// A printed integrand by columns against component k from the definition by rows, over random laminas.
 Check integrand_check(std::size_t k, const std::string& as, const InSpace& f, double seed, double up = 1) {
-  Worst worst("the component of random laminas", "by columns of " + as, "r x (w x r) by rows over sqrt(y)");
+  Worst worst("the component of random laminas, " + as + " by columns against r x (w x r) by rows",
+              "by columns of " + as, "r x (w x r) by rows over sqrt(y)");
   Random random(seed);
   for (int i = 0; i < 20; ++i) {
     const double left = random.between(-1, 0.8), z = up * random.magnitude(0.1, 3);
@@ -108,7 +109,8 @@ std::vector<Claim> component_claims(const Component& c, std::size_t k, double se
 /// A function of x against the inner integral of y^2 from x^2 to 1, at random x.
 template <class F>
 Check against_inner(const std::string& as, const F& f, double seed) {
-  Worst worst("inner integral at random x", as, "Gauss-Legendre of y^2 from x^2 to 1");
+  Worst worst("inner integral at random x, against Gauss-Legendre", as,
+              "Gauss-Legendre of y^2 from x^2 to 1");
   Random random(seed);
   for (int i = 0; i < 50; ++i) {
     const double x = random.between(-1, 1);
@@ -172,7 +174,7 @@ Claim region(double seed) {
       const double x = random.between(-2, 2), y = random.between(-1, 2);
       wrong += (x * x <= y && y <= 1) != (abs(x) <= bound && low(x) <= y && y <= 1);
     }
-    return Reading{as, {never("in one set and not in the other", wrong, samples)}};
+    return Reading{as, {never("points in one set and not in the other", wrong, samples)}};
   };
   claim.printed = check("|x| <= 1, x^2 <= y <= 1", 1, parabola);
   claim.near_misses = {check("|x| <= 0.9", 0.9, parabola),
@@ -188,7 +190,7 @@ Claim similar() {
       return nested(sixteen, at, -1, 1, low, top);
     });
     return Reading{as,
-                   {{"the six components",
+                   {{"the six components, by columns against rows in rationals",
                      {"y from " + as + " to 1", all.value},
                      {"by rows, in rationals", {4.0 / 7, 4.0 / 15, 88.0 / 105, 0, 0, 0}},
                      rounding(1)}}};

@@ -84,7 +84,7 @@ std::vector<Claim> formulas(double seed) {
   std::vector<Claim> all;
   const auto add = [&](const std::string& id, int line, const Form& printed, const Form& truth, Size size,
                        const std::vector<Form>& near) {
-    const Samples samples{seed, "both sides", truth, size};
+    const Samples samples{seed, "the formula", truth, size};
     Claim claim{"2.17-" + id, line, printed.text, samples.of(printed)};
     for (const Form& each : near) claim.near_misses.push_back(samples.of(each));
     all.push_back(std::move(claim));

@@ -56,7 +56,7 @@ Check numerator(long factor, Random random) {
     const long s = x * x + y * y + z * z;
     violations += (s - factor * x * x) + (s - factor * y * y) + (s - factor * z * z) != 0;
   }
-  return never("the numerator is not zero", violations, samples);
+  return never("integer points at which the numerator is not zero", violations, samples);
 }
 
 /// The divergence of a field at |x| from 1/range to range, where its slopes are of size |x|^-power.

@@ -130,7 +130,9 @@ class Tensorial {
 inline Claim summed(const std::string& slug, int at, std::string says, const std::string& expression,
                     const std::string& near) {
   const auto reading = [](const std::string& text) {
-    return Reading{text, {never("an index repeated wrongly", IndexExpression(text, "i").ill_formed(), 1)}};
+    return Reading{text,
+                   {never("indices that occur once or thrice, but the free one",
+                          IndexExpression(text, "i").ill_formed(), 1)}};
   };
   return {"5.15-" + slug, at, std::move(says), reading(expression), {}, {}, {reading(near)}};
 }

@@ -179,7 +179,8 @@ inline std::vector<Claim> linear_lines(const std::vector<Sample>& all) {
                                 [](const Sample& s) { return linear_integral(s, 0.5); });
   const Check sum = motion("their sum", [](const Sample& s) { return linear_integral(s, 1); });
   const auto means = [&](double share) {
-    Worst worst("v+", "v- + " + shortest(share) + " (fN + fN)/m", "integral over two narrow delta functions");
+    Worst worst("v+, against the integral over two narrow delta functions",
+                "v- + " + shortest(share) + " (fN + fN)/m", "integral over two narrow delta functions");
     for (const Sample& s : all)
       worst.see(Value(linear(s, 2 * share)), Value(linear_integral(s, 0.5)),
                 rounding((s.body.v.norm() + 2 * s.kick()) / width, 16), s.body.v.norm() + s.kick(),

@@ -45,7 +45,7 @@ Cost total(const Counts& c) { return c.full + c.division; }
 Cost excess(const Counts& c) { return total(c) - c.forward_and_back; }
 
 std::vector<Law> laws() {
-  const std::string counted = "counted", printed = "C' - C, both as printed";
+  const std::string counted = "the count", printed = "C' - C, both as printed";
   return {
       {"7.1-first_row",
        3789,
@@ -76,7 +76,7 @@ std::vector<Law> laws() {
       {"7.1-full_sum",
        3791,
        "n(n-1) + (n-1)(n-1) + ... + 1(n-1) = (n-1)n(n+1)/2",
-       "added up",
+       "the sum",
        sum_over_columns,
        {"(2 mu + alpha)(n-1)n(n+1)/2", printed_full},
        {},
@@ -145,7 +145,7 @@ std::vector<Law> laws() {
       {"7.1-excess",
        3805,
        "full elimination costs [n(n-1)/6][(2 mu + alpha) n - mu] more",
-       "counted, six times",
+       "the count, six times",
        [](const Counts& c) { return 6 * excess(c); },
        {"n(n-1)[(2 mu + alpha) n - mu]", [](double n) { return six_times(n, n * entry - mu); }},
        {"n(n-1)[(2 mu + alpha) n + 2 mu - 2 alpha]",

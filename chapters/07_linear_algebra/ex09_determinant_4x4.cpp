@@ -123,7 +123,7 @@ Claim row_claim(const Row& row, const Random& random) {
 
 /// A sum of whole numbers against the determinant, over random matrices, a tenth of them singular.
 Check sums(const std::string& by, Random random, const auto& sum) {
-  Worst worst("determinant", by, "fraction-free elimination");
+  Worst worst(by + ", against fraction-free elimination", by, "fraction-free elimination");
   for (int sample = 0; sample < 500; ++sample) {
     auto m = random_matrix(random, 999);
     if (sample % 10 == 9) m[3] = m[static_cast<std::size_t>(random.below(3))];

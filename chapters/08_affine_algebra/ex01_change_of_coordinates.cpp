@@ -65,7 +65,8 @@ Check constants(double seed, double apart) {
 }
 
 Check coordinates(double seed, const std::string& by, const Matrix2d& matrix) {
-  Worst worst("(b1, b2)", by, "elimination on axes turned by pi/4");
+  Worst worst("(b1, b2), " + by + " against elimination on turned axes", by,
+              "elimination on axes turned by pi/4");
   Random random(seed);
   for (int n = 0; n < 100; ++n) {
     const Vector2d a(random.magnitude(1e-3, 1e3), random.magnitude(1e-3, 1e3));

@@ -207,18 +207,21 @@ inline Claim invertible(double seed) {
           4035,
           "the matrix is invertible, the edges of a tetrahedron being independent",
           {"det = (6 volumes)^2 > 0",
-           {never("det [V_i . V_j] is not (det [V1 V2 V3])^2, in integers", not_square, count),
-            never("det [V_i . V_j] <= 0", singular, count)}},
+           {never("tetrahedra with det [V_i . V_j] not (det [V1 V2 V3])^2, in integers", not_square, count),
+            never("tetrahedra with det [V_i . V_j] <= 0", singular, count)}},
           {},
           {},
-          {{"det = 6 volumes", {never("det [V_i . V_j] is not |det [V1 V2 V3]|", not_volume, count)}},
-           {"for four vertices in a plane too", {never("det [V_i . V_j] <= 0", singular_flat, count)}}}};
+          {{"det = 6 volumes",
+            {never("tetrahedra with det [V_i . V_j] not |det [V1 V2 V3]|", not_volume, count)}},
+           {"for four vertices in a plane too",
+            {never("tetrahedra with det [V_i . V_j] <= 0", singular_flat, count)}}}};
 }
 
 /// The printed system by elimination, allowed the roundings that `power` of the condition number makes of
 /// one.
 inline Check elimination(const std::vector<Sample>& all, double power) {
-  Worst worst("c1, c2, c3", "elimination of the normal equations", "ratios of volumes");
+  Worst worst("c1, c2, c3, by elimination against ratios of volumes", "elimination of the normal equations",
+              "ratios of volumes");
   for (const Sample& s : all) {
     const Matrix3d v = s.t.edges();
     const auto c =
