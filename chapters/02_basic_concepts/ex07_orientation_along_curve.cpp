@@ -146,8 +146,8 @@ std::vector<Claim> claims(double seed) {
   name.meant = {"r, v, a", {letters({"r", "v", "a"})}};
   name.near_misses = {{"r, u, a", {letters({"r", "u", "a"})}}};
   name.why =
-      "The name of a typesetting command, \\Vector, is printed with its letter: one of the three functions "
-      "is that of the velocity $\\mathbf v=\\dot{\\mathbf r}$, VFunction in the listing.";
+      "What looks like the name of a typesetting command, Vector, is printed before its letter: one of the "
+      "three functions is that of the velocity $\\mathbf v=\\dot{\\mathbf r}$, VFunction in the listing.";
 
   Claim result{"2.7-listing_result", 585, "WFunction returns the angular velocity"};
   result.printed = reading("as printed", "W", route, all, [](S s) {

@@ -140,8 +140,16 @@ inline Quantity angular_velocity(double t, const Precession& motion, const Refer
                         {1e-10, "ten decimals"});
   using D1 = Dual<double>;
   const Knob steps{"h", {0x1p-1, 0x1p-4, 0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19, 0x1p-22, 0x1p-25}};
-  const auto at = [=](double s) { return motion.rotation(s); };
-  const auto central = [=](double h) { return 0.5 / h * (at(t + h) - at(t - h)); };
+  // w from R near t, whose calls are counted.
+  const auto from_rotations = [=](const auto& estimate) {
+    return [=](double h) {
+      long calls = 0;
+      const auto at = [&](double s) { return ++calls, motion.rotation(s); };
+      const Vector3 estimated = estimate(at, h);
+      return Answer{estimated, calls};
+    };
+  };
+  const auto central = [=](const auto& at, double h) { return 0.5 / h * (at(t + h) - at(t - h)); };
   const char* too_small = "rounding grows as eps/h when the step is halved on";
   w.add(
       {"theta' D + sin(theta) D' + (1 - cos(theta)) D x D'", "closed form", no_knob(), [=](double) {
@@ -158,20 +166,17 @@ inline Quantity angular_velocity(double t, const Precession& motion, const Refer
            return Answer{turning(quaternion(motion.axis(D1(t, 1)), motion.angle(D1(t, 1)))), 1};
          }});
   w.add({"Unskew(R' R^T)", "differences of order 2", steps,
-         [=](double h) {
-           return Answer{unskew(central(h) * transpose(at(t))), 3};
-         },
+         from_rotations([=](const auto& at, double h) { return unskew(central(at, h) * transpose(at(t))); }),
          Outcome::inaccurate, too_small});
-  w.add({"Unskew(R' R^T)", "differences of order 4", steps,
-         [=](double h) {
-           const Matrix3 R_dot = 1.0 / 3 * (4.0 * central(h) - central(2 * h));
-           return Answer{unskew(R_dot * transpose(at(t))), 5};
-         },
+  w.add({"Unskew(R' R^T)", "differences of order 4", steps, from_rotations([=](const auto& at, double h) {
+           const Matrix3 R_dot = 1.0 / 3 * (4.0 * central(at, h) - central(at, 2 * h));
+           return unskew(R_dot * transpose(at(t)));
+         }),
          Outcome::inaccurate, too_small});
   w.add({"rotation from t - h to t + h", "its vector over 2h", steps,
-         [=](double h) {
-           return Answer{0.5 / h * rotation_vector(at(t + h) * transpose(at(t - h))), 2};
-         },
+         from_rotations([=](const auto& at, double h) {
+           return 0.5 / h * rotation_vector(at(t + h) * transpose(at(t - h)));
+         }),
          Outcome::inaccurate, too_small});
   w.add(Breakdown{
       "Between two orientations half a second before and after, the body has turned by more than half a "

@@ -111,7 +111,8 @@ std::vector<Law> laws() {
        {"F + B as printed", printed_total},
        {"F + B + mu n(n-1)/2", [](double n) { return printed_total(n) + diagonals(n); }},
        {"F + B + mu n(n+1)/2", [](double n) { return printed_total(n) + n * (n + 1) / 2 * mu; }},
-       "$F$ leaves out $\\mu\\,n(n-1)/2$."},
+       "$F$ leaves out $\\mu\\,n(n-1)/2$: for $n=3$ the total is $27\\mu+12\\alpha+3\\delta$, not "
+       "$24\\mu+12\\alpha+3\\delta$."},
       {"7.1-original_total",
        3801,
        "forward elimination and back substitution cost C = (2 mu + alpha)(n-1)n(n+1)/3 + (mu + "
