@@ -16,14 +16,14 @@ inline bool is_peak(Force force, M m, double T, double sign = 1) {
 
 inline double stationary(M m, int k) { return (pi / 4 + k * pi) / m.w; }
 
-/// All zeros of the power with |x| < 12.5 but the growing one's at 0, by Brent's method over a scan.
+/// All zeros of the power with |x| < 12.5, by Brent's method over a scan.
 inline Form zeros_of(Force force) {
   return {"Brent's method over a scan", [=](M m) {
             std::vector<double> found;
             for (double x = -12.45; x < 12.5; x += 0.1)
               if (const auto root =
                       brent([&](double t) { return power(force, m, t); }, x / m.w, (x + 0.1) / m.w, 1e-15);
-                  root.reached() && (force == Force::constant || abs(x) > 0.1))
+                  root.reached())
                 found.push_back(m.w * root.value);
             return Value(found);
           }};
@@ -40,7 +40,7 @@ inline std::vector<Claim> extrema(double seed) {
   Claim maximum{"2.17-maximum_where_stationary", 819, "the net work is a maximum when W' = 0"};
   maximum.printed = none("where W' = 0 there is a maximum", seed,
                          [=](M m, int k) { return !is_peak(constant, m, stationary(m, k)); });
-  maximum.meant = none("where there is a maximum W' = 0", seed, [=](M m, int k) {
+  maximum.corrected = none("where there is a maximum W' = 0", seed, [=](M m, int k) {
     const double T = m.T + 0.5 * k / m.w;
     return abs(power(constant, m, T)) > 0.1 * m.r * m.w && is_peak(constant, m, T);
   });
@@ -48,7 +48,7 @@ inline std::vector<Claim> extrema(double seed) {
                               [=](M m, int k) { return !is_peak(constant, m, stationary(m, k), -1); })};
   maximum.why =
       "$W'=0$ is necessary and not sufficient: every other such time, $\\omega T=5\\pi/4, "
-      "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)$. The text itself says so two sentences on.";
+      "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)$, as the text itself says two sentences on.";
 
   const auto twenty = [](M) { return 20.0; };
   const double first = pi / 4;
@@ -87,11 +87,37 @@ inline std::vector<Claim> extrema(double seed) {
   highest.near_misses = {values.of({"r sqrt 2", [](M m) { return m.r * sqrt2; }}),
                          values.of({"r/w (sqrt 2 - 1)", [](M m) { return m.r / m.w * (sqrt2 - 1); }})};
 
-  Claim growing_zeros{"2.17-growing_zeros", 843,
-                      "for (t, t, 1), W' = 0 at wT = pi/4 + k pi (and at T = 0, which is not named)"};
-  const Samples growing_roots{seed, "zeros of W' but T = 0, as wT", zeros_of(growing), twenty, Ways::forward};
-  growing_zeros.printed = growing_roots.of(spaced("pi/4 + k pi", first, pi));
-  growing_zeros.near_misses = {growing_roots.of(spaced("pi/4 + k pi/2", first, pi / 2))};
+  Claim growing_zeros{"2.17-growing_zeros", 843, "for (t, t, 1), W' = 0 at wT = pi/4 + k pi"};
+  const Samples growing_roots{seed, "all zeros of W', as wT", zeros_of(growing), twenty, Ways::forward};
+  const auto and_zero = [](const Form& form) {
+    return Form{form.text + ", and 0", [=](M m) {
+                  const Value without = form.value(m);
+                  std::vector<double> all(without.begin(), without.end());
+                  all.insert(std::ranges::lower_bound(all, 0.0), 0.0);
+                  return Value(all);
+                }};
+  };
+  // The first three from x = -3 on, so that lists of different lengths can be compared.
+  const auto three = [](const Form& form) {
+    return Form{form.text, [=](M m) {
+                  std::vector<double> found;
+                  for (double x : Value(form.value(m)))
+                    if (x > -3 && found.size() < 3) found.push_back(x);
+                  return Value(found);
+                }};
+  };
+  const Samples nearest{seed, "the first three zeros of W' from wT = -3 on", three(zeros_of(growing)), twenty,
+                        Ways::forward};
+  const Form printed_zeros = spaced("pi/4 + k pi", first, pi);
+  growing_zeros.printed = nearest.of(three(printed_zeros));
+  growing_zeros.corrected = growing_roots.of(and_zero(printed_zeros));
+  growing_zeros.near_misses = {growing_roots.of(and_zero(spaced("3 pi/4 + k pi", 3 * first, pi)))};
+  growing_zeros.why =
+      "$W'=r\\omega T(\\cos\\omega T-\\sin\\omega T)$ has the factor $T$: it is zero at $T=0$ as well, a "
+      "minimum, "
+      "$W\\approx r\\omega T^2/2$, and no $\\pi/4+k\\pi$. A search for the first maximum that starts at "
+      "$T=0$ "
+      "ends there, with $W=0$ for $0.1107$ ($r=\\omega=1$).";
 
   Claim local{"2.17-local_maxima", 843, "those with even k are local maxima (k >= 0)"};
   const auto all_peaks = [=](const std::string& text, int odd) {
@@ -163,18 +189,16 @@ inline std::vector<Claim> growth(double seed) {
   stronger.printed = lengths("|F(t + h)| > |F(t)| for t > 0", 1);
   stronger.near_misses = {lengths("|F(t + h)| < |F(t)| for t > 0", -1)};
 
-  Claim keeps{"2.17-work_keeps_growing", 851, "the force gets stronger, so the net work keeps growing"};
-  keeps.printed = none("W grows", seed, [](M m, int k) {
-    const double start = m.T + 0.5 * k / m.w;
-    return !(work(Force::growing, m.at(start + 0.1 / m.w), start) > 0);
-  });
-  keeps.corrected = steps("the maxima grow", 1, as_angle, maxima_at);
-  keeps.corrected.checks.push_back(steps("the minima sink", -1, as_angle, minima_at).checks[0]);
-  keeps.near_misses = {steps("the minima grow", 1, as_angle, minima_at)};
-  keeps.why =
-      "A stronger force swings the work more widely: the maxima rise by $2\\sqrt2\\,\\pi r/\\omega$ a "
-      "turn, and the minima, at $\\omega T=5\\pi/4+2n\\pi$, sink by as much. $W$ falls half of the time; "
-      "for $r=\\omega=1$ from $0.11$ at $T=\\pi/4$ to $-6.55$ at $5\\pi/4$.";
+  Claim keeps{"2.17-work_keeps_growing", 851,
+              "as the force gets stronger the net work, that is its maxima of which the paragraph speaks, "
+              "keeps growing (between them it falls, and deeper every time)"};
+  keeps.printed = steps("the maxima grow", 1, as_angle, maxima_at);
+  keeps.printed.checks.push_back(steps("the minima sink", -1, as_angle, minima_at).checks[0]);
+  keeps.near_misses = {steps("the minima grow", 1, as_angle, minima_at),
+                       none("W grows all the time", seed, [](M m, int k) {
+                         const double start = m.T + 0.5 * k / m.w;
+                         return !(work(Force::growing, m.at(start + 0.1 / m.w), start) > 0);
+                       })};
   return {maxima, stronger, keeps};
 }
 

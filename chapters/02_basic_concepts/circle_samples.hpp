@@ -46,7 +46,7 @@ struct Samples {
   Ways ways = Ways::both;
 
   Reading of(const Form& form) const {
-    Worst worst(quantity, form.text, truth.text);
+    Worst worst(quantity + ", against " + truth.text, form.text, truth.text);
     Random random(seed);
     for (int i = 0; i < 50; ++i) {
       const Motion m = any(ways, random);
@@ -65,7 +65,7 @@ inline Reading none(const std::string& text, double seed, const std::function<bo
     const Motion m = any(Ways::forward, random);
     for (int k = 0; k < 12; ++k, ++samples) wrong += violates(m, k);
   }
-  return {text, {never("violation of: " + text, wrong, samples)}};
+  return {text, {never(text + ", cases against it", wrong, samples)}};
 }
 
 const Form zero{"zero", [](M) { return 0.0; }};

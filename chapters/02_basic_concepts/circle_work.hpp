@@ -186,6 +186,18 @@ inline Quantity maximum(const Motion& m, double turn, const Reference& truth) {
     return a;
   };
   q.add({"closed form", "omega T = pi/4 + 2 pi n", no_knob(), [=](double) { return with_works({T, 1}); }});
+  q.add({"closed form", "as printed, W = r omega x sqrt 2", no_knob(),
+         [=](double) {
+           Answer a = with_works({T, 1});
+           a.value[2] = m.r * m.w * (m.w * T) * sqrt(2.0);
+           return a;
+         },
+         Outcome::inaccurate, "the -1 is dropped, and the factor is r / omega"});
+  q.add(
+      Breakdown{"The printed maximum of the growing force's work leaves out the -1: ten times the first "
+                "maximum at r = omega = 1, and 2 % too much after five turns.",
+                "closed form, as printed, W = r omega x sqrt 2", 0, Outcome::inaccurate,
+                "closed form, omega T = pi/4 + 2 pi n", 0});
   const auto root = [=](Force force) {
     return [=](double e) {
       return with_works(brent([&](double t) { return power(force, m, t); }, start, start + pi / m.w, e));

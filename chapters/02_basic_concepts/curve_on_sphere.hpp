@@ -11,6 +11,7 @@
 /// velocity w, and ways to carry an orientation along R' = Skew(w) R.
 namespace oddity::curve_on_sphere {
 
+using namespace identities;
 using namespace space;
 
 inline constexpr auto position = [](const auto& t) {

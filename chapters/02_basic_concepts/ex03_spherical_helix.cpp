@@ -31,7 +31,7 @@ std::vector<Check> spiral(std::string what, double turned, const F& size) {
     growing += !(size(b) < size(a));
     angle += std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
   }
-  return {never(std::move(what) + " grows", growing, steps),
+  return {never("steps in which the " + std::move(what) + " grows", growing, steps),
           {"angle turned from t = 1 to t = 1 + 100 pi",
            {"the text: once in 2 pi", turned},
            {"sum of angles between positions", angle},
@@ -40,13 +40,21 @@ std::vector<Check> spiral(std::string what, double turned, const F& size) {
 
 using S = const Sample&;
 
+double slope_of_acos(double u) {
+  const Dual<double> x(u, 1);
+  return atan2(sqrt(Dual<double>(1) - x * x), x).slope;
+}
+
 std::vector<Claim> claims(double seed) {
   Random random(seed);
-  std::vector<Sample> all{Sample(0.75), Sample(-0.75), Sample(0), Sample(50), Sample(-50)}, later, earlier;
+  std::vector<Sample> all{Sample(0.75), Sample(-0.75), Sample(0), Sample(50), Sample(-50)}, early, later,
+      earlier;
   for (int i = 0; i < 200; ++i)
     all.emplace_back(i % 2 ? random.between(-50, 50) : random.magnitude(1e-3, 50));
-  for (const Sample& s : all)
+  for (const Sample& s : all) {
     if (s.t != 0) (s.t > 0 ? later : earlier).push_back(s);
+    if (std::abs(s.t) * sqrt(s.d) < 1) early.push_back(s);
+  }
 
   const auto phi = [](S s) { return std::acos(s.t / sqrt(s.d)); };
   const std::string cartesian = "Cartesian dual numbers on the frame", angles = "atan2 of the position";
@@ -73,6 +81,7 @@ std::vector<Claim> claims(double seed) {
   Claim v_Q{"2.3-velocity_q", 261, "v has the component -1/(1 + t^2) along Q"};
   v_Q.printed = along("-1/(1 + t^2)", 1, true, [](S s) { return -1 / s.d; });
   v_Q.corrected = along("+1/(1 + t^2)", 1, true, [](S s) { return 1 / s.d; });
+  v_Q.near_misses = {along("+1/(1 + t^2)^(3/2)", 1, true, [](S s) { return pow(s.d, -1.5); })};
   v_Q.why =
       "The step before is right, $\\mathbf v=\\sin\\phi\\,\\mathbf P-\\dot\\phi\\,\\mathbf Q$, but "
       "$\\dot\\phi=-1/(1+t^2)$ is negative: $\\mathbf v=\\mathbf P/\\sqrt{1+t^2}+\\mathbf Q/(1+t^2)$. At "
@@ -81,6 +90,8 @@ std::vector<Claim> claims(double seed) {
   a_Q.printed = along("-t/(1 + t^2)", 1, false, [](S s) { return -s.t / s.d; });
   a_Q.corrected =
       along("t(t^2 - 1)/(1 + t^2)^2", 1, false, [](S s) { return s.t * (s.t * s.t - 1) / (s.d * s.d); });
+  a_Q.near_misses = {
+      along("t(t^2 + 1)/(1 + t^2)^2", 1, false, [](S s) { return s.t * (s.t * s.t + 1) / (s.d * s.d); })};
   a_Q.why =
       "$\\sin\\phi\\cos\\phi-\\ddot\\phi=t/(1+t^2)-2t/(1+t^2)^2=t(t^2-1)/(1+t^2)^2$; the printed value "
       "forgets the square in $\\ddot\\phi$. At $t=2$ it is $0.24$, not $-0.4$; for $|t|>1$ even the sign "
@@ -90,12 +101,20 @@ std::vector<Claim> claims(double seed) {
               [](S s, double k) {
                 return Sides{std::hypot(std::cos(s.t), std::sin(s.t), s.t) / pow(s.d, k), 1};
               }),
-      formula("2.3-spherical_coordinates", 193,
-              "x = cos(theta) sin(phi), y = sin(theta) sin(phi), z = cos(phi)", "r",
-              "the position, the angles being atan2 of it", all, 1, -1,
-              [](S s, double k) {
-                return Sides{at_angles(s.theta[0], k * s.phi[0]), s.m.r, 1};
-              }),
+      lost_bar(
+          formula("2.3-spherical_coordinates", 193,
+                  "x = cos(theta) sin(phi), y = sin(theta) sin(phi), z = cos(phi), with x, y and z as given",
+                  "r", "the position, the angles being atan2 of it", all, 1, -1,
+                  [](S s, double k) {
+                    return Sides{at_angles(s.theta[0], k * s.phi[0]), s.m.r, 1};
+                  }),
+          reading("x = cos t sqrt(1 + t^2)", "(x, y, z)", "the angles, atan2 of the position", all,
+                  [](S s) {
+                    return Sides{sqrt(s.d) * Vector3{std::cos(s.t), std::sin(s.t), s.t},
+                                 at_angles(s.theta[0], s.phi[0]), s.d};
+                  }),
+          "The bars above the roots are lost in the text at hand: $x=\\cos t/\\sqrt{1+t^2}$. As products "
+          "they leave the sphere: at $t=1$, $|(x,y,z)|$ is 2."),
       formula("2.3-sine_of_phi", 201, "sin(phi) = 1/sqrt(1 + t^2), positive", "sin(phi)", angles, all, 1, -1,
               [](S s, double k) {
                 return Sides{k / sqrt(s.d), std::sin(s.phi[0]), 4};
@@ -106,31 +125,58 @@ std::vector<Claim> claims(double seed) {
           [](S s, double k) {
             return Sides{{std::cos(s.t), std::sin(k * s.t)}, {std::cos(s.theta[0]), std::sin(s.theta[0])}, 4};
           }),
-      formula("2.3-phi", 205, "phi = acos(t/sqrt(1 + t^2)), in [0, pi]", "phi", angles, all, 1, -1,
-              [&](S s, double k) {
-                return Sides{k * phi(s), s.phi[0], sqrt(s.d)};
-              }),
+      lost_bar(formula("2.3-phi", 205, "phi is the arc cosine of z, in [0, pi]", "phi", angles, all, 1, -1,
+                       [&](S s, double k) {
+                         return Sides{k * phi(s), s.phi[0], sqrt(s.d)};
+                       }),
+               reading("phi = acos(t sqrt(1 + t^2))", "phi, where there is such an angle", angles, early,
+                       [](S s) {
+                         return Sides{std::acos(s.t * sqrt(s.d)), s.phi[0], 1};
+                       }),
+               "The bar is lost in the text at hand: $\\phi=\\cos^{-1}(t/\\sqrt{1+t^2})$. As a product, "
+               "$t\\sqrt{1+t^2}$, it is above 1 from $t=0.79$ on, and no cosine."),
       formula("2.3-rates_of_rho_and_theta", 209, "rho' = rho'' = 0, theta' = 1, theta'' = 0",
               "(rho', rho'', theta', theta'')", angles, all, 1, -1,
               [](S s, double k) {
                 return Sides{{0, 0, k, 0}, {s.rho[1], s.rho[2], s.theta[1], s.theta[2]}, 4};
               }),
-      formula("2.3-derivative_of_acos", 211, "d acos(u)/du = -1/sqrt(1 - u^2)", "slope",
-              "atan2 in dual numbers", all, -1, 1,
-              [](S s, double k) {
-                const double u = s.m.r[2];
-                const Dual<double> x(u, 1), angle = atan2(sqrt(Dual<double>(1) - x * x), x);
-                return Sides{k / sqrt((1 - u) * (1 + u)), angle.slope, s.d * sqrt(s.d)};
-              }),
-      formula("2.3-derivative_of_z", 219, "dz/dt = (1 + t^2)^(-3/2)", "z'", "dual numbers", all, -1.5, -0.5,
-              [](S s, double k) {
-                return Sides{pow(s.d, k), s.m.v[2], 1 / sqrt(s.d)};
-              }),
-      formula("2.3-chain_rule", 229, "phi' = -1/sqrt(1 - t^2/(1 + t^2)) (1 + t^2)^(-3/2)", "phi'", angles,
-              all, -1, 1,
-              [](S s, double k) {
-                return Sides{k / sqrt(1 - s.t * s.t / s.d) * pow(s.d, -1.5), s.phi[1], 1};
-              }),
+      lost_bar(
+          formula("2.3-derivative_of_acos", 211, "the derivative of acos(u)", "slope",
+                  "atan2 in dual numbers", all, -1, 1,
+                  [](S s, double k) {
+                    const double u = s.m.r[2];
+                    return Sides{k / sqrt((1 - u) * (1 + u)), slope_of_acos(u), s.d * sqrt(s.d)};
+                  }),
+          reading("-1 sqrt(1 - u^2)", "slope", "atan2 in dual numbers", all,
+                  [](S s) {
+                    const double u = s.m.r[2];
+                    return Sides{-sqrt((1 - u) * (1 + u)), slope_of_acos(u), s.d * sqrt(s.d)};
+                  }),
+          "The bar is lost in the text at hand: $-1/\\sqrt{1-u^2}$. At $u=0.6$ that is $-1.25$, the product "
+          "$-0.8$."),
+      lost_bar(formula("2.3-derivative_of_z", 219, "dz/dt is (1 + t^2)^(-3/2)", "z'", "dual numbers", all,
+                       -1.5, -0.5,
+                       [](S s, double k) {
+                         return Sides{pow(s.d, k), s.m.v[2], 1 / sqrt(s.d)};
+                       }),
+               reading("z = t sqrt(1 + t^2)", "z'", "dual numbers", all,
+                       [](S s) {
+                         const Dual<double> t(s.t, 1), product = t * sqrt(Dual<double>(1) + t * t);
+                         return Sides{pow(s.d, -1.5), product.slope, sqrt(s.d)};
+                       }),
+               "The bar is lost in the text at hand: $z=t/\\sqrt{1+t^2}$. The derivative of the product is "
+               "$(1+2t^2)/\\sqrt{1+t^2}$, 2.12 at $t=1$ for 0.354."),
+      lost_bar(
+          formula("2.3-chain_rule", 229, "phi' by the chain rule", "phi'", angles, all, -1, 1,
+                  [](S s, double k) {
+                    return Sides{k / sqrt(1 - s.t * s.t / s.d) * pow(s.d, -1.5), s.phi[1], 1};
+                  }),
+          reading("-1 sqrt(1 - t^2/(1 + t^2)) (1 + t^2)^(-3/2)", "phi'", angles, all,
+                  [](S s) {
+                    return Sides{-sqrt(1 - s.t * s.t / s.d) * pow(s.d, -1.5), s.phi[1], 1};
+                  }),
+          "The bar above the root is lost in the text at hand; the root divides. At $t=1$ the quotient is "
+          "$-\\tfrac12$, the product $-\\tfrac14$."),
       formula("2.3-phi_dot", 229, "phi' = -1/(1 + t^2)", "phi'", angles, all, -1, 1,
               [](S s, double k) {
                 return Sides{k / s.d, s.phi[1], 1 / sqrt(s.d)};
@@ -180,9 +226,9 @@ std::vector<Claim> claims(double seed) {
       claim("2.3-distance_vanishes", 285, "the distance from the axis goes to 0 as t becomes infinite",
             at_end("0", "r", 1, 0, distance_from_axis), {at_end("1", "r", 1, 1, distance_from_axis)}),
       claim("2.3-spiral_in_the_plane", 285, "in the plane the path is a spiral into the origin",
-            {"r shrinks, turning on", spiral("r", 100 * pi, distance_from_axis)},
-            {{"turning the other way", spiral("r", -100 * pi, distance_from_axis)},
-             {"z shrinks", spiral("z", 100 * pi, z)}}),
+            {"r shrinks, turning on", spiral("distance from the axis", 100 * pi, distance_from_axis)},
+            {{"turning the other way", spiral("distance from the axis", -100 * pi, distance_from_axis)},
+             {"z shrinks", spiral("height", 100 * pi, z)}}),
       claim("2.3-height_rewritten", 287,
             "t/sqrt(1 + t^2) = sqrt(t^2/(1 + t^2)) = sqrt(1 - 1/(1 + t^2)) on the way to infinity",
             chain("for t > 0", later), {chain("for t < 0 as well", earlier)}),

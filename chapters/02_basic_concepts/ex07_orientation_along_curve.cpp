@@ -9,6 +9,7 @@
 
 #include "chapters/02_basic_concepts/curve_on_sphere.hpp"
 #include "chapters/random.hpp"
+#include "solvers/roots.hpp"
 
 namespace oddity {
 
@@ -67,6 +68,35 @@ Check callable(const char* arguments) {
           exact()};
 }
 
+/// The times at which the printed listing returns w: zeros of its error, by Brent's method, against the
+/// numbers named.
+Check right_at_seven_times() {
+  const auto slope = [](double t) {
+    const Motion m = motion_of(position, t);
+    return dot(m.a, m.v);
+  };
+  const auto off = [](double t) { return distance(w_function(t), angular_velocity(motion_of(position, t))); };
+  std::vector<double> zeros{-1, 0, 1};
+  for (double side : {-1.0, 1.0})
+    for (double t : {0.6, 1.2}) zeros.push_back(brent(slope, side * t, side * (t + 0.1), 1e-15).value);
+  std::ranges::sort(zeros);
+  std::vector<double> errors;
+  for (double t : zeros) errors.push_back(off(t));
+  return {"error of the printed listing at t = 0, 0.6851, 1, 1.2289 and their negatives",
+          {"the listing's arithmetic", errors},
+          {"0", std::vector<double>(zeros.size())},
+          rounding(40),
+          3};
+}
+
+/// The letters by which a sentence calls the position, the velocity and the acceleration.
+Check letters(const std::vector<std::string>& names) {
+  const std::vector<std::string> vectors{"r", "v", "a"};
+  long other = 0;
+  for (std::size_t i = 0; i < 3; ++i) other += names[i] != vectors[i];
+  return never("names that are not the vector's letter, r, v or a", other, 3);
+}
+
 std::vector<Claim> claims(double seed) {
   Random random(seed);
   std::vector<Sample> all{Sample(0.5), Sample(0), Sample(1), Sample(-1), Sample(20), Sample(-1000)};
@@ -95,8 +125,13 @@ std::vector<Claim> claims(double seed) {
   listed_derivative.why =
       "The formula above the listing takes the acceleration's component, $(\\ddot{\\mathbf "
       "r}\\cdot\\mathbf u)\\mathbf u$. The listing takes the position's, which is zero: its UDot is "
-      "$\\ddot{\\mathbf r}/|\\dot{\\mathbf r}|$, not even perpendicular to $\\mathbf u$. It should read "
-      "`A.Dot(U)`.";
+      "$\\ddot{\\mathbf r}/|\\dot{\\mathbf r}|$, not even perpendicular to $\\mathbf u$: at $t=0.75$ the two "
+      "have the dot product $-0.72$. It should "
+      "read `A.Dot(U)`.";
+
+  listed_derivative.near_misses = {reading("A.Dot(R)", "u'", duals, all, [](S s) {
+    return Sides{(s.m.a - dot(s.m.a, s.m.r) * s.u) / s.speed, s.u_dot, s.size};
+  })};
 
   Claim call{"2.7-listing_call", 571, "WFunction can call ComputeTerms(t, R, V, A, U, UDot)"};
   call.printed = {"six arguments", {callable<double, Vec, Vec, Vec, Vec, Vec>("t, R, V, A, U, UDot")}};
@@ -104,6 +139,15 @@ std::vector<Claim> claims(double seed) {
   call.why =
       "ComputeTerms is declared with five parameters, and WFunction has no A: the listing does not "
       "compile. Without the A it does.";
+  call.near_misses = {{"four arguments", {callable<double, Vec, Vec, Vec>("t, R, V, U")}}};
+
+  Claim name{"2.7-name_of_velocity", 537, "the functions needed are those of r, 'V ectorv' and a"};
+  name.printed = {"r, V ectorv, a", {letters({"r", "V ectorv", "a"})}};
+  name.meant = {"r, v, a", {letters({"r", "v", "a"})}};
+  name.near_misses = {{"r, u, a", {letters({"r", "u", "a"})}}};
+  name.why =
+      "What looks like the name of a typesetting command, Vector, is printed before its letter: one of the "
+      "three functions is that of the velocity $\\mathbf v=\\dot{\\mathbf r}$, VFunction in the listing.";
 
   Claim result{"2.7-listing_result", 585, "WFunction returns the angular velocity"};
   result.printed = reading("as printed", "W", route, all, [](S s) {
@@ -124,8 +168,16 @@ std::vector<Claim> claims(double seed) {
       "What it adds to $\\dot RR^T$ is symmetric, so that the three entries picked are no longer those of "
       "a skew matrix: the result is off by $c\\,(r_yr_z,-r_xr_z,r_xr_y)$, $c=\\ddot{\\mathbf "
       "r}\\cdot\\mathbf u/|\\dot{\\mathbf r}|$. At $t=0.75$ the listing gives $(0.9696,2.7156,4.8642)$, "
-      "and $\\mathbf w=(1.2157,2.9617,4.7289)$. At $t=0$, where the speed is stationary, it is right by "
-      "accident.";
+      "and $\\mathbf w=(1.2157,2.9617,4.7289)$. It is right at seven times only: where the speed is "
+      "stationary, $c=0$ at $t=0$, $\\pm0.6851$ and $\\pm1.2289$, and at the pole, $\\mathbf r=\\mathbf k$ "
+      "at "
+      "$t=\\pm1$; between them it is off by up to 0.74.";
+  result.corrected.checks.push_back(right_at_seven_times());
+  result.near_misses = {reading("with A.Dot(U), and + for - in W.Z", "W", route, all, [](S s) {
+    Vector3 W = listed_w(s.m, listed_u_dot(s.m, true));
+    W[2] = -W[2];
+    return Sides{W, s.w, s.size};
+  })};
 
   return {
       formula("2.7-on_the_sphere", 485, "|r| = 1 for all t", "|r|", "the unit sphere", all, 0.5, 1,
@@ -180,10 +232,11 @@ std::vector<Claim> claims(double seed) {
               [](S s, double k) {
                 return Sides{outer_sum(s, k), s.R_dot * transpose(s.R), s.size};
               }),
-      formula("2.7-unskew_is_inverse", 533, "Unskew is the inverse of Skew", "Unskew(Skew(w))", route, all, 1,
-              -1,
+      formula("2.7-unskew_is_inverse", 533, "Unskew is the inverse of Skew", "Skew(Unskew(R' R^T))",
+              "R' R^T, the frame by dual numbers", all, 1, -1,
               [](S s, double k) {
-                return Sides{unskew(k * skew(s.w)), s.w};
+                const Matrix3 skewed = s.R_dot * transpose(s.R);
+                return Sides{skew(k * unskew(skewed)), skewed, s.size};
               }),
       formula("2.7-angular_velocity", 535, "w = Unskew(r' r^T + u' u^T + (r x u')(r x u)^T)", "w", route, all,
               1, 0,
@@ -196,6 +249,7 @@ std::vector<Claim> claims(double seed) {
                 return Sides{angular_velocity({s.m.r, s.m.v, k * s.m.a}), unskew(s.R_dot * transpose(s.R)),
                              s.size};
               }),
+      name,
       listed_derivative,
       call,
       formula("2.7-listing_signs", 579, "the listing picks w out of R' R^T with the signs -, +, -",

@@ -6,6 +6,7 @@
 
 #include "chapters/02_basic_concepts/half_disc.hpp"
 #include "chapters/02_basic_concepts/rotations.hpp"
+#include "solvers/counted.hpp"
 
 namespace oddity {
 
@@ -90,7 +91,7 @@ struct Side {
 };
 
 Reading compare(const Side& side, const Side& truth, double seed) {
-  Worst worst(side.text, side.text, truth.text);
+  Worst worst(side.text + ", against " + truth.text, side.text, truth.text);
   Random random(seed);
   for (int i = 0; i < 60; ++i) {
     const Plate plate = random_plate(random, side.through);
@@ -168,7 +169,7 @@ std::vector<Claim> derivation(double seed) {
       {"C + s D + t N for every point", each(rebuilt)}, {"the point", each(itself)},
       {"C + s D", each(projected)});
   add("decomposition", 595, "s = D . (P - C), t = N . (P - C)", {"(s, t)", each(s_and_t)},
-      {"by Cramer's rule", each(by_cramer)}, {"(t, s)", each(t_and_s)});
+      {"Cramer's rule", each(by_cramer)}, {"(t, s)", each(t_and_s)});
   add("first_moment", 603, "the first moment about the fulcrum is the sum of m t", {"sum of m t", first},
       torque, {"sum of m s", along});
   add("with_normals", 605, "= sum of m N . (P - C)", {"sum of m N . (P - C)", first}, torque,
@@ -241,18 +242,24 @@ Quantity far_balance() {
              {},
              {}};
   const auto add = [&](const std::string& model, const std::string& algorithm, bool relative) {
-    const auto moments = [=](double) {
-      std::vector<double> all;
+    const auto moments = [=]<class T>(T all_mass) {
+      std::vector<T> all;
       for (int j = 0; j < 8; ++j) {
-        const Vector N{cos(0.3 + j), sin(0.3 + j), 0};
-        double sum = 0;
-        for (const Particle& p : particles) sum += p.m * dot(N, relative ? p.r - center : p.r);
-        all.push_back(relative ? sum : sum - 16 * dot(N, center));
+        const auto along = [x = T(cos(0.3 + j)), y = T(sin(0.3 + j))](const Vector& r) {
+          return x * T(r[0]) + y * T(r[1]);
+        };
+        T sum = 0.0;
+        for (const Particle& p : particles) sum = sum + T(p.m) * along(relative ? p.r - center : p.r);
+        all.push_back(relative ? sum : sum - all_mass * along(center));
       }
-      return Answer{all, 40};
+      return all;
     };
-    q.add({model, algorithm, no_knob(), moments, relative ? Outcome::ok : Outcome::inaccurate,
-           relative ? "" : "terms of size 1e10 cancel"});
+    const long work = operations_of([&] { return moments(Counted<double>(16)); }).all_but_additions();
+    q.add({model, algorithm, no_knob(),
+           [=](double) {
+             return Answer{moments(16.0), work};
+           },
+           relative ? Outcome::ok : Outcome::inaccurate, relative ? "" : "terms of size 1e10 cancel"});
   };
   add("positions relative to the center", "sum of m N . (P - C)", true);
   add("positions from the origin", "sum of m N . P - m N . C", false);
@@ -279,11 +286,14 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 Exercise exercise_2_9() {
   using namespace ex02_09;
-  return {"Balance of a plate",
-          "Show that a plate of point masses $m_i$ balances on every line through its center of mass $C$.",
-          parameters,
-          {},
-          study};
+  return {
+      "Balance of a plate",
+      "Show that a plate of point masses $m_i$ balances on every line through its center of mass $C$. Below "
+      "$D$ and $N$ are the line's direction and normal, $s$ and $t$ the coordinates of a point along them, "
+      "counted from $C$.",
+      parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

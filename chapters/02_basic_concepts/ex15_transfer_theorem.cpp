@@ -73,7 +73,7 @@ struct Samples {
   int power = 2;  ///< the terms are m r^power
 
   Reading of(const std::string& text, const Formula& formula) const {
-    Worst worst(quantity, text, by);
+    Worst worst(quantity + ", against " + by, text, by);
     Random random(seed);
     for (int i = 0; i < 60; ++i) {
       System system = random_system(random);
@@ -179,8 +179,9 @@ std::vector<Claim> products_of_inertia(double seed) {
     return [=](S s, V A) { return sum(s, xy_of) + sign * mass_of(s) * A[0] * A[1]; };
   };
   const std::string why =
-      "The mass $m_i$ is left out of the first sum, $\\sum m_i\\,x'_iy'_i$; the line before and the line "
-      "after have it. Read as it stands the sum has another unit, and is right only when every mass is 1.";
+      "The mass $m_i$ is left out of the first sum, $\\sum m_i\\,x'_iy'_i$, of lines 783 and 787; the lines "
+      "around the two, 781 and 795, have it. As it stands the sum has another unit, and is right only when "
+      "every mass is 1: for two masses of 2 kg at $\\pm(1,1)$ m it is 2, where $I_{xy}$ is 4 kg m$^2$.";
   Claim split_claim = lines.claim("ixy_split", 783, "= sum of x' y' + sum of m (cx y' + cy x' + cx cy)",
                                   split(true), "with m, and - cy x'", split(false, -1));
   split_claim.meant = lines.of("sum of m x' y' + sum of m (cx y' + cy x' + cx cy)", split(false));
@@ -264,7 +265,8 @@ Exercise exercise_2_15() {
   using namespace ex02_15;
   return {"Transfer theorem",
           "Express the inertia components of particles about the origin, $I_{xx}=\\sum m_i(y_i^2+z_i^2)$, "
-          "$I_{xy}=\\sum m_ix_iy_i$, ..., through those about their center of mass.",
+          "$I_{xy}=\\sum m_ix_iy_i$, ..., through those about their center of mass $c$. Below "
+          "a prime marks what is taken relative to $c$.",
           parameters,
           {},
           study};

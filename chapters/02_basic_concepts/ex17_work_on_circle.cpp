@@ -54,7 +54,7 @@ const Form work_1{"quadrature of F . v", [](M m) { return work(Force::constant, 
 const Form work_t{"quadrature of F . v", [](M m) { return work(Force::growing, m); }};
 const Form slope_1{"dW/dT of the quadrature", [](M m) { return work_slope(Force::constant, m); }};
 const Form slope_t{"dW/dT of the quadrature", [](M m) { return work_slope(Force::growing, m); }};
-const Form force_t{"length of (T, T, 1)", [](M m) { return length({m.T, m.T, 1}); }};
+const Form force_t{"length of (T, T, 1)", [](M m) { return std::hypot(m.T, m.T, 1); }};
 
 template <class F>
 double integral(M m, const F& f) {
@@ -84,7 +84,7 @@ std::vector<Claim> formulas(double seed) {
   std::vector<Claim> all;
   const auto add = [&](const std::string& id, int line, const Form& printed, const Form& truth, Size size,
                        const std::vector<Form>& near) {
-    const Samples samples{seed, printed.text, truth, size};
+    const Samples samples{seed, "the formula", truth, size};
     Claim claim{"2.17-" + id, line, printed.text, samples.of(printed)};
     for (const Form& each : near) claim.near_misses.push_back(samples.of(each));
     all.push_back(std::move(claim));
@@ -185,7 +185,7 @@ std::vector<Claim> conservation(double seed) {
       along("along a detour", 1, one));
   field.near_misses = {Samples{seed, "work of (1 - y, 1 + x, 1) between the same ends",
                                along("along the circle", 0, swirl), size}
-                           .of(along("along a detour", 1, swirl))};
+                           .of(along("along a detour, in the field (1 - y, 1 + x, 1)", 1, swirl))};
 
   Claim trip{"2.17-round_trip", 817, "so once around the circle, from any start, the net work is zero"};
   const auto turn = [&](const std::string& text, Force force) {

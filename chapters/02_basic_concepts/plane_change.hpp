@@ -6,6 +6,7 @@
 /// Exercise 2.1: the curve (t, t^3, 0) for t < 0, (t, 0, t^3) from 0 on, and its one-sided limits at 0.
 namespace oddity::plane_change {
 
+using namespace identities;
 using namespace space;
 
 constexpr int before = -1, after = 1;

@@ -8,6 +8,7 @@
 /// Exercise 2.5: a rotation about a moving axis, and its angular velocity by several methods.
 namespace oddity::rotating_axis {
 
+using namespace identities;
 using namespace space;
 
 /// Axis and angle as functions of time.
@@ -34,6 +35,7 @@ struct Moment {
   Vector3 D, D_dot, w;
   std::array<Vector3, 3> U;
   Matrix3 S, S_dot, S2_dot, R, R_dot;  ///< R of the quaternion; derivatives by dual numbers
+  Solved<Value> S_slope;               ///< S' by differences, extrapolated
   double size;                         ///< of the terms in R' R^T, on unit vectors
   double frame_size;                   ///< of the same on the vectors U
 
@@ -52,6 +54,14 @@ struct Moment {
     R = value_of(turned), R_dot = slope_of(turned);
     size = (1 + std::abs(theta)) * (1 + lambda + std::abs(theta_dot));
     frame_size = (1 + lambda * lambda) * size;
+    const double step = 0.25 / (1 + std::abs(rate));
+    S_slope = limit_at_zero(
+        [&](double h) {
+          const auto then = [&](double s) { return skew(turning_axis.axis(t + rate * s)); };
+          return Value(0.5 / h * (then(h) - then(-h)));
+        },
+        step, 8);
+    S_slope.error_estimate += 0x1p-48 * std::ldexp(1 / step, 8);
   }
   std::string where() const {
     return "t = " + shortest(t) + ", theta = " + rounded(theta, 4) + ", |D'| = " + rounded(lambda, 4);
@@ -130,8 +140,16 @@ inline Quantity angular_velocity(double t, const Precession& motion, const Refer
                         {1e-10, "ten decimals"});
   using D1 = Dual<double>;
   const Knob steps{"h", {0x1p-1, 0x1p-4, 0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19, 0x1p-22, 0x1p-25}};
-  const auto at = [=](double s) { return motion.rotation(s); };
-  const auto central = [=](double h) { return 0.5 / h * (at(t + h) - at(t - h)); };
+  // w from R near t, whose calls are counted.
+  const auto from_rotations = [=](const auto& estimate) {
+    return [=](double h) {
+      long calls = 0;
+      const auto at = [&](double s) { return ++calls, motion.rotation(s); };
+      const Vector3 estimated = estimate(at, h);
+      return Answer{estimated, calls};
+    };
+  };
+  const auto central = [=](const auto& at, double h) { return 0.5 / h * (at(t + h) - at(t - h)); };
   const char* too_small = "rounding grows as eps/h when the step is halved on";
   w.add(
       {"theta' D + sin(theta) D' + (1 - cos(theta)) D x D'", "closed form", no_knob(), [=](double) {
@@ -148,20 +166,17 @@ inline Quantity angular_velocity(double t, const Precession& motion, const Refer
            return Answer{turning(quaternion(motion.axis(D1(t, 1)), motion.angle(D1(t, 1)))), 1};
          }});
   w.add({"Unskew(R' R^T)", "differences of order 2", steps,
-         [=](double h) {
-           return Answer{unskew(central(h) * transpose(at(t))), 3};
-         },
+         from_rotations([=](const auto& at, double h) { return unskew(central(at, h) * transpose(at(t))); }),
          Outcome::inaccurate, too_small});
-  w.add({"Unskew(R' R^T)", "differences of order 4", steps,
-         [=](double h) {
-           const Matrix3 R_dot = 1.0 / 3 * (4.0 * central(h) - central(2 * h));
-           return Answer{unskew(R_dot * transpose(at(t))), 5};
-         },
+  w.add({"Unskew(R' R^T)", "differences of order 4", steps, from_rotations([=](const auto& at, double h) {
+           const Matrix3 R_dot = 1.0 / 3 * (4.0 * central(at, h) - central(at, 2 * h));
+           return unskew(R_dot * transpose(at(t)));
+         }),
          Outcome::inaccurate, too_small});
   w.add({"rotation from t - h to t + h", "its vector over 2h", steps,
-         [=](double h) {
-           return Answer{0.5 / h * rotation_vector(at(t + h) * transpose(at(t - h))), 2};
-         },
+         from_rotations([=](const auto& at, double h) {
+           return 0.5 / h * rotation_vector(at(t + h) * transpose(at(t - h)));
+         }),
          Outcome::inaccurate, too_small});
   w.add(Breakdown{
       "Between two orientations half a second before and after, the body has turned by more than half a "

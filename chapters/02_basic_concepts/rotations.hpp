@@ -102,8 +102,14 @@ struct Triangle {
   Vector b() const { return a + d; }
 };
 
-/// Steps or terms; 1 for a formula without.
-inline long work_of(double setting) { return std::max(1L, static_cast<long>(setting)); }
+/// What f makes of the map, and how many vectors it maps, each in so many steps or terms.
+template <class F>
+Answer mapped(const F& f, const Map& map, double setting = 0) {
+  long vectors = 0;
+  const Map counting = [&](const Vector& r) { return ++vectors, map(r); };
+  const Vector value = f(counting);
+  return {value, vectors * std::max(1L, static_cast<long>(setting))};
+}
 
 inline Vector unit(const Vector& a) { return 1 / length(a) * a; }
 
@@ -114,16 +120,16 @@ inline Quantity rotated_normal(double theta, double gap, const Reference& truth)
   const Triangle t(gap);
   for (const Way& way : ways(axis, theta)) {
     const bool mirror = way.name == "rotation and mirror";
-    const auto add = [&](const std::string& name, bool right, long cost, const auto& normal) {
+    const auto add = [&](const std::string& name, bool right, const auto& normal) {
       q.add({way.name, name, way.knob,
              [=](double n) {
-               return Answer{unit(normal(way.map(static_cast<int>(n)))), cost * work_of(n)};
+               return mapped([&](const Map& R) { return unit(normal(R)); }, way.map(static_cast<int>(n)), n);
              },
              right ? Outcome::ok : Outcome::inaccurate, right ? "" : way.why});
     };
-    add("a x b, then rotated", way.rotates && way.by_theta, 1,
+    add("a x b, then rotated", way.rotates && way.by_theta,
         [t](const Map& R) { return R(cross(t.a, t.b())); });
-    add("a, b rotated, then product", (way.rotates && way.by_theta) || mirror, 2,
+    add("a, b rotated, then product", (way.rotates && way.by_theta) || mirror,
         [t](const Map& R) { return cross(R(t.a), R(t.b())); });
   }
   return q;
@@ -142,8 +148,8 @@ inline Quantity identity_gap(double theta) {
   for (const Way& way : ways(axis, theta))
     q.add({way.name, "both ways", way.knob,
            [=](double n) {
-             const Map R = way.map(static_cast<int>(n));
-             return Answer{cross(R(t.a), R(t.b())) - R(cross(t.a, t.b())), 3 * work_of(n)};
+             const auto gap = [t](const Map& R) { return cross(R(t.a), R(t.b())) - R(cross(t.a, t.b())); };
+             return mapped(gap, way.map(static_cast<int>(n)), n);
            },
            way.rotates ? Outcome::ok : Outcome::inaccurate, way.rotates ? "" : way.why});
   q.add(Breakdown{
@@ -157,25 +163,24 @@ inline Quantity sliver_normal(const Reference& truth) {
   Quantity q = quantity("sliver_normal", "", "the same, edges 2^-30 apart, rotated by 2 rad",
                         truth("02_11_rotated_normal", {2, 0x1p-30}), {1e-12, "twelve digits"});
   const Triangle t(0x1p-30);
-  const Map R = rodrigues(axis, 2);
-  const auto add = [&](const std::string& model, const std::string& algorithm, long cost, const auto& normal,
+  const auto add = [&](const std::string& model, const std::string& algorithm, const auto& normal,
                        const std::string& why = "") {
     q.add({model, algorithm, no_knob(),
-           [=](double) {
-             return Answer{unit(normal()), cost};
+           [=, f = rodrigues(axis, 2)](double) {
+             return mapped([&](const Map& R) { return unit(normal(R)); }, f);
            },
            why.empty() ? Outcome::ok : Outcome::inaccurate, why});
   };
   const std::string cancels = "nine digits of a x b cancel";
   add(
-      "edges a, b", "rotated, then product", 2, [=] { return cross(R(t.a), R(t.b())); }, cancels);
+      "edges a, b", "rotated, then product", [=](const Map& R) { return cross(R(t.a), R(t.b())); }, cancels);
   add(
-      "edges a, b", "product, then rotated", 1, [=] { return R(cross(t.a, t.b())); }, cancels);
+      "edges a, b", "product, then rotated", [=](const Map& R) { return R(cross(t.a, t.b())); }, cancels);
   add(
-      "edges a, b", "rotated, subtracted, then product", 2, [=] { return cross(R(t.a), R(t.b()) - R(t.a)); },
-      "R b - R a has the rounding of both");
-  add("edges a, b - a", "rotated, then product", 2, [=] { return cross(R(t.a), R(t.b() - t.a)); });
-  add("edges a, b - a", "product, then rotated", 1, [=] { return R(cross(t.a, t.b() - t.a)); });
+      "edges a, b", "rotated, subtracted, then product",
+      [=](const Map& R) { return cross(R(t.a), R(t.b()) - R(t.a)); }, "R b - R a has the rounding of both");
+  add("edges a, b - a", "rotated, then product", [=](const Map& R) { return cross(R(t.a), R(t.b() - t.a)); });
+  add("edges a, b - a", "product, then rotated", [=](const Map& R) { return R(cross(t.a, t.b() - t.a)); });
   q.add(
       Breakdown{"Of two nearly equal edges the product keeps seven digits, in whatever order one rotates. "
                 "a x (b - a) is the same product and keeps them all, if b - a is formed before the rotation.",

@@ -12,7 +12,7 @@
 #include "reference/text.hpp"
 
 /// What the exercises of this chapter share: an identity over many samples, and a limit at zero.
-namespace oddity {
+namespace oddity::identities {
 
 /// Both sides of an identity at one sample. `scale`: the size of the terms that were added up; 0: the larger
 /// side.
@@ -42,6 +42,7 @@ Check compare(std::string quantity, std::string left, std::string right, const s
 template <class Sample>
 Reading reading(std::string text, std::string quantity, std::string route, const std::vector<Sample>& samples,
                 const SidesOf<const Sample&>& sides) {
+  quantity += ", against " + route;
   return {std::move(text), {compare(std::move(quantity), "the text", std::move(route), samples, sides)}};
 }
 
@@ -64,6 +65,15 @@ Claim formula(std::string id, int line, std::string says, const std::string& qua
                            : near == 0 ? "a term dropped"
                                        : shortest(near) + " in the place of " + shortest(k);
   return claim(std::move(id), line, std::move(says), with("as printed", k), {with(miss, near)});
+}
+
+/// A claim whose fraction bar the text at hand has lost: what stands there, and what was meant by it.
+inline Claim lost_bar(Claim claim, Reading as_it_stands, std::string why) {
+  claim.meant = std::move(claim.printed);
+  claim.meant.text = "a quotient";
+  claim.printed = std::move(as_it_stands);
+  claim.why = std::move(why);
+  return claim;
 }
 
 /// All numbers in a row.
@@ -110,4 +120,4 @@ Check limit(std::string what, const Value& said, double h, const F& f) {
           1};
 }
 
-}  // namespace oddity
+}  // namespace oddity::identities

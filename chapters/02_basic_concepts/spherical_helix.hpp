@@ -9,6 +9,7 @@
 /// Exercise 2.3: the spherical helix, its motion by several routes, its colatitude and its ends.
 namespace oddity::spherical_helix {
 
+using namespace identities;
 using namespace space;
 using std::sqrt, std::pow, std::numbers::pi;
 

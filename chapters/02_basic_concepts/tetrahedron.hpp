@@ -88,7 +88,8 @@ inline Quantity about_origin(const Tetrahedron& t, double seed, const Reference&
            return Answer{inertia_about(t.particles(), t.center()) + inertia_of(t.mass(), t.center()), 5};
          }});
   q.add({solid, "five particles", no_knob(), [t](double) {
-           return Answer{inertia_about(t.particles(), {}), 5};
+           const System all = t.particles();
+           return Answer{inertia_about(all, {}), static_cast<long>(all.size())};
          }});
   const auto add = [&](const std::string& name, const Knob& knob, Rule (*rule)(double)) {
     q.add({solid, name, knob, [=](double setting) { return t.integrated(rule(setting)); }});
@@ -151,13 +152,15 @@ inline Quantity about_center(const Tetrahedron& near, double far, const Referenc
   q.add({back, "five particles", no_knob(),
          [t](double) {
            const System all = t.particles();
-           return Answer{inertia_about(all, {}) - inertia_of(mass_of(all), center_of(all)), 5};
+           return Answer{inertia_about(all, {}) - inertia_of(mass_of(all), center_of(all)),
+                         static_cast<long>(all.size())};
          },
          Outcome::inaccurate, cancels});
   q.add({back, "compensated sum", no_knob(),
          [t](double) {
            const System all = t.particles();
-           return Answer{compensated_about_origin(all) - inertia_of(mass_of(all), center_of(all)), 5};
+           return Answer{compensated_about_origin(all) - inertia_of(mass_of(all), center_of(all)),
+                         static_cast<long>(all.size())};
          },
          Outcome::inaccurate, cancels + ": each square was rounded before it was added"});
   q.add({back, "Gauss-Legendre", doubling("points", 2, 3),
@@ -168,18 +171,21 @@ inline Quantity about_center(const Tetrahedron& near, double far, const Referenc
            return answer;
          },
          Outcome::diverged, cancels + ", and the bounds are rounded"});
-  q.add({"center first", "five particles", no_knob(), [t](double) {
-           const System all = t.particles();
-           return Answer{inertia_about(all, center_of(all)), 10};
-         }});
+  q.add(
+      {"center first", "five particles", no_knob(), [t](double) {
+         const System all = t.particles();
+         return Answer{inertia_about(all, center_of(all)), 2 * static_cast<long>(all.size())};  // two passes
+       }});
   q.add({"about a particle, transferred back", "five particles", no_knob(), [t](double) {
            System all = t.particles();
            const Vector first = all[0].r;
            for (Particle& p : all) p.r = p.r - first;
-           return Answer{inertia_about(all, {}) - inertia_of(mass_of(all), center_of(all)), 5};
+           return Answer{inertia_about(all, {}) - inertia_of(mass_of(all), center_of(all)),
+                         static_cast<long>(all.size())};
          }});
   q.add({"running center", "five particles", no_knob(), [t](double) {
-           return Answer{running(t.particles()), 5};
+           const System all = t.particles();
+           return Answer{running(all), static_cast<long>(all.size())};
          }});
   q.add(Breakdown{
       "Both terms of I - m c^2 are of size m far^2, about 1e12, and leave 1e-2: five digits or none. "

@@ -35,6 +35,18 @@ std::vector<Claim> claims(Random random) {
              each_component("fgrad_x#", "f0 x#,0 + f1 x#,1 + f2 x#,2"), turned,
              {each_component("fgrad_x#", "f1 x#,0 + f0 x#,1 + f2 x#,2"),
               each_component("fgrad_x#", "f0 x#,0 - f1 x#,1 + f2 x#,2")});
+  Claim& dot = proof.line("dot", 3105, "f.grad is applied to the position by a dot: (...) . (x0, x1, x2)",
+                          each_component("fgrad_x#", "f0 x#,0 + f1 x#,1 + f2 x#,2"), turned,
+                          {each_component("fgrad_x#", "f0 x#,0 + f1 x#,1")});
+  dot.meant = std::exchange(
+      dot.printed,
+      {"a dot product, the number f0 x0,0 + f1 x1,1 + f2 x2,2",
+       {compare(proof.samples, each_component("fgrad_x#", "f0 x0,0 + f1 x1,1 + f2 x2,2"), turned)}});
+  dot.why =
+      "The operator is a number's, and what it is applied to a vector: no dot belongs between them. Read as "
+      "a "
+      "dot product the right side is the number $f_0+f_1+f_2$, 6 for $\\mathbf f=(1,2,3)$, and the left side "
+      "the vector $\\mathbf f$. The next line goes on without it.";
   for (std::size_t j = 0; j < 3; ++j)
     proof.line("unit_vector_" + digit(j), 3125,
                "the derivative of the position by x" + digit(j) + " is e" + digit(j),

@@ -3,6 +3,8 @@
 // frame turned at random. Right side: the published quotients of powers of x.x. Sizes of x run over a hundred
 // orders of magnitude. What happens at the origin shows in the flux through closed surfaces.
 
+#include <numbers>
+
 #include "chapters/05_fluids_and_gases/flux.hpp"
 #include "chapters/05_fluids_and_gases/inverse_square.hpp"
 #include "reference/bad_input.hpp"
@@ -54,7 +56,7 @@ Check numerator(long factor, Random random) {
     const long s = x * x + y * y + z * z;
     violations += (s - factor * x * x) + (s - factor * y * y) + (s - factor * z * z) != 0;
   }
-  return never("the numerator is not zero", violations, samples);
+  return never("integer points at which the numerator is not zero", violations, samples);
 }
 
 /// The divergence of a field at |x| from 1/range to range, where its slopes are of size |x|^-power.
@@ -84,6 +86,7 @@ std::vector<Claim> claims(Random random, const Reference& truth) {
                "the divergence is the sum of three derivatives, the first one of x_i / |x|^3"};
   summed.printed = {"d/dx_0 of x_i / |x|^3, for any i", {summands(0, r), summands(1, r), summands(2, r)}};
   summed.meant = {"d/dx_0 of x_0 / |x|^3", {summands(0, r)}};
+  summed.near_misses = {{"d/dx_0 of x_1 / |x|^3", {summands(1, r)}}};
   summed.why =
       "The first derivative is printed of $x_i/|\\mathbf x|^3$, an index that nothing sums and nothing else "
       "has: it "
@@ -92,7 +95,7 @@ std::vector<Claim> claims(Random random, const Reference& truth) {
       "derivatives are 0.8058, -0.0576 and -0.7482, which add up to zero; with $x_1$ in the first one it is "
       "0.4532.";
 
-  Claim zero{"5.3-zero", 3267, "the divergence is zero (wherever the field is defined: not at the origin)"};
+  Claim zero{"5.3-zero", 3267, "the divergence is zero, where the field is defined"};
   zero.printed = {"div (x / |x|^3) = 0", {divergence_is_zero("x / |x|^3", inverse_square, 3, 1e60, r)}};
   const Known flux = truth("05_03_spheroid_flux", {1.5, 1.5, 0.375});
   zero.near_misses = {
@@ -100,6 +103,24 @@ std::vector<Claim> claims(Random random, const Reference& truth) {
       {"div (x / |x|^4) = 0", {divergence_of_power(4, r)}},
       {"and at the origin too: a sphere around it has no flux",
        {{"flux through a sphere", {flux.source, flux.value}, {"zero", 0.0}, {1e-10, "ten decimals"}, 1}}}};
+
+  Claim origin{"5.3-origin", 3267, "the divergence is zero, no point being left out"};
+  const auto out_of_a_ball = [&](const char* text, double said) {
+    return Reading{text,
+                   {{"flux out of a ball around the origin",
+                     {flux.source, flux.value},
+                     {"the divergence over the ball", said},
+                     {1e-10, "ten decimals"},
+                     1}}};
+  };
+  origin.printed = out_of_a_ball("zero everywhere: no flux out of any ball", 0);
+  origin.corrected = out_of_a_ball("zero but at the origin: a flux of 4 pi around it", 4 * std::numbers::pi);
+  origin.corrected.checks.push_back(zero.printed.checks[0]);
+  origin.near_misses = {out_of_a_ball("a flux of 2 pi", 2 * std::numbers::pi)};
+  origin.why =
+      "At $\\mathbf x=0$ the text divides by zero, and its lines say nothing about that point. It matters: "
+      "$4\\pi=12.566$ flows out of every sphere around the origin, however small, so that the divergence is "
+      "$4\\pi\\delta(\\mathbf x)$, and Gauss's theorem with a divergence of zero gives 0.";
 
   Claim numerators{"5.3-numerator", 3267, "the sum of the brackets is zero"};
   numerators.printed = {"the sum of |x|^2 - 3 x_i^2 is zero", {numerator(3, r)}};
@@ -118,7 +139,7 @@ std::vector<Claim> claims(Random random, const Reference& truth) {
   Claim common{"5.3-common_denominator", 3239, "the three summands over the common denominator |x|^5"};
   common.printed = reading("brackets with 3 x_0^2, 3 x_1^2, 3 x_2^2", brackets, 1e55, r);
   common.near_misses = {reading("the first bracket twice", brackets_first_twice, 1e55, r)};
-  return {quotients, cancelled, summed, common, numerators, zero};
+  return {quotients, cancelled, summed, common, numerators, zero, origin};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

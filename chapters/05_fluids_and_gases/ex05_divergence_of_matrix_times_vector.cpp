@@ -59,6 +59,7 @@ void fill(Sample& s, const Drawn& d) {
   }
   s.put("v", point(turn * f));
   s.put("u", point(turn * g));
+  s.put("x", d.x);
   s.put("g", point(g));
   s.put_scalar("phi", d.phi, d.x);
   s.put_vector("f", d.f, d.x);
@@ -72,6 +73,10 @@ std::vector<Claim> claims(Random random) {
   const std::string outside =
       "m00 f0,0 + m01 f1,0 + m02 f2,0 + m10 f0,1 + m11 f1,1 + m12 f2,1 + m20 f0,2 + m21 f1,2 + m22 f2,2";
 
+  const std::string product_with_x =
+      "m00 x0 f0 + m01 x0 f1 + m02 x0 f2 + m10 x1 f0 + m11 x1 f1 + m12 x1 f2 + m20 x2 f0 + m21 x2 f1 + m22 "
+      "x2 f2";
+
   proof.line("product", 3271, "m_ij f_j, summed over j, is M f",
              each_component("Mf#", "m#0 f0 + m#1 f1 + m#2 f2"), by_eigen);
   proof.line("free_i", 3271,
@@ -79,8 +84,18 @@ std::vector<Claim> claims(Random random) {
              each_component("turned_Mf#", "n#0 v0 + n#1 v1 + n#2 v2"), "M f, turned");
   proof.line("divergence", 3273, "div (M f) is d(m_ij f_j)/dx_i (h = M f)",
              {{"div_Mf", "h0,0 + h1,1 + h2,2"}}, whole);
-  Claim& constants = proof.line("constants_outside", 3283, "the constants m_ij move out of the derivatives",
+  Claim& constants = proof.line("constants_outside", 3277,
+                                "the constants m_ij move out of the derivatives, (m_ij /dx_i) f_j",
                                 {{"div_Mf", outside}}, whole);
+  constants.meant = std::exchange(constants.printed,
+                                  {"m_ij /dx_i times f_j, with nothing to differentiate: " + product_with_x,
+                                   {compare(proof.samples, {{"div_Mf", product_with_x}}, whole)}});
+  constants.why =
+      "The bar and the $\\partial$ above it are lost in the text at hand, here and in line 3295: the "
+      "operator "
+      "is $m_{ij}\\,\\partial/\\partial x_i$, as line 3287 has it. Without the $\\partial$ nothing is "
+      "differentiated: for $M=I$ and $\\mathbf f=\\mathbf x$ the divergence is 3, and the products $x_if_i$ "
+      "add up to $|\\mathbf x|^2$.";
   constants.near_misses.push_back(
       {"the same of a matrix that varies, phi M",
        {compare(proof.samples, {{"div_phi_Mf", "phi (" + outside + ")"}}, whole)}});

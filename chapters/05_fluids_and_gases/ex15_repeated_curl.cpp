@@ -75,8 +75,8 @@ std::vector<Claim> claims(Random random) {
     wrong_component.push_back({left, chain(n, "i", as_printed) + derivative_of_f(n, "j1", "k1")});
     product.push_back({left, chain(n, free, as_printed) + f, free});
     reversed_product.push_back({left, chain(n, free, reversed) + f, free});
-    wellformed.push_back(
-        never("an index repeated wrongly", IndexExpression(product.back().right, free).ill_formed(), 1));
+    wellformed.push_back(never("indices that occur once or thrice, but the free one",
+                               IndexExpression(product.back().right, free).ill_formed(), 1));
   }
   all.push_back(t.claim("general", 3715, "the chain of n tensors, n = 1 to 4", general,
                         {reversed_link, reversed_all, wrong_component}));

@@ -59,7 +59,8 @@ inline Point brackets_first_twice(const Point& x) {
 
 /// A published formula for the three derivatives, at sizes of x within `range` of 1 either way.
 inline Reading reading(const std::string& text, Point (*formula)(const Point&), double range, Random random) {
-  Worst worst("d/dx_i (x_i / |x|^3), i = 0, 1, 2", "dual numbers along a turned frame", text);
+  Worst worst("d/dx_i (x_i / |x|^3), against dual numbers along a turned frame",
+              "dual numbers along a turned frame", text);
   for (int n = 0; n < 256; ++n) {
     const double r = std::abs(random.magnitude(1 / range, range));
     const Point u = random.direction(), x{r * u[0], r * u[1], r * u[2]};

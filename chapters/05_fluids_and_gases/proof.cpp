@@ -154,12 +154,10 @@ std::string written(const std::vector<Row>& rows) {
 
 Check compare(const std::vector<Sample>& samples, const std::vector<Row>& rows, const std::string& by) {
   std::vector<std::pair<Terms, Terms>> lines;
-  std::string quantity;
   for (const Row& row : rows) {
-    quantity += (quantity.empty() ? "" : "; ") + row.left;
     lines.emplace_back(read_terms(row.left, samples[0]), read_terms(row.right, samples[0]));
   }
-  Worst worst(quantity, by, "the line as it is written");
+  Worst worst("the line, against " + by, by, "the line as it is written");
   for (const Sample& s : samples) {
     std::vector<double> left, right;
     double size = 0;

@@ -99,8 +99,8 @@ class Tensorial {
 
   Check compare(const Said& said) const {
     const IndexExpression expression(said.right, said.free);
-    Worst worst(said.left + " = " + said.right, "curls nested along a turned frame, or as it is named",
-                "the index expression as it is written");
+    Worst worst("the index expression, against " + said.left,
+                said.left + ", differentiated along a turned frame", "the index expression as it is written");
     for (const Sampled& s : samples_) {
       const Point left = s.left.at(said.left);
       worst.see(left, expression.value(s.tensors), expression.size(s.tensors), s.where);
@@ -110,7 +110,7 @@ class Tensorial {
   Reading reading(const std::vector<Said>& all) const {
     Reading reading;
     for (const Said& said : all) {
-      reading.text += (reading.text.empty() ? "" : "; ") + said.right;
+      reading.text += (reading.text.empty() ? "" : "; ") + said.left + " = " + said.right;
       reading.checks.push_back(compare(said));
     }
     return reading;
@@ -130,7 +130,9 @@ class Tensorial {
 inline Claim summed(const std::string& slug, int at, std::string says, const std::string& expression,
                     const std::string& near) {
   const auto reading = [](const std::string& text) {
-    return Reading{text, {never("an index repeated wrongly", IndexExpression(text, "i").ill_formed(), 1)}};
+    return Reading{text,
+                   {never("indices that occur once or thrice, but the free one",
+                          IndexExpression(text, "i").ill_formed(), 1)}};
   };
   return {"5.15-" + slug, at, std::move(says), reading(expression), {}, {}, {reading(near)}};
 }

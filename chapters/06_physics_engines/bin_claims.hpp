@@ -2,6 +2,7 @@
 
 #include "chapters/06_physics_engines/lattice.hpp"
 #include "reference/text.hpp"
+#include "solvers/counted.hpp"
 #include "solvers/roots.hpp"
 
 /// What the book says about bins: each by counting, or in exact integers.
@@ -9,27 +10,30 @@ namespace oddity::bins {
 
 using Reach = Span (*)(double, double, const Grid&);
 
+/// A small sphere in every bin in turn, only each `stride`-th bin being tested: the spheres not found.
+inline Check one_in_every_bin(int stride) {
+  const Grid grid{1, 2};
+  long lost = 0, samples = 0;
+  for (int i = -2; i < 2; ++i)
+    for (int j = -2; j < 2; ++j)
+      for (int k = -2; k < 2; ++k, ++samples) {
+        const Lattice s{{i * unit + unit / 2, j * unit + unit / 2, k * unit + unit / 2}, unit / 4};
+        std::vector<long> found;
+        for (long id : hits(s.sphere(), grid, every_bin, touches).ids)
+          if (id % stride == 0) found.push_back(id);
+        lost += found != exact_ids(s, grid, hit_exactly);
+      }
+  return never("spheres not found, one in each of 64 bins", lost, samples);
+}
+
 inline Claim naive_needs_n() {
-  std::vector<double> counted, half_of_them, n;
-  for (int half : {1, 2, 4, 8}) {
-    const Grid grid{1, half};
-    counted.push_back(static_cast<double>(hits({{0.3, -0.2, 0.7}, 0.9}, grid, every_bin, touches).tests));
-    n.push_back(std::pow(2 * half, 3));
-    half_of_them.push_back(n.back() / 2);
-  }
-  const auto tests = [&](std::string by, const std::vector<double>& value) {
-    return Check{"sphere-box tests in grids of 2, 4, 8, 16 bins an axis",
-                 {"counted", counted},
-                 {std::move(by), value},
-                 exact()};
-  };
   return {"6.1-naive_needs_n",
           3735,
-          "testing every bin takes n tests a sphere",
-          {"n tests", {tests("n", n)}},
+          "testing bin after bin takes n tests a sphere: none can be left out",
+          {"n tests", {one_in_every_bin(1)}},
           {},
           {},
-          {{"n/2 tests", {tests("n/2", half_of_them)}}}};
+          {{"every second bin", {one_in_every_bin(2)}}}};
 }
 
 /// The ends of the projection: where the plane x = const ceases to meet the sphere.
@@ -73,7 +77,7 @@ inline Check range_is_box(const Parameters& p, Reach range) {
     if (hits(s.sphere(), grid, range, always).ids == exact_ids(s, grid, box_hit_exactly)) continue;
     if (wrong++ == 0) first = where(s);
   }
-  return never("the range is not the bins that meet the box, in exact integers", wrong, samples, first);
+  return never("spheres whose range is not exactly the bins that meet their box", wrong, samples, first);
 }
 
 inline Check same_answer(const Parameters& p, Reach range) {
@@ -86,7 +90,7 @@ inline Check same_answer(const Parameters& p, Reach range) {
       continue;
     if (wrong++ == 0) first = where(s);
   }
-  return never("tests in the range find other bins than n tests", wrong, samples, first);
+  return never("spheres for which tests in the range find other bins than n tests", wrong, samples, first);
 }
 
 inline Claim subset(const Parameters& p) {
@@ -105,30 +109,27 @@ inline Claim subset(const Parameters& p) {
 }
 
 inline Claim few_computations() {
-  std::vector<double> computed, each_bin;
-  for (int half : {1, 4, 12}) {
-    double indices = 0;
-    const auto counting = [&](double x, double r, const Grid& g) {
-      indices += 2;
-      return reach(x, r, g);
-    };
-    static_cast<void>(hits({{0.3, -0.2, 0.7}, 0.9}, Grid{1, half}, counting, touches));
-    computed.push_back(indices);
-    each_bin.push_back(3 * std::pow(2 * half, 3));
-  }
-  const auto indices = [&](std::string by, std::vector<double> value) {
-    return Check{"indices computed a sphere in grids of 2, 8, 24 bins an axis",
-                 {"counted", computed},
-                 {std::move(by), std::move(value)},
+  const auto counted = [](const char* by, double said) {
+    std::vector<double> divisions;
+    for (int half : {1, 4, 12}) {
+      const Operations operations = operations_of([&] {
+        for (double x : {0.3, -0.2, 0.7}) static_cast<void>(reach_of<Counted<double>>(x, 0.9, {1, half}));
+      });
+      divisions.push_back(static_cast<double>(operations.divisions));
+      divisions.push_back(static_cast<double>(operations.functions));
+    }
+    return Check{"divisions and roundings for a sphere's range in grids of 2, 8, 24 bins an axis",
+                 {"counted", divisions},
+                 {by, std::vector<double>(divisions.size(), said)},
                  exact()};
   };
   return {"6.1-few_computations",
           3737,
           "the indices take few computations, however many bins there are",
-          {"six", {indices("two on each axis", {6, 6, 6})}},
+          {"six divisions and roundings", {counted("two on each axis", 6)}},
           {},
           {},
-          {{"three for each bin", {indices("3n", each_bin)}}}};
+          {{"three", {counted("one on each axis", 3)}}}};
 }
 
 /// The mean number of bins in the range, over centers evenly spread over an axis of the grid, cubed.
@@ -154,7 +155,8 @@ inline Check small_subset(const Parameters& p, double largest) {
   long large = 0;
   const auto spheres = random_spheres(p["seed"], 400, 8, largest);
   for (const Lattice& s : spheres) large += 50 * hits(s.sphere(), grid, reach, always).tests > grid.count();
-  return never("range above a fiftieth of 4096 bins, r up to " + shortest(largest) + " bins", large, 400);
+  return never("spheres whose range is above a fiftieth of 4096 bins, r up to " + shortest(largest) + " bins",
+               large, 400);
 }
 
 inline Claim typically_less(const Parameters& p) {
@@ -184,7 +186,9 @@ inline Check range_is_everything(const Parameters& p, double radius_over_width) 
   long less = 0;
   for (int n = 0; n < 400; ++n)
     less += hits({random.point(8), radius_over_width * 16}, grid, reach, always).tests < grid.count();
-  return never("range smaller than the grid for r = " + shortest(radius_over_width) + " widths", less, 400);
+  return never(
+      "spheres of r = " + shortest(radius_over_width) + " widths whose range is smaller than the grid", less,
+      400);
 }
 
 inline Claim unless_large(const Parameters& p) {
@@ -213,8 +217,8 @@ inline Check growing_bins(const Parameters& p, bool as_fraction) {
       before = now;
     }
   }
-  return never(as_fraction ? "the fraction of the grid rises with the bins' side"
-                           : "the number of tests rises with the bins' side",
+  return never(as_fraction ? "grids in which the range is a larger fraction than in the next finer one"
+                           : "grids that take more tests than the next finer one",
                rises, samples);
 }
 

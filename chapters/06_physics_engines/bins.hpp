@@ -41,10 +41,15 @@ inline Span clamped(double low, double high, const Grid& grid) {
   return {static_cast<int>(std::clamp(low, -n, n)), static_cast<int>(std::clamp(high, -n - 1, n - 1))};
 }
 
-/// The bins that [x - r, x + r] meets.
-inline Span reach(double x, double r, const Grid& grid) {
-  return clamped(std::ceil((x - r) / grid.h) - 1, std::floor((x + r) / grid.h), grid);
+/// The bins that [x - r, x + r] meets, in any number type.
+template <class T>
+Span reach_of(const T& x, const T& r, const Grid& grid) {
+  using std::ceil, std::floor;
+  const T side = grid.h;
+  return clamped(static_cast<double>(ceil((x - r) / side)) - 1, static_cast<double>(floor((x + r) / side)),
+                 grid);
 }
+inline Span reach(double x, double r, const Grid& grid) { return reach_of(x, r, grid); }
 
 /// What misjudges a range: floor at both ends forgets a bin that ends where the interval begins.
 inline Span reach_by_floor(double x, double r, const Grid& grid) {

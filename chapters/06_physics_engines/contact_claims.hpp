@@ -16,11 +16,13 @@ struct Sample {
 
   Vector3d arm(const Vector3d& p) const { return p - body.center; }
   /// The size of v and w, of the impulse's part of them and of the arms.
-  double scale() const {
-    const double longest = std::max(arm(hit.p0).norm(), arm(hit.p1).norm());
-    return body.v.norm() + body.w.norm() +
-           std::abs(f) * (1 / body.mass + longest * inverse(body.inertia).cwiseAbs().sum());
-  }
+  double scale() const { return body.v.norm() + body.w.norm() + kick() + twist(); }
+  /// What the impulse does to v, and at most to w.
+  double kick() const { return std::abs(f) / body.mass; }
+  double twist() const { return yielding() * angular_impulse(); }
+  double angular_impulse() const { return std::abs(f) * std::max(arm(hit.p0).norm(), arm(hit.p1).norm()); }
+  /// The size of J^-1.
+  double yielding() const { return inverse(body.inertia).cwiseAbs().sum(); }
 };
 
 template <class MakeBody>
@@ -37,9 +39,9 @@ std::vector<Sample> samples(double seed, int count, const MakeBody& make_body) {
 }
 
 template <class Left, class Right>
-Check compare(const std::vector<Sample>& all, std::string what, std::string by_left, std::string by_right,
-              const Left& left, const Right& right) {
-  Worst worst(std::move(what), std::move(by_left), std::move(by_right));
+Check compare(const std::vector<Sample>& all, std::string what, const std::string& by_left,
+              const std::string& by_right, const Left& left, const Right& right) {
+  Worst worst(std::move(what) + ", " + by_left + " against " + by_right, by_left, by_right);
   for (const Sample& s : all) worst.see(Value(left(s)), Value(right(s)), s.scale(), "f = " + rounded(s.f, 6));
   return worst.check();
 }
@@ -106,14 +108,33 @@ inline Vector3d by_motion(const Sample& s, std::size_t from, double first = 0.5)
   return {after[from], after[from + 1], after[from + 2]};
 }
 
+/// What the pulse's 128 steps leave out of its integral, by the first term of Simpson's error at the half
+/// steps: 630 t^4 (1 - t)^4 has the fifth derivatives -+302400 at its ends.
+inline constexpr double steps_leave = 604800 / 1512.0 * 0x1p-48;
+
+/// A pulse turns no velocity: what differs is its integral, and the narrow cubes' rounded bounds.
+inline Tolerance of_v(const Sample& s) {
+  return {(steps_leave + 64 * 0x1p-52 / width) * s.kick() + 16 * 0x1p-52 * s.body.v.norm(),
+          "1.4e-12 of the impulse by the steps of the pulse, 1.4e-11 by the rounded ends of the cubes"};
+}
+
+/// While the pulse acts the body turns by no more than |w| and the impulse make of 1e-6 s, and arms and
+/// inertia turn with it.
+inline Tolerance of_w(const Sample& s) {
+  const double turn = pulse * (s.body.w.norm() + s.twist());
+  const double momentum = (s.body.inertia * s.body.w).norm() + s.angular_impulse();
+  return {2 * turn * s.yielding() * momentum + of_v(s).allowed,
+          "in a pulse of 1e-6 s the body turns by 1e-6 |w|, its arms and its inertia with it"};
+}
+
 template <class Formula>
-Check against_motion(const std::vector<Sample>& all, const std::string& what, std::string by,
+Check against_motion(const std::vector<Sample>& all, const std::string& what, const std::string& by,
                      std::size_t from, const Formula& formula) {
-  Worst worst(what, std::move(by), "motion under half the pulse at either point");
+  const std::string motion = "motion under half the pulse at either point";
+  Worst worst(what + ", " + by + " against " + motion, by, motion);
   for (const Sample& s : all) {
-    const double scale = s.scale() * (1 + s.scale());
-    worst.see(Value(formula(s)), Value(by_motion(s, from)),
-              {10 * pulse * scale, "in a pulse of 1e-6 s the body turns by 1e-6 |w|"}, scale,
+    const double scale = from == 0 ? s.body.v.norm() + s.kick() : s.body.w.norm() + s.twist();
+    worst.see(Value(formula(s)), Value(by_motion(s, from)), from == 0 ? of_v(s) : of_w(s), scale,
               "f = " + rounded(s.f, 6));
   }
   return worst.check();
@@ -158,10 +179,12 @@ inline std::vector<Claim> linear_lines(const std::vector<Sample>& all) {
                                 [](const Sample& s) { return linear_integral(s, 0.5); });
   const Check sum = motion("their sum", [](const Sample& s) { return linear_integral(s, 1); });
   const auto means = [&](double share) {
-    Worst worst("v+", "v- + " + shortest(share) + " (fN + fN)/m", "integral over two narrow delta functions");
+    Worst worst("v+, against the integral over two narrow delta functions",
+                "v- + " + shortest(share) + " (fN + fN)/m", "integral over two narrow delta functions");
     for (const Sample& s : all)
       worst.see(Value(linear(s, 2 * share)), Value(linear_integral(s, 0.5)),
-                rounding(s.scale() * 2 / width, 16), s.scale(), "f = " + rounded(s.f, 6));
+                rounding((s.body.v.norm() + 2 * s.kick()) / width, 16), s.body.v.norm() + s.kick(),
+                "f = " + rounded(s.f, 6));
     return worst.check();
   };
   const auto result = [&](const char* by, double impulses) {

@@ -22,7 +22,7 @@ inline Vector3d along_segment(const Sample& s, double slope) {
 inline Check as_segment(const std::vector<Sample>& all, const std::string& bodies, double slope) {
   return compare(
       all, "w+ of " + bodies, "two points",
-      slope == 0 ? "even along the segment" : "growing along the segment",
+      slope == 0 ? "an even impulse along the segment" : "one that grows along it",
       [](const Sample& s) { return angular_mean(s); },
       [=](const Sample& s) { return along_segment(s, slope); });
 }

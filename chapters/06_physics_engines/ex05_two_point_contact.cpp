@@ -114,7 +114,7 @@ Quantity rebound(const Parameters& p) {
              "rad/s",
              "angular velocity after a fall on the edge, both ends rebounding by e",
              {"F y / Jx, the edge staying level", Value{middle * y / jx, 0, 0}},
-             0,
+             16 * 0x1p-52 * std::abs(middle * y / jx),  // 16 roundings in all
              {1e-9, "a turn in two hundred years"},
              {},
              {}};
@@ -166,7 +166,7 @@ Quantity patch(const Parameters& p) {
       "rad/s",
       "angular velocity after an impulse spread evenly over a trapezoid",
       {"the trapezoid's centroid in closed form", Value{y * f / inertia(0, 0), -x * f / inertia(1, 1), 0}},
-      0,
+      8 * 0x1p-52 * f * std::max(h / inertia(0, 0), w / inertia(1, 1)),  // roundings of half the sides
       {1e-9, "a turn in two hundred years"},
       {},
       {}};
@@ -216,7 +216,10 @@ Exercise exercise_6_5() {
   return {"Contact at two points",
           "Two bodies touch at two points $P_0$, $P_1$. Find the delta function of the set and with it the "
           "velocities "
-          "$v^+$, $w^+$ after the impulse; compare with contact along the segment $P_0P_1$.",
+          "$v^+$, $w^+$ after the impulse; compare with contact along the segment $P_0P_1$. Below $fN$ "
+          "is the impulse, $m$ and $J$ are the mass and the inertia tensor, and $r(P)$ is the arm of $P$ "
+          "from the "
+          "center of mass.",
           parameters,
           {},
           study};

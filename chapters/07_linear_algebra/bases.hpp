@@ -9,6 +9,7 @@
 #include "chapters/exercise.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
+#include "solvers/counted.hpp"
 #include "solvers/linear.hpp"
 
 /// The coefficients of a vector over a basis that may be nearly dependent, by triple products and by
@@ -31,7 +32,7 @@ inline Basis nearly_dependent(double gap) {
           {0.71, 0.37, 1.13}};
 }
 
-/// Over a, b, c: 33 multiplications and divisions.
+/// Over a, b, c.
 template <class T>
 Vector3<T> cramer(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c, const Vector3<T>& q) {
   const Vector3<T> bc = cross(b, c);
@@ -39,18 +40,18 @@ Vector3<T> cramer(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c,
   return {dot(q, bc) / d, dot(q, cross(c, a)) / d, dot(q, cross(a, b)) / d};
 }
 
-/// Over a x b, b x c, c x a: 21 multiplications and divisions.
+/// Over a x b, b x c, c x a.
 template <class T>
 Vector3<T> dual_cramer(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c, const Vector3<T>& q) {
   const T d = triple(a, b, c);
   return {dot(c, q) / d, dot(a, q) / d, dot(b, q) / d};
 }
 
-inline Method triple_products(const Basis& s, long work, const auto& formula) {
+inline Method triple_products(const Basis& s, const auto& formula) {
+  const auto in = [=]<class T>(T) { return formula(cast<T>(s.a), cast<T>(s.b), cast<T>(s.c), cast<T>(s.p)); };
+  const long work = operations_of([&] { return in(Counted<double>()); }).all_but_additions();
   return {"triple products", "Cramer", {"significant bits", {24, 53, 106}}, [=](double bits) {
-            const auto by = [&]<class T>(T) {
-              return Value(cast<double>(formula(cast<T>(s.a), cast<T>(s.b), cast<T>(s.c), cast<T>(s.p))));
-            };
+            const auto by = [&](auto zero) { return Value(cast<double>(in(zero))); };
             return Answer{bits == 24 ? by(float{}) : bits == 53 ? by(0.0) : by(DoubleDouble()), work};
           }};
 }
@@ -110,7 +111,7 @@ inline Quantity coefficients(std::string name, double gap, Outcome in_doubles, c
   const std::string condition_number = rounded(condition(m), 2);
   Quantity q = quantity(std::move(name), "", "coefficients over u, v, w; condition " + condition_number,
                         known, {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
-  q.add(triple_products(s, 33, [](const auto&... a) { return cramer(a...); }));
+  q.add(triple_products(s, [](const auto&... a) { return cramer(a...); }));
   add_factorizations(q, m, s.p, in_doubles,
                      in_doubles == Outcome::ok ? ""
                                                : "the condition " + condition_number +
@@ -126,7 +127,7 @@ inline Quantity dual_coefficients(double gap, const Reference& truth) {
   const Known known = known_coefficients(s, true, truth);
   Quantity q = quantity("dual_coefficients", "", "coefficients over u x v, v x w, w x u", known,
                         {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
-  q.add(triple_products(s, 21, [](const auto&... a) { return dual_cramer(a...); }));
+  q.add(triple_products(s, [](const auto&... a) { return dual_cramer(a...); }));
   add_factorizations(q, columns(cross(s.a, s.b), cross(s.b, s.c), cross(s.c, s.a)), s.p, Outcome::ok, "");
   return q;
 }

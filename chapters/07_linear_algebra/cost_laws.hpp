@@ -39,7 +39,7 @@ struct Law {
 
 inline Reading reading(const Table& table, const Law& law, const Formula& formula) {
   if (!formula.cost) return {};
-  Worst worst("coefficients of mu, alpha, delta", law.left, formula.text);
+  Worst worst("coefficients of mu, alpha and delta, against those of " + law.left, law.left, formula.text);
   for (const Counts& c : table) {
     const Cost left = law.cost(c), right = formula.cost(c.n);
     if (c.n > 1)

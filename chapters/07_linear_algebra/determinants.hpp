@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "chapters/07_linear_algebra/counted.hpp"
 #include "chapters/07_linear_algebra/double_double.hpp"
 #include "chapters/exercise.hpp"
 #include "chapters/random.hpp"
+#include "solvers/counted.hpp"
 #include "solvers/linear.hpp"
 
 /// Determinants of 4 x 4 matrices, generic in the number type.
@@ -34,7 +34,7 @@ T minor_2(const Matrix4<T>& m, std::size_t r, std::size_t s, std::size_t c, std:
   return m[r][c] * m[s][d] - m[r][d] * m[s][c];
 }
 
-/// Along the first row, and along the first rows of its minors: 40 multiplications.
+/// Along the first row, and along the first rows of its minors.
 template <class T>
 T by_cofactors(const Matrix4<T>& m) {
   const auto minor_3 = [&](std::size_t c, std::size_t d, std::size_t e) {
@@ -45,7 +45,7 @@ T by_cofactors(const Matrix4<T>& m) {
          m[0][3] * minor_3(0, 1, 2);
 }
 
-/// Minors of the upper two rows times those of the lower two (Laplace): 30 multiplications.
+/// Minors of the upper two rows times those of the lower two (Laplace).
 template <class T>
 T by_minors(const Matrix4<T>& m) {
   const auto pair = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
@@ -97,8 +97,8 @@ inline Matrix4<Whole> triangular(Random& random, int size, bool upper) {
 /// An expansion in numbers of 24, 53 or 106 bits; its multiplications counted beforehand.
 inline Method expansion(std::string algorithm, const Matrix4<double>& m, const auto& determinant,
                         std::string why = {}) {
-  Cost cost;
-  determinant(cast<Counted<double>>(m, [&](double x) { return Counted<double>{x, &cost}; }));
+  const auto numbers = cast<Counted<double>>(m, [](double x) { return x; });
+  const long work = operations_of([&] { return determinant(numbers); }).all_but_additions();
   const auto single = cast<float>(m, [](double x) { return static_cast<float>(x); });
   const auto twice = cast<DoubleDouble>(m, [](double x) { return DoubleDouble(x); });
   return {"expansion",
@@ -108,7 +108,7 @@ inline Method expansion(std::string algorithm, const Matrix4<double>& m, const a
             return Answer{bits == 24   ? double{determinant(single)}
                           : bits == 53 ? determinant(m)
                                        : static_cast<double>(determinant(twice)),
-                          static_cast<long>(cost.mu)};
+                          work};
           },
           Outcome::ok,
           std::move(why)};

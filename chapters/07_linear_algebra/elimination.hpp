@@ -1,14 +1,31 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
-#include "chapters/07_linear_algebra/counted.hpp"
+#include "solvers/counted.hpp"
 
 /// Row reduction of an augmented n x (n+1) matrix without exchange of rows, generic in its number type: the
 /// same code solves and is counted.
 namespace oddity::elimination {
+
+/// What operations cost: so many multiplications, additions (and subtractions), divisions.
+struct Cost {
+  double mu = 0, alpha = 0, delta = 0;
+
+  constexpr Cost() = default;
+  constexpr Cost(double m, double a, double d) : mu(m), alpha(a), delta(d) {}
+  Cost(const Operations& counted)
+      : mu(static_cast<double>(counted.multiplications)),
+        alpha(static_cast<double>(counted.additions)),
+        delta(static_cast<double>(counted.divisions)) {}
+
+  friend constexpr Cost operator+(Cost a, Cost b) {
+    return {a.mu + b.mu, a.alpha + b.alpha, a.delta + b.delta};
+  }
+  friend constexpr Cost operator*(double x, Cost a) { return {x * a.mu, x * a.alpha, x * a.delta}; }
+  friend constexpr Cost operator-(Cost a, Cost b) { return a + -1.0 * b; }
+};
 
 template <class T>
 using Rows = std::vector<std::vector<T>>;
@@ -100,27 +117,22 @@ struct Counts {
 };
 
 inline Counts count(std::size_t n) {
-  Cost cost;
-  const auto taken = [&] { return std::exchange(cost, Cost{}); };
-  Rows<Counted<double>> start(n, std::vector<Counted<double>>(n + 1, {1.0, &cost}));
+  using Number = Counted<double>;
+  const Rows<Number> start(n, std::vector<Number>(n + 1, 1.0));
   Counts counts{static_cast<double>(n)};
   auto rows = start;
-  full_step(rows, 0);
-  counts.first_row = taken();
+  counts.first_row = operations_of([&] { full_step(rows, 0); });
   if (n > 1) {
     auto forward = rows;
-    forward_step(forward, 1);
-    counts.forward_second = taken();
-    full_step(rows, 1);
-    counts.full_second = taken();
+    counts.forward_second = operations_of([&] { forward_step(forward, 1); });
+    counts.full_second = operations_of([&] { full_step(rows, 1); });
   }
   rows = start;
-  for (std::size_t k = 0; k < n; ++k) full_step(rows, k);
-  counts.full = taken();
-  divide(rows);
-  counts.division = taken();
-  solve_forward(start, Clearing::crosswise);
-  counts.forward_and_back = taken();
+  counts.full = operations_of([&] {
+    for (std::size_t k = 0; k < n; ++k) full_step(rows, k);
+  });
+  counts.division = operations_of([&] { return divide(rows); });
+  counts.forward_and_back = operations_of([&] { return solve_forward(start, Clearing::crosswise); });
   return counts;
 }
 

@@ -45,7 +45,7 @@ Cost total(const Counts& c) { return c.full + c.division; }
 Cost excess(const Counts& c) { return total(c) - c.forward_and_back; }
 
 std::vector<Law> laws() {
-  const std::string counted = "counted", printed = "C' - C, both as printed";
+  const std::string counted = "the count", printed = "C' - C, both as printed";
   return {
       {"7.1-first_row",
        3789,
@@ -70,13 +70,13 @@ std::vector<Law> laws() {
        &Counts::full_second,
        {"(2 mu + alpha)(n-1)(n-1)", [](double n) { return (n - 1) * (n - 1) * entry; }},
        {"(2 mu + alpha)(n-1)(n-1) + mu", [](double n) { return (n - 1) * (n - 1) * entry + mu; }},
-       {},
+       {"(2 mu + alpha)(n-1)(n-1) + 2 mu", [](double n) { return (n - 1) * (n - 1) * entry + 2 * mu; }},
        "To clear $a_{12}$, row one becomes $a_{22}$ row one $-\\,a_{12}$ row two. This multiplies $a_{11}$ "
        "by $a_{22}$ too: one $\\mu$ more than the entries to the right of the pivot take."},
       {"7.1-full_sum",
        3791,
        "n(n-1) + (n-1)(n-1) + ... + 1(n-1) = (n-1)n(n+1)/2",
-       "added up",
+       "the sum",
        sum_over_columns,
        {"(2 mu + alpha)(n-1)n(n+1)/2", printed_full},
        {},
@@ -88,10 +88,13 @@ std::vector<Law> laws() {
        &Counts::full,
        {"(2 mu + alpha)(n-1)n(n+1)/2", printed_full},
        {"(2 mu + alpha)(n-1)n(n+1)/2 + mu n(n-1)/2", [](double n) { return printed_full(n) + diagonals(n); }},
-       {},
+       {"(2 mu + alpha)(n-1)n(n+1)/2 + mu n(n+1)/2",
+        [](double n) { return printed_full(n) + n * (n + 1) / 2 * mu; }},
        "With column $k$ the diagonal entries of the $k-1$ rows above are multiplied by the pivot: "
        "$\\mu\\,n(n-1)/2$ in all, $27\\mu+12\\alpha$ and not $24\\mu+12\\alpha$ for $n=3$. Without them the "
-       "solution is wrong (see the methods); saved up for one product a row they still cost $\\mu(n-1)$."},
+       "solution is wrong (see the methods). If they are multiplied once at the end, by one product a row, "
+       "they "
+       "still cost $\\mu(n-1)$."},
       {"7.1-division_cost",
        3795,
        "to divide each row by its diagonal entry costs B = delta n",
@@ -107,8 +110,9 @@ std::vector<Law> laws() {
        total,
        {"F + B as printed", printed_total},
        {"F + B + mu n(n-1)/2", [](double n) { return printed_total(n) + diagonals(n); }},
-       {},
-       "$F$ leaves out $\\mu\\,n(n-1)/2$."},
+       {"F + B + mu n(n+1)/2", [](double n) { return printed_total(n) + n * (n + 1) / 2 * mu; }},
+       "$F$ leaves out $\\mu\\,n(n-1)/2$: for $n=3$ the total is $27\\mu+12\\alpha+3\\delta$, not "
+       "$24\\mu+12\\alpha+3\\delta$."},
       {"7.1-original_total",
        3801,
        "forward elimination and back substitution cost C = (2 mu + alpha)(n-1)n(n+1)/3 + (mu + "
@@ -135,18 +139,20 @@ std::vector<Law> laws() {
        {"n(n-1)[(2 mu + alpha) n - mu]", [](double n) { return six_times(n, n * entry - mu); }},
        {"n(n-1)[(2 mu + alpha) n - mu - 2 alpha]",
         [](double n) { return six_times(n, n * entry - mu - 2 * alpha); }},
-       {},
+       {"n(n-1)[(2 mu + alpha) n - mu - alpha]",
+        [](double n) { return six_times(n, n * entry - mu - alpha); }},
        "$(2\\mu+\\alpha)(n+1)-3(\\mu+\\alpha)=(2\\mu+\\alpha)n-\\mu-2\\alpha$: the $2\\alpha$ was lost. For "
        "$n=2$ the left side is $\\mu$, the right side as printed $\\mu+\\tfrac23\\alpha$."},
       {"7.1-excess",
        3805,
        "full elimination costs [n(n-1)/6][(2 mu + alpha) n - mu] more",
-       "counted, six times",
+       "the count, six times",
        [](const Counts& c) { return 6 * excess(c); },
        {"n(n-1)[(2 mu + alpha) n - mu]", [](double n) { return six_times(n, n * entry - mu); }},
        {"n(n-1)[(2 mu + alpha) n + 2 mu - 2 alpha]",
         [](double n) { return six_times(n, n * entry + 2 * mu - 2 * alpha); }},
-       {},
+       {"n(n-1)[(2 mu + alpha) n + mu - 2 alpha]",
+        [](double n) { return six_times(n, n * entry + mu - 2 * alpha); }},
        "The multiplied diagonal entries add $\\mu\\,n(n-1)/2$, and the factoring loses $2\\alpha$. For $n=3$ "
        "the excess is $8\\mu+\\alpha$, not $5\\mu+3\\alpha$."},
   };
@@ -191,20 +197,25 @@ Check at_sizes(std::string what, const Table& table, double least, const auto& v
 std::vector<Claim> comparisons(const Table& t) {
   Claim positive{"7.1-factor_positive", 3807, "n(n-1)/6 is positive for n > 1"};
   const auto not_positive = [](const Counts& c) { return !(c.n * (c.n - 1) / 6 > 0); };
-  positive.printed = {"n > 1", {at_sizes("n(n-1)/6 > 0", t, 2, not_positive)}};
-  positive.near_misses = {{"n >= 1", {at_sizes("n(n-1)/6 > 0", t, 1, not_positive)}}};
+  positive.printed = {"n > 1", {at_sizes("n with n(n-1)/6 not positive", t, 2, not_positive)}};
+  positive.near_misses = {{"n >= 1", {at_sizes("n with n(n-1)/6 not positive", t, 1, not_positive)}}};
 
   Claim threshold{"7.1-threshold", 3807, "C' >= C when n >= mu/(2 mu + alpha)"};
   const auto holds = [&](double n, double m, double a) { return paid(six_excess(t, n), m, a) >= 0; };
-  threshold.printed = {"n >= mu/(2 mu + alpha) is enough, n > 1",
-                       {at_prices("C' >= C if n >= mu/(2 mu + alpha)", [&](double n, double m, double a) {
-                         return n * (2 * m + a) >= m && !holds(n, m, a);
-                       })}};
-  threshold.corrected = {"just when n >= 2 (alpha - mu)/(2 mu + alpha), n > 1",
-                         {at_prices("C' >= C only and always if n >= 2 (alpha - mu)/(2 mu + alpha)",
-                                    [&](double n, double m, double a) {
-                                      return (n * (2 * m + a) >= 2 * (a - m)) != holds(n, m, a);
-                                    })}};
+  threshold.printed = {
+      "n >= mu/(2 mu + alpha) is enough, n > 1",
+      {at_prices("prices and n >= mu/(2 mu + alpha) with C' < C",
+                 [&](double n, double m, double a) { return n * (2 * m + a) >= m && !holds(n, m, a); })}};
+  threshold.corrected = {
+      "exactly when n >= 2 (alpha - mu)/(2 mu + alpha), n > 1",
+      {at_prices("prices and n that this judges wrongly", [&](double n, double m, double a) {
+        return (n * (2 * m + a) >= 2 * (a - m)) != holds(n, m, a);
+      })}};
+  threshold.near_misses = {
+      {"exactly when n >= (alpha - mu)/(2 mu + alpha)",
+       {at_prices("prices and n that this judges wrongly", [&](double n, double m, double a) {
+         return (n * (2 * m + a) >= a - m) != holds(n, m, a);
+       })}}};
   threshold.why =
       "The bracket is $(2\\mu+\\alpha)n-\\mu-2\\alpha$ by the printed totals and "
       "$(2\\mu+\\alpha)n+2\\mu-2\\alpha$ by the count. With $\\mu=1$, $\\alpha=12$ the latter is negative up "
@@ -212,29 +223,30 @@ std::vector<Claim> comparisons(const Table& t) {
       "affected.";
 
   Claim half{"7.1-half", 3807, "mu/(2 mu + alpha) is smaller than 1/2"};
-  half.printed = {"< 1/2", {at_prices("mu/(2 mu + alpha) < 1/2", [](double, double m, double a) {
-                    return !(2 * m < 2 * m + a);
-                  })}};
-  half.near_misses = {{"< 1/3", {at_prices("mu/(2 mu + alpha) < 1/3", [](double, double m, double a) {
-                         return !(3 * m < 2 * m + a);
-                       })}}};
+  half.printed = {"< 1/2",
+                  {at_prices("prices with mu/(2 mu + alpha) of 1/2 or more",
+                             [](double, double m, double a) { return !(2 * m < 2 * m + a); })}};
+  half.near_misses = {{"< 1/3",
+                       {at_prices("prices with mu/(2 mu + alpha) of 1/3 or more",
+                                  [](double, double m, double a) { return !(3 * m < 2 * m + a); })}}};
 
   Claim always{"7.1-all_n", 3807, "C' >= C for all n >= 1"};
   always.printed = {"coefficient by coefficient: whatever the prices",
-                    {at_sizes("C' >= C", t, 1, [](const Counts& c) {
+                    {at_sizes("n with C' < C at some prices", t, 1, [](const Counts& c) {
                       return excess(c).mu < 0 || excess(c).alpha < 0 || excess(c).delta < 0;
                     })}};
-  always.near_misses = {{"C' > C for all n >= 1",
-                         {at_sizes("C' > C", t, 1, [](const Counts& c) { return !(excess(c).mu > 0); })}}};
+  always.near_misses = {{"C' > C for all n >= 1", {at_sizes("n without C' > C", t, 1, [](const Counts& c) {
+                           return !(excess(c).mu > 0);
+                         })}}};
 
   Claim cheaper{"7.1-cheaper", 3807, "forward elimination, not full elimination, keeps the costs down"};
   cheaper.printed = {"fewer multiplications and no more additions and divisions, n > 1",
-                     {at_sizes("forward costs less", t, 2, [](const Counts& c) {
+                     {at_sizes("n for which forward does not cost less", t, 2, [](const Counts& c) {
                        return !(excess(c).mu > 0 && excess(c).alpha >= 0 && excess(c).delta >= 0);
                      })}};
-  cheaper.near_misses = {{"fewer additions as well", {at_sizes("fewer additions", t, 2, [](const Counts& c) {
-                            return !(excess(c).alpha > 0);
-                          })}}};
+  cheaper.near_misses = {{"fewer additions as well",
+                          {at_sizes("n without fewer additions", t, 2,
+                                    [](const Counts& c) { return !(excess(c).alpha > 0); })}}};
   return {positive, threshold, half, always, cheaper};
 }
 

@@ -57,7 +57,7 @@ Matrix<T> by_columns(const Matrix<T>& a, const Matrix<T>& b, const T& one) {
 /// to 8.
 template <class T = double>
 Reading entries(std::string text, Random random, const auto& term) {
-  Worst worst("all entries of (AB)^T", text, "A(B e_r)");
+  Worst worst("all entries of (AB)^T, against A(B e_r)", text, "A(B e_r)");
   for (int n = 8; n >= 1; --n)
     for (int sample = 0; sample < 10; ++sample) {
       const auto entry = [&](int, int) { return whole<T>(random); };
@@ -84,7 +84,7 @@ double dot(const std::vector<double>& u, const std::vector<double>& v) {
 
 /// What is said to be the transpose of a matrix, seen through scalar products.
 Reading transposes(std::string text, Random random, const auto& candidate) {
-  Worst worst("y.(B x)", text, "y.(B x)");
+  Worst worst(text + " and y.(B x)", text, "y.(B x)");
   for (int n = 8; n >= 2; --n) {
     const auto b = filled<double>(n, [&](int, int) { return whole<double>(random); });
     const auto x = vector(n, random), y = vector(n, random);
@@ -96,7 +96,7 @@ Reading transposes(std::string text, Random random, const auto& candidate) {
 
 /// The transpose of AB, seen through scalar products, as two transposes one after the other.
 Reading transposes_product(std::string text, Random random, bool a_last) {
-  Worst worst("y.(A (B x)) = ((AB)^T y).x", text + ", times x", "y.(A (B x))");
+  Worst worst("x.(" + text + ") and y.(A (B x))", text + ", times x", "y.(A (B x))");
   for (int n = 8; n >= 2; --n) {
     const auto entry = [&](int, int) { return whole<double>(random); };
     const auto a = filled<double>(n, entry), b = filled<double>(n, entry);
@@ -131,7 +131,10 @@ Claim transpose_of_b(const Random& random) {
   claim.printed = {"B = [b'_rc]", {worst.check()}};
   claim.meant = transposes("([b'_rc] y).x", random, [](const auto& m) { return transposed(m); });
   claim.near_misses = {transposes("([b_rc] y).x", random, [](const auto& m) { return m; })};
-  claim.why = "The exponent T is missing: $B^T=[b'_{rc}]$. The conclusion has it.";
+  claim.why =
+      "The exponent T is missing: $B^T=[b'_{rc}]$, as the conclusion has it. For the rows $(1,2)$, $(3,4)$ "
+      "of $B$ "
+      "the matrix $[b'_{rc}]$ has the rows $(1,3)$, $(2,4)$.";
   return claim;
 }
 

@@ -17,7 +17,7 @@ namespace oddity {
 
 namespace ex07_05 {
 
-using namespace triangles;
+using namespace triangle_normals;
 
 /// Whole numbers of 128 bits.
 __extension__ typedef __int128 Whole;
@@ -63,7 +63,7 @@ using Expression = std::function<Vector(const Sample&)>;
 /// Two vectors over all samples, exactly.
 Reading equal(std::string text, const std::vector<Sample>& all, const std::string& left,
               const Expression& one, const std::string& right, const Expression& other) {
-  Worst worst("vector", left, right);
+  Worst worst(left + " and " + right, left, right);
   for (const Sample& s : all)
     worst.see(one(s), other(s), exact(), 1 + dot(s.u, s.u) + dot(s.v, s.v) + dot(s.w, s.w),
               shown(s.u) + ", " + shown(s.v));
@@ -82,6 +82,55 @@ Vector sum(const Sample& s) { return s.u + s.v + s.w; }
 Vector expanded(const Sample& s) { return cross(s.u, s.u) + cross(s.u, s.v) + cross(s.u, s.w); }
 Vector normal(const Sample& s) { return cross(s.u, s.v); }
 
+/// The three vectors of a sample as the vertices of a triangle, and the walk around it.
+Claim closed_walk(const std::vector<Sample>& vertices) {
+  const auto sum = [](const Sample& s) { return ((s.v - s.u) + (s.w - s.v)) + (s.u - s.w); };
+  const auto walked = [](const Sample& s) {
+    return Vector{length(s.v - s.u) + length(s.w - s.v) + length(s.u - s.w), 0, 0};
+  };
+  Claim c = claim("7.5-closed_walk", 3853,
+                  "once around a triangle the net distance traveled, that is the displacement, is zero",
+                  equal("(Q - P) + (R - Q) + (P - R) = 0", vertices, "sum of the edges", sum, "0", zero),
+                  equal(
+                      "the last edge backwards", vertices, "(Q - P) + (R - Q) + (R - P)",
+                      [](auto& s) { return ((s.v - s.u) + (s.w - s.v)) + (s.w - s.u); }, "0", zero));
+  c.near_misses.push_back(
+      equal("the distance that is walked", vertices, "length of the three edges", walked, "0", zero));
+  return c;
+}
+
+/// Whether u and v are independent, by their Gram determinant in whole numbers.
+bool independent(const Sample& s) {
+  const auto u = cast<Whole>(s.u), v = cast<Whole>(s.v);
+  return dot(u, u) * dot(v, v) != dot(u, v) * dot(u, v);
+}
+
+/// Three vectors with the sum zero, every tenth three of them on a line: those without a normal.
+Claim triangle(const std::vector<Sample>& closed) {
+  const auto normals = [&](std::string text, const auto& chosen) {
+    long without = 0, samples = 0;
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+      Sample s = closed[i];
+      if (i % 10 == 0) s.v = (i % 20 == 0 ? 2.0 : 0.0) * s.u, s.w = -(s.u + s.v);
+      if (!chosen(s)) continue;
+      ++samples, without += normal(s) == Vector{};
+    }
+    return Reading{std::move(text), {never("triples without a normal vector", without, samples)}};
+  };
+  Claim c{"7.5-triangle", 3853, "vectors with the sum zero are edges of a triangle, u x v its normal vector"};
+  c.printed = normals("u + v + w = 0", [](const Sample&) { return true; });
+  c.corrected = normals("u + v + w = 0, u and v not parallel", independent);
+  c.near_misses = {normals("u + v + w = 0, none of them zero", [](const Sample& s) {
+    return s.u != Vector{} && s.v != Vector{} && s.w != Vector{};
+  })};
+  c.why =
+      "Three vectors on one line, $u=(1,0,0)$, $v=(2,0,0)$, $w=(-3,0,0)$, have the sum zero as well: all "
+      "three "
+      "products are 0. The triangle is flat, lies in many planes, and its unit normal is $0/0$. That the "
+      "products are equal, and their length twice the area, holds there too.";
+  return c;
+}
+
 std::vector<Claim> lines(const std::vector<Sample>& open, const std::vector<Sample>& closed) {
   Claim inserted{"7.5-inserted", 3841, "u x 0 is u x (u + v + w)"};
   inserted.printed = equal(
@@ -94,7 +143,8 @@ std::vector<Claim> lines(const std::vector<Sample>& open, const std::vector<Samp
       "0 = u x (u + v - w)", closed, "u x (u + v - w)", [](auto& s) { return cross(s.u, s.u + s.v - s.w); },
       "0", zero)};
   inserted.why =
-      "A stray cross stands before $v$ inside the bracket; the next line expands $u\\times(u+v+w)$.";
+      "A stray cross stands before $v$ inside the bracket; the next line expands $u\\times(u+v+w)$. Read "
+      "as it stands, with $u=(1,0,0)$, $v=(0,1,0)$ and $w=(-1,-1,0)$, it is $(0,-1,-1)$ and not 0.";
 
   Claim reduced{"7.5-reduced", 3845, "u x u + u x v + u x w is 0 + u x v - w x u"};
   reduced.printed = equal("0 + u x v - w x v", open, "u x u + u x v + u x w", expanded, "0 + u x v - w x v",
@@ -132,25 +182,7 @@ std::vector<Claim> lines(const std::vector<Sample>& open, const std::vector<Samp
           "7.5-second_pair", 3851, "u x v = v x w",
           equal("u x v = v x w", closed, "u x v", normal, "v x w", [](auto& s) { return cross(s.v, s.w); }),
           equal("u x v = w x v", closed, "u x v", normal, "w x v", [](auto& s) { return cross(s.w, s.v); })),
-      claim("7.5-closed_walk", 3853, "the walk along u, v and w ends where it began",
-            equal(
-                "P + u + v + w = P", closed, "((P + u) + v) + w",
-                [](auto& s) {
-                  return ((Vector{3, 1, 4} + s.u) + s.v) + s.w;
-                },
-                "P",
-                [](auto&) {
-                  return Vector{3, 1, 4};
-                }),
-            equal(
-                "without the last edge", closed, "(P + u) + v",
-                [](auto& s) {
-                  return (Vector{3, 1, 4} + s.u) + s.v;
-                },
-                "P",
-                [](auto&) {
-                  return Vector{3, 1, 4};
-                }))};
+      closed_walk(open)};
 }
 
 /// Two whole numbers over all samples, exactly: compared in two halves of 52 bits.
@@ -160,7 +192,7 @@ Reading same(std::string text, const std::vector<Sample>& all, const std::string
     constexpr Whole base = Whole{1} << 52;
     return Value{static_cast<double>(x / base), static_cast<double>(x % base)};
   };
-  Worst worst("whole number, in halves of 52 bits", left, right);
+  Worst worst(left + " and " + right + ", in halves of 52 bits", left, right);
   for (const Sample& s : all) {
     const auto u = cast<Whole>(s.u), v = cast<Whole>(s.v), w = cast<Whole>(s.w);
     worst.see(halves(one(u, v, w)), halves(other(u, v, w)), exact(), 0x1p53, shown(s.u) + ", " + shown(s.v));
@@ -184,11 +216,12 @@ std::vector<Claim> geometry(const std::vector<Sample>& open, const std::vector<S
     return 2 * (a * b + b * c + c * a) - a * a - b * b - c * c;
   };
   const std::string heron = "16 area^2 by Heron";
-  return {
+  std::vector<Claim> all{
       claim("7.5-plane", 3853, "the three vectors lie in a plane",
             same("u . v x w = 0", closed, "u . v x w", "0", volume, none),
             same("for any u, v, w", open, "u . v x w", "0", volume, none)),
-      claim("7.5-any_two_edges", 3853, "any two of the edges give a normal vector, of the same length",
+      claim("7.5-any_two_edges", 3853,
+            "any two of the edges give a normal vector, of the same length (in the order of the walk)",
             {"perpendicular to all edges, the same length by every two",
              {same("", closed, "sum of (u x v . edge)^2", "0", out_of_perpendicular, none).checks[0],
               same("", closed, "|u x v|^2 from w x v, u x w, u x v", "|u x v|^2", others, length).checks[0]}},
@@ -200,6 +233,10 @@ std::vector<Claim> geometry(const std::vector<Sample>& open, const std::vector<S
             same(
                 "16 |u x v|^2 = 16 area^2", closed, "16 |u x v|^2", heron,
                 [=](auto&... x) { return 16 * length(x...); }, sixteen_areas))};
+  all[1].near_misses.push_back(equal("in either order the same vector", closed, "u x v", normal, "v x u",
+                                     [](auto& s) { return cross(s.v, s.u); }));
+  all.push_back(triangle(closed));
+  return all;
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -4,6 +4,7 @@
 // The coefficients are planted: p is put together from whole numbers, and every line has to give them back,
 // exactly. Triple products are Cramer's rule; Higham, Accuracy and Stability, 2nd ed., 1.10.1.
 
+#include <algorithm>
 #include <functional>
 
 #include "chapters/07_linear_algebra/bases.hpp"
@@ -115,7 +116,7 @@ Claim claim(const std::vector<Sample>& all, const Line& line) {
 /// The volume times any vector, and what the coefficients make of the basis; in the first item or the second.
 Line combination(bool dual) {
   const Vector q{3, -1, 4};
-  const Term left{"D q", [=](const Sample& s) { return Value(triple(s.u, s.v, s.w) * q); }};
+  const Term left{"(u.vxw) q", [=](const Sample& s) { return Value(triple(s.u, s.v, s.w) * q); }};
   const auto sum = [=](double last) {
     return [=](const Sample& s) {
       if (dual)
@@ -154,10 +155,8 @@ std::vector<Line> second_item() {
           {"7.7-dual_x_equation", 3901, along(w, p), x * volume(w, u, v), x * volume(w, v, u)},
           {"7.7-dual_y_equation", 3903, along(u, p), y * volume(u, v, w), x * volume(u, v, w)},
           {"7.7-dual_x", 3909, x, along(w, p) / volume(w, u, v), along(u, p) / volume(w, u, v)},
-          {"7.7-dual_x_again", 3913, x, along(w, p) / volume(u, v, w), along(w, p) / volume(v, u, w)},
           {"7.7-dual_y", 3917, y, along(u, p) / volume(u, v, w), along(v, p) / volume(u, v, w)},
-          {"7.7-dual_z", 3923, z, along(v, p) / volume(v, w, u), along(w, p) / volume(v, w, u)},
-          {"7.7-dual_z_again", 3927, z, along(v, p) / volume(u, v, w), along(v, p) / volume(u, w, v)}};
+          {"7.7-dual_z", 3923, z, along(v, p) / volume(v, w, u), along(w, p) / volume(v, w, u)}};
 }
 
 Claim dual_z_equation(const std::vector<Sample>& all) {
@@ -170,7 +169,26 @@ Claim dual_z_equation(const std::vector<Sample>& all) {
   c.printed = equal(all, along(v, p), z * dots);
   c.meant = equal(all, along(v, p), z * volume(v, w, u));
   c.near_misses = {equal(all, along(v, p), z * volume(v, u, w))};
-  c.why = "A dot stands where the cross belongs: $v\\cdot w\\times u$. The solution for $z$ has it.";
+  c.why =
+      "A dot stands where the cross belongs: $v\\cdot w\\times u$. The solution for $z$ has it. With "
+      "twice the unit vectors for a basis the volume is 8, and no product of two dots is a number at all.";
+  return c;
+}
+
+/// A quotient whose bar the text at hand has lost.
+Claim lost_bar(const std::vector<Sample>& all, const std::string& id, int line, const Unknown& unknown,
+               const Letter& letter, const Term& near_miss) {
+  const Term bottom = volume(u, v, w), top = along(letter, p);
+  const Term run_together{top.text + bottom.text,
+                          [=](const Sample& s) { return Value(top.value(s)[0] * bottom.value(s)[0]); }};
+  Claim c{id, line, unknown.name + " = " + run_together.text};
+  c.printed = equal(all, unknown, run_together);
+  c.meant = equal(all, unknown, top / bottom);
+  c.near_misses = {equal(all, unknown, near_miss)};
+  c.why = "The fraction bar is lost in the text at hand: $" + unknown.name + "=(" + letter.name +
+          "\\cdot p)/(u\\cdot v\\times w)$, as in the line before it. As a product it is off by the square "
+          "of the "
+          "volume $u\\cdot v\\times w$: with twice the unit vectors for a basis, 64 times.";
   return c;
 }
 
@@ -181,6 +199,9 @@ Findings study(const Parameters& chosen, const Reference& truth) {
   for (const Line& line : first_item()) claims.push_back(claim(first, line));
   for (const Line& line : second_item()) claims.push_back(claim(second, line));
   claims.push_back(dual_z_equation(second));
+  claims.push_back(lost_bar(second, "7.7-dual_x_again", 3913, x, w, along(w, p) / volume(v, u, w)));
+  claims.push_back(lost_bar(second, "7.7-dual_z_again", 3927, z, v, along(v, p) / volume(u, w, v)));
+  std::ranges::stable_sort(claims, {}, &Claim::line);
 
   Quantity nearly = coefficients("nearly_dependent", 1e-10, Outcome::inaccurate, truth);
   nearly.add(

@@ -43,7 +43,7 @@ Whole cofactor_term(const Matrix<Whole>& m, int column) {
 /// Two whole numbers for random matrices of 1 to 8 rows, exactly.
 Reading equal(std::string text, const std::string& left, const std::string& right, Random random,
               bool triangular, const auto& one, const auto& other) {
-  Worst worst(text, left, right);
+  Worst worst(left + " and " + right, left, right);
   for (int n = 8; n >= 1; --n)
     for (int sample = 0; sample < 10; ++sample) {
       const auto m = random_matrix(n, random, triangular);
@@ -69,6 +69,23 @@ Whole product_of(const Matrix<Whole>& m, int last) {
 /// M bordered by a last row and column that are zero but for their common entry 1.
 Matrix<Whole> bordered(const Matrix<Whole>& m) {
   return filled<Whole>(m.n + 1, [&](int r, int c) { return r < m.n && c < m.n ? m(r, c) : Whole{r == c}; });
+}
+
+/// The matrix with the first `columns` columns cleared below the diagonal, without a remainder (Bareiss
+/// 1968).
+Matrix<Whole> eliminated(Matrix<Whole> m, int columns) {
+  Whole previous = 1;
+  for (int k = 0; k < columns; ++k) {
+    for (int pivot = k; m(k, k) == 0 && pivot < m.n; ++pivot)
+      for (int c = 0; m(pivot, k) != 0 && c < m.n; ++c) std::swap(m(k, c), m(pivot, c));
+    const Matrix<Whole> before = m;
+    if (before(k, k) == 0) continue;
+    for (int r = k + 1; r < m.n; ++r)
+      for (int c = k; c < m.n; ++c)
+        m(r, c) = (before(k, k) * before(r, c) - before(r, k) * before(k, c)) / previous;
+    previous = before(k, k);
+  }
+  return m;
 }
 
 std::vector<Claim> claims(const Random& random) {
@@ -105,9 +122,12 @@ std::vector<Claim> claims(const Random& random) {
             equal("the last term alone", "last term", "det by elimination", random, false, last_term,
                   determinant_of)),
       claim("7.11-zeros", 3965, "the first n-1 entries of the last row are zero",
-            equal("U", "sum of squares of u_n1, ..., u_n,n-1", "0", random, true, first_entries, none),
-            equal("a full matrix", "sum of squares of a_n1, ..., a_n,n-1", "0", random, false, first_entries,
-                  none)),
+            equal(
+                "U, left by an elimination", "sum of squares of u_n1, ..., u_n,n-1", "0", random, false,
+                [&](const auto& m) { return first_entries(eliminated(m, m.n - 1)); }, none),
+            equal(
+                "before its last column is cleared", "sum of squares of u_n1, ..., u_n,n-1", "0", random,
+                false, [&](const auto& m) { return first_entries(eliminated(m, m.n - 2)); }, none)),
       claim("7.11-only_contribution", 3965, "only the entry u_nn contributes",
             equal("the last term is all of det U", "last term", det, random, true, last_term, determinant_of),
             equal(

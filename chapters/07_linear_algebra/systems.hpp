@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "chapters/07_linear_algebra/elimination.hpp"
+#include "chapters/07_linear_algebra/residue.hpp"
 #include "chapters/exercise.hpp"
 #include "chapters/random.hpp"
 #include "solvers/linear.hpp"
@@ -75,9 +76,8 @@ Rows<T> rows_of(const Rows<From>& rows, const auto& number) {
 /// Multiplications and divisions counted beforehand, so that what is timed is the bare arithmetic.
 Method elimination_method(std::string model, std::string algorithm, const System& s, const auto& solve,
                           Outcome expected = Outcome::ok, std::string why = {}) {
-  Cost cost;
-  solve(rows_of<Counted<double>>(s.rows, [&](double x) { return Counted<double>{x, &cost}; }));
-  const long work = static_cast<long>(cost.mu + cost.delta);
+  const auto numbers = rows_of<Counted<double>>(s.rows, [](double x) { return x; });
+  const long work = operations_of([&] { return solve(numbers); }).all_but_additions();
   const auto single = rows_of<float>(s.rows, [](double x) { return static_cast<float>(x); });
   return {std::move(model),
           std::move(algorithm),

@@ -24,17 +24,15 @@ template <class T>
 Vector3<T> operator*(const T& x, const Vector3<T>& a) {
   return {x * a[0], x * a[1], x * a[2]};
 }
-/// 3 multiplications.
 template <class T>
 T dot(const Vector3<T>& a, const Vector3<T>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-/// 6 multiplications.
 template <class T>
 Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// a . b x c, 9 multiplications.
+/// a . b x c.
 template <class T>
 T triple(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c) {
   return dot(a, cross(b, c));

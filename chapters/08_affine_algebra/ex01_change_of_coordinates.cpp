@@ -12,6 +12,7 @@
 #include "chapters/random.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
+#include "solvers/counted.hpp"
 #include "solvers/linear.hpp"
 
 namespace oddity {
@@ -38,12 +39,13 @@ Matrix2d rows(double a, double b, double c, double d) {
 
 const Matrix2d printed = rows(1, 1, -1, 1) / std::sqrt(2.0);
 
-/// Coordinates of a point on axes turned by `angle` at `origin`, by elimination.
-Vector2d on_turned_axes(const Vector2d& point, const Vector2d& origin, double angle) {
+/// Coordinates of a vector on axes turned by `angle`, by elimination.
+Solved<Eigen::VectorXd> elimination_on_turned_axes(const Vector2d& vector, double angle) {
   const Complex v1 = std::polar(1.0, angle), v2 = v1 * Complex(0, 1);
-  return solve(Factorization::partial_pivot_lu, rows(v1.real(), v2.real(), v1.imag(), v2.imag()),
-               point - origin)
-      .value;
+  return solve(Factorization::partial_pivot_lu, rows(v1.real(), v2.real(), v1.imag(), v2.imag()), vector);
+}
+Vector2d on_turned_axes(const Vector2d& point, const Vector2d& origin, double angle) {
+  return elimination_on_turned_axes(point - origin, angle).value;
 }
 
 // ---- claims -----------------------------------------------------------------------------------------------
@@ -63,7 +65,8 @@ Check constants(double seed, double apart) {
 }
 
 Check coordinates(double seed, const std::string& by, const Matrix2d& matrix) {
-  Worst worst("(b1, b2)", by, "elimination on axes turned by pi/4");
+  Worst worst("(b1, b2), " + by + " against elimination on turned axes", by,
+              "elimination on axes turned by pi/4");
   Random random(seed);
   for (int n = 0; n < 100; ++n) {
     const Vector2d a(random.magnitude(1e-3, 1e3), random.magnitude(1e-3, 1e3));
@@ -111,9 +114,19 @@ std::vector<Claim> claims(double seed) {
 
 // ---- methods ----------------------------------------------------------------------------------------------
 
-Vector2d polar(const Vector2d& a, double radius) {
-  const double angle = std::atan2(a[1], a[0]) - quarter;
-  return {radius * std::cos(angle), radius * std::sin(angle)};
+template <class T>
+using Vector2 = Eigen::Matrix<T, 2, 1>;
+
+template <class T>
+Vector2<T> polar(const Vector2<T>& a, const T& radius) {
+  using std::atan2, std::cos, std::sin;
+  const T angle = atan2(a[1], a[0]) - T(quarter);
+  return {radius * cos(angle), radius * sin(angle)};
+}
+
+template <class T>
+Vector2<T> by_entries(const Vector2<T>& x, double entry) {
+  return {T(entry) * x[0] + T(entry) * x[1], T(entry) * x[1] - T(entry) * x[0]};
 }
 
 Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth, Outcome squares) {
@@ -123,33 +136,45 @@ Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth,
                         exponent == 0 ? "m" : "2^" + std::to_string(exponent) + " m",
                         exponent == 0 ? "(b1, b2)" : "(b1, b2), a times 2^" + std::to_string(exponent), known,
                         {1e-14 * std::max(1.0, a.norm()), "a few dozen roundings"});
-  const auto add = [&](const char* model, const char* algorithm, long multiplications, const auto& find,
+  const auto add = [&](const char* model, const char* algorithm, const auto& find,
                        Outcome expected = Outcome::ok, const char* why = "") {
+    using Number = Counted<double>;
+    const long work =
+        operations_of([&] { return find(Vector2<Number>(scale * a[0], scale * a[1])); }).all_but_additions();
     q.add({model, algorithm, no_knob(),
            [=](double) {
-             return Answer{Value(Vector2d(find(scale * a) / scale)), multiplications};
+             return Answer{Value(Vector2d(find(Vector2d(scale * a)) / scale)), work};
            },
            expected, why});
   };
-  add("matrix", "entries 1/sqrt(2)", 4, [](const Vector2d& x) { return Vector2d(printed * x); });
-  add("matrix", "sums over sqrt(2)", 2,
-      [](const Vector2d& x) { return Vector2d(Vector2d(x[0] + x[1], x[1] - x[0]) * std::sqrt(0.5)); });
-  add(
-      "matrix", "entries 0.7071", 4,
-      [](const Vector2d& x) { return Vector2d(0.7071 * rows(1, 1, -1, 1) * x); }, Outcome::inaccurate,
-      "four decimals of 1/sqrt(2)");
-  add("frames", "elimination", 6,
-      [](const Vector2d& x) { return on_turned_axes(x, Vector2d::Zero(), quarter); });
-  add("complex number", "times exp(-i pi/4)", 4, [](const Vector2d& x) {
-    const Complex b = Complex(x[0], x[1]) * std::polar(1.0, -quarter);
-    return Vector2d(b.real(), b.imag());
+  add("matrix", "entries 1/sqrt(2)", [](const auto& x) { return by_entries(x, printed(0, 0)); });
+  add("matrix", "sums over sqrt(2)", []<class T>(const Vector2<T>& x) {
+    const T root = std::sqrt(0.5);
+    return Vector2<T>((x[0] + x[1]) * root, (x[1] - x[0]) * root);
   });
-  add("polar coordinates", "radius by hypot", 4,
-      [](const Vector2d& x) { return polar(x, std::hypot(x[0], x[1])); });
   add(
-      "polar coordinates", "radius by squares", 4,
-      [](const Vector2d& x) { return polar(x, std::sqrt(x[0] * x[0] + x[1] * x[1])); }, squares,
-      squares == Outcome::ok ? "" : "the squares overflow");
+      "matrix", "entries 0.7071", [](const auto& x) { return by_entries(x, 0.7071); }, Outcome::inaccurate,
+      "four decimals of 1/sqrt(2)");
+  q.add({"frames", "elimination", no_knob(), [=](double) {
+           Answer b = answer(elimination_on_turned_axes(scale * a, quarter));
+           for (std::size_t i = 0; i < 2; ++i) b.value[i] /= scale;
+           return b;
+         }});
+  add("complex number", "times exp(-i pi/4)", []<class T>(const Vector2<T>& x) {
+    const T c = std::cos(quarter), s = std::sin(quarter);
+    return Vector2<T>(c * x[0] + s * x[1], c * x[1] - s * x[0]);
+  });
+  add("polar coordinates", "radius by hypot", []<class T>(const Vector2<T>& x) {
+    using std::hypot;
+    return polar<T>(x, hypot(x[0], x[1]));
+  });
+  add(
+      "polar coordinates", "radius by squares",
+      []<class T>(const Vector2<T>& x) {
+        using std::sqrt;
+        return polar<T>(x, sqrt(x[0] * x[0] + x[1] * x[1]));
+      },
+      squares, squares == Outcome::ok ? "" : "the squares overflow");
   return q;
 }
 
@@ -168,26 +193,30 @@ Quantity full_turns() {
   const Knob changes{"changes", {8, 256, 8192, 262144}};
   const auto add = [&](const char* model, const char* algorithm, const auto& step, Outcome expected,
                        const char* why) {
+    using Number = Counted<double>;
+    const long each = operations_of([&] { return step(Vector2<Number>(a[0], a[1])); }).all_but_additions();
     q.add({model, algorithm, changes,
            [=](double n) {
              Vector2d x = a;
              for (long i = 0; i < static_cast<long>(n); ++i) x = step(x);
-             return Answer{Value(x), 4 * static_cast<long>(n)};
+             return Answer{Value(x), each * static_cast<long>(n)};
            },
            expected, why});
   };
   const double length = a.norm();
   add(
-      "matrix", "entries 1/sqrt(2)", [](const Vector2d& x) { return Vector2d(printed * x); },
+      "matrix", "entries 1/sqrt(2)", [](const auto& x) { return by_entries(x, printed(0, 0)); },
       Outcome::inaccurate, "1/sqrt(2) is rounded, and the length shrinks with every change");
   add(
-      "matrix", "entries 0.7071", [](const Vector2d& x) { return Vector2d(0.7071 * rows(1, 1, -1, 1) * x); },
-      Outcome::inaccurate, "each change shortens by 1e-5");
+      "matrix", "entries 0.7071", [](const auto& x) { return by_entries(x, 0.7071); }, Outcome::inaccurate,
+      "each change shortens by 1e-5");
   add(
       "matrix", "length restored",
-      [=](const Vector2d& x) {
-        const Vector2d y = printed * x;
-        return Vector2d(y * (length / y.norm()));
+      [=]<class T>(const Vector2<T>& x) {
+        using std::sqrt;
+        const Vector2<T> y = by_entries(x, printed(0, 0));
+        const T factor = T(length) / sqrt(y[0] * y[0] + y[1] * y[1]);
+        return Vector2<T>(factor * y[0], factor * y[1]);
       },
       Outcome::ok, "");
   q.add({"two changes at once", "(b1, b2) = (a2, -a1)", changes, [=](double n) {

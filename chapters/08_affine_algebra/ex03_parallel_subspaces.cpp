@@ -3,6 +3,8 @@
 // the x-axis and of the y-axis. The reference for random ones is how they were made; exact ranks are by
 // elimination in integers.
 
+#include <algorithm>
+
 #include "chapters/08_affine_algebra/subspaces.hpp"
 #include "chapters/exercise.hpp"
 #include "reference/text.hpp"
@@ -29,17 +31,18 @@ const Pair axes{column({1, 0}), column({0, 1}), false};
 
 // ---- claims -----------------------------------------------------------------------------------------------
 
-/// Differences of points of the line through a random point with the given direction: their span and the
-/// axis's.
-Check differences(double seed, const std::string& axis, const MatrixXd& direction, const MatrixXd& expected) {
+/// The vectors that carry points of the line `normal . x = constant` into points of it, against the span of a
+/// direction, by exact rank.
+Check carriers(double seed, const std::string& axis, const MatrixXd& normal, const MatrixXd& direction) {
   Random random(seed);
-  long outside = 0;
-  for (int n = 0; n < 200; ++n) {
-    const MatrixXd point = whole(random, 2, 1), p = point + (1 + random.below(99)) * direction,
-                   q = point - random.below(99) * direction;
-    outside += exact_rank(Pair{p - q, expected, true}.both()) != 1;
+  long differing = 0;
+  for (int n = 0; n < 400; ++n) {
+    const MatrixXd v = whole(random, 2, 1);
+    const bool stays = (normal.transpose() * v)(0, 0) == 0;
+    differing += stays != (exact_rank(Pair{v, direction, true}.both()) == 1);
   }
-  return never("differences of two points that are not on the " + axis, outside, 200);
+  return never("vectors that keep points on the line and are not on the " + axis + ", or the reverse",
+               differing, 400);
 }
 
 Check contained(const char* what, const MatrixXd& inner, const MatrixXd& outer, double ranks) {
@@ -65,13 +68,27 @@ Check distances(bool constant) {
           rounding(8)};
 }
 
+/// Points of the smaller at equal distances from the larger, by least squares: parallel to the eye.
+bool equally_far(const Pair& pair, Random& random) {
+  const MatrixXd apart = whole(random, pair.first.rows(), 1);
+  std::vector<double> far;
+  for (int n = 0; n < 6; ++n) {
+    const VectorXd x = apart + pair.smaller() * whole(random, pair.smaller().cols(), 1);
+    const auto nearest = solve(Factorization::householder_qr, pair.larger(), x);
+    far.push_back((x - pair.larger() * nearest.value).norm());
+  }
+  const auto [least, most] = std::ranges::minmax(far);
+  return most - least < 1e-9;
+}
+
 Check criterion(double seed, const char* by, bool (*parallel)(const Pair&)) {
+  Random random(seed);
   long wrong = 0, count = 0;
   for (const Pair& pair : random_pairs(seed, 300)) {
     ++count;
-    wrong += parallel(pair) != pair.parallel;
+    wrong += parallel(pair) != equally_far(pair, random);
   }
-  return never(std::string("pairs judged otherwise than they were made, by ") + by, wrong, count);
+  return never(std::string("pairs judged otherwise than by equal distances, by ") + by, wrong, count);
 }
 
 bool either_contains(const Pair& pair) { return by_rank(pair, exact_rank); }
@@ -83,8 +100,9 @@ bool common_direction(const Pair& pair) {
 }
 
 std::vector<Claim> claims(double seed) {
-  const auto span = [&](const char* axis, const MatrixXd& d, const MatrixXd& e) {
-    return differences(seed, axis, d, e);
+  // The lines y = const and x = const by their equations.
+  const auto vectors = [&](const char* axis, const MatrixXd& normal, const MatrixXd& direction) {
+    return carriers(seed, axis, normal, direction);
   };
   return {{"8.3-directions",
            3999,
@@ -92,10 +110,10 @@ std::vector<Claim> claims(double seed) {
            "themselves are not in "
            "the solutions: any lines in these directions)",
            {"x-axis and y-axis",
-            {span("x-axis", axes.first, axes.first), span("y-axis", axes.second, axes.second)}},
+            {vectors("x-axis", axes.second, axes.first), vectors("y-axis", axes.first, axes.second)}},
            {},
            {},
-           {{"exchanged", {span("y-axis", axes.first, axes.second)}}}},
+           {{"exchanged", {vectors("y-axis", axes.second, axes.second)}}}},
           {"8.3-neither",
            3999,
            "neither V1 is in V2 nor V2 in V1",

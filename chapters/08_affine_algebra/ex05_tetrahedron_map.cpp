@@ -7,6 +7,7 @@
 // 20].
 
 #include "chapters/08_affine_algebra/tetrahedron_claims.hpp"
+#include "solvers/counted.hpp"
 
 namespace oddity {
 
@@ -48,23 +49,33 @@ struct Problem {
   }
 };
 
+/// c0 f0 + c1 f1 + c2 f2 + c3 f3.
+template <class T>
+T blended(const Vector<T>& c, const std::array<T, 4>& f) {
+  return (T(1.0) - c.sum()) * f[0] + c[0] * f[1] + c[1] * f[2] + c[2] * f[3];
+}
+
+using Number = Counted<double>;
+
+Vector<Number> counted(const Vector3d& x) { return x.cast<Number>(); }
+
 /// f at every point from three coordinates that `find` solves for; `extra` multiplications a point.
 template <class Find>
 Answer values(const Problem& problem, long extra, const Find& find) {
   const auto& p = problem.t.p;
+  const std::array<double, 4> known{map(p[0]), map(p[1]), map(p[2]), map(p[3])};
+  extra += operations_of([] { return blended(Vector<Number>(0.0, 0.0, 0.0), {}); }).all_but_additions();
   Answer all;
   std::vector<double> f;
   for (const Vector3d& x : problem.points) {
     const Solved<VectorXd> c = find(x);
-    all.evaluations += c.evaluations + extra + 3;
+    all.evaluations += c.evaluations + extra;
     if (!c.reached()) {
       all.ending = c.ending;
       all.message = c.message;
       return all;
     }
-    const double f0 = map(p[0]);
-    f.push_back((1 - c.value.sum()) * f0 + c.value[0] * map(p[1]) + c.value[1] * map(p[2]) +
-                c.value[2] * map(p[3]));
+    f.push_back(blended<double>(c.value, known));
   }
   all.value = Value(std::move(f));
   return all;
@@ -77,7 +88,13 @@ Answer by_edges(const Problem& problem, Factorization how) {
 
 Answer by_normal_equations(const Problem& problem, Factorization how) {
   const Matrix3d v = problem.t.edges();
-  return values(problem, 27, [&](const Vector3d& x) {
+  const Eigen::Matrix<Number, 3, 3> edges = v.cast<Number>();
+  const Operations products = operations_of([&] {
+    const Eigen::Matrix<Number, 3, 3> matrix = edges.transpose() * edges;
+    const Vector<Number> right = edges.transpose() * edges.col(0);
+    return matrix(0, 0) + right[0];
+  });
+  return values(problem, products.all_but_additions(), [&](const Vector3d& x) {
     return solve(how, v.transpose() * v, v.transpose() * (x - problem.t.p[0]));
   });
 }
@@ -93,8 +110,11 @@ Answer by_four_equations(const Problem& problem) {
 }
 
 Answer by_signed_volumes(const Problem& problem) {
-  return values(problem, 0, [&](const Vector3d& x) {
-    return Solved<VectorXd>{by_volumes(problem.t, x), 33};
+  const Number one = 1.0;
+  const Vector<Number> v = Vector<Number>::Constant(one);
+  const Operations each = operations_of([&] { return by_volumes(v, v, v, v); });
+  return values(problem, each.all_but_additions(), [&](const Vector3d& x) {
+    return Solved<VectorXd>{by_volumes(problem.t, x), 0};
   });
 }
 
@@ -106,16 +126,23 @@ Answer by_gradient(const Problem& problem) {
   Answer all{{}, g.evaluations, std::numeric_limits<double>::quiet_NaN(), 0, g.ending, g.message};
   std::vector<double> f;
   for (const Vector3d& x : problem.points) f.push_back(map(p[0]) + g.value.dot(x - p[0]));
-  all.evaluations += 3 * static_cast<long>(f.size());
+  const Operations each = operations_of([&] { return counted(p[0]).dot(counted(p[1])); });
+  all.evaluations += each.all_but_additions() * static_cast<long>(f.size());
   all.value = Value(std::move(f));
   return all;
 }
 
 /// The base alone: two coordinates from the areas over the face, none at the apex.
 Answer by_base(const Problem& problem) {
-  return values(problem, 0, [&](const Vector3d& x) {
-    const Vector3d v1 = problem.t.edge(1), v2 = problem.t.edge(2), v = x - problem.t.p[0], n = cross(v1, v2);
-    return Solved<VectorXd>{Vector3d(triple(n, v, v2), triple(n, v1, v), 0) / n.dot(n), 29};
+  const auto areas = []<class T>(const Vector<T>& v, const Vector<T>& v1, const Vector<T>& v2) {
+    const Vector<T> n = cross(v1, v2);
+    const T whole = n.dot(n);
+    return Vector<T>(triple(n, v, v2) / whole, triple(n, v1, v) / whole, T(0.0));
+  };
+  const Vector3d v1 = problem.t.edge(1), v2 = problem.t.edge(2);
+  const Operations each = operations_of([&] { return areas(counted(v1), counted(v1), counted(v2)); });
+  return values(problem, each.all_but_additions(), [&](const Vector3d& x) {
+    return Solved<VectorXd>{areas(Vector3d(x - problem.t.p[0]), v1, v2), 0};
   });
 }
 
@@ -133,12 +160,16 @@ Quantity values_of(std::string name, std::string says, const Tetrahedron& tetra,
                    const std::vector<Vector3d>& coordinates, const Expected& expected) {
   const Problem problem(tetra, coordinates);
   std::vector<double> truth;
-  for (const Vector3d& x : problem.points) truth.push_back(map(x));
+  double terms = 0;  // of A . P + b, the largest sum of their sizes
+  for (const Vector3d& x : problem.points) {
+    truth.push_back(map(x));
+    terms = std::max(terms, map.a.cwiseAbs().dot(x.cwiseAbs()) + std::abs(map.b));
+  }
   Quantity q{std::move(name),
              "1",
              std::move(says),
              {"the map itself, A . P + b", truth},
-             0,
+             4 * 0x1p-52 * terms,
              {1e-12, "a few hundred roundings of f"},
              {},
              {}};
@@ -203,7 +234,7 @@ Exercise exercise_8_5() {
   return {
       "Affine map on a tetrahedron",
       "An affine map $f$ is known at the four vertices $P_i$ of a tetrahedron. Compute $f(P)$ for any point "
-      "$P$, by its barycentric coordinates.",
+      "$P$, by its barycentric coordinates $c_i$. Below $V_i=P_i-P_0$ and $V=P-P_0$.",
       parameters,
       {},
       study};

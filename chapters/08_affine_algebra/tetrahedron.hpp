@@ -10,11 +10,18 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-inline Vector3d cross(const Vector3d& a, const Vector3d& b) {
+template <class T>
+using Vector = Eigen::Matrix<T, 3, 1>;
+
+template <class T>
+Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-inline double triple(const Vector3d& a, const Vector3d& b, const Vector3d& c) { return a.dot(cross(b, c)); }
+template <class T>
+T triple(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c) {
+  return a.dot(cross(b, c));
+}
 
 struct Tetrahedron {
   std::array<Vector3d, 4> p;
@@ -34,9 +41,12 @@ struct Affine {
 };
 
 /// (c1, c2, c3) by the volumes of the tetrahedra that P makes with the faces.
+template <class T>
+Vector<T> by_volumes(const Vector<T>& v, const Vector<T>& v1, const Vector<T>& v2, const Vector<T>& v3) {
+  return Vector<T>(triple(v, v2, v3), triple(v1, v, v3), triple(v1, v2, v)) / triple(v1, v2, v3);
+}
 inline Vector3d by_volumes(const Tetrahedron& t, const Vector3d& p) {
-  const Vector3d v = p - t.p[0], v1 = t.edge(1), v2 = t.edge(2), v3 = t.edge(3);
-  return Vector3d(triple(v, v2, v3), triple(v1, v, v3), triple(v1, v2, v)) / triple(v1, v2, v3);
+  return by_volumes<double>(p - t.p[0], t.edge(1), t.edge(2), t.edge(3));
 }
 
 }  // namespace oddity::tetrahedra

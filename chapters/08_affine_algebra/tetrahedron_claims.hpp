@@ -17,7 +17,7 @@ struct Sample {
 
   Vector3d c() const { return by_volumes(t, p); }
   double c0() const {
-    return triple(t.p[1] - p, t.p[2] - p, t.p[3] - p) / triple(t.edge(1), t.edge(2), t.edge(3));
+    return triple<double>(t.p[1] - p, t.p[2] - p, t.p[3] - p) / triple(t.edge(1), t.edge(2), t.edge(3));
   }
   /// Of what the volumes' cancellations can do to a sum of terms of size x.
   double scale(double x) const { return condition * x; }
@@ -44,9 +44,9 @@ inline std::vector<Sample> samples(double seed, double height, double most) {
 
 /// left(sample) against right(sample), vectors whose terms are of size terms(sample).
 template <class Left, class Right, class Terms>
-inline Check compare(const std::vector<Sample>& all, std::string what, std::string by_left,
-                     std::string by_right, const Left& left, const Right& right, const Terms& terms) {
-  Worst worst(std::move(what), std::move(by_left), std::move(by_right));
+inline Check compare(const std::vector<Sample>& all, std::string what, const std::string& by_left,
+                     const std::string& by_right, const Left& left, const Right& right, const Terms& terms) {
+  Worst worst(std::move(what) + ", " + by_left + " against " + by_right, by_left, by_right);
   for (const Sample& s : all)
     worst.see(Value(left(s)), Value(right(s)), s.scale(terms(s)), "condition " + rounded(s.condition, 3));
   return worst.check();
@@ -207,18 +207,21 @@ inline Claim invertible(double seed) {
           4035,
           "the matrix is invertible, the edges of a tetrahedron being independent",
           {"det = (6 volumes)^2 > 0",
-           {never("det [V_i . V_j] is not (det [V1 V2 V3])^2, in integers", not_square, count),
-            never("det [V_i . V_j] <= 0", singular, count)}},
+           {never("tetrahedra with det [V_i . V_j] not (det [V1 V2 V3])^2, in integers", not_square, count),
+            never("tetrahedra with det [V_i . V_j] <= 0", singular, count)}},
           {},
           {},
-          {{"det = 6 volumes", {never("det [V_i . V_j] is not |det [V1 V2 V3]|", not_volume, count)}},
-           {"for four vertices in a plane too", {never("det [V_i . V_j] <= 0", singular_flat, count)}}}};
+          {{"det = 6 volumes",
+            {never("tetrahedra with det [V_i . V_j] not |det [V1 V2 V3]|", not_volume, count)}},
+           {"for four vertices in a plane too",
+            {never("tetrahedra with det [V_i . V_j] <= 0", singular_flat, count)}}}};
 }
 
 /// The printed system by elimination, allowed the roundings that `power` of the condition number makes of
 /// one.
 inline Check elimination(const std::vector<Sample>& all, double power) {
-  Worst worst("c1, c2, c3", "elimination of the normal equations", "ratios of volumes");
+  Worst worst("c1, c2, c3, by elimination against ratios of volumes", "elimination of the normal equations",
+              "ratios of volumes");
   for (const Sample& s : all) {
     const Matrix3d v = s.t.edges();
     const auto c =

@@ -7,6 +7,7 @@
 
 #include "chapters/09_calculus/point_triangle_claims.hpp"
 #include "reference/reference.hpp"
+#include "solvers/counted.hpp"
 
 namespace oddity {
 
@@ -79,9 +80,8 @@ template <class F>
 void add_counted(Quantity& q, const Case& at, Method method, const F& f) {
   std::vector<std::pair<double, long>> work;
   for (double setting : method.knob.settings) {
-    Counted::operations = 0;
-    static_cast<void>(distances<Counted>(at, f, static_cast<int>(setting)));
-    work.emplace_back(setting, Counted::operations);
+    const auto run = [&] { return distances<Counted<double>>(at, f, static_cast<int>(setting)); };
+    work.emplace_back(setting, operations_of(run).all_but_additions());
   }
   method.run = [=](double setting) {
     const auto same = [&](const auto& row) { return row.first == setting; };
@@ -238,7 +238,9 @@ Exercise exercise_9_1() {
   return {
       "Distance from a point to a triangle",
       "Find the distance from a point $P$ to a triangle $V_0V_1V_2$: parametrize the triangle by $s,t\\ge0$, "
-      "$s+t\\le1$ and minimize the squared distance $f(s,t)$.",
+      "$s+t\\le1$ and minimize the squared distance $f(s,t)$. Below "
+      "$E_1=V_1-V_0$, $E_2=V_2-V_0$ and $D=V_0-P$. (That the book's Example 9.8 treats this function is its "
+      "word: checked is that the seven regions minimize it.)",
       parameters,
       {},
       study};

@@ -8,26 +8,6 @@
 /// The point of a triangle closest to a point, by several algorithms, generic in the number type.
 namespace oddity::triangles {
 
-/// A double that counts multiplications, divisions and roots.
-struct Counted {
-  double x = 0;
-  inline static thread_local long operations = 0;
-
-  Counted() = default;
-  Counted(double value) : x(value) {}
-  explicit operator double() const { return x; }
-  friend Counted operator+(Counted a, Counted b) { return a.x + b.x; }
-  friend Counted operator-(Counted a, Counted b) { return a.x - b.x; }
-  friend Counted operator-(Counted a) { return -a.x; }
-  friend Counted operator*(Counted a, Counted b) { return ++operations, a.x * b.x; }
-  friend Counted operator/(Counted a, Counted b) { return ++operations, a.x / b.x; }
-  friend Counted sqrt(Counted a) { return ++operations, std::sqrt(a.x); }
-  friend bool operator<(Counted a, Counted b) { return a.x < b.x; }
-  friend bool operator>(Counted a, Counted b) { return a.x > b.x; }
-  friend bool operator<=(Counted a, Counted b) { return a.x <= b.x; }
-  friend bool operator>=(Counted a, Counted b) { return a.x >= b.x; }
-};
-
 template <class T>
 using Vec = std::array<T, 3>;
 

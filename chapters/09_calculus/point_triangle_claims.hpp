@@ -40,7 +40,8 @@ inline std::vector<Sample> samples(double seed) {
 
 /// V0 + s E1 + t E2 against sums of vertices with weights in the given order.
 inline Check points(const std::vector<Sample>& all, const std::array<std::size_t, 3>& order) {
-  Worst worst("V(s, t)", "V0 + s E1 + t E2", "sum of the vertices with weights 1 - s - t, s, t");
+  Worst worst("V(s, t), V0 + s E1 + t E2 against weighted vertices", "V0 + s E1 + t E2",
+              "sum of the vertices with weights 1 - s - t, s, t");
   for (const Sample& x : all) {
     const auto& v = x.w.v;
     const Vec<double> sum = (1 - x.s - x.t) * v[order[0]] + x.s * v[order[1]] + x.t * v[order[2]];
@@ -65,7 +66,7 @@ inline Check domain(const std::vector<Sample>& all, double most) {
     const Vec<double> a = areas(x.w, x.w.at(x.s, x.t));
     wrong += (a[0] >= 0 && a[1] >= 0 && a[2] >= 0) != (x.s >= 0 && x.t >= 0 && x.s + x.t <= most);
   }
-  return never("in the domain and not in the triangle by signed areas, or the reverse", wrong,
+  return never("points in the domain and not in the triangle by signed areas, or the reverse", wrong,
                static_cast<long>(all.size()));
 }
 
@@ -81,8 +82,8 @@ inline Claim parametrization(const std::vector<Sample>& all) {
 
 inline Claim barycentric(const std::vector<Sample>& all) {
   const auto check = [&](bool shifted) {
-    Worst worst("barycentric coordinates of V(s, t)", shifted ? "s, t, 1 - s - t" : "1 - s - t, s, t",
-                "signed areas over the triangle's", 1024);
+    Worst worst("barycentric coordinates of V(s, t), against signed areas",
+                shifted ? "s, t, 1 - s - t" : "1 - s - t, s, t", "signed areas over the triangle's", 1024);
     for (const Sample& x : all) {
       const Value weights = shifted ? Value{x.s, x.t, 1 - x.s - x.t} : Value{1 - x.s - x.t, x.s, x.t};
       const double offset = length(x.w.v[0]) / length(x.w.v[1] - x.w.v[0]) + 1;
@@ -114,7 +115,8 @@ T squared_distance(const Sample& x, const T& s, const T& t) {
 /// |s E1 + t E2 + D|^2, and the same multiplied out, against |V(s, t) - P|^2.
 inline Check expanded(const std::vector<Sample>& all, bool multiplied_out, double sign_of_d,
                       double cross_term) {
-  Worst worst("f(s, t)", multiplied_out ? "sum of six terms" : "|s E1 + t E2 + D|^2", "|V(s, t) - P|^2");
+  Worst worst("f(s, t), against |V(s, t) - P|^2", multiplied_out ? "sum of six terms" : "|s E1 + t E2 + D|^2",
+              "|V(s, t) - P|^2");
   for (const Sample& x : all) {
     const Vec<double> e1 = x.w.v[1] - x.w.v[0], e2 = x.w.v[2] - x.w.v[0], d = sign_of_d * (x.w.v[0] - x.p);
     const double s = 3 - x.t, t = x.s - 1;  // somewhere else than below P
@@ -152,7 +154,7 @@ inline Value by_differentiation(const Sample& x) {
 
 inline Claim coefficients(const std::vector<Sample>& all) {
   const auto check = [&](double a, double b) {
-    Worst worst("(a00, a01, a11, b0, b1, c)", "dot products of E1, E2, D",
+    Worst worst("(a00, a01, a11, b0, b1, c), against half the derivatives", "dot products of E1, E2, D",
                 "half the derivatives, by dual numbers");
     for (const Sample& x : all) {
       const Quadratic<double> q(x.w, x.p);
@@ -186,7 +188,8 @@ Check none_closer(const std::vector<Sample>& all, const F& distance) {
 
 template <class F>
 Check same_distance(const std::vector<Sample>& all, std::string by, const F& distance) {
-  Worst worst("distance", std::move(by), "perpendicular to the plane, or nearest edge");
+  Worst worst("distance, against the perpendicular or the nearest edge", std::move(by),
+              "perpendicular to the plane, or nearest edge");
   for (const Sample& x : all)
     worst.see(distance(x.w, x.p), plane_distance(x.w, x.p), 20 * x.size(),
               "region " + std::to_string(x.region()) + ", " + x.where());

@@ -1,0 +1,51 @@
+#include "chapters/contents.hpp"
+#include "reference/reference.hpp"
+#include "reference/verdicts.hpp"
+#include "tests/catch.hpp"
+
+using namespace oddity;
+
+namespace {
+
+const std::filesystem::path tables = std::filesystem::path(ODDITY_SOURCE) / "reference";
+
+Findings studied(const Entry& entry, std::initializer_list<std::pair<std::string_view, double>> values) {
+  Parameters p(entry.exercise.parameters);
+  for (const auto& [name, value] : values) p.set(name, value);
+  return entry.exercise.study(p, Reference(tables));
+}
+
+bool is_random(const Entry& entry) {
+  return std::ranges::find(entry.exercise.parameters, "seed", &Parameter::name) !=
+         entry.exercise.parameters.end();
+}
+
+const Quantity& quantity_of(const Findings& findings, std::string_view name) {
+  return *std::ranges::find(findings.quantities, name, &Quantity::name);
+}
+
+}  // namespace
+
+TEST_CASE("no verdict depends on the seed of the samples", "[claims][slow]") {
+  const Verdicts approved = read_verdicts(tables);
+  for (const Entry& entry : registry()) {
+    if (entry.number.chapter == 3 || !is_random(entry)) continue;
+    for (double seed = 101; seed < 106; ++seed)
+      for (const Claim& claim : studied(entry, {{"seed", seed}}).claims) {
+        INFO(claim.id << " with the seed " << seed);
+        CHECK(name_of(verdict(claim)) == approved.at(claim.id));
+      }
+  }
+}
+
+TEST_CASE("a reference that is computed in doubles states its own rounding", "[claims]") {
+  for (const Entry& entry : registry()) {
+    if (entry.number == Number{6, 5}) {
+      const Findings findings = studied(entry, {{"b", 0.3}, {"c", 0.7}, {"theta", 0.31}});
+      CHECK(quantity_of(findings, "rebound").reference_error > 1e-15);
+      CHECK(quantity_of(findings, "patch").reference_error > 1e-15);
+    }
+    if (entry.number == Number{8, 5})
+      CHECK(quantity_of(studied(entry, {{"c1", 0.3}, {"height", 0.3}}), "value").reference_error > 1e-15);
+  }
+}
