@@ -120,6 +120,7 @@ inline std::vector<Claim> cylinder(double seed) {
   const auto says = [&](const std::string& id, int line, const std::string& what, const V& printed,
                         const V& truth, const std::vector<V>& near) {
     all.push_back(formula_claim<OnCylinder>("3.13-" + id, line, what, seed, printed, truth, near));
+    all.back().says = what;
   };
   const V square{"R^2, the point having been put R from the axis", [](S s) { return values(s.R * s.R); }};
   says("cylinder", 1587, "(X - P)^T (I - D D^T) (X - P) = R^2 on the cylinder",
@@ -196,6 +197,7 @@ inline std::vector<Claim> axis(double seed) {
   const auto says = [&](const std::string& id, int line, const std::string& what, const V& printed,
                         const V& truth, const std::vector<V>& near) {
     all.push_back(formula_claim<OnChute>("3.13-" + id, line, what, seed, printed, truth, near));
+    all.back().says = what;
   };
   says("triangle", 1617, "where x3 rises by H, x1 falls by L cos(theta), over the length L",
        {"|(-L cos(theta), H)| and H",
@@ -248,10 +250,11 @@ inline std::vector<Claim> solved(double seed) {
   const auto says = [&](const std::string& id, int line, const std::string& what, const V& printed,
                         const V& truth, const std::vector<V>& near) {
     all.push_back(formula_claim<OnChute>("3.13-" + id, line, what, seed, printed, truth, near));
+    all.back().says = what;
   };
   const V form{"(X - P)^T (I - D D^T) (X - P) - R^2", [](S s) { return values(s.excess()); }};
   const auto last_is_misprint = [&](const V& meant, const std::string& why) {
-    all.back().meant = {meant.text, {compare(all.back().says, meant, form, seed)}};
+    all.back().meant = {meant.text, {compare("the equation's right-hand side", meant, form, seed)}};
     all.back().why = why;
   };
   const auto expanded = [](double sign, double R2) {
@@ -260,11 +263,14 @@ inline std::vector<Claim> solved(double seed) {
       return values(s.x1 * s.x1 + s.x2 * s.x2 + z * z - along * along - R2 * s.chute.R * s.chute.R);
     };
   };
-  says("expansion_1", 1637, "the cylinder's equation, multiplied out",
+  says("expansion_1", 1637,
+       "the cylinder's equation is 0 = x1^2 + x2^2 + (x3 - p3)^2 - (d1 x1 + d3 (x3 - p3))^2",
        {"x1^2 + x2^2 + (x3 - p3)^2 - (d1 x1 + d3 (x3 - p3))^2", expanded(1, 0)}, form,
        {{"d1 x1 - d3 (x3 - p3)", expanded(-1, 1)}});
-  last_is_misprint({"the same, less R^2", expanded(1, 1)},
-                   "The term $-R^2$, there in the lines before and after, is left out.");
+  last_is_misprint(
+      {"the same, less R^2", expanded(1, 1)},
+      "The term $-R^2$, there in the lines before and after, is left out: so read it is the axis alone "
+      "that satisfies the equation.");
   const auto by_powers = [](const auto& first) {
     return [=](S s) {
       const double z = s.x3 - s.p3(), d1 = s.d1(), d3 = s.d3();
@@ -272,11 +278,15 @@ inline std::vector<Claim> solved(double seed) {
                     s.chute.R * s.chute.R);
     };
   };
-  says("expansion_2", 1639, "the same by powers of x3 - p3",
+  says("expansion_2", 1639,
+       "by powers of x3 - p3 it is 0 = (1 - d3)^2 (x3 - p3)^2 - 2 d1 d3 x1 (x3 - p3) + (1 - d1^2) x1^2 + "
+       "x2^2 - R^2",
        {"(1 - d3)^2 (x3 - p3)^2 - ...", by_powers([](double d) { return (1 - d) * (1 - d); })}, form,
        {{"(1 + d3^2)", by_powers([](double d) { return 1 + d * d; })}});
-  last_is_misprint({"(1 - d3^2) (x3 - p3)^2 - ...", by_powers([](double d) { return 1 - d * d; })},
-                   "The square belongs to $d_3$: $(1-d_3^2)$, which the next line writes as $d_1^2$.");
+  last_is_misprint(
+      {"(1 - d3^2) (x3 - p3)^2 - ...", by_powers([](double d) { return 1 - d * d; })},
+      "The square belongs to $d_3$: $(1-d_3^2)$, which the next line writes as $d_1^2$. With the "
+      "default chute, $d_3=3/5$, that is 0.64, and what is printed 0.16.");
   const auto by_parts = [](double middle) {
     return [=](S s) {
       const double z = s.x3 - s.p3(), d1 = s.d1(), d3 = s.d3();
@@ -284,7 +294,8 @@ inline std::vector<Claim> solved(double seed) {
                     s.chute.R * s.chute.R);
     };
   };
-  says("expansion_3", 1641, "the same with d1^2 + d3^2 = 1",
+  says("expansion_3", 1641,
+       "with d1^2 + d3^2 = 1 it is 0 = d1^2 (x3 - p3)^2 - 2 d1 d3 x1 (x3 - p3) + d3^2 x1^2 + x2^2 - R^2",
        {"d1^2 (x3 - p3)^2 - 2 d1 d3 x1 (x3 - p3) + d3^2 x1^2 + x2^2 - R^2", by_parts(2)}, form,
        {{"plus in the middle", by_parts(-2)}});
   const auto completed = [](double sign) {
@@ -293,8 +304,8 @@ inline std::vector<Claim> solved(double seed) {
       return values(b * b + s.x2 * s.x2 - s.chute.R * s.chute.R);
     };
   };
-  says("expansion_4", 1643, "the same as a square", {"(d1 (x3 - p3) - d3 x1)^2 + x2^2 - R^2", completed(1)},
-       form, {{"plus d3 x1", completed(-1)}});
+  says("expansion_4", 1643, "and with a square 0 = (d1 (x3 - p3) - d3 x1)^2 + x2^2 - R^2",
+       {"(d1 (x3 - p3) - d3 x1)^2 + x2^2 - R^2", completed(1)}, form, {{"plus d3 x1", completed(-1)}});
 
   says("two_roots", 1647, "on the cylinder d1 (x3 - p3) - d3 x1 = +-sqrt(R^2 - x2^2)",
        {"+ and -sqrt(R^2 - x2^2)",
@@ -347,7 +358,7 @@ inline std::vector<Claim> solved(double seed) {
       return values((L * R - fall * H * x[0] - depth * L * s.depth_at(x)) / (L * s.cosine()));
     };
   };
-  says("height", 1663, "the height of the chute as a function of x1 and x2",
+  says("height", 1663, "the height of the chute is (L R - H x1 - L sqrt(R^2 - x2^2))/(L cos(theta))",
        {"(L R - H x1 - L sqrt(R^2 - x2^2))/(L cos(theta))", height(1, 1)}, x3,
        {{"+ H x1", height(-1, 1)}, {"+ L sqrt(R^2 - x2^2)", height(1, -1)}});
   return all;
