@@ -208,15 +208,15 @@ Sides sides(std::string_view slug, const Point& p) {
   throw std::logic_error("no line " + std::string(slug));
 }
 
-/// What is compared, in the form that is read.
-std::string as_written(std::string_view what, std::string_view form) {
-  return std::string(what) + (form == "as printed" ? "" : ", but " + std::string(form));
-}
-
 /// The line as printed, in its other form or in its near miss. A rewritten line is also zero on both curves:
 /// seen with its last term, 2 e^2 (rho^2 + x^2) r^2, on the other side.
-std::vector<Check> checks(const Line& line, std::string_view form, Value Sides::*right, double seed) {
-  Worst equation("the two sides", std::string(line.one), as_written(line.another, form)),
+std::vector<Check> checks(const Line& line, std::string_view form, Value Sides::*side, double seed) {
+  const std::string one(line.one), another(line.another), other(form);
+  const bool right = !line.why.empty() && side == &Sides::other;
+  Worst equation(one + " against " + another, one,
+                 side == &Sides::right ? another
+                 : right               ? other
+                                       : another + ", but " + other),
       zero("zero on both curves", "all terms but 2 e^2 (rho^2 + x^2) r^2", "that term");
   const auto scale = [&](const Point& p) {
     const bool pure = line.slug == "ellipse";
@@ -224,12 +224,12 @@ std::vector<Check> checks(const Line& line, std::string_view form, Value Sides::
   };
   for (const Point& p : points(seed, line.on)) {
     const Sides both = sides(line.slug, p);
-    equation.see(both.left, both.*right, scale(p), p.shown());
+    equation.see(both.left, both.*side, scale(p), p.shown());
   }
   if (line.on != On::anywhere) return {equation.check()};
   for (const Point& p : points(seed, On::both)) {
     const double term = 2 * p.e * p.e * (p.rho * p.rho + p.x * p.x) * p.r * p.r;
-    zero.see((sides(line.slug, p).*right)[0] + term, term, scale(p), p.shown());
+    zero.see((sides(line.slug, p).*side)[0] + term, term, scale(p), p.shown());
   }
   return {equation.check(), zero.check()};
 }

@@ -101,6 +101,10 @@ std::vector<Claim> formulas(double seed) {
                                      [](S s) {
                                        const auto a = s.acceleration(), v = velocity(s.q, s.v);
                                        return s.m * (v[0] * a[0] + v[1] * a[1] + v[2] * a[2]);
+                                     },
+                                     [](S s) {
+                                       const auto a = s.acceleration(), v = velocity(s.q, s.v);
+                                       return s.m * (abs(v[0] * a[0]) + abs(v[1] * a[1]) + abs(v[2] * a[2]));
                                      }},
                                     seed)}};
   };

@@ -40,6 +40,10 @@ struct Sample {
         x{random.magnitude(0.1, 3), random.magnitude(0.1, 3)},
         v{random.magnitude(0.1, 3), random.magnitude(0.1, 3)},
         a{random.magnitude(0.1, 3), random.magnitude(0.1, 3)} {}
+  std::array<double*, 10> letters() {
+    return {&hill.a1, &hill.a2, &g, &t, &x[0], &x[1], &v[0], &v[1], &a[0], &a[1]};
+  }
+  /// A bound of the equations' terms.
   double size() const {
     const double b = 4 / std::min(hill.a1 * hill.a1, hill.a2 * hill.a2);
     return (1 + b * 10 * (1 + b * 20) + b * g * 10) * (1 + std::abs(t)) * (1 + std::abs(t));

@@ -163,12 +163,12 @@ constexpr Line at_one_moment[] = {
      "its polar form, derivatives by dual numbers", "+ r theta'^2"},
     {"equation_number", 949, "equation (3.2) is the polar form of any acceleration", "any acceleration",
      "what follows from equation (3.2)",
-     "not (3.2) but a = (r'' - r theta'^2) R + (r theta'' + 2 r' theta') P", Other::meant,
+     "another equation is it: a = (r'' - r theta'^2) R + (r theta'' + 2 r' theta') P", Other::meant,
      "Exercise 3.1 (857) and the end of this one (1229) give the number (3.2) to the orbit, "
      "$r=e\\rho/(1+e\\cos\\theta)$, which knows no acceleration but $-GM/r^2$ towards the sun. The polar "
      "form "
      "is another equation of the book: whoever looks (3.2) up for it finds the orbit.",
-     "not (3.2), and r' theta' without its 2"},
+     "that other equation, r' theta' without its 2"},
     {"gravity", 953, "a = -(GM/r^3) r (r the vector above, the distance below) = -(GM/r^2) R + 0 P",
      "slope of GM/|r| by dual numbers", "the two products", "-(GM/r^3) r and -(GM/r^2) R", Other::meant,
      "The fraction bars are lost: read as they stand, $GMr^3$ and $GMr^2$ make a planet twice as far away "
@@ -197,8 +197,8 @@ constexpr Line at_one_moment[] = {
      "r'' at 1e-6 of the distance with the same alpha, over r'' at twice that: Cartesian, by dual numbers",
      "2^3", "of the second order"},
     {"potential_energy", 1009, "V = -GM/r is the potential energy",
-     "force on a planet of mass m, by dual numbers", "-dV/dr", "per unit mass of the planet",
-     Other::corrected,
+     "force on a planet of mass m, by dual numbers", "-dV/dr",
+     "-GM/r is the potential energy per unit mass of the planet", Other::corrected,
      "The force on a planet of mass $m$ is $-GMm/r^2$; $-GM/r$ is its energy divided by $m$. With "
      "$\\alpha=Mr^2\\theta'$ the text divides the momentum by $m$ and multiplies it by $M$, so that $V$ and "
      "$\\alpha$ belong to different masses; the orbit depends on neither, only a display of energies in "
@@ -272,7 +272,8 @@ constexpr Line from_the_start[] = {
      "c0 = (V0 + G^2 M^4/alpha^2) sin theta0 + V0' cos theta0, c1 = (...) cos theta0 - V0' sin theta0",
      "c0 and c1 from two later places on the path", "the solution, V0 and V0' by dual numbers",
      "V0' with the other sign"},
-    {"V0", 1143, "V0 = V(theta0) = GM/r0", "V of equation (3) at theta0", "GM/r0", "-GM/r0", Other::corrected,
+    {"V0", 1143, "V0 = V(theta0) = GM/r0", "V of equation (3) at theta0", "GM/r0", "V0 = -GM/r0",
+     Other::corrected,
      "$V=-GM/r$ by definition (line 1009), so $V_0=-GM/r_0$. The sign is carried on into (4) and (5), and "
      "turns the planet's orbit into one on which it stops.",
      "-GM/(2 r0)"},
@@ -292,13 +293,13 @@ constexpr Line from_the_start[] = {
      "G^2 M^3 and G M^2"},
     {"c0", 1171,
      "c0 = (GM/r0 + G^2 M^2/(r0^4 theta0'^2)) sin theta0 + (GM r0'/(r0^2 theta0')) cos theta0 (4)",
-     "c0 from two later places on the path", "(4)", "-GM/r0", Other::corrected,
+     "c0 from two later places on the path", "(4)", "-GM/r0 for GM/r0 in the bracket", Other::corrected,
      "The first term is $V_0=-GM/r_0$. On a circle ($r_0^3\\theta_0'^2=GM$) the bracket must vanish; as "
      "printed it is $2GM/r_0$.",
      "-GM/r0, and the last term with the other sign"},
     {"c1", 1187,
      "c1 = (GM/r0 + G^2 M^2/(r0^4 theta0'^2)) cos theta0 - (GM r0'/(r0^2 theta0')) sin theta0 (5)",
-     "c1 from two later places on the path", "(5)", "-GM/r0", Other::corrected,
+     "c1 from two later places on the path", "(5)", "-GM/r0 for GM/r0 in the bracket", Other::corrected,
      "As in (4), the first term is $V_0=-GM/r_0$: on a circle $c_1$ must be zero, and as printed it is "
      "$2GM\\cos\\theta_0/r_0$.",
      "-GM/r0, and the last term with the other sign"},
@@ -315,7 +316,8 @@ constexpr Line from_the_start[] = {
      "e, and p/e with the semi-latus rectum p, by the energy and the angular momentum",
      "gamma1/(GM), gamma0^2/gamma1", "rho = gamma0/gamma1"},
     {"orbit", 1229, "with theta from (7) the distance is r = e rho/(1 + e cos theta)", "r later on the path",
-     "the polar orbit at its angle", "cos(theta - omega), omega the angle of the vector c1", Other::corrected,
+     "the polar orbit at its angle", "r = e rho/(1 + e cos(theta - omega)), omega the angle of the vector c1",
+     Other::corrected,
      "The polar equation measures the angle from the perihelion, the direction of the vector $c_1$; (7) "
      "measures it from the axis that $\\theta_0$ is given in. They agree only when the user's start has its "
      "perihelion at $\\theta=0$: in general $r(\\theta_0)\\ne r_0$. Either subtract $\\omega=\\arg c_1$, or "
@@ -626,8 +628,12 @@ inline Sides later(std::string_view line, const Sample& k) {
 inline Claim claim_of(const Line& line, Sides (*sides)(std::string_view, const Sample&), bool integrated,
                       const std::vector<Sample>& all) {
   const auto reading = [&](std::string_view text, Value Sides::*form) {
-    Worst worst("the two sides", std::string(line.from_path),
-                std::string(line.as_written) + (text == "as printed" ? "" : ", but " + std::string(text)));
+    const std::string path(line.from_path), printed(line.as_written), other(text);
+    const bool right = form == &Sides::other && line.as != Other::near_miss;
+    Worst worst(path + " against " + printed, path,
+                form == &Sides::printed ? printed
+                : right                 ? other
+                                        : printed + ", but " + other);
     for (const Sample& k : all) {
       const Sides both = sides(line.slug, k);
       const double size = std::max(both.scale, std::max(size_of(both.path), size_of(both.*form)));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
@@ -46,22 +48,44 @@ Value values(Numbers... x) {
   return {static_cast<double>(x)...};
 }
 
-/// A way to write a quantity as a formula in the letters of a sample.
+/// A way to write a quantity as a formula in the letters of a sample. `terms` is the size of terms that
+/// cancel whatever the letters are, where there are such.
 template <class Sample>
 struct Version {
   std::string text;
   std::function<Value(const Sample&)> of;
+  std::function<double(const Sample&)> terms = {};
 };
 
-/// Two versions of a quantity over 200 random samples. A sample is made by Sample(Random&); its size() bounds
-/// the terms that are added up, where() tells its letters.
+/// The size of a formula's terms at a sample: the sum over its letters of how much the value changes with a
+/// letter's relative change. Terms that cancel in the value do not cancel here.
+template <class Sample>
+double size_of_terms(const Version<Sample>& version, const Sample& sample) {
+  constexpr double change = 0x1p-20;
+  const Value value = version.of(sample);
+  double size = size_of(value) + (version.terms ? version.terms(sample) : 0);
+  for (std::size_t i = 0; i < Sample(sample).letters().size(); ++i) {
+    Sample moved = sample;
+    *moved.letters()[i] *= 1 + change;
+    size += distance(version.of(moved), value) / change;
+  }
+  return size;
+}
+
+/// Two versions of a quantity over 200 random samples. A sample is made by Sample(Random&), and where() tells
+/// its letters. The size of the terms comes from its letters() (pointers to them), else from a bound, size().
 template <class Sample>
 Check compare(std::string quantity, const Version<Sample>& left, const Version<Sample>& right, double seed) {
   Worst worst(std::move(quantity), left.text, right.text);
   Random random(seed);
   for (int i = 0; i < 200; ++i) {
     const Sample sample(random);
-    worst.see(left.of(sample), right.of(sample), sample.size(), sample.where());
+    double size;
+    if constexpr (requires(Sample & s) { s.letters(); })
+      size = std::max(size_of_terms(left, sample), size_of_terms(right, sample));
+    else
+      size = sample.size();
+    worst.see(left.of(sample), right.of(sample), size, sample.where());
   }
   return worst.check();
 }

@@ -39,7 +39,12 @@ struct OnCylinder {
         V(cross(D, U)),
         X(sum(sum(P, D, t), unit(cross(D, random.direction())), R)),
         Y(sum(X, P, -1)) {}
-  double size() const { return 10 * (3 + dot(X, X) + dot(P, P)); }
+  std::vector<double*> letters() {
+    std::vector<double*> all{&R, &t};
+    for (Point* point : {&P, &D, &U, &V, &X, &Y})
+      for (double& x : *point) all.push_back(&x);
+    return all;
+  }
   std::string where() const { return "R = " + rounded(R, 4) + ", t = " + rounded(t, 4); }
   double y1() const { return dot(U, Y); }
   double y2() const { return dot(V, Y); }
@@ -66,10 +71,8 @@ struct OnChute {
   }
   double cosine() const { return std::sqrt(chute.L * chute.L - chute.H * chute.H) / chute.L; }
   double theta() const { return std::asin(chute.H / chute.L); }
-  double size() const {
-    const double q = chute.R * chute.R / (chute.depth(x2) * chute.depth(x2)), c = cosine();
-    return 4 * (1 + g + k + q * q * (1 + v2 * v2 / chute.R)) * (1 + x1 * x1 + x3 * x3 + v1 * v1 + way * way) *
-           (1 + chute.R * chute.R) * (1 + chute.L) / (c * c);
+  std::array<double*, 12> letters() {
+    return {&chute.R, &chute.L, &chute.H, &g, &x1, &x2, &x3, &v1, &v2, &k, &phi, &way};
   }
   std::string where() const {
     return "theta = " + rounded(theta(), 4) + ", R = " + rounded(chute.R, 4) + ", x2 = " + rounded(x2, 4) +

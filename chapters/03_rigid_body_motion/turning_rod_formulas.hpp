@@ -5,7 +5,7 @@
 /// The formulas of the book about the mass on the turning rod, each compared with what the Lagrangian gives.
 namespace oddity::turning_rod {
 
-using std::cos, std::sin, std::sqrt, std::numbers::pi, std::numbers::sqrt2;
+using std::abs, std::cos, std::sin, std::sqrt, std::numbers::pi, std::numbers::sqrt2;
 
 inline constexpr double quarter = pi / 4;
 
@@ -105,7 +105,8 @@ inline std::vector<Claim> dynamics(double seed) {
         {{"half of it", [](S s) { return s.m * s.v / 2; }}});
   f.add("momentum_rate", 1803, "the time derivative of dT/dlambda'",
         {"m lambda''", [](S s) { return s.m * s.A; }},
-        {"nested dual numbers", [](S s) { return momentum_rate(s.T(), s.s, s.v, s.A, s.t); }},
+        {"nested dual numbers", [](S s) { return momentum_rate(s.T(), s.s, s.v, s.A, s.t); },
+         [](S s) { return s.m * abs(s.w) * (abs(s.v) + abs(s.w) * s.s); }},
         {{"with a Coriolis term", [](S s) { return s.m * (s.A + s.w * s.v); }}});
   const Version<Sample> distance{"from (c, 0, 0) to (b, 0, b)", [](S s) {
                                    return length({s.b - s.c, 0, s.b});
@@ -122,7 +123,8 @@ inline std::vector<Claim> dynamics(double seed) {
         {"-K (r - ell) (x - c i)/r", [=](S s) { return hooke(s, -1, s.ell); }}, force,
         {{"+K", [=](S s) { return hooke(s, 1, s.ell); }},
          {"ell missing", [=](S s) { return hooke(s, -1, 0); }}});
-  const Version<Sample> at_rest{"zero", [](S) { return values(0, 0, 0); }};
+  const Version<Sample> at_rest{"zero", [](S) { return values(0, 0, 0); },
+                                [](S s) { return s.K * (s.b + s.c); }};
   const auto first_force = [](S s, double ell) { return Spring{s.c, s.K, ell}.force({s.b, 0, s.b}); };
   f.add("unstretched", 1823, "the force at the start",
         {"with the rest length of line 1817", [=](S s) { return first_force(s, first_length(s)); }}, at_rest,
@@ -188,7 +190,8 @@ inline std::vector<Claim> slips(double seed) {
 
   const Version<Sample> resting{
       "D(0) . x'(0) by Rodrigues and dual numbers, at rest on the segment",
-      [](S s) { return dot(direction(0.0), velocity(sqrt2 * s.b, 0.0, 0.0, quarter)); }};
+      [](S s) { return dot(direction(0.0), velocity(sqrt2 * s.b, 0.0, 0.0, quarter)); },
+      [](S s) { return pi * s.b / 4; }};
   f.add("lambda_dot_start", 1845, "lambda'(0)",
         {"(a, 0, a) . (0, 0, 0)",
          [](S s) {
