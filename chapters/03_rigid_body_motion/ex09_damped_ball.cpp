@@ -442,9 +442,13 @@ Findings study(const Parameters& p, const Reference& truth) {
                 "that is left is slow. "
                 "Rosenbrock's method takes its steps from the motion.",
                 "plane, explicit Euler", 0.125, Outcome::diverged, "plane, Rosenbrock 4", 1e-11});
-  return {claims(p["seed"]),
-          {motion(scene(), p, truth), near_critical_path(near_critical, horizon, truth), fast,
-           stability_limit(stiff)}};
+  std::vector<Quantity> quantities{motion(scene(), p, truth),
+                                   near_critical_path(near_critical, horizon, truth), fast,
+                                   stability_limit(stiff)};
+  if (const double critical = 2 * std::sqrt(ball.m * ball.c);
+      ball.a < 0.9 * critical && (ball.p1 != 0 || ball.p2 != 0))
+    quantities.push_back(first_arrival({ball.m, ball.c, ball.a, ball.p1, ball.p2, 0, 0}));
+  return {claims(p["seed"]), quantities};
 }
 
 }  // namespace ex03_09
