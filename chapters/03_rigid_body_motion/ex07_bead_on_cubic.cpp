@@ -91,7 +91,7 @@ std::vector<Claim> formulas(double seed) {
          [](S s) { return -(bend(s) * s.v * s.v + 3 * s.g * s.q * s.q) / metric(s.q); }}});
   all.back().printed.checks.push_back(compare<Sample>("q'' in Cartesian coordinates", solved,
                                                       {"the wire's two forces", &Sample::by_forces}, seed));
-  says("only_gravity", 1415, "the bead's acceleration, gravity alone acting on it,",
+  says("only_gravity", 1415, "the bead's acceleration",
        {"x'' = -g k", [](S s) { return values(0, 0, -s.g); }}, {"Lagrange's equation", &Sample::acceleration},
        {});
   const auto power = [seed](const std::string& text, const std::function<double(S)>& of) {
@@ -112,6 +112,7 @@ std::vector<Claim> formulas(double seed) {
       power("gravity alone does work", [](S s) { return -s.m * s.g * velocity(s.q, s.v)[2]; });
   all.back().near_misses = {power("twice gravity's work, as if the wire did as much",
                                   [](S s) { return -2 * s.m * s.g * velocity(s.q, s.v)[2]; })};
+  all.back().says = "gravity alone acts on the bead";
   all.back().why =
       "The wire pushes as well: at the release with $\\sqrt{70}/14 = 0.598$ of the bead's weight. With "
       "gravity "

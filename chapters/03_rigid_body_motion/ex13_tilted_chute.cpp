@@ -323,9 +323,8 @@ std::vector<Claim> statements(double seed) {
       "in free fall nothing moves sideways. What grows with the angle is the acceleration along the chute, "
       "$g\\sin\\theta$, of which $\\ddot x_1$ is the horizontal part. Seen from above, as on a map of a "
       "game's level, "
-      "the ball in a chute of $75^\\circ$ looks as slow as that in one of $15^\\circ$: both cover $g/8$ of a "
-      "metre, "
-      "1.23 m, in the first second.";
+      "the ball in a chute of $75^\\circ$ looks as slow as that in one of $15^\\circ$: both cover 1.23 m in "
+      "the first second.";
 
   Claim form{"3.13-friction_form", 1739, "with viscous friction still x2'' = S x2, S a scalar"};
   Worst at_center("x2'' at x2 = 0, x2' not 0", "Lagrange's equations with friction", "S x2 = 0");

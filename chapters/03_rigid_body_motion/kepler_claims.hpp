@@ -320,8 +320,10 @@ constexpr Line from_the_start[] = {
      Other::corrected,
      "The polar equation measures the angle from the perihelion, the direction of the vector $c_1$; (7) "
      "measures it from the axis that $\\theta_0$ is given in. They agree only when the user's start has its "
-     "perihelion at $\\theta=0$: in general $r(\\theta_0)\\ne r_0$. Either subtract $\\omega=\\arg c_1$, or "
-     "use $r=-GM/V(\\theta)$.",
+     "perihelion at $\\theta=0$: in general $r(\\theta_0)\\ne r_0$. The application draws the orbit of "
+     "`eccentric_path` below turned by $73^\\circ$, and starts the planet on it 0.30 AU from the sun instead "
+     "of 1.75. "
+     "Either subtract $\\omega=\\arg c_1$, or use $r=-GM/V(\\theta)$.",
      "cos(theta + omega)"},
     {"laplace", 1231, "v x c0 = GM R + c1 with a constant vector c1", "v x c0 - GM R later on the path",
      "the same at the start", "-GM R + c1"},
@@ -828,7 +830,8 @@ inline std::vector<Claim> claims(double seed) {
   ellipse.corrected = elliptical("r0'^2 + r0^2 theta0'^2 < 2 GM/r0", 2, seed);
   ellipse.near_misses = {elliptical("r0'^2 + r0^2 theta0'^2 < 2.5 GM/r0", 2.5, seed)};
   ellipse.why =
-      "Only below the speed of escape, $r_0'^2+r_0^2\\theta_0'^2 < 2GM/r_0$. Above it $e\\ge1$; then $a$ and "
+      "Only below the speed of escape, $r_0'^2+r_0^2\\theta_0'^2 < 2GM/r_0$, at the Earth's distance 42 "
+      "km/s. Above it $e\\ge1$; then $a$ and "
       "$T$ of the last paragraph do not exist ($1-e^2\\le0$), and $\\theta$ tends to a limit.";
 
   claims.insert(claims.end(), {normal, unique, grows, ellipse, momentum(all), any_start(seed), circle()});

@@ -215,9 +215,10 @@ inline std::vector<Claim> slips(double seed) {
   const Version<Sample> tmp0{"c cos(pi t/4)/sqrt(2)", [](S s) { return s.c * cos(pi * s.t / 4) / sqrt2; }};
   const auto code = [](S s, double factor) { return s.c * sqrt(0.5) * cos(factor * s.t); };
   Claim& cosine =
-      f.add("listing_cosine", 2079, "tmp0 of the listing, which stands for c cos(pi t/4)/sqrt(2),",
+      f.add("listing_cosine", 2079, "tmp0 of the listing",
             {"Cos(aux[0]*time), aux[0] = 1/sqrt(2)", [=](S s) { return code(s, sqrt(0.5)); }}, tmp0,
             {{"Cos(aux[2]*time), aux[2] = pi^2/32", [=](S s) { return code(s, pi * pi / 32); }}});
+  cosine.says = "tmp0, which is aux[3]*Cos(aux[0]*time), is c cos(pi t/4)/sqrt(2)";
   cosine.corrected =
       f.reading({"Cos(aux[1]*time), aux[1] = pi/4", [=](S s) { return code(s, 0.25 * pi); }}, tmp0);
   cosine.why =
