@@ -338,6 +338,25 @@ std::vector<Claim> claims(double seed) {
   slope.printed = {"as stated", {by_hand.check()}};
   slope.near_misses = {{"without alpha exp(alpha t) (...)", {no_alpha.check()}}};
 
+  Claim constants{"3.9-constants", 1489, "x(0) = p and x'(0) = v lead to K1 = p and K2 = (v - alpha p)/beta"};
+  const auto starts = [&](const std::string& text, double sign) {
+    Random samples(seed);
+    Worst worst("(x(0), x'(0))", "x with " + text + ", differentiated by dual numbers", "(p, v)");
+    for (int i = 0; i < 200; ++i) {
+      const double alpha = -samples.unit(), beta = samples.between(0.1, 3), p = samples.between(-2, 2),
+                   v = samples.between(-2, 2);
+      const auto x = [&](const auto& u) {
+        using std::cos, std::exp, std::sin;
+        return exp(alpha * u) * (p * cos(beta * u) + (v - sign * alpha * p) / beta * sin(beta * u));
+      };
+      worst.see({x(0.0), derivative(x, 0.0)}, {p, v}, 4,
+                "alpha = " + rounded(alpha, 4) + ", beta = " + rounded(beta, 4));
+    }
+    return Reading{text, {worst.check()}};
+  };
+  constants.printed = starts("K2 = (v - alpha p)/beta", 1);
+  constants.near_misses = {starts("K2 = v/beta", 0)};
+
   Claim arrival{"3.9-arrival_time", 1517,
                 "for p and v parallel the ball is at the origin at t = atan(-beta p1/(v1 - alpha p1))/beta"};
   arrival.printed = {"the principal value", {passage(seed, Branch::principal, "atan(...)/beta")}};
@@ -416,8 +435,8 @@ std::vector<Claim> claims(double seed) {
   misses.printed = {"the angular momentum decays but is never zero", {momentum.check()}};
   misses.near_misses = {{"the angular momentum is conserved", {steady.check()}}};
 
-  return {motion, polynomial, roots, signs, overdamped, limit,    never_reached, sooner,
-          slope,  solution,   same,  first, arrival,    pointing, misses};
+  return {motion, polynomial, roots,    signs, overdamped, limit,   never_reached, sooner,
+          slope,  constants,  solution, same,  first,      arrival, pointing,      misses};
 }
 
 Ball asked(const Parameters& p) { return {p["m"], p["c"], p["a"], p["p1"], p["p2"], p["v1"], p["v2"]}; }

@@ -218,8 +218,11 @@ inline std::vector<Claim> axis(double seed) {
        {"cos(asin(H/L))", [](S s) { return values(std::cos(s.theta())); }},
        {{"L/sqrt(L^2 - H^2)", [](S s) { return values(1 / s.cosine()); }}});
   says("sine", 1621, "sin(theta) = H/L", {"H/L", [](S s) { return values(s.chute.H / s.chute.L); }},
-       {"sqrt(1 - cos(theta)^2) with the published cosine",
-        [](S s) { return values(std::sqrt(1 - s.cosine() * s.cosine())); }},
+       {"sine of the angle between the chute and the plane",
+        [](S s) {
+          const double run = std::sqrt((s.chute.L - s.chute.H) * (s.chute.L + s.chute.H));
+          return values(std::sin(std::atan2(s.chute.H, run)));
+        }},
        {{"L/H", [](S s) { return values(s.chute.L / s.chute.H); }}});
   says("direction", 1623, "D = (-cos(theta), 0, sin(theta)) is the unit vector up the axis",
        {"(-cos(theta), 0, sin(theta))",
