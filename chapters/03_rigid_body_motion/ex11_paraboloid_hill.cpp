@@ -95,7 +95,8 @@ std::vector<Claim> equations(double seed) {
   const auto reading = [&](const std::string& text, const std::function<Value(S)>& of) {
     return Reading{text, {compare<Sample>("left side of the first equation", {text, of}, lagrange, seed)}};
   };
-  Claim first{"3.11-first_equation", 1545, "the first equation of motion of the hill"};
+  Claim first{"3.11-first_equation", 1545,
+              "the first equation of motion is 0 = x1'' + (4 x1/a1) (...) - 2 g x1/a1^2"};
   first.printed = reading("x1'' + (4 x1/a1) (...) - 2 g x1/a1^2",
                           [](S s) { return values(published(s, 4 * s.x[0] / s.hill.a1)); });
   const auto factor = [](S s) { return 4 * s.x[0] / (s.hill.a1 * s.hill.a1); };

@@ -127,6 +127,7 @@ std::vector<Claim> motion(double seed) {
       "\\theta),\\, x_2/((R^2-x_2^2)^{1/2}\\cos\\theta))$. So read, it is what Lagrange's equations give, in "
       "the "
       "coordinates of the plane and in those of the cylinder.");
+  equations.says = "(x1'', x2'') has R^2 x2^2 above and -H L cos(theta) in the vector";
   equations.meant.checks.push_back(
       compare<OnChute>("(x1'', x2'')", meant,
                        {"Lagrange's equations along and about the axis, mapped by dual numbers",

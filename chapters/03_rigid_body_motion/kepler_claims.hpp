@@ -169,13 +169,13 @@ constexpr Line at_one_moment[] = {
      "form "
      "is another equation of the book: whoever looks (3.2) up for it finds the orbit.",
      "that other equation, r' theta' without its 2"},
-    {"gravity", 953, "a = -(GM/r^3) r (r the vector above, the distance below) = -(GM/r^2) R + 0 P",
+    {"gravity", 953, "a = -GM r^3 r (the distance cubed, times the vector) = -GM r^2 R = -(GM/r^2) R + 0 P",
      "slope of GM/|r| by dual numbers", "the two products", "-(GM/r^3) r and -(GM/r^2) R", Other::meant,
      "The fraction bars are lost: read as they stand, $GMr^3$ and $GMr^2$ make a planet twice as far away "
      "feel "
      "four times the pull instead of a quarter of it. The last form of the line has its bar.",
      "+(GM/r^3) r and +(GM/r^2) R"},
-    {"radial", 967, "r'' - r theta'^2 = -GM/r^2", "r'' - r theta'^2 by dual numbers", "the right-hand side",
+    {"radial", 967, "r'' - r theta'^2 = -GM r^2", "r'' - r theta'^2 by dual numbers", "the right-hand side",
      "-GM/r^2", Other::meant, "The fraction bar is lost; equation (2), made from this line, has it.",
      "-GM/r^3"},
     {"transverse", 967, "r theta'' + 2 r' theta' = 0", "r theta'' by dual numbers", "-2 r' theta'",
@@ -277,14 +277,13 @@ constexpr Line from_the_start[] = {
      "$V=-GM/r$ by definition (line 1009), so $V_0=-GM/r_0$. The sign is carried on into (4) and (5), and "
      "turns the planet's orbit into one on which it stops.",
      "-GM/(2 r0)"},
-    {"V0_slope", 1149, "V0' = G M^2 r0'/alpha", "V' of equation (3) at theta0", "G M^2 r0' and alpha",
+    {"V0_slope", 1149, "V0' = G M^2 r0' alpha", "V' of equation (3) at theta0", "G M^2 r0' and alpha",
      "G M^2 r0'/alpha", Other::meant,
      "The fraction bar is lost: what stands there is the product $GM^2r_0'\\alpha$. Line 1031, from which it "
      "comes, is $r'=\\alpha V'/(GM^2)$.",
      "G M r0'/alpha"},
     {"mass_cancels", 1171,
-     "G^2 M^4/(M r0^2 theta0')^2 = G^2 M^2/(r0^4 theta0'^2), G M^2 r0'/(M r0^2 theta0') = G M r0'/(r0^2 "
-     "theta0')",
+     "G^2 M^4/(M r0^2 theta0')^2 = G^2 M^2/(r0^4 theta0'^2), and the term in r0' is G M r0' r0^2 theta0'",
      "the left-hand terms, M r^2 theta' taken later on the path", "the terms without alpha",
      "quotients: G M r0'/(r0^2 theta0')", Other::meant,
      "The bars of the terms in $r_0'$ are lost in both lines: what stands there is "
@@ -336,7 +335,7 @@ constexpr Line from_the_start[] = {
      "v x c0 - GM R later on the path", "the two forms", "+ GM R0"},
     {"gamma1", 1259, "gamma1 = sqrt((r0^3 theta0'^2 - GM)^2 + (r0^2 r0' theta0')^2)",
      "|v x c0 - GM R| later on the path", "the root", "r0^3 theta0'^2 + GM"},
-    {"period", 1267, "T = 2 pi a^(3/2)/sqrt(GM), 2a being the length of the ellipse",
+    {"period", 1267, "T = 2 pi a^(3/2) sqrt(GM), 2a being the length of the ellipse",
      "the integral of r^2/h over a turn", "the product of 2 pi a^(3/2) and sqrt(GM)", "2 pi a^(3/2)/sqrt(GM)",
      Other::meant,
      "The fraction bar is lost: what stands there is a product with $\\sqrt{GM}$. For the Earth, in "
@@ -354,11 +353,21 @@ constexpr Line from_the_start[] = {
      "2a (1 - e^2)"},
 };
 
-/// Confirmed lines in which the text at hand has numerator and denominator without the bar between them.
-constexpr std::string_view bars_restored[] = {
-    "radial_equation",   "power_rule",         "chain_rule",     "r_dot",
-    "second_chain_rule", "r_dot_dot",          "r_dot_dot_by_V", "substituted",
-    "simplified",        "potential_equation", "rate",           "rate_by_V"};
+/// Lines in which the text at hand has numerator and denominator without the bar between them.
+constexpr std::string_view bars_restored[] = {"radial_equation",
+                                              "power_rule",
+                                              "chain_rule",
+                                              "r_dot",
+                                              "second_chain_rule",
+                                              "r_dot_dot",
+                                              "r_dot_dot_by_V",
+                                              "substituted",
+                                              "simplified",
+                                              "potential_equation",
+                                              "rate",
+                                              "rate_by_V",
+                                              "c0",
+                                              "c1"};
 
 /// What the path gives, the line as printed and in its other form, the size of its terms where they cancel,
 /// and the line's near miss when the other form is what is right.
