@@ -136,7 +136,7 @@ struct Sample {
         q(random.magnitude(0.01, 2)),
         v(random.magnitude(0.01, 3)),
         a(random.magnitude(0.01, 3)) {}
-  double size() const { return (1 + m) * metric(q) * (1 + std::abs(a) + 4 * v * v + 3 * g); }
+  std::array<double*, 5> letters() { return {&m, &g, &q, &v, &a}; }
   std::string where() const {
     return "m = " + shortest(m) + ", g = " + shortest(g) + ", q = " + shortest(q) + ", q' = " + shortest(v) +
            ", q'' = " + shortest(a);

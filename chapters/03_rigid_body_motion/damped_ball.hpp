@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "chapters/scene.hpp"
+#include "solvers/ode/events.hpp"
 
 namespace oddity::damped_ball {
 
@@ -89,6 +90,39 @@ inline Quantity path(const std::string& name, const std::string& says, const Bal
       .by_few("plane, with the work", PlaneWithWork{b}, Outcome::inaccurate, Outcome::inaccurate)
       .by<ode::Rosenbrock4>("plane, with the work", PlaneWithWork{b});
   return q;
+}
+
+/// Let go at rest with friction below the critical.
+inline Quantity first_arrival(const Ball& at_rest) {
+  const double h = at_rest.a / (2 * at_rest.m), beta = std::sqrt(at_rest.c / at_rest.m - h * h);
+  const double arrival = std::atan2(beta, -h) / beta;
+  Quantity time{"first_arrival",
+                "s",
+                "time at which the ball, let go at rest, is at the origin first",
+                {"the angle of (-h, beta) over beta, h = a/(2m)", arrival},
+                4e-16 * arrival,
+                {1e-9, "nine decimals"}};
+  time.add({"the text's formula", "atan(-beta p1/(v1 - alpha p1))/beta", no_knob(),
+            [=](double) {
+              const double v1 = 0, alpha = -h;
+              return Answer{std::atan(-beta * at_rest.p1 / (v1 - alpha * at_rest.p1)) / beta, 1};
+            },
+            Outcome::inaccurate, "the principal value is negative: it lies before the start"});
+  time.add({"plane", "Fehlberg 7(8)", tolerances(), [=](double tolerance) {
+              const Plane plane{at_rest};
+              const auto along = [&](const Plane::State& x, double) {
+                return x[0] * at_rest.p1 + x[1] * at_rest.p2;
+              };
+              return answer(
+                  ode::find_event<ode::Fehlberg78>(plane, plane.start(), 0, 2 * arrival, tolerance, along),
+                  [](const auto& event) { return event.time; });
+            }});
+  return time.add(
+      Breakdown{"A game that schedules the hit by the printed time has it in the past: the event never "
+                "fires. The arrival "
+                "found along the motion is right.",
+                "the text's formula, atan(-beta p1/(v1 - alpha p1))/beta", 0, Outcome::inaccurate,
+                "plane, Fehlberg 7(8)", 1e-12});
 }
 
 /// Friction just above critical: the closed forms alone.

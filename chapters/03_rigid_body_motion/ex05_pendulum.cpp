@@ -154,6 +154,9 @@ Check split_formula(const std::string& as, double (*tail)(double, double), const
 }
 
 double remainder_root_of_2_alone(double a, double epsilon) { return remainder(a, epsilon) / sqrt(cos(a)); }
+double remainder_without_pi(double a, double epsilon) {
+  return sqrt(2 / cos(a)) * (2 - std::asin(1 - epsilon * cos(a) / sin(a)));
+}
 
 std::vector<Claim> claims(const Reference& truth) {
   const Known quarter = truth("03_05_quarter_period", {book_angle});
@@ -162,8 +165,14 @@ std::vector<Claim> claims(const Reference& truth) {
   const double listed_tail = remainder(book_angle, book_epsilon);
 
   Claim split{"3.5-split_formula", 1273,
-              "I is the integral to a - eps plus sqrt(2/cos a) (pi/2 - asin(1 - eps cos a / sin a))"};
-  split.printed = {"as stated, eps small", {split_formula("QAG plus the remainder", remainder, truth)}};
+              "the integral is about that to a - eps plus sqrt(2/cos a) (2 - asin(1 - eps cos a / sin a))"};
+  split.printed = {"2 - asin(...)",
+                   {split_formula("QAG plus the remainder without its pi", remainder_without_pi, truth)}};
+  split.meant = {"pi/2 - asin(...)", {split_formula("QAG plus the remainder", remainder, truth)}};
+  split.why =
+      "The $\\pi$ of $\\pi/2$ and the fraction bars are lost: read as it stands, the remainder does not "
+      "vanish "
+      "with $\\epsilon$, and the time is 0.65 too long. The listing has `HALF_PI`, and $\\sqrt{2/\\cos a}$.";
   split.near_misses = {{"sqrt(2)/cos a before the bracket",
                         {split_formula("QAG plus sqrt(2)/cos a (...)", remainder_root_of_2_alone, truth)}}};
 
@@ -180,15 +189,20 @@ std::vector<Claim> claims(const Reference& truth) {
                            printed_decimals(6)}}}};
 
   Claim value{"3.5-value", 1373, "0.800275 is the integral from 30 degrees"};
-  value.printed = {"I = 0.800275", {{"I", {"as printed", 0.800275}, agm, printed_decimals(6)}}};
-  value.corrected = {"I = 2.260114", {{"I", {"corrected", 2.260114}, agm, printed_decimals(6)}}};
+  const auto integral_is = [&](const std::string& as, double x) {
+    return Check{"the integral", {as, x}, agm, printed_decimals(6)};
+  };
+  value.printed = {"the integral is 0.800275", {integral_is("as printed", 0.800275)}};
+  value.corrected = {"the integral is 2.260114", {integral_is("corrected", 2.260114)}};
+  value.near_misses = {{"2.260115", {integral_is("last digit one up", 2.260115)}}};
   value.why =
       "The listing subtracts `initialAngle` where the text's integrand has $\\cos(\\pi/6)$: it integrates "
-      "$1/\\sqrt{\\cos\\psi-\\pi/6}$, which has no singularity at all, and so the patch at the end hides "
-      "nothing. "
-      "The quarter period is $\\sqrt2\\,K(\\sin 15^\\circ) = 2.260114$, almost three times as long. Mending "
-      "that one "
-      "term is not enough: Simpson's rule then meets the singularity (see the methods below).";
+      "$1/\\sqrt{\\cos\\psi-\\pi/6}$, which is finite everywhere, and adds a remainder for a singularity "
+      "that is "
+      "not there. The quarter period is $\\sqrt2\\,K(\\sin 15^\\circ) = 2.260114$, almost three times as "
+      "long: a "
+      "pendulum of one metre takes 0.510 s to its lowest point, not 0.181 s. To replace the one term is not "
+      "enough: Simpson's rule then meets the singularity (see the methods below).";
 
   Claim tail{"3.5-remainder", 1373, "the remainder is 0.000282"};
   const Route tail_by_series{"2 sqrt(eps/sin a), the remainder to leading order",
@@ -202,8 +216,13 @@ std::vector<Claim> claims(const Reference& truth) {
                   printed_decimals(6)}}};
   tail.corrected = {"0.000283",
                     {{"remainder", {"corrected", 0.000283}, tail_by_series, printed_decimals(6)}}};
+  tail.near_misses = {
+      {"0.000281, cut off",
+       {{"remainder + half a unit", {"the digit before", 0.0002815}, tail_by_series, printed_decimals(6)}}}};
   tail.why =
-      "The remainder is 0.00028284...: the digits printed are cut off, where those of the time are rounded.";
+      "The remainder is 0.00028284...: the digits printed are cut off, where those of the time are rounded. "
+      "No "
+      "digit of the time depends on it.";
 
   Claim rule{"3.5-simpson", 1307, "the listing integrates by Simpson's rule"};
   const double amax = book_angle - book_epsilon;
@@ -225,10 +244,11 @@ std::vector<Claim> claims(const Reference& truth) {
   const double h = (book_angle - book_epsilon) / book_panels;
   for (int i = 1; i < book_panels; ++i) violations += !(cos(i * h) - book_angle > 0);
   positive.printed = {"arg > 0.0", {never("cos(angle) - initialAngle > 0", violations, book_panels - 1)}};
-  long negative = 0;
-  for (int i = 1; i < book_panels; ++i) negative += !(cos(i * h) - cos(book_angle) < 0);
-  positive.near_misses = {{"arg < 0.0 with the text's cosine",
-                           {never("cos(angle) - cos(initialAngle) < 0", negative, book_panels - 1)}}};
+  long touching = 0;
+  for (int i = 1; i <= book_panels; ++i)
+    touching += !(cos(i * book_angle / book_panels) - cos(book_angle) > 0);
+  positive.near_misses = {{"arg > 0.0 with the text's cosine, up to the angle itself",
+                           {never("cos(angle) - cos(initialAngle) > 0", touching, book_panels)}}};
 
   return {split, rule, positive, output, value, tail};
 }

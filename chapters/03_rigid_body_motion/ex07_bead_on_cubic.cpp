@@ -49,11 +49,12 @@ std::vector<Claim> formulas(double seed) {
   const auto says = [&](const char* id, int line, const char* what, const Version<Sample>& printed,
                         const Version<Sample>& truth, const Versions& near) {
     all.push_back(formula_claim(std::string("3.7-") + id, line, what, seed, printed, truth, near));
+    all.back().says = std::string(what) + " is " + printed.text;
   };
   says("tangent", 1375, "dx/dq", {"(1, 2q, 3q^2)", [](S s) { return values(1, 2 * s.q, 3 * s.q * s.q); }},
        {"dual numbers", [](S s) { return velocity(s.q, 1.0); }},
        {{"(1, 2q, 2q^2)", [](S s) { return values(1, 2 * s.q, 2 * s.q * s.q); }}});
-  says("velocity", 1375, "x' = (dx/dq) q'",
+  says("velocity", 1375, "x'",
        {"q' (1, 2q, 3q^2)", [](S s) { return values(s.v, 2 * s.q * s.v, 3 * s.q * s.q * s.v); }},
        {"dual numbers", [](S s) { return velocity(s.q, s.v); }},
        {{"dx/dq alone", [](S s) { return values(1, 2 * s.q, 3 * s.q * s.q); }}});
@@ -78,7 +79,7 @@ std::vector<Claim> formulas(double seed) {
        {"-3 m g q^2", [](S s) { return -3 * s.m * s.g * s.q * s.q; }},
        {"dL/dq at rest by dual numbers", [](S s) { return d_dq(s.L(), s.q, 0); }},
        {{"+3 m g q^2", [](S s) { return 3 * s.m * s.g * s.q * s.q; }}});
-  says("lagrange_equation", 1407, "Lagrange's equation, left side less right side",
+  says("lagrange_equation", 1407, "the difference of the sides of Lagrange's equation",
        {"m (1 + 4q^2 + 9q^4) q'' + (4m - 2m) (2q + 9q^3) q'^2 + 3 m g q^2",
         [](S s) { return s.m * (metric(s.q) * s.a + (4 - 2) * bend(s) * s.v * s.v + 3 * s.g * s.q * s.q); }},
        {"d/dt dL/dq' - dL/dq by nested dual numbers",
@@ -89,7 +90,7 @@ std::vector<Claim> formulas(double seed) {
   const Version<Sample> solved{"-(3g q^2 + 2q (2 + 9q^2) q'^2) / (1 + 4q^2 + 9q^4)", [](S s) {
                                  return OneCoordinate{{s.q, s.g}}.acceleration(s.q, s.v);
                                }};
-  says("equation_of_motion", 1411, "q'' as a function of q and q'", solved,
+  says("equation_of_motion", 1411, "q'' (the minus sign being read as that of the whole fraction)", solved,
        {"Lagrange's equation by nested dual numbers, the mass at random",
         [](S s) { return lagrange_acceleration(s.L(), s.q, s.v); }},
        {{"minus before the first term alone",
@@ -98,22 +99,34 @@ std::vector<Claim> formulas(double seed) {
          [](S s) { return -(bend(s) * s.v * s.v + 3 * s.g * s.q * s.q) / metric(s.q); }}});
   all.back().printed.checks.push_back(compare<Sample>("q'' in Cartesian coordinates", solved,
                                                       {"the wire's two forces", &Sample::by_forces}, seed));
-  says("only_gravity", 1415, "gravity alone acts on the bead",
+  says("only_gravity", 1415, "the bead's acceleration",
        {"x'' = -g k", [](S s) { return values(0, 0, -s.g); }}, {"Lagrange's equation", &Sample::acceleration},
        {});
-  all.back().meant = {
-      "gravity alone does work",
-      {compare<Sample>("m x''.x'",
-                       {"power of gravity", [](S s) { return -s.m * s.g * velocity(s.q, s.v)[2]; }},
-                       {"Lagrange's equation",
-                        [](S s) {
-                          const auto a = s.acceleration(), v = velocity(s.q, s.v);
-                          return s.m * (v[0] * a[0] + v[1] * a[1] + v[2] * a[2]);
-                        }},
-                       seed)}};
+  const auto power = [seed](const std::string& text, const std::function<double(S)>& of) {
+    return Reading{text,
+                   {compare<Sample>("power of the force on the bead", {text, of},
+                                    {"m x''.x' by Lagrange's equation",
+                                     [](S s) {
+                                       const auto a = s.acceleration(), v = velocity(s.q, s.v);
+                                       return s.m * (v[0] * a[0] + v[1] * a[1] + v[2] * a[2]);
+                                     },
+                                     [](S s) {
+                                       const auto a = s.acceleration(), v = velocity(s.q, s.v);
+                                       return s.m * (abs(v[0] * a[0]) + abs(v[1] * a[1]) + abs(v[2] * a[2]));
+                                     }},
+                                    seed)}};
+  };
+  all.back().corrected =
+      power("gravity alone does work", [](S s) { return -s.m * s.g * velocity(s.q, s.v)[2]; });
+  all.back().near_misses = {power("twice gravity's work, as if the wire did as much",
+                                  [](S s) { return -2 * s.m * s.g * velocity(s.q, s.v)[2]; })};
+  all.back().says = "gravity alone acts on the bead";
   all.back().why =
-      "The wire pushes as well: at the release with $\\sqrt{70}/14 = 0.598$ of the bead's weight. Its "
-      "force is normal to the curve and does no work, so that the conclusion stands.";
+      "The wire pushes as well: at the release with $\\sqrt{70}/14 = 0.598$ of the bead's weight. With "
+      "gravity "
+      "alone the bead would leave the curve and be at the height of the origin after $\\sqrt{2/g}=1.41$ s, "
+      "not "
+      "2.24 s. The wire's force is normal to the curve and does no work, so that the conclusion stands.";
   return all;
 }
 
@@ -163,6 +176,8 @@ std::vector<Claim> run_down(const std::vector<OneCoordinate::State>& run) {
   start.printed = {"q = 1, q' = 0", {start_at(1)}};
   start.near_misses = {{"q = -1, q' = 0", {start_at(-1)}}};
 
+  const auto positive_after =
+      std::ranges::count_if(run.begin() + 1, run.end(), [&](const State& x) { return force(x) > 0; });
   Claim negative{"3.7-rhs_negative", 1415, "q'' is always negative"};
   negative.printed = {"q'' < 0",
                       {over_run("q'' < 0", run, [&](const State& x, const State&) { return force(x) < 0; })}};
@@ -170,9 +185,17 @@ std::vector<Claim> run_down(const std::vector<OneCoordinate::State>& run) {
       "q'' < 0 as long as q > 0, q'' = 0 at q = 0, q'' > 0 after it",
       {over_run("q q'' < 0", run, [&](const State& x, const State&) { return x[0] * force(x) < 0; }),
        {"q'' at q = 0", {"Lagrange's equation", force({0, -1})}, {"zero", 0.0}, rounding(1), 1}}};
+  negative.near_misses = {
+      {"q'' < 0 as long as q > -0.01",
+       {over_run("q'' < 0 exactly where q > -0.01", run,
+                 [&](const State& x, const State&) { return (force(x) < 0) == (x[0] > -0.01); })}}};
   negative.why =
-      "Its second term has the sign of $-q$, and the first is zero at $q=0$: there $q''=0$, and beyond it "
-      "$q''$ is positive: in the book's own run after each of the last 260 of its 2500 steps.";
+      "The second term has the sign of $-q$, and at $q=0$ the first is zero as well: there $q''=0$, and "
+      "beyond "
+      "it $q''$ is positive: in the book's own run after each of the last " +
+      std::to_string(positive_after) + " of its " + std::to_string(book_steps) +
+      " steps. A program that stops when $q''$ is no longer negative "
+      "takes the origin for the end of the curve.";
 
   Claim slower{"3.7-velocity_decreases", 1415, "q' is a decreasing function of time"};
   slower.printed = {
@@ -187,6 +210,10 @@ std::vector<Claim> run_down(const std::vector<OneCoordinate::State>& run) {
                         {"Fehlberg 7(8) and its event", at_origin[1]},
                         {"-sqrt(2 g q0^3), the energy", -sqrt(2.0)},
                         {1e-10, "a hundred tolerances of the integration"}}}};
+  slower.near_misses = {{"q' decreases until q = -0.01",
+                         {over_run("q' decreases, then increases", run, [](const State& a, const State& b) {
+                           return a[0] > -0.01 && b[0] < -0.01 ? true : (b[1] < a[1]) == (a[0] > -0.01);
+                         })}}};
   slower.why =
       "$q'$ is least at the origin, $-\\sqrt{2g}$, and rises towards zero afterwards. The two rows printed "
       "show it: -1.41421347 at 2.240 and -1.41420923 at 2.241.";
@@ -243,13 +270,21 @@ std::vector<Claim> arrival_claims(const std::vector<OneCoordinate::State>& run, 
   origin.near_misses = {
       {"x(2.24) = 0", {from_origin("table at 2.24", truth("03_07_slide", {1, 1, 2.24}).value)}}};
 
-  Claim numbers{"3.7-by_numbers", 1417, "the time comes from the equation of motion by a numerical method"};
+  Claim numbers{
+      "3.7-by_numbers", 1417,
+      "a numerical method gives the time (that q(t) has no closed form, and that there is no other hope, is "
+      "not judged)"};
   const auto time = [&](const std::string& by, double t) {
     return Check{"T", {by, t}, {"table, by energy quadrature", T.value}, integrated};
   };
   numbers.printed = {"by integration", {time("Cartesian, at its event", event.time)}};
-  numbers.near_misses = {{"the closed form of free fall", {time("sqrt(2/g)", sqrt(2.0))}},
-                         {"the closed form of the straight chute", {time("sqrt(6/g)", sqrt(6.0))}}};
+  const auto by_interpolation = [&](std::size_t step, double fraction) {
+    const auto &from = run[step], &to = run[step + 1];
+    return book_step * (static_cast<double>(step) + fraction * from[0] / (from[0] - to[0]));
+  };
+  numbers.near_misses = {{"the book's run, its last row above zero", {time("row 2240", 2240 * book_step)}},
+                         {"the book's run, half of the way to the zero between its rows",
+                          {time("interpolated", by_interpolation(2240, 0.5))}}};
 
   const Row first{2240, 0.00017622, -1.41421347, {0.0002, 0, 0}},
       second{2241, -0.00123799, -1.41420923, {-0.0012, 0, 0}};

@@ -40,6 +40,10 @@ struct Sample {
         x{random.magnitude(0.1, 3), random.magnitude(0.1, 3)},
         v{random.magnitude(0.1, 3), random.magnitude(0.1, 3)},
         a{random.magnitude(0.1, 3), random.magnitude(0.1, 3)} {}
+  std::array<double*, 10> letters() {
+    return {&hill.a1, &hill.a2, &g, &t, &x[0], &x[1], &v[0], &v[1], &a[0], &a[1]};
+  }
+  /// A bound of the equations' terms.
   double size() const {
     const double b = 4 / std::min(hill.a1 * hill.a1, hill.a2 * hill.a2);
     return (1 + b * 10 * (1 + b * 20) + b * g * 10) * (1 + std::abs(t)) * (1 + std::abs(t));
@@ -75,7 +79,7 @@ std::vector<Claim> equations(double seed) {
   const auto line_of = [](S s) {
     return [&s](std::size_t i) { return [&s, i](const auto& t) { return s.v[i] * t; }; };
   };
-  const Claim derivatives = formula_claim<Sample>(
+  Claim derivatives = formula_claim<Sample>(
       "3.11-derivatives", 1543, "the first two derivatives of (v1 t, v2 t)", seed,
       {"(v1, v2), (0, 0)", [](S s) { return values(s.v[0], s.v[1], 0, 0); }},
       {"dual numbers",
@@ -91,7 +95,8 @@ std::vector<Claim> equations(double seed) {
   const auto reading = [&](const std::string& text, const std::function<Value(S)>& of) {
     return Reading{text, {compare<Sample>("left side of the first equation", {text, of}, lagrange, seed)}};
   };
-  Claim first{"3.11-first_equation", 1545, "the first equation of motion of the hill"};
+  Claim first{"3.11-first_equation", 1545,
+              "the first equation of motion is 0 = x1'' + (4 x1/a1) (...) - 2 g x1/a1^2"};
   first.printed = reading("x1'' + (4 x1/a1) (...) - 2 g x1/a1^2",
                           [](S s) { return values(published(s, 4 * s.x[0] / s.hill.a1)); });
   const auto factor = [](S s) { return 4 * s.x[0] / (s.hill.a1 * s.hill.a1); };
@@ -102,9 +107,10 @@ std::vector<Claim> equations(double seed) {
       reading("without the squares of the speeds", [=](S s) { return values(published(s, factor(s), 0)); })};
   first.why =
       "The factor before the bracket is $4x_1/a_1^2$, as the next line has it; with the hill $x_3 = "
-      "-x_1^2/a_1^2 - x_2^2/a_2^2$ this is Lagrange's equation to the last digit.";
+      "-x_1^2/a_1^2 - x_2^2/a_2^2$ this is Lagrange's equation to the last digit. On a hill with $a_1=2$ the "
+      "printed factor is twice too large.";
 
-  const Claim substituted = formula_claim<Sample>(
+  Claim substituted = formula_claim<Sample>(
       "3.11-substituted", 1563, "the first equation's right side on (v1 t, v2 t)", seed,
       {"0 + (4 v1 t/a1^2) K - 2 g v1 t/a1^2", [](S s) { return values(along_line(s, 2)); }},
       {"Lagrange's left side by nested dual numbers",
@@ -113,6 +119,10 @@ std::vector<Claim> equations(double seed) {
        }},
       {{"g for 2 g", [](S s) { return values(along_line(s, 1)); }},
        {"plus 2 g", [](S s) { return values(along_line(s, -2)); }}});
+  derivatives.says = "the first two derivatives of (v1 t, v2 t) are (v1, v2) and (0, 0)";
+  substituted.says =
+      "on (v1 t, v2 t) the first equation's right side is 0 + (4 v1 t/a1^2) (v1^2/a1^2 + v2^2/a2^2) - 2 g v1 "
+      "t/a1^2";
   return {derivatives, first, substituted};
 }
 
@@ -150,30 +160,32 @@ Check in_all(const std::string& says, double seed, const Holds& holds) {
 
 std::vector<Claim> conditions(double seed) {
   using F = const FromTop&;
-  Claim algebra{"3.11-condition", 1573, "from the first equation follows v1^2/a1^2 + v2^2/a2^2 = g/2"};
-  algebra.printed = {"K = g/2", {in_all("the first equation holds, but not K = g/2", seed, [](F s) {
-                       return !s.satisfied(0) || s.condition();
-                     })}};
-  algebra.corrected = {"K = g/2 or v1 = 0",
-                       {in_all("the first equation holds unlike `K = g/2 or v1 = 0`", seed,
-                               [](F s) { return s.satisfied(0) == (s.condition() || s.v[0] == 0); })}};
-  algebra.why = "The algebra divides by $v_1$. With $v_1=0$ the equation reads $0=0$ and leaves $v_2$ free.";
+  const std::string half = "v1^2/a1^2 + v2^2/a2^2 = g/2";
+  Claim algebra{"3.11-condition", 1573, "from the first equation follows " + half + ", where v1 is not zero"};
+  algebra.printed = {half + " for v1 != 0",
+                     {in_all("the first equation holds with v1 != 0 unlike the condition", seed,
+                             [](F s) { return s.v[0] == 0 || s.satisfied(0) == s.condition(); })}};
+  algebra.near_misses = {{half + " for v1 = 0 as well",
+                          {in_all("the first equation holds, but not the condition", seed,
+                                  [](F s) { return !s.satisfied(0) || s.condition(); })}}};
 
-  Claim second{"3.11-second_equation", 1581, "the second equation gives the same condition"};
-  second.printed = {"K = g/2", {in_all("the second equation holds, but not K = g/2", seed, [](F s) {
-                      return !s.satisfied(1) || s.condition();
-                    })}};
-  second.corrected = {"K = g/2 or v2 = 0",
-                      {in_all("the second equation holds unlike `K = g/2 or v2 = 0`", seed,
-                              [](F s) { return s.satisfied(1) == (s.condition() || s.v[1] == 0); })}};
-  second.why = "It gives it where $v_2 \\ne 0$; on a path along the first axis it says nothing.";
+  Claim second{"3.11-second_equation", 1581,
+               "the second equation gives the same condition, where v2 is not zero"};
+  second.printed = {half + " for v2 != 0",
+                    {in_all("the second equation holds with v2 != 0 unlike the condition", seed,
+                            [](F s) { return s.v[1] == 0 || s.satisfied(1) == s.condition(); })}};
+  second.near_misses = {{half + " for v2 = 0 as well",
+                         {in_all("the second equation holds, but not the condition", seed,
+                                 [](F s) { return !s.satisfied(1) || s.condition(); })}}};
 
-  Claim only{"3.11-only_way", 1581, "(v1 t, v2 t) is a solution only if K = g/2"};
-  only.printed = {"K = g/2", {in_all("both equations hold, but not K = g/2", seed, [](F s) {
+  Claim only{"3.11-only_way", 1581, "(v1 t, v2 t) is a solution only if " + half};
+  only.printed = {half, {in_all("both equations hold, but not the condition", seed, [](F s) {
                     return !(s.satisfied(0) && s.satisfied(1)) || s.condition();
                   })}};
-  Worst push("the hill's vertical force over the mass on (v1 t, v2 t) at K = g/2", "g + x3'' by dual numbers",
-             "none");
+  only.near_misses = {{half + ", or v1 = 0", {in_all("both equations hold unlike this", seed, [](F s) {
+                         return (s.satisfied(0) && s.satisfied(1)) == (s.condition() || s.v[0] == 0);
+                       })}}};
+  Worst push("the hill's vertical force over the mass on (v1 t, v2 t)", "g + x3'' by dual numbers", "none");
   Random random(seed);
   long buried = 0;
   for (int i = 0; i < 200; ++i) {
@@ -184,18 +196,21 @@ std::vector<Claim> conditions(double seed) {
     const double faster = random.between(1.01, 2);
     buried += !(-s.g * s.t * s.t / 2 > s.hill.height(faster * v[0] * s.t, faster * v[1] * s.t));
   }
-  only.corrected = {"K = g/2, or the particle is at rest on the top",
-                    {in_all("both equations hold unlike `K = g/2 or v = 0`", seed,
+  only.corrected = {half + ", or the particle is at rest on the top",
+                    {in_all("both equations hold unlike this", seed,
                             [](F s) {
                               const bool at_rest = s.v[0] == 0 && s.v[1] == 0;
                               return (s.satisfied(0) && s.satisfied(1)) == (s.condition() || at_rest);
                             }),
                      push.check(), never("faster than that, the free fall meets the hill", buried, 200)}};
   only.why =
-      "At rest on the top, $v_1=v_2=0$ and $K=0$, the particle stays: both equations hold. For all other "
-      "straight uniform paths $K=g/2$ is needed, and then the particle is in free fall: the hill does not "
-      "push at all. A hill that cannot hold it back is left by any faster one, and that one's path over the "
-      "plane is $(v_1t,v_2t)$ too, though $K>g/2$.";
+      "The algebra divides by $v_1t$ and by $v_2t$. With $v_1=0$ the first equation reads $0=0$, and the "
+      "second "
+      "decides; with $v_1=v_2=0$ neither does: a particle at rest on the top stays there. All other motions "
+      "$(v_1t,v_2t)$ need the condition, and they are free falls: the hill does not push. A faster particle "
+      "flies off, over the same line and as uniformly. A game that keeps it on the hill by these equations "
+      "has to "
+      "pull it down: at twice the speed, on the top, with three times its weight.";
   return {algebra, second, only};
 }
 
@@ -209,7 +224,8 @@ double stray(S s, const Pair& v) {
 }
 
 Claim not_straight(double seed) {
-  Claim claim{"3.11-not_straight", 1581, "unless K = g/2 the path is not a straight line"};
+  Claim claim{"3.11-not_straight", 1581,
+              "unless v1^2/a1^2 + v2^2/a2^2 = g/2 the path is not a straight line"};
   Random random(seed);
   long straight = 0, bent_axis = 0, bent_circle = 0, straight_others = 0, bent_at_condition = 0;
   for (int i = 0; i < 50; ++i) {
@@ -226,19 +242,23 @@ Claim not_straight(double seed) {
     straight += stray(s, slow) < 1e-9;
     bent_circle += !(stray(s, slow) < 1e-9);
   }
-  claim.printed = {"bent whenever K != g/2",
+  claim.printed = {"bent whenever v1^2/a1^2 + v2^2/a2^2 is not g/2",
                    {never("the path is straight: along an axis, or on a round hill", straight, 100)}};
   claim.corrected = {
-      "straight if K = g/2, along an axis, or on a round hill; else not",
-      {never("bent at K = g/2", bent_at_condition, 50), never("bent along an axis", bent_axis, 100),
-       never("bent on a round hill", bent_circle, 50),
+      "straight if v1^2/a1^2 + v2^2/a2^2 = g/2, along an axis, or on a round hill; else not",
+      {never("bent though the condition holds", bent_at_condition, 50),
+       never("bent along an axis", bent_axis, 100), never("bent on a round hill", bent_circle, 50),
        never("straight in any other case", straight_others, 50)}};
   claim.why =
       "A particle sent off along an axis stays above it at any speed, and on a round hill, $a_1=a_2$, every "
-      "path through the top is straight; only its speed is not constant. What fails without the condition is "
-      "the motion $(v_1t,v_2t)$, not the line: with $x$ on the line, $x_1'x_2''-x_2'x_1''$ is proportional "
-      "to "
-      "$(g-2K)\\,v_1v_2\\,(a_1^{-2}-a_2^{-2})$.";
+      "path through the top is straight; only its speed is not constant. A game that takes the sentence for "
+      "a test "
+      "bends the path of a ball that rolls straight down a ridge. What fails without the condition is the "
+      "motion "
+      "$(v_1t,v_2t)$, not the line: for a point on the line $x_1'x_2''-x_2'x_1''$ is proportional to "
+      "$(g-2K)\\,v_1v_2\\,(a_1^{-2}-a_2^{-2})$ with $K=v_1^2/a_1^2+v_2^2/a_2^2$.";
+  claim.near_misses = {{"straight if the condition holds or on a round hill; else not",
+                        {never("straight along an axis", 100 - bent_axis, 100)}}};
   return claim;
 }
 

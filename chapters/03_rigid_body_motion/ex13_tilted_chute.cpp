@@ -47,6 +47,7 @@ double second(S s, int i, int j) {
 Claim misprinted(const std::string& id, int line, const std::string& says, double seed, const V& printed,
                  const V& meant, const V& truth, const V& near, const std::string& why) {
   Claim claim = formula_claim<OnChute>(id, line, says, seed, printed, truth, {near});
+  claim.says = says + " is " + printed.text;
   claim.meant = {meant.text, {compare(says, meant, truth, seed)}};
   claim.why = why;
   return claim;
@@ -67,34 +68,38 @@ std::vector<Claim> derivatives(double seed) {
     Random random(seed);
     for (int k = 0; k < 200; ++k) {
       const OnChute s(random);
-      worst.see(second(s, i, j), 0, s.size(), s.where());
+      worst.see(second(s, i, j), 0, std::abs(second(s, 2, 2)), s.where());
     }
     return worst.check();
   };
   zero.printed = {"0", {vanishing("h_x1x1", 1, 1), vanishing("h_x1x2", 1, 2)}};
   zero.near_misses = {{"h_x2x2 = 0", {vanishing("h_x2x2", 2, 2)}}};
   const V h22{"nested dual numbers", [](S s) { return values(second(s, 2, 2)); }};
+  Claim bend = formula_claim<OnChute>(
+      "3.13-h22", 1681, "h_x2x2", seed,
+      {"R^2/((R^2 - x2^2)^(3/2) cos(theta))",
+       [](S s) { return values(s.chute.R * s.chute.R / (std::pow(root(s), 3) * s.cosine())); }},
+      h22,
+      {{"x2^2 for R^2", [](S s) { return values(s.x2 * s.x2 / (std::pow(root(s), 3) * s.cosine())); }},
+       {"power 1/2", [](S s) { return values(s.chute.R * s.chute.R / (root(s) * s.cosine())); }}});
+  bend.says = "h_x2x2 is R^2/((R^2 - x2^2)^(3/2) cos(theta))";
   const std::string bar = "The fraction's bar is lost: ";
   return {
       misprinted("3.13-h1", 1673, "h_x1", seed,
                  {"-H L cos(theta)", [](S s) { return values(-s.chute.H * s.chute.L * s.cosine()); }},
                  {"-H/(L cos(theta))", [](S s) { return values(-s.chute.H / (s.chute.L * s.cosine())); }}, h1,
                  {"+H/(L cos(theta))", [](S s) { return values(s.chute.H / (s.chute.L * s.cosine())); }},
-                 bar + "$h_{x_1} = -H/(L\\cos\\theta)$."),
+                 bar + "$h_{x_1} = -H/(L\\cos\\theta)$. For the default chute that is $-0.75$, and the "
+                       "product $-12$."),
       misprinted(
           "3.13-h2", 1677, "h_x2", seed,
           {"x2 (R^2 - x2^2)^(1/2) cos(theta)", [](S s) { return values(s.x2 * root(s) * s.cosine()); }},
           {"x2/((R^2 - x2^2)^(1/2) cos(theta))", [](S s) { return values(s.x2 / (root(s) * s.cosine())); }},
           h2, {"-x2/(...)", [](S s) { return values(-s.x2 / (root(s) * s.cosine())); }},
-          bar + "$h_{x_2} = x_2/\\big((R^2-x_2^2)^{1/2}\\cos\\theta\\big)$."),
-      zero,
-      formula_claim<OnChute>(
-          "3.13-h22", 1681, "h_x2x2", seed,
-          {"R^2/((R^2 - x2^2)^(3/2) cos(theta))",
-           [](S s) { return values(s.chute.R * s.chute.R / (std::pow(root(s), 3) * s.cosine())); }},
-          h22,
-          {{"x2^2 for R^2", [](S s) { return values(s.x2 * s.x2 / (std::pow(root(s), 3) * s.cosine())); }},
-           {"power 1/2", [](S s) { return values(s.chute.R * s.chute.R / (root(s) * s.cosine())); }}})};
+          bar +
+              "$h_{x_2} = x_2/\\big((R^2-x_2^2)^{1/2}\\cos\\theta\\big)$. Towards the rim this slope becomes "
+              "infinite, and the product zero."),
+      zero, bend};
 }
 
 // ---- the equations of motion ------------------------------------------------------------------------------
@@ -122,6 +127,7 @@ std::vector<Claim> motion(double seed) {
       "\\theta),\\, x_2/((R^2-x_2^2)^{1/2}\\cos\\theta))$. So read, it is what Lagrange's equations give, in "
       "the "
       "coordinates of the plane and in those of the cylinder.");
+  equations.says = "(x1'', x2'') has R^2 x2^2 above and -H L cos(theta) in the vector";
   equations.meant.checks.push_back(
       compare<OnChute>("(x1'', x2'')", meant,
                        {"Lagrange's equations along and about the axis, mapped by dual numbers",
@@ -148,6 +154,7 @@ std::vector<Claim> motion(double seed) {
       {"(g/2) sin(2 theta)", [](S s) { return values(s.g / 2 * std::sin(2 * s.theta())); }}, truth,
       {{"g sin(theta)", [](S s) { return values(s.g * std::sin(s.theta())); }},
        {"g sin(2 theta)", [](S s) { return values(s.g * std::sin(2 * s.theta())); }}});
+  center.says = "x1'' on the center line is (g/2) sin(2 theta)";
   for (const V& form : {ratio, tangent})
     center.printed.checks.push_back(compare("x1'' on the center line", form, truth, seed));
 
@@ -193,7 +200,8 @@ Check at_rest_across(const std::string& what, double seed, double x2, double win
     OnChute s(random);
     s.x2 = x2;
     s.v2 = 0;
-    worst.see(s.accelerations(friction ? s.k : 0, wind)[1], 0, s.size(), s.where());
+    const Value a = s.accelerations(friction ? s.k : 0, wind);
+    worst.see(a[1], 0, size_of(a), s.where());
   }
   return worst.check();
 }
@@ -218,7 +226,9 @@ std::vector<Claim> statements(double seed) {
   stays.printed = {"x2 = 0", {staying(0)}};
   stays.near_misses = {{"with speed across as well", {staying(0.01)}}};
 
-  Claim positive{"3.13-positive", 1733, "x1'' on the center line is a positive constant"};
+  Claim positive{
+      "3.13-positive", 1733,
+      "x1'' on the center line is a positive constant (the chute being neither level nor vertical)"};
   const auto constant = [&](const std::string& what, double moved) {
     return compare<OnChute>(what,
                             {"at one place and speed",
@@ -239,7 +249,12 @@ std::vector<Claim> statements(double seed) {
                             seed);
   };
   positive.printed = {"constant and positive", {constant("(x1'', positive)", 0)}};
-  positive.near_misses = {{"the same beside the center line", {constant("(x1'', positive)", 1)}}};
+  positive.near_misses = {{"the same beside the center line", {constant("(x1'', positive)", 1)}},
+                          {"in a level chute as well", {in_all("x1'' <= 0 in a level chute", seed, [](S s) {
+                             OnChute level = s;
+                             level.chute.H = level.x2 = level.v2 = 0;
+                             return level.accelerations()[0] > 0;
+                           })}}};
 
   Claim always{"3.13-always_positive", 1733, "the acceleration along x1 is always positive"};
   always.printed = {"x1'' > 0", {in_all("x1'' <= 0", seed, [](S s) { return s.accelerations()[0] > 0; })}};
@@ -261,10 +276,14 @@ std::vector<Claim> statements(double seed) {
                         const Pair then = center(s, 1e-3);
                         return s.v1 < 0 || (std::abs(then[1]) > std::abs(s.v1) && then[0] > s.x1);
                       })}};
+  speed.near_misses = {{"x1 increases", {in_all("x1 falls within 1 ms", seed, [=](S s) {
+                          return center(s, 1e-3)[0] > s.x1;
+                        })}}};
   speed.why =
       "The next formula admits any $\\dot x_1(0)$. A ball sent up the chute first slows down, and its $x_1$ "
       "decreases, until $t = -2\\dot x_1(0)/(g\\sin2\\theta)$: the default ball below, with $\\dot x_1(0) = "
-      "-0.8$, climbs for 0.17 s. What increases from the start is the velocity $\\dot x_1$.";
+      "-0.8$, climbs for 0.17 s, 7 cm along $x_1$, and is back at its start after 0.34 s. What increases "
+      "from the start is the velocity $\\dot x_1$.";
 
   Claim angle{"3.13-steeper_is_faster", 1737, "the larger the angle, the larger the acceleration"};
   const auto at_angle = [](S s, double theta) {
@@ -294,11 +313,19 @@ std::vector<Claim> statements(double seed) {
        steeper("the acceleration along the chute falls", [=](S s, double theta, double more) {
          return at_angle(s, more)[0] / std::cos(more) > at_angle(s, theta)[0] / std::cos(theta);
        })}};
+  angle.near_misses = {
+      {"x1'' increases up to 60 degrees", {steeper("x1'' not so", [=](S s, double theta, double more) {
+         return theta >= std::numbers::pi / 3 || more > std::numbers::pi / 3 ||
+                at_angle(s, more)[0] > at_angle(s, theta)[0];
+       })}}};
   angle.why =
       "$\\ddot x_1 = \\frac g2\\sin2\\theta$ is largest at $45^\\circ$, $g/2$, and falls to zero at "
       "$90^\\circ$: "
       "in free fall nothing moves sideways. What grows with the angle is the acceleration along the chute, "
-      "$g\\sin\\theta$, of which $\\ddot x_1$ is the horizontal part.";
+      "$g\\sin\\theta$, of which $\\ddot x_1$ is the horizontal part. Seen from above, as on a map of a "
+      "game's level, "
+      "the ball in a chute of $75^\\circ$ looks as slow as that in one of $15^\\circ$: both cover 1.23 m in "
+      "the first second.";
 
   Claim form{"3.13-friction_form", 1739, "with viscous friction still x2'' = S x2, S a scalar"};
   Worst at_center("x2'' at x2 = 0, x2' not 0", "Lagrange's equations with friction", "S x2 = 0");
@@ -306,7 +333,8 @@ std::vector<Claim> statements(double seed) {
   for (int i = 0; i < 200; ++i) {
     OnChute s(random);
     s.x2 = 0;
-    at_center.see(s.accelerations(s.k)[1], 0, s.size(), s.where());
+    const Value a = s.accelerations(s.k);
+    at_center.see(a[1], 0, size_of(a), s.where());
   }
   form.printed = {"x2'' = S x2", {at_center.check()}};
   form.corrected = {
@@ -320,6 +348,17 @@ std::vector<Claim> statements(double seed) {
            }},
           {"Lagrange's equations, friction -k x' in space", [](S s) { return s.accelerations(s.k); }},
           seed)}};
+  form.near_misses = {
+      {"x2'' = S x2 - 2 k x2'",
+       {compare<OnChute>(
+           "(x1'', x2'')",
+           {"without friction, less k x1' and 2 k x2'",
+            [=](S s) {
+              const Value a = published(s, s.v2 * s.v2, -s.chute.H / (s.chute.L * s.cosine()));
+              return values(a[0] - s.k * s.v1, a[1] - 2 * s.k * s.v2);
+            }},
+           {"Lagrange's equations, friction -k x' in space", [](S s) { return s.accelerations(s.k); }},
+           seed)}}};
   form.why =
       "Friction adds $-k\\dot x_2$: where the ball crosses the center line, $x_2 = 0$, the form says $\\ddot "
       "x_2 "

@@ -66,9 +66,14 @@ std::vector<Claim> motion(double seed, const Value& end) {
   towards.corrected = {"when the spring is stretched, and away from it when it is compressed",
                        {pulls("F . (c i - x) > 0 exactly when r > ell", seed,
                               [](bool pull, bool stretched) { return pull == stretched; })}};
+  towards.near_misses = {{"when the spring is compressed",
+                          {pulls("F . (c i - x) > 0 exactly when r < ell", seed,
+                                 [](bool pull, bool stretched) { return pull != stretched; })}}};
   towards.why =
       "A compressed spring pushes. It does so at the end of this very motion, where $r=1.410$ is less than "
-      "$\\ell=1.474$. The formula (1821) has it right.";
+      "$\\ell=1.474$. The formula (1821) has it right; a game that takes the sentence and lets the spring "
+      "always "
+      "pull has the mass 3.5 mm off at $t=2$.";
 
   Claim arrives{"3.15-arrival_time", 1849, "the mass arrives in the (x2, x3)-plane at t = 2"};
   const auto x1 = [](const CartesianWithConstraints::State& x, double) { return x[0]; };
@@ -85,17 +90,53 @@ std::vector<Claim> motion(double seed, const Value& end) {
   segment.near_misses = {{"at any speed, such as 1.5 sqrt(2K/m)",
                           {stays_on("0 <= lambda <= L at w = 1.5 sqrt(2K/m)", 1.5 * sqrt(20.0))}}};
 
-  Claim numbers{"3.15-by_numbers", 1847, "the position at t = 2 comes from a numerical method"};
+  Claim numbers{
+      "3.15-by_numbers", 1847,
+      "a numerical method gives the position at t = 2 (that there is no closed form is not judged)"};
   const auto place = [&](const std::string& by, const Value& x) {
     return Check{"x(2)", {by, x}, {"table", end}, integrated};
   };
-  const auto state = ode::integrate<ode::Fehlberg78>(cartesian, cartesian.start(), 0, 2, 1e-12).value;
-  numbers.printed = {"by integration", {place("Cartesian, Fehlberg 7(8)", cartesian.observe(state, 2))}};
+  const auto by_time = [&](double t) {
+    const auto state = ode::integrate<ode::Fehlberg78>(cartesian, cartesian.start(), 0, t, 1e-12).value;
+    return place("Cartesian, Fehlberg 7(8)", cartesian.observe(state, t));
+  };
+  numbers.printed = {"by integration", {by_time(2)}};
   numbers.near_misses = {
-      {"closed form without the spring", {place("no spring", NoSpring{book}.at(2))}},
-      {"closed form with c = 0", {place("spring's end on the axis", EndOnTheAxis{book}.at(2))}},
-      {"closed form of a rigid spring", {place("rigid spring", RigidSpring{book}.at(2))}}};
-  return {towards, arrives, segment, numbers};
+      {"by integration up to a step of the listing before", {by_time(1.99)}},
+      {"by 16 steps of Runge-Kutta 4",
+       {place("Cartesian, Runge-Kutta 4",
+              cartesian.observe(
+                  ode::integrate<ode::RungeKutta4>(cartesian, cartesian.start(), 0, 2, 0.125).value, 2))}}};
+
+  // lambda(2), the segment's length being of no account but for the start b
+  Claim select{"3.15-parameters", 1867, "the parameters to select are L, c, m and K"};
+  const auto end_of = [](double b, double m, double K) {
+    const AlongTheRod rod{{m, book.c, K, quarter, sqrt2 * b}};
+    return ode::integrate<ode::Fehlberg78>(rod, rod.start(), 0, 2, 1e-12).value[0];
+  };
+  const double half = book.s0 / sqrt2;
+  const auto same = [&](const std::string& one, double x, const std::string& another, double y) {
+    return Check{"lambda(2), c being 1 in both", {one, x}, {another, y}, integrated};
+  };
+  const std::string book_values = "L = 4, m = 1, K = 10, b = sqrt(2)";
+  select.printed = {"L, c, m, K",
+                    {same(book_values, end_of(half, 1, 10), "L = 4, m = 1, K = 10, b = 1/sqrt(2)",
+                          end_of(half / 2, 1, 10))}};
+  select.corrected = {
+      "b, c and K/m",
+      {same(book_values, end_of(half, 1, 10), "L = 8, m = 3, K = 30, b = sqrt(2)", end_of(half, 3, 30))}};
+  select.near_misses = {
+      {"b, c and K",
+       {same(book_values, end_of(half, 1, 10), "L = 8, m = 3, K = 10, b = sqrt(2)", end_of(half, 3, 10))}}};
+  select.why =
+      "The start $b$ is missing, on which $\\lambda(0)=bL/a=\\sqrt2\\,b$ and $\\ell$ depend. From a quarter "
+      "of the "
+      "segment instead of its middle, with the same $L$, $c$, $m$ and $K$, $\\lambda(2)$ is 0.252 and not "
+      "0.994. "
+      "The length $L$ decides nothing else, and $m$ and $K$ only by $K/m$. The listing has $b$ as the "
+      "initial "
+      "`lambda`.";
+  return {towards, arrives, segment, numbers, select};
 }
 
 // ---- the claims: the listing and its output ---------------------------------------------------------------
@@ -167,9 +208,28 @@ std::vector<Claim> listed(const Run& run, const Run& mended) {
                  {200 * 0x1p-53 * 2, "the rounding of a clock that adds 200 steps"},
                  1};
   };
+  Claim clock{"3.15-initial_time", 1995, "Initialize(time, ...) starts at the time that it is given"};
+  const auto starts_at = [&](const std::string& by, double t) {
+    const auto x = position(2.0, t, quarter);
+    return Check{"position after Initialize(1, 0.01, 2, 0)",
+                 {by, book.place(2, 1)},
+                 {"at the time of the listing", {x[0], x[1], x[2]}},
+                 rounding(2)};
+  };
+  clock.printed = {"mTime = 0.0", {starts_at("lambda = 2 at t = 1", 0)}};
+  clock.corrected = {"mTime = time", {starts_at("lambda = 2 at t = 1", 1)}};
+  clock.near_misses = {{"mTime = deltaTime", {starts_at("lambda = 2 at t = 1", 0.01)}}};
+  clock.why =
+      "The argument `time` is not used: the clock is set to `mTime = 0.0`. The main program passes 0, and "
+      "its "
+      "output is not touched. Whoever resumes a saved motion at $t=1$ finds the segment turned back by "
+      "$45^\\circ$, and the mass 1.08 m from its place. (With `mTime = time` the rest length must be kept as "
+      "well: "
+      "`mAux[6]` takes the spring's length at that moment, 1.73 for 1.47.)";
+
   plane.printed = {"zero but for the clock's rounding", {x1_after(200)}};
   plane.near_misses = {{"so one step before", {x1_after(199)}}};
-  return {first, last, x1, plane};
+  return {first, last, x1, plane, clock};
 }
 
 std::vector<Claim> conclusions(const Run& run, const Run& mended, const Value& end) {
@@ -186,6 +246,7 @@ std::vector<Claim> conclusions(const Run& run, const Run& mended, const Value& e
                        {"corrected", 0.99421},
                        {"200 steps of Runge-Kutta 4", mended.lambda.back()},
                        printed_decimals(5)}}};
+  value.near_misses = {{"0.99422", {is_lambda("last digit one up", 0.99422)}}};
   value.why =
       "The output belongs to the slip of the listing, `aux[0]*time` for `aux[1]*time` (2079), not to the "
       "equation of the text, whose $\\lambda(2)$ is 0.994210: what is printed is 16 percent too large.";
@@ -196,15 +257,21 @@ std::vector<Claim> conclusions(const Run& run, const Run& mended, const Value& e
   };
   arrival.printed = {"0.814683", {is_d("as printed", 0.814683, printed_decimals(6))}};
   arrival.corrected = {"0.703013", {is_d("corrected", 0.703013, printed_decimals(6))}};
+  arrival.near_misses = {{"0.703014", {is_d("last digit one up", 0.703014, printed_decimals(6))}}};
   arrival.why =
-      "It comes from the slip of the listing (2079); the mass arrives at $(0,d,d)$ with $d=0.703013$.";
+      "It comes from the slip of the listing (2079); the mass arrives at $(0,d,d)$ with $d=0.703013$, 0.16 m "
+      "nearer "
+      "to the origin along the segment.";
 
   Claim meaning{"3.15-d_is_lambda", 1849, "d is lambda(2)"};
   meaning.printed = {"d = lambda(2)", {is_d("|x(2)|", lambda, rounding(1))}};
-  meaning.corrected = {"d = lambda(2)/sqrt(2)", {is_d("|x(2)|/sqrt(2)", lambda / sqrt2, rounding(1))}};
+  meaning.meant = {"d = lambda(2)/sqrt(2)", {is_d("|x(2)|/sqrt(2)", lambda / sqrt2, rounding(1))}};
+  meaning.near_misses = {{"d = lambda(2)/2", {is_d("|x(2)|/2", lambda / 2, rounding(1))}}};
   meaning.why =
       "$\\lambda$ is a distance along the segment and $d$ a coordinate: $d=\\lambda(2)/\\sqrt2$, as in the "
-      "output's own 1.15214 and 0.814683. The line is repeated in the summary (1869).";
+      "output's own 1.15214 and 0.814683. Taken at its word it places the mass 0.41 m too far along the "
+      "segment. The "
+      "line is repeated in the summary (1869).";
 
   Claim down{"3.15-slipped", 2181, "lambda has decreased"};
   down.printed = {"lambda(2) < lambda(0)",

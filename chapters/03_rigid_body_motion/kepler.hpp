@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -68,10 +69,11 @@ inline Solved<double> bessel_series(double e, double M, int terms) {
 /// sums of sines. Converges for all M only up to e = 0.6627..., Laplace's limit.
 inline Solved<double> lagrange_series(double e, double M, int terms) {
   double E = M;
+  const auto log_factorial = [](int n) { return boost::math::lgamma(n + 1.0); };
   for (int n = 1; n <= terms; ++n)
     for (int k = 0; 2 * k < n; ++k) {
       const double size = n * std::log(e) - (n - 1) * std::numbers::ln2 + (n - 1) * std::log(n - 2 * k) -
-                          std::lgamma(k + 1) - std::lgamma(n - k + 1);
+                          log_factorial(k) - log_factorial(n - k);
       E += (k % 2 ? -1 : 1) * std::exp(size) * std::sin((n - 2 * k) * M);
     }
   return {E, static_cast<long>(terms) * (terms + 1) / 2};

@@ -39,7 +39,12 @@ struct OnCylinder {
         V(cross(D, U)),
         X(sum(sum(P, D, t), unit(cross(D, random.direction())), R)),
         Y(sum(X, P, -1)) {}
-  double size() const { return 10 * (3 + dot(X, X) + dot(P, P)); }
+  std::vector<double*> letters() {
+    std::vector<double*> all{&R, &t};
+    for (Point* point : {&P, &D, &U, &V, &X, &Y})
+      for (double& x : *point) all.push_back(&x);
+    return all;
+  }
   std::string where() const { return "R = " + rounded(R, 4) + ", t = " + rounded(t, 4); }
   double y1() const { return dot(U, Y); }
   double y2() const { return dot(V, Y); }
@@ -66,10 +71,8 @@ struct OnChute {
   }
   double cosine() const { return std::sqrt(chute.L * chute.L - chute.H * chute.H) / chute.L; }
   double theta() const { return std::asin(chute.H / chute.L); }
-  double size() const {
-    const double q = chute.R * chute.R / (chute.depth(x2) * chute.depth(x2)), c = cosine();
-    return 4 * (1 + g + k + q * q * (1 + v2 * v2 / chute.R)) * (1 + x1 * x1 + x3 * x3 + v1 * v1 + way * way) *
-           (1 + chute.R * chute.R) * (1 + chute.L) / (c * c);
+  std::array<double*, 12> letters() {
+    return {&chute.R, &chute.L, &chute.H, &g, &x1, &x2, &x3, &v1, &v2, &k, &phi, &way};
   }
   std::string where() const {
     return "theta = " + rounded(theta(), 4) + ", R = " + rounded(chute.R, 4) + ", x2 = " + rounded(x2, 4) +
@@ -120,6 +123,7 @@ inline std::vector<Claim> cylinder(double seed) {
   const auto says = [&](const std::string& id, int line, const std::string& what, const V& printed,
                         const V& truth, const std::vector<V>& near) {
     all.push_back(formula_claim<OnCylinder>("3.13-" + id, line, what, seed, printed, truth, near));
+    all.back().says = what;
   };
   const V square{"R^2, the point having been put R from the axis", [](S s) { return values(s.R * s.R); }};
   says("cylinder", 1587, "(X - P)^T (I - D D^T) (X - P) = R^2 on the cylinder",
@@ -196,6 +200,7 @@ inline std::vector<Claim> axis(double seed) {
   const auto says = [&](const std::string& id, int line, const std::string& what, const V& printed,
                         const V& truth, const std::vector<V>& near) {
     all.push_back(formula_claim<OnChute>("3.13-" + id, line, what, seed, printed, truth, near));
+    all.back().says = what;
   };
   says("triangle", 1617, "where x3 rises by H, x1 falls by L cos(theta), over the length L",
        {"|(-L cos(theta), H)| and H",
@@ -213,8 +218,11 @@ inline std::vector<Claim> axis(double seed) {
        {"cos(asin(H/L))", [](S s) { return values(std::cos(s.theta())); }},
        {{"L/sqrt(L^2 - H^2)", [](S s) { return values(1 / s.cosine()); }}});
   says("sine", 1621, "sin(theta) = H/L", {"H/L", [](S s) { return values(s.chute.H / s.chute.L); }},
-       {"sqrt(1 - cos(theta)^2) with the published cosine",
-        [](S s) { return values(std::sqrt(1 - s.cosine() * s.cosine())); }},
+       {"sine of the angle between the chute and the plane",
+        [](S s) {
+          const double run = std::sqrt((s.chute.L - s.chute.H) * (s.chute.L + s.chute.H));
+          return values(std::sin(std::atan2(s.chute.H, run)));
+        }},
        {{"L/H", [](S s) { return values(s.chute.L / s.chute.H); }}});
   says("direction", 1623, "D = (-cos(theta), 0, sin(theta)) is the unit vector up the axis",
        {"(-cos(theta), 0, sin(theta))",
@@ -248,10 +256,11 @@ inline std::vector<Claim> solved(double seed) {
   const auto says = [&](const std::string& id, int line, const std::string& what, const V& printed,
                         const V& truth, const std::vector<V>& near) {
     all.push_back(formula_claim<OnChute>("3.13-" + id, line, what, seed, printed, truth, near));
+    all.back().says = what;
   };
   const V form{"(X - P)^T (I - D D^T) (X - P) - R^2", [](S s) { return values(s.excess()); }};
   const auto last_is_misprint = [&](const V& meant, const std::string& why) {
-    all.back().meant = {meant.text, {compare(all.back().says, meant, form, seed)}};
+    all.back().meant = {meant.text, {compare("the equation's right-hand side", meant, form, seed)}};
     all.back().why = why;
   };
   const auto expanded = [](double sign, double R2) {
@@ -260,11 +269,14 @@ inline std::vector<Claim> solved(double seed) {
       return values(s.x1 * s.x1 + s.x2 * s.x2 + z * z - along * along - R2 * s.chute.R * s.chute.R);
     };
   };
-  says("expansion_1", 1637, "the cylinder's equation, multiplied out",
+  says("expansion_1", 1637,
+       "the cylinder's equation is 0 = x1^2 + x2^2 + (x3 - p3)^2 - (d1 x1 + d3 (x3 - p3))^2",
        {"x1^2 + x2^2 + (x3 - p3)^2 - (d1 x1 + d3 (x3 - p3))^2", expanded(1, 0)}, form,
        {{"d1 x1 - d3 (x3 - p3)", expanded(-1, 1)}});
-  last_is_misprint({"the same, less R^2", expanded(1, 1)},
-                   "The term $-R^2$, there in the lines before and after, is left out.");
+  last_is_misprint(
+      {"the same, less R^2", expanded(1, 1)},
+      "The term $-R^2$, there in the lines before and after, is left out: so read it is the axis alone "
+      "that satisfies the equation.");
   const auto by_powers = [](const auto& first) {
     return [=](S s) {
       const double z = s.x3 - s.p3(), d1 = s.d1(), d3 = s.d3();
@@ -272,11 +284,15 @@ inline std::vector<Claim> solved(double seed) {
                     s.chute.R * s.chute.R);
     };
   };
-  says("expansion_2", 1639, "the same by powers of x3 - p3",
+  says("expansion_2", 1639,
+       "by powers of x3 - p3 it is 0 = (1 - d3)^2 (x3 - p3)^2 - 2 d1 d3 x1 (x3 - p3) + (1 - d1^2) x1^2 + "
+       "x2^2 - R^2",
        {"(1 - d3)^2 (x3 - p3)^2 - ...", by_powers([](double d) { return (1 - d) * (1 - d); })}, form,
        {{"(1 + d3^2)", by_powers([](double d) { return 1 + d * d; })}});
-  last_is_misprint({"(1 - d3^2) (x3 - p3)^2 - ...", by_powers([](double d) { return 1 - d * d; })},
-                   "The square belongs to $d_3$: $(1-d_3^2)$, which the next line writes as $d_1^2$.");
+  last_is_misprint(
+      {"(1 - d3^2) (x3 - p3)^2 - ...", by_powers([](double d) { return 1 - d * d; })},
+      "The square belongs to $d_3$: $(1-d_3^2)$, which the next line writes as $d_1^2$. With the "
+      "default chute, $d_3=3/5$, that is 0.64, and what is printed 0.16.");
   const auto by_parts = [](double middle) {
     return [=](S s) {
       const double z = s.x3 - s.p3(), d1 = s.d1(), d3 = s.d3();
@@ -284,7 +300,8 @@ inline std::vector<Claim> solved(double seed) {
                     s.chute.R * s.chute.R);
     };
   };
-  says("expansion_3", 1641, "the same with d1^2 + d3^2 = 1",
+  says("expansion_3", 1641,
+       "with d1^2 + d3^2 = 1 it is 0 = d1^2 (x3 - p3)^2 - 2 d1 d3 x1 (x3 - p3) + d3^2 x1^2 + x2^2 - R^2",
        {"d1^2 (x3 - p3)^2 - 2 d1 d3 x1 (x3 - p3) + d3^2 x1^2 + x2^2 - R^2", by_parts(2)}, form,
        {{"plus in the middle", by_parts(-2)}});
   const auto completed = [](double sign) {
@@ -293,8 +310,8 @@ inline std::vector<Claim> solved(double seed) {
       return values(b * b + s.x2 * s.x2 - s.chute.R * s.chute.R);
     };
   };
-  says("expansion_4", 1643, "the same as a square", {"(d1 (x3 - p3) - d3 x1)^2 + x2^2 - R^2", completed(1)},
-       form, {{"plus d3 x1", completed(-1)}});
+  says("expansion_4", 1643, "and with a square 0 = (d1 (x3 - p3) - d3 x1)^2 + x2^2 - R^2",
+       {"(d1 (x3 - p3) - d3 x1)^2 + x2^2 - R^2", completed(1)}, form, {{"plus d3 x1", completed(-1)}});
 
   says("two_roots", 1647, "on the cylinder d1 (x3 - p3) - d3 x1 = +-sqrt(R^2 - x2^2)",
        {"+ and -sqrt(R^2 - x2^2)",
@@ -347,7 +364,7 @@ inline std::vector<Claim> solved(double seed) {
       return values((L * R - fall * H * x[0] - depth * L * s.depth_at(x)) / (L * s.cosine()));
     };
   };
-  says("height", 1663, "the height of the chute as a function of x1 and x2",
+  says("height", 1663, "the height of the chute is (L R - H x1 - L sqrt(R^2 - x2^2))/(L cos(theta))",
        {"(L R - H x1 - L sqrt(R^2 - x2^2))/(L cos(theta))", height(1, 1)}, x3,
        {{"+ H x1", height(-1, 1)}, {"+ L sqrt(R^2 - x2^2)", height(1, -1)}});
   return all;

@@ -249,10 +249,7 @@ struct Sample {
         v(random.magnitude(0.1, 5)),
         A(random.magnitude(0.1, 5)),
         t(random.between(-5, 5)) {}
-  double size() const {
-    const double longest = s + c + ell + a + b;
-    return (1 + m + K) * (longest * (1 + w * w + std::abs(A)) + v * v + std::abs(w) * longest * longest);
-  }
+  std::array<double*, 11> letters() { return {&m, &a, &b, &c, &K, &w, &ell, &s, &v, &A, &t}; }
   std::string where() const {
     return "c = " + shortest(c) + ", w = " + shortest(w) + ", ell = " + shortest(ell) +
            ", s = " + shortest(s) + ", s' = " + shortest(v) + ", t = " + shortest(t);
