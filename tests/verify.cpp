@@ -44,6 +44,8 @@ void verify_claim(const JudgedClaim& judged) {
   CHECK(claim.id + ": " + std::string(name_of(judged.verdict)) == claim.id + ": " + on_record);
   INFO(claim.id << " is confirmed and has no near miss");
   CHECK((judged.verdict != Verdict::confirmed || !claim.near_misses.empty()));
+  INFO(claim.id << " has readings, or says why it cannot be judged");
+  CHECK((judged.verdict == Verdict::not_checkable) == !claim.not_checkable.empty());
 }
 
 void verify_quantity(const QuantityResult& q) {
