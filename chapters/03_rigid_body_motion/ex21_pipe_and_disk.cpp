@@ -277,7 +277,7 @@ Findings study(const Parameters& p, const Reference& truth) {
           {under_gravity(free, truth), motion(scene(), p, truth),
            under_force("frictionless", "the same with the force alone", frictionless,
                        {Outcome::inaccurate, Outcome::inaccurate}, horizon, truth),
-           fast, upright(pushed)}};
+           fast, upright(pushed, truth)}};
 }
 
 }  // namespace ex03_21
