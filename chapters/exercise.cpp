@@ -146,8 +146,7 @@ bool has_readings(const Claim& claim) {
 }  // namespace
 
 Verdict verdict(const Claim& claim) {
-  if (!claim.not_checkable.empty())
-    return has_readings(claim) ? Verdict::unsettled : Verdict::not_checkable;
+  if (!claim.not_checkable.empty()) return has_readings(claim) ? Verdict::unsettled : Verdict::not_checkable;
   if (std::ranges::any_of(claim.near_misses, [](const Reading& near) { return near.holds(); }))
     return Verdict::unsettled;
   if (claim.printed.holds()) return Verdict::confirmed;

@@ -87,14 +87,10 @@ Json from(const JudgedClaim& judged) {
     readings[name] = reading.text;
     for (const Check& c : reading.checks) checks.push_back(from(c, name));
   });
-  return {{"id", claim.id},
-          {"line", claim.line},
-          {"says", claim.says},
-          {"verdict", name_of(judged.verdict)},
-          {"why", claim.why},
-          {"not_checkable", claim.not_checkable},
-          {"readings", readings},
-          {"checks", checks}};
+  return {{"id", claim.id},       {"line", claim.line},
+          {"says", claim.says},   {"verdict", name_of(judged.verdict)},
+          {"why", claim.why},     {"not_checkable", claim.not_checkable},
+          {"readings", readings}, {"checks", checks}};
 }
 JudgedClaim claim(const Json& json) {
   JudgedClaim judged{{json.at("id"), json.at("line"), json.at("says")}, named(json.at("verdict"), verdicts)};

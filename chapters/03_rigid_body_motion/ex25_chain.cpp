@@ -232,8 +232,7 @@ Operations work_of_assembly(const Pattern& p, double g) {
              omega = counted(p.omega);
   std::vector<Counted<double>> row(r.size()), right(r.size());
   return operations_of([&] {
-    for (std::size_t i = 0; i < r.size(); ++i)
-      dense_row(i, mu, r, g, theta, omega, row.data(), right[i]);
+    for (std::size_t i = 0; i < r.size(); ++i) dense_row(i, mu, r, g, theta, omega, row.data(), right[i]);
     return right[0];
   });
 }
@@ -249,10 +248,11 @@ Operations work_of_tensions(const Pattern& p, double g) {
 Quantity cost(int n, double g, const Reference& truth) {
   const Known known = truth("03_25_accelerations", {static_cast<double>(n), g});
   const double size = size_of(known.value);
-  Quantity q = quantity("chain_of_" + std::to_string(n), "rad/s^2",
-                        "angular accelerations of the first, the middle and the last of " +
-                            std::to_string(n) + " links; cost in multiplications, divisions and circular functions",
-                        known, {1e-9 * size, "nine digits"});
+  Quantity q =
+      quantity("chain_of_" + std::to_string(n), "rad/s^2",
+               "angular accelerations of the first, the middle and the last of " + std::to_string(n) +
+                   " links; cost in multiplications, divisions and circular functions",
+               known, {1e-9 * size, "nine digits"});
   const Pattern p(n);
   const long assembly = work_of_assembly(p, g).all_but_additions(),
              recursion = work_of_tensions(p, g).all_but_additions();

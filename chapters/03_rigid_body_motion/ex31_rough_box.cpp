@@ -1,8 +1,9 @@
-// Exercise 3.31: a box slides and turns on a rough plane. The solution is two sentences about a program that is
-// not at hand, and nothing here judges them. What is computed is the motion that the exercise is about:
+// Exercise 3.31: a box slides and turns on a rough plane. The solution is two sentences about a program that
+// is not at hand, and nothing here judges them. What is computed is the motion that the exercise is about:
 //   F = -mu p int n dA,  moment = -mu p int rho x n dA,  n = (V + w k x rho)/|V + w k x rho|, p = m g/(4ab)
-// The integrals have closed forms about the instantaneous centre. At rest n has no direction: friction at full speed only makes the box tremble, and on a slope creep. A uniform
-// pressure is assumed; the box is too low to be tilted by its friction.
+// The integrals have closed forms about the instantaneous centre. At rest n has no direction: friction at
+// full speed only makes the box tremble, and on a slope creep. A uniform pressure is assumed; the box is too
+// low to be tilted by its friction.
 
 #include "chapters/03_rigid_body_motion/rough_box_motion.hpp"
 
@@ -60,8 +61,7 @@ Findings study(const Parameters& p, const Reference& truth) {
                 "step ends by trembling. An implicit method takes its steps from the motion.",
                 soft + ", Runge-Kutta 4, step 1/256", 0.0001, Outcome::inaccurate,
                 soft + ", Rosenbrock 4, tolerance 1e-9", 0.0001});
-  return {claims(),
-          {time_to_rest(box, truth), end, motion(scene(), p, truth)}};
+  return {claims(), {time_to_rest(box, truth), end, motion(scene(), p, truth)}};
 }
 
 }  // namespace ex03_31

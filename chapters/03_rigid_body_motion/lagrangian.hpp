@@ -53,17 +53,37 @@ struct Version {
   std::function<Value(const Sample&)> of;
 };
 
-/// Two versions of a quantity over 200 random samples. A sample is made by Sample(Random&); its size() bounds
-/// the terms that are added up, where() tells its letters.
+/// Two versions of a quantity over the samples. Its terms are of the size of the largest value that it takes;
+/// where it is compared with zero they are what cancels, of which a sample's size() is the sum.
+template <class Sample>
+Check compare(std::string quantity, const Version<Sample>& left, const Version<Sample>& right,
+              const std::vector<Sample>& samples) {
+  std::vector<Value> lefts, rights;
+  double largest = 0;
+  const auto evaluated = [&](const Version<Sample>& version, const Sample& sample) {
+    Value value = version.of(sample);
+    if (finite(value)) largest = std::max(largest, size_of(value));
+    return value;
+  };
+  bool with_zero = true;
+  for (const Sample& sample : samples) {
+    lefts.push_back(evaluated(left, sample));
+    rights.push_back(evaluated(right, sample));
+    with_zero = with_zero && size_of(rights.back()) == 0;
+  }
+  Worst worst(std::move(quantity), left.text, right.text);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    worst.see(lefts[i], rights[i], with_zero ? samples[i].size() : largest, samples[i].where());
+  return worst.check();
+}
+
+/// The same over 200 random samples, made by Sample(Random&); where() tells a sample's letters.
 template <class Sample>
 Check compare(std::string quantity, const Version<Sample>& left, const Version<Sample>& right, double seed) {
-  Worst worst(std::move(quantity), left.text, right.text);
   Random random(seed);
-  for (int i = 0; i < 200; ++i) {
-    const Sample sample(random);
-    worst.see(left.of(sample), right.of(sample), sample.size(), sample.where());
-  }
-  return worst.check();
+  std::vector<Sample> samples;
+  for (int i = 0; i < 200; ++i) samples.emplace_back(random);
+  return compare(std::move(quantity), left, right, samples);
 }
 
 /// The claim that `what` is as printed, judged by the version `truth`, with versions that must not be.
@@ -71,7 +91,7 @@ template <class Sample>
 Claim formula_claim(std::string id, int line, const std::string& what, double seed,
                     const Version<Sample>& printed, const Version<Sample>& truth,
                     const std::vector<Version<Sample>>& near_misses) {
-  Claim claim{std::move(id), line, what + ": " + printed.text};
+  Claim claim{std::move(id), line, what};
   claim.printed = {printed.text, {compare(what, printed, truth, seed)}};
   for (const Version<Sample>& near : near_misses)
     claim.near_misses.push_back({near.text, {compare(what, near, truth, seed)}});

@@ -131,8 +131,9 @@ struct RimMark : Model {
   std::array<double, 2> mark(double angle) const {
     return {this->r * std::cos(angle), this->r * std::sin(angle)};
   }
-  std::array<double, 2> at(double t) const
-      requires ClosedForm<Model> { return mark(this->theta + (this->theta_dot + this->psi_dot) * t); }
+  std::array<double, 2> at(double t) const requires ClosedForm<Model> {
+    return mark(this->theta + (this->theta_dot + this->psi_dot) * t);
+  }
   template <class State>
   std::array<double, 2> observe(const State& x, double) const {
     return mark(x[0] + x[1]);

@@ -217,10 +217,10 @@ struct TwoParticles : Thrown {
 };
 
 inline Quantity fall(const Wire& wire, const Thrown& thrown, const Horizon& horizon, const Reference& truth) {
-  const Known known = trajectory(
-      truth, "03_29_fall", {wire.q, wire.d0, thrown.u, thrown.v, thrown.w, thrown.g}, horizon);
-  Quantity q = quantity("fall", "m", "position of the wire's first end at four times", known,
-                        {1e-6, "a micrometre"});
+  const Known known =
+      trajectory(truth, "03_29_fall", {wire.q, wire.d0, thrown.u, thrown.v, thrown.w, thrown.g}, horizon);
+  Quantity q =
+      quantity("fall", "m", "position of the wire's first end at four times", known, {1e-6, "a micrometre"});
   Ladder(q, horizon, halving("step", 0.125, 10), tolerances())
       .closed_form("center alone", PointMass{thrown}, Outcome::inaccurate, "the wire turns")
       .closed_form("free fall", FreeFall{thrown})

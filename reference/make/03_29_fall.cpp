@@ -2,8 +2,8 @@
 #include "reference/make/taylor.hpp"
 
 // A wire along y = x^2 from 0 to q is thrown with its center of mass at the origin and the velocity (u, v),
-// turning with w; its mark is its first end. The second route has two particles of mu0/2 each, at the distance
-// k = sqrt(mu2/mu0) from the center of mass; a massless rod holds them.
+// turning with w; its mark is its first end. The second route has two particles of mu0/2 each, at the
+// distance k = sqrt(mu2/mu0) from the center of mass; a massless rod holds them.
 namespace oddity::truth {
 
 namespace fall_03_29 {

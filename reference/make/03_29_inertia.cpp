@@ -21,15 +21,16 @@ Truth truth_03_29_inertia() {
   std::vector<std::vector<double>> rows;
   for (double shape : {0, 1, 2})
     for (double q : {1.0, 0.625, 3.0}) rows.push_back({shape, q, 2});
-  return {"mass, center of mass and moment about it of a uniform wire: 0 straight, 1 a half circle, 2 a parabola",
-          "mu0 = int d ds, c = int d r ds/mu0, mu2 = int d |r - c|^2 ds",
-          {"shape", "q", "d"},
-          {{"mu0", "kg"}, {"x", "m"}, {"y", "m"}, {"mu2", "kg m^2"}},
-          rows,
-          "primitives",
-          by_primitives,
-          "double-exponential quadrature over x, over the angle, over y",
-          by_quadrature};
+  return {
+      "mass, center of mass and moment about it of a uniform wire: 0 straight, 1 a half circle, 2 a parabola",
+      "mu0 = int d ds, c = int d r ds/mu0, mu2 = int d |r - c|^2 ds",
+      {"shape", "q", "d"},
+      {{"mu0", "kg"}, {"x", "m"}, {"y", "m"}, {"mu2", "kg m^2"}},
+      rows,
+      "primitives",
+      by_primitives,
+      "double-exponential quadrature over x, over the angle, over y",
+      by_quadrature};
 }
 
 }  // namespace oddity::truth

@@ -2,8 +2,8 @@
 
 #include "reference/make/routes.hpp"
 
-/// A uniform wire of the size q and the density d: 0, from (0, 0) to (q, 0); 1, the upper half circle of radius
-/// q; 2, y = x^2 from 0 to q.
+/// A uniform wire of the size q and the density d: 0, from (0, 0) to (q, 0); 1, the upper half circle of
+/// radius q; 2, y = x^2 from 0 to q.
 namespace oddity::truth::wire {
 
 enum Shape { straight, semicircle, parabola };
@@ -21,8 +21,8 @@ inline Inertia by_primitives(int shape, const Number& q, const Number& d) {
   if (shape == semicircle) return {pi() * q * d, 0, 2 * q * q * d, pi() * q * q * q * d};
   const Number q2 = q * q, root = sqrt(1 + 4 * q2), log_end = log(2 * q + root);
   const Number length = q * root / 2 + log_end / 4;
-  const Number second = q * root * (1 + 8 * q2) / 32 - log_end / 64;                 // of x^2 ds
-  const Number fourth = q * q2 * root * root * root / 24 - second / 8;               // of x^4 ds
+  const Number second = q * root * (1 + 8 * q2) / 32 - log_end / 64;    // of x^2 ds
+  const Number fourth = q * q2 * root * root * root / 24 - second / 8;  // of x^4 ds
   return {d * length, d * (root * root * root - 1) / 12, d * second, d * (second + fourth)};
 }
 
@@ -39,7 +39,9 @@ inline Inertia by_quadrature(int shape, const Number& q, const Number& d, int di
   };
   const auto zero = [](const Number&) -> Number { return 0; };
   const auto itself = [](const Number& u) -> Number { return u; };
-  if (shape == straight) return moments(itself, zero, [](const Number&) -> Number { return 1; }, 0, q);
+  if (shape == straight)
+    return moments(
+        itself, zero, [](const Number&) -> Number { return 1; }, 0, q);
   if (shape == semicircle)
     return moments([&](const Number& t) -> Number { return q * cos(t); },
                    [&](const Number& t) -> Number { return q * sin(t); },
