@@ -338,7 +338,7 @@ std::vector<Claim> forces(double seed) {
              [=](S s) { return values(s.p.m2 * s.p.g - s.pull1() + lever * s.pull2()); }};
   };
 
-  Claim generalized{"3.19-force_y2", 2541, "the generalized force on y2"};
+  Claim generalized{"3.19-force_y2", 2541, "the generalized force on y2 is m2 g - c1 (K1 - L1 + y2)"};
   const V by_energy{"-dV/dy2 by dual numbers", [](S s) { return values(s.forces()[0]); }};
   const auto reading = [&](const V& version, const std::string& what, const V& truth) {
     return Reading{version.text, {compare(what, version, truth, seed)}};
@@ -355,7 +355,8 @@ std::vector<Claim> forces(double seed) {
       "carry $(m_2+2m_3)g$; as published it carries $m_2 g$ alone, 9.81 N for 49.05 N with the default "
       "masses.";
 
-  Claim first{"3.19-equation_y2", 2547, "the equation of motion for y2"};
+  Claim first{"3.19-equation_y2", 2547,
+              "m2 y2'' + I1/R1^2 y2'' + I2/R2^2 (y2'' - y3'') = m2 g - c1 (K1 - L1 + y2)"};
   const auto equation = [](double lever, bool tensions) {
     return V{
         "y'' " + std::string(tensions ? "from the ropes' tensions" : "by Lagrange's equations"), [=](S s) {

@@ -252,7 +252,7 @@ Claim upright_pipe(double seed) {
                      up.phi = 0;
                      return values(-up.m * up.g * up.lever()[2] / up.inertia());
                    })}};
-  claim.corrected = {"of an inclined one; upright only (theta + psi)'' = 0 holds, theta'' may be anything",
+  claim.corrected = {"only where the pipe is inclined; upright (theta + psi)'' = 0 is all that holds",
                      {left_sides("theta'' any, psi'' = -theta''", -1)}};
   claim.near_misses = {
       {"upright theta'' may be anything, whatever psi''", {left_sides("theta'' any, psi'' = 0", 0)}}};

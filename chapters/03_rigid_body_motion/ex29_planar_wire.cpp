@@ -217,8 +217,8 @@ Check friction_at_speed(const std::string& by, double seed, double speed, double
 Claim friction_at_rest(double seed) {
   Claim claim{"3.29-friction_at_rest", 2945,
               "with rough friction the generalized forces are integrals, which can be computed numerically"};
-  claim.printed = {"also of a wire at rest", {friction_at_speed("at rest", seed, 0, 0)}};
-  claim.corrected = {"of a wire in motion, whatever its speed; at rest the integrand is 0/0",
+  claim.printed = {"for a wire at rest, too", {friction_at_speed("at rest", seed, 0, 0)}};
+  claim.corrected = {"for a wire in motion, whatever its speed; at rest the integrand is 0/0",
                      {friction_at_speed("a billion times slower", seed, 1e-9, 1),
                       friction_at_speed("a billion times slower, the other way", seed, -1e-9, -1)}};
   claim.near_misses = {

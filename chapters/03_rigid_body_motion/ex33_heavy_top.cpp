@@ -127,7 +127,7 @@ std::vector<Claim> energy_claims(const Judge& judge) {
           const Value w = rates(s, s.q[2]);
           return values(-s.l * w[1], s.l * w[0], 0);
         }}});
-  moves.corrected = {"l (w2, -w1, 0)",
+  moves.corrected = {"l (w2, -w1, 0), w the angular velocity in body coordinates",
                      {judge.compare("velocity of the center of mass in body coordinates",
                                     {"w x l xi3, w from the text's rates with sin(psi)",
                                      [](S s) {
@@ -178,6 +178,7 @@ std::vector<Claim> energy_claims(const Judge& judge) {
       {"second component -phi' sin(phi) + theta' cos(psi) sin(phi)", [](S s) { return rates(s, s.q[1]); }},
       of_R, {{"+phi' sin(psi) in the second component", [](S s) { return rates(s, -s.q[2]); }}});
   omega.meant = {meant.text, {judge.compare(omega.says, meant, of_R)}};
+  omega.says = "in body coordinates w2 = -phi' sin(phi) + theta' cos(psi) sin(phi)";
   omega.why =
       "The second component begins with $-\\dot\\phi\\sin\\psi$; printed is the angle $\\phi$. With it "
       "$w_1^2+w_2^2$ would depend on $\\psi$, and the text's own next line would not follow. The angles are "
@@ -195,6 +196,7 @@ std::vector<Claim> energy_claims(const Judge& judge) {
                                      {"with -phi' sin(psi) in the second square",
                                       [](S s) { return half_wJw(s, rates(s, s.q[2]), s.mu1); }},
                                      at_points)}};
+  components.says = "the second square in T is that of -phi' sin(phi) + theta' cos(psi) sin(phi)";
   components.why = "The same letter: $\\phi$ stands for $\\psi$ in the second square.";
 
   Claim reduced = judge.claim("energy_reduced", 2981, "T in the angles",
@@ -294,6 +296,7 @@ std::vector<Claim> force_claims(const Judge& judge) {
   all.back().near_misses = {
       {"dr/dphi",
        {judge.compare("the arm of phi", by_dual(1), {"(0, 0, 0)", [](S) { return values(0, 0, 0); }})}}};
+  all.back().says = "the force of psi is (-m g k) . dr/dtheta = 0";
   all.back().why =
       "Printed is $\\partial\\mathbf r/\\partial\\theta$ again, which has just been given and is not zero. "
       "The zeros are those of $\\partial\\mathbf r/\\partial\\psi$: a spin about the axis moves no point of "

@@ -302,6 +302,7 @@ inline std::vector<Claim> point_forces(double seed) {
       "g/L for g L",
       {compare<Sample>(all.back().says, {"the same with g/L sin phi", equation_phi(1, quotient)},
                        by_lagrange_phi, seed)}};
+  all.back().says = "phi'' - theta'^2 sin phi cos phi = -2 omega theta' sin phi (...) - g L sin phi";
   all.back().why =
       "$gL\\sin\\phi$ is $(g/L)\\sin\\phi$, its bar lost: the force before has $g\\sin\\phi$, and is divided "
       "by $mL^2$.";

@@ -234,6 +234,8 @@ inline std::vector<Claim> moments(double seed) {
                    [=](C s) { return values(split(1)(s)[0] / 2 + (split(1)(s)[0] - split(0)(s)[0]) / 2); }}},
                  1e-8);
   parts.meant = cone_reading(parts, {"2 sqrt(...) in the second, too", split(2)}, Ixx, seed, 1e-9);
+  parts.says =
+      "of the two integrals over y that make Ixx the first has 2 y^2 sqrt(...), the second sqrt(...)";
   parts.why =
       "The factor 2 of the line before is lost in the second integral; $\\int\\sqrt{\\rho^2-y^2}\\,dy = "
       "\\pi\\rho^2/2$, and the next line, with $\\pi\\rho^2z^2$, has it again.";
@@ -258,6 +260,7 @@ inline std::vector<Claim> moments(double seed) {
                          {"r^4 (1 - z/h)^4/4 + z^2 (1 - z/h)^2", factored(0)}, Ixx,
                          {{"r z^2 (1 - z/h)^2", factored(1)}});
   out.meant = cone_reading(out, {"r^2 z^2 (1 - z/h)^2", factored(2)}, Ixx, seed, 1e-13);
+  out.says = "Ixx is pi times the integral of r^4 (1 - z/h)^4/4 + z^2 (1 - z/h)^2";
   out.why =
       "The second term is $\\rho^2z^2 = r^2z^2(1-z/h)^2$; its $r^2$ is lost, and back in the next line.";
   all.push_back(out);
@@ -269,6 +272,7 @@ inline std::vector<Claim> moments(double seed) {
   Claim whole = cone_claim("Ixx_closed", 2363, "Ixx in closed form", seed,
                            {"pi r^2 h (2h^2 + 3r^2) 60", closed(60)}, Ixx, {{"/30", closed(1.0 / 30)}});
   whole.meant = cone_reading(whole, {"pi r^2 h (2h^2 + 3r^2)/60", closed(1.0 / 60)}, Ixx, seed, 1e-13);
+  whole.says = "Ixx = pi r^2 h (2h^2 + 3r^2) 60";
   whole.why = "The bar over 60 is lost.";
   all.push_back(whole);
   const auto by_mass = [](double a, double b, double by) {
@@ -314,6 +318,7 @@ inline std::vector<Claim> moments(double seed) {
   Claim spin = cone_claim("Izz_closed", 2393, "Izz in closed form", seed, {"pi r^4 h 10", turning(10)}, Izz,
                           {{"/5", turning(0.2)}});
   spin.meant = cone_reading(spin, {"pi r^4 h/10", turning(0.1)}, Izz, seed, 1e-13);
+  spin.says = "Izz = pi r^4 h 10";
   spin.why = "The bar over 10 is lost.";
   all.push_back(spin);
   all.push_back(cone_claim("Izz", 2395, "Izz by the mass", seed, {"m 3r^2/10", by_mass(0, 3, 10)}, Izz,
