@@ -153,8 +153,8 @@ struct Claim {
   Reading meant = {};      ///< what it plainly meant, when print or extraction got in the way
   Reading corrected = {};  ///< what is true instead
   std::vector<Reading> near_misses =
-      {};                ///< what must not hold: a flipped sign, a dropped term, another digit
-  std::string why = {};  ///< unless confirmed: what is wrong, what is right, how it shows
+      {};                          ///< what must not hold: a flipped sign, a dropped term, another digit
+  std::string why = {};            ///< unless confirmed: what is wrong, what is right, how it shows
   std::string not_checkable = {};  ///< why nothing at hand can judge it; it has no readings then
 };
 
@@ -275,8 +275,8 @@ struct Findings {
   std::vector<Quantity> quantities;
 };
 
-/// How the observables of one time are drawn: by name ("x" and "y" alone as a path in the plane), over time in
-/// this unit.
+/// How the observables of one time are drawn: by name ("x" and "y" alone as a path in the plane), over time
+/// in this unit.
 struct Axes {
   std::vector<std::string_view> observables;
   std::string_view time = "s";
