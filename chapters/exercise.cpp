@@ -1,5 +1,6 @@
 #include "chapters/exercise.hpp"
 
+#include <array>
 #include <exception>
 
 #include "reference/bad_input.hpp"
@@ -134,7 +135,18 @@ bool Reading::holds() const {
   return !checks.empty() && std::ranges::all_of(checks, [](const Check& check) { return check.holds(); });
 }
 
+namespace {
+
+bool has_readings(const Claim& claim) {
+  return !claim.near_misses.empty() ||
+         std::ranges::any_of(std::array{&claim.printed, &claim.meant, &claim.corrected},
+                             [](const Reading* r) { return !r->text.empty() || !r->checks.empty(); });
+}
+
+}  // namespace
+
 Verdict verdict(const Claim& claim) {
+  if (!claim.not_checkable.empty()) return has_readings(claim) ? Verdict::unsettled : Verdict::not_checkable;
   if (std::ranges::any_of(claim.near_misses, [](const Reading& near) { return near.holds(); }))
     return Verdict::unsettled;
   if (claim.printed.holds()) return Verdict::confirmed;
@@ -305,6 +317,8 @@ std::string_view name_of(Verdict verdict) {
       return "misprint";
     case Verdict::erratum:
       return "erratum";
+    case Verdict::not_checkable:
+      return "not checkable";
     case Verdict::unsettled:
       return "unsettled";
   }

@@ -22,7 +22,8 @@ Enum named(const Json& json, const std::array<Enum, N>& all) {
   throw std::runtime_error("unknown name " + json.dump());
 }
 
-constexpr std::array verdicts{Verdict::confirmed, Verdict::misprint, Verdict::erratum, Verdict::unsettled};
+constexpr std::array verdicts{Verdict::confirmed, Verdict::misprint, Verdict::erratum, Verdict::not_checkable,
+                              Verdict::unsettled};
 constexpr std::array outcomes{Outcome::ok,         Outcome::inaccurate, Outcome::drifted,  Outcome::diverged,
                               Outcome::non_finite, Outcome::stalled,    Outcome::deceived, Outcome::raised};
 
@@ -86,13 +87,15 @@ Json from(const JudgedClaim& judged) {
     readings[name] = reading.text;
     for (const Check& c : reading.checks) checks.push_back(from(c, name));
   });
-  return {
-      {"id", claim.id},   {"line", claim.line},   {"says", claim.says}, {"verdict", name_of(judged.verdict)},
-      {"why", claim.why}, {"readings", readings}, {"checks", checks}};
+  return {{"id", claim.id},       {"line", claim.line},
+          {"says", claim.says},   {"verdict", name_of(judged.verdict)},
+          {"why", claim.why},     {"not_checkable", claim.not_checkable},
+          {"readings", readings}, {"checks", checks}};
 }
 JudgedClaim claim(const Json& json) {
   JudgedClaim judged{{json.at("id"), json.at("line"), json.at("says")}, named(json.at("verdict"), verdicts)};
   judged.claim.why = json.at("why");
+  judged.claim.not_checkable = json.at("not_checkable");
   std::size_t near_misses = 0;
   for (const auto& [name, text] : json.at("readings").items()) near_misses += name.starts_with("near miss");
   judged.claim.near_misses.resize(near_misses);

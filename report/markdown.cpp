@@ -16,7 +16,8 @@ namespace {
 // ---- counting ---------------------------------------------------------------------------------------------
 
 using Counts = std::map<Verdict, int>;
-constexpr std::array verdicts{Verdict::confirmed, Verdict::misprint, Verdict::erratum, Verdict::unsettled};
+constexpr std::array verdicts{Verdict::confirmed, Verdict::misprint, Verdict::erratum, Verdict::not_checkable,
+                              Verdict::unsettled};
 
 void count(const ExerciseResult& e, Counts& counts) {
   for (const JudgedClaim& c : e.claims) ++counts[c.verdict];
@@ -30,6 +31,7 @@ std::string sentence(Counts counts) {
   return std::to_string(counts[Verdict::confirmed]) + " confirmed, " +
          plural(counts[Verdict::misprint], "misprint", "misprints") + ", " +
          plural(counts[Verdict::erratum], "erratum", "errata") + ", " +
+         std::to_string(counts[Verdict::not_checkable]) + " not checkable, " +
          std::to_string(counts[Verdict::unsettled]) + " unsettled";
 }
 
@@ -98,6 +100,7 @@ const Check& tightest(const Reading& reading) {
 
 /// The numbers behind a verdict in a few words: what holds, or by how much the print is off.
 std::string evidence(const JudgedClaim& judged) {
+  if (judged.verdict == Verdict::not_checkable) return escaped(judged.claim.not_checkable);
   const Reading& printed = judged.claim.printed;
   const Reading& shown_reading = printed.checks.empty() ? deciding(judged) : printed;
   if (shown_reading.checks.empty()) return "";
@@ -260,7 +263,7 @@ std::string exercise_text(const ExerciseResult& e, bool charts) {
   count(e, counts);
   text += "### What the solution says: " + sentence(counts) + "\n\n" + claims_table(e);
   for (const JudgedClaim& c : e.claims)
-    if (c.verdict != Verdict::confirmed) text += finding(c);
+    if (c.verdict != Verdict::confirmed && c.verdict != Verdict::not_checkable) text += finding(c);
   for (const QuantityResult& q : e.quantities) text += quantity_text(e, q, charts);
   return text;
 }
@@ -346,7 +349,8 @@ std::string legend() {
          "numbers agree with it as it is "
          "printed; a **misprint** when they agree with what the text plainly meant; an **erratum** when only "
          "a corrected statement "
-         "agrees; **unsettled** when nothing does. Verdicts are computed: each check compares two routes "
+         "agrees; **not checkable** when it speaks of something that neither the text nor this program has; "
+         "**unsettled** when nothing does. Verdicts are computed: each check compares two routes "
          "that share nothing, within a "
          "tolerance that has a reason, and each is known to fail when its left side is disturbed. Lines are "
          "those of the solutions "
@@ -368,7 +372,7 @@ void add_chapter(const Results& results, const Chapter& chapter, bool links,
       links && chapter.last_odd > 0 ? "[" + title + "](" + chapter_file(chapter.number) + ")" : title;
   const auto add = [&](std::vector<std::string> cells) {
     cells.insert(cells.begin(), std::exchange(first, ""));
-    cells.resize(7);
+    cells.resize(8);
     rows.push_back(std::move(cells));
   };
   for (const ExerciseResult* e : of_chapter(results, chapter.number)) {
@@ -414,8 +418,9 @@ std::string index_text(const Results& results, bool links) {
         "[the algorithms and what was found in their libraries](algorithms.md), "
         "[how long each method took](times.md).";
   return text + "\n\n## What is wrong in the book\n\n" + errata_table(results, links) + "## By chapter\n\n" +
-         table({"chapter", "exercise", "confirmed", "misprint", "erratum", "unsettled", "quantities"}, rows,
-               "23456") +
+         table({"chapter", "exercise", "confirmed", "misprint", "erratum", "not checkable", "unsettled",
+                "quantities"},
+               rows, "234567") +
          "The solutions have no exercises in chapters " + chapters_without_exercises() +
          ".\n\n## How to read this\n\n" + legend();
 }

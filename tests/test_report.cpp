@@ -31,7 +31,9 @@ Results sample() {
   JudgedClaim claim = judged(one_against_one(1e-9));
   claim.claim.near_misses = {{"x = 2", {{"x", {"a", 2}, {"b", 1}, exact(), 1, "worst of 3"}}}};
   claim.claim.why = "a | bar";
-  e.claims = {claim};
+  JudgedClaim not_at_hand{{"9.9-y", 2, "y"}, Verdict::not_checkable};
+  not_at_hand.claim.not_checkable = "no listing";
+  e.claims = {claim, not_at_hand};
   TimedTrial trial{"model", "algorithm", "step", 0.5,         Value{1, 2}, 0.25,        0.25,
                    0.5,     0,           42,     Outcome::ok, "",          {1e-6, 1e-8}};
   QuantityResult q{"q", "m", "a length", {"table x.csv", Value{1, 2}}, 1e-16, {0.3, "a reason"}, {}, {}};

@@ -61,6 +61,15 @@ TEST_CASE("the first reading that holds decides; a near miss that holds unsettle
   CHECK(judged(yes, none, none, {no, yes}) == Verdict::unsettled);
 }
 
+TEST_CASE("a claim that cannot be judged says why and has no readings", "[values]") {
+  Claim claim{"id", 1, "says"};
+  CHECK(verdict(claim) == Verdict::unsettled);
+  claim.not_checkable = "the program is not at hand";
+  CHECK(verdict(claim) == Verdict::not_checkable);
+  claim.printed = {"x", {{"x", {"a", 1}, {"b", 1}, exact()}}};
+  CHECK(verdict(claim) == Verdict::unsettled);
+}
+
 namespace {
 
 Outcome outcome_of(const Answer& answer, Value reference = 1, double need = 1e-3) {

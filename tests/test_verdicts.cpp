@@ -23,7 +23,8 @@ TEST_CASE("broken verdicts name file and line, and what would be right", "[refer
     return all.starts_with(file) ? all.substr(file.size()) : all;
   };
   CHECK(said("claim,verdict\n1.1-a,true\n") ==
-        ":2: 'true' is no verdict; it is one of confirmed, misprint, erratum, unsettled, not yet encoded");
+        ":2: 'true' is no verdict; it is one of confirmed, misprint, erratum, not checkable, unsettled, not "
+        "yet encoded");
   CHECK(said("claim,verdict\n1.1-a,confirmed\n# again\n1.1-a,erratum\n") == ":4: a second verdict for 1.1-a");
   CHECK(said("claim,verdict\n1.1-a\n") == ":2: 1 cells where the header has 2");
   CHECK(said("claim,verdict,why\n1.1-a,confirmed,so\n") == ":2: the columns are claim,verdict");

@@ -18,7 +18,7 @@ namespace oddity::chain {
 // ---- accelerations ----------------------------------------------------------------------------------------
 
 /// theta'' from Newton's law for each mass and the rods' tensions: each rod's length, twice differentiated,
-/// is a row of a tridiagonal system. About 21 multiplications a link.
+/// is a row of a tridiagonal system. Nine multiplications, four divisions, a sine and a cosine per link.
 template <class Lengths, class Angles>
 void by_tensions(const Lengths& m, const Lengths& r, double g, const Angles& theta, const Angles& omega,
                  Angles& alpha) {

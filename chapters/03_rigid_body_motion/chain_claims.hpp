@@ -27,7 +27,16 @@ struct Sample {
       omega.push_back(random.between(-3, 3));
     }
   }
-  double size() const { return 1000; }
+  /// The terms of positions, velocities and energies, added up.
+  double size() const {
+    double mass = 0, reach = h, speed = 0;
+    for (std::size_t k = 0; k < m.size(); ++k) {
+      mass += m[k];
+      reach += r[k];
+      speed += r[k] * std::abs(omega[k]);
+    }
+    return reach + speed + mass * (speed * speed + g * reach);
+  }
   std::string where() const {
     return "theta = (" + rounded(theta[0], 4) + ", ...), omega = (" + rounded(omega[0], 4) + ", ...)";
   }

@@ -10,15 +10,10 @@
 // extrapolation in the angles. Masses, lengths and starts are dyadic, so that every precision starts from the
 // same state.
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored \
-    "-Wmaybe-uninitialized"  // Odeint copies steppers before their scratch is written
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#endif
-
 #include "chapters/03_rigid_body_motion/chain_claims.hpp"
 #include "chapters/03_rigid_body_motion/chain_prediction.hpp"
 #include "reference/text.hpp"
+#include "solvers/counted.hpp"
 
 namespace oddity {
 
@@ -229,21 +224,45 @@ Quantity growth(double t, const Reference& truth) {
 
 // ---- n masses ---------------------------------------------------------------------------------------------
 
+std::vector<Counted<double>> counted(const std::vector<double>& x) { return {x.begin(), x.end()}; }
+
+/// What it costs to write down the dense equations, and to solve the tridiagonal ones.
+Operations work_of_assembly(const Pattern& p, double g) {
+  const auto mu = counted(mass_from_here_on(p.m)), r = counted(p.r), theta = counted(p.theta),
+             omega = counted(p.omega);
+  std::vector<Counted<double>> row(r.size()), right(r.size());
+  return operations_of([&] {
+    for (std::size_t i = 0; i < r.size(); ++i) dense_row(i, mu, r, g, theta, omega, row.data(), right[i]);
+    return right[0];
+  });
+}
+Operations work_of_tensions(const Pattern& p, double g) {
+  const auto m = counted(p.m), r = counted(p.r), theta = counted(p.theta), omega = counted(p.omega);
+  std::vector<Counted<double>> alpha(r.size());
+  return operations_of([&] {
+    by_tensions(m, r, g, theta, omega, alpha);
+    return alpha[0];
+  });
+}
+
 Quantity cost(int n, double g, const Reference& truth) {
   const Known known = truth("03_25_accelerations", {static_cast<double>(n), g});
   const double size = size_of(known.value);
-  Quantity q = quantity("chain_of_" + std::to_string(n), "rad/s^2",
-                        "angular accelerations of the first, the middle and the last of " +
-                            std::to_string(n) + " links; cost in multiplications and divisions",
-                        known, {1e-9 * size, "nine digits"});
+  Quantity q =
+      quantity("chain_of_" + std::to_string(n), "rad/s^2",
+               "angular accelerations of the first, the middle and the last of " + std::to_string(n) +
+                   " links; cost in multiplications, divisions and circular functions",
+               known, {1e-9 * size, "nine digits"});
   const Pattern p(n);
+  const long assembly = work_of_assembly(p, g).all_but_additions(),
+             recursion = work_of_tensions(p, g).all_but_additions();
   const auto dense = [&](std::string algorithm, Factorization how) {
     q.add({"dense mass matrix", std::move(algorithm), no_knob(), [=](double) {
              const auto solved = by_factorization(how, p.m, p.r, g, p.theta, p.omega);
              Answer all = answer(solved, [=](const Eigen::VectorXd& alpha) {
                return chosen(std::vector<double>(alpha.begin(), alpha.end()), n);
              });
-             all.evaluations += 7L * n * n;
+             all.evaluations += assembly;
              return all;
            }});
   };
@@ -252,7 +271,7 @@ Quantity cost(int n, double g, const Reference& truth) {
   q.add({"tensions", "tridiagonal elimination", no_knob(), [=](double) {
            std::vector<double> alpha(p.m.size());
            by_tensions(p.m, p.r, g, p.theta, p.omega, alpha);
-           return Answer{chosen(alpha, n), 16L * n};
+           return Answer{chosen(alpha, n), recursion};
          }});
   return q;
 }

@@ -5,12 +5,6 @@
 // nested dual numbers. References: Kepler's equation in universal variables against Taylor series of both
 // bodies.
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored \
-    "-Wmaybe-uninitialized"  // Odeint copies steppers before their scratch is written
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#endif
-
 #include "chapters/03_rigid_body_motion/two_bodies_claims.hpp"
 
 namespace oddity {

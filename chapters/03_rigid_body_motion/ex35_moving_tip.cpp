@@ -124,11 +124,21 @@ std::vector<Claim> claims(const Judge& judge) {
   Claim force = judge.claim("force_at_center", 3089,
                             "what moves the tip is a force on the center of mass: it has no torque about it",
                             about_center, none, {});
-  force.corrected = {"a force on the tip, with the torque (p - r) x N about the center of mass",
-                     {judge.compare("rate of the angular momentum about the center of mass", about_center,
-                                    {"(p - r) x N, N = m (r'' + g k)", [](S s) {
-                                       return cross(less(tip(s), motion(s, {0, 0, s.l}).x), tip_force(s));
-                                     }})}};
+  // The accelerations are those of Lagrange's equations: what cancels is larger than the two sides.
+  const auto left_by = [&](const char* text, double sign) {
+    const V rest{"sum of m (x - r) x (x'' - r'') over the points, less the torque", [=](S s) {
+                   const Vector rate = momentum_rate_about(s, {0, 0, s.l}),
+                                torque = cross(less(tip(s), motion(s, {0, 0, s.l}).x), tip_force(s));
+                   return values(rate[0] - sign * torque[0], rate[1] - sign * torque[1],
+                                 rate[2] - sign * torque[2]);
+                 }};
+    return Reading{text,
+                   {judge.compare("rate of the angular momentum about the center of mass, less the "
+                                  "torque of N = m (r'' + g k) at the tip",
+                                  rest, none)}};
+  };
+  force.corrected = left_by("a force on the tip, with the torque (p - r) x N about the center of mass", 1);
+  force.near_misses = {left_by("the torque (r - p) x N", -1)};
   force.why =
       "A force on the center of mass has no torque about it, and the angular momentum about the center would "
       "stay as it is. The tip is moved by what holds it: a force $\\mathbf N=m(\\ddot{\\mathbf r}+g\\mathbf "
@@ -206,32 +216,25 @@ std::vector<Claim> claims(const Judge& judge) {
       "and "
       "0.73 rad at 14.17 rad/s, the frequency of the nutation.";
 
-  Claim center = judge.claim("tip_is_center", 3091, "the tip is the center of mass", {"p(t)", tip},
-                             {"sum of m x/m over the points",
-                              [](S s) {
-                                Vector sum{};
-                                for (const Point& p : s.body.points) {
-                                  const Vector x = motion(s, p.x).x;
-                                  for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * x[i] / s.m;
-                                }
-                                return sum;
-                              }},
-                             {});
-  center.corrected = {"the center of mass is p + l d",
-                      {judge.compare("center of mass",
-                                     {"p + l d",
-                                      [](S s) {
-                                        const Vector d = s.top().axis(), p = tip(s);
-                                        return values(p[0] + s.l * d[0], p[1] + s.l * d[1], s.l * d[2]);
-                                      }},
-                                     {"sum of m x/m over the points", [](S s) {
-                                        Vector sum{};
-                                        for (const Point& p : s.body.points) {
-                                          const Vector x = motion(s, p.x).x;
-                                          for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * x[i] / s.m;
-                                        }
-                                        return sum;
-                                      }})}};
+  const V summed{"sum of m x/m over the points", [](S s) {
+                   Vector sum{};
+                   for (const Point& p : s.body.points) {
+                     const Vector x = motion(s, p.x).x;
+                     for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * x[i] / s.m;
+                   }
+                   return sum;
+                 }};
+  const auto along_axis = [](const char* text, double by) {
+    return V{text, [by](S s) {
+               const Vector d = s.top().axis(), p = tip(s);
+               return values(p[0] + by * s.l * d[0], p[1] + by * s.l * d[1], by * s.l * d[2]);
+             }};
+  };
+  const V beyond = along_axis("p + l d", 1);
+  Claim center = judge.claim("tip_is_center", 3091, "the tip is the center of mass", {"p(t)", tip}, summed,
+                             {along_axis("p - l d", -1)});
+  center.corrected = {"the center of mass is p + l d, d the unit vector along the axis",
+                      {judge.compare("center of mass", beyond, summed)}};
   center.why =
       "The two are $\\ell$ apart, always: the center of mass is at $\\mathbf p+\\ell\\boldsymbol\\xi_3$ and "
       "has the acceleration $\\ddot{\\mathbf p}+\\ell\\ddot{\\boldsymbol\\xi}_3$. It is the tip that the "

@@ -56,7 +56,13 @@ struct Sample {
         free_r(random.point()),
         free_v(random.point()),
         free_a(random.point()) {}
-  double size() const { return (1 + m) * (1 + p.L) * (1 + p.L) * (p.g + 40) / std::abs(std::sin(q[1])); }
+  /// The terms of the equations, added up, also after their division by sin phi.
+  double size() const {
+    const double rates = std::abs(v[0]) + std::abs(v[1]) + p.omega, size = p.L * (1 + p.L);
+    const double accelerations = std::abs(a[0]) + std::abs(a[1]) + rates * rates + p.g / p.L;
+    const double free = std::sqrt(3) * (1 + rates) * (1 + rates);
+    return free + (1 + m) * (1 + size * accelerations) / std::abs(std::sin(q[1]));
+  }
   std::string where() const {
     return "lambda = " + rounded(p.lambda, 4) + ", omega = " + rounded(p.omega, 4) +
            ", theta = " + rounded(q[0], 4) + ", phi = " + rounded(q[1], 4) +
@@ -296,6 +302,7 @@ inline std::vector<Claim> point_forces(double seed) {
       "g/L for g L",
       {compare<Sample>(all.back().says, {"the same with g/L sin phi", equation_phi(1, quotient)},
                        by_lagrange_phi, seed)}};
+  all.back().says = "phi'' - theta'^2 sin phi cos phi = -2 omega theta' sin phi (...) - g L sin phi";
   all.back().why =
       "$gL\\sin\\phi$ is $(g/L)\\sin\\phi$, its bar lost: the force before has $g\\sin\\phi$, and is divided "
       "by $mL^2$.";

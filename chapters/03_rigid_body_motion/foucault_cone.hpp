@@ -62,7 +62,8 @@ struct ConeSample {
     return integral([](double x, double y, double) { return x * x + y * y; });
   }
   double center() const {
-    return integral([](double, double, double z) { return z; }) / mass();
+    return integral([](double, double, double z) { return z; }) /
+           integral([](double, double, double) { return 1.0; });
   }
   /// (a, b, c) in the axes P, Q, R.
   Space<double> in_world(double a, double b, double c) const {
@@ -107,7 +108,7 @@ inline Reading cone_reading(const Claim& claim, const W& left, const W& right, d
 }
 
 inline Claim cone_claim(const char* id, int line, const char* what, double seed, const W& printed,
-                        const W& truth, const std::vector<W>& near, double relative = 1e-12) {
+                        const W& truth, const std::vector<W>& near, double relative = 1e-13) {
   Claim claim{std::string("3.17-") + id, line, what};
   claim.printed = cone_reading(claim, printed, truth, seed, relative);
   for (const W& each : near) claim.near_misses.push_back(cone_reading(claim, each, truth, seed, relative));
@@ -156,31 +157,32 @@ inline std::vector<Claim> center_of_mass(double seed) {
                             {"1/2", [](C s) { return values(s.mass() / 2); }},
                             {"the part above the center of mass, both by quadrature",
                              [=](C s) { return values(above(s, s.center())); }},
-                            {});
+                            {{"9/16", [](C s) { return values(s.mass() * 9 / 16); }}});
   halves.corrected = cone_reading(halves, {"27/64", [](C s) { return values(s.mass() * 27 / 64); }},
                                   {"the part above the center of mass, both by quadrature",
                                    [=](C s) { return values(above(s, s.center())); }},
-                                  seed, 1e-12);
+                                  seed, 1e-13);
   halves.why =
       "The center of mass balances moments, not volumes: the parts above and below have equal moments "
       "$\\int (z-\\bar z)\\,dV$. Above it lies $(3/4)^3 = 27/64 = 0.42$ of the cone.";
   all.push_back(halves);
 
   const W center{"the moment of z by the volume, quadrature", [](C s) { return values(s.center()); }};
-  Claim height = cone_claim("center_height", 2315, "the height of the center of mass", seed,
-                            {"h (1 - 2^(-1/3)) = 0.2063 h", [=](C s) { return values(halving * s.h()); }},
-                            center, {{"h/3", [](C s) { return values(s.h() / 3); }}});
+  Claim height =
+      cone_claim("center_height", 2315, "the center of mass is at the height h (1 - 2^(-1/3)) = 0.2063 h",
+                 seed, {"h (1 - 2^(-1/3)) = 0.2063 h", [=](C s) { return values(halving * s.h()); }}, center,
+                 {{"h/3", [](C s) { return values(s.h() / 3); }}});
   height.corrected =
-      cone_reading(height, {"h/4", [](C s) { return values(s.h() / 4); }}, center, seed, 1e-12);
+      cone_reading(height, {"h/4", [](C s) { return values(s.h() / 4); }}, center, seed, 1e-13);
   height.why = "$0.2063\\,h$ is where the volume is halved; the center of mass is at $h/4$.";
   all.push_back(height);
 
   const W below{"from the vertex to the center of mass, quadrature",
                 [](C s) { return values(s.h() - s.center()); }};
-  Claim L = cone_claim("L", 2319, "L, from the joint (the vertex) to the center of mass", seed,
-                       {"h/2^(1/3)", [](C s) { return values(s.h() / std::cbrt(2.0)); }}, below,
+  Claim L = cone_claim("L", 2319, "L = h/2^(1/3) from the joint, which is the vertex, to the center of mass",
+                       seed, {"h/2^(1/3)", [](C s) { return values(s.h() / std::cbrt(2.0)); }}, below,
                        {{"2h/3", [](C s) { return values(2 * s.h() / 3); }}});
-  L.corrected = cone_reading(L, {"3h/4", [](C s) { return values(3 * s.h() / 4); }}, below, seed, 1e-12);
+  L.corrected = cone_reading(L, {"3h/4", [](C s) { return values(3 * s.h() / 4); }}, below, seed, 1e-13);
   L.why = "$L = 3h/4 = 0.75\\,h$, not $0.7937\\,h$: the volume was halved, not its moment.";
   all.push_back(L);
 
@@ -203,7 +205,7 @@ inline std::vector<Claim> moments(double seed) {
       "Ixx_limits", 2329, "Ixx as a triple integral, and its limits", seed,
       {"y^2 + z^2 over |x| < sqrt(rho^2 - y^2), |y| < rho, 0 < z < h",
        [=](C s) { return values(s.cartesian_integral(y2z2)); }},
-      Ixx, {{"over |x| < rho", [=](C s) { return values(s.cartesian_integral(y2z2, true)); }}}, 1e-8));
+      Ixx, {{"over |x| < rho", [=](C s) { return values(s.cartesian_integral(y2z2, true)); }}}, 1e-9));
   const auto width = [](C s, double z, double y) {
     return std::sqrt(std::max(0.0, square(s.rho(z)) - y * y));
   };
@@ -216,7 +218,7 @@ inline std::vector<Claim> moments(double seed) {
   };
   all.push_back(cone_claim("Ixx_after_x", 2335, "Ixx after integrating over x", seed,
                            {"2 (y^2 + z^2) sqrt(rho^2 - y^2)", after_x(2)}, Ixx,
-                           {{"without the 2", after_x(1)}}, 1e-8));
+                           {{"without the 2", after_x(1)}}, 1e-9));
   const auto split = [=](double factor) {
     return [=](C s) {
       return values(s.along([&](double z) {
@@ -231,7 +233,9 @@ inline std::vector<Claim> moments(double seed) {
                  {{"2 before neither",
                    [=](C s) { return values(split(1)(s)[0] / 2 + (split(1)(s)[0] - split(0)(s)[0]) / 2); }}},
                  1e-8);
-  parts.meant = cone_reading(parts, {"2 sqrt(...) in the second, too", split(2)}, Ixx, seed, 1e-8);
+  parts.meant = cone_reading(parts, {"2 sqrt(...) in the second, too", split(2)}, Ixx, seed, 1e-9);
+  parts.says =
+      "of the two integrals over y that make Ixx the first has 2 y^2 sqrt(...), the second sqrt(...)";
   parts.why =
       "The factor 2 of the line before is lost in the second integral; $\\int\\sqrt{\\rho^2-y^2}\\,dy = "
       "\\pi\\rho^2/2$, and the next line, with $\\pi\\rho^2z^2$, has it again.";
@@ -244,17 +248,19 @@ inline std::vector<Claim> moments(double seed) {
   };
   all.push_back(cone_claim("Ixx_over_z", 2355, "Ixx as an integral over z", seed,
                            {"pi rho^4/4 + pi rho^2 z^2", over_z(0.25)}, Ixx, {{"pi rho^4/2", over_z(0.5)}}));
-  const auto factored = [](bool radius) {
-    return [radius](C s) {
+  const auto factored = [](int power) {
+    return [power](C s) {
       return values(pi * s.along([&](double z) {
         const double u = 1 - z / s.h();
-        return std::pow(s.r() * u, 4) / 4 + (radius ? square(s.r()) : 1) * square(z * u);
+        return std::pow(s.r() * u, 4) / 4 + std::pow(s.r(), power) * square(z * u);
       }));
     };
   };
   Claim out = cone_claim("Ixx_factored", 2357, "Ixx with pi before the integral", seed,
-                         {"r^4 (1 - z/h)^4/4 + z^2 (1 - z/h)^2", factored(false)}, Ixx, {});
-  out.meant = cone_reading(out, {"r^2 z^2 (1 - z/h)^2", factored(true)}, Ixx, seed, 1e-12);
+                         {"r^4 (1 - z/h)^4/4 + z^2 (1 - z/h)^2", factored(0)}, Ixx,
+                         {{"r z^2 (1 - z/h)^2", factored(1)}});
+  out.meant = cone_reading(out, {"r^2 z^2 (1 - z/h)^2", factored(2)}, Ixx, seed, 1e-13);
+  out.says = "Ixx is pi times the integral of r^4 (1 - z/h)^4/4 + z^2 (1 - z/h)^2";
   out.why =
       "The second term is $\\rho^2z^2 = r^2z^2(1-z/h)^2$; its $r^2$ is lost, and back in the next line.";
   all.push_back(out);
@@ -265,7 +271,8 @@ inline std::vector<Claim> moments(double seed) {
   };
   Claim whole = cone_claim("Ixx_closed", 2363, "Ixx in closed form", seed,
                            {"pi r^2 h (2h^2 + 3r^2) 60", closed(60)}, Ixx, {{"/30", closed(1.0 / 30)}});
-  whole.meant = cone_reading(whole, {"pi r^2 h (2h^2 + 3r^2)/60", closed(1.0 / 60)}, Ixx, seed, 1e-12);
+  whole.meant = cone_reading(whole, {"pi r^2 h (2h^2 + 3r^2)/60", closed(1.0 / 60)}, Ixx, seed, 1e-13);
+  whole.says = "Ixx = pi r^2 h (2h^2 + 3r^2) 60";
   whole.why = "The bar over 60 is lost.";
   all.push_back(whole);
   const auto by_mass = [](double a, double b, double by) {
@@ -303,14 +310,15 @@ inline std::vector<Claim> moments(double seed) {
        [](C s) {
          return values(s.cartesian_integral([](double x, double y, double) { return x * x + y * y; }));
        }},
-      {{"s^2 ds dtheta dz", cylindrical(2)}}, 1e-8));
+      {{"s^2 ds dtheta dz", cylindrical(2)}}, 1e-9));
   const W Izz{"quadrature", [](C s) { return values(s.Izz()); }};
   const auto turning = [](double by) {
     return [by](C s) { return values(pi * std::pow(s.r(), 4) * s.h() * by); };
   };
   Claim spin = cone_claim("Izz_closed", 2393, "Izz in closed form", seed, {"pi r^4 h 10", turning(10)}, Izz,
                           {{"/5", turning(0.2)}});
-  spin.meant = cone_reading(spin, {"pi r^4 h/10", turning(0.1)}, Izz, seed, 1e-12);
+  spin.meant = cone_reading(spin, {"pi r^4 h/10", turning(0.1)}, Izz, seed, 1e-13);
+  spin.says = "Izz = pi r^4 h 10";
   spin.why = "The bar over 10 is lost.";
   all.push_back(spin);
   all.push_back(cone_claim("Izz", 2395, "Izz by the mass", seed, {"m 3r^2/10", by_mass(0, 3, 10)}, Izz,
@@ -386,16 +394,18 @@ inline std::vector<Claim> tensor(double seed) {
         const double z0 = s.center();
         return values(s.integral([=](double, double y, double z) { return y * y + square(z - z0); }));
       }};
-  Claim moment =
-      cone_claim("J_in_T", 2401, "the moment Ixx that belongs to the center of mass, whose speed T has", seed,
-                 {"m (2h^2 + 3r^2)/20",
-                  [](C s) { return values(s.mass() * (2 * square(s.h()) + 3 * square(s.r())) / 20); }},
-                 about_center, {});
+  Claim moment = cone_claim(
+      "J_in_T", 2401, "J, added to the energy of the center of mass, has Ixx = m (2h^2 + 3r^2)/20", seed,
+      {"m (2h^2 + 3r^2)/20",
+       [](C s) { return values(s.mass() * (2 * square(s.h()) + 3 * square(s.r())) / 20); }},
+      about_center, {{"3m (h^2 + 2r^2)/80", [](C s) {
+                        return values(s.mass() * 3 * (square(s.h()) + 2 * square(s.r())) / 80);
+                      }}});
   moment.corrected =
       cone_reading(moment,
                    {"3m (h^2 + 4r^2)/80",
                     [](C s) { return values(s.mass() * 3 * (square(s.h()) + 4 * square(s.r())) / 80); }},
-                   about_center, seed, 1e-12);
+                   about_center, seed, 1e-13);
   moment.why =
       "The integrals are about the center of the base. With $m|v|^2/2$ of the center of mass belongs the "
       "tensor about the center of mass, $I_{xx} = 3m(h^2+4r^2)/80$, less by $m(h/4)^2$.";
@@ -412,17 +422,17 @@ inline std::vector<Claim> tensor(double seed) {
       return values(s.mass() * T(s.motion.q, s.motion.v));
     };
   };
-  Claim cone{"3.17-cone_energy", 2287, "the kinetic energy of the cone"};
+  Claim cone{"3.17-cone_energy", 2287, "the cone has the kinetic energy m |v|^2/2 + w.J w/2"};
   cone.printed =
-      cone_reading(cone, {"m |v|^2/2 + w.J w/2, w the Earth's", energy(true, 0, 1)}, swing, seed, 1e-12);
+      cone_reading(cone, {"m |v|^2/2 + w.J w/2, w the Earth's", energy(true, 0, 1)}, swing, seed, 1e-13);
   cone.corrected = cone_reading(
       cone,
       {"m |v|^2/2 + W.J W/2, W = R x R' the cone's own turning, J about its center", energy(false, 1, 0)},
-      swing, seed, 1e-12);
+      swing, seed, 1e-13);
   cone.near_misses = {
       cone_reading(cone, {"as printed, with L = 3h/4 and J about the center", energy(false, 0, 1)}, swing,
-                   seed, 1e-12),
-      cone_reading(cone, {"m |v|^2/2 alone", energy(false, 0, 0)}, swing, seed, 1e-12)};
+                   seed, 1e-13),
+      cone_reading(cone, {"m |v|^2/2 alone", energy(false, 0, 0)}, swing, seed, 1e-13)};
   cone.why =
       "The cone turns as it swings: its angular velocity on the Earth is $R\\times\\dot R$, "
       "not $w$, and its energy has $\\frac12 I_{xx}(\\dot\\theta^2\\sin^2\\phi+\\dot\\phi^2)$. What the text "
@@ -477,7 +487,8 @@ inline Claim cone_equations(double seed) {
       "To first order in $\\omega$ the appended terms vanish, and the cone's own inertia is missing. It "
       "swings as "
       "a point mass at $(L^2+I_{xx}/m)/L = \\frac45h + r^2/(5h)$, its center of oscillation; the published "
-      "equations put the point at $0.7937\\,h$.";
+      "equations put the point at $0.7937\\,h$. With $h=r$ that swings 12 % too fast: the default cone's "
+      "axis, a unit vector, is off by 0.42 within 16 s.";
   return claim;
 }
 

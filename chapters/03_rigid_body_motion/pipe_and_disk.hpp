@@ -126,25 +126,33 @@ inline Quantity under_force(const std::string& name, const std::string& says, co
   return motion;
 }
 
-/// The pipe upright: nothing of theta is left.
-inline Quantity upright(Disk disk) {
+/// What is seen of a disk on an upright pipe: a mark on its rim, at the angle theta + psi.
+template <class Model>
+struct RimMark : Model {
+  std::array<double, 2> mark(double angle) const {
+    return {this->r * std::cos(angle), this->r * std::sin(angle)};
+  }
+  std::array<double, 2> at(double t) const requires ClosedForm<Model> {
+    return mark(this->theta + (this->theta_dot + this->psi_dot) * t);
+  }
+  template <class State>
+  std::array<double, 2> observe(const State& x, double) const {
+    return mark(x[0] + x[1]);
+  }
+};
+
+inline Quantity upright(Disk disk, const Reference& truth) {
   disk.phi = disk.f = disk.k = 0;
   const Horizon horizon{seconds};
-  Quantity motion{"upright",
-                  "m, m, rad",
-                  "the same with the pipe upright",
-                  {"the center at rest, psi = psi' t", {}},
-                  1e-13,
-                  {1e-8, "eight decimals"}};
-  std::vector<double> seen;
-  for (double t : horizon.times())
-    if (t > 0) seen.insert(seen.end(), {0, 0, disk.psi_dot * t});
-  motion.reference.value = Value(std::move(seen));
+  Quantity motion = quantity(
+      "upright", "m", "mark on the disk's rim at four times, with the pipe upright",
+      trajectory(truth, "03_21_upright", {disk.r, disk.theta, disk.theta_dot, disk.psi_dot}, horizon), {});
+  motion.need = {1e-8 * disk.r, "a hundred-millionth of the radius"};
   const std::string why = "0/0: nothing resists the angle of an upright pipe";
   Ladder(motion, horizon, halving("step", 0.125, 4), tolerances(3, 11))
-      .closed_form(constant, ConstantSpeeds{disk})
-      .by<ode::RungeKutta4>(two, TwoAngles{disk}, Outcome::non_finite, why)
-      .by<ode::DormandPrince54>(two, TwoAngles{disk}, Outcome::non_finite, why);
+      .closed_form(constant, RimMark<ConstantSpeeds>{{disk}})
+      .by<ode::RungeKutta4>(two, RimMark<TwoAngles>{{disk}}, Outcome::non_finite, why)
+      .by<ode::DormandPrince54>(two, RimMark<TwoAngles>{{disk}}, Outcome::non_finite, why);
   return motion.add(
       Breakdown{"Upright, the published equations divide zero by zero, even without any force. The constant "
                 "speeds need no division; but only the sum of the two angles is then seen.",

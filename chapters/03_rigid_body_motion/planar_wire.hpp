@@ -137,17 +137,12 @@ void add_rules(Quantity& quantity, const std::string& name, double a, double b, 
       [](const auto& f, double from, double to, double e) { return qags(f, from, to, e); });
 }
 
-inline Quantity inertia(const std::string& name, const Wire& w) {
-  const Inertia exact = by_primitives(w);
-  Quantity quantity{name,
-                    "kg, m, m, kg m^2",
-                    "mu0, the center of mass and mu2 of the " + name,
-                    {"primitives of the moments", exact},
-                    0,
-                    {}};
-  const double size = size_of(quantity.reference.value);
-  quantity.reference_error = 1e-14 * size;
-  quantity.need = {1e-10 * size, "ten digits of the largest"};
+/// mu0, the center of mass and mu2 of a uniform wire.
+inline Quantity inertia(const std::string& name, const Wire& w, const Reference& truth) {
+  Quantity quantity =
+      oddity::quantity(name, "kg, m, m, kg m^2", "mu0, the center of mass and mu2 of the " + name,
+                       truth("03_29_inertia", {static_cast<double>(w.shape), w.q, w.d0}), {});
+  quantity.need = {1e-10 * size_of(quantity.reference.value), "ten digits of the largest"};
   const std::string by_x = "as a graph over x";
   const auto own = [w](double u) { return w.point(u); };
   const auto stretch = [w](double u) { return w.stretch(u); };
@@ -222,17 +217,11 @@ struct TwoParticles : Thrown {
   }
 };
 
-inline Quantity fall(const Thrown& thrown, const Horizon& horizon) {
-  std::vector<double> seen;
-  const auto times = horizon.times();
-  for (std::size_t i = 1; i < times.size(); ++i)
-    for (double x : FreeFall{thrown}.at(times[i])) seen.push_back(x);
-  Quantity q{"fall",
-             "m",
-             "position of the wire's first end at four times",
-             {"parabola of the center, uniform turning", Value(seen)},
-             1e-14 * size_of(Value(seen)),
-             {1e-6, "a micrometre"}};
+inline Quantity fall(const Wire& wire, const Thrown& thrown, const Horizon& horizon, const Reference& truth) {
+  const Known known =
+      trajectory(truth, "03_29_fall", {wire.q, wire.d0, thrown.u, thrown.v, thrown.w, thrown.g}, horizon);
+  Quantity q =
+      quantity("fall", "m", "position of the wire's first end at four times", known, {1e-6, "a micrometre"});
   Ladder(q, horizon, halving("step", 0.125, 10), tolerances())
       .closed_form("center alone", PointMass{thrown}, Outcome::inaccurate, "the wire turns")
       .closed_form("free fall", FreeFall{thrown})

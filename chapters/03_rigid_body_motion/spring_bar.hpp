@@ -150,13 +150,10 @@ inline Answer frequency_by_events(Bar bar, double amplitude) {
   return answer;
 }
 
-inline Quantity small_frequency(const Bar& bar) {
-  Quantity w{"frequency",
-             "rad/s",
-             "angular frequency of small oscillations about theta = 0",
-             {"(s/r) sqrt(c/m), the second derivative by hand", bar.frequency()},
-             4e-16 * bar.frequency(),
-             {1e-6 * bar.frequency(), "a millionth of it"}};
+inline Quantity small_frequency(const Bar& bar, const Reference& truth) {
+  Quantity w = quantity("frequency", "rad/s", "angular frequency of small oscillations about theta = 0",
+                        truth("03_23_frequency", {bar.m, bar.r, bar.s, bar.c, bar.h, bar.g, bar.ell}),
+                        {1e-6 * bar.frequency(), "a millionth of it"});
   const auto of = [bar](double curvature) { return std::sqrt(curvature / (bar.m * bar.r * bar.r)); };
   const auto V = [bar](const auto& q) { return bar.potential(q); };
   const auto slope = [V](double q) { return derivative(V, q); };

@@ -167,7 +167,8 @@ inline Quantity nutation_bounds(const Top& top, const Reference& truth) {
 // ---- steady precession ------------------------------------------------------------------------------------
 
 inline bool has_steady_precession(const Top& t, double c) {
-  return std::cos(t.phi) > 0 && std::pow(t.mu3 * c, 2) > 4 * t.mu1 * t.m * t.g * t.l * std::cos(t.phi);
+  const double u = std::cos(t.phi);  // below its tip a top has both rates at any spin, the fast one backward
+  return std::abs(u) > 1e-6 && std::pow(t.mu3 * c, 2) > 4 * t.mu1 * t.m * t.g * t.l * u;
 }
 
 /// The rate of the precession that the rigid body goes through one radian with, started at the given rate.
@@ -176,9 +177,10 @@ inline Answer followed_precession(Top top, double c, double rate, double toleran
   top.dtheta = rate;
   top.dpsi = c - rate * std::cos(top.phi);
   const RigidBody model{top};
-  const auto end = ode::integrate<ode::Fehlberg78>(model, model.start(), 0, 1 / rate, tolerance);
-  const Vector d = model.observe(end.value, 1 / rate);
-  return answer(end, [&](const auto&) { return std::array{rate * std::atan2(d[0], -d[1])}; });
+  const double time = 1 / std::abs(rate);
+  const auto end = ode::integrate<ode::Fehlberg78>(model, model.start(), 0, time, tolerance);
+  const Vector d = model.observe(end.value, time);
+  return answer(end, [&](const auto&) { return std::array{std::atan2(d[0], -d[1]) / time}; });
 }
 
 enum class Root { slow, fast };
@@ -190,7 +192,7 @@ inline Quantity steady_precession(const std::string& name, const std::string& sa
   Quantity q = quantity(name, "rad/s", says,
                         truth("03_33_steady", {top.m, top.l, top.mu1, top.mu3, top.g, top.phi, c}), {});
   q.reference.value = Value{q.reference.value[slow ? 0 : 1]};
-  q.reference_error = 1e-16 * size_of(q.reference.value);
+  q.reference_error = 0x1p-53 * size_of(q.reference.value);  // the table's decimals are many more
   q.need = {1e-9 * size_of(q.reference.value), "nine digits"};
   const double across = top.mu1 * std::cos(top.phi), momentum = top.mu3 * c, weight = top.m * top.g * top.l;
   const double root = std::sqrt(momentum * momentum - 4 * across * weight);
@@ -213,10 +215,12 @@ inline Quantity steady_precession(const std::string& name, const std::string& sa
     q.add({"quadratic", "without cancellation", no_knob(), [=](double) { return Answer{stable, 1}; }});
   q.add({"balance of torques", "Brent", tolerances(6, 14), [=](double e) {
            const auto miss = [&](double rate) { return rate * (momentum - across * rate) - weight; };
-           const double vertex = momentum / (2 * across);
-           const double low = slow ? 0 : vertex, high = slow ? vertex : 2 * vertex;
-           const double narrow = slow ? std::min(high, 2 * weight / momentum) : high;
-           return answer(brent(miss, low, narrow, e * narrow));
+           const double vertex = momentum / (2 * across), first = weight / momentum;
+           const auto [low, high] =
+               across < 0 ? slow ? std::pair(0.0, first) : std::pair(2 * vertex - first, 2 * vertex)
+               : slow ? std::pair(0.0, std::min(vertex, 2 * first))
+                          : std::pair(vertex, 2 * vertex);
+           return answer(brent(miss, low, high, e * (high - low)));
          }});
   if (!of_fast_top)
     q.add({rigid_body, "Fehlberg 7(8), one radian", tolerances(4, 12),
@@ -348,6 +352,14 @@ inline std::vector<Quantity> heavy_top_quantities(const Top& top, const Referenc
     const std::string says = "rate at the start's tilt and total spin dpsi";
     all.push_back(steady_precession("steady_slow", "slow " + says, top, top.dpsi, Root::slow, truth));
     all.push_back(steady_precession("steady_fast", "fast " + says, top, top.dpsi, Root::fast, truth));
+  }
+  Top hanging = top;
+  hanging.phi = 2;
+  const std::string of_hanging = " rate of the same top at a tilt of 2 rad, below its tip, total spin dpsi";
+  for (Root root : {Root::slow, Root::fast}) {
+    const std::string name = root == Root::slow ? "slow" : "fast";
+    all.push_back(
+        steady_precession("steady_" + name + "_hanging", name + of_hanging, hanging, top.dpsi, root, truth));
   }
   if (has_steady_precession(top, 0x1p20))
     all.push_back(steady_precession("steady_slow_of_fast_top", "slow rate at a spin of 2^20 rad/s", top,

@@ -22,7 +22,12 @@ struct Sample {
         m2(random.between(0.3, 3)),
         q{random.between(0.5, 2), random.between(-3, 3), random.between(0.4, 2.7)},
         v{random.between(-2, 2), 0, random.between(-2, 2)} {}
-  double size() const { return 200; }
+  /// The terms of the equations over r and theta's inertia, which is r^2 sin^2 phi.
+  double size() const {
+    const double r = q[0], speed = std::abs(v[0]) + r * std::abs(v[2]), sine = std::sin(q[2]);
+    const double forces = speed * speed / r + gamma() / (r * r) + m1 + m2 + G * m1 * m2;
+    return forces * (1 + speed) * (1 + 1 / (r * r)) / (sine * sine);
+  }
   std::string where() const {
     return "m1 = " + rounded(m1, 4) + ", m2 = " + rounded(m2, 4) + ", r = " + rounded(q[0], 4) +
            ", phi' = " + rounded(v[2], 4);
@@ -111,13 +116,59 @@ Check later(const std::string& quantity, const std::string& as, double seed, con
   return worst.check();
 }
 
-/// (x, y, u) at t = 1 by the published system with other letters.
-inline Value by_system(const Bodies& b, double beta, double gamma) {
+/// (x, y, u) at t = 1 by the published system with other letters, or with its bars over r^2 lost.
+inline Value by_system(const Bodies& b, double beta, double gamma, bool bars = true) {
   const auto rhs = [=](const std::array<double, 3>& x, std::array<double, 3>& dxdt, double) {
-    dxdt = {x[1], beta * beta / (x[0] * x[0] * x[0]) - gamma / (x[0] * x[0]), beta / (x[0] * x[0])};
+    const double square = x[0] * x[0], over = bars ? 1 / square : square;
+    dxdt = {x[1], beta * beta / (square * x[0]) - gamma * over, beta * over};
   };
   const auto x = ode::integrate<ode::Fehlberg78>(rhs, std::array{b.r0, b.r0_dot, b.phi0}, 0, 1, 1e-13).value;
   return {x[0] * std::cos(x[2]), x[0] * std::sin(x[2]), x[1]};
+}
+
+/// The second body seen from the first after a second, in space: placed by the published system on the
+/// meridian theta, against Cartesian coordinates. It starts on the meridian theta0 and passes the pole.
+template <class Theta, class Phi>
+Reading in_space(const std::string& text, double seed, const Theta& theta, const Phi& phi) {
+  Random random(seed);
+  Worst worst("(x, y, z) at t = 1", text, "the relative motion in Cartesian coordinates, Fehlberg 7(8)");
+  for (int i = 0; i < 20; ++i) {
+    const Bodies b{random.between(0.5, 2),    random.between(0.5, 2), random.between(0.5, 2),
+                   random.between(1, 2),      random.between(-1, 1),  random.between(0.1, 0.3),
+                   random.between(-1.5, -0.5)};
+    const double theta0 = random.between(0.5, 2.5), gamma = b.G * (b.m1 + b.m2);
+    const double c = std::cos(b.phi0), s = std::sin(b.phi0), across = b.r0_dot * s + b.r0 * b.phi0_dot * c;
+    const std::array start{
+        b.r0 * s * std::cos(theta0), b.r0 * s * std::sin(theta0), b.r0 * c,
+        across * std::cos(theta0),   across * std::sin(theta0),   b.r0_dot * c - b.r0 * b.phi0_dot * s};
+    const auto rhs = [=](const std::array<double, 6>& x, std::array<double, 6>& dxdt, double) {
+      const double r = std::hypot(x[0], x[1], x[2]), pull = -gamma / (r * r * r);
+      dxdt = {x[3], x[4], x[5], pull * x[0], pull * x[1], pull * x[2]};
+    };
+    const auto x = ode::integrate<ode::Fehlberg78>(rhs, start, 0, 1, 1e-13).value;
+    const Value flat = by_system(b, b.r0 * b.r0 * b.phi0_dot, gamma);
+    const double from_axis = phi(flat[1]), meridian = theta(theta0);
+    worst.see({from_axis * std::cos(meridian), from_axis * std::sin(meridian), flat[0]}, {x[0], x[1], x[2]},
+              {1e-8, "ten thousand tolerances of the integration"}, 1,
+              "theta0 = " + rounded(theta0, 4) + ", phi0 = " + rounded(b.phi0, 4));
+  }
+  return {text, {worst.check()}};
+}
+
+inline Claim initial_conditions(double seed) {
+  const auto as_it_is = [](double x) { return x; };
+  const auto none = [](double) { return 0.0; };
+  Claim claim{"3.27-initial_conditions", 2787, "the initial conditions are r0, r0', phi0 and phi0'"};
+  claim.printed = in_space("these four, theta being nowhere set", seed, none, as_it_is);
+  claim.meant = in_space("these four and theta0", seed, as_it_is, as_it_is);
+  claim.near_misses = {in_space(
+      "these four and -theta0", seed, [](double x) { return -x; }, as_it_is)};
+  claim.why =
+      "The list lacks $\\theta_0$, which the first line says has to be specified. The motion in its plane "
+      "does "
+      "not need it, the place in space does: without it every orbit lies on the meridian $\\theta=0$, for "
+      "$\\theta_0=\\pi/2$ turned by 90 degrees out of its plane.";
+  return claim;
 }
 
 inline Claim freedoms(double seed) {
@@ -159,7 +210,13 @@ inline std::vector<Claim> claims(double seed) {
                            {"zero", [](S) { return 0.0; }}, seed);
   };
   constant.printed = {"theta'' = 0 where theta' = 0", {stays("theta' = 0", 0)}};
-  constant.near_misses = {{"theta'' = 0 also where theta' = 1", {stays("theta' = 1", 1)}}};
+  const auto as_it_is = [](double x) { return x; };
+  constant.printed.checks.push_back(
+      in_space("theta = theta0 also beyond the pole, phi running on below 0", seed, as_it_is, as_it_is)
+          .checks[0]);
+  constant.near_misses = {
+      {"theta'' = 0 also where theta' = 1", {stays("theta' = 1", 1)}},
+      in_space("phi kept between 0 and pi", seed, as_it_is, [](double x) { return std::abs(x); })};
   all.push_back(constant);
 
   const auto radial = [](S s, double power_sign, double gamma) {
@@ -211,21 +268,27 @@ inline std::vector<Claim> claims(double seed) {
   all.push_back(angle);
 
   Claim system{"3.27-first_order_system", 2779,
-               "r' = u, u' = beta^2/r^3 - gamma/r^2, phi' = beta/r^2 from (r0, r0', phi0) is the motion"};
-  const auto moved = [&](const std::string& text, const auto& beta_of, const auto& gamma_of) {
+               "r' = u, u' = beta^2/r^3 - gamma r^2, phi' = beta r^2 from (r0, r0', phi0) is the motion"};
+  const auto moved = [&](const std::string& text, const auto& beta_of, const auto& gamma_of,
+                         bool bars = true) {
     return Reading{text,
                    {later(
                        "(x, y, u) at t = 1", text, seed,
-                       [=](const Bodies& b) { return by_system(b, beta_of(b), gamma_of(b)); }, true)}};
+                       [=](const Bodies& b) { return by_system(b, beta_of(b), gamma_of(b), bars); }, true)}};
   };
   const auto right_beta = [](const Bodies& b) { return b.r0 * b.r0 * b.phi0_dot; };
   const auto right_gamma = [](const Bodies& b) { return b.G * (b.m1 + b.m2); };
-  system.printed = moved("as stated", right_beta, right_gamma);
+  system.printed = moved("u' = beta^2/r^3 - gamma r^2, phi' = beta r^2", right_beta, right_gamma, false);
+  system.meant = moved("u' = beta^2/r^3 - gamma/r^2, phi' = beta/r^2", right_beta, right_gamma);
+  system.why =
+      "The bars over $r^2$ are lost in lines 2783 and 2785, where the text at hand reads $\\gamma r^2$ and "
+      "$\\beta r^2$. The equations of lines 2757 and 2773, which are written as a system here, have them.";
   system.near_misses = {
       moved("gamma = G m1", right_beta, [](const Bodies& b) { return b.G * b.m1; }),
       moved(
           "beta = r0 phi0'", [](const Bodies& b) { return b.r0 * b.phi0_dot; }, right_gamma)};
   all.push_back(system);
+  all.push_back(initial_conditions(seed));
   return all;
 }
 

@@ -1,0 +1,50 @@
+#include "reference/make/03_29_wire.hpp"
+#include "reference/make/taylor.hpp"
+
+// A wire along y = x^2 from 0 to q is thrown with its center of mass at the origin and the velocity (u, v),
+// turning with w; its mark is its first end. The second route has two particles of mu0/2 each, at the
+// distance k = sqrt(mu2/mu0) from the center of mass; a massless rod holds them.
+namespace oddity::truth {
+
+namespace fall_03_29 {
+
+Numbers by_center(const std::vector<double>& in, int) {
+  const Number q = in[0], u = in[2], v = in[3], w = in[4], g = in[5], t = in[6];
+  const auto wire = wire::by_primitives(wire::parabola, q, in[1]);
+  const Number c = cos(w * t), s = sin(w * t);
+  return {u * t - c * wire.x + s * wire.y, v * t - g * t * t / 2 - s * wire.x - c * wire.y};
+}
+
+Numbers by_particles(const std::vector<double>& in, Precision digits) {
+  const Number q = in[0], u = in[2], v = in[3], w = in[4], g = in[5], t = in[6];
+  const auto wire = wire::by_quadrature(wire::parabola, q, in[1], digits + 3);
+  const Number k = sqrt(wire.mu2 / wire.mu0);
+  const auto rhs = [&](const auto& x, const auto&) {
+    const auto dx = x[0] - x[2], dy = x[1] - x[3], du = x[4] - x[6], dv = x[5] - x[7];
+    const auto hold = (du * du + dv * dv) / (dx * dx + dy * dy) / Number(2);
+    return std::vector{x[4], x[5], x[6], x[7], -(hold * dx), -(hold * dy) - g, hold * dx, hold * dy - g};
+  };
+  const Numbers x = solve_taylor(rhs, {k, 0, -k, 0, u, v + w * k, u, v - w * k}, 0, t, digits + 4);
+  const Number c = (x[0] - x[2]) / (2 * k), s = (x[1] - x[3]) / (2 * k);
+  return {(x[0] + x[2]) / 2 - c * wire.x + s * wire.y, (x[1] + x[3]) / 2 - s * wire.x - c * wire.y};
+}
+
+}  // namespace fall_03_29
+
+Truth truth_03_29_fall() {
+  using namespace fall_03_29;
+  std::vector<std::vector<double>> rows;
+  for (double w : {6.0, 1.0, 3.0, 10.0, 20.0})
+    for (double t : {0.5, 1.0, 1.5, 2.0}) rows.push_back({1, 2, 2, 5, w, 9.81, t});
+  return {"first end of a thrown wire along y = x^2, its center of mass starting at the origin",
+          "m c'' = -m g j, theta'' = 0, r = c + R(theta) b",
+          {"q", "d", "u", "v", "w", "g", "t"},
+          {{"x", "m"}, {"y", "m"}},
+          rows,
+          "parabola of the center and uniform turning, the center of mass by primitives",
+          by_center,
+          "Taylor series of two particles and a rod, the inertia by quadrature",
+          by_particles};
+}
+
+}  // namespace oddity::truth
