@@ -9,9 +9,9 @@
 #include "tests/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
-TEST_CASE("the error of CVODE is many tolerances", "[libraries]") {
+TEST_CASE("the error of CVODE's BDF is many tolerances", "[libraries]") {
   const Shown shown{"cvode_error", SUNDIALS_VERSION};
-  const auto tolerances = [](int method) {
+  const auto tolerances = [] {
     constexpr double tolerance = 1e-10;
     SUNContext context = nullptr;
     SUNContext_Create(nullptr, &context);
@@ -23,7 +23,7 @@ TEST_CASE("the error of CVODE is many tolerances", "[libraries]") {
       N_VGetArrayPointer(dydt)[1] = -N_VGetArrayPointer(y)[0];
       return 0;
     };
-    void* cvode = CVodeCreate(method, context);
+    void* cvode = CVodeCreate(CV_BDF, context);
     CVodeInit(cvode, oscillator, 0, x);
     CVodeSStolerances(cvode, tolerance, tolerance);
     CVodeSetMaxNumSteps(cvode, 100'000);
@@ -41,9 +41,7 @@ TEST_CASE("the error of CVODE is many tolerances", "[libraries]") {
     SUNContext_Free(&context);
     return error / tolerance;
   };
-  for (int method : {CV_BDF, CV_ADAMS}) {
-    const double err = tolerances(method);
-    shown.check("1e-10 both err by more than 100 tolerances", err > 100, err);
-  }
+  const double bdf = tolerances();
+  shown.check("1e-10 it errs by more than 100 tolerances", bdf > 100, bdf);
 }
 #endif
