@@ -26,13 +26,16 @@ std::string evaluations_cell(const ode::CatalogEntry& a) {
 }  // namespace
 
 std::string catalog_page() {
-  std::vector<std::vector<std::string>> rows, remarks;
+  std::vector<std::vector<std::string>> rows, findings;
   for (const ode::CatalogEntry& a : ode::catalog()) {
     rows.push_back({std::string(a.name), std::string(a.library), setting_of(a.kind),
                     a.order == 0 ? "varies" : std::to_string(a.order), evaluations_cell(a),
                     limit_cell(a.real_limit), limit_cell(a.imaginary_limit), escaped(std::string(a.theory))});
-    if (!a.remark.empty()) remarks.push_back({std::string(a.name), escaped(std::string(a.remark))});
   }
+  for (const ode::Finding& f : ode::findings())
+    findings.push_back({std::string(f.library) + " " + std::string(f.version), code(std::string(f.in)),
+                        escaped(std::string(f.found)), escaped(std::string(f.done)),
+                        code("tests/libraries/" + std::string(f.shown_by) + ".cpp")});
   std::string text =
       "# The catalog of algorithms\n\n"
       "Every algorithm that integrates a motion here has a certificate in the tests: its order is measured, "
@@ -44,8 +47,11 @@ std::string catalog_page() {
       table({"algorithm", "library", "set by", "order", "evaluations a step", "real limit", "imaginary limit",
              "theory"},
             rows, "356") +
-      "## What was found in the libraries\n\nBy the certificates; what is wrong is repaired from outside.\n\n" +
-      table({"algorithm", "what was found, and what is done"}, remarks);
+      "## What was found in the libraries\n\n"
+      "Each finding is shown by a small test of the library alone, in the version that is named; with "
+      "another "
+      "version the test prints what it measures. What is wrong is repaired from outside.\n\n" +
+      table({"library", "in", "what was found", "what is done here", "shown by"}, findings);
   if (const auto missing = ode::not_in_catalog(); !missing.empty())
     text += "Not in this build: " + escaped(std::string(missing), false) + ".\n\n";
   return text + "[All chapters](README.md)\n";

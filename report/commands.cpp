@@ -145,8 +145,9 @@ int command_line(int argc, char** argv, const Suite& suite) {
   add_stability(app, session);
   add_choose(app, session);
   verb(app, "bench", "how fast this build is: loops by hand, best methods, the suite",
-       "Times mean something only on an idle machine. Example: oddity bench",
-       [&] { verbs::bench(session.folder); });
+       "Times mean something only on an idle machine. The exit code is 1 when a limit is broken.\n"
+       "Example: oddity bench",
+       [&] { session.status = verbs::bench(session.folder); });
   add_report(app, session);
   try {
     app.parse(argc, argv);

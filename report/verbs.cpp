@@ -174,9 +174,11 @@ void stability(const fs::path& folder, const std::vector<std::string>& exercises
   std::cout << "the maps are in " << (out / "charts").string() << "\n" << std::flush;
 }
 
-void bench(const fs::path& folder) {
+int bench(const fs::path& folder) {
   ProgressBar bar;
-  std::cout << bench_view(oddity::bench(Reference(folder), bar.callback())) << std::flush;
+  const Bench result = oddity::bench(Reference(folder), bar.callback());
+  std::cout << bench_view(result) << std::flush;
+  return result.broken();
 }
 
 }  // namespace oddity::verbs

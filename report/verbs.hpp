@@ -26,6 +26,7 @@ void chart(const fs::path& folder, const std::vector<std::string>& exercises, co
 /// Of all scenes when there are none; `rows` prints what would put the limits and maps on record instead.
 void stability(const fs::path& folder, const std::vector<std::string>& exercises, bool rows,
                const fs::path& out);
-void bench(const fs::path& folder);
+/// 0 when no limit is broken, else 1.
+int bench(const fs::path& folder);
 
 }  // namespace oddity::verbs

@@ -4,7 +4,6 @@
 
 #include "solvers/ode/events.hpp"
 #include "tests/catch.hpp"
-#include "tests/fit.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_algorithms.hpp"
 

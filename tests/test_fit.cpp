@@ -4,6 +4,8 @@
 #include <functional>
 
 #include "chapters/random.hpp"
+#include "report/run.hpp"
+#include "solvers/ode/catalog.hpp"
 #include "tests/catch.hpp"
 
 using namespace oddity;
@@ -84,6 +86,60 @@ TEST_CASE("a tolerance has exponent and factor, and may scatter", "[fit]") {
   CHECK(shown_fit(m, f).starts_with("error ~ tol^"));
 }
 
+TEST_CASE("samples scatter, and have no order", "[fit]") {
+  const auto m =
+      method("samples", doubling("samples", 64, 5).settings, [](double n) { return 1 / std::sqrt(n); });
+  CHECK(shown_fit(m, fitted(m)) == "error ~ (1/samples)^0.50");
+}
+
+TEST_CASE("a power law through points is their logarithms' straight line", "[fit]") {
+  const std::vector<double> x{1, 2, 8}, y{3, 12, 192};
+  const PowerLaw law = power_law(x, y);
+  CHECK(std::abs(law.exponent - 2) < 1e-14);
+  CHECK(std::abs(law.factor - 3) < 1e-13);
+  CHECK(std::abs(law(4) - 48) < 1e-12);
+}
+
+TEST_CASE("a slope that is still changing is no order", "[fit]") {
+  // The higher power leads, and gives way, as an energy's error of order 5 does to a path's of order 4.
+  CHECK_FALSE(fitted(method("step", steps, [](double h) { return std::pow(h, 5) + 0.02 * std::pow(h, 4); })));
+  // A third of the last error is the model's own.
+  const std::vector<double> six(steps.begin(), steps.begin() + 6);
+  CHECK_FALSE(fitted(method("step", six, [](double h) { return 0.1 * h + 0.001; })));
+  // Three trials may agree by accident.
+  CHECK_FALSE(fitted(method("step", {0.5, 0.25, 0.125}, [](double h) { return h; })));
+}
+
+TEST_CASE("the order is told well above what the method cannot go below", "[fit]") {
+  const auto m = method("step", steps, [](double h) { return h * h + 1e-5; });
+  const auto f = fitted(m);
+  REQUIRE(f);
+  CHECK(std::abs(f->exponent - 2) < 0.02);
+  CHECK(m.trials[f->last].error > 3e-4);
+  CHECK(m.trials[f->last + 1].error < 3e-4);
+}
+
+TEST_CASE("in chapter 3, what is shown as an algorithm's order is its order", "[fit]") {
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  std::vector<Task> chapter;
+  for (const Entry& entry : registry())
+    if (entry.number.chapter == 3) chapter.emplace_back(entry);
+  int shown = 0;
+  const Results results = run(chapter, truth, false);
+  for (const ExerciseResult& e : results.exercises)
+    for (const QuantityResult& q : e.quantities)
+      for (const MethodResult& m : q.methods) {
+        const auto algorithm = std::ranges::find(ode::catalog(), m.algorithm, &ode::CatalogEntry::name);
+        const auto f = fit(q, m);
+        if (!f || algorithm == ode::catalog().end() || m.trials.front().knob != "step") continue;
+        ++shown;
+        INFO(to_string(e.number) << " " << q.name << ": " << m.model << " by " << m.algorithm << ", "
+                                 << shown_fit(m, f));
+        CHECK(std::abs(f->exponent - algorithm->order) < 0.1);
+      }
+  CHECK(shown > 100);
+}
+
 TEST_CASE("there is no fit where there is no power law", "[fit]") {
   CHECK_FALSE(fitted(method("step", {0.5, 0.25}, [](double h) { return h; })));
   CHECK_FALSE(fitted(method("", {0}, [](double) { return 1e-3; })));
@@ -99,7 +155,7 @@ TEST_CASE("there is no fit where there is no power law", "[fit]") {
 }
 
 TEST_CASE("failed trials are no part of a fit", "[fit]") {
-  auto m = method("step", {0.5, 0.25, 0.125}, [](double h) { return h * h / 2; });
+  auto m = method("step", {0.5, 0.25, 0.125, 0.0625}, [](double h) { return h * h / 2; });
   REQUIRE(fitted(m));
   m.trials[1].outcome = Outcome::diverged;
   CHECK_FALSE(fitted(m));

@@ -2,8 +2,8 @@
 // time, forward and backward; where it controls its step, the error in proportion to the tolerance, and the
 // cost of a stiff problem. A new algorithm in solvers/ode/all.hpp is certified without a line here.
 
+#include "report/fit.hpp"
 #include "tests/catch.hpp"
-#include "tests/fit.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_algorithms.hpp"
 
@@ -64,7 +64,7 @@ double proportionality(const Problem& problem, Span span) {
     tolerances.push_back(tolerance);
     errors.push_back(error);
   }
-  return slope(tolerances, errors);
+  return power_law(tolerances, errors).exponent;
 }
 
 /// Explicit, under step control, of fixed order or nearly so.

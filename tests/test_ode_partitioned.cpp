@@ -2,7 +2,6 @@
 // drift, the area in phase space is kept, and Verlet can be run back step by step.
 
 #include "tests/catch.hpp"
-#include "tests/fit.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_algorithms.hpp"
 

@@ -9,7 +9,7 @@
 namespace oddity::ode {
 
 /// A system of n unknowns behind virtual calls: the one for which an algorithm can be compiled once and for
-/// all. A call costs about 2 ns more than one that the compiler sees through.
+/// all. What that costs, `oddity bench` shows.
 template <std::size_t n>
 class AnySystem {
  public:

@@ -11,9 +11,10 @@ namespace {
 
 constexpr double all = std::numeric_limits<double>::infinity();
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::string_view odeint = "Boost.Odeint", gsl = "GSL";
+constexpr std::string_view odeint = "Boost.Odeint", gsl = "GSL", sundials = "SUNDIALS";
 constexpr std::string_view no_fixed_step = "no fixed step";
 constexpr std::string_view polynomial = "roots of |R(z)| = 1, R the stability polynomial of the tableau";
+constexpr std::string_view two_substeps = "R(z) = 1 + z + z^2/2 + z^3/8, of two substeps";
 constexpr std::string_view trace = "half the trace of the step's matrix is -1";
 constexpr std::string_view characteristic = "largest root of the characteristic polynomial";
 
@@ -23,149 +24,133 @@ struct Facts {
   int evaluations;
   bool jacobian;
   double real_limit, imaginary_limit;
-  std::string_view theory, remark = "";
+  std::string_view theory;
 };
 
 template <class Algorithm>
 extern const Facts facts;
-
-constexpr std::string_view make_controlled =
-    "Boost 1.74's make_controlled hands the relative tolerance on as the largest step, which is correct and "
-    "slow "
-    "without end: the controller is put together here";
 
 template <>
 constexpr Facts facts<ExplicitEuler>{odeint, 1, false, 2, 0, "R(z) = 1 + z"};
 template <>
 constexpr Facts facts<SymplecticEuler>{odeint, 1, false, none, 2, trace};
 template <>
-constexpr Facts facts<VelocityVerlet>{odeint, 1, false, none, 2, trace, "one evaluation more to start"};
+constexpr Facts facts<VelocityVerlet>{odeint, 1, false, none, 2, trace};
 template <>
 constexpr Facts facts<RungeKutta4>{odeint, 4, false, 2.785294, 2.828427, polynomial};
 template <>
-constexpr Facts facts<CashKarp54>{odeint, 6, false, 3.734360, 0, polynomial, make_controlled};
+constexpr Facts facts<CashKarp54>{odeint, 6, false, 3.734360, 0, polynomial};
 template <>
-constexpr Facts facts<DormandPrince54>{odeint, 6, false, 3.306568, 0.997189, polynomial, make_controlled};
+constexpr Facts facts<DormandPrince54>{odeint, 6, false, 3.306568, 0.997189, polynomial};
 template <>
-constexpr Facts facts<Fehlberg78>{odeint, 13, false, 5.007589, 2.365158, polynomial, make_controlled};
+constexpr Facts facts<Fehlberg78>{odeint, 13, false, 5.007589, 2.365158, polynomial};
 template <>
-constexpr Facts facts<BulirschStoer>{
-    odeint,
-    0,
-    false,
-    none,
-    none,
-    no_fixed_step,
-    "Odeint weighs its orders by their cost over the signed step: backward it takes up to 150 times the "
-    "evaluations, so time itself is turned round instead"};
+constexpr Facts facts<BulirschStoer>{odeint, 0, false, none, none, no_fixed_step};
 template <>
-constexpr Facts facts<ModifiedMidpoint>{odeint,        3, false, 3.087378, 0, "R(z) = 1 + z + z^2/2 + z^3/8",
-                                        "two substeps"};
+constexpr Facts facts<ModifiedMidpoint>{odeint, 3, false, 3.087378, 0, two_substeps};
 template <>
-constexpr Facts facts<McLachlan4>{odeint,
-                                  4,
-                                  false,
-                                  none,
-                                  2.967808,
-                                  trace,
-                                  "Odeint computes a fifth force, of weight zero: it is not evaluated here. "
-                                  "The header lacks an include of its "
-                                  "base"};
+constexpr Facts facts<McLachlan4>{odeint, 4, false, none, 2.967808, trace};
 template <>
-constexpr Facts facts<AdamsBashforth4>{
-    odeint,
-    1,
-    false,
-    0.3,
-    0.429987,
-    characteristic,
-    "Odeint goes on with its history when the step changes, as if the past steps had been as long: here the "
-    "history starts anew, with three steps of Runge-Kutta 4"};
+constexpr Facts facts<AdamsBashforth4>{odeint, 1, false, 0.3, 0.429987, characteristic};
 template <>
-constexpr Facts facts<AdamsBashforthMoulton6>{odeint,
-                                              2,
-                                              false,
-                                              0.698003,
-                                              0.526717,
-                                              characteristic,
-                                              "Odeint starts with Runge-Kutta 4, which leaves order 5 of 6 "
-                                              "or 8 (measured 5.0): here Fehlberg 7(8) starts, "
-                                              "anew whenever the step changes, and the order is 6"};
+constexpr Facts facts<AdamsBashforthMoulton6>{odeint, 2, false, 0.698003, 0.526717, characteristic};
 template <>
-constexpr Facts facts<ImplicitEuler>{
-    odeint,
-    1,
-    true,
-    all,
-    all,
-    "R(z) = 1 / (1 - z)",
-    "from its second Newton iteration on Odeint factorizes the matrix that it has factorized before: one "
-    "iteration is taken"};
+constexpr Facts facts<ImplicitEuler>{odeint, 1, true, all, all, "R(z) = 1 / (1 - z)"};
 template <>
-constexpr Facts facts<Rosenbrock4>{odeint,
-                                   6,
-                                   true,
-                                   none,
-                                   none,
-                                   no_fixed_step,
-                                   "in Boost 1.74 the coefficient d4 has the wrong sign, and the order is 1 "
-                                   "where the right-hand side knows the "
-                                   "time: time is given as one more unknown, and the order is 4"};
+constexpr Facts facts<Rosenbrock4>{odeint, 6, true, none, none, no_fixed_step};
 template <>
-constexpr Facts facts<Rk8pd>{
-    gsl,
-    13,
-    false,
-    5.166634,
-    0,
-    polynomial,
-    "GSL's step control takes NaN for no error: a derivative that is not finite fails "
-    "the step, here and in GSL's others"};
+constexpr Facts facts<Rk8pd>{gsl, 13, false, 5.166634, 0, polynomial};
 template <>
-constexpr Facts facts<Msadams>{
-    gsl,
-    0,
-    false,
-    none,
-    none,
-    no_fixed_step,
-    "at a tolerance of 0.1 it blows up on its own, 12 % before a pole; its error is up to 230 tolerances"};
+constexpr Facts facts<Msadams>{gsl, 0, false, none, none, no_fixed_step};
 template <>
-constexpr Facts facts<Msbdf>{gsl, 0, true, none, none, no_fixed_step, "its error is up to 900 tolerances"};
+constexpr Facts facts<Msbdf>{gsl, 0, true, none, none, no_fixed_step};
 template <>
-constexpr Facts facts<Bsimp>{gsl,
-                             0,
-                             true,
-                             none,
-                             none,
-                             no_fixed_step,
-                             "GSL chooses its order once, for a tolerance of 1e-8, whatever the tolerance "
-                             "is: 12, at 138 evaluations a "
-                             "step, and so a loose tolerance saves nothing. With steps as long as the motion "
-                             "its error estimate is below "
-                             "its error by up to 200 times"};
+constexpr Facts facts<Bsimp>{gsl, 0, true, none, none, no_fixed_step};
 #ifdef ODDITY_SUNDIALS
-constexpr std::string_view sundials = "SUNDIALS";
 template <>
 constexpr Facts facts<CvodeAdams>{sundials, 0, false, none, none, no_fixed_step};
 template <>
-constexpr Facts facts<CvodeBdf>{
-    sundials, 0, true, none, none, no_fixed_step, "its error is up to 900 tolerances"};
+constexpr Facts facts<CvodeBdf>{sundials, 0, true, none, none, no_fixed_step};
 template <>
 constexpr Facts facts<ArkodeZonneveld43>{sundials, 5, false, 2.785294, 2.828427, polynomial};
 template <>
-constexpr Facts facts<ArkodeVerner65>{
-    sundials,
-    8,
-    false,
-    4.064777,
-    1.306765,
-    polynomial,
-    "ERKStep of SUNDIALS 6.4 takes the last stage for the next step's first, as it stands at the step's end, "
-    "though it is another state (llnl/sundials#311): measured order 3. The table is given "
-    "the "
-    "step's end as a ninth stage, and the order is 6"};
+constexpr Facts facts<ArkodeVerner65>{sundials, 8, false, 4.064777, 1.306765, polynomial};
 #endif
+
+constexpr std::string_view boost_1_74 = "1.74", gsl_2_7 = "2.7.1", sundials_6_4 = "6.4.1";
+constexpr std::string_view judged = "nothing: trials are judged by their true errors";
+constexpr std::string_view history_anew = "the history starts anew whenever the step changes";
+constexpr Finding all_findings[] = {
+    {odeint, boost_1_74, "controlled_runge_kutta, bulirsch_stoer", "odeint_nan",
+     "take NaN for no error: x' = x^2 from 1 is integrated through its pole at t = 1 to t = 2, which returns "
+     "normally, with NaN",
+     "every accepted state is looked at"},
+    {odeint, boost_1_74, "make_controlled", "odeint_make_controlled",
+     "compiles with the header of a stepper alone, generation_runge_kutta_dopri5.hpp, and then takes the "
+     "relative tolerance for the largest step: one second of a pendulum at 1e-4 takes more than 1000 times "
+     "the "
+     "steps. With generation_controlled_runge_kutta.hpp as well it is right",
+     "the controller is put together without it"},
+    {odeint, boost_1_74, "bulirsch_stoer", "odeint_bulirsch_stoer_backward",
+     "takes more than 150 times the evaluations when time runs backward, for 10 s of a pendulum at a "
+     "tolerance "
+     "of 1e-12",
+     "time itself is turned round, which costs what forward costs"},
+    {odeint, boost_1_74, "symplectic_rkn_sb3a_m4_mclachlan", "odeint_mclachlan",
+     "asks for the forces 5 times a step; the last answer has the weight zero", "the fifth is not evaluated"},
+    {odeint, boost_1_74, "adams_bashforth", "odeint_adams_bashforth_in_place",
+     "has order 1 in place, as its default starter writes its result over its input: the first step of 0.1 "
+     "of "
+     "x'' = -x errs by more than 0.1 in place, and by less than 1e-7 otherwise",
+     "Runge-Kutta 4 starts"},
+    {odeint, boost_1_74, "adams_bashforth", "odeint_adams_bashforth_new_step",
+     "goes on with its history when the step changes, as if the past steps had been as long: with the step "
+     "halved on the way, four steps have order 2",
+     history_anew},
+    {odeint, boost_1_74, "adams_bashforth_moulton", "odeint_adams_moulton_starter",
+     "starts with Runge-Kutta 4, which leaves order 5 to six steps and to eight", "Fehlberg 7(8) starts"},
+    {odeint, boost_1_74, "implicit_euler", "odeint_implicit_euler",
+     "factorizes, from its second Newton iteration on, the matrix that it has factorized before: a step of "
+     "0.3 s of a pendulum takes 30 evaluations to 1e-12, where the matrix as it was takes 10",
+     "one iteration is taken"},
+    {odeint, boost_1_74, "rosenbrock4", "odeint_rosenbrock4",
+     "has its coefficient d4 with the wrong sign: its order is 1 where the right-hand side knows the time, "
+     "and "
+     "4 with the sign turned",
+     "time is given as one more unknown"},
+    {gsl, gsl_2_7, "gsl_odeiv2_evolve_apply", "gsl_nan",
+     "takes NaN for no error: rk8pd and bsimp integrate x' = sqrt(x) - 1 from 0.5 beyond x = 0 and return "
+     "success, with NaN",
+     "a derivative that is not finite fails the step"},
+    {gsl, gsl_2_7, "msadams, msbdf", "gsl_multistep_pole",
+     "leave the solution of x' = x^2 from 1 before its pole at t = 1: at a tolerance of 0.1 x is beyond 1e15 "
+     "before t = 0.85, where it should be below 7",
+     judged},
+    {gsl, gsl_2_7, "msadams, msbdf", "gsl_multistep_error",
+     "hold the error of a step, not of the motion: after 10 s of x'' = -x at a tolerance of 1e-11 msadams "
+     "errs "
+     "by more than 200 tolerances and msbdf by more than 500, and rk8pd by less than 1",
+     judged},
+    {gsl, gsl_2_7, "bsimp", "gsl_bsimp_order",
+     "chooses its order once, whatever the tolerance: 12, at 139 evaluations a step. A tolerance of 0.01 "
+     "costs "
+     "as many evaluations as one of 1e-6, for 10 s of x'' = -x",
+     judged},
+    {gsl, gsl_2_7, "bsimp", "gsl_bsimp_error",
+     "errs by more than 100 tolerances where a step is longer than half the motion's period: x' = x cos t "
+     "over "
+     "8 s at 1e-6",
+     judged},
+    {sundials, sundials_6_4, "CV_BDF", "cvode_error",
+     "holds the error of a step, not of the motion: after 10 s of x'' = -x at a tolerance of 1e-10 it errs "
+     "by "
+     "more than 100 tolerances",
+     judged},
+    {sundials, sundials_6_4, "ERKStep, ARKODE_VERNER_8_5_6", "arkode_verner",
+     "has order 3 of 6: the last stage is taken for the next step's first, as it stands at the step's end, "
+     "though it is another state (llnl/sundials#311)",
+     "the table is given the step's end as a ninth stage, and the order is 6"},
+};
 
 template <class Algorithm>
 constexpr int order_of() {
@@ -183,12 +168,14 @@ std::span<const CatalogEntry> catalog() {
     for_each_algorithm([&]<class Algorithm>() {
       const Facts& f = facts<Algorithm>;
       list.push_back({Algorithm::name, Algorithm::kind, order_of<Algorithm>(), f.library, f.evaluations,
-                      f.jacobian, f.real_limit, f.imaginary_limit, f.theory, f.remark});
+                      f.jacobian, f.real_limit, f.imaginary_limit, f.theory});
     });
     return list;
   }();
   return entries;
 }
+
+std::span<const Finding> findings() { return all_findings; }
 
 std::string_view not_in_catalog() {
   return has_sundials

@@ -19,8 +19,18 @@ struct CatalogEntry {
   /// axis, by theory: 0: none; infinity: all; NaN: it has no fixed step, or, partitioned, no damping.
   double real_limit, imaginary_limit;
   std::string_view theory;  ///< where the limits come from
-  std::string_view remark;  ///< what was found in the library, and how it is repaired
 };
+
+/// What was found in a library, and what is done about it here. tests/libraries/<shown_by>.cpp is a small
+/// program that shows it by the library alone, and checks each number that `found` states.
+struct Finding {
+  std::string_view library, version;  ///< the version that it was found in
+  std::string_view in;                ///< the library's own name for it
+  std::string_view shown_by;
+  std::string_view found, done;
+};
+
+std::span<const Finding> findings();
 
 /// All algorithms of this build, from the plainest on.
 std::span<const CatalogEntry> catalog();

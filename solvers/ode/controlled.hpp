@@ -4,8 +4,8 @@
 
 namespace oddity::ode::detail {
 
-/// An embedded Runge-Kutta method under Odeint's step control. Built here and not by make_controlled, which
-/// in Boost 1.74 hands the relative tolerance on as the largest step.
+/// An embedded Runge-Kutta method under Odeint's step control. Not by make_controlled, which compiles without
+/// generation_controlled_runge_kutta.hpp and then takes the relative tolerance for the largest step.
 template <class Plain>
 auto controlled(double tolerance) {
   using Controlled = boost::numeric::odeint::controlled_runge_kutta<Plain>;
