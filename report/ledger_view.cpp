@@ -11,8 +11,8 @@ namespace {
 
 std::string with_unit(const std::string& number, const std::string& unit) {
   return with_powers(number) + (unit.empty() || unit == "1"           ? ""
-                                : unit.find(',') == std::string::npos ? " " + unit
-                                                                      : " (" + unit + ")");
+                                : unit.find(',') == std::string::npos ? " " + escaped(unit)
+                                                                      : " (" + escaped(unit) + ")");
 }
 
 std::string error_of(const LeastModel& row, const Ledger& ledger) {
@@ -21,18 +21,18 @@ std::string error_of(const LeastModel& row, const Ledger& ledger) {
 }
 
 std::vector<std::string> least_row(const LeastModel& row, const Ledger& ledger) {
-  if (!row.least) return {row.says, "*none here*", "", "", "", ""};
-  return {row.says,
+  if (!row.least) return {escaped(row.says), "*none here*", "", "", "", ""};
+  return {escaped(row.says),
           escaped(row.least->model),
           escaped(row.least->algorithm),
-          with_powers(shown_setting(*row.least, row.need)),
+          with_powers(escaped(shown_setting(*row.least, row.need))),
           error_of(row, ledger),
           rounded(row.least->evaluations_a_frame, 3)};
 }
 
 std::string break_even_text(const BreakEven& b, const Ledger& ledger) {
-  return "- *" + escaped(b.model) + "* is enough " + (b.holds < b.fails ? "up to" : "from") + " `" +
-         b.parameter + "` = " + with_unit(rounded(b.holds, 3), b.parameter_unit) +
+  return "- *" + escaped(b.model) + "* is enough " + (b.holds < b.fails ? "up to" : "from") + " " +
+         code(b.parameter) + " = " + with_unit(rounded(b.holds, 3), b.parameter_unit) +
          (b.holds < b.fails ? "" : " on") + ", where it errs by " +
          with_unit(shown_error(b.error_holds), ledger.unit) + ".\n";
 }
@@ -48,7 +48,7 @@ std::string section(const ExerciseResult& e) {
   std::vector<std::vector<std::string>> rows;
   for (const LeastModel& row : ledger.least) rows.push_back(least_row(row, ledger));
   std::string text =
-      "## " + to_string(e.number) + " " + e.title + "\n\n" +
+      "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" +
       table({"for", "least model", "algorithm", "setting", "error", "evaluations a frame"}, rows, "5");
   for (const BreakEven& b : ledger.break_evens) text += break_even_text(b, ledger);
   return text + never_text(ledger.never) + "\n";

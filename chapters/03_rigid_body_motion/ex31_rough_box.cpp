@@ -29,7 +29,7 @@ constexpr Parameter parameters[] = {
     {"u0", 2, "m/s", "velocity at the start, along the length", 0.1, 3},
     {"v0", 0.5, "m/s", "velocity at the start, across", 0, 3},
     {"w0", 10, "rad/s", "angular velocity at the start", 0, 20},
-    {"seed", 31, "", "seed of the random samples", 0, 1e9},
+    {"seed", 31, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- the claims: friction over the contact ----------------------------------------------------------------
