@@ -61,7 +61,7 @@ TEST_CASE("list shows exercises with their parameters", "[commands]") {
   CHECK(says(ran, "3.5  Pendulum"));
   CHECK(says(ran, "a = 0.5235987755982988 rad  angle at release (0.001 to 3.14)"));
   CHECK(says(ran, "n = 40  size of the triangular matrix (whole, 2 to 100)"));
-  CHECK_FALSE(says(ran, " 1  "));  // the unit of what has none
+  CHECK(says(ran, "h = 0.25  distance"));  // without a unit
   const Ran one = run("list 3.5");
   CHECK(says(one, "3.5  Pendulum"));
   CHECK_FALSE(says(one, "3.7"));
