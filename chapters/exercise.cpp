@@ -69,7 +69,9 @@ void Parameters::set(std::string_view name, double value) {
   if (!(std::isfinite(value) && p.least <= value && value <= p.most))
     throw BadInput("parameter " + std::string(name) + " = " + shortest(value) +
                    " is out of its range: " + shortest(p.least) + " to " + shortest(p.most) +
-                   (p.unit.empty() ? "" : " ") + std::string(p.unit));
+                   (p.unit.empty() || p.unit == "1" ? "" : " " + std::string(p.unit)));
+  if (p.whole && value != std::round(value))
+    throw BadInput("parameter " + std::string(name) + " = " + shortest(value) + " is not a whole number");
   values_[i] = value;
 }
 

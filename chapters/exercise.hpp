@@ -54,7 +54,8 @@ double distance(const Value&, const Value&);
 
 // ---- parameters -------------------------------------------------------------------------------------------
 
-/// A named letter of an exercise. `least` and `most` bound what a user may ask for, both included.
+/// A named letter of an exercise. `least` and `most` bound what a user may ask for, both included; a `whole`
+/// parameter takes whole numbers only.
 struct Parameter {
   std::string_view name;
   double value;
@@ -62,7 +63,9 @@ struct Parameter {
   std::string_view says;
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
+  bool whole = false;
 };
+inline constexpr bool whole_number = true;  ///< for `Parameter::whole`
 
 /// The values of an exercise's parameters in one run: its defaults, some of them overridden.
 class Parameters {
@@ -71,7 +74,8 @@ class Parameters {
 
   double operator[](std::string_view name) const;
   std::span<const Parameter> declared() const { return declared_; }
-  /// Throws BadInput for an unknown name or a value that is not finite or outside the declared range.
+  /// Throws BadInput for an unknown name or a value that is not finite, outside the declared range, or not
+  /// whole where it has to be.
   void set(std::string_view name, double value);
 
  private:

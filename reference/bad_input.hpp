@@ -4,7 +4,8 @@
 
 namespace oddity {
 
-/// The user's input is at fault: the message says what, where, and what would be right. Exit code 2.
+/// What was given cannot be used, or the result cannot be put where it was asked for: the message says what,
+/// where, and what would be right. Exit code 2.
 struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

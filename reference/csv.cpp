@@ -1,5 +1,6 @@
 #include "reference/csv.hpp"
 
+#include <algorithm>
 #include <boost/tokenizer.hpp>
 #include <fstream>
 
@@ -46,8 +47,11 @@ CsvFile read_csv(const std::filesystem::path& file) {
   CsvFile csv;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
+    if (line.ends_with('\r')) line.pop_back();
     if (line.empty() || line.starts_with('#')) continue;
     const std::string place = file.string() + ":" + std::to_string(number);
+    if (std::ranges::any_of(line, [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+      throw BadInput(place + ": not a line of CSV: it holds a control character");
     CsvRow row{place, split(line, place)};
     if (csv.header.cells.empty())
       csv.header = std::move(row);
@@ -57,6 +61,8 @@ CsvFile read_csv(const std::filesystem::path& file) {
       throw BadInput(place + ": " + std::to_string(row.cells.size()) + " cells where the header has " +
                      std::to_string(csv.header.cells.size()));
   }
+  if (in.bad())
+    throw BadInput("cannot read " + file.string() + ": it is not a file, or it cannot be read to its end");
   if (csv.rows.empty()) throw BadInput(file.string() + ": the table has no rows");
   return csv;
 }

@@ -1,6 +1,9 @@
 #include "reference/files.hpp"
 
+#include <cerrno>
 #include <fstream>
+#include <system_error>
+#include <utility>
 
 #include "reference/bad_input.hpp"
 
@@ -10,35 +13,57 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The file that is written first, open and its folder made.
-std::ofstream open_part(const fs::path& file, const fs::path& part) {
+/// What the system says of its last failure.
+std::string last_failure() { return std::error_code(errno, std::generic_category()).message(); }
+
+void make_folder_of(const fs::path& file) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (error) throw BadInput("cannot make the folder " + file.parent_path().string() + ": " + error.message());
-  std::ofstream out(part, std::ios::binary);
-  if (!out) throw BadInput("cannot write " + file.string() + ": the folder is not writable");
-  return out;
 }
 
-fs::path part_of(const fs::path& file) { return file.string() + ".part"; }
+void require(bool written, const fs::path& file) {
+  if (!written) throw BadInput("cannot write " + file.string() + ": " + last_failure());
+}
 
 }  // namespace
 
-void require_writable(const fs::path& file) {
-  if (fs::is_directory(file)) throw BadInput("cannot write " + file.string() + ": it is a folder");
-  open_part(file, part_of(file)).close();
-  fs::remove(part_of(file));
+PartFile::PartFile(fs::path file) : file_(std::move(file)), part_(file_.string() + ".part") {
+  make_folder_of(file_);
+  std::error_code error;
+  const fs::file_status status = fs::status(file_, error);
+  if (fs::is_directory(status)) throw BadInput("cannot write " + file_.string() + ": it is a folder");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw BadInput("cannot write " + file_.string() + ": it is not a regular file");
 }
 
-void write_whole(const fs::path& file, const std::string& text) {
-  const fs::path part = part_of(file);
-  std::ofstream out = open_part(file, part);
-  out << text << std::flush;
-  if (!out) throw BadInput("cannot write " + file.string() + ": the disk may be full");
-  out.close();
+PartFile::~PartFile() {
+  std::error_code ignored;
+  if (!part_.empty()) fs::remove(part_, ignored);
+}
+
+void PartFile::keep() {
   std::error_code error;
-  fs::rename(part, file, error);
-  if (error) throw BadInput("cannot write " + file.string() + ": " + error.message());
+  fs::rename(part_, file_, error);
+  if (error) throw BadInput("cannot write " + file_.string() + ": " + error.message());
+  part_.clear();
+}
+
+void require_writable(const fs::path& file) {
+  const PartFile part(file);
+  require(std::ofstream(part.path()).is_open(), file);
+}
+
+void require_writable_folder(const fs::path& folder) { require_writable(folder / "is_it_writable"); }
+
+void write_whole(const fs::path& file, const std::string& text) {
+  PartFile part(file);
+  std::ofstream out(part.path(), std::ios::binary);
+  require(out.is_open(), file);
+  out << text;
+  out.close();
+  require(!out.fail(), file);
+  part.keep();
 }
 
 }  // namespace oddity

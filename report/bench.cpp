@@ -198,9 +198,8 @@ using Rows = std::vector<std::vector<std::string>>;
 
 std::string fixed(double x, int decimals) {
   if (!std::isfinite(x)) return "-";
-  const double unit = std::pow(10, decimals);
-  std::string text = std::to_string(std::round(x * unit) / unit);
-  return text.substr(0, text.find('.') + (decimals ? static_cast<std::size_t>(decimals) + 1 : 0));
+  char buffer[400];  // the largest double has 309 digits before the point
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::fixed, decimals).ptr};
 }
 
 std::string limit_text(const Bound& limit, int decimals) {

@@ -41,7 +41,9 @@ std::string catalog_page() {
       "Every algorithm that integrates a motion here has a certificate in the tests: its order is measured, "
       "from both sides, with and without explicit time, forward and backward; its evaluations are counted; "
       "and its limits of stability are measured beside the theory that this table gives. A limit is the "
-      "largest $h\\,|\\lambda|$ at which $y'=\\lambda y$ does not grow, on the negative real axis and on the "
+      "largest " +
+      prose("$h|\\lambda|$ at which $y'=\\lambda y$") +
+      " does not grow, on the negative real axis and on the "
       "imaginary axis. An algorithm that is set by a tolerance chooses its steps; where it has limits, they "
       "are those of its plain step.\n\n" +
       table({"algorithm", "library", "set by", "order", "evaluations a step", "real limit", "imaginary limit",

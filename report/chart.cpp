@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "reference/text.hpp"
 #include "report/gnuplot.hpp"
-#include "report/settings.hpp"
 #include "report/text_view.hpp"
 
 namespace oddity {
@@ -238,14 +236,6 @@ std::string chart_script(const QuantityResult& q, const std::string& title, Cost
   const std::size_t entries = q.methods.size() + model.names().size() + failure_signs.size() + 3;
   return "reset session\n" + plot.data + header(q, title, frame, entries, file) + strip_text(frame) +
          plot.parts + "\nunset output\n";
-}
-
-void draw(const std::vector<std::string>& scripts) {
-  if (scripts.empty()) return;
-  std::FILE* pipe = popen((gnuplot() + " 2>/dev/null").c_str(), "w");
-  if (!pipe) throw std::runtime_error("cannot run " + gnuplot());
-  for (const std::string& script : scripts) std::fwrite(script.data(), 1, script.size(), pipe);
-  if (pclose(pipe) != 0) throw std::runtime_error(gnuplot() + " could not draw the charts");
 }
 
 }  // namespace oddity

@@ -21,7 +21,4 @@ std::string chart_script(const QuantityResult&, const std::string& title, Cost,
 std::string trajectory_script(const QuantityResult&, const std::string& title,
                               const std::filesystem::path& file);
 
-/// Runs gnuplot over the scripts. Throws std::runtime_error with its words when it fails.
-void draw(const std::vector<std::string>& scripts);
-
 }  // namespace oddity

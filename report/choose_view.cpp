@@ -21,16 +21,20 @@ std::string described(const Tried& tried, const Need& need) {
   return tried.model + " by " + tried.algorithm + (setting == "-" ? "" : ", " + setting);
 }
 
-std::string with_unit(double error, const std::string& unit) {
-  return shown_error(error) + (unit == "1" ? "" : " " + unit);
+/// The unit asked in, or the motion's own.
+ShownUnit shown_unit(const std::string& unit, const Choice& choice) {
+  const auto shown = choice.need.shown.find(unit);
+  return shown == choice.need.shown.end() ? ShownUnit{unit, 1} : shown->second;
 }
 
-/// "0.0035 m, 0.002 rad".
+/// "0.35 cm, 0.002 rad".
 std::string errors_of(const std::vector<double>& errors, const Choice& choice) {
   std::string text;
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    text += (i == 0 ? "" : ", ") +
-            (std::isfinite(errors[i]) ? with_unit(errors[i], choice.units[i]) : std::string("-"));
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const ShownUnit unit = shown_unit(choice.units[i], choice);
+    text += (i == 0 ? "" : ", ") + (std::isfinite(errors[i]) ? shown_error(errors[i] / unit.size) : "-");
+    if (std::isfinite(errors[i]) && unit.symbol != "1") text += " " + unit.symbol;
+  }
   return text;
 }
 
@@ -183,13 +187,28 @@ std::vector<Tried> rows_of(const Choice& choice, bool all_rows) {
 
 Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
+/// In the units asked in: a number where there is one, else by unit.
+Json from(const std::vector<double>& errors, const Choice& choice) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const ShownUnit unit = shown_unit(choice.units[i], choice);
+    json[unit.symbol] = from(errors[i] / unit.size);
+  }
+  return json.size() == 1 ? json.begin().value() : json;
+}
+
+Json units_of(const Choice& choice) {
+  Json json = Json::array();
+  for (const std::string& unit : choice.units) json.push_back(shown_unit(unit, choice).symbol);
+  return json;
+}
+
 Json from(const Tried& t, const Choice& choice) {
-  Json errors = Json::object();
-  for (std::size_t i = 0; i < t.errors.size(); ++i) errors[choice.units[i]] = from(t.errors[i]);
   return {{"model", t.model},
           {"algorithm", t.algorithm},
           {"setting", shown_setting(t, choice.need)},
-          {"error", errors},
+          {t.knob.empty() ? "value" : t.knob, t.knob.empty() ? Json(nullptr) : Json(t.setting)},
+          {"error", from(t.errors, choice)},
           {"error_in_needs", from(t.error)},
           {"holds", t.holds()},
           {"outcome", name_of(t.outcome)},
@@ -206,12 +225,12 @@ Json from(const std::vector<Tried>& all, const Choice& choice) {
 
 Json need_of(const Choice& choice) {
   static constexpr const char* criteria[] = {"path", "energy", "period", "bounded"};
-  Json error = Json::object();
-  for (std::size_t i = 0; i < choice.needs.size(); ++i) error[choice.units[i]] = from(choice.needs[i]);
-  if (choice.need.criterion != Criterion::path) error = from(choice.need.error);
+  const Json error = choice.need.criterion == Criterion::path ? from(choice.needs, choice)
+                                                              : from(choice.need.error);
   return {{"exercise", choice.exercise},
           {"criterion", criteria[static_cast<int>(choice.need.criterion)]},
           {"error", error},
+          {"unit", units_of(choice)},
           {"horizon", choice.need.horizon},
           {"time_unit", choice.time_unit},
           {"frames_per_second", choice.need.frames_per_second},
@@ -263,11 +282,12 @@ std::string choice_json(const Choice& choice) {
 
 std::string choice_csv(const Choice& choice) {
   std::string text = "model,algorithm,setting";
-  for (const std::string& unit : choice.units) text += ",error [" + unit + "]";
+  for (const std::string& unit : choice.units) text += ",error [" + shown_unit(unit, choice).symbol + "]";
   text += ",holds,outcome,evaluations per frame,seconds per frame,chosen\n";
   for (const Tried& t : choice.tried) {
     text += csv_cell(t.model) + "," + csv_cell(t.algorithm) + "," + csv_cell(shown_setting(t, choice.need));
-    for (double error : t.errors) text += "," + shortest(error);
+    for (std::size_t i = 0; i < t.errors.size(); ++i)
+      text += "," + shortest(t.errors[i] / shown_unit(choice.units[i], choice).size);
     text += std::string(t.holds() ? ",1," : ",0,") + std::string(name_of(t.outcome)) + "," +
             shortest(t.evaluations_a_frame) + "," + shortest(t.seconds_a_frame) +
             (verdict_of(t, choice) == "chosen" ? ",1\n" : ",0\n");

@@ -2,17 +2,68 @@
 
 #include <array>
 #include <cmath>
+#include <deque>
+#include <fstream>
 #include <string_view>
+#include <system_error>
+
+#include "reference/bad_input.hpp"
+#include "reference/files.hpp"
+#include "report/run_program.hpp"
+#include "report/settings.hpp"
 
 namespace oddity {
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c == '\n' ? "\\n" : std::string(1, c);
+namespace {
+
+/// What gnuplot says, in one line: it shows the command, a caret beneath it, and what is wrong.
+std::string in_one_line(const std::string& words) {
+  std::string line;
+  for (char c : words)
+    if (static_cast<unsigned char>(c) > ' ')
+      line += c;
+    else if (!line.empty() && line.back() != ' ')
+      line += ' ';
+  constexpr std::size_t most = 300;
+  return line.size() > most ? "... " + line.substr(line.size() - most) : line;
+}
+
+void run_plotter(const Plotter& plotter, const std::string& script, std::size_t pictures) {
+  try {
+    const Ended ended =
+        run_program({plotter.program, "-d"}, script, plotter.limit * static_cast<long>(pictures));
+    if (!ended.ok)
+      throw BadInput("the charts could not be drawn: " + plotter.program + " ended with " + ended.how +
+                     (ended.words.empty() ? "" : ": " + in_one_line(ended.words)));
+  } catch (const std::system_error& error) {
+    throw BadInput("the charts could not be drawn: " + std::string(error.what()));
   }
-  return out + "\"";
+}
+
+/// Whether the file has its end, which a full disk may have swallowed.
+bool is_finished(const std::filesystem::path& file) {
+  constexpr std::streamoff last_lines = 16;
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  if (!in || in.tellg() < last_lines) return false;
+  std::string tail(last_lines, ' ');
+  in.seekg(-last_lines, std::ios::end);
+  in.read(tail.data(), last_lines);
+  return tail.find("</svg>") != std::string::npos;
+}
+
+}  // namespace
+
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (char c : text) {
+    if (c == '\n')
+      out += "'.\"\\n\".'";
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      out += ' ';
+    else
+      out += c == '\'' ? "''" : std::string(1, c);
+  }
+  return out + "'";
 }
 
 std::string plain(const std::string& text) {
@@ -30,14 +81,34 @@ std::string block(const std::string& name, const std::string& rows) {
   return name + " << EOD\n" + (rows.empty() ? "1 NaN NaN\n" : rows) + "EOD\n";
 }
 
+std::string set_output(const std::filesystem::path& file) {
+  // An absolute path: gnuplot would take "|..." for a command to run.
+  return "set output " + quoted(std::filesystem::absolute(file).string()) + "\n";
+}
+
 std::string svg(double height, const std::filesystem::path& file) {
   return "set terminal svg size 1000," + std::to_string(std::lround(height)) +
-         " dynamic font 'Helvetica,12' background '#ffffff'\nset output " + quoted(file.string()) + "\n";
+         " dynamic font 'Helvetica,12' background '#ffffff'\n" + set_output(file);
 }
 
 std::string model_line(std::size_t i) {
   constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
   return std::string("lc rgb '") + colours[i % colours.size()] + "'" + (i < colours.size() ? "" : " dt 2");
+}
+
+Plotter gnuplot_plotter() { return {gnuplot(), std::chrono::seconds(60)}; }
+
+void draw(const std::vector<Picture>& pictures, const Plotter& plotter) {
+  if (pictures.empty()) return;
+  std::deque<PartFile> parts;
+  std::string script;
+  for (const Picture& picture : pictures) script += picture.script(parts.emplace_back(picture.file).path());
+  run_plotter(plotter, script, pictures.size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!is_finished(parts[i].path()))
+      throw BadInput("cannot write " + pictures[i].file.string() +
+                     ": it came out unfinished; is the disk full?");
+  for (PartFile& part : parts) part.keep();
 }
 
 }  // namespace oddity

@@ -1,9 +1,11 @@
 #include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "reference/bad_input.hpp"
+#include "report/markup.hpp"
 #include "report/results.hpp"
 
 namespace oddity {
@@ -14,6 +16,10 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int format = 2;
+
+void require(bool holds, const char* otherwise) {
+  if (!holds) throw std::runtime_error(otherwise);
+}
 
 template <class Enum, std::size_t N>
 Enum named(const Json& json, const std::array<Enum, N>& all) {
@@ -216,7 +222,6 @@ Ledger ledger(const Json& json) {
   return ledger;
 }
 
-/// The trials of a quantity stand in one list; the methods say how many of them in turn are theirs.
 Json from(const Trajectory& t) {
   Json paths = Json::array();
   for (const Path& p : t.paths)
@@ -245,10 +250,15 @@ Trajectory trajectory(const Json& json) {
   for (const Json& p : json.at("paths"))
     t.paths.push_back({p.at("model"), p.at("algorithm"), p.at("knob"), number(p.at("setting")),
                        number(p.at("error")), named(p.at("outcome"), outcomes), value(p.at("value"))});
-  if (t.truest >= t.paths.size()) throw std::runtime_error("truest is none of the paths");
+  require(t.truest < t.paths.size(), "truest is none of the paths");
+  require(!t.judged_at.empty() && !t.times.empty() && t.times.size() % t.judged_at.size() == 0,
+          "a trajectory's times do not hold those where it is judged");
+  const std::size_t size = t.paths[t.truest].value.size();
+  require(size > 0 && size % t.times.size() == 0, "the truest path has not as many values at each time");
   return t;
 }
 
+/// The trials of a quantity stand in one list; the methods say how many of them in turn are theirs.
 Json from(const QuantityResult& q) {
   Json methods = Json::array(), trials = Json::array(), breakdowns = Json::array();
   for (const MethodResult& m : q.methods) {
@@ -292,6 +302,7 @@ QuantityResult quantity(const Json& json) {
     MethodResult method{m.at("model"), m.at("algorithm"), named(m.at("expected"), outcomes), m.at("why"), {}};
     for (std::size_t i = 0; i < m.at("trials"); ++i)
       method.trials.push_back(trial(json.at("trials").at(next++)));
+    require(!method.trials.empty(), "a method has no trials");
     q.methods.push_back(std::move(method));
   }
   for (const Json& b : json.at("breakdowns"))
@@ -348,9 +359,13 @@ Stability stability(const Json& json) {
     s.limits.push_back({l.at("model"), l.at("algorithm"), limit_in(l.at("theory")),
                         maybe_trial(l.at("stable")), maybe_trial(l.at("broken")), maybe_trial(l.at("cure")),
                         l.at("why")});
+  for (const Limit& l : s.limits)
+    require((l.stable || l.broken) && (l.broken || !l.cure), "a limit without a step, or a cure of nothing");
+  require(!s.steps.empty(), "a map has no steps");
   for (const Json& r : json.at("map")) {
     MapRow row{r.at("model"), r.at("algorithm"), number(r.at("value")), limit_in(r.at("theory")), {}};
     for (const Json& outcome : r.at("outcomes")) row.outcomes.push_back(named(outcome, outcomes));
+    require(row.outcomes.size() == s.steps.size(), "a row of a map has not one outcome for each step");
     s.map.push_back(std::move(row));
   }
   return s;
@@ -381,7 +396,11 @@ ExerciseResult exercise(const Json& json) {
   for (const Json& p : json.at("parameters"))
     e.parameters.push_back({p.at("name"), number(p.at("value")), p.at("unit"), p.at("says")});
   for (const Json& c : json.at("claims")) e.claims.push_back(claim(c));
-  for (const Json& q : json.at("quantities")) e.quantities.push_back(quantity(q));
+  std::set<std::string> files;
+  for (const Json& q : json.at("quantities")) {
+    e.quantities.push_back(quantity(q));
+    require(files.insert(file_name(e.quantities.back().name)).second, "two quantities have one name");
+  }
   if (!json.at("stability").is_null()) e.stability = stability(json.at("stability"));
   if (!json.at("ledger").is_null()) e.ledger = ledger(json.at("ledger"));
   return e;
@@ -392,7 +411,10 @@ ExerciseResult exercise(const Json& json) {
 std::string to_json(const Results& results) {
   Json exercises = Json::array();
   for (const ExerciseResult& e : results.exercises) exercises.push_back(from(e));
-  return Json{{"format", format}, {"exercises", exercises}}.dump(1) + "\n";
+  // Bytes that are not UTF-8, such as a table may hold, are replaced.
+  return Json{{"format", format}, {"exercises", exercises}}.dump(1, ' ', false,
+                                                                 Json::error_handler_t::replace) +
+         "\n";
 }
 
 Results results_from_json(const std::string& text, const std::string& place) {

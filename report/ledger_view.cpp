@@ -11,8 +11,8 @@ namespace {
 
 std::string with_unit(const std::string& number, const std::string& unit) {
   return with_powers(number) + (unit.empty() || unit == "1"           ? ""
-                                : unit.find(',') == std::string::npos ? " " + unit
-                                                                      : " (" + unit + ")");
+                                : unit.find(',') == std::string::npos ? " " + escaped(unit)
+                                                                      : " (" + escaped(unit) + ")");
 }
 
 std::string error_of(const LeastModel& row, const Ledger& ledger) {
@@ -24,11 +24,11 @@ std::string error_of(const LeastModel& row, const Ledger& ledger) {
 }
 
 std::vector<std::string> least_row(const LeastModel& row, const Ledger& ledger) {
-  if (!row.least) return {row.says, "*none here*", "", "", "", ""};
-  return {row.says,
+  if (!row.least) return {escaped(row.says), "*none here*", "", "", "", ""};
+  return {escaped(row.says),
           escaped(row.least->model),
           escaped(row.least->algorithm),
-          with_powers(shown_setting(*row.least, row.need)),
+          with_powers(escaped(shown_setting(*row.least, row.need))),
           error_of(row, ledger),
           rounded(row.least->evaluations_a_frame, 3)};
 }
@@ -45,7 +45,7 @@ std::string break_even_text(const BreakEven& b) {
   std::string where;
   for (std::size_t i = 0; i < b.enough.size(); ++i)
     where += (i == 0 ? " " : i + 1 == b.enough.size() ? " and " : ", ") + interval_text(b.enough[i], b);
-  return "- *" + escaped(b.model) + "* is enough for `" + b.parameter + "`" + where + " (of " +
+  return "- *" + escaped(b.model) + "* is enough for " + code(b.parameter) + where + " (of " +
          rounded(b.looked.from, 3) + " to " + with_unit(rounded(b.looked.to, 3), b.parameter_unit) +
          ", which was searched).\n";
 }
@@ -61,7 +61,7 @@ std::string section(const ExerciseResult& e) {
   std::vector<std::vector<std::string>> rows;
   for (const LeastModel& row : ledger.least) rows.push_back(least_row(row, ledger));
   std::string text =
-      "## " + to_string(e.number) + " " + e.title + "\n\n" +
+      "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" +
       table({"for", "model", "algorithm", "setting", "error", "evaluations per frame"}, rows, "5");
   for (const BreakEven& b : ledger.break_evens) text += break_even_text(b);
   return text + never_text(ledger.never) + "\n";

@@ -136,7 +136,7 @@ std::string finding(const JudgedClaim& judged) {
   const std::string kind = judged.verdict == Verdict::erratum    ? "Erratum"
                            : judged.verdict == Verdict::misprint ? "Misprint"
                                                                  : "Unsettled";
-  std::string text = "**" + kind + " " + code(claim.id) + ".** " + claim.why + "\n\n";
+  std::string text = "**" + kind + " " + code(claim.id) + ".** " + prose(claim.why) + "\n\n";
   std::vector<std::vector<std::string>> rows;
   const auto add = [&](const std::string& name, const Reading& reading) {
     if (reading.checks.empty()) return;
@@ -206,25 +206,24 @@ std::string breakdown_text(const BreakdownResult& b) {
                                     std::to_string(t.evaluations),
                                     std::string(name_of(t.outcome))};
   };
-  return "**Where it breaks.** " + b.says + "\n\n" +
+  return "**Where it breaks.** " + prose(b.says) + "\n\n" +
          table({"", "method", "knob", "value", "error", "evaluations", "outcome"},
                {row("breaks", b.broken), row("cure", b.cured)}, "45");
 }
 
 std::string picture_file(const ExerciseResult& e, const QuantityResult& q, const std::string& kind) {
-  std::string name = q.name;
-  std::ranges::replace(name, ' ', '_');
-  return "charts/" + to_string(e.number) + "_" + name + kind + ".svg";
+  return "charts/" + to_string(e.number) + "_" + file_name(q.name) + kind + ".svg";
 }
 
 std::string trajectory_link(const ExerciseResult& e, const QuantityResult& q) {
-  return q.trajectory ? "![" + q.name + ": the motion](" + trajectory_file(e, q) + ")\n\n" : "";
+  return q.trajectory ? "![" + escaped(q.name, false) + ": the motion](" + trajectory_file(e, q) + ")\n\n"
+                      : "";
 }
 
 std::string chart_link(const ExerciseResult& e, const QuantityResult& q, Cost kind) {
   if (!has_chart(q)) return "";
-  return "![" + q.name + ": error against " + (kind == Cost::time ? "time" : "evaluations") + "](" +
-         chart_file(e, q, kind) + ")\n\n";
+  return "![" + escaped(q.name, false) + ": error against " + (kind == Cost::time ? "time" : "evaluations") +
+         "](" + chart_file(e, q, kind) + ")\n\n";
 }
 
 /// What is computed, its true value and how well it is needed.
@@ -256,8 +255,8 @@ std::string parameters_text(const ExerciseResult& e) {
 }
 
 std::string exercise_text(const ExerciseResult& e, bool charts) {
-  std::string text =
-      "## " + to_string(e.number) + " " + e.title + "\n\n" + e.asks + "\n\n" + parameters_text(e);
+  std::string text = "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" + prose(e.asks) +
+                     "\n\n" + parameters_text(e);
   if (!e.failure.empty()) return text + "**The study failed:** " + escaped(e.failure, false) + "\n\n";
   Counts counts;
   count(e, counts);
@@ -335,8 +334,8 @@ std::string errata_table(const Results& results, bool links) {
     for (const JudgedClaim& c : e.claims)
       if (c.verdict == Verdict::erratum || c.verdict == Verdict::unsettled) {
         const std::string id =
-            links ? "[" + c.claim.id + "](" + chapter_file(e.number.chapter) + "#" + anchor(e) + ")"
-                  : c.claim.id;
+            links ? "[" + escaped(c.claim.id) + "](" + chapter_file(e.number.chapter) + "#" + anchor(e) + ")"
+                  : escaped(c.claim.id);
         rows.push_back(
             {id, std::string(name_of(c.verdict)), escaped(c.claim.says), escaped(c.claim.corrected.text)});
       }
@@ -378,7 +377,7 @@ void add_chapter(const Results& results, const Chapter& chapter, bool links,
   for (const ExerciseResult* e : of_chapter(results, chapter.number)) {
     Counts counts;
     count(*e, counts);
-    const std::string name = to_string(e->number) + " " + e->title;
+    const std::string name = to_string(e->number) + " " + escaped(e->title);
     std::vector<std::string> cells{
         links ? "[" + name + "](" + chapter_file(chapter.number) + "#" + anchor(*e) + ")" : name};
     for (Verdict verdict : verdicts) cells.push_back(counts[verdict] ? std::to_string(counts[verdict]) : "");
@@ -475,14 +474,14 @@ std::string times_page(const Results& results) {
       "run and from machine to machine; the counted work in the chapters does not.\n\n";
   for (const ExerciseResult& e : results.exercises)
     for (const QuantityResult& q : e.quantities)
-      text += "## " + to_string(e.number) + " " + e.title + ": " + code(q.name) + "\n\n" +
+      text += "## " + to_string(e.number) + " " + escaped(e.title, false) + ": " + code(q.name) + "\n\n" +
               chart_link(e, q, Cost::time) + trials_table(q);
   return text;
 }
 
 std::string charts_page(const ExerciseResult& e) {
-  std::string text = "# " + to_string(e.number) + " " + e.title + "\n\n" + e.asks + "\n\n" +
-                     parameters_text(e) + about_charts();
+  std::string text = "# " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" + prose(e.asks) +
+                     "\n\n" + parameters_text(e) + about_charts();
   for (const QuantityResult& q : e.quantities)
     if (has_chart(q))
       text += quantity_head(q) + trajectory_link(e, q) + chart_link(e, q, Cost::evaluations) +

@@ -22,6 +22,12 @@ enum class Objective {
   cheapest,  ///< whatever is cheapest
 };
 
+/// A unit in which an error is asked for and shown: "cm", a hundredth of the motion's unit.
+struct ShownUnit {
+  std::string symbol;
+  double size = 1;
+};
+
 /// What someone asks of a scene.
 struct Need {
   double error;  ///< in each unit that `errors` does not name; relative: to the largest of the observables
@@ -30,6 +36,7 @@ struct Need {
   double frames_per_second = 60;  ///< a step divides the frame evenly, and every method is at every frame
   double budget = std::numeric_limits<double>::infinity();  ///< s per frame
   std::map<std::string, double, std::less<>> errors = {};   ///< by unit: {"m", 0.01}
+  std::map<std::string, ShownUnit, std::less<>> shown = {};  ///< the units asked in, by the motion's
   Criterion criterion = Criterion::path;
   Objective objective = Objective::cheapest;
   std::vector<std::string> only = {}, exclude = {};             ///< words of models and algorithms

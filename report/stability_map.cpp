@@ -101,7 +101,7 @@ std::string legend_text(const Layout& layout) {
 }
 
 std::string axis_name(const std::string& name, const std::string& unit) {
-  return quoted(name + (unit.empty() || unit == "1" ? "" : " [" + unit + "]"));
+  return quoted(name + (unit.empty() || unit == "1" ? "" : " [" + unit + "]")) + " noenhanced";
 }
 
 /// One method's panel; the first of a row names the steps.
@@ -109,7 +109,7 @@ std::string panel(const std::vector<const MapRow*>& columns, const Stability& s,
                   bool first) {
   return panel_data(columns, s) + "set title " + quoted(columns[0]->model + "\n" + columns[0]->algorithm) +
          " noenhanced font ',11' offset 0,-0.6\nset xtics " + tics(layout.values, 1) + "\nset xlabel " +
-         axis_name(s.parameter, s.parameter_unit) + " noenhanced font ',10' offset 0,0.7\nset ytics " +
+         axis_name(s.parameter, s.parameter_unit) + " font ',10' offset 0,0.7\nset ytics " +
          (first ? tics(s.steps, -1) : "('' 0)") + "\nset ylabel " +
          (first ? axis_name("step", s.time_unit) : "''") +
          " font ',11'\nplot $cells using 1:2:(0.49):(0.48):3 with boxxyerror lc rgb variable, $cells using "
@@ -124,9 +124,9 @@ std::string map_script(const ExerciseResult& e, const std::string& file) {
   const Layout layout(s);
   std::string text =
       "reset session\nset terminal svg size " + std::to_string(layout.width) + "," +
-      std::to_string(layout.height) + " dynamic font 'Helvetica,12' background '#ffffff'\nset output " +
-      quoted(file) +
-      "\nset multiplot\nunset key\nset border 0\nset tics scale 0 nomirror font ',10'\n"
+      std::to_string(layout.height) + " dynamic font 'Helvetica,12' background '#ffffff'\n" +
+      set_output(file) +
+      "set multiplot\nunset key\nset border 0\nset tics scale 0 nomirror font ',10'\n"
       "set style fill solid 1 noborder\nset xrange [-0.5:" +
       shortest(static_cast<double>(layout.values.size()) - 0.5) + "]\nset yrange [" +
       shortest(0.5 - static_cast<double>(s.steps.size())) + ":0.5]\nset label " +

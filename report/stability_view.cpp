@@ -30,8 +30,8 @@ std::string in_unit(const std::string& value, const std::string& unit) {
 
 std::string quantity_line(const ExerciseResult& e) {
   const Stability& s = *e.stability;
-  return "`" + s.quantity + "` over " + rounded(s.horizon, 4) + " " + s.time_unit + "; close is " +
-         in_unit(rounded(s.close, 3), s.unit);
+  return code(s.quantity) + " over " + rounded(s.horizon, 4) + " " + escaped(s.time_unit) + "; close is " +
+         escaped(in_unit(rounded(s.close, 3), s.unit));
 }
 
 std::vector<std::string> header(const Stability& s) {
@@ -115,7 +115,8 @@ std::string step_cell(double step) { return rounded(step, 3); }
 
 std::string stability_of_scene(const ExerciseResult& e) {
   const Stability& s = *e.stability;
-  std::string text = "## " + to_string(e.number) + " " + e.title + "\n\n" + quantity_line(e) + ".\n\n";
+  std::string text =
+      "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" + quantity_line(e) + ".\n\n";
   std::vector<std::vector<std::string>> rows;
   for (const Limit& l : s.limits) {
     std::vector<std::string> cells;
@@ -123,7 +124,9 @@ std::string stability_of_scene(const ExerciseResult& e) {
       cells.push_back(with_powers(escaped(text_of_cell)));
     rows.push_back(std::move(cells));
   }
-  text += table(header(s), rows, "2345");
+  std::vector<std::string> columns;
+  for (const std::string& name : header(s)) columns.push_back(escaped(name));
+  text += table(columns, rows, "2345");
   if (const auto why = reasons(s); !why.empty()) {
     text += "Where theory and measurement differ by more than a factor of two:\n\n";
     for (const auto& [reason, names] : why)
@@ -132,8 +135,8 @@ std::string stability_of_scene(const ExerciseResult& e) {
   }
   for (const QuantityResult& q : e.quantities)
     if (q.name == s.quantity)
-      for (const BreakdownResult& b : q.breakdowns) text += b.says + "\n\n";
-  return text + "![outcome over step and " + s.parameter + "](" + map_file(e) + ")\n\n";
+      for (const BreakdownResult& b : q.breakdowns) text += prose(b.says) + "\n\n";
+  return text + "![outcome over step and " + escaped(s.parameter, false) + "](" + map_file(e) + ")\n\n";
 }
 
 }  // namespace

@@ -131,8 +131,9 @@ std::string trajectory_script(const QuantityResult& q, const std::string& title,
     text += "set tmargin at screen " + shortest(top / total) + "\nset bmargin at screen " +
             shortest((top - panel + 18) / total) + "\nset yrange " + spans[k].range() + "\nset ylabel " +
             quoted(labels[k]) + " noenhanced\n" +
-            (k + 1 == count ? "set format x '%g'\nset xlabel 'time [" + t.time_unit + "]'\n"
-                            : "set format x ''\n") +
+            (k + 1 == count
+                 ? "set format x '%g'\nset xlabel " + quoted("time [" + t.time_unit + "]") + " noenhanced\n"
+                 : "set format x ''\n") +
             lines(t, "1:" + std::to_string(k + 2), false);
   }
   return text + "unset multiplot\nunset output\n";

@@ -1,53 +1,27 @@
 #include "report/verbs.hpp"
 
+#include <cmath>
 #include <iostream>
 
-#include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
 #include "reference/verdicts.hpp"
+#include "report/asked.hpp"
 #include "report/bench.hpp"
-#include "report/chart.hpp"
 #include "report/choose.hpp"
+#include "report/gnuplot.hpp"
 #include "report/ledger.hpp"
 #include "report/progress.hpp"
 #include "report/run.hpp"
 #include "report/settings.hpp"
 #include "report/stability.hpp"
+#include "report/table_text.hpp"
 #include "report/text_view.hpp"
 #include "report/write_report.hpp"
 
 namespace oddity::verbs {
 
 namespace {
-
-std::string numbers_of_registry() {
-  std::string numbers;
-  for (const Entry& entry : registry()) numbers += (numbers.empty() ? "" : ", ") + to_string(entry.number);
-  return numbers;
-}
-
-const Entry& entry_of(const std::string& text) {
-  const auto number = exercise_number(text);
-  for (const Entry& entry : registry())
-    if (number == entry.number) return entry;
-  throw BadInput("no exercise '" + text + "'; the exercises are: " + numbers_of_registry());
-}
-
-/// "a=2.5" set in the parameters.
-void override_with(Parameters& parameters, const std::string& assignment) {
-  const auto equals = assignment.find('=');
-  if (equals == std::string::npos) throw BadInput("'" + assignment + "' is not name=value");
-  const auto value = number_in(std::string_view(assignment).substr(equals + 1));
-  if (!value) throw BadInput("'" + assignment + "': '" + assignment.substr(equals + 1) + "' is not a number");
-  parameters.set(assignment.substr(0, equals), *value);
-}
-
-Task task_of(const std::string& exercise, const std::vector<std::string>& overrides) {
-  Task task(entry_of(exercise));
-  for (const std::string& assignment : overrides) override_with(task.parameters, assignment);
-  return task;
-}
 
 bool older(const fs::path& file, const fs::path& than) {
   return fs::last_write_time(file) < fs::last_write_time(than);
@@ -79,79 +53,69 @@ Results last_results(const fs::path& folder) {
   return results;
 }
 
-/// The exercises asked for, or all, of those that have a motion.
-std::vector<Task> scenes(const std::vector<std::string>& exercises) {
-  std::string numbers;
-  for (const Entry& entry : registry())
-    if (entry.exercise.scene) numbers += (numbers.empty() ? "" : ", ") + to_string(entry.number);
-  std::vector<Task> tasks;
-  for (const std::string& exercise : exercises) {
-    tasks.emplace_back(entry_of(exercise));
-    if (!tasks.back().entry->exercise.scene)
-      throw BadInput("exercise " + exercise + " has no motion; those that have one are: " + numbers);
+std::string claims_of(const Entry& entry, const Verdicts& verdicts) {
+  const std::string id = to_string(entry.number) + "-";
+  return std::to_string(
+      std::ranges::count_if(verdicts, [&](const auto& row) { return row.first.starts_with(id); }));
+}
+
+/// "0.001 to 3.14", "whole, 2 to 100"; empty when any number will do.
+std::string range_of(const Parameter& p) {
+  const bool from = std::isfinite(p.least), to = std::isfinite(p.most);
+  const std::string ends = from && to ? shortest(p.least) + " to " + shortest(p.most)
+                           : from     ? "from " + shortest(p.least)
+                           : to       ? "up to " + shortest(p.most)
+                                      : "";
+  return (p.whole ? "whole" : "") + std::string(p.whole && !ends.empty() ? ", " : "") + ends;
+}
+
+std::string in_list(const Entry& entry, const Verdicts& verdicts) {
+  std::string text = to_string(entry.number) + "  " + std::string(entry.exercise.title) +
+                     (entry.exercise.scene ? " (scene)" : "") + ", " + claims_of(entry, verdicts) +
+                     " claims\n";
+  for (const Parameter& p : entry.exercise.parameters) {
+    const std::string range = range_of(p);
+    text += "      " + std::string(p.name) + " = " + shortest(p.value) +
+            (p.unit.empty() || p.unit == "1" ? "" : " " + std::string(p.unit)) + "  " + std::string(p.says) +
+            (range.empty() ? "" : " (" + range + ")") + "\n";
   }
-  if (exercises.empty())
-    for (const Entry& entry : registry())
-      if (entry.exercise.scene) tasks.emplace_back(entry);
-  return tasks;
+  return text;
 }
 
-}  // namespace
-
-void list(const fs::path& folder) {
-  const Verdicts verdicts = read_verdicts(folder);
-  for (const Entry& entry : registry()) {
-    const std::string id = to_string(entry.number);
-    const auto claims =
-        std::ranges::count_if(verdicts, [&](const auto& row) { return row.first.starts_with(id + "-"); });
-    std::cout << id << "  " << entry.exercise.title << (entry.exercise.scene ? " (scene)" : "") << ", "
-              << claims << " claims\n";
-    for (const Parameter& p : entry.exercise.parameters)
-      std::cout << "      " << p.name << " = " << shortest(p.value) << (p.unit.empty() ? "" : " ") << p.unit
-                << "  " << p.says << "\n";
+/// A row for each parameter; one without a name where an exercise has none.
+Table parameters_table(const std::vector<Task>& tasks) {
+  Table table{{"exercise", "title", "scene", "parameter", "value", "unit", "least", "most", "whole", "says"},
+              {}};
+  const auto text = [](std::string_view view) { return std::string(view); };
+  for (const Task& task : tasks) {
+    const Exercise& e = task.entry->exercise;
+    const std::vector<Cell> begin{to_string(task.entry->number), text(e.title), e.scene ? 1L : 0L};
+    const auto add = [&](std::vector<Cell> cells) {
+      cells.insert(cells.begin(), begin.begin(), begin.end());
+      table.rows.push_back(std::move(cells));
+    };
+    for (const Parameter& p : e.parameters)
+      add({text(p.name), p.value, text(p.unit), p.least, p.most, p.whole ? 1L : 0L, text(p.says)});
+    if (e.parameters.empty()) add({"", "", "", "", "", "", ""});
   }
+  return table;
 }
 
-void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
-           bool json) {
-  const Task task = task_of(exercise, overrides);
-  const Reference truth(folder);
-  const Results results = run(std::span(&task, 1), truth, true);
-  std::cout << (json ? to_json(results) : text_view(results.exercises.front())) << std::flush;
+Table limits_table(const Results& results) {
+  Table table{{"exercise", "model", "algorithm", "stable_to", "breaks_at", "theory", "unit", "breaks_by",
+               "error", "error_unit", "why"},
+              {}};
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const ExerciseResult& e : results.exercises)
+    for (const Limit& l : e.stability->limits)
+      table.rows.push_back({to_string(e.number), l.model, l.algorithm, l.step(),
+                            l.broken ? l.broken->setting : none, l.theory, e.stability->time_unit, beyond(l),
+                            l.broken ? l.broken->error : none, e.stability->unit, l.why});
+  return table;
 }
 
-int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
-           const Need& need) {
-  ProgressBar bar;
-  const Choice choice = oddity::choose(task_of(exercise, overrides), need,
-                                       Reference(folder, motions_folder()), measured_price, bar.callback());
-  std::cout << choice_text(choice, false) << std::flush;
-  return choice.chosen ? 0 : 1;
-}
-
-void report(const fs::path& folder, int chapter, const fs::path& out) {
-  if (chapter != 0 && std::ranges::none_of(chapters(), [&](const Chapter& c) { return c.number == chapter; }))
-    throw BadInput("no chapter " + std::to_string(chapter) + "; the book has chapters 1 to 14");
-  make_folder(out);
-  const fs::path page = write_report(last_results(folder), chapter, out);
-  std::cout << "the report is in " << page.string() << "\n";
-}
-
-void chart(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out) {
-  std::vector<Task> tasks;
-  for (const Entry& entry : registry())
-    if (exercises.empty()) tasks.emplace_back(entry);
-  for (const std::string& exercise : exercises) tasks.emplace_back(entry_of(exercise));
-  make_folder(out);
-  ProgressBar bar;
-  for (const fs::path& page : write_charts(run(tasks, Reference(folder), true, bar.callback()), out))
-    std::cout << page.string() << "\n";
-}
-
-void stability(const fs::path& folder, const std::vector<std::string>& exercises, bool rows,
-               const fs::path& out) {
-  const std::vector<Task> tasks = scenes(exercises);
-  const Reference truth(folder);
+Results stability_of(const fs::path& folder, const std::vector<std::string>& exercises) {
+  const std::vector<Task> tasks = tasks_of(exercises, true);
   Results blank;
   for (const Task& task : tasks) {
     ExerciseResult& e = blank.exercises.emplace_back();
@@ -159,24 +123,86 @@ void stability(const fs::path& folder, const std::vector<std::string>& exercises
     e.title = task.entry->exercise.title;
   }
   ProgressBar bar;
-  const Results results = with_stability(blank, tasks, truth, read_limits(folder), bar.callback());
-  if (rows) {
-    std::cout << limit_rows(results) << "\n" << map_rows(results) << std::flush;
-    return;
-  }
+  return with_stability(blank, tasks, Reference(folder, motions_folder()), read_limits(folder), bar.callback());
+}
+
+}  // namespace
+
+void list(const fs::path& folder, const std::string& exercise, Format format) {
+  const Verdicts verdicts = read_verdicts(folder);
+  const std::vector<Task> tasks =
+      tasks_of(exercise.empty() ? std::vector<std::string>() : std::vector{exercise});
+  if (format == Format::text)
+    for (const Task& task : tasks) std::cout << in_list(*task.entry, verdicts);
+  else
+    std::cout << (format == Format::json ? to_json(parameters_table(tasks))
+                                         : to_csv(parameters_table(tasks)));
+}
+
+void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
+           Format format) {
+  const Task task = task_of(exercise, overrides);
+  const Reference truth(folder);
+  const Results results = run(std::span(&task, 1), truth, true);
+  std::cout << (format == Format::json ? to_json(results) : text_view(results.exercises.front()));
+}
+
+int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
+           const AskedNeed& asked, Format format, bool all_rows) {
+  const Task task = task_of(exercise, overrides);
+  const Need need = need_of(*task.entry, asked);
+  ProgressBar bar;
+  const Choice choice = oddity::choose(task, need, Reference(folder, motions_folder()), measured_price,
+                                       bar.callback());
+  std::cout << (format == Format::json  ? choice_json(choice)
+                : format == Format::csv ? choice_csv(choice)
+                                        : choice_text(choice, all_rows));
+  return choice.chosen ? 0 : 1;
+}
+
+void report(const fs::path& folder, const std::string& chapter, const fs::path& out) {
+  const int number = chapter.empty() ? 0 : chapter_of(chapter);
   make_folder(out);
-  std::vector<std::string> scripts;
+  require_writable(results_file());
+  const fs::path page = write_report(last_results(folder), number, out);
+  std::cout << "the report is in " << page.string() << "\n";
+}
+
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out) {
+  const std::vector<Task> tasks = tasks_of(exercises);
+  make_folder(out);
+  ProgressBar bar;
+  for (const fs::path& page : write_charts(run(tasks, Reference(folder, motions_folder()), true, bar.callback()), out))
+    std::cout << page.string() << "\n";
+}
+
+void stability(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out) {
+  tasks_of(exercises, true);
+  make_folder(out);
+  const Results results = stability_of(folder, exercises);
+  std::vector<Picture> pictures;
   for (const ExerciseResult& e : results.exercises) {
     std::cout << stability_text(e) << "\n";
-    scripts.push_back(map_script(e, (out / map_file(e)).string()));
+    pictures.push_back(
+        {out / map_file(e), [&e](const fs::path& into) { return map_script(e, into.string()); }});
   }
-  draw(scripts);
-  std::cout << "the maps are in " << (out / "charts").string() << "\n" << std::flush;
+  draw(pictures);
+  std::cout << "the maps are in " << (out / "charts").string() << "\n";
+}
+
+void stability_table(const fs::path& folder, const std::vector<std::string>& exercises, Format format) {
+  const Table limits = limits_table(stability_of(folder, exercises));
+  std::cout << (format == Format::json ? to_json(limits) : to_csv(limits));
+}
+
+void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises) {
+  const Results results = stability_of(folder, exercises);
+  std::cout << limit_rows(results) << "\n" << map_rows(results);
 }
 
 int bench(const fs::path& folder) {
   ProgressBar bar;
-  const Bench result = oddity::bench(Reference(folder), bar.callback());
+  const Bench result = oddity::bench(Reference(folder, motions_folder()), bar.callback());
   std::cout << bench_view(result) << std::flush;
   return result.broken();
 }

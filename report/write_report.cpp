@@ -1,9 +1,9 @@
 #include "report/write_report.hpp"
 
-#include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "report/catalog_page.hpp"
 #include "report/chart.hpp"
+#include "report/gnuplot.hpp"
 #include "report/ledger.hpp"
 #include "report/markdown.hpp"
 #include "report/stability.hpp"
@@ -16,35 +16,33 @@ namespace {
 
 /// The pictures of one chapter, or of all (0) and then by time too.
 void draw_charts(const Results& results, int chapter, const fs::path& folder) {
-  std::vector<std::string> scripts;
-  std::vector<fs::path> files;
-  const auto part = [&](const std::string& name) {
-    files.push_back(folder / name);
-    return files.back().string() + ".part";
-  };
+  std::vector<Picture> pictures;
   for (const ExerciseResult& e : results.exercises) {
-    if (chapter == 0 && e.stability) scripts.push_back(map_script(e, part(map_file(e))));
+    if (chapter == 0 && e.stability)
+      pictures.push_back(
+          {folder / map_file(e), [&e](const fs::path& into) { return map_script(e, into.string()); }});
     for (const QuantityResult& q : e.quantities) {
       if (chapter != 0 && e.number.chapter != chapter) continue;
       const std::string title = to_string(e.number) + " " + e.title + ": " + q.name;
-      if (q.trajectory) scripts.push_back(trajectory_script(q, title, part(trajectory_file(e, q))));
+      if (q.trajectory)
+        pictures.push_back({folder / trajectory_file(e, q),
+                            [&q, title](const fs::path& into) { return trajectory_script(q, title, into); }});
       if (!has_chart(q)) continue;
       for (Cost kind : {Cost::evaluations, Cost::time})
         if (chapter == 0 || kind == Cost::evaluations)
-          scripts.push_back(chart_script(q, title, kind, part(chart_file(e, q, kind))));
+          pictures.push_back({folder / chart_file(e, q, kind), [&q, title, kind](const fs::path& into) {
+                                return chart_script(q, title, kind, into);
+                              }});
     }
   }
-  draw(scripts);
-  for (const fs::path& file : files) fs::rename(file.string() + ".part", file);
+  draw(pictures);
 }
 
 }  // namespace
 
 void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder / "charts", error);
-  if (error)
-    throw BadInput("cannot make the folder " + (folder / "charts").string() + ": " + error.message());
+  require_writable_folder(folder);
+  require_writable_folder(folder / "charts");
 }
 
 fs::path write_report(const Results& results, int chapter, const fs::path& folder) {

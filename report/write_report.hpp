@@ -7,7 +7,8 @@
 
 namespace oddity {
 
-/// Makes the report's folder, so that a run is not lost for want of one. Throws BadInput when it cannot.
+/// Makes the report's folder and writes in it, so that a run is not lost for want of one. Throws BadInput
+/// when it cannot.
 void make_folder(const std::filesystem::path& folder);
 
 /// Writes the report's pages and charts into `folder` and returns the page to open first. One chapter, or all

@@ -12,6 +12,8 @@ namespace oddity {
 
 inline const std::string& name_of(const Catch::TestCaseHandle& test) { return test.getTestCaseInfo().name; }
 
+inline void use_no_colour(Catch::ConfigData& data) { data.defaultColourMode = Catch::ColourMode::None; }
+
 /// A streaming reporter's base, with its stream as out().
 class MarkdownReporterBase : public Catch::StreamingReporterBase {
  public:
@@ -31,6 +33,8 @@ class MarkdownReporterBase : public Catch::StreamingReporterBase {
 namespace oddity {
 
 inline const std::string& name_of(const Catch::TestCase& test) { return test.name; }
+
+inline void use_no_colour(Catch::ConfigData& data) { data.useColour = Catch::UseColour::No; }
 
 class MarkdownReporterBase : public Catch::StreamingReporterBase<MarkdownReporterBase> {
  public:

@@ -4,6 +4,9 @@
 #endif
 #include "tests/catch_main.hpp"
 
+#include <cstdlib>
+
+#include "reference/bad_input.hpp"
 #include "tests/catch.hpp"
 
 namespace oddity {
@@ -11,12 +14,19 @@ namespace oddity {
 struct CatchSession::Session {
   Catch::Session catch2;
   bool accepted = false;
+
+  /// Catch2 opens its output here.
+  Catch::Config& configured() try { return catch2.config(); } catch (const std::exception& error) {
+    throw BadInput("Catch2: " + std::string(error.what()));
+  }
 };
 
 CatchSession::CatchSession(const std::vector<std::string>& arguments)
     : session_(std::make_unique<Session>()) {
   std::vector<const char*> words{"oddity"};
   for (const std::string& argument : arguments) words.push_back(argument.c_str());
+  if (const char* no_colour = std::getenv("NO_COLOR"); no_colour && *no_colour)
+    use_no_colour(session_->catch2.configData());
   session_->accepted = session_->catch2.applyCommandLine(static_cast<int>(words.size()), words.data()) == 0;
 }
 
@@ -30,7 +40,7 @@ bool CatchSession::only_lists() const {
 }
 
 std::vector<std::string> CatchSession::selected() const {
-  Catch::Config& config = session_->catch2.config();
+  Catch::Config& config = session_->configured();
   const auto& all = Catch::getAllTestCasesSorted(config);
   std::vector<std::string> names;
   for (const auto& test : config.hasTestFilters() ? Catch::filterTests(all, config.testSpec(), config) : all)

@@ -16,7 +16,8 @@ class CatchSession {
   bool accepted() const;
   /// Help or a list is asked for, and no test case will run.
   bool only_lists() const;
-  /// The names of the test cases that the command line selects.
+  /// The names of the test cases that the command line selects. Throws BadInput when Catch2 cannot open the
+  /// file that its output is to go to.
   std::vector<std::string> selected() const;
   /// The number of failures.
   int run();

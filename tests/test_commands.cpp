@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "tests/catch.hpp"
+#include "tests/scratch_folder.hpp"
 
 namespace fs = std::filesystem;
 
@@ -17,9 +18,10 @@ struct Ran {
   std::string output;  ///< standard output and standard error together
 };
 
-/// Runs the program with these arguments, as a user would.
-Ran run(const std::string& arguments) {
-  std::FILE* pipe = popen((std::string(ODDITY_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+/// Runs a shell's command, in which $oddity is the program.
+Ran shell(const std::string& command) {
+  const std::string words = "oddity='" + std::string(ODDITY_PROGRAM) + "'; { " + command + "; } 2>&1";
+  std::FILE* pipe = popen(words.c_str(), "r");
   Ran ran{-1, ""};
   std::array<char, 4096> buffer{};
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
@@ -29,21 +31,17 @@ Ran run(const std::string& arguments) {
   return ran;
 }
 
+/// Runs the program with these arguments, as a user would.
+Ran run(const std::string& arguments) { return shell("$oddity " + arguments); }
+
 bool says(const Ran& ran, const std::string& text) { return ran.output.find(text) != std::string::npos; }
 
-/// A folder of its own that goes when the test ends.
-struct Scratch {
-  fs::path path = fs::temp_directory_path() / ("oddity_test_" + std::to_string(getpid()));
-  Scratch() { fs::create_directories(path); }
-  ~Scratch() { fs::remove_all(path); }
-};
-
 /// A copy of the reference tables to break.
-fs::path tables(const Scratch& scratch) {
+fs::path tables(const ScratchFolder& scratch) {
   for (const auto& entry : fs::directory_iterator(fs::path(ODDITY_SOURCE) / "reference"))
     if (entry.path().extension() == ".csv")
-      fs::copy(entry, scratch.path, fs::copy_options::overwrite_existing);
-  return scratch.path;
+      fs::copy(entry, scratch.path(), fs::copy_options::overwrite_existing);
+  return scratch.path();
 }
 
 void replace_in(const fs::path& file, const std::string& old, const std::string& fresh) {
@@ -61,16 +59,34 @@ TEST_CASE("list shows exercises with their parameters", "[commands]") {
   const Ran ran = run("list");
   CHECK(ran.status == 0);
   CHECK(says(ran, "3.5  Pendulum"));
-  CHECK(says(ran, "a = 0.5235987755982988 rad"));
+  CHECK(says(ran, "a = 0.5235987755982988 rad  angle at release (0.001 to 3.14)"));
+  CHECK(says(ran, "n = 40  size of the triangular matrix (whole, 2 to 100)"));
+  CHECK(says(ran, "h = 0.25  distance"));  // without a unit
+  const Ran one = run("list 3.5");
+  CHECK(says(one, "3.5  Pendulum"));
+  CHECK_FALSE(says(one, "3.7"));
+}
+
+TEST_CASE("list and stability come as CSV and as JSON", "[commands]") {
+  CHECK(says(run("list 3.5 --csv"),
+             "exercise,title,scene,parameter,value,unit,least,most,whole,says\n"
+             "3.5,Pendulum from 30 degrees,1,a,0.5235987755982988,rad,0.001,3.14,0,angle"));
+  CHECK(says(run("list 3.5 --json"), "\"parameter\": \"a\",\n  \"value\": 0.5235987755982988"));
+  CHECK(says(run("stability 3.5 --csv"), "\n3.5,one angle,velocity Verlet,0.625,"));
+  CHECK(says(run("stability 3.5 --json"), "\"algorithm\": \"velocity Verlet\""));
 }
 
 TEST_CASE("every verb has help with an example", "[commands]") {
-  for (const std::string verb : {"list", "verify", "solve", "chart", "report", "stability", "choose"}) {
+  for (const std::string verb :
+       {"list", "verify", "solve", "chart", "report", "stability", "choose", "bench"}) {
     const Ran ran = run(verb + " --help");
     INFO(ran.output);
     CHECK(ran.status == 0);
     CHECK(says(ran, "Example"));
+    CHECK(run("help " + verb).output == ran.output);
   }
+  CHECK(run("help").output == run("--help").output);
+  CHECK(run("-v").output == run("--version").output);
 }
 
 TEST_CASE("solve takes parameters and says where its reference comes from", "[commands]") {
@@ -87,40 +103,133 @@ TEST_CASE("solve takes parameters and says where its reference comes from", "[co
 }
 
 TEST_CASE("stability shows the limits and draws the maps", "[commands]") {
-  const Scratch scratch;
-  const Ran ran = run("stability 3.5 --out " + scratch.path.string());
+  const ScratchFolder scratch;
+  const Ran ran = run("stability 3.5 --out " + scratch.path().string());
   CHECK(ran.status == 0);
   CHECK(says(ran, "explicit Euler"));
   CHECK(says(ran, "measured/theory"));
-  CHECK(fs::file_size(scratch.path / "charts" / "3.5_stability.svg") > 10'000);
+  CHECK(fs::file_size(scratch.path() / "charts" / "3.5_stability.svg") > 10'000);
   const Ran rows = run("stability 3.5 --rows");
   CHECK(says(rows, "3.5,one angle,velocity Verlet,0.625,0.656,diverged,"));
 }
 
 TEST_CASE("bad input is named and ends with 2", "[commands]") {
-  const std::array<std::array<std::string, 2>, 14> cases{
-      {{"solve 3.6", "no exercise '3.6'"},
-       {"solve three", "no exercise 'three'"},
-       {"solve", "exercise is required"},
-       {"solve 3.5 b=1", "no parameter 'b'; the parameters are: a, L, g"},
-       {"solve 3.5 a=x", "'x' is not a number"},
-       {"solve 3.5 a", "'a' is not name=value"},
-       {"solve 3.5 a=4", "out of its range"},
-       {"solve 3.5 a=nan", "out of its range"},
-       {"report --chapter 15", "no chapter 15"},
-       {"chart 3.4", "no exercise '3.4'"},
-       {"stability 3.6", "no exercise '3.6'"},
-       {"stability 9.1", "exercise 9.1 has no motion; those that have one are: "},
-       {"choose 3.5", "choose needs --error"},
-       {"verify '[3.99]'", "no test case matches"}}};
+  const std::vector<std::array<std::string, 2>> cases{
+      {"solve 3.6", "no exercise '3.6'; chapter 3 has 3.1, 3.3"},
+      {"solve 3.50", "no exercise '3.50'; chapter 3 has 3.1, 3.3"},
+      {"solve 4.1", "no exercise '4.1'; chapter 4 has none; 'oddity list' shows all"},
+      {"solve '3.5 '", "did you mean 3.5 (Pendulum from 30 degrees)?"},
+      {"solve pendulum", "3.5 (Pendulum from 30 degrees) or 3.17"},
+      {"solve Pendelum", "3.5 (Pendulum from 30 degrees)"},
+      {"solve three", "no exercise 'three'"},
+      {"solve", "exercise is required; 'oddity solve --help' says more"},
+      {"solve 3.5 b=1", "no parameter 'b'; the parameters are: a, L, g"},
+      {"solve 3.5 l=1", "did you mean L (length)?"},
+      {"solve 3.5 angle=1", "did you mean a (angle at release)?"},
+      {"solve 3.5 a=x", "'x' is not a number"},
+      {"solve 3.5 a=30kg",
+       "parameter a: '30kg' has a unit that does not fit; units that fit: rad, mrad, deg"},
+      {"solve 3.5 a=1 a=2", "parameter a is given twice"},
+      {"solve 3.5 a", "'a' is not name=value"},
+      {"solve 3.5 a=4", "out of its range"},
+      {"solve 3.5 a=nan", "out of its range"},
+      {"solve 7.11 n=40.7", "parameter n = 40.7 is not a whole number"},
+      {"solve 7.11 seed=1.5", "parameter seed = 1.5 is not a whole number"},
+      {"solve 3.5 --jsn", "oddity solve does not take '--jsn'; did you mean '--json'?"},
+      {"list 3.5 foo", "oddity list does not take 'foo'"},
+      {"report --chapter 15", "--chapter must be a whole number from 1 to 14, and is '15'"},
+      {"report --chapter x", "--chapter must be a whole number from 1 to 14, and is 'x'"},
+      {"report --chapter 4", "chapter 4 has no exercises; those that have some are: 2, 3, 5"},
+      {"report --out ''", "--out: it needs a path"},
+      {"chart --out ''", "--out: it needs a path"},
+      {"chart 3.4", "no exercise '3.4'"},
+      {"stability 3.6", "no exercise '3.6'"},
+      {"stability 9.1", "exercise 9.1 has no motion; those that have one are: "},
+      {"stability 3.5 --rows --out /tmp/x", "--rows excludes --out"},
+      {"stability 3.5 --csv --json", "excludes"},
+      {"choose 9.1 --error 1", "exercise 9.1 has no motion; those that have one are: "},
+      {"choose 3.5", "choose needs --error or --digits"},
+      {"choose 3.5 --error nan", "--error must be positive and finite, and is nan"},
+      {"choose 3.5 --error inf", "--error must be positive and finite, and is inf"},
+      {"choose 3.5 --error 0", "--error must be positive and finite, and is 0"},
+      {"choose 3.5 --error=-1", "--error must be positive and finite, and is -1"},
+      {"choose 3.5 --error 1cm", "units that fit: rad, mrad, deg"},
+      {"choose 3.31 --error 1cm", "--error: the observables are in m, m, rad"},
+      {"choose 3.5 --digits 16", "--digits must be a whole number from 1 to 15, and is '16'"},
+      {"choose 3.5 --error 1 --digits 3", "--error excludes --digits"},
+      {"choose 3.5 --error 1 --fps 1e12",
+       "asks for 1e+13 frames, of at most a million: --fps may be 100000 over"},
+      {"choose 3.5 --error 1 --fps nan", "--fps must be positive and finite, and is nan"},
+      {"choose 3.5 --error 1 --horizon 1e9",
+       "asks for 6e+10 frames, of at most a million: --horizon may be 16666.7 s at"},
+      {"choose 3.5 --error 1 --horizon 1m", "'1m' has a unit that does not fit; units that fit: s, ms"},
+      {"choose 3.5 --error 1 --horizon 1ms", "the horizon is shorter than a frame"},
+      {"choose 3.5 --error 1 --budget 5", "--budget needs a unit, such as 5us"},
+      {"choose 3.5 --error 1 --budget 5US", "'5US' is not a number, nor one with a unit"},
+      {"sovle 3.5", "no verb 'sovle'; the verbs are: "},
+      {"sovle 3.5", "did you mean 'solve'?"},
+      {"help sovle", "did you mean 'solve'?"},
+      {"nonsense", "no verb 'nonsense'; the verbs are: list, verify, "},
+      {"--refrence x list", "oddity does not take '--refrence'; did you mean '--reference'?"},
+      {"chart --out", "--out needs a value"},
+      {"--json", "oddity does not take '--json'"},
+      {"--reference '' list", "--reference: it needs a path"},
+      {"verify --results ''", "--results: it needs a path"},
+      {"verify 3.5", "'[3.5]'"},
+      {"verify '[9.1]' -o /no/such/folder/file", "Unable to open file: '/no/such/folder/file'"},
+      {"verify --no-such-option", "Catch2 does not take these arguments"},
+      {"verify '[3.99]'", "no test case matches"}};
   for (const auto& [arguments, message] : cases) {
     const Ran ran = run(arguments);
     INFO("oddity " << arguments << "\n" << ran.output);
     CHECK(ran.status == 2);
     CHECK(says(ran, message));
+    CHECK(says(ran, "oddity: "));
+    CHECK_FALSE(says(ran, "internal"));
   }
-  CHECK(run("nonsense").status == 2);
-  CHECK(run("verify --no-such-option").status == 2);
+}
+
+TEST_CASE("numbers take units wherever they go", "[commands]") {
+  CHECK(says(run("solve 3.5 a=30deg L=50cm g=981cm/s^2"), "a = 0.5235987755982988 rad"));
+  CHECK(says(run("solve 3.5 a=30deg L=50cm"), "L = 0.5 m"));
+  const Ran chosen = run("choose 3.5 --error 1deg --horizon 2000ms --fps 60Hz --budget 5µs");
+  CHECK(chosen.status != 2);
+  CHECK(says(chosen, "within 0.017 rad over 2 s at 60 frames a second, for at most 5 us"));
+}
+
+TEST_CASE("lost output is an error", "[commands]") {
+  for (const char* lost :
+       {"$oddity list > /dev/full", "$oddity list >&-", "$oddity solve 3.5 --json > /dev/full",
+        "$oddity --help > /dev/full", "$oddity stability 3.5 --rows > /dev/full"}) {
+    const Ran ran = shell(lost);
+    INFO(lost << "\n" << ran.output);
+    CHECK(ran.status == 2);
+    CHECK(says(ran, "oddity: cannot write to standard output"));
+  }
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path().string();
+  const Ran full = shell("ulimit -f 8; $oddity chart 9.1 --out " + folder);
+  CHECK(full.status == 2);
+  CHECK(says(full, "oddity: "));
+  for (const auto& file : fs::recursive_directory_iterator(scratch.path()))
+    CHECK(file.path().extension() != ".part");
+  CHECK(shell("$oddity verify '[9.1]' --results " + folder + "/r.json >&-").status == 2);
+}
+
+TEST_CASE("colour is off when the user wants none", "[commands]") {
+  const std::string terminal = "script -qec \"$oddity verify '[9.1]'\" /dev/null";
+  CHECK(says(shell(terminal), "\x1b["));
+  CHECK_FALSE(says(shell("NO_COLOR=1 " + terminal), "\x1b[0;"));
+}
+
+TEST_CASE("nothing of an option runs", "[commands]") {
+  const ScratchFolder scratch;
+  for (const std::string out : {"|touch canary", "$(touch canary)", "`touch canary`", "it'\\''s"}) {
+    const Ran ran = shell("cd " + scratch.path().string() + " && $oddity chart 9.1 9.1 --out '" + out + "'");
+    INFO(ran.output);
+    CHECK(ran.status == 0);
+    CHECK_FALSE(fs::exists(scratch.path() / "canary"));
+  }
 }
 
 TEST_CASE("a folder that cannot be written is named and ends with 2", "[commands]") {
@@ -133,16 +242,16 @@ TEST_CASE("a folder that cannot be written is named and ends with 2", "[commands
 }
 
 TEST_CASE("chart draws both charts of a quantity and writes their page", "[commands]") {
-  const Scratch scratch;
-  const Ran ran = run("chart 9.1 --out " + scratch.path.string());
+  const ScratchFolder scratch;
+  const Ran ran = run("chart 9.1 --out " + scratch.path().string());
   CHECK(ran.status == 0);
-  CHECK(says(ran, (scratch.path / "9.1.md").string()));
+  CHECK(says(ran, (scratch.path() / "9.1.md").string()));
   for (const char* file : {"9.1.md", "charts/9.1_distance.svg", "charts/9.1_distance_time.svg"})
-    CHECK(fs::file_size(scratch.path / file) > 1000);
+    CHECK(fs::file_size(scratch.path() / file) > 1000);
 }
 
 TEST_CASE("a broken table is named with its line and ends with 2", "[commands]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
   replace_in(folder / "03_05_quarter_period.csv", "1,I,2.3687", "1,I,x2.3687");
   const Ran broken = run("--reference " + folder.string() + " verify '[3.5]'");
@@ -155,7 +264,7 @@ TEST_CASE("a broken table is named with its line and ends with 2", "[commands]")
 }
 
 TEST_CASE("a verdict that differs from the one on record makes the suite red", "[commands]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
   replace_in(folder / "verdicts.csv", "3.5-value,erratum", "3.5-value,confirmed");
   const Ran red = run("--reference " + folder.string() + " verify '[3.5]'");
@@ -170,7 +279,7 @@ TEST_CASE("a limit that moves, and a method that no longer breaks as on record, 
             {"velocity Verlet,0.625", "velocity Verlet,inf"},
             {"0.656,diverged", "0.656,non-finite"},
             {"3.5,one angle,velocity Verlet", "3.5,one angle,leapfrog"}}}) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     const fs::path folder = tables(scratch);
     replace_in(folder / "limits.csv", old, fresh);
     const Ran red = run("--reference " + folder.string() + " verify '[3.5]'");
@@ -180,26 +289,55 @@ TEST_CASE("a limit that moves, and a method that no longer breaks as on record, 
 }
 
 TEST_CASE("a map that changes makes the suite red", "[commands]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
   replace_in(folder / "stability_maps.csv", "velocity Verlet,0.125,XX", "velocity Verlet,0.125,Xd");
   CHECK(run("--reference " + folder.string() + " verify '[3.5]'").status == 1);
 }
 
 TEST_CASE("a true value that changes makes the suite red", "[commands]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
   replace_in(folder / "03_05_quarter_period.csv", "I,2.2601140", "I,2.2601240");
   CHECK(run("--reference " + folder.string() + " verify '[3.5]'").status == 1);
 }
 
 TEST_CASE("the suite's Markdown, JUnit and results come out whole", "[commands]") {
-  const Scratch scratch;
-  const std::string file = (scratch.path / "out").string();
+  const ScratchFolder scratch;
+  const std::string file = (scratch.path() / "out").string();
   CHECK(run("verify '[3.5]' -r markdown -o " + file).status == 0);
   CHECK(fs::file_size(file) > 1000);
   CHECK(says(run("verify '[3.5]' -r junit"), "<testsuites"));
   CHECK(run("verify '[3.5]' --results " + file).status == 0);
   CHECK(fs::file_size(file) > 1000);
   CHECK_FALSE(fs::exists(file + ".part"));
+}
+
+TEST_CASE("nothing of a table runs or breaks out", "[commands]") {
+  const std::array<std::array<std::string, 3>, 6> places{
+      {{"limits.csv", "\"nothing holds the rod's length", "\"HOSTILE"},
+       {"limits.csv", "3.5,one angle,Runge-Kutta 4", "3.5,HOSTILE,Runge-Kutta 4"},
+       {"verdicts.csv", "3.5-value,erratum", "3.5-value,HOSTILE"},
+       {"verdicts.csv", "3.5-value,", "HOSTILE,"},
+       {"stability_maps.csv", "3.5,one angle,velocity Verlet", "3.5,one angle,HOSTILE"},
+       {"03_05_quarter_period.csv", "1,I,2.3687", "1,HOSTILE,2.3687"}}};
+  for (const auto& [table, old, fresh] : places)
+    for (const std::string hostile :
+         {"`touch canary`$(touch canary)|'; <script> $x", "\x1b[31mred", "\xff"}) {
+      const ScratchFolder scratch;
+      const fs::path folder = tables(scratch);
+      std::string text = fresh;
+      replace_in(folder / table, old, text.replace(text.find("HOSTILE"), 7, hostile));
+      const std::string in = "cd " + folder.string() + " && $oddity --reference . ";
+      INFO(table << " " << fresh);
+      for (const char* verb :
+           {"verify '[3.5]' --results out/r.json", "stability 3.5 --out out", "list 3.5"}) {
+        const Ran ran = shell(in + verb);
+        INFO(ran.output);
+        CHECK(ran.status <= 2);
+        CHECK_FALSE(says(ran, "internal error"));
+        CHECK_FALSE(says(ran, "\x1b[31m"));
+        CHECK_FALSE(fs::exists(folder / "canary"));
+      }
+    }
 }

@@ -160,7 +160,7 @@ TEST_CASE("no algorithm that engines use gets past a pole", "[solvers]") {
          controlled ? std::vector{1e-1, 1e-2, 1e-4, 1e-8, 1e-12} : std::vector{1e-2, 1e-3, 1e-4}) {
       const auto solved = integrate<Algorithm>(pole.system, pole.exact(0), 0, 2, setting);
       CHECK(solved.ending == (controlled ? Ending::stalled : Ending::non_finite));
-      CHECK(solved.message.find("at t = 1.") != std::string::npos);
+      CHECK(solved.message.find("at t = 1") != std::string::npos);
       CHECK(solved.evaluations < 50'000);
     }
   });
@@ -177,7 +177,7 @@ TEST_CASE("no other algorithm gets past a pole, but linearly implicit Euler", "[
       if (solved.reached()) continue;
       INFO(solved.message);
       CHECK(solved.ending == (controlled ? Ending::stalled : Ending::non_finite));
-      CHECK((solved.message.find("at t = 1.") != std::string::npos ||
+      CHECK((solved.message.find("at t = 1") != std::string::npos ||
              solved.message.find("at t = 0.99") != std::string::npos));
       CHECK(solved.evaluations < 50'000);
     }

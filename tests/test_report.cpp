@@ -1,49 +1,60 @@
+#include <fstream>
+#include <sstream>
+
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/verdicts.hpp"
+#include "report/catalog_page.hpp"
 #include "report/chart.hpp"
 #include "report/disturb.hpp"
 #include "report/markdown.hpp"
 #include "report/run.hpp"
 #include "tests/catch.hpp"
+#include "tests/complaint.hpp"
+#include "tests/sample_results.hpp"
 
 using namespace oddity;
 
 namespace {
 
-JudgedClaim judged(Check check) {
-  Claim claim{"9.9-x", 1, "x is 1"};
-  claim.printed = {"x = 1", {std::move(check)}};
-  return {claim, verdict(claim)};
+/// A run of all exercises, once for all tests.
+const Results& run_of_all() {
+  static const Results results = run(std::vector<Task>(registry().begin(), registry().end()),
+                                     Reference(std::filesystem::path(ODDITY_SOURCE) / "reference"), false);
+  return results;
 }
 
-Check one_against_one(double allowed, double scale = 0) {
-  return {"x", {"a", 1}, {"b", 1}, {allowed, "a test"}, scale};
-}
-
-/// Every kind of value that results can hold.
-Results sample() {
-  ExerciseResult e;
-  e.number = {3, 5};
-  e.title = "A title";
-  e.asks = "What is $x$?";
-  e.parameters = {{"a", 0.1, "rad", "angle"}};
-  JudgedClaim claim = judged(one_against_one(1e-9));
-  claim.claim.near_misses = {{"x = 2", {{"x", {"a", 2}, {"b", 1}, exact(), 1, "worst of 3"}}}};
-  claim.claim.why = "a | bar";
-  JudgedClaim not_at_hand{{"9.9-y", 2, "y"}, Verdict::not_checkable};
-  not_at_hand.claim.not_checkable = "no listing";
-  e.claims = {claim, not_at_hand};
-  TimedTrial trial{"model", "algorithm", "step", 0.5,         Value{1, 2}, 0.25,        0.25,
-                   0.5,     0,           42,     Outcome::ok, "",          {1e-6, 1e-8}};
-  QuantityResult q{"q", "m", "a length", {"table x.csv", Value{1, 2}}, 1e-16, {0.3, "a reason"}, {}, {}};
-  q.methods = {{"model", "algorithm", Outcome::ok, "", {trial, trial}}};
-  q.breakdowns = {{"it breaks", Outcome::ok, trial, trial}};
-  q.trajectory = Trajectory{
-      {"x", "y"}, "s", {1}, {0.5, 1}, {{"model", "algorithm", "step", 0.5, 0.25, Outcome::ok, {1, 2, 3, 4}}},
-      0};
-  e.quantities = {q};
-  return {{e}};
+/// Plain $formulas$ of a Markdown page in which it would take a backslash away, and lines whose formulas in
+/// GitHub's form are not closed.
+std::vector<std::string> spoilt_formulas(const std::string& page) {
+  std::vector<std::string> spoilt;
+  std::istringstream lines(page);
+  bool fenced = false;
+  for (std::string line; std::getline(lines, line);) {
+    const bool fence_line = line.starts_with("```");
+    if (fence_line) fenced = !fenced;
+    if (fence_line || fenced) continue;
+    for (std::size_t at = 0; (at = line.find_first_of("\\$`", at)) != std::string::npos;) {
+      const bool math = line[at] == '$', github = math && line.compare(at, 2, "$`") == 0;
+      if (line[at] == '\\') {
+        at += 2;
+        continue;
+      }
+      const std::size_t fence = math ? 1 : std::min(line.find_first_not_of('`', at), line.size()) - at;
+      const std::string close = github ? "`$" : math ? "$" : std::string(fence, '`');
+      const std::size_t begin = at + close.size(), end = line.find(close, begin);
+      if (end == std::string::npos) {
+        spoilt.push_back(line);
+        break;
+      }
+      const std::string inside = line.substr(begin, end - begin);
+      for (std::size_t i = 0; math && !github && i + 1 < inside.size(); ++i)
+        if (inside[i] == '\\' && std::ispunct(static_cast<unsigned char>(inside[i + 1])) != 0)
+          spoilt.push_back(inside);
+      at = end + close.size();
+    }
+  }
+  return spoilt;
 }
 
 }  // namespace
@@ -71,6 +82,28 @@ TEST_CASE("what is no results file is refused with its place", "[report]") {
   CHECK_THROWS_AS(results_from_json("not JSON", "here"), BadInput);
 }
 
+TEST_CASE("a results file that would lead to nonsense is refused", "[report]") {
+  const auto refused = [](const auto& spoil) {
+    Results results = sample();
+    spoil(results.exercises[0]);
+    return complaint([&] { results_from_json(to_json(results), "here"); });
+  };
+  using E = ExerciseResult;
+  CHECK(refused([](E&) {}) == "nothing");
+  CHECK(refused([](E& e) { e.quantities[0].methods[0].trials.clear(); }).find("no trials") !=
+        std::string::npos);
+  CHECK(refused([](E& e) { e.quantities[0].trajectory->times.clear(); }).find("times") != std::string::npos);
+  CHECK(refused([](E& e) {
+          e.quantities[0].trajectory->judged_at = {1, 2, 3};
+        }).find("times") != std::string::npos);
+  CHECK(refused([](E& e) {
+          e.quantities[0].trajectory->paths[0].value = {1, 2, 3};
+        }).find("path") != std::string::npos);
+  CHECK(refused([](E& e) { e.stability->steps.clear(); }).find("map") != std::string::npos);
+  CHECK(refused([](E& e) { e.stability->map[0].outcomes.pop_back(); }).find("map") != std::string::npos);
+  CHECK(refused([](E& e) { e.stability->limits[0].broken.reset(); }).find("limit") != std::string::npos);
+}
+
 TEST_CASE("a disturbance that a check does not notice is named", "[report]") {
   CHECK(unnoticed_disturbances(judged(one_against_one(1e-9))).empty());
   CHECK(unnoticed_disturbances(judged(one_against_one(0))).empty());
@@ -86,7 +119,7 @@ TEST_CASE("a page escapes what Markdown would take for markup, but not mathemati
   Results results = sample();
   results.exercises[0].claims[0].claim.says = "a_1 * |b| with $a_1 * b$";
   const std::string page = chapter_page(results, 3);
-  CHECK(page.find("a\\_1 \\* \\|b\\| with $a_1 * b$") != std::string::npos);
+  CHECK(page.find("a\\_1 \\* \\|b\\| with $`a_1 * b`$") != std::string::npos);
 }
 
 TEST_CASE("pages hold no times but the page of times", "[report]") {
@@ -122,16 +155,15 @@ TEST_CASE("a chart shows every trial, those without a number too, and names each
   };
   CHECK(count("\n7 ") == 4);
   CHECK(count("\n42 ") == 4);  // both on the front, too
-  CHECK(count("title \"non-finite\"") == 1);
+  CHECK(count("title 'non-finite'") == 1);
   CHECK(count("off the scale") == 1);
 }
 
 TEST_CASE("a run does not depend on the number of threads, and repeats itself", "[report]") {
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
-  const std::vector<Task> all(registry().begin(), registry().end());
-  const std::string together = to_json(run(all, truth, false));
+  const std::string together = to_json(run_of_all());
   Results one_by_one;
-  for (const Task& task : all)
+  for (const Task& task : std::vector<Task>(registry().begin(), registry().end()))
     one_by_one.exercises.push_back(run(std::span(&task, 1), truth, false).exercises.front());
   CHECK((together == to_json(one_by_one)));
 }
@@ -158,6 +190,23 @@ TEST_CASE("every scene's motion can be drawn, and its truest path goes through t
           CHECK(std::abs(path[((i + 1) * every - 1) * n + k] - q.reference.value[i * n + k]) <= allowed);
     }
   CHECK(drawn == static_cast<int>(scenes.size()));
+}
+
+TEST_CASE("Markdown takes nothing away from a formula", "[report]") {
+  using Lines = std::vector<std::string>;
+  CHECK(spoilt_formulas("$a\\,b$ and $`a\\,b`$ and `$a\\,b$`") == Lines{"a\\,b"});
+  CHECK(spoilt_formulas("$`a\\,b$").size() == 1);
+  CHECK(spoilt_formulas(index_page(run_of_all())) == Lines());
+  CHECK(spoilt_formulas(single_page(run_of_all())) == Lines());
+  CHECK(spoilt_formulas(catalog_page()) == Lines());
+  for (const Chapter& chapter : chapters())
+    CHECK(spoilt_formulas(chapter_page(run_of_all(), chapter.number)) == Lines());
+  for (const auto& file : std::filesystem::directory_iterator(ODDITY_SOURCE))
+    if (file.path().extension() == ".md") {
+      INFO(file.path());
+      std::ifstream in(file.path());
+      CHECK(spoilt_formulas({std::istreambuf_iterator<char>(in), {}}) == Lines());
+    }
 }
 
 TEST_CASE("exercise numbers read as they are written", "[report]") {

@@ -20,7 +20,7 @@ using std::numbers::sqrt2;
 
 constexpr Parameter parameters[] = {
     {"h", 0.25, "1", "distance from t = 0 at which a numerical limit starts", 1e-3, 0.5},
-    {"seed", 1, "", "of the random times", 0, 1e9},
+    {"seed", 1, "", "of the random times", 0, 1e9, whole_number},
 };
 
 double root(double t) { return std::sqrt(1 + 9 * t * t * t * t); }

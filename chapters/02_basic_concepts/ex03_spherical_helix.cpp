@@ -15,7 +15,7 @@ using namespace spherical_helix;
 
 constexpr Parameter parameters[] = {
     {"t", 2, "1", "time at which the motion is computed", -1e9, 1e9},
-    {"seed", 1, "", "of the random times in [-50, 50]", 0, 1e9},
+    {"seed", 1, "", "of the random times in [-50, 50]", 0, 1e9, whole_number},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------

@@ -19,7 +19,7 @@ constexpr Parameter parameters[] = {
     {"alpha", 0.5, "rad", "angle of the axis D from z", 0, 3.14},
     {"Omega", 2, "rad/s", "rate at which D goes round z", -20, 20},
     {"nu", 3, "rad/s", "rate of the angle theta", -20, 20},
-    {"seed", 1, "", "of the random motions in the proof", 0, 1e9},
+    {"seed", 1, "", "of the random motions in the proof", 0, 1e9, whole_number},
 };
 
 /// Skew(D') against differences of S = Skew(D(t)), extrapolated.

@@ -21,7 +21,7 @@ constexpr Parameter parameters[] = {
     {"t", 0.75, "1", "time at which w is computed", -8, 8},
     {"T", 4, "s", "time until which the orientation is carried on from t = 0", 0.25, 64},
     {"pace", 1, "1/s", "units of the curve's time a second", 0.1, 16},
-    {"seed", 1, "", "of the random times", 0, 1e9},
+    {"seed", 1, "", "of the random times", 0, 1e9, whole_number},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------

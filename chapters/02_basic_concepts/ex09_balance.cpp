@@ -18,7 +18,7 @@ using namespace disc;
 constexpr Parameter parameters[] = {
     {"k", 1, "1/m", "growth of the half disc's density, exp(k x), along its edge", 0.01, 20},
     {"phi", 0.7, "rad", "direction of the fulcrum", -7, 7},
-    {"seed", 9, "", "of the random systems", 0, 1e9},
+    {"seed", 9, "", "of the random systems", 0, 1e9, whole_number},
 };
 
 // ---- particles --------------------------------------------------------------------------------------------

@@ -22,7 +22,7 @@ constexpr Parameter parameters[] = {
     {"left", -1, "", "left end of the lamina; the whole parabola begins at -1", -1, 0.9},
     {"z", 0, "", "height of the lamina's plane", -10, 10},
     {"rho", 1, "", "mass of a unit area", 1e-3, 1e3},
-    {"seed", 13, "", "of the random samples", 0, 1e9},
+    {"seed", 13, "", "of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------

@@ -17,8 +17,8 @@ constexpr Parameter parameters[] = {
     {"r", 1, "m", "radius", 1e-3, 1e3},
     {"omega", 1, "rad/s", "angular speed", 1e-2, 10},
     {"T", 10, "s", "time", 1e-6, 100},
-    {"turn", 0, "", "whole turns before the maximum", 0, 15},
-    {"seed", 17, "", "of the random samples", 0, 1e9},
+    {"turn", 0, "", "whole turns before the maximum", 0, 15, whole_number},
+    {"seed", 17, "", "of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- formulas ---------------------------------------------------------------------------------------------

@@ -25,7 +25,7 @@ constexpr Parameter parameters[] = {
     {"e", 0.625, "", "eccentricity; from 1 on the orbit is open", 1e-3, 1.25},
     {"rho", 1.5, "", "distance from the focus to the directrix", 1e-3, 1e3},
     {"theta", 2.25, "rad", "polar angle", -2.4, 2.4},
-    {"seed", 1, "", "of the random points", 0, 1e6},
+    {"seed", 1, "", "of the random points", 0, 1e6, whole_number},
 };
 
 template <class T>

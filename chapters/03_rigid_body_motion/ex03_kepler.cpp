@@ -25,7 +25,7 @@ constexpr Parameter parameters[] = {
     {"r0_dot", 0.09375, "AU/yr", "its rate", -6, 6},
     {"theta0", 1.75, "rad", "angle at the start", -10, 10},
     {"theta0_dot", 6.25, "rad/yr", "its rate", 0.5, 20},
-    {"seed", 1, "", "of the random orbits", 0, 1e6},
+    {"seed", 1, "", "of the random orbits", 0, 1e6, whole_number},
 };
 
 constexpr Start eccentric{four_pi_squared, 1, 1.75, 1.7862, -2, 0.8943};

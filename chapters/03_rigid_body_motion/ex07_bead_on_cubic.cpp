@@ -21,7 +21,7 @@ using std::abs, std::sqrt;
 constexpr Parameter parameters[] = {
     {"q0", 1, "m", "release", 0.05, 10},
     {"g", 1, "m/s^2", "gravity", 1e-3, 1e3},
-    {"seed", 7, "", "seed of the random samples", 0, 1e9},
+    {"seed", 7, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 Quantity position(const Parameters& p, const Horizon& horizon, const Reference& truth) {

@@ -29,7 +29,7 @@ constexpr Parameter parameters[] = {
     {"p2", 0.5, "m", "position at the start", -1e3, 1e3},
     {"v1", 0, "m/s", "velocity at the start", -1e3, 1e3},
     {"v2", 1.5, "m/s", "velocity at the start", -1e3, 1e3},
-    {"seed", 39, "", "of the random samples", 0, 1e9},
+    {"seed", 39, "", "of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------

@@ -23,7 +23,7 @@ constexpr Parameter parameters[] = {
     {"v2", 2, "m/s", "direction of the straight path", 0.1, 10},
     {"factor", 0.75, "", "speed of the neighbouring path over that of the straight one", 0.2, 0.99},
     {"offset", 0.25, "m", "start of another neighbour beside the top", 0.01, 1},
-    {"seed", 311, "", "seed of the random samples", 0, 1e9},
+    {"seed", 311, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- the equations ----------------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ constexpr Parameter parameters[] = {
     {"g", 9.81, "m/s^2", "gravity", 0.1, 100},
     {"phi", 1, "rad", "start: the angle about the axis, from the lowest line", 0.05, 1.5},
     {"u", -1, "m/s", "start: the speed down the chute", -20, 20},
-    {"seed", 313, "", "seed of the random samples", 0, 1e9},
+    {"seed", 313, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 using S = const OnChute&;

@@ -28,7 +28,7 @@ constexpr Parameter parameters[] = {
     {"s", 2, "m", "start, by its distance from the origin", 0.1, 10},
     {"stiff", 1e4, "N/m", "stiffness of the stiff spring", 100, 2e4},
     {"r", 1.5, "", "speed of the runaway over sqrt(2K/m)", 1.1, 5},
-    {"seed", 15, "", "seed of the random samples", 0, 1e9},
+    {"seed", 15, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- the claims: the motion -------------------------------------------------------------------------------

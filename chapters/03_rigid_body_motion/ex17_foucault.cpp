@@ -26,7 +26,7 @@ constexpr Parameter parameters[] = {
     {"phi_dot", 0, "rad/s", "its rate from the vertical", -10, 10},
     {"h", 1.25, "m", "height of the cone", 0.1, 10},
     {"r", 1.25, "m", "radius of the cone", 0.1, 10},
-    {"seed", 317, "", "seed of the random samples", 0, 1e9},
+    {"seed", 317, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 Pendulum asked(const Parameters& p) {

@@ -35,7 +35,7 @@ constexpr Parameter parameters[] = {
     {"y3", 2.5, "m", "depth of the mass at the start", -1e2, 1e2},
     {"v2", 0.25, "m/s", "y2' at the start", -1e2, 1e2},
     {"v3", -0.5, "m/s", "y3' at the start", -1e2, 1e2},
-    {"seed", 319, "", "seed of the random samples", 0, 1e9},
+    {"seed", 319, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- samples ----------------------------------------------------------------------------------------------

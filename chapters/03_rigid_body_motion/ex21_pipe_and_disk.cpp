@@ -27,7 +27,7 @@ constexpr Parameter parameters[] = {
     {"theta", 2, "rad", "start: angle of the pipe from the force", -3, 3},
     {"theta_dot", 0.5, "rad/s", "start: its speed", -10, 10},
     {"psi_dot", 10, "rad/s", "start: the disk's speed about the pipe", -1000, 1000},
-    {"seed", 321, "", "seed of the random samples", 0, 1e9},
+    {"seed", 321, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- the rigid disk ---------------------------------------------------------------------------------------

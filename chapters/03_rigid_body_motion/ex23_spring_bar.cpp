@@ -28,7 +28,7 @@ constexpr Parameter parameters[] = {
     {"ell", 1, "m", "rest length of the spring", 0.1, 20},
     {"theta0", 0.3, "rad", "angle at the start", -1.5, 1.5},
     {"w0", 0, "rad/s", "angular speed at the start", -2, 2},
-    {"seed", 23, "", "seed of the random samples", 0, 1e9},
+    {"seed", 23, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------

@@ -37,7 +37,7 @@ constexpr Parameter parameters[] = {
     {"omega1", 0, "rad/s", "angular velocity at the start", -10, 10},
     {"omega2", 0, "rad/s", "angular velocity at the start", -10, 10},
     {"omega3", 0, "rad/s", "angular velocity at the start", -10, 10},
-    {"seed", 325, "", "of the random samples", 0, 1e9},
+    {"seed", 325, "", "of the random samples", 0, 1e9, whole_number},
 };
 
 constexpr Triple chaotic{{1, 0.75, 0.5}, {1, 0.75, 0.5}, 9.8125, 2.5, {2, 2.5, 3}, {0, 0, 0}};

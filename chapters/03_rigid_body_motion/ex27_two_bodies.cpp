@@ -22,7 +22,7 @@ constexpr Parameter parameters[] = {
     {"r0_dot", 0.25, "m/s", "its rate at the start", -10, 10},
     {"phi0", 0.5, "rad", "angle at the start", -7, 7},
     {"phi0_dot", 1.5, "rad/s", "its rate at the start", 0.03, 10},
-    {"seed", 327, "", "of the random samples", 0, 1e9},
+    {"seed", 327, "", "of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- the path ---------------------------------------------------------------------------------------------

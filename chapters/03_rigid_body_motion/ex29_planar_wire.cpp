@@ -28,7 +28,7 @@ constexpr Parameter parameters[] = {
     {"v", 5, "m/s", "velocity of the center at the start, upward", -20, 20},
     {"w", 6, "rad/s", "angular velocity", -20, 20},
     {"g", 9.81, "m/s^2", "gravity", 0, 100},
-    {"seed", 29, "", "seed of the random samples", 0, 1e9},
+    {"seed", 29, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- samples ----------------------------------------------------------------------------------------------

@@ -28,7 +28,7 @@ constexpr Parameter parameters[] = {
     {"dtheta", 0.5, "rad/s", "its rate", -10, 10},
     {"dphi", 0.25, "rad/s", "its rate", -10, 10},
     {"dpsi", 30, "rad/s", "its rate", 1, 100},
-    {"seed", 333, "", "seed of the random samples", 0, 1e9},
+    {"seed", 333, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 using S = const Sample&;

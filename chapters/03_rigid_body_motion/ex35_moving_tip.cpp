@@ -28,7 +28,7 @@ constexpr Parameter parameters[] = {
     {"dpsi", 30, "rad/s", "its rate", 1, 100},
     {"A", 0.0625, "m", "amplitude of the tip, the book's alpha", 1e-4, 1},
     {"lambda", 3, "rad/s", "its frequency", 0.1, 30},
-    {"seed", 335, "", "seed of the random samples", 0, 1e9},
+    {"seed", 335, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 using S = const Sample&;

@@ -15,8 +15,8 @@ using namespace bins;
 
 constexpr Parameter parameters[] = {
     {"ratio", 1, "bins", "a sphere's radius over the bin's side", 0.03125, 3},
-    {"half", 8, "bins", "half the number of bins on an axis", 2, 12},
-    {"seed", 1, "", "of the random spheres and objects", 0, 1e9},
+    {"half", 8, "bins", "half the number of bins on an axis", 2, 12, whole_number},
+    {"seed", 1, "", "of the random spheres and objects", 0, 1e9, whole_number},
 };
 
 // ---- quantities -------------------------------------------------------------------------------------------

@@ -12,11 +12,11 @@ namespace ex06_03 {
 using namespace bins;
 
 constexpr Parameter parameters[] = {
-    {"n", 96, "", "spheres, beside fifteen edge cases", 2, 400},
-    {"frames", 16, "", "frames", 6, 64},
+    {"n", 96, "", "spheres, beside fifteen edge cases", 2, 400, whole_number},
+    {"frames", 16, "", "frames", 6, 64, whole_number},
     {"radius", 0.75, "", "largest radius, the world's side being 16", 0.05, 4},
     {"speed", 0.25, "", "largest speed on an axis, a frame", 0, 2},
-    {"seed", 1, "", "of the random spheres", 0, 1e9},
+    {"seed", 1, "", "of the random spheres", 0, 1e9, whole_number},
 };
 
 constexpr double world = 16;

@@ -25,7 +25,7 @@ constexpr Parameter parameters[] = {
     {"f", 3, "N s", "impulse", 1e-3, 1e4},
     {"speed", 2, "m/s", "at which the box falls on the edge", 0.01, 100},
     {"e", 0.5, "", "coefficient of restitution", 0, 1},
-    {"seed", 1, "", "of the random bodies", 0, 1e9},
+    {"seed", 1, "", "of the random bodies", 0, 1e9, whole_number},
 };
 
 const Vector3d up(0, 0, 1);

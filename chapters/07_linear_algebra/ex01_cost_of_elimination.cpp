@@ -15,9 +15,9 @@ namespace ex07_01 {
 using namespace elimination;
 
 constexpr Parameter parameters[] = {
-    {"n", 6, "", "unknowns of the system", 2, 8},
-    {"N", 32, "", "unknowns of the larger system", 16, 96},
-    {"seed", 1, "", "seed of the random systems", 0, 1e9},
+    {"n", 6, "", "unknowns of the system", 2, 8, whole_number},
+    {"N", 32, "", "unknowns of the larger system", 16, 96, whole_number},
+    {"seed", 1, "", "seed of the random systems", 0, 1e9, whole_number},
 };
 
 // ---- what it costs ----------------------------------------------------------------------------------------

@@ -17,8 +17,8 @@ using namespace matrices;
 
 constexpr Parameter parameters[] = {
     {"decades", 8, "", "range of the sizes of random entries", 1, 100},
-    {"m", 200, "", "largest entry of the triangular factors of B, whose inverse is A", 1, 200},
-    {"seed", 1, "", "seed of the random matrices", 0, 1e9},
+    {"m", 200, "", "largest entry of the triangular factors of B, whose inverse is A", 1, 200, whole_number},
+    {"seed", 1, "", "seed of the random matrices", 0, 1e9, whole_number},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------

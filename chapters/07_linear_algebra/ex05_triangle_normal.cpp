@@ -26,7 +26,7 @@ constexpr Parameter parameters[] = {
     {"d", 1e8, "", "distance of the flat triangle from the origin", 0, 1e10},
     {"h", 1e-3, "", "height of the flat triangle over a base of about one", 1e-8, 1},
     {"s", 1e-10, "", "short side of the needle, the others about one", 1e-15, 1},
-    {"seed", 1, "", "seed of the random vectors", 0, 1e9},
+    {"seed", 1, "", "seed of the random vectors", 0, 1e9, whole_number},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------

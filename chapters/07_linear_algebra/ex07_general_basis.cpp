@@ -19,7 +19,7 @@ using vectors::operator*;
 
 constexpr Parameter parameters[] = {
     {"gap", 1e-3, "", "distance of w from the plane of u and v, about", 1e-13, 1},
-    {"seed", 1, "", "seed of the random bases", 0, 1e9},
+    {"seed", 1, "", "seed of the random bases", 0, 1e9, whole_number},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------

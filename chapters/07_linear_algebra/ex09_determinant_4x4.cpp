@@ -18,8 +18,9 @@ using namespace determinants;
 
 constexpr Parameter parameters[] = {
     {"s", 0, "", "shift of the Hilbert matrix 1/(i+j-1+s)", 0, 20},
-    {"m", 300, "", "largest entry of the triangular factors of the matrix of determinant one", 1, 300},
-    {"seed", 1, "", "seed of the random matrices", 0, 1e9},
+    {"m", 300, "", "largest entry of the triangular factors of the matrix of determinant one", 1, 300,
+     whole_number},
+    {"seed", 1, "", "seed of the random matrices", 0, 1e9, whole_number},
 };
 
 struct Row {

@@ -15,9 +15,9 @@ namespace ex07_11 {
 using namespace matrices;
 
 constexpr Parameter parameters[] = {
-    {"n", 40, "", "size of the triangular matrix", 2, 100},
-    {"e", 60, "", "exponent of two in its diagonal entries", 0, 300},
-    {"seed", 1, "", "seed of the random matrices", 0, 1e9},
+    {"n", 40, "", "size of the triangular matrix", 2, 100, whole_number},
+    {"e", 60, "", "exponent of two in its diagonal entries", 0, 300, whole_number},
+    {"seed", 1, "", "seed of the random matrices", 0, 1e9, whole_number},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------

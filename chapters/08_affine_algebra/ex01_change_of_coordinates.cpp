@@ -26,7 +26,7 @@ using Complex = std::complex<double>;
 constexpr Parameter parameters[] = {
     {"a1", 2, "m", "first coordinate", -1e6, 1e6},
     {"a2", 0.5, "m", "second coordinate", -1e6, 1e6},
-    {"seed", 1, "", "of the random points", 0, 1e9},
+    {"seed", 1, "", "of the random points", 0, 1e9, whole_number},
 };
 
 constexpr double quarter = std::numbers::pi / 4;

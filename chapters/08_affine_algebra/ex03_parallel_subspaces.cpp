@@ -16,8 +16,8 @@ namespace ex08_03 {
 using namespace subspaces;
 
 constexpr Parameter parameters[] = {
-    {"pairs", 60, "", "random pairs of subspaces", 1, 500},
-    {"seed", 1, "", "of the random pairs", 0, 1e9},
+    {"pairs", 60, "", "random pairs of subspaces", 1, 500, whole_number},
+    {"seed", 1, "", "of the random pairs", 0, 1e9, whole_number},
 };
 
 MatrixXd column(std::initializer_list<double> xs) {

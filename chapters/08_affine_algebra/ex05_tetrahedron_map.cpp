@@ -20,7 +20,7 @@ constexpr Parameter parameters[] = {
     {"c1", 0.25, "", "barycentric coordinate of P at P1", -4, 4},
     {"c2", 0.375, "", "barycentric coordinate of P at P2", -4, 4},
     {"c3", 0.125, "", "barycentric coordinate of P at P3", -4, 4},
-    {"seed", 1, "", "of the random tetrahedra", 0, 1e9},
+    {"seed", 1, "", "of the random tetrahedra", 0, 1e9, whole_number},
 };
 
 // ---- f(P) -------------------------------------------------------------------------------------------------

@@ -20,7 +20,7 @@ constexpr Parameter parameters[] = {
     {"px", 1.25, "m", "the point", -100, 100},
     {"py", 2.25, "m", "the point", -100, 100},
     {"pz", 1.25, "m", "the point", -100, 100},
-    {"seed", 1, "", "of the random triangles", 0, 1e9},
+    {"seed", 1, "", "of the random triangles", 0, 1e9, whole_number},
 };
 
 // ---- distances --------------------------------------------------------------------------------------------

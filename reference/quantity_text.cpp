@@ -1,0 +1,189 @@
+#include "reference/quantity_text.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "reference/bad_input.hpp"
+
+namespace oddity {
+
+namespace {
+
+// The double: 30deg is then the double of the tables and of pi / 6 in the code.
+constexpr long double pi = std::numbers::pi;
+constexpr long double day = 86400, metres_in_au = 149597870700;
+
+/// How many of its base units a unit is, and the powers of those; powers of zero are left out.
+struct Unit {
+  long double size = 1;
+  std::map<std::string, int> powers = {};
+
+  void multiply(const Unit& other, int power) {
+    size *= std::pow(other.size, power);
+    for (const auto& [base, p] : other.powers)
+      if ((powers[base] += p * power) == 0) powers.erase(base);
+  }
+};
+
+const std::map<std::string, Unit, std::less<>>& named_units() {
+  static const std::map<std::string, Unit, std::less<>> units{
+      {"m", {1, {{"m", 1}}}},
+      {"s", {1, {{"s", 1}}}},
+      {"g", {1e-3L, {{"kg", 1}}}},
+      {"rad", {1, {{"rad", 1}}}},
+      {"N", {1, {{"kg", 1}, {"m", 1}, {"s", -2}}}},
+      {"J", {1, {{"kg", 1}, {"m", 2}, {"s", -2}}}},
+      {"W", {1, {{"kg", 1}, {"m", 2}, {"s", -3}}}},
+      {"Hz", {1, {{"s", -1}}}},
+      {"min", {60, {{"s", 1}}}},
+      {"h", {3600, {{"s", 1}}}},
+      {"d", {day, {{"s", 1}}}},
+      {"yr", {365.25L * day, {{"s", 1}}}},
+      {"AU", {metres_in_au, {{"m", 1}}}},
+      {"deg", {pi / 180, {{"rad", 1}}}},
+      {"°", {pi / 180, {{"rad", 1}}}},
+      {"rpm", {2 * pi / 60, {{"rad", 1}, {"s", -1}}}},
+      {"solar mass", {1, {{"solar mass", 1}}}},
+      {"bins", {1, {{"bins", 1}}}},
+      {"1", {}},
+  };
+  return units;
+}
+
+constexpr std::string_view with_prefixes[]{"m", "s", "g", "N", "J", "W", "Hz", "rad"};
+constexpr std::pair<std::string_view, long double> prefixes[]{{"p", 1e-12L},
+                                                              {"n", 1e-9L},
+                                                              {"u", 1e-6L},
+                                                              {"µ", 1e-6L},
+                                                              {"μ", 1e-6L},  // the micro sign, and the letter
+                                                                             // mu
+                                                              {"m", 1e-3L},
+                                                              {"c", 1e-2L},
+                                                              {"d", 1e-1L},
+                                                              {"k", 1e3L},
+                                                              {"M", 1e6L},
+                                                              {"G", 1e9L}};
+
+std::optional<Unit> named(std::string_view name) {
+  const auto& units = named_units();
+  if (const auto found = units.find(name); found != units.end()) return found->second;
+  for (const auto& [prefix, size] : prefixes)
+    for (std::string_view base : with_prefixes)
+      if (name.size() == prefix.size() + base.size() && name.starts_with(prefix) && name.ends_with(base)) {
+        Unit unit = units.find(base)->second;
+        unit.size *= size;
+        return unit;
+      }
+  return std::nullopt;
+}
+
+/// Reads "AU^3/(yr^2 solar mass)": factors side by side or with '*' are multiplied, a '/' divides by the
+/// next.
+class UnitReader {
+ public:
+  explicit UnitReader(std::string_view text) : left_(text) {}
+
+  std::optional<Unit> whole() {
+    while (take(" ")) {
+    }
+    const auto unit = product(take("/") ? -1 : 1);  // "60 /s"
+    return left_.empty() ? unit : std::nullopt;
+  }
+
+ private:
+  bool take(std::string_view token) {
+    if (!left_.starts_with(token)) return false;
+    left_.remove_prefix(token.size());
+    return true;
+  }
+
+  std::optional<Unit> product(int sign = 1) {
+    Unit all;
+    while (true) {
+      while (take(" ")) {
+      }
+      const auto next = factor();
+      if (!next) return std::nullopt;
+      const auto power = exponent();
+      if (!power) return std::nullopt;
+      all.multiply(*next, sign * *power);
+      while (take(" ")) {
+      }
+      if (left_.empty() || left_.front() == ')') return all;
+      sign = take("/") ? -1 : 1;
+      if (sign == 1 && !take("*")) take("·");
+    }
+  }
+
+  std::optional<Unit> factor() {
+    if (take("(")) {
+      const auto inside = product();
+      return take(")") ? inside : std::nullopt;
+    }
+    if (take("solar mass")) return named("solar mass");
+    if (take("1")) return Unit();
+    const std::string_view name = left_.substr(0, left_.find_first_of(" */^()0123456789-"));
+    for (std::string_view end : {"²", "³", "·"})
+      if (const auto at = name.find(end); at != std::string_view::npos) return named(cut(at));
+    return named(cut(name.size()));
+  }
+
+  std::string_view cut(std::size_t size) {
+    const std::string_view name = left_.substr(0, size);
+    left_.remove_prefix(size);
+    return name;
+  }
+
+  /// 1 where none is written.
+  std::optional<int> exponent() {
+    if (take("²")) return 2;
+    if (take("³")) return 3;
+    const bool must = take("^");
+    int power = 1;
+    const auto [end, error] = std::from_chars(left_.data(), left_.data() + left_.size(), power);
+    if (error != std::errc()) return must ? std::nullopt : std::optional(1);
+    left_.remove_prefix(static_cast<std::size_t>(end - left_.data()));
+    return std::abs(power) <= 9 ? std::optional(power) : std::nullopt;
+  }
+
+  std::string_view left_;
+};
+
+std::string fitting(std::string_view unit, const Unit& wanted) {
+  std::string names;
+  for (std::string_view name :
+       {"m",      "cm",    "mm",     "km",  "AU",   "s",   "ms",  "us",   "ns",    "min",   "h",     "d",
+        "yr",     "kg",    "g",      "rad", "mrad", "deg", "m/s", "km/h", "AU/yr", "rad/s", "deg/s", "rpm",
+        "rad/yr", "m/s^2", "cm/s^2", "N",   "mN",   "kN",  "1/s", "Hz",   "N/m",   "N/cm"})
+    if (UnitReader(name).whole()->powers == wanted.powers)
+      names += (names.empty() ? "" : ", ") + std::string(name);
+  return names.empty() ? std::string(unit) : names;
+}
+
+}  // namespace
+
+double in_unit(std::string_view text, std::string_view unit) {
+  const std::string quoted = "'" + std::string(text) + "'";
+  std::string_view number = text.starts_with('+') ? text.substr(1) : text;
+  double value{};
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (error == std::errc::result_out_of_range) throw BadInput(quoted + " is beyond what a number can hold");
+  if (error != std::errc()) throw BadInput(quoted + " is not a number");
+  const std::string_view written = number.substr(static_cast<std::size_t>(end - number.data()));
+  if (written.find_first_not_of(' ') == std::string_view::npos) return value;
+
+  const Unit wanted = UnitReader(unit.empty() ? "1" : unit).whole().value();
+  const auto given = UnitReader(written).whole();
+  if (given && given->powers == wanted.powers)
+    return static_cast<double>(static_cast<long double>(value) * (given->size / wanted.size));
+  throw BadInput(
+      quoted + (given ? " has a unit that does not fit" : " is not a number, nor one with a unit") +
+      (wanted.powers.empty() ? ": this one has no unit" : "; units that fit: " + fitting(unit, wanted)));
+}
+
+}  // namespace oddity

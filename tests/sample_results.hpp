@@ -1,0 +1,73 @@
+#pragma once
+
+#include "report/results.hpp"
+
+/// Results that were not run.
+namespace oddity {
+
+inline JudgedClaim judged(Check check) {
+  Claim claim{"9.9-x", 1, "x is 1"};
+  claim.printed = {"x = 1", {std::move(check)}};
+  return {claim, verdict(claim)};
+}
+
+inline Check one_against_one(double allowed, double scale = 0) {
+  return {"x", {"a", 1}, {"b", 1}, {allowed, "a test"}, scale};
+}
+
+/// Every kind of value that results can hold.
+inline Results sample() {
+  ExerciseResult e;
+  e.number = {3, 5};
+  e.title = "A title";
+  e.asks = "What is $x$?";
+  e.parameters = {{"a", 0.1, "rad", "angle"}};
+  JudgedClaim claim = judged(one_against_one(1e-9));
+  claim.claim.near_misses = {{"x = 2", {{"x", {"a", 2}, {"b", 1}, exact(), 1, "worst of 3"}}}};
+  claim.claim.why = "a | bar";
+  Claim wrong{"9.9-y", 2, "y is 1"};
+  wrong.printed = {"y = 1", {{"y", {"a", 1}, {"b", 2}, exact(), 1, "a place"}}};
+  wrong.meant = {"y = 3", {{"y", {"a", 3}, {"b", 2}, exact(), 1, "a place"}}};
+  wrong.corrected = {"y = 2", {one_against_one(0)}};
+  wrong.why = "It is two.";
+  Claim not_at_hand{"9.9-z", 3, "z"};
+  not_at_hand.not_checkable = "no listing";
+  e.claims = {claim, {wrong, verdict(wrong)}, {not_at_hand, verdict(not_at_hand)}};
+  TimedTrial trial{"model", "algorithm", "step", 0.5,         Value{1, 2}, 0.25,        0.25,
+                   0.5,     0,           42,     Outcome::ok, "",          {1e-6, 1e-8}};
+  QuantityResult q{"q", "m", "a length", {"table x.csv", Value{1, 2}}, 1e-16, {0.3, "a reason"}, {}, {}};
+  q.methods = {{"model", "algorithm", Outcome::ok, "", {trial, trial}}};
+  q.breakdowns = {{"it breaks", Outcome::ok, trial, trial}};
+  q.trajectory = Trajectory{
+      {"x", "y"}, "s", {1}, {0.5, 1}, {{"model", "algorithm", "step", 0.5, 0.25, Outcome::ok, {1, 2, 3, 4}}},
+      0};
+  e.quantities = {q};
+  q.name = "another";
+  q.trajectory->observables = {"theta", "phi"};
+  e.quantities.push_back(q);
+  e.scene = true;
+  e.ledger =
+      Ledger{"m",
+             {{"1 degree", {0.1}, Tried{"model", "algorithm", "step", 0.5, 0.25}}, {"10 digits", {1e-9}, {}}},
+             {{"model", "a", "rad", {1, 4}, {{1, 2}, {3, 3.5}}, {0.9, 0.8}, {1.1, 1.2}}},
+             {"another model"}};
+  TimedTrial broken = trial;
+  broken.outcome = Outcome::drifted;
+  broken.message = "";
+  TimedTrial told = broken;
+  told.message = "a message";
+  e.stability = Stability{"q",
+                          "m",
+                          "s",
+                          10,
+                          0.1,
+                          {{"model", "algorithm", 1, trial, broken, trial, "a reason"},
+                           {"model", "other", 2, trial, told, trial, ""}},
+                          "a",
+                          "rad",
+                          {1, 0.5},
+                          {{"model", "algorithm", 0.1, 0.7, {Outcome::drifted, Outcome::ok}}}};
+  return {{e}};
+}
+
+}  // namespace oddity

@@ -1,0 +1,174 @@
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "reference/bad_input.hpp"
+#include "report/ledger.hpp"
+#include "report/markdown.hpp"
+#include "report/markup.hpp"
+#include "report/stability.hpp"
+#include "report/write_report.hpp"
+#include "tests/catch.hpp"
+#include "tests/sample_results.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace oddity;
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// Markdown without what is escaped and what is code or a formula: all that is left is markup.
+std::string markup_of(const std::string& line) {
+  std::string out;
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t fence = std::min(line.find_first_not_of('`', at), line.size()) - at;
+    const std::size_t end = fence > 0 ? line.find(std::string(fence, '`'), at + fence) : std::string::npos;
+    if (line[at] == '\\') {
+      at += 2;
+    } else if (end != std::string::npos) {
+      const std::string code = line.substr(at, end - at);
+      for (std::size_t i = 0; i < code.size(); ++i)  // a table's bars are looked for before its code
+        if (code[i] == '|' && code[i - 1] != '\\') out += '|';
+      at = end + fence;
+    } else {
+      out += line[at++];
+    }
+  }
+  return out;
+}
+
+/// What has broken out of its place in a page.
+std::vector<std::string> broken_out(const std::string& page) {
+  std::vector<std::string> wrong;
+  std::istringstream lines(page);
+  long bars = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string markup = markup_of(line);
+    for (std::size_t at = 0; (at = markup.find('<', at)) != std::string::npos; ++at)
+      if (markup.compare(at, 4, "<br>") != 0) wrong.push_back("a tag: " + line);
+    if (markup.find("](javascript") != std::string::npos) wrong.push_back("a link: " + line);
+    if (line.find("INJECTED") < 5 && markup.find_first_of("#>-") < 4) wrong.push_back("a block: " + line);
+    for (char c : line)
+      if (static_cast<unsigned char>(c) < 0x20) wrong.push_back("a control character: " + line);
+    const long now = line.starts_with('|') ? std::ranges::count(markup, '|') : 0;
+    if (bars != 0 && now != 0 && now != bars) wrong.push_back("a cell: " + line);
+    bars = now;
+  }
+  return wrong;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Each string of a JSON text by its place.
+void collect(const Json& json, const Json::json_pointer& place, std::vector<Json::json_pointer>& places) {
+  if (json.is_string()) places.push_back(place);
+  if (json.is_object())
+    for (const auto& [key, value] : json.items()) collect(value, place / key, places);
+  if (json.is_array())
+    for (std::size_t i = 0; i < json.size(); ++i) collect(json[i], place / i, places);
+}
+
+/// Results with these strings replaced, if that gives a results file.
+std::optional<Results> spoilt(const std::vector<Json::json_pointer>& places, const std::string& hostile) {
+  Json json = Json::parse(to_json(sample()));
+  for (const auto& place : places) json[place] = hostile;
+  try {
+    return results_from_json(json.dump(), "here");
+  } catch (const BadInput&) {
+    return std::nullopt;
+  }
+}
+
+/// Pages with each string replaced in turn; how many could be.
+int pages_with(const std::string& hostile) {
+  std::vector<Json::json_pointer> places;
+  collect(Json::parse(to_json(sample())), Json::json_pointer(), places);
+  int written = 0;
+  for (const auto& place : places)
+    if (const auto results = spoilt({place}, hostile)) {
+      ++written;
+      INFO(place.to_string() << " = " << hostile);
+      for (const std::string& page :
+           {index_page(*results), chapter_page(*results, 3), single_page(*results), times_page(*results),
+            ledger_page(*results), stability_page(*results), charts_page(results->exercises[0])})
+        CHECK(broken_out(page) == std::vector<std::string>());
+    }
+  return written;
+}
+
+/// Reports in `out` with all the strings of one key replaced; how many could be.
+int reports_with(const std::string& hostile, const fs::path& out) {
+  std::vector<Json::json_pointer> places;
+  collect(Json::parse(to_json(sample())), Json::json_pointer(), places);
+  std::map<std::string, std::vector<Json::json_pointer>> by_key;
+  for (const auto& place : places)
+    if (place.to_string() != "/exercises/0/quantities/0/name")  // two of one name are refused
+      by_key[place.back()].push_back(place);
+  int written = 0;
+  for (const auto& [key, same] : by_key)
+    if (const auto results = spoilt(same, hostile)) {
+      ++written;
+      INFO(key << " = " << hostile);
+      fs::remove_all(out);
+      write_report(*results, 0, out);
+      for (const auto& file : fs::recursive_directory_iterator(out)) {
+        const std::string text = file.is_regular_file() ? text_of(file.path()) : "";
+        if (file.path().extension() == ".md") CHECK(broken_out(text) == std::vector<std::string>());
+        if (file.path().extension() == ".svg") CHECK(text.find("<script") == std::string::npos);
+        CHECK(file.path().extension() != ".part");
+      }
+      CHECK(std::distance(fs::directory_iterator(out.parent_path()), fs::directory_iterator()) == 1);
+    }
+  return written;
+}
+
+}  // namespace
+
+TEST_CASE("no string of a results file runs or breaks out of its place", "[report]") {
+  const ScratchFolder scratch;
+  const std::string canary = (scratch.path() / "canary").string();
+  const std::string hostile =
+      "`touch " + canary + "` $(touch " + canary + ") '; system('touch " + canary +
+      "') # \" \\ | @x %s {/:Bold <script>alert(1)</script> [x](javascript:alert(1))" +
+      "\n\n# INJECTED\n| a | b |\nEOD\n../../x\x01\x1b[31m\xc2\xb5 \\";
+  CHECK(reports_with(hostile, scratch.path() / "out") > 15);
+  CHECK(pages_with(hostile) > 50);
+  for (const std::string& other : std::vector<std::string>{
+           "# INJECTED", "- INJECTED", "\n# INJECTED", "|touch " + canary, "$|x|\\|y\\|`<script>$",
+           "$ <script>", "`$<script>`$", "\\|", "a\\", "$\\$ <script>", ""})
+    CHECK(pages_with(other) > 50);
+}
+
+TEST_CASE("no folder's name runs or breaks out", "[report]") {
+  const ScratchFolder scratch;
+  for (const std::string name : {"it's", "`touch canary`", "$(touch canary)", "|touch canary", "a\"b", "a b",
+                                 "new\nline", "-d", "~root", "@x", "%s", "a\\", "a;touch canary", "µ"}) {
+    INFO(name);
+    write_charts(sample(), scratch.path() / "out" / name);
+    CHECK(fs::exists(scratch.path() / "out" / name / "charts" / "3.5_q.svg"));
+    fs::remove_all(scratch.path() / "out" / name);
+    CHECK(fs::is_empty(scratch.path() / "out"));
+  }
+  CHECK_FALSE(fs::exists("canary"));
+}
+
+TEST_CASE("text, formulas and code are written such that Markdown shows them", "[report]") {
+  CHECK(escaped("a_1 < b & c [d] \\e | f\ng") == "a\\_1 \\< b \\& c \\[d\\] \\\\e \\| f g");
+  CHECK(escaped("a | b", false) == "a | b");
+  CHECK(escaped("so $a\\,b_1$ is") == "so $`a\\,b_1`$ is");
+  CHECK(escaped("$|x|$ and $\\|x\\|$") == "$`\\vert x\\vert `$ and $`\\Vert x\\Vert `$");
+  CHECK(escaped("$|x|$", false) == "$`|x|`$");
+  CHECK(escaped("5 $ and `x") == "5 \\$ and \\`x");
+  CHECK(escaped("`R.Dot(U)` is *it*") == "`R.Dot(U)` is \\*it\\*");
+  CHECK(prose("`a_b` is *it*, $c_1$") == "`a_b` is *it*, $`c_1`$");
+  CHECK(code("a`b") == "`` a`b ``");
+  CHECK(file_name("../a b\n'c'") == "_._a_b__c_");
+  CHECK(table({"h"}, {{"a|b\nc"}, {"a\\|b"}, {"a\\\\|b"}}) ==
+        "| h |\n| --- |\n| a\\|b c |\n| a\\|b |\n| a\\\\\\|b |\n\n");
+}
