@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -83,17 +84,42 @@ const Reading& deciding(const JudgedClaim& judged) {
   }
 }
 
-std::string difference_of(const Check& c) {
-  if (c.tolerance.allowed == 0)
-    return c.difference() == 0 ? "equal" : "differ by " + shown_error(c.difference());
-  return "differ by " + shown_error(c.difference()) + ", allowed " + shown_error(c.tolerance.allowed);
+/// Of a claim that holds for every sample or fails: `left` counts the samples that violate it.
+bool counts_violations(const Check& c) {
+  return c.right.by == "none" && c.left.by.starts_with("violations in ");
 }
 
-/// The check with the least room: largest difference by tolerance.
+double scale_of(const Check& c) {
+  return c.scale > 0 ? c.scale : std::max(size_of(c.left.value), size_of(c.right.value));
+}
+
+std::string difference_of(const Check& c) {
+  const double difference = c.difference();
+  if (c.tolerance.allowed == 0) return difference == 0 ? "equal" : "differ by " + shown_error(difference);
+  const std::string scale = scale_of(c) > 0 ? " at a scale of " + shown_error(scale_of(c)) : "";
+  return (std::isfinite(difference) ? "differ by " + shown_error(difference) + scale : "cannot be compared") +
+         ", allowed " + shown_error(c.tolerance.allowed);
+}
+
+/// What was compared with what, and how the comparison ended.
+std::string comparison(const Check& c) {
+  if (counts_violations(c)) {
+    const std::string samples = c.left.by.substr(std::string("violations in ").size());
+    return "in " + (c.left.value[0] == 0 ? "none" : rounded(c.left.value[0], 12)) + " of " + samples + ": " +
+           c.quantity;
+  }
+  return c.quantity + ": " + c.left.by + " against " + c.right.by + ": " + difference_of(c);
+}
+
+/// How much of its tolerance a check uses up; one that fails comes before all that hold.
+double tightness(const Check& c) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double used = c.tolerance.allowed > 0 ? c.difference() / c.tolerance.allowed : 0;
+  return c.holds() ? std::min(used, 1.0) : std::isfinite(used) && used > 1 ? used : infinity;
+}
+
 const Check& tightest(const Reading& reading) {
-  return *std::ranges::max_element(reading.checks, {}, [](const Check& c) {
-    return c.tolerance.allowed > 0 ? c.difference() / c.tolerance.allowed : c.difference() > 0 ? 1e300 : 0.0;
-  });
+  return *std::ranges::max_element(reading.checks, {}, tightness);
 }
 
 /// The numbers behind a verdict in a few words: what holds, or by how much the print is off.
@@ -101,31 +127,26 @@ std::string evidence(const JudgedClaim& judged) {
   const Reading& printed = judged.claim.printed;
   const Reading& shown_reading = printed.checks.empty() ? deciding(judged) : printed;
   if (shown_reading.checks.empty()) return "";
-  const Check& c = tightest(shown_reading);
-  std::string text = with_powers(escaped(c.quantity) + ": " + difference_of(c));
+  std::string text = with_powers(escaped(with_short_numbers(comparison(tightest(shown_reading)))));
   if (shown_reading.checks.size() > 1)
     text += " (tightest of " + std::to_string(shown_reading.checks.size()) + " checks)";
   return text;
 }
 
-std::string claims_table(const ExerciseResult& e) {
-  std::vector<std::vector<std::string>> rows;
-  for (const JudgedClaim& c : e.claims) {
-    const std::string verdict(name_of(c.verdict));
-    rows.push_back({code(c.claim.id), std::to_string(c.claim.line), escaped(c.claim.says),
-                    c.verdict == Verdict::confirmed ? verdict : "**" + verdict + "**", evidence(c)});
-  }
-  return table({"claim", "line", "the solution says", "verdict", "evidence"}, rows, "1");
+std::vector<std::string> check_row(const std::string& reading, const Check& c) {
+  const auto words = [](const std::string& text) { return with_powers(escaped(with_short_numbers(text))); };
+  const std::string compared = words(c.quantity) + (c.where.empty() ? "" : "<br>" + words(c.where));
+  if (counts_violations(c))
+    return {reading, compared, rounded(c.left.value[0], 12) + "<br>" + words(c.left.by), "none", "", ""};
+  return {reading,
+          compared,
+          value_cell(c.left.value, 7) + "<br>" + words(c.left.by),
+          value_cell(c.right.value, 7) + "<br>" + words(c.right.by),
+          error_cell(c.difference()),
+          error_cell(c.tolerance.allowed) + "<br>" + words(c.tolerance.reason)};
 }
 
-std::vector<std::string> check_row(const std::string& reading, const Check& c) {
-  return {reading,
-          escaped(c.quantity) + (c.where.empty() ? "" : "<br>" + escaped(c.where)),
-          value_cell(c.left.value, 7) + "<br>" + escaped(c.left.by),
-          value_cell(c.right.value, 7) + "<br>" + escaped(c.right.by),
-          error_cell(c.difference()),
-          error_cell(c.tolerance.allowed) + "<br>" + escaped(c.tolerance.reason)};
-}
+std::string claim_anchor(const Claim& claim) { return "<a id=\"" + claim.id + "\"></a>"; }
 
 /// What is wrong, what is right, and how it shows.
 std::string finding(const JudgedClaim& judged) {
@@ -133,17 +154,34 @@ std::string finding(const JudgedClaim& judged) {
   const std::string kind = judged.verdict == Verdict::erratum    ? "Erratum"
                            : judged.verdict == Verdict::misprint ? "Misprint"
                                                                  : "Unsettled";
-  std::string text = "**" + kind + " " + code(claim.id) + ".** " + claim.why + "\n\n";
+  std::string text = claim_anchor(claim) + "\n\n**" + kind + " " + code(claim.id) + "**, line " +
+                     std::to_string(claim.line) + ". *The solution says:* " + escaped(claim.says, false) +
+                     ".\n\n" + claim.why + "\n\n";
   std::vector<std::vector<std::string>> rows;
   const auto add = [&](const std::string& name, const Reading& reading) {
-    if (reading.checks.empty()) return;
-    const Check& c = tightest(reading);
-    rows.push_back(check_row(name + ": " + escaped(reading.text), c));
+    if (!reading.checks.empty())
+      rows.push_back(check_row(name + ": " + escaped(reading.text), tightest(reading)));
   };
   add("printed", claim.printed);
   add("meant", claim.meant);
   add("corrected", claim.corrected);
   return text + table({"reading", "compared", "one route", "another", "differ by", "allowed"}, rows);
+}
+
+/// What is wrong in full; what is confirmed, folded up.
+std::string claims_text(const ExerciseResult& e) {
+  std::string text;
+  for (Verdict verdict : {Verdict::erratum, Verdict::misprint, Verdict::unsettled})
+    for (const JudgedClaim& c : e.claims)
+      if (c.verdict == verdict) text += finding(c);
+  std::vector<std::vector<std::string>> rows;
+  for (const JudgedClaim& c : e.claims)
+    if (c.verdict == Verdict::confirmed)
+      rows.push_back({code(c.claim.id), std::to_string(c.claim.line), escaped(c.claim.says), evidence(c)});
+  if (rows.empty()) return text;
+  return text + "<details><summary>" +
+         plural(static_cast<int>(rows.size()), "confirmed claim", "confirmed claims") + "</summary>\n\n" +
+         table({"claim", "line", "the solution says", "evidence"}, rows, "1") + "</details>\n\n";
 }
 
 // ---- methods ----------------------------------------------------------------------------------------------
@@ -160,7 +198,7 @@ const TimedTrial* cheapest_ok(const MethodResult& m) {
 std::string expected_failures(const QuantityResult& q) {
   std::vector<std::pair<std::string, std::string>> reasons;
   for (const MethodResult& m : q.methods) {
-    if (m.why.empty()) continue;
+    if (m.why.empty() || m.expected == Outcome::ok) continue;
     const std::string reason = "*" + std::string(name_of(m.expected)) + "*: " + escaped(m.why, false);
     const std::string name = escaped(m.model + ", " + m.algorithm, false);
     const auto same = std::ranges::find(reasons, reason, &std::pair<std::string, std::string>::first);
@@ -258,9 +296,7 @@ std::string exercise_text(const ExerciseResult& e, bool charts) {
   if (!e.failure.empty()) return text + "**The study failed:** " + escaped(e.failure, false) + "\n\n";
   Counts counts;
   count(e, counts);
-  text += "### What the solution says: " + sentence(counts) + "\n\n" + claims_table(e);
-  for (const JudgedClaim& c : e.claims)
-    if (c.verdict != Verdict::confirmed) text += finding(c);
+  text += "### What the solution says: " + sentence(counts) + "\n\n" + claims_text(e);
   for (const QuantityResult& q : e.quantities) text += quantity_text(e, q, charts);
   return text;
 }
@@ -268,11 +304,10 @@ std::string exercise_text(const ExerciseResult& e, bool charts) {
 // ---- the tables behind the charts -------------------------------------------------------------------------
 
 std::string about_charts() {
-  return "Each point is a trial: a method at one setting of its knob. Times are the median of batches "
-         "measured "
-         "alone, with half the distance of the quartiles. A trial is on the *Pareto front* by evaluations "
-         "(E) "
-         "or by time (T) when no other is both cheaper and more accurate.\n\n";
+  return "Each point is a trial: a method at one setting of its knob. Times are the median of several "
+         "batches "
+         "measured alone, with half the interquartile range. A trial is on the *Pareto front* by evaluations "
+         "(E) or by time (T) when no other is both cheaper and more accurate.\n\n";
 }
 
 /// Every trial with all that the charts show of it.
@@ -326,19 +361,32 @@ std::string chapter_text(const Results& results, const Chapter& chapter, bool ch
   return text;
 }
 
-std::string errata_table(const Results& results, bool links) {
+/// The claims of one verdict, each beside what is right.
+std::string list_of(const Results& results, Verdict verdict, bool links) {
   std::vector<std::vector<std::string>> rows;
   for (const ExerciseResult& e : results.exercises)
-    for (const JudgedClaim& c : e.claims)
-      if (c.verdict == Verdict::erratum || c.verdict == Verdict::unsettled) {
-        const std::string id =
-            links ? "[" + c.claim.id + "](" + chapter_file(e.number.chapter) + "#" + anchor(e) + ")"
-                  : c.claim.id;
-        rows.push_back(
-            {id, std::string(name_of(c.verdict)), escaped(c.claim.says), escaped(c.claim.corrected.text)});
-      }
-  return rows.empty() ? "None in this run.\n\n"
-                      : table({"claim", "verdict", "the solution says", "right is"}, rows);
+    for (const JudgedClaim& c : e.claims) {
+      if (c.verdict != verdict) continue;
+      const Claim& claim = c.claim;
+      rows.push_back(
+          {links ? "[" + claim.id + "](" + chapter_file(e.number.chapter) + "#" + claim.id + ")" : claim.id,
+           std::to_string(claim.line), escaped(claim.says), escaped(claim.printed.text),
+           escaped((verdict == Verdict::misprint ? claim.meant : claim.corrected).text)});
+    }
+  return table({"claim", "line", "the solution says", "as printed",
+                verdict == Verdict::misprint ? "what is meant" : "what is right"},
+               rows, "1");
+}
+
+std::string whats_wrong(const Results& results, Counts counts, bool links) {
+  std::string text;
+  for (const auto& [verdict, title] : {std::pair{Verdict::erratum, "Errata"},
+                                       {Verdict::misprint, "Misprints"},
+                                       {Verdict::unsettled, "Unsettled"}})
+    if (counts[verdict] > 0)
+      text += "### " + std::string(title) + " (" + std::to_string(counts[verdict]) + ")\n\n" +
+              list_of(results, verdict, links);
+  return text.empty() ? "Nothing in this run.\n\n" : text;
 }
 
 std::string legend() {
@@ -413,7 +461,8 @@ std::string index_text(const Results& results, bool links) {
         "[where methods break, and what cures it](stability.md), "
         "[the algorithms and what was found in their libraries](algorithms.md), "
         "[how long each method took](times.md).";
-  return text + "\n\n## What is wrong in the book\n\n" + errata_table(results, links) + "## By chapter\n\n" +
+  return text + "\n\n## What is wrong in the solutions manual\n\n" + whats_wrong(results, all, links) +
+         "## By chapter\n\n" +
          table({"chapter", "exercise", "confirmed", "misprint", "erratum", "unsettled", "quantities"}, rows,
                "23456") +
          "The solutions have no exercises in chapters " + chapters_without_exercises() +
@@ -465,9 +514,9 @@ std::string chapter_page(const Results& results, int number) {
 
 std::string times_page(const Results& results) {
   std::string text =
-      "# Times\n\nMedian and half the distance of the quartiles over batches, measured alone in the run at "
-      "hand. They differ from run to "
-      "run and from machine to machine; the counted work in the chapters does not.\n\n";
+      "# Times\n\nEach time is the median of several batches in the run that made this report, each method "
+      "measured alone; the spread is half the interquartile range. Times differ from run to run and from "
+      "machine to machine; the counted work in the chapters does not.\n\n";
   for (const ExerciseResult& e : results.exercises)
     for (const QuantityResult& q : e.quantities)
       text += "## " + to_string(e.number) + " " + e.title + ": " + code(q.name) + "\n\n" +
