@@ -101,13 +101,15 @@ std::string difference_of(const Check& c) {
          ", allowed " + shown_error(c.tolerance.allowed);
 }
 
+/// "no violations in 200 samples", "1 violation in 200 samples".
+std::string violations(const Check& c) {
+  const std::string n = c.left.value[0] == 0 ? "no" : rounded(c.left.value[0], 12);
+  return n + (n == "1" ? " violation" : " violations") + c.left.by.substr(std::string("violations").size());
+}
+
 /// What was compared with what, and how the comparison ended.
 std::string comparison(const Check& c) {
-  if (counts_violations(c)) {
-    const std::string samples = c.left.by.substr(std::string("violations in ").size());
-    return "in " + (c.left.value[0] == 0 ? "none" : rounded(c.left.value[0], 12)) + " of " + samples + ": " +
-           c.quantity;
-  }
+  if (counts_violations(c)) return c.quantity + ": " + violations(c);
   return c.quantity + ": " + c.left.by + " against " + c.right.by + ": " + difference_of(c);
 }
 
@@ -136,8 +138,7 @@ std::string evidence(const JudgedClaim& judged) {
 std::vector<std::string> check_row(const std::string& reading, const Check& c) {
   const auto words = [](const std::string& text) { return with_powers(escaped(with_short_numbers(text))); };
   const std::string compared = words(c.quantity) + (c.where.empty() ? "" : "<br>" + words(c.where));
-  if (counts_violations(c))
-    return {reading, compared, rounded(c.left.value[0], 12) + "<br>" + words(c.left.by), "none", "", ""};
+  if (counts_violations(c)) return {reading, compared, violations(c), "none allowed", "", ""};
   return {reading,
           compared,
           value_cell(c.left.value, 7) + "<br>" + words(c.left.by),
@@ -256,10 +257,28 @@ std::string trajectory_link(const ExerciseResult& e, const QuantityResult& q) {
   return q.trajectory ? "![" + q.name + ": the motion](" + trajectory_file(e, q) + ")\n\n" : "";
 }
 
-std::string chart_link(const ExerciseResult& e, const QuantityResult& q, Cost kind) {
-  if (!has_chart(q)) return "";
-  return "![" + q.name + ": error against " + (kind == Cost::time ? "time" : "evaluations") + "](" +
-         chart_file(e, q, kind) + ")\n\n";
+std::string shown_axis(const QuantityResult& q, Across across) {
+  return across == Across::time          ? "time"
+         : across == Across::evaluations ? "evaluations"
+         : q.trajectory                  ? "step"
+                                         : "setting";
+}
+
+/// The charts of a quantity, but for those over time or those alone.
+std::string chart_links(const ExerciseResult& e, const QuantityResult& q, bool by_time) {
+  std::string text;
+  for (Across across : charts_of(q))
+    if ((across == Across::time) == by_time)
+      text += "![" + q.name + ": error against " + shown_axis(q, across) + "](" + chart_file(e, q, across) +
+              ")\n\n";
+  return text;
+}
+
+/// Beneath the last of a series, its chart.
+std::string series_link(const ExerciseResult& e, const QuantityResult& q) {
+  for (const auto& series : series_of(e))
+    if (series.back() == &q) return "![work over size](" + series_file(e, *series.front()) + ")\n\n";
+  return "";
 }
 
 /// What is computed, its true value and how well it is needed.
@@ -273,7 +292,7 @@ std::string quantity_head(const QuantityResult& q) {
 
 std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool charts) {
   std::string text = quantity_head(q);
-  if (charts) text += trajectory_link(e, q) + chart_link(e, q, Cost::evaluations);
+  if (charts) text += trajectory_link(e, q) + chart_links(e, q, false) + series_link(e, q);
   text += methods_table(q);
   for (const BreakdownResult& b : q.breakdowns) text += breakdown_text(b);
   return text;
@@ -475,16 +494,17 @@ std::string chapter_file(int chapter) {
   return "chapter_" + std::string(chapter < 10 ? "0" : "") + std::to_string(chapter) + ".md";
 }
 
-std::string chart_file(const ExerciseResult& e, const QuantityResult& q, Cost kind) {
-  return picture_file(e, q, kind == Cost::time ? "_time" : "");
+std::string chart_file(const ExerciseResult& e, const QuantityResult& q, Across across) {
+  const bool beside = across == Across::setting && charts_of(q).size() > 1;
+  return picture_file(e, q, across == Across::time ? "_time" : beside ? "_over_step" : "");
 }
 
 std::string trajectory_file(const ExerciseResult& e, const QuantityResult& q) {
   return picture_file(e, q, "_motion");
 }
 
-bool has_chart(const QuantityResult& q) {
-  return q.methods.size() > 1 || (q.methods.size() == 1 && q.methods.front().trials.size() > 1);
+std::string series_file(const ExerciseResult& e, const QuantityResult& first) {
+  return picture_file(e, first, "_series");
 }
 
 std::string claims_evidence(const JudgedClaim& judged) {
@@ -520,7 +540,7 @@ std::string times_page(const Results& results) {
   for (const ExerciseResult& e : results.exercises)
     for (const QuantityResult& q : e.quantities)
       text += "## " + to_string(e.number) + " " + e.title + ": " + code(q.name) + "\n\n" +
-              chart_link(e, q, Cost::time) + trials_table(q);
+              chart_links(e, q, true) + trials_table(q);
   return text;
 }
 
@@ -529,8 +549,8 @@ std::string charts_page(const ExerciseResult& e) {
                      parameters_text(e) + about_charts();
   for (const QuantityResult& q : e.quantities)
     if (has_chart(q))
-      text += quantity_head(q) + trajectory_link(e, q) + chart_link(e, q, Cost::evaluations) +
-              chart_link(e, q, Cost::time) + fits_table(q) + trials_table(q);
+      text += quantity_head(q) + trajectory_link(e, q) + chart_links(e, q, false) + chart_links(e, q, true) +
+              fits_table(q) + trials_table(q);
   return text;
 }
 

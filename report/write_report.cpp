@@ -1,9 +1,14 @@
 #include "report/write_report.hpp"
 
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "report/catalog_page.hpp"
 #include "report/chart.hpp"
+#include "report/gnuplot.hpp"
 #include "report/ledger.hpp"
 #include "report/markdown.hpp"
 #include "report/stability.hpp"
@@ -14,28 +19,71 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The pictures of one chapter, or of all (0) and then by time too.
-void draw_charts(const Results& results, int chapter, const fs::path& folder) {
-  std::vector<std::string> scripts;
-  std::vector<fs::path> files;
-  const auto part = [&](const std::string& name) {
-    files.push_back(folder / name);
-    return files.back().string() + ".part";
-  };
-  for (const ExerciseResult& e : results.exercises) {
-    if (chapter == 0 && e.stability) scripts.push_back(map_script(e, part(map_file(e))));
-    for (const QuantityResult& q : e.quantities) {
-      if (chapter != 0 && e.number.chapter != chapter) continue;
-      const std::string title = to_string(e.number) + " " + e.title + ": " + q.name;
-      if (q.trajectory) scripts.push_back(trajectory_script(q, title, part(trajectory_file(e, q))));
-      if (!has_chart(q)) continue;
-      for (Cost kind : {Cost::evaluations, Cost::time})
-        if (chapter == 0 || kind == Cost::evaluations)
-          scripts.push_back(chart_script(q, title, kind, part(chart_file(e, q, kind))));
+/// What a viewer shows of a picture as a whole, in place of gnuplot's name.
+void set_title(const fs::path& svg, const std::string& title) {
+  std::ifstream in(svg, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  constexpr std::string_view gnuplots = "<title>Gnuplot</title>";
+  if (const auto at = text.find(gnuplots); at != std::string::npos)
+    text.replace(at, gnuplots.size(), "<title>" + in_xml(title) + "</title>");
+  write_whole(svg, text);
+}
+
+/// Pictures yet to be drawn, in files that have a name of their own until they are whole.
+class Pictures {
+ public:
+  explicit Pictures(const fs::path& folder) : folder_(folder) {}
+
+  /// script(file) draws it.
+  template <class Script>
+  void add(const std::string& name, const std::string& title, const Script& script) {
+    files_.emplace_back(folder_ / name, title);
+    scripts_.push_back(script(part(files_.back().first)));
+  }
+  void finish() const {
+    draw(scripts_);
+    for (const auto& [file, title] : files_) {
+      set_title(part(file), title);
+      fs::rename(part(file), file);
     }
   }
-  draw(scripts);
-  for (const fs::path& file : files) fs::rename(file.string() + ".part", file);
+
+ private:
+  static std::string part(const fs::path& file) { return file.string() + ".part"; }
+
+  fs::path folder_;
+  std::vector<std::pair<fs::path, std::string>> files_;
+  std::vector<std::string> scripts_;
+};
+
+/// The pictures of one chapter, or of all (0) and then by time too.
+void draw_charts(const Results& results, int chapter, const fs::path& folder) {
+  const Styles styles(results);
+  Pictures pictures(folder);
+  for (const ExerciseResult& e : results.exercises) {
+    const std::string exercise = to_string(e.number) + " " + e.title + ": ";
+    if (chapter == 0 && e.stability)
+      pictures.add(map_file(e), map_title(e), [&](const std::string& file) { return map_script(e, file); });
+    if (chapter != 0 && e.number.chapter != chapter) continue;
+    for (const QuantityResult& q : e.quantities) {
+      const std::string title = exercise + q.says;
+      const auto chart = [&](Across across) {
+        pictures.add(chart_file(e, q, across), title + ". " + finding(q, across),
+                     [&](const std::string& file) { return chart_script(q, title, across, file, styles); });
+      };
+      if (q.trajectory)
+        pictures.add(trajectory_file(e, q), title + ". " + motion_finding(q),
+                     [&](const std::string& file) { return trajectory_script(q, title, file, styles); });
+      for (Across across : charts_of(q))
+        if (chapter == 0 || across != Across::time) chart(across);
+    }
+    for (const auto& series : series_of(e))
+      pictures.add(series_file(e, *series.front()), exercise + "work over size",
+                   [&](const std::string& file) {
+                     return series_script(series, exercise + "work over size", file, styles);
+                   });
+  }
+  pictures.finish();
 }
 
 }  // namespace
