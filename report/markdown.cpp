@@ -96,7 +96,7 @@ double scale_of(const Check& c) {
 std::string difference_of(const Check& c) {
   const double difference = c.difference();
   if (c.tolerance.allowed == 0) return difference == 0 ? "equal" : "differ by " + shown_error(difference);
-  const std::string scale = scale_of(c) > 0 ? " at a scale of " + shown_error(scale_of(c)) : "";
+  const std::string scale = scale_of(c) > 0 ? " at a scale of " + rounded(scale_of(c), 3) : "";
   return (std::isfinite(difference) ? "differ by " + shown_error(difference) + scale : "cannot be compared") +
          ", allowed " + shown_error(c.tolerance.allowed);
 }

@@ -83,14 +83,26 @@ const Path* cover_of(const Trajectory& t, const std::vector<std::size_t>& order,
   return nullptr;
 }
 
+/// A path's largest error: over all times drawn, as far as its seven digits tell, and at the reference's. NaN
+/// where the motion broke off.
+double largest_error(const Trajectory& t, const Path& p) {
+  const Value& truth = t.paths[t.truest].value;
+  const double drawn = distance(p.value, truth);
+  return drawn > 1e-6 * size_of(truth) || std::isnan(drawn) ? std::max(drawn, p.error) : p.error;
+}
+
+/// "off by 0.2", "diverged".
+std::string how_wrong(const Trajectory& t, const Path& p, const std::string& unit = "") {
+  const double error = largest_error(t, p);
+  return std::isfinite(error) ? "off by up to " + shown_error(error) + unit : std::string(name_of(p.outcome));
+}
+
 /// The legend's line of a path: how true it is, and what it is hidden by.
 std::string title_of(const Trajectory& t, const std::vector<std::size_t>& order, std::size_t place,
                      const std::vector<Span>& spans) {
   const Path& p = t.paths[order[place]];
   const bool truest = order[place] == t.truest;
-  std::string how = truest                   ? ": true to " + shown_error(p.error)
-                    : std::isfinite(p.error) ? ": off by " + shown_error(p.error)
-                                             : ": " + std::string(name_of(p.outcome));
+  std::string how = truest ? ": true to " + shown_error(p.error) : ": " + how_wrong(t, p);
   const Path* cover = truest ? nullptr : cover_of(t, order, place, spans);
   if (cover) how += ", hidden by '" + cover->model + "'";
   return bold(p.model) + ", " + plain(shortened(p.algorithm + how, 96));
@@ -173,8 +185,7 @@ std::string distance_script(const QuantityResult& q, std::size_t count, const St
   for (std::size_t i : by_error(t)) {
     const Path& p = t.paths[i];
     const std::string rows = distance_rows(t, p, count, least);
-    const std::string how =
-        std::isfinite(p.error) ? ": off by " + shown_error(p.error) : ": " + std::string(name_of(p.outcome));
+    const std::string how = ": " + how_wrong(t, p);
     data += block("$e" + std::to_string(i), rows);
     text += "$e" + std::to_string(i) + " using 1:2 with lines " + styles.colour(p.model) + " lw 1.5 title " +
             quoted(bold(p.model) + ", " +
@@ -189,7 +200,12 @@ std::string panels_script(const QuantityResult& q, const std::vector<Span>& span
                           double bottom, double height, const Styles& styles) {
   const Trajectory& t = *q.trajectory;
   const auto labels = axis_labels(q, spans.size());
-  std::string text = "set multiplot\n";
+  // gnuplot breaks a legend that is higher than its plot into columns, so that it has a plot of its own.
+  std::string text =
+      "set multiplot\nset tmargin at screen " + shortest((bottom - time_axis_height + 8) / height) +
+      "\nset bmargin at screen 0\nunset border\nunset tics\nset xrange [0:1]\nset yrange [0:1]\n" +
+      lines(t, "(NaN):(NaN)", spans, styles, true) +
+      "unset key\nunset label 1\nunset label 2\nset border 3\nset xtics nomirror\nset ytics nomirror\n";
   for (std::size_t k = 0; k < spans.size(); ++k) {
     const double top = height - headline_height - panel * static_cast<double>(k);
     const bool last = k + 1 == spans.size();
@@ -198,7 +214,7 @@ std::string panels_script(const QuantityResult& q, const std::vector<Span>& span
             "\nset xrange [0:" + shortest(t.times.back()) + "]\nset yrange " + spans[k].range() +
             "\nset ylabel " + quoted(labels[k]) + " noenhanced\n" +
             (last ? "set format x '%g'\nset xlabel 'time [" + t.time_unit + "]'\n" : "set format x ''\n") +
-            lines(t, "1:" + std::to_string(k + 2), spans, styles, last) + "unset label 1\nunset label 2\n";
+            lines(t, "1:" + std::to_string(k + 2), spans, styles, false);
   }
   return text + "unset multiplot\n";
 }
@@ -207,18 +223,19 @@ std::string panels_script(const QuantityResult& q, const std::vector<Span>& span
 
 std::string motion_finding(const QuantityResult& q) {
   const Trajectory& t = *q.trajectory;
-  const auto holds = [&](const Path& p) { return p.error <= t.close; };
+  const auto holds = [&](const Path& p) { return largest_error(t, p) <= t.close; };
   const auto good = std::ranges::count_if(t.paths, holds);
-  const std::string need = shown_error(t.close) + unit_of(q);
+  const std::string need = shown_error(t.close) + unit_of(q) + " of the truth for " +
+                           rounded(t.times.back(), 3) + " " + t.time_unit;
   if (t.paths.size() == 1) return t.paths[0].model + " is the only model";
   if (good == static_cast<std::ptrdiff_t>(t.paths.size()))
-    return "All " + std::to_string(good) + " models stay within " + need + " of the truth";
-  const auto worst = std::ranges::max_element(
-      t.paths, {}, [](const Path& p) { return std::isfinite(p.error) ? p.error : INFINITY; });
+    return "All " + std::to_string(good) + " models stay within " + need;
+  const auto worst = std::ranges::max_element(t.paths, {}, [&](const Path& p) {
+    const double error = largest_error(t, p);
+    return std::isfinite(error) ? error : INFINITY;
+  });
   return std::to_string(good) + " of " + std::to_string(t.paths.size()) + " models stay within " + need +
-         " of the truth; '" + worst->model + "' " +
-         (std::isfinite(worst->error) ? "is off by " + shown_error(worst->error) + unit_of(q)
-                                      : "ends " + std::string(name_of(worst->outcome)));
+         "; '" + worst->model + "': " + how_wrong(t, *worst, unit_of(q));
 }
 
 std::string trajectory_script(const QuantityResult& q, const std::string& title,

@@ -132,7 +132,11 @@ std::string script_of(const QuantityResult& q, Across across = Across::evaluatio
 MethodResult method(const std::string& model, const std::string& algorithm, double error) {
   MethodResult m{model, algorithm, Outcome::ok, "", {}};
   for (int k = 0; k < 3; ++k) {
-    TimedTrial t{model, algorithm, "step", std::ldexp(1.0, -k), Value{1, 2}, error, error};
+    TimedTrial t;
+    t.model = model, t.algorithm = algorithm, t.knob = "step";
+    t.setting = std::ldexp(1.0, -k);
+    t.value = Value{1, 2};
+    t.error = t.final_error = error;
     t.evaluations = 100L << k;
     t.outcome = error <= 0.3 ? Outcome::ok : Outcome::inaccurate;
     m.trials.push_back(t);
@@ -244,6 +248,62 @@ TEST_CASE("a scene's charts have the line of what a game asks", "[report]") {
   CHECK(count(script_of(q), "enough for a game: 0.05 m") == 1);
 }
 
+TEST_CASE("a motion that is off between the reference's times is off", "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.trajectory->close = 0.3;
+  q.trajectory->paths.push_back({"other", "algorithm", "step", 0.5, 0, Outcome::ok, {1.5, 2, 3, 4}});
+  q.methods.push_back({"other", "algorithm", Outcome::ok, "", q.methods[0].trials});
+  CHECK(motion_finding(q) ==
+        "1 of 2 models stay within 0.3 m of the truth for 1 s; 'other': off by up to 0.5 m");
+  CHECK(count(trajectory_script(q, "title", "f", Styles(with(q))), "off by up to 0.5") == 2);
+  q.trajectory->close = 1;
+  CHECK(motion_finding(q) == "All 2 models stay within 1 m of the truth for 1 s");
+}
+
+TEST_CASE("motions that the eye cannot tell apart name each other; flat ones are not drawn to scale",
+          "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.trajectory->paths.push_back({"b", "algorithm", "step", 0.5, 0.26, Outcome::ok, {1.001, 2, 3, 4}});
+  q.trajectory->paths.push_back({"c", "algorithm", "step", 0.5, 0.27, Outcome::ok, {1.001, 2.001, 3, 4}});
+  q.methods.push_back({"b", "algorithm", Outcome::ok, "", q.methods[0].trials});
+  q.methods.push_back({"c", "algorithm", Outcome::ok, "", q.methods[0].trials});
+  const Styles styles(with(q));
+  const std::string script = trajectory_script(q, "title", "f", styles);
+  CHECK(count(script, "hidden by 'c'") == 1);
+  CHECK(count(script, "set size ratio -1") == 1);
+  q.trajectory->paths[0].value = {1, 2, 1.1, 4};
+  CHECK(count(trajectory_script(q, "title", "f", styles), "not to the scale of y") == 1);
+}
+
+TEST_CASE("a motion of many observables is drawn as its distance from the truth", "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  Trajectory& t = *q.trajectory;
+  t.observables = {};
+  q.reference.value = Value(std::vector<double>(7, 1));
+  t.paths[0].value = Value(std::vector<double>(14, 1));
+  const std::string script = trajectory_script(q, "title", "f", Styles(with(q)));
+  CHECK(count(script, "largest error of 7 components") == 1);
+  CHECK(count(script, "multiplot") == 0);
+}
+
+TEST_CASE("a map is as wide as a page, and its letters are legible", "[report]") {
+  ExerciseResult e = sample().exercises[0];
+  Stability& s = e.stability.emplace();
+  s.steps = {1, 0.5};
+  s.parameter = "a";
+  s.time_unit = "s";
+  for (int i = 0; i < 30; ++i)
+    for (double value : {0.1, 0.2, 0.3})
+      s.map.push_back(
+          {"model", "algorithm " + std::to_string(i), value, 0.7, {Outcome::diverged, Outcome::ok}});
+  s.map.back().outcomes = {Outcome::ok, Outcome::inaccurate};
+  const std::string script = map_script(e, "f");
+  CHECK(count(script, "svg size 900,") == 1);
+  CHECK(count(script, "algorithm 0 (model) is ok at every a up to the longest step, 0.5 s") == 1);
+  for (auto at = script.find("font ',"); at != std::string::npos; at = script.find("font ',", at + 1))
+    CHECK(std::stoi(script.substr(at + 7)) >= 9);
+}
+
 TEST_CASE("quantities of growing size share one chart", "[report]") {
   ExerciseResult e = sample().exercises[0];
   QuantityResult q = e.quantities[0];
@@ -330,9 +390,9 @@ TEST_CASE("evidence says what was compared, and at which scale", "[report]") {
     results.exercises[0].claims = {judged(check)};
     return chapter_page(results, 3);
   };
-  const Check large{"squared", {"by hand", 1e14}, {"by sums", 1e14 + 0.0078125}, {1.4, "a test"}};
+  const Check large{"squared", {"by hand", 1e14}, {"by sums", 1e14 + 0.015625}, {1.4, "a test"}};
   CHECK(count(page(large),
-              "squared: by hand against by sums: differ by 0.0078 at a scale of 1×10¹⁴, allowed 1.4") == 1);
+              "squared: by hand against by sums: differ by 0.016 at a scale of 1×10¹⁴, allowed 1.4") == 1);
   CHECK(count(page(never("the sign is right", 0, 200)), "the sign is right: no violations in 200 samples") ==
         1);
   JudgedClaim violated = judged(never("the sign is right", 49, 200));
