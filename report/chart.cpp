@@ -361,10 +361,9 @@ std::string header(const QuantityResult& q, const std::string& title, const Fram
   return svg(height, file) + headline(finding(q, frame.across), title, height) +
          "set lmargin at screen 0.09\nset rmargin at screen 0.64\nset logscale " +
          (frame.linear ? "y" : "xy") + "\nset format x '" + (decades ? "10^{%L}" : "%g") + "'\n" +
-         (decades ? every_decade : "") + "set format y '10^{%L}'\nset ytics " +
-         shortest(frame.errors.low) + "," + shortest(std::pow(10, every)) + "," +
-         shortest(frame.errors.high * (frame.strip ? 0.5 : 1)) + "\nunset mytics\nset xlabel " +
-         quoted(abscissa_name(q, frame)) + " noenhanced\nset ylabel " +
+         (decades ? every_decade : "") + "set format y '10^{%L}'\nset ytics " + shortest(frame.errors.low) +
+         "," + shortest(std::pow(10, every)) + "," + shortest(frame.errors.high * (frame.strip ? 0.5 : 1)) +
+         "\nunset mytics\nset xlabel " + quoted(abscissa_name(q, frame)) + " noenhanced\nset ylabel " +
          quoted(q.unit == "1" || q.unit.empty() ? "error" : "error [" + q.unit + "]") +
          " noenhanced\nset key at screen 0.655, screen " + shortest(1 - 50 / height) +
          " left top vertical maxcols 1 Left reverse enhanced spacing 1.1 samplen 1.6 font ',12'\n"
@@ -420,10 +419,12 @@ bool has_chart(const QuantityResult& q) {
 
 std::vector<Across> charts_of(const QuantityResult& q) {
   if (!has_chart(q)) return {};
-  const bool work_varies = std::ranges::any_of(q.methods, [](const MethodResult& m) {
+  const auto with_knob = std::ranges::count_if(q.methods, [](const auto& m) { return m.trials.size() > 1; });
+  const auto varying = std::ranges::count_if(q.methods, [](const MethodResult& m) {
     return std::ranges::any_of(
         m.trials, [&](const TimedTrial& t) { return t.evaluations != m.trials.front().evaluations; });
   });
+  const bool work_varies = 2 * varying >= with_knob;
   if (!work_varies) return {Across::setting};
   const bool steps = q.trajectory && main_knob(q) == "step";
   return steps ? std::vector{Across::evaluations, Across::setting, Across::time}
@@ -546,7 +547,8 @@ std::string series_script(const std::vector<const QuantityResult*>& series, cons
   const double height = 480;
   return "reset session\n" + plot.data + svg(height, file) + headline(cheapest.second, title, height) +
          "set lmargin at screen 0.09\nset rmargin at screen 0.64\nset logscale xy\nset format x '10^{%L}'\n"
-         "set format y '10^{%L}'\nset xtics 1,10,1e15\nset ytics 1,10,1e15\nset xlabel 'n'\nset ylabel 'counted work'\n"
+         "set format y '10^{%L}'\nset xtics 1,10,1e15\nset ytics 1,10,1e15\nset xlabel 'n'\nset ylabel "
+         "'counted work'\n"
          "set key at screen 0.655, screen 0.89 left top vertical maxcols 1 Left reverse enhanced spacing 1.1 "
          "samplen 1.6 font ',12'\nset grid xtics ytics lc rgb '#dddddd' lw 0.6\n"
          "set border 3 lc rgb '#444444'\nset tics nomirror\nset offsets graph 0.05, graph 0.05, graph 0.05, "

@@ -16,8 +16,9 @@ enum class Across { evaluations, time, setting };
 /// A chart is drawn where the errors of some method's trials tell a story: not of answers that are right or
 /// wrong, nor where each method has one point. Those stand in a table.
 bool has_chart(const QuantityResult&);
-/// The charts of a quantity: against its natural axis; against time where its work varies; and for a scene's
-/// motion against the step as well, where methods of fixed step have their optimum.
+/// The charts of a quantity: against evaluations and time where the work of most methods depends on their
+/// setting, else against the setting; and for a scene's motion against the step as well, where methods of
+/// fixed step have their optimum.
 std::vector<Across> charts_of(const QuantityResult&);
 
 /// A gnuplot script that draws the error against evaluations (a work-precision diagram), against time with

@@ -476,7 +476,7 @@ std::string index_text(const Results& results, bool links) {
   if (missing > 0) text += " Not yet encoded: " + std::to_string(missing) + " of 48 exercises.";
   if (links)
     text +=
-        "\n\nFor games: [the least model that each scene needs](models.md), "
+        "\n\nFor games: [the cheapest model that is enough for each scene](models.md), "
         "[where methods break, and what cures it](stability.md), "
         "[the algorithms and what was found in their libraries](algorithms.md), "
         "[how long each method took](times.md).";

@@ -13,7 +13,7 @@ namespace oddity {
 namespace {
 
 // Pixels. The picture is as wide as the column of a page, so that its letters are read in their own size.
-constexpr int map_width = 900, cell_width = 30, cell_height = 17, panel_gap = 16;
+constexpr int map_width = 900, cell_width = 38, cell_height = 17, panel_gap = 16;
 constexpr int left_edge = 76, upper_edge = 96, model_height = 44, axis_height = 40;
 
 /// A method's panel: the values across and the steps down.
@@ -116,7 +116,7 @@ std::string panel_data(const std::vector<const MapRow*>& columns, const Stabilit
 
 /// The outcomes that the map has, in a line above the panels.
 std::string legend_text(const Stability& s, const Layout& layout) {
-  constexpr int y = 60, wide = 92;
+  constexpr int y = 60, wide = 102;
   std::string text;
   int x = 12;
   for (Outcome outcome : outcomes_of_a_map) {

@@ -159,6 +159,7 @@ TEST_CASE("a chart shows every trial, those without a number too, and names each
   CHECK(count(script, "\n42 ") == 4);  // both on the front, too
   CHECK(count(script, "title \"non-finite\"") == 1);
   CHECK(count(script, "off the scale") == 1);
+  CHECK(count(script, "set xtics 10\n") == 0);  // gnuplot 5.4 sets them beside the decades
 }
 
 TEST_CASE("an algorithm has the same mark in every chart, and a model the same colour", "[report]") {
@@ -239,6 +240,10 @@ TEST_CASE("where the work does not depend on the setting, the error is drawn ove
   for (MethodResult& m : q.methods)
     for (TimedTrial& t : m.trials) t.evaluations = 5;
   CHECK(charts_of(q) == std::vector{Across::setting});
+  q.methods.push_back(method("a", "z", 0.2));
+  CHECK(charts_of(q) == std::vector{Across::setting});  // one of three
+  q.methods.push_back(method("a", "w", 0.2));
+  CHECK(charts_of(q) == std::vector{Across::evaluations, Across::time});
 }
 
 TEST_CASE("a scene's charts have the line of what a game asks", "[report]") {
