@@ -54,8 +54,8 @@ std::string headline(const std::string& says, const std::string& title, double h
     return "set label " + std::to_string(number) + " " + quoted(text) + " at screen 0.012, screen " +
            shortest(1 - down / height) + " left font '," + std::to_string(points) + "'\n";
   };
-  return line(1, bold(says), 17, size) + line(2, plain(shortened(title, 140)), 37, 12) + "set tmargin at screen " +
-         shortest(1 - 58 / height) + "\n";
+  return line(1, bold(says), 17, size) + line(2, plain(shortened(title, 140)), 37, 12) +
+         "set tmargin at screen " + shortest(1 - 58 / height) + "\n";
 }
 
 }  // namespace oddity
