@@ -94,7 +94,7 @@ bool Check::holds() const {
 
 Check never(std::string what, long violations, long samples, std::string where) {
   return {std::move(what),
-          {"violations in " + std::to_string(samples) + " samples",
+          {"violations in " + std::to_string(samples) + (samples == 1 ? " sample" : " samples"),
            static_cast<double>(samples > 0 ? violations : -1)},
           {"none", 0.0},
           exact(),

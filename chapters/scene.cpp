@@ -116,11 +116,13 @@ Ladder& Ladder::add(std::string name, Any model, ode::Brief algorithm, Outcome e
 
 Ladder& Ladder::by_fixed_steps(const std::string& name, const Any& model, Outcome first_order,
                                Outcome second_order) {
-  const std::string too_low = "its order is too low for this need at this step";
-  by<ode::ExplicitEuler>(name, model, first_order, too_low);
+  const auto too_low = [](Outcome expected) -> std::string {
+    return expected == Outcome::ok ? "" : "its order is too low for this need at this step";
+  };
+  by<ode::ExplicitEuler>(name, model, first_order, too_low(first_order));
   if (model->partitioned())
-    by<ode::SymplecticEuler>(name, model, first_order, too_low)
-        .by<ode::VelocityVerlet>(name, model, second_order, too_low);
+    by<ode::SymplecticEuler>(name, model, first_order, too_low(first_order))
+        .by<ode::VelocityVerlet>(name, model, second_order, too_low(second_order));
   return by<ode::RungeKutta4>(name, model);
 }
 

@@ -1,14 +1,16 @@
 #include "report/gnuplot.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <fstream>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
+#include "reference/text.hpp"
 #include "report/run_program.hpp"
 #include "report/settings.hpp"
 
@@ -38,6 +40,19 @@ void run_plotter(const Plotter& plotter, const std::string& script, std::size_t 
   } catch (const std::system_error& error) {
     throw BadInput("the charts could not be drawn: " + std::string(error.what()));
   }
+}
+
+/// What a viewer shows of a picture as a whole, in place of gnuplot's name.
+void set_title(const std::filesystem::path& svg, const std::string& title) {
+  std::ifstream in(svg, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  constexpr std::string_view gnuplots = "<title>Gnuplot</title>";
+  const auto at = text.find(gnuplots);
+  if (title.empty() || at == std::string::npos) return;
+  text.replace(at, gnuplots.size(), "<title>" + in_xml(title) + "</title>");
+  in.close();
+  if (!(std::ofstream(svg, std::ios::binary) << text << std::flush))
+    throw BadInput("cannot write " + svg.string() + ": is the disk full?");
 }
 
 /// Whether the file has its end, which a full disk may have swallowed.
@@ -77,6 +92,16 @@ std::string plain(const std::string& text) {
 
 std::string bold(const std::string& text) { return "{/:Bold " + plain(text) + "}"; }
 
+std::string shortened(const std::string& text, std::size_t most) {
+  return text.size() <= most ? text : text.substr(0, most - 3) + "...";
+}
+
+std::string in_xml(const std::string& text) {
+  std::string out;
+  for (char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  return out;
+}
+
 std::string block(const std::string& name, const std::string& rows) {
   return name + " << EOD\n" + (rows.empty() ? "1 NaN NaN\n" : rows) + "EOD\n";
 }
@@ -88,12 +113,18 @@ std::string set_output(const std::filesystem::path& file) {
 
 std::string svg(double height, const std::filesystem::path& file) {
   return "set terminal svg size 1000," + std::to_string(std::lround(height)) +
-         " dynamic font 'Helvetica,12' background '#ffffff'\n" + set_output(file);
+         " dynamic font 'Helvetica,13' background '#ffffff'\n" + set_output(file);
 }
 
-std::string model_line(std::size_t i) {
-  constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
-  return std::string("lc rgb '") + colours[i % colours.size()] + "'" + (i < colours.size() ? "" : " dt 2");
+std::string headline(const std::string& says, const std::string& title, double height) {
+  const std::size_t most = 84;  // letters, in the full size
+  const int size = says.size() <= most ? 15 : std::max(10, static_cast<int>(15 * most / says.size()));
+  const auto line = [&](int number, const std::string& text, double down, int points) {
+    return "set label " + std::to_string(number) + " " + quoted(text) + " at screen 0.012, screen " +
+           shortest(1 - down / height) + " left font '," + std::to_string(points) + "'\n";
+  };
+  return line(1, bold(says), 17, size) + line(2, plain(shortened(title, 140)), 37, 12) +
+         "set tmargin at screen " + shortest(1 - 58 / height) + "\n";
 }
 
 Plotter gnuplot_plotter() { return {gnuplot(), std::chrono::seconds(60)}; }
@@ -108,6 +139,7 @@ void draw(const std::vector<Picture>& pictures, const Plotter& plotter) {
     if (!is_finished(parts[i].path()))
       throw BadInput("cannot write " + pictures[i].file.string() +
                      ": it came out unfinished; is the disk full?");
+  for (std::size_t i = 0; i < parts.size(); ++i) set_title(parts[i].path(), pictures[i].title);
   for (PartFile& part : parts) part.keep();
 }
 

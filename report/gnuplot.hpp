@@ -15,20 +15,27 @@ std::string quoted(const std::string& text);
 /// Literal text where gnuplot takes enhanced text, and the same in bold.
 std::string plain(const std::string& text);
 std::string bold(const std::string& text);
+
+/// At most so many letters, the last three of them dots where some are left out.
+std::string shortened(const std::string& text, std::size_t most);
+/// Literal text within XML.
+std::string in_xml(const std::string& text);
+
 /// A named block of data rows; without rows it holds one that is not drawn.
 std::string block(const std::string& name, const std::string& rows);
 /// The command that sends what is drawn into `file`.
 std::string set_output(const std::filesystem::path& file);
 /// The terminal and the file, 1000 wide.
 std::string svg(double height, const std::filesystem::path& file);
-/// Colour and dashes of a quantity's i-th model. The colours are Okabe and Ito's, which colour-blind readers
-/// can tell apart, less the yellow that white swallows; an eighth model has the first colour again, dashed.
-std::string model_line(std::size_t i);
 
-/// An SVG file, and the script that draws it into a file of another name.
+/// What a picture says, in bold, and beneath it what it is of; the plot begins below.
+std::string headline(const std::string& says, const std::string& title, double height);
+
+/// An SVG file, the script that draws it into a file of another name, and what it is of.
 struct Picture {
   std::filesystem::path file;
   std::function<std::string(const std::filesystem::path& into)> script;
+  std::string title = {};
 };
 
 /// What draws: gnuplot, unless a test has something else.

@@ -232,9 +232,13 @@ Json from(const Trajectory& t) {
                      {"error", from(p.error)},
                      {"outcome", name_of(p.outcome)},
                      {"value", from(p.value)}});
-  return {
-      {"observables", t.observables},  {"time_unit", t.time_unit}, {"judged_at", from(Value(t.judged_at))},
-      {"times", from(Value(t.times))}, {"truest", t.truest},       {"paths", paths}};
+  return {{"observables", t.observables},
+          {"time_unit", t.time_unit},
+          {"judged_at", from(Value(t.judged_at))},
+          {"times", from(Value(t.times))},
+          {"truest", t.truest},
+          {"close", from(t.close)},
+          {"paths", paths}};
 }
 Trajectory trajectory(const Json& json) {
   const auto numbers = [](const Json& list) {
@@ -246,7 +250,8 @@ Trajectory trajectory(const Json& json) {
                numbers(json.at("judged_at")),
                numbers(json.at("times")),
                {},
-               json.at("truest")};
+               json.at("truest"),
+               number(json.at("close"))};
   for (const Json& p : json.at("paths"))
     t.paths.push_back({p.at("model"), p.at("algorithm"), p.at("knob"), number(p.at("setting")),
                        number(p.at("error")), named(p.at("outcome"), outcomes), value(p.at("value"))});

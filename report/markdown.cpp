@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -85,17 +87,44 @@ const Reading& deciding(const JudgedClaim& judged) {
   }
 }
 
-std::string difference_of(const Check& c) {
-  if (c.tolerance.allowed == 0)
-    return c.difference() == 0 ? "equal" : "differ by " + shown_error(c.difference());
-  return "differ by " + shown_error(c.difference()) + ", allowed " + shown_error(c.tolerance.allowed);
+/// Of a claim that holds for every sample or fails: `left` counts the samples that violate it.
+bool counts_violations(const Check& c) {
+  return c.right.by == "none" && c.left.by.starts_with("violations in ");
 }
 
-/// The check with the least room: largest difference by tolerance.
+double scale_of(const Check& c) {
+  return c.scale > 0 ? c.scale : std::max(size_of(c.left.value), size_of(c.right.value));
+}
+
+std::string difference_of(const Check& c) {
+  const double difference = c.difference();
+  if (c.tolerance.allowed == 0) return difference == 0 ? "equal" : "differ by " + shown_error(difference);
+  const std::string scale = scale_of(c) > 0 ? " at a scale of " + rounded(scale_of(c), 3) : "";
+  return (std::isfinite(difference) ? "differ by " + shown_error(difference) + scale : "cannot be compared") +
+         ", allowed " + shown_error(c.tolerance.allowed);
+}
+
+/// "no violations in 200 samples", "1 violation in 200 samples".
+std::string violations(const Check& c) {
+  const std::string n = c.left.value[0] == 0 ? "no" : rounded(c.left.value[0], 12);
+  return n + (n == "1" ? " violation" : " violations") + c.left.by.substr(std::string("violations").size());
+}
+
+/// What was compared with what, and how the comparison ended.
+std::string comparison(const Check& c) {
+  if (counts_violations(c)) return c.quantity + ": " + violations(c);
+  return c.quantity + ": " + c.left.by + " against " + c.right.by + ": " + difference_of(c);
+}
+
+/// How much of its tolerance a check uses up; one that fails comes before all that hold.
+double tightness(const Check& c) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double used = c.tolerance.allowed > 0 ? c.difference() / c.tolerance.allowed : 0;
+  return c.holds() ? std::min(used, 1.0) : std::isfinite(used) && used > 1 ? used : infinity;
+}
+
 const Check& tightest(const Reading& reading) {
-  return *std::ranges::max_element(reading.checks, {}, [](const Check& c) {
-    return c.tolerance.allowed > 0 ? c.difference() / c.tolerance.allowed : c.difference() > 0 ? 1e300 : 0.0;
-  });
+  return *std::ranges::max_element(reading.checks, {}, tightness);
 }
 
 /// The numbers behind a verdict in a few words: what holds, or by how much the print is off.
@@ -104,31 +133,33 @@ std::string evidence(const JudgedClaim& judged) {
   const Reading& printed = judged.claim.printed;
   const Reading& shown_reading = printed.checks.empty() ? deciding(judged) : printed;
   if (shown_reading.checks.empty()) return "";
-  const Check& c = tightest(shown_reading);
-  std::string text = with_powers(escaped(c.quantity) + ": " + difference_of(c));
+  std::string text = with_powers(escaped(with_short_numbers(comparison(tightest(shown_reading)))));
   if (shown_reading.checks.size() > 1)
     text += " (tightest of " + std::to_string(shown_reading.checks.size()) + " checks)";
   return text;
 }
 
-std::string claims_table(const ExerciseResult& e) {
-  std::vector<std::vector<std::string>> rows;
-  for (const JudgedClaim& c : e.claims) {
-    const std::string verdict(name_of(c.verdict));
-    rows.push_back({code(c.claim.id), std::to_string(c.claim.line), escaped(c.claim.says),
-                    c.verdict == Verdict::confirmed ? verdict : "**" + verdict + "**", evidence(c)});
-  }
-  return table({"claim", "line", "the solution says", "verdict", "evidence"}, rows, "1");
+std::vector<std::string> check_row(const std::string& reading, const Check& c) {
+  const auto words = [](const std::string& text) { return with_powers(escaped(with_short_numbers(text))); };
+  const std::string compared = words(c.quantity) + (c.where.empty() ? "" : "<br>" + words(c.where));
+  if (counts_violations(c)) return {reading, compared, violations(c), "none allowed", "", ""};
+  return {reading,
+          compared,
+          value_cell(c.left.value, 7) + "<br>" + words(c.left.by),
+          value_cell(c.right.value, 7) + "<br>" + words(c.right.by),
+          error_cell(c.difference()),
+          error_cell(c.tolerance.allowed) + "<br>" + words(c.tolerance.reason)};
 }
 
-std::vector<std::string> check_row(const std::string& reading, const Check& c) {
-  return {reading,
-          escaped(c.quantity) + (c.where.empty() ? "" : "<br>" + escaped(c.where)),
-          value_cell(c.left.value, 7) + "<br>" + escaped(c.left.by),
-          value_cell(c.right.value, 7) + "<br>" + escaped(c.right.by),
-          error_cell(c.difference()),
-          error_cell(c.tolerance.allowed) + "<br>" + escaped(c.tolerance.reason)};
+/// Where the links to a claim lead: its id, but for what an anchor cannot hold.
+std::string anchor_of(const Claim& claim) {
+  std::string anchor;
+  for (char c : claim.id)
+    anchor += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '_' ? c : '-';
+  return anchor;
 }
+
+std::string claim_anchor(const Claim& claim) { return "<a id=\"" + anchor_of(claim) + "\"></a>"; }
 
 /// What is wrong, what is right, and how it shows.
 std::string finding(const JudgedClaim& judged) {
@@ -136,17 +167,34 @@ std::string finding(const JudgedClaim& judged) {
   const std::string kind = judged.verdict == Verdict::erratum    ? "Erratum"
                            : judged.verdict == Verdict::misprint ? "Misprint"
                                                                  : "Unsettled";
-  std::string text = "**" + kind + " " + code(claim.id) + ".** " + prose(claim.why) + "\n\n";
+  std::string text = claim_anchor(claim) + "\n\n**" + kind + " " + code(claim.id) + "**, line " +
+                     std::to_string(claim.line) + ". *The solution says:* " + escaped(claim.says, false) +
+                     ".\n\n" + prose(claim.why) + "\n\n";
   std::vector<std::vector<std::string>> rows;
   const auto add = [&](const std::string& name, const Reading& reading) {
-    if (reading.checks.empty()) return;
-    const Check& c = tightest(reading);
-    rows.push_back(check_row(name + ": " + escaped(reading.text), c));
+    if (!reading.checks.empty())
+      rows.push_back(check_row(name + ": " + escaped(reading.text), tightest(reading)));
   };
   add("printed", claim.printed);
   add("meant", claim.meant);
   add("corrected", claim.corrected);
   return text + table({"reading", "compared", "one route", "another", "differ by", "allowed"}, rows);
+}
+
+/// What is wrong in full; what is confirmed, folded up.
+std::string claims_text(const ExerciseResult& e) {
+  std::string text;
+  for (Verdict verdict : {Verdict::erratum, Verdict::misprint, Verdict::unsettled})
+    for (const JudgedClaim& c : e.claims)
+      if (c.verdict == verdict) text += finding(c);
+  std::vector<std::vector<std::string>> rows;
+  for (const JudgedClaim& c : e.claims)
+    if (c.verdict == Verdict::confirmed)
+      rows.push_back({code(c.claim.id), std::to_string(c.claim.line), escaped(c.claim.says), evidence(c)});
+  if (rows.empty()) return text;
+  return text + "<details><summary>" +
+         plural(static_cast<int>(rows.size()), "confirmed claim", "confirmed claims") + "</summary>\n\n" +
+         table({"claim", "line", "the solution says", "evidence"}, rows, "1") + "</details>\n\n";
 }
 
 // ---- methods ----------------------------------------------------------------------------------------------
@@ -163,7 +211,7 @@ const TimedTrial* cheapest_ok(const MethodResult& m) {
 std::string expected_failures(const QuantityResult& q) {
   std::vector<std::pair<std::string, std::string>> reasons;
   for (const MethodResult& m : q.methods) {
-    if (m.why.empty()) continue;
+    if (m.why.empty() || m.expected == Outcome::ok) continue;
     const std::string reason = "*" + std::string(name_of(m.expected)) + "*: " + escaped(m.why, false);
     const std::string name = escaped(m.model + ", " + m.algorithm, false);
     const auto same = std::ranges::find(reasons, reason, &std::pair<std::string, std::string>::first);
@@ -220,10 +268,28 @@ std::string trajectory_link(const ExerciseResult& e, const QuantityResult& q) {
                       : "";
 }
 
-std::string chart_link(const ExerciseResult& e, const QuantityResult& q, Cost kind) {
-  if (!has_chart(q)) return "";
-  return "![" + escaped(q.name, false) + ": error against " + (kind == Cost::time ? "time" : "evaluations") +
-         "](" + chart_file(e, q, kind) + ")\n\n";
+std::string shown_axis(const QuantityResult& q, Across across) {
+  return across == Across::time          ? "time"
+         : across == Across::evaluations ? "evaluations"
+         : q.trajectory                  ? "step"
+                                         : "setting";
+}
+
+/// The charts of a quantity, but for those over time or those alone.
+std::string chart_links(const ExerciseResult& e, const QuantityResult& q, bool by_time) {
+  std::string text;
+  for (Across across : charts_of(q))
+    if ((across == Across::time) == by_time)
+      text += "![" + escaped(q.name, false) + ": error against " + shown_axis(q, across) + "](" +
+              chart_file(e, q, across) + ")\n\n";
+  return text;
+}
+
+/// Beneath the last of a series, its chart.
+std::string series_link(const ExerciseResult& e, const QuantityResult& q) {
+  for (const auto& series : series_of(e))
+    if (series.back() == &q) return "![work over size](" + series_file(e, *series.front()) + ")\n\n";
+  return "";
 }
 
 /// What is computed, its true value and how well it is needed.
@@ -237,7 +303,7 @@ std::string quantity_head(const QuantityResult& q) {
 
 std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool charts) {
   std::string text = quantity_head(q);
-  if (charts) text += trajectory_link(e, q) + chart_link(e, q, Cost::evaluations);
+  if (charts) text += trajectory_link(e, q) + chart_links(e, q, false) + series_link(e, q);
   text += methods_table(q);
   for (const BreakdownResult& b : q.breakdowns) text += breakdown_text(b);
   return text;
@@ -260,9 +326,7 @@ std::string exercise_text(const ExerciseResult& e, bool charts) {
   if (!e.failure.empty()) return text + "**The study failed:** " + escaped(e.failure, false) + "\n\n";
   Counts counts;
   count(e, counts);
-  text += "### What the solution says: " + sentence(counts) + "\n\n" + claims_table(e);
-  for (const JudgedClaim& c : e.claims)
-    if (c.verdict != Verdict::confirmed && c.verdict != Verdict::not_checkable) text += finding(c);
+  text += "### What the solution says: " + sentence(counts) + "\n\n" + claims_text(e);
   for (const QuantityResult& q : e.quantities) text += quantity_text(e, q, charts);
   return text;
 }
@@ -270,11 +334,10 @@ std::string exercise_text(const ExerciseResult& e, bool charts) {
 // ---- the tables behind the charts -------------------------------------------------------------------------
 
 std::string about_charts() {
-  return "Each point is a trial: a method at one setting of its knob. Times are the median of batches "
-         "measured "
-         "alone, with half the distance of the quartiles. A trial is on the *Pareto front* by evaluations "
-         "(E) "
-         "or by time (T) when no other is both cheaper and more accurate.\n\n";
+  return "Each point is a trial: a method at one setting of its knob. Times are the median of several "
+         "batches "
+         "measured alone, with half the interquartile range. A trial is on the *Pareto front* by evaluations "
+         "(E) or by time (T) when no other is both cheaper and more accurate.\n\n";
 }
 
 /// Every trial with all that the charts show of it.
@@ -328,19 +391,45 @@ std::string chapter_text(const Results& results, const Chapter& chapter, bool ch
   return text;
 }
 
-std::string errata_table(const Results& results, bool links) {
+/// The claims of one verdict, each beside what is right.
+std::string list_of(const Results& results, Verdict verdict, bool links) {
+  std::vector<std::vector<std::string>> rows;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims) {
+      if (c.verdict != verdict) continue;
+      const Claim& claim = c.claim;
+      const std::string id = escaped(claim.id);
+      rows.push_back(
+          {links ? "[" + id + "](" + chapter_file(e.number.chapter) + "#" + anchor_of(claim) + ")" : id,
+           std::to_string(claim.line), escaped(claim.says), escaped(claim.printed.text),
+           escaped((verdict == Verdict::misprint ? claim.meant : claim.corrected).text)});
+    }
+  return table({"claim", "line", "the solution says", "as printed",
+                verdict == Verdict::misprint ? "what is meant" : "what is right"},
+               rows, "1");
+}
+
+/// What cannot be judged, and why.
+std::string not_checkable_table(const Results& results) {
   std::vector<std::vector<std::string>> rows;
   for (const ExerciseResult& e : results.exercises)
     for (const JudgedClaim& c : e.claims)
-      if (c.verdict == Verdict::erratum || c.verdict == Verdict::unsettled) {
-        const std::string id =
-            links ? "[" + escaped(c.claim.id) + "](" + chapter_file(e.number.chapter) + "#" + anchor(e) + ")"
-                  : escaped(c.claim.id);
-        rows.push_back(
-            {id, std::string(name_of(c.verdict)), escaped(c.claim.says), escaped(c.claim.corrected.text)});
-      }
-  return rows.empty() ? "None in this run.\n\n"
-                      : table({"claim", "verdict", "the solution says", "right is"}, rows);
+      if (c.verdict == Verdict::not_checkable)
+        rows.push_back({escaped(c.claim.id), std::to_string(c.claim.line), escaped(c.claim.says),
+                        escaped(c.claim.not_checkable)});
+  return table({"claim", "line", "the solution says", "why it cannot be checked"}, rows, "1");
+}
+
+std::string whats_wrong(const Results& results, Counts counts, bool links) {
+  std::string text;
+  for (const auto& [verdict, title] : {std::pair{Verdict::erratum, "Errata"},
+                                       {Verdict::misprint, "Misprints"},
+                                       {Verdict::unsettled, "Unsettled"}})
+    if (counts[verdict] > 0)
+      text += "### " + std::string(title) + " (" + std::to_string(counts[verdict]) + ")\n\n" +
+              list_of(results, verdict, links);
+  if (counts[Verdict::not_checkable] > 0) text += "### Not checkable\n\n" + not_checkable_table(results);
+  return text.empty() ? "Nothing in this run.\n\n" : text;
 }
 
 std::string legend() {
@@ -412,11 +501,12 @@ std::string index_text(const Results& results, bool links) {
   if (missing > 0) text += " Not yet encoded: " + std::to_string(missing) + " of 48 exercises.";
   if (links)
     text +=
-        "\n\nFor games: [the least model that each scene needs](models.md), "
+        "\n\nFor games: [the cheapest model that is enough for each scene](models.md), "
         "[where methods break, and what cures it](stability.md), "
         "[the algorithms and what was found in their libraries](algorithms.md), "
         "[how long each method took](times.md).";
-  return text + "\n\n## What is wrong in the book\n\n" + errata_table(results, links) + "## By chapter\n\n" +
+  return text + "\n\n## What is wrong in the solutions manual\n\n" + whats_wrong(results, all, links) +
+         "## By chapter\n\n" +
          table({"chapter", "exercise", "confirmed", "misprint", "erratum", "not checkable", "unsettled",
                 "quantities"},
                rows, "234567") +
@@ -430,16 +520,17 @@ std::string chapter_file(int chapter) {
   return "chapter_" + std::string(chapter < 10 ? "0" : "") + std::to_string(chapter) + ".md";
 }
 
-std::string chart_file(const ExerciseResult& e, const QuantityResult& q, Cost kind) {
-  return picture_file(e, q, kind == Cost::time ? "_time" : "");
+std::string chart_file(const ExerciseResult& e, const QuantityResult& q, Across across) {
+  const bool beside = across == Across::setting && charts_of(q).size() > 1;
+  return picture_file(e, q, across == Across::time ? "_time" : beside ? "_over_step" : "");
 }
 
 std::string trajectory_file(const ExerciseResult& e, const QuantityResult& q) {
   return picture_file(e, q, "_motion");
 }
 
-bool has_chart(const QuantityResult& q) {
-  return q.methods.size() > 1 || (q.methods.size() == 1 && q.methods.front().trials.size() > 1);
+std::string series_file(const ExerciseResult& e, const QuantityResult& first) {
+  return picture_file(e, first, "_series");
 }
 
 std::string claims_evidence(const JudgedClaim& judged) {
@@ -469,13 +560,13 @@ std::string chapter_page(const Results& results, int number) {
 
 std::string times_page(const Results& results) {
   std::string text =
-      "# Times\n\nMedian and half the distance of the quartiles over batches, measured alone in the run at "
-      "hand. They differ from run to "
-      "run and from machine to machine; the counted work in the chapters does not.\n\n";
+      "# Times\n\nEach time is the median of several batches in the run that made this report, each method "
+      "measured alone; the spread is half the interquartile range. Times differ from run to run and from "
+      "machine to machine; the counted work in the chapters does not.\n\n";
   for (const ExerciseResult& e : results.exercises)
     for (const QuantityResult& q : e.quantities)
       text += "## " + to_string(e.number) + " " + escaped(e.title, false) + ": " + code(q.name) + "\n\n" +
-              chart_link(e, q, Cost::time) + trials_table(q);
+              chart_links(e, q, true) + trials_table(q);
   return text;
 }
 
@@ -484,8 +575,8 @@ std::string charts_page(const ExerciseResult& e) {
                      "\n\n" + parameters_text(e) + about_charts();
   for (const QuantityResult& q : e.quantities)
     if (has_chart(q))
-      text += quantity_head(q) + trajectory_link(e, q) + chart_link(e, q, Cost::evaluations) +
-              chart_link(e, q, Cost::time) + fits_table(q) + trials_table(q);
+      text += quantity_head(q) + trajectory_link(e, q) + chart_links(e, q, false) + chart_links(e, q, true) +
+              fits_table(q) + trials_table(q);
   return text;
 }
 

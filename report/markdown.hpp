@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "report/fit.hpp"
+#include "report/chart.hpp"
 #include "report/results.hpp"
 
 /// Markdown for GitHub, drawn from results alone. Every page but the one of times is the same from run to
@@ -22,12 +22,12 @@ std::string single_page(const Results&);
 
 /// "chapter_03.md".
 std::string chapter_file(int chapter);
-/// "charts/3.5_quarter_period.svg", "charts/3.5_quarter_period_time.svg".
-std::string chart_file(const ExerciseResult&, const QuantityResult&, Cost);
+/// "charts/3.5_swing.svg", "charts/3.5_swing_time.svg", "charts/3.5_swing_over_step.svg".
+std::string chart_file(const ExerciseResult&, const QuantityResult&, Across);
 /// "charts/3.5_swing_motion.svg".
 std::string trajectory_file(const ExerciseResult&, const QuantityResult&);
-/// A chart is drawn where there is a choice: two methods or more, or one with a knob.
-bool has_chart(const QuantityResult&);
+/// "charts/3.25_chain_of_10_series.svg", for the first of a series.
+std::string series_file(const ExerciseResult&, const QuantityResult& first);
 
 /// What speaks for a claim's verdict: each check of the reading that decided, one a line.
 std::string claims_evidence(const JudgedClaim&);

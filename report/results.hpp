@@ -18,7 +18,7 @@ struct JudgedClaim {
   Verdict verdict = Verdict::unsettled;
 };
 
-/// How long something takes: the median of several batches, and half the distance of their quartiles.
+/// How long something takes: the median of several batches, and half their interquartile range.
 struct Time {
   double seconds = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed
   double spread = std::numeric_limits<double>::quiet_NaN();
@@ -74,6 +74,7 @@ struct Trajectory {
   std::vector<double> times;      ///< of the paths
   std::vector<Path> paths;
   std::size_t truest = 0;  ///< the path that is closest to the reference
+  double close = 0;        ///< the error that a game allows, in the observables' unit
 };
 
 struct QuantityResult {

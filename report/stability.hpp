@@ -62,7 +62,8 @@ std::string map_row(const ExerciseResult&, const MapRow&);
 /// The report's page, and the file of a scene's map in it.
 std::string stability_page(const Results&);
 std::string map_file(const ExerciseResult&);
-/// A gnuplot script that draws a scene's map as SVG into `file`: one panel a method, the scene's parameter
+std::string map_title(const ExerciseResult&);
+/// A gnuplot script that draws a scene's map as SVG into `file`: one panel per method, the scene's parameter
 /// across, the step upwards, outcomes by colour and letter, theory's limit as a line.
 std::string map_script(const ExerciseResult&, const std::string& file);
 

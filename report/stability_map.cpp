@@ -1,8 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "reference/text.hpp"
+#include "report/chart_style.hpp"
 #include "report/gnuplot.hpp"
 #include "report/stability.hpp"
 
@@ -10,53 +12,80 @@ namespace oddity {
 
 namespace {
 
-/// Of those by Okabe and Ito, which colour-blind readers can tell apart; in the order of `outcomes_of_a_map`.
-constexpr std::array<std::string_view, 8> colours{"009E73", "F0E442", "E69F00", "D55E00",
-                                                  "CC79A7", "56B4E9", "999999", "0072B2"};
+// Pixels. The picture is as wide as the column of a page, so that its letters are read in their own size.
+constexpr int map_width = 900, cell_width = 38, cell_height = 17, panel_gap = 16;
+constexpr int left_edge = 76, upper_edge = 96, model_height = 44, axis_height = 40;
 
-std::string colour_of(Outcome outcome) {
-  const auto place = std::ranges::find(outcomes_of_a_map, outcome) - outcomes_of_a_map.begin();
-  return std::string(colours[static_cast<std::size_t>(place)]);
-}
+/// A method's panel: the values across and the steps down.
+struct Panel {
+  std::vector<const MapRow*> columns;
+  int across, down;  ///< its upper left corner
+  bool first;        ///< of its line: it names the steps
+};
 
-// Pixels.
-constexpr int cell_width = 34, cell_height = 17, panel_gap = 22, title_height = 76;
-constexpr int left_edge = 96, upper_edge = 74, lower_edge = 40, key_width = 150;
-
-/// Each name once, in the order of first appearance.
-template <class T, class Name>
-auto each_once(const std::vector<T>& items, Name T::*name) {
-  std::vector<Name> names;
-  for (const T& item : items)
-    if (std::ranges::find(names, item.*name) == names.end()) names.push_back(item.*name);
-  return names;
-}
-
-/// The panels of a map: models down, algorithms across, and in each the values across and the steps down.
+/// The panels in lines. A model's stand together under its name, after those of the model before where all of
+/// them fit.
 struct Layout {
-  std::vector<std::string> models, algorithms;
-  std::vector<double> values;
-  int panel_width, panel_height, width, height;
+  std::vector<Panel> panels;
+  struct Name {
+    std::string model;
+    int across, down;
+  };
+  std::vector<Name> models;
+  int panel_height, height = upper_edge;
 
-  explicit Layout(const Stability& s)
-      : models(each_once(s.map, &MapRow::model)),
-        algorithms(each_once(s.map, &MapRow::algorithm)),
-        values(each_once(s.map, &MapRow::value)),
-        panel_width(cell_width * static_cast<int>(values.size())),
-        panel_height(cell_height * static_cast<int>(s.steps.size())),
-        width(left_edge + static_cast<int>(algorithms.size()) * (panel_width + panel_gap) + key_width),
-        height(upper_edge + static_cast<int>(models.size()) * (panel_height + title_height) - title_height +
-               lower_edge) {}
+  explicit Layout(const Stability& s) : panel_height(cell_height * static_cast<int>(s.steps.size())) {
+    std::vector<std::vector<std::vector<const MapRow*>>> groups;  // by model, by method
+    for (const MapRow& row : s.map) {
+      const auto group =
+          std::ranges::find_if(groups, [&](const auto& g) { return g[0][0]->model == row.model; });
+      if (group == groups.end()) {
+        groups.push_back({{&row}});
+        continue;
+      }
+      const auto method =
+          std::ranges::find_if(*group, [&](const auto& m) { return m[0]->algorithm == row.algorithm; });
+      if (method == group->end())
+        group->push_back({&row});
+      else
+        method->push_back(&row);
+    }
+    for (const auto& group : groups) place(group);
+    height += panel_height + axis_height;
+  }
 
-  std::string x(int pixels) const { return shortest(static_cast<double>(pixels) / width); }
+  std::string x(int pixels) const { return shortest(static_cast<double>(pixels) / map_width); }
   std::string y(int pixels) const { return shortest(1 - static_cast<double>(pixels) / height); }
   std::string at(int across, int down) const { return "screen " + x(across) + ", screen " + y(down); }
 
-  std::string margins(std::size_t model, std::size_t algorithm) const {
-    const int across = left_edge + static_cast<int>(algorithm) * (panel_width + panel_gap);
-    const int down = upper_edge + static_cast<int>(model) * (panel_height + title_height);
-    return "set lmargin at screen " + x(across) + "\nset rmargin at screen " + x(across + panel_width) +
-           "\nset tmargin at screen " + y(down) + "\nset bmargin at screen " + y(down + panel_height) + "\n";
+  std::string margins(const Panel& p) const {
+    const int right = p.across + cell_width * static_cast<int>(p.columns.size());
+    return "set lmargin at screen " + x(p.across) + "\nset rmargin at screen " + x(right) +
+           "\nset tmargin at screen " + y(p.down) + "\nset bmargin at screen " + y(p.down + panel_height) +
+           "\n";
+  }
+
+ private:
+  static int right_of(const Panel& p) {
+    return p.across + cell_width * static_cast<int>(p.columns.size()) + panel_gap;
+  }
+  void place(const std::vector<std::vector<const MapRow*>>& group) {
+    const auto wide = [](const auto& columns) { return cell_width * static_cast<int>(columns.size()); };
+    int across = panels.empty() ? map_width : right_of(panels.back()), all = -panel_gap;
+    for (const auto& columns : group) all += wide(columns) + panel_gap;
+    const auto begin_line = [&] {
+      if (!panels.empty()) height += panel_height + axis_height;
+      height += model_height;
+      across = left_edge;
+    };
+    if (across + all > map_width) begin_line();
+    models.push_back(
+        {shortened(group[0][0]->model, group.size() > 1 ? 60 : 24), across, height - model_height});
+    for (const auto& columns : group) {
+      if (across + wide(columns) > map_width) begin_line();
+      panels.push_back({columns, across, height, across == left_edge});
+      across = right_of(panels.back());
+    }
   }
 };
 
@@ -68,15 +97,16 @@ std::string tics(const std::vector<double>& numbers, int direction) {
   return "(" + list + ")";
 }
 
-/// The cells of one panel as gnuplot's data: column, row, colour, letter; then theory's limits as lines,
-/// those beyond the steps shown along the edge.
+/// The cells of one panel as gnuplot's data: column, row, colour, letter and the letter's colour; then
+/// theory's limits as lines, those beyond the steps shown along the edge.
 std::string panel_data(const std::vector<const MapRow*>& columns, const Stability& s) {
+  const auto number = [](std::string_view colour) { return " 0x" + std::string(colour.substr(1)); };
   std::string cells, theory;
   for (std::size_t column = 0; column < columns.size(); ++column) {
     const MapRow& row = *columns[column];
     for (std::size_t k = 0; k < row.outcomes.size(); ++k)
-      cells += std::to_string(column) + " -" + std::to_string(k) + " 0x" + colour_of(row.outcomes[k]) + " " +
-               letter_of(row.outcomes[k]) + "\n";
+      cells += std::to_string(column) + " -" + std::to_string(k) + number(colour_of(row.outcomes[k])) + " " +
+               letter_of(row.outcomes[k]) + number(colour_on(row.outcomes[k])) + "\n";
     const double top_edge = 0.5, bottom_edge = top_edge - static_cast<double>(s.steps.size());
     const double height = std::clamp(std::log2(row.theory / s.steps.front()), bottom_edge, top_edge);
     theory += shortest(static_cast<double>(column) - 0.5) + " " + rounded(height, 5) + " 1 0\n";
@@ -84,37 +114,64 @@ std::string panel_data(const std::vector<const MapRow*>& columns, const Stabilit
   return "$cells << EOD\n" + cells + "EOD\n$theory << EOD\n" + theory + "EOD\n";
 }
 
-std::string legend_text(const Layout& layout) {
-  const int x = layout.width - key_width + 8;
+/// The outcomes that the map has, in a line above the panels.
+std::string legend_text(const Stability& s, const Layout& layout) {
+  constexpr int y = 60, wide = 102;
   std::string text;
-  int y = upper_edge;
+  int x = 12;
   for (Outcome outcome : outcomes_of_a_map) {
-    text += "set object rectangle from " + layout.at(x, y) + " to " + layout.at(x + 22, y + 16) +
-            " fc rgb '#" + colour_of(outcome) + "' fs solid 1 noborder\nset label '" + letter_of(outcome) +
-            "' at " + layout.at(x + 11, y + 8) + " center font ',10' front\nset label '" +
-            std::string(name_of(outcome)) + "' at " + layout.at(x + 30, y + 8) + " left font ',11'\n";
-    y += 20;
+    if (std::ranges::none_of(s.map, [&](const MapRow& row) {
+          return std::ranges::find(row.outcomes, outcome) != row.outcomes.end();
+        }))
+      continue;
+    text += "set object rectangle from " + layout.at(x, y) + " to " + layout.at(x + 20, y + 17) +
+            " fc rgb '" + std::string(colour_of(outcome)) + "' fs solid 1 noborder\nset label '" +
+            letter_of(outcome) + "' at " + layout.at(x + 10, y + 8) + " center font ',12' tc rgb '" +
+            std::string(colour_on(outcome)) + "' front\nset label '" + std::string(name_of(outcome)) +
+            "' at " + layout.at(x + 25, y + 8) + " left font ',12'\n";
+    x += wide;
   }
-  return text + "set arrow from " + layout.at(x, y + 15) + " to " + layout.at(x + 22, y + 15) +
-         " nohead lw 3 lc rgb '#000000'\nset label \"limit of\\nlinear theory\" at " +
-         layout.at(x + 30, y + 8) + " left font ',11'\n";
+  return text + "set arrow from " + layout.at(x, y + 8) + " to " + layout.at(x + 20, y + 8) +
+         " nohead lw 3 lc rgb '#000000'\nset label 'limit of linear theory' at " + layout.at(x + 25, y + 8) +
+         " left font ',12'\n";
 }
 
 std::string axis_name(const std::string& name, const std::string& unit) {
   return quoted(name + (unit.empty() || unit == "1" ? "" : " [" + unit + "]")) + " noenhanced";
 }
 
-/// One method's panel; the first of a row names the steps.
-std::string panel(const std::vector<const MapRow*>& columns, const Stability& s, const Layout& layout,
-                  bool first) {
-  return panel_data(columns, s) + "set title " + quoted(columns[0]->model + "\n" + columns[0]->algorithm) +
-         " noenhanced font ',11' offset 0,-0.6\nset xtics " + tics(layout.values, 1) + "\nset xlabel " +
-         axis_name(s.parameter, s.parameter_unit) + " font ',10' offset 0,0.7\nset ytics " +
-         (first ? tics(s.steps, -1) : "('' 0)") + "\nset ylabel " +
-         (first ? axis_name("step", s.time_unit) : "''") +
-         " font ',11'\nplot $cells using 1:2:(0.49):(0.48):3 with boxxyerror lc rgb variable, $cells using "
-         "1:2:4 with labels font ',9', $theory using 1:2:3:4 with vectors nohead lw 3 lc rgb '#000000'\n"
-         "unset label\nunset object\nunset arrow\n";
+std::string panel_text(const Panel& p, const Stability& s) {
+  std::vector<double> values;
+  for (const MapRow* row : p.columns) values.push_back(row->value);
+  return panel_data(p.columns, s) + "set title " + quoted(p.columns[0]->algorithm) +
+         " noenhanced font ',12' offset 0,-0.7\nset xrange [-0.5:" +
+         shortest(static_cast<double>(values.size()) - 0.5) + "]\nset xtics " + tics(values, 1) +
+         "\nset xlabel " + axis_name(s.parameter, s.parameter_unit) +
+         " noenhanced font ',12' offset 0,0.7\nset ytics " + (p.first ? tics(s.steps, -1) : "('' 0)") +
+         "\nset ylabel " + (p.first ? axis_name("step", s.time_unit) : "''") +
+         " font ',12'\nplot $cells using 1:2:(0.49):(0.48):3 with boxxyerror lc rgb variable, "
+         "$theory using 1:2:3:4 with vectors nohead lw 5 lc rgb '#ffffff', "
+         "$theory using 1:2:3:4 with vectors nohead lw 2.5 lc rgb '#000000', "
+         "$cells using 1:2:4:5 with labels font ',12' tc rgb variable\nunset label\nunset object\nunset "
+         "arrow\n";
+}
+
+/// The longest step from which on a method ends ok at every value of the parameter; 0: none.
+double longest_ok(const Panel& p, const Stability& s) {
+  double longest = 0;
+  for (std::size_t k = s.steps.size(); k-- > 0; longest = s.steps[k])
+    if (std::ranges::any_of(p.columns, [&](const MapRow* row) { return row->outcomes[k] != Outcome::ok; }))
+      break;
+  return longest;
+}
+
+std::string map_finding(const Layout& layout, const Stability& s) {
+  const auto best =
+      std::ranges::max_element(layout.panels, {}, [&](const Panel& p) { return longest_ok(p, s); });
+  const std::string everywhere = "ok at every " + s.parameter;
+  if (best == layout.panels.end() || longest_ok(*best, s) == 0) return "No method is " + everywhere;
+  return best->columns[0]->algorithm + " (" + best->columns[0]->model + ") is " + everywhere +
+         " up to the longest step, " + rounded(longest_ok(*best, s), 3) + " " + s.time_unit;
 }
 
 }  // namespace
@@ -122,28 +179,22 @@ std::string panel(const std::vector<const MapRow*>& columns, const Stability& s,
 std::string map_script(const ExerciseResult& e, const std::string& file) {
   const Stability& s = *e.stability;
   const Layout layout(s);
-  std::string text =
-      "reset session\nset terminal svg size " + std::to_string(layout.width) + "," +
-      std::to_string(layout.height) + " dynamic font 'Helvetica,12' background '#ffffff'\n" +
-      set_output(file) +
-      "set multiplot\nunset key\nset border 0\nset tics scale 0 nomirror font ',10'\n"
-      "set style fill solid 1 noborder\nset xrange [-0.5:" +
-      shortest(static_cast<double>(layout.values.size()) - 0.5) + "]\nset yrange [" +
-      shortest(0.5 - static_cast<double>(s.steps.size())) + ":0.5]\nset label " +
-      quoted(to_string(e.number) + " " + e.title + ": how each method ends over step and " + s.parameter) +
-      " at " + layout.at(layout.width / 2, 18) + " center noenhanced font ',14'\n" + legend_text(layout);
-  for (std::size_t m = 0; m < layout.models.size(); ++m) {
-    bool first = true;
-    for (std::size_t a = 0; a < layout.algorithms.size(); ++a) {
-      std::vector<const MapRow*> columns;
-      for (const MapRow& row : s.map)
-        if (row.model == layout.models[m] && row.algorithm == layout.algorithms[a]) columns.push_back(&row);
-      if (columns.empty()) continue;
-      text += layout.margins(m, a) + panel(columns, s, layout, first);
-      first = false;
-    }
-  }
+  std::string text = "reset session\nset terminal svg size " + std::to_string(map_width) + "," +
+                     std::to_string(layout.height) + " dynamic font 'Helvetica,12' background '#ffffff'\n" +
+                     set_output(file) +
+                     "set multiplot\nunset key\nset border 0\nset tics scale 0 nomirror font ',11'\n"
+                     "set style fill solid 1 noborder\nset yrange [" +
+                     shortest(0.5 - static_cast<double>(s.steps.size())) + ":0.5]\n" +
+                     headline(map_finding(layout, s), map_title(e), layout.height) + legend_text(s, layout);
+  for (const auto& [model, across, down] : layout.models)
+    text += "set label " + quoted(bold(model)) + " at " + layout.at(across, down + 12) + " left font ',13'\n";
+  for (const Panel& p : layout.panels) text += layout.margins(p) + panel_text(p, s);
   return text + "unset multiplot\nunset output\n";
+}
+
+std::string map_title(const ExerciseResult& e) {
+  return to_string(e.number) + " " + e.title + ": how each method ends over step and " +
+         e.stability->parameter;
 }
 
 }  // namespace oddity

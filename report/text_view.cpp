@@ -1,6 +1,7 @@
 #include "report/text_view.hpp"
 
 #include <cmath>
+#include <regex>
 
 #include "reference/text.hpp"
 
@@ -73,6 +74,20 @@ std::string shown(const Value& value, int digits) {
   for (std::size_t i = 0; i < std::min(value.size(), most); ++i)
     text += (i ? ", " : "") + component(value[i]);
   return text + (value.size() > most ? ", ... " + std::to_string(value.size()) + " in all)" : ")");
+}
+
+std::string with_short_numbers(const std::string& text) {
+  static const std::regex number(R"((\d+\.\d+)(e[-+]?\d+)?)");
+  std::string out;
+  auto from = text.begin();
+  for (std::sregex_iterator found(text.begin(), text.end(), number), none; found != none; ++found) {
+    out.append(from, text.begin() + found->position());
+    const std::string digits = found->str(), significand = found->str(1);
+    const auto value = number_in(digits);
+    out += value && significand.size() > 10 ? rounded(*value, 6) : digits;
+    from = text.begin() + found->position() + found->length();
+  }
+  return out.append(from, text.end());
 }
 
 std::string shown_error(double error) { return std::isfinite(error) ? rounded(error, 2) : "-"; }

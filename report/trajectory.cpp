@@ -55,7 +55,8 @@ std::optional<Trajectory> trajectory(const Scene& scene, const Parameters& param
                  Horizon{scene.horizon}.times(),
                  horizon.times(),
                  {},
-                 0};
+                 0,
+                 scene.close};
   all.judged_at.erase(all.judged_at.begin());
   all.times.erase(all.times.begin());
   const TimedTrial* truest = nullptr;

@@ -16,24 +16,35 @@ namespace {
 
 /// The pictures of one chapter, or of all (0) and then by time too.
 void draw_charts(const Results& results, int chapter, const fs::path& folder) {
+  const Styles styles(results);
   std::vector<Picture> pictures;
   for (const ExerciseResult& e : results.exercises) {
+    const std::string exercise = to_string(e.number) + " " + e.title + ": ";
     if (chapter == 0 && e.stability)
-      pictures.push_back(
-          {folder / map_file(e), [&e](const fs::path& into) { return map_script(e, into.string()); }});
+      pictures.push_back({folder / map_file(e),
+                          [&e](const fs::path& into) { return map_script(e, into.string()); }, map_title(e)});
+    if (chapter != 0 && e.number.chapter != chapter) continue;
     for (const QuantityResult& q : e.quantities) {
-      if (chapter != 0 && e.number.chapter != chapter) continue;
-      const std::string title = to_string(e.number) + " " + e.title + ": " + q.name;
+      const std::string title = exercise + q.says;
       if (q.trajectory)
-        pictures.push_back({folder / trajectory_file(e, q),
-                            [&q, title](const fs::path& into) { return trajectory_script(q, title, into); }});
-      if (!has_chart(q)) continue;
-      for (Cost kind : {Cost::evaluations, Cost::time})
-        if (chapter == 0 || kind == Cost::evaluations)
-          pictures.push_back({folder / chart_file(e, q, kind), [&q, title, kind](const fs::path& into) {
-                                return chart_script(q, title, kind, into);
-                              }});
+        pictures.push_back(
+            {folder / trajectory_file(e, q),
+             [&q, &styles, title](const fs::path& into) { return trajectory_script(q, title, into, styles); },
+             title + ". " + motion_finding(q)});
+      for (Across across : charts_of(q))
+        if (chapter == 0 || across != Across::time)
+          pictures.push_back({folder / chart_file(e, q, across),
+                              [&q, &styles, title, across](const fs::path& into) {
+                                return chart_script(q, title, across, into, styles);
+                              },
+                              title + ". " + finding(q, across)});
     }
+    for (const auto& series : series_of(e))
+      pictures.push_back({folder / series_file(e, *series.front()),
+                          [series, &styles, exercise](const fs::path& into) {
+                            return series_script(series, exercise + "work over size", into, styles);
+                          },
+                          exercise + "work over size"});
   }
   draw(pictures);
 }

@@ -1,3 +1,4 @@
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -9,6 +10,8 @@
 #include "report/disturb.hpp"
 #include "report/markdown.hpp"
 #include "report/run.hpp"
+#include "report/stability.hpp"
+#include "report/text_view.hpp"
 #include "tests/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/sample_results.hpp"
@@ -133,12 +136,50 @@ TEST_CASE("pages hold no times but the page of times", "[report]") {
 TEST_CASE("charts hold no times but the charts of time", "[report]") {
   Results slow = sample(), fast = sample();
   fast.exercises[0].quantities[0].methods[0].trials[0].time = {1e-9, 1e-10};
-  const auto chart = [](const Results& results, Cost kind) {
-    return chart_script(results.exercises[0].quantities[0], "title", kind, "file.svg");
+  const auto chart = [](const Results& results, Across across) {
+    return chart_script(results.exercises[0].quantities[0], "title", across, "file.svg", Styles(results));
   };
-  CHECK(chart(slow, Cost::evaluations) == chart(fast, Cost::evaluations));
-  CHECK(chart(slow, Cost::time) != chart(fast, Cost::time));
+  CHECK(chart(slow, Across::evaluations) == chart(fast, Across::evaluations));
+  CHECK(chart(slow, Across::setting) == chart(fast, Across::setting));
+  CHECK(chart(slow, Across::time) != chart(fast, Across::time));
 }
+
+namespace {
+
+int count(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+Results with(QuantityResult q) {
+  Results results = sample();
+  results.exercises[0].quantities = {std::move(q)};
+  return results;
+}
+
+std::string script_of(const QuantityResult& q, Across across = Across::evaluations) {
+  return chart_script(q, "title", across, "file.svg", Styles(with(q)));
+}
+
+/// A method whose trials take 100, 200, 400 evaluations for errors that halve.
+MethodResult method(const std::string& model, const std::string& algorithm, double error) {
+  MethodResult m{model, algorithm, Outcome::ok, "", {}};
+  for (int k = 0; k < 3; ++k) {
+    TimedTrial t;
+    t.model = model, t.algorithm = algorithm, t.knob = "step";
+    t.setting = std::ldexp(1.0, -k);
+    t.value = Value{1, 2};
+    t.error = t.final_error = error;
+    t.evaluations = 100L << k;
+    t.outcome = error <= 0.3 ? Outcome::ok : Outcome::inaccurate;
+    m.trials.push_back(t);
+    error /= 2;
+  }
+  return m;
+}
+
+}  // namespace
 
 TEST_CASE("a chart shows every trial, those without a number too, and names each kind of failure once",
           "[report]") {
@@ -147,16 +188,312 @@ TEST_CASE("a chart shows every trial, those without a number too, and names each
   q.methods[0].trials[0].error = std::numeric_limits<double>::quiet_NaN();
   q.methods[0].trials[0].evaluations = 7;
   q.methods.push_back(q.methods[0]);
-  const std::string script = chart_script(q, "title", Cost::evaluations, "file.svg");
-  const auto count = [&](const std::string& text) {
-    int n = 0;
-    for (auto at = script.find(text); at != std::string::npos; at = script.find(text, at + 1)) ++n;
-    return n;
+  const std::string script = script_of(q);
+  CHECK(count(script, "\n7 ") == 4);
+  CHECK(count(script, "\n42 ") == 4);  // both on the front, too
+  CHECK(count(script, "title 'non-finite'") == 1);
+  CHECK(count(script, "off the scale") == 1);
+  CHECK(count(script, "set xtics 10\n") == 0);  // gnuplot 5.4 sets them beside the decades
+}
+
+TEST_CASE("an algorithm has the same mark in every chart, and a model the same colour", "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0], other = q;
+  q.methods = {method("one", "explicit Euler", 1), method("two", "own", 1)};
+  other.name = "other";
+  other.methods = {method("two", "Simpson", 1), method("three", "explicit Euler", 1),
+                   method("three", "own", 1)};
+  Results results = with(q);
+  results.exercises[0].quantities.push_back(other);
+  const Styles styles(results), reversed([&] {
+    Results turned = results;
+    std::swap(turned.exercises[0].quantities[0], turned.exercises[0].quantities[1]);
+    return turned;
+  }());
+  CHECK(styles.mark("explicit Euler") == reversed.mark("explicit Euler"));
+  CHECK(styles.mark("own") != styles.mark("explicit Euler"));
+  CHECK(styles.colour("one") != styles.colour("two"));
+  CHECK(styles.colour("two") != styles.colour("three"));
+}
+
+TEST_CASE("of many methods the front and the best of each model are drawn in colour, the rest pale",
+          "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.methods = {method("a", "best", 1e-3)};
+  for (int i = 0; i < 9; ++i) q.methods.push_back(method("a", "worse " + std::to_string(i), 0.1));
+  q.methods.push_back(method("b", "alone", 0.2));
+  const std::string script = script_of(q);
+  CHECK(count(script, "9 others: see the table") == 1);
+  CHECK(count(script, "worse ") == 0);
+  CHECK(count(script, "best") > 0);
+  CHECK(count(script, "alone") == 1);
+}
+
+TEST_CASE("a curve that lies on another says so", "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.methods = {method("a", "first", 0.1), method("a", "second", 0.1), method("a", "third", 0.2)};
+  const std::string script = script_of(q);
+  CHECK(count(script, "second: as first") == 1);
+  CHECK(count(script, ": as ") == 1);
+}
+
+TEST_CASE("a chart's title says what the trials found", "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.methods = {method("a", "cheap", 2), method("b", "dear", 0.01)};
+  q.methods[1].trials[0].evaluations = 12'345;
+  CHECK(finding(q, Across::evaluations) == "dear (b) reaches 0.3 m with the least work: 200 evaluations");
+  q.methods[1].trials[1].evaluations = q.methods[1].trials[2].evaluations = 1'234'567;
+  CHECK(finding(q, Across::evaluations) == "dear (b) reaches 0.3 m with the least work: 12,345 evaluations");
+  q.need.allowed = 1e-9;
+  for (MethodResult& m : q.methods)
+    for (TimedTrial& t : m.trials) t.outcome = Outcome::inaccurate;
+  CHECK(finding(q, Across::evaluations) == "No method reaches 1e-09 m; the closest is dear (b): 0.0025 m");
+  CHECK(finding(q, Across::setting) ==
+        "Of the methods with a step, dear (b) is the most accurate: 0.0025 m at step 0.25");
+}
+
+TEST_CASE("no chart of single points or of answers that are right or wrong", "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.trajectory.reset();
+  q.methods = {method("a", "x", 0.1), method("a", "y", 0.3)};
+  CHECK(has_chart(q));
+  QuantityResult whole = q, points = q;
+  for (MethodResult& m : whole.methods)
+    for (TimedTrial& t : m.trials) t.error = std::round(10 * t.error);
+  CHECK_FALSE(has_chart(whole));
+  for (MethodResult& m : points.methods) m.trials.resize(1);
+  CHECK_FALSE(has_chart(points));
+  CHECK(charts_of(points).empty());
+}
+
+TEST_CASE("where the work does not depend on the setting, the error is drawn over the setting", "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.methods = {method("a", "x", 0.1), method("a", "y", 0.3)};
+  CHECK(charts_of(q) == std::vector{Across::evaluations, Across::setting, Across::time});
+  q.trajectory.reset();
+  CHECK(charts_of(q) == std::vector{Across::evaluations, Across::time});
+  for (MethodResult& m : q.methods)
+    for (TimedTrial& t : m.trials) t.evaluations = 5;
+  CHECK(charts_of(q) == std::vector{Across::setting});
+  q.methods.push_back(method("a", "z", 0.2));
+  CHECK(charts_of(q) == std::vector{Across::setting});  // one of three
+  q.methods.push_back(method("a", "w", 0.2));
+  CHECK(charts_of(q) == std::vector{Across::evaluations, Across::time});
+}
+
+TEST_CASE("a scene's charts have the line of what a game asks", "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.methods = {method("a", "x", 0.1), method("a", "y", 0.3)};
+  q.trajectory->close = 0.05;
+  CHECK(count(script_of(q), "enough for a game: 0.05 m") == 1);
+}
+
+TEST_CASE("a motion that is off between the reference's times is off", "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.trajectory->close = 0.3;
+  q.trajectory->paths.push_back({"other", "algorithm", "step", 0.5, 0, Outcome::ok, {1.5, 2, 3, 4}});
+  q.methods.push_back({"other", "algorithm", Outcome::ok, "", q.methods[0].trials});
+  CHECK(motion_finding(q) ==
+        "1 of 2 models stay within 0.3 m of the truth for 1 s; 'other': off by up to 0.5 m");
+  CHECK(count(trajectory_script(q, "title", "f", Styles(with(q))), "off by up to 0.5") == 2);
+  q.trajectory->close = 1;
+  CHECK(motion_finding(q) == "All 2 models stay within 1 m of the truth for 1 s");
+}
+
+TEST_CASE("motions that the eye cannot tell apart name each other; flat ones are not drawn to scale",
+          "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.trajectory->paths.push_back({"b", "algorithm", "step", 0.5, 0.26, Outcome::ok, {1.001, 2, 3, 4}});
+  q.trajectory->paths.push_back({"c", "algorithm", "step", 0.5, 0.27, Outcome::ok, {1.001, 2.001, 3, 4}});
+  q.methods.push_back({"b", "algorithm", Outcome::ok, "", q.methods[0].trials});
+  q.methods.push_back({"c", "algorithm", Outcome::ok, "", q.methods[0].trials});
+  const Styles styles(with(q));
+  const std::string script = trajectory_script(q, "title", "f", styles);
+  CHECK(count(script, "hidden by 'c'") == 1);
+  CHECK(count(script, "set size ratio -1") == 1);
+  q.trajectory->paths[0].value = {1, 2, 1.1, 4};
+  CHECK(count(trajectory_script(q, "title", "f", styles), "not to the scale of y") == 1);
+}
+
+TEST_CASE("a motion of many observables is drawn as its distance from the truth", "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  Trajectory& t = *q.trajectory;
+  t.observables = {};
+  q.reference.value = Value(std::vector<double>(7, 1));
+  t.paths[0].value = Value(std::vector<double>(14, 1));
+  const std::string script = trajectory_script(q, "title", "f", Styles(with(q)));
+  CHECK(count(script, "largest error of 7 components") == 1);
+  CHECK(count(script, "multiplot") == 0);
+}
+
+TEST_CASE("a map is as wide as a page, and its letters are legible", "[report]") {
+  ExerciseResult e = sample().exercises[0];
+  Stability& s = e.stability.emplace();
+  s.steps = {1, 0.5};
+  s.parameter = "a";
+  s.time_unit = "s";
+  for (int i = 0; i < 30; ++i)
+    for (double value : {0.1, 0.2, 0.3})
+      s.map.push_back(
+          {"model", "algorithm " + std::to_string(i), value, 0.7, {Outcome::diverged, Outcome::ok}});
+  s.map.back().outcomes = {Outcome::ok, Outcome::inaccurate};
+  const std::string script = map_script(e, "f");
+  CHECK(count(script, "svg size 900,") == 1);
+  CHECK(count(script, "algorithm 0 (model) is ok at every a up to the longest step, 0.5 s") == 1);
+  for (auto at = script.find("font ',"); at != std::string::npos; at = script.find("font ',", at + 1))
+    CHECK(std::stoi(script.substr(at + 7)) >= 9);
+}
+
+TEST_CASE("quantities of growing size share one chart", "[report]") {
+  ExerciseResult e = sample().exercises[0];
+  QuantityResult q = e.quantities[0];
+  e.quantities.clear();
+  for (int n : {100, 10, 1000}) {
+    q.name = "chain_of_" + std::to_string(n);
+    q.methods = {method("a", "x", 0.1)};
+    q.methods[0].trials.resize(1);
+    q.methods[0].trials[0].evaluations = 5L * n * n;
+    e.quantities.push_back(q);
+  }
+  const auto series = series_of(e);
+  REQUIRE(series.size() == 1);
+  CHECK(series[0][0]->name == "chain_of_10");
+  const std::string script = series_script(series[0], "title", "file.svg", Styles(Results{{e}}));
+  CHECK(count(script, "work \\\\~ n\\\\^2") == 1);
+  CHECK(count(script, "5,000,000 for n = 1000") == 1);
+  e.quantities.pop_back();
+  CHECK(series_of(e).empty());
+}
+
+TEST_CASE("colour-blind readers tell any two outcomes of a map apart", "[report]") {
+  using Three = std::array<double, 3>;
+  // Machado, Oliveira and Fernandes (2009), severity 1.
+  const std::array<std::array<Three, 3>, 3> eyes{
+      {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+       {{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}},
+       {{{0.152286, 1.052583, -0.204868},
+         {0.114503, 0.786281, 0.099216},
+         {-0.003882, -0.048116, 1.051998}}}}};
+  const auto times = [](const std::array<Three, 3>& m, const Three& x) {
+    Three y{};
+    for (std::size_t i = 0; i < 3; ++i) y[i] = m[i][0] * x[0] + m[i][1] * x[1] + m[i][2] * x[2];
+    return y;
   };
-  CHECK(count("\n7 ") == 4);
-  CHECK(count("\n42 ") == 4);  // both on the front, too
-  CHECK(count("title 'non-finite'") == 1);
-  CHECK(count("off the scale") == 1);
+  const auto lab = [&](std::string_view colour, const std::array<Three, 3>& eye) {
+    Three rgb{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double c = std::stoi(std::string(colour.substr(1 + 2 * i, 2)), nullptr, 16) / 255.0;
+      rgb[i] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    }
+    rgb = times(eye, rgb);
+    for (double& c : rgb) c = std::clamp(c, 0.0, 1.0);
+    Three xyz = times({{{0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}}}, rgb);
+    const Three white{0.95047, 1, 1.08883};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double t = xyz[i] / white[i];
+      xyz[i] = t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116;
+    }
+    return Three{116 * xyz[1] - 16, 500 * (xyz[0] - xyz[1]), 200 * (xyz[1] - xyz[2])};
+  };
+  for (const auto& eye : eyes)
+    for (Outcome a : outcomes_of_a_map)
+      for (Outcome b : outcomes_of_a_map) {
+        if (a == b) continue;
+        const Three p = lab(colour_of(a), eye), q = lab(colour_of(b), eye);
+        INFO(name_of(a) << " and " << name_of(b));
+        CHECK(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) > 20);
+      }
+}
+
+TEST_CASE("the check that fails is the one that is shown, NaN before all", "[report]") {
+  JudgedClaim claim = judged(one_against_one(1e-9));
+  const Check nan{"the one that decides", {"a", NAN}, {"b", 1}, {1e-9, "a test"}};
+  const Check off{"the one that is off", {"a", 2}, {"b", 1}, {1e-9, "a test"}};
+  Results results = sample();
+  const auto page = [&](std::vector<Check> checks) {
+    claim.claim.printed.checks = std::move(checks);
+    claim.claim.corrected = {"x = 1", {one_against_one(1e-9)}};
+    claim.verdict = verdict(claim.claim);
+    CHECK(claim.verdict == Verdict::erratum);
+    results.exercises[0].claims = {claim};
+    return chapter_page(results, 3);
+  };
+  const Check tight = one_against_one(0.1);
+  CHECK(count(page({tight, nan, tight}), "the one that decides") == 1);
+  CHECK(count(page({tight, off, nan}), "the one that decides") == 1);
+  CHECK(count(page({tight, off}), "the one that is off") == 1);
+}
+
+TEST_CASE("evidence says what was compared, and at which scale", "[report]") {
+  Results results = sample();
+  const auto page = [&](const Check& check) {
+    results.exercises[0].claims = {judged(check)};
+    return chapter_page(results, 3);
+  };
+  const Check large{"squared", {"by hand", 1e14}, {"by sums", 1e14 + 0.015625}, {1.4, "a test"}};
+  CHECK(count(page(large),
+              "squared: by hand against by sums: differ by 0.016 at a scale of 1×10¹⁴, allowed 1.4") == 1);
+  CHECK(count(page(never("the sign is right", 0, 200)), "the sign is right: no violations in 200 samples") ==
+        1);
+  JudgedClaim violated = judged(never("the sign is right", 49, 200));
+  violated.claim.corrected = {"x = 1", {one_against_one(1e-9)}};
+  violated.verdict = verdict(violated.claim);
+  results.exercises[0].claims = {violated};
+  CHECK(count(chapter_page(results, 3), "| 49 violations in 200 samples | none allowed |") == 1);
+}
+
+TEST_CASE("long decimals of a sample are cut to what identifies it", "[report]") {
+  CHECK(with_short_numbers("t = -0.0020877287373640423, n = 5760") == "t = -0.00208773, n = 5760");
+  CHECK(with_short_numbers("x = 1.25, 123456789012 of 2.480000000001e+03") ==
+        "x = 1.25, 123456789012 of 2480");
+  CHECK(with_short_numbers("") == "");
+}
+
+TEST_CASE("errata come first, each with an anchor, and confirmed claims are folded up", "[report]") {
+  Results results = sample();
+  JudgedClaim wrong = judged(one_against_one(1e-9)), misprint = wrong;
+  wrong.claim.id = "3.5-wrong";
+  wrong.claim.why = "It is not so.";
+  wrong.claim.printed = {"x = 2", {{"x", {"a", 2}, {"b", 1}, {1e-9, "a test"}}}};
+  misprint.claim = wrong.claim;
+  wrong.claim.corrected = misprint.claim.meant = {"x = 1", {one_against_one(1e-9)}};
+  misprint.claim.id = "3.5-lost_bar";
+  wrong.verdict = verdict(wrong.claim);
+  misprint.verdict = verdict(misprint.claim);
+  results.exercises[0].claims.push_back(misprint);
+  results.exercises[0].claims.push_back(wrong);
+  const std::string page = chapter_page(results, 3), index = index_page(results);
+  const auto erratum = page.find("<a id=\"3.5-wrong\"></a>"), bar = page.find("<a id=\"3.5-lost_bar\"></a>"),
+             folded = page.find("<details><summary>1 confirmed claim</summary>\n\n|");
+  REQUIRE(erratum != std::string::npos);
+  REQUIRE(folded != std::string::npos);
+  CHECK(erratum < bar);
+  CHECK(bar < folded);
+  CHECK(count(index, "What is wrong in the solutions manual") == 1);
+  CHECK(count(index, "[3.5-wrong](chapter_03.md#3.5-wrong) | 1 | x is 1 | x = 2 | x = 1 |") == 1);
+  CHECK(count(index, "### Misprints (1)") == 1);
+  CHECK(count(index, "[3.5-lost_bar](chapter_03.md#3.5-lost_bar)") == 1);
+}
+
+TEST_CASE("a reason for failing is given only where failing is expected", "[report]") {
+  Results results = sample();
+  MethodResult& m = results.exercises[0].quantities[0].methods[0];
+  m.why = "it is too coarse";
+  CHECK(count(chapter_page(results, 3), "it is too coarse") == 0);
+  m.expected = Outcome::inaccurate;
+  CHECK(count(chapter_page(results, 3), "- model, algorithm - *inaccurate*: it is too coarse.") == 1);
+}
+
+TEST_CASE("a scene's method of low order has a reason only where it is expected to fail", "[report]") {
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  for (const Entry& entry : registry()) {
+    if (!entry.exercise.scene) continue;
+    const Parameters parameters(entry.exercise.parameters);
+    for (const Quantity& q : entry.exercise.study(parameters, truth).quantities)
+      for (const Method& m : q.methods) {
+        INFO(to_string(entry.number) << " " << q.name << ": " << m.model << ", " << m.algorithm);
+        CHECK_FALSE((m.expected == Outcome::ok && m.why.starts_with("its order is too low")));
+      }
+  }
 }
 
 TEST_CASE("a run does not depend on the number of threads, and repeats itself", "[report]") {

@@ -144,10 +144,10 @@ inline Quantity early_work(const Reference& truth) {
   q.add({"power", "Gauss-Legendre", doubling("points", 1, 4), [m](double n) {
            return answer(gauss_rule(n)([&](double t) { return power(Force::growing, m, t); }, 0, m.T));
          }});
-  q.add(
-      Breakdown{"In a short time 5e-11 is left of 1 - 1 and the closed form loses its digits; the power, "
-                "integrated, or the same terms collected before they cancel keep them all.",
-                "closed form, factor r / omega", 0, Outcome::inaccurate, "power, Gauss-Legendre", 4});
+  q.add(Breakdown{
+      "In a short time 5e-11 is left of 1 - 1 and the closed form loses its digits; integrating the "
+      "power, or collecting the terms before they cancel, loses none.",
+      "closed form, factor r / omega", 0, Outcome::inaccurate, "power, Gauss-Legendre", 4});
   return q;
 }
 

@@ -244,7 +244,10 @@ inline Quantity orthogonality(const Quantity& orientation) {
       answer.value = transpose(R) * R;
       return answer;
     };
-    if (method.expected == Outcome::inaccurate) asked.expected = Outcome::ok;
+    if (method.expected == Outcome::inaccurate) {
+      asked.expected = Outcome::ok;
+      asked.why.clear();
+    }
     q.add(std::move(asked));
   }
   constexpr double coarse = 0x1p-4, fine = 0x1p-10;

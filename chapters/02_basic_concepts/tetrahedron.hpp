@@ -189,7 +189,7 @@ inline Quantity about_center(const Tetrahedron& near, double far, const Referenc
          }});
   q.add(Breakdown{
       "Both terms of I - m c^2 are of size m far^2, about 1e12, and leave 1e-2: five digits or none. "
-      "Positions relative to the center, found first, keep them all.",
+      "Positions relative to the center of mass, which is computed first, lose none.",
       back + ", five particles", 0, Outcome::inaccurate, "center first, five particles", 0});
   q.add(
       Breakdown{"Adding more carefully does not help, since every square is rounded already; shifting the "

@@ -63,11 +63,10 @@ Quantity hanging(const Parameters& p, const Horizon& horizon, const Reference& t
       .by_common("tensions", Angles<Equations::tensions>{start}, inaccurate, ok)
       .by_others("tensions", Angles<Equations::tensions>{start},
                  {{"linearly implicit Euler", inaccurate, "of order 1, and it damps every swing"}});
-  return q.add(
-      Breakdown{"Modes that do not know of each other are a picture for small angles: at a quarter to half a "
-                "radian they "
-                "are off by centimetres within four seconds.",
-                "normal modes, closed form", 0, inaccurate, "tensions, Dormand-Prince 5(4)", 1e-9});
+  return q.add(Breakdown{
+      "Independent normal modes describe small angles only: at a quarter to half a radian they are off "
+      "by centimetres within four seconds.",
+      "normal modes, closed form", 0, inaccurate, "tensions, Dormand-Prince 5(4)", 1e-9});
 }
 
 Scene scene() {

@@ -139,7 +139,7 @@ inline void add_breakdowns(Quantity& q, const std::string& model) {
                 second, 0x1p-31, Outcome::inaccurate, second, 0x1p-17});
   q.add(Breakdown{"The best step of order 4 is near $\\varepsilon^{1/5} \\approx 2^{-10}$, much coarser.",
                   fourth, 0x1p-31, Outcome::inaccurate, fourth, 0x1p-11});
-  q.add(Breakdown{"At a step of 1/8 the truncation is what is seen; dual numbers have none.", second, 0x1p-3,
+  q.add(Breakdown{"At a step of 1/8 the truncation error dominates; dual numbers have none.", second, 0x1p-3,
                   Outcome::inaccurate, model + ", dual numbers", 0});
 }
 
