@@ -146,7 +146,7 @@ struct Reading {
   bool holds() const;  ///< false when there is no check
 };
 
-enum class Verdict { confirmed, misprint, erratum, unsettled };
+enum class Verdict { confirmed, misprint, erratum, not_checkable, unsettled };
 
 /// One thing that the published solution says.
 struct Claim {
@@ -157,11 +157,13 @@ struct Claim {
   Reading meant = {};      ///< what it plainly meant, when print or extraction got in the way
   Reading corrected = {};  ///< what is true instead
   std::vector<Reading> near_misses =
-      {};                ///< what must not hold: a flipped sign, a dropped term, another digit
-  std::string why = {};  ///< unless confirmed: what is wrong, what is right, how it shows
+      {};                          ///< what must not hold: a flipped sign, a dropped term, another digit
+  std::string why = {};            ///< unless confirmed: what is wrong, what is right, how it shows
+  std::string not_checkable = {};  ///< why nothing at hand can judge it; it has no readings then
 };
 
-/// Computed, never assigned: the first reading that holds decides; a near miss that holds unsettles all.
+/// Computed, never assigned: the first reading that holds decides; a near miss that holds unsettles all. A
+/// claim without any reading is not checkable when it says why.
 Verdict verdict(const Claim&);
 
 // ---- the method's side ------------------------------------------------------------------------------------
