@@ -70,9 +70,19 @@ const truth::Entry* maker_of(std::string_view table) {
   return found == all.end() ? nullptr : &*found;
 }
 
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Nothing is known yet: what would have to be done.
+Known without_table(std::string_view name) {
+  const std::string table(name);
+  return {{no_number},
+          no_number,
+          "no table reference/" + table + ".csv: write reference/make/" + table +
+              ".cpp and run build/release/make_reference reference " + table};
+}
+
 Known unknown(const truth::Truth& truth) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  return {std::vector<double>(truth.components.size(), nan), nan, "nothing"};
+  return {std::vector<double>(truth.components.size(), no_number), no_number, "nothing"};
 }
 
 Known on_the_spot(const std::string& table, const truth::Truth& truth, const std::vector<double>& inputs) {
@@ -97,7 +107,11 @@ Known on_the_spot(const std::string& table, const truth::Truth& truth, const std
 Reference::Reference(const fs::path& folder) {
   for (const truth::Entry& entry : truth::registry()) {
     const std::string name(entry.name);
-    tables_.emplace(name, read(folder / (name + ".csv"), entry.make()));
+    const fs::path file = folder / (name + ".csv");
+    if (!fs::exists(file))
+      throw BadInput("cannot read " + file.string() + ": it is not there; build/release/make_reference " +
+                     folder.string() + " " + name + " makes it");
+    tables_.emplace(name, read(file, entry.make()));
   }
 }
 
@@ -105,7 +119,7 @@ Known Reference::operator()(std::string_view name, const std::vector<double>& in
   const auto table = tables_.find(name);
   const truth::Entry* maker = maker_of(name);
   if (maker && tables_.empty()) return unknown(maker->make());
-  if (table == tables_.end() || !maker) throw BadInput("no table reference/" + std::string(name) + ".csv");
+  if (table == tables_.end() || !maker) return without_table(name);
   const auto& [file, rows] = *table;
   if (!std::ranges::all_of(inputs, [](double x) { return std::isfinite(x); }))
     throw BadInput("table " + file + " is asked at " + listed(inputs) + ": inputs must be finite");

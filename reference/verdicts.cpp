@@ -9,15 +9,13 @@
 namespace oddity {
 
 Verdicts read_verdicts(const std::filesystem::path& folder) {
-  static constexpr std::array<std::string_view, 5> known{"confirmed", "misprint", "erratum", "unsettled",
-                                                         not_yet_encoded};
+  static constexpr std::array<std::string_view, 4> known{"confirmed", "misprint", "erratum", "unsettled"};
   Verdicts verdicts;
   for (const CsvRow& row : read_csv(folder / "verdicts.csv").rows) {
     if (row.cells.size() != 2) throw BadInput(row.place + ": the columns are claim,verdict");
     if (std::ranges::find(known, row.cells[1]) == known.end())
-      throw BadInput(
-          row.place + ": '" + row.cells[1] +
-          "' is no verdict; it is one of confirmed, misprint, erratum, unsettled, not yet encoded");
+      throw BadInput(row.place + ": '" + row.cells[1] +
+                     "' is no verdict; it is one of confirmed, misprint, erratum, unsettled");
     if (!verdicts.emplace(row.cells[0], row.cells[1]).second)
       throw BadInput(row.place + ": a second verdict for " + row.cells[0]);
   }

@@ -22,7 +22,7 @@ struct Session {
   std::string results = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string();
-  bool json = false, rows = false;
+  bool json = false, rows = false, approve = false;
   int chapter = 0, digits = 0;
   Need need{std::numeric_limits<double>::quiet_NaN()};
   int status = 0;
@@ -49,9 +49,11 @@ void add_verify(CLI::App& app, Session& s) {
       "Examples: oddity verify '[ch3]~[scene]'    oddity verify '[3.5]' -s    oddity verify -r markdown -o "
       "report.md",
       [&] {
-        s.status = s.suite({app.get_subcommand("verify")->remaining(), s.folder, s.results});
+        s.status = s.suite({app.get_subcommand("verify")->remaining(), s.folder, s.results, s.approve});
       });
   verify->add_option("--results", s.results, "also keep the results in this file, as JSON");
+  verify->add_flag("--approve", s.approve,
+                   "put what this run finds for the selected exercises on record: verdicts, limits and maps");
   verify->allow_extras();
 }
 
@@ -137,8 +139,8 @@ int command_line(int argc, char** argv, const Suite& suite) {
   app.set_version_flag("--version", version());
   app.add_option("--reference", session.folder, "folder of the reference tables")->capture_default_str();
   app.require_subcommand(0, 1);
-  verb(app, "list", "exercises, titles, parameters, number of claims", "Example: oddity list",
-       [&] { verbs::list(session.folder); });
+  verb(app, "list", "exercises, titles, parameters", "Example: oddity list",
+       [&] { verbs::list(); });
   add_verify(app, session);
   add_solve(app, session);
   add_chart(app, session);

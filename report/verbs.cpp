@@ -5,7 +5,6 @@
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
-#include "reference/verdicts.hpp"
 #include "report/bench.hpp"
 #include "report/chart.hpp"
 #include "report/choose.hpp"
@@ -24,6 +23,12 @@ namespace {
 std::string numbers_of_registry() {
   std::string numbers;
   for (const Entry& entry : registry()) numbers += (numbers.empty() ? "" : ", ") + to_string(entry.number);
+  return numbers;
+}
+
+std::string numbers_of_chapters() {
+  std::string numbers;
+  for (const Chapter& c : chapters()) numbers += (numbers.empty() ? "" : ", ") + std::to_string(c.number);
   return numbers;
 }
 
@@ -98,14 +103,11 @@ std::vector<Task> scenes(const std::vector<std::string>& exercises) {
 
 }  // namespace
 
-void list(const fs::path& folder) {
-  const Verdicts verdicts = read_verdicts(folder);
+void list() {
   for (const Entry& entry : registry()) {
-    const std::string id = to_string(entry.number);
-    const auto claims =
-        std::ranges::count_if(verdicts, [&](const auto& row) { return row.first.starts_with(id + "-"); });
-    std::cout << id << "  " << entry.exercise.title << (entry.exercise.scene ? " (scene)" : "") << ", "
-              << claims << " claims\n";
+    std::cout << to_string(entry.number) << "  " << entry.exercise.title
+              << (entry.exercise.scene ? " (scene)" : "") << (of_the_book(entry.number) ? "" : " (own)")
+              << "\n";
     for (const Parameter& p : entry.exercise.parameters)
       std::cout << "      " << p.name << " = " << shortest(p.value) << (p.unit.empty() ? "" : " ") << p.unit
                 << "  " << p.says << "\n";
@@ -129,7 +131,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
 
 void report(const fs::path& folder, int chapter, const fs::path& out) {
   if (chapter != 0 && std::ranges::none_of(chapters(), [&](const Chapter& c) { return c.number == chapter; }))
-    throw BadInput("no chapter " + std::to_string(chapter) + "; the book has chapters 1 to 14");
+    throw BadInput("no chapter " + std::to_string(chapter) + "; the chapters are " + numbers_of_chapters());
   make_folder(out);
   const fs::path page = write_report(last_results(folder), chapter, out);
   std::cout << "the report is in " << page.string() << "\n";

@@ -12,7 +12,7 @@ namespace oddity::verbs {
 
 namespace fs = std::filesystem;
 
-void list(const fs::path& folder);
+void list();
 /// `overrides` are "name=value".
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            bool json);

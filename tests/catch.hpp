@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 /// Catch2, version 2 or 3: the one place that knows the difference.
@@ -11,6 +12,12 @@
 namespace oddity {
 
 inline const std::string& name_of(const Catch::TestCaseHandle& test) { return test.getTestCaseInfo().name; }
+
+/// A test case as the registry takes it.
+template <class Invoker>
+auto owned(const Invoker& invoker) {
+  return Catch::Detail::make_unique<Invoker>(invoker);
+}
 
 /// A streaming reporter's base, with its stream as out().
 class MarkdownReporterBase : public Catch::StreamingReporterBase {
@@ -32,6 +39,11 @@ namespace oddity {
 
 inline const std::string& name_of(const Catch::TestCase& test) { return test.name; }
 
+template <class Invoker>
+Invoker* owned(const Invoker& invoker) {
+  return new Invoker(invoker);
+}
+
 class MarkdownReporterBase : public Catch::StreamingReporterBase<MarkdownReporterBase> {
  public:
   using StreamingReporterBase::StreamingReporterBase;
@@ -46,3 +58,22 @@ class MarkdownReporterBase : public Catch::StreamingReporterBase<MarkdownReporte
 }  // namespace oddity
 
 #endif
+
+namespace oddity {
+
+/// A test case made while the program runs, as many as there are.
+class TestOf : public Catch::ITestInvoker {
+ public:
+  explicit TestOf(std::function<void()> body) : body_(std::move(body)) {}
+  void invoke() const override { body_(); }
+
+ private:
+  std::function<void()> body_;
+};
+
+inline void register_test(std::function<void()> body, const std::string& name, const std::string& tags) {
+  Catch::AutoReg(owned(TestOf(std::move(body))), CATCH_INTERNAL_LINEINFO, Catch::StringRef(),
+                 Catch::NameAndTags{name, tags});
+}
+
+}  // namespace oddity

@@ -71,12 +71,12 @@ Number next_step(const Number& step, int settled_at) {
 
 }  // namespace
 
-Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits) {
+Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits, long budget) {
   const Number tolerance = pow(Number(10), -digits - 3);
   long evaluations = 0;
   const Rhs counted = [&](const Numbers& y, const Number& t) {
-    if (++evaluations > most_evaluations)
-      throw std::runtime_error("extrapolation: the budget of " + std::to_string(most_evaluations) +
+    if (++evaluations > budget)
+      throw std::runtime_error("extrapolation: the budget of " + std::to_string(budget) +
                                " right-hand sides is spent at t = " + t0.str(6) + " of " + t1.str(6));
     return rhs(y, t);
   };

@@ -13,6 +13,6 @@ constexpr long most_evaluations = 4'000'000;
 /// The state at t1 from the state at t0, every step settled to 10^-(digits + 3). Throws std::runtime_error
 /// when the step becomes too small, or when the budget of right-hand sides is spent.
 Numbers solve_extrapolation(const std::function<Numbers(const Numbers& x, const Number& t)>& rhs, Numbers x,
-                            Number t0, const Number& t1, int digits);
+                            Number t0, const Number& t1, int digits, long budget = most_evaluations);
 
 }  // namespace oddity::truth
