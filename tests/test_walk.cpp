@@ -1,6 +1,8 @@
 // The walk of CONTRIBUTING.md, with the two files of its page: from a table to make to a green exercise, and
 // how an exercise of one's own is shown.
 
+#include <sys/wait.h>
+
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -10,7 +12,6 @@
 #include "tests/scratch_folder.hpp"
 
 namespace fs = std::filesystem;
-using oddity::ScratchFolder;
 
 namespace {
 
@@ -63,7 +64,7 @@ TEST_CASE("the walk of CONTRIBUTING.md ends green", "[walk]") {
   const Ran red = oddity("verify '[4.1]'");
   CHECK(red.status == 1);
   CHECK(says(red, "\n+ 4.1-period,confirmed\n"));
-  CHECK(says(red, "\n+ 4.1,mass on a spring,explicit Euler,"));
+  CHECK(says(red, "\n+ 4.1,mass on a spring,Runge-Kutta 4,"));
   CHECK_FALSE(says(red, "raised"));
   CHECK(rows("verdicts.csv") == others);
 

@@ -90,8 +90,7 @@ void verify_limit(const ExerciseResult& e, const Limit& limit) {
     return a.exercise == to_string(e.number) && a.model == limit.model && a.algorithm == limit.algorithm;
   });
   INFO(limit.model << ", " << limit.algorithm << " is stable to " << shown_step(limit) << " s, in theory to "
-                   << limit.theory << " s; beyond: " << beyond(limit)
-                   << "\nthe row of limits.csv to approve: " << row);
+                   << limit.theory << " s; beyond: " << beyond(limit));
   if (approved == suite->limits.end()) {
     FAIL_CHECK("limits.csv has no row for this method");
     return;
