@@ -26,7 +26,7 @@ class Reference {
   static Reference nothing() { return {}; }
 
   /// The value of `table` at `inputs` (in the order of the table's columns).
-  /// Throws BadInput when there is no such table, when the inputs are not as many as the table's or not
+  /// One NaN, its source saying what to write, when there is no such table. Throws BadInput when the inputs are not as many as the table's or not
   /// finite, and when they are not tabulated and have no value that could be computed.
   Known operator()(std::string_view table, const std::vector<double>& inputs) const;
 

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -52,7 +53,8 @@ class FunctionOfOne {
 };
 
 /// Counts the calls of a function, and hands them on in GSL's form. An exception must not pass through C: it
-/// is kept for `rethrow`, and the function is zero from there on, which ends every algorithm soon.
+/// is kept for `rethrow`, and the function is the largest number from there on, whose error estimate
+/// overflows: that ends every algorithm soon.
 struct CountedFunction {
   FunctionOfOne f;
   long calls = 0;
@@ -60,13 +62,13 @@ struct CountedFunction {
 
   static double call(double x, void* self) noexcept {
     auto* counted = static_cast<CountedFunction*>(self);
-    if (counted->thrown) return 0;
+    if (counted->thrown) return std::numeric_limits<double>::max();
     ++counted->calls;
     try {
       return counted->f(x);
     } catch (...) {
       counted->thrown = std::current_exception();
-      return 0;
+      return std::numeric_limits<double>::max();
     }
   }
   void rethrow() const {
