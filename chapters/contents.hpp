@@ -27,8 +27,11 @@ struct Chapter {
   int last_odd;  ///< its odd exercises are 1, 3, ..., last_odd; 0: the solutions have none
 };
 
-/// All fourteen chapters, in order.
+/// The book's fourteen chapters, and those that only exercises of one's own are in, by number.
 std::span<const Chapter> chapters();
+
+/// Whether it is one of the 48 that the published solutions are about, and not one of one's own.
+bool of_the_book(Number);
 
 /// An encoded exercise, and the file that encodes it.
 struct Entry {

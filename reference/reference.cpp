@@ -74,9 +74,19 @@ const truth::Entry* maker_of(std::string_view table) {
   return found == all.end() ? nullptr : &*found;
 }
 
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Nothing is known yet: what would have to be done.
+Known without_table(std::string_view name) {
+  const std::string table(name);
+  return {{no_number},
+          no_number,
+          "no table reference/" + table + ".csv: write reference/make/" + table +
+              ".cpp and run build/release/make_reference reference " + table};
+}
+
 Known unknown(const truth::Truth& truth) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  return {std::vector<double>(truth.components.size(), nan), nan, "nothing"};
+  return {std::vector<double>(truth.components.size(), no_number), no_number, "nothing"};
 }
 
 std::string source_of(const truth::Truth& truth) {
@@ -180,7 +190,11 @@ Reference::Reference(const fs::path& folder, fs::path cache) : cache_(std::move(
   Tables tables;
   for (const truth::Entry& entry : truth::registry()) {
     const std::string name(entry.name);
-    tables.emplace(name, read(folder / (name + ".csv"), entry.make()));
+    const fs::path file = folder / (name + ".csv");
+    if (!fs::exists(file))
+      throw BadInput("cannot read " + file.string() + ": it is not there; build/release/make_reference " +
+                     folder.string() + " " + name + " makes it");
+    tables.emplace(name, read(file, entry.make()));
   }
   tables_ = std::make_shared<Tables>(std::move(tables));
 }
@@ -191,19 +205,18 @@ Reference Reference::watched(std::function<void()> tick) const {
   return copy;
 }
 
-const Reference::Table& Reference::table(std::string_view name) const {
+const Reference::Table* Reference::table(std::string_view name) const {
   const auto table = tables_->find(name);
-  if (table == tables_->end() || !maker_of(name))
-    throw BadInput("no table reference/" + std::string(name) + ".csv");
-  return table->second;
+  return table == tables_->end() || !maker_of(name) ? nullptr : &table->second;
 }
 
 Known Reference::operator()(std::string_view name, const std::vector<double>& inputs) const {
   const truth::Entry* maker = maker_of(name);
   if (maker && tables_->empty()) return unknown(maker->make());
-  const Table& rows = table(name);
+  const Table* rows = table(name);
+  if (!rows) return without_table(name);
   require_finite(name, inputs);
-  if (const auto row = rows.find(inputs); row != rows.end()) return row->second;
+  if (const auto row = rows->find(inputs); row != rows->end()) return row->second;
   const truth::Truth truth = maker->make();
   require_count(name, truth, inputs.size());
   return on_the_spot(name, truth, inputs, [&] { return truth::make_row(truth, inputs, truth::spot_digits); });
@@ -216,10 +229,11 @@ Known Reference::motion(std::string_view name, const std::vector<double>& inputs
     const Known one = unknown(maker->make());
     return {std::vector<double>(times.size() * one.value.size(), one.error), one.error, one.source};
   }
-  const Table& rows = table(name);
+  const Table* rows = table(name);
+  if (!rows) return without_table(name);
   require_finite(name, inputs);
   require_finite(name, times);
-  if (auto known = tabulated(rows, inputs, times)) return *known;
+  if (auto known = tabulated(*rows, inputs, times)) return *known;
   const truth::Truth truth = maker->make();
   require_count(name, truth, inputs.size() + 1);
   const std::string key = cache_.empty() ? "" : motion_key(name, inputs, times);

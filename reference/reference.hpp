@@ -35,8 +35,9 @@ class Reference {
   Reference watched(std::function<void()> tick) const;
 
   /// The value of `table` at `inputs` (in the order of the table's columns).
-  /// Throws BadInput when there is no such table, when the inputs are not as many as the table's or not
-  /// finite, and when they are not tabulated and have no value that could be computed.
+  /// One NaN, its source saying what to write, when there is no such table. Throws BadInput when the inputs
+  /// are not as many as the table's or not finite, and when they are not tabulated and have no value that
+  /// could be computed.
   Known operator()(std::string_view table, const std::vector<double>& inputs) const;
 
   /// The values of `table` at ascending times, which are its last input, one after the other: from its rows
@@ -50,7 +51,7 @@ class Reference {
   using Table = std::map<std::vector<double>, Known>;
   using Tables = std::map<std::string, Table, std::less<>>;
 
-  const Table& table(std::string_view name) const;
+  const Table* table(std::string_view name) const;
 
   std::shared_ptr<const Tables> tables_ = std::make_shared<Tables>();
   std::filesystem::path cache_;

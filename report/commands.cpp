@@ -26,7 +26,7 @@ struct Session {
   std::string results = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string();
-  bool json = false, csv = false, rows = false, all_rows = false;
+  bool json = false, csv = false, rows = false, all_rows = false, approve = false;
   AskedNeed need = {};
   int status = 0;
 
@@ -62,8 +62,8 @@ void add_formats(CLI::App& verb, Session& s, const std::string& what) {
 }
 
 void add_list(CLI::App& app, Session& s) {
-  auto* list = verb(app, "list", "exercises, titles, parameters with their ranges, number of claims",
-                    "Example: oddity list 3.5", [&] { verbs::list(s.folder, s.exercise, s.format()); });
+  auto* list = verb(app, "list", "exercises, titles, parameters with their ranges",
+                    "Example: oddity list 3.5", [&] { verbs::list(s.exercise, s.format()); });
   list->add_option("exercise", s.exercise, "its number, such as 3.33; none: all");
   add_formats(*list, s, "the parameters");
 }
@@ -86,9 +86,11 @@ void add_verify(CLI::App& app, Session& s) {
       [&] {
         const auto words = app.get_subcommand("verify")->remaining();
         require_test_specifications(words);
-        s.status = s.suite({words, s.folder, s.results});
+        s.status = s.suite({words, s.folder, s.results, s.approve});
       });
   add_path(*verify, "--results", s.results, "also keep the results in this file, as JSON");
+  verify->add_flag("--approve", s.approve,
+                   "put what this run finds for the selected exercises on record: verdicts, limits and maps");
   verify->allow_extras();
 }
 
@@ -103,9 +105,12 @@ void add_solve(CLI::App& app, Session& s) {
 void add_choose(CLI::App& app, Session& s) {
   auto* choose = verb(
       app, "choose", "the model, algorithm and step to use for a need",
-      "Errors are judged at every frame. A one-step method of fixed step, or a closed form, that holds with a "
-      "margin of three is taken, the cheapest of them; of those that cost the same within a quarter, the most "
-      "accurate. It is chosen on the start asked for and two beside it, and tested on three others. The exit code "
+      "Errors are judged at every frame. A one-step method of fixed step, or a closed form, that holds with "
+      "a "
+      "margin of three is taken, the cheapest of them; of those that cost the same within a quarter, the "
+      "most "
+      "accurate. It is chosen on the start asked for and two beside it, and tested on three others. The exit "
+      "code "
       "is 1 when nothing meets the need.\n"
       "Example: oddity choose 3.5 a=60deg --error 1deg --horizon 10 --fps 60 --budget 5us",
       [&] { s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows); });
@@ -122,8 +127,9 @@ void add_choose(CLI::App& app, Session& s) {
   choose->add_option("--fps", s.need.frames_per_second, "frames per second: 60, 60Hz")->capture_default_str();
   choose->add_option("--budget", s.need.budget, "most time per frame: 5us, 300ns, 0.1ms");
   choose
-      ->add_option("--criterion", s.need.criterion,
-                   "what has to hold: path, energy (what is conserved), period, or bounded (nothing explodes)")
+      ->add_option(
+          "--criterion", s.need.criterion,
+          "what has to hold: path, energy (what is conserved), period, or bounded (nothing explodes)")
       ->capture_default_str();
   choose->add_flag("--cheapest", s.need.cheapest, "whatever is cheapest, however complicated");
   choose->add_flag("--one-step", s.need.one_step, "no method that needs a history");

@@ -15,6 +15,7 @@ struct SuiteRequest {
   std::vector<std::string> catch_arguments;
   std::filesystem::path reference_folder;
   std::filesystem::path results_file;
+  bool approve = false;  ///< bring the records of the selected exercises to agree with the run
 };
 
 /// Runs the verification suite; 0 green, 1 red. Throws BadInput.

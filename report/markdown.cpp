@@ -44,6 +44,12 @@ std::vector<const ExerciseResult*> of_chapter(const Results& results, int chapte
   return found;
 }
 
+bool has_page(const Results& results, const Chapter& chapter) {
+  return chapter.last_odd > 0 || !of_chapter(results, chapter.number).empty();
+}
+
+std::string own_mark(Number number) { return of_the_book(number) ? "" : " (own)"; }
+
 std::vector<Number> not_encoded(const Chapter& chapter) {
   std::vector<Number> missing;
   for (int index = 1; index <= chapter.last_odd; index += 2) {
@@ -321,12 +327,13 @@ std::string parameters_text(const ExerciseResult& e) {
 }
 
 std::string exercise_text(const ExerciseResult& e, bool charts) {
-  std::string text = "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" + prose(e.asks) +
-                     "\n\n" + parameters_text(e);
+  std::string text = "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" +
+                     (of_the_book(e.number) ? "" : "*An exercise of one's own, not of the book.*\n\n") +
+                     prose(e.asks) + "\n\n" + parameters_text(e);
   if (!e.failure.empty()) return text + "**The study failed:** " + escaped(e.failure, false) + "\n\n";
   Counts counts;
   count(e, counts);
-  text += "### What the solution says: " + sentence(counts) + "\n\n" + claims_text(e);
+  if (!e.claims.empty()) text += "### What the solution says: " + sentence(counts) + "\n\n" + claims_text(e);
   for (const QuantityResult& q : e.quantities) text += quantity_text(e, q, charts);
   return text;
 }
@@ -379,7 +386,7 @@ std::string fits_table(const QuantityResult& q) {
 std::string chapter_text(const Results& results, const Chapter& chapter, bool charts) {
   std::string text =
       "# Chapter " + std::to_string(chapter.number) + ": " + std::string(chapter.title) + "\n\n";
-  if (chapter.last_odd == 0) return text + "The solutions have no exercises in this chapter.\n\n";
+  if (!has_page(results, chapter)) return text + "The solutions have no exercises in this chapter.\n\n";
   const auto exercises = of_chapter(results, chapter.number);
   Counts counts;
   for (const ExerciseResult* e : exercises) count(*e, counts);
@@ -457,7 +464,7 @@ void add_chapter(const Results& results, const Chapter& chapter, bool links,
                  std::vector<std::vector<std::string>>& rows) {
   const std::string title = std::to_string(chapter.number) + ". " + std::string(chapter.title);
   std::string first =
-      links && chapter.last_odd > 0 ? "[" + title + "](" + chapter_file(chapter.number) + ")" : title;
+      links && has_page(results, chapter) ? "[" + title + "](" + chapter_file(chapter.number) + ")" : title;
   const auto add = [&](std::vector<std::string> cells) {
     cells.insert(cells.begin(), std::exchange(first, ""));
     cells.resize(8);
@@ -468,7 +475,8 @@ void add_chapter(const Results& results, const Chapter& chapter, bool links,
     count(*e, counts);
     const std::string name = to_string(e->number) + " " + escaped(e->title);
     std::vector<std::string> cells{
-        links ? "[" + name + "](" + chapter_file(chapter.number) + "#" + anchor(*e) + ")" : name};
+        (links ? "[" + name + "](" + chapter_file(chapter.number) + "#" + anchor(*e) + ")" : name) +
+        own_mark(e->number)};
     for (Verdict verdict : verdicts) cells.push_back(counts[verdict] ? std::to_string(counts[verdict]) : "");
     cells.push_back(std::to_string(e->quantities.size()));
     add(std::move(cells));
@@ -480,8 +488,18 @@ void add_chapter(const Results& results, const Chapter& chapter, bool links,
 std::string chapters_without_exercises() {
   std::string text;
   for (const Chapter& chapter : chapters())
-    if (chapter.last_odd == 0) text += (text.empty() ? "" : ", ") + std::to_string(chapter.number);
+    if (chapter.last_odd == 0 && chapter.number <= 14)
+      text += (text.empty() ? "" : ", ") + std::to_string(chapter.number);
   return text;
+}
+
+/// "48 exercises", "48 exercises and 1 of one's own".
+std::string exercises_counted(const Results& results) {
+  const auto book = static_cast<int>(std::ranges::count_if(
+      results.exercises, [](const ExerciseResult& e) { return of_the_book(e.number); }));
+  const int own = static_cast<int>(results.exercises.size()) - book;
+  return plural(book, "exercise", "exercises") +
+         (own > 0 ? " and " + std::to_string(own) + " of one's own" : "");
 }
 
 std::string index_text(const Results& results, bool links) {
@@ -496,8 +514,8 @@ std::string index_text(const Results& results, bool links) {
     add_chapter(results, chapter, links, rows);
   }
   std::string text = "# The solutions of *Game Physics*, checked by machine\n\n" +
-                     plural(static_cast<int>(results.exercises.size()), "exercise", "exercises") + ", " +
-                     plural(total, "claim", "claims") + ": " + sentence(all) + ".";
+                     exercises_counted(results) + ", " + plural(total, "claim", "claims") + ": " +
+                     sentence(all) + ".";
   if (missing > 0) text += " Not yet encoded: " + std::to_string(missing) + " of 48 exercises.";
   if (links)
     text +=

@@ -32,10 +32,16 @@ std::vector<std::string> trial_row(const TimedTrial& t) {
           std::string(name_of(t.outcome)) + (t.message.empty() ? "" : ": " + t.message)};
 }
 
+std::string reference_text(const QuantityResult& q) {
+  if (!finite(q.reference.value))
+    return "none: " + q.reference.by + "\n  so no error is known, and no outcome below means anything";
+  return shown(q.reference.value, 17) + " " + q.unit + " +- " + shown_error(q.reference_error) + " (" +
+         q.reference.by + ")";
+}
+
 std::string quantity_text(const QuantityResult& q) {
-  std::string text = "\n" + q.name + ": " + q.says + "\n  reference " + shown(q.reference.value, 17) + " " +
-                     q.unit + " +- " + shown_error(q.reference_error) + " (" + q.reference.by +
-                     ")\n  needed to " + shown_error(q.need.allowed) + " (" + q.need.reason + ")\n";
+  std::string text = "\n" + q.name + ": " + q.says + "\n  reference " + reference_text(q) + "\n  needed to " +
+                     shown_error(q.need.allowed) + " (" + q.need.reason + ")\n";
   std::vector<std::vector<std::string>> rows{
       {"model", "algorithm", "knob", "value", "error", "evals", "time", "outcome"}};
   for (const MethodResult& m : q.methods)

@@ -5,7 +5,6 @@
 
 #include "reference/files.hpp"
 #include "reference/text.hpp"
-#include "reference/verdicts.hpp"
 #include "report/asked.hpp"
 #include "report/bench.hpp"
 #include "report/choose.hpp"
@@ -53,26 +52,10 @@ Results last_results(const fs::path& folder) {
   return results;
 }
 
-std::string claims_of(const Entry& entry, const Verdicts& verdicts) {
-  const std::string id = to_string(entry.number) + "-";
-  return std::to_string(
-      std::ranges::count_if(verdicts, [&](const auto& row) { return row.first.starts_with(id); }));
-}
-
-/// "0.001 to 3.14", "whole, 2 to 100"; empty when any number will do.
-std::string range_of(const Parameter& p) {
-  const bool from = std::isfinite(p.least), to = std::isfinite(p.most);
-  const std::string ends = from && to ? shortest(p.least) + " to " + shortest(p.most)
-                           : from     ? "from " + shortest(p.least)
-                           : to       ? "up to " + shortest(p.most)
-                                      : "";
-  return (p.whole ? "whole" : "") + std::string(p.whole && !ends.empty() ? ", " : "") + ends;
-}
-
-std::string in_list(const Entry& entry, const Verdicts& verdicts) {
+std::string in_list(const Entry& entry) {
   std::string text = to_string(entry.number) + "  " + std::string(entry.exercise.title) +
-                     (entry.exercise.scene ? " (scene)" : "") + ", " + claims_of(entry, verdicts) +
-                     " claims\n";
+                     (entry.exercise.scene ? " (scene)" : "") + (of_the_book(entry.number) ? "" : " (own)") +
+                     "\n";
   for (const Parameter& p : entry.exercise.parameters) {
     const std::string range = range_of(p);
     text += "      " + std::string(p.name) + " = " + shortest(p.value) +
@@ -123,17 +106,17 @@ Results stability_of(const fs::path& folder, const std::vector<std::string>& exe
     e.title = task.entry->exercise.title;
   }
   ProgressBar bar;
-  return with_stability(blank, tasks, Reference(folder, motions_folder()), read_limits(folder), bar.callback());
+  return with_stability(blank, tasks, Reference(folder, motions_folder()), read_limits(folder),
+                        bar.callback());
 }
 
 }  // namespace
 
-void list(const fs::path& folder, const std::string& exercise, Format format) {
-  const Verdicts verdicts = read_verdicts(folder);
+void list(const std::string& exercise, Format format) {
   const std::vector<Task> tasks =
       tasks_of(exercise.empty() ? std::vector<std::string>() : std::vector{exercise});
   if (format == Format::text)
-    for (const Task& task : tasks) std::cout << in_list(*task.entry, verdicts);
+    for (const Task& task : tasks) std::cout << in_list(*task.entry);
   else
     std::cout << (format == Format::json ? to_json(parameters_table(tasks))
                                          : to_csv(parameters_table(tasks)));
@@ -152,8 +135,8 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   const Task task = task_of(exercise, overrides);
   const Need need = need_of(*task.entry, asked);
   ProgressBar bar;
-  const Choice choice = oddity::choose(task, need, Reference(folder, motions_folder()), measured_price,
-                                       bar.callback());
+  const Choice choice =
+      oddity::choose(task, need, Reference(folder, motions_folder()), measured_price, bar.callback());
   std::cout << (format == Format::json  ? choice_json(choice)
                 : format == Format::csv ? choice_csv(choice)
                                         : choice_text(choice, all_rows));
@@ -172,7 +155,8 @@ void chart(const fs::path& folder, const std::vector<std::string>& exercises, co
   const std::vector<Task> tasks = tasks_of(exercises);
   make_folder(out);
   ProgressBar bar;
-  for (const fs::path& page : write_charts(run(tasks, Reference(folder, motions_folder()), true, bar.callback()), out))
+  for (const fs::path& page :
+       write_charts(run(tasks, Reference(folder, motions_folder()), true, bar.callback()), out))
     std::cout << page.string() << "\n";
 }
 

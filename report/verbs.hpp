@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 enum class Format { text, json, csv };
 
 /// One exercise, or all when the text is empty.
-void list(const fs::path& folder, const std::string& exercise, Format);
+void list(const std::string& exercise, Format);
 /// `overrides` are "name=value". As text or as JSON.
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            Format);

@@ -65,7 +65,10 @@ fs::path write_report(const Results& results, int chapter, const fs::path& folde
   draw_charts(results, chapter, folder);
   if (chapter != 0) return write(chapter_file(chapter), chapter_page(results, chapter));
   for (const Chapter& c : chapters())
-    if (c.last_odd > 0) write(chapter_file(c.number), chapter_page(results, c.number));
+    if (c.last_odd > 0 || std::ranges::any_of(results.exercises, [&](const ExerciseResult& e) {
+          return e.number.chapter == c.number;
+        }))
+      write(chapter_file(c.number), chapter_page(results, c.number));
   write("algorithms.md", catalog_page());
   write("models.md", ledger_page(results));
   write("stability.md", stability_page(results));

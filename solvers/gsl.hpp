@@ -1,7 +1,10 @@
 #pragma once
 
 #include <concepts>
+#include <exception>
+#include <limits>
 #include <memory>
+#include <new>
 #include <type_traits>
 
 namespace oddity {
@@ -10,36 +13,66 @@ namespace oddity {
 /// it.
 void quiet_gsl();
 
+/// Deletes what a C library has allocated.
+template <auto free>
+struct Free {
+  template <class T>
+  void operator()(T* object) const {
+    free(object);
+  }
+};
+
+/// What a C library has allocated, or std::bad_alloc where it could not.
+template <class T>
+T* allocated(T* object) {
+  if (!object) throw std::bad_alloc();
+  return object;
+}
+
 /// A function of one number, by reference: no copy, no allocation, the shape that GSL wants.
 class FunctionOfOne {
  public:
   FunctionOfOne(double (*f)(double))
-      : object_(reinterpret_cast<void*>(f)), call_([](double x, void* object) -> double {
-          return reinterpret_cast<double (*)(double)>(object)(x);
-        }) {}
+      : function_(f), call_([](const FunctionOfOne& self, double x) { return self.function_(x); }) {}
   template <class F>
   requires(!std::same_as<std::remove_cvref_t<F>, FunctionOfOne> &&
            !std::is_function_v<std::remove_reference_t<F>>) FunctionOfOne(F&& f)
       : object_(const_cast<void*>(static_cast<const void*>(std::addressof(f)))),
-        call_([](double x, void* object) -> double {
-          return (*static_cast<std::remove_reference_t<F>*>(object))(x);
+        call_([](const FunctionOfOne& self, double x) -> double {
+          return (*static_cast<std::remove_reference_t<F>*>(self.object_))(x);
         }) {}
 
-  double operator()(double x) const { return call_(x, object_); }
+  double operator()(double x) const { return call_(*this, x); }
 
  private:
-  void* object_;
-  double (*call_)(double, void*);
+  union {
+    void* object_;
+    double (*function_)(double);
+  };
+  double (*call_)(const FunctionOfOne&, double);
 };
 
-/// Counts the calls of a function, and hands them on in GSL's form.
+/// Counts the calls of a function, and hands them on in GSL's form. An exception must not pass through C: it
+/// is kept for `rethrow`, and the function is the largest number from there on, whose error estimate
+/// overflows: that ends every algorithm soon.
 struct CountedFunction {
   FunctionOfOne f;
   long calls = 0;
-  static double call(double x, void* self) {
+  std::exception_ptr thrown = {};
+
+  static double call(double x, void* self) noexcept {
     auto* counted = static_cast<CountedFunction*>(self);
+    if (counted->thrown) return std::numeric_limits<double>::max();
     ++counted->calls;
-    return counted->f(x);
+    try {
+      return counted->f(x);
+    } catch (...) {
+      counted->thrown = std::current_exception();
+      return std::numeric_limits<double>::max();
+    }
+  }
+  void rethrow() const {
+    if (thrown) std::rethrow_exception(thrown);
   }
 };
 

@@ -1,6 +1,7 @@
 #include "solvers/linear.hpp"
 
 #include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 
 #include <Eigen/Cholesky>
@@ -32,18 +33,12 @@ long work(Factorization how, long m, long n) {
 
 // ---- GSL's side -------------------------------------------------------------------------------------------
 
-template <auto free>
-struct Free {
-  template <class T>
-  void operator()(T* object) const {
-    free(object);
-  }
-};
 using GslMatrix = std::unique_ptr<gsl_matrix, Free<gsl_matrix_free>>;
 using GslVector = std::unique_ptr<gsl_vector, Free<gsl_vector_free>>;
 
 GslMatrix copied(const MatrixXd& a) {
-  GslMatrix copy(gsl_matrix_alloc(static_cast<std::size_t>(a.rows()), static_cast<std::size_t>(a.cols())));
+  GslMatrix copy(
+      allocated(gsl_matrix_alloc(static_cast<std::size_t>(a.rows()), static_cast<std::size_t>(a.cols()))));
   for (std::size_t i = 0; i < copy->size1; ++i)
     for (std::size_t j = 0; j < copy->size2; ++j)
       gsl_matrix_set(copy.get(), i, j, a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
@@ -51,23 +46,27 @@ GslMatrix copied(const MatrixXd& a) {
 }
 
 GslVector copied(const VectorXd& b) {
-  GslVector copy(gsl_vector_alloc(static_cast<std::size_t>(b.size())));
+  GslVector copy(allocated(gsl_vector_alloc(static_cast<std::size_t>(b.size()))));
   std::ranges::copy(b, copy->data);
   return copy;
 }
+
+GslVector vector_of(std::size_t n) { return GslVector(allocated(gsl_vector_alloc(n))); }
+GslMatrix square(std::size_t n) { return GslMatrix(allocated(gsl_matrix_alloc(n, n))); }
 
 /// The solution by Householder's reflections, and whether the triangle they leave has no zero on its
 /// diagonal.
 std::pair<VectorXd, bool> least_squares(const MatrixXd& a, const VectorXd& b) {
   quiet_gsl();
   const GslMatrix qr = copied(a);
-  const GslVector right = copied(b), tau(gsl_vector_alloc(qr->size2)), x(gsl_vector_alloc(qr->size2)),
-                  residual(gsl_vector_alloc(qr->size1));
-  gsl_linalg_QR_decomp(qr.get(), tau.get());
-  bool regular = true;
+  const GslVector right = copied(b), tau = vector_of(qr->size2), x = vector_of(qr->size2),
+                  residual = vector_of(qr->size1);
+  bool regular = gsl_linalg_QR_decomp(qr.get(), tau.get()) == GSL_SUCCESS;
   for (std::size_t i = 0; i < qr->size2; ++i) regular = regular && gsl_matrix_get(qr.get(), i, i) != 0;
-  if (regular) gsl_linalg_QR_lssolve(qr.get(), tau.get(), right.get(), x.get(), residual.get());
-  return {Eigen::Map<const VectorXd>(x->data, a.cols()), regular};
+  if (!regular ||
+      gsl_linalg_QR_lssolve(qr.get(), tau.get(), right.get(), x.get(), residual.get()) != GSL_SUCCESS)
+    return {VectorXd::Constant(a.cols(), std::numeric_limits<double>::quiet_NaN()), false};
+  return {Eigen::Map<const VectorXd>(x->data, a.cols()), true};
 }
 
 // ---- Eigen's side -----------------------------------------------------------------------------------------
@@ -96,13 +95,14 @@ std::pair<VectorXd, bool> solution(Factorization how, const MatrixXd& a, const V
   return {};
 }
 
-/// From the largest on, by one-sided Jacobi rotations, which keep the digits of the small ones.
+/// From the largest on, by one-sided Jacobi rotations, which keep the digits of the small ones. None when
+/// they do not converge.
 std::vector<double> singular_values(const MatrixXd& a) {
   quiet_gsl();
   const GslMatrix tall = copied(a.rows() < a.cols() ? MatrixXd(a.transpose()) : a);
-  const GslMatrix right(gsl_matrix_alloc(tall->size2, tall->size2));
-  const GslVector values(gsl_vector_alloc(tall->size2));
-  gsl_linalg_SV_decomp_jacobi(tall.get(), right.get(), values.get());
+  const GslMatrix right = square(tall->size2);
+  const GslVector values = vector_of(tall->size2);
+  if (gsl_linalg_SV_decomp_jacobi(tall.get(), right.get(), values.get()) != GSL_SUCCESS) return {};
   return {values->data, values->data + values->size};
 }
 
@@ -155,6 +155,7 @@ Solved<double> determinant(const MatrixXd& a) {
 double condition(const MatrixXd& a) {
   if (a.size() == 0 || !a.allFinite()) return std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> s = singular_values(a);
+  if (s.empty()) return std::numeric_limits<double>::quiet_NaN();
   return s.back() > 0 ? s.front() / s.back() : std::numeric_limits<double>::infinity();
 }
 
@@ -169,9 +170,10 @@ std::vector<std::complex<double>> eigenvalues(const MatrixXd& a) {
   if (a.size() == 0 || a.rows() != a.cols() || !a.allFinite()) return {};
   const GslMatrix destroyed = copied(a);
   const std::size_t n = destroyed->size1;
-  const std::unique_ptr<gsl_vector_complex, Free<gsl_vector_complex_free>> found(gsl_vector_complex_alloc(n));
+  const std::unique_ptr<gsl_vector_complex, Free<gsl_vector_complex_free>> found(
+      allocated(gsl_vector_complex_alloc(n)));
   const std::unique_ptr<gsl_eigen_nonsymm_workspace, Free<gsl_eigen_nonsymm_free>> space(
-      gsl_eigen_nonsymm_alloc(n));
+      allocated(gsl_eigen_nonsymm_alloc(n)));
   if (gsl_eigen_nonsymm(destroyed.get(), found.get(), space.get()) != GSL_SUCCESS) return {};
   std::vector<std::complex<double>> all;
   for (std::size_t i = 0; i < n; ++i) {
@@ -183,13 +185,24 @@ std::vector<std::complex<double>> eigenvalues(const MatrixXd& a) {
 
 Modes modes(const MatrixXd& k, const MatrixXd& m) {
   quiet_gsl();
+  const auto none = [&](const char* why) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return Modes{VectorXd::Constant(k.rows(), nan), MatrixXd::Constant(k.rows(), k.rows(), nan),
+                 Ending::raised, why};
+  };
+  if (k.rows() == 0 || k.rows() != k.cols() || m.rows() != k.rows() || m.cols() != k.cols())
+    return none("the shapes do not fit");
+  if (!k.allFinite() || !m.allFinite()) return none("a matrix is not finite");
+  if (!k.isApprox(k.transpose()) || !m.isApprox(m.transpose())) return none("a matrix is not symmetric");
   const GslMatrix stiffness = copied(k), mass = copied(m);
   const std::size_t n = stiffness->size1;
-  const GslVector squares(gsl_vector_alloc(n));
-  const GslMatrix shapes(gsl_matrix_alloc(n, n));
+  const GslVector squares = vector_of(n);
+  const GslMatrix shapes = square(n);
   const std::unique_ptr<gsl_eigen_gensymmv_workspace, Free<gsl_eigen_gensymmv_free>> space(
-      gsl_eigen_gensymmv_alloc(n));
-  gsl_eigen_gensymmv(stiffness.get(), mass.get(), squares.get(), shapes.get(), space.get());
+      allocated(gsl_eigen_gensymmv_alloc(n)));
+  if (gsl_eigen_gensymmv(stiffness.get(), mass.get(), squares.get(), shapes.get(), space.get()) !=
+      GSL_SUCCESS)
+    return none("the mass matrix is not positive definite");
   gsl_eigen_gensymmv_sort(squares.get(), shapes.get(), GSL_EIGEN_SORT_VAL_ASC);
   Modes found{VectorXd(k.rows()), MatrixXd(k.rows(), k.rows())};
   for (Eigen::Index j = 0; j < k.rows(); ++j) {

@@ -25,7 +25,7 @@ Solved<Eigen::VectorXd> solve(Factorization, const Eigen::MatrixXd& a, const Eig
 /// The determinant by LU with partial pivoting.
 Solved<double> determinant(const Eigen::MatrixXd& a);
 /// The ratio of the extreme singular values; infinity when the least one is zero, NaN when a is empty or not
-/// finite.
+/// finite, or when they do not converge.
 double condition(const Eigen::MatrixXd& a);
 /// The number of singular values above `relative` times the largest; zero when a is not finite.
 int rank(const Eigen::MatrixXd& a, double relative = 1e-12);
@@ -36,9 +36,11 @@ std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXd& a);
 struct Modes {
   Eigen::VectorXd squares;  ///< of the angular frequencies, from the smallest on
   Eigen::MatrixXd shapes;   ///< a column each; shapes^T m shapes = 1
+  Ending ending = Ending::reached;
+  std::string message = {};  ///< why, when the ending is not `reached`
 };
 
-/// Of k symmetric, m symmetric and positive definite.
+/// Of k symmetric, m symmetric and positive definite; `raised`, and every number NaN, when they are not.
 Modes modes(const Eigen::MatrixXd& k, const Eigen::MatrixXd& m);
 
 }  // namespace oddity

@@ -12,10 +12,6 @@ namespace oddity {
 
 namespace {
 
-struct Free {
-  void operator()(gsl_root_fsolver* s) const { gsl_root_fsolver_free(s); }
-};
-
 Solved<double> failed(Solved<double> root, Ending ending, std::string message) {
   root.ending = ending;
   root.message = std::move(message);
@@ -35,14 +31,18 @@ Solved<double> brent(FunctionOfOne f, double a, double b, double tolerance) {
   };
   CountedFunction counted{watched};
   gsl_function function{&CountedFunction::call, &counted};
-  const std::unique_ptr<gsl_root_fsolver, Free> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
+  const std::unique_ptr<gsl_root_fsolver, Free<gsl_root_fsolver_free>> solver(
+      allocated(gsl_root_fsolver_alloc(gsl_root_fsolver_brent)));
   Solved<double> root{0.5 * (a + b)};
-  if (const int status = gsl_root_fsolver_set(solver.get(), &function, a, b); status != GSL_SUCCESS) {
+  const int set = gsl_root_fsolver_set(solver.get(), &function, a, b);
+  counted.rethrow();
+  if (set != GSL_SUCCESS) {
     root.evaluations = counted.calls;
-    return failed(root, Ending::raised, std::string("no bracket: ") + gsl_strerror(status));
+    return failed(root, Ending::raised, std::string("no bracket: ") + gsl_strerror(set));
   }
   for (int i = 0; i < 200; ++i) {
     const int status = gsl_root_fsolver_iterate(solver.get());
+    counted.rethrow();
     const double low = gsl_root_fsolver_x_lower(solver.get());
     const double high = gsl_root_fsolver_x_upper(solver.get());
     root.value = gsl_root_fsolver_root(solver.get());

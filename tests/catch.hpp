@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 /// Catch2, version 2 or 3: the one place that knows the difference.
@@ -13,6 +14,11 @@ namespace oddity {
 inline const std::string& name_of(const Catch::TestCaseHandle& test) { return test.getTestCaseInfo().name; }
 
 inline void use_no_colour(Catch::ConfigData& data) { data.defaultColourMode = Catch::ColourMode::None; }
+/// A test case as the registry takes it.
+template <class Invoker>
+auto owned(const Invoker& invoker) {
+  return Catch::Detail::make_unique<Invoker>(invoker);
+}
 
 /// A streaming reporter's base, with its stream as out().
 class MarkdownReporterBase : public Catch::StreamingReporterBase {
@@ -35,6 +41,10 @@ namespace oddity {
 inline const std::string& name_of(const Catch::TestCase& test) { return test.name; }
 
 inline void use_no_colour(Catch::ConfigData& data) { data.useColour = Catch::UseColour::No; }
+template <class Invoker>
+Invoker* owned(const Invoker& invoker) {
+  return new Invoker(invoker);
+}
 
 class MarkdownReporterBase : public Catch::StreamingReporterBase<MarkdownReporterBase> {
  public:
@@ -50,3 +60,22 @@ class MarkdownReporterBase : public Catch::StreamingReporterBase<MarkdownReporte
 }  // namespace oddity
 
 #endif
+
+namespace oddity {
+
+/// A test case made while the program runs, as many as there are.
+class TestOf : public Catch::ITestInvoker {
+ public:
+  explicit TestOf(std::function<void()> body) : body_(std::move(body)) {}
+  void invoke() const override { body_(); }
+
+ private:
+  std::function<void()> body_;
+};
+
+inline void register_test(std::function<void()> body, const std::string& name, const std::string& tags) {
+  Catch::AutoReg(owned(TestOf(std::move(body))), CATCH_INTERNAL_LINEINFO, Catch::StringRef(),
+                 Catch::NameAndTags{name, tags});
+}
+
+}  // namespace oddity

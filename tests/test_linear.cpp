@@ -182,3 +182,31 @@ TEST_CASE("condition and rank of matrices without a size or a scale", "[solvers]
   CHECK(rank(random_matrix(5, 3, 1)) == 3);
   CHECK(rank(random_matrix(3, 5, 1)) == 3);
 }
+
+TEST_CASE("modes of what is no oscillator are raised, and no number of them is one", "[solvers]") {
+  const MatrixXd one = MatrixXd::Identity(2, 2), indefinite = matrix(2, {1, 2, 2, 1}),
+                 lopsided = matrix(2, {2, 1, 0, 2}), tall = MatrixXd::Ones(3, 2);
+  const auto why = [](const Modes& m) {
+    CHECK(m.ending == Ending::raised);
+    CHECK(m.squares.array().isNaN().all());
+    CHECK(m.shapes.array().isNaN().all());
+    return m.message;
+  };
+  CHECK(why(modes(one, indefinite)) == "the mass matrix is not positive definite");
+  CHECK(why(modes(one, MatrixXd::Zero(2, 2))) == "the mass matrix is not positive definite");
+  CHECK(why(modes(lopsided, one)) == "a matrix is not symmetric");
+  CHECK(why(modes(one, lopsided)) == "a matrix is not symmetric");
+  CHECK(why(modes(tall, one)) == "the shapes do not fit");
+  CHECK(why(modes(one, MatrixXd::Identity(3, 3))) == "the shapes do not fit");
+  CHECK(why(modes(MatrixXd(), MatrixXd())) == "the shapes do not fit");
+  CHECK(why(modes(one, matrix(2, {1, 0, 0, no_number}))) == "a matrix is not finite");
+  CHECK(modes(one, one).ending == Ending::reached);
+}
+
+TEST_CASE("QR of a singular matrix gives no number", "[solvers]") {
+  for (const MatrixXd& a : {MatrixXd(MatrixXd::Zero(2, 2)), matrix(2, {0, 1, 0, 2, 0, 3})}) {
+    const auto solved = solve(Factorization::householder_qr, a, VectorXd::Ones(a.rows()));
+    CHECK(solved.ending == Ending::raised);
+    CHECK(solved.value.array().isNaN().all());
+  }
+}

@@ -260,3 +260,16 @@ TEST_CASE("a tolerance below rounding stalls or is met, and always ends", "[solv
     }
   });
 }
+
+TEST_CASE("an exception of the right-hand side comes out of every algorithm, and leaves nothing behind",
+          "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    const System system{[](const State& x, State& dxdt, double) {
+      if (x[0] < 0.5) throw std::domain_error("beyond the wall");
+      dxdt = {x[1], -x[0]};
+    }};
+    CHECK_THROWS_WITH(integrate<Algorithm>(system, State{1, 0}, 0, 3, fine<Algorithm>), "beyond the wall");
+    CHECK(integrate<Algorithm>(oscillator.system, State{1, 0}, 0, 1, fine<Algorithm>).reached());
+  });
+}

@@ -127,3 +127,24 @@ TEST_CASE("settings that make no rule are refused", "[solvers]") {
   CHECK(qagp(exponential, {0}, 1e-10).ending == Ending::raised);
   CHECK(qagp(exponential, {0, 1, 0.5}, 1e-10).ending == Ending::raised);
 }
+
+TEST_CASE("an integrand's exception comes out of every rule, and the next integral is right", "[solvers]") {
+  const auto thrower = [](double x) -> double {
+    if (x > 0.7) throw std::domain_error("beyond 0.7");
+    return x;
+  };
+  const auto half = [](double x) { return x; };
+  for (const auto& [name, run] : adaptive()) {
+    INFO(name);
+    CHECK_THROWS_WITH(run(thrower, 0, 1, 1e-10), "beyond 0.7");
+    CHECK(near(run(half, 0, 1, 1e-10).value, 0.5, 1e-12));
+  }
+  long calls = 0;
+  const auto pole_then_exception = [&](double x) {
+    if (++calls > 1000) throw std::domain_error("enough");
+    return 1 / (x - 0.3);
+  };
+  CHECK_THROWS_WITH(cquad(pole_then_exception, -1, 2, 1e-10), "enough");
+  CHECK_THROWS_WITH(gauss_legendre(thrower, 0, 1, 5), "beyond 0.7");
+  CHECK_THROWS_WITH(simpson(thrower, 0, 1, 4), "beyond 0.7");
+}

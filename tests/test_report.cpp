@@ -1,3 +1,5 @@
+#include <tbb/global_control.h>
+
 #include <array>
 #include <fstream>
 #include <sstream>
@@ -7,8 +9,8 @@
 #include "reference/verdicts.hpp"
 #include "report/catalog_page.hpp"
 #include "report/chart.hpp"
-#include "report/disturb.hpp"
 #include "report/markdown.hpp"
+#include "report/perturb_results.hpp"
 #include "report/run.hpp"
 #include "report/stability.hpp"
 #include "report/text_view.hpp"
@@ -107,15 +109,15 @@ TEST_CASE("a results file that would lead to nonsense is refused", "[report]") {
   CHECK(refused([](E& e) { e.stability->limits[0].broken.reset(); }).find("limit") != std::string::npos);
 }
 
-TEST_CASE("a disturbance that a check does not notice is named", "[report]") {
-  CHECK(unnoticed_disturbances(judged(one_against_one(1e-9))).empty());
-  CHECK(unnoticed_disturbances(judged(one_against_one(0))).empty());
-  CHECK(unnoticed_disturbances(judged(one_against_one(1.5))) ==
+TEST_CASE("a perturbed result that a check does not notice is named", "[report]") {
+  CHECK(unnoticed_perturbations(judged(one_against_one(1e-9))).empty());
+  CHECK(unnoticed_perturbations(judged(one_against_one(0))).empty());
+  CHECK(unnoticed_perturbations(judged(one_against_one(1.5))) ==
         std::vector<std::string>{"9.9-x, x: a factor of two"});
   const Check zero{"x", {"a", 0}, {"b", 0}, {1e-9, "a test"}};
-  CHECK(unnoticed_disturbances(judged(zero)).size() == 2);
+  CHECK(unnoticed_perturbations(judged(zero)).size() == 2);
   const Check scaled_zero{"x", {"a", 0}, {"b", 0}, {1e-9, "a test"}, 1};
-  CHECK(unnoticed_disturbances(judged(scaled_zero)).empty());
+  CHECK(unnoticed_perturbations(judged(scaled_zero)).empty());
 }
 
 TEST_CASE("a page escapes what Markdown would take for markup, but not mathematics", "[report]") {
@@ -496,13 +498,19 @@ TEST_CASE("a scene's method of low order has a reason only where it is expected 
   }
 }
 
-TEST_CASE("a run does not depend on the number of threads, and repeats itself", "[report]") {
+TEST_CASE("a run does not depend on the number of threads, nor on what runs beside it", "[report]") {
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
-  const std::string together = to_json(run_of_all());
+  const std::vector<Task> all(registry().begin(), registry().end());
+  const auto by_threads = [&](std::size_t threads) {
+    const tbb::global_control most(tbb::global_control::max_allowed_parallelism, threads);
+    return to_json(run(all, truth, false));
+  };
+  const std::string alone = by_threads(1);
+  CHECK((alone == by_threads(4)));
   Results one_by_one;
   for (const Task& task : std::vector<Task>(registry().begin(), registry().end()))
     one_by_one.exercises.push_back(run(std::span(&task, 1), truth, false).exercises.front());
-  CHECK((together == to_json(one_by_one)));
+  CHECK((alone == to_json(one_by_one)));
 }
 
 TEST_CASE("every scene's motion can be drawn, and its truest path goes through the reference", "[report]") {
@@ -557,4 +565,7 @@ TEST_CASE("the book has 48 odd exercises", "[report]") {
   int odd = 0;
   for (const Chapter& chapter : chapters()) odd += (chapter.last_odd + 1) / 2;
   CHECK(odd == 48);
+  for (const Number own : {Number{3, 2}, {3, 37}, {4, 1}, {15, 1}, {2, 19}, {3, -1}})
+    CHECK_FALSE(of_the_book(own));
+  for (const Number n : {Number{2, 1}, {3, 35}, {9, 1}}) CHECK(of_the_book(n));
 }

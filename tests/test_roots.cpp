@@ -89,3 +89,14 @@ TEST_CASE("a bracket that does not close in 200 iterations stalls", "[solvers]")
   CHECK(root.ending == Ending::stalled);
   CHECK(near(root.value, 0, 1e-15));
 }
+
+TEST_CASE("an exception of the function comes out of Brent's method, from an end and from inside",
+          "[solvers]") {
+  const auto at_an_end = [](double) -> double { throw std::domain_error("nowhere"); };
+  const auto inside = [](double x) -> double {
+    if (x > 0 && x < 1) throw std::domain_error("nothing inside");
+    return x - 0.5;
+  };
+  CHECK_THROWS_WITH(brent(at_an_end, 0, 1, 1e-12), "nowhere");
+  CHECK_THROWS_WITH(brent(inside, 0, 1, 1e-12), "nothing inside");
+}

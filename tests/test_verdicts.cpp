@@ -8,11 +8,10 @@ using namespace oddity;
 
 TEST_CASE("verdicts are read by claim", "[reference]") {
   const ScratchFolder folder;
-  folder.file("verdicts.csv", "claim,verdict\n1.1-a,confirmed\n1.1-b,erratum\n2.1,not yet encoded\n");
+  folder.file("verdicts.csv", "claim,verdict\n1.1-a,confirmed\n1.1-b,erratum\n");
   const Verdicts verdicts = read_verdicts(folder.path());
-  CHECK(verdicts.size() == 3);
+  CHECK(verdicts.size() == 2);
   CHECK(verdicts.at("1.1-b") == "erratum");
-  CHECK(verdicts.at("2.1") == not_yet_encoded);
 }
 
 TEST_CASE("broken verdicts name file and line, and what would be right", "[reference]") {
@@ -23,8 +22,7 @@ TEST_CASE("broken verdicts name file and line, and what would be right", "[refer
     return all.starts_with(file) ? all.substr(file.size()) : all;
   };
   CHECK(said("claim,verdict\n1.1-a,true\n") ==
-        ":2: 'true' is no verdict; it is one of confirmed, misprint, erratum, not checkable, unsettled, not "
-        "yet encoded");
+        ":2: 'true' is no verdict; it is one of confirmed, misprint, erratum, not checkable, unsettled");
   CHECK(said("claim,verdict\n1.1-a,confirmed\n# again\n1.1-a,erratum\n") == ":4: a second verdict for 1.1-a");
   CHECK(said("claim,verdict\n1.1-a\n") == ":2: 1 cells where the header has 2");
   CHECK(said("claim,verdict,why\n1.1-a,confirmed,so\n") == ":2: the columns are claim,verdict");

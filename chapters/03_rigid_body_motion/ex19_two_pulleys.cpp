@@ -73,7 +73,7 @@ struct Sample {
 
   /// The springs between floor and rope, from the ropes' lengths alone.
   template <class T>
-  PairOf<T> springs(const PairOf<T>& y) const {
+  Two<T> springs(const Two<T>& y) const {
     const double rope1 = floor - 2 * y1 - p.K1, rope2 = floor - p.K2;
     return {(floor - y1) - (rope1 - (y[0] - y1)), (floor - y[0]) - (rope2 - (y[1] - y[0]))};
   }

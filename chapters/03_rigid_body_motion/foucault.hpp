@@ -42,7 +42,7 @@ Space<T> outer(const Space<T>& a, const Space<T>& b) {
 template <class T>
 struct Axes {
   Space<T> P, Q, R;
-  explicit Axes(const PairOf<T>& q) {
+  explicit Axes(const Two<T>& q) {
     using std::cos, std::sin;
     const T c = cos(q[0]), s = sin(q[0]), cp = cos(q[1]), sp = sin(q[1]);
     P = {-s, c, T(0.0)};
@@ -53,7 +53,7 @@ struct Axes {
 
 /// dR/dt by dual numbers.
 template <class T>
-Space<T> axis_velocity(const PairOf<T>& q, const PairOf<T>& v) {
+Space<T> axis_velocity(const Two<T>& q, const Two<T>& v) {
   const Axes<Dual<T>> axes({Dual<T>(q[0], v[0]), Dual<T>(q[1], v[1])});
   return {axes.R[0].slope, axes.R[1].slope, axes.R[2].slope};
 }
@@ -186,7 +186,7 @@ struct BookEnergy : BookCone {
   Space<double> w;
   double swing = 0;  ///< of the energy of the cone's own turning R x R', which the text has not
   template <class T>
-  T operator()(const PairOf<T>& q, const PairOf<T>& v) const {
+  T operator()(const Two<T>& q, const Two<T>& v) const {
     const Axes<T> a(q);
     const Space<T> earth{T(w[0]), T(w[1]), T(w[2])}, rate = axis_velocity(q, v);
     const T p = inner(a.P, earth), s = inner(a.Q, earth), t = inner(a.R, earth);

@@ -12,7 +12,7 @@ namespace oddity::foucault {
 struct Lagrangian : Pendulum {
   double m;
   template <class T>
-  T operator()(const PairOf<T>& q, const PairOf<T>& v) const {
+  T operator()(const Two<T>& q, const Two<T>& v) const {
     const Axes<T> axes(q);
     const Space<T> turning{T(0.0), T(w()[1]), T(w()[2])};
     const Space<T> u = sum(axis_velocity(q, v), outer(turning, axes.R));
@@ -24,7 +24,7 @@ struct Lagrangian : Pendulum {
 struct KineticEnergy {
   double m, L;
   template <class T>
-  T operator()(const PairOf<T>& q, const PairOf<T>& v) const {
+  T operator()(const Two<T>& q, const Two<T>& v) const {
     const Space<T> u = axis_velocity(q, v);
     return 0.5 * m * L * L * inner(u, u);
   }

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "chapters/03_rigid_body_motion/lagrangian_2.hpp"
+#include "chapters/03_rigid_body_motion/two_coordinates.hpp"
 #include "chapters/conserved.hpp"
 
 /// A point that slides without friction on the surface x3 = h(x1, x2) under gravity. A surface offers

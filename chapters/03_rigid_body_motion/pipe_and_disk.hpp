@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "chapters/03_rigid_body_motion/lagrangian_2.hpp"
+#include "chapters/03_rigid_body_motion/two_coordinates.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity::pipe_and_disk {

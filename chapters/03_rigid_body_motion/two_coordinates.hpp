@@ -9,20 +9,20 @@
 /// are taken by dual numbers.
 namespace oddity {
 
-using Pair = std::array<double, 2>;
 template <class T>
-using PairOf = std::array<T, 2>;
+using Two = std::array<T, 2>;
+using Pair = Two<double>;
 
 template <class T = double>
-PairOf<Dual<T>> toward(const PairOf<T>& x, std::size_t i) {
+Two<Dual<T>> toward(const Two<T>& x, std::size_t i) {
   return {Dual<T>(x[0], T(i == 0 ? 1.0 : 0.0)), Dual<T>(x[1], T(i == 1 ? 1.0 : 0.0))};
 }
 template <class T = double>
-PairOf<Dual<T>> still(const PairOf<T>& x) {
+Two<Dual<T>> still(const Two<T>& x) {
   return {Dual<T>(x[0], T(0.0)), Dual<T>(x[1], T(0.0))};
 }
 /// x moving at the rate v.
-inline PairOf<Dual<double>> moving(const Pair& x, const Pair& v) { return {{{x[0], v[0]}, {x[1], v[1]}}}; }
+inline Two<Dual<double>> moving(const Pair& x, const Pair& v) { return {{{x[0], v[0]}, {x[1], v[1]}}}; }
 
 template <class F>
 Pair df_dq(const F& f, const Pair& q, const Pair& v) {
@@ -40,6 +40,13 @@ Pair rate_of_df_dv(const F& f, const Pair& q, const Pair& v, const Pair& a) {
   const auto along_q = moving(q, v), along_v = moving(v, a);
   return {f(still(along_q), toward(along_v, 0)).slope.slope,
           f(still(along_q), toward(along_v, 1)).slope.slope};
+}
+
+/// d/dt df/dv - df/dq, the left side of Lagrange's equations.
+template <class F>
+Pair lagrange_left_side(const F& lagrangian, const Pair& q, const Pair& v, const Pair& a) {
+  const Pair rate = rate_of_df_dv(lagrangian, q, v, a), slope = df_dq(lagrangian, q, v);
+  return {rate[0] - slope[0], rate[1] - slope[1]};
 }
 
 /// v' by Lagrange's equations d/dt df/dv = df/dq + force.

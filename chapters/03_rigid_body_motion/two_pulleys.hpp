@@ -18,18 +18,18 @@ struct Pulleys {
   double turn1() const { return I1 / (R1 * R1); }
   double turn2() const { return I2 / (R2 * R2); }
   template <class T>
-  T stretch1(const PairOf<T>& y) const {
+  T stretch1(const Two<T>& y) const {
     return y[0] + (K1 - L1);
   }
   template <class T>
-  T stretch2(const PairOf<T>& y) const {
+  T stretch2(const Two<T>& y) const {
     return y[1] - 2.0 * y[0] + (K2 - L2);
   }
 };
 
 struct KineticEnergy : Pulleys {
   template <class T>
-  T operator()(const PairOf<T>&, const PairOf<T>& v) const {
+  T operator()(const Two<T>&, const Two<T>& v) const {
     const T turn1 = v[0] / R1, turn2 = (v[1] - v[0]) / R2;
     return 0.5 * (m2 * v[0] * v[0] + I1 * turn1 * turn1 + m3 * v[1] * v[1] + I2 * turn2 * turn2);
   }
@@ -37,7 +37,7 @@ struct KineticEnergy : Pulleys {
 
 struct PotentialEnergy : Pulleys {
   template <class T>
-  T operator()(const PairOf<T>& y, const PairOf<T>&) const {
+  T operator()(const Two<T>& y, const Two<T>&) const {
     const T s1 = stretch1(y), s2 = stretch2(y);
     return 0.5 * (c1 * s1 * s1 + c2 * s2 * s2) - g * (m2 * y[0] + m3 * y[1]);
   }
@@ -45,7 +45,7 @@ struct PotentialEnergy : Pulleys {
 
 struct Lagrangian : Pulleys {
   template <class T>
-  T operator()(const PairOf<T>& y, const PairOf<T>& v) const {
+  T operator()(const Two<T>& y, const Two<T>& v) const {
     return KineticEnergy{*this}(y, v) - PotentialEnergy{*this}(y, v);
   }
 };

@@ -10,10 +10,13 @@ Number power_integral(const Number& a, const Number& b, int n) {
   return (pow(b, n + 1) - pow(a, n + 1)) / (n + 1);
 }
 
-/// The six components from the moments of x^p y^q.
-template <class Moment>
-Numbers components(const Moment& moment, const Number& z, const Number& rho) {
-  const Number area = moment(0, 0), xx = moment(2, 0), yy = moment(0, 2), zz = z * z * area;
+/// From the moments of x^p y^q.
+Numbers by_columns(const std::vector<double>& in, int) {
+  const Number left = in[0], z = in[1], rho = in[2];
+  const auto moment = [&](int p, int q) -> Number {
+    return (power_integral(left, 1, p) - power_integral(left, 1, p + 2 * q + 2)) / (q + 1);
+  };
+  const Number xx = moment(2, 0), yy = moment(0, 2), zz = z * z * moment(0, 0);
   return {rho * (yy + zz),
           rho * (xx + zz),
           rho * (xx + yy),
@@ -22,26 +25,25 @@ Numbers components(const Moment& moment, const Number& z, const Number& rho) {
           rho * z * Number(moment(0, 1))};
 }
 
-Numbers by_columns(const std::vector<double>& in, int) {
-  const Number left = in[0];
-  const auto moment = [&](int p, int q) -> Number {
-    return (power_integral(left, 1, p) - power_integral(left, 1, p + 2 * q + 2)) / (q + 1);
-  };
-  return components(moment, in[1], in[2]);
-}
-
+/// Each component as it is defined: the integral over a row from x1 to x2, then over y.
 Numbers by_rows(const std::vector<double>& in, int digits) {
-  const Number left = in[0], corner = left * left;
-  const auto moment = [&](int p, int q) -> Number {
-    const auto cut = [&](const Number& y) -> Number { return pow(y, q) * power_integral(left, sqrt(y), p); };
-    const auto whole = [&](const Number& y) -> Number {
-      return pow(y, q) * power_integral(-sqrt(y), sqrt(y), p);
-    };
+  const Number left = in[0], z = in[1], rho = in[2], corner = left * left;
+  const auto over_rows = [&](const auto& row) -> Number {
+    const auto cut = [&](const Number& y) -> Number { return row(y, left, sqrt(y)); };
+    const auto whole = [&](const Number& y) -> Number { return row(y, Number(-sqrt(y)), sqrt(y)); };
     Number sum = corner < 1 ? integral(cut, corner, 1, digits) : Number(0);
     if (left < 0) sum += integral(whole, 0, corner, digits);
-    return sum;
+    return rho * sum;
   };
-  return components(moment, in[1], in[2]);
+  using N = const Number&;
+  const auto squares = [](N x1, N x2) -> Number { return (x2 - x1) * (x1 * x1 + x1 * x2 + x2 * x2) / 3; };
+  const auto sides = [](N x1, N x2) -> Number { return (x2 - x1) * (x1 + x2) / 2; };
+  return {over_rows([&](N y, N x1, N x2) -> Number { return (x2 - x1) * (y * y + z * z); }),
+          over_rows([&](N, N x1, N x2) -> Number { return squares(x1, x2) + (x2 - x1) * z * z; }),
+          over_rows([&](N y, N x1, N x2) -> Number { return squares(x1, x2) + (x2 - x1) * y * y; }),
+          over_rows([&](N y, N x1, N x2) -> Number { return sides(x1, x2) * y; }),
+          over_rows([&](N, N x1, N x2) -> Number { return sides(x1, x2) * z; }),
+          over_rows([&](N y, N x1, N x2) -> Number { return (x2 - x1) * y * z; })};
 }
 
 }  // namespace lamina_02_13

@@ -1,4 +1,5 @@
 #include "reference/make/03_17_foucault.hpp"
+#include "reference/make/routes.hpp"
 
 // The bob's ellipse at small amplitude, from position and velocity: x + i y = a exp(i w t) + b exp(-i w t), w
 // = sqrt(g/L), whose major axis has the direction of sqrt(a b).
@@ -6,11 +7,20 @@ namespace oddity::truth {
 
 namespace axis_03_17 {
 
-Numbers axis(const std::vector<double>& in, const Numbers& s) {
+Numbers from_the_product(const std::vector<double>& in, const Numbers& s) {
   const Number m = Number(in[1]) / Number(in[3]);
   return {atan2(Number(2 * (s[0] * s[1] + m * s[3] * s[4])),
                 Number(s[0] * s[0] - s[1] * s[1] + m * (s[3] * s[3] - s[4] * s[4]))) /
           2};
+}
+
+/// The mean of the directions of a and of b, brought to within a quarter turn.
+Numbers from_the_circles(const std::vector<double>& in, const Numbers& s) {
+  const Number w = sqrt(Number(in[3]) / Number(in[1])), half_turn = pi();
+  const Number a = atan2(Number(s[1] - s[3] / w), Number(s[0] + s[4] / w));
+  const Number b = atan2(Number(s[1] + s[3] / w), Number(s[0] - s[4] / w));
+  const Number mean = (a + b) / 2;
+  return {mean - half_turn * round(Number(mean / half_turn))};
 }
 
 }  // namespace axis_03_17
@@ -24,11 +34,11 @@ Truth truth_03_17_axis() {
           {{0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0, 3600}},
           foucault::first_route,
           [](const std::vector<double>& in, Precision digits) {
-            return axis(in, foucault::by_taylor(in, digits));
+            return from_the_product(in, foucault::by_taylor(in, digits));
           },
           foucault::second_route,
           [](const std::vector<double>& in, Precision digits) {
-            return axis(in, foucault::by_extrapolation(in, digits));
+            return from_the_circles(in, foucault::by_extrapolation(in, digits));
           }};
 }
 

@@ -13,7 +13,7 @@ namespace oddity::truth::foucault {
 inline const std::vector<std::string> inputs{"lambda", "L",         "omega",   "g", "theta",
                                              "phi",    "theta_dot", "phi_dot", "t"};
 
-/// x, y, z, x', y', z' in the turning axes.
+/// x, y, z, x', y', z' in the turning axes: the position and its derivative.
 inline Numbers start(const std::vector<double>& in) {
   const Number L = in[1], theta = in[4], phi = in[5];
   const Number c = cos(theta), s = sin(theta), cp = cos(phi), sp = sin(phi);
@@ -38,6 +38,14 @@ inline Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   return solve_taylor(rhs, start(in), 0, Number(in[8]), digits + 4);
 }
 
+/// The same by the angular velocity: theta' about z, phi' about the level axis that theta has turned.
+inline Numbers start_by_rotation(const std::vector<double>& in) {
+  const Number L = in[1], theta = in[4], phi = in[5], turn = in[6], tilt = in[7];
+  const Number x = L * sin(phi) * cos(theta), y = L * sin(phi) * sin(theta), z = L * cos(phi);
+  const Number wx = -tilt * sin(theta), wy = tilt * cos(theta);
+  return {x, y, z, wy * z - turn * y, turn * x - wx * z, wx * y - wy * x};
+}
+
 /// Axes that do not turn: gravity turns instead, and the rod pulls; no other force. Seen in the turning axes
 /// at the end.
 inline Numbers by_extrapolation(const std::vector<double>& in, Precision digits) {
@@ -47,7 +55,7 @@ inline Numbers by_extrapolation(const std::vector<double>& in, Precision digits)
     return Numbers{x * co + (c * z + s * y) * si, y * co - s * x * si + c * along,
                    z * co - c * x * si - s * along};
   };
-  Numbers x = start(in);
+  Numbers x = start_by_rotation(in);
   x[3] += w * (c * x[2] + s * x[1]);
   x[4] -= w * s * x[0];
   x[5] -= w * c * x[0];

@@ -35,15 +35,12 @@ Numbers by_extrapolation(const std::vector<double>& in, Precision digits) {
     const Number dx = lever * x[0] - b.s, dy = lever * x[1] + b.h;
     const Number pull = -lever * b.c / b.m * (1 - b.ell / sqrt(dx * dx + dy * dy));
     const Number fx = pull * dx, fy = pull * dy - b.g;
-    const Number hold = (x[2] * x[2] + x[3] * x[3] + fx * x[0] + fy * x[1]) / (b.r * b.r);
+    const Number hold = (x[2] * x[2] + x[3] * x[3] + fx * x[0] + fy * x[1]) / (x[0] * x[0] + x[1] * x[1]);
     return Numbers{x[2], x[3], fx - hold * x[0], fy - hold * x[1]};
   };
   const Number C = cos(b.theta0), S = sin(b.theta0), v = b.r * b.w0;
   Numbers x{b.r * C, b.r * S, -v * S, v * C};
-  const Number t = in[9], per_piece = lever * sqrt(b.c / b.m);
-  const int pieces = digits.kept ? 1 : 4 + static_cast<int>(ceil(Number(t * per_piece)));
-  for (int i = 0; i < pieces; ++i)  // so short that the first step tried stays finite
-    x = solve_extrapolation(rhs, x, Number(i * t / pieces), Number((i + 1) * t / pieces), digits + 6);
+  x = solve_extrapolation(rhs, x, 0, Number(in[9]), digits + 6);
   x.resize(2);
   return x;
 }

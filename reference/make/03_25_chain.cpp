@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reference/make/checkpoints.hpp"
+#include "reference/make/extrapolation.hpp"
 #include "reference/make/taylor.hpp"
 
 // Positions of the triple pendulum's masses after the time t. Nearby starts part exponentially: both routes
@@ -16,29 +17,28 @@ Precision digits_at(double t, Precision asked) {
   return {t > 4 ? std::min(asked.digits, 32) : asked.digits, asked.kept};
 }
 
-template <class Rhs>
-Numbers at(Checkpoints& kept, const Rhs& rhs, const Numbers& start, const std::vector<double>& in,
-           Precision asked) {
-  const double t = in[14];
-  const Precision digits = digits_at(t, asked);
+Numbers by_tensions(const std::vector<double>& in, Precision asked) {
+  static Checkpoints kept;
+  const TripleStart start(in);
+  const ChainTensions rhs{start.chain};
+  const Precision digits = digits_at(in[14], asked);
   return rhs.positions(kept.at(
-      t, motion_of(in, digits), [&] { return start; },
+      in[14], motion_of(in, digits), [&] { return rhs.start(start.theta, start.omega); },
       [&](const Numbers& x, const Number& t0, const Number& t1) {
         return solve_taylor(rhs, x, t0, t1, digits + 4);
       }));
 }
 
-Numbers by_tensions(const std::vector<double>& in, Precision digits) {
+Numbers by_angles(const std::vector<double>& in, Precision asked) {
   static Checkpoints kept;
   const TripleStart start(in);
-  const ChainTensions rhs{start.chain};
-  return at(kept, rhs, rhs.start(start.theta, start.omega), in, digits);
-}
-
-Numbers by_angles(const std::vector<double>& in, Precision digits) {
-  static Checkpoints kept;
-  const TripleStart start(in);
-  return at(kept, ChainAngles{start.chain}, start.angles(), in, digits);
+  const ChainAngles rhs{start.chain};
+  const Precision digits = digits_at(in[14], asked);
+  return rhs.positions(kept.at(
+      in[14], motion_of(in, digits), [&] { return start.angles(); },
+      [&](const Numbers& x, const Number& t0, const Number& t1) {
+        return solve_extrapolation(rhs, x, t0, t1, digits + 4);
+      }));
 }
 
 }  // namespace chain_03_25
@@ -67,7 +67,7 @@ Truth truth_03_25_chain() {
       rows,
       "Taylor series in Cartesian coordinates with tensions",
       by_tensions,
-      "Taylor series in the angles, dense mass matrix",
+      "extrapolated midpoint rule in the angles, dense mass matrix",
       by_angles};
 }
 

@@ -5,8 +5,9 @@
 
 #include "reference/truth.hpp"
 
-/// A hanging chain of n point masses on massless rods, in two ways that share nothing: angles with the dense
-/// mass matrix, and Cartesian coordinates with the tensions. theta is counted from the downward vertical.
+/// A hanging chain of n point masses on massless rods, by two sets of equations that share nothing: angles
+/// with the dense mass matrix, and Cartesian coordinates with the tensions. theta is counted from the
+/// downward vertical.
 namespace oddity::truth {
 
 struct ChainData {

@@ -1,7 +1,8 @@
 #include "reference/make/extrapolation.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace oddity::truth {
 
@@ -30,10 +31,12 @@ Numbers modified_midpoint(const Rhs& rhs, const Numbers& x0, const Number& t, co
   return smoothed;
 }
 
-/// One big step, extrapolated to zero substep (Aitken-Neville in h^2); false when the columns do not settle.
-bool extrapolated_step(const Rhs& rhs, Numbers& x, const Number& t, const Number& big,
-                       const Number& tolerance) {
-  constexpr int columns = 22;
+constexpr int columns = 24;
+
+/// One big step, extrapolated to zero substep (Aitken-Neville in h^2). The column at which it settled; more
+/// than there are when it does not.
+int extrapolated_step(const Rhs& rhs, Numbers& x, const Number& t, const Number& big,
+                      const Number& tolerance) {
   std::vector<Numbers> row;
   for (int k = 1; k <= columns; ++k) {
     std::vector<Numbers> next{modified_midpoint(rhs, x, t, big, 2 * k)};
@@ -51,30 +54,40 @@ bool extrapolated_step(const Rhs& rhs, Numbers& x, const Number& t, const Number
         settled = settled && abs(next.back()[i] - row.back()[i]) <= tolerance;
       if (settled) {
         x = next.back();
-        return true;
+        return k;
       }
     }
     row = std::move(next);
   }
-  return false;
+  return columns + 1;
+}
+
+/// The next step, so that it settles a few columns before the last: a step that does not settle costs as much
+/// as one that does. Measured on a pendulum at 26 to 50 digits, this takes the fewest evaluations.
+Number next_step(const Number& step, int settled_at) {
+  constexpr int wanted = 21;
+  return settled_at > columns ? Number(step / 2) : Number(step * std::pow(1.1, wanted - settled_at));
 }
 
 }  // namespace
 
-Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits) {
+Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits, long budget) {
   const Number tolerance = pow(Number(10), -digits - 3);
+  long evaluations = 0;
+  const Rhs counted = [&](const Numbers& y, const Number& t) {
+    if (++evaluations > budget)
+      throw std::runtime_error("extrapolation: the budget of " + std::to_string(budget) +
+                               " right-hand sides is spent at t = " + t0.str(6) + " of " + t1.str(6));
+    return rhs(y, t);
+  };
   Number big = (t1 - t0) / 4;
   while (t0 != t1) {
     const bool last = abs(big) >= abs(Number(t1 - t0));
     const Number step = last ? Number(t1 - t0) : big;
-    if (extrapolated_step(rhs, x, t0, step, tolerance)) {
-      t0 = last ? t1 : Number(t0 + step);
-      big = step * 1.5;
-    } else {
-      big = step / 2;
-      if (abs(big) < pow(Number(10), -20))
-        throw std::runtime_error("extrapolation: the step became too small");
-    }
+    const int settled_at = extrapolated_step(counted, x, t0, step, tolerance);
+    if (settled_at <= columns) t0 = last ? t1 : Number(t0 + step);
+    big = next_step(step, settled_at);
+    if (abs(big) < pow(Number(10), -20)) throw std::runtime_error("extrapolation: the step became too small");
   }
   return x;
 }

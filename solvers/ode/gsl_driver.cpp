@@ -4,6 +4,7 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <new>
 
@@ -18,14 +19,33 @@ int status_of(Call call) {
   return call == Call::ok ? GSL_SUCCESS : call == Call::not_finite ? GSL_FAILURE : GSL_EBADFUNC;
 }
 
-int rhs(double t, const double x[], double dxdt[], void* problem) {
-  const auto& raw = *static_cast<const RawProblem*>(problem);
-  return status_of(raw.rhs(raw.object, x, dxdt, t));
+/// A problem on its way through C, which an exception must not pass through: it is kept for later.
+struct Guarded {
+  const RawProblem* problem = nullptr;
+  std::exception_ptr thrown = {};
+
+  template <class F>
+  int call(const F& f) noexcept {
+    try {
+      return status_of(f(*problem));
+    } catch (...) {
+      thrown = std::current_exception();
+      return GSL_EBADFUNC;
+    }
+  }
+  void rethrow() const {
+    if (thrown) std::rethrow_exception(thrown);
+  }
+};
+
+int rhs(double t, const double x[], double dxdt[], void* guarded) {
+  return static_cast<Guarded*>(guarded)->call(
+      [&](const RawProblem& p) { return p.rhs(p.object, x, dxdt, t); });
 }
 
-int jacobian(double t, const double x[], double* matrix, double dfdt[], void* problem) {
-  const auto& raw = *static_cast<const RawProblem*>(problem);
-  return status_of(raw.jacobian(raw.object, x, matrix, dfdt, t));
+int jacobian(double t, const double x[], double* matrix, double dfdt[], void* guarded) {
+  return static_cast<Guarded*>(guarded)->call(
+      [&](const RawProblem& p) { return p.jacobian(p.object, x, matrix, dfdt, t); });
 }
 
 const gsl_odeiv2_step_type* type_of(GslStep step) {
@@ -48,6 +68,7 @@ struct GslDriver::Driver {
   gsl_odeiv2_system system;
   gsl_odeiv2_driver* gsl;
   double h;
+  Guarded guarded = {};
 
   Driver(GslStep step, std::size_t n, double tolerance, double first_step)
       : system{rhs, jacobian, n, nullptr},
@@ -59,6 +80,10 @@ struct GslDriver::Driver {
   ~Driver() { gsl_odeiv2_driver_free(gsl); }
   Driver(const Driver&) = delete;
 
+  void take(const RawProblem& problem) {
+    guarded = {&problem};
+    system.params = &guarded;
+  }
   void face(double direction) {
     if (direction * h > 0) return;
     h = -h;
@@ -72,7 +97,7 @@ GslDriver::~GslDriver() = default;
 GslDriver::GslDriver(GslDriver&&) noexcept = default;
 
 const char* GslDriver::advance(const RawProblem& problem, double* x, double& t, double t1) {
-  driver_->system.params = const_cast<RawProblem*>(&problem);
+  driver_->take(problem);
   driver_->face(t1 - t);
   // GSL lands on t1 itself only when the step would go beyond.
   const bool last = std::abs(driver_->h) >= std::abs(t1 - t);
@@ -80,15 +105,17 @@ const char* GslDriver::advance(const RawProblem& problem, double* x, double& t, 
   double tried = last ? beyond : driver_->h;
   const auto& gsl = *driver_->gsl;
   const int status = gsl_odeiv2_evolve_apply(gsl.e, gsl.c, gsl.s, &driver_->system, &t, t1, &tried, x);
+  driver_->guarded.rethrow();
   if (tried != beyond) driver_->h = tried;
   return status == GSL_SUCCESS ? nullptr : "GSL found no step small enough";
 }
 
 void GslDriver::plain_step(const RawProblem& problem, double* x, double t, double h) {
-  driver_->system.params = const_cast<RawProblem*>(&problem);
+  driver_->take(problem);
   const auto& gsl = *driver_->gsl;
-  if (gsl_odeiv2_step_apply(gsl.s, t, h, x, gsl.e->yerr, nullptr, nullptr, &driver_->system) != GSL_SUCCESS)
-    x[0] = std::numeric_limits<double>::quiet_NaN();
+  const int status = gsl_odeiv2_step_apply(gsl.s, t, h, x, gsl.e->yerr, nullptr, nullptr, &driver_->system);
+  driver_->guarded.rethrow();
+  if (status != GSL_SUCCESS) x[0] = std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace oddity::ode::detail

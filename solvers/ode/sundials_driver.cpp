@@ -11,6 +11,7 @@
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <new>
 #include <vector>
@@ -22,20 +23,40 @@ namespace {
 /// SUNDIALS takes a negative status for the end, and a positive one as a reason to shorten the step.
 int status_of(Call call) { return call == Call::ok ? 0 : call == Call::not_finite ? 1 : -1; }
 
-int rhs(double t, N_Vector x, N_Vector dxdt, void* problem) {
-  const auto& raw = *static_cast<const RawProblem*>(problem);
-  return status_of(raw.rhs(raw.object, N_VGetArrayPointer(x), N_VGetArrayPointer(dxdt), t));
+/// A problem on its way through C, which an exception must not pass through: it is kept for later.
+struct Guarded {
+  const RawProblem* problem = nullptr;
+  std::exception_ptr thrown = {};
+
+  template <class F>
+  int call(const F& f) noexcept {
+    try {
+      return status_of(f(*problem));
+    } catch (...) {
+      thrown = std::current_exception();
+      return -1;
+    }
+  }
+  void rethrow() const {
+    if (thrown) std::rethrow_exception(thrown);
+  }
+};
+
+int rhs(double t, N_Vector x, N_Vector dxdt, void* guarded) {
+  return static_cast<Guarded*>(guarded)->call([&](const RawProblem& p) {
+    return p.rhs(p.object, N_VGetArrayPointer(x), N_VGetArrayPointer(dxdt), t);
+  });
 }
 
-int jacobian(double t, N_Vector x, N_Vector, SUNMatrix matrix, void* problem, N_Vector, N_Vector, N_Vector) {
-  const auto& raw = *static_cast<const RawProblem*>(problem);
-  const std::size_t n = raw.n;
-  std::vector<double> rows(n * n);
-  const Call call = raw.jacobian(raw.object, N_VGetArrayPointer(x), rows.data(), nullptr, t);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      SUNDenseMatrix_Column(matrix, static_cast<long>(j))[i] = rows[i * n + j];
-  return status_of(call);
+int jacobian(double t, N_Vector x, N_Vector, SUNMatrix matrix, void* guarded, N_Vector, N_Vector, N_Vector) {
+  return static_cast<Guarded*>(guarded)->call([&](const RawProblem& p) {
+    std::vector<double> rows(p.n * p.n);
+    const Call call = p.jacobian(p.object, N_VGetArrayPointer(x), rows.data(), nullptr, t);
+    for (std::size_t i = 0; i < p.n; ++i)
+      for (std::size_t j = 0; j < p.n; ++j)
+        SUNDenseMatrix_Column(matrix, static_cast<long>(j))[i] = rows[i * p.n + j];
+    return call;
+  });
 }
 
 void silent(int, const char*, const char*, char*, void*) {}
@@ -81,6 +102,7 @@ struct SundialsDriver::Driver {
   SUNNonlinearSolver nonlinear = nullptr;
   void* memory = nullptr;
   double direction = 0;
+  Guarded guarded = {};
 
   Driver(SundialsMethod m, std::size_t unknowns, double tol) : method(m), n(unknowns), tolerance(tol) {
     SUNContext_Create(nullptr, &context);
@@ -150,6 +172,7 @@ SundialsDriver::SundialsDriver(SundialsDriver&&) noexcept = default;
 
 const char* SundialsDriver::advance(const RawProblem& problem, double* x, double& t, double t1) {
   Driver& driver = *driver_;
+  driver.guarded = {&problem};
   double* state = N_VGetArrayPointer(driver.x);
   if ((t1 - t) * driver.direction <= 0) {
     driver.direction = t1 - t;
@@ -157,25 +180,28 @@ const char* SundialsDriver::advance(const RawProblem& problem, double* x, double
     driver.start(t);
   }
   const auto step = [&](auto set_problem, auto set_stop, auto evolve, int one_step) {
-    set_problem(driver.memory, const_cast<RawProblem*>(&problem));
+    set_problem(driver.memory, &driver.guarded);
     const int status = set_stop(driver.memory, t1);
     return status < 0 ? status : evolve(driver.memory, t1, driver.x, &t, one_step);
   };
   const int status = driver.cvode()
                          ? step(CVodeSetUserData, CVodeSetStopTime, CVode, CV_ONE_STEP)
                          : step(ERKStepSetUserData, ERKStepSetStopTime, ERKStepEvolve, ARK_ONE_STEP);
+  driver.guarded.rethrow();
   std::copy_n(state, driver.n, x);
   return status >= 0 ? nullptr : "SUNDIALS found no step small enough";
 }
 
 void SundialsDriver::plain_step(const RawProblem& problem, double* x, double t, double h) {
   Driver& driver = *driver_;
+  driver.guarded = {&problem};
   double* state = N_VGetArrayPointer(driver.x);
   std::copy_n(x, driver.n, state);
   driver.start(t);
-  ERKStepSetUserData(driver.memory, const_cast<RawProblem*>(&problem));
+  ERKStepSetUserData(driver.memory, &driver.guarded);
   ERKStepSetFixedStep(driver.memory, h);
   const int status = ERKStepEvolve(driver.memory, t + h, driver.x, &t, ARK_ONE_STEP);
+  driver.guarded.rethrow();
   std::copy_n(state, driver.n, x);
   if (status < 0) x[0] = std::numeric_limits<double>::quiet_NaN();
 }

@@ -1,10 +1,10 @@
-#include "report/disturb.hpp"
+#include "report/perturb_results.hpp"
 
 namespace oddity {
 
 namespace {
 
-/// The index of the component that the disturbance is worked on: the largest.
+/// The index of the component that is perturbed: the largest.
 std::size_t largest(const Value& value) {
   std::size_t at = 0;
   for (std::size_t i = 1; i < value.size(); ++i)
@@ -20,7 +20,7 @@ bool noticed(Check check, double shift) {
 
 }  // namespace
 
-std::vector<std::string> unnoticed_disturbances(const JudgedClaim& judged) {
+std::vector<std::string> unnoticed_perturbations(const JudgedClaim& judged) {
   std::vector<std::string> unnoticed;
   const auto inspect = [&](const Reading& reading) {
     for (const Check& check : reading.checks) {
