@@ -52,6 +52,16 @@ Results last_results(const fs::path& folder) {
   return results;
 }
 
+/// "0.001 to 3.14", "whole, 2 to 100"; empty when any number will do.
+std::string range_of(const Parameter& p) {
+  const bool from = std::isfinite(p.least), to = std::isfinite(p.most);
+  const std::string ends = from && to ? shortest(p.least) + " to " + shortest(p.most)
+                           : from     ? "from " + shortest(p.least)
+                           : to       ? "up to " + shortest(p.most)
+                                      : "";
+  return (p.whole ? "whole" : "") + std::string(p.whole && !ends.empty() ? ", " : "") + ends;
+}
+
 std::string in_list(const Entry& entry) {
   std::string text = to_string(entry.number) + "  " + std::string(entry.exercise.title) +
                      (entry.exercise.scene ? " (scene)" : "") + (of_the_book(entry.number) ? "" : " (own)") +

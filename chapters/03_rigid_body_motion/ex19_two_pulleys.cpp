@@ -105,7 +105,7 @@ struct Sample {
   auto kinetic() const {
     return [*this](const auto& y, const auto& dy) {
       using T = std::decay_t<decltype(y[0])>;
-      const auto s = springs(PairOf<Dual<T>>{Dual<T>(y[0], dy[0]), Dual<T>(y[1], dy[1])});
+      const auto s = springs(Two<Dual<T>>{Dual<T>(y[0], dy[0]), Dual<T>(y[1], dy[1])});
       const T w1 = s[0].slope / p.R1, w2 = (s[1].slope + dy[0]) / p.R2;
       return 0.5 * (p.m2 * dy[0] * dy[0] + p.m3 * dy[1] * dy[1] + p.I1 * w1 * w1 + p.I2 * w2 * w2);
     };
