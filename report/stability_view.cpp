@@ -45,7 +45,7 @@ std::vector<std::string> limit_cells(const Stability& s, const Limit& l) {
           shown_theory(l),
           shown_tongues(l),
           error_of(l.at, s.unit),
-          l.within ? rounded(l.within->setting, 3) : "none tried",
+          l.within ? rounded(l.within->setting, 3) : "none found",
           how_it_breaks(l, s),
           shown_cure(l, s.unit)};
 }
@@ -173,11 +173,10 @@ std::string beyond(const Limit& l) { return l.broken ? std::string(name_of(l.bro
 std::string how_it_breaks(const Limit& l, const Stability& s) {
   if (!l.broken) return "";
   const TimedTrial& t = *l.broken;
-  std::string text = "at " + rounded(l.unstable, 3) + " " + s.time_unit +
-                     " neighbouring motions have parted after " + rounded(l.lost, 2) + " " + s.time_unit +
-                     "; the motion at " + rounded(t.setting, 3) + " " + s.time_unit + " is " + beyond(l) +
-                     ": ";
-  return text + (t.message.empty() ? "error " + in_unit(shown_error(t.error), s.unit) : t.message);
+  const std::string unit = " " + s.time_unit;
+  return "at " + rounded(l.unstable, 3) + unit + " neighbouring motions have parted after " +
+         rounded(l.lost, 2) + unit + "; the motion at " + rounded(t.setting, 3) + unit + ": " + beyond(l) +
+         ", " + (t.message.empty() ? "error " + in_unit(shown_error(t.error), s.unit) : t.message);
 }
 
 std::string shown_cure(const Limit& l, const std::string& unit) {
@@ -239,21 +238,24 @@ std::string stability_page(const Results& results) {
       "# Up to which step methods are stable\n\n"
       "A method is stable at a step when a small disturbance of the motion does not grow in it, or, where it "
       "grows in truth, grows at most twice as fast. *Stable to* is the step at which this is first lost when "
-      "the step is made longer and longer; it says nothing about accuracy, which has two columns of its own: "
-      "the error at that step, and the largest step that keeps the error within what the scene needs. Where "
-      "no step is stable, the entry is *none*, and the time in which a disturbance grows tenfold tells how "
-      "soon that matters.\n\n"
-      "The limit is measured: the method itself integrates the disturbance along the true motion, over 1000 "
-      "radians of the fastest mode where the motion goes on alike, so it does not depend on the horizon "
-      "shown "
-      "or on a conserved quantity. A disturbance that takes more than 366 turns of its own to grow tenfold "
-      "counts as one that does not grow. *Theory* takes the eigenvalues of the Jacobian at 65 points of the "
-      "motion and the method's growth factor at each: *unstable in theory* lists all the steps at which one "
-      "of them grows. *Every step* is stated only where theory proves it; *at least* names the longest step "
-      "tried. The motion beyond is run at the next step that divides the interval between two looks at it; "
-      "the cure is the cheapest method that is within the need at that step, or, where there is none, the "
-      "cheapest with step control. The maps show how each method ends over the step and over the parameter "
-      "that makes the scene hard.\n\n";
+      "the step is made longer and longer. It says nothing about accuracy, which has two columns of its own: "
+      "the error at that step, and the largest step that keeps the error within what the scene needs.\n\n"
+      "The limit is measured with the method itself, from two starts that differ by a millionth of the "
+      "motion's size. Stability is lost when the two have parted a hundred times the square of what true "
+      "motions part, or when the motion has become twice too large. They are watched for 1000 radians of "
+      "the fastest mode, or, where the motion does not go on alike, for the time shown; so the limit depends "
+      "neither on the horizon of a motion that goes on nor on a conserved quantity. In a chaotic motion true "
+      "neighbours part as well, and only what goes beyond them counts. *None*: not even a step of 0.02 over "
+      "the fastest frequency is stable, to a factor of two; the time after which neighbouring motions have "
+      "parted tells how soon that matters. *Every step* is stated only where theory proves it; *at least* "
+      "names the longest step tried.\n\n"
+      "*Theory* takes the eigenvalues of the Jacobian at 65 points of the motion and the method's growth "
+      "factor at each; it lists all the steps at which a disturbance grows, if only at one of the points, by "
+      "more than tenfold in 366 turns of its own. The motion beyond is run at the next step that divides the "
+      "interval between two looks at it; the cure is the cheapest method that is within the need at that "
+      "step, or, where there is none, the cheapest with step control. The maps show how each method ends "
+      "over "
+      "the step and over the parameter that makes the scene hard.\n\n";
   for (const ExerciseResult& e : results.exercises)
     if (e.stability) text += stability_of_scene(e);
   return text + "[All chapters](README.md)\n";
