@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
@@ -171,6 +172,13 @@ TEST_CASE("explicit Euler has no stable step on an undamped pendulum", "[stabili
   REQUIRE(limit.unstable > 0);
   CHECK(limit.unstable <= 0.02 / 2.9);
   CHECK(std::isfinite(limit.lost));
+}
+
+TEST_CASE("symplectic Euler loses the pendulum where four steps make a swing", "[stability]") {
+  const double a = std::numbers::pi / 6, frequency = std::sqrt(9.81) * (1 - a * a / 16);
+  const Limit limit = limit_in(scene({3, 5}, 10), "one angle", "symplectic Euler", 10);
+  CHECK(
+      near(limit.step() * frequency, std::sqrt(2.0), 0.04));  // a quarter turn: cos = 1 - (h omega)^2 / 2 = 0
 }
 
 TEST_CASE("a limit does not depend on the horizon shown", "[stability]") {
