@@ -126,6 +126,13 @@ TEST_CASE("where linear theory first loses stability, and every tongue beyond", 
   }
 }
 
+TEST_CASE("in explicit Euler an undamped oscillation grows at the rate h omega^2 / 2", "[solvers]") {
+  for (double h : {1e-1, 1e-2, 1e-3}) {
+    CHECK(growth("explicit Euler", h * turning) > 0);
+    CHECK(near(growth("explicit Euler", h * turning) / h, h / 2, h * h * h));
+  }
+}
+
 TEST_CASE("what parts in truth may part up to twice as fast", "[solvers]") {
   for (std::string_view algorithm : {"explicit Euler", "velocity Verlet", "Runge-Kutta 4"})
     CHECK(tongues(algorithm, parting).empty());
