@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solvers/ode/stability.hpp"
 #include "solvers/solved.hpp"
 
 /// The vocabulary of oddity: what the book says (exercise, claim, reading, check, verdict) and how a thing is
@@ -218,6 +219,14 @@ Answer answer(const Solved<T>& solved, const See& see = {}) {
           solved.message};
 }
 
+/// How a method of fixed step treats small disturbances of the motion, measured with the method itself: when
+/// two motions that start close together have parted much further than in truth.
+struct Disturbances {
+  double span = 0;     ///< s, in which they are watched: not the horizon shown where the motion goes on alike
+  double fastest = 0;  ///< rad/s, of the fastest mode, averaged over the motion
+  std::function<double(double step)> lost;  ///< s, the time at which they have; infinity: not in the span
+};
+
 /// A model solved by an algorithm.
 struct Method {
   std::string model;
@@ -226,8 +235,10 @@ struct Method {
   std::function<Answer(double setting)> run;
   Outcome expected = Outcome::ok;  ///< at the finest setting; the suite is red when it ends otherwise
   std::string why = {};            ///< why it is expected to fail
-  /// The largest step that linear theory calls stable, with the model's Jacobian frozen along the motion.
-  std::function<double()> stable_step = {};
+  // Of a method of fixed step only:
+  /// The steps at which linear theory calls it unstable, with the model's Jacobian frozen along the motion.
+  std::function<std::vector<ode::Tongue>()> unstable_steps = {};
+  std::function<Disturbances()> disturbances = {};
 };
 
 /// A known failure and its cure: two rows of the table of trials, both asserted.

@@ -1,6 +1,7 @@
 #include "chapters/scene.hpp"
 
 #include "solvers/ode/algorithms.hpp"
+#include "solvers/ode/disturbed.hpp"
 
 namespace oddity {
 
@@ -75,7 +76,7 @@ std::vector<double> ModelOf<n>::moving(double end) const {
 
 template <std::size_t n>
 ode::Spectrum ModelOf<n>::spectrum(double end) const {
-  const auto times = Horizon{end, 32}.times();
+  const auto times = Horizon{end, 64}.times();
   const auto motion = accurate_motion(times);
   ode::Spectrum spectrum{end / static_cast<double>(times.size()), {}};
   const auto rhs = [&](const double* x, double* dxdt, double t) {
@@ -89,6 +90,23 @@ ode::Spectrum ModelOf<n>::spectrum(double end) const {
   return spectrum;
 }
 
+template <std::size_t n>
+Disturbances ModelOf<n>::disturbances(std::string_view algorithm, double end) const {
+  constexpr double enough = 1000;  // radians
+  const ode::Spectrum shown = spectrum(end);
+  const double fastest = ode::fastest(shown), later = enough / fastest;
+  auto disturbed = std::make_shared<const ode::Disturbed<n>>(*this, start(), end);
+  if (later > end && fastest > 0 && ode::largest(spectrum(later)) <= 1.05 * ode::largest(shown)) {
+    const auto long_run = std::make_shared<const ode::Disturbed<n>>(*this, start(), later);
+    bool alike = long_run->span() == later;  // it grows no more than in proportion to the time
+    for (std::size_t i = 0; i < n; ++i)
+      alike = alike && long_run->sizes()[i] <= 1.5 * later / end * disturbed->sizes()[i];
+    if (alike) disturbed = long_run;
+  }
+  return {disturbed->span(), fastest,
+          [disturbed, algorithm](double step) { return disturbed->lost(algorithm, step); }};
+}
+
 #define ODDITY_MODEL(n, type) template class type<n>;
 ODDITY_FOR_UNKNOWNS(ODDITY_MODEL, ModelOf)
 
@@ -100,17 +118,22 @@ bool is_other_algorithm(std::string_view name) {
 }
 
 Ladder& Ladder::add(std::string name, Any model, ode::Brief algorithm, Outcome expected, std::string why) {
-  std::function<double()> stable_step;
+  std::function<std::vector<ode::Tongue>()> unstable_steps;
+  std::function<Disturbances()> disturbances;
   const bool has_tolerance = ode::has_tolerance(algorithm.kind);
-  if (!has_tolerance)
-    stable_step = [model, algorithm, end = horizon_.end] {
-      return ode::stable_step(algorithm.name, model->spectrum(end));
+  if (!has_tolerance) {
+    unstable_steps = [model, algorithm, end = horizon_.end] {
+      return ode::unstable_steps(algorithm.name, model->spectrum(end));
     };
+    disturbances = [model, algorithm, end = horizon_.end] {
+      return model->disturbances(algorithm.name, end);
+    };
+  }
   const auto run = [model, algorithm, horizon = horizon_](double setting) {
     return model->run(algorithm.name, horizon, setting);
   };
   quantity_.add(Method{std::move(name), std::string(algorithm.name), has_tolerance ? tolerances_ : steps_,
-                       run, expected, std::move(why), std::move(stable_step)});
+                       run, expected, std::move(why), std::move(unstable_steps), std::move(disturbances)});
   return *this;
 }
 

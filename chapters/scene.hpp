@@ -103,6 +103,8 @@ class AnyModel {
   virtual Answer run(std::string_view algorithm, const Horizon&, double setting) const = 0;
   /// The eigenvalues of its Jacobian along its motion.
   virtual ode::Spectrum spectrum(double end) const = 0;
+  /// What becomes of small disturbances of its motion. The model must outlive the result.
+  virtual Disturbances disturbances(std::string_view algorithm, double end) const = 0;
 };
 
 /// A model of n unknowns.
@@ -119,6 +121,7 @@ class ModelOf : public AnyModel, public ode::AnySystem<n> {
 
   Answer run(std::string_view algorithm, const Horizon&, double setting) const final;
   ode::Spectrum spectrum(double end) const final;
+  Disturbances disturbances(std::string_view algorithm, double end) const final;
   /// A motion through the times, observed there, the conserved quantities watched.
   Answer observed(std::span<const double> times, const ode::Trajectory<State>&) const;
 

@@ -32,14 +32,21 @@ double step_in(const CsvRow& row, std::size_t i) {
   return step;
 }
 
+std::optional<double> number_or_none(const CsvRow& row, std::size_t i) {
+  return row.cells[i].empty() ? std::nullopt : std::optional(row.number(i));
+}
+
 }  // namespace
 
 Limits read_limits(const std::filesystem::path& folder) {
   Limits limits;
   for (const CsvRow& row : rows_of(folder / "limits.csv",
-                                   {"exercise", "model", "algorithm", "step", "theory", "beyond", "why"}, 3))
+                                   {"exercise", "model", "algorithm", "step", "theory", "unstable", "error",
+                                    "needed", "beyond", "why"},
+                                   3))
     limits.push_back({row.cells[0], row.cells[1], row.cells[2], step_in(row, 3), step_in(row, 4),
-                      row.cells[5], row.cells[6], row.place});
+                      row.cells[5], number_or_none(row, 6), number_or_none(row, 7), row.cells[8],
+                      row.cells[9], row.place});
   return limits;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,13 @@ namespace oddity {
 /// A method's limit of stability as it is on record.
 struct ApprovedLimit {
   std::string exercise, model, algorithm;
-  double step = 0;     ///< s, the largest stable one; infinity: every step; 0: none
-  double theory = 0;   ///< s, of linear theory
-  std::string beyond;  ///< the outcome just above; "stable" where no step breaks the method
-  std::string why;     ///< why the two differ, where they do by more than a factor of two
+  double step = 0;               ///< s, the largest stable one; infinity: every step; 0: none
+  double theory = 0;             ///< s, of linear theory
+  std::string unstable;          ///< the steps that are unstable in theory
+  std::optional<double> error;   ///< at the largest stable step; none: no step is stable
+  std::optional<double> needed;  ///< s, the largest step within the scene's need; none: none that was tried
+  std::string beyond;  ///< the outcome just above; "stable" where no step up to the longest tried is unstable
+  std::string why;     ///< why step and theory differ, where they do by more than a quarter
   std::string place;   ///< file and line
 };
 

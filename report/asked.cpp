@@ -155,7 +155,8 @@ void set_errors(Need& need, const Entry& entry, const std::string& text) {
       need.error = positive("--error", one, "");
       continue;
     }
-    const auto fits = std::ranges::find_if(units, [&](std::string_view unit) { return is_in_unit(one, unit); });
+    const auto fits =
+        std::ranges::find_if(units, [&](std::string_view unit) { return is_in_unit(one, unit); });
     if (fits == units.end())
       throw BadInput("--error: '" + one + "' is no error of " + seen.name + ", whose observables are in " +
                      joined({units.begin(), units.end()}));
@@ -166,7 +167,8 @@ void set_errors(Need& need, const Entry& entry, const std::string& text) {
   for (std::string_view unit : units)
     if (std::isnan(need.error) && !need.errors.contains(unit))
       throw BadInput("--error: the observables are in " + joined({units.begin(), units.end()}) +
-                     ", and none is given in " + std::string(unit) + ": add it after a comma, as in 1cm,1deg");
+                     ", and none is given in " + std::string(unit) +
+                     ": add it after a comma, as in 1cm,1deg");
   if (std::isnan(need.error)) need.error = need.errors.begin()->second;
 }
 
@@ -174,7 +176,8 @@ Criterion criterion_of(const std::string& text) {
   const std::vector<std::string> names{"path", "energy", "period", "bounded"};
   const auto found = std::ranges::find(names, text);
   if (found == names.end())
-    throw BadInput("--criterion '" + text + "' is none of " + joined(names) + suggested(similar(text, names)));
+    throw BadInput("--criterion '" + text + "' is none of " + joined(names) +
+                   suggested(similar(text, names)));
   return static_cast<Criterion>(found - names.begin());
 }
 
@@ -252,8 +255,8 @@ Need need_of(const Entry& entry, const AskedNeed& asked) {
     throw BadInput("--horizon " + asked.horizon + " at --fps " + asked.frames_per_second + " asks for " +
                    rounded(frames, 3) + " frames, of at most a million: " +
                    (fast ? "--fps may be " + rounded(most_frames / need.horizon, 6) + " over that time"
-                         : "--horizon may be " + rounded(most_frames / need.frames_per_second, 6) + " " + time +
-                               " at that rate"));
+                         : "--horizon may be " + rounded(most_frames / need.frames_per_second, 6) + " " +
+                               time + " at that rate"));
   }
   if (!asked.budget.empty()) {
     if (number_in(asked.budget)) throw BadInput("--budget needs a unit, such as " + asked.budget + "us");

@@ -225,8 +225,8 @@ Json from(const std::vector<Tried>& all, const Choice& choice) {
 
 Json need_of(const Choice& choice) {
   static constexpr const char* criteria[] = {"path", "energy", "period", "bounded"};
-  const Json error = choice.need.criterion == Criterion::path ? from(choice.needs, choice)
-                                                              : from(choice.need.error);
+  const Json error =
+      choice.need.criterion == Criterion::path ? from(choice.needs, choice) : from(choice.need.error);
   return {{"exercise", choice.exercise},
           {"criterion", criteria[static_cast<int>(choice.need.criterion)]},
           {"error", error},

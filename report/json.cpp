@@ -323,6 +323,17 @@ double limit_in(const Json& json) {
   return json == "every" ? std::numeric_limits<double>::infinity() : number(json);
 }
 
+Json from(const std::vector<ode::Tongue>& tongues) {
+  Json all = Json::array();
+  for (const ode::Tongue& t : tongues) all.push_back({from(t.from), from_limit(t.to)});
+  return all;
+}
+std::vector<ode::Tongue> tongues(const Json& json) {
+  std::vector<ode::Tongue> all;
+  for (const Json& t : json) all.push_back({number(t.at(0)), limit_in(t.at(1))});
+  return all;
+}
+
 Json from(const std::optional<TimedTrial>& t) { return t ? from(*t) : Json(nullptr); }
 std::optional<TimedTrial> maybe_trial(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional(trial(json));
@@ -334,9 +345,15 @@ Json from(const Stability& s) {
     limits.push_back({{"model", l.model},
                       {"algorithm", l.algorithm},
                       {"step", from_limit(l.step())},
-                      {"theory", from_limit(l.theory)},
+                      {"theory", from_limit(l.theory())},
+                      {"tongues", from(l.tongues)},
                       {"stable", from(l.stable)},
+                      {"unstable", from(l.unstable)},
+                      {"longest", from(l.longest)},
+                      {"lost", from(l.lost)},
+                      {"at", from(l.at)},
                       {"broken", from(l.broken)},
+                      {"within", from(l.within)},
                       {"cure", from(l.cure)},
                       {"why", l.why}});
   for (const MapRow& row : s.map) {
@@ -361,11 +378,10 @@ Stability stability(const Json& json) {
               json.at("parameter"),     json.at("parameter_unit"),
               json.at("steps"),         {}};
   for (const Json& l : json.at("limits"))
-    s.limits.push_back({l.at("model"), l.at("algorithm"), limit_in(l.at("theory")),
-                        maybe_trial(l.at("stable")), maybe_trial(l.at("broken")), maybe_trial(l.at("cure")),
-                        l.at("why")});
-  for (const Limit& l : s.limits)
-    require((l.stable || l.broken) && (l.broken || !l.cure), "a limit without a step, or a cure of nothing");
+    s.limits.push_back({l.at("model"), l.at("algorithm"), tongues(l.at("tongues")), number(l.at("stable")),
+                        number(l.at("unstable")), number(l.at("longest")), number(l.at("lost")),
+                        maybe_trial(l.at("at")), maybe_trial(l.at("broken")), maybe_trial(l.at("within")),
+                        maybe_trial(l.at("cure")), l.at("why")});
   require(!s.steps.empty(), "a map has no steps");
   for (const Json& r : json.at("map")) {
     MapRow row{r.at("model"), r.at("algorithm"), number(r.at("value")), limit_in(r.at("theory")), {}};

@@ -133,16 +133,24 @@ struct Ledger {
   std::vector<std::string> never;  ///< models that are not enough for a game wherever it was looked
 };
 
-/// Up to which step a method of fixed step is stable, how it breaks beyond, and what cures it.
+/// Up to which step a method of fixed step is stable, how far it is from the truth there, how it breaks
+/// beyond, and what cures it.
 struct Limit {
   std::string model, algorithm;
-  double theory = 0;                 ///< of linear theory; infinity: every step is stable
-  std::optional<TimedTrial> stable;  ///< at the largest stable step; none: not even the finest tried is
-  std::optional<TimedTrial> broken;  ///< at the next longer step tried; none: every step tried is stable
-  std::optional<TimedTrial> cure;    ///< what is close enough where this method breaks
+  std::vector<ode::Tongue> tongues;  ///< the steps at which it is unstable by linear theory
+  double stable = 0;                 ///< measured: up to here every step tried is stable; 0: none is
+  double unstable = 0;               ///< measured: the shortest unstable step; 0: none up to `longest`
+  double longest = 0;                ///< the longest step that the measurement may try
+  double lost = 0;                   ///< the time at which neighbouring motions have parted at that step
+  std::optional<TimedTrial> at;  ///< the motion by the longest step that is stable and divides its interval
+  std::optional<TimedTrial> broken;  ///< and by the next longer one that is unstable
+  std::optional<TimedTrial> within;  ///< by the largest step below which all are within the scene's need
+  std::optional<TimedTrial> cure;    ///< what is within the need at the step of `broken`
   std::string why;                   ///< why theory and measurement differ, where it is on record
 
-  /// The largest stable step; infinity: even the longest tried; 0: none.
+  /// Where linear theory's first tongue begins; 0: every step is unstable; infinity: none is.
+  double theory() const;
+  /// The largest stable step; 0: none; infinity: every step, which takes that theory proves it.
   double step() const;
 };
 

@@ -4,7 +4,9 @@
 #include <limits>
 #include <numeric>
 
+#include "chapters/scene.hpp"
 #include "report/parallel.hpp"
+#include "report/starts.hpp"
 
 namespace oddity {
 
@@ -12,31 +14,80 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr long enough_steps = 4096, most_steps = 262'144, most_evaluations = 200'000;
-
 /// The map's steps: the sample interval, halved again and again.
 constexpr int map_steps = 12;
 
-/// How finely theory's limit is to be undercut before a method counts as stable.
-constexpr double undercut = 4;
+/// From step to step of a scan.
+constexpr double next_step = 1.03;
 
-/// A method tried at whole numbers of steps a sample interval.
-struct StepSearch {
-  const Quantity& quantity;
-  const Method& method;
-  double interval;
-  double theory;
-
-  Trial trial(long steps) const { return run(quantity, method, interval / static_cast<double>(steps)); }
-
-  /// Whether the scan may end at this many steps an interval.
-  bool ends(long steps, const Trial& trial, bool is_stable) const {
-    const long all = steps * quantity.samples;
-    if (all >= most_steps || trial.answer.evaluations >= most_evaluations) return true;
-    const bool below_theory = !(theory > 0) || interval / static_cast<double>(steps) <= theory / undercut;
-    return is_stable && all >= enough_steps && below_theory;
+/// The first loss of stability from below, as the measurement has it.
+void measure(Limit& limit, const Disturbances& disturbances, double interval) {
+  constexpr double fewest_steps = 16, most_steps = 200'000;
+  limit.longest = std::min(interval, disturbances.span / fewest_steps);
+  const auto stable = [&](double step) { return std::isinf(disturbances.lost(step)); };
+  const double finest = std::max(ode::finest / disturbances.fastest, disturbances.span / most_steps);
+  const double theory = limit.theory();
+  double low =
+      std::min(std::max(theory < limit.longest ? theory / 4 : limit.longest / 50, finest), limit.longest);
+  while (low > finest && !stable(low)) low = std::max(low / 4, finest);
+  double high = low;
+  if (stable(low)) {
+    while (high == low && low < limit.longest) {
+      high = std::min(low * next_step, limit.longest);
+      if (stable(high)) low = high;
+    }
+    while (high > 1.002 * low) {
+      const double middle = std::midpoint(low, high);
+      (stable(middle) ? low : high) = middle;
+    }
+    limit.stable = low;
   }
-};
+  if (limit.stable == high) return;
+  limit.unstable = high;
+  limit.lost = disturbances.lost(high);
+  if (limit.stable < 2 * finest) limit.stable = 0;  // told from none to a factor of two: the mode varies
+}
+
+/// The motion by the longest step that is no longer than this one and divides the interval.
+Trial run_at(const Quantity& quantity, const Method& method, double interval, double step) {
+  return run(quantity, method, interval / std::ceil(interval / step * (1 - 1e-9)));
+}
+
+/// By the shortest step that is no shorter than this one and divides the interval, or by the interval.
+Trial run_beyond(const Quantity& quantity, const Method& method, double interval, double step) {
+  return run(quantity, method, interval / std::max(1.0, std::floor(interval / step * (1 + 1e-9))));
+}
+
+/// By the largest step below which all that were tried are within the need: 1, 2, 3, 5, 8, ... steps an
+/// interval up to 4,096 steps in all, and to 262,144 steps or 200,000 evaluations while none is; bisected to
+/// 1 %.
+std::optional<TimedTrial> within_need(const Quantity& quantity, const Method& method, double interval) {
+  constexpr long enough_steps = 4096, most_steps = 262'144, most_evaluations = 200'000;
+  const auto trial = [&](long steps) { return run(quantity, method, interval / static_cast<double>(steps)); };
+  const auto holds = [&](const Trial& t) { return t.error <= quantity.need.allowed; };
+  std::optional<TimedTrial> within;
+  long coarse = 0, fine = 0;  // steps an interval: the finest that does not hold, the coarsest of those below
+  for (long steps = 1;; steps = std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5))) {
+    const Trial here = trial(steps);
+    if (!holds(here)) {
+      coarse = steps;
+      within.reset();
+    } else if (!within) {
+      fine = steps;
+      within = as_result(here);
+    }
+    const long all = steps * quantity.samples;
+    if (all >= most_steps || here.answer.evaluations >= most_evaluations) break;
+    if (within && all >= enough_steps) break;
+  }
+  while (within && fine - coarse > std::max(1L, fine / 100)) {
+    const long middle = std::midpoint(coarse, fine);
+    const Trial here = trial(middle);
+    (holds(here) ? fine : coarse) = middle;
+    if (holds(here)) within = as_result(here);
+  }
+  return within;
+}
 
 /// The cheaper of two ends, one of which may be missing.
 void keep_cheaper(std::optional<TimedTrial>& best, const Trial& trial) {
@@ -44,7 +95,11 @@ void keep_cheaper(std::optional<TimedTrial>& best, const Trial& trial) {
     best = as_result(trial);
 }
 
-bool of_fixed_step(const Method& method) { return static_cast<bool>(method.stable_step); }
+bool of_fixed_step(const Method& method) { return static_cast<bool>(method.unstable_steps); }
+
+double first_of(const std::vector<ode::Tongue>& tongues) {
+  return tongues.empty() ? infinity : tongues.front().from;
+}
 
 /// At the step that breaks the method: the cheapest other method that is close enough, the same model's if
 /// there is one. Where that step is too long for all, the cheapest with step control.
@@ -77,10 +132,10 @@ Motion motion_of(const Task& task, std::size_t place, const Reference& truth, st
   const Scene& scene = *task.entry->exercise.scene;
   Parameters parameters = task.parameters;
   if (value) parameters.set(scene.varied, *value);
-  Motion motion{place, scene.motion(parameters, {scene.horizon}, truth), 0, value.value_or(0),
-                value.has_value()};
+  Motion motion{place, oddity::motion(scene, parameters, truth), 0, value.value_or(0), value.has_value()};
   motion.interval = scene.horizon / motion.quantity.samples;
   motion.quantity.need = {scene.close, "what a game asks"};
+  for (std::string_view unit : motion.quantity.units()) motion.quantity.needs.push_back(game_error(unit));
   return motion;
 }
 
@@ -111,7 +166,7 @@ struct Piece {
 };
 
 MapRow row_of(const Motion& motion, const Method& method) {
-  MapRow row{method.model, method.algorithm, motion.value, method.stable_step(), {}};
+  MapRow row{method.model, method.algorithm, motion.value, first_of(method.unstable_steps()), {}};
   for (int k = 0; k < map_steps; ++k)
     row.outcomes.push_back(run(motion.quantity, method, std::ldexp(motion.interval, -k)).outcome);
   return row;
@@ -161,39 +216,20 @@ std::vector<Motion> motions_of(std::span<const Task> tasks, const Reference& tru
 
 }  // namespace
 
-double Limit::step() const { return !stable ? 0 : !broken ? infinity : stable->setting; }
+double Limit::theory() const { return first_of(tongues); }
 
-bool stable(const Trial& trial) {
-  return trial.answer.reached() && finite(trial.answer.value) && trial.outcome != Outcome::diverged &&
-         trial.outcome != Outcome::non_finite && trial.answer.drift <= 1;
-}
+double Limit::step() const { return unstable == 0 && tongues.empty() ? infinity : stable; }
 
 Limit limit_of(const Quantity& quantity, const Method& method, double interval) {
-  Limit limit{method.model, method.algorithm, method.stable_step ? method.stable_step() : 0, {}, {}, {}, {}};
-  const StepSearch search{quantity, method, interval, std::isfinite(limit.theory) ? limit.theory : 0};
-  long coarse = 0, fine = 0;  // steps an interval: the finest that is not stable, the coarsest of those below
-  for (long steps = 1;; steps = std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5))) {
-    const Trial trial = search.trial(steps);
-    const bool is_stable = stable(trial);
-    if (!is_stable) {
-      coarse = steps;
-      fine = 0;
-      limit.broken = as_result(trial);
-    } else if (fine == 0) {
-      fine = steps;
-      limit.stable = as_result(trial);
-    }
-    if (search.ends(steps, trial, is_stable)) break;
-  }
-  if (fine == 0) limit.stable.reset();
-  if (fine == 0 || coarse == 0) return limit;
-  while (fine - coarse > std::max(1L, fine / 100)) {
-    const long middle = std::midpoint(coarse, fine);
-    const Trial trial = search.trial(middle);
-    const bool is_stable = stable(trial);
-    (is_stable ? fine : coarse) = middle;
-    (is_stable ? limit.stable : limit.broken) = as_result(trial);
-  }
+  Limit limit;
+  limit.model = method.model;
+  limit.algorithm = method.algorithm;
+  limit.tongues = method.unstable_steps();
+  measure(limit, method.disturbances(), interval);
+  while (limit.tongues.size() > 1 && limit.tongues.back().from > interval) limit.tongues.pop_back();
+  if (limit.stable > 0) limit.at = as_result(run_at(quantity, method, interval, limit.stable));
+  if (limit.unstable > 0) limit.broken = as_result(run_beyond(quantity, method, interval, limit.unstable));
+  limit.within = within_need(quantity, method, interval);
   return limit;
 }
 

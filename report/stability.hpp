@@ -7,20 +7,16 @@
 #include "reference/limits.hpp"
 #include "report/run.hpp"
 
-/// Where methods of fixed step break: the largest stable step by bisection, beside the limit that linear
-/// theory gives; how each breaks beyond it, and what cures it; and a map of outcomes over the step and over
-/// the parameter that makes the scene hard.
+/// Where methods of fixed step break: the first step, from below, at which small disturbances of the motion
+/// grow that do not grow in truth, measured beside linear theory; how each method breaks beyond it, and what
+/// cures it; and a map of outcomes over the step and over the parameter that makes the scene hard.
 namespace oddity {
 
-/// A run is stable when it reaches its end and stays finite, its error is at most ten times the size of the
-/// true motion, and a conserved quantity has changed by no more than itself.
-bool stable(const Trial&);
-
-/// The largest stable step of a method of fixed step. Each of the quantity's sample intervals, `interval` [s]
-/// long, is cut into 1, 2, 3, 5, 8, ... steps, on to 4,096 steps in all and to a quarter of theory's limit; a
-/// method that is still not stable is followed to 262,144 steps or 200,000 evaluations. The step is then
-/// bisected to 1 % between the finest cut that is not stable and the next finer one, so that every finer step
-/// tried is stable. No cure is looked for.
+/// The first loss of stability from below: steps are tried one after the other, each 3 % longer than the
+/// last, from a quarter of theory's limit (or the finest that is told from none) to the longest, which is
+/// `interval` [s], the time between two looks at the motion, or what the measurement allows. Beside it the
+/// trials at and beyond the limit, whose steps divide the interval, and the largest step within the
+/// quantity's need. No cure is looked for.
 Limit limit_of(const Quantity&, const Method&, double interval);
 
 /// The results with the stability of every task that has a scene, computed in parallel: the limits at the
@@ -39,16 +35,18 @@ inline constexpr std::array outcomes_of_a_map{Outcome::ok,       Outcome::inaccu
 char letter_of(Outcome);
 /// The letters of a row's outcomes, from the coarsest step to the finest.
 std::string letters(const MapRow&);
-/// "0.625", "at least 2.5", "none above 0.0001".
+/// "0.625", "at least 2.5", "every step", "none".
 std::string shown_step(const Limit&);
-/// How a method breaks at the step just above its limit, with its numbers; empty when nothing breaks it.
-std::string how_it_breaks(const Limit&, const std::string& unit);
-/// What is close enough where the method breaks, with its numbers.
+/// "0.464 to 0.555, from 0.882 on".
+std::string shown_tongues(const Limit&);
+/// How a method breaks just above its limit, with its numbers; empty when nothing breaks it.
+std::string how_it_breaks(const Limit&, const Stability&);
+/// What is within the need where the method breaks, with its numbers.
 std::string shown_cure(const Limit&, const std::string& unit);
-/// The outcome just above the limit, or "stable" when nothing breaks the method.
+/// How the motion ends just above the limit, or "stable" when nothing breaks the method.
 std::string beyond(const Limit&);
-/// The quotient of the measured and the theoretical limit that is nearest to 1 within the bisected bracket;
-/// NaN when one of them is not finite and positive and the other is.
+/// The measured limit over theory's: 1 where both are zero or infinite, or where theory's lies above the
+/// longest step tried and all are stable; 0 or infinity where only one of them is.
 double agreement(const Limit&);
 
 /// Tables and maps for a terminal.

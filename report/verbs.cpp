@@ -102,8 +102,8 @@ Table limits_table(const Results& results) {
   for (const ExerciseResult& e : results.exercises)
     for (const Limit& l : e.stability->limits)
       table.rows.push_back({to_string(e.number), l.model, l.algorithm, l.step(),
-                            l.broken ? l.broken->setting : none, l.theory, e.stability->time_unit, beyond(l),
-                            l.broken ? l.broken->error : none, e.stability->unit, l.why});
+                            l.broken ? l.broken->setting : none, l.theory(), e.stability->time_unit,
+                            beyond(l), l.broken ? l.broken->error : none, e.stability->unit, l.why});
   return table;
 }
 

@@ -56,17 +56,18 @@ inline Results sample() {
   broken.message = "";
   TimedTrial told = broken;
   told.message = "a message";
-  e.stability = Stability{"q",
-                          "m",
-                          "s",
-                          10,
-                          0.1,
-                          {{"model", "algorithm", 1, trial, broken, trial, "a reason"},
-                           {"model", "other", 2, trial, told, trial, ""}},
-                          "a",
-                          "rad",
-                          {1, 0.5},
-                          {{"model", "algorithm", 0.1, 0.7, {Outcome::drifted, Outcome::ok}}}};
+  e.stability =
+      Stability{"q",
+                "m",
+                "s",
+                10,
+                0.1,
+                {{"model", "algorithm", {{1, 2}}, 0.9, 1.1, 4, 7, trial, broken, trial, trial, "a reason"},
+                 {"model", "other", {{2, 3}}, 2, 2.1, 4, 7, trial, told, {}, trial, ""}},
+                "a",
+                "rad",
+                {1, 0.5},
+                {{"model", "algorithm", 0.1, 0.7, {Outcome::drifted, Outcome::ok}}}};
   return {{e}};
 }
 

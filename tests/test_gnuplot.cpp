@@ -52,8 +52,7 @@ TEST_CASE("pictures are drawn whole", "[gnuplot]") {
 
 TEST_CASE("a plotter that is missing, fails, dies, hangs or does nothing is reported", "[gnuplot]") {
   const ScratchFolder scratch;
-  CHECK(has(refused(scratch, {"/no/such/gnuplot", 1s}),
-            "/no/such/gnuplot: No such file or directory"));
+  CHECK(has(refused(scratch, {"/no/such/gnuplot", 1s}), "/no/such/gnuplot: No such file or directory"));
   CHECK(has(refused(scratch, plotter(scratch, "echo some words >&2; exit 3")),
             "ended with status 3: some words"));
   CHECK(has(refused(scratch, plotter(scratch, "kill -9 $$")), "ended with signal 9"));

@@ -3,6 +3,9 @@
 
 #include "solvers/ode/stability.hpp"
 
+#include <algorithm>
+
+#include "solvers/ode/disturbed.hpp"
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_algorithms.hpp"
@@ -81,23 +84,82 @@ TEST_CASE("an oscillation stays for a thousand steps below the limit and is lost
   CHECK(amplitude.operator()<ExplicitEuler>(0.1) > 100);
 }
 
-TEST_CASE("the stable step allows a tenfold growth beyond the truth's", "[solvers]") {
-  const double span = 10;
-  const auto along = [&](std::complex<double> lambda, std::string_view algorithm) {
-    return stable_step(algorithm, {span, {{lambda, -lambda}}});
+namespace {
+
+/// The steps at which an algorithm is unstable on y' = lambda y.
+std::vector<Tongue> tongues(std::string_view algorithm, std::complex<double> lambda) {
+  return unstable_steps(algorithm, {10, {{lambda, std::conj(lambda)}}});
+}
+
+const std::complex<double> turning(0, 1), parting(1, 0), fading(-1, 0), ringing(-0.1, 1);
+
+}  // namespace
+
+TEST_CASE("where linear theory first loses stability, and every tongue beyond", "[solvers]") {
+  const auto first = [](std::string_view algorithm, std::complex<double> lambda) {
+    return stable_step(algorithm, {10, {{lambda}}});
   };
-  const std::complex<double> turning(0, 1), parting(1, 0);
-  for (std::string_view algorithm : {"explicit Euler", "velocity Verlet", "Runge-Kutta 4"}) {
-    const double h = along(turning, algorithm);
-    INFO(algorithm << ": " << h);
-    CHECK(near(growth(algorithm, h * turning) / h * span, std::log(10.0), 1e-3));
+  CHECK(first("explicit Euler", turning) == 0);
+  CHECK(near(first("explicit Euler", fading), 2, 0.003));
+  CHECK(near(first("explicit Euler", ringing), 0.2 / 1.01, 0.005));
+  CHECK(near(first("velocity Verlet", turning), 2, 1e-3));
+  CHECK(near(first("Runge-Kutta 4", turning), 2 * std::sqrt(2.0), 0.003));
+  CHECK(near(first("Runge-Kutta 4", 50.0 * turning), 2 * std::sqrt(2.0) / 50, 0.0001));
+  CHECK(near(first("modified midpoint", turning), std::pow(0.128, 0.2), 0.01));  // grows by h^6 / 128
+  CHECK(near(first("Adams-Bashforth 4", turning), 0.43, 0.005));
+  CHECK(near(first("Adams-Bashforth-Moulton 6", turning), 0.5267, 0.005));
+  CHECK(std::isinf(first("linearly implicit Euler", turning)));
+  const auto found = tongues("McLachlan 4", turning);
+  REQUIRE(found.size() == 3);
+  CHECK(near(found[0].from, 2.967808, 1e-3));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const double middle = i == 2 ? found[2].from + 1 : (found[i].from + found[i].to) / 2;
+    CHECK(growth("McLachlan 4", middle * turning) > 0.01);
   }
-  CHECK(near(along(turning, "velocity Verlet"), 2, 0.15));
-  CHECK(along(turning, "velocity Verlet") > 2);
-  CHECK(along(turning, "Runge-Kutta 4") > 2 * std::sqrt(2.0));
-  for (std::string_view algorithm : {"velocity Verlet", "explicit Euler"}) {
-    INFO(algorithm << " grows no faster than what parts in truth");
-    CHECK(std::isinf(along(parting, algorithm)) == (algorithm == "velocity Verlet"));
+  for (double h = 0.05; h < 12; h += 0.0037) {  // evenly, where the scan is not
+    const bool listed = std::ranges::any_of(found, [&](const Tongue& t) { return t.from < h && h < t.to; });
+    const bool grows = growth("McLachlan 4", h * turning) > negligible_growth * h;
+    INFO("h = " << h);
+    CHECK((listed == grows || std::ranges::any_of(found, [&](const Tongue& t) {
+             return std::abs(h - t.from) < 1e-6 || std::abs(h - t.to) < 1e-6;
+           })));
   }
-  CHECK(near(along(parting, "explicit Euler"), 2, 1));
+}
+
+TEST_CASE("in explicit Euler an undamped oscillation grows at the rate h omega^2 / 2", "[solvers]") {
+  for (double h : {1e-1, 1e-2, 1e-3}) {
+    CHECK(growth("explicit Euler", h * turning) > 0);
+    CHECK(near(growth("explicit Euler", h * turning) / h, h / 2, h * h * h));
+  }
+}
+
+TEST_CASE("what parts in truth may part up to twice as fast", "[solvers]") {
+  for (std::string_view algorithm : {"explicit Euler", "velocity Verlet", "Runge-Kutta 4"})
+    CHECK(tongues(algorithm, parting).empty());
+  const auto found = tongues("linearly implicit Euler", parting);
+  REQUIRE(found.size() == 1);
+  for (double h : {found[0].from, found[0].to}) CHECK(near(-std::log(std::abs(1 - h)), 2.001 * h, 1e-6));
+}
+
+TEST_CASE("two motions that start together part where theory says", "[solvers]") {
+  struct Oscillator {
+    void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], -x[0]}; }
+    void acceleration(const std::array<double, 1>& q, std::array<double, 1>& a) const { a[0] = -q[0]; }
+  };
+  const Adapted<AnySystem<2>, Oscillator> oscillation{Oscillator{}};
+  const Disturbed<2> disturbed(oscillation, {1, 0}, 1000);
+  CHECK(disturbed.span() == 1000);
+  const auto lost = [&](std::string_view algorithm, double h) { return disturbed.lost(algorithm, h); };
+  for (const auto& [algorithm, limit] :
+       {std::pair("velocity Verlet", 2.0), std::pair("Runge-Kutta 4", 2.8284),
+        std::pair("McLachlan 4", 2.9678), std::pair("Adams-Bashforth 4", 0.43),
+        std::pair("Adams-Bashforth-Moulton 6", 0.5267)}) {
+    INFO(algorithm);
+    CHECK(std::isinf(lost(algorithm, 0.5 * limit)));
+    CHECK(std::isfinite(lost(algorithm, 1.03 * limit)));
+  }
+  CHECK(std::isinf(lost("McLachlan 4", 4.5)));  // between two tongues
+  CHECK(std::isfinite(lost("explicit Euler", 0.02)));
+  CHECK(lost("explicit Euler", 0.04) < lost("explicit Euler", 0.02));
+  for (double h : {0.1, 1.0, 10.0}) CHECK(std::isinf(lost("linearly implicit Euler", h)));
 }

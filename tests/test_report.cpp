@@ -106,7 +106,6 @@ TEST_CASE("a results file that would lead to nonsense is refused", "[report]") {
         }).find("path") != std::string::npos);
   CHECK(refused([](E& e) { e.stability->steps.clear(); }).find("map") != std::string::npos);
   CHECK(refused([](E& e) { e.stability->map[0].outcomes.pop_back(); }).find("map") != std::string::npos);
-  CHECK(refused([](E& e) { e.stability->limits[0].broken.reset(); }).find("limit") != std::string::npos);
 }
 
 TEST_CASE("a perturbed result that a check does not notice is named", "[report]") {

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "report/chart.hpp"
 #include "tests/catch.hpp"
@@ -26,119 +28,219 @@ Quantity motion() {
   return quantity;
 }
 
-const Answer fine{Value{1, 1, 1, 1}, 4}, far{Value{1, 1, 1, 100}, 4};
+const Answer fine{Value{1, 1, 1, 1}, 4}, near_by{Value{1, 1, 1, 1.5}, 4}, far{Value{1, 1, 1, 100}, 4};
 
-/// A method whose answer depends on its step, and theory's limit for it.
-template <class Answers>
-Method method(const Answers& answer, double theory = infinity) {
-  return {"model", "algorithm", halving("step", 1, 4), answer, Outcome::ok, "", [theory] { return theory; }};
+/// A method that is unstable at some steps, by theory and as measured.
+Method method(const std::function<bool(double)>& unstable, std::vector<ode::Tongue> theory = {}) {
+  const auto lost = [unstable](double step) { return unstable(step) ? 7.0 : infinity; };
+  return {"model",
+          "algorithm",
+          halving("step", 1, 4),
+          [unstable](double step) { return unstable(step) ? far
+                                           : step > 0.03  ? near_by
+                                                          : fine; },
+          Outcome::ok,
+          "",
+          [theory] { return theory; },
+          [lost] {
+            return Disturbances{1000, 1, lost};
+          }};
 }
 
 Method stable_up_to(double limit) {
-  return method([limit](double step) { return step <= limit ? fine : far; });
+  return method([limit](double step) { return step > limit; }, {{limit, infinity}});
 }
 
 Limit found(const Method& m) { return limit_of(motion(), m, interval); }
 
+const std::filesystem::path reference_folder = std::filesystem::path(ODDITY_SOURCE) / "reference";
+
+/// A scene's motion over a horizon, with or without its truth.
+Quantity scene(Number number, double horizon, const Reference& truth = Reference::nothing()) {
+  for (const Entry& entry : registry())
+    if (entry.number == number)
+      return motion(*entry.exercise.scene, Parameters(entry.exercise.parameters), Horizon{horizon}, truth);
+  throw std::logic_error("no such scene");
+}
+
+Limit limit_in(const Quantity& quantity, std::string_view model, std::string_view algorithm, double horizon) {
+  return limit_of(quantity, *method_of(quantity, model, algorithm), horizon / quantity.samples);
+}
+
+/// A pendulum of 1 s from 1 rad, with a conserved energy and without.
+struct Silent {
+  using State = std::array<double, 2>;
+  State start() const { return {1, 0}; }
+  template <class X>
+  void operator()(const X& x, X& dxdt, const auto&) const {
+    using std::sin;
+    dxdt[0] = x[1];
+    dxdt[1] = -40 * sin(x[0]);
+  }
+  void acceleration(const std::array<double, 1>& q, std::array<double, 1>& a) const {
+    a[0] = -40 * std::sin(q[0]);
+  }
+  std::array<double, 1> observe(const State& x, double) const { return {x[0]}; }
+};
+struct Watched : Silent {
+  OneConserved conserved(const State& x, double) const {
+    return energy_of(x[1] * x[1] / 2, -40 * std::cos(x[0]));
+  }
+};
+
 }  // namespace
 
-TEST_CASE("a threshold is bracketed to one step an interval, or to 1 %", "[stability]") {
-  for (double threshold : {1.9, 0.7, 0.3, 0.0501, 0.00777, 0.00013}) {
+TEST_CASE("the first loss of stability is found to 0.5 %, from below", "[stability]") {
+  for (double threshold : {1.9, 0.7, 0.3, 0.0501}) {
     const Limit limit = found(stable_up_to(threshold));
     INFO("threshold " << threshold << ": " << shown_step(limit));
-    REQUIRE(limit.stable);
+    CHECK(near(limit.stable, threshold, 0.005 * threshold));
+    CHECK(limit.stable <= threshold);
+    CHECK(limit.unstable > threshold);
+    CHECK(limit.lost == 7);
+    CHECK(limit.step() == limit.stable);
+    REQUIRE(limit.at);
     REQUIRE(limit.broken);
-    CHECK(limit.stable->setting <= threshold);
-    CHECK(limit.broken->setting > threshold);
-    const double stable = interval / limit.stable->setting, broken = interval / limit.broken->setting;
-    CHECK(near(stable, std::round(stable), 1e-9));
-    CHECK((stable - broken < 1 + 1e-9 || limit.broken->setting < 1.0102 * limit.stable->setting));
-    CHECK(limit.step() == limit.stable->setting);
-    CHECK(limit.broken->outcome == Outcome::diverged);
+    CHECK(limit.at->setting <= limit.stable);
+    CHECK(limit.broken->setting >= std::min(limit.unstable, interval));
+    for (double step : {limit.at->setting, limit.broken->setting})
+      CHECK(near(interval / step, std::round(interval / step), 1e-9));
     CHECK(beyond(limit) == "diverged");
+    REQUIRE(limit.within);
+    CHECK(limit.within->setting <= 0.03);
+    CHECK(limit.within->setting > 0.0295);
   }
 }
 
-TEST_CASE("a coarse step that is stable by accident does not count", "[stability]") {
-  const Limit limit = found(method([](double step) { return step <= 0.1 || step > 0.5 ? fine : far; }));
-  REQUIRE(limit.stable);
-  CHECK(near(limit.step(), 0.1, 1.01e-3));
-  REQUIRE(limit.broken);
-  CHECK(limit.broken->setting > 0.1);
-  CHECK(limit.broken->setting < 0.106);
+TEST_CASE("steps beyond a tongue do not hide it", "[stability]") {
+  const auto tongue = [](double step) { return step > 0.5 && step < 0.6; };
+  for (const Limit& limit : {found(method(tongue, {{0.5, 0.6}})), found(method(tongue))}) {
+    CHECK(near(limit.step(), 0.5, 0.0025));
+    CHECK(limit.longest == interval);
+  }
+  const Limit wrong_theory = found(method([](double step) { return step > 0.2; }, {{1.8, infinity}}));
+  CHECK(near(wrong_theory.step(), 0.2, 0.001));
+  CHECK(near(agreement(wrong_theory), 0.2 / 1.8, 0.001));
 }
 
-TEST_CASE("a gap far below a seeming limit is found where theory points at it", "[stability]") {
-  const auto answer = [](double step) { return step < 1e-4 || step > 1e-3 ? fine : far; };
-  CHECK(found(method(answer)).step() == infinity);
-  CHECK(near(found(method(answer, 2e-4)).step(), 1e-4, 2e-6));
+TEST_CASE("every step is said only where theory proves it", "[stability]") {
+  const auto never = [](double) { return false; };
+  const Limit proved = found(method(never)), tried = found(method(never, {{3, infinity}}));
+  CHECK(proved.step() == infinity);
+  CHECK(shown_step(proved) == "every step");
+  CHECK(tried.step() == interval);
+  CHECK(shown_step(tried) == "at least 2");
+  CHECK(agreement(tried) == 1);
+  for (const Limit& limit : {proved, tried}) {
+    CHECK_FALSE(limit.broken);
+    CHECK(beyond(limit) == "stable");
+    CHECK(how_it_breaks(limit, {}).empty());
+  }
 }
 
-TEST_CASE("a method that no step breaks has no limit", "[stability]") {
-  const Limit limit = found(stable_up_to(infinity));
-  CHECK(limit.step() == infinity);
-  CHECK_FALSE(limit.broken);
-  CHECK(shown_step(limit) == "at least 2");
-  CHECK(beyond(limit) == "stable");
-  CHECK(how_it_breaks(limit, "m").empty());
+TEST_CASE("a method that no step keeps stable has none", "[stability]") {
+  const Limit limit = found(method([](double) { return true; }, {{0, infinity}}));
+  CHECK(limit.step() == 0);
+  CHECK(limit.theory() == 0);
+  CHECK(shown_step(limit) == "none");
+  CHECK(shown_tongues(limit) == "every step");
+  CHECK(agreement(limit) == 1);
+  CHECK_FALSE(limit.at);
+  CHECK_FALSE(limit.within);
 }
 
-TEST_CASE("a method that every step breaks is given up at 262,144 steps or 200,000 evaluations",
-          "[stability]") {
-  const Limit cheap = found(stable_up_to(0));
-  CHECK(cheap.step() == 0);
-  CHECK_FALSE(cheap.stable);
-  REQUIRE(cheap.broken);
-  const double steps = 4 * interval / cheap.broken->setting;
-  CHECK(steps >= 262'144);
-  CHECK(steps < 2 * 262'144);
-  CHECK(shown_step(cheap).starts_with("none above "));
-  const Limit dear = found(method([](double step) {
-    return Answer{far.value, std::lround(4 * interval / step * 100)};
-  }));
-  CHECK(dear.step() == 0);
-  CHECK(dear.broken->evaluations >= 200'000);
-  CHECK(dear.broken->evaluations < 400'000);
-}
-
-TEST_CASE("each way of failing breaks a method, an error or a small drift does not", "[stability]") {
-  const auto judged = [](const Answer& answer) {
-    return stable(run(motion(), method([&](double) { return answer; }), 1));
+TEST_CASE("McLachlan's tongues are known, in theory and as measured", "[stability]") {
+  const Quantity pulleys = scene({3, 19}, 8);
+  const auto pulley = [&](std::string_view algorithm) {
+    return limit_in(pulleys, "two coordinates", algorithm, 8);
   };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK(judged(fine));
-  CHECK(judged({Value{1, 1, 1, 10.9}}));
-  CHECK_FALSE(judged({Value{1, 1, 1, 11.1}}));
-  CHECK(judged({fine.value, 4, nan, 1}));
-  CHECK_FALSE(judged({fine.value, 4, nan, 1.01}));
-  CHECK_FALSE(judged({fine.value, 4, nan, nan}));
-  CHECK_FALSE(judged({Value{1, 1, 1, nan}}));
-  CHECK_FALSE(judged({Value{1, 1, 1}}));
-  for (Ending ending : {Ending::non_finite, Ending::stalled, Ending::raised})
-    CHECK_FALSE(judged({fine.value, 4, nan, 0, ending}));
-  const Method throws = method([](double) -> Answer { throw std::runtime_error("no"); });
-  CHECK_FALSE(stable(run(motion(), throws, 1)));
+  const Limit verlet = pulley("velocity Verlet"), mclachlan = pulley("McLachlan 4");
+  const double fastest = 2 / verlet.theory();  // Verlet's limit is h omega = 2
+  CHECK(near(verlet.step(), 2 / fastest, 0.02 * verlet.step()));
+  CHECK(near(mclachlan.theory(), 2.967808 / fastest, 0.001));
+  CHECK(near(mclachlan.step(), 2.967808 / fastest, 0.02 * mclachlan.step()));
+  CHECK(mclachlan.tongues.size() == 3);
+  const Limit pendulum = limit_in(scene({3, 5}, 10), "one angle", "McLachlan 4", 10);
+  CHECK(near(pendulum.theory(), 2.967808 / std::sqrt(9.81), 0.002));
+  CHECK(within(pendulum.step(), 0.93, 0.995));
+  const Limit planet = limit_in(scene({3, 3}, 2), "Cartesian", "McLachlan 4", 2);
+  CHECK(within(planet.step(), 0.2, 0.3825));
+  const Limit bar = limit_in(scene({3, 23}, 10), "one angle", "Adams-Bashforth-Moulton 6", 10);
+  CHECK(within(bar.step(), 0.1, 1.0 / 6));
 }
 
-TEST_CASE("theory agrees when its limit lies between the two steps", "[stability]") {
-  TimedTrial stable, broken;
-  stable.setting = 0.5, broken.setting = 0.75;
-  const auto with = [&](double theory) {
-    Limit limit;
-    limit.theory = theory, limit.stable = stable, limit.broken = broken;
-    return limit;
+TEST_CASE("explicit Euler has no stable step on an undamped pendulum", "[stability]") {
+  const Limit limit = limit_in(scene({3, 5}, 10), "one angle", "explicit Euler", 10);
+  CHECK(limit.step() == 0);
+  CHECK(limit.theory() == 0);
+  REQUIRE(limit.unstable > 0);
+  CHECK(limit.unstable <= 0.02 / 2.9);
+  CHECK(std::isfinite(limit.lost));
+}
+
+TEST_CASE("symplectic Euler loses the pendulum where four steps make a swing", "[stability]") {
+  const double a = std::numbers::pi / 6, frequency = std::sqrt(9.81) * (1 - a * a / 16);
+  const Limit limit = limit_in(scene({3, 5}, 10), "one angle", "symplectic Euler", 10);
+  CHECK(
+      near(limit.step() * frequency, std::sqrt(2.0), 0.04));  // a quarter turn: cos = 1 - (h omega)^2 / 2 = 0
+}
+
+TEST_CASE("a limit does not depend on the horizon shown", "[stability]") {
+  const auto at = [](Number number, std::string_view model, std::string_view algorithm, double horizon) {
+    return limit_in(scene(number, horizon), model, algorithm, horizon).step();
   };
-  CHECK(agreement(with(0.6)) == 1);
-  CHECK(agreement(with(0.25)) == 2);
-  CHECK(agreement(with(1.5)) == 0.5);
-  CHECK(agreement(with(infinity)) == 0);
-  CHECK(agreement(with(0)) == infinity);
-  Limit never = with(infinity);
-  never.broken.reset();
-  CHECK(agreement(never) == 1);
-  Limit always = with(0);
-  always.stable.reset();
-  CHECK(agreement(always) == 1);
+  for (const char* algorithm : {"velocity Verlet", "Runge-Kutta 4", "McLachlan 4", "Adams-Bashforth 4"}) {
+    INFO(algorithm);
+    for (double horizon : {5.0, 20.0}) {
+      const double usual = at({3, 5}, "one angle", algorithm, 10);
+      CHECK(near(at({3, 5}, "one angle", algorithm, horizon), usual, 0.02 * usual));
+    }
+    for (double horizon : {4.0, 16.0}) {
+      const double usual = at({3, 19}, "two coordinates", algorithm, 8);
+      CHECK(near(at({3, 19}, "two coordinates", algorithm, horizon), usual, 0.02 * usual));
+    }
+  }
+}
+
+TEST_CASE("a limit does not depend on a conserved quantity", "[stability]") {
+  const auto limits = [](const auto& model) {
+    Quantity quantity = motion();
+    Ladder(quantity, {4}, halving("step", 1, 4), tolerances()).by_common("model", model);
+    std::vector<double> all;
+    for (const Method& m : quantity.methods)
+      if (m.disturbances) all.push_back(limit_of(quantity, m, 1).step());
+    return all;
+  };
+  const auto silent = limits(Silent{});
+  CHECK(silent.size() == 4);
+  CHECK((limits(Watched{}) == silent));
+}
+
+TEST_CASE("no step below a limit is unstable, nor one that divides no interval", "[stability]") {
+  struct Case {
+    Number number;
+    const char* model;
+    double horizon;
+  };
+  for (const Case& c : {Case{{3, 5}, "one angle", 10}, Case{{3, 23}, "one angle", 10}}) {
+    const Quantity shown = scene(c.number, c.horizon);
+    const Quantity later = scene(c.number, 6 * c.horizon);
+    for (const Method& m : shown.methods) {
+      if (m.model != c.model || !m.disturbances) continue;
+      const double limit = limit_of(shown, m, c.horizon / shown.samples).step();
+      if (!(limit > 0) || std::isinf(limit)) continue;
+      const auto largest = [&](const Answer& answer) {
+        double most = 0;
+        for (double x : answer.value) most = std::max(most, std::abs(x));
+        return answer.reached() ? most : infinity;
+      };
+      const double size = largest(m.run(limit / 50)) + largest(m.run(limit / 40));
+      for (double step = limit / 8; step < limit; step *= 1.0173) {
+        INFO(m.algorithm << " at " << step << ", stable to " << limit);
+        CHECK(largest(method_of(later, m.model, m.algorithm)->run(step)) <= 2 * size);
+      }
+    }
+  }
 }
 
 TEST_CASE("stability survives the way to JSON and back, infinite limits too", "[stability]") {
@@ -150,14 +252,15 @@ TEST_CASE("stability survives the way to JSON and back, infinite limits too", "[
   s.steps = {1, 0.5};
   s.parameter = "a";
   Limit limit = found(stable_up_to(0.1));
-  limit.theory = infinity;
-  limit.cure = limit.stable;
-  s.limits = {limit, found(stable_up_to(infinity)), found(stable_up_to(0))};
+  limit.cure = limit.at;
+  const Limit none = found(method([](double) { return true; }, {{0, 1.5}, {1.6, infinity}}));
+  s.limits = {limit, found(method([](double) { return false; })), none};
   s.map = {{"model", "algorithm", 0.1, infinity, {Outcome::diverged, Outcome::ok}}};
   const std::string json = to_json(results);
   const Results read = results_from_json(json, "here");
   CHECK(to_json(read) == json);
-  CHECK(read.exercises[0].stability->limits[0].theory == infinity);
+  CHECK(read.exercises[0].stability->limits[1].theory() == infinity);
+  CHECK(read.exercises[0].stability->limits[2].tongues.at(1).to == infinity);
   CHECK(stability_page(read) == stability_page(results));
   CHECK(stability_text(read.exercises[0]) == stability_text(e));
   CHECK(map_script(read.exercises[0], "f") == map_script(e, "f"));
@@ -167,23 +270,27 @@ TEST_CASE("stability survives the way to JSON and back, infinite limits too", "[
 
 TEST_CASE("limits and maps on record are read, broken ones named by line", "[stability]") {
   const ScratchFolder folder;
-  const std::string head = "exercise,model,algorithm,step,theory,beyond,why\n";
-  const std::string file = folder.file("limits.csv", head + "3.5,m,a,0.1,inf,diverged,\"so, so\"\n").string();
+  const std::string head = "exercise,model,algorithm,step,theory,unstable,error,needed,beyond,why\n";
+  const std::string file =
+      folder.file("limits.csv", head + "3.5,m,a,0.1,inf,no step,0.5,,diverged,\"so, so\"\n").string();
   const Limits limits = read_limits(folder.path());
   REQUIRE(limits.size() == 1);
   CHECK(limits[0].step == 0.1);
   CHECK(limits[0].theory == infinity);
+  CHECK(limits[0].unstable == "no step");
+  CHECK(limits[0].error == 0.5);
+  CHECK_FALSE(limits[0].needed);
   CHECK(limits[0].why == "so, so");
   const auto said = [&](const std::string& text) {
     folder.file("limits.csv", text);
     const std::string all = complaint([&] { read_limits(folder.path()); });
     return all.starts_with(file) ? all.substr(file.size()) : all;
   };
-  CHECK(said(head + "3.5,m,a,x,1,ok,\n") == ":2: 'x' in column 4 is not a number");
-  CHECK(said(head + "3.5,m,a,-1,1,ok,\n") == ":2: a step must be zero or positive, or inf");
-  CHECK(said(head + "3.5,m,a,1,1,ok,\n3.5,m,a,1,1,ok,\n") == ":3: a second row for 3.5, m, a");
+  CHECK(said(head + "3.5,m,a,x,1,,1,1,ok,\n") == ":2: 'x' in column 4 is not a number");
+  CHECK(said(head + "3.5,m,a,-1,1,,1,1,ok,\n") == ":2: a step must be zero or positive, or inf");
+  CHECK(said(head + "3.5,m,a,1,1,,1,1,ok,\n3.5,m,a,1,1,,1,1,ok,\n") == ":3: a second row for 3.5, m, a");
   CHECK(said("exercise,step\n3.5,1\n") ==
-        ":1: the columns must be exercise,model,algorithm,step,theory,beyond,why");
+        ":1: the columns must be exercise,model,algorithm,step,theory,unstable,error,needed,beyond,why");
   folder.file("stability_maps.csv", "exercise,model,algorithm,value,outcomes\n3.5,m,a,1,Xo\n3.5,m,a,2,oo\n");
   CHECK(read_maps(folder.path()).at(1).outcomes == "oo");
 }

@@ -1,8 +1,12 @@
 #include "solvers/ode/stability.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -14,6 +18,8 @@
 namespace oddity::ode {
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Plane = std::array<double, 2>;
 
@@ -95,6 +101,8 @@ double growth_of(const LinearProblem& problem) {
     return std::log(std::hypot(a[0], a[1]));
 }
 
+}  // namespace
+
 bool is_partitioned(std::string_view algorithm) {
   bool found = false;
   for_each_algorithm([&]<class Algorithm>() {
@@ -103,21 +111,54 @@ bool is_partitioned(std::string_view algorithm) {
   return found;
 }
 
-/// How much more than in truth a disturbance grows over the spectrum, as a logarithm. Beside each eigenvalue
-/// lambda a partitioned algorithm also has -lambda, and the faster of the two counts in truth as well.
-double excess(std::string_view algorithm, const Spectrum& spectrum, double h) {
-  const bool both_signs = is_partitioned(algorithm);
-  double sum = 0;
-  for (const Eigenvalues& eigenvalues : spectrum.at) {
-    double worst = 0;
-    for (const auto& lambda : eigenvalues) {
-      if (lambda.imag() < 0) continue;  // a real Jacobian's come in pairs that grow alike
-      const double in_truth = both_signs ? std::abs(lambda.real()) : std::max(0.0, lambda.real());
-      worst = std::max(worst, growth(algorithm, h * lambda) / h - in_truth);
+namespace {
+
+/// In the direction of lambda, as multiples of 1 / |lambda|.
+std::vector<Tongue> scan(std::string_view algorithm, double direction) {
+  const std::complex<double> unit = std::polar(1.0, direction);
+  // Beside each eigenvalue lambda a partitioned algorithm also has -lambda.
+  const double in_truth = is_partitioned(algorithm) ? std::abs(unit.real()) : std::max(0.0, unit.real());
+  const double allowed = 2 * in_truth + negligible_growth;
+  const auto excess = [&](double r) { return growth(algorithm, r * unit) - r * allowed; };
+  const auto edge = [&](double low, double high) {
+    const bool unstable = excess(high) > 0;
+    for (int i = 0; i < 30; ++i) ((excess((low + high) / 2) > 0) == unstable ? high : low) = (low + high) / 2;
+    return high;
+  };
+  constexpr double largest = 30;
+  std::vector<Tongue> tongues;
+  bool unstable = false;
+  double last = finest / 2, r = last;
+  while (r < largest) {
+    const double here = excess(r);
+    if ((here > 0) != unstable) {
+      unstable = !unstable;
+      const double at = r == last ? 0 : edge(last, r);
+      if (unstable)
+        tongues.push_back({at, infinity});
+      else
+        tongues.back().to = at;
     }
-    sum += worst * spectrum.span;
+    last = r;
+    r *= 1 + std::clamp(std::abs(here) / 20, 0.002, 0.05);
   }
-  return sum;
+  return tongues;
+}
+
+/// The scan in this direction, rounded to half a thousandth of a radian; each is made once.
+const std::vector<Tongue>& scanned(std::string_view algorithm, const std::complex<double>& lambda) {
+  static std::map<std::pair<std::string, long>, std::vector<Tongue>> known;
+  static std::mutex mutex;
+  constexpr double to_imaginary = 1500, quarter_turn = std::numbers::pi / 2;
+  const long rounded = std::lround(std::abs(std::arg(lambda)) / quarter_turn * to_imaginary);
+  const std::pair key(std::string(algorithm), rounded);
+  {
+    const std::scoped_lock lock(mutex);
+    if (const auto found = known.find(key); found != known.end()) return found->second;
+  }
+  auto tongues = scan(algorithm, static_cast<double>(rounded) / to_imaginary * quarter_turn);
+  const std::scoped_lock lock(mutex);
+  return known.emplace(key, std::move(tongues)).first->second;
 }
 
 }  // namespace
@@ -148,20 +189,52 @@ double growth(std::string_view algorithm, std::complex<double> z) {
   return *found;
 }
 
-double stable_step(std::string_view algorithm, const Spectrum& spectrum) {
-  double fastest = 0;
+std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum& spectrum) {
+  const double negligible = 0.01 / (spectrum.span * static_cast<double>(spectrum.at.size()));
+  std::vector<Tongue> all;
   for (const Eigenvalues& eigenvalues : spectrum.at)
-    for (const auto& lambda : eigenvalues) fastest = std::max(fastest, std::abs(lambda));
-  if (fastest == 0) return std::numeric_limits<double>::infinity();
-  const auto stable = [&](double h) { return excess(algorithm, spectrum, h) <= std::log(10.0); };
-  constexpr double smallest = 1e-4, largest = 50, factor = 1.25;
-  double low = smallest / fastest;
-  if (!stable(low)) return 0;
-  while (stable(low * factor))
-    if ((low *= factor) * fastest > largest) return std::numeric_limits<double>::infinity();
-  double high = low * factor;
-  for (int i = 0; i < 20; ++i) (stable((low + high) / 2) ? low : high) = (low + high) / 2;
-  return low;
+    for (const auto& lambda : eigenvalues) {
+      const double size = std::abs(lambda);
+      if (lambda.imag() < 0 || size < negligible)
+        continue;  // a real Jacobian's come in pairs that grow alike
+      for (const Tongue& tongue : scanned(algorithm, lambda))
+        all.push_back({tongue.from < finest ? 0 : tongue.from / size, tongue.to / size});
+    }
+  std::ranges::sort(all, {}, &Tongue::from);
+  std::vector<Tongue> united;
+  for (const Tongue& tongue : all)
+    if (united.empty() || tongue.from > united.back().to)
+      united.push_back(tongue);
+    else
+      united.back().to = std::max(united.back().to, tongue.to);
+  return united;
+}
+
+double stable_step(std::string_view algorithm, const Spectrum& spectrum) {
+  const auto tongues = unstable_steps(algorithm, spectrum);
+  return tongues.empty() ? infinity : tongues.front().from;
+}
+
+namespace {
+
+double largest_of(const Eigenvalues& eigenvalues) {
+  double largest = 0;
+  for (const auto& lambda : eigenvalues) largest = std::max(largest, std::abs(lambda));
+  return largest;
+}
+
+}  // namespace
+
+double fastest(const Spectrum& spectrum) {
+  double sum = 0;
+  for (const Eigenvalues& eigenvalues : spectrum.at) sum += largest_of(eigenvalues);
+  return sum / static_cast<double>(spectrum.at.size());
+}
+
+double largest(const Spectrum& spectrum) {
+  double most = 0;
+  for (const Eigenvalues& eigenvalues : spectrum.at) most = std::max(most, largest_of(eigenvalues));
+  return most;
 }
 
 }  // namespace oddity::ode
