@@ -143,8 +143,9 @@ Ladder& Ladder::by_fixed_steps(const std::string& name, const Any& model, Outcom
     return expected == Outcome::ok ? "" : "its order is too low for this need at this step";
   };
   by<ode::ExplicitEuler>(name, model, first_order, too_low(first_order));
+  const Outcome symplectic = first_order == Outcome::drifted ? Outcome::inaccurate : first_order;
   if (model->partitioned())
-    by<ode::SymplecticEuler>(name, model, first_order, too_low(first_order))
+    by<ode::SymplecticEuler>(name, model, symplectic, too_low(symplectic))
         .by<ode::VelocityVerlet>(name, model, second_order, too_low(second_order));
   return by<ode::RungeKutta4>(name, model);
 }

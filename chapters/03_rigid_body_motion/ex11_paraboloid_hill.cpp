@@ -274,7 +274,7 @@ Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& tr
   Quantity position =
       path("slower",
            "position at " + times_up_to(horizon) + ", from the top at a part of the straight path's speed", c,
-           false, Outcome::drifted, horizon, truth);
+           false, horizon, truth);
   Ladder(position, horizon, halving("step", 0.125, 9), tolerances(3, 11))
       .by_others(plane, in_plane(c),
                  {{"modified midpoint", Outcome::inaccurate, low_order},
@@ -305,12 +305,12 @@ Findings study(const Parameters& p, const Reference& truth) {
       line + ", closed form", 0, Outcome::inaccurate, plane + ", Runge-Kutta 4", 0.0009765625});
   return {claims,
           {path("straight", "position at " + times_up_to(horizon) + ", at the speed of the straight path",
-                right, true, Outcome::drifted, horizon, truth),
+                right, true, horizon, truth),
            bent,
            path("faster", "the same at twice that, the hill holding the particle back",
-                times(right, 2 * p["factor"]), false, Outcome::inaccurate, horizon, truth),
+                times(right, 2 * p["factor"]), false, horizon, truth),
            path("beside", "in the same free fall from a start beside the top: straight as well",
-                beside(right, p["offset"]), true, Outcome::drifted, horizon, truth)}};
+                beside(right, p["offset"]), true, horizon, truth)}};
 }
 
 }  // namespace ex03_11

@@ -67,10 +67,10 @@ Bodies asked(const Parameters& p) {
 Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   const Knob steps = halving("step", 0x1p-4, 9);
   Quantity q =
-      path("path", "as asked", asked(p), horizon, truth, steps, {inaccurate, drifted, inaccurate, ok, ok});
+      path("path", "as asked", asked(p), horizon, truth, steps, {inaccurate, inaccurate, inaccurate, ok, ok});
   Ladder(q, horizon, steps, tolerances(4, 12))
       .by_others("two bodies", BothBodies{asked(p)},
-                 {{"linearly implicit Euler", drifted, "of order 1, and the orbit shrinks"}});
+                 {{"linearly implicit Euler", inaccurate, "of order 1, and the orbit shrinks"}});
   return q;
 }
 

@@ -163,7 +163,7 @@ inline Quantity swing(const Case& c, const Horizon& horizon, const Reference& tr
       slide("swing", "position at " + times_up_to(horizon) + " of a ball let go beside the center line", c,
             horizon, truth);
   swinging(position, c, horizon)
-      .by_common(plane, in_plane(c), Outcome::drifted)
+      .by_common(plane, in_plane(c))
       .by_others(about, Angle{c},
                  {{"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps every swing"}});
   return position;
@@ -172,7 +172,7 @@ inline Quantity swing(const Case& c, const Horizon& horizon, const Reference& tr
 inline Quantity below_rim(const Case& c, const Horizon& horizon, const Reference& truth) {
   Quantity position = slide("steep", "the same from phi = 1.5, just below the rim", c, horizon, truth);
   swinging(position, c, horizon)
-      .by<ode::ExplicitEuler>(plane, in_plane(c), Outcome::drifted, low_order)
+      .by<ode::ExplicitEuler>(plane, in_plane(c), Outcome::inaccurate, low_order)
       .by<ode::RungeKutta4>(plane, in_plane(c))
       .by<ode::CashKarp54>(plane, in_plane(c))
       .by<ode::DormandPrince54>(plane, in_plane(c))
@@ -191,7 +191,7 @@ inline Quantity on_center(const Case& c, const Horizon& horizon, const Reference
       .closed_form(center, CenterLine{c})
       .closed_form(small, SmallAngle{c})
       .closed_form(exact_angle, Jacobi{c})
-      .by<ode::ExplicitEuler>(plane, in_plane(c), Outcome::drifted, low_order)
+      .by<ode::ExplicitEuler>(plane, in_plane(c), Outcome::inaccurate, low_order)
       .by<ode::RungeKutta4>(plane, in_plane(c))
       .by<ode::DormandPrince54>(plane, in_plane(c))
       .by<ode::RungeKutta4>(space, InSpace{c})
