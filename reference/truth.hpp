@@ -24,7 +24,7 @@ struct Precision {
   int digits;
   Motions* kept = nullptr;
 
-  Precision(int digits, Motions* kept = nullptr) : digits(digits), kept(kept) {}
+  Precision(int to_digits, Motions* in = nullptr) : digits(to_digits), kept(in) {}
   operator int() const { return digits; }
 };
 inline Precision operator+(const Precision& p, int more) { return {p.digits + more, p.kept}; }

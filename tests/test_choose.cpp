@@ -13,49 +13,64 @@ namespace {
 
 constexpr Parameter parameters[] = {{"a", 1, "m", "where it stays", 0, 10}};
 
-/// x = a (1 + error), of that many evaluations.
-Method method(std::string model, std::string algorithm, Knob knob, double a,
+/// x = a (1 + error) at one frame in the middle, and a at the others, of that many evaluations.
+Method method(std::string model, std::string algorithm, Knob knob, double a, int frames,
               std::function<double(double)> error, std::function<long(double)> evaluations) {
   return {std::move(model), std::move(algorithm), std::move(knob), [=](double setting) {
-            return Answer{Value(a * (1 + error(setting))), evaluations(setting)};
+            std::vector<double> x(static_cast<std::size_t>(frames), a);
+            x[x.size() / 2] *= 1 + error(setting);
+            return Answer{Value(std::move(x)), evaluations(setting)};
           }};
 }
 
 /// "coarse": off by a tenth of (a - 1). "stepping": off by its step. "rich": right, at a hundred evaluations.
-Quantity motion(const Parameters& p, const Horizon& horizon, const Reference&) {
+Quantity place(const Parameters& p, const Horizon& horizon, const Reference&) {
   const double a = p["a"];
-  Quantity q{"place", "m", "", {"exact", a}, 1e-16, {1e-6, ""}, {}, {}};
+  const auto everywhere = static_cast<std::size_t>(horizon.count());
+  Quantity q{"place", "m",        "", {"exact", Value(std::vector<double>(everywhere, a))},
+             1e-16,   {1e-6, ""}, {}, {}};
   const auto one = [](double) { return 1L; };
   q.add(method(
-      "coarse", "closed form", no_knob(), a, [a](double) { return std::abs(a - 1) / 10 + 1e-4; }, one));
+      "coarse", "closed form", no_knob(), a, horizon.count(),
+      [a](double) { return std::abs(a - 1) / 10 + 1e-4; }, one));
   q.add(method(
-      "stepping", "explicit", halving("step", 1, 4), a, [](double h) { return h; },
+      "stepping", "explicit", halving("step", 1, 4), a, horizon.count(), [](double h) { return h; },
       [=](double h) { return std::lround(horizon.end / h); }));
   q.add(method(
-      "rich", "everything", tolerances(), a, [](double e) { return e * 1e-4 + 1e-14; },
+      "rich", "everything", tolerances(), a, horizon.count(), [](double e) { return e * 1e-4 + 1e-14; },
       [](double e) { return std::lround(-100 * std::log10(e)); }));
   q.add({"absent", "raises", no_knob(), [](double) -> Answer { throw std::runtime_error("not here"); }});
   return q;
 }
 
-const Entry entry{
-    {3, 99}, "", {"made up", "", parameters, Scene{motion, 10, 0.01, "a", {1, 2}, {"a"}}, nullptr}};
+const Entry entry{{3, 99},
+                  "",
+                  {"made up", "", parameters,
+                   Scene{place, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}}, nullptr}};
 
-double counted_cost(const Method&, double, const Trial& trial) {
-  return static_cast<double>(trial.answer.evaluations) * 1e-9;
+/// A nanosecond an evaluation.
+Time counted_cost(const Method& m, double setting) {
+  return {static_cast<double>(m.run(setting).evaluations) * 1e-9, 0};
 }
 
-Choice choose_for(const Need& need, double a = 1) {
+Need asked(double error, double horizon, double frames_per_second = 10) {
+  Need need{error};
+  need.horizon = horizon;
+  need.frames_per_second = frames_per_second;
+  return need;
+}
+
+Choice choose_for(const Need& need, double a = 1, const Price& price = counted_cost) {
   static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   Task task(entry);
   task.parameters.set("a", a);
-  return choose(task, need, truth, counted_cost);
+  return choose(task, need, truth, price);
 }
 
 }  // namespace
 
 TEST_CASE("the cheapest method that holds is chosen, and tested elsewhere", "[choose]") {
-  const Choice choice = choose_for({0.05, false, 10, 10});
+  const Choice choice = choose_for(asked(0.05, 10));
   REQUIRE(choice.chosen);
   CHECK(choice.chosen->model == "coarse");
   CHECK(choice.chosen->evaluations_a_frame == 0.01);
@@ -69,7 +84,7 @@ TEST_CASE("the cheapest method that holds is chosen, and tested elsewhere", "[ch
 }
 
 TEST_CASE("a coarse model that fails beside the start asked for is not chosen", "[choose]") {
-  const Choice choice = choose_for({0.005, false, 1, 10});
+  const Choice choice = choose_for(asked(0.005, 1));
   REQUIRE(choice.chosen);
   CHECK(choice.chosen->model == "rich");
   REQUIRE(choice.next_cheaper);
@@ -78,16 +93,64 @@ TEST_CASE("a coarse model that fails beside the start asked for is not chosen", 
 }
 
 TEST_CASE("steps divide the frame, and the first that holds is taken", "[choose]") {
-  const Choice choice = choose_for({0.06, false, 0.1, 10}, 5);
+  const Choice choice = choose_for(asked(0.06, 0.1), 5);
   const auto stepping = std::ranges::find(choice.tried, "stepping", &Tried::model);
   REQUIRE(stepping != choice.tried.end());
   CHECK(stepping->holds());
   CHECK(std::round(1 / (stepping->setting * 10)) == 10);
 }
 
+TEST_CASE("a simple method is one of fixed step or closed form that holds with a margin of three",
+          "[choose]") {
+  Need need = asked(0.1, 0.3);
+  need.objective = Objective::simple;
+  const Choice margin = choose_for(need, 5);
+  REQUIRE(margin.chosen);
+  CHECK(margin.by_objective);
+  CHECK(margin.chosen->model == "stepping");
+  CHECK(margin.chosen->error <= 1 / 3.0);
+  need.error = 1e-7;
+  const Choice rich = choose_for(need, 5);
+  REQUIRE(rich.chosen);
+  CHECK_FALSE(rich.by_objective);
+  CHECK(rich.chosen->model == "rich");
+}
+
+TEST_CASE("of what costs the same within a quarter the most accurate is chosen, and the tie is told",
+          "[choose]") {
+  const auto price = [](const Method& m, double) -> Time {
+    return {m.model == "coarse" ? 1e-6 : m.model == "rich" ? 1.2e-6 : 1, 0};
+  };
+  const Choice tie = choose_for(asked(0.05, 10), 1, price);
+  REQUIRE(tie.chosen);
+  CHECK(tie.chosen->model == "rich");
+  REQUIRE_FALSE(tie.ties.empty());
+  CHECK(tie.ties.front().model == "coarse");
+  const auto dearer = [](const Method& m, double) -> Time {
+    return {m.model == "coarse" ? 1e-6 : m.model == "rich" ? 1.3e-6 : 1, 0};
+  };
+  CHECK(choose_for(asked(0.05, 10), 1, dearer).chosen->model == "coarse");
+  const auto noisy = [](const Method& m, double) -> Time {
+    return {m.model == "coarse" ? 1e-6 : m.model == "rich" ? 1.3e-6 : 1, 0.2e-6};
+  };
+  CHECK(choose_for(asked(0.05, 10), 1, noisy).chosen->model == "rich");
+}
+
+TEST_CASE("only, exclude: words of models and algorithms", "[choose]") {
+  Need need = asked(0.05, 10);
+  need.exclude = {"coarse"};
+  CHECK(choose_for(need).chosen->model == "rich");
+  need.only = {"explicit"};
+  CHECK_FALSE(choose_for(need, 5).chosen);
+  need.only = {"nobody"};
+  CHECK(complaint([&] { choose_for(need); }).find("rich by everything") != std::string::npos);
+}
+
 TEST_CASE("a need relative to the motion is the same at any size", "[choose]") {
   for (double a : {1.0, 8.0}) {
-    const Choice choice = choose_for({2e-8, true, 10, 10}, a);
+    Need need = asked(2e-8, 10);
+    need.relative = true;
+    const Choice choice = choose_for(need, a);
     REQUIRE(choice.chosen);
     CHECK(choice.chosen->model == "rich");
     CHECK(choice.chosen->setting == 1e-4);
@@ -95,27 +158,45 @@ TEST_CASE("a need relative to the motion is the same at any size", "[choose]") {
 }
 
 TEST_CASE("a need that nothing meets is said, with the nearest miss", "[choose]") {
-  const Choice poor = choose_for({1e-9, false, 10, 10, 1e-9});
+  Need need = asked(1e-9, 10);
+  need.budget = 1e-9;
+  const Choice poor = choose_for(need);
   CHECK_FALSE(poor.chosen);
   REQUIRE(poor.nearest_miss);
   CHECK(poor.nearest_miss->holds());
   CHECK(poor.nearest_miss->seconds_a_frame > 1e-9);
-  CHECK(choice_text(poor).find("times the budget") != std::string::npos);
+  CHECK(choice_text(poor, false).find("times the budget") != std::string::npos);
 
-  const Choice impossible = choose_for({1e-15, false, 10, 10});
+  const Choice impossible = choose_for(asked(1e-15, 10));
   CHECK_FALSE(impossible.chosen);
   REQUIRE(impossible.nearest_miss);
   CHECK(impossible.nearest_miss->model == "rich");
-  CHECK(choice_text(impossible).find("Nothing here meets that") != std::string::npos);
+  CHECK(choice_text(impossible, false).find("Nothing here meets that") != std::string::npos);
+}
+
+TEST_CASE("an error is shown in the unit asked in", "[choose]") {
+  Need need = asked(0.05, 10);
+  need.shown = {{"m", {"cm", 0.01}}};
+  const Choice choice = choose_for(need);
+  CHECK(choice_text(choice, false).find("place within 5 cm at every frame") != std::string::npos);
+  CHECK(choice_json(choice).find("\"error\": 5.0") != std::string::npos);
+  CHECK(choice_csv(choice).find("error [cm]") != std::string::npos);
+}
+
+TEST_CASE("an answer that takes too long is no answer", "[choose]") {
+  Need need = asked(0.05, 10);
+  need.time_limit = 1e-9;
+  CHECK_THROWS_AS(choose_for(need), OutOfTime);
 }
 
 TEST_CASE("what cannot be chosen for is refused", "[choose]") {
-  CHECK(complaint([] { choose_for({0}); }).find("the error must be positive") != std::string::npos);
-  CHECK(complaint([] {
-          choose_for({0.1, false, 1e-3, 10});
-        }).find("shorter than a frame") != std::string::npos);
-  CHECK(complaint([] { choose_for({1e-30}); }).find("known to") != std::string::npos);
+  CHECK(complaint([] { choose_for(asked(0, 10)); }).find("the error must be positive") != std::string::npos);
+  CHECK(complaint([] { choose_for(asked(0.1, 1e-3)); }).find("shorter than a frame") != std::string::npos);
+  CHECK(complaint([] { choose_for(asked(1e-30, 10)); }).find("known to") != std::string::npos);
+  Need period = asked(0.1, 10);
+  period.criterion = Criterion::period;
+  CHECK(complaint([&] { choose_for(period); }).find("no two periods") != std::string::npos);
   const Entry still{{7, 99}, "", {"still", "", parameters, {}, nullptr}};
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
-  CHECK(complaint([&] { choose(Task(still), {0.1}, truth); }).find("has no motion") != std::string::npos);
+  CHECK(complaint([&] { choose(Task(still), Need{0.1}, truth); }).find("has no motion") != std::string::npos);
 }
