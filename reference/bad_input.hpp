@@ -11,8 +11,8 @@ struct BadInput : std::runtime_error {
 };
 
 /// The time that the user gave is over.
-struct OutOfTime : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct OutOfTime : BadInput {
+  using BadInput::BadInput;
 };
 
 }  // namespace oddity

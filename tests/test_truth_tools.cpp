@@ -179,7 +179,7 @@ TEST_CASE("the two routes of a table integrate by different algorithms", "[refer
     const Truth truth = entry.make();
     INFO(entry.name << ": " << truth.first_route << "; " << truth.second_route);
     const std::string first = integrator(truth.first_route), second = integrator(truth.second_route);
-    CHECK((!first.empty() && first == second) == same_algorithm.count(entry.name) > 0);
+    CHECK((!first.empty() && first == second) == (same_algorithm.count(entry.name) > 0));
     CHECK(truth.first_route != truth.second_route);
   }
 }
