@@ -157,6 +157,7 @@ void set_errors(Need& need, const Entry& entry, const std::string& text) {
     }
     const auto fits =
         std::ranges::find_if(units, [&](std::string_view unit) { return is_in_unit(one, unit); });
+    if (fits == units.end() && units.size() == 1) positive("--error", one, units.front());
     if (fits == units.end())
       throw BadInput("--error: '" + one + "' is no error of " + seen.name + ", whose observables are in " +
                      joined({units.begin(), units.end()}));

@@ -156,17 +156,46 @@ class Search {
     return tried.model == method.model && tried.algorithm == method.algorithm;
   }
 
-  /// Times what may be chosen, or may stand beside it: each method's best and what came to an end before it.
+  /// What a method was tried at that is worth knowing.
+  struct Found {
+    Tried *first = nullptr, *with_margin = nullptr;  ///< the coarsest settings that hold
+    Tried* before = nullptr;                         ///< the one before the first
+    Tried* best = nullptr;                           ///< the least error of those that came to an end
+    Tried* representative() const { return with_margin ? with_margin : first ? first : best; }
+  };
+
+  Found found(const Method& m) {
+    Found found;
+    Tried* last = nullptr;
+    for (Tried& t : all_) {
+      if (!same(t, m)) continue;
+      if (t.holds() && !found.first) found.first = &t, found.before = last;
+      if (holds_with_margin(t) && !found.with_margin) found.with_margin = &t;
+      if (came_to_an_end(t) && (!found.best || t.error < found.best->error)) found.best = &t;
+      last = came_to_an_end(t) ? &t : nullptr;
+    }
+    return found;
+  }
+
+  /// What may be chosen, and what may stand beside it.
+  std::vector<Tried*> to_be_timed() {
+    std::vector<Tried*> wanted;
+    for (const Method* m : methods_) {
+      const Found f = found(*m);
+      for (Tried* t : {f.representative(), f.first, f.before})
+        if (t && std::ranges::find(wanted, t) == wanted.end()) wanted.push_back(t);
+    }
+    return wanted;
+  }
+
   void measure() {
-    Tally tally(progress_, "timing them", all_.size());
-    for (Tried& tried : all_) {
+    const std::vector<Tried*> wanted = to_be_timed();
+    Tally tally(progress_, "timing them", wanted.size());
+    for (Tried* tried : wanted) {
       deadline_.check();
-      if (std::isnan(tried.seconds_a_frame)) {
-        const Time time = came_to_an_end(tried) ? price_(method(tried), tried.setting)
-                                                : Time{std::numeric_limits<double>::infinity(), 0};
-        tried.seconds_a_frame = time.seconds / need_.frames();
-        tried.spread = std::isfinite(time.spread) ? time.spread / need_.frames() : 0;
-      }
+      const Time time = price_(method(*tried), tried->setting);
+      tried->seconds_a_frame = time.seconds / need_.frames();
+      tried->spread = std::isfinite(time.spread) ? time.spread / need_.frames() : 0;
       tally.add();
     }
   }
@@ -188,7 +217,7 @@ class Search {
   }
 
   static bool same_cost(const Tried& t, const Tried& other) {
-    return ties_with(t, other) || ties_with(other, t);
+    return ties_with(t, other) && ties_with(other, t);
   }
 
   /// The cheapest; of near ties the more accurate, and of those as accurate within a tenth the simpler.
@@ -284,14 +313,14 @@ class Search {
     choice.by_objective = by_objective;
     for (const Start& s : seen_) choice.seen.push_back(s.says);
     for (const Start& s : unseen) choice.unseen.push_back(s.says);
-    for (const Method* m : methods_) {
-      std::optional<Tried> best;
-      for (const Tried& tried : all_)
-        if (same(tried, *m) && (!best || tried.holds() || (!best->holds() && tried.error < best->error)))
-          best = tried;
-      if (best) choice.tried.push_back(*best);
-    }
-    std::ranges::stable_sort(choice.tried, {}, &Tried::seconds_a_frame);
+    for (const Method* m : methods_)
+      if (const Tried* t = found(*m).representative()) choice.tried.push_back(*t);
+    if (chosen)  // at another setting where its margin does not matter
+      for (Tried& t : choice.tried)
+        if (t.model == chosen->model && t.algorithm == chosen->algorithm) t = *chosen;
+    std::ranges::stable_sort(choice.tried, {}, [](const Tried& t) {
+      return std::isnan(t.seconds_a_frame) ? std::numeric_limits<double>::infinity() : t.seconds_a_frame;
+    });
     choice.engine = engine();
     choice.predictable = predictable();
     if (!chosen) {

@@ -177,8 +177,8 @@ std::string distance_script(const QuantityResult& q, std::size_t count, const St
   const double least = 1e-6 * size_of(t.paths[t.truest].value);
   std::string data,
       text = "set logscale y\nset format y '10^{%L}'\nset xrange [0:" + shortest(t.times.back()) +
-             "]\nset yrange [" + shortest(least) + ":*]\nset xlabel 'time [" + t.time_unit +
-             "]'\nset ylabel " +
+             "]\nset yrange [" + shortest(least) + ":*]\nset xlabel " +
+             quoted(plain("time [" + t.time_unit + "]")) + "\nset ylabel " +
              quoted("largest error of " + std::to_string(count) + " components" +
                     (unit_of(q).empty() ? "" : " [" + unit_of(q).substr(1) + "]")) +
              "\nplot ";
@@ -213,7 +213,8 @@ std::string panels_script(const QuantityResult& q, const std::vector<Span>& span
             shortest((last ? bottom : top - panel + 18) / height) +
             "\nset xrange [0:" + shortest(t.times.back()) + "]\nset yrange " + spans[k].range() +
             "\nset ylabel " + quoted(labels[k]) + " noenhanced\n" +
-            (last ? "set format x '%g'\nset xlabel 'time [" + t.time_unit + "]'\n" : "set format x ''\n") +
+            (last ? "set format x '%g'\nset xlabel " + quoted(plain("time [" + t.time_unit + "]")) + "\n"
+                  : "set format x ''\n") +
             lines(t, "1:" + std::to_string(k + 2), spans, styles, false);
   }
   return text + "unset multiplot\n";

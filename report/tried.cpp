@@ -66,12 +66,6 @@ Outcome failure(const Trial& trial) {
   return trial.outcome == Outcome::ok ? Outcome::inaccurate : trial.outcome;
 }
 
-/// Whether a trial that is accurate enough may hold: by path, a motion that has drifted or has deceived may
-/// not.
-bool admissible(const Trial& trial, const Need& need) {
-  return need.criterion != Criterion::path || trial.outcome == Outcome::ok;
-}
-
 }  // namespace
 
 std::vector<double> settings(const Method& method, const Need& need) {
@@ -100,7 +94,7 @@ Tried attempt(const std::vector<Start>& starts, const Method& method, double set
     for (std::size_t i = 0; i < trial.errors.size(); ++i)
       tried.errors[i] =
           std::isfinite(trial.errors[i]) ? std::max(tried.errors[i], trial.errors[i]) : infinity;
-    if (tried.holds() && (error > 1 || !admissible(trial, need))) {
+    if (tried.holds() && !(error <= 1)) {
       tried.outcome = failure(trial);
       tried.where = start.says;
     }

@@ -141,6 +141,7 @@ TEST_CASE("only, exclude: words of models and algorithms", "[choose]") {
   need.exclude = {"coarse"};
   CHECK(choose_for(need).chosen->model == "rich");
   need.only = {"explicit"};
+  need.error = 1e-5;
   CHECK_FALSE(choose_for(need, 5).chosen);
   need.only = {"nobody"};
   CHECK(complaint([&] { choose_for(need); }).find("rich by everything") != std::string::npos);

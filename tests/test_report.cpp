@@ -36,7 +36,8 @@ std::vector<std::string> spoilt_formulas(const std::string& page) {
   std::istringstream lines(page);
   bool fenced = false;
   for (std::string line; std::getline(lines, line);) {
-    const bool fence_line = line.starts_with("```");
+    const auto begins = line.find_first_not_of(' ');
+    const bool fence_line = begins != std::string::npos && line.compare(begins, 3, "```") == 0;
     if (fence_line) fenced = !fenced;
     if (fence_line || fenced) continue;
     for (std::size_t at = 0; (at = line.find_first_of("\\$`", at)) != std::string::npos;) {
@@ -309,7 +310,7 @@ TEST_CASE("motions that the eye cannot tell apart name each other; flat ones are
   q.methods.push_back({"c", "algorithm", Outcome::ok, "", q.methods[0].trials});
   const Styles styles(with(q));
   const std::string script = trajectory_script(q, "title", "f", styles);
-  CHECK(count(script, "hidden by 'c'") == 1);
+  CHECK(count(script, "hidden by ''c''") == 1);
   CHECK(count(script, "set size ratio -1") == 1);
   q.trajectory->paths[0].value = {1, 2, 1.1, 4};
   CHECK(count(trajectory_script(q, "title", "f", styles), "not to the scale of y") == 1);
@@ -359,7 +360,7 @@ TEST_CASE("quantities of growing size share one chart", "[report]") {
   REQUIRE(series.size() == 1);
   CHECK(series[0][0]->name == "chain_of_10");
   const std::string script = series_script(series[0], "title", "file.svg", Styles(Results{{e}}));
-  CHECK(count(script, "work \\\\~ n\\\\^2") == 1);
+  CHECK(count(script, "work \\~ n\\^2") == 1);
   CHECK(count(script, "5,000,000 for n = 1000") == 1);
   e.quantities.pop_back();
   CHECK(series_of(e).empty());
@@ -472,7 +473,7 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
   CHECK(count(index, "What is wrong in the solutions manual") == 1);
   CHECK(count(index, "[3.5-wrong](chapter_03.md#3.5-wrong) | 1 | x is 1 | x = 2 | x = 1 |") == 1);
   CHECK(count(index, "### Misprints (1)") == 1);
-  CHECK(count(index, "[3.5-lost_bar](chapter_03.md#3.5-lost_bar)") == 1);
+  CHECK(count(index, "[3.5-lost\\_bar](chapter_03.md#3.5-lost_bar)") == 1);
 }
 
 TEST_CASE("a reason for failing is given only where failing is expected", "[report]") {

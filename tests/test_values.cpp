@@ -95,7 +95,8 @@ TEST_CASE("outcomes are computed from value, estimate, drift and ending", "[valu
   CHECK(outcome_of({Value{1, 1}}) == Outcome::non_finite);
   CHECK(outcome_of({1.0005, 1, 1e-4}) == Outcome::deceived);
   CHECK(outcome_of({1.0005, 1, 1e-3}) == Outcome::ok);
-  CHECK(outcome_of({1.0005, 1, no_number, 2e-3}) == Outcome::drifted);
+  CHECK(outcome_of({1.0005, 1, no_number, 2e-3}) == Outcome::ok);
+  CHECK(outcome_of({1.0005, 1, no_number, 0.02}) == Outcome::drifted);
   CHECK(outcome_of({1.1, 1, no_number, 2e-3}) == Outcome::inaccurate);
   CHECK(outcome_of({1.1, 1, no_number, 0.02}) == Outcome::drifted);
   CHECK(outcome_of({1, 1, no_number, no_number}) == Outcome::drifted);
