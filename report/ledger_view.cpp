@@ -20,7 +20,7 @@ std::string error_of(const LeastModel& row, const Ledger& ledger) {
     return with_powers(shown_error(row.least->error * row.need.error)) + " of the motion";
   std::string text;
   for (double error : row.least->errors) text += (text.empty() ? "" : ", ") + with_powers(shown_error(error));
-  return text + (ledger.unit == "1" ? "" : " " + ledger.unit);
+  return text + (ledger.unit == "1" ? "" : " " + escaped(ledger.unit));
 }
 
 std::vector<std::string> least_row(const LeastModel& row, const Ledger& ledger) {

@@ -154,7 +154,7 @@ TEST_CASE("no folder's name runs or breaks out", "[report]") {
                                  "new\nline", "-d", "~root", "@x", "%s", "a\\", "a;touch canary", "µ"}) {
     INFO(name);
     write_charts(sample(), scratch.path() / "out" / name);
-    CHECK(fs::exists(scratch.path() / "out" / name / "charts" / "3.5_q.svg"));
+    CHECK(fs::exists(scratch.path() / "out" / name / "charts" / "3.5_q_motion.svg"));
     fs::remove_all(scratch.path() / "out" / name);
     CHECK(fs::is_empty(scratch.path() / "out"));
   }
