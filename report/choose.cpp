@@ -74,15 +74,20 @@ class Search {
       : need_(need),
         price_(price),
         progress_(progress),
-        truth_(truth.watched([this] { deadline_.check(); })),
         deadline_(need.time_limit),
+        motions_(progress, "making the true motions", 1 + seen_beside),
+        truth_(truth.watched([this] {
+          deadline_.check();
+          motions_.beat();
+        })),
         starts_(task, need, truth_),
         seen_{starts_.asked()} {
     seen_.reserve(1 + seen_beside + rounds * unseen_starts);  // methods_ points into the first
+    motions_.add();
     std::ranges::move(starts_.beside(seen_beside), std::back_inserter(seen_));
     for (const Method& method : seen_.front().motion.methods)
-      if (wanted(need, method)) methods_.push_back(&method);
-    if (methods_.empty()) throw BadInput("no model or algorithm of this scene is named so: " + names());
+      if (wanted(need, method) && can_be_judged(method)) methods_.push_back(&method);
+    if (methods_.empty()) throw BadInput("no method is left; this scene has " + names());
   }
 
   Choice choose() {
@@ -116,6 +121,13 @@ class Search {
     for (const Method& m : seen_.front().motion.methods)
       all += (all.empty() ? "" : "; ") + m.model + " by " + m.algorithm;
     return all;
+  }
+
+  /// By its energy only what has something conserved that was watched: some of it is lost at the coarsest
+  /// setting.
+  bool can_be_judged(const Method& m) const {
+    return need_.criterion != Criterion::energy ||
+           run(seen_.front().motion, m, settings(m, need_).front()).answer.drift != 0;
   }
 
   /// Every method from the setting from(method) on, in parallel, each on to the first that holds with the
@@ -343,8 +355,9 @@ class Search {
   const Need& need_;
   const Price& price_;
   const Progress& progress_;
-  Reference truth_;
   Deadline deadline_;
+  Tally motions_;
+  Reference truth_;
   Starts starts_;
   std::vector<Start> seen_;
   std::vector<const Method*> methods_;

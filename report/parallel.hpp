@@ -19,6 +19,12 @@ class Tally {
     const std::lock_guard lock(mutex_);
     progress_(stage_, ++done_, all_);
   }
+  /// Nothing is finished, but work goes on.
+  void beat() {
+    if (!progress_) return;
+    const std::lock_guard lock(mutex_);
+    progress_(stage_, done_, all_);
+  }
 
  private:
   const Progress& progress_;
