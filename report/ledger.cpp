@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
@@ -85,25 +86,50 @@ std::vector<Line> lines(const Task& task, const Scene& scene) {
   return all;
 }
 
-/// The motion as the model itself has it: by the algorithm whose two finest settings agree best, or by one
-/// that has no setting. What it errs by is the model's, not the algorithm's.
-std::optional<Value> solved(const Quantity& motion, const std::string& model) {
-  std::optional<Value> best;
+/// The model's algorithm whose two finest settings agree best, or one that has no setting: what the motion by
+/// it errs by is the model's, not the algorithm's. None where no algorithm gets through.
+const Method* exact_solver(const Quantity& motion, const std::string& model) {
+  const Method* best = nullptr;
   double best_change = std::numeric_limits<double>::infinity();
   for (const Method& method : motion.methods) {
     if (method.model != model) continue;
     const auto& settings = method.knob.settings;
     const Answer fine = run(motion, method, settings.back()).answer;
     if (!fine.reached() || !finite(fine.value)) continue;
-    if (settings.size() == 1) return fine.value;
+    if (settings.size() == 1) return &method;
     const Answer coarser = run(motion, method, settings[settings.size() - 2]).answer;
     const double change = coarser.reached() ? distance(fine.value, coarser.value) : std::nan("");
     if (change < best_change) {
       best_change = change;
-      best = fine.value;
+      best = &method;
     }
   }
   return best;
+}
+
+/// The motion as the model itself has it, by this algorithm, or where that does not get through by its best.
+std::optional<Value> solved(const Quantity& motion, const std::string& model, const std::string& algorithm) {
+  for (const Method* method : {method_of(motion, model, algorithm), exact_solver(motion, model)}) {
+    if (!method) continue;
+    const Answer answer = run(motion, *method, method->knob.settings.back()).answer;
+    if (answer.reached() && finite(answer.value)) return answer.value;
+  }
+  return {};
+}
+
+/// The exact solvers of a scene's models at its defaults.
+using Solvers = std::map<std::string, std::string>;
+
+Solvers solvers_of(const Quantity& motion) {
+  Solvers solvers;
+  for (const std::string& model : models_of(motion))
+    if (const Method* method = exact_solver(motion, model)) solvers[model] = method->algorithm;
+  return solvers;
+}
+
+std::optional<Value> solved(const Quantity& motion, const std::string& model, const Solvers& solvers) {
+  const auto solver = solvers.find(model);
+  return solved(motion, model, solver == solvers.end() ? "" : solver->second);
 }
 
 /// Values from a to b: in proportion where they have one sign and span more than fourfold, else evenly
@@ -124,12 +150,14 @@ std::vector<double> spaced(double a, double b, int count) {
 /// A scene's models beside each other over the ledger's horizon, one parameter moved.
 class Along {
  public:
-  Along(const Task& task, const Need& need, const Reference& truth, std::string truest)
+  Along(const Task& task, const Need& need, const Reference& truth, std::string truest,
+        const Solvers& solvers)
       : task_(task),
         scene_(*task.entry->exercise.scene),
         need_(need),
         truth_(truth),
         truest_(std::move(truest)),
+        solvers_(solvers),
         lines_(lines(task, scene_)) {}
 
   /// Where the model is enough, along the first line on which it is enough somewhere and somewhere not.
@@ -150,7 +178,7 @@ class Along {
   /// island narrower than a thousandth of the range may be missed.
   std::optional<BreakEven> along(const std::string& model, const Parameter& p,
                                  const std::vector<double>& values) const {
-    constexpr int parts = 96;
+    constexpr int parts = 64;
     const auto [least, most] = std::ranges::minmax(values);
     std::vector<Look> looks;
     for (double at : spaced(least, most, parts)) {
@@ -202,8 +230,8 @@ class Along {
     return seen;
   }
 
-  static double error(const std::string& model, const Quantity& seen) {
-    const auto value = solved(seen, model);
+  double error(const std::string& model, const Quantity& seen) const {
+    const auto value = solved(seen, model, solvers_);
     const double error = value ? seen.in_needs(seen.errors(*value)) : std::nan("");
     return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
   }
@@ -211,7 +239,7 @@ class Along {
   /// With the truest model in place of the truth.
   Look look(const std::string& model, const Parameter& p, double at) const {
     Quantity seen = motion(p, at, Reference::nothing());
-    const auto truth = solved(seen, truest_);
+    const auto truth = solved(seen, truest_, solvers_);
     if (!truth) return {at, std::numeric_limits<double>::infinity()};
     seen.reference.value = *truth;
     return {at, error(model, seen)};
@@ -222,15 +250,16 @@ class Along {
   const Need& need_;
   const Reference& truth_;
   std::string truest_;
+  const Solvers& solvers_;
   std::vector<Line> lines_;
 };
 
 /// The model that, solved exactly, comes nearest to the reference; of those as near the last, the richest.
-std::string truest_model(const Quantity& motion) {
+std::string truest_model(const Quantity& motion, const Solvers& solvers) {
   std::string truest;
   double least = std::numeric_limits<double>::infinity();
   for (const std::string& model : models_of(motion)) {
-    const auto value = solved(motion, model);
+    const auto value = solved(motion, model, solvers);
     const double error = value ? motion.in_needs(motion.errors(*value)) : std::nan("");
     if (error <= std::max(least, 1e-6)) {
       truest = model;
@@ -249,7 +278,8 @@ std::optional<Ledger> ledger(const Task& task, const Reference& truth) {
   std::vector<Start> start{starts.asked()};
   const Quantity motion = start.front().motion;
   Ledger ledger{motion.unit, {}, {}, {}};
-  const Along along(task, game, truth, truest_model(motion));
+  const Solvers solvers = solvers_of(motion);
+  const Along along(task, game, truth, truest_model(motion, solvers), solvers);
   ledger.least.push_back(least_model(start, game_in_words(motion), game));
   ledger.least.push_back(least_model(start, "10 digits", digits));
   for (const std::string& model : models_of(motion)) {
@@ -257,7 +287,7 @@ std::optional<Ledger> ledger(const Task& task, const Reference& truth) {
       ledger.break_evens.push_back(*found);
       continue;
     }
-    const auto value = solved(motion, model);
+    const auto value = solved(motion, model, solvers);
     if (!value || !(motion.in_needs(motion.errors(*value)) <= 1)) ledger.never.push_back(model);
   }
   return ledger;
