@@ -319,10 +319,13 @@ struct Axes {
 
 /// The code of a scene's models: the headers, which stand alone (they include only the standard library,
 /// chapters/conserved.hpp and other such headers), and for each model of its methods the expression that
-/// constructs it, within namespace oddity, from variables named as the exercise's parameters.
+/// constructs it, within namespace oddity, from variables named as the exercise's parameters. A closed form with
+/// an algorithm of its own stands as "model, algorithm".
 struct Listing {
   std::vector<std::string_view> headers;
   std::vector<std::pair<std::string_view, std::string_view>> models;
+  /// The other models, and why they cannot be printed: "which needs ...".
+  std::vector<std::pair<std::string_view, std::string_view>> not_printable = {};
 };
 
 /// The motion of an exercise that has one: what the views of stability, choice and models look at.
