@@ -46,7 +46,15 @@ Scene scene() {
           "theta_dot",
           {3, 1, 0.25, 0.125, 0.0625},
           {"theta", "phi", "theta_dot"},
-          {{"x", "y"}, "s", {{"m", {0, 1}}}}};
+          {{"x", "y"}, "s", {{"m", {0, 1}}}},
+          {{"chapters/03_rigid_body_motion/foucault_models.hpp"},
+           {{"averaged", "foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, true}"},
+            {"small angle", "foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
+            {"two angles as published",
+             "foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0}"},
+            {"two angles", "foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
+            {"Cartesian with constraint",
+             "foucault::Cartesian{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -448,13 +448,24 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
 }
 
 Scene scene() {
-  return {swing,
-          8,
-          centimeter,
-          "c1",
-          {10, 40, 160, 1000, 10000},
-          {"y2", "y3", "v2"},
-          {{"y2", "y3"}, "s", {{"m", {0}}, {"m", {1}}}}};
+  return {
+      swing,
+      8,
+      centimeter,
+      "c1",
+      {10, 40, 160, 1000, 10000},
+      {"y2", "y3", "v2"},
+      {{"y2", "y3"}, "s", {{"m", {0}}, {"m", {1}}}},
+      {{"chapters/03_rigid_body_motion/two_pulleys_models.hpp"},
+       {{"two coordinates",
+         "two_pulleys::TwoCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}}"},
+        {"four coordinates with tensions",
+         "two_pulleys::FourCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}}"},
+        {"published equations",
+         "two_pulleys::TwoCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}, "
+         "0}"}},
+       {{"normal modes", "which needs GSL's eigenvalues"},
+        {"normal modes, pulleys without inertia", "which needs GSL's eigenvalues"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -277,13 +277,19 @@ Quantity wind(const Parameters& p, const Horizon& horizon, const Reference& trut
 }
 
 Scene scene() {
-  return {wind,
-          seconds,
-          centimeter,
-          "phi",
-          {1.5, 1, 0.5, 0.2, 0.1, 0.05},
-          {"theta", "theta_dot", "psi_dot"},
-          {{"x", "y", "psi"}, "s", {{"m", {0, 1}}, {"rad", {2}}}}};
+  return {
+      wind,
+      seconds,
+      centimeter,
+      "phi",
+      {1.5, 1, 0.5, 0.2, 0.1, 0.05},
+      {"theta", "theta_dot", "psi_dot"},
+      {{"x", "y", "psi"}, "s", {{"m", {0, 1}}, {"rad", {2}}}},
+      {{"chapters/03_rigid_body_motion/pipe_and_disk_models.hpp"},
+       {{"constant speeds", "pipe_and_disk::ConstantSpeeds{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
+        {"one angle", "pipe_and_disk::OneAngle{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
+        {"two angles", "pipe_and_disk::TwoAngles{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
+        {"Cartesian center", "pipe_and_disk::Center{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -209,7 +209,12 @@ Scene scene() {
           "c",
           {20, 50, 100, 300, 1000, 2500},
           {"theta0", "m", "h"},
-          {{"x", "y"}, "s", {{"m", {0, 1}}}}};
+          {{"x", "y"}, "s", {{"m", {0, 1}}}},
+          {{"chapters/03_rigid_body_motion/spring_bar_models.hpp"},
+           {{"small oscillation", "spring_bar::SmallOscillation{{m, r, s, c, h, g, ell, theta0, w0}}"},
+            {"one angle", "spring_bar::OneAngle{{m, r, s, c, h, g, ell, theta0, w0}}"},
+            {"Cartesian with constraint",
+             "spring_bar::CartesianWithConstraint{{m, r, s, c, h, g, ell, theta0, w0}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -76,7 +76,15 @@ Scene scene() {
           "theta1",
           {0.0625, 0.25, 0.5, 1, 1.5},
           {"theta1", "theta2", "theta3"},
-          {{"x1", "y1", "x2", "y2", "x3", "y3"}, "s", {{"m", {0, 1}}, {"m", {2, 3}}, {"m", {4, 5}}}}};
+          {{"x1", "y1", "x2", "y2", "x3", "y3"}, "s", {{"m", {0, 1}}, {"m", {2, 3}}, {"m", {4, 5}}}},
+          {{"chapters/03_rigid_body_motion/chain_models.hpp"},
+           {{"dense mass matrix",
+             "chain::Angles<chain::Equations::dense>{{{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, "
+             "theta3}, {omega1, omega2, omega3}}}"},
+            {"tensions",
+             "chain::Angles<chain::Equations::tensions>{{{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, "
+             "theta3}, {omega1, omega2, omega3}}}"}},
+           {{"normal modes", "which needs GSL's eigenvalues"}}}};
 }
 
 Quantity small_swing(const Triple& like, const Reference& truth) {

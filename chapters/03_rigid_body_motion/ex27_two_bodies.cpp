@@ -81,7 +81,14 @@ Scene scene() {
           "phi0_dot",
           {1.7, 1.5, 1, 0.5, 0.25, 0.17},
           {"r0", "r0_dot", "phi0_dot"},
-          {{"x", "y"}, "s", {{"m", {0, 1}}}}};
+          {{"x", "y"}, "s", {{"m", {0, 1}}}},
+          {{"chapters/03_rigid_body_motion/two_bodies_models.hpp"},
+           {{"Kepler's equation, Newton from pi",
+             "two_bodies::ByKeplersEquation(two_bodies::Bodies{G, m1, m2, r0, r0_dot, phi0, "
+             "phi0_dot}.relative())"},
+            {"(r, u, phi)", "two_bodies::Published{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"},
+            {"two bodies", "two_bodies::BothBodies{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"}},
+           {{"Levi-Civita's coordinates", "which needs Newton's method for the time of every frame"}}}};
 }
 
 /// The time of a turn of phi, against Kepler's third law with the sum of the masses.

@@ -440,14 +440,23 @@ std::vector<Claim> claims(double seed) {
 Wire parabola(const Parameters& p) { return {Shape::parabola, p["q"], p["d"], 0}; }
 
 Quantity fall_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  const Wire wire = parabola(p);
-  const Inertia i = by_primitives(wire);
-  return fall(wire, {i[0], i[3], p["u"], p["v"], p["w"], p["g"], {-i[1], -i[2]}}, horizon, truth);
+  return fall(parabola(p), thrown_parabola(p["q"], p["d"], p["u"], p["v"], p["w"], p["g"]), horizon, truth);
 }
 
 Scene scene() {
-  return {
-      fall_of, 2, centimeter, "w", {1, 3, 6, 10, 20}, {"u", "v", "w"}, {{"x", "y"}, "s", {{"m", {0, 1}}}}};
+  return {fall_of,
+          2,
+          centimeter,
+          "w",
+          {1, 3, 6, 10, 20},
+          {"u", "v", "w"},
+          {{"x", "y"}, "s", {{"m", {0, 1}}}},
+          {{"chapters/03_rigid_body_motion/planar_wire_models.hpp"},
+           {{"center alone", "planar_wire::PointMass{planar_wire::thrown_parabola(q, d, u, v, w, g)}"},
+            {"free fall", "planar_wire::FreeFall{planar_wire::thrown_parabola(q, d, u, v, w, g)}"},
+            {"x, y, theta", "planar_wire::Generalized{planar_wire::thrown_parabola(q, d, u, v, w, g)}"},
+            {"two particles and a rod",
+             "planar_wire::TwoParticles{planar_wire::thrown_parabola(q, d, u, v, w, g)}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

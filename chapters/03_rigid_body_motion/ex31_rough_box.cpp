@@ -50,7 +50,14 @@ Scene scene() {
           "mu",
           {0.2, 0.3, 0.5, 0.7, 1},
           {"u0", "v0", "w0"},
-          {{"x", "y", "theta"}, "s", {{"m", {0, 1}}, {"rad", {2}}}}};
+          {{"x", "y", "theta"}, "s", {{"m", {0, 1}}, {"rad", {2}}}},
+          {{"chapters/03_rigid_body_motion/rough_box_models.hpp"},
+           {{"sliding and spinning apart", "rough_box::Uncoupled{{{a, b}, mu, g, u0, v0, w0}}"},
+            {"friction at full speed only", "rough_box::InTime{{{a, b}, mu, g, u0, v0, w0}}"},
+            {"friction regularized at 1 cm/s", "rough_box::InTime{{{a, b}, mu, g, u0, v0, w0}, 0.01}"}},
+           {{"steps with a stick test", "which needs a loop of its own"},
+            {"stopped by event", "which needs a search for events"},
+            {"time stretched by the speed", "which needs Newton's method for the time of every frame"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -3,7 +3,7 @@
 //   psi' + theta' cos phi = c,   mu1 theta' sin^2 phi + c mu3 cos phi = gamma,   u = cos phi:
 //   u'^2 = (e - 2 alpha u)(1 - u^2) - (b - a u)^2,   alpha = m g l/mu1, a = mu3 c/mu1, b = gamma/mu1
 // The formulas are judged against tops made of point masses (top_of_points.hpp), whose energies and forces
-// come from the points' positions by dual numbers. top.hpp has the models, top_quantities.hpp the
+// come from the points' positions by dual numbers. top_models.hpp has the models, top_quantities.hpp the
 // quantities.
 
 #include "chapters/03_rigid_body_motion/top_of_points.hpp"
@@ -416,7 +416,17 @@ Scene scene() {
           "dpsi",
           {5, 10, 20, 30, 60, 100},
           {"phi", "dtheta", "dpsi"},
-          {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}}};
+          {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
+          {{"chapters/03_rigid_body_motion/top_models.hpp"},
+           {{"mean precession of a fast top",
+             "top::MeanPrecession{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+            {"one angle, precession by quadrature",
+             "top::OneAngle{{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}}"},
+            {"Euler angles", "top::EulerAngles{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+            {"rigid body, quaternion",
+             "top::RigidBody{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+            {"axis and angular momentum",
+             "top::AxisAndMomentum{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

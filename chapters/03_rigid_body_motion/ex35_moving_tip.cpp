@@ -2,7 +2,7 @@
 // (A is the book's alpha, which in 3.33 is m g l/mu1.) About the tip, with F = -m g k - m p'':
 //   L' = l d x F,   mu1 w1' = (mu1 - mu3) w2 w3 - l F2,   mu1 w2' = (mu3 - mu1) w3 w1 + l F1,   w3' = 0
 // Judged against tops made of point masses, whose Lagrangian with a moving tip is differentiated by nested
-// dual numbers. The models are those of top.hpp; top_moving_tip.hpp has the quantities.
+// dual numbers. The models are those of top_models.hpp; top_moving_tip.hpp has the quantities.
 
 #include "chapters/03_rigid_body_motion/top_moving_tip.hpp"
 #include "chapters/03_rigid_body_motion/top_of_points.hpp"
@@ -286,13 +286,27 @@ Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& t
 }
 
 Scene scene() {
-  return {axis_of,
-          duration,
-          degree,
-          "lambda",
-          {0.5, 1.5, 3, 6, 10, 14},
-          {"phi", "dtheta", "dpsi"},
-          {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}}};
+  return {
+      axis_of,
+      duration,
+      degree,
+      "lambda",
+      {0.5, 1.5, 3, 6, 10, 14},
+      {"phi", "dtheta", "dpsi"},
+      {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
+      {{"chapters/03_rigid_body_motion/top_moving_tip_models.hpp"},
+       {{"fixed tip, as proposed",
+         "top::AxisAndMomentum{top::with_fixed_tip({m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, "
+         "A, lambda})}"},
+        {"small tilt", "top::SmallTilt{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+        {"first order in A",
+         "top::FirstOrderInA{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+        {"Euler angles",
+         "top::EulerAngles{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+        {"rigid body, quaternion",
+         "top::RigidBody{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+        {"axis and angular momentum",
+         "top::AxisAndMomentum{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -7,18 +7,6 @@
 
 namespace oddity::rough_box {
 
-/// Sliding and spinning, each alone and at a steady deceleration until it is over.
-struct Uncoupled : Box {
-  Three<double> at(double t) const {
-    const auto way = [t](double speed, double rest) {
-      const double on = std::min(t, rest);
-      return rest > 0 ? speed * on * (1 - on / (2 * rest)) : 0.0;
-    };
-    const double slide = sliding_time(), spin = spinning_time();
-    return {way(u0, slide), way(v0, slide), way(w0, spin)};
-  }
-};
-
 inline bool fail(Answer& answer, Ending ending, std::string message) {
   answer.ending = ending;
   answer.message = std::move(message);

@@ -1,0 +1,234 @@
+#include "chapters/03_rigid_body_motion/chain_models.hpp"
+#include "chapters/03_rigid_body_motion/foucault_models.hpp"
+#include "chapters/03_rigid_body_motion/pipe_and_disk_models.hpp"
+#include "chapters/03_rigid_body_motion/planar_wire_models.hpp"
+#include "chapters/03_rigid_body_motion/rough_box_models.hpp"
+#include "chapters/03_rigid_body_motion/spring_bar_models.hpp"
+#include "chapters/03_rigid_body_motion/top_moving_tip_models.hpp"
+#include "chapters/03_rigid_body_motion/two_bodies_models.hpp"
+#include "chapters/03_rigid_body_motion/two_pulleys_models.hpp"
+// These stand alone, and so the rest comes after them.
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "chapters/03_rigid_body_motion/foucault.hpp"
+#include "chapters/contents.hpp"
+#include "reference/reference.hpp"
+#include "tests/catch.hpp"
+
+using namespace oddity;
+
+namespace {
+
+/// x + h dx.
+template <class State>
+State moved(State x, double h, const State& dx) {
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += h * dx[i];
+  return x;
+}
+
+/// What a model observes at h, after one step of Runge-Kutta 4 where it is no closed form.
+template <class Model>
+Value observed(const Model& model, double h) {
+  if constexpr (requires { model.at(h); }) {
+    return model.at(h);
+  } else {
+    using State = typename Model::State;
+    const State x = model.start();
+    State a, b, c, d;
+    model(x, a, 0);
+    model(moved(x, h / 2, a), b, h / 2);
+    model(moved(x, h / 2, b), c, h / 2);
+    model(moved(x, h, c), d, h);
+    const State end = moved(moved(moved(moved(x, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
+    return model.observe(end, h);
+  }
+}
+
+std::string without_spaces(std::string_view text) {
+  std::string rest(text);
+  std::erase(rest, ' ');
+  return rest;
+}
+
+/// A scene, and those of its listed models that have been tried.
+class Listed {
+ public:
+  explicit Listed(std::string_view number)
+      : exercise_(std::ranges::find(registry(), exercise_number(number), &Entry::number)->exercise),
+        parameters_(exercise_.parameters) {}
+
+  double operator[](std::string_view name) const { return parameters_[name]; }
+
+  /// The model is listed with this expression, and moves as the scene's does.
+  template <class Model>
+  void have(const std::string& name, const std::string& expression, const Model& model) {
+    INFO(exercise_.title << ", " << name);
+    const auto& all = exercise_.scene->listing.models;
+    const auto listed = std::ranges::find(all, name, &std::pair<std::string_view, std::string_view>::first);
+    REQUIRE(listed != all.end());
+    CHECK(without_spaces(listed->second) == without_spaces(expression));
+    const double h = 0x1p-6;
+    const Quantity motion = exercise_.scene->motion(parameters_, {h, 1}, Reference::nothing());
+    const auto method = std::ranges::find_if(motion.methods, [&](const Method& m) {
+      return m.model + ", " + m.algorithm == name ||
+             (m.model == name && (m.algorithm == "closed form" || m.algorithm == "Runge-Kutta 4"));
+    });
+    REQUIRE(method != motion.methods.end());
+    const Value own = observed(model, h), scenes = method->run(h).value;
+    CHECK(distance(own, scenes) <= 1e-15 * size_of(scenes));
+    tried_.insert(name);
+  }
+
+  void have_all() const { CHECK(tried_.size() == exercise_.scene->listing.models.size()); }
+
+ private:
+  Exercise exercise_;
+  Parameters parameters_;
+  std::set<std::string> tried_;
+};
+
+#define HAS(name, ...) listed.have(name, #__VA_ARGS__, __VA_ARGS__)
+
+}  // namespace
+
+TEST_CASE("The models of 3.17 stand alone, and are listed", "[models]") {
+  Listed listed("3.17");
+  const double lambda = listed["lambda"], L = listed["L"], omega = listed["omega"], g = listed["g"],
+               theta = listed["theta"], phi = listed["phi"], theta_dot = listed["theta_dot"],
+               phi_dot = listed["phi_dot"];
+  HAS("averaged", foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, true});
+  HAS("small angle", foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
+  HAS("two angles as published",
+      foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0});
+  HAS("two angles", foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
+  HAS("Cartesian with constraint",
+      foucault::Cartesian{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
+  listed.have_all();
+}
+
+TEST_CASE("The models of 3.19 stand alone, and are listed", "[models]") {
+  Listed listed("3.19");
+  const double m2 = listed["m2"], m3 = listed["m3"], I1 = listed["I1"], I2 = listed["I2"], R1 = listed["R1"],
+               R2 = listed["R2"], c1 = listed["c1"], c2 = listed["c2"], L1 = listed["L1"], L2 = listed["L2"],
+               K1 = listed["K1"], K2 = listed["K2"], g = listed["g"], y2 = listed["y2"], y3 = listed["y3"],
+               v2 = listed["v2"], v3 = listed["v3"];
+  HAS("two coordinates",
+      two_pulleys::TwoCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}});
+  HAS("four coordinates with tensions",
+      two_pulleys::FourCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}});
+  HAS("published equations",
+      two_pulleys::TwoCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}, 0});
+  listed.have_all();
+}
+
+TEST_CASE("The models of 3.21 stand alone, and are listed", "[models]") {
+  Listed listed("3.21");
+  const double m = listed["m"], L = listed["L"], r = listed["r"], phi = listed["phi"], f = listed["f"],
+               k = listed["k"], theta = listed["theta"], theta_dot = listed["theta_dot"],
+               psi_dot = listed["psi_dot"];
+  HAS("constant speeds", pipe_and_disk::ConstantSpeeds{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  HAS("one angle", pipe_and_disk::OneAngle{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  HAS("two angles", pipe_and_disk::TwoAngles{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  HAS("Cartesian center", pipe_and_disk::Center{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  listed.have_all();
+}
+
+TEST_CASE("The models of 3.23 stand alone, and are listed", "[models]") {
+  Listed listed("3.23");
+  const double m = listed["m"], r = listed["r"], s = listed["s"], c = listed["c"], h = listed["h"],
+               g = listed["g"], ell = listed["ell"], theta0 = listed["theta0"], w0 = listed["w0"];
+  HAS("small oscillation", spring_bar::SmallOscillation{{m, r, s, c, h, g, ell, theta0, w0}});
+  HAS("one angle", spring_bar::OneAngle{{m, r, s, c, h, g, ell, theta0, w0}});
+  HAS("Cartesian with constraint", spring_bar::CartesianWithConstraint{{m, r, s, c, h, g, ell, theta0, w0}});
+  listed.have_all();
+}
+
+TEST_CASE("The models of 3.25 stand alone, and are listed", "[models]") {
+  Listed listed("3.25");
+  const double m1 = listed["m1"], m2 = listed["m2"], m3 = listed["m3"], r1 = listed["r1"], r2 = listed["r2"],
+               r3 = listed["r3"], g = listed["g"], h = listed["h"], theta1 = listed["theta1"],
+               theta2 = listed["theta2"], theta3 = listed["theta3"], omega1 = listed["omega1"],
+               omega2 = listed["omega2"], omega3 = listed["omega3"];
+  HAS("dense mass matrix",
+      chain::Angles<chain::Equations::dense>{
+          {{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, theta3}, {omega1, omega2, omega3}}});
+  HAS("tensions",
+      chain::Angles<chain::Equations::tensions>{
+          {{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, theta3}, {omega1, omega2, omega3}}});
+  listed.have_all();
+}
+
+TEST_CASE("The models of 3.27 stand alone, and are listed", "[models]") {
+  Listed listed("3.27");
+  const double G = listed["G"], m1 = listed["m1"], m2 = listed["m2"], r0 = listed["r0"],
+               r0_dot = listed["r0_dot"], phi0 = listed["phi0"], phi0_dot = listed["phi0_dot"];
+  HAS("Kepler's equation, Newton from pi",
+      two_bodies::ByKeplersEquation(two_bodies::Bodies{G, m1, m2, r0, r0_dot, phi0, phi0_dot}.relative()));
+  HAS("(r, u, phi)", two_bodies::Published{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}});
+  HAS("two bodies", two_bodies::BothBodies{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}});
+  listed.have_all();
+}
+
+TEST_CASE("The models of 3.29 stand alone, and are listed", "[models]") {
+  Listed listed("3.29");
+  const double q = listed["q"], d = listed["d"], u = listed["u"], v = listed["v"], w = listed["w"],
+               g = listed["g"];
+  HAS("center alone", planar_wire::PointMass{planar_wire::thrown_parabola(q, d, u, v, w, g)});
+  HAS("free fall", planar_wire::FreeFall{planar_wire::thrown_parabola(q, d, u, v, w, g)});
+  HAS("x, y, theta", planar_wire::Generalized{planar_wire::thrown_parabola(q, d, u, v, w, g)});
+  HAS("two particles and a rod", planar_wire::TwoParticles{planar_wire::thrown_parabola(q, d, u, v, w, g)});
+  listed.have_all();
+}
+
+TEST_CASE("The models of 3.31 stand alone, and are listed", "[models]") {
+  Listed listed("3.31");
+  const double a = listed["a"], b = listed["b"], mu = listed["mu"], g = listed["g"], u0 = listed["u0"],
+               v0 = listed["v0"], w0 = listed["w0"];
+  HAS("sliding and spinning apart", rough_box::Uncoupled{{{a, b}, mu, g, u0, v0, w0}});
+  HAS("friction at full speed only", rough_box::InTime{{{a, b}, mu, g, u0, v0, w0}});
+  HAS("friction regularized at 1 cm/s", rough_box::InTime{{{a, b}, mu, g, u0, v0, w0}, 0.01});
+  listed.have_all();
+}
+
+TEST_CASE("The models of 3.33 stand alone, and are listed", "[models]") {
+  Listed listed("3.33");
+  const double m = listed["m"], l = listed["l"], mu1 = listed["mu1"], mu3 = listed["mu3"], g = listed["g"],
+               theta = listed["theta"], phi = listed["phi"], psi = listed["psi"], dtheta = listed["dtheta"],
+               dphi = listed["dphi"], dpsi = listed["dpsi"];
+  HAS("mean precession of a fast top",
+      top::MeanPrecession{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+  HAS("one angle, precession by quadrature",
+      top::OneAngle{{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}});
+  HAS("Euler angles", top::EulerAngles{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+  HAS("rigid body, quaternion", top::RigidBody{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+  HAS("axis and angular momentum",
+      top::AxisAndMomentum{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+  listed.have_all();
+}
+
+TEST_CASE("The models of 3.35 stand alone, and are listed", "[models]") {
+  Listed listed("3.35");
+  const double m = listed["m"], l = listed["l"], mu1 = listed["mu1"], mu3 = listed["mu3"], g = listed["g"],
+               theta = listed["theta"], phi = listed["phi"], psi = listed["psi"], dtheta = listed["dtheta"],
+               dphi = listed["dphi"], dpsi = listed["dpsi"], A = listed["A"], lambda = listed["lambda"];
+  HAS("fixed tip, as proposed", top::AxisAndMomentum{top::with_fixed_tip(
+                                    {m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda})});
+  HAS("small tilt", top::SmallTilt{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+  HAS("first order in A",
+      top::FirstOrderInA{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+  HAS("Euler angles", top::EulerAngles{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+  HAS("rigid body, quaternion",
+      top::RigidBody{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+  HAS("axis and angular momentum",
+      top::AxisAndMomentum{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+  listed.have_all();
+}
+
+TEST_CASE("A Foucault pendulum starts with the velocity that dual numbers give", "[models]") {
+  const foucault::Pendulum p{0.75, 1.25, 0.0625, 9.81, 0.5, 0.25, 1, -0.5};
+  const auto v = foucault::axis_velocity<double>({p.theta, p.phi}, {p.theta_dot, p.phi_dot});
+  for (std::size_t i = 0; i < 3; ++i) CHECK(p.cartesian()[3 + i] == p.L * v[i]);
+}
