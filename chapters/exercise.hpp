@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "solvers/ode/stability.hpp"
@@ -316,6 +317,14 @@ struct Axes {
   std::vector<Norm> norms = {};
 };
 
+/// The code of a scene's models: the headers, which stand alone (they include only the standard library,
+/// chapters/conserved.hpp and other such headers), and for each model of its methods the expression that
+/// constructs it, within namespace oddity, from variables named as the exercise's parameters.
+struct Listing {
+  std::vector<std::string_view> headers;
+  std::vector<std::pair<std::string_view, std::string_view>> models;
+};
+
 /// The motion of an exercise that has one: what the views of stability, choice and models look at.
 struct Scene {
   Quantity (*motion)(const Parameters&, const Horizon&, const Reference&);
@@ -325,6 +334,7 @@ struct Scene {
   std::vector<double> over;              ///< its values, from easy to hard
   std::vector<std::string_view> starts;  ///< parameters that differ from start to start
   Axes axes = {};
+  Listing listing = {};
 };
 
 struct Exercise {
