@@ -323,6 +323,8 @@ struct Axes {
 struct Listing {
   std::vector<std::string_view> headers;
   std::vector<std::pair<std::string_view, std::string_view>> models;
+  /// The other models, and why they cannot be printed: "which needs ...".
+  std::vector<std::pair<std::string_view, std::string_view>> not_printable = {};
 };
 
 /// The motion of an exercise that has one: what the views of stability, choice and models look at.
