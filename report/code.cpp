@@ -34,27 +34,36 @@ std::string listed(const std::vector<std::string_view>& names) {
   return all.empty() ? "none" : all;
 }
 
-/// The header of the algorithm; none for a closed form.
-const Plain* plain(const std::string& algorithm) {
-  if (algorithm == closed_form) return nullptr;
-  const auto* found = std::ranges::find(plain_algorithms, algorithm, &Plain::algorithm);
-  if (found == std::end(plain_algorithms))
-    throw BadInput("there is no code to print for " + algorithm +
-                   "; there is for: " + listed(printable_algorithms()) + " (choose among these with --only)");
-  return found;
+/// How a method is printed: the expression that constructs its model, and its algorithm; none for a closed
+/// form.
+struct Printed {
+  std::string_view model;
+  const Plain* algorithm;
+};
+
+template <class Pairs>
+const std::string_view* find(const Pairs& pairs, std::string_view name) {
+  for (const auto& [key, value] : pairs)
+    if (key == name) return &value;
+  return nullptr;
 }
 
-/// The expression that constructs the model.
-std::string_view expression(const Listing& listing, const std::string& model) {
-  for (const auto& [name, expression] : listing.models)
-    if (name == model) return expression;
-  std::string why;
-  for (const auto& [name, reason] : listing.not_printable)
-    if (name == model) why = ", " + std::string(reason);
-  std::vector<std::string_view> printable;
-  for (const auto& entry : listing.models) printable.push_back(entry.first);
-  throw BadInput("there is no code to print for the model '" + model + "'" + why +
-                 "; there is for: " + listed(printable) + " (choose among these with --only)");
+Printed printed(const Listing& listing, const std::string& model, const std::string& algorithm) {
+  if (const auto* own = find(listing.models, model + ", " + algorithm)) return {*own, nullptr};
+  const Plain* found = std::ranges::find(plain_algorithms, algorithm, &Plain::algorithm);
+  if (algorithm != closed_form && found == std::end(plain_algorithms))
+    throw BadInput("there is no code to print for the algorithm " + algorithm +
+                   "; there is for: " + listed(printable_algorithms()) + " (choose among these with --only)");
+  const auto* expression = find(listing.models, model);
+  if (!expression) {
+    const auto* why = find(listing.not_printable, model);
+    std::vector<std::string_view> printable;
+    for (const auto& entry : listing.models) printable.push_back(entry.first);
+    throw BadInput("there is no code to print for the model '" + model + "'" +
+                   (why ? ", " + std::string(*why) : "") + "; there is for: " + listed(printable) +
+                   " (choose among these with --only)");
+  }
+  return {*expression, algorithm == closed_form ? nullptr : found};
 }
 
 std::string_view text_of(std::string_view path) {
@@ -118,8 +127,10 @@ std::string model_text(const Task& task, std::string_view expression) {
   for (const Parameter& p : task.entry->exercise.parameters)
     if (mentions(expression, p.name))
       text += "double " + std::string(p.name) + " = " + shortest(task.parameters[p.name]) + ";  // " +
-              (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") + std::string(p.says) + "\n";
-  return text + "\nauto model() { return " + std::string(expression) + "; }\n\n}  // namespace oddity::asked\n";
+              (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") + std::string(p.says) +
+              "\n";
+  return text + "\nauto model() { return " + std::string(expression) +
+         "; }\n\n}  // namespace oddity::asked\n";
 }
 
 std::string header_line(const Scene& scene) {
@@ -138,9 +149,9 @@ void print_row(double t, const Observables& observables) {
 )";
 
 std::string main_text(const Task& task, const Need& need, const Plain* algorithm, double step) {
-  const std::string frames =
-      "  constexpr int frames = " + shortest(need.frames()) + ";\n  constexpr double frames_per_second = " +
-      shortest(need.frames_per_second) + ";\n";
+  const std::string frames = "  constexpr int frames = " + shortest(need.frames()) +
+                             ";\n  constexpr double frames_per_second = " + shortest(need.frames_per_second) +
+                             ";\n";
   const std::string start = "\nint main() {\n" + frames;
   const std::string head = "  std::printf(\"" + header_line(*task.entry->exercise.scene) + "\\n\");\n";
   const std::string loop = "  for (int frame = 1; frame <= frames; ++frame) {\n";
@@ -170,8 +181,7 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
   if (!choice.chosen) throw BadInput("nothing here meets the need, and there is no code to print");
   const Exercise& exercise = task.entry->exercise;
   const Listing& listing = exercise.scene->listing;
-  const Plain* algorithm = plain(choice.chosen->algorithm);
-  const std::string_view made = expression(listing, choice.chosen->model);
+  const auto [model, algorithm] = printed(listing, choice.chosen->model, choice.chosen->algorithm);
   Joined headers;
   for (std::string_view header : listing.headers) headers.add(header);
   if (algorithm) {
@@ -180,10 +190,11 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
   }
   headers.add_standard("cstdio");
   return as_comment(to_string(task.entry->number) + " " + std::string(exercise.title) + ": " +
-                    asked_text(choice) + "\n\n" + answer_text(choice) + "\nThe observables at every frame, by\n  " +
-                    command + "\nStandard C++20 alone; compile with -std=c++20 -O2 -ffp-contract=off for the digits of "
+                    asked_text(choice) + "\n\n" + answer_text(choice) +
+                    "\nThe observables at every frame, by\n  " + command +
+                    "\nStandard C++20 alone; compile with -std=c++20 -O2 -ffp-contract=off for the digits of "
                     "oddity.") +
-         "\n" + headers.includes() + headers.text() + "\n" + model_text(task, made) + print_row +
+         "\n" + headers.includes() + headers.text() + "\n" + model_text(task, model) + print_row +
          main_text(task, choice.need, algorithm, choice.chosen->setting);
 }
 

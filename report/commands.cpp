@@ -117,7 +117,10 @@ void add_choose(CLI::App& app, Session& s) {
       "code "
       "is 1 when nothing meets the need.\n"
       "Example: oddity choose 3.5 a=60deg --error 1deg --horizon 10 --fps 60 --budget 5us",
-      [&] { s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.command); });
+      [&] {
+        s.status =
+            verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.command);
+      });
   add_one_exercise(*choose, s);
   auto* error = choose->add_option("--error", s.need.error,
                                    "largest error of the observables: 0.01 in their units, 1cm, 1cm,1deg; of "
@@ -212,7 +215,8 @@ std::string typed(const std::vector<std::string>& words) {
     std::string quoted;
     for (char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
     const bool plain = std::ranges::all_of(word, [](unsigned char c) {
-      return std::isalnum(c) || c >= 0x80 || std::string_view("-_=.,:/+%@").find(static_cast<char>(c)) != std::string_view::npos;
+      return std::isalnum(c) || c >= 0x80 ||
+             std::string_view("-_=.,:/+%@").find(static_cast<char>(c)) != std::string_view::npos;
     });
     all += " " + (plain && !word.empty() ? word : "'" + quoted + "'");
   }
