@@ -1,6 +1,8 @@
 #include "report/code.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -189,13 +191,12 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
     headers.add_standard("type_traits");
   }
   headers.add_standard("cstdio");
-  return as_comment(to_string(task.entry->number) + " " + std::string(exercise.title) + ": " +
-                    asked_text(choice) + "\n\n" + answer_text(choice) +
-                    "\nThe observables at every frame, by\n  " + command +
-                    "\nStandard C++20 alone; compile with -std=c++20 -O2 -ffp-contract=off for the digits of "
-                    "oddity.") +
-         "\n" + headers.includes() + headers.text() + "\n" + model_text(task, model) + print_row +
-         main_text(task, choice.need, algorithm, choice.chosen->setting);
+  const std::string about =
+      to_string(task.entry->number) + " " + std::string(exercise.title) + ": " + asked_text(choice) + "\n\n" +
+      answer_text(choice) + "\nThe observables at every frame, by\n  " + command +
+      "\nOn the same machine they are oddity's own to the last digits with -O2 -ffp-contract=off.";
+  return as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" + model_text(task, model) +
+         std::string(print_row) + main_text(task, choice.need, algorithm, choice.chosen->setting);
 }
 
 }  // namespace oddity

@@ -1,5 +1,6 @@
 # cmake -P: writes OUT, the texts of the headers that `oddity choose --code` prints, as a constant: FILES (paths
 # within SOURCE, separated by commas) and what these include of the project.
+cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" files "${FILES}")
 set(entries "")
 set(seen "")

@@ -43,7 +43,7 @@ Check pulls(const std::string& what, double seed, const Holds& holds) {
   for (int i = 0; i < 200; ++i) {
     const Sample s(random);
     const std::array to_end{s.c - s.x()[0], -s.x()[1], -s.x()[2]};
-    violations += !holds(dot(force(s.spring(), s.x()), to_end) > 0, length(to_end) > s.ell);
+    violations += !holds(dot(force_of(s.spring(), s.x()), to_end) > 0, length(to_end) > s.ell);
   }
   return never(what, violations, 200);
 }

@@ -53,7 +53,7 @@ struct KineticEnergy {
 };
 
 /// Minus the gradient of the spring's energy, by dual numbers.
-inline std::array<double, 3> force(const Spring& spring, const std::array<double, 3>& x) {
+inline std::array<double, 3> force_of(const Spring& spring, const std::array<double, 3>& x) {
   std::array<double, 3> f;
   for (std::size_t i = 0; i < 3; ++i) {
     std::array<Dual<double>, 3> y{x[0], x[1], x[2]};
