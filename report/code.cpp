@@ -150,25 +150,49 @@ void print_row(double t, const Observables& observables) {
 }
 )";
 
+/// The words with a dollar are placeholders.
+constexpr std::string_view closed_form_main = R"(
+int main() {
+  constexpr int frames = $frames;
+  constexpr double frames_per_second = $rate;
+  const auto model = oddity::asked::model();
+  std::printf("$names\n");
+  for (int frame = 1; frame <= frames; ++frame) {
+    const double t = frame / frames_per_second;
+    print_row(t, model.at(t));
+  }
+}
+)";
+constexpr std::string_view stepping_main = R"(
+int main() {
+  constexpr int frames = $frames, steps_per_frame = $steps;
+  constexpr double frames_per_second = $rate;
+  auto model = oddity::asked::model();
+  auto x = model.start();
+  oddity::plain::$algorithm<decltype(model)> algorithm;
+  std::printf("$names\n");
+  for (int frame = 1; frame <= frames; ++frame) {
+    const double t0 = (frame - 1) / frames_per_second, t1 = frame / frames_per_second;
+    const double h = (t1 - t0) / steps_per_frame;
+    for (int i = 0; i < steps_per_frame; ++i) algorithm.step(model, x, t0 + i * h, h);
+    print_row(t1, model.observe(x, t1));
+  }
+}
+)";
+
 std::string main_text(const Task& task, const Need& need, const Plain* algorithm, double step) {
-  const std::string frames = "  constexpr int frames = " + shortest(need.frames()) +
-                             ";\n  constexpr double frames_per_second = " + shortest(need.frames_per_second) +
-                             ";\n";
-  const std::string start = "\nint main() {\n" + frames;
-  const std::string head = "  std::printf(\"" + header_line(*task.entry->exercise.scene) + "\\n\");\n";
-  const std::string loop = "  for (int frame = 1; frame <= frames; ++frame) {\n";
-  const std::string model = "  const auto model = oddity::asked::model();\n";
-  if (!algorithm)
-    return start + model + head + loop +
-           "    const double t = frame / frames_per_second;\n    print_row(t, model.at(t));\n  }\n}\n";
-  const double steps = std::round(1 / (step * need.frames_per_second));
-  return start + "  constexpr int steps = " + shortest(steps) + ";  // a frame\n" + model +
-         "  auto x = model.start();\n  oddity::plain::" + std::string(algorithm->type) +
-         "<std::remove_const_t<decltype(model)>> algorithm;\n" + head + loop +
-         "    const double t0 = (frame - 1) / frames_per_second, t1 = frame / frames_per_second;\n"
-         "    const double h = (t1 - t0) / steps;\n"
-         "    for (int i = 0; i < steps; ++i) algorithm.step(model, x, t0 + i * h, h);\n"
-         "    print_row(t1, model.observe(x, t1));\n  }\n}\n";
+  std::string text(algorithm ? stepping_main : closed_form_main);
+  const auto put = [&](const std::string& placeholder, const std::string& what) {
+    text.replace(text.find(placeholder), placeholder.size(), what);
+  };
+  put("$frames", shortest(need.frames()));
+  put("$rate", shortest(need.frames_per_second));
+  put("$names", header_line(*task.entry->exercise.scene));
+  if (algorithm) {
+    put("$steps", shortest(std::round(1 / (step * need.frames_per_second))));
+    put("$algorithm", std::string(algorithm->type));
+  }
+  return text;
 }
 
 }  // namespace
@@ -186,15 +210,12 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
   const auto [model, algorithm] = printed(listing, choice.chosen->model, choice.chosen->algorithm);
   Joined headers;
   for (std::string_view header : listing.headers) headers.add(header);
-  if (algorithm) {
-    headers.add(algorithm->header);
-    headers.add_standard("type_traits");
-  }
+  if (algorithm) headers.add(algorithm->header);
   headers.add_standard("cstdio");
   const std::string about =
       to_string(task.entry->number) + " " + std::string(exercise.title) + ": " + asked_text(choice) + "\n\n" +
       answer_text(choice) + "\nThe observables at every frame, by\n  " + command +
-      "\nOn the same machine they are oddity's own to the last digits with -O2 -ffp-contract=off.";
+      "\nCompiled by c++ -std=c++20 -O2 -ffp-contract=off it prints oddity's own numbers.";
   return as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" + model_text(task, model) +
          std::string(print_row) + main_text(task, choice.need, algorithm, choice.chosen->setting);
 }
