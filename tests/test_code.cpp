@@ -60,12 +60,24 @@ std::string complaint_of(const Task& task, const Method& method) {
 
 bool steps_equally(const Method& m) { return m.knob.name.empty() || m.knob.name == "step"; }
 
+/// The parameters all changed a little, so that no two are alike.
+Task task_beside(const Entry& entry) {
+  Task task(entry);
+  double part = 0;
+  for (const Parameter& p : entry.exercise.parameters) {
+    part += 0.01;
+    const double value = p.value + part * (p.value == 0 ? 1 : std::abs(p.value));
+    if (!p.whole) task.parameters.set(p.name, value <= p.most ? value : p.value * (1 - part));
+  }
+  return task;
+}
+
 /// Every method that can be printed, of every scene.
 std::vector<Case> all_cases() {
   std::vector<Case> all;
   for (const Entry& entry : registry()) {
     if (!entry.exercise.scene) continue;
-    const Task task(entry);
+    const Task task = task_beside(entry);
     std::set<std::pair<std::string, std::string>> seen;
     const Quantity second = second_of(task);
     for (const Method& method : second.methods) {
@@ -157,7 +169,6 @@ TEST_CASE("the printed code has the program's numbers, for every scene, model an
   REQUIRE(compiled(file, "-O2") == "");
   const auto printed = observables(output_of(file.string() + ".out"));
   REQUIRE(printed.size() == cases.size());
-  std::size_t same_bits = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     INFO(says(cases[i]));
     const Value& value = cases[i].value;
@@ -170,9 +181,7 @@ TEST_CASE("the printed code has the program's numbers, for every scene, model an
       worst = std::max(worst, std::abs(printed[i][k] - value[k]) / size);
     }
     CHECK(worst <= 1e-12);
-    same_bits += worst == 0;
   }
-  WARN(same_bits << " of " << cases.size() << " to the last bit");
 }
 
 TEST_CASE("headers that are printed need the standard library only", "[code]") {
