@@ -319,8 +319,8 @@ struct Axes {
 
 /// The code of a scene's models: the headers, which stand alone (they include only the standard library,
 /// chapters/conserved.hpp and other such headers), and for each model of its methods the expression that
-/// constructs it, within namespace oddity, from variables named as the exercise's parameters. A closed form
-/// with an algorithm of its own stands as "model, algorithm".
+/// constructs it, within namespace oddity, from variables named as the exercise's parameters. A closed form with
+/// an algorithm of its own stands as "model, algorithm".
 struct Listing {
   std::vector<std::string_view> headers;
   std::vector<std::pair<std::string_view, std::string_view>> models;
