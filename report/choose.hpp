@@ -50,6 +50,9 @@ Time measured_price(const Method&, double setting);
 Choice choose(const Task&, const Need&, const Reference&, const Price& = measured_price,
               const Progress& = {});
 
+/// What was asked, and the answer with its margin.
+std::string asked_text(const Choice&);
+std::string answer_text(const Choice&);
 /// The choice as a sentence and a table, for a terminal; the table's first rows, or all.
 std::string choice_text(const Choice&, bool all_rows);
 std::string choice_json(const Choice&);

@@ -80,14 +80,6 @@ std::string what_holds(const Choice& choice) {
   return choice.quantity + " bounded";
 }
 
-std::string asked(const Choice& choice) {
-  const Need& need = choice.need;
-  return what_holds(choice) + ", over " + shortest(need.horizon) + " " + choice.time_unit + " at " +
-         shortest(need.frames_per_second) + " frames per " +
-         (choice.time_unit == "s" ? "second" : choice.time_unit) +
-         (std::isfinite(need.budget) ? ", for at most " + shown_time(need.budget) + " per frame" : "");
-}
-
 std::string listed(const std::vector<std::string>& starts) {
   std::string text;
   for (const std::string& start : starts) text += (text.empty() ? "" : "; ") + start;
@@ -110,28 +102,6 @@ std::string ties_text(const Choice& choice) {
               shown_time(t.seconds_a_frame) + ", error " + error_of(t, choice) + ")";
   }
   return text.empty() ? "" : text + ".\n";
-}
-
-std::string answer_text(const Choice& choice) {
-  const Tried& best = *choice.chosen;
-  std::string text = "Take " + described(best, choice.need) + ": " + cost_of(best);
-  if (std::isfinite(choice.need.budget))
-    text += ", " + percent(best.seconds_a_frame / choice.need.budget) + " of the budget";
-  text += ".\n" + margin_text(choice) + ties_text(choice);
-  if (!choice.by_objective)
-    text +=
-        "  no one-step method of fixed step and no closed form holds with a margin of three: this is the "
-        "cheapest "
-        "that holds.\n";
-  if (choice.restart > 0.5)
-    text += "  every restart, as after a contact, costs it " + rounded(choice.restart, 3) +
-            " evaluations more.\n";
-  if (choice.next_cheaper) text += "  next cheaper: " + failing_of(*choice.next_cheaper, choice) + ".\n";
-  if (const auto& richer = choice.next_richer)
-    text += "  next richer: " + described(*richer, choice.need) + ", " + cost_of(*richer) + ": " +
-            times_as(richer->seconds_a_frame / best.seconds_a_frame) + " the cost, error " +
-            error_of(*richer, choice) + ".\n";
-  return text;
 }
 
 std::string miss_text(const Choice& choice) {
@@ -247,6 +217,36 @@ std::string csv_cell(const std::string& text) {
 
 }  // namespace
 
+std::string asked_text(const Choice& choice) {
+  const Need& need = choice.need;
+  return what_holds(choice) + ", over " + shortest(need.horizon) + " " + choice.time_unit + " at " +
+         shortest(need.frames_per_second) + " frames per " +
+         (choice.time_unit == "s" ? "second" : choice.time_unit) +
+         (std::isfinite(need.budget) ? ", for at most " + shown_time(need.budget) + " per frame" : "");
+}
+
+std::string answer_text(const Choice& choice) {
+  const Tried& best = *choice.chosen;
+  std::string text = "Take " + described(best, choice.need) + ": " + cost_of(best);
+  if (std::isfinite(choice.need.budget))
+    text += ", " + percent(best.seconds_a_frame / choice.need.budget) + " of the budget";
+  text += ".\n" + margin_text(choice) + ties_text(choice);
+  if (!choice.by_objective)
+    text +=
+        "  no one-step method of fixed step and no closed form holds with a margin of three: this is the "
+        "cheapest "
+        "that holds.\n";
+  if (choice.restart > 0.5)
+    text += "  every restart, as after a contact, costs it " + rounded(choice.restart, 3) +
+            " evaluations more.\n";
+  if (choice.next_cheaper) text += "  next cheaper: " + failing_of(*choice.next_cheaper, choice) + ".\n";
+  if (const auto& richer = choice.next_richer)
+    text += "  next richer: " + described(*richer, choice.need) + ", " + cost_of(*richer) + ": " +
+            times_as(richer->seconds_a_frame / best.seconds_a_frame) + " the cost, error " +
+            error_of(*richer, choice) + ".\n";
+  return text;
+}
+
 std::string choice_text(const Choice& choice, bool all_rows) {
   const std::vector<Tried> shown_rows = rows_of(choice, all_rows);
   std::vector<std::vector<std::string>> rows{
@@ -256,7 +256,7 @@ std::string choice_text(const Choice& choice, bool all_rows) {
                     rounded(tried.evaluations_a_frame, 3), shown_time(tried.seconds_a_frame),
                     verdict_of(tried, choice)});
   const std::size_t hidden = choice.tried.size() - shown_rows.size();
-  return asked(choice) + "\n\n" + (choice.chosen ? answer_text(choice) : miss_text(choice)) +
+  return asked_text(choice) + "\n\n" + (choice.chosen ? answer_text(choice) : miss_text(choice)) +
          chaos_text(choice) + "\nEach method at its cheapest setting that holds, or else at its best:\n" +
          aligned(rows) + (hidden > 0 ? "  and " + std::to_string(hidden) + " more: --all\n" : "") + "\n" +
          engine_text(choice) + "\nchosen on: " + listed(choice.seen) +

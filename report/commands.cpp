@@ -3,6 +3,7 @@
 #include <fcntl.h>
 
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <csignal>
 #include <iostream>
 
@@ -26,12 +27,16 @@ struct Session {
   std::string results = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string();
-  bool json = false, csv = false, rows = false, all_rows = false, approve = false;
+  bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false;
   AskedNeed need = {};
+  std::string command = {};  ///< as it would be typed
   int status = 0;
 
   verbs::Format format() const {
-    return json ? verbs::Format::json : csv ? verbs::Format::csv : verbs::Format::text;
+    return json   ? verbs::Format::json
+           : csv  ? verbs::Format::csv
+           : code ? verbs::Format::code
+                  : verbs::Format::text;
   }
 };
 
@@ -113,7 +118,10 @@ void add_choose(CLI::App& app, Session& s) {
       "code "
       "is 1 when nothing meets the need.\n"
       "Example: oddity choose 3.5 a=60deg --error 1deg --horizon 10 --fps 60 --budget 5us",
-      [&] { s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows); });
+      [&] {
+        s.status =
+            verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.command);
+      });
   add_one_exercise(*choose, s);
   auto* error = choose->add_option("--error", s.need.error,
                                    "largest error of the observables: 0.01 in their units, 1cm, 1cm,1deg; of "
@@ -138,6 +146,8 @@ void add_choose(CLI::App& app, Session& s) {
   choose->add_option("--time-limit", s.need.time_limit, "for the answer: 60s");
   choose->add_flag("--all", s.all_rows, "all rows of the table");
   add_formats(*choose, s, "the choice");
+  auto* code = choose->add_flag("--code", s.code, "the chosen model and loop as C++ to paste");
+  for (const char* other : {"--json", "--csv"}) code->excludes(choose->get_option(other));
 }
 
 void add_report(CLI::App& app, Session& s) {
@@ -197,6 +207,21 @@ std::vector<std::string> words_of(int argc, char** argv) {
     words.insert(words.begin() + (words.empty() ? 0 : 1), "--help");
   }
   return words;
+}
+
+/// The words as a shell takes them.
+std::string typed(const std::vector<std::string>& words) {
+  std::string all = "oddity";
+  for (const std::string& word : words) {
+    std::string quoted;
+    for (char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    const bool plain = std::ranges::all_of(word, [](unsigned char c) {
+      return std::isalnum(c) || c >= 0x80 ||
+             std::string_view("-_=.,:/+%@").find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    all += " " + (plain && !word.empty() ? word : "'" + quoted + "'");
+  }
+  return all;
 }
 
 /// The main job: verify everything and write the report.
@@ -300,6 +325,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
        [&] { session.status = verbs::bench(session.folder); });
   add_report(app, session);
   verb(app, "help", "this help, or that of a verb", "Example: oddity help choose", [] {});
+  session.command = typed(words_of(argc, argv));
   const int status = answer(app, session, words_of(argc, argv));
   return output_arrived() ? status : 2;
 }

@@ -8,6 +8,7 @@
 #include "report/asked.hpp"
 #include "report/bench.hpp"
 #include "report/choose.hpp"
+#include "report/code.hpp"
 #include "report/gnuplot.hpp"
 #include "report/ledger.hpp"
 #include "report/progress.hpp"
@@ -141,15 +142,19 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
 }
 
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
-           const AskedNeed& asked, Format format, bool all_rows) {
+           const AskedNeed& asked, Format format, bool all_rows, const std::string& command) {
   const Task task = task_of(exercise, overrides);
   const Need need = need_of(*task.entry, asked);
   ProgressBar bar;
   const Choice choice =
       oddity::choose(task, need, Reference(folder, motions_folder()), measured_price, bar.callback());
-  std::cout << (format == Format::json  ? choice_json(choice)
-                : format == Format::csv ? choice_csv(choice)
-                                        : choice_text(choice, all_rows));
+  if (format == Format::code && !choice.chosen)
+    std::cerr << choice_text(choice, all_rows);
+  else
+    std::cout << (format == Format::json   ? choice_json(choice)
+                  : format == Format::csv  ? choice_csv(choice)
+                  : format == Format::code ? code_of(task, choice, command)
+                                           : choice_text(choice, all_rows));
   return choice.chosen ? 0 : 1;
 }
 

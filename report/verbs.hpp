@@ -12,7 +12,7 @@ namespace oddity::verbs {
 
 namespace fs = std::filesystem;
 
-enum class Format { text, json, csv };
+enum class Format { text, json, csv, code };
 
 /// One exercise, or all when the text is empty.
 void list(const std::string& exercise, Format);
@@ -20,9 +20,9 @@ void list(const std::string& exercise, Format);
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            Format);
 
-/// 0 when something meets the need, else 1.
+/// 0 when something meets the need, else 1. `command` is the command line, for the code's comment.
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
-           const AskedNeed&, Format, bool all_rows);
+           const AskedNeed&, Format, bool all_rows, const std::string& command);
 /// Of all chapters when the text is empty.
 void report(const fs::path& folder, const std::string& chapter, const fs::path& out);
 /// Of all exercises when there are none.

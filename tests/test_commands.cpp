@@ -164,6 +164,10 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
        "asks for 6e+10 frames, of at most a million: --horizon may be 16666.7 s at"},
       {"choose 3.5 --error 1 --horizon 1m", "'1m' has a unit that does not fit; units that fit: s, ms"},
       {"choose 3.5 --error 1 --horizon 1ms", "the horizon is shorter than a frame"},
+      {"choose 3.5 --error 1 --code --json", "--json excludes --code"},
+      {"choose 3.5 --error 1 --horizon 1 --only Fehlberg --code",
+       "there is no code to print for the algorithm Fehlberg 7(8); there is for: closed form; explicit "
+       "Euler; "},
       {"choose 3.5 --error 1 --budget 5", "--budget needs a unit, such as 5us"},
       {"choose 3.5 --error 1 --budget 5US", "'5US' is not a number, nor one with a unit"},
       {"sovle 3.5", "no verb 'sovle'; the verbs are: "},

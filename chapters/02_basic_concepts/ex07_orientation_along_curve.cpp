@@ -271,7 +271,14 @@ Scene scene() {
           {"pace"},
           {{"r_x", "u_x", "rxu_x", "r_y", "u_y", "rxu_y", "r_z", "u_z", "rxu_z"},
            "s",
-           {{"rad", {0, 3, 6}}, {"rad", {1, 4, 7}}, {"rad", {2, 5, 8}}}}};
+           {{"rad", {0, 3, 6}}, {"rad", {1, 4, 7}}, {"rad", {2, 5, 8}}}},
+          {{"chapters/02_basic_concepts/curve_on_sphere_models.hpp"},
+           {{"frame", "curve_on_sphere::Frame{pace}"},
+            {"matrix", "curve_on_sphere::AsMatrix{{pace}}"},
+            {"quaternion", "curve_on_sphere::AsQuaternion{{pace}}"},
+            {"matrix, w of the printed listing", "curve_on_sphere::AsMatrix{{pace, true}}"}},
+           {{"matrix, orthonormalized", "which repairs the orientation after each step"},
+            {"quaternion, normalized", "which repairs the orientation after each step"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

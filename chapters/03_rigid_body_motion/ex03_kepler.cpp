@@ -123,7 +123,15 @@ Scene scene() {
           "theta0_dot",
           {5.95, 4.45, 2, 1, 0.63},
           {"r0", "theta0", "theta0_dot"},
-          {{"x", "y"}, "yr", {{"AU", {0, 1}}}}};
+          {{"x", "y"}, "yr", {{"AU", {0, 1}}}},
+          {{"chapters/03_rigid_body_motion/kepler_models.hpp"},
+           {{"Kepler's equation, Newton from M + 0.85 e",
+             "kepler::ByKeplersEquation({G, M, r0, r0_dot, theta0, theta0_dot})"},
+            {"equation (7) as printed", "kepler::OneAngleAsPrinted({G, M, r0, r0_dot, theta0, theta0_dot})"},
+            {"equation (7)", "kepler::OneAngle({G, M, r0, r0_dot, theta0, theta0_dot}, -(G * M) / r0)"},
+            {"equation (2)", "kepler::Distance{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
+            {"polar", "kepler::Polar{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
+            {"Cartesian", "kepler::Cartesian{{G, M, r0, r0_dot, theta0, theta0_dot}}"}}}};
 }
 
 std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {

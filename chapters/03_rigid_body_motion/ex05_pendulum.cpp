@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "chapters/03_rigid_body_motion/pendulum.hpp"
+#include "chapters/03_rigid_body_motion/pendulum_models.hpp"
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
 #include "solvers/quadrature.hpp"
@@ -134,7 +134,19 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
 }
 
 Scene scene() {
-  return {swing, 10, degree, "a", {0.125, 0.5, 1, 2, 3}, {"a", "L"}, {{"theta"}, "s", {{"rad", {0}}}}};
+  return {swing,
+          10,
+          degree,
+          "a",
+          {0.125, 0.5, 1, 2, 3},
+          {"a", "L"},
+          {{"theta"}, "s", {{"rad", {0}}}},
+          {{"chapters/03_rigid_body_motion/pendulum_models.hpp"},
+           {{"small angle", "pendulum::SmallAngle{{a, L, g}}"},
+            {"amplitude-corrected", "pendulum::AmplitudeCorrected{{a, L, g}}"},
+            {"Jacobi's function by its Fourier series", "pendulum::FourierSeries{{a, L, g}}"},
+            {"one angle", "pendulum::OneAngle{{a, L, g}}"},
+            {"Cartesian with constraint", "pendulum::CartesianWithConstraint{{a, L, g}}"}}}};
 }
 
 // ---- the claims -------------------------------------------------------------------------------------------

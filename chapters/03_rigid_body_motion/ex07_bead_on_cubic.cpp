@@ -35,7 +35,13 @@ Scene scene() {
           "q0",
           {0.25, 0.5, 1, 1.5, 2},
           {"q0"},
-          {{"x", "y", "z"}, "s", {{"m", {0, 1, 2}}}}};
+          {{"x", "y", "z"}, "s", {{"m", {0, 1, 2}}}},
+          {{"chapters/03_rigid_body_motion/bead_on_cubic_models.hpp"},
+           {{"straight tangent", "bead_on_cubic::StraightTangent{{q0, g}}"},
+            {"energy in q", "bead_on_cubic::EnergyInQ{{q0, g}}"},
+            {"energy in u", "bead_on_cubic::EnergyInU{{q0, g}}"},
+            {"one coordinate", "bead_on_cubic::OneCoordinate{{q0, g}}"},
+            {"Cartesian with constraints", "bead_on_cubic::CartesianWithConstraints{{q0, g}}"}}}};
 }
 
 // ---- the claims: formulas ---------------------------------------------------------------------------------

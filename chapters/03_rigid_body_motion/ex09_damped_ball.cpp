@@ -452,7 +452,12 @@ Scene scene() {
           "a",
           {0.4, 4, 40, 200, 1000},
           {"p1", "p2", "v2"},
-          {{"x", "y"}, "s", {{"m", {0, 1}}}}};
+          {{"x", "y"}, "s", {{"m", {0, 1}}}},
+          {{"chapters/03_rigid_body_motion/damped_ball_models.hpp"},
+           {{"closed form, one for all regimes", "damped_ball::OneForm{{m, c, a, p1, p2, v1, v2}}"},
+            {"two exponentials", "damped_ball::TwoExponentials{{m, c, a, p1, p2, v1, v2}}"},
+            {"plane", "damped_ball::Plane{{m, c, a, p1, p2, v1, v2}}"},
+            {"plane, with the work", "damped_ball::PlaneWithWork{{m, c, a, p1, p2, v1, v2}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -263,14 +263,12 @@ Claim not_straight(double seed) {
 }
 
 /// From the top at the speed of the straight path.
-Case asked(const Parameters& p) {
-  return at_the_right_speed({{p["a1"], p["a2"]}, p["g"], {0, 0}, {p["v1"], p["v2"]}});
-}
+Case asked(const Parameters& p) { return from_the_top({p["a1"], p["a2"]}, p["g"], {p["v1"], p["v2"]}, 1); }
 
 constexpr auto low_order = "its order is too low for this need at this step";
 
 Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  const Case c = times(asked(p), p["factor"]);
+  const Case c = from_the_top({p["a1"], p["a2"]}, p["g"], {p["v1"], p["v2"]}, p["factor"]);
   Quantity position =
       path("slower",
            "position at " + times_up_to(horizon) + ", from the top at a part of the straight path's speed", c,
@@ -289,7 +287,16 @@ Scene scene() {
           "factor",
           {0.99, 0.9, 0.75, 0.5, 0.2},
           {"v1", "v2"},
-          {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}}};
+          {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
+          {{"chapters/03_rigid_body_motion/paraboloid_hill_models.hpp"},
+           {{"straight line",
+             "paraboloid_hill::StraightLine{paraboloid_hill::from_the_top({a1, a2}, g, {v1, v2}, factor)}"},
+            {"height field",
+             "paraboloid_hill::in_plane(paraboloid_hill::from_the_top({a1, a2}, g, {v1, v2}, factor))"},
+            {"Cartesian with constraint",
+             "paraboloid_hill::InSpace{paraboloid_hill::from_the_top({a1, a2}, g, {v1, v2}, factor)}"},
+            {"momenta",
+             "paraboloid_hill::in_momenta(paraboloid_hill::from_the_top({a1, a2}, g, {v1, v2}, factor))"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

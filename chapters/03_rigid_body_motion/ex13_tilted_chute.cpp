@@ -388,7 +388,14 @@ Scene scene() {
           "phi",
           {0.1, 0.5, 1, 1.35, 1.5},
           {"phi", "u"},
-          {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}}};
+          {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
+          {{"chapters/03_rigid_body_motion/tilted_chute_models.hpp"},
+           {{"center line", "tilted_chute::CenterLine{{{R, L, H}, g, phi, u}}"},
+            {"small angle", "tilted_chute::SmallAngle{{{R, L, H}, g, phi, u}}"},
+            {"angle about the axis", "tilted_chute::Angle{{{R, L, H}, g, phi, u}}"},
+            {"height field", "tilted_chute::in_plane({{R, L, H}, g, phi, u})"},
+            {"Cartesian with constraint", "tilted_chute::InSpace{{{R, L, H}, g, phi, u}}"}},
+           {{"elliptic angle", "which needs Boost's Jacobi functions"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

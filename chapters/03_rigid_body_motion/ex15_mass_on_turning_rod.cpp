@@ -43,7 +43,7 @@ Check pulls(const std::string& what, double seed, const Holds& holds) {
   for (int i = 0; i < 200; ++i) {
     const Sample s(random);
     const std::array to_end{s.c - s.x()[0], -s.x()[1], -s.x()[2]};
-    violations += !holds(dot(s.spring().force(s.x()), to_end) > 0, length(to_end) > s.ell);
+    violations += !holds(dot(force_of(s.spring(), s.x()), to_end) > 0, length(to_end) > s.ell);
   }
   return never(what, violations, 200);
 }
@@ -148,7 +148,7 @@ struct Run {
 
 /// The listing's 200 steps.
 Run listing(double factor) {
-  const Listing rod{book, factor};
+  const AsListed rod{book, factor};
   auto state = rod.start();
   Run run{{state[0]}, 0};
   for (int i = 0; i < 200; ++i) {
@@ -291,13 +291,24 @@ Quantity sliding(const Parameters& p, const Horizon& horizon, const Reference& t
 
 /// The horizon is a quarter turn at the book's speed. From w = sqrt(2K/m) = 4.47 on the mass runs away.
 Scene scene() {
-  return {sliding,
-          2,
-          centimeter,
-          "w",
-          {0.25, 0.75, 1.5, 3, 4.25},
-          {"s", "c"},
-          {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}}};
+  return {
+      sliding,
+      2,
+      centimeter,
+      "w",
+      {0.25, 0.75, 1.5, 3, 4.25},
+      {"s", "c"},
+      {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
+      {{"chapters/03_rigid_body_motion/turning_rod_models.hpp"},
+       {{"no spring", "turning_rod::NoSpring{{m, c, K, w, s}}"},
+        {"spring's end on the axis", "turning_rod::EndOnTheAxis{{m, c, K, w, s}}"},
+        {"rigid spring", "turning_rod::RigidSpring{{m, c, K, w, s}}"},
+        {"listing as printed", "turning_rod::AsListed{{m, c, K, w, s}}"},
+        {"listing with the other rest length", "turning_rod::listed_with_other_rest_length({m, c, K, w, s})"},
+        {"along the rod", "turning_rod::AlongTheRod{{m, c, K, w, s}}"},
+        {"along the rod, with the work", "turning_rod::AlongTheRodWithWork{{m, c, K, w, s}}"},
+        {"in the turning plane", "turning_rod::InTheTurningPlane{{m, c, K, w, s}}"},
+        {"Cartesian with constraints", "turning_rod::CartesianWithConstraints{{m, c, K, w, s}}"}}}};
 }
 
 Findings study(const Parameters& given, const Reference& truth) {

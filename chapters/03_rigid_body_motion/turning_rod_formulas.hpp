@@ -114,7 +114,7 @@ inline std::vector<Claim> dynamics(double seed) {
   f.add("rest_length", 1817, "the rest length", {"sqrt((b-c)^2 + b^2)", first_length}, distance,
         {{"sqrt((b-c)^2 + c^2)", second_length}});
   const Version<Sample> force{"minus the gradient of the spring's energy, dual numbers",
-                              [](S s) { return s.spring().force(s.x()); }};
+                              [](S s) { return force_of(s.spring(), s.x()); }};
   const auto hooke = [](S s, double sign, double ell) {
     const double r = length({s.x()[0] - s.c, s.x()[1], s.x()[2]}), k = sign * s.K * (r - ell) / r;
     return values(k * (s.x()[0] - s.c), k * s.x()[1], k * s.x()[2]);
@@ -125,7 +125,7 @@ inline std::vector<Claim> dynamics(double seed) {
          {"ell missing", [=](S s) { return hooke(s, -1, 0); }}});
   const Version<Sample> at_rest{"zero", [](S) { return values(0, 0, 0); },
                                 [](S s) { return s.K * (s.b + s.c); }};
-  const auto first_force = [](S s, double ell) { return Spring{s.c, s.K, ell}.force({s.b, 0, s.b}); };
+  const auto first_force = [](S s, double ell) { return force_of(Spring{s.c, s.K, ell}, {s.b, 0, s.b}); };
   f.add("unstretched", 1823, "the force at the start",
         {"with the rest length of line 1817", [=](S s) { return first_force(s, first_length(s)); }}, at_rest,
         {{"with the rest length of line 1869", [=](S s) { return first_force(s, second_length(s)); }}})

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+
+namespace oddity::plain {
+
+/// Order 1, one evaluation a step.
+template <class Model>
+struct ExplicitEuler {
+  using State = typename Model::State;
+
+  void step(const Model& model, State& x, double t, double h) {
+    State k{};
+    model(x, k, t);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += h * k[i];
+  }
+};
+
+}  // namespace oddity::plain

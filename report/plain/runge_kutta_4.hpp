@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+
+namespace oddity::plain {
+
+/// Kutta's classical method: order 4, four evaluations a step.
+template <class Model>
+struct RungeKutta4 {
+  using State = typename Model::State;
+
+  void step(const Model& model, State& x, double t, double h) {
+    State k1{};
+    model(x, k1, t);
+    step(model, x, k1, t, h);
+  }
+
+  /// With the derivative k1 at x.
+  void step(const Model& model, State& x, const State& k1, double t, double h) {
+    const double half = h / 2, third = 1.0 / 3 * h, sixth = 1.0 / 6 * h;
+    State y{}, k2{}, k3{}, k4{};
+    for (std::size_t i = 0; i < x.size(); ++i) y[i] = x[i] + half * k1[i];
+    model(y, k2, t + half);
+    for (std::size_t i = 0; i < x.size(); ++i) y[i] = x[i] + half * k2[i];
+    model(y, k3, t + half);
+    for (std::size_t i = 0; i < x.size(); ++i) y[i] = x[i] + h * k3[i];
+    model(y, k4, t + h);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] = x[i] + sixth * k1[i] + third * k2[i] + third * k3[i] + sixth * k4[i];
+  }
+};
+
+}  // namespace oddity::plain

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "report/plain/halves.hpp"
+
+namespace oddity::plain {
+
+/// Order 1, one evaluation of the forces a step: q first, then v with the forces at the new q.
+template <class Model>
+struct SymplecticEuler {
+  using State = typename Model::State;
+
+  void step(const Model& model, State& x, double, double h) {
+    Halves<State> halves(x);
+    auto& [q, v] = halves;
+    typename Halves<State>::Half a{};
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] += h * v[i];
+    model.acceleration(q, a);
+    for (std::size_t i = 0; i < q.size(); ++i) v[i] += h * a[i];
+    halves.put(x);
+  }
+};
+
+}  // namespace oddity::plain

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "report/plain/halves.hpp"
+
+namespace oddity::plain {
+
+/// Order 2, one evaluation of the forces a step, and one to start. Who changes the state between two steps
+/// sets `started` to false.
+template <class Model>
+struct VelocityVerlet {
+  using State = typename Model::State;
+  typename Halves<State>::Half a{};  ///< acceleration at the last state
+  bool started = false;
+
+  void step(const Model& model, State& x, double, double h) {
+    Halves<State> halves(x);
+    auto& [q, v] = halves;
+    if (!started) model.acceleration(q, a);
+    started = true;
+    const double half = h / 2;
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] = q[i] + h * v[i] + half * h * a[i];
+    const auto before = a;
+    model.acceleration(q, a);
+    for (std::size_t i = 0; i < q.size(); ++i) v[i] = v[i] + half * before[i] + half * a[i];
+    halves.put(x);
+  }
+};
+
+}  // namespace oddity::plain

@@ -1,0 +1,260 @@
+// The code that `choose --code` prints, compiled and run beside the program itself.
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "chapters/scene.hpp"
+#include "report/code.hpp"
+#include "tests/catch.hpp"
+#include "tests/complaint.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace oddity;
+
+namespace {
+
+constexpr double frames_per_second = 60, steps = 2;
+
+/// A scene's method as a choice for one second, or one of the scene's units of time.
+struct Case {
+  Task task;
+  Choice choice;
+  Value value;  ///< by the program
+};
+
+std::string says(const Case& c) {
+  return to_string(c.task.entry->number) + ", " + c.choice.chosen->model + ", " + c.choice.chosen->algorithm;
+}
+
+Need need_of_a_second() {
+  Need need{1};
+  need.horizon = 1;
+  need.frames_per_second = frames_per_second;
+  return need;
+}
+
+Choice choice_of(const Method& method) {
+  Choice choice;
+  choice.need = need_of_a_second();
+  choice.quantity = "motion";
+  choice.time_unit = "s";
+  choice.chosen = Tried{method.model, method.algorithm, method.knob.name};
+  choice.chosen->setting = method.knob.name == "step" ? 1 / (frames_per_second * steps) : 0;
+  choice.chosen->unseen_error = 0.5;
+  return choice;
+}
+
+Quantity second_of(const Task& task) {
+  return motion(*task.entry->exercise.scene, task.parameters, {1, 1, frames_per_second},
+                Reference::nothing());
+}
+
+std::string complaint_of(const Task& task, const Method& method) {
+  return complaint([&] { code_of(task, choice_of(method), ""); });
+}
+
+bool steps_equally(const Method& m) { return m.knob.name.empty() || m.knob.name == "step"; }
+
+/// The parameters all changed a little, so that no two are alike.
+Task task_beside(const Entry& entry) {
+  Task task(entry);
+  double part = 0;
+  for (const Parameter& p : entry.exercise.parameters) {
+    part += 0.01;
+    const double value = p.value + part * (p.value == 0 ? 1 : std::abs(p.value));
+    if (!p.whole) task.parameters.set(p.name, value <= p.most ? value : p.value * (1 - part));
+  }
+  return task;
+}
+
+/// Every method that can be printed, of every scene.
+std::vector<Case> all_cases() {
+  std::vector<Case> all;
+  for (const Entry& entry : registry()) {
+    if (!entry.exercise.scene) continue;
+    const Task task = task_beside(entry);
+    std::set<std::pair<std::string, std::string>> seen;
+    const Quantity second = second_of(task);
+    for (const Method& method : second.methods) {
+      if (complaint_of(task, method) != "nothing" || !steps_equally(method)) continue;
+      if (!seen.insert({method.model, method.algorithm}).second) continue;
+      Case c{task, choice_of(method), {}};
+      const Trial trial = run(second, method, c.choice.chosen->setting);
+      if (trial.outcome == Outcome::raised) continue;
+      c.value = trial.answer.value;
+      all.push_back(c);
+    }
+  }
+  return all;
+}
+
+/// The file in a namespace of its own, with what it includes apart.
+struct Part {
+  std::set<std::string> includes;
+  std::string text;
+};
+
+Part part(const std::string& code, std::size_t number) {
+  Part part{{}, "namespace case_" + std::to_string(number) + " {\n"};
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("#"))
+      part.includes.insert(line);
+    else
+      part.text += (line == "int main() {" ? "void main() {" : line) + "\n";
+  part.text += "}\n";
+  return part;
+}
+
+std::string program(const std::vector<Case>& cases) {
+  std::set<std::string> includes;
+  std::string text, calls;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Part one = part(code_of(cases[i].task, cases[i].choice, "oddity"), i);
+    includes.insert(one.includes.begin(), one.includes.end());
+    text += one.text;
+    calls += "  std::printf(\"case\\n\");\n  case_" + std::to_string(i) + "::main();\n";
+  }
+  std::string all;
+  for (const std::string& include : includes) all += include + "\n";
+  return all + text + "int main() {\n" + calls + "}\n";
+}
+
+/// What the command prints.
+std::string output_of(const std::string& command) {
+  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  std::string output;
+  std::array<char, 1 << 16> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    output.append(buffer.data(), n);
+  if (pclose(pipe) != 0) output = "failed: " + command + "\n" + output;
+  return output;
+}
+
+std::string compiled(const std::filesystem::path& file, const std::string& options) {
+  return output_of(std::string(ODDITY_COMPILER) + " -std=c++20 -ffp-contract=off -Wall -Wextra -Werror " +
+                   options + " -o " + file.string() + ".out " + file.string());
+}
+
+/// The observables of each case: all numbers of a row but the first.
+std::vector<std::vector<double>> observables(const std::string& output) {
+  std::vector<std::vector<double>> all;
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "case") {
+      all.emplace_back();
+      std::getline(lines, line);  // the names
+      continue;
+    }
+    std::istringstream cells(line);
+    std::string cell;
+    std::getline(cells, cell, ',');
+    while (std::getline(cells, cell, ',')) all.back().push_back(std::strtod(cell.c_str(), nullptr));
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("the printed code has the program's numbers, for every scene, model and algorithm", "[code]") {
+  const std::vector<Case> cases = all_cases();
+  const ScratchFolder scratch;
+  const auto file = scratch.path() / "all.cpp";
+  std::ofstream(file) << program(cases);
+  REQUIRE(compiled(file, "-O2") == "");
+  const auto printed = observables(output_of(file.string() + ".out"));
+  REQUIRE(printed.size() == cases.size());
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    INFO(says(cases[i]));
+    const Value& value = cases[i].value;
+    REQUIRE(value.size() > 0);
+    REQUIRE(printed[i].size() >= value.size());
+    double size = 0, worst = 0;
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      if (std::isnan(value[k]) || std::isinf(value[k])) break;
+      size = std::max(size, std::abs(value[k]));
+      worst = std::max(worst, std::abs(printed[i][k] - value[k]) / size);
+    }
+    CHECK(worst <= 1e-12);
+  }
+}
+
+TEST_CASE("headers that are printed need the standard library only", "[code]") {
+  REQUIRE(embedded_headers().size() > 8);
+  for (const EmbeddedHeader& header : embedded_headers()) {
+    std::istringstream lines{std::string(header.text)};
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("#include <")) {
+        INFO(header.path << ": " << line);
+        CHECK(line.find_first_of("/.") == std::string::npos);
+      }
+  }
+}
+
+TEST_CASE("every model of a scene can be printed, or says why not", "[code]") {
+  for (const Entry& entry : registry()) {
+    if (!entry.exercise.scene) continue;
+    const Listing& listing = entry.exercise.scene->listing;
+    const Quantity second = second_of(Task(entry));
+    const auto has = [](const auto& pairs, const std::string& name) {
+      return std::ranges::any_of(pairs, [&](const auto& pair) { return pair.first == name; });
+    };
+    for (const Method& m : second.methods) {
+      INFO(to_string(entry.number) << ", " << m.model << ", " << m.algorithm);
+      const auto algorithms = printable_algorithms();
+      if (std::ranges::find(algorithms, m.algorithm) != algorithms.end())
+        CHECK(has(listing.models, m.model) + has(listing.not_printable, m.model) == 1);
+    }
+    for (const auto& pairs : {listing.models, listing.not_printable})
+      for (const auto& [name, what] : pairs) {
+        INFO(to_string(entry.number) << " has no model '" << name << "'");
+        CHECK(std::ranges::any_of(second.methods, [&](const Method& m) {
+          return m.model == name || m.model + ", " + m.algorithm == name;
+        }));
+      }
+  }
+}
+
+TEST_CASE("the printed file stands alone, with the question, the answer and the command", "[code]") {
+  const ScratchFolder scratch;
+  const auto file = scratch.path() / "pendulum.cpp";
+  const std::string code = output_of(std::string(ODDITY_PROGRAM) +
+                                     " choose 3.5 a=1 --error 1deg --horizon 1 --only 'Runge-Kutta 4' "
+                                     "--exclude Cartesian --code 2>/dev/null");
+  std::ofstream(file) << code;
+  CHECK(code.starts_with("// 3.5 Pendulum from 30 degrees: swing within "));
+  for (const char* part : {"\n// Take one angle by Runge-Kutta 4, ",
+                           "\n//   margin: ", "double a = 1;  // rad: angle at release\n",
+                           "//   oddity choose 3.5 a=1 --error 1deg --horizon 1 --only 'Runge-Kutta 4' "
+                           "--exclude Cartesian --code\n"}) {
+    INFO(code);
+    CHECK(code.find(part) != std::string::npos);
+  }
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("#")) CHECK(line.find_first_of("\"./") == std::string::npos);
+  REQUIRE(compiled(file, "-O2 -Wpedantic -Wconversion -Wshadow") == "");
+  const std::string rows = output_of(file.string() + ".out");
+  CHECK(rows.starts_with("t [s],theta\n0.016666666666666666,"));
+  CHECK(std::ranges::count(rows, '\n') == 61);
+}
+
+TEST_CASE("what cannot be printed is said, with what can", "[code]") {
+  const auto of = [](int exercise, const std::string& model, const std::string& algorithm) {
+    const Entry& entry = *std::ranges::find(registry(), Number{3, exercise}, &Entry::number);
+    Method method{model, algorithm, no_knob(), {}};
+    return complaint_of(Task(entry), method);
+  };
+  CHECK(of(5, "one angle", "Fehlberg 7(8)")
+            .starts_with("there is no code to print for the algorithm Fehlberg 7(8); there is for: closed "
+                         "form; explicit Euler; "));
+  CHECK(of(13, "elliptic angle", "closed form")
+            .find("'elliptic angle', which needs Boost's Jacobi functions; there is for: center line; ") !=
+        std::string::npos);
+  CHECK(of(5, "one angle", "Runge-Kutta 4") == "nothing");
+}
