@@ -225,7 +225,13 @@ Answer answer(const Solved<T>& solved, const See& see = {}) {
 struct Disturbances {
   double span = 0;     ///< s, in which they are watched: not the horizon shown where the motion goes on alike
   double fastest = 0;  ///< rad/s, of the fastest mode, averaged over the motion
+  bool goes_on = false;                     ///< the motion goes on alike: the span is not the horizon shown
   std::function<double(double step)> lost;  ///< s, the time at which they have; infinity: not in the span
+  /// ln of what theory has a disturbance grow in the span, beyond what it may, added up along the true
+  /// motion.
+  std::function<double(double step)> added_growth;
+  /// s, theory's limit along the motion that the method itself makes at this step until this time.
+  std::function<double(double step, double until)> own_theory;
 };
 
 /// A model solved by an algorithm.
@@ -239,7 +245,7 @@ struct Method {
   // Of a method of fixed step only:
   /// The steps at which linear theory calls it unstable, with the model's Jacobian frozen along the motion.
   std::function<std::vector<ode::Tongue>()> unstable_steps = {};
-  std::function<Disturbances()> disturbances = {};
+  std::function<Disturbances(const ode::Criteria&)> disturbances = {};
 };
 
 /// A known failure and its cure: two rows of the table of trials, both asserted.
@@ -319,8 +325,8 @@ struct Axes {
 
 /// The code of a scene's models: the headers, which stand alone (they include only the standard library,
 /// chapters/conserved.hpp and other such headers), and for each model of its methods the expression that
-/// constructs it, within namespace oddity, from variables named as the exercise's parameters. A closed form with
-/// an algorithm of its own stands as "model, algorithm".
+/// constructs it, within namespace oddity, from variables named as the exercise's parameters. A closed form
+/// with an algorithm of its own stands as "model, algorithm".
 struct Listing {
   std::vector<std::string_view> headers;
   std::vector<std::pair<std::string_view, std::string_view>> models;

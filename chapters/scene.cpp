@@ -77,34 +77,57 @@ std::vector<double> ModelOf<n>::moving(double end) const {
 template <std::size_t n>
 ode::Spectrum ModelOf<n>::spectrum(double end) const {
   const auto times = Horizon{end, 64}.times();
-  const auto motion = accurate_motion(times);
-  ode::Spectrum spectrum{end / static_cast<double>(times.size()), {}};
+  return spectrum_along(times, accurate_motion(times).value);
+}
+
+template <std::size_t n>
+ode::Spectrum ModelOf<n>::spectrum_along(std::span<const double> times, std::span<const State> states) const {
+  ode::Spectrum spectrum{times.back() / static_cast<double>(times.size()), {}};
   const auto rhs = [&](const double* x, double* dxdt, double t) {
     State state{}, derivative{};
     std::copy_n(x, n, state.begin());
     (*this)(state, derivative, t);
     std::ranges::copy(derivative, dxdt);
   };
-  for (std::size_t i = 0; i < motion.value.size(); ++i)
-    spectrum.at.push_back(ode::eigenvalues_of_jacobian(rhs, motion.value[i], times[i]));
+  for (std::size_t i = 0; i < states.size(); ++i)
+    spectrum.at.push_back(ode::eigenvalues_of_jacobian(rhs, states[i], times[i]));
   return spectrum;
 }
 
 template <std::size_t n>
-Disturbances ModelOf<n>::disturbances(std::string_view algorithm, double end) const {
-  constexpr double enough = 1000;  // radians
+Disturbances ModelOf<n>::disturbances(std::string_view algorithm, double end,
+                                      const ode::Criteria& criteria) const {
   const ode::Spectrum shown = spectrum(end);
-  const double fastest = ode::fastest(shown), later = enough / fastest;
-  auto disturbed = std::make_shared<const ode::Disturbed<n>>(*this, start(), end);
-  if (later > end && fastest > 0 && ode::largest(spectrum(later)) <= 1.05 * ode::largest(shown)) {
-    const auto long_run = std::make_shared<const ode::Disturbed<n>>(*this, start(), later);
-    bool alike = long_run->span() == later;  // it grows no more than in proportion to the time
+  const double fastest = ode::fastest(shown), later = criteria.radians / fastest;
+  auto disturbed = std::make_shared<const ode::Disturbed<n>>(*this, start(), end, criteria);
+  bool goes_on = later > end && fastest > 0 && ode::largest(spectrum(later)) <= 1.05 * ode::largest(shown);
+  if (goes_on) {
+    const auto long_run = std::make_shared<const ode::Disturbed<n>>(*this, start(), later, criteria);
+    goes_on = long_run->span() == later;  // it grows no more than in proportion to the time
     for (std::size_t i = 0; i < n; ++i)
-      alike = alike && long_run->sizes()[i] <= 1.5 * later / end * disturbed->sizes()[i];
-    if (alike) disturbed = long_run;
+      goes_on = goes_on && long_run->sizes()[i] <= 1.5 * later / end * disturbed->sizes()[i];
+    if (goes_on) disturbed = long_run;
   }
-  return {disturbed->span(), fastest,
-          [disturbed, algorithm](double step) { return disturbed->lost(algorithm, step); }};
+  const auto own_theory = [this, disturbed, algorithm](double step, double until) {
+    const auto motion = disturbed->motion(algorithm, step, until);
+    const std::size_t points = std::min<std::size_t>(motion.size(), 1025);
+    std::vector<double> times;
+    std::vector<State> states;
+    for (std::size_t i = 0; i < points; ++i) {
+      const std::size_t at = points == 1 ? 0 : i * (motion.size() - 1) / (points - 1);
+      times.push_back(static_cast<double>(at) * step);
+      states.push_back(motion[at]);
+    }
+    return ode::stable_step(algorithm, spectrum_along(times, states));
+  };
+  return {disturbed->span(),
+          fastest,
+          goes_on,
+          [disturbed, algorithm](double step) { return disturbed->lost(algorithm, step); },
+          [algorithm, shown, span = disturbed->span(), as_fast = criteria.as_fast](double step) {
+            return ode::added_growth(algorithm, shown, step, span, as_fast);
+          },
+          own_theory};
 }
 
 #define ODDITY_MODEL(n, type) template class type<n>;
@@ -119,14 +142,14 @@ bool is_other_algorithm(std::string_view name) {
 
 Ladder& Ladder::add(std::string name, Any model, ode::Brief algorithm, Outcome expected, std::string why) {
   std::function<std::vector<ode::Tongue>()> unstable_steps;
-  std::function<Disturbances()> disturbances;
+  std::function<Disturbances(const ode::Criteria&)> disturbances;
   const bool has_tolerance = ode::has_tolerance(algorithm.kind);
   if (!has_tolerance) {
     unstable_steps = [model, algorithm, end = horizon_.end] {
       return ode::unstable_steps(algorithm.name, model->spectrum(end));
     };
-    disturbances = [model, algorithm, end = horizon_.end] {
-      return model->disturbances(algorithm.name, end);
+    disturbances = [model, algorithm, end = horizon_.end](const ode::Criteria& criteria) {
+      return model->disturbances(algorithm.name, end, criteria);
     };
   }
   const auto run = [model, algorithm, horizon = horizon_](double setting) {

@@ -104,7 +104,7 @@ class AnyModel {
   /// The eigenvalues of its Jacobian along its motion.
   virtual ode::Spectrum spectrum(double end) const = 0;
   /// What becomes of small disturbances of its motion. The model must outlive the result.
-  virtual Disturbances disturbances(std::string_view algorithm, double end) const = 0;
+  virtual Disturbances disturbances(std::string_view algorithm, double end, const ode::Criteria&) const = 0;
 };
 
 /// A model of n unknowns.
@@ -121,11 +121,13 @@ class ModelOf : public AnyModel, public ode::AnySystem<n> {
 
   Answer run(std::string_view algorithm, const Horizon&, double setting) const final;
   ode::Spectrum spectrum(double end) const final;
-  Disturbances disturbances(std::string_view algorithm, double end) const final;
+  Disturbances disturbances(std::string_view algorithm, double end, const ode::Criteria&) const final;
   /// A motion through the times, observed there, the conserved quantities watched.
   Answer observed(std::span<const double> times, const ode::Trajectory<State>&) const;
 
  private:
+  /// The eigenvalues at these states, which stand for the whole time evenly.
+  ode::Spectrum spectrum_along(std::span<const double> times, std::span<const State> states) const;
   /// The model's motion to eight digits, as far as it comes in 100,000 steps.
   ode::Trajectory<State> accurate_motion(std::span<const double> times) const;
   /// By how much the conserved quantities change along a motion, at most, each by what moves in it.

@@ -10,9 +10,12 @@ namespace oddity {
 /// A method's limit of stability as it is on record.
 struct ApprovedLimit {
   std::string exercise, model, algorithm;
-  double step = 0;               ///< s, the largest stable one; infinity: every step; 0: none
-  double theory = 0;             ///< s, of linear theory
-  std::string unstable;          ///< the steps that are unstable in theory
+  double step = 0;       ///< s, the largest stable one; infinity: every step; 0: none
+  double theory = 0;     ///< s, of linear theory
+  std::string unstable;  ///< the steps that are unstable in theory
+  std::optional<double>
+      watched;  ///< s, where the motion does not go on alike: only so long, the horizon shown
+  std::optional<double> halved;  ///< s, where not sharp: the largest stable step when watched half as long
   std::optional<double> error;   ///< at the largest stable step; none: no step is stable
   std::optional<double> needed;  ///< s, the largest step within the scene's need; none: none that was tried
   std::string beyond;  ///< the outcome just above; "stable" where no step up to the longest tried is unstable

@@ -351,11 +351,15 @@ Json from(const Stability& s) {
                       {"unstable", from(l.unstable)},
                       {"longest", from(l.longest)},
                       {"lost", from(l.lost)},
+                      {"watched", from(l.watched)},
+                      {"goes_on", l.goes_on},
+                      {"halved", l.halved ? from(*l.halved) : Json(nullptr)},
                       {"at", from(l.at)},
                       {"broken", from(l.broken)},
                       {"within", from(l.within)},
                       {"cure", from(l.cure)},
-                      {"why", l.why}});
+                      {"why", l.why},
+                      {"evidence", l.evidence}});
   for (const MapRow& row : s.map) {
     Json ends = Json::array();
     for (Outcome outcome : row.outcomes) ends.push_back(name_of(outcome));
@@ -380,8 +384,10 @@ Stability stability(const Json& json) {
   for (const Json& l : json.at("limits"))
     s.limits.push_back({l.at("model"), l.at("algorithm"), tongues(l.at("tongues")), number(l.at("stable")),
                         number(l.at("unstable")), number(l.at("longest")), number(l.at("lost")),
+                        number(l.at("watched")), l.at("goes_on"),
+                        l.at("halved").is_null() ? std::nullopt : std::optional(number(l.at("halved"))),
                         maybe_trial(l.at("at")), maybe_trial(l.at("broken")), maybe_trial(l.at("within")),
-                        maybe_trial(l.at("cure")), l.at("why")});
+                        maybe_trial(l.at("cure")), l.at("why"), l.at("evidence")});
   require(!s.steps.empty(), "a map has no steps");
   for (const Json& r : json.at("map")) {
     MapRow row{r.at("model"), r.at("algorithm"), number(r.at("value")), limit_in(r.at("theory")), {}};

@@ -142,11 +142,16 @@ struct Limit {
   double unstable = 0;               ///< measured: the shortest unstable step; 0: none up to `longest`
   double longest = 0;                ///< the longest step that the measurement may try
   double lost = 0;                   ///< the time at which neighbouring motions have parted at that step
+  double watched = 0;                ///< the time for which neighbouring motions are watched
+  bool goes_on = false;              ///< the motion goes on alike: `watched` is not the horizon shown
+  std::optional<double>
+      halved;  ///< `stable` when watched half as long, if longer by more than 5 %: lost slowly
   std::optional<TimedTrial> at;  ///< the motion by the longest step that is stable and divides its interval
   std::optional<TimedTrial> broken;  ///< and by the next longer one that is unstable
   std::optional<TimedTrial> within;  ///< by the largest step below which all are within the scene's need
   std::optional<TimedTrial> cure;    ///< what is within the need at the step of `broken`
-  std::string why;                   ///< why theory and measurement differ, where it is on record
+  std::string why;                   ///< where theory and measurement differ by more than a quarter
+  std::string evidence;              ///< what was computed for that, in numbers
 
   /// Where linear theory's first tongue begins; 0: every step is unstable; infinity: none is.
   double theory() const;

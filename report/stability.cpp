@@ -17,11 +17,22 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The map's steps: the sample interval, halved again and again.
 constexpr int map_steps = 12;
 
+/// A limit that is longer by this factor when watched half as long has no sharp value.
+constexpr double lost_slowly = 1.05;
+
 /// From step to step of a scan.
 constexpr double next_step = 1.03;
 
+/// The first step from `step` on that is lost within this time, or the longest.
+double lost_in(const Disturbances& disturbances, double step, double longest, double time) {
+  while (step < longest && !(disturbances.lost(step) <= time)) step = std::min(step * next_step, longest);
+  return step;
+}
+
 /// The first loss of stability from below, as the measurement has it.
 void measure(Limit& limit, const Disturbances& disturbances, double interval) {
+  limit.watched = disturbances.span;
+  limit.goes_on = disturbances.goes_on;
   constexpr double fewest_steps = 16, most_steps = 200'000;
   limit.longest = std::min(interval, disturbances.span / fewest_steps);
   const auto stable = [&](double step) { return std::isinf(disturbances.lost(step)); };
@@ -45,6 +56,8 @@ void measure(Limit& limit, const Disturbances& disturbances, double interval) {
   if (limit.stable == high) return;
   limit.unstable = high;
   limit.lost = disturbances.lost(high);
+  const double halved = lost_in(disturbances, high, limit.longest, disturbances.span / 2);
+  if (halved > std::max(lost_slowly * limit.stable, 2 * finest)) limit.halved = halved;
   if (limit.stable < 2 * finest) limit.stable = 0;  // told from none to a factor of two: the mode varies
 }
 
@@ -93,6 +106,28 @@ std::optional<TimedTrial> within_need(const Quantity& quantity, const Method& me
 void keep_cheaper(std::optional<TimedTrial>& best, const Trial& trial) {
   if (trial.outcome == Outcome::ok && (!best || trial.answer.evaluations < best->evaluations))
     best = as_result(trial);
+}
+
+/// What can be computed of why theory and measurement differ, where they do by more than a quarter.
+void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria& criteria) {
+  const double ratio = agreement(limit), theory = limit.theory();
+  if (limit.halved || (ratio >= 0.8 && ratio <= 1.25)) return;
+  limit.why = not_explained;
+  if (limit.step() > theory) {
+    double most = -infinity;
+    const double first = std::max(theory, ode::finest / disturbances.fastest);
+    for (double part : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
+      most = std::max(most, disturbances.added_growth(std::lerp(first, limit.stable, part)));
+    if (most <= std::log(criteria.granted)) {
+      limit.why = "what theory has grow at some points does not add up along the true motion to a loss";
+      limit.evidence = most > 0 ? "at most " + rounded(std::exp(most), 2) + "-fold" : "no growth at all";
+    }
+  } else if (const double own = disturbances.own_theory(limit.unstable, limit.lost); own < theory / 2) {
+    limit.why =
+        "before it is lost the method's own motion is so much faster than the true one that theory's "
+        "limit along it is less than half";
+    limit.evidence = rounded(own, 2);
+  }
 }
 
 bool of_fixed_step(const Method& method) { return static_cast<bool>(method.unstable_steps); }
@@ -181,14 +216,6 @@ void examine(Piece& piece) {
   }
 }
 
-std::string reason_on_record(const Limits& on_record, const std::string& exercise, const Limit& limit) {
-  for (const ApprovedLimit& approved : on_record)
-    if (approved.exercise == exercise && approved.model == limit.model &&
-        approved.algorithm == limit.algorithm)
-      return approved.why;
-  return "";
-}
-
 /// The motions at the defaults and at every value of the varied parameter; their references may take a while.
 std::vector<Motion> motions_of(std::span<const Task> tasks, const Reference& truth,
                                const Progress& progress) {
@@ -220,12 +247,19 @@ double Limit::theory() const { return first_of(tongues); }
 
 double Limit::step() const { return unstable == 0 && tongues.empty() ? infinity : stable; }
 
-Limit limit_of(const Quantity& quantity, const Method& method, double interval) {
+Limit measured_limit(const Method& method, double interval, const ode::Criteria& criteria) {
   Limit limit;
   limit.model = method.model;
   limit.algorithm = method.algorithm;
   limit.tongues = method.unstable_steps();
-  measure(limit, method.disturbances(), interval);
+  const Disturbances disturbances = method.disturbances(criteria);
+  measure(limit, disturbances, interval);
+  explain(limit, disturbances, criteria);
+  return limit;
+}
+
+Limit limit_of(const Quantity& quantity, const Method& method, double interval) {
+  Limit limit = measured_limit(method, interval);
   while (limit.tongues.size() > 1 && limit.tongues.back().from > interval) limit.tongues.pop_back();
   if (limit.stable > 0) limit.at = as_result(run_at(quantity, method, interval, limit.stable));
   if (limit.unstable > 0) limit.broken = as_result(run_beyond(quantity, method, interval, limit.unstable));
@@ -234,7 +268,7 @@ Limit limit_of(const Quantity& quantity, const Method& method, double interval) 
 }
 
 Results with_stability(Results results, std::span<const Task> tasks, const Reference& truth,
-                       const Limits& on_record, const Progress& progress) {
+                       const Progress& progress) {
   const std::vector<Motion> motions = motions_of(tasks, truth, progress);
   std::vector<Piece> pieces;
   for (const Motion& motion : motions)
@@ -257,7 +291,6 @@ Results with_stability(Results results, std::span<const Task> tasks, const Refer
     if (piece.motion->varied) {
       exercise.stability->map.push_back(std::move(piece.row));
     } else {
-      piece.limit.why = reason_on_record(on_record, to_string(exercise.number), piece.limit);
       exercise.stability->limits.push_back(std::move(piece.limit));
     }
   }

@@ -19,14 +19,18 @@ namespace oddity {
 /// quantity's need. No cure is looked for.
 Limit limit_of(const Quantity&, const Method&, double interval);
 
+/// The same without any trial.
+Limit measured_limit(const Method&, double interval, const ode::Criteria& = {});
+
 /// The results with the stability of every task that has a scene, computed in parallel: the limits at the
-/// task's parameters, the map at those with the scene's parameter varied. The reasons for differences between
-/// theory and measurement are taken from those on record. Does not depend on the number of threads.
-Results with_stability(Results, std::span<const Task>, const Reference&, const Limits& on_record,
-                       const Progress& progress = {});
+/// task's parameters, the map at those with the scene's parameter varied. Does not depend on the number of
+/// threads.
+Results with_stability(Results, std::span<const Task>, const Reference&, const Progress& progress = {});
 
 // ---- as text ----------------------------------------------------------------------------------------------
 
+/// The reason of a limit that differs from theory's for none of the reasons that are computed.
+inline constexpr std::string_view not_explained = "not explained";
 /// The outcomes in the order of a map's legend.
 inline constexpr std::array outcomes_of_a_map{Outcome::ok,       Outcome::inaccurate, Outcome::drifted,
                                               Outcome::diverged, Outcome::non_finite, Outcome::stalled,

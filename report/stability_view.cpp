@@ -70,12 +70,30 @@ std::vector<std::pair<std::string, std::string>> reasons(const Stability& s) {
   std::vector<std::pair<std::string, std::string>> all;
   for (const Limit& l : s.limits) {
     if (l.why.empty()) continue;
-    const std::string name = l.model + ", " + l.algorithm;
+    const std::string name =
+        l.model + ", " + l.algorithm + (l.evidence.empty() ? "" : " (" + l.evidence + ")");
     const auto same = std::ranges::find(all, l.why, &std::pair<std::string, std::string>::first);
     if (same == all.end())
       all.emplace_back(l.why, name);
     else
       same->second += "; " + name;
+  }
+  return all;
+}
+
+/// Which limits have no sharp value, and which hold for the time shown only; one sentence each.
+std::vector<std::string> reservations(const Stability& s) {
+  std::vector<std::string> all;
+  for (const Limit& l : s.limits) {
+    const std::string name = l.model + ", " + l.algorithm + ": ", unit = " " + s.time_unit;
+    if (l.halved)
+      all.push_back(name + "no sharp limit, it is lost slowly: at " + rounded(l.unstable, 3) + unit +
+                    " after " + rounded(l.lost, 2) + unit + ", and within half of the " +
+                    rounded(l.watched, 3) + unit + " watched only from " + rounded(*l.halved, 3) + unit +
+                    " on");
+    if (!l.goes_on && !std::isinf(l.step()))
+      all.push_back(name + "the motion does not go on alike; it is watched for the " + rounded(l.watched, 3) +
+                    unit + " shown, and the limit is of that time");
   }
   return all;
 }
@@ -132,10 +150,31 @@ std::string stability_of_scene(const ExerciseResult& e) {
       text += "- " + escaped(names, false) + ": " + escaped(reason, false) + ".\n";
     text += "\n";
   }
+  if (const auto reserved = reservations(s); !reserved.empty()) {
+    text += "Limits that depend on how long is watched:\n\n";
+    for (const std::string& line : reserved) text += "- " + escaped(line, false) + ".\n";
+    text += "\n";
+  }
   for (const QuantityResult& q : e.quantities)
     if (q.name == s.quantity)
       for (const BreakdownResult& b : q.breakdowns) text += prose(b.says) + "\n\n";
   return text + "![outcome over step and " + escaped(s.parameter, false) + "](" + map_file(e) + ")\n\n";
+}
+
+/// How many limits differ from theory's, and for how many of them a reason was computed.
+std::string differences(const Results& results) {
+  long all = 0, slow = 0, differ = 0, open = 0;
+  for (const ExerciseResult& e : results.exercises)
+    if (e.stability)
+      for (const Limit& l : e.stability->limits) {
+        ++all;
+        slow += l.halved ? 1 : 0;
+        differ += l.why.empty() ? 0 : 1;
+        open += l.why == not_explained ? 1 : 0;
+      }
+  return "Of " + std::to_string(all) + " limits " + std::to_string(slow) + " are not sharp; of the others " +
+         std::to_string(differ) + " differ from theory by more than a quarter, and " + std::to_string(open) +
+         " of these are not explained by anything that is computed here.\n\n";
 }
 
 }  // namespace
@@ -155,7 +194,7 @@ std::string letters(const MapRow& row) {
 std::string shown_step(const Limit& l) {
   if (std::isinf(l.step())) return "every step";
   if (l.stable == 0) return "none";
-  return (l.unstable > 0 ? "" : "at least ") + rounded(l.stable, 3);
+  return (l.unstable > 0 ? "" : "at least ") + rounded(l.stable, 3) + (l.halved ? ", not sharp" : "");
 }
 
 std::string shown_tongues(const Limit& l) {
@@ -205,14 +244,16 @@ std::string stability_text(const ExerciseResult& e) {
                      in_unit(rounded(s.close, 3), s.unit) + "\n\n";
   text += limits_text(s);
   for (const auto& [reason, names] : reasons(s)) text += "\n  " + names + ": " + reason + "\n";
+  for (const std::string& line : reservations(s)) text += "\n  " + line + "\n";
   return text + map_text(s);
 }
 
 std::string limit_row(const ExerciseResult& e, const Limit& l) {
   return to_string(e.number) + "," + cell(l.model) + "," + cell(l.algorithm) + "," + step_cell(l.step()) +
          "," + step_cell(l.theory()) + "," + cell(shown_tongues(l)) + "," +
-         (l.at ? rounded(l.at->error, 2) : "") + "," + (l.within ? step_cell(l.within->setting) : "") + "," +
-         beyond(l) + "," + cell(l.why) + "\n";
+         (l.goes_on || std::isinf(l.step()) ? "" : step_cell(l.watched)) + "," +
+         (l.halved ? step_cell(*l.halved) : "") + "," + (l.at ? rounded(l.at->error, 2) : "") + "," +
+         (l.within ? step_cell(l.within->setting) : "") + "," + beyond(l) + "," + cell(l.why) + "\n";
 }
 
 std::string limit_rows(const Results& results) {
@@ -246,9 +287,14 @@ std::string stability_page(const Results& results) {
       "The limit is measured with the method itself, from two starts that differ by a millionth of the "
       "motion's size. Stability is lost when the two have parted a hundred times the square of what true "
       "motions part, or when the motion has become twice too large. They are watched for 1000 radians of "
-      "the fastest mode, or, where the motion does not go on alike, for the time shown; so the limit depends "
+      "the fastest mode, or, where the motion does not go on alike, for the time shown; so a sharp limit "
+      "depends "
       "neither on the horizon of a motion that goes on nor on a conserved quantity. In a chaotic motion true "
-      "neighbours part as well, and only what goes beyond them counts. *None*: not even a step of 0.02 over "
+      "neighbours part as well, and only what goes beyond them counts. A limit that is longer by more than 5 "
+      "% "
+      "when watched half as long is *not sharp*: the motion drifts, damps or swells slowly, and how long is "
+      "watched decides. Below each table such limits are listed with the time after which they are lost, and "
+      "so are those of motions that do not go on alike.\n\n*None*: not even a step of 0.02 over "
       "the fastest frequency is stable, to a factor of two; the time after which neighbouring motions have "
       "parted tells how soon that matters. Explicit Euler has none on any undamped oscillation: disturbances "
       "grow in it at the rate $h\\omega^2/2$, however short the step $h$. *Every step* is stated only where "
@@ -261,6 +307,7 @@ std::string stability_page(const Results& results) {
       "step, or, where there is none, the cheapest with step control. The maps show how each method ends "
       "over "
       "the step and over the parameter that makes the scene hard.\n\n";
+  text += differences(results);
   for (const ExerciseResult& e : results.exercises)
     if (e.stability) text += stability_of_scene(e);
   return text + "[All chapters](README.md)\n";

@@ -42,10 +42,10 @@ Results last_results(const fs::path& folder) {
   const Reference truth(folder);
   const std::vector<Task> tasks(registry().begin(), registry().end());
   ProgressBar bar;
-  Results results = fs::exists(file) && !stale(file, folder)
-                        ? read_results(file)
-                        : with_stability(run(tasks, truth, true, bar.callback()), tasks, truth,
-                                         read_limits(folder), bar.callback());
+  Results results =
+      fs::exists(file) && !stale(file, folder)
+          ? read_results(file)
+          : with_stability(run(tasks, truth, true, bar.callback()), tasks, truth, bar.callback());
   if (std::ranges::any_of(results.exercises, [](const ExerciseResult& e) { return e.scene && !e.ledger; })) {
     results = with_ledgers(std::move(results), tasks, truth, bar.callback());
     write_whole(file, to_json(results));
@@ -117,8 +117,7 @@ Results stability_of(const fs::path& folder, const std::vector<std::string>& exe
     e.title = task.entry->exercise.title;
   }
   ProgressBar bar;
-  return with_stability(blank, tasks, Reference(folder, motions_folder()), read_limits(folder),
-                        bar.callback());
+  return with_stability(blank, tasks, Reference(folder, motions_folder()), bar.callback());
 }
 
 }  // namespace

@@ -42,8 +42,9 @@ Method method(const std::function<bool(double)>& unstable, std::vector<ode::Tong
           Outcome::ok,
           "",
           [theory] { return theory; },
-          [lost] {
-            return Disturbances{1000, 1, lost};
+          [lost](const ode::Criteria&) {
+            return Disturbances{
+                1000, 1, true, lost, [](double) { return 0.0; }, [](double, double) { return 0.0; }};
           }};
 }
 
@@ -270,14 +271,17 @@ TEST_CASE("stability survives the way to JSON and back, infinite limits too", "[
 
 TEST_CASE("limits and maps on record are read, broken ones named by line", "[stability]") {
   const ScratchFolder folder;
-  const std::string head = "exercise,model,algorithm,step,theory,unstable,error,needed,beyond,why\n";
+  const std::string head =
+      "exercise,model,algorithm,step,theory,unstable,watched,halved,error,needed,beyond,why\n";
   const std::string file =
-      folder.file("limits.csv", head + "3.5,m,a,0.1,inf,no step,0.5,,diverged,\"so, so\"\n").string();
+      folder.file("limits.csv", head + "3.5,m,a,0.1,inf,no step,2,0.2,0.5,,diverged,\"so, so\"\n").string();
   const Limits limits = read_limits(folder.path());
   REQUIRE(limits.size() == 1);
   CHECK(limits[0].step == 0.1);
   CHECK(limits[0].theory == infinity);
   CHECK(limits[0].unstable == "no step");
+  CHECK(limits[0].watched == 2);
+  CHECK(limits[0].halved == 0.2);
   CHECK(limits[0].error == 0.5);
   CHECK_FALSE(limits[0].needed);
   CHECK(limits[0].why == "so, so");
@@ -286,11 +290,12 @@ TEST_CASE("limits and maps on record are read, broken ones named by line", "[sta
     const std::string all = complaint([&] { read_limits(folder.path()); });
     return all.starts_with(file) ? all.substr(file.size()) : all;
   };
-  CHECK(said(head + "3.5,m,a,x,1,,1,1,ok,\n") == ":2: 'x' in column 4 is not a number");
-  CHECK(said(head + "3.5,m,a,-1,1,,1,1,ok,\n") == ":2: a step must be zero or positive, or inf");
-  CHECK(said(head + "3.5,m,a,1,1,,1,1,ok,\n3.5,m,a,1,1,,1,1,ok,\n") == ":3: a second row for 3.5, m, a");
+  CHECK(said(head + "3.5,m,a,x,1,,,,1,1,ok,\n") == ":2: 'x' in column 4 is not a number");
+  CHECK(said(head + "3.5,m,a,-1,1,,,,1,1,ok,\n") == ":2: a step must be zero or positive, or inf");
+  CHECK(said(head + "3.5,m,a,1,1,,,,1,1,ok,\n3.5,m,a,1,1,,,,1,1,ok,\n") == ":3: a second row for 3.5, m, a");
   CHECK(said("exercise,step\n3.5,1\n") ==
-        ":1: the columns must be exercise,model,algorithm,step,theory,unstable,error,needed,beyond,why");
+        ":1: the columns must be "
+        "exercise,model,algorithm,step,theory,unstable,watched,halved,error,needed,beyond,why");
   folder.file("stability_maps.csv", "exercise,model,algorithm,value,outcomes\n3.5,m,a,1,Xo\n3.5,m,a,2,oo\n");
   CHECK(read_maps(folder.path()).at(1).outcomes == "oo");
 }
@@ -305,7 +310,7 @@ TEST_CASE("stability does not depend on the number of threads", "[stability]") {
     const tbb::global_control most(tbb::global_control::max_allowed_parallelism, threads);
     Results blank;
     blank.exercises.emplace_back().number = {3, 5};
-    return to_json(with_stability(blank, tasks, truth, read_limits(folder)));
+    return to_json(with_stability(blank, tasks, truth));
   };
   CHECK((examined(1) == examined(4)));
 }

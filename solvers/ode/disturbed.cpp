@@ -13,8 +13,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double first_distance = 1e-6;  ///< of the two motions, in units of their size
-constexpr double granted = 100;          ///< beyond the square of what the true motions part
-constexpr double largest_size = 2;       ///< in units of the truth's
 
 template <std::size_t n>
 double distance(const std::array<double, n>& a, const std::array<double, n>& b,
@@ -23,6 +21,9 @@ double distance(const std::array<double, n>& a, const std::array<double, n>& b,
   for (std::size_t i = 0; i < n; ++i) sum += (a[i] - b[i]) / unit[i] * ((a[i] - b[i]) / unit[i]);
   return std::sqrt(sum);
 }
+
+/// The step next to this one that divides the span.
+double dividing(double span, double step) { return span / std::ceil(span / step * (1 - 1e-12)); }
 
 /// A part of the disturbance in every component.
 template <std::size_t n>
@@ -37,8 +38,8 @@ std::array<double, n> disturbed(std::array<double, n> x, const std::array<double
 }  // namespace
 
 template <std::size_t n>
-Disturbed<n>::Disturbed(const AnySystem<n>& system, const State& start, double span)
-    : system_(system), start_(start) {
+Disturbed<n>::Disturbed(const AnySystem<n>& system, const State& start, double span, const Criteria& criteria)
+    : system_(system), criteria_(criteria), start_(start) {
   constexpr std::size_t pieces = 1000;
   constexpr double tolerance = 1e-10;
   for (std::size_t i = 0; i <= pieces; ++i) times_.push_back(span * static_cast<double>(i) / pieces);
@@ -65,14 +66,14 @@ Disturbed<n>::Disturbed(const AnySystem<n>& system, const State& start, double s
 
 template <std::size_t n>
 double Disturbed<n>::lost(std::string_view algorithm, double step) const {
-  const double steps = std::ceil(span() / step * (1 - 1e-12)), h = span() / steps;
+  const double h = dividing(span(), step);
   const std::array ends{0.0, span()};
   std::vector<State> motion;
   double left = infinity;
   const auto keep = [&](double, const State&, double t, const State& x) {
     motion.push_back(x);
     for (std::size_t k = 0; k < n; ++k)
-      if (!(std::abs(x[k]) <= largest_size * sizes_[k])) left = t;
+      if (!(std::abs(x[k]) <= criteria_.largest_size * sizes_[k])) left = t;
     return std::isfinite(left);
   };
   precompiled<n>(algorithm)(system_, start_, ends, h, Watch<n>(keep));
@@ -81,12 +82,24 @@ double Disturbed<n>::lost(std::string_view algorithm, double step) const {
   const auto compare = [&](double, const State&, double t, const State& x) {
     if (i == motion.size()) return true;
     const auto piece = static_cast<std::size_t>(t / span() * static_cast<double>(parted_.size() - 1));
-    const double allowed = 2 * parted_[std::min(piece + 1, parted_.size() - 1)] + std::log(granted);
+    const double allowed =
+        criteria_.as_fast * parted_[std::min(piece + 1, parted_.size() - 1)] + std::log(criteria_.granted);
     if (!(std::log(distance(x, motion[i++], sizes_) / first_distance) <= allowed)) parted = t;
     return std::isfinite(parted);
   };
   precompiled<n>(algorithm)(system_, beside_, ends, h, Watch<n>(compare));
   return std::min(left, parted);
+}
+
+template <std::size_t n>
+auto Disturbed<n>::motion(std::string_view algorithm, double step, double until) const -> std::vector<State> {
+  std::vector<State> motion{start_};
+  const auto keep = [&](double, const State&, double t, const State& x) {
+    if (t <= until) motion.push_back(x);
+    return t >= until;
+  };
+  precompiled<n>(algorithm)(system_, start_, std::array{0.0, span()}, dividing(span(), step), Watch<n>(keep));
+  return motion;
 }
 
 #define ODDITY_DISTURBED(n, type) template class type<n>;

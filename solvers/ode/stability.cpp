@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "solvers/linear.hpp"
 #include "solvers/ode/all.hpp"
@@ -113,12 +114,15 @@ bool is_partitioned(std::string_view algorithm) {
 
 namespace {
 
+/// Beside each eigenvalue lambda a partitioned algorithm also has -lambda.
+double growth_in_truth(std::string_view algorithm, const std::complex<double>& lambda) {
+  return is_partitioned(algorithm) ? std::abs(lambda.real()) : std::max(0.0, lambda.real());
+}
+
 /// In the direction of lambda, as multiples of 1 / |lambda|.
-std::vector<Tongue> scan(std::string_view algorithm, double direction) {
+std::vector<Tongue> scan(std::string_view algorithm, double direction, double negligible) {
   const std::complex<double> unit = std::polar(1.0, direction);
-  // Beside each eigenvalue lambda a partitioned algorithm also has -lambda.
-  const double in_truth = is_partitioned(algorithm) ? std::abs(unit.real()) : std::max(0.0, unit.real());
-  const double allowed = 2 * in_truth + negligible_growth;
+  const double allowed = 2 * growth_in_truth(algorithm, unit) + negligible;
   const auto excess = [&](double r) { return growth(algorithm, r * unit) - r * allowed; };
   const auto edge = [&](double low, double high) {
     const bool unstable = excess(high) > 0;
@@ -146,17 +150,18 @@ std::vector<Tongue> scan(std::string_view algorithm, double direction) {
 }
 
 /// The scan in this direction, rounded to half a thousandth of a radian; each is made once.
-const std::vector<Tongue>& scanned(std::string_view algorithm, const std::complex<double>& lambda) {
-  static std::map<std::pair<std::string, long>, std::vector<Tongue>> known;
+const std::vector<Tongue>& scanned(std::string_view algorithm, const std::complex<double>& lambda,
+                                   double negligible) {
+  static std::map<std::tuple<std::string, long, double>, std::vector<Tongue>> known;
   static std::mutex mutex;
   constexpr double to_imaginary = 1500, quarter_turn = std::numbers::pi / 2;
   const long rounded = std::lround(std::abs(std::arg(lambda)) / quarter_turn * to_imaginary);
-  const std::pair key(std::string(algorithm), rounded);
+  const std::tuple key(std::string(algorithm), rounded, negligible);
   {
     const std::scoped_lock lock(mutex);
     if (const auto found = known.find(key); found != known.end()) return found->second;
   }
-  auto tongues = scan(algorithm, static_cast<double>(rounded) / to_imaginary * quarter_turn);
+  auto tongues = scan(algorithm, static_cast<double>(rounded) / to_imaginary * quarter_turn, negligible);
   const std::scoped_lock lock(mutex);
   return known.emplace(key, std::move(tongues)).first->second;
 }
@@ -189,15 +194,14 @@ double growth(std::string_view algorithm, std::complex<double> z) {
   return *found;
 }
 
-std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum& spectrum) {
-  const double negligible = 0.01 / (spectrum.span * static_cast<double>(spectrum.at.size()));
+std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum& spectrum, double negligible) {
+  const double no_motion = 0.01 / (spectrum.span * static_cast<double>(spectrum.at.size()));
   std::vector<Tongue> all;
   for (const Eigenvalues& eigenvalues : spectrum.at)
     for (const auto& lambda : eigenvalues) {
       const double size = std::abs(lambda);
-      if (lambda.imag() < 0 || size < negligible)
-        continue;  // a real Jacobian's come in pairs that grow alike
-      for (const Tongue& tongue : scanned(algorithm, lambda))
+      if (lambda.imag() < 0 || size < no_motion) continue;  // a real Jacobian's come in pairs that grow alike
+      for (const Tongue& tongue : scanned(algorithm, lambda, negligible))
         all.push_back({tongue.from < finest ? 0 : tongue.from / size, tongue.to / size});
     }
   std::ranges::sort(all, {}, &Tongue::from);
@@ -213,6 +217,19 @@ std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum& s
 double stable_step(std::string_view algorithm, const Spectrum& spectrum) {
   const auto tongues = unstable_steps(algorithm, spectrum);
   return tongues.empty() ? infinity : tongues.front().from;
+}
+
+double added_growth(std::string_view algorithm, const Spectrum& spectrum, double step, double time,
+                    double as_fast) {
+  double sum = 0;
+  for (const Eigenvalues& eigenvalues : spectrum.at) {
+    double most = -infinity;
+    for (const auto& lambda : eigenvalues)
+      most = std::max(most,
+                      growth(algorithm, step * lambda) / step - as_fast * growth_in_truth(algorithm, lambda));
+    sum += most;
+  }
+  return sum / static_cast<double>(spectrum.at.size()) * time;
 }
 
 namespace {

@@ -43,14 +43,36 @@ constexpr double negligible_growth = 1e-3;
 /// A method is said to have no stable step where it has none of a 314th of a turn, h |lambda| = 0.02.
 constexpr double finest = 0.02;
 
+/// When a method's motion counts as lost. Where a step is lost at once these numbers hardly matter; where it
+/// is lost slowly they decide, and no number would be right: such limits are marked (`Limit::halved`).
+struct Criteria {
+  /// Of the fastest mode: 159 turns. The longer, the slower a loss is found, and the longer it takes.
+  double radians = 1000;
+  /// How far neighbouring motions may part beyond what follows: a hundredfold, so that a change of their
+  /// shape alone is let pass, and a disturbance that starts as a millionth is still small, a ten thousandth
+  /// of the motion.
+  double granted = 100;
+  /// The power of what they part in truth. 1 would blame a method for parting chaotic motions a little
+  /// faster.
+  double as_fast = 2;
+  /// Of the motion, in units of the truth's: what a scene would call blown up. Some limits hang on it.
+  double largest_size = 2;
+};
+
 /// The steps at which the algorithm is unstable: at some point of the motion a disturbance that does not grow
 /// in truth grows by more than `negligible_growth`, or one that does grows more than twice as fast. From the
 /// shortest on, found by a scan in steps of 0.2 % near every edge, up to h |lambda| = 30. Eigenvalues that
 /// turn the motion by less than a hundredth of a radian in all are left out.
-std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum&);
+std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum&,
+                                   double negligible = negligible_growth);
 
 /// The largest step below which all are stable: where the first tongue begins; 0: none; infinity: every step.
 double stable_step(std::string_view algorithm, const Spectrum&);
+
+/// ln of how much theory has a disturbance grow in `time`, beyond what it may: the fastest growth at each
+/// point, less `as_fast` times the truth's, added up along the motion. Theory calls a step unstable if any
+/// point is; this weighs how strongly, and for how long.
+double added_growth(std::string_view algorithm, const Spectrum&, double step, double time, double as_fast);
 
 /// The largest |lambda| at each point, averaged over the motion.
 double fastest(const Spectrum&);
