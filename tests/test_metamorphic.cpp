@@ -535,7 +535,7 @@ TEST_CASE("a pendulum let go where its energy is zero is chosen for as any other
   check_same(level, chosen_in(longer, 5, {{"a", std::numbers::pi / 2}}), 1);
 }
 
-TEST_CASE("the choice is the same in other units", "[metamorphic]") {
+TEST_CASE("the choice is the same in other units", "[metamorphic][slow]") {
   const Choice earth = chosen_in({""}, 3);
   check_same(earth, chosen_in(heavier, 3), 1);
   const Choice chain = chosen_in({""}, 25);
