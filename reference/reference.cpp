@@ -93,16 +93,21 @@ std::string source_of(const truth::Truth& truth) {
   return "computed on the spot: " + truth.first_route + "; and " + truth.second_route;
 }
 
-/// What `make` makes for the table at the inputs. What is out of time is no bad input.
+/// What `make`, given a tick, makes for the table at the inputs. What the tick throws is no bad input.
 template <class Make>
 Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::vector<double>& inputs,
-                  const Make& make) {
+                  const truth::Tick& tick, const Make& make) {
   truth::Made made;
+  bool ticking = false;
+  const auto watched = [&] {
+    ticking = true;
+    if (tick) tick();
+    ticking = false;
+  };
   try {
-    made = make();
-  } catch (const OutOfTime&) {
-    throw;
+    made = make(watched);
   } catch (const std::exception& error) {
+    if (ticking) throw;
     throw BadInput("table " + std::string(table) + " has no value at " + listed(inputs) + ": " +
                    error.what());
   }
@@ -129,29 +134,39 @@ std::string motion_key(std::string_view table, const std::vector<double>& inputs
          ") at " + listed(std::vector<double>(times.begin(), times.end()));
 }
 
-fs::path kept_file(const fs::path& cache, const std::string& key) {
-  std::ostringstream name;
-  name << key.substr(0, key.find(' ')) << "_" << std::hex << std::hash<std::string>()(key) << ".txt";
-  return cache / name.str();
+std::string checksum(std::string_view text) {
+  std::ostringstream hex;
+  hex << std::hex << std::hash<std::string_view>()(text);
+  return hex.str();
 }
 
-/// The motion kept under the key: a line with the key, one with the error, one with the values.
-std::optional<Known> kept_motion(const fs::path& cache, const std::string& key, std::size_t size) {
-  std::ifstream in(kept_file(cache, key));
-  std::string line, word;
-  if (!std::getline(in, line) || line != key) return {};
-  std::vector<double> numbers;
-  while (in >> word)
-    if (const auto number = number_in(word)) numbers.push_back(*number);
-  if (numbers.size() != size + 1) return {};
-  return Known{{numbers.begin() + 1, numbers.end()}, numbers.front(), ""};
+fs::path kept_file(const fs::path& cache, const std::string& key) {
+  return cache / (key.substr(0, key.find(' ')) + "_" + checksum(key) + ".txt");
+}
+
+/// The motion kept under the key: a line with the key, one with the error, one with each value, and the
+/// checksum of these.
+std::optional<Known> kept_motion(const fs::path& cache, const std::string& key) {
+  std::ifstream in(kept_file(cache, key), std::ios::binary);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line + "\n");
+  if (lines.size() < 3 || lines.front() != key + "\n") return {};
+  std::string text;
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) text += lines[i];
+  if (lines.back() != checksum(text) + "\n") return {};
+  Known known;
+  for (std::size_t i = 1; i + 1 < lines.size(); ++i)
+    known.value.push_back(number_in(lines[i].substr(0, lines[i].size() - 1)).value());
+  known.error = known.value.front();
+  known.value.erase(known.value.begin());
+  return known;
 }
 
 void keep_motion(const fs::path& cache, const std::string& key, const Known& known) {
   std::string text = key + "\n" + shortest(known.error) + "\n";
   for (double x : known.value) text += shortest(x) + "\n";
   try {
-    write_whole(kept_file(cache, key), text);
+    write_whole(kept_file(cache, key), text + checksum(text) + "\n");
   } catch (const BadInput&) {  // it will be made again
   }
 }
@@ -219,7 +234,8 @@ Known Reference::operator()(std::string_view name, const std::vector<double>& in
   if (const auto row = rows->find(inputs); row != rows->end()) return row->second;
   const truth::Truth truth = maker->make();
   require_count(name, truth, inputs.size());
-  return on_the_spot(name, truth, inputs, [&] { return truth::make_row(truth, inputs, truth::spot_digits); });
+  return on_the_spot(name, truth, inputs, tick_,
+                     [&](const truth::Tick&) { return truth::make_row(truth, inputs, truth::spot_digits); });
 }
 
 Known Reference::motion(std::string_view name, const std::vector<double>& inputs,
@@ -238,13 +254,13 @@ Known Reference::motion(std::string_view name, const std::vector<double>& inputs
   require_count(name, truth, inputs.size() + 1);
   const std::string key = cache_.empty() ? "" : motion_key(name, inputs, times);
   if (!cache_.empty())
-    if (auto kept = kept_motion(cache_, key, times.size() * truth.components.size())) {
+    if (auto kept = kept_motion(cache_, key)) {
       kept->source = source_of(truth);
       return *kept;
     }
-  const Known known = on_the_spot(name, truth, inputs, [&] {
+  const Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick& tick) {
     return truth::make_motion(truth, inputs, {times.begin(), times.end()}, truth::spot_digits, compared_times,
-                              tick_);
+                              tick);
   });
   if (!cache_.empty()) keep_motion(cache_, key, known);
   return known;
