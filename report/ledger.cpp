@@ -174,11 +174,16 @@ class Along {
     bool enough() const { return error <= 1; }
   };
 
-  /// Looked at in equal parts, and where the error comes near to what is asked without crossing it, finer: an
-  /// island narrower than a thousandth of the range may be missed.
+  /// At the values given, and unless the model is enough at all of them, or at none, by far, in equal parts;
+  /// where the error comes near to what is asked without crossing it, finer: an island narrower than a
+  /// thousandth of the range may be missed.
   std::optional<BreakEven> along(const std::string& model, const Parameter& p,
                                  const std::vector<double>& values) const {
     constexpr int parts = 64;
+    constexpr double by_far = 20;
+    std::vector<double> errors;
+    for (double at : values) errors.push_back(look(model, p, at).error);
+    if (std::ranges::max(errors) < 1 / by_far || std::ranges::min(errors) > by_far) return {};
     const auto [least, most] = std::ranges::minmax(values);
     std::vector<Look> looks;
     for (double at : spaced(least, most, parts)) {
@@ -239,9 +244,10 @@ class Along {
   /// With the truest model in place of the truth.
   Look look(const std::string& model, const Parameter& p, double at) const {
     Quantity seen = motion(p, at, Reference::nothing());
-    const auto truth = solved(seen, truest_, solvers_);
-    if (!truth) return {at, std::numeric_limits<double>::infinity()};
-    seen.reference.value = *truth;
+    auto [known, is_new] = truths_.try_emplace({std::string(p.name), at});
+    if (is_new) known->second = solved(seen, truest_, solvers_);
+    if (!known->second) return {at, std::numeric_limits<double>::infinity()};
+    seen.reference.value = *known->second;
     return {at, error(model, seen)};
   }
 
@@ -252,6 +258,7 @@ class Along {
   std::string truest_;
   const Solvers& solvers_;
   std::vector<Line> lines_;
+  mutable std::map<std::pair<std::string, double>, std::optional<Value>> truths_;
 };
 
 /// The model that, solved exactly, comes nearest to the reference; of those as near the last, the richest.
