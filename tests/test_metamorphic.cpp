@@ -14,7 +14,7 @@
 #include "chapters/03_rigid_body_motion/height_field.hpp"
 #include "chapters/03_rigid_body_motion/kepler.hpp"
 #include "chapters/03_rigid_body_motion/paraboloid_hill.hpp"
-#include "chapters/03_rigid_body_motion/pendulum.hpp"
+#include "chapters/03_rigid_body_motion/pendulum_models.hpp"
 #include "chapters/03_rigid_body_motion/pipe_and_disk.hpp"
 #include "chapters/03_rigid_body_motion/planar_wire.hpp"
 #include "chapters/03_rigid_body_motion/spring_bar.hpp"
