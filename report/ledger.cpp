@@ -109,12 +109,13 @@ const Method* exact_solver(const Quantity& motion, const std::string& model) {
 
 /// The motion as the model itself has it, by this algorithm, or where that does not get through by its best.
 std::optional<Value> solved(const Quantity& motion, const std::string& model, const std::string& algorithm) {
-  for (const Method* method : {method_of(motion, model, algorithm), exact_solver(motion, model)}) {
-    if (!method) continue;
+  const auto by = [&](const Method* method) -> std::optional<Value> {
+    if (!method) return {};
     const Answer answer = run(motion, *method, method->knob.settings.back()).answer;
-    if (answer.reached() && finite(answer.value)) return answer.value;
-  }
-  return {};
+    return answer.reached() && finite(answer.value) ? std::optional(answer.value) : std::nullopt;
+  };
+  if (auto value = by(method_of(motion, model, algorithm))) return value;
+  return by(exact_solver(motion, model));
 }
 
 /// The exact solvers of a scene's models at its defaults.
