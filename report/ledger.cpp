@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -76,6 +77,7 @@ std::vector<Line> lines(const Task& task, const Scene& scene) {
   };
   std::vector<Line> all{{declared(scene.varied), scene.over}};
   for (std::string_view name : scene.starts) {
+    if (name == scene.varied) continue;
     Line line{declared(name), {}};
     for (double factor : {0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0})
       if (const double value = factor * task.parameters[name];
@@ -161,12 +163,13 @@ class Along {
         solvers_(solvers),
         lines_(lines(task, scene_)) {}
 
-  /// Where the model is enough, along the first line on which it is enough somewhere and somewhere not.
-  std::optional<BreakEven> break_even(const std::string& model) const {
+  /// Where the model is enough, along each line on which it is enough somewhere and somewhere not.
+  std::vector<BreakEven> break_evens(const std::string& model) const {
+    std::vector<BreakEven> all;
     for (const Line& line : lines_)
       if (line.values.size() > 1)
-        if (auto found = along(model, *line.parameter, line.values)) return found;
-    return {};
+        if (auto found = along(model, *line.parameter, line.values)) all.push_back(std::move(*found));
+    return all;
   }
 
  private:
@@ -180,7 +183,7 @@ class Along {
   /// thousandth of the range may be missed.
   std::optional<BreakEven> along(const std::string& model, const Parameter& p,
                                  const std::vector<double>& values) const {
-    constexpr int parts = 64;
+    constexpr int parts = 48;
     constexpr double by_far = 20;
     std::vector<double> errors;
     for (double at : values) errors.push_back(look(model, p, at).error);
@@ -291,10 +294,9 @@ std::optional<Ledger> ledger(const Task& task, const Reference& truth) {
   ledger.least.push_back(least_model(start, game_in_words(motion), game));
   ledger.least.push_back(least_model(start, "10 digits", digits));
   for (const std::string& model : models_of(motion)) {
-    if (auto found = along.break_even(model)) {
-      ledger.break_evens.push_back(*found);
-      continue;
-    }
+    auto found = along.break_evens(model);
+    std::ranges::move(found, std::back_inserter(ledger.break_evens));
+    if (!found.empty()) continue;
     const auto value = solved(motion, model, solvers);
     if (!value || !(motion.in_needs(motion.errors(*value)) <= 1)) ledger.never.push_back(model);
   }
