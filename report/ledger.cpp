@@ -219,7 +219,7 @@ class Along {
     refine(model, p, looks, next, depth - 1);
   }
 
-  /// The value on the side that holds, to one in a thousand; both sides are judged by the reference.
+  /// The value on the side that holds, to one in a thousand; the error on both sides by the reference is kept.
   double crossing(const std::string& model, const Parameter& p, Look fails, Look holds,
                   BreakEven& found) const {
     while (std::abs(fails.at - holds.at) > 1e-3 * std::abs(holds.at)) {

@@ -73,7 +73,7 @@ std::string ledger_page(const Results& results) {
   std::string text =
       R"(# The cheapest sufficient model
 
-For each scene, the first of its models, from the simplest on, that holds at every frame over 10 s at 60 frames per second (over 10 years, where the scene's time is in years): to one centimetre and one degree, which is what a game asks, and to ten digits. Among the model's algorithms the one with the least counted work is shown; `oddity choose` adds times on your machine, starts of your own and a margin. The lines below each table say for which values of a parameter a model is enough for the game when it is solved exactly, of the parameter that makes the scene hard and of those of the start, from a sixteenth of their value to four times it. Each border is known to one in a thousand and was checked with the reference on both sides.
+For each scene, the first of its models, from the simplest on, that holds at every frame over 10 s at 60 frames per second (over 10 years, where the scene's time is in years): to one centimetre and one degree, which is what a game asks, and to ten digits. Among the model's algorithms the one with the least counted work is shown; `oddity choose` adds times on your machine, starts of your own and a margin. The lines below each table say for which values of a parameter a model is enough for the game when it is solved exactly, of the parameter that makes the scene hard and of those of the start, from a sixteenth of their value to four times it. Each border is known to one in a thousand, with the truest model in place of the truth; the error on both of its sides by the reference stands in the results file.
 
 )";
   for (const ExerciseResult& e : results.exercises)
