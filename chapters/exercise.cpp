@@ -327,6 +327,20 @@ std::string_view name_of(Verdict verdict) {
   return "?";
 }
 
+std::string_view name_of(Kind kind) {
+  switch (kind) {
+    case Kind::none: return "";
+    case Kind::number: return "number";
+    case Kind::formula: return "formula";
+    case Kind::left_out: return "case left out";
+    case Kind::counterexample: return "statement with a counterexample";
+    case Kind::term: return "term";
+    case Kind::listing: return "listing";
+    case Kind::lost_typography: return "typography lost on the way";
+  }
+  return "?";
+}
+
 std::string_view name_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::ok:

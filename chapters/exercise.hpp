@@ -150,11 +150,23 @@ struct Reading {
 
 enum class Verdict { confirmed, misprint, erratum, not_checkable, unsettled };
 
+/// What is wrong with a claim that is not right as it stands.
+enum class Kind {
+  none,
+  number,           ///< a figure
+  formula,          ///< a letter, sign, factor or index of it
+  left_out,         ///< a case that the claim does not mention
+  counterexample,   ///< a statement that is not true of everything it speaks of
+  term,             ///< the wrong word
+  listing,          ///< a program's line
+  lost_typography,  ///< what the text at hand has lost on its way: fraction bars, exponents
+};
+
 /// One thing that the published solution says.
 struct Claim {
-  std::string id;    ///< "3.5-listing_value"
-  int line = 0;      ///< where it stands in the solutions text
-  std::string says;  ///< the claim in our words
+  std::string id = {};    ///< "3.5-listing_value"
+  int line = 0;           ///< where it stands in the solutions text
+  std::string says = {};  ///< the claim in our words
   Reading printed = {};
   Reading meant = {};      ///< what it plainly meant, when print or extraction got in the way
   Reading corrected = {};  ///< what is true instead
@@ -162,6 +174,10 @@ struct Claim {
       {};                          ///< what must not hold: a flipped sign, a dropped term, another digit
   std::string why = {};            ///< unless confirmed: what is wrong, what is right, how it shows
   std::string not_checkable = {};  ///< why nothing at hand can judge it; it has no readings then
+  Kind kind = Kind::none;          ///< of a misprint or an erratum
+  /// Of an erratum: the name of what it comes from, which it may share with others of its exercise; empty: it
+  /// stands alone.
+  std::string root = {};
 };
 
 /// Computed, never assigned: the first reading that holds decides; a near miss that holds unsettles all. A
@@ -310,9 +326,16 @@ Trial run(const Quantity&, const Method&, double setting);
 
 // ---- the exercise -----------------------------------------------------------------------------------------
 
+/// What errata come from, and what one would see of it: in a game, or in a table.
+struct Root {
+  std::string name;
+  std::string shows;  ///< with a number
+};
+
 struct Findings {
   std::vector<Claim> claims;
   std::vector<Quantity> quantities;
+  std::vector<Root> roots = {};
 };
 
 /// The observables of one time: by name ("x" and "y" alone are drawn as a path in the plane), over time in
@@ -355,6 +378,7 @@ struct Exercise {
 };
 
 std::string_view name_of(Verdict);
+std::string_view name_of(Kind);  ///< empty for none
 std::string_view name_of(Outcome);
 
 }  // namespace oddity

@@ -25,7 +25,7 @@ Answer ModelOf<n>::observed(std::span<const double> times, const ode::Trajectory
 namespace {
 
 /// No change of a conserved quantity at all, but for the rounding of its terms.
-bool is_rounding(double change, const Conserved& at_start) {
+bool is_rounding(double change, const Conserved<double>& at_start) {
   constexpr double roundings = 256 * std::numeric_limits<double>::epsilon();
   return change <= roundings * (std::abs(at_start.value) + at_start.moving);
 }
@@ -35,12 +35,12 @@ bool is_rounding(double change, const Conserved& at_start) {
 template <std::size_t n>
 double ModelOf<n>::drift(std::span<const double> times, std::span<const State> motion) const {
   if (motion.empty()) return 0;
-  const std::vector<Conserved> at_start = conserved(motion[0], times[0]);
+  const std::vector<Conserved<double>> at_start = conserved(motion[0], times[0]);
   if (at_start.empty()) return 0;
   const std::vector<double> scale = moving(times.back());
   double drift = 0;
   for (std::size_t i = 1; i < motion.size(); ++i) {
-    const std::vector<Conserved> now = conserved(motion[i], times[i]);
+    const std::vector<Conserved<double>> now = conserved(motion[i], times[i]);
     for (std::size_t k = 0; k < now.size(); ++k) {
       const double change = std::abs(now[k].value - at_start[k].value);
       if (std::isnan(change)) return change;
@@ -67,7 +67,7 @@ std::vector<double> ModelOf<n>::moving(double end) const {
   const auto motion = accurate_motion(times);
   most.resize(conserved(start(), 0).size());
   for (std::size_t i = 0; i < motion.value.size(); ++i) {
-    const std::vector<Conserved> now = conserved(motion.value[i], times[i]);
+    const std::vector<Conserved<double>> now = conserved(motion.value[i], times[i]);
     for (std::size_t k = 0; k < most.size(); ++k)
       if (now[k].moving > most[k]) most[k] = now[k].moving;
   }

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 #include "chapters/exercise.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
@@ -54,7 +54,7 @@ concept ClosedForm = requires(const Model& model, double t) {
 
 template <class Model>
 concept Conservative = requires(const Model& model, const typename Model::State& x) {
-  { model.conserved(x, 0.0)[0] } -> std::convertible_to<Conserved>;
+  { model.conserved(x, 0.0)[0] } -> std::convertible_to<Conserved<double>>;
 };
 
 /// The true observables at a scene's times: the table `name`, whose last input is the time, at these inputs.
@@ -117,7 +117,7 @@ class ModelOf : public AnyModel, public ode::AnySystem<n> {
   /// Adds the observables to those seen.
   virtual void observe(const State& x, double t, std::vector<double>& seen) const = 0;
   /// None where the model has none.
-  virtual std::vector<Conserved> conserved(const State& x, double t) const = 0;
+  virtual std::vector<Conserved<double>> conserved(const State& x, double t) const = 0;
 
   Answer run(std::string_view algorithm, const Horizon&, double setting) const final;
   ode::Spectrum spectrum(double end) const final;
@@ -154,7 +154,7 @@ class Erased final : public ode::Adapted<ModelLike<Model>, Model> {
     const auto observables = system().observe(x, t);
     seen.insert(seen.end(), observables.begin(), observables.end());
   }
-  std::vector<Conserved> conserved(const State& x, double t) const override {
+  std::vector<Conserved<double>> conserved(const State& x, double t) const override {
     if constexpr (Conservative<Model>) {
       const auto all = system().conserved(x, t);
       return {all.begin(), all.end()};

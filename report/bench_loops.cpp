@@ -276,7 +276,7 @@ void add_races(std::vector<Race>& all, const std::string& name, const Model& mod
 
 std::vector<Race> races() {
   std::vector<Race> all;
-  const pendulum::OneAngle swing{{std::numbers::pi / 6, 1, 9.81}};
+  const pendulum::OneAngle<double> swing{{std::numbers::pi / 6, 1, 9.81}};
   add_races(all, "pendulum", swing, PendulumByHand{-9.81}, swing.start());
   const kepler::Cartesian planet{{1, 1, 1, 0, 0, 1.2}};
   add_races(all, "planet in its plane", planet, PlanarKeplerByHand{1}, planet.start());
@@ -343,13 +343,13 @@ Known last_of(const Known& all, std::size_t observables) {
 }
 
 Contest pendulum_contest(const Reference& truth) {
-  const pendulum::Pendulum start{std::numbers::pi / 6, 1, 9.81};
+  const pendulum::Given<double> start{std::numbers::pi / 6, 1, 9.81};
   const Horizon through{10, samples}, to_end{through.end, 1};
   const Known known = gathered(through, [&](double t) {
     return truth("03_05_swing", {start.a, start.L, start.g, t});
   });
-  const pendulum::OneAngle model{start};
-  const pendulum::FourierSeries exact(start);
+  const pendulum::OneAngle<double> model{start};
+  const pendulum::FourierSeries<double> exact(start);
   return {.says = "pendulum from 30 degrees over 10 s",
           .hand = "pendulum",
           .to_end = motion("one angle", model, last_of(known, 1), to_end),

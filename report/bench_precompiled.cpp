@@ -17,7 +17,7 @@ std::function<Run()> any(const Model& model, const State& start, std::string_vie
 
 }  // namespace
 
-std::function<Run()> precompiled(const pendulum::OneAngle& model, const std::array<double, 2>& start,
+std::function<Run()> precompiled(const pendulum::OneAngle<double>& model, const std::array<double, 2>& start,
                                  std::string_view algorithm, ode::Kind kind) {
   return any(model, start, algorithm, kind);
 }

@@ -14,9 +14,9 @@ struct Dual {
 
   Dual() = default;
   Dual(T v, T s) : value(v), slope(s) {}
-  Dual(double v) : value(v), slope(0.0) {}
+  /// A constant.
   template <class U>
-  requires(std::same_as<U, T> && !std::same_as<U, double>) Dual(U v) : value(v), slope(0.0) {}
+  requires std::convertible_to<U, T> Dual(const U& v) : value(static_cast<T>(v)), slope(static_cast<T>(0)) {}
 
   Dual& operator+=(const Dual& o) { return *this = *this + o; }
   Dual& operator-=(const Dual& o) { return *this = *this - o; }
@@ -90,6 +90,48 @@ Dual<T> atan2(const Dual<T>& y, const Dual<T>& x) {
   using std::atan2;
   return {atan2(y.value, x.value),
           (x.value * y.slope - y.value * x.slope) / (x.value * x.value + y.value * y.value)};
+}
+template <class T>
+Dual<T> abs(const Dual<T>& a) {
+  return a.value < T(0) ? -a : a;
+}
+template <class T>
+Dual<T> hypot(const Dual<T>& x, const Dual<T>& y) {
+  using std::hypot;
+  const T length = hypot(x.value, y.value);
+  return {length, (x.value * x.slope + y.value * y.slope) / length};
+}
+template <class T>
+Dual<T> expm1(const Dual<T>& a) {
+  using std::exp, std::expm1;
+  return chained(a, T(expm1(a.value)), T(exp(a.value)));
+}
+template <class T>
+Dual<T> sinh(const Dual<T>& a) {
+  using std::cosh, std::sinh;
+  return chained(a, T(sinh(a.value)), T(cosh(a.value)));
+}
+template <class T>
+Dual<T> cosh(const Dual<T>& a) {
+  using std::cosh, std::sinh;
+  return chained(a, T(cosh(a.value)), T(sinh(a.value)));
+}
+template <class T>
+Dual<T> asinh(const Dual<T>& a) {
+  using std::asinh, std::sqrt;
+  return chained(a, T(asinh(a.value)), T(T(1.0) / sqrt(T(1.0) + a.value * a.value)));
+}
+/// Constant between the jumps, where it has no slope.
+template <class T>
+Dual<T> copysign(const Dual<T>& a, const Dual<T>& sign) {
+  return (a.value < T(0)) == (sign.value < T(0)) ? a : -a;
+}
+/// a - n b with the whole number n of the values.
+template <class T>
+Dual<T> remainder(const Dual<T>& a, const Dual<T>& b) {
+  using std::remainder;
+  const T rest = remainder(a.value, b.value);
+  return {rest, a.slope - (a.value - rest) / b.value * b.slope};
 }
 /// A constant power.
 template <class T>

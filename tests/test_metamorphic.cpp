@@ -48,9 +48,9 @@ void for_each_model(const See& see) {
   see("3.3", "polar", kepler::Polar{earth}, 2.0);
   see("3.3", "Cartesian", kepler::Cartesian{earth}, 2.0);
   for (double a : {pi / 6, pi / 2}) {
-    const pendulum::Pendulum released{a, 1, 9.81};
-    see("3.5", "one angle", pendulum::OneAngle{released}, 10.0);
-    see("3.5", "Cartesian with constraint", pendulum::CartesianWithConstraint{released}, 10.0);
+    const pendulum::Given<double> released{a, 1, 9.81};
+    see("3.5", "one angle", pendulum::OneAngle<double>{released}, 10.0);
+    see("3.5", "Cartesian with constraint", pendulum::CartesianWithConstraint<double>{released}, 10.0);
   }
   const bead_on_cubic::Bead bead{1, 1};
   see("3.7", "one coordinate", bead_on_cubic::OneCoordinate{bead}, 4.0);
@@ -115,7 +115,7 @@ struct CountedFrom : Model {
   double elsewhere;
   auto conserved(const typename Model::State& x, double t) const {
     auto all = Model::conserved(x, t);
-    for (Conserved& one : all) one.value += elsewhere;
+    for (Conserved<double>& one : all) one.value += elsewhere;
     return all;
   }
 };
@@ -129,7 +129,7 @@ double least_moving(const Model& model, double end) {
   for (std::size_t i = 0; i < motion.value.size(); ++i)
     for (std::size_t k = 0; k < most.size(); ++k)
       most[k].moving = std::max(most[k].moving, model.conserved(motion.value[i], times[i])[k].moving);
-  return std::ranges::min_element(most, {}, &Conserved::moving)->moving;
+  return std::ranges::min_element(most, {}, &Conserved<double>::moving)->moving;
 }
 
 template <class Model>

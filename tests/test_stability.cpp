@@ -84,7 +84,7 @@ struct Silent {
   std::array<double, 1> observe(const State& x, double) const { return {x[0]}; }
 };
 struct Watched : Silent {
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of(x[1] * x[1] / 2, -40 * std::cos(x[0]));
   }
 };

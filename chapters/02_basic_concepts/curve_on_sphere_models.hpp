@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "chapters/02_basic_concepts/rotation_matrices.hpp"
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 /// A curve on the unit sphere with its frame R = [r u r x u], u = r'/|r'|, the frame's angular velocity w,
 /// and an orientation carried along R' = Skew(w) R.
@@ -78,7 +78,7 @@ struct AsMatrix : Turning {
   State start() const { return identity().e; }
   void operator()(const State& x, State& dxdt, double t) const { dxdt = (skew(w(t)) * Matrix3{x}).e; }
   std::array<double, 9> observe(const State& x, double) const { return x; }
-  OneConserved conserved(const State& x, double) const { return {{{departure(Matrix3{x}), 1}}}; }
+  std::array<Conserved<double>, 1> conserved(const State& x, double) const { return {{{departure(Matrix3{x}), 1}}}; }
 };
 
 /// q with q' = (0, w) q / 2, read as a matrix by the formula for unit quaternions.
@@ -90,7 +90,7 @@ struct AsQuaternion : Turning {
     dqdt = {-dot(half, v), turned[0], turned[1], turned[2]};
   }
   std::array<double, 9> observe(const State& q, double) const { return matrix(q).e; }
-  OneConserved conserved(const State& q, double) const { return {{{departure(matrix(q)), 1}}}; }
+  std::array<Conserved<double>, 1> conserved(const State& q, double) const { return {{{departure(matrix(q)), 1}}}; }
 };
 
 }  // namespace oddity::curve_on_sphere

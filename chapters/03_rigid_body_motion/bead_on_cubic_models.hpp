@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 /// A bead on the frictionless curve (q, q^2, q^3) under gravity along -z, let go at rest at q0: its models,
 /// whose observables are the position.
@@ -38,7 +38,7 @@ struct OneCoordinate : Bead {
   }
   void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], acceleration(x[0], x[1])}; }
   std::array<double, 3> observe(const State& x, double) const { return curve(x[0]); }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of(metric(x[0]) * x[1] * x[1] / 2, g * x[0] * x[0] * x[0]);
   }
 };
@@ -57,7 +57,7 @@ struct CartesianWithConstraints : Bead {
     dsdt = {s[3], s[4], s[5], -j1 * m1 - j2 * m2, m1, m2 - g};
   }
   std::array<double, 3> observe(const State& s, double) const { return {s[0], s[1], s[2]}; }
-  OneConserved conserved(const State& s, double) const {
+  auto conserved(const State& s, double) const {
     return energy_of((s[3] * s[3] + s[4] * s[4] + s[5] * s[5]) / 2, g * s[2]);
   }
 };

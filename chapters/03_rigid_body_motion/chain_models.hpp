@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 namespace oddity::chain {
 
@@ -119,7 +119,7 @@ auto positions(const Triple& c, const State& x) {
 }
 
 /// The kinetic and the potential energy, the heights counted from the pivot.
-inline OneConserved energy(const Triple& c, const std::array<double, 6>& x) {
+inline auto energy(const Triple& c, const std::array<double, 6>& x) {
   double kinetic = 0, potential = 0, vx = 0, vy = 0, y = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     vx += c.r[k] * x[k + 3] * std::cos(x[k]);
@@ -149,7 +149,7 @@ struct Angles : Triple {
     dxdt = {x[3], x[4], x[5], a[0], a[1], a[2]};
   }
   std::array<double, 6> observe(const State& x, double) const { return positions(*this, x); }
-  OneConserved conserved(const State& x, double) const { return energy(*this, x); }
+  auto conserved(const State& x, double) const { return energy(*this, x); }
 };
 
 }  // namespace oddity::chain

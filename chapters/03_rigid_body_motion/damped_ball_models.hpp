@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 /// A ball in the plane on a spring of constant c with viscous friction a: m x'' + a x' + c x = 0 from p with
 /// velocity v.
@@ -61,7 +61,7 @@ struct PlaneWithWork : Ball {
             a * (x[2] * x[2] + x[3] * x[3])};
   }
   std::array<double, 2> observe(const State& x, double) const { return {x[0], x[1]}; }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of(m * (x[2] * x[2] + x[3] * x[3]) / 2, c * (x[0] * x[0] + x[1] * x[1]) / 2 + x[4]);
   }
 };

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "chapters/03_rigid_body_motion/pendulum_models.hpp"
+#include "chapters/claims.hpp"
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
 #include "solvers/quadrature.hpp"
@@ -108,20 +109,20 @@ Quantity quarter_period(double a, const Reference& truth) {
 
 Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   using namespace pendulum;
-  const Pendulum pendulum{p["a"], p["L"], p["g"]};
+  const Given<double> given{p["a"], p["L"], p["g"]};
   Quantity angle = quantity("swing", "rad", "angle at " + times_up_to(horizon),
-                            trajectory(truth, "03_05_swing", {pendulum.a, pendulum.L, pendulum.g}, horizon),
+                            trajectory(truth, "03_05_swing", {given.a, given.L, given.g}, horizon),
                             {1e-6, "a fifth of a second of arc"});
   Ladder(angle, horizon, halving("step", 0.125, 9), tolerances())
-      .closed_form("small angle", SmallAngle{pendulum}, Outcome::inaccurate,
+      .closed_form("small angle", SmallAngle<double>{given}, Outcome::inaccurate,
                    "the period grows with the amplitude")
-      .closed_form("amplitude-corrected", AmplitudeCorrected{pendulum}, Outcome::inaccurate,
+      .closed_form("amplitude-corrected", AmplitudeCorrected<double>{given}, Outcome::inaccurate,
                    "terms of order a^4 in the frequency and of order a^3 in the shape are left out")
-      .closed_form("Jacobi's function by its Fourier series", FourierSeries{pendulum})
-      .by_common("one angle", OneAngle{pendulum}, Outcome::drifted, Outcome::inaccurate)
-      .by_others("one angle", OneAngle{pendulum},
+      .closed_form("Jacobi's function by its Fourier series", FourierSeries<double>(given))
+      .by_common("one angle", OneAngle<double>{given}, Outcome::drifted, Outcome::inaccurate)
+      .by_others("one angle", OneAngle<double>{given},
                  {{"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
-      .by_common("Cartesian with constraint", CartesianWithConstraint{pendulum}, Outcome::inaccurate,
+      .by_common("Cartesian with constraint", CartesianWithConstraint<double>{given}, Outcome::inaccurate,
                  Outcome::inaccurate);
   angle.add(
       Breakdown{"Explicit Euler gains energy at every step: at eight steps a second the pendulum, let go at "
@@ -142,127 +143,124 @@ Scene scene() {
           {"a", "L"},
           {{"theta"}, "s", {{"rad", {0}}}},
           {{"chapters/03_rigid_body_motion/pendulum_models.hpp"},
-           {{"small angle", "pendulum::SmallAngle{{a, L, g}}"},
-            {"amplitude-corrected", "pendulum::AmplitudeCorrected{{a, L, g}}"},
-            {"Jacobi's function by its Fourier series", "pendulum::FourierSeries{{a, L, g}}"},
-            {"one angle", "pendulum::OneAngle{{a, L, g}}"},
-            {"Cartesian with constraint", "pendulum::CartesianWithConstraint{{a, L, g}}"}}}};
+           {{"small angle", "pendulum::SmallAngle<double>{{a, L, g}}"},
+            {"amplitude-corrected", "pendulum::AmplitudeCorrected<double>{{a, L, g}}"},
+            {"Jacobi's function by its Fourier series", "pendulum::FourierSeries<double>({a, L, g})"},
+            {"one angle", "pendulum::OneAngle<double>{{a, L, g}}"},
+            {"Cartesian with constraint", "pendulum::CartesianWithConstraint<double>{{a, L, g}}"}}}};
 }
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
-/// The formula with the remainder, its integral by a rule that is exact to rounding at these epsilons.
-Check split_formula(const std::string& as, double (*tail)(double, double), const Reference& truth) {
-  const double a = book_angle;
-  Worst worst("I at eps = 1e-2, 1e-3", as, "elliptic K by the arithmetic-geometric mean");
+double arcsine(double epsilon) { return std::asin(1 - epsilon * cos(book_angle) / sin(book_angle)); }
+
+/// The integral to a - epsilon and `tail` against the whole; they differ by the remainder's next term at
+/// most.
+Reading in_two_parts(const std::string& text, const Reference& truth, double (*tail)(double epsilon)) {
+  const double a = book_angle, whole = truth("03_05_quarter_period", {a}).value[0];
+  Worst worst(R"($I(a)$, cut at $\epsilon=10^{-2},10^{-3}$)", R"(QAG to $a-\epsilon$ plus )" + text,
+              R"($\sqrt2\,K$ by the arithmetic-geometric mean)");
   for (double epsilon : {1e-2, 1e-3}) {
     const double next_term = std::pow(epsilon, 2.5) / (30 * sqrt(sin(a)));
-    worst.see(qag(singular_integrand(a), 0, a - epsilon, 1e-13).value + tail(a, epsilon),
-              truth("03_05_quarter_period", {a}).value,
-              {2 * next_term + 1e-12, "twice the first term left out, eps^(5/2) / (30 sqrt(sin a))"}, 1,
-              "eps = " + shortest(epsilon));
+    worst.see(qag(singular_integrand(a), 0, a - epsilon, 1e-13).value + tail(epsilon), whole,
+              {2 * next_term + 1e-12, R"(twice the first term left out, $\epsilon^{5/2}/(30\sqrt{\sin a})$)"},
+              1, "eps = " + shortest(epsilon));
   }
-  return worst.check();
+  return {text, {worst.check()}};
 }
 
-double remainder_root_of_2_alone(double a, double epsilon) { return remainder(a, epsilon) / sqrt(cos(a)); }
-double remainder_without_pi(double a, double epsilon) {
-  return sqrt(2 / cos(a)) * (2 - std::asin(1 - epsilon * cos(a) / sin(a)));
+/// A node of the listing's sum.
+struct Node {
+  double psi;
+  std::string where() const { return "psi = " + shortest(psi); }
+};
+
+std::vector<Node> nodes() {
+  std::vector<Node> all;
+  for (int i = 1; i < book_panels; ++i) all.push_back({i * (book_angle - book_epsilon) / book_panels});
+  return all;
 }
 
 std::vector<Claim> claims(const Reference& truth) {
-  const Known quarter = truth("03_05_quarter_period", {book_angle});
-  const Route agm{"sqrt(2) K(sin(pi/12)) by the arithmetic-geometric mean", quarter.value};
-  const double listed = listed_integral(book_angle, book_angle, book_panels);
-  const double listed_tail = remainder(book_angle, book_epsilon);
+  Claims claims("3.5");
+  const double a = book_angle, listed = listed_integral(a, a, book_panels);
 
-  Claim split{"3.5-split_formula", 1273,
-              "the integral is about that to a - eps plus sqrt(2/cos a) (2 - asin(1 - eps cos a / sin a))"};
-  split.printed = {"2 - asin(...)",
-                   {split_formula("QAG plus the remainder without its pi", remainder_without_pi, truth)}};
-  split.meant = {"pi/2 - asin(...)", {split_formula("QAG plus the remainder", remainder, truth)}};
-  split.why =
-      "The $\\pi$ of $\\pi/2$ and the fraction bars are lost: read as it stands, the remainder does not "
-      "vanish "
-      "with $\\epsilon$, and the time is 0.65 too long. The listing has `HALF_PI`, and $\\sqrt{2/\\cos a}$.";
-  split.near_misses = {{"sqrt(2)/cos a before the bracket",
-                        {split_formula("QAG plus sqrt(2)/cos a (...)", remainder_root_of_2_alone, truth)}}};
+  claims.add(
+      "split_formula", 1273,
+      R"(the integral is about that to $a-\epsilon$ plus $\sqrt{2/\cos a}\,(2-\arcsin(1-\epsilon\cos a/\sin a))$)",
+      {.printed =
+           in_two_parts(R"($\sqrt{2/\cos a}\,(2-\arcsin\ldots)$)", truth,
+                        [](double epsilon) { return sqrt(2 / cos(book_angle)) * (2 - arcsine(epsilon)); }),
+       .meant = in_two_parts(R"($\sqrt{2/\cos a}\,(\pi/2-\arcsin\ldots)$)", truth,
+                             [](double epsilon) { return remainder(book_angle, epsilon); }),
+       .near_misses = {in_two_parts(
+           R"($(\sqrt2/\cos a)\,(\pi/2-\arcsin\ldots)$)", truth,
+           [](double epsilon) { return remainder(book_angle, epsilon) / sqrt(cos(book_angle)); })},
+       .why =
+           R"(The $\pi$ of $\pi/2$ and the fraction bars are lost: read as it stands, the remainder does not )"
+           R"(vanish with $\epsilon$, and the time is 0.65 too long. The listing has `HALF_PI`, and )"
+           R"($\sqrt{2/\cos a}$.)",
+       .kind = Kind::lost_typography});
 
-  Claim output{"3.5-listing_output", 1373, "the listing computes pendulumTime = 0.800275"};
-  output.printed = {"0.800275",
-                    {{"pendulumTime",
-                      {"as printed", 0.800275},
-                      {"the listing's arithmetic", listed + listed_tail},
-                      printed_decimals(6)}}};
-  output.near_misses = {{"0.800276",
-                         {{"pendulumTime",
-                           {"last digit off by one", 0.800276},
-                           {"the listing's arithmetic", listed + listed_tail},
-                           printed_decimals(6)}}}};
-
-  Claim value{"3.5-value", 1373, "0.800275 is the integral from 30 degrees"};
-  const auto integral_is = [&](const std::string& as, double x) {
-    return Check{"the integral", {as, x}, agm, printed_decimals(6)};
+  const auto shifted = [](double psi) { return 1 / sqrt(cos(psi) - book_angle); };
+  const auto by_rule = [&](const std::string& rule, const Solved<double>& sum) {
+    return Reading{rule,
+                   {{"the listing's sum, weights 4 and 2 in turn",
+                     {"in the listing's arithmetic", listed},
+                     {rule + " of the same integrand", sum.value},
+                     rounding(listed, book_panels)}}};
   };
-  value.printed = {"the integral is 0.800275", {integral_is("as printed", 0.800275)}};
-  value.corrected = {"the integral is 2.260114", {integral_is("corrected", 2.260114)}};
-  value.near_misses = {{"2.260115", {integral_is("last digit one up", 2.260115)}}};
-  value.why =
-      "The listing subtracts `initialAngle` where the text's integrand has $\\cos(\\pi/6)$: it integrates "
-      "$1/\\sqrt{\\cos\\psi-\\pi/6}$, which is finite everywhere, and adds a remainder for a singularity "
-      "that is "
-      "not there. The quarter period is $\\sqrt2\\,K(\\sin 15^\\circ) = 2.260114$, almost three times as "
-      "long: a "
-      "pendulum of one metre takes 0.510 s to its lowest point, not 0.181 s. To replace the one term is not "
-      "enough: Simpson's rule then meets the singularity (see the methods below).";
+  claims.add(
+      "simpson", 1307, "the listing integrates by Simpson's rule",
+      {.printed = by_rule("Simpson's rule", simpson(shifted, 0, a - book_epsilon, book_panels)),
+       .near_misses = {by_rule("the trapezoid rule", trapezoid(shifted, 0, a - book_epsilon, book_panels))}});
 
-  Claim tail{"3.5-remainder", 1373, "the remainder is 0.000282"};
-  const Route tail_by_series{"2 sqrt(eps/sin a), the remainder to leading order",
-                             2 * sqrt(book_epsilon / sin(book_angle))};
-  tail.printed = {"0.000282 to 6 decimals",
-                  {{"remainder", {"as printed", 0.000282}, tail_by_series, printed_decimals(6)}}};
-  tail.meant = {"0.000282..., cut off and not rounded",
-                {{"remainder + half a unit",
-                  {"as printed, at the middle of what the digits leave open", 0.0002825},
-                  tail_by_series,
-                  printed_decimals(6)}}};
-  tail.corrected = {"0.000283",
-                    {{"remainder", {"corrected", 0.000283}, tail_by_series, printed_decimals(6)}}};
-  tail.near_misses = {
-      {"0.000281, cut off",
-       {{"remainder + half a unit", {"the digit before", 0.0002815}, tail_by_series, printed_decimals(6)}}}};
-  tail.why =
-      "The remainder is 0.00028284...: the digits printed are cut off, where those of the time are rounded. "
-      "No "
-      "digit of the time depends on it.";
+  claims.statement<Node>("positive_root", 1333, "the argument of the root is positive at every node", nodes(),
+                         {.printed = {R"($\cos\psi-\pi/6>0$, the angle subtracted)",
+                                      [](const Node& n) { return cos(n.psi) > book_angle; }},
+                          .near_misses = {{R"($\cos\psi-\cos(\pi/12)>0$)",
+                                           [](const Node& n) { return cos(n.psi) > cos(book_angle / 2); }}}});
 
-  Claim rule{"3.5-simpson", 1307, "the listing integrates by Simpson's rule"};
-  const double amax = book_angle - book_epsilon;
-  const auto shifted = [](double t) { return 1 / sqrt(cos(t) - book_angle); };
-  const Route as_listed{"the listing's sum, weights 4 and 2 in turn", listed};
-  rule.printed = {"weights 1, 4, 2, ..., 4, 1",
-                  {{"integral",
-                    as_listed,
-                    {"composite Simpson of the same integrand", simpson(shifted, 0, amax, book_panels).value},
-                    rounding(listed, book_panels)}}};
-  rule.near_misses = {{"the trapezoid rule",
-                       {{"integral",
-                         as_listed,
-                         {"composite trapezoid", trapezoid(shifted, 0, amax, book_panels).value},
-                         rounding(listed, book_panels)}}}};
+  claims.number("listing_output", 1373, "the listing computes `pendulumTime` = 0.800275",
+                {.truth = {"the listing's arithmetic", listed + remainder(a, book_epsilon)},
+                 .printed = "0.800275",
+                 .near_misses = {"0.800276"}});
 
-  Claim positive{"3.5-positive_root", 1333, "the argument of the root is positive at every node"};
-  long violations = 0;
-  const double h = (book_angle - book_epsilon) / book_panels;
-  for (int i = 1; i < book_panels; ++i) violations += !(cos(i * h) - book_angle > 0);
-  positive.printed = {"arg > 0.0", {never("cos(angle) - initialAngle > 0", violations, book_panels - 1)}};
-  long touching = 0;
-  for (int i = 1; i <= book_panels; ++i)
-    touching += !(cos(i * book_angle / book_panels) - cos(book_angle) > 0);
-  positive.near_misses = {{"arg > 0.0 with the text's cosine, up to the angle itself",
-                           {never("cos(angle) - cos(initialAngle) > 0", touching, book_panels)}}};
+  claims.number(
+      "value", 1373, R"(0.800275 is the integral from $30^\circ$)",
+      {.truth = {R"($\sqrt2\,K(\sin\frac{\pi}{12})$ by the arithmetic-geometric mean)",
+                 truth("03_05_quarter_period", {a}).value},
+       .printed = "0.800275",
+       .corrected = "2.260114",
+       .near_misses = {"2.260115"},
+       .kind = Kind::listing,
+       .root = "angle for its cosine",
+       .why =
+           R"(The listing subtracts `initialAngle` where the text's integrand has $\cos(\pi/6)$: it integrates )"
+           R"($1/\sqrt{\cos\psi-\pi/6}$, which is finite everywhere, and adds a remainder for a singularity that )"
+           R"(is not there. To replace the one term is not enough: Simpson's rule then meets the singularity )"
+           R"((see the methods below).)"});
 
-  return {split, rule, positive, output, value, tail};
+  const Route tail{R"($2\sqrt{\epsilon/\sin a}$, the remainder to leading order)",
+                   2 * sqrt(book_epsilon / sin(a))};
+  claims.add(
+      "remainder", 1373, "the remainder is 0.000282",
+      {.printed = {"0.000282", {as_written("the remainder", "0.000282", tail)}},
+       .meant = {"0.000282..., cut off", {as_cut_off("the remainder", "0.000282", tail)}},
+       .near_misses = {{"0.000281..., cut off", {as_cut_off("the remainder", "0.000281", tail)}},
+                       {"0.000284", {as_written("the remainder", "0.000284", tail)}}},
+       .why = "The remainder is 0.00028284...: the digits printed are cut off, where those of the time are "
+              "rounded. No digit of the time depends on it.",
+       .kind = Kind::number});
+  return claims.in_order();
+}
+
+std::vector<Root> roots() {
+  return {
+      {"angle for its cosine",
+       R"(A pendulum of one metre takes 0.510 s to its lowest point, $\sqrt2\,K(\sin15^\circ)=2.260114$ units of )"
+       R"($\sqrt{L/2g}$, not 0.181 s: an engine that takes the published number for its cue strikes when the bob )"
+       R"(has come 4.5 of its 30 degrees.)"}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
@@ -273,7 +271,7 @@ Findings study(const Parameters& p, const Reference& truth) {
                 "substitution removes the singularity, and 16 panels of the trapezoid rule give every digit.",
                 "listing with the text's integrand, Simpson", 1024, Outcome::inaccurate,
                 "Legendre's substitution, trapezoid", 16});
-  return {claims(truth), {quarter, motion(scene(), p, truth)}};
+  return {claims(truth), {quarter, motion(scene(), p, truth)}, roots()};
 }
 
 }  // namespace ex03_05

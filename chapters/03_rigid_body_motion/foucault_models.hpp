@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/pair.hpp"
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 namespace oddity::foucault {
 
@@ -92,7 +92,7 @@ struct Cartesian : Pendulum {
   }
   std::array<double, 4> flat(const State& s) const { return {s[0], s[1], s[3], s[4]}; }
   Pair observe(const State& s, double) const { return {s[0], s[1]}; }
-  OneConserved conserved(const State& s, double) const {
+  auto conserved(const State& s, double) const {
     const Space<double> r{s[0], s[1], s[2]}, u{s[3], s[4], s[5]}, turned = outer(w(), r);
     return energy_of(inner(u, u) / 2, -inner(turned, turned) / 2 - g * s[2]);
   }
@@ -117,7 +117,7 @@ struct TwoAngles : Pendulum {
   Pair observe(const State& x, double) const {
     return {L * std::cos(x[0]) * std::sin(x[1]), L * std::sin(x[0]) * std::sin(x[1])};
   }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     const double s = std::sin(x[1]);
     const auto r = Axes<double>({x[0], x[1]}).R;
     const auto turned = outer(w(), r);

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 /// A point that slides without friction on the surface x3 = h(x1, x2) under gravity. A surface offers
 /// height(x1, x2), generic in its number type; gradient(x); bend(x, v) = v^T (Hessian of h) v; and for
@@ -28,7 +28,7 @@ struct InPlane {
   std::array<double, 3> observe(const State& x, double) const {
     return {x[0], x[1], surface.height(x[0], x[1])};
   }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     const Pair n = surface.gradient({x[0], x[1]});
     const double rise = n[0] * x[2] + n[1] * x[3];
     return energy_of((x[2] * x[2] + x[3] * x[3] + rise * rise) / 2, g * surface.height(x[0], x[1]));
@@ -60,7 +60,7 @@ struct Momenta {
   std::array<double, 3> observe(const State& x, double) const {
     return {x[0], x[1], surface.height(x[0], x[1])};
   }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     const Pair v = velocity(x, surface.gradient({x[0], x[1]}));
     return energy_of((v[0] * x[2] + v[1] * x[3]) / 2, g * surface.height(x[0], x[1]));
   }

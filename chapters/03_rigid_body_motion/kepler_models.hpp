@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 #include "solvers/solved.hpp"
 
 /// One body about a fixed sun: the start, the orbit by Kepler's equation, and the models that exercise 3.3
@@ -97,7 +97,7 @@ struct Cartesian : Start {
   }
   std::array<double, 2> observe(const State& x, double) const { return {x[0], x[1]}; }
   /// The energy and the angular momentum, of which at most distance times speed could move.
-  std::array<Conserved, 2> conserved(const State& x, double) const {
+  std::array<Conserved<double>, 2> conserved(const State& x, double) const {
     const double r = std::hypot(x[0], x[1]), square = x[2] * x[2] + x[3] * x[3];
     return {{{square / 2 - mu() / r, square / 2}, {x[0] * x[3] - x[1] * x[2], r * std::sqrt(square)}}};
   }
@@ -113,7 +113,7 @@ struct Polar : Start {
   std::array<double, 2> observe(const State& x, double) const {
     return {x[0] * std::cos(x[1]), x[0] * std::sin(x[1])};
   }
-  std::array<Conserved, 2> conserved(const State& x, double) const {
+  std::array<Conserved<double>, 2> conserved(const State& x, double) const {
     const double square = x[2] * x[2] + x[0] * x[0] * x[3] * x[3];
     return {
         {{square / 2 - mu() / x[0], square / 2}, {x[0] * x[0] * x[3], std::abs(x[0]) * std::sqrt(square)}}};
@@ -131,7 +131,7 @@ struct Distance : Start {
   std::array<double, 2> observe(const State& x, double) const {
     return {x[0] * std::cos(x[2]), x[0] * std::sin(x[2])};
   }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of(x[1] * x[1] / 2 + h() * h() / (2 * x[0] * x[0]), -mu() / x[0]);
   }
 };

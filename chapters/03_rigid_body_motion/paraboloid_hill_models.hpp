@@ -56,7 +56,7 @@ struct InSpace : Case {
     dxdt = {x[3], x[4], x[5], force * n1, force * n2, force - g};
   }
   std::array<double, 3> observe(const State& x, double) const { return {x[0], x[1], x[2]}; }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, g * x[2]);
   }
 };

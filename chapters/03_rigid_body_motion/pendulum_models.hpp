@@ -1,49 +1,56 @@
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <numbers>
+#include <tuple>
 #include <vector>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
-/// A pendulum of length L let go at rest from the angle a: closed forms and models to be integrated.
+/// The models of exercise 3.5: a pendulum of length L let go at rest from the angle a.
 namespace oddity::pendulum {
 
-struct Pendulum {
-  double a, L, g;
+/// The exercise's parameters.
+template <class T>
+struct Given {
+  T a, L, g;
 };
 
-struct SmallAngle : Pendulum {
-  std::array<double, 1> at(double t) const { return {a * std::cos(std::sqrt(g / L) * t)}; }
+template <class T>
+struct SmallAngle {
+  Given<T> p;
+  std::array<T, 1> at(const T& t) const { return {p.a * cos(sqrt(p.g / p.L) * t)}; }
 };
 
 /// The small angle's cosine at the frequency of amplitude a, to order a^2.
-struct AmplitudeCorrected : Pendulum {
-  std::array<double, 1> at(double t) const { return {a * std::cos(std::sqrt(g / L) * (1 - a * a / 16) * t)}; }
+template <class T>
+struct AmplitudeCorrected {
+  Given<T> p;
+  std::array<T, 1> at(const T& t) const { return {p.a * cos(sqrt(p.g / p.L) * (1 - p.a * p.a / 16) * t)}; }
 };
 
 /// Exact: theta = sum over n of (-1)^n 8 q^(n+1/2) / ((2n+1) (1 + q^(2n+1))) cos((2n+1) w t) with the nome
 /// q = exp(-pi K'/K), w = pi/(2K) sqrt(g/L). It is the integral of 2 k cn u, term by term [DLMF 22.11.2],
 /// seen from a quarter period later. The coefficients are made once.
-struct FourierSeries : Pendulum {
-  double w;
-  std::vector<double> coefficients;
+template <class T>
+struct FourierSeries {
+  T w;
+  std::vector<T> coefficients;
 
-  explicit FourierSeries(const Pendulum& pendulum) : Pendulum(pendulum) {
-    const double K = std::comp_ellint_1(std::sin(a / 2)), K_prime = std::comp_ellint_1(std::cos(a / 2));
-    const double q = std::exp(-std::numbers::pi * K_prime / K);
-    w = std::numbers::pi / (2 * K) * std::sqrt(g / L);
-    double size = 8 * std::sqrt(q), odd = q;
-    for (int n = 0; std::abs(size) > 1e-17; ++n, size *= -q, odd *= q * q)
-      coefficients.push_back(size / ((2 * n + 1) * (1 + odd)));
+  explicit FourierSeries(const Given<T>& p) {
+    const T K = elliptic_K_of_complement<T>(cos(p.a / 2)),
+            K_prime = elliptic_K_of_complement<T>(sin(p.a / 2));
+    const T pi(std::numbers::pi), q = exp(-pi * K_prime / K);
+    w = pi / (2 * K) * sqrt(p.g / p.L);
+    T size = 8 * sqrt(q), odd = q;
+    for (int n = 0; any_of(abs(size) > T(1e-17)); ++n, size *= -q, odd *= q * q)
+      coefficients.push_back(size / (T(2 * n + 1) * (1 + odd)));
   }
-  std::array<double, 1> at(double t) const {
-    const double first = std::cos(w * t), twice = 4 * first * first - 2;  // 2 cos(2 w t)
-    double sum = 0, before = first, now = first;
-    for (double coefficient : coefficients) {
+  std::array<T, 1> at(const T& t) const {
+    const T first = cos(w * t), twice = 4 * first * first - 2;  // 2 cos(2 w t)
+    T sum(0), before = first, now = first;
+    for (const T& coefficient : coefficients) {
       sum += coefficient * now;
-      const double next = twice * now - before;
+      const T next = twice * now - before;
       before = now;
       now = next;
     }
@@ -52,31 +59,47 @@ struct FourierSeries : Pendulum {
 };
 
 /// (theta, theta').
-struct OneAngle : Pendulum {
-  using State = std::array<double, 2>;
-  State start() const { return {a, 0}; }
-  void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], -g / L * std::sin(x[0])}; }
-  void acceleration(const std::array<double, 1>& q, std::array<double, 1>& dv) const {
-    dv = {-g / L * std::sin(q[0])};
+template <class T>
+struct OneAngle {
+  Given<T> p;
+  using State = std::array<T, 2>;
+  State start() const { return {p.a, T(0)}; }
+  template <class X>
+  void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X&) const {
+    dxdt = {x[1], -p.g / p.L * sin(x[0])};
   }
-  std::array<double, 1> observe(const State& x, double) const { return {x[0]}; }
-  OneConserved conserved(const State& x, double) const {
-    return energy_of(L * x[1] * x[1] / 2, -g * std::cos(x[0]));
+  template <class X>
+  void acceleration(const std::array<X, 1>& q, std::array<X, 1>& dv) const {
+    dv = {-p.g / p.L * sin(q[0])};
+  }
+  std::array<T, 1> observe(const State& x, const T&) const { return {x[0]}; }
+  auto conserved(const State& x, const T&) const {
+    return energy_of<T>(p.L * x[1] * x[1] / 2, -p.g * cos(x[0]));
   }
 };
 
 /// (x, y, x', y') with the rod's tension from the constraint x^2 + y^2 = L^2, twice differentiated.
-struct CartesianWithConstraint : Pendulum {
-  using State = std::array<double, 4>;
-  State start() const { return {L * std::sin(a), -L * std::cos(a), 0, 0}; }
-  void operator()(const State& x, State& dxdt, double) const {
-    const double tension = (x[2] * x[2] + x[3] * x[3] - g * x[1]) / (x[0] * x[0] + x[1] * x[1]);
-    dxdt = {x[2], x[3], -tension * x[0], -tension * x[1] - g};
+template <class T>
+struct CartesianWithConstraint {
+  Given<T> p;
+  using State = std::array<T, 4>;
+  State start() const { return {p.L * sin(p.a), -p.L * cos(p.a), T(0), T(0)}; }
+  template <class X>
+  void operator()(const std::array<X, 4>& x, std::array<X, 4>& dxdt, const X&) const {
+    const X tension = (x[2] * x[2] + x[3] * x[3] - p.g * x[1]) / (x[0] * x[0] + x[1] * x[1]);
+    dxdt = {x[2], x[3], -tension * x[0], -tension * x[1] - p.g};
   }
-  std::array<double, 1> observe(const State& x, double) const { return {std::atan2(x[0], -x[1])}; }
-  OneConserved conserved(const State& x, double) const {
-    return energy_of((x[2] * x[2] + x[3] * x[3]) / 2, g * x[1]);
+  std::array<T, 1> observe(const State& x, const T&) const { return {atan2(x[0], -x[1])}; }
+  auto conserved(const State& x, const T&) const {
+    return energy_of<T>((x[2] * x[2] + x[3] * x[3]) / 2, p.g * x[1]);
   }
 };
+
+/// From the least to the richest.
+template <class T>
+auto models(const Given<T>& p) {
+  return std::tuple{SmallAngle<T>{p}, AmplitudeCorrected<T>{p}, FourierSeries<T>{p}, OneAngle<T>{p},
+                    CartesianWithConstraint<T>{p}};
+}
 
 }  // namespace oddity::pendulum

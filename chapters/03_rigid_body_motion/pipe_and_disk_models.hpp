@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 namespace oddity::pipe_and_disk {
 
@@ -39,7 +39,7 @@ struct TwoAngles : Disk {
     dxdt = {x[2], x[3], force / inertia(), -force * std::cos(phi) / inertia(), k * speed * speed};
   }
   std::array<double, 3> observe(const State& x, double) const { return seen(x[0], x[1]); }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     const double turn = x[3] + x[2] * std::cos(phi);
     return energy_of(inertia() * x[2] * x[2] / 2 + mu3() * turn * turn / 2,
                      x[4] - f * radius() * std::cos(x[0]));
@@ -75,7 +75,7 @@ struct Center : Disk {
     dsdt = {s[2], s[3], a - inward * s[0], b - inward * s[1], spin() - turning * std::cos(phi), k * speeds};
   }
   std::array<double, 3> observe(const State& s, double) const { return {s[0], s[1], s[4]}; }
-  OneConserved conserved(const State& s, double) const {
+  auto conserved(const State& s, double) const {
     return energy_of(mass() * (s[2] * s[2] + s[3] * s[3]) / 2 + spin_energy(), s[5] - f * s[0]);
   }
 };

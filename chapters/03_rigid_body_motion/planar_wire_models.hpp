@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 namespace oddity::planar_wire {
 
@@ -63,7 +63,7 @@ struct Generalized : Thrown {
   void operator()(const State& x, State& dxdt, double) const { dxdt = {x[3], x[4], x[5], 0, -g, 0}; }
   void acceleration(const std::array<double, 3>&, std::array<double, 3>& a) const { a = {0, -g, 0}; }
   Point observe(const State& x, double) const { return mark(x[0], x[1], x[2]); }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of(mu0 * (x[3] * x[3] + x[4] * x[4]) / 2 + mu2 * x[5] * x[5] / 2, mu0 * g * x[1]);
   }
 };
@@ -82,7 +82,7 @@ struct TwoParticles : Thrown {
   Point observe(const State& x, double) const {
     return mark((x[0] + x[2]) / 2, (x[1] + x[3]) / 2, std::atan2(x[1] - x[3], x[0] - x[2]));
   }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of(mu0 / 4 * (x[4] * x[4] + x[5] * x[5] + x[6] * x[6] + x[7] * x[7]),
                      mu0 * g * (x[1] + x[3]) / 2);
   }

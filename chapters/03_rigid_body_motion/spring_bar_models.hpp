@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 namespace oddity::spring_bar {
 
@@ -56,7 +56,7 @@ struct OneAngle : Bar {
     a = {acceleration_at(q[0])};
   }
   std::array<double, 2> observe(const State& x, double) const { return position(x[0]); }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of(m * r * r * x[1] * x[1] / 2, potential(x[0]));
   }
 };
@@ -81,7 +81,7 @@ struct CartesianWithConstraint : Bar {
     dxdt = {x[2], x[3], f[0] - hold * x[0], f[1] - hold * x[1]};
   }
   std::array<double, 2> observe(const State& x, double) const { return {x[0], x[1]}; }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     const double stretch = std::hypot(s / r * x[0] - s, s / r * x[1] + h) - ell;
     return energy_of(m * (x[2] * x[2] + x[3] * x[3]) / 2, m * g * x[1] + c * stretch * stretch / 2);
   }

@@ -72,7 +72,7 @@ struct Angle : Case {
     dv = {-square() * std::sin(q[0])};
   }
   Point observe(const State& x, double t) const { return chute.position(along(t), x[0]); }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of(x[1] * x[1] / 2, square() * (1 - std::cos(x[0])));
   }
 };
@@ -93,7 +93,7 @@ struct InSpace : Case {
     dxdt = {x[3], x[4], x[5], m * n1, m * n2, m * n3 - g};
   }
   Point observe(const State& x, double) const { return {x[0], x[1], x[2]}; }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, g * x[2]);
   }
 };

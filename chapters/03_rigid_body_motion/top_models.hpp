@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 namespace oddity::top {
 
@@ -92,7 +92,7 @@ struct Nutation : Top {
   void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], tilting(x[0])}; }
   void acceleration(const std::array<double, 1>& q, std::array<double, 1>& dv) const { dv = {tilting(q[0])}; }
   std::array<double, 1> observe(const State& x, double) const { return {std::cos(x[0])}; }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     const double turning = precession(x[0]) * std::sin(x[0]);
     return energy_of(x[1] * x[1] + turning * turning, 2 * alpha() * std::cos(x[0]));
   }
@@ -124,7 +124,7 @@ struct OneAngle : Nutation {
   Vector observe(const State& x, double) const {
     return {std::sin(x[2]) * std::sin(x[0]), -std::cos(x[2]) * std::sin(x[0]), std::cos(x[0])};
   }
-  OneConserved conserved(const State& x, double t) const { return Nutation::conserved({x[0], x[1]}, t); }
+  auto conserved(const State& x, double t) const { return Nutation::conserved({x[0], x[1]}, t); }
 };
 
 /// (theta, phi, psi, theta', phi', psi').
@@ -144,12 +144,12 @@ struct EulerAngles : Top {
     return {std::sin(x[0]) * std::sin(x[1]), -std::cos(x[0]) * std::sin(x[1]), std::cos(x[1])};
   }
   /// The spin momentum; with a tip at rest the energy too, of which the axis' part moves.
-  std::array<Conserved, 2> conserved(const State& x, double) const {
+  std::array<Conserved<double>, 2> conserved(const State& x, double) const {
     const double s = std::sin(x[1]), c = std::cos(x[1]), total = x[5] + x[3] * c;
     const double across = mu1 * std::hypot(x[4], x[3] * s), spin = mu3 * total;
     const double kinetic = across * across / (2 * mu1);
     return {{{spin, std::hypot(spin, across)},
-             A != 0 ? Conserved{0, 0} : Conserved{kinetic + spin * total / 2 + m * g * l * c, kinetic}}};
+             A != 0 ? Conserved<double>{0, 0} : Conserved<double>{kinetic + spin * total / 2 + m * g * l * c, kinetic}}};
   }
 };
 
@@ -170,7 +170,7 @@ struct AxisAndMomentum : Top {
   }
   Vector observe(const State& x, double) const { return {x[0], x[1], x[2]}; }
   /// The spin momentum.
-  OneConserved conserved(const State& x, double) const {
+  std::array<Conserved<double>, 1> conserved(const State& x, double) const {
     return {{{x[0] * x[3] + x[1] * x[4] + x[2] * x[5], std::hypot(x[3], x[4], x[5])}}};
   }
 };
@@ -208,12 +208,12 @@ struct RigidBody : Top {
             1 - 2 * (x[1] * x[1] + x[2] * x[2]) / norm};
   }
   /// The quaternion's square; with a tip at rest the energy too, of which the axis' part moves.
-  std::array<Conserved, 2> conserved(const State& x, double t) const {
+  std::array<Conserved<double>, 2> conserved(const State& x, double t) const {
     const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
     const double kinetic = mu1 * (x[4] * x[4] + x[5] * x[5]) / 2;
     return {{{square, 1},
-             A != 0 ? Conserved{0, 0}
-                    : Conserved{kinetic + mu3 * x[6] * x[6] / 2 + m * g * l * observe(x, t)[2], kinetic}}};
+             A != 0 ? Conserved<double>{0, 0}
+                    : Conserved<double>{kinetic + mu3 * x[6] * x[6] / 2 + m * g * l * observe(x, t)[2], kinetic}}};
   }
 };
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 /// A mass on a rod that turns about the x3-axis at 45 degrees to it, starting in the (x1, x3)-plane, and a
 /// spring from (c, 0, 0) to the mass: its models, whose observables are the position.
@@ -85,7 +85,7 @@ struct AlongTheRodWithWork : Rod {
             pull * c * root_half * x[0] * w * std::sin(w * t)};
   }
   std::array<double, 3> observe(const State& x, double t) const { return place(x[0], t); }
-  OneConserved conserved(const State& x, double t) const {
+  auto conserved(const State& x, double t) const {
     const double stretch = length(x[0], t) - ell;
     return energy_of(m * x[1] * x[1] / 2, K * stretch * stretch / 2 - m * w * w * x[0] * x[0] / 4 - x[2]);
   }
@@ -115,7 +115,7 @@ struct InTheTurningPlane : Rod {
     const auto r = place(x[0], t);
     return {r[0] - x[1] * std::sin(w * t), r[1] + x[1] * std::cos(w * t), r[2]};
   }
-  OneConserved conserved(const State& x, double t) const {
+  auto conserved(const State& x, double t) const {
     const auto d = spring(x[0], x[1], t);
     const double stretch = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - ell;
     const double speeds = x[2] * x[2] + x[3] * x[3], turned = x[0] * x[0] / 2 + x[1] * x[1];
@@ -144,7 +144,7 @@ struct CartesianWithConstraints : Rod {
             m * (n[0] * x[3] + n[1] * x[4] + n[2] * x[5])};
   }
   std::array<double, 3> observe(const State& x, double) const { return {x[0], x[1], x[2]}; }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of(m * (x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2,
                      Spring{c, K, ell}.energy(observe(x, 0)) - x[6]);
   }

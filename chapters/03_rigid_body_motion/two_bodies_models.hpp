@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/kepler_models.hpp"
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 #include "solvers/solved.hpp"
 
 namespace oddity::two_bodies {
@@ -34,7 +34,7 @@ struct Published : Bodies {
   std::array<double, 2> observe(const State& x, double) const {
     return {x[0] * std::cos(x[2]), x[0] * std::sin(x[2])};
   }
-  OneConserved conserved(const State& x, double) const {
+  auto conserved(const State& x, double) const {
     return energy_of(x[1] * x[1] / 2 + beta() * beta() / (2 * x[0] * x[0]), -gamma() / x[0]);
   }
 };
@@ -60,7 +60,7 @@ struct BothBodies : Bodies {
   }
   std::array<double, 2> observe(const State& x, double) const { return {x[2] - x[0], x[3] - x[1]}; }
   /// The energy and the angular momentum about the centre of mass.
-  std::array<Conserved, 2> conserved(const State& x, double) const {
+  std::array<Conserved<double>, 2> conserved(const State& x, double) const {
     const double kinetic = (m1 * (x[4] * x[4] + x[5] * x[5]) + m2 * (x[6] * x[6] + x[7] * x[7])) / 2;
     const double turning = m1 * (x[0] * x[5] - x[1] * x[4]) + m2 * (x[2] * x[7] - x[3] * x[6]);
     const double most = m1 * std::hypot(x[0], x[1]) * std::hypot(x[4], x[5]) +

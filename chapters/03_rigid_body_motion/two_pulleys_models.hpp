@@ -5,7 +5,7 @@
 #include <array>
 
 #include "chapters/03_rigid_body_motion/pair.hpp"
-#include "chapters/conserved.hpp"
+#include "chapters/numbers.hpp"
 
 namespace oddity::two_pulleys {
 
@@ -40,7 +40,7 @@ struct PotentialEnergy : Pulleys {
   }
 };
 
-inline OneConserved energy(const Pulleys& p, const Pair& y, const Pair& v) {
+inline auto energy(const Pulleys& p, const Pair& y, const Pair& v) {
   return energy_of(KineticEnergy{p}(y, v), PotentialEnergy{p}(y, v));
 }
 
@@ -66,7 +66,7 @@ struct TwoCoordinates : Pulleys {
     dxdt = {x[2], x[3], a[0], a[1]};
   }
   Pair observe(const State& x, double) const { return {x[0], x[1]}; }
-  OneConserved conserved(const State& x, double) const { return energy(*this, {x[0], x[1]}, {x[2], x[3]}); }
+  auto conserved(const State& x, double) const { return energy(*this, {x[0], x[1]}, {x[2], x[3]}); }
 };
 
 /// Depths and pulley angles, free of one another; the ropes' tensions on the far sides of the pulleys keep
@@ -88,7 +88,7 @@ struct FourCoordinates : Pulleys {
     dxdt = {x[4], x[5], x[6], x[7], a[0], a[1], a[2], a[3]};
   }
   Pair observe(const State& x, double) const { return {x[0], x[1]}; }
-  OneConserved conserved(const State& x, double) const { return energy(*this, {x[0], x[1]}, {x[4], x[5]}); }
+  auto conserved(const State& x, double) const { return energy(*this, {x[0], x[1]}, {x[4], x[5]}); }
 };
 
 }  // namespace oddity::two_pulleys

@@ -1,0 +1,212 @@
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "chapters/exercise.hpp"
+#include "chapters/random.hpp"
+
+/// How an exercise states its claims: as formulas, as statements and as numbers, each reading beside what it
+/// computes. A sample is a struct of the exercise's letters:
+///   Sample(Random&)                        draws one
+///   where() const -> std::string           tells its letters
+///   letters() -> array of double*          if all else follows from these: the size of a formula's terms is
+///                                          found by changing each a little
+///   size() const -> double                 else: the size of terms that cancel
+namespace oddity {
+
+template <class Sample>
+std::vector<Sample> draw(int count, double seed) {
+  Random random(seed);
+  std::vector<Sample> samples;
+  for (int i = 0; i < count; ++i) samples.emplace_back(random);
+  return samples;
+}
+
+/// The numbers as one value.
+template <class... Numbers>
+Value values(Numbers... x) {
+  return {static_cast<double>(x)...};
+}
+
+// ---- formulas ---------------------------------------------------------------------------------------------
+
+/// A way to write a quantity as a formula in the letters of a sample. `terms` is the size of terms that
+/// cancel whatever the letters are, where there are such.
+template <class Sample>
+struct Formula {
+  std::string text;
+  std::function<Value(const Sample&)> of;
+  std::function<double(const Sample&)> terms = {};
+};
+
+/// The size of a formula's terms at a sample: the sum over its letters of how much the value changes with a
+/// letter's relative change. Terms that cancel in the value do not cancel here.
+template <class Sample>
+double size_of_terms(const Formula<Sample>& formula, const Sample& sample) {
+  constexpr double change = 0x1p-20;
+  const Value value = formula.of(sample);
+  double size = size_of(value) + (formula.terms ? formula.terms(sample) : 0);
+  for (std::size_t i = 0; i < Sample(sample).letters().size(); ++i) {
+    Sample moved = sample;
+    *moved.letters()[i] *= 1 + change;
+    size += distance(formula.of(moved), value) / change;
+  }
+  return size;
+}
+
+/// Two formulas of a quantity over the samples, the worst of them shown. Where a sample has no letters(), the
+/// terms are as large as the largest value; where the quantity is compared with zero, as the sample's size().
+template <class Sample>
+Check compare(std::string quantity, const Formula<Sample>& left, const Formula<Sample>& right,
+              const std::vector<Sample>& samples) {
+  std::vector<Value> lefts, rights;
+  double largest = 0;
+  bool with_zero = true;
+  for (const Sample& sample : samples) {
+    lefts.push_back(left.of(sample));
+    rights.push_back(right.of(sample));
+    for (const Value* value : {&lefts.back(), &rights.back()})
+      if (finite(*value)) largest = std::max(largest, size_of(*value));
+    with_zero = with_zero && size_of(rights.back()) == 0;
+  }
+  const auto size = [&](const Sample& sample) {
+    if constexpr (requires(Sample & s) { s.letters(); })
+      return std::max(size_of_terms(left, sample), size_of_terms(right, sample));
+    else if constexpr (requires { sample.size(); })
+      return with_zero ? sample.size() : largest;
+    else
+      return largest;
+  };
+  Worst worst(std::move(quantity), left.text, right.text);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    worst.see(lefts[i], rights[i], size(samples[i]), samples[i].where());
+  return worst.check();
+}
+
+/// What a claim about a formula consists of: the same quantity by a route of its own, the readings, and
+/// formulas that must not pass for it.
+template <class Sample>
+struct FormulaClaim {
+  std::string quantity = {};  ///< what is compared; empty: what the claim says
+  Formula<Sample> truth;
+  Formula<Sample> printed;
+  Formula<Sample> meant = {};
+  Formula<Sample> corrected = {};
+  std::vector<Formula<Sample>> near_misses = {};
+  Kind kind = Kind::none;
+  std::string root = {};
+  std::string why = {};
+};
+
+// ---- statements -------------------------------------------------------------------------------------------
+
+/// A sentence, and whether a sample bears it out.
+template <class Sample>
+struct Statement {
+  std::string text;
+  std::function<bool(const Sample&)> holds;
+};
+
+template <class Sample>
+Check in_all(const std::string& text, const std::vector<Sample>& samples,
+             const std::function<bool(const Sample&)>& holds) {
+  long violations = 0;
+  std::string where;
+  for (const Sample& sample : samples) {
+    if (holds(sample)) continue;
+    if (++violations == 1) where = "one of them: " + sample.where();
+  }
+  return never(text + ": cases against it", violations, static_cast<long>(samples.size()), where);
+}
+
+/// What a claim that something is so in every case consists of.
+template <class Sample>
+struct StatementClaim {
+  Statement<Sample> printed;
+  Statement<Sample> meant = {};
+  Statement<Sample> corrected = {};
+  std::vector<Statement<Sample>> near_misses = {};
+  Kind kind = Kind::none;
+  std::string root = {};
+  std::string why = {};
+};
+
+// ---- numbers ----------------------------------------------------------------------------------------------
+
+/// What a claim about a number consists of. The readings are the numbers as written, such as "0.800275" or
+/// "$-1.5$"; each may be off by half a unit of its last decimal.
+struct NumberClaim {
+  std::string quantity = {};  ///< what is compared; empty: what the claim says
+  Route truth;
+  std::string printed;
+  std::string meant = {};
+  std::string corrected = {};
+  std::vector<std::string> near_misses = {};
+  Kind kind = Kind::none;
+  std::string root = {};
+  std::string why = {};
+};
+
+/// A number as written against a route. Throws std::logic_error where `written` is no number.
+Check as_written(std::string quantity, const std::string& written, const Route& truth);
+/// The same of digits that are cut off, not rounded: the middle of what they leave open.
+Check as_cut_off(std::string quantity, const std::string& written, const Route& truth);
+
+// ---- the table of claims ----------------------------------------------------------------------------------
+
+/// The claims of an exercise.
+class Claims {
+ public:
+  /// `exercise`: "3.5".
+  explicit Claims(std::string exercise) : exercise_(std::move(exercise)) {}
+
+  template <class Sample>
+  Claims& formula(std::string_view slug, int line, std::string says, const std::vector<Sample>& samples,
+                  const FormulaClaim<Sample>& parts) {
+    const std::string quantity = parts.quantity.empty() ? says : parts.quantity;
+    return judged(slug, line, std::move(says), parts, [&](const Formula<Sample>& formula) -> Reading {
+      if (!formula.of) return {};
+      return {formula.text, {compare(quantity, formula, parts.truth, samples)}};
+    });
+  }
+
+  template <class Sample>
+  Claims& statement(std::string_view slug, int line, std::string says, const std::vector<Sample>& samples,
+                    const StatementClaim<Sample>& parts) {
+    return judged(slug, line, std::move(says), parts, [&](const Statement<Sample>& statement) -> Reading {
+      if (!statement.holds) return {};
+      return {statement.text, {in_all(statement.text, samples, statement.holds)}};
+    });
+  }
+
+  Claims& number(std::string_view slug, int line, std::string says, const NumberClaim& parts);
+
+  /// Any other claim: readings with checks of their own. Its id and its exercise are the table's.
+  Claims& add(std::string_view slug, int line, std::string says, Claim parts);
+
+  /// All, in the order of their lines.
+  std::vector<Claim> in_order() const;
+
+ private:
+  template <class Parts, class Read>
+  Claims& judged(std::string_view slug, int line, std::string says, const Parts& parts, const Read& read) {
+    Claim claim{.printed = read(parts.printed),
+                .meant = read(parts.meant),
+                .corrected = read(parts.corrected),
+                .why = parts.why,
+                .kind = parts.kind,
+                .root = parts.root};
+    for (const auto& near : parts.near_misses) claim.near_misses.push_back(read(near));
+    return add(slug, line, std::move(says), std::move(claim));
+  }
+
+  std::string exercise_;
+  std::vector<Claim> claims_;
+};
+
+}  // namespace oddity

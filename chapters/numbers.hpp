@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+/// What models are written with. A model is generic in its number type: float, double, dual numbers,
+/// intervals, lanes of several numbers, the record of a Taylor series. Each offers the functions below that
+/// make sense for it, found by its own namespace, and takes part in arithmetic with whole numbers and with
+/// its parameters' type.
+namespace oddity {
+
+using std::abs, std::sqrt, std::hypot, std::exp, std::expm1, std::log, std::sin, std::cos, std::tan,
+    std::asin, std::acos, std::atan2, std::sinh, std::cosh, std::asinh, std::copysign, std::remainder,
+    std::pow;
+
+/// `yes` where the condition holds, else `no`. Both are computed; number types whose comparisons are not
+/// plain truths have their own.
+template <class T>
+T select(bool condition, const T& yes, const T& no) {
+  return condition ? yes : no;
+}
+/// A loop's condition, which goes on while it holds for any of several numbers.
+inline bool any_of(bool condition) { return condition; }
+
+/// A conserved quantity, and what moves in it: the part that is exchanged with the rest, such as the kinetic
+/// energy, which does not depend on where a potential is counted from.
+template <class T>
+struct Conserved {
+  T value, moving;
+};
+
+/// The energy; its kinetic part moves.
+template <class T>
+std::array<Conserved<T>, 1> energy_of(const T& kinetic, const T& potential) {
+  return {{{kinetic + potential, kinetic}}};
+}
+
+/// The complete elliptic integral of the first kind of the modulus whose complement is given: pi/2 over the
+/// arithmetic-geometric mean of 1 and sqrt(1 - k^2) [DLMF 19.8.5]. Eight means are enough for double from
+/// 1e-16 on.
+template <class T>
+T elliptic_K_of_complement(const T& complement) {
+  T a(1), b = complement;
+  for (int i = 0; i < 8; ++i) {
+    const T mean = (a + b) / 2;
+    b = sqrt(a * b);
+    a = mean;
+  }
+  return T(std::numbers::pi) / (2 * a);
+}
+
+}  // namespace oddity

@@ -1,0 +1,202 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/mpfi.hpp>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "chapters/contents.hpp"
+#include "solvers/dual.hpp"
+#include "solvers/lanes.hpp"
+#include "solvers/ode/jacobian.hpp"
+#include "solvers/taylor/tape.hpp"
+#include "tests/catch.hpp"
+
+/// Every model of a scene in every number type, each judged by the same model in double.
+namespace oddity::models_test {
+
+/// Encloses the exact result of what is computed with it.
+using Interval = boost::multiprecision::number<boost::multiprecision::mpfi_float_backend<18>,
+                                               boost::multiprecision::et_off>;
+
+/// A scene's parameters: the first of the exercise's.
+template <template <class> class Given, class T, class Number>
+Given<T> given(const std::vector<Number>& values) {
+  constexpr std::size_t n = sizeof(Given<double>) / sizeof(double);
+  REQUIRE(values.size() >= n);
+  return [&]<std::size_t... i>(std::index_sequence<i...>) { return Given<T>{T(values[i])...}; }
+  (std::make_index_sequence<n>());
+}
+
+template <class Model>
+concept Integrable = requires {
+  typename Model::State;
+};
+
+template <std::size_t n, class T>
+std::array<T, n> moved(std::array<T, n> x, const T& h, const std::array<T, n>& dx) {
+  for (std::size_t i = 0; i < n; ++i) x[i] += h * dx[i];
+  return x;
+}
+
+/// What the model observes at the end: a closed form at once, else by Runge-Kutta 4.
+template <class T, class Model>
+auto at_end(const Model& model, double end, int steps = 8) {
+  if constexpr (Integrable<Model>) {
+    auto x = model.start();
+    auto a = x, b = x, c = x, d = x;
+    const T h = T(end) / T(steps);
+    for (int i = 0; i < steps; ++i) {
+      const T t = T(i) * h, half = h / T(2);
+      model(x, a, t);
+      model(moved(x, half, a), b, T(t + half));
+      model(moved(x, half, b), c, T(t + half));
+      model(moved(x, h, c), d, T(t + h));
+      for (std::size_t k = 0; k < x.size(); ++k) x[k] += h / T(6) * (a[k] + T(2) * (b[k] + c[k]) + d[k]);
+    }
+    return model.observe(x, T(end));
+  } else {
+    return model.at(T(end));
+  }
+}
+
+template <class Numbers>
+double largest(const Numbers& x) {
+  double most = 0;
+  for (double one : x) most = std::max(most, std::abs(one));
+  return most;
+}
+
+template <template <class> class Given>
+class Scene {
+ public:
+  explicit Scene(std::string_view number) {
+    const auto entry = std::ranges::find(registry(), exercise_number(number), &Entry::number);
+    REQUIRE(entry != registry().end());
+    end_ = entry->exercise.scene->horizon / 200;
+    for (const Parameter& p : entry->exercise.parameters) values_.push_back(p.value);
+  }
+
+  void in_every_number() const {
+    constexpr std::size_t count = std::tuple_size_v<decltype(models(std::declval<Given<double>>()))>;
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (model<i>(), ...); }
+    (std::make_index_sequence<count>());
+  }
+
+ private:
+  template <class T>
+  auto all(const std::vector<T>& values) const {
+    return models(given<Given, T>(values));
+  }
+  template <std::size_t i, class T>
+  auto seen(const std::vector<T>& values) const {
+    return at_end<T>(std::get<i>(all(values)), end_);
+  }
+  /// The parameters, all of them changed by this share.
+  std::vector<double> changed(double share) const {
+    std::vector<double> values = values_;
+    for (double& x : values) x += share * x;
+    return values;
+  }
+
+  template <std::size_t i>
+  void model() const {
+    INFO("model " << i << " of the scene");
+    const auto expected = seen<i>(values_);
+    const double scale = largest(expected);
+    REQUIRE(std::isfinite(scale));
+    in_float<i>(expected, scale);
+    in_duals<i>(expected, scale);
+    in_lanes<i>();
+    in_intervals<i>(expected, scale);
+    if constexpr (Integrable<std::tuple_element_t<i, decltype(all(values_))>>) on_tape<i>(scale);
+  }
+
+  template <std::size_t i, class Expected>
+  void in_float(const Expected& expected, double scale) const {
+    const auto got = seen<i>(std::vector<float>(values_.begin(), values_.end()));
+    for (std::size_t k = 0; k < got.size(); ++k)
+      CHECK(std::abs(static_cast<double>(got[k]) - expected[k]) <= 1e-4 * scale);
+  }
+
+  template <std::size_t i, class Expected>
+  void in_duals(const Expected& expected, double scale) const {
+    using First = Dual<double>;
+    using Second = Dual<First>;
+    std::vector<First> first;
+    std::vector<Second> second;
+    for (double x : values_) {
+      first.emplace_back(x, x);
+      second.emplace_back(First(x, x), First(x, 0.0));
+    }
+    const double share = 0x1p-16;
+    const auto up = seen<i>(changed(share)), down = seen<i>(changed(-share));
+    const auto one = seen<i>(first);
+    const auto two = seen<i>(second);
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      CHECK(std::abs(one[k].value - expected[k]) <= 1e-12 * scale);
+      CHECK(std::abs(two[k].value.slope - one[k].slope) <= 1e-12 * (scale + std::abs(one[k].slope)));
+      const double slope = (up[k] - down[k]) / (2 * share);
+      const double bend = (up[k] - 2 * expected[k] + down[k]) / (share * share);
+      CHECK(std::abs(one[k].slope - slope) <= 1e-6 * (scale + std::abs(slope)));
+      CHECK(std::abs(two[k].slope.slope - bend) <= 1e-4 * (scale + std::abs(bend)));
+    }
+  }
+
+  template <std::size_t i>
+  void in_lanes() const {
+    std::vector<Lanes<double>> lanes;
+    for (double x : values_)
+      lanes.emplace_back([x](auto lane) { return x + 1e-3 * static_cast<double>(std::size_t(lane)) * x; });
+    const auto got = seen<i>(lanes);
+    for (std::size_t lane = 0; lane < Lanes<double>::size(); ++lane) {
+      const auto alone = seen<i>(changed(1e-3 * static_cast<double>(lane)));
+      for (std::size_t k = 0; k < got.size(); ++k)
+        CHECK(std::abs(got[k][lane] - alone[k]) <= 1e-12 * largest(alone));
+    }
+  }
+
+  template <std::size_t i, class Expected>
+  void in_intervals(const Expected& expected, double scale) const {
+    std::vector<Interval> values(values_.begin(), values_.end());
+    const auto got = seen<i>(values);
+    for (std::size_t k = 0; k < got.size(); ++k) {
+      CHECK(width(got[k]) <= 1e-9 * scale);
+      CHECK(lower(got[k]) - 1e-12 * scale <= expected[k]);
+      CHECK(upper(got[k]) + 1e-12 * scale >= expected[k]);
+    }
+  }
+
+  /// By Taylor series, against many small steps.
+  template <std::size_t i>
+  void on_tape(double scale) const {
+    const auto model = std::get<i>(all(values_));
+    using Model = decltype(model);
+    auto x = model.start();
+    constexpr std::size_t n = std::tuple_size_v<decltype(x)>;
+    static_assert(ode::Differentiable<std::remove_cv_t<Model>, std::array<double, n>>);
+    if constexpr (requires { Model::not_analytic; }) {
+      return;
+    } else {
+      constexpr int steps = 8, order = 16;
+      taylor::Series<double, n> series(model);
+      const double h = end_ / steps;
+      for (int step = 0; step < steps; ++step) {
+        const auto coefficients = series.about(x, step * h, order);
+        for (std::size_t k = 0; k < n; ++k) x[k] = taylor::polynomial(coefficients[k], h);
+      }
+      const auto got = model.observe(x, end_), expected = at_end<double>(model, end_, 512);
+      for (std::size_t k = 0; k < got.size(); ++k) CHECK(std::abs(got[k] - expected[k]) <= 1e-9 * scale);
+    }
+  }
+
+  std::vector<double> values_;
+  double end_;
+};
+
+}  // namespace oddity::models_test
