@@ -1,7 +1,7 @@
 #pragma once
 
-#include "chapters/03_rigid_body_motion/kepler.hpp"
-#include "chapters/03_rigid_body_motion/pendulum_models.hpp"
+#include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
+#include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/scene.hpp"
 #include "report/bench_loops.hpp"
 

@@ -1,4 +1,4 @@
-#include "chapters/03_rigid_body_motion/chain.hpp"
+#include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
 #include "solvers/counted.hpp"
 #include "tests/catch.hpp"
 

@@ -1,8 +1,8 @@
 #include <thread>
 
-#include "chapters/07_linear_algebra/elimination.hpp"
-#include "chapters/07_linear_algebra/triangles.hpp"
-#include "chapters/09_calculus/point_triangle.hpp"
+#include "chapters/07_linear_algebra/01_cost_of_elimination/elimination.hpp"
+#include "chapters/07_linear_algebra/05_triangle_normal/triangles.hpp"
+#include "chapters/09_calculus/01_point_triangle/point_triangle.hpp"
 #include "report/fit.hpp"
 #include "solvers/counted.hpp"
 #include "tests/catch.hpp"

@@ -1,4 +1,4 @@
-#include "chapters/03_rigid_body_motion/lagrangian.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "tests/catch.hpp"
 
 using namespace oddity;

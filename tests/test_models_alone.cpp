@@ -1,19 +1,19 @@
-#include "chapters/03_rigid_body_motion/chain_models.hpp"
-#include "chapters/03_rigid_body_motion/foucault_models.hpp"
-#include "chapters/03_rigid_body_motion/pipe_and_disk_models.hpp"
-#include "chapters/03_rigid_body_motion/planar_wire_models.hpp"
-#include "chapters/03_rigid_body_motion/rough_box_models.hpp"
-#include "chapters/03_rigid_body_motion/spring_bar_models.hpp"
-#include "chapters/03_rigid_body_motion/top_moving_tip_models.hpp"
-#include "chapters/03_rigid_body_motion/two_bodies_models.hpp"
-#include "chapters/03_rigid_body_motion/two_pulleys_models.hpp"
+#include "chapters/03_rigid_body_motion/25_chain/models.hpp"
+#include "chapters/03_rigid_body_motion/17_foucault/models.hpp"
+#include "chapters/03_rigid_body_motion/21_pipe_and_disk/models.hpp"
+#include "chapters/03_rigid_body_motion/29_planar_wire/models.hpp"
+#include "chapters/03_rigid_body_motion/31_rough_box/models.hpp"
+#include "chapters/03_rigid_body_motion/23_spring_bar/models.hpp"
+#include "chapters/03_rigid_body_motion/35_moving_tip/models.hpp"
+#include "chapters/03_rigid_body_motion/27_two_bodies/models.hpp"
+#include "chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"
 // These stand alone, and so the rest comes after them.
 #include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "chapters/03_rigid_body_motion/foucault.hpp"
+#include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
 #include "tests/catch.hpp"

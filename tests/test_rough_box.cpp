@@ -1,4 +1,4 @@
-#include "chapters/03_rigid_body_motion/rough_box_motion.hpp"
+#include "chapters/03_rigid_body_motion/31_rough_box/rough_box_motion.hpp"
 #include "chapters/random.hpp"
 #include "solvers/quadrature.hpp"
 #include "tests/catch.hpp"

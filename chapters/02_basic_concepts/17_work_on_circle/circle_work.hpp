@@ -1,0 +1,229 @@
+#pragma once
+
+#include <numbers>
+
+#include "chapters/02_basic_concepts/shared/bodies.hpp"
+#include "chapters/02_basic_concepts/shared/vectors.hpp"
+#include "reference/reference.hpp"
+#include "solvers/dual.hpp"
+#include "solvers/roots.hpp"
+
+/// The work of the forces (1, 1, 1) and (t, t, 1) on a particle at (r cos wt, r sin wt, 0), by quadrature of
+/// the power, which knows the path alone, and by every other method.
+namespace oddity::circle {
+
+using namespace bodies;
+
+using std::abs, std::cos, std::sin, std::sqrt, std::numbers::pi;
+
+/// A circular motion and a time.
+struct Motion {
+  double r, w, T;
+
+  template <class Number>
+  std::array<Number, 3> position(const Number& t) const {
+    return {r * cos(w * t), r * sin(w * t), 0.0 * t};
+  }
+  template <class Number>
+  std::array<Number, 3> velocity(const Number& t) const {
+    const auto moved = position(Dual<Number>(t, Number(1.0)));
+    return {moved[0].slope, moved[1].slope, moved[2].slope};
+  }
+  Motion at(double time) const { return {r, w, time}; }
+  double x() const { return w * T; }
+};
+
+enum class Force { constant, growing };
+
+template <class Number>
+Number power(Force force, const Motion& m, const Number& t) {
+  const auto v = m.velocity(t);
+  return force == Force::constant ? v[0] + v[1] + v[2] : t * v[0] + t * v[1] + v[2];
+}
+
+/// The work from `start` to T.
+inline double work(Force force, const Motion& m, double start = 0) {
+  return gauss_legendre([&](double t) { return power(force, m, t); }, start, m.T, 64).value;
+}
+
+/// dW/dT, through W = int_0^1 T P(T u) du.
+inline double work_slope(Force force, const Motion& m) {
+  const auto slope = [&](double u) {
+    return derivative([&](const auto& T) { return T * power(force, m, T * u); }, m.T);
+  };
+  return gauss_legendre(slope, 0, 1, 64).value;
+}
+
+/// The antiderivatives; the growing force's has the factor r/w, of which the book prints r w.
+inline double closed_form(Force force, const Motion& m, double factor) {
+  const double c = cos(m.x()), s = sin(m.x());
+  return force == Force::constant ? m.r * (c + s - 1) : factor * (-1 + c - s + m.x() * (c + s));
+}
+
+/// The sum of F at mid-time, times the chord.
+inline Integral by_chords(Force force, const Motion& m, int n) {
+  double sum = 0;
+  for (int i = 0; i < n; ++i) {
+    const double t0 = m.T * i / n, t1 = m.T * (i + 1) / n;
+    const Vector chord = m.position(t1) - m.position(t0);
+    sum += (force == Force::constant ? 1 : (t0 + t1) / 2) * (chord[0] + chord[1]) + chord[2];
+  }
+  return {sum, n};
+}
+
+/// Both forces' works as one answer.
+template <class F>
+Answer both_works(const F& one) {
+  return all_of(2, [&](std::size_t k) { return one(static_cast<Force>(k)); });
+}
+
+/// How GSL's adaptive rules end when asked for 1e-12.
+struct AtTwelveDigits {
+  Outcome qags = Outcome::ok, cquad = Outcome::ok;
+  std::string why = {};
+};
+
+inline Quantity work_quantity(std::string name, std::string says, const Motion& m, const Reference& truth,
+                              const AtTwelveDigits& strict = {}) {
+  Quantity q = quantity(std::move(name), "J", std::move(says), truth("02_17_work", {m.r, m.w, m.T}),
+                        {1e-10 * m.r * (1 + m.T), "ten digits of the most that the forces could do"});
+  const auto add = [&](const std::string& algorithm, const Knob& knob, Rule (*rule)(double),
+                       Outcome expected = Outcome::ok, const std::string& why = "") {
+    q.add({"power", algorithm, knob,
+           [=](double setting) {
+             return both_works([&](Force force) {
+               return rule(setting)([&](double t) { return power(force, m, t); }, 0, m.T);
+             });
+           },
+           expected, why});
+  };
+  const auto closed = [m](double factor) {
+    return [m, factor](double) {
+      return both_works([&](Force force) { return Integral{closed_form(force, m, factor), 1}; });
+    };
+  };
+  const Knob panels{"panels", {64, 256, 1024, 4096, 16384}};
+  const std::string low = "second order is too low for ten digits at this step";
+  q.add({"closed form", "factor r / omega", no_knob(), closed(m.r / m.w)});
+  if (m.w != 1)
+    q.add({"closed form", "factor r omega, as printed", no_knob(), closed(m.r * m.w), Outcome::inaccurate,
+           "it is r / omega; the two agree at omega = 1"});
+  add("QAGS", tolerances(), qags_rule, strict.qags, strict.why);
+  add("CQUAD", tolerances(), cquad_rule, strict.cquad, strict.why);
+  add("Gauss-Legendre", doubling("points", 4, 7), gauss_rule);
+  add("Simpson", panels, simpson_rule);
+  add("trapezoid", panels, trapezoid_rule, Outcome::inaccurate, low);
+  q.add({"force times chord", "midpoint", Knob{"chords", panels.settings},
+         [m](double n) { return both_works([&](Force f) { return by_chords(f, m, static_cast<int>(n)); }); },
+         Outcome::inaccurate, low});
+  return q;
+}
+
+/// The growing force's work in a short time, where the closed form is a difference of nearly equal numbers.
+inline Quantity early_work(const Reference& truth) {
+  const Motion m{1, 1, 1e-5};
+  Known known = truth("02_17_work", {m.r, m.w, m.T});
+  known.value = {known.value[1]};
+  known.error = known.value[0] * 0x1p-52;
+  Quantity q = quantity("early_work", "J", "work of (t, t, 1) until T = 1e-5 s, r = 1 m, omega = 1 rad/s",
+                        known, {1e-10 * known.value[0], "ten digits"});
+  q.add({"closed form", "factor r / omega", no_knob(),
+         [m](double) {
+           return Answer{closed_form(Force::growing, m, m.r / m.w), 1};
+         },
+         Outcome::inaccurate, "x^2/2 is what is left of terms of size 1"});
+  q.add({"closed form", "x cos x - sin x by its series", doubling("terms", 1, 3), [m](double terms) {
+           const double x = m.x(), half = sin(x / 2);
+           double sum = 0, term = -x * x * x / 3;
+           for (int k = 1; k <= static_cast<int>(terms); ++k) {
+             sum += term;
+             term *= -x * x * (k + 1) / (k * (2.0 * k + 2) * (2 * k + 3));
+           }
+           return Answer{m.r / m.w * (x * sin(x) - 2 * half * half + sum), 1};
+         }});
+  q.add({"power", "Gauss-Legendre", doubling("points", 1, 4), [m](double n) {
+           return answer(gauss_rule(n)([&](double t) { return power(Force::growing, m, t); }, 0, m.T));
+         }});
+  q.add(Breakdown{
+      "In a short time 5e-11 is left of 1 - 1 and the closed form loses its digits; integrating the "
+      "power, or collecting the terms before they cancel, loses none.",
+      "closed form, factor r / omega", 0, Outcome::inaccurate, "power, Gauss-Legendre", 4});
+  return q;
+}
+
+/// A maximum of f in [a, b] by golden sections down to the width `tolerance`.
+template <class F>
+Solved<double> golden_section(const F& f, double a, double b, double tolerance) {
+  const double golden = (sqrt(5.0) - 1) / 2;
+  double left = b - golden * (b - a), right = a + golden * (b - a), at_left = f(left), at_right = f(right);
+  long evaluations = 2;
+  for (; b - a > tolerance && evaluations < 200; ++evaluations) {
+    if (at_left > at_right) {
+      b = right, right = left, at_right = at_left;
+      at_left = f(left = b - golden * (b - a));
+    } else {
+      a = left, left = right, at_left = at_right;
+      at_right = f(right = a + golden * (b - a));
+    }
+  }
+  return {(a + b) / 2, evaluations};
+}
+
+/// The maximum that comes after a number of whole turns.
+inline Quantity maximum(const Motion& m, double turn, const Reference& truth) {
+  const double start = 2 * pi * turn / m.w, T = (pi / 4 + 2 * pi * turn) / m.w;
+  Known known = truth("02_17_work", {m.r, m.w, T});
+  known.value.insert(known.value.begin(), T);
+  known.error += T * 0x1p-52;
+  Quantity q = quantity("maximum", "s, J, J", "time of the maximum, and both works then", known,
+                        {1e-10 * (1 + T) * (1 + m.r), "ten digits"});
+  const auto with_works = [m](const Solved<double>& time) {
+    Answer a = answer(time);
+    const Motion then = m.at(time.value);
+    a.value = {time.value, closed_form(Force::constant, then, 0),
+               closed_form(Force::growing, then, m.r / m.w)};
+    a.error_estimate *= 1 + m.r * m.w;
+    return a;
+  };
+  q.add({"closed form", "omega T = pi/4 + 2 pi n", no_knob(), [=](double) { return with_works({T, 1}); }});
+  q.add({"closed form", "as printed, W = r omega x sqrt 2", no_knob(),
+         [=](double) {
+           Answer a = with_works({T, 1});
+           a.value[2] = m.r * m.w * (m.w * T) * sqrt(2.0);
+           return a;
+         },
+         Outcome::inaccurate, "the -1 is dropped, and the factor is r / omega"});
+  q.add(
+      Breakdown{"The printed maximum of the growing force's work leaves out the -1: ten times the first "
+                "maximum at r = omega = 1, and 2 % too much after five turns.",
+                "closed form, as printed, W = r omega x sqrt 2", 0, Outcome::inaccurate,
+                "closed form, omega T = pi/4 + 2 pi n", 0});
+  const auto root = [=](Force force) {
+    return [=](double e) {
+      return with_works(brent([&](double t) { return power(force, m, t); }, start, start + pi / m.w, e));
+    };
+  };
+  q.add({"power of (1, 1, 1) is zero", "Brent", tolerances(), root(Force::constant)});
+  q.add({"power of (t, t, 1) is zero", "Brent", tolerances(), root(Force::growing),
+         turn == 0 ? Outcome::deceived : Outcome::ok,
+         "it is zero at T = 0 too, and the bracket begins there"});
+  q.add({"work is largest", "golden section", tolerances(),
+         [=](double e) {
+           const auto W = [&](double t) { return closed_form(Force::constant, m.at(t), 0); };
+           return with_works(golden_section(W, start, start + pi / m.w, e));
+         },
+         Outcome::inaccurate, "a maximum is flat: W tells times apart to the root of its rounding only"});
+  q.add(
+      Breakdown{"Comparing values of W finds the time of its maximum to eight digits only, because W is flat "
+                "there; a zero of the power has all its digits.",
+                "work is largest, golden section", 1e-12, Outcome::inaccurate,
+                "power of (1, 1, 1) is zero, Brent", 1e-12});
+  if (turn == 0)
+    q.add(Breakdown{
+        "For the growing force T = 0 is stationary as well: a search from there ends where it began.",
+        "power of (t, t, 1) is zero, Brent", 1e-12, Outcome::deceived, "power of (1, 1, 1) is zero, Brent",
+        1e-12});
+  return q;
+}
+
+}  // namespace oddity::circle

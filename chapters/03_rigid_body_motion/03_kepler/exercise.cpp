@@ -1,0 +1,287 @@
+// Exercise 3.3: the planet's path from (r0, theta0) with (r0', theta0'). The book reduces the motion to one
+// equation for the angle, (7), by the potential as a function of the angle, (3):
+//   V = -GM/r = c0 sin(theta) + c1 cos(theta) - G^2 M^4/alpha^2,   theta' = alpha V^2/(G^2 M^3),
+//   alpha = M r0^2 theta0'.
+// kepler_claims.hpp judges the derivation against Newton's law, kepler.hpp has the models. The reference is
+// Kepler's equation in universal variables and the Taylor series of the Cartesian equations, in 60 digits.
+
+#include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
+#include "chapters/03_rigid_body_motion/03_kepler/claims.hpp"
+#include "chapters/scene.hpp"
+#include "solvers/ode/events.hpp"
+
+namespace oddity {
+
+namespace ex03_03 {
+
+using namespace kepler;
+
+constexpr double four_pi_squared = 39.47841760435743;
+
+constexpr Parameter parameters[] = {
+    {"G", four_pi_squared, "AU^3/(yr^2 solar mass)", "constant of gravitation", 10, 60},
+    {"M", 1, "solar mass", "mass of the sun", 0.25, 2},
+    {"r0", 1, "AU", "distance at the start", 0.5, 4},
+    {"r0_dot", 0.09375, "AU/yr", "its rate", -6, 6},
+    {"theta0", 1.75, "rad", "angle at the start", -10, 10},
+    {"theta0_dot", 6.25, "rad/yr", "its rate", 0.5, 20},
+    {"seed", 1, "", "of the random orbits", 0, 1e6, whole_number},
+};
+
+constexpr Start eccentric{four_pi_squared, 1, 1.75, 1.7862, -2, 0.8943};
+constexpr Start very_eccentric{four_pi_squared, 2, 1.75, -3.28124, 0.75, 0.409303};
+
+std::vector<double> inputs(const Start& s) { return {s.G, s.M, s.r0, s.r0_dot, s.theta0, s.theta0_dot}; }
+
+// ---- the path ---------------------------------------------------------------------------------------------
+
+/// Raised unless the orbit is an ellipse.
+template <class Solve>
+Answer by_keplers_equation(const Start& start, const Horizon& horizon, const Solve& solve) {
+  const Ellipse orbit(start);
+  return observe_at_times(horizon, [&](double t, Answer& answer) {
+    const double M = orbit.mean_anomaly(t);
+    const Solved<double> E = solve(orbit.e, abs(M));
+    answer.evaluations += E.evaluations;
+    answer.ending = E.ending;
+    answer.message = E.message;
+    return orbit.at_eccentric_anomaly(std::copysign(E.value, M));
+  });
+}
+
+/// How the methods of equal steps end at the finest one.
+struct EqualSteps {
+  Outcome euler = Outcome::inaccurate, runge_kutta = Outcome::ok;
+};
+
+template <class Model>
+void integrated(Ladder& ladder, const std::string& name, const Model& model, const EqualSteps& equal) {
+  const std::string order = "its order is too low for this need at this step";
+  ladder.by<ode::ExplicitEuler>(name, model, equal.euler, order)
+      .template by<ode::RungeKutta4>(
+          name, model, equal.runge_kutta,
+          equal.runge_kutta == Outcome::ok ? "" : "even these steps are too long at the perihelion")
+      .template by<ode::DormandPrince54>(name, model)
+      .template by<ode::Fehlberg78>(name, model);
+  if constexpr (ode::Partitioned<Model, typename Model::State>)
+    ladder.template by<ode::SymplecticEuler>(name, model, Outcome::inaccurate, order)
+        .template by<ode::VelocityVerlet>(name, model, Outcome::inaccurate, order)
+        .template by<ode::BulirschStoer>(name, model);
+}
+
+struct Expected {
+  EqualSteps angle = {}, distance = {}, polar = {}, cartesian = {};
+};
+
+Quantity path(const std::string& name, const std::string& says, const Start& s, const Horizon& horizon,
+              const Reference& truth, const Knob& steps, const Expected& expected) {
+  Quantity where = quantity(name, "AU", "position at " + times_up_to(horizon, "yr") + ", " + says,
+                            trajectory(truth, "03_03_orbit", inputs(s), horizon),
+                            {1e-6, "150 km, an 85th of the Earth's diameter"});
+  const auto solved = [&](std::string algorithm, auto solve) {
+    where.add({"Kepler's equation", std::move(algorithm), no_knob(),
+               [=](double) { return by_keplers_equation(s, horizon, solve); }});
+  };
+  solved("Newton from pi", [](double e, double M) { return newton(e, M, pi, 50); });
+  solved("Newton from M + 0.85 e", [](double e, double M) { return newton(e, M, M + 0.85 * e, 50); });
+  solved("Brent", [](double e, double M) { return bracketed(e, M, 1e-14); });
+  Ladder ladder(where, horizon, steps, tolerances());
+  ladder.by<ode::Fehlberg78>("equation (7) as printed", OneAngleAsPrinted(s), Outcome::inaccurate,
+                             "V0 has the wrong sign, and the perihelion is not at theta = 0");
+  integrated(ladder, "equation (7)", OneAngle(s, -s.mu() / s.r0), expected.angle);
+  integrated(ladder, "equation (2)", Distance{s}, expected.distance);
+  integrated(ladder, "polar", Polar{s}, expected.polar);
+  integrated(ladder, "Cartesian", Cartesian{s}, expected.cartesian);
+  return where;
+}
+
+Start asked(const Parameters& p) {
+  return {p["G"], p["M"], p["r0"], p["r0_dot"], p["theta0"], p["theta0_dot"]};
+}
+
+Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  const Start s = asked(p);
+  const Knob steps = halving("step", 0.125, 9);
+  Quantity where = path("path", "near the Earth's orbit unless asked otherwise", s, horizon, truth, steps,
+                        {{}, {}, {}, {Outcome::drifted, Outcome::ok}});
+  Ladder(where, horizon, steps, tolerances())
+      .by<ode::CashKarp54>("Cartesian", Cartesian{s})
+      .by_others(
+          "Cartesian", Cartesian{s},
+          {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
+           {"linearly implicit Euler", Outcome::drifted,
+            "of order 1, and it takes energy out: the planet spirals in"}});
+  return where;
+}
+
+/// In years for seconds. From the aphelion the angle's rate sets the eccentricity: 0.1, 0.5, 0.9, 0.975,
+/// 0.99. Close is one degree of the Earth's orbit, in AU.
+Scene scene() {
+  return {planet,
+          2,
+          degree,
+          "theta0_dot",
+          {5.95, 4.45, 2, 1, 0.63},
+          {"r0", "theta0", "theta0_dot"},
+          {{"x", "y"}, "yr", {{"AU", {0, 1}}}},
+          {{"chapters/03_rigid_body_motion/03_kepler/models.hpp"},
+           {{"Kepler's equation, Newton from M + 0.85 e",
+             "kepler::ByKeplersEquation({G, M, r0, r0_dot, theta0, theta0_dot})"},
+            {"equation (7) as printed", "kepler::OneAngleAsPrinted({G, M, r0, r0_dot, theta0, theta0_dot})"},
+            {"equation (7)", "kepler::OneAngle({G, M, r0, r0_dot, theta0, theta0_dot}, -(G * M) / r0)"},
+            {"equation (2)", "kepler::Distance{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
+            {"polar", "kepler::Polar{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
+            {"Cartesian", "kepler::Cartesian{{G, M, r0, r0_dot, theta0, theta0_dot}}"}}}};
+}
+
+std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {
+  using enum Outcome;
+  const Horizon horizon{scene().horizon};
+  Quantity earth = motion(scene(), p, truth);
+  earth.add(
+      {"With (4) and (5) as printed the ellipse drawn has the right size and the wrong orientation, and the "
+       "planet comes to a halt on it. The square in (7) hides the sign of V0 at the start.",
+       "equation (7) as printed, Fehlberg 7(8)", 1e-12, inaccurate, "equation (7), Fehlberg 7(8)", 1e-12});
+  earth.add(
+      {"Explicit Euler spirals out: after two years, at 2048 steps a year, the planet is 0.7 AU from its "
+       "place. Runge-Kutta 4, with four evaluations per step instead of one, keeps it within 4 m.",
+       "Cartesian, explicit Euler", 0x1p-11, drifted, "Cartesian, Runge-Kutta 4", 0x1p-11});
+  earth.add(
+      {"The same explicit Euler on (7), which has energy and angular momentum built in, cannot leave the "
+       "orbit: it is 10 000 km late on it, and still misses the need. A higher order pays at once.",
+       "equation (7), explicit Euler", 0x1p-11, inaccurate, "equation (7), Runge-Kutta 4", 0x1p-4});
+
+  Quantity comet = path("eccentric_path", "e = 0.9", eccentric, horizon, truth, halving("step", 0x1p-4, 10),
+                        {{}, {drifted, ok}, {non_finite, ok}, {drifted, ok}});
+  comet.add(
+      {"With 256 equal steps a year the planet turns by a radian a step at the perihelion, and is thrown "
+       "out. Step control puts the steps where they are needed.",
+       "Cartesian, Runge-Kutta 4", 0x1p-8, drifted, "Cartesian, Fehlberg 7(8)", 1e-12});
+
+  Quantity grazer = path("very_eccentric_path", "e = 0.99, two solar masses", very_eccentric, horizon, truth,
+                         halving("step", 0x1p-6, 10),
+                         {{}, {diverged, inaccurate}, {non_finite, inaccurate}, {diverged, inaccurate}});
+  grazer.add(
+      {"Even 32768 equal steps a year are too long: at the perihelion the planet turns by 0.4 rad a step. "
+       "Kepler's equation has no perihelion to follow.",
+       "Cartesian, Runge-Kutta 4", 0x1p-15, inaccurate, "Kepler's equation, Newton from pi", 0});
+  grazer.add(
+      {"Equation (2) meets its singularity at r = 0 likewise. Equation (7), which has none, holds at the "
+       "same equal steps.",
+       "equation (2), Runge-Kutta 4", 0x1p-15, inaccurate, "equation (7), Runge-Kutta 4", 0x1p-15});
+  return {earth, comet, grazer};
+}
+
+// ---- Kepler's equation ------------------------------------------------------------------------------------
+
+Quantity eccentric_anomaly(const std::string& name, const std::string& says, double e, double M, bool easy,
+                           const Reference& truth) {
+  using enum Outcome;
+  Quantity E = quantity(name, "rad", "E with E - e sin E = M, " + says,
+                        truth("03_03_eccentric_anomaly", {e, M}), {1e-12, "0.15 m on the Earth's orbit"});
+  const auto add = [&](std::string algorithm, Knob knob, auto solve, Outcome expected = ok,
+                       std::string why = {}) {
+    E.add({"Kepler's equation", std::move(algorithm), std::move(knob),
+           [=](double n) { return answer(solve(static_cast<int>(n))); }, expected, std::move(why)});
+  };
+  const Knob iterations = doubling("iterations", 1, 5);
+  const auto hard = [&](Outcome outcome) { return easy ? ok : outcome; };
+  const auto because = [&](std::string why) { return easy ? std::string() : why; };
+  add(
+      "Newton from M", iterations, [=](int n) { return newton(e, M, M, n); }, hard(stalled),
+      because("1 - e cos M is small: the first step overshoots by a turn, and the iterates wander"));
+  add("Newton from pi", iterations, [=](int n) { return newton(e, M, pi, n); });
+  add("Newton from M + 0.85 e", iterations, [=](int n) { return newton(e, M, M + 0.85 * e, n); });
+  add("fixed point", doubling("iterations", 1, 8), [=](int n) { return fixed_point(e, M, n); });
+  add(
+      "Bessel functions", doubling("terms", 2, 7), [=](int n) { return bessel_series(e, M, n); },
+      hard(inaccurate), because("its terms fall by a thousandth each"));
+  add(
+      "power series in e", doubling("terms", 2, 7), [=](int n) { return lagrange_series(e, M, n); },
+      hard(diverged), because("it diverges beyond Laplace's limit, e = 0.6627"));
+  E.add({"Kepler's equation", "Brent", tolerances(), [=](double t) { return answer(bracketed(e, M, t)); }});
+  return E;
+}
+
+std::vector<Quantity> eccentric_anomalies(const Reference& truth) {
+  Quantity easy = eccentric_anomaly("eccentric_anomaly", "e = 0.5, M = 1", 0.5, 1, true, truth);
+  Quantity hard = eccentric_anomaly("eccentric_anomaly_past_perihelion", "e = 0.99, M = 1/16", 0.99, 0.0625,
+                                    false, truth);
+  hard.add(
+      {"Newton's method from E = M goes to 5.2, -6.9, 28.6, ... and needs 25 iterations or more to come "
+       "back. From pi, where the function is convex all the way down to the root, it cannot overshoot.",
+       "Kepler's equation, Newton from M", 16, Outcome::stalled, "Kepler's equation, Newton from pi", 16});
+  hard.add(
+      {"The classical power series in the eccentricity diverges for e > 0.6627 (Laplace's limit). A bracket "
+       "always holds: the root is between M and M + e.",
+       "Kepler's equation, power series in e", 128, Outcome::diverged, "Kepler's equation, Brent", 1e-12});
+  return {easy, hard};
+}
+
+// ---- the period -------------------------------------------------------------------------------------------
+
+/// Integrates until the angle has gone on by a turn. The event's bracket says nothing of the integration's
+/// error.
+template <class Algorithm, class Model>
+Answer turn_by(const Model& model, std::size_t angle, double limit, double setting) {
+  const double sense = model.theta0_dot < 0 ? -1 : 1;
+  const auto turned = [&](const typename Model::State& x, double) {
+    return sense * (x[angle] - model.theta0) - 2 * pi;
+  };
+  const auto event = ode::find_event<Algorithm>(model, model.start(), 0, limit, setting, turned);
+  return {event.value.time, event.evaluations, std::numeric_limits<double>::quiet_NaN(), 0,
+          event.ending,     event.message};
+}
+
+Quantity period(const std::string& name, const std::string& says, const Start& s, const Reference& truth) {
+  Quantity T = quantity(name, "yr", "period, " + says, truth("03_03_period", inputs(s)),
+                        {1e-9, "a thirtieth of a second"});
+  const Ellipse orbit(s);
+  const OneAngle seven(s, -s.mu() / s.r0);
+  const auto slowness = [=](double theta) {
+    std::array<double, 1> rate{};
+    seven({theta}, rate, 0);
+    return 1 / abs(rate[0]);
+  };
+  const auto third_law = [=](double a) { return Answer{2 * pi * std::pow(a, 1.5) / sqrt(s.mu()), 1}; };
+  T.add({"Kepler's third law", "a = half the axis", no_knob(), [=](double) { return third_law(orbit.a); }});
+  T.add({"Kepler's third law", "a = the axis", no_knob(), [=](double) { return third_law(2 * orbit.a); },
+         Outcome::inaccurate, "the law is about half the axis"});
+  T.add({"turn of equation (7)", "trapezoid", doubling("panels", 4, 9),
+         [=](double n) { return answer(trapezoid(slowness, 0, 2 * pi, static_cast<int>(n))); }});
+  T.add({"turn of equation (7)", "Simpson", doubling("panels", 4, 11),
+         [=](double n) { return answer(simpson(slowness, 0, 2 * pi, static_cast<int>(n))); }});
+  T.add({"turn of equation (7)", "QAG", tolerances(),
+         [=](double t) { return answer(qag(slowness, 0, 2 * pi, t)); }});
+  const double limit = 1.5 * 2 * pi / orbit.n;
+  T.add({"polar", "Fehlberg 7(8)", tolerances(),
+         [=](double t) { return turn_by<ode::Fehlberg78>(Polar{s}, 1, limit, t); }});
+  return T;
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  const Start start = asked(p);
+  std::vector<Quantity> all = paths(p, truth);
+  const auto append = [&](const std::vector<Quantity>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  append(eccentric_anomalies(truth));
+  if (start.energy() < 0) append({period("period", "near the Earth's unless asked otherwise", start, truth)});
+  append({period("period_eccentric", "e = 0.9", eccentric, truth),
+          period("period_very_eccentric", "e = 0.99", very_eccentric, truth)});
+  return {kepler::claims(p["seed"]), all};
+}
+
+}  // namespace ex03_03
+
+Exercise exercise_3_3() {
+  using namespace ex03_03;
+  return {
+      "Kepler's orbit in polar coordinates",
+      "Compute the planet's path $(r(t),\\theta(t))$ from $r_0,r_0',\\theta_0,\\theta_0'$: reduce the motion "
+      "to one equation for $\\theta$ by writing the potential $V=-GM/r$ as a function of the angle, and "
+      "solve it numerically.",
+      parameters, scene(), study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <boost/math/special_functions/gamma.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "chapters/03_rigid_body_motion/03_kepler/models.hpp"
+#include "solvers/roots.hpp"
+#include "solvers/solved.hpp"
+
+/// Other ways to solve Kepler's equation than Newton's method.
+namespace oddity::kepler {
+
+// ---- Kepler's equation E - e sin E = M, 0 <= M <= pi ------------------------------------------------------
+
+/// E <- M + e sin E; its error shrinks by e cos E.
+inline Solved<double> fixed_point(double e, double M, int iterations) {
+  double E = M;
+  for (int i = 0; i < iterations; ++i) E = M + e * std::sin(E);
+  return {E, iterations};
+}
+
+/// The root is between M and M + e for 0 <= M <= pi.
+inline Solved<double> bracketed(double e, double M, double tolerance) {
+  return brent([=](double E) { return E - e * std::sin(E) - M; }, M, M + e, tolerance);
+}
+
+/// E = M + sum of (2/n) J_n(n e) sin(n M) [Watson, Theory of Bessel Functions, 17.2].
+inline Solved<double> bessel_series(double e, double M, int terms) {
+  double E = M;
+  for (int n = 1; n <= terms; ++n) E += 2.0 / n * std::cyl_bessel_j(n, n * e) * std::sin(n * M);
+  return {E, terms};
+}
+
+/// The power series in e: E = M + sum of e^n/n! d^(n-1)/dM^(n-1) sin^n M, the powers of the sine written as
+/// sums of sines. Converges for all M only up to e = 0.6627..., Laplace's limit.
+inline Solved<double> lagrange_series(double e, double M, int terms) {
+  double E = M;
+  const auto log_factorial = [](int n) { return boost::math::lgamma(n + 1.0); };
+  for (int n = 1; n <= terms; ++n)
+    for (int k = 0; 2 * k < n; ++k) {
+      const double size = n * std::log(e) - (n - 1) * std::numbers::ln2 + (n - 1) * std::log(n - 2 * k) -
+                          log_factorial(k) - log_factorial(n - k);
+      E += (k % 2 ? -1 : 1) * std::exp(size) * std::sin((n - 2 * k) * M);
+    }
+  return {E, static_cast<long>(terms) * (terms + 1) / 2};
+}
+
+}  // namespace oddity::kepler

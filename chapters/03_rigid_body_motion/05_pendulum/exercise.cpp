@@ -1,0 +1,287 @@
+// Exercise 3.5: the quarter period of a pendulum let go at rest from the angle a, in units of sqrt(L/2g), and
+// the pendulum itself.
+//   I(a) = int_0^a dt / sqrt(cos t - cos a) = sqrt(2) K(k), k = sin(a/2)   by sin(t/2) = k sin u
+//   [DLMF 19.2.8]
+// The reference is the arithmetic-geometric mean; no method below uses it. The swing's reference is Jacobi's
+// cd. The book splits off the last eps of the integral, where cos t - cos a is nearly s u - c u^2/2 in u = a
+// - t, s = sin a, c = cos a, and takes the rest by Simpson's rule. [DLMF] NIST Digital Library of
+// Mathematical Functions.
+
+#include <cmath>
+#include <numbers>
+
+#include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
+#include "chapters/claims.hpp"
+#include "chapters/scene.hpp"
+#include "reference/text.hpp"
+#include "solvers/quadrature.hpp"
+
+namespace oddity {
+
+namespace ex03_05 {
+
+using std::cos, std::sin, std::sqrt, std::numbers::pi;
+
+constexpr double book_angle = pi / 6;
+constexpr double book_epsilon = 1e-8;
+constexpr int book_panels = 1024;
+
+constexpr Parameter parameters[] = {
+    {"a", book_angle, "rad", "angle at release", 1e-3, 3.14},
+    {"L", 1, "m", "length", 1e-3, 1e3},
+    {"g", 9.81, "m/s^2", "gravity", 1e-3, 1e3},
+};
+
+// ---- the integral -----------------------------------------------------------------------------------------
+
+auto singular_integrand(double a) {
+  return [a](double t) { return 1 / sqrt(cos(t) - cos(a)); };
+}
+
+/// The integrand after sin(t/2) = k sin(u): smooth on [0, pi/2].
+auto legendre_integrand(double a) {
+  const double k = sin(a / 2);
+  return [k](double u) { return std::numbers::sqrt2 / sqrt(1 - k * k * sin(u) * sin(u)); };
+}
+
+/// The book's integral over the last epsilon, to leading order.
+double remainder(double a, double epsilon) {
+  return sqrt(2 / cos(a)) * (pi / 2 - std::asin(1 - epsilon * cos(a) / sin(a)));
+}
+
+/// The listing's arithmetic, in the listing's order; `shift` is what it subtracts from the cosine.
+double listed_integral(double a, double shift, int panels) {
+  const double amax = a - book_epsilon, h = amax / panels;
+  double sum = 1 / sqrt(cos(0.0) - shift) + 1 / sqrt(cos(amax) - shift);
+  for (int i = 1; i < panels; ++i) sum += (i & 1 ? 4.0 : 2.0) / sqrt(cos(i * h) - shift);
+  return sum * (h / 3.0);
+}
+
+Quantity quarter_period(double a, const Reference& truth) {
+  Quantity quarter =
+      quantity("quarter_period", "sqrt(L/2g)", "time from release to the lowest point",
+               truth("03_05_quarter_period", {a}), {1e-10, "ten decimals: one millisecond a year"});
+  const Knob panels = doubling("panels", 4, 9), points = doubling("points", 2, 6);
+  const auto raw = singular_integrand(a);
+  const auto smooth = legendre_integrand(a);
+  const std::string as_it_stands = "singular integrand", substituted = "Legendre's substitution";
+  const std::string loses_digits = "cos t - cos a cancels at the singular end";
+
+  quarter.add({"elliptic K", "std::comp_ellint_1", no_knob(), [a](double) {
+                 return Answer{std::numbers::sqrt2 * std::comp_ellint_1(sin(a / 2)), 1};
+               }});
+  quarter.add({as_it_stands, "QAG", tolerances(), [=](double e) { return answer(qag(raw, 0, a, e)); },
+               Outcome::non_finite,
+               "bisection alone walks into the singular end, where cos t - cos a rounds to zero"});
+  quarter.add({as_it_stands, "QAGS", tolerances(), [=](double e) { return answer(qags(raw, 0, a, e)); },
+               Outcome::raised, loses_digits + ": GSL reports roundoff"});
+  quarter.add({as_it_stands, "QAGP", tolerances(),
+               [=](double e) {
+                 return answer(qagp(raw, {0, a}, e));
+               },
+               Outcome::raised, loses_digits + ": GSL reports roundoff"});
+  quarter.add({as_it_stands, "CQUAD", tolerances(), [=](double e) { return answer(cquad(raw, 0, a, e)); },
+               Outcome::stalled, loses_digits + ", and the end itself is left out"});
+  quarter.add({"listing as printed", "Simpson", doubling("panels", 64, 6),
+               [=](double n) {
+                 return Answer{listed_integral(a, a, static_cast<int>(n)) + remainder(a, book_epsilon),
+                               static_cast<long>(n) + 1};
+               },
+               Outcome::inaccurate, "it subtracts the angle where the text subtracts the angle's cosine"});
+  quarter.add({"listing with the text's integrand", "Simpson", doubling("panels", 64, 6),
+               [=](double n) {
+                 return Answer{listed_integral(a, cos(a), static_cast<int>(n)) + remainder(a, book_epsilon),
+                               static_cast<long>(n) + 1};
+               },
+               Outcome::inaccurate, "Simpson's rule cannot follow the integrand to 1e-8 of its singularity"});
+  quarter.add({substituted, "Simpson", panels,
+               [=](double n) { return answer(simpson(smooth, 0, pi / 2, static_cast<int>(n))); }});
+  quarter.add({substituted, "trapezoid", panels,
+               [=](double n) { return answer(trapezoid(smooth, 0, pi / 2, static_cast<int>(n))); }});
+  quarter.add({substituted, "Gauss-Legendre", points,
+               [=](double n) { return answer(gauss_legendre(smooth, 0, pi / 2, static_cast<int>(n))); }});
+  quarter.add(
+      {substituted, "QAGS", tolerances(), [=](double e) { return answer(qags(smooth, 0, pi / 2, e)); }});
+  return quarter;
+}
+
+// ---- the pendulum -----------------------------------------------------------------------------------------
+
+Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  using namespace pendulum;
+  const Given<double> given{p["a"], p["L"], p["g"]};
+  Quantity angle = quantity("swing", "rad", "angle at " + times_up_to(horizon),
+                            trajectory(truth, "03_05_swing", {given.a, given.L, given.g}, horizon),
+                            {1e-6, "a fifth of a second of arc"});
+  Ladder(angle, horizon, halving("step", 0.125, 9), tolerances())
+      .closed_form("small angle", SmallAngle<double>{given}, Outcome::inaccurate,
+                   "the period grows with the amplitude")
+      .closed_form("amplitude-corrected", AmplitudeCorrected<double>{given}, Outcome::inaccurate,
+                   "terms of order a^4 in the frequency and of order a^3 in the shape are left out")
+      .closed_form("Jacobi's function by its Fourier series", FourierSeries<double>(given))
+      .by_common("one angle", OneAngle<double>{given}, Outcome::drifted, Outcome::inaccurate)
+      .by_others("one angle", OneAngle<double>{given},
+                 {{"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
+      .by_common("Cartesian with constraint", CartesianWithConstraint<double>{given}, Outcome::inaccurate,
+                 Outcome::inaccurate);
+  angle.add(
+      Breakdown{"Explicit Euler gains energy at every step: at eight steps a second the pendulum, let go at "
+                "30 degrees, has "
+                "turned over the top seven times within ten seconds. The cure is any method whose stability "
+                "reaches up the "
+                "imaginary axis; classical Runge-Kutta follows the swing at sixty-four steps a second.",
+                "one angle, explicit Euler", 0.125, Outcome::diverged, "one angle, Runge-Kutta 4", 0.015625});
+  return angle;
+}
+
+Scene scene() {
+  return {swing,
+          10,
+          degree,
+          "a",
+          {0.125, 0.5, 1, 2, 3},
+          {"a", "L"},
+          {{"theta"}, "s", {{"rad", {0}}}},
+          {{"chapters/03_rigid_body_motion/05_pendulum/models.hpp"},
+           {{"small angle", "pendulum::SmallAngle<double>{{a, L, g}}"},
+            {"amplitude-corrected", "pendulum::AmplitudeCorrected<double>{{a, L, g}}"},
+            {"Jacobi's function by its Fourier series", "pendulum::FourierSeries<double>({a, L, g})"},
+            {"one angle", "pendulum::OneAngle<double>{{a, L, g}}"},
+            {"Cartesian with constraint", "pendulum::CartesianWithConstraint<double>{{a, L, g}}"}}}};
+}
+
+// ---- the claims -------------------------------------------------------------------------------------------
+
+double arcsine(double epsilon) { return std::asin(1 - epsilon * cos(book_angle) / sin(book_angle)); }
+
+/// The integral to a - epsilon and `tail` against the whole; they differ by the remainder's next term at
+/// most.
+Reading in_two_parts(const std::string& text, const Reference& truth, double (*tail)(double epsilon)) {
+  const double a = book_angle, whole = truth("03_05_quarter_period", {a}).value[0];
+  Worst worst(R"($I(a)$, cut at $\epsilon=10^{-2},10^{-3}$)", R"(QAG to $a-\epsilon$ plus )" + text,
+              R"($\sqrt2\,K$ by the arithmetic-geometric mean)");
+  for (double epsilon : {1e-2, 1e-3}) {
+    const double next_term = std::pow(epsilon, 2.5) / (30 * sqrt(sin(a)));
+    worst.see(qag(singular_integrand(a), 0, a - epsilon, 1e-13).value + tail(epsilon), whole,
+              {2 * next_term + 1e-12, R"(twice the first term left out, $\epsilon^{5/2}/(30\sqrt{\sin a})$)"},
+              1, "eps = " + shortest(epsilon));
+  }
+  return {text, {worst.check()}};
+}
+
+/// A node of the listing's sum.
+struct Node {
+  double psi;
+  std::string where() const { return "psi = " + shortest(psi); }
+};
+
+std::vector<Node> nodes() {
+  std::vector<Node> all;
+  for (int i = 1; i < book_panels; ++i) all.push_back({i * (book_angle - book_epsilon) / book_panels});
+  return all;
+}
+
+std::vector<Claim> claims(const Reference& truth) {
+  Claims claims("3.5");
+  const double a = book_angle, listed = listed_integral(a, a, book_panels);
+
+  claims.add(
+      "split_formula", 1273,
+      R"(the integral is about that to $a-\epsilon$ plus $\sqrt{2/\cos a}\,(2-\arcsin(1-\epsilon\cos a/\sin a))$)",
+      {.printed =
+           in_two_parts(R"($\sqrt{2/\cos a}\,(2-\arcsin\ldots)$)", truth,
+                        [](double epsilon) { return sqrt(2 / cos(book_angle)) * (2 - arcsine(epsilon)); }),
+       .meant = in_two_parts(R"($\sqrt{2/\cos a}\,(\pi/2-\arcsin\ldots)$)", truth,
+                             [](double epsilon) { return remainder(book_angle, epsilon); }),
+       .near_misses = {in_two_parts(
+           R"($(\sqrt2/\cos a)\,(\pi/2-\arcsin\ldots)$)", truth,
+           [](double epsilon) { return remainder(book_angle, epsilon) / sqrt(cos(book_angle)); })},
+       .why =
+           R"(The $\pi$ of $\pi/2$ and the fraction bars are lost: read as it stands, the remainder does not )"
+           R"(vanish with $\epsilon$, and the time is 0.65 too long. The listing has `HALF_PI`, and )"
+           R"($\sqrt{2/\cos a}$.)",
+       .kind = Kind::lost_typography});
+
+  const auto shifted = [](double psi) { return 1 / sqrt(cos(psi) - book_angle); };
+  const auto by_rule = [&](const std::string& rule, const Solved<double>& sum) {
+    return Reading{rule,
+                   {{"the listing's sum, weights 4 and 2 in turn",
+                     {"in the listing's arithmetic", listed},
+                     {rule + " of the same integrand", sum.value},
+                     rounding(listed, book_panels)}}};
+  };
+  claims.add(
+      "simpson", 1307, "the listing integrates by Simpson's rule",
+      {.printed = by_rule("Simpson's rule", simpson(shifted, 0, a - book_epsilon, book_panels)),
+       .near_misses = {by_rule("the trapezoid rule", trapezoid(shifted, 0, a - book_epsilon, book_panels))}});
+
+  claims.statement<Node>("positive_root", 1333, "the argument of the root is positive at every node", nodes(),
+                         {.printed = {R"($\cos\psi-\pi/6>0$, the angle subtracted)",
+                                      [](const Node& n) { return cos(n.psi) > book_angle; }},
+                          .near_misses = {{R"($\cos\psi-\cos(\pi/12)>0$)",
+                                           [](const Node& n) { return cos(n.psi) > cos(book_angle / 2); }}}});
+
+  claims.number("listing_output", 1373, "the listing computes `pendulumTime` = 0.800275",
+                {.truth = {"the listing's arithmetic", listed + remainder(a, book_epsilon)},
+                 .printed = "0.800275",
+                 .near_misses = {"0.800276"}});
+
+  claims.number(
+      "value", 1373, R"(0.800275 is the integral from $30^\circ$)",
+      {.truth = {R"($\sqrt2\,K(\sin\frac{\pi}{12})$ by the arithmetic-geometric mean)",
+                 truth("03_05_quarter_period", {a}).value},
+       .printed = "0.800275",
+       .corrected = "2.260114",
+       .near_misses = {"2.260115"},
+       .kind = Kind::listing,
+       .root = "angle for its cosine",
+       .why =
+           R"(The listing subtracts `initialAngle` where the text's integrand has $\cos(\pi/6)$: it integrates )"
+           R"($1/\sqrt{\cos\psi-\pi/6}$, which is finite everywhere, and adds a remainder for a singularity that )"
+           R"(is not there. To replace the one term is not enough: Simpson's rule then meets the singularity )"
+           R"((see the methods below).)"});
+
+  const Route tail{R"($2\sqrt{\epsilon/\sin a}$, the remainder to leading order)",
+                   2 * sqrt(book_epsilon / sin(a))};
+  claims.add(
+      "remainder", 1373, "the remainder is 0.000282",
+      {.printed = {"0.000282", {as_written("the remainder", "0.000282", tail)}},
+       .meant = {"0.000282..., cut off", {as_cut_off("the remainder", "0.000282", tail)}},
+       .near_misses = {{"0.000281..., cut off", {as_cut_off("the remainder", "0.000281", tail)}},
+                       {"0.000284", {as_written("the remainder", "0.000284", tail)}}},
+       .why = "The remainder is 0.00028284...: the digits printed are cut off, where those of the time are "
+              "rounded. No digit of the time depends on it.",
+       .kind = Kind::number});
+  return claims.in_order();
+}
+
+std::vector<Root> roots() {
+  return {
+      {"angle for its cosine",
+       R"(A pendulum of one metre takes 0.510 s to its lowest point, $\sqrt2\,K(\sin15^\circ)=2.260114$ units of )"
+       R"($\sqrt{L/2g}$, not 0.181 s: an engine that takes the published number for its cue strikes when the bob )"
+       R"(has come 4.5 of its 30 degrees.)"}};
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  Quantity quarter = quarter_period(p["a"], truth);
+  quarter.add(
+      Breakdown{"With the text's integrand the listing is still wrong: one panel of Simpson's rule takes the "
+                "integrand at 1e-8 from its singularity, where it is 14142, with full weight. The "
+                "substitution removes the singularity, and 16 panels of the trapezoid rule give every digit.",
+                "listing with the text's integrand, Simpson", 1024, Outcome::inaccurate,
+                "Legendre's substitution, trapezoid", 16});
+  return {claims(truth), {quarter, motion(scene(), p, truth)}, roots()};
+}
+
+}  // namespace ex03_05
+
+Exercise exercise_3_5() {
+  using namespace ex03_05;
+  return {"Pendulum from 30 degrees",
+          "How long does a pendulum, let go at rest from the angle $a$, take to its lowest point? Evaluate "
+          "$I(a)=\\int_0^a d\\psi/\\sqrt{\\cos\\psi-\\cos a}$, whose integrand is infinite at its end.",
+          parameters, scene(), study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,85 @@
+// Exercise 3.17: the Foucault pendulum, by Lagrange: a point mass, then a solid cone that hangs by its
+// vertex.
+//   theta'' sin phi + 2 theta' phi' cos phi = 2 omega phi' b,   b = sin lambda cos phi - cos lambda sin theta
+//   sin phi phi'' - theta'^2 sin phi cos phi = -2 omega theta' sin phi b - (g/L) sin phi
+// These hold to first order in omega. They are compared with Lagrange's equations whose kinetic energy is
+// that of axes which do not turn, |r' + w x r|^2/2, by dual numbers; its part linear in omega is half the
+// difference of two Earths that turn the opposite ways. The cone's integrals are taken by quadrature over its
+// points.
+
+#include "chapters/03_rigid_body_motion/17_foucault/foucault_cone.hpp"
+
+namespace oddity {
+
+namespace ex03_17 {
+
+using namespace foucault;
+
+constexpr Parameter parameters[] = {
+    {"lambda", 0.75, "rad", "latitude", -1.5, 1.5},
+    {"L", 1, "m", "length", 0.1, 100},
+    {"omega", 0.0625, "rad/s", "angular speed of the Earth; the real one has 7.292115e-5", 0, 2},
+    {"g", 9.81, "m/s^2", "gravity", 0.1, 100},
+    {"theta", 0.5, "rad", "direction at the start, from west to north", -10, 10},
+    {"phi", 0.25, "rad", "angle at the start, from the lower vertical", 0.01, 3},
+    {"theta_dot", 1, "rad/s", "its rate about the vertical", -10, 10},
+    {"phi_dot", 0, "rad/s", "its rate from the vertical", -10, 10},
+    {"h", 1.25, "m", "height of the cone", 0.1, 10},
+    {"r", 1.25, "m", "radius of the cone", 0.1, 10},
+    {"seed", 317, "", "seed of the random samples", 0, 1e9, whole_number},
+};
+
+Pendulum asked(const Parameters& p) {
+  return {p["lambda"], p["L"], p["omega"], p["g"], p["theta"], p["phi"], p["theta_dot"], p["phi_dot"]};
+}
+
+Quantity swinging_bob(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return bob(asked(p), horizon, truth);
+}
+
+/// The slower it starts about the vertical, the closer the bob passes the lowest point, where theta is no
+/// coordinate.
+Scene scene() {
+  return {swinging_bob,
+          16,
+          centimeter,
+          "theta_dot",
+          {3, 1, 0.25, 0.125, 0.0625},
+          {"theta", "phi", "theta_dot"},
+          {{"x", "y"}, "s", {{"m", {0, 1}}}},
+          {{"chapters/03_rigid_body_motion/17_foucault/models.hpp"},
+           {{"averaged", "foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, true}"},
+            {"small angle", "foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
+            {"two angles as published",
+             "foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0}"},
+            {"two angles", "foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
+            {"Cartesian with constraint",
+             "foucault::Cartesian{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}}};
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  const Horizon horizon{scene().horizon};
+  const Pendulum pendulum = asked(p);
+  const double seed = p["seed"];
+  std::vector<Claim> claims = geometry(seed);
+  for (const auto& more : {point_forces(seed), center_of_mass(seed), moments(seed), tensor(seed)})
+    claims.insert(claims.end(), more.begin(), more.end());
+  claims.push_back(cone_equations(seed));
+
+  const Cone cone{p["h"], p["r"]};
+  return {claims,
+          {motion(scene(), p, truth), bob_on_earth(horizon, truth), push(pendulum, horizon, truth),
+           hours(truth), cone_swing(pendulum, cone, horizon, truth), inertia(cone)}};
+}
+
+}  // namespace ex03_17
+
+Exercise exercise_3_17() {
+  using namespace ex03_17;
+  return {"Foucault pendulum",
+          "Derive the motion of a Foucault pendulum of length $L$ at latitude $\\lambda$ on an Earth that "
+          "turns at $\\omega$ by Lagrange's equations. Then replace the point mass by a solid cone.",
+          parameters, scene(), study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,188 @@
+// Exercise 3.27: two bodies of masses m1 and m2 that attract each other, as the first-order system
+//   r' = u,  u' = beta^2/r^3 - gamma/r^2,  phi' = beta/r^2,   beta = r0^2 phi0', gamma = G (m1 + m2)
+// The equations are derived again from T and V of the two bodies in space, whose positions are written in the
+// book's coordinates P = x2 - x1 = r (sin phi cos theta, sin phi sin theta, cos phi) and differentiated by
+// nested dual numbers. References: Kepler's equation in universal variables against Taylor series of both
+// bodies.
+
+#include "chapters/03_rigid_body_motion/27_two_bodies/claims.hpp"
+
+namespace oddity {
+
+namespace ex03_27 {
+
+using namespace two_bodies;
+using enum Outcome;
+
+constexpr Parameter parameters[] = {
+    {"G", 1, "m^3/(kg s^2)", "constant of gravity", 1e-3, 1e3},
+    {"m1", 2, "kg", "mass of the first body", 1e-3, 1e3},
+    {"m2", 1, "kg", "mass of the second body", 1e-3, 1e3},
+    {"r0", 1, "m", "distance at the start", 0.1, 10},
+    {"r0_dot", 0.25, "m/s", "its rate at the start", -10, 10},
+    {"phi0", 0.5, "rad", "angle at the start", -7, 7},
+    {"phi0_dot", 1.5, "rad/s", "its rate at the start", 0.03, 10},
+    {"seed", 327, "", "of the random samples", 0, 1e9, whole_number},
+};
+
+// ---- the path ---------------------------------------------------------------------------------------------
+
+struct Expected {
+  Outcome euler, euler_of_both, symplectic, verlet, runge_kutta;
+};
+
+Quantity path(const std::string& name, const std::string& says, const Bodies& b, const Horizon& horizon,
+              const Reference& truth, Knob steps, const Expected& expected) {
+  const kepler::Start s = b.relative();
+  const bool ellipse = s.energy() < 0;
+  const std::string order = "its order is too low for this need at this step",
+                    steep = "equal steps in time are too long where the bodies meet",
+                    published = "(r, u, phi)", both = "two bodies";
+  Quantity q = quantity(name, "m", "the second body seen from the first at four times, " + says,
+                        trajectory(truth, "03_27_two_bodies", b.inputs(), horizon), {1e-6, "a micrometre"});
+  q.add({"Kepler's equation", "Newton from pi", no_knob(), [=](double) { return by_kepler(s, horizon); },
+         ellipse ? ok : raised, ellipse ? "" : "the orbit is no ellipse"});
+  q.add({"Levi-Civita's coordinates", "Runge-Kutta 4 in fictitious time", steps,
+         [=](double step) { return by_levi_civita(s, horizon, step); }});
+  const std::string why = expected.runge_kutta == ok ? "" : steep;
+  Ladder(q, horizon, std::move(steps), tolerances(4, 12))
+      .by<ode::ExplicitEuler>(published, Published{b}, expected.euler, order)
+      .by<ode::RungeKutta4>(published, Published{b}, expected.runge_kutta, why)
+      .by<ode::DormandPrince54>(published, Published{b})
+      .by<ode::Fehlberg78>(published, Published{b})
+      .by<ode::ExplicitEuler>(both, BothBodies{b}, expected.euler_of_both, order)
+      .by<ode::SymplecticEuler>(both, BothBodies{b}, expected.symplectic, order)
+      .by<ode::VelocityVerlet>(both, BothBodies{b}, expected.verlet, expected.verlet == ok ? "" : order)
+      .by<ode::RungeKutta4>(both, BothBodies{b}, expected.runge_kutta, why)
+      .by<ode::DormandPrince54>(both, BothBodies{b})
+      .by<ode::Fehlberg78>(both, BothBodies{b})
+      .by<ode::BulirschStoer>(both, BothBodies{b});
+  return q;
+}
+
+Bodies asked(const Parameters& p) {
+  return {p["G"], p["m1"], p["m2"], p["r0"], p["r0_dot"], p["phi0"], p["phi0_dot"]};
+}
+
+Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  const Knob steps = halving("step", 0x1p-4, 9);
+  Quantity q =
+      path("path", "as asked", asked(p), horizon, truth, steps, {inaccurate, inaccurate, inaccurate, ok, ok});
+  Ladder(q, horizon, steps, tolerances(4, 12))
+      .by_others("two bodies", BothBodies{asked(p)},
+                 {{"linearly implicit Euler", inaccurate, "of order 1, and the orbit shrinks"}});
+  return q;
+}
+
+Scene scene() {
+  return {path_of,
+          4,
+          centimeter,
+          "phi0_dot",
+          {1.7, 1.5, 1, 0.5, 0.25, 0.17},
+          {"r0", "r0_dot", "phi0_dot"},
+          {{"x", "y"}, "s", {{"m", {0, 1}}}},
+          {{"chapters/03_rigid_body_motion/27_two_bodies/models.hpp"},
+           {{"Kepler's equation, Newton from pi",
+             "two_bodies::ByKeplersEquation(two_bodies::Bodies{G, m1, m2, r0, r0_dot, phi0, "
+             "phi0_dot}.relative())"},
+            {"(r, u, phi)", "two_bodies::Published{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"},
+            {"two bodies", "two_bodies::BothBodies{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"}},
+           {{"Levi-Civita's coordinates", "which needs Newton's method for the time of every frame"}}}};
+}
+
+/// The time of a turn of phi, against Kepler's third law with the sum of the masses.
+Quantity period(const Bodies& b) {
+  const kepler::Start s = b.relative();
+  const double a = -s.mu() / (2 * s.energy()), turn = 2 * std::numbers::pi * a * std::sqrt(a / s.mu());
+  Quantity q{"period",
+             "s",
+             "time of a whole turn of phi",
+             {"Kepler's third law, 2 pi sqrt(a^3 / (G (m1 + m2)))", turn},
+             1e-14 * turn,
+             {1e-8 * turn, "eight digits"}};
+  const auto of = [=](const auto& model, const auto& angle, double tolerance) {
+    return answer(ode::find_event<ode::Fehlberg78>(model, model.start(), 0, 3 * turn, tolerance, angle),
+                  [](const auto& event) { return event.time; });
+  };
+  q.add({"(r, u, phi)", "Fehlberg 7(8), event phi = phi0 + 2 pi", tolerances(6, 12), [=](double tolerance) {
+           Answer all = of(
+               Published{b}, [=](const auto& x, double) { return x[2] - b.phi0 - 2 * std::numbers::pi; },
+               tolerance);
+           all.error_estimate = std::numeric_limits<double>::quiet_NaN();
+           return all;
+         }});
+  q.add({"heavy first body at rest", "Kepler's third law with m1 alone", no_knob(),
+         [=](double) {
+           return Answer{turn * std::sqrt(1 + b.m2 / b.m1), 1};
+         },
+         inaccurate, "the first body moves as well"});
+  return q.add(
+      Breakdown{"With the first body held still $\\gamma$ would be $G m_1$: the period is then too long by "
+                "the square root "
+                "of $1 + m_2/m_1$, which for $m_1 = 2 m_2$ is 22 per cent.",
+                "heavy first body at rest, Kepler's third law with m1 alone", 0, inaccurate,
+                "(r, u, phi), Fehlberg 7(8), event phi = phi0 + 2 pi", 1e-12});
+}
+
+/// The three unknowns from the data that the text lists, beta and gamma computed from them, against the
+/// tabulated path, which knows neither.
+Claim state_and_data(const Reference& truth) {
+  constexpr Bodies b{1, 2, 1, 1, 0.25, 0.5, 1.5};
+  const Horizon horizon{4};
+  const Value known = trajectory(truth, "03_27_two_bodies", b.inputs(), horizon).value;
+  const auto from = [&](const std::string& text, const Bodies& data) {
+    return Reading{text,
+                   {{"path at four times to 4 s",
+                     {"r, u, phi integrated",
+                      observe_integrated<ode::Fehlberg78>(Published{data}, horizon, 1e-12).value},
+                     {"Kepler's equation in universal variables", known},
+                     {1e-9, "a thousand tolerances of the integration"},
+                     1}}};
+  };
+  Bodies reduced = b, still = b;
+  reduced.G *= b.m1 * b.m2 / ((b.m1 + b.m2) * (b.m1 + b.m2));
+  still.r0_dot = 0;
+  Claim claim{
+      "3.27-state_and_data", 2787,
+      "r, u, phi with m1, m2, G and the four initial values are all; beta and gamma follow from them"};
+  claim.printed = from("the motion from these alone", b);
+  claim.near_misses = {from("gamma with the reduced mass for the sum", reduced),
+                       from("without the rate r0'", still)};
+  return claim;
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  constexpr Bodies eccentric{1, 2, 1, 1, 0.25, 0.5, 0.5}, near_collision{1, 2, 1, 1, 0.25, 0.5, 0x1p-5};
+  const Horizon horizon{scene().horizon};
+  Quantity hit = path("near_collision", "e = 0.9997", near_collision, horizon, truth,
+                      halving("step", 0x1p-5, 9), {diverged, diverged, diverged, diverged, diverged});
+  hit.add(Breakdown{
+      "The bodies, let go at 0.25 m/s, pass each other at a six-thousandth of their distance and at 190 m/s: "
+      "equal steps of time jump over it. In Levi-Civita's coordinates, with $dt = r\\,ds$, the same motion "
+      "is a "
+      "harmonic oscillator, and equal steps of $s$ do.",
+      "two bodies, Runge-Kutta 4", 0x1p-13, diverged,
+      "Levi-Civita's coordinates, Runge-Kutta 4 in fictitious time", 0x1p-8});
+  std::vector<Quantity> all{motion(scene(), p, truth),
+                            path("eccentric_path", "e = 0.92", eccentric, horizon, truth,
+                                 halving("step", 0x1p-5, 9), {drifted, drifted, inaccurate, inaccurate, ok}),
+                            hit};
+  if (const Bodies bodies = asked(p); bodies.relative().energy() < 0) all.push_back(period(bodies));
+  std::vector<Claim> said = claims(p["seed"]);
+  said.push_back(state_and_data(truth));
+  return {said, all};
+}
+
+}  // namespace ex03_27
+
+Exercise exercise_3_27() {
+  using namespace ex03_27;
+  return {
+      "Two bodies by distance and angle",
+      "Two bodies attract each other by gravity. Write their motion as a first-order system in the distance "
+      "$r$, its rate $u$ and the angle $\\varphi$, ready to be integrated.",
+      parameters, scene(), study};
+}
+
+}  // namespace oddity

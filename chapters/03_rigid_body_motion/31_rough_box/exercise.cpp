@@ -1,0 +1,89 @@
+// Exercise 3.31: a box slides and turns on a rough plane. The solution is two sentences about a program that
+// is not at hand, and nothing here judges them. What is computed is the motion that the exercise is about:
+//   F = -mu p int n dA,  moment = -mu p int rho x n dA,  n = (V + w k x rho)/|V + w k x rho|, p = m g/(4ab)
+// The integrals have closed forms about the instantaneous centre. At rest n has no direction: friction at
+// full speed only makes the box tremble, and on a slope creep. A uniform pressure is assumed; the box is too
+// low to be tilted by its friction.
+
+#include "chapters/03_rigid_body_motion/31_rough_box/rough_box_motion.hpp"
+
+namespace oddity {
+
+namespace ex03_31 {
+
+using namespace rough_box;
+
+constexpr Parameter parameters[] = {
+    {"a", 0.3, "m", "half the box's length", 0.1, 0.5},
+    {"b", 0.2, "m", "half the box's width", 0.1, 0.5},
+    {"mu", 0.3, "", "coefficient of friction", 0.2, 1},
+    {"g", 9.81, "m/s^2", "gravity", 1, 30},
+    {"u0", 2, "m/s", "velocity at the start, along the length", 0.1, 3},
+    {"v0", 0.5, "m/s", "velocity at the start, across", 0, 3},
+    {"w0", 10, "rad/s", "angular velocity at the start", 0, 20},
+};
+
+// ---- the claims -------------------------------------------------------------------------------------------
+
+std::vector<Claim> claims() {
+  const auto about_the_program = [](const char* id, const char* says) {
+    Claim claim{std::string("3.31-") + id, 2949, says};
+    claim.not_checkable =
+        "the program is on the book's CD-ROM; the text gives neither its equations nor a listing";
+    return claim;
+  };
+  return {about_the_program("rough_friction", "the program RoughPlaneSolidBox has rough friction"),
+          about_the_program("no_static_friction", "the program leaves static friction out"),
+          about_the_program("easily_modified", "the program is easily changed to have static friction")};
+}
+
+Box asked(const Parameters& p) { return {{p["a"], p["b"]}, p["mu"], p["g"], p["u0"], p["v0"], p["w0"]}; }
+
+Quantity slide_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  return slide(asked(p), horizon, truth);
+}
+
+Scene scene() {
+  return {slide_of,
+          1.25,
+          centimeter,
+          "mu",
+          {0.2, 0.3, 0.5, 0.7, 1},
+          {"u0", "v0", "w0"},
+          {{"x", "y", "theta"}, "s", {{"m", {0, 1}}, {"rad", {2}}}},
+          {{"chapters/03_rigid_body_motion/31_rough_box/models.hpp"},
+           {{"sliding and spinning apart", "rough_box::Uncoupled{{{a, b}, mu, g, u0, v0, w0}}"},
+            {"friction at full speed only", "rough_box::InTime{{{a, b}, mu, g, u0, v0, w0}}"},
+            {"friction regularized at 1 cm/s", "rough_box::InTime{{{a, b}, mu, g, u0, v0, w0}, 0.01}"}},
+           {{"steps with a stick test", "which needs a loop of its own"},
+            {"stopped by event", "which needs a search for events"},
+            {"time stretched by the speed", "which needs Newton's method for the time of every frame"}}}};
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  const Box box = asked(p);
+  Quantity end = rest(box, truth);
+  end.add(
+      Breakdown{"Friction that has full strength at any speed reverses at every step once the box should "
+                "rest: it trembles and wanders. A test whether friction can stop the box within the step "
+                "lets it rest.",
+                in_time + ", Runge-Kutta 4", 0x1p-8, Outcome::inaccurate, sticks + ", " + midpoint, 0x1p-12});
+  end.add(
+      Breakdown{"Regularized friction is stiff at rest: its rate is mu g / softness, and a fixed explicit "
+                "step ends by trembling. An implicit method takes its steps from the motion.",
+                soft + ", Runge-Kutta 4, step 1/256", 0.0001, Outcome::inaccurate,
+                soft + ", Rosenbrock 4, tolerance 1e-9", 0.0001});
+  return {claims(), {time_to_rest(box, truth), end, motion(scene(), p, truth)}};
+}
+
+}  // namespace ex03_31
+
+Exercise exercise_3_31() {
+  using namespace ex03_31;
+  return {"Box on a rough plane",
+          "A box slides and turns on a plane of friction $\\mu$. Where does it come to rest, and what does "
+          "friction do at rest?",
+          parameters, scene(), study};
+}
+
+}  // namespace oddity

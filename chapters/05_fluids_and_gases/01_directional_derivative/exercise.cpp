@@ -1,0 +1,106 @@
+// Exercise 5.1: (f.grad) x = f, x being the position.
+// The operator f.grad is taken by dual numbers along a frame turned at random, sum_k (u_k.f) (u_k.grad), and
+// compared with each published line. Since most derivatives of the position are zero, the operator's index
+// form is compared on random fields g as well, where every index is seen.
+
+#include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
+#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+
+namespace oddity {
+
+namespace ex05_01 {
+
+using namespace fields;
+
+constexpr auto position = [](const auto& x) { return x; };
+
+void fill(Sample& s, const Drawn& d) {
+  s.put("fgrad_g", advected(d.f, d.g, d.frame)(d.x));
+  s.put("fgrad_x", advected(d.f, position, d.frame)(d.x));
+  s.put("along_f", along(position, d.x, d.f(d.x)));
+  s.put("div_x", divergence(position, d.frame)(d.x));
+  s.put("f", d.f(d.x));
+  s.put_vector("g", d.g, d.x);
+  s.put_vector("x", position, d.x);
+  for (std::size_t j = 0; j < 3; ++j) s.put("e" + digit(j), axes[j]);
+  for (std::size_t j = 0; j < 3; ++j) s.put("slope" + digit(j), along(position, d.x, axes[j]));
+}
+
+std::vector<Claim> claims(Random random) {
+  Proof proof("5.1", sampled(random, fill));
+  const std::string turned = "f.grad along a turned frame";
+  proof.line("operator", 3105, "f.grad is f0 d/dx0 + f1 d/dx1 + f2 d/dx2 (on any field g)",
+             each_component("fgrad_g#", "f0 g#,0 + f1 g#,1 + f2 g#,2"), turned);
+  proof.line("distributed", 3115, "the operator goes to every component of the position",
+             each_component("fgrad_x#", "f0 x#,0 + f1 x#,1 + f2 x#,2"), turned,
+             {each_component("fgrad_x#", "f1 x#,0 + f0 x#,1 + f2 x#,2"),
+              each_component("fgrad_x#", "f0 x#,0 - f1 x#,1 + f2 x#,2")});
+  Claim& dot = proof.line("dot", 3105, "f.grad is applied to the position by a dot: (...) . (x0, x1, x2)",
+                          each_component("fgrad_x#", "f0 x#,0 + f1 x#,1 + f2 x#,2"), turned,
+                          {each_component("fgrad_x#", "f0 x#,0 + f1 x#,1")});
+  dot.meant = std::exchange(
+      dot.printed,
+      {"a dot product, the number f0 x0,0 + f1 x1,1 + f2 x2,2",
+       {compare(proof.samples, each_component("fgrad_x#", "f0 x0,0 + f1 x1,1 + f2 x2,2"), turned)}});
+  dot.why =
+      "The operator is a number's, and what it is applied to a vector: no dot belongs between them. Read as "
+      "a "
+      "dot product the right side is the number $f_0+f_1+f_2$, 6 for $\\mathbf f=(1,2,3)$, and the left side "
+      "the vector $\\mathbf f$. The next line goes on without it.";
+  for (std::size_t j = 0; j < 3; ++j)
+    proof.line("unit_vector_" + digit(j), 3125,
+               "the derivative of the position by x" + digit(j) + " is e" + digit(j),
+               each_component("slope" + digit(j) + "#", "e" + digit(j) + "#"),
+               "the position along an axis, dual numbers",
+               {each_component("slope" + digit(j) + "#", "e" + digit((j + 1) % 3) + "#"),
+                each_component("slope" + digit(j) + "#", "- e" + digit(j) + "#")});
+  proof.line("sum_of_unit_vectors", 3125, "(f.grad) x is f0 e0 + f1 e1 + f2 e2",
+             each_component("fgrad_x#", "f0 e0# + f1 e1# + f2 e2#"), turned,
+             {each_component("fgrad_x#", "f0 e1# + f1 e0# + f2 e2#"),
+              each_component("fgrad_x#", "f0 e0# + f1 e1# - f2 e2#")});
+  proof.line("components", 3127, "its components are f0, f1, f2", each_component("fgrad_x#", "f#"), turned);
+  proof.line("identity", 3129, "(f.grad) x = f", each_component("along_f#", "f#"),
+             "the position along f, dual numbers",
+             {each_component("along_f#", "- f#"), each_component("along_f#", "div_x f#")});
+  return proof.claims;
+}
+
+Quantity directional(const Parameters& p, const Reference& truth) {
+  const At at(p);
+  const Point x = at.x, f = at.waves.f(at.x);
+  const Known known = truth("05_01_directional", at.inputs());
+  Quantity q = quantity("directional", "1", "(f.grad) x at x, for a field of wave number w", known,
+                        nine_digits(known.value));
+  add_ways(q, "along f", 1, [=](auto& way) { return way.along(position, x, f); });
+  const auto by_axes = [=](auto& way) { return advection_of(slopes_by(way, position, x), f); };
+  add_ways(q, "along the axes", 1, by_axes, Outcome::ok, "");
+  q.add(
+      Breakdown{"The position is linear, so that a difference has no truncation: the coarsest step is the "
+                "best, and a fine one only brings out the rounding of $\\mathbf x \\pm h\\mathbf f$.",
+                "along f, central differences 2", 0x1p-31, Outcome::inaccurate,
+                "along f, central differences 2", 0x1p-3});
+  q.add(
+      Breakdown{"Along an axis a step that is a power of two moves the point without rounding, and the "
+                "difference is exact however fine it is.",
+                "along f, central differences 4", 0x1p-31, Outcome::inaccurate,
+                "along the axes, central differences 4", 0x1p-31});
+  return q;
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  return {claims(Random(p["seed"])), {directional(p, truth)}};
+}
+
+}  // namespace ex05_01
+
+Exercise exercise_5_1() {
+  using namespace ex05_01;
+  return {"Directional derivative of the position",
+          "Show that $(\\mathbf f\\cdot\\nabla)\\mathbf x = \\mathbf f$, where $\\mathbf x$ is the position. "
+          "Below `x0,1` is the derivative of $x_0$ by $x_1$.",
+          field_parameters,
+          {},
+          study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <numbers>
+
+#include "chapters/05_fluids_and_gases/shared/fields.hpp"
+#include "chapters/exercise.hpp"
+#include "reference/reference.hpp"
+#include "solvers/quadrature.hpp"
+
+/// The flux of x / |x|^3 through closed surfaces: 4 pi when the origin is inside, 0 when it is outside.
+namespace oddity::fields {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+/// Semi-axes a, a, b; the centre is d along b. The axis of b is no axis of the integration.
+struct Spheroid {
+  double a, b, d;
+  Point axis{2.0 / 3, 1.0 / 3, 2.0 / 3};
+
+  /// x.dS / |x|^3 for each unit of u = cos(theta) and phi: with x = d axis + A n, dS = det(A) A^-1 n du dphi.
+  double density(double u, double phi) const {
+    const double s = std::sqrt(std::max(0.0, 1 - u * u));
+    const Point n{s * std::cos(phi), s * std::sin(phi), u};
+    const double along = dot(axis, n);
+    Point x, normal;
+    for (std::size_t i = 0; i < 3; ++i) {
+      x[i] = a * n[i] + (d + (b - a) * along) * axis[i];
+      normal[i] = a * b * n[i] + a * (a - b) * along * axis[i];
+    }
+    const double square = dot(x, x);
+    return dot(x, normal) / (square * std::sqrt(square));
+  }
+};
+
+/// Half side h, centre c.
+struct Cube {
+  double h;
+  Point c;
+
+  /// The sum of `face(density, ranges)` over the faces: the density is x.dS / |x|^3 in the face's
+  /// coordinates.
+  template <class Face>
+  Integral over_faces(const Face& face) const {
+    Integral sum;
+    for (std::size_t n = 0; n < 3; ++n)
+      for (double side : {-1.0, 1.0}) {
+        const double z = h + side * c[n], x = c[(n + 1) % 3], y = c[(n + 2) % 3];
+        const Integral one =
+            face([z](double p, double q) { return z / std::pow(p * p + q * q + z * z, 1.5); }, x, y);
+        sum.value += one.value;
+        sum.evaluations += one.evaluations;
+        if (sum.reached()) sum.ending = one.ending, sum.message = one.message;
+      }
+    return sum;
+  }
+  Integral flux(const Rule& rule) const {
+    return over_faces([&](const auto& density, double x, double y) {
+      return nested(
+          rule, density, x - h, x + h, [y, this](double) { return y - h; },
+          [y, this](double) { return y + h; });
+    });
+  }
+};
+
+inline Tolerance ten_decimals() { return {1e-10, "ten decimals"}; }
+
+template <class F>
+Rule with(F rule, double setting) {
+  return
+      [rule, n = static_cast<int>(setting)](FunctionOfOne f, double a, double b) { return rule(f, a, b, n); };
+}
+inline Rule qags_with(double tolerance) {
+  return [tolerance](FunctionOfOne f, double a, double b) { return qags(f, a, b, tolerance); };
+}
+
+inline const std::string low_order = "order 4 is too low for ten decimals with these panels";
+
+/// The flux through a spheroid by several rules; `peaked`: the origin is so close to the surface that rules
+/// with fixed points miss the peak of the density.
+inline Quantity spheroid_flux(const std::string& name, const std::string& says, const Spheroid& surface,
+                              const Reference& truth, bool peaked = false) {
+  Quantity q = quantity(name, "1", says, truth("05_03_spheroid_flux", {surface.a, surface.b, surface.d}),
+                        ten_decimals());
+  const Outcome fixed = peaked ? Outcome::inaccurate : Outcome::ok;
+  const std::string why = peaked ? "the density is a peak, narrower than the points are apart" : "";
+  const auto by = [surface](const Rule& rule) {
+    const auto in_angles = [&](double theta, double phi) {
+      return std::sin(theta) * surface.density(std::cos(theta), phi);
+    };
+    const auto zero = [](double) { return 0.0; };
+    return answer(nested(rule, in_angles, 0, std::numbers::pi, zero, [](double) { return two_pi; }));
+  };
+  const auto by_product = [surface](double points) {
+    const int n = static_cast<int>(points);
+    long calls = 0;
+    const auto circle = [&](double u) {
+      const Integral around =
+          trapezoid([&](double phi) { return surface.density(u, phi); }, 0, two_pi, 2 * n);
+      calls += around.evaluations;
+      return around.value;
+    };
+    const Integral flux = gauss_legendre(circle, -1, 1, n);
+    return Answer{flux.value, calls};
+  };
+  const std::string angles = "theta, phi";
+  q.add({"cos(theta), phi", "Gauss-Legendre by trapezoid", doubling("points", 4, 6), by_product, fixed, why});
+  q.add({angles, "Gauss-Legendre", doubling("points", 4, 6),
+         [by](double n) { return by(with(gauss_legendre, n)); }, fixed, why});
+  q.add({angles, "Simpson", doubling("panels", 8, 6), [by](double n) { return by(with(simpson, n)); },
+         Outcome::inaccurate, peaked ? why : low_order});
+  q.add({angles, "trapezoid", doubling("panels", 8, 6), [by](double n) { return by(with(trapezoid, n)); },
+         Outcome::inaccurate, "over theta, which is no period, the trapezoid rule has order 2"});
+  q.add({angles, "QAGS", tolerances(2, 10), [by](double tolerance) { return by(qags_with(tolerance)); }});
+  return q;
+}
+
+inline Quantity cube_flux(const Cube& cube, const Reference& truth) {
+  Quantity q =
+      quantity("flux_cube", "1", "flux through a cube around the origin, its centre at (h/4, -h/2, h/8)",
+               truth("05_03_cube_flux", {cube.h, cube.c[0], cube.c[1], cube.c[2]}), ten_decimals());
+  q.add({"faces", "Gauss-Legendre", doubling("points", 4, 5),
+         [cube](double n) { return answer(cube.flux(with(gauss_legendre, n))); }});
+  q.add({"faces", "Simpson", doubling("panels", 8, 5),
+         [cube](double n) { return answer(cube.flux(with(simpson, n))); }, Outcome::inaccurate, low_order});
+  q.add({"faces", "QAGS", tolerances(2, 10),
+         [cube](double tolerance) { return answer(cube.flux(qags_with(tolerance))); }});
+  return q;
+}
+
+}  // namespace oddity::fields

@@ -1,0 +1,159 @@
+// Exercise 5.5: div (M f) = (M^T grad).f for a constant matrix M.
+// Left side: M f is differentiated as one field by dual numbers along a frame turned at random. Right side:
+// the published index expressions, their sums written out. Products of M with a vector are taken by Eigen.
+// The operator M^T grad has the components "derivative along a column of M", which are taken as such.
+
+#include <Eigen/Core>
+
+#include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
+#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+
+namespace oddity {
+
+namespace ex05_05 {
+
+using namespace fields;
+
+constexpr auto parameters = [] {
+  constexpr Parameter m{"", 0, "", "entry of M", -1e3, 1e3};
+  constexpr std::string_view names[] = {"m00", "m01", "m02", "m10", "m11", "m12", "m20", "m21", "m22"};
+  constexpr double values[] = {2, -1, 0.5, 0.25, 3, -2, 1.5, 0.75, -1};
+  std::array<Parameter, 14> all{};
+  for (std::size_t i = 0; i < 9; ++i) all[i] = {names[i], values[i], m.unit, m.says, m.least, m.most};
+  for (std::size_t i = 0; i < 5; ++i) all[9 + i] = field_parameters[i];
+  return all;
+}();
+
+template <class Vector>
+auto product(const Matrix<double>& m, Vector f) {
+  return [m, f](const auto& x) {
+    const auto v = f(x);
+    return std::array{dot(m[0], v), dot(m[1], v), dot(m[2], v)};
+  };
+}
+
+Point column(const Matrix<double>& m, std::size_t j) { return {m[0][j], m[1][j], m[2][j]}; }
+
+using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+Eigen::Vector3d eigen(const Point& v) { return {v[0], v[1], v[2]}; }
+Point point(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+void fill(Sample& s, const Drawn& d) {
+  const Matrix<double>& m = d.m;
+  const Rows eigen_m = Eigen::Map<const Rows>(m[0].data()), turn = Eigen::Map<const Rows>(d.frame[0].data());
+  const Rows turned_m = turn * eigen_m * turn.transpose();
+  const Eigen::Vector3d f = eigen(d.f(d.x)), g = eigen(d.g(d.x));
+  s.put("Mf", point(eigen_m * f));
+  s.put("gTM", point((g.transpose() * eigen_m).transpose()));
+  s.put("MTg", point(eigen_m.transpose() * g));
+  s.put("MTgrad_phi", point(eigen_m.transpose() * eigen(gradient(d.phi, d.frame)(d.x))));
+  s.put("turned_Mf", point(turn * (eigen_m * f)));
+  s.put("turned_gTM", point(turn * (g.transpose() * eigen_m).transpose()));
+  s.put("div_Mf", divergence(product(m, d.f), d.frame)(d.x));
+  s.put("div_phi_Mf", divergence(product(m, times(d.phi, d.f)), d.frame)(d.x));
+  for (std::size_t i = 0; i < 3; ++i) {
+    s.put("m" + digit(i), m[i]);
+    s.put("n" + digit(i), point(turned_m.row(static_cast<int>(i))));
+    s.put("column" + digit(i) + "_f", along(d.f, d.x, column(m, i)));
+    s.put("row" + digit(i) + "_f", along(d.f, d.x, m[i]));
+  }
+  s.put("v", point(turn * f));
+  s.put("u", point(turn * g));
+  s.put("x", d.x);
+  s.put("g", point(g));
+  s.put_scalar("phi", d.phi, d.x);
+  s.put_vector("f", d.f, d.x);
+  s.put_vector("h", product(m, d.f), d.x);
+}
+
+std::vector<Claim> claims(Random random) {
+  Proof proof("5.5", sampled(random, fill));
+  const std::string whole = "M f differentiated as one field along a turned frame";
+  const std::string by_eigen = "the product by Eigen";
+  const std::string outside =
+      "m00 f0,0 + m01 f1,0 + m02 f2,0 + m10 f0,1 + m11 f1,1 + m12 f2,1 + m20 f0,2 + m21 f1,2 + m22 f2,2";
+
+  const std::string product_with_x =
+      "m00 x0 f0 + m01 x0 f1 + m02 x0 f2 + m10 x1 f0 + m11 x1 f1 + m12 x1 f2 + m20 x2 f0 + m21 x2 f1 + m22 "
+      "x2 f2";
+
+  proof.line("product", 3271, "m_ij f_j, summed over j, is M f",
+             each_component("Mf#", "m#0 f0 + m#1 f1 + m#2 f2"), by_eigen);
+  proof.line("free_i", 3271,
+             "i being the only free index, m_ij f_j is a vector: it turns with its factors (n, v)",
+             each_component("turned_Mf#", "n#0 v0 + n#1 v1 + n#2 v2"), "M f, turned");
+  proof.line("divergence", 3273, "div (M f) is d(m_ij f_j)/dx_i (h = M f)",
+             {{"div_Mf", "h0,0 + h1,1 + h2,2"}}, whole);
+  Claim& constants = proof.line("constants_outside", 3277,
+                                "the constants m_ij move out of the derivatives, (m_ij /dx_i) f_j",
+                                {{"div_Mf", outside}}, whole);
+  constants.meant = std::exchange(constants.printed,
+                                  {"m_ij /dx_i times f_j, with nothing to differentiate: " + product_with_x,
+                                   {compare(proof.samples, {{"div_Mf", product_with_x}}, whole)}});
+  constants.why =
+      "The bar and the $\\partial$ above it are lost in the text at hand, here and in line 3295: the "
+      "operator "
+      "is $m_{ij}\\,\\partial/\\partial x_i$, as line 3287 has it. Without the $\\partial$ nothing is "
+      "differentiated: for $M=I$ and $\\mathbf f=\\mathbf x$ the divergence is 3, and the products $x_if_i$ "
+      "add up to $|\\mathbf x|^2$.";
+  constants.near_misses.push_back(
+      {"the same of a matrix that varies, phi M",
+       {compare(proof.samples, {{"div_phi_Mf", "phi (" + outside + ")"}}, whole)}});
+  proof.line("row_times_matrix", 3285, "g_i m_ij, summed over i, is g^T M",
+             each_component("gTM#", "g0 m0# + g1 m1# + g2 m2#"), by_eigen);
+  proof.line("free_j", 3285,
+             "j being the only free index, g_i m_ij is a vector: it turns with its factors (u, n)",
+             each_component("turned_gTM#", "u0 n0# + u1 n1# + u2 n2#"), "g^T M, turned");
+  proof.line("commuted", 3285, "written m_ij g_i, it is M^T g",
+             each_component("MTg#", "m0# g0 + m1# g1 + m2# g2"), by_eigen);
+  proof.line("operator", 3291, "so m_ij d/dx_i is M^T grad (on any field phi)",
+             each_component("MTgrad_phi#", "m0# phi,0 + m1# phi,1 + m2# phi,2"),
+             "M^T times the gradient along a turned frame, by Eigen");
+  Claim& identity = proof.line("identity", 3293, "div (M f) = (M^T grad).f: each f_j along column j of M",
+                               {{"div_Mf", "column0_f0 + column1_f1 + column2_f2"}}, whole);
+  identity.near_misses.push_back(
+      {"(M grad).f", {compare(proof.samples, {{"div_Mf", "row0_f0 + row1_f1 + row2_f2"}}, whole)}});
+  return proof.claims;
+}
+
+Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
+  const At at(p);
+  const auto f = at.f();
+  const Point x = at.x;
+  Matrix<double> m;
+  std::vector<double> inputs = at.inputs();
+  for (std::size_t i = 0; i < 9; ++i) {
+    m[i / 3][i % 3] = p[parameters[i].name];
+    inputs.push_back(m[i / 3][i % 3]);
+  }
+  const Known known = truth("05_05_divergence", inputs);
+  Quantity q = quantity("divergence_of_product", "1/m", "div (M f) at x, for a field of wave number w", known,
+                        nine_digits(known.value));
+  add_ways(q, "M f as one field", 1, [=](auto& way) { return divergence_by(way, product(m, f), x); });
+  add_ways(q, "f_j along column j of M", 1, [=](auto& way) {
+    double sum = 0;
+    for (std::size_t j = 0; j < 3; ++j) sum += way.along(f, x, column(m, j))[j];
+    return sum;
+  });
+  add_breakdowns(q, "M f as one field");
+  return q;
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  return {claims(Random(p["seed"])), {divergence_of_product(p, truth)}};
+}
+
+}  // namespace ex05_05
+
+Exercise exercise_5_5() {
+  using namespace ex05_05;
+  return {"Divergence of a matrix times a vector",
+          "Show that $\\nabla\\cdot(M\\mathbf f) = (M^T\\nabla)\\cdot\\mathbf f$ for a constant matrix $M$. "
+          "Below "
+          "`f2,1` is the derivative of $f_2$ by $x_1$.",
+          parameters,
+          {},
+          study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,96 @@
+// Exercise 5.7: curl (phi f) = phi curl f + grad phi x f.
+// Left side: the product is differentiated as one field by dual numbers along a frame turned at random,
+// curl h = sum_k u_k x (u_k.grad) h, which has none of the proof's index lists. Right side: each published
+// line read as it is printed, from partial derivatives along the axes. The quantity's reference
+// differentiates the product in 60 digits by extrapolated differences and by Cauchy's integral.
+
+#include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
+#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+
+namespace oddity {
+
+namespace ex05_07 {
+
+using namespace fields;
+
+void fill(Sample& s, const Drawn& d) {
+  s.put("curl_phi_f", curl(times(d.phi, d.f), d.frame)(d.x));
+  s.put_scalar("phi", d.phi, d.x);
+  s.put_vector("f", d.f, d.x);
+  s.put_vector("phi_f", times(d.phi, d.f), d.x);
+  s.put("curl_f", curl(d.f, d.frame)(d.x));
+  s.put("grad_phi_x_f", cross(gradient(d.phi, d.frame)(d.x), d.f(d.x)));
+}
+
+std::vector<Claim> claims(Random random) {
+  Proof proof{"5.7", sampled(random, fill)};
+  const auto component = [&](const std::string& step, std::size_t i, int at, const std::string& says,
+                             const std::string& right) {
+    proof.line(step + "_" + digit(i), at, says + ", component " + digit(i),
+               {{"curl_phi_f" + digit(i), right}}, "phi f differentiated as one field along a turned frame");
+  };
+  const std::string definition = "the curl of the product in coordinates";
+  component("definition", 0, 3305, definition, "phi_f2,1 - phi_f1,2");
+  component("definition", 1, 3309, definition, "phi_f0,2 - phi_f2,0");
+  component("definition", 2, 3311, definition, "phi_f1,0 - phi_f0,1");
+  const std::string rule = "every derivative of a product has two terms";
+  component("product_rule", 0, 3317, rule, "phi f2,1 + phi,1 f2 - phi f1,2 - phi,2 f1");
+  component("product_rule", 1, 3323, rule, "phi f0,2 + phi,2 f0 - phi f2,0 - phi,0 f2");
+  component("product_rule", 2, 3331, rule, "phi f1,0 + phi,0 f1 - phi f0,1 - phi,1 f0");
+  const std::string gathered = "the terms gathered into two vectors";
+  component("gathered", 0, 3343, gathered, "phi (f2,1 - f1,2) + (phi,1 f2 - phi,2 f1)");
+  component("gathered", 1, 3345, gathered, "phi (f0,2 - f2,0) + (phi,2 f0 - phi,0 f2)");
+  component("gathered", 2, 3349, gathered, "phi (f1,0 - f0,1) + (phi,0 f1 - phi,1 f0)");
+
+  proof.line("first_vector", 3343, "the first of the two vectors, with its factor, is phi curl f",
+             {{"phi curl_f0", "phi (f2,1 - f1,2)"},
+              {"phi curl_f1", "phi (f0,2 - f2,0)"},
+              {"phi curl_f2", "phi (f1,0 - f0,1)"}},
+             "curl f along a turned frame");
+  proof.line("second_vector", 3353, "the second of the two vectors is grad phi x f",
+             {{"grad_phi_x_f0", "phi,1 f2 - phi,2 f1"},
+              {"grad_phi_x_f1", "phi,2 f0 - phi,0 f2"},
+              {"grad_phi_x_f2", "phi,0 f1 - phi,1 f0"}},
+             "grad phi along a turned frame");
+  proof.line("identity", 3367, "curl (phi f) = phi curl f + grad phi x f",
+             each_component("curl_phi_f#", "phi curl_f# + grad_phi_x_f#"),
+             "phi f differentiated as one field along a turned frame");
+  return proof.claims;
+}
+
+Quantity curl_of_product(const Parameters& p, const Reference& truth) {
+  const At at(p);
+  const auto phi = at.phi();
+  const auto f = at.f();
+  const Point x = at.x;
+  const Known known = truth("05_07_curl", at.inputs());
+  Quantity q = quantity("curl_of_product", "1/m", "curl (phi f) at x, for two fields of wave number w", known,
+                        nine_digits(known.value));
+  add_ways(q, "product as one field", 2, [=](auto& way) { return curl_by(way, times(phi, f), x); });
+  add_ways(q, "phi curl f + grad phi x f", 1, [=](auto& way) {
+    const Point curl_f = curl_by(way, f, x), turned = cross(gradient_by(way, phi, x), f(x));
+    way.calls += 2;
+    return combined(phi(x), curl_f, 1, turned);
+  });
+  add_breakdowns(q, "product as one field");
+  return q;
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  return {claims(Random(p["seed"])), {curl_of_product(p, truth)}};
+}
+
+}  // namespace ex05_07
+
+Exercise exercise_5_7() {
+  using namespace ex05_07;
+  return {"Curl of a scalar times a vector",
+          "Show that $\\nabla\\times(\\varphi\\mathbf f) = \\varphi\\,\\nabla\\times\\mathbf f + "
+          "\\nabla\\varphi\\times\\mathbf f$. Below `f2,1` is the derivative of $f_2$ by $x_1$, and `phi_f` "
+          "the product.",
+          field_parameters,
+          {},
+          study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,142 @@
+// Exercise 5.9: curl grad phi = 0.
+// Left side: the curl of the gradient by nested dual numbers along a frame turned at random. Right side: the
+// published components: each printed second derivative against the slope of the gradient along the turned
+// frame, and the pattern of indices against the curl of any field. The condition that the solution names is
+// tried on Peano's function (peano.hpp).
+
+#include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
+#include "chapters/05_fluids_and_gases/09_curl_of_gradient/peano.hpp"
+#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+
+namespace oddity {
+
+namespace ex05_09 {
+
+using namespace fields;
+
+/// The derivative of phi along u, then along v.
+template <class T>
+double second(const ScalarField& phi, const Triple<T>& x, const Point& u, const Point& v) {
+  return along([&](const auto& y) { return along(phi, y, u); }, x, v);
+}
+
+void fill(Sample& s, const Drawn& d) {
+  double size = 0;
+  for (const Point& u : axes) size = std::max(size, size_of(Value(along(gradient(d.phi), d.x, u))));
+  s.put("zero", 0, size);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      s.put("phi," + digit(i) + digit(j), second(d.phi, d.x, axes[i], axes[j]), size);
+      s.put("turned" + digit(i) + digit(j), second(d.phi, d.x, d.frame[i], d.frame[j]), size);
+    }
+  s.put_vector("grad", gradient(d.phi, d.frame), d.x);
+  s.put("curl_grad", curl(gradient(d.phi, d.frame), d.frame)(d.x));
+  s.put("curl_v", curl(d.f, d.frame)(d.x));
+  s.put_scalar("phi", d.phi, d.x);
+  s.put_vector("v", d.f, d.x);
+}
+
+std::vector<Claim> claims(Random random, const Known& mixed) {
+  Proof proof("5.9", sampled(random, fill));
+  const std::string turned = "curl grad phi along a turned frame";
+  proof.line("gradient", 3373, "the gradient in coordinates", each_component("grad#", "phi,#"),
+             "the gradient along a turned frame");
+  const auto component = [&](int at, const std::string& i, const std::vector<Row>& terms,
+                             const std::string& any) {
+    proof.line("component_" + i, at, "curl grad phi in coordinates, component " + i, terms,
+               "slopes of the gradient along a turned frame");
+    proof.also({{"curl_v" + i, any}}, "the curl of any field v, by the same pattern");
+  };
+  component(3379, "0", {{"grad2,1", "phi,21"}, {"- grad1,2", "- phi,12"}}, "v2,1 - v1,2");
+  component(3387, "1", {{"grad0,2", "phi,02"}, {"- grad2,0", "- phi,20"}}, "v0,2 - v2,0");
+  component(3395, "2", {{"grad1,0", "phi,10"}, {"- grad0,1", "- phi,01"}}, "v1,0 - v0,1");
+  proof.line("identity", 3403, "curl grad phi = 0", each_component("curl_grad#", "zero"), turned,
+             {each_component("curl_v#", "zero"),
+              {{"phi,21 + phi,12", "zero"}, {"phi,02 + phi,20", "zero"}, {"phi,10 + phi,01", "zero"}}});
+  Claim& order =
+      proof.line("order", 3405, "where second derivatives are continuous, their order is irrelevant",
+                 {{"turned01", "turned10"}, {"turned12", "turned21"}, {"turned20", "turned02"}},
+                 "nested dual numbers along two vectors of a turned frame",
+                 {{{"turned01", "turned02"}, {"turned12", "turned10"}, {"turned20", "turned21"}}});
+  const auto& m = mixed.value;
+  const Value one{m[0], m[2], m[4]}, other{m[1], m[3], m[5]};
+  order.printed.checks.push_back({"second derivatives of the fixed field",
+                                  {"iterated limits in 60 digits, in one order", one},
+                                  {"and in the other", other},
+                                  rounding(size_of(one), 1)});
+  order.near_misses.push_back(
+      {"it is irrelevant wherever they exist (Peano's x y (x^2 - y^2) / (x^2 + y^2))", {peano_orders()}});
+  return proof.claims;
+}
+
+Quantity mixed_derivatives(const At& at, const Known& six) {
+  const auto phi = at.phi();
+  const Point x = at.x;
+  const Value truth{six.value[0], six.value[2], six.value[4]};
+  Quantity q{"mixed_derivatives",
+             "1/m^2",
+             "phi,12 phi,20 phi,01 at x, for a field of wave number w",
+             {six.source, truth},
+             six.error,
+             nine_digits(truth),
+             {},
+             {}};
+  const auto all = [](const auto& second_by) {
+    return Value{second_by(1, 2), second_by(2, 0), second_by(0, 1)};
+  };
+  q.add({"phi", "nested dual numbers", no_knob(), [=](double) {
+           return Answer{
+               all([&](std::size_t i, std::size_t j) { return along(partial(phi, i), x, axes[j]); }), 3};
+         }});
+  const auto of_slopes = [=](auto way) {
+    const Value value =
+        all([&](std::size_t i, std::size_t j) { return way.along(partial(phi, i), x, axes[j]); });
+    return Answer{value, way.calls};
+  };
+  const auto of_values = [=](auto way) {
+    auto outer = way;
+    const Value value = all([&](std::size_t i, std::size_t j) {
+      return outer.along([&](const Point& y) { return way.along(phi, y, axes[i]); }, x, axes[j]);
+    });
+    return Answer{value, way.calls};
+  };
+  const std::string once = "rounding grows as eps/h", twice = "rounding grows as eps/h^2";
+  q.add({"slopes by dual numbers", "central differences 2", steps(),
+         [=](double h) { return of_slopes(ByDifferences<2>{h}); }, Outcome::inaccurate, once});
+  q.add({"slopes by dual numbers", "central differences 4", steps(),
+         [=](double h) { return of_slopes(ByDifferences<4>{h}); }, Outcome::inaccurate, once});
+  q.add({"phi", "central differences 2", steps(25), [=](double h) { return of_values(ByDifferences<2>{h}); },
+         Outcome::inaccurate, twice + ": even the best step, near eps^(1/4), has eight digits"});
+  q.add({"phi", "central differences 4", steps(25), [=](double h) { return of_values(ByDifferences<4>{h}); },
+         Outcome::inaccurate, twice});
+  q.add(Breakdown{
+      "Differences of differences lose $\\varepsilon/h^2$: their best step is near $\\varepsilon^{1/4}$ "
+      "for order 2, and it does not reach nine digits. One of the two taken by dual numbers does.",
+      "phi, central differences 2", 0x1p-13, Outcome::inaccurate,
+      "slopes by dual numbers, central differences 2", 0x1p-17});
+  q.add(Breakdown{"Order 4 does, near $\\varepsilon^{1/6}$, and not at a fine step.",
+                  "phi, central differences 4", 0x1p-25, Outcome::inaccurate, "phi, central differences 4",
+                  0x1p-9});
+  return q;
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  const At at(p);
+  const Known mixed = truth("05_09_mixed", at.inputs());
+  return {claims(Random(p["seed"]), mixed), {mixed_derivatives(at, mixed), peano_curl()}};
+}
+
+}  // namespace ex05_09
+
+Exercise exercise_5_9() {
+  using namespace ex05_09;
+  return {"Curl of a gradient",
+          "Show that $\\nabla\\times\\nabla\\varphi = 0$. Below `phi,12` is the derivative of $\\varphi$ by "
+          "$x_1$, "
+          "then by $x_2$.",
+          field_parameters,
+          {},
+          study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,121 @@
+// Exercise 5.11: div (f x g) = curl f . g - curl g . f.
+// Left side: the product is differentiated as one field by dual numbers along a frame turned at random,
+// div h = sum_k u_k.(u_k.grad) h, which has none of the proof's index lists. Right side: each published line
+// read as it is printed, from partial derivatives along the axes. The components of the cross product itself
+// are compared with determinants by LU.
+
+#include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
+#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+#include "solvers/linear.hpp"
+
+namespace oddity {
+
+namespace ex05_11 {
+
+using namespace fields;
+
+/// (a x b)_i = det [a b e_i].
+Point cross_by_determinants(const Point& a, const Point& b) {
+  Point c;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Eigen::Matrix3d m;
+    for (int k = 0; k < 3; ++k) {
+      const auto row = static_cast<std::size_t>(k);
+      m.row(k) << a[row], b[row], axes[i][row];
+    }
+    c[i] = determinant(m).value;
+  }
+  return c;
+}
+
+void fill(Sample& s, const Drawn& d) {
+  const auto product = [d](const auto& x) {
+    const auto f = d.f(x), g = d.g(x);
+    return std::array{f[1] * g[2] - f[2] * g[1], f[2] * g[0] - f[0] * g[2], f[0] * g[1] - f[1] * g[0]};
+  };
+  s.put("div_fxg", divergence(cross_product(d.f, d.g), d.frame)(d.x));
+  s.put("fxg", cross_by_determinants(d.f(d.x), d.g(d.x)));
+  s.put_vector("f", d.f, d.x);
+  s.put_vector("g", d.g, d.x);
+  s.put_vector("h", product, d.x);
+  s.put("curl_f", curl(d.f, d.frame)(d.x));
+  s.put("curl_g", curl(d.g, d.frame)(d.x));
+}
+
+std::vector<Claim> claims(Random random) {
+  Proof proof("5.11", sampled(random, fill));
+  const std::string whole = "f x g differentiated as one field along a turned frame";
+  const std::string alone = "the bracket differentiated as one field";
+  const std::string curls = "curls along a turned frame";
+
+  proof.line("cross_product", 3413, "the brackets are the components of f x g",
+             {{"fxg0", "f1 g2 - f2 g1"}, {"fxg1", "f2 g0 - f0 g2"}, {"fxg2", "f0 g1 - f1 g0"}},
+             "determinants of f, g and a unit vector, by LU");
+  proof.line("definition", 3409, "the divergence is the sum of the three brackets' derivatives (h = f x g)",
+             {{"div_fxg", "h0,0 + h1,1 + h2,2"}}, whole);
+  proof.line("product_rule_0", 3419, "the first bracket's derivative by x0 has four terms",
+             {{"h0,0", "f1,0 g2 + f1 g2,0 - f2,0 g1 - f2 g1,0"}}, alone);
+  proof.line("product_rule_1", 3425, "the second bracket's derivative by x1 has four terms",
+             {{"h1,1", "f2,1 g0 + f2 g0,1 - f0,1 g2 - f0 g2,1"}}, alone);
+  proof.line("product_rule_2", 3431, "the third bracket's derivative by x2 has four terms",
+             {{"h2,2", "f0,2 g1 + f0 g1,2 - f1,2 g0 - f1 g0,2"}}, alone);
+  proof.line("product_rule", 3419, "the divergence is the sum of these twelve terms",
+             {{"div_fxg",
+               "f1,0 g2 + f1 g2,0 - f2,0 g1 - f2 g1,0 + f2,1 g0 + f2 g0,1 - f0,1 g2 - f0 g2,1 + f0,2 g1 + "
+               "f0 g1,2 - f1,2 g0 - f1 g0,2"}},
+             whole);
+  proof.line("gathered", 3437, "the twelve terms gathered by the factor that is not differentiated",
+             {{"div_fxg",
+               "(f2,1 - f1,2) g0 + (f0,2 - f2,0) g1 + (f1,0 - f0,1) g2 - (g2,1 - g1,2) f0 - "
+               "(g0,2 - g2,0) f1 - (g1,0 - g0,1) f2"}},
+             whole);
+  proof.line(
+      "curl_f", 3437, "the first three terms gathered are curl f . g",
+      {{"curl_f0 g0 + curl_f1 g1 + curl_f2 g2", "(f2,1 - f1,2) g0 + (f0,2 - f2,0) g1 + (f1,0 - f0,1) g2"}},
+      curls);
+  proof.line("curl_g", 3455, "the last three terms gathered are -curl g . f",
+             {{"- curl_g0 f0 - curl_g1 f1 - curl_g2 f2",
+               "- (g2,1 - g1,2) f0 - (g0,2 - g2,0) f1 - (g1,0 - g0,1) f2"}},
+             curls);
+  proof.line("identity", 3473, "div (f x g) = curl f . g - curl g . f",
+             {{"div_fxg", "(curl_f0 g0 + curl_f1 g1 + curl_f2 g2) - (curl_g0 f0 + curl_g1 f1 + curl_g2 f2)"}},
+             whole);
+  return proof.claims;
+}
+
+Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
+  const At at(p);
+  const auto f = at.f();
+  const auto g = at.g();
+  const Point x = at.x;
+  const Known known = truth("05_11_divergence", at.inputs());
+  Quantity q = quantity("divergence_of_product", "1/m", "div (f x g) at x, for two fields of wave number w",
+                        known, nine_digits(known.value));
+  add_ways(q, "product as one field", 2,
+           [=](auto& way) { return divergence_by(way, cross_product(f, g), x); });
+  add_ways(q, "curl f . g - curl g . f", 1, [=](auto& way) {
+    way.calls += 2;
+    return dot(curl_by(way, f, x), g(x)) - dot(curl_by(way, g, x), f(x));
+  });
+  add_breakdowns(q, "product as one field");
+  return q;
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  return {claims(Random(p["seed"])), {divergence_of_product(p, truth)}};
+}
+
+}  // namespace ex05_11
+
+Exercise exercise_5_11() {
+  using namespace ex05_11;
+  return {
+      "Divergence of a cross product",
+      "Show that $\\nabla\\cdot(\\mathbf f\\times\\mathbf g) = (\\nabla\\times\\mathbf f)\\cdot\\mathbf g "
+      "- (\\nabla\\times\\mathbf g)\\cdot\\mathbf f$. Below `f2,1` is the derivative of $f_2$ by $x_1$.",
+      field_parameters,
+      {},
+      study};
+}
+
+}  // namespace oddity

@@ -1,0 +1,135 @@
+// Exercise 5.13: grad (f.g) = f x curl g + g x curl f + (f.grad) g + (g.grad) f, the book's equation (5.21).
+// Left side: f.g is differentiated as one field, and each of the four terms by its operator, by dual numbers
+// along a frame turned at random. Right side: the published components read as they are printed, from
+// partial derivatives along the axes. The sum is also compared as an expression, term by term.
+
+#include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
+#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+
+namespace oddity {
+
+namespace ex05_13 {
+
+using namespace fields;
+
+using Components = std::array<std::string, 3>;
+
+// clang-format off
+const Components left_8{"f0,0 g0 + f0 g0,0 + f1,0 g1 + f1 g1,0 + f2,0 g2 + f2 g2,0",
+                        "f0,1 g0 + f0 g0,1 + f1,1 g1 + f1 g1,1 + f2,1 g2 + f2 g2,1",
+                        "f0,2 g0 + f0 g0,2 + f1,2 g1 + f1 g1,2 + f2,2 g2 + f2 g2,2"};
+const Components first_9{"f1 (g1,0 - g0,1) - f2 (g0,2 - g2,0)",
+                         "f2 (g2,1 - g1,2) - f0 (g1,0 - g0,1)",
+                         "f0 (g0,2 - g2,0) - f1 (g2,1 - g1,2)"};
+const Components second_10{"g1 (f1,0 - f0,1) - g2 (f0,2 - f2,0)",
+                           "g2 (f2,1 - f1,2) - g0 (f1,0 - f0,1)",
+                           "g0 (f0,2 - f2,0) - g1 (f2,1 - f1,2)"};
+const Components third_11{"f0 g0,0 + f1 g0,1 + f2 g0,2",
+                          "f0 g1,0 + f1 g1,1 + f2 g1,2",
+                          "f0 g2,0 + f1 g2,1 + f2 g2,2"};
+const Components fourth_12{"g0 f0,0 + g1 f0,1 + g2 f0,2",
+                           "g0 f1,0 + g1 f1,1 + g2 f1,2",
+                           "g0 f2,0 + g1 f2,1 + g2 f2,2"};
+// clang-format on
+
+void fill(Sample& s, const Drawn& d) {
+  s.put("grad_fg", gradient(dot_product(d.f, d.g), d.frame)(d.x));
+  s.put("f_x_curl_g", cross(d.f(d.x), curl(d.g, d.frame)(d.x)));
+  s.put("g_x_curl_f", cross(d.g(d.x), curl(d.f, d.frame)(d.x)));
+  s.put("fgrad_g", advected(d.f, d.g, d.frame)(d.x));
+  s.put("ggrad_f", advected(d.g, d.f, d.frame)(d.x));
+  s.put_vector("f", d.f, d.x);
+  s.put_vector("g", d.g, d.x);
+}
+
+/// A line as a polynomial: how often each product of symbols occurs, zeros left out.
+std::map<std::vector<std::size_t>, double> polynomial(const std::string& line, const Sample& symbols) {
+  std::map<std::vector<std::size_t>, double> counts;
+  for (Term& t : read_terms(line, symbols)) {
+    std::ranges::sort(t.factors);
+    counts[t.factors] += t.sign;
+  }
+  std::erase_if(counts, [](const auto& entry) { return entry.second == 0; });
+  return counts;
+}
+
+/// Terms that cancel, and the sum as an expression: component by component, no numbers in it.
+std::vector<Check> cancellation(const Sample& symbols, bool with_fourth) {
+  long differing = 0;
+  Value cancelled{0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string sum =
+        first_9[i] + " + " + second_10[i] + " + " + third_11[i] + (with_fourth ? " + " + fourth_12[i] : "");
+    const auto left = polynomial(sum, symbols), right = polynomial(left_8[i], symbols);
+    differing += left != right;
+    cancelled[i] = static_cast<double>(read_terms(sum, symbols).size() - left.size());
+  }
+  return {
+      never("components in which the sum of (9) to (12) is another polynomial than (8)", differing, 3),
+      {"terms that cancel in each component", {"counted", cancelled}, {"14 - 6", Value{8, 8, 8}}, exact()}};
+}
+
+std::vector<Claim> claims(Random random) {
+  Proof proof("5.13", sampled(random, fill));
+  const auto components = [&](const std::string& slug, std::array<int, 3> at, const std::string& says,
+                              const std::string& left, const Components& right, const std::string& by) {
+    for (std::size_t i = 0; i < 3; ++i)
+      proof.line(slug + "_" + digit(i), at[i], says + ", component " + digit(i),
+                 {{left + digit(i), right[i]}}, by);
+  };
+  components("gradient", {3481, 3495, 3509}, "grad (f.g), equation (8)", "grad_fg", left_8,
+             "f.g differentiated as one field along a turned frame");
+  const std::string turned = "the operator along a turned frame";
+  components("first_term", {3529, 3543, 3557}, "f x curl g, equation (9)", "f_x_curl_g", first_9, turned);
+  components("second_term", {3577, 3591, 3605}, "g x curl f, equation (10)", "g_x_curl_f", second_10, turned);
+  components("third_term", {3625, 3633, 3641}, "(f.grad) g, equation (11)", "fgrad_g", third_11, turned);
+  components("fourth_term", {3655, 3663, 3671}, "(g.grad) f, equation (12)", "ggrad_f", fourth_12, turned);
+
+  proof.line("sum", 3681, "the four terms add up to grad (f.g)",
+             each_component("grad_fg#", "f_x_curl_g# + g_x_curl_f# + fgrad_g# + ggrad_f#"),
+             "f.g differentiated as one field along a turned frame");
+  Claim cancels{"5.13-cancellation", 3681, "in the sum of (9) to (12) quite a few terms cancel; (8) is left"};
+  cancels.printed = {"8 of 14 terms cancel in each component", cancellation(proof.samples[0], true)};
+  cancels.near_misses = {{"without the fourth term", cancellation(proof.samples[0], false)}};
+  proof.claims.push_back(cancels);
+  return proof.claims;
+}
+
+Quantity gradient_of_product(const Parameters& p, const Reference& truth) {
+  const At at(p);
+  const auto f = at.f();
+  const auto g = at.g();
+  const Point x = at.x;
+  const Known known = truth("05_13_gradient", at.inputs());
+  Quantity q = quantity("gradient_of_product", "1/m", "grad (f.g) at x, for two fields of wave number w",
+                        known, nine_digits(known.value));
+  add_ways(q, "product as one field", 2, [=](auto& way) { return gradient_by(way, dot_product(f, g), x); });
+  add_ways(q, "the four terms", 1, [=](auto& way) {
+    way.calls += 2;
+    const Point a = f(x), b = g(x);
+    const Matrix<double> df = slopes_by(way, f, x), dg = slopes_by(way, g, x);
+    const Point crosses = combined(1, cross(a, curl_of(dg)), 1, cross(b, curl_of(df)));
+    return combined(1, crosses, 1, combined(1, advection_of(dg, a), 1, advection_of(df, b)));
+  });
+  add_breakdowns(q, "product as one field");
+  return q;
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  return {claims(Random(p["seed"])), {gradient_of_product(p, truth)}};
+}
+
+}  // namespace ex05_13
+
+Exercise exercise_5_13() {
+  using namespace ex05_13;
+  return {"Gradient of a dot product",
+          "Show that $\\nabla(\\mathbf f\\cdot\\mathbf g) = \\mathbf f\\times(\\nabla\\times\\mathbf g) + "
+          "\\mathbf g\\times(\\nabla\\times\\mathbf f) + (\\mathbf f\\cdot\\nabla)\\mathbf g + "
+          "(\\mathbf g\\cdot\\nabla)\\mathbf f$. Below `f2,1` is the derivative of $f_2$ by $x_1$.",
+          field_parameters,
+          {},
+          study};
+}
+
+}  // namespace oddity

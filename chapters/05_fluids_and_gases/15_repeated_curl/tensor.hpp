@@ -1,0 +1,134 @@
+#pragma once
+
+#include <map>
+#include <sstream>
+
+#include "chapters/05_fluids_and_gases/shared/fields.hpp"
+#include "chapters/exercise.hpp"
+
+/// Index expressions with the summation convention, such as "e(i j k) e(k l m) f(m, j l)", evaluated as they
+/// are written: e is the permutation tensor, f(m, j l) the derivative of f_m by x_j, then by x_l.
+namespace oddity::fields {
+
+/// Tensors by name and rank, their components in the order of the indices.
+template <class T>
+using Tensors = std::map<std::pair<std::string, std::size_t>, std::vector<T>>;
+
+/// The sign of the permutation (i j k) of (0 1 2), by its inversions; 0 when two agree.
+constexpr double permutation_sign(std::size_t i, std::size_t j, std::size_t k) {
+  if (i == j || j == k || i == k) return 0;
+  return ((i > j) + (j > k) + (i > k)) % 2 == 0 ? 1 : -1;
+}
+
+template <class T>
+void put_permutation_tensor(Tensors<T>& tensors) {
+  std::vector<T>& e = tensors[{"e", 3}];
+  for (std::size_t n = 0; n < 27; ++n) e.push_back(T(permutation_sign(n / 9, n / 3 % 3, n % 3)));
+}
+
+/// f(m, j1 ... jn) for all values of the indices.
+template <int order, class Field, class T>
+std::vector<T> derivatives(const Field& f, const Triple<T>& x) {
+  if constexpr (order == 0) {
+    const Triple<T> value = f(x);
+    return {value.begin(), value.end()};
+  } else {
+    std::vector<T> all;
+    std::array<std::vector<T>, 3> of_slope;
+    for (std::size_t j = 0; j < 3; ++j) of_slope[j] = derivatives<order - 1>(partial(f, j), x);
+    const std::size_t block = of_slope[0].size() / 3;
+    for (std::size_t m = 0; m < 3; ++m)
+      for (const std::vector<T>& slope : of_slope)
+        for (std::size_t n = 0; n < block; ++n) all.push_back(slope[m * block + n]);
+    return all;
+  }
+}
+
+class IndexExpression {
+ public:
+  /// Every index but the free one is summed over 0, 1, 2.
+  IndexExpression(std::string text, const std::string& free) : text_(std::move(text)), indices_{free} {
+    std::string spaced;
+    for (char c : text_) spaced += c == '(' ? ' ' : c == ',' ? ' ' : c == ')' ? ';' : c;
+    std::istringstream factors(spaced);
+    for (std::string factor; std::getline(factors, factor, ';');) {
+      std::istringstream words(factor);
+      Factor& read = factors_.emplace_back();
+      words >> read.tensor;
+      for (std::string index; words >> index;) read.indices.push_back(place(index));
+    }
+  }
+
+  const std::string& text() const { return text_; }
+
+  /// Violations of the convention: the free index not once, another one not twice.
+  long ill_formed() const {
+    std::vector<int> counts(indices_.size());
+    for (const Factor& factor : factors_)
+      for (std::size_t k : factor.indices) ++counts[k];
+    long violations = counts[0] != 1;
+    for (std::size_t k = 1; k < counts.size(); ++k) violations += counts[k] != 2;
+    return violations;
+  }
+
+  /// The size of the terms that are added up: the largest product of components, times how many are not zero.
+  double size(Tensors<double> tensors) const {
+    for (auto& [name, components] : tensors) {
+      if (name.first == "e") continue;
+      const double largest = size_of(Value(components));
+      for (double& c : components) c = largest;
+    }
+    for (double& sign : tensors.at({"e", 3})) sign = std::abs(sign);
+    return size_of(Value(value(tensors)));
+  }
+
+  /// The three components that the free index gives.
+  template <class T>
+  Triple<T> value(const Tensors<T>& tensors) const {
+    std::vector<const std::vector<T>*> found;
+    for (const Factor& factor : factors_)
+      found.push_back(&tensors.at({factor.tensor, factor.indices.size()}));
+    Triple<T> sum{};
+    std::vector<std::size_t> at(indices_.size());
+    do {
+      T product(1.0);
+      for (std::size_t n = 0; n < factors_.size() && !is_zero(product); ++n) {
+        std::size_t place = 0;
+        for (std::size_t k : factors_[n].indices) place = 3 * place + at[k];
+        product = product * (*found[n])[place];
+      }
+      sum[at[0]] += product;
+    } while (advance(at));
+    return sum;
+  }
+
+ private:
+  struct Factor {
+    std::string tensor;
+    std::vector<std::size_t> indices;
+  };
+
+  static bool is_zero(double x) { return x == 0; }
+  template <class T>
+  static bool is_zero(const Dual<T>& x) {
+    return is_zero(x.value) && is_zero(x.slope);
+  }
+  static bool advance(std::vector<std::size_t>& at) {
+    for (std::size_t& k : at) {
+      if (++k < 3) return true;
+      k = 0;
+    }
+    return false;
+  }
+  std::size_t place(const std::string& index) {
+    const auto found = std::ranges::find(indices_, index);
+    if (found == indices_.end()) indices_.push_back(index);
+    return static_cast<std::size_t>(std::ranges::find(indices_, index) - indices_.begin());
+  }
+
+  std::string text_;
+  std::vector<std::string> indices_;
+  std::vector<Factor> factors_;
+};
+
+}  // namespace oddity::fields

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "chapters/05_fluids_and_gases/15_repeated_curl/repeated_curl.hpp"
+#include "reference/text.hpp"
+
+/// Index expressions compared with operators along a frame turned at random, at random fields.
+namespace oddity::fields {
+
+struct Sampled {
+  std::string where;
+  Tensors<double> tensors;
+  std::map<std::string, Point> left;
+};
+
+/// The field that an index expression of f's derivatives of one order is.
+template <int order, class Field>
+auto contracted(const Field& f, const IndexExpression& expression) {
+  return [f, expression]<class T>(const Triple<T>& x) {
+    Tensors<T> tensors;
+    put_permutation_tensor(tensors);
+    tensors[{"f", order + 1}] = derivatives<order>(f, x);
+    return expression.value(tensors);
+  };
+}
+
+inline Point turned(const Frame& r, const Point& v) { return {dot(r[0], v), dot(r[1], v), dot(r[2], v)}; }
+
+/// The field in the coordinates of a turned frame.
+template <class Field>
+auto turned_field(const Field& f, const Frame& r) {
+  return [f, r](const auto& y) {
+    const auto v = f(std::array{r[0][0] * y[0] + r[1][0] * y[1] + r[2][0] * y[2],
+                                r[0][1] * y[0] + r[1][1] * y[1] + r[2][1] * y[2],
+                                r[0][2] * y[0] + r[1][2] * y[1] + r[2][2] * y[2]});
+    return std::array{dot(r[0], v), dot(r[1], v), dot(r[2], v)};
+  };
+}
+
+inline Sampled sample(Random& random, int number) {
+  const ScalarField phi(random, 1, 1);
+  const VectorField f(random, random.magnitude(1e-6, 1e6), random.magnitude(0.1, 3));
+  const VectorField g(random, random.magnitude(1e-6, 1e6), 1);
+  const Point x = random.point(), a = random.point(), b = random.point(), c = random.point();
+  const Frame r = random_frame(random), mirror{r[1], r[0], r[2]};
+  Sampled s{"draw " + std::to_string(number) + " at (" + shortest(x[0]) + ", " + shortest(x[1]) + ", " +
+                shortest(x[2]) + ")",
+            {},
+            {}};
+  const auto put = [&](const std::string& name, const Point& v) {
+    s.tensors[{name, 1}] = {v.begin(), v.end()};
+  };
+  put_permutation_tensor(s.tensors);
+  put("f", f(x));
+  put("g", g(x));
+  put("a", a);
+  put("b", b);
+  put("c", c);
+  put("u", turned(r, g(x)));
+  put("v", turned(r, f(x)));
+  put("mirrored_u", turned(mirror, g(x)));
+  put("mirrored_v", turned(mirror, f(x)));
+  for_each_order([&]<int n>() {
+    s.tensors[{"f", n + 1}] = derivatives<n>(f, x);
+    s.left[numbered("curl", n)] = repeated_curl<n>(f, r)(x);
+  });
+  s.tensors[{"v", 3}] = derivatives<2>(turned_field(f, r), turned(r, x));
+  const auto once = contracted<1>(f, {"e(k l m) f(m, l)", "k"});
+  const auto twice = contracted<2>(f, {"e(k3 j2 k2) e(k2 j1 k1) f(k1, j1 j2)", "k3"});
+  s.tensors[{"once", 2}] = derivatives<1>(once, x);
+  s.tensors[{"phi_once", 2}] = derivatives<1>(times(phi, once), x);
+  s.tensors[{"twice", 2}] = derivatives<1>(twice, x);
+
+  const Eigen::Vector3d eigen_f(f(x)[0], f(x)[1], f(x)[2]), eigen_g(g(x)[0], g(x)[1], g(x)[2]);
+  const Eigen::Vector3d product = eigen_g.cross(eigen_f);
+  s.left["g x f"] = {product[0], product[1], product[2]};
+  s.left["g x f, turned"] = turned(r, s.left["g x f"]);
+  s.left["g x f, mirrored"] = turned(mirror, s.left["g x f"]);
+  s.left["curl2, turned"] = turned(r, s.left["curl2"]);
+  s.left["phi curl2"] = combined(phi(x), s.left["curl2"], 0, a);
+  const auto along_a = [f, a](const auto& y) { return along(f, y, a); };
+  const auto along_b = [along_a, b](const auto& y) { return along(along_a, y, b); };
+  s.left["f along a, b"] = along_b(x);
+  s.left["f along a, b, c"] = along(along_b, x, c);
+  return s;
+}
+
+/// What an index expression is said to equal.
+struct Said {
+  std::string left, right, free = "i";
+};
+
+class Tensorial {
+ public:
+  explicit Tensorial(Random random) {
+    for (int n = 0; n < 12; ++n) samples_.push_back(sample(random, n));
+  }
+
+  Check compare(const Said& said) const {
+    const IndexExpression expression(said.right, said.free);
+    Worst worst("the index expression, against " + said.left,
+                said.left + ", differentiated along a turned frame", "the index expression as it is written");
+    for (const Sampled& s : samples_) {
+      const Point left = s.left.at(said.left);
+      worst.see(left, expression.value(s.tensors), expression.size(s.tensors), s.where);
+    }
+    return worst.check();
+  }
+  Reading reading(const std::vector<Said>& all) const {
+    Reading reading;
+    for (const Said& said : all) {
+      reading.text += (reading.text.empty() ? "" : "; ") + said.left + " = " + said.right;
+      reading.checks.push_back(compare(said));
+    }
+    return reading;
+  }
+  Claim claim(const std::string& slug, int at, std::string says, const std::vector<Said>& printed,
+              const std::vector<std::vector<Said>>& near_misses) const {
+    Claim claim{"5.15-" + slug, at, std::move(says), reading(printed)};
+    for (const auto& near : near_misses) claim.near_misses.push_back(reading(near));
+    return claim;
+  }
+
+ private:
+  std::vector<Sampled> samples_;
+};
+
+/// Only the free index occurs once, every other one twice.
+inline Claim summed(const std::string& slug, int at, std::string says, const std::string& expression,
+                    const std::string& near) {
+  const auto reading = [](const std::string& text) {
+    return Reading{text,
+                   {never("indices that occur once or thrice, but the free one",
+                          IndexExpression(text, "i").ill_formed(), 1)}};
+  };
+  return {"5.15-" + slug, at, std::move(says), reading(expression), {}, {}, {reading(near)}};
+}
+
+}  // namespace oddity::fields

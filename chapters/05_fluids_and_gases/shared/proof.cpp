@@ -1,0 +1,239 @@
+#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+
+#include <cctype>
+#include <stdexcept>
+
+#include "reference/text.hpp"
+
+namespace oddity::fields {
+
+// ---- samples ----------------------------------------------------------------------------------------------
+
+void Sample::put(std::string name, double value, double size) {
+  names.push_back(std::move(name));
+  values.push_back(value);
+  sizes.push_back(size);
+}
+void Sample::put(std::string name, double value) { put(std::move(name), value, std::abs(value)); }
+void Sample::put(const std::string& name, const Point& v) {
+  for (std::size_t i = 0; i < 3; ++i) put(name + digit(i), v[i], size_of(Value(v)));
+}
+
+std::vector<Sample> sampled(Random random, const std::function<void(Sample&, const Drawn&)>& fill) {
+  std::vector<Sample> all;
+  for (int n = 0; n < 64; ++n) {
+    const auto size = [&] { return random.magnitude(1e-6, 1e6); };
+    const auto rate = [&] { return random.magnitude(0.01, 10); };
+    Drawn drawn{{random, size(), rate()}, {random, size(), rate()}, {random, size(), rate()}, {}, {}, {}};
+    drawn.x = random.point();
+    drawn.frame = random_frame(random);
+    drawn.m = {random.point(), random.point(), random.point()};
+    all.push_back({"draw " + std::to_string(n) + " at (" + shortest(drawn.x[0]) + ", " +
+                   shortest(drawn.x[1]) + ", " + shortest(drawn.x[2]) + ")"});
+    fill(all.back(), drawn);
+  }
+  return all;
+}
+
+// ---- lines ------------------------------------------------------------------------------------------------
+
+namespace {
+
+class Reader {
+ public:
+  Reader(std::string_view line, const Sample& symbols) : line_(line), symbols_(symbols) {}
+
+  Terms read() {
+    Terms all = sum();
+    if (next() != '\0') fail();
+    return all;
+  }
+
+ private:
+  Terms sum() {
+    Terms all;
+    double sign = next() == '-' ? -1 : 1;
+    if (!take('-')) take('+');
+    do {
+      for (Term& t : product()) all.push_back({sign * t.sign, std::move(t.factors)});
+      sign = next() == '-' ? -1 : 1;
+    } while (take('+') || take('-'));
+    return all;
+  }
+  Terms product() {
+    Terms all = factor();
+    while (next() == '(' || std::isalpha(next())) {
+      const Terms more = factor();
+      Terms expanded;
+      for (const Term& a : all)
+        for (const Term& b : more) {
+          Term ab{a.sign * b.sign, a.factors};
+          ab.factors.insert(ab.factors.end(), b.factors.begin(), b.factors.end());
+          expanded.push_back(std::move(ab));
+        }
+      all = std::move(expanded);
+    }
+    return all;
+  }
+  Terms factor() {
+    if (take('(')) {
+      Terms inside = sum();
+      if (!take(')')) fail();
+      return inside;
+    }
+    next();
+    const std::size_t start = at_;
+    while (at_ < line_.size() && (std::isalnum(line_[at_]) || line_[at_] == '_' || line_[at_] == ',')) ++at_;
+    const auto found = std::ranges::find(symbols_.names, line_.substr(start, at_ - start));
+    if (found == symbols_.names.end()) fail();
+    return {{1, {static_cast<std::size_t>(found - symbols_.names.begin())}}};
+  }
+  char next() {
+    while (at_ < line_.size() && line_[at_] == ' ') ++at_;
+    return at_ < line_.size() ? line_[at_] : '\0';
+  }
+  bool take(char c) {
+    if (next() != c) return false;
+    ++at_;
+    return true;
+  }
+  [[noreturn]] void fail() const {
+    throw std::logic_error("cannot read '" + std::string(line_) + "' at " + std::to_string(at_));
+  }
+
+  std::string_view line_;
+  const Sample& symbols_;
+  std::size_t at_ = 0;
+};
+
+double value_of(const Terms& terms, const Sample& s) {
+  double sum = 0;
+  for (const Term& t : terms) {
+    double product = t.sign;
+    for (std::size_t k : t.factors) product *= s.values[k];
+    sum += product;
+  }
+  return sum;
+}
+/// The size of the terms that are added up.
+double size_of(const Terms& terms, const Sample& s) {
+  double sum = 0;
+  for (const Term& t : terms) {
+    double product = 1;
+    for (std::size_t k : t.factors) product *= s.sizes[k];
+    sum += product;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Terms read_terms(std::string_view line, const Sample& symbols) { return Reader(line, symbols).read(); }
+
+// ---- claims -----------------------------------------------------------------------------------------------
+
+std::vector<Row> each_component(const std::string& left, const std::string& right) {
+  std::vector<Row> all;
+  for (char i : {'0', '1', '2'}) {
+    all.push_back({left, right});
+    std::ranges::replace(all.back().left, '#', i);
+    std::ranges::replace(all.back().right, '#', i);
+  }
+  return all;
+}
+
+namespace {
+
+std::string written(const std::vector<Row>& rows) {
+  std::string text;
+  for (const Row& row : rows) text += (text.empty() ? "" : "; ") + row.left + " = " + row.right;
+  return text;
+}
+
+}  // namespace
+
+Check compare(const std::vector<Sample>& samples, const std::vector<Row>& rows, const std::string& by) {
+  std::vector<std::pair<Terms, Terms>> lines;
+  for (const Row& row : rows) {
+    lines.emplace_back(read_terms(row.left, samples[0]), read_terms(row.right, samples[0]));
+  }
+  Worst worst("the line, against " + by, by, "the line as it is written");
+  for (const Sample& s : samples) {
+    std::vector<double> left, right;
+    double size = 0;
+    for (const auto& [l, r] : lines) {
+      left.push_back(value_of(l, s));
+      right.push_back(value_of(r, s));
+      size = std::max(size, size_of(r, s));
+    }
+    worst.see(left, right, size, s.where);
+  }
+  return worst.check();
+}
+
+namespace {
+
+/// Every line that differs from this one by a single sign.
+std::vector<std::string> signs_flipped(const std::string& line) {
+  std::vector<std::string> all;
+  if (line[0] != '-') all.push_back("- " + line);
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (line[i] == '+' || line[i] == '-') (all.emplace_back(line))[i] = line[i] == '+' ? '-' : '+';
+  return all;
+}
+/// Every line that differs from this one by a single index.
+std::vector<std::string> indices_changed(const std::string& line) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    for (char other : {'0', '1', '2'})
+      if (std::isdigit(line[i]) && line[i] != other) (all.emplace_back(line))[i] = other;
+  return all;
+}
+
+/// Of all single changes to one row, the one that is hardest to see.
+Reading hardest_to_see(const std::string& kind, const std::vector<Sample>& samples,
+                       const std::vector<Row>& rows, const std::string& by,
+                       std::vector<std::string> (*changes)(const std::string&)) {
+  Reading hardest;
+  double least = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const std::string& changed : changes(rows[i].right)) {
+      std::vector<Row> changed_rows = rows;
+      changed_rows[i].right = changed;
+      const Check check = compare(samples, changed_rows, by);
+      const double tolerances = check.difference() / check.tolerance.allowed;
+      if (count++ > 0 && tolerances >= least) continue;
+      least = tolerances;
+      hardest = {written(changed_rows), {check}};
+    }
+  hardest.text = kind + ", the hardest to see of " + std::to_string(count) + ": " + hardest.text;
+  return hardest;
+}
+
+}  // namespace
+
+Claim& Proof::line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
+                   const std::string& by) {
+  claims.push_back({exercise + "-" + slug, at, std::move(says), {written(rows), {}}});
+  return also(rows, by);
+}
+
+Claim& Proof::also(const std::vector<Row>& rows, const std::string& by) {
+  Claim& claim = claims.back();
+  claim.printed.checks.push_back(compare(samples, rows, by));
+  claim.near_misses.push_back(hardest_to_see("a sign flipped", samples, rows, by, signs_flipped));
+  claim.near_misses.push_back(hardest_to_see("an index changed", samples, rows, by, indices_changed));
+  return claim;
+}
+
+Claim& Proof::line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
+                   const std::string& by, const std::vector<std::vector<Row>>& near_misses) {
+  claims.push_back(
+      {exercise + "-" + slug, at, std::move(says), {written(rows), {compare(samples, rows, by)}}});
+  for (const auto& near : near_misses)
+    claims.back().near_misses.push_back({written(near), {compare(samples, near, by)}});
+  return claims.back();
+}
+
+}  // namespace oddity::fields

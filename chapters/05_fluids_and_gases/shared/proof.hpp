@@ -1,0 +1,103 @@
+#pragma once
+
+#include "chapters/05_fluids_and_gases/shared/fields.hpp"
+#include "chapters/exercise.hpp"
+
+/// Published lines of index calculus, evaluated as they are written: `f2,1` is the derivative of f2 by x1,
+/// `phi,12` the derivative by x1, then by x2. What a report shows is what was computed, and every single sign
+/// and index of a line is changed to see that it matters.
+namespace oddity::fields {
+
+inline std::string digit(std::size_t i) { return std::string(1, static_cast<char>('0' + i)); }
+
+// ---- samples ----------------------------------------------------------------------------------------------
+
+/// Symbols with their values at one point, and the size of the field that each belongs to.
+struct Sample {
+  std::string where;
+  std::vector<std::string> names = {};
+  std::vector<double> values = {}, sizes = {};
+
+  void put(std::string name, double value, double size);
+  void put(std::string name, double value);
+  /// v0, v1, v2.
+  void put(const std::string& name, const Point& v);
+  /// The value and the slopes: phi, phi,0 ...
+  template <class Field>
+  void put_scalar(const std::string& name, const Field& phi, const Point& x) {
+    const Point slope = gradient(phi)(x);
+    put(name, phi(x), std::abs(phi(x)));
+    for (std::size_t j = 0; j < 3; ++j) put(name + "," + digit(j), slope[j], size_of(Value(slope)));
+  }
+  /// The values and the slopes: f0, ..., f0,0 ...
+  template <class Field>
+  void put_vector(const std::string& name, const Field& f, const Point& x) {
+    put(name, f(x));
+    const Matrix<double> slope = jacobian(f, x);
+    double size = 0;
+    for (const Point& row : slope) size = std::max(size, size_of(Value(row)));
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) put(name + digit(i) + "," + digit(j), slope[i][j], size);
+  }
+};
+
+/// Fields, a point, a turned frame and a matrix, all at random; sizes and wave numbers of the fields over
+/// orders of magnitude.
+struct Drawn {
+  ScalarField phi;
+  VectorField f, g;
+  Point x;
+  Frame frame;
+  Matrix<double> m;
+};
+
+/// `fill(sample, drawn)` at 64 draws.
+std::vector<Sample> sampled(Random random, const std::function<void(Sample&, const Drawn&)>& fill);
+
+// ---- lines ------------------------------------------------------------------------------------------------
+
+/// A signed product of symbols, by their places in a sample.
+struct Term {
+  double sign = 1;
+  std::vector<std::size_t> factors = {};
+};
+using Terms = std::vector<Term>;
+
+/// Reads a line such as "phi (f2,1 - f1,2) + phi,1 f2" as a sum of products.
+Terms read_terms(std::string_view line, const Sample& symbols);
+
+// ---- claims -----------------------------------------------------------------------------------------------
+
+/// What a published line is said to equal, and the line.
+struct Row {
+  std::string left, right;
+};
+
+/// A row for each component, which `#` stands for.
+std::vector<Row> each_component(const std::string& left, const std::string& right);
+
+/// All rows, as one vector, at every sample.
+Check compare(const std::vector<Sample>& samples, const std::vector<Row>& rows, const std::string& by);
+
+/// The lines of one exercise, and the claims that come of them.
+class Proof {
+ public:
+  Proof(std::string number, std::vector<Sample> at) : samples(std::move(at)), exercise(std::move(number)) {}
+
+  std::vector<Sample> samples;
+  std::vector<Claim> claims;
+
+  /// Published lines hold; the near misses change each single sign and index.
+  Claim& line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
+              const std::string& by);
+  /// A further comparison for the claim made last, with its near misses.
+  Claim& also(const std::vector<Row>& rows, const std::string& by);
+  /// Published lines hold; the near misses are the lines given.
+  Claim& line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
+              const std::string& by, const std::vector<std::vector<Row>>& near_misses);
+
+ private:
+  std::string exercise;
+};
+
+}  // namespace oddity::fields

@@ -1,0 +1,194 @@
+// Exercise 6.3: left open by the published solutions, which only say that there are many ways. Taken here,
+// after 6.1, as: which of n moving spheres overlap, frame after frame, found with bins whose contents follow
+// the motion, or without bins. Centers and velocities are whole 64ths, so that the reference tests every pair
+// in exact integers.
+
+#include "chapters/06_physics_engines/03_moving_spheres/moving.hpp"
+
+namespace oddity {
+
+namespace ex06_03 {
+
+using namespace bins;
+
+constexpr Parameter parameters[] = {
+    {"n", 96, "", "spheres, beside fifteen edge cases", 2, 400, whole_number},
+    {"frames", 16, "", "frames", 6, 64, whole_number},
+    {"radius", 0.75, "", "largest radius, the world's side being 16", 0.05, 4},
+    {"speed", 0.25, "", "largest speed on an axis, a frame", 0, 2},
+    {"seed", 1, "", "of the random spheres", 0, 1e9, whole_number},
+};
+
+constexpr double world = 16;
+
+Grid grid_of(double across) { return {world / across, static_cast<int>(across) / 2}; }
+
+/// Meeting from afar, tangent in passing and at rest, nearly tangent, one in another, points, on boundaries,
+/// outside, around all.
+const std::vector<Mover> edge_cases{
+    {{-300, 100, 100}, {50, 0, 0}, 10},   {{-100, 100, 100}, {0, 0, 0}, 10},
+    {{-80, 0, 0}, {5, 0, 0}, 20},         {{0, 0, 0}, {0, 0, 0}, 20},
+    {{200, 200, 200}, {0, 0, 0}, 6},      {{203, 204, 212}, {0, 0, 0}, 7},
+    {{197, 196, 188}, {0, 0, 0}, 6},      {{-320, -256, 64}, {0, 0, 0}, 0},
+    {{-256, -256, 64}, {-1, 0, 0}, 64},   {{-320, -256, 64}, {0, 0, 0}, 0},
+    {{700, 30, -10}, {9, 0, 0}, 10},      {{715, 30, -10}, {9, 0, 0}, 10},
+    {{500, -500, -500}, {7, -7, -7}, 30}, {{540, -540, -500}, {7, -7, -7}, 30},
+    {{0, 0, 0}, {0, 0, 0}, 800}};
+
+std::vector<Mover> movers(const Parameters& p) {
+  Random random(p["seed"]);
+  std::vector<Mover> all = edge_cases;
+  const auto whole = [&](double size) { return std::llround(random.between(-size, size) * unit); };
+  for (int n = 0; n < static_cast<int>(p["n"]); ++n) {
+    const std::array<long long, 3> c{whole(world / 2), whole(world / 2), whole(world / 2)},
+        v{whole(p["speed"]), whole(p["speed"]), whole(p["speed"])};
+    all.push_back({c, v, std::llround(random.between(0, p["radius"]) * unit)});
+  }
+  return all;
+}
+
+std::vector<Frame> frames_of(const std::vector<Mover>& all, int count) {
+  std::vector<Frame> frames(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k)
+    for (const Mover& m : all) frames[static_cast<std::size_t>(k)].push_back(m.at(k).sphere());
+  return frames;
+}
+
+/// Every pair of every frame in integers.
+std::vector<double> exact_pairs(const std::vector<Mover>& all, int count) {
+  Pairs found;
+  for (int k = 0; k < count; ++k) {
+    found.begin();
+    for (std::size_t j = 0; j < all.size(); ++j)
+      for (std::size_t i = 0; i < j; ++i) {
+        const Lattice a = all[i].at(k), b = all[j].at(k);
+        long long squared = 0;
+        for (std::size_t x = 0; x < 3; ++x) squared += (a.c[x] - b.c[x]) * (a.c[x] - b.c[x]);
+        if (squared <= (a.r + b.r) * (a.r + b.r))
+          found.put(static_cast<int>(i), static_cast<int>(j), all.size());
+      }
+  }
+  return found.value;
+}
+
+/// Frames in which the spheres outside the grid are left out of it.
+std::vector<Frame> without_outsiders(std::vector<Frame> frames) {
+  for (Frame& s : frames)
+    for (Sphere& sphere : s)
+      for (double& x : sphere.c)
+        if (std::abs(x) > world / 2) sphere.c = {1e6 * x, 0, 0}, sphere.r = 0;
+  return frames;
+}
+
+Quantity pairs(const Parameters& p) {
+  const auto all = movers(p);
+  const int count = static_cast<int>(p["frames"]);
+  const auto frames = frames_of(all, count);
+  Quantity q{"pairs",
+             "1",
+             "overlapping pairs in each frame, their number and the sum of their ids; pairs tested, bin "
+             "entries written "
+             "and comparisons made are counted",
+             {"every pair in exact integers", exact_pairs(all, count)},
+             0,
+             {0.5, "whole numbers"},
+             {},
+             {}};
+  const auto add = [&](const char* model, const char* algorithm, const Knob& knob, const auto& find,
+                       Outcome expected = Outcome::ok, const char* why = "") {
+    q.add({model, algorithm, knob,
+           [=](double setting) {
+             const Pairs found = find(setting);
+             return Answer{Value(found.value), found.tested + found.upkeep};
+           },
+           expected, why});
+  };
+  const Knob across = doubling("bins an axis", 2, 4);
+  const Outcome wrong = Outcome::inaccurate;
+  const auto bins_by = [=](Follow how) { return [=](double n) { return by_bins(frames, grid_of(n), how); }; };
+  add("no order", "all pairs", no_knob(), [=](double) { return by_all_pairs(frames); });
+  add("bins of boxes", "rebuilt every frame", across, bins_by(Follow::rebuilt));
+  add("bins of boxes", "updated", across, bins_by(Follow::updated));
+  add("bins of centers", "all within reach", across,
+      [=](double n) { return by_center_bins(frames, grid_of(n), false); });
+  add("sweep along x", "sorted every frame", no_knob(), [=](double) { return by_sweep(frames, false); });
+  add("sweep along x", "order kept", no_knob(), [=](double) { return by_sweep(frames, true); });
+  add("bins of boxes", "never updated", across, bins_by(Follow::never), wrong, "the spheres have moved on");
+  add(
+      "bins of centers", "own bin alone", across,
+      [=](double n) { return by_center_bins(frames, grid_of(n), true); }, wrong,
+      "neighbours across a boundary are not looked at");
+  const auto inside = without_outsiders(frames);
+  add(
+      "bins of boxes", "outside left out", across,
+      [=](double n) { return by_bins(inside, grid_of(n), Follow::rebuilt); }, wrong,
+      "spheres that leave the grid meet there too");
+  q.add(
+      Breakdown{"Bins that do not follow the motion find the pairs of the first frame and lose others later.",
+                "bins of boxes, never updated", 16, wrong, "bins of boxes, updated", 16});
+  q.add(Breakdown{"A sphere listed by its center alone is not found from the next bin.",
+                  "bins of centers, own bin alone", 16, wrong, "bins of centers, all within reach", 16});
+  q.add(Breakdown{"Spheres beyond the grid are lost, unless the bins of the border take them in.",
+                  "bins of boxes, outside left out", 16, wrong, "bins of boxes, rebuilt every frame", 16});
+  return q;
+}
+
+/// Frames whose pairs differ from the exact ones, over several random scenes.
+template <class Find>
+Check agrees(const Parameters& p, const char* by, const Find& find) {
+  Random random(p["seed"]);
+  long wrong = 0, samples = 0;
+  for (int scene = 0; scene < 4; ++scene) {
+    Parameters other = p;
+    other.set("seed", random.below(1000000));
+    other.set("n", 2 + random.below(60));
+    other.set("frames", 10);
+    other.set("speed", random.between(0.1, 2));
+    const auto all = movers(other);
+    const Pairs found = find(frames_of(all, 10));
+    const auto truth = exact_pairs(all, 10);
+    for (std::size_t k = 0; k < truth.size(); k += 2, ++samples)
+      wrong += found.value[k] != truth[k] || found.value[k + 1] != truth[k + 1];
+  }
+  return never(std::string("frames with other pairs than all pairs in exact integers: ") + by, wrong,
+               samples);
+}
+
+Claim many_ways(const Parameters& p) {
+  const auto with = [](double across, Follow how) {
+    return [=](const auto& frames) { return by_bins(frames, grid_of(across), how); };
+  };
+  Claim claim{
+      "6.3-many_ways", 3739,
+      "there are many ways to do it (no answer is given that could be judged: what is checked is that "
+      "five algorithms for one such question find the same pairs)"};
+  claim.printed = {
+      "at least five ways",
+      {agrees(p, "bins rebuilt", with(8, Follow::rebuilt)),
+       agrees(p, "bins updated", with(16, Follow::updated)),
+       agrees(p, "bins of centers", [](const auto& f) { return by_center_bins(f, grid_of(8), false); }),
+       agrees(p, "sweep, sorted", [](const auto& f) { return by_sweep(f, false); }),
+       agrees(p, "sweep, order kept", [](const auto& f) { return by_sweep(f, true); })}};
+  claim.near_misses = {
+      {"bins need no update", {agrees(p, "bins never updated", with(8, Follow::never))}},
+      {"a center's own bin is enough",
+       {agrees(p, "own bin", [](const auto& f) { return by_center_bins(f, grid_of(8), true); })}}};
+  return claim;
+}
+
+Findings study(const Parameters& p, const Reference&) { return {{many_ways(p)}, {pairs(p)}}; }
+
+}  // namespace ex06_03
+
+Exercise exercise_6_3() {
+  using namespace ex06_03;
+  return {"Moving spheres",
+          "The published solutions leave this one open: no answer is required, and there are many ways. "
+          "Ours: find the "
+          "overlapping pairs among $n$ moving spheres without testing all $n(n-1)/2$ in every frame.",
+          parameters,
+          {},
+          study};
+}
+
+}  // namespace oddity

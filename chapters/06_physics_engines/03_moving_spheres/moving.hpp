@@ -1,0 +1,204 @@
+#pragma once
+
+#include "chapters/06_physics_engines/shared/lattice.hpp"
+
+/// Which spheres overlap while all of them move: several ways to find the pairs, frame by frame.
+namespace oddity::bins {
+
+/// A sphere in 64ths of a unit that moves by v a frame.
+struct Mover {
+  std::array<long long, 3> c, v;
+  long long r;
+
+  Lattice at(int frame) const { return {{c[0] + frame * v[0], c[1] + frame * v[1], c[2] + frame * v[2]}, r}; }
+};
+
+using Frame = std::vector<Sphere>;
+
+/// The pairs of every frame as two numbers a frame, their count and the sum of i n + j; and the work: pairs
+/// tested, and bin entries or comparisons to find them.
+struct Pairs {
+  std::vector<double> value = {};
+  long tested = 0, upkeep = 0;
+
+  void begin() { value.insert(value.end(), {0.0, 0.0}); }
+  void test(const Frame& s, int i, int j) {
+    ++tested;
+    if (i > j) std::swap(i, j);
+    const Sphere &a = s[static_cast<std::size_t>(i)], &b = s[static_cast<std::size_t>(j)];
+    double squared = 0;
+    for (std::size_t k = 0; k < 3; ++k) squared += (a.c[k] - b.c[k]) * (a.c[k] - b.c[k]);
+    if (squared <= (a.r + b.r) * (a.r + b.r)) put(i, j, s.size());
+  }
+  void put(int i, int j, std::size_t n) {
+    value[value.size() - 2] += 1;
+    value.back() += i * static_cast<double>(n) + j;
+  }
+};
+
+inline Pairs by_all_pairs(const std::vector<Frame>& frames) {
+  Pairs found;
+  for (const Frame& s : frames) {
+    found.begin();
+    for (int i = 0; i < static_cast<int>(s.size()); ++i)
+      for (int j = 0; j < i; ++j) found.test(s, i, j);
+  }
+  return found;
+}
+
+// ---- bins -------------------------------------------------------------------------------------------------
+
+/// Where a sphere lies in the grid; what is outside belongs to the bins of the border.
+struct Block {
+  Index low, high;
+
+  Block(const Sphere& s, const Grid& grid, double margin = 0) {
+    const auto inside = [&](double x) {
+      return static_cast<int>(std::clamp<double>(x, -grid.half, grid.half - 1));
+    };
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = inside(std::ceil((s.c[a] - s.r - margin) / grid.h) - 1);
+      high[a] = inside(std::floor((s.c[a] + s.r + margin) / grid.h));
+    }
+  }
+  bool operator==(const Block&) const = default;
+
+  template <class F>
+  void each(const F& f) const {
+    for (int i = low[0]; i <= high[0]; ++i)
+      for (int j = low[1]; j <= high[1]; ++j)
+        for (int k = low[2]; k <= high[2]; ++k) f(Index{i, j, k});
+  }
+};
+
+/// Bins that list every sphere whose box they meet. A pair is tested in the least bin that both lie in.
+class Lists {
+ public:
+  Lists(const Grid& grid, Pairs& found)
+      : grid_(grid), found_(found), bins_(static_cast<std::size_t>(grid.count())) {}
+
+  void insert(int n, const Block& block) {
+    block.each([&](const Index& i) { ++found_.upkeep, at(i).push_back(n); });
+  }
+  void remove(int n, const Block& block) {
+    block.each([&](const Index& i) { ++found_.upkeep, std::erase(at(i), n); });
+  }
+  void clear() {
+    for (auto& bin : bins_) bin.clear();
+  }
+  void test(const Frame& s, const std::vector<Block>& blocks) {
+    Block(Sphere{{}, std::numeric_limits<double>::infinity()}, grid_).each([&](const Index& i) {
+      const std::vector<int>& bin = at(i);
+      for (std::size_t a = 0; a < bin.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b)
+          if (least(blocks[static_cast<std::size_t>(bin[a])], blocks[static_cast<std::size_t>(bin[b])]) == i)
+            found_.test(s, bin[a], bin[b]);
+    });
+  }
+
+ private:
+  static Index least(const Block& a, const Block& b) {
+    return {std::max(a.low[0], b.low[0]), std::max(a.low[1], b.low[1]), std::max(a.low[2], b.low[2])};
+  }
+  std::vector<int>& at(const Index& i) { return bins_[static_cast<std::size_t>(grid_.id(i))]; }
+
+  Grid grid_;
+  Pairs& found_;
+  std::vector<std::vector<int>> bins_;
+};
+
+inline std::vector<Block> blocks_of(const Frame& s, const Grid& grid) {
+  std::vector<Block> blocks;
+  for (const Sphere& sphere : s) blocks.emplace_back(sphere, grid);
+  return blocks;
+}
+
+/// How the bins follow the motion.
+enum class Follow { rebuilt, updated, never };
+
+inline Pairs by_bins(const std::vector<Frame>& frames, const Grid& grid, Follow how) {
+  Pairs found;
+  Lists lists(grid, found);
+  std::vector<Block> blocks;
+  for (const Frame& s : frames) {
+    found.begin();
+    std::vector<Block> now = blocks_of(s, grid);
+    const bool first = blocks.empty();
+    if (how == Follow::rebuilt) lists.clear();
+    for (std::size_t n = 0; n < now.size(); ++n) {
+      if (!first && how == Follow::updated && !(now[n] == blocks[n])) {
+        lists.remove(static_cast<int>(n), blocks[n]);
+        lists.insert(static_cast<int>(n), now[n]);
+      }
+      if (first || how == Follow::rebuilt) lists.insert(static_cast<int>(n), now[n]);
+    }
+    if (first || how != Follow::never) blocks = std::move(now);
+    lists.test(s, blocks);
+  }
+  return found;
+}
+
+/// Bins that list centers. Around a sphere all bins within its radius and the largest are searched, or,
+/// wrongly, its own bin alone.
+inline Pairs by_center_bins(const std::vector<Frame>& frames, const Grid& grid, bool own_bin_alone) {
+  Pairs found;
+  for (const Frame& s : frames) {
+    found.begin();
+    double largest = 0;
+    std::vector<std::vector<int>> bins(static_cast<std::size_t>(grid.count()));
+    const auto at = [&](const Index& i) -> std::vector<int>& {
+      return bins[static_cast<std::size_t>(grid.id(i))];
+    };
+    for (std::size_t n = 0; n < s.size(); ++n) {
+      largest = std::max(largest, s[n].r);
+      at(Block({s[n].c, 0}, grid).high).push_back(static_cast<int>(n));
+      ++found.upkeep;
+    }
+    for (std::size_t n = 0; n < s.size(); ++n) {
+      Block near(s[n], grid, largest);
+      if (own_bin_alone) near.low = near.high = Block({s[n].c, 0}, grid).high;
+      near.each([&](const Index& i) {
+        for (int other : at(i))
+          if (other < static_cast<int>(n)) found.test(s, static_cast<int>(n), other);
+      });
+    }
+  }
+  return found;
+}
+
+// ---- sweep ------------------------------------------------------------------------------------------------
+
+/// Along x: spheres in the order of their least x; each is tested with those that have not ended before it
+/// begins. The order is sorted anew in every frame, or put right by insertion from the frame before.
+inline Pairs by_sweep(const std::vector<Frame>& frames, bool keep_order) {
+  Pairs found;
+  std::vector<int> order;
+  for (const Frame& s : frames) {
+    found.begin();
+    const auto least = [&](int n) {
+      return s[static_cast<std::size_t>(n)].c[0] - s[static_cast<std::size_t>(n)].r;
+    };
+    const auto before = [&](int a, int b) { return ++found.upkeep, least(a) < least(b); };
+    if (order.empty() || !keep_order) {
+      order.clear();
+      for (std::size_t n = 0; n < s.size(); ++n) order.push_back(static_cast<int>(n));
+      std::sort(order.begin(), order.end(), before);
+    } else {
+      for (std::size_t n = 1; n < order.size(); ++n)
+        for (std::size_t k = n; k > 0 && before(order[k], order[k - 1]); --k)
+          std::swap(order[k], order[k - 1]);
+    }
+    std::vector<int> open;
+    for (int n : order) {
+      std::erase_if(open, [&](int m) {
+        ++found.upkeep;
+        return s[static_cast<std::size_t>(m)].c[0] + s[static_cast<std::size_t>(m)].r < least(n);
+      });
+      for (int m : open) found.test(s, n, m);
+      open.push_back(n);
+    }
+  }
+  return found;
+}
+
+}  // namespace oddity::bins

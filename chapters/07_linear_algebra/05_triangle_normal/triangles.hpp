@@ -1,0 +1,133 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "chapters/07_linear_algebra/shared/double_double.hpp"
+#include "chapters/07_linear_algebra/shared/vectors.hpp"
+#include "chapters/exercise.hpp"
+#include "reference/reference.hpp"
+#include "solvers/counted.hpp"
+
+/// The normal and the area of flat and of needle-like triangles.
+namespace oddity::triangle_normals {
+
+using namespace vectors;
+
+using Vector = Vector3<double>;
+
+struct Triangle {
+  Vector p, q, r;
+  std::vector<double> inputs() const { return {p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2]}; }
+};
+
+/// Height about h over a base of about 1, at the distance d.
+inline Triangle flat(double d, double h) {
+  return {{d, d / 3, -d / 7},
+          {d + 1.1, d / 3 + 0.7, -d / 7 - 0.3},
+          {d + 0.66, d / 3 + 0.42 + h, -d / 7 - 0.18 + h}};
+}
+
+/// Two sides of about 1, the third of about s.
+inline Triangle needle(double s) {
+  return {{0, 0, 0}, {1.08231, 0.73914, -0.31277}, {1.08231 + s, 0.73914 - 2 * s, -0.31277 + s / 3}};
+}
+
+/// What f multiplies, divides and roots, the vertices of t being its arguments.
+inline long work_of(const Triangle& t, const auto& f) {
+  using Number = Counted<double>;
+  return operations_of([&] { return f(cast<Number>(t.p), cast<Number>(t.q), cast<Number>(t.r)); })
+      .all_but_additions();
+}
+
+/// A formula for the normal in p, q, r, in 53 and in 106 bits.
+inline Method formula(std::string model, std::string algorithm, const Triangle& t, const auto& f) {
+  return {
+      std::move(model),
+      std::move(algorithm),
+      {"significant bits", {53, 106}},
+      [=, work = work_of(t, f)](double bits) {
+        if (bits == 53) return Answer{Value(f(t.p, t.q, t.r)), work};
+        return Answer{
+            Value(cast<double>(f(cast<DoubleDouble>(t.p), cast<DoubleDouble>(t.q), cast<DoubleDouble>(t.r)))),
+            work};
+      }};
+}
+
+inline Quantity normal_of(std::string name, std::string says, const Triangle& t, const Reference& truth) {
+  const Known known = truth("07_05_normal", t.inputs());
+  Quantity q = quantity(std::move(name), "", std::move(says), known,
+                        {1e-9 * size_of(known.value), "nine digits of the largest component"});
+  q.add(formula("edges", "u x v", t,
+                [](const auto& a, const auto& b, const auto& c) { return cross(b - a, c - b); }));
+  q.add(formula("edges", "v x w", t,
+                [](const auto& a, const auto& b, const auto& c) { return cross(c - b, a - c); }));
+  q.add(formula("edges", "w x u", t,
+                [](const auto& a, const auto& b, const auto& c) { return cross(a - c, b - a); }));
+  q.add(formula("vertices", "P x Q + Q x R + R x P", t, [](const auto& a, const auto& b, const auto& c) {
+    return cross(a, b) + cross(b, c) + cross(c, a);
+  }));
+  return q;
+}
+
+template <class T>
+T length(const Vector3<T>& x) {
+  using std::sqrt;
+  return sqrt(dot(x, x));
+}
+
+/// The lengths of the sides, the largest first.
+template <class T>
+Vector3<T> sides(const Vector3<T>& p, const Vector3<T>& q, const Vector3<T>& r) {
+  Vector3<T> abc{length(q - p), length(r - q), length(p - r)};
+  std::sort(abc.rbegin(), abc.rend());
+  return abc;
+}
+
+inline Quantity twice_area(const Triangle& t, const Reference& truth) {
+  const Known known = truth("07_05_normal", t.inputs());
+  const double area = length(Vector{known.value[0], known.value[1], known.value[2]});
+  Quantity q{"twice_area",
+             "",
+             "twice the area of a triangle of height 1e-6 over a base of about one",
+             {known.source + ", its length", area},
+             4e-16 * area,
+             {1e-9 * area, "nine digits"},
+             {},
+             {}};
+  const std::string lengths = "the height changes the lengths by no more than h^2, which they round away";
+  const auto add = [&](const char* model, const char* algorithm, const auto& f,
+                       Outcome expected = Outcome::ok, const std::string& why = "") {
+    const long work = work_of(t, f);
+    q.add({model, algorithm, no_knob(),
+           [=](double) {
+             return Answer{f(t.p, t.q, t.r), work};
+           },
+           expected, why});
+  };
+  add("edges", "|u x v|",
+      [](const auto& a, const auto& b, const auto& c) { return length(cross(b - a, c - b)); });
+  add(
+      "lengths", "Heron",
+      []<class T>(const Vector3<T>& v0, const Vector3<T>& v1, const Vector3<T>& v2) {
+        using std::sqrt;
+        const auto [a, b, c] = sides(v0, v1, v2);
+        const T s = (a + b + c) / T(2.0);
+        return T(2.0) * sqrt(s * (s - a) * (s - b) * (s - c));
+      },
+      Outcome::inaccurate, lengths);
+  add(
+      "lengths", "Heron, Kahan's order",
+      []<class T>(const Vector3<T>& v0, const Vector3<T>& v1, const Vector3<T>& v2) {
+        using std::sqrt;
+        const auto [a, b, c] = sides(v0, v1, v2);
+        return sqrt((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))) / T(2.0);
+      },
+      Outcome::inaccurate, lengths);
+  return q;
+}
+
+}  // namespace oddity::triangle_normals

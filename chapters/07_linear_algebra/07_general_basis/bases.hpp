@@ -1,0 +1,161 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "chapters/07_linear_algebra/shared/double_double.hpp"
+#include "chapters/07_linear_algebra/shared/vectors.hpp"
+#include "chapters/exercise.hpp"
+#include "reference/reference.hpp"
+#include "reference/text.hpp"
+#include "solvers/counted.hpp"
+#include "solvers/linear.hpp"
+
+/// The coefficients of a vector over a basis that may be nearly dependent, by triple products and by
+/// factorization.
+namespace oddity::bases {
+
+using namespace vectors;
+
+using Vector = Vector3<double>;
+
+struct Basis {
+  Vector a, b, c, p;
+};
+
+/// u, v, and w off their plane by about the gap.
+inline Basis nearly_dependent(double gap) {
+  return {{0.83, -0.41, 0.57},
+          {0.29, 0.91, -0.33},
+          {0.6 * 0.83 + 0.3 * 0.29 + gap, 0.6 * -0.41 + 0.3 * 0.91 - gap, 0.6 * 0.57 + 0.3 * -0.33 + 2 * gap},
+          {0.71, 0.37, 1.13}};
+}
+
+/// Over a, b, c.
+template <class T>
+Vector3<T> cramer(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c, const Vector3<T>& q) {
+  const Vector3<T> bc = cross(b, c);
+  const T d = dot(a, bc);
+  return {dot(q, bc) / d, dot(q, cross(c, a)) / d, dot(q, cross(a, b)) / d};
+}
+
+/// Over a x b, b x c, c x a.
+template <class T>
+Vector3<T> dual_cramer(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c, const Vector3<T>& q) {
+  const T d = triple(a, b, c);
+  return {dot(c, q) / d, dot(a, q) / d, dot(b, q) / d};
+}
+
+inline Method triple_products(const Basis& s, const auto& formula) {
+  const auto in = [=]<class T>(T) { return formula(cast<T>(s.a), cast<T>(s.b), cast<T>(s.c), cast<T>(s.p)); };
+  const long work = operations_of([&] { return in(Counted<double>()); }).all_but_additions();
+  return {"triple products", "Cramer", {"significant bits", {24, 53, 106}}, [=](double bits) {
+            const auto by = [&](auto zero) { return Value(cast<double>(in(zero))); };
+            return Answer{bits == 24 ? by(float{}) : bits == 53 ? by(0.0) : by(DoubleDouble()), work};
+          }};
+}
+
+inline Eigen::Vector3d dense(const Vector& a) { return {a[0], a[1], a[2]}; }
+inline Eigen::MatrixXd columns(const Vector& a, const Vector& b, const Vector& c) {
+  Eigen::MatrixXd m(3, 3);
+  m << dense(a), dense(b), dense(c);
+  return m;
+}
+
+/// What is left of p, in twice the digits.
+inline Vector residual(const Basis& s, const Eigen::VectorXd& k) {
+  const auto term = [](double factor, const Vector& a) {
+    return DoubleDouble(factor) * cast<DoubleDouble>(a);
+  };
+  return cast<double>(cast<DoubleDouble>(s.p) - term(k[0], s.a) - term(k[1], s.b) - term(k[2], s.c));
+}
+
+/// LU, and corrections by the residual in twice the digits.
+inline Answer refined(const Basis& s, int corrections) {
+  const Eigen::MatrixXd m = columns(s.a, s.b, s.c);
+  auto solved = solve(Factorization::partial_pivot_lu, m, dense(s.p));
+  for (int i = 0; i < corrections; ++i) {
+    const auto correction = solve(Factorization::partial_pivot_lu, m, dense(residual(s, solved.value)));
+    solved.value += correction.value;
+    solved.evaluations += 9 + correction.evaluations;
+  }
+  return answer(solved);
+}
+
+/// The coefficients of s.p over the three vectors by every factorization.
+inline void add_factorizations(Quantity& q, const Eigen::MatrixXd& m, const Vector& right, Outcome expected,
+                               const std::string& why) {
+  const auto add = [&](std::string algorithm, Factorization how) {
+    q.add({"factorization", std::move(algorithm), no_knob(),
+           [=](double) { return answer(solve(how, m, dense(right))); }, expected, why});
+  };
+  add("LU, rows exchanged", Factorization::partial_pivot_lu);
+  add("LU, rows and columns exchanged", Factorization::full_pivot_lu);
+  add("QR", Factorization::householder_qr);
+}
+
+inline Known known_coefficients(const Basis& s, bool dual, const Reference& truth) {
+  std::vector<double> inputs;
+  for (const Vector& a : {s.a, s.b, s.c, s.p}) inputs.insert(inputs.end(), a.begin(), a.end());
+  Known known = truth("07_07_coefficients", inputs);
+  known.value = dual ? std::vector(known.value.begin() + 3, known.value.end())
+                     : std::vector(known.value.begin(), known.value.begin() + 3);
+  return known;
+}
+
+inline Quantity coefficients(std::string name, double gap, Outcome in_doubles, const Reference& truth) {
+  const Basis s = nearly_dependent(gap);
+  const Eigen::MatrixXd m = columns(s.a, s.b, s.c);
+  const Known known = known_coefficients(s, false, truth);
+  const std::string condition_number = rounded(condition(m), 2);
+  Quantity q = quantity(std::move(name), "", "coefficients over u, v, w; condition " + condition_number,
+                        known, {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
+  q.add(triple_products(s, [](const auto&... a) { return cramer(a...); }));
+  add_factorizations(q, m, s.p, in_doubles,
+                     in_doubles == Outcome::ok ? ""
+                                               : "the condition " + condition_number +
+                                                     " takes that many of the digits of a double");
+  q.add({"factorization", "LU, refined", {"corrections", {0, 1, 2, 3}}, [=](double n) {
+           return refined(s, static_cast<int>(n));
+         }});
+  return q;
+}
+
+inline Quantity dual_coefficients(double gap, const Reference& truth) {
+  const Basis s = nearly_dependent(gap);
+  const Known known = known_coefficients(s, true, truth);
+  Quantity q = quantity("dual_coefficients", "", "coefficients over u x v, v x w, w x u", known,
+                        {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
+  q.add(triple_products(s, [](const auto&... a) { return dual_cramer(a...); }));
+  add_factorizations(q, columns(cross(s.a, s.b), cross(s.b, s.c), cross(s.c, s.a)), s.p, Outcome::ok, "");
+  return q;
+}
+
+/// What the coefficients leave of p: it can be small though the coefficients are wrong.
+inline Quantity left_over(double gap, const Reference& truth) {
+  const Basis s = nearly_dependent(gap);
+  const Eigen::MatrixXd m = columns(s.a, s.b, s.c);
+  const double size = size_of(known_coefficients(s, false, truth).value);
+  Quantity q{"left_over",
+             "",
+             "p - (x u + y v + z w), the basis nearly dependent",
+             {"zero", {0.0, 0.0, 0.0}},
+             0,
+             rounding(size, 16),
+             {},
+             {}};
+  const auto seen = [s](const Answer& a) {
+    Answer b = a;
+    b.value = residual(s, Eigen::Vector3d(a.value[0], a.value[1], a.value[2]));
+    return b;
+  };
+  Quantity all = coefficients("", gap, Outcome::ok, truth);
+  for (Method& method : all.methods) {
+    method.run = [run = method.run, seen](double setting) { return seen(run(setting)); };
+    q.add(std::move(method));
+  }
+  return q;
+}
+
+}  // namespace oddity::bases
