@@ -98,7 +98,7 @@ struct FormulaClaim {
   Formula<Sample> meant = {};
   Formula<Sample> corrected = {};
   std::vector<Formula<Sample>> near_misses = {};
-  Kind kind = Kind::none;
+  Fault kind = Fault::none;
   std::string root = {};
   std::string why = {};
 };
@@ -131,7 +131,7 @@ struct StatementClaim {
   Statement<Sample> meant = {};
   Statement<Sample> corrected = {};
   std::vector<Statement<Sample>> near_misses = {};
-  Kind kind = Kind::none;
+  Fault kind = Fault::none;
   std::string root = {};
   std::string why = {};
 };
@@ -147,7 +147,7 @@ struct NumberClaim {
   std::string meant = {};
   std::string corrected = {};
   std::vector<std::string> near_misses = {};
-  Kind kind = Kind::none;
+  Fault kind = Fault::none;
   std::string root = {};
   std::string why = {};
 };

@@ -327,16 +327,16 @@ std::string_view name_of(Verdict verdict) {
   return "?";
 }
 
-std::string_view name_of(Kind kind) {
+std::string_view name_of(Fault kind) {
   switch (kind) {
-    case Kind::none: return "";
-    case Kind::number: return "number";
-    case Kind::formula: return "formula";
-    case Kind::left_out: return "case left out";
-    case Kind::counterexample: return "statement with a counterexample";
-    case Kind::term: return "term";
-    case Kind::listing: return "listing";
-    case Kind::lost_typography: return "typography lost on the way";
+    case Fault::none: return "";
+    case Fault::number: return "number";
+    case Fault::formula: return "formula";
+    case Fault::left_out: return "case left out";
+    case Fault::counterexample: return "statement with a counterexample";
+    case Fault::term: return "term";
+    case Fault::listing: return "listing";
+    case Fault::lost_typography: return "typography lost on the way";
   }
   return "?";
 }

@@ -151,7 +151,7 @@ struct Reading {
 enum class Verdict { confirmed, misprint, erratum, not_checkable, unsettled };
 
 /// What is wrong with a claim that is not right as it stands.
-enum class Kind {
+enum class Fault {
   none,
   number,           ///< a figure
   formula,          ///< a letter, sign, factor or index of it
@@ -174,7 +174,7 @@ struct Claim {
       {};                          ///< what must not hold: a flipped sign, a dropped term, another digit
   std::string why = {};            ///< unless confirmed: what is wrong, what is right, how it shows
   std::string not_checkable = {};  ///< why nothing at hand can judge it; it has no readings then
-  Kind kind = Kind::none;          ///< of a misprint or an erratum
+  Fault kind = Fault::none;          ///< of a misprint or an erratum
   /// Of an erratum: the name of what it comes from, which it may share with others of its exercise; empty: it
   /// stands alone.
   std::string root = {};
@@ -378,7 +378,7 @@ struct Exercise {
 };
 
 std::string_view name_of(Verdict);
-std::string_view name_of(Kind);  ///< empty for none
+std::string_view name_of(Fault);  ///< empty for none
 std::string_view name_of(Outcome);
 
 }  // namespace oddity

@@ -200,7 +200,7 @@ std::vector<Claim> claims(const Reference& truth) {
            R"(The $\pi$ of $\pi/2$ and the fraction bars are lost: read as it stands, the remainder does not )"
            R"(vanish with $\epsilon$, and the time is 0.65 too long. The listing has `HALF_PI`, and )"
            R"($\sqrt{2/\cos a}$.)",
-       .kind = Kind::lost_typography});
+       .kind = Fault::lost_typography});
 
   const auto shifted = [](double psi) { return 1 / sqrt(cos(psi) - book_angle); };
   const auto by_rule = [&](const std::string& rule, const Solved<double>& sum) {
@@ -233,7 +233,7 @@ std::vector<Claim> claims(const Reference& truth) {
        .printed = "0.800275",
        .corrected = "2.260114",
        .near_misses = {"2.260115"},
-       .kind = Kind::listing,
+       .kind = Fault::listing,
        .root = "angle for its cosine",
        .why =
            R"(The listing subtracts `initialAngle` where the text's integrand has $\cos(\pi/6)$: it integrates )"
@@ -251,7 +251,7 @@ std::vector<Claim> claims(const Reference& truth) {
                        {"0.000284", {as_written("the remainder", "0.000284", tail)}}},
        .why = "The remainder is 0.00028284...: the digits printed are cut off, where those of the time are "
               "rounded. No digit of the time depends on it.",
-       .kind = Kind::number});
+       .kind = Fault::number});
   return claims.in_order();
 }
 

@@ -39,7 +39,7 @@ struct FourierSeries {
   explicit FourierSeries(const Given<T>& p) {
     const T K = elliptic_K_of_complement<T>(cos(p.a / 2)),
             K_prime = elliptic_K_of_complement<T>(sin(p.a / 2));
-    const T pi(std::numbers::pi), q = exp(-pi * K_prime / K);
+    const T pi = T(std::numbers::pi), q = exp(-pi * K_prime / K);
     w = pi / (2 * K) * sqrt(p.g / p.L);
     T size = 8 * sqrt(q), odd = q;
     for (int n = 0; any_of(abs(size) > T(1e-17)); ++n, size *= -q, odd *= q * q)
