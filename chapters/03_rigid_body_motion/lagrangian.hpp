@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "chapters/exercise.hpp"
+#include "chapters/lost_bar.hpp"
 #include "chapters/random.hpp"
 #include "solvers/dual.hpp"
 
@@ -122,6 +123,16 @@ Claim formula_claim(std::string id, int line, const std::string& what, double se
   for (const Version<Sample>& near : near_misses)
     claim.near_misses.push_back({near.text, {compare(what, near, truth, seed)}});
   return claim;
+}
+
+/// A formula claim whose fraction bars the text at hand has lost. `says` states it as it stands.
+template <class Sample>
+void bars_lost(Claim& claim, std::string says, double seed, const Version<Sample>& as_it_stands,
+               const Version<Sample>& truth, std::string why) {
+  const std::string quantity = claim.printed.checks[0].quantity;
+  claim = lost_bar(std::move(claim), {as_it_stands.text, {compare(quantity, as_it_stands, truth, seed)}},
+                   std::move(why));
+  claim.says = std::move(says);
 }
 
 }  // namespace oddity
