@@ -328,7 +328,7 @@ Check along_the_motion(const Top& start) {
   return {"(c, gamma)",
           {"rigid body after 4 s", {w3, start.mu1 * (up1 * w1 + up2 * w2) + start.mu3 * up3 * w3}},
           {"the text's formulas at the start", {c, gamma}},
-          {1e-9 * std::abs(c), "a thousand tolerances of the integration"}};
+          {1e-11 * std::abs(c), "ten tolerances of the integration"}};
 }
 
 /// Euler's third equation, the moments and the torque of gravity summed over the points.

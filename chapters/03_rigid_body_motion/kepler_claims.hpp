@@ -218,10 +218,8 @@ constexpr Line at_one_moment[] = {
      "the quotient without theta'"},
     {"r_dot", 1031, "= GM (-GM/r)^2 V' (alpha M r^2) = alpha V'/(G M^2)", "r' by dual numbers",
      "the product, and the last form", "GM/(-GM/r)^2 V' alpha/(M r^2) = alpha V'/(G M^2)", Other::meant,
-     "The bars of the first form's two fractions are lost: $GM/(-GM/r)^2$ is $r^2/(GM)$, which the $r^2$ "
-     "under $\\alpha$ cancels. As products they leave $r^2\\cdot r^{-2}$ by accident, and $G^3M^4\\alpha V'$ "
-     "for "
-     "$\\alpha V'/(GM^2)$.",
+     "The bars of the first form's two fractions are lost. As products the powers of $r$ cancel as well, and "
+     "what is left is $G^3M^4\\alpha V'$ for $\\alpha V'/(GM^2)$.",
      "alpha V'/(G M)"},
     {"second_chain_rule", 1041, "r'' = alpha G M^2 dV'/dt = alpha G M^2 V'' theta'", "r'' by dual numbers",
      "the two products", "alpha/(G M^2) dV'/dt = alpha/(G M^2) V'' theta'", Other::meant,
@@ -271,8 +269,9 @@ constexpr Line from_the_start[] = {
      "r^2 theta' and M r^2 theta' later on the path", "r0^2 theta0' and M r0^2 theta0'", "r0 theta0'"},
     {"rate", 981, "theta' = alpha/(M r^2) = r0^2 theta0' r^2 (1)", "theta' later on the path",
      "alpha/(M r^2) and the product", "alpha/(M r^2) = r0^2 theta0'/r^2", Other::meant,
-     "The bar of the second fraction is lost: as it stands, a planet twice as far away goes round four times "
-     "as fast, where it takes four times as long. The first form has its bar.",
+     "The bar of the second fraction is lost: as it stands, a planet that has come to twice its distance "
+     "goes "
+     "round four times as fast, and not at a quarter of its rate. The first form has its bar.",
      "r0 theta0'/r"},
     {"invertible", 987, "t is a function of theta, and r(f^-1(theta)) is the distance as a function of theta",
      "t and r later on the path", "the integral of r^2/h over theta, and r(theta)",
@@ -686,8 +685,8 @@ inline Claim claim_of(const Line& line, Sides (*sides)(std::string_view, const S
     for (const Sample& k : all) {
       const Sides both = sides(line.slug, k);
       const double size = std::max(both.scale, std::max(size_of(both.path), size_of(both.*form)));
-      const Tolerance nine{1e-9 * size, "nine digits of a path integrated with tolerance 1e-13"};
-      worst.see(both.path, both.*form, integrated ? nine : rounding(size, 256), size, k.shown());
+      const Tolerance allowed{1e-10 * size, "a thousand tolerances of the path's integration"};
+      worst.see(both.path, both.*form, integrated ? allowed : rounding(size, 256), size, k.shown());
     }
     return Reading{std::string(text), {worst.check()}};
   };
@@ -779,10 +778,10 @@ inline Claim momentum(const std::vector<Sample>& all) {
   for (const Sample& k : all) {
     const auto r = k.s.position(), v = k.s.velocity();
     const double size = std::hypot(k.x, k.y) * std::hypot(k.vx, k.vy);
-    const Tolerance nine{1e-9 * size, "nine digits of a path integrated with tolerance 1e-13"};
-    linear.see({k.vx, k.vy}, v, nine, size, k.shown());
-    angular.see(k.x * k.vy - k.y * k.vx, r[0] * v[1] - r[1] * v[0], nine, size, k.shown());
-    radial.see(k.x * k.vx + k.y * k.vy, r[0] * v[0] + r[1] * v[1], nine, size, k.shown());
+    const Tolerance allowed{1e-10 * size, "a thousand tolerances of the path's integration"};
+    linear.see({k.vx, k.vy}, v, allowed, size, k.shown());
+    angular.see(k.x * k.vy - k.y * k.vx, r[0] * v[1] - r[1] * v[0], allowed, size, k.shown());
+    radial.see(k.x * k.vx + k.y * k.vy, r[0] * v[0] + r[1] * v[1], allowed, size, k.shown());
   }
   claim.printed = {"the momentum is conserved", {linear.check()}};
   claim.meant = {"the angular momentum is conserved", {angular.check()}};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -71,6 +72,28 @@ double size_of_terms(const Version<Sample>& version, const Sample& sample) {
     size += distance(version.of(moved), value) / change;
   }
   return size;
+}
+
+/// The same for a function of an array of letters.
+template <std::size_t n, class F>
+double size_of_terms(const F& f, const std::array<double, n>& letters) {
+  constexpr double change = 0x1p-20;
+  const Value value = f(letters);
+  double size = size_of(value);
+  for (std::size_t i = 0; i < n; ++i) {
+    auto moved = letters;
+    moved[i] *= 1 + change;
+    size += distance(Value(f(moved)), value) / change;
+  }
+  return size;
+}
+
+/// Two functions of the same letters at one sample, with the size of their terms.
+template <std::size_t n, class Left, class Right>
+void see(Worst& worst, const Left& left, const Right& right, const std::array<double, n>& letters,
+         const std::string& where) {
+  worst.see(left(letters), right(letters),
+            std::max(size_of_terms(left, letters), size_of_terms(right, letters)), where);
 }
 
 /// Two versions of a quantity over the samples. The size of its terms is found from a sample's letters()
