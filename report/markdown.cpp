@@ -178,8 +178,9 @@ std::string finding(const JudgedClaim& judged) {
                      ".\n\n" + prose(claim.why) + "\n\n";
   std::vector<std::vector<std::string>> rows;
   const auto add = [&](const std::string& name, const Reading& reading) {
+    const bool told = claim.says.find(reading.text) != std::string::npos;
     if (!reading.checks.empty())
-      rows.push_back(check_row(name + ": " + escaped(reading.text), tightest(reading)));
+      rows.push_back(check_row(told ? name : name + ": " + escaped(reading.text), tightest(reading)));
   };
   add("printed", claim.printed);
   add("meant", claim.meant);

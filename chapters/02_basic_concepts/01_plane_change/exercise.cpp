@@ -50,6 +50,19 @@ std::vector<Claim> claims(double h, double seed) {
     return Sides{joined(n, length(n), dot(n, l.T)), joined(double(s.side()) * principal, 1, 0), 1};
   };
 
+  // As the text at hand has them, the root a factor.
+  const std::string lost =
+      "The bar above the root is lost in the text at hand: the root divides. As it stands the vector is "
+      "multiplied by it, and at $t=\\pm1$ its length is 10, not 1.";
+  const auto product = [&](const char* text, bool normal, const std::vector<Sample>& samples) {
+    return reading(text, normal ? "N" : "T", "dual numbers", samples, [=](S s) {
+      const double t2 = 3 * s.t * s.t, d = root(s.t);
+      const Local l = local(s);
+      return normal ? Sides{d * in_plane(s.side(), -t2, 1.0), l.N}
+                    : Sides{d * in_plane(s.side(), 1.0, t2), l.T};
+    });
+  };
+
   const auto tends = [&](const std::string& what, std::initializer_list<int> sides, const Vector3& to,
                          auto f) {
     Reading reading{what + " -> (" + shortest(to[0]) + ", " + shortest(to[1]) + ", " + shortest(to[2]) + ")",
@@ -114,18 +127,23 @@ std::vector<Claim> claims(double h, double seed) {
               [](S s, double k) {
                 return Sides{std::sqrt(1 + k * std::pow(s.t, 4)), local(s).speed};
               }),
-      formula("2.1-tangent_before", 135, "T = (1, 3t^2, 0)/sqrt(1 + 9t^4) before 0", "T",
-              "v/|v| by dual numbers", left, 3, -3, text_T),
-      formula("2.1-normal_before", 141, "N = (-3t^2, 1, 0)/sqrt(1 + 9t^4) is a unit normal before 0",
-              "N, |N|, N.T", "minus the principal normal by dual numbers, 1, 0", left, 3, -3, text_N),
+      lost_bar(formula("2.1-tangent_before", 135, "T = (1, 3t^2, 0)/sqrt(1 + 9t^4) before 0", "T",
+                       "v/|v| by dual numbers", left, 3, -3, text_T),
+               product("T = (1, 3t^2, 0) sqrt(1 + 9t^4)", false, left), lost),
+      lost_bar(
+          formula("2.1-normal_before", 141, "N = (-3t^2, 1, 0)/sqrt(1 + 9t^4) is a unit normal before 0",
+                  "N, |N|, N.T", "minus the principal normal by dual numbers, 1, 0", left, 3, -3, text_N),
+          product("N = (-3t^2, 1, 0) sqrt(1 + 9t^4)", true, left), lost),
       claim("2.1-normal_from_below", 147, "N tends to (0, 1, 0) from below", tends("N", {before}, y, N),
             {tends("N", {before}, z, N), tends("N", {before}, -y, N)}),
       claim("2.1-normal_by_evaluation", 155, "the limits of N are its formulas' values at 0", evaluated(0),
             {evaluated(1e-3)}),
-      formula("2.1-tangent_after", 161, "T = (1, 0, 3t^2)/sqrt(1 + 9t^4) from 0 on", "T",
-              "v/|v| by dual numbers", right, 3, -3, text_T),
-      formula("2.1-normal_after", 167, "N = (-3t^2, 0, 1)/sqrt(1 + 9t^4) is a unit normal from 0 on",
-              "N, |N|, N.T", "the principal normal by dual numbers, 1, 0", right, 3, -3, text_N),
+      lost_bar(formula("2.1-tangent_after", 161, "T = (1, 0, 3t^2)/sqrt(1 + 9t^4) from 0 on", "T",
+                       "v/|v| by dual numbers", right, 3, -3, text_T),
+               product("T = (1, 0, 3t^2) sqrt(1 + 9t^4)", false, right), lost),
+      lost_bar(formula("2.1-normal_after", 167, "N = (-3t^2, 0, 1)/sqrt(1 + 9t^4) is a unit normal from 0 on",
+                       "N, |N|, N.T", "the principal normal by dual numbers, 1, 0", right, 3, -3, text_N),
+               product("N = (-3t^2, 0, 1) sqrt(1 + 9t^4)", true, right), lost),
       claim("2.1-normal_from_above", 173, "N tends to (0, 0, 1) from above", tends("N", {after}, z, N),
             {tends("N", {after}, y, N), tends("N", {after}, -z, N)}),
       claim("2.1-no_sign_helps", 181, "the two limits of N differ, and so do they with one sign changed",

@@ -195,9 +195,13 @@ std::vector<Claim> claims(double seed) {
                 return Sides{of_angles(s.theta[0], s.phi[0], {std::sin(s.phi[0]), k * s.phi[1], 0}), s.m.v,
                              1 + s.speed};
               }),
-      claim("2.3-velocity_p", 261, "v has the component 1/sqrt(1 + t^2) along P",
-            along("1/sqrt(1 + t^2)", 0, true, [](S s) { return 1 / sqrt(s.d); }),
-            {along("1/(1 + t^2)", 0, true, [](S s) { return 1 / s.d; })}),
+      lost_bar(
+          claim("2.3-velocity_p", 261, "v has the component 1/sqrt(1 + t^2) along P",
+                along("1/sqrt(1 + t^2)", 0, true, [](S s) { return 1 / sqrt(s.d); }),
+                {along("1/(1 + t^2)", 0, true, [](S s) { return 1 / s.d; })}),
+          along("1 sqrt(1 + t^2)", 0, true, [](S s) { return sqrt(s.d); }),
+          "The bar above the root is lost in the text at hand: $\\mathbf P/\\sqrt{1+t^2}$. As it stands the "
+          "speed grows with $t$; at $t=10$ the helix moves at 0.1, and the product says 10."),
       v_Q,
       formula("2.3-velocity_r", 261, "v has no component along R", "v", "Cartesian dual numbers", all, 0, 1,
               [](S s, double k) {
@@ -229,9 +233,16 @@ std::vector<Claim> claims(double seed) {
             {"r shrinks, turning on", spiral("distance from the axis", 100 * pi, distance_from_axis)},
             {{"turning the other way", spiral("distance from the axis", -100 * pi, distance_from_axis)},
              {"z shrinks", spiral("height", 100 * pi, z)}}),
-      claim("2.3-height_rewritten", 287,
-            "t/sqrt(1 + t^2) = sqrt(t^2/(1 + t^2)) = sqrt(1 - 1/(1 + t^2)) on the way to infinity",
-            chain("for t > 0", later), {chain("for t < 0 as well", earlier)}),
+      lost_bar(
+          claim("2.3-height_rewritten", 287,
+                "t/sqrt(1 + t^2) = sqrt(t^2/(1 + t^2)) = sqrt(1 - 1/(1 + t^2)) on the way to infinity",
+                chain("a quotient, for t > 0", later), {chain("for t < 0 as well", earlier)}),
+          reading("t sqrt(1 + t^2)", "z", "the position", later,
+                  [](S s) {
+                    return Sides{s.t * sqrt(s.d), s.m.r[2], s.d};
+                  }),
+          "The bar above the first root is lost in the text at hand: $t/\\sqrt{1+t^2}$, as the next root "
+          "has it squared. The product has no limit; at $t=10$ it is 100, and the quotient 0.995."),
       claim("2.3-height_limit", 287, "z tends to 1 as t becomes infinite", at_end("1", "z", 1, 1, z),
             {at_end("as t -> -infinity as well: there it is -1", "z", -1, 1, z)}),
       claim("2.3-spiral_to_the_pole", 311,

@@ -5,6 +5,7 @@
 #include "chapters/02_basic_concepts/shared/sides.hpp"
 #include "chapters/02_basic_concepts/shared/space.hpp"
 #include "reference/reference.hpp"
+#include "solvers/counted_calls.hpp"
 
 /// Exercise 2.3: the spherical helix, its motion by several routes, its colatitude and its ends.
 namespace oddity::spherical_helix {
@@ -137,12 +138,15 @@ inline Quantity colatitude(const std::string& name, double t, const Reference& t
 }
 
 /// Distance from the axis and height at t = +1/s and -1/s.
-inline Value ends(double s, bool hypot) {
-  const auto at = [&](double t) {
+inline Answer ends(double s, bool hypot) {
+  const auto point = [&](double t) {
     const double root = hypot ? std::hypot(1, t) : sqrt(1 + t * t);
     return Value{1 / root, t / root};
   };
-  return joined(at(1 / s), at(-1 / s));
+  Answer both;
+  const auto at = counted_calls(point, both.evaluations);
+  both.value = joined(at(1 / s), at(-1 / s));
+  return both;
 }
 
 inline Quantity limits_at_infinity() {
@@ -153,14 +157,11 @@ inline Quantity limits_at_infinity() {
              0,
              {1e-10, "ten decimals"}};
   const Knob times{"t", {1e2, 1e4, 1e8, 1e12, 1e200}};
-  q.add({"sqrt(1 + t^2)", "value at t", times,
-         [](double t) {
-           return Answer{ends(1 / t, false), 2};
-         },
+  q.add({"sqrt(1 + t^2)", "value at t", times, [](double t) { return ends(1 / t, false); },
          Outcome::inaccurate, "t^2 overflows and the height becomes 0"});
-  q.add({"hypot(1, t)", "value at t", times, [](double t) { return Answer{ends(1 / t, true), 2}; }});
+  q.add({"hypot(1, t)", "value at t", times, [](double t) { return ends(1 / t, true); }});
   q.add({"sqrt(1 + t^2)", "Richardson in 1/t", Knob{"halvings", {2, 4, 6, 8, 10}}, [](double n) {
-           return limit_at_zero([](double s) { return ends(s, false); }, 0.5, static_cast<int>(n));
+           return limit_at_zero([](double s) { return ends(s, false).value; }, 0.5, static_cast<int>(n));
          }});
   q.add(Breakdown{
       "From $|t|\\approx1.3\\cdot10^{154}$ on $t^2$ is infinite and the helix falls back to the equator. "

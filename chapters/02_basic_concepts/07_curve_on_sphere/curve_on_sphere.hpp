@@ -4,6 +4,7 @@
 #include "chapters/02_basic_concepts/shared/sides.hpp"
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
+#include "solvers/counted_calls.hpp"
 
 /// Exercise 2.7: ways to carry an orientation along a curve's frame, and the exercise's quantities.
 namespace oddity::curve_on_sphere {
@@ -60,14 +61,19 @@ Answer observe_repaired(const Model& model, const Horizon& horizon, double step)
 /// the commutator [Iserles and Norsett, Phil. Trans. R. Soc. A 357 (1999) 983]. A rotation to rounding.
 inline Answer observe_exponentials(const AsMatrix& model, const Horizon& horizon, double step, int order) {
   return observe_steps(model, model.start(), horizon, step, [&](auto& x, double t, double h) {
+    const auto velocity = [&](double at) { return model.w(at); };
+    long calls = 0;
+    const auto w = counted_calls(velocity, calls);
     const double off = std::sqrt(3.0) / 6 * h, middle = t + h / 2;
-    Vector3 turn = h * model.w(middle);
+    Vector3 turn;
     if (order == 4) {
-      const Vector3 a = model.w(middle - off), b = model.w(middle + off);
+      const Vector3 a = w(middle - off), b = w(middle + off);
       turn = h / 2 * (a + b) - h * off / 2 * cross(a, b);
+    } else {
+      turn = h * w(middle);
     }
     x = (exponential(turn) * Matrix3{x}).e;
-    return order / 2L;
+    return calls;
   });
 }
 
@@ -97,7 +103,11 @@ inline Quantity angular_velocity_at(double t, const Reference& truth) {
          }});
   w.add({"rotation from t - h to t + h", "its vector over 2h", steps,
          [=](double h) {
-           return Answer{0.5 / h * rotation_vector(frame(t + h) * transpose(frame(t - h))), 2};
+           long calls = 0;
+           const auto at = [](double time) { return frame(time); };
+           const auto counted = counted_calls(at, calls);
+           const Matrix3 turned = counted(t + h) * transpose(counted(t - h));
+           return Answer{0.5 / h * rotation_vector(turned), calls};
          },
          Outcome::inaccurate, "rounding grows as eps/h when the step is halved on"});
   if (wrong)

@@ -179,7 +179,25 @@ std::vector<Claim> claims(double seed) {
     return Sides{W, s.w, s.size};
   })};
 
+  const auto flat_and_height = [](double t) { return std::array{1 - t * t, t * t}; };
+  const auto given = [=](S s, double power) {
+    const auto [flat, height] = flat_and_height(s.t);
+    const double turned = std::numbers::pi * s.t, polar = std::atan2(flat, height);
+    const Vector3 on_sphere{std::sin(polar) * std::cos(turned), std::sin(polar) * std::sin(turned),
+                            std::cos(polar)};
+    const Vector3 r{flat * std::cos(turned), flat * std::sin(turned), height};
+    return Sides{1 / std::pow(flat * flat + height * height, power) * r, on_sphere, 1 + std::abs(turned)};
+  };
+  const std::string by_angles = "the point at the angles atan2(1 - t^2, t^2) and pi t";
   return {
+      lost_bar(
+          formula("2.7-position", 481,
+                  "the position is ((1 - t^2) cos(pi t), (1 - t^2) sin(pi t), t^2) by its length", "r",
+                  by_angles, all, 0.5, 1, given),
+          reading("times sqrt((1 - t^2)^2 + t^4)", "r", by_angles, all, [=](S s) { return given(s, -0.5); }),
+          "The bar above the root is lost in the text at hand: the three numbers are divided by their "
+          "length. Multiplied by it they leave the unit sphere, of which the next lines speak, at every "
+          "$t$ but 0 and $\\pm1$: at $t=2$ they are 25 from the origin."),
       formula("2.7-on_the_sphere", 485, "|r| = 1 for all t", "|r|", "the unit sphere", all, 0.5, 1,
               [](S s, double k) {
                 const double height = s.t * s.t, flat = 1 - height;

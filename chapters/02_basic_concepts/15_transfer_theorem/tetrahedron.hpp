@@ -85,7 +85,9 @@ inline Quantity about_origin(const Tetrahedron& t, double seed, const Reference&
            return Answer{central + inertia_of(t.mass(), t.center()), 1};
          }});
   q.add({transferred, "five particles", no_knob(), [t](double) {
-           return Answer{inertia_about(t.particles(), t.center()) + inertia_of(t.mass(), t.center()), 5};
+           const System all = t.particles();
+           return Answer{inertia_about(all, t.center()) + inertia_of(t.mass(), t.center()),
+                         static_cast<long>(all.size())};
          }});
   q.add({solid, "five particles", no_knob(), [t](double) {
            const System all = t.particles();

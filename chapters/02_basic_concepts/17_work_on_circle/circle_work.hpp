@@ -5,6 +5,7 @@
 #include "chapters/02_basic_concepts/shared/bodies.hpp"
 #include "chapters/02_basic_concepts/shared/vectors.hpp"
 #include "reference/reference.hpp"
+#include "solvers/counted_calls.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/roots.hpp"
 
@@ -153,11 +154,12 @@ inline Quantity early_work(const Reference& truth) {
 
 /// A maximum of f in [a, b] by golden sections down to the width `tolerance`.
 template <class F>
-Solved<double> golden_section(const F& f, double a, double b, double tolerance) {
+Solved<double> golden_section(const F& of, double a, double b, double tolerance) {
+  long evaluations = 0;
+  const auto f = counted_calls(of, evaluations);
   const double golden = (sqrt(5.0) - 1) / 2;
   double left = b - golden * (b - a), right = a + golden * (b - a), at_left = f(left), at_right = f(right);
-  long evaluations = 2;
-  for (; b - a > tolerance && evaluations < 200; ++evaluations) {
+  while (b - a > tolerance && evaluations < 200) {
     if (at_left > at_right) {
       b = right, right = left, at_right = at_left;
       at_left = f(left = b - golden * (b - a));

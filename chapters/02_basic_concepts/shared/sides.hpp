@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "chapters/exercise.hpp"
+#include "chapters/lost_bar.hpp"
 #include "reference/text.hpp"
 
 /// What the exercises of this chapter share: an identity over many samples, and a limit at zero.
@@ -65,15 +66,6 @@ Claim formula(std::string id, int line, std::string says, const std::string& qua
                            : near == 0 ? "a term dropped"
                                        : shortest(near) + " in the place of " + shortest(k);
   return claim(std::move(id), line, std::move(says), with("as printed", k), {with(miss, near)});
-}
-
-/// A claim whose fraction bar the text at hand has lost: what stands there, and what was meant by it.
-inline Claim lost_bar(Claim claim, Reading as_it_stands, std::string why) {
-  claim.meant = std::move(claim.printed);
-  claim.meant.text = "a quotient";
-  claim.printed = std::move(as_it_stands);
-  claim.why = std::move(why);
-  return claim;
 }
 
 /// All numbers in a row.

@@ -68,6 +68,25 @@ std::vector<Claim> formulas(double seed) {
        {"(m/2) (1 + 4q^2 + 9q^4) q'^2", [](S s) { return s.m / 2 * metric(s.q) * s.v * s.v; }},
        {"(m/2) |x'|^2, x' by dual numbers", [](S s) { return s.T()(s.q, s.v, 0.0); }},
        {{"9q^2 for 9q^4", [](S s) { return s.m / 2 * (1 + 13 * s.q * s.q) * s.v * s.v; }}});
+  const Version<Sample> by_definition{"(m/2) x'.x', x' by dual numbers",
+                                      [](S s) { return s.T()(s.q, s.v, 0.0); }};
+  const auto by_speed = [seed, by_definition](const std::string& text, double factor, double power) {
+    const Version<Sample> version{text, [=](S s) {
+                                    const auto v = velocity(s.q, s.v);
+                                    const double speed = std::hypot(v[0], v[1], v[2]);
+                                    return factor * s.m * std::pow(speed, power);
+                                  }};
+    return Reading{text, {compare<Sample>("T by the speed", version, by_definition, seed)}};
+  };
+  Claim speed{"3.7-kinetic_energy_by_speed", 1379, "T = (m/2) |x'|"};
+  speed.printed = by_speed("(m/2) |x'|", 0.5, 1);
+  speed.meant = by_speed("(m/2) |x'|^2", 0.5, 2);
+  speed.near_misses = {by_speed("m |x'|^2", 1, 2)};
+  speed.why =
+      "The speed's exponent is missing; the next form of the line, with $\\dot q^2$, comes from the square. "
+      "A "
+      "bead twice as fast has four times the energy, and by the printed form twice.";
+  all.push_back(speed);
   says("dT_dq", 1385, "the derivative of T by q",
        {"2m (2q + 9q^3) q'^2", [](S s) { return 2 * s.m * bend(s) * s.v * s.v; }},
        {"dual numbers", [](S s) { return d_dq(s.T(), s.q, s.v); }},

@@ -43,11 +43,6 @@ struct Sample {
   std::array<double*, 10> letters() {
     return {&hill.a1, &hill.a2, &g, &t, &x[0], &x[1], &v[0], &v[1], &a[0], &a[1]};
   }
-  /// A bound of the equations' terms.
-  double size() const {
-    const double b = 4 / std::min(hill.a1 * hill.a1, hill.a2 * hill.a2);
-    return (1 + b * 10 * (1 + b * 20) + b * g * 10) * (1 + std::abs(t)) * (1 + std::abs(t));
-  }
   std::string where() const {
     return "a = (" + rounded(hill.a1, 4) + ", " + rounded(hill.a2, 4) + "), v = (" + rounded(v[0], 4) + ", " +
            rounded(v[1], 4) + "), t = " + rounded(t, 4);
@@ -119,10 +114,25 @@ std::vector<Claim> equations(double seed) {
        }},
       {{"g for 2 g", [](S s) { return values(along_line(s, 1)); }},
        {"plus 2 g", [](S s) { return values(along_line(s, -2)); }}});
+  bars_lost<Sample>(
+      substituted,
+      "on (v1 t, v2 t) the first equation's right side is 0 + 4 v1 t a1^2 (v1^2 a1^2 + v2^2 a2^2) - 2 g "
+      "v1 t/a1^2",
+      seed,
+      {"4 v1 t a1^2 (v1^2 a1^2 + v2^2 a2^2), as products",
+       [](S s) {
+         const double A1 = s.hill.a1 * s.hill.a1, A2 = s.hill.a2 * s.hill.a2;
+         return values(4 * s.v[0] * s.t * A1 * (s.v[0] * s.v[0] * A1 + s.v[1] * s.v[1] * A2) -
+                       2 * s.g * s.v[0] * s.t / A1);
+       }},
+      {"Lagrange's left side by nested dual numbers",
+       [](S s) {
+         return values(s.left_side({s.v[0] * s.t, s.v[1] * s.t}, {0, 0})[0]);
+       }},
+      "The bars of the first term's three fractions are lost in the text at hand; the last term has "
+      "its own. As products the terms cannot be added: on a hill twice as wide, $a_1$ and $a_2$ "
+      "doubled, the first one should shrink to a sixteenth, and grows sixteenfold.");
   derivatives.says = "the first two derivatives of (v1 t, v2 t) are (v1, v2) and (0, 0)";
-  substituted.says =
-      "on (v1 t, v2 t) the first equation's right side is 0 + (4 v1 t/a1^2) (v1^2/a1^2 + v2^2/a2^2) - 2 g v1 "
-      "t/a1^2";
   return {derivatives, first, substituted};
 }
 
@@ -136,11 +146,20 @@ struct FromTop : Sample {
     if (kind == 2 || kind == 3) v[1] = 0;
     if (kind == 0 && random.unit() < 0.5) v = at_the_right_speed({hill, g, {}, v}).v;
   }
-  double off() const { return std::abs(steepening(hill, v) - g / 2); }
-  bool condition() const { return off() < 1e-12 * g; }
+  /// v1^2/a1^2 + v2^2/a2^2 against g/2, or what the products make of it.
+  bool equal(double left) const { return std::abs(left - g / 2) <= rounding(left + g / 2).allowed; }
+  bool condition() const { return equal(steepening(hill, v)); }
   /// Whether (v1 t, v2 t) satisfies equation i.
   bool satisfied(std::size_t i) const {
-    return std::abs(left_side({v[0] * t, v[1] * t}, {0, 0})[i]) < 1e-12 * size();
+    const auto left = [&](const std::array<double, 6>& letters) {
+      const auto [a1, a2, gravity, time, v1, v2] = letters;
+      Sample moved = *this;
+      moved.hill = {a1, a2};
+      moved.g = gravity;
+      return Value(moved.left_side({v1 * time, v2 * time}, {0, 0})[i]);
+    };
+    const std::array letters{hill.a1, hill.a2, g, t, v[0], v[1]};
+    return size_of(left(letters)) <= rounding(size_of_terms(left, letters)).allowed;
   }
 };
 
@@ -161,10 +180,20 @@ Check in_all(const std::string& says, double seed, const Holds& holds) {
 std::vector<Claim> conditions(double seed) {
   using F = const FromTop&;
   const std::string half = "v1^2/a1^2 + v2^2/a2^2 = g/2";
-  Claim algebra{"3.11-condition", 1573, "from the first equation follows " + half + ", where v1 is not zero"};
-  algebra.printed = {half + " for v1 != 0",
-                     {in_all("the first equation holds with v1 != 0 unlike the condition", seed,
-                             [](F s) { return s.v[0] == 0 || s.satisfied(0) == s.condition(); })}};
+  Claim algebra{"3.11-condition", 1573,
+                "from the first equation follows v1^2 a1^2 + v2^2 a2^2 = g/2, where v1 is not zero"};
+  algebra.printed = {"v1^2 a1^2 + v2^2 a2^2 = g/2 for v1 != 0",
+                     {in_all("the first equation holds with v1 != 0 unlike this condition", seed, [](F s) {
+                       const double a = s.hill.a1 * s.v[0], b = s.hill.a2 * s.v[1];
+                       return s.v[0] == 0 || s.satisfied(0) == s.equal(a * a + b * b);
+                     })}};
+  algebra.why =
+      "The bars of the left side's fractions are lost in the text at hand: $v_1^2/a_1^2+v_2^2/a_2^2=g/2$. On "
+      "the default hill, $a_1=1$, $a_2=2$, $g=10$, that is 2 m/s in each direction for $v_1=v_2$, and with "
+      "the products 1 m/s, at which the particle does not keep to a uniform motion.";
+  algebra.meant = {half + " for v1 != 0",
+                   {in_all("the first equation holds with v1 != 0 unlike the condition", seed,
+                           [](F s) { return s.v[0] == 0 || s.satisfied(0) == s.condition(); })}};
   algebra.near_misses = {{half + " for v1 = 0 as well",
                           {in_all("the first equation holds, but not the condition", seed,
                                   [](F s) { return !s.satisfied(0) || s.condition(); })}}};

@@ -5,7 +5,7 @@
 /// The formulas of the book about the mass on the turning rod, each compared with what the Lagrangian gives.
 namespace oddity::turning_rod {
 
-using std::abs, std::cos, std::sin, std::sqrt, std::numbers::pi, std::numbers::sqrt2;
+using std::abs, std::cos, std::pow, std::sin, std::sqrt, std::numbers::pi, std::numbers::sqrt2;
 
 inline constexpr double quarter = pi / 4;
 
@@ -28,9 +28,9 @@ inline Value D_rate(S s) { return values(-s.w * sin(s.w * s.t) / sqrt2, s.w * co
 inline double first_length(S s) { return sqrt((s.b - s.c) * (s.b - s.c) + s.b * s.b); }
 inline double outer_length(S s) { return sqrt((s.b + s.c) * (s.b + s.c) + s.b * s.b); }
 inline double second_length(S s) { return sqrt((s.b - s.c) * (s.b - s.c) + s.c * s.c); }
-/// The generalized force, the projection of (c, 0, 0) on the rod being p.
-inline double F_lambda(S s, double p) {
-  return -s.K * (1 - s.ell / sqrt(s.s * s.s - 2 * p * s.s + s.c * s.c)) * (s.s - p);
+/// The generalized force, the projection of (c, 0, 0) on the rod being p; `power` is that of the root.
+inline double F_lambda(S s, double p, int power = -1) {
+  return -s.K * (1 - s.ell * pow(sqrt(s.s * s.s - 2 * p * s.s + s.c * s.c), power)) * (s.s - p);
 }
 inline double p(S s) { return s.c * cos(s.w * s.t) / sqrt2; }
 
@@ -115,14 +115,20 @@ inline std::vector<Claim> dynamics(double seed) {
         {{"sqrt((b-c)^2 + c^2)", second_length}});
   const Version<Sample> force{"minus the gradient of the spring's energy, dual numbers",
                               [](S s) { return force_of(s.spring(), s.x()); }};
-  const auto hooke = [](S s, double sign, double ell) {
-    const double r = length({s.x()[0] - s.c, s.x()[1], s.x()[2]}), k = sign * s.K * (r - ell) / r;
+  const auto hooke = [](S s, double sign, double ell, int power = -1) {
+    const double r = length({s.x()[0] - s.c, s.x()[1], s.x()[2]}), k = sign * s.K * (r - ell) * pow(r, power);
     return values(k * (s.x()[0] - s.c), k * s.x()[1], k * s.x()[2]);
   };
   f.add("force", 1821, "the force of the spring",
         {"-K (r - ell) (x - c i)/r", [=](S s) { return hooke(s, -1, s.ell); }}, force,
         {{"+K", [=](S s) { return hooke(s, 1, s.ell); }},
          {"ell missing", [=](S s) { return hooke(s, -1, 0); }}});
+  bars_lost(
+      f.claims.back(), "the force of the spring is -K (r - ell) (x - c i) r", seed,
+      {"times r", [=](S s) { return hooke(s, -1, s.ell, 1); }}, force,
+      "The fraction bar is lost in the text at hand: $(x-c\\imath)/|x-c\\imath|$ is a direction, of length "
+      "1. Multiplied by its length the force is $r^2$ times as large: twice where the motion of the text "
+      "ends, at $r=1.410$.");
   const Version<Sample> at_rest{"zero", [](S) { return values(0, 0, 0); },
                                 [](S s) { return s.K * (s.b + s.c); }};
   const auto first_force = [](S s, double ell) { return force_of(Spring{s.c, s.K, ell}, {s.b, 0, s.b}); };
@@ -130,11 +136,17 @@ inline std::vector<Claim> dynamics(double seed) {
         {"with the rest length of line 1817", [=](S s) { return first_force(s, first_length(s)); }}, at_rest,
         {{"with the rest length of line 1869", [=](S s) { return first_force(s, second_length(s)); }}})
       .says = "the force at the start is zero";
+  const Version<Sample> by_energy{"minus the spring's energy's derivative by lambda",
+                                  [](S s) { return d_dq(s.L(), s.s, 0, s.t) - d_dq(s.T(), s.s, 0, s.t); }};
   f.add("generalized_force", 1829, "the generalized force",
         {"-K (1 - ell/sqrt(...)) (lambda - c cos(wt)/sqrt(2))", [](S s) { return F_lambda(s, p(s)); }},
-        {"minus the spring's energy's derivative by lambda",
-         [](S s) { return d_dq(s.L(), s.s, 0, s.t) - d_dq(s.T(), s.s, 0, s.t); }},
-        {{"c cos(wt) for c cos(wt)/sqrt(2)", [](S s) { return F_lambda(s, sqrt2 * p(s)); }}});
+        by_energy, {{"c cos(wt) for c cos(wt)/sqrt(2)", [](S s) { return F_lambda(s, sqrt2 * p(s)); }}});
+  bars_lost(
+      f.claims.back(), "the generalized force is -K (1 - ell sqrt(...)) (lambda - c cos(wt)/sqrt(2))", seed,
+      {"1 - ell sqrt(...), as a product", [](S s) { return F_lambda(s, p(s), 1); }}, by_energy,
+      "The bar under $\\ell$ is lost in the text at hand. The quotient is 1 where the spring is at rest, and "
+      "the bracket 0; of the product the bracket is $1-\\ell^2$, and the mass of the listing starts with a "
+      "push of 15 N that is not there.");
   f.add("equation", 1839, "the difference of the sides of the equation of motion",
         {"m lambda'' - m w^2 lambda / 2 - F",
          [](S s) { return s.m * s.A - s.m * s.w * s.w / 2 * s.s - F_lambda(s, p(s)); }},
@@ -203,14 +215,19 @@ inline std::vector<Claim> slips(double seed) {
       "Lagrange's equation by nested dual numbers, w = pi/4", [](S s) {
         return lagrange_acceleration(Lagrangian{s.m, quarter, s.spring()}, s.s, s.v, s.t);
       }};
-  const auto summary = [](S s, double square) {
+  const auto summary = [](S s, double square, int power = -1) {
     const double cosine = cos(pi * s.t / 4);
     const double r = sqrt(s.s * s.s - 2 * s.s * cosine * s.c / sqrt2 + s.c * s.c);
-    return square / 32 * s.s - s.K / s.m * (1 - s.ell / r) * (s.s - cosine * s.c / sqrt2);
+    return square / 32 * s.s - s.K / s.m * (1 - s.ell * pow(r, power)) * (s.s - cosine * s.c / sqrt2);
   };
-  f.add("summary", 1853, "lambda'' (one root is printed as the word sqrt)",
-        {"pi^2 lambda/32 - (K/m) (...)", [=](S s) { return summary(s, pi * pi); }}, lagrange,
-        {{"pi^2 lambda/16", [=](S s) { return summary(s, 2 * pi * pi); }}});
+  f.add("summary", 1853, "lambda''",
+        {"pi^2 lambda/32 - (K/m) (1 - ell/sqrt(...)) (...)", [=](S s) { return summary(s, pi * pi); }},
+        lagrange, {{"pi^2 lambda/16", [=](S s) { return summary(s, 2 * pi * pi); }}});
+  bars_lost(
+      f.claims.back(), "lambda'' is pi^2 lambda/32 - (K/m) (1 - ell sqrt(...)) (...)", seed,
+      {"1 - ell sqrt(...), as a product", [=](S s) { return summary(s, pi * pi, 1); }}, lagrange,
+      "The bar under $\\ell$ is lost in the text at hand, as in the generalized force above. Besides, the "
+      "$\\sqrt2$ inside the root is printed as the word sqrt.");
 
   const Version<Sample> tmp0{"c cos(pi t/4)/sqrt(2)", [](S s) { return s.c * cos(pi * s.t / 4) / sqrt2; }};
   const auto code = [](S s, double factor) { return s.c * sqrt(0.5) * cos(factor * s.t); };

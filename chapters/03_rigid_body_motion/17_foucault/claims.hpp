@@ -248,6 +248,49 @@ inline std::vector<Claim> point_forces(double seed) {
   all.back().near_misses.push_back(
       {"-2 w x r' alone, to all orders in omega",
        {compare<Sample>("what the turning axes add", {"-2 w x r'", coriolis_term(-2)}, exact, seed)}});
+  const auto second_difference = [](int power) {
+    return [power](S s) {
+      const auto at = [&](double t) {
+        return sum(s.free_r, sum(times(t, s.free_v), times(t * t / 2, s.free_a)));
+      };
+      constexpr double Dt = 0.5;
+      const auto D2r = sum(sum(at(Dt), at(-Dt)), times(-2.0, at(0)));
+      return vector(times(std::pow(Dt, -power), D2r));
+    };
+  };
+  const V in_the_axes{"r'' in the turning axes", [](S s) { return vector(s.free_a); }};
+  says("second_derivative", 2243, "the acceleration",
+       {"D^2 r/Dt, by differences with Dt = 1/2", second_difference(1)}, in_the_axes,
+       {{"D^2 r/Dt^3", second_difference(3)}});
+  all.back().meant = {
+      "D^2 r/Dt^2",
+      {compare<Sample>("the acceleration", {"D^2 r/Dt^2, by differences", second_difference(2)}, in_the_axes,
+                       seed)}};
+  all.back().says = "the force on the mass is m D^2 r/Dt";
+  all.back().why =
+      "The square of $Dt$ is missing, here and in lines 2263 and 2273: the acceleration is $D^2r/Dt^2$. A "
+      "second difference over a single $Dt$ has the unit of a velocity, and goes to zero with $Dt$.";
+
+  const auto with_earth = [](double west, double north) {
+    return [=](S s) {
+      const double c = std::cos(s.p.lambda), d = -std::sin(s.p.lambda);
+      return vector(times(2 * s.p.omega, outer(Space<double>{west * c, north * c, d}, s.free_v)));
+    };
+  };
+  const V coriolis{
+      "the acceleration in axes that do not turn, its part linear in omega", [](S s) {
+        return vector(times(0.5, sum(s.inertial_acceleration(1), times(-1.0, s.inertial_acceleration(-1)))));
+      }};
+  says("earth_rotation", 2419, "2 w x r'", {"w = omega (0, 0, -sin lambda)", with_earth(0, 0)}, coriolis,
+       {{"w = omega (cos lambda i - sin lambda k), i to the west", with_earth(1, 0)}});
+  all.back().meant = {"w = omega (cos lambda j - sin lambda k), j to the north",
+                      {compare<Sample>("2 w x r'", {"with j", with_earth(0, 1)}, coriolis, seed)}};
+  all.back().says = "w = omega [(cos lambda) - (sin lambda) k], the cosine without a direction";
+  all.back().why =
+      "The unit vector $\\jmath$, to the north, is lost in the text at hand, and a number less a vector is "
+      "nothing. The components of line 2425 have it: $P\\cdot w=\\omega\\cos\\lambda\\cos\\theta$. Left out "
+      "altogether, what falls would fall straight, and not to the east.";
+
   const auto force_theta = [](double sign) {
     return [sign](S s) {
       return values(s.m * s.p.L * s.sin_phi() * 2 * s.p.L * s.p.omega * s.v[1] * sign * s.bracket());
@@ -286,6 +329,36 @@ inline std::vector<Claim> point_forces(double seed) {
   says("equation_theta", 2279, "the first equation of motion, left side less right side",
        {"theta'' sin phi + 2 theta' phi' cos phi - 2 omega phi' (...)", equation_theta(1)}, by_lagrange_theta,
        {{"+ 2 omega phi' (...)", equation_theta(-1)}});
+  // Every fourth motion at the lowest point, if asked for; theta'' by the equation before, where it says one.
+  const auto cancelled = [seed](const std::string& text, bool lowest_too, int power) {
+    Random random(seed);
+    long violations = 0;
+    for (int i = 0; i < 200; ++i) {
+      Sample s(random);
+      const double rounded_off = 1e-10 * s.size();
+      if (lowest_too && i % 4 == 0) s.q[1] = 0;
+      const double sine = s.sin_phi(), inertia = s.m * s.p.L * s.p.L * sine * sine;
+      if (sine != 0) s.a[0] -= s.to_first_order()[0] / inertia;
+      const bool before = std::abs(s.to_first_order()[0]) < rounded_off;
+      const double after = s.a[0] * std::pow(sine, 2 - power) + 2 * s.v[0] * s.v[1] * s.cos_phi() -
+                           2 * s.p.omega * s.v[1] * s.bracket();
+      violations += before && !(std::abs(after) < rounded_off);
+    }
+    return Reading{
+        text, {never("the equation holds, and what is left after cancelling does not", violations, 200)}};
+  };
+  Claim lowest{"3.17-cancelled_sine", 2277, "m L^2 sin phi can be canceled from the first equation"};
+  lowest.printed = cancelled("at any phi", true, 1);
+  lowest.corrected = cancelled("where sin phi is not zero", false, 1);
+  lowest.near_misses = {cancelled("m L^2 sin^2 phi from the first term", false, 2)};
+  lowest.why =
+      "At the lowest point $\\sin\\phi=0$: the equation before says $0=0$ there, and the one that is left "
+      "asks "
+      "for $\\dot\\theta=\\omega\\sin\\lambda$, and has no $\\ddot\\theta$. A program that solves it for "
+      "$\\ddot\\theta$ divides by zero in a pendulum that hangs at rest or swings through the middle, and "
+      "needs "
+      "very short steps in one that passes close by. In Cartesian coordinates the point is like any other.";
+  all.push_back(lowest);
   const auto equation_phi = [](double sign, const auto& pull) {
     return [=](S s) {
       return values(s.a[1] - s.v[0] * s.v[0] * s.sin_phi() * s.cos_phi() +

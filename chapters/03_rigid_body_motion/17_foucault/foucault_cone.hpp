@@ -41,7 +41,7 @@ struct ConeSample {
   }
   /// The same in the book's Cartesian limits, or with x as wide as y, by QAGS.
   double cartesian_integral(const Density& f, bool square = false) const {
-    const Rule rule = [](FunctionOfOne g, double a, double b) { return qags(g, a, b, 1e-10); };
+    const Rule rule = [](FunctionOfOne g, double a, double b) { return qags(g, a, b, 1e-12); };
     const auto half = [&](double z, double y) {
       return square ? rho(z) : std::sqrt(std::max(0.0, rho(z) * rho(z) - y * y));
     };
@@ -94,7 +94,7 @@ inline Check compare_cones(const std::string& what, const W& left, const W& righ
                            double relative) {
   Worst worst(what, left.text, right.text);
   Random random(seed);
-  const int samples = relative > 1e-10 ? 2 : 3;  // adaptive rules are slow
+  const int samples = relative > 1e-13 ? 2 : 3;  // adaptive rules are slow
   for (int i = 0; i < samples; ++i) {
     const ConeSample s(random);
     const Tolerance tolerance{relative * s.size(), "the quadratures' tolerance, relative to the terms"};
@@ -205,7 +205,7 @@ inline std::vector<Claim> moments(double seed) {
       "Ixx_limits", 2329, "Ixx as a triple integral, and its limits", seed,
       {"y^2 + z^2 over |x| < sqrt(rho^2 - y^2), |y| < rho, 0 < z < h",
        [=](C s) { return values(s.cartesian_integral(y2z2)); }},
-      Ixx, {{"over |x| < rho", [=](C s) { return values(s.cartesian_integral(y2z2, true)); }}}, 1e-9));
+      Ixx, {{"over |x| < rho", [=](C s) { return values(s.cartesian_integral(y2z2, true)); }}}, 1e-12));
   const auto width = [](C s, double z, double y) {
     return std::sqrt(std::max(0.0, square(s.rho(z)) - y * y));
   };
@@ -218,7 +218,7 @@ inline std::vector<Claim> moments(double seed) {
   };
   all.push_back(cone_claim("Ixx_after_x", 2335, "Ixx after integrating over x", seed,
                            {"2 (y^2 + z^2) sqrt(rho^2 - y^2)", after_x(2)}, Ixx,
-                           {{"without the 2", after_x(1)}}, 1e-9));
+                           {{"without the 2", after_x(1)}}, 1e-12));
   const auto split = [=](double factor) {
     return [=](C s) {
       return values(s.along([&](double z) {
@@ -232,8 +232,8 @@ inline std::vector<Claim> moments(double seed) {
                  {"2 y^2 sqrt(...) and z^2 times sqrt(...)", split(1)}, Ixx,
                  {{"2 before neither",
                    [=](C s) { return values(split(1)(s)[0] / 2 + (split(1)(s)[0] - split(0)(s)[0]) / 2); }}},
-                 1e-8);
-  parts.meant = cone_reading(parts, {"2 sqrt(...) in the second, too", split(2)}, Ixx, seed, 1e-9);
+                 1e-12);
+  parts.meant = cone_reading(parts, {"2 sqrt(...) in the second, too", split(2)}, Ixx, seed, 1e-12);
   parts.says =
       "of the two integrals over y that make Ixx the first has 2 y^2 sqrt(...), the second sqrt(...)";
   parts.why =
@@ -310,7 +310,7 @@ inline std::vector<Claim> moments(double seed) {
        [](C s) {
          return values(s.cartesian_integral([](double x, double y, double) { return x * x + y * y; }));
        }},
-      {{"s^2 ds dtheta dz", cylindrical(2)}}, 1e-9));
+      {{"s^2 ds dtheta dz", cylindrical(2)}}, 1e-12));
   const W Izz{"quadrature", [](C s) { return values(s.Izz()); }};
   const auto turning = [](double by) {
     return [by](C s) { return values(pi * std::pow(s.r(), 4) * s.h() * by); };

@@ -279,6 +279,9 @@ std::vector<Claim> derivatives(double seed) {
                         const std::vector<V>& near) {
     all.push_back(formula_claim(std::string("3.19-") + id, line, what, seed, printed, truth, near));
   };
+  const auto lost = [&](const char* what, const V& as_it_stands, const V& truth, const char* why) {
+    bars_lost(all.back(), what, seed, as_it_stands, truth, why);
+  };
   const auto in_coordinates = [](double sign) {
     return [sign](S s) {
       const double d = s.v[1] + sign * s.v[0];
@@ -286,17 +289,28 @@ std::vector<Claim> derivatives(double seed) {
                     s.p.m3 / 2 * s.v[1] * s.v[1] + s.p.turn2() / 2 * d * d);
     };
   };
-  says(
-      "kinetic_energy", 2443, "T in y2' and y3' alone",
-      {"m2/2 y2'^2 + I1/(2 R1^2) y2'^2 + m3/2 y3'^2 + I2/(2 R2^2) (y3' - y2')^2", in_coordinates(-1)},
-      {"masses by y', pulleys by the speeds of their rims",
-       [](S s) {
-         const Pair rim = s.rim_speeds();
-         const double w1 = rim[0] / s.p.R1, w2 = rim[1] / s.p.R2;
-         return values(
-             (s.p.m2 * s.v[0] * s.v[0] + s.p.m3 * s.v[1] * s.v[1] + s.p.I1 * w1 * w1 + s.p.I2 * w2 * w2) / 2);
-       }},
-      {{"(y3' + y2')^2", in_coordinates(1)}});
+  const V by_rims{
+      "masses by y', pulleys by the speeds of their rims", [](S s) {
+        const Pair rim = s.rim_speeds();
+        const double w1 = rim[0] / s.p.R1, w2 = rim[1] / s.p.R2;
+        return values(
+            (s.p.m2 * s.v[0] * s.v[0] + s.p.m3 * s.v[1] * s.v[1] + s.p.I1 * w1 * w1 + s.p.I2 * w2 * w2) / 2);
+      }};
+  says("kinetic_energy", 2443, "T in y2' and y3' alone",
+       {"m2/2 y2'^2 + I1/(2 R1^2) y2'^2 + m3/2 y3'^2 + I2/(2 R2^2) (y3' - y2')^2", in_coordinates(-1)},
+       by_rims, {{"(y3' + y2')^2", in_coordinates(1)}});
+  lost("T is m2/2 y2'^2 + I1 2 R1^2 y2'^2 + m3/2 y3'^2 + I2 2 R2^2 (y3' - y2')^2",
+       {"I1 2 R1^2 and I2 2 R2^2, as products",
+        [](S s) {
+          const double d = s.v[1] - s.v[0], I1 = s.p.I1 * 2 * s.p.R1 * s.p.R1,
+                       I2 = s.p.I2 * 2 * s.p.R2 * s.p.R2;
+          return values(s.p.m2 / 2 * s.v[0] * s.v[0] + I1 * s.v[0] * s.v[0] + s.p.m3 / 2 * s.v[1] * s.v[1] +
+                        I2 * d * d);
+        }},
+       by_rims,
+       "The fraction bars of the pulleys' terms are lost in the text at hand: $I_1/(2R_1^2)$ and "
+       "$I_2/(2R_2^2)$, and before them $I_1/2$ and $I_2/2$. The default pulleys have 1 kg and 0.5 kg there, "
+       "and the products are 0.25 and 0.125.");
   says("dT_dy", 2475, "T depends on neither y2 nor y3",
        {"dT/dy by dual numbers, the pulleys turned by the ropes",
         [](S s) { return Value(df_dq(s.kinetic(), s.q, s.v)); }},
@@ -311,6 +325,20 @@ std::vector<Claim> derivatives(double seed) {
         [=](S s) { return momenta(s, s.v, 1); }},
        {"dual numbers", [](S s) { return Value(df_dv(KineticEnergy{s.p}, s.q, s.v)); }},
        {{"y3' + y2'", [=](S s) { return momenta(s, s.v, -1); }}});
+  const auto products = [](const Pulleys& p) { return Pair{p.I1 * p.R1 * p.R1, p.I2 * p.R2 * p.R2}; };
+  lost(
+      "the derivatives of T are m2 y2' + I1 R1^2 y2' + (I2/R2^2) (y2' - y3') and m3 y3' + I2 R2^2 (y3' - "
+      "y2')",
+      {"I1 R1^2 and I2 R2^2, as products",
+       [=](S s) {
+         const auto [I1, I2] = products(s.p);
+         return values(s.p.m2 * s.v[0] + I1 * s.v[0] + s.p.turn2() * (s.v[0] - s.v[1]),
+                       s.p.m3 * s.v[1] + I2 * (s.v[1] - s.v[0]));
+       }},
+      {"dual numbers", [](S s) { return Value(df_dv(KineticEnergy{s.p}, s.q, s.v)); }},
+      "The bars of $I_1/R_1^2$ in the first and of $I_2/R_2^2$ in the second derivative are lost in the text "
+      "at hand; the third one of the three is there. A pulley of a tenth of the radius would turn a hundred "
+      "times more easily, where its rim is a hundred times harder to move.");
   says("momentum_rates", 2497, "their time derivatives",
        {"the same in y2'' and y3''", [=](S s) { return momenta(s, s.a, 1); }},
        {"nested dual numbers", [](S s) { return Value(rate_of_df_dv(KineticEnergy{s.p}, s.q, s.v, s.a)); }},
@@ -328,6 +356,15 @@ std::vector<Claim> derivatives(double seed) {
   all.back().printed.checks.push_back(compare<Sample>(
       "the same", {"with y'' from the ropes' tensions", [=](S s) { return second(1, s.by_tensions(), s); }},
       {"0", [](S) { return values(0); }}, seed));
+  lost("m3 y3'' + I2 R2^2 (y3'' - y2'') = m3 g - c2 (K2 - L2 + y3 - 2 y2)",
+       {"I2 R2^2 as a product, y'' by Lagrange's equations",
+        [=](S s) {
+          const Pair a = s.by_lagrange();
+          return values(s.p.m3 * a[1] + products(s.p)[1] * (a[1] - a[0]) + s.pull2() - s.p.m3 * s.p.g);
+        }},
+       {"0", [](S) { return values(0); }},
+       "The bar of $I_2/R_2^2$ is lost in the text at hand; line 2511, from which the term is taken, has it. "
+       "The default pulley would weigh in with 0.0625 kg at its rim for 1 kg.");
   return all;
 }
 
@@ -356,7 +393,8 @@ std::vector<Claim> forces(double seed) {
       "masses.";
 
   Claim first{"3.19-equation_y2", 2547,
-              "m2 y2'' + I1/R1^2 y2'' + I2/R2^2 (y2'' - y3'') = m2 g - c1 (K1 - L1 + y2)"};
+              "m2 y2'' + I1/R1^2 y2'' + I2/R2^2 (y2'' - y3'') = m2 g - c1 (K1 - L1 + y2) (the bar of I1/R1^2 "
+              "restored)"};
   const auto equation = [](double lever, bool tensions) {
     return V{
         "y'' " + std::string(tensions ? "from the ropes' tensions" : "by Lagrange's equations"), [=](S s) {

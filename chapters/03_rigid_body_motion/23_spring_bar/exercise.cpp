@@ -94,12 +94,14 @@ double spring(S x, double at_rest) {
   return x.c / 2 * (stretch * stretch - at_rest * at_rest);
 }
 
-/// The right side of the equation of motion; signs and factors are 1 as printed.
-double equation(S x, double first, double second, double ratio = 1) {
+/// The right side of the equation of motion; signs and factors are 1 as meant. `power` is that of the
+/// spring's length d in 1 - ell/d.
+double equation(S x, double first, double second, double ratio = 1, int power = -1) {
   const double C = cos(x.q), s2 = x.s * x.s, reach = x.h + x.s * sin(x.q);
   const double d = sqrt(s2 * (C - 1) * (C - 1) + reach * reach);
   return x.m * x.r * x.r * x.a + x.m * x.g * x.r * C +
-         x.c * (1 - ratio * x.ell / d) * (first * s2 * (1 - C) * sin(x.q) + second * x.s * reach * C);
+         x.c * (1 - ratio * x.ell * std::pow(d, power)) *
+             (first * s2 * (1 - C) * sin(x.q) + second * x.s * reach * C);
 }
 
 double balance(S x, double sign, double arm) { return x.m * x.g * x.r + sign * x.c * arm * (x.h - x.ell); }
@@ -167,6 +169,14 @@ std::vector<Claim> claims(double seed) {
   also("the equation of motion, by moments", written, {"m r^2 theta'' - the moments of the forces", [=](S x) {
                                                          return x.m * x.r * x.r * x.a - moments(x);
                                                        }});
+  bars_lost(
+      all.back(),
+      "the equation of motion is 0 = m r^2 theta'' + m g r cos + c (1 - ell sqrt(...)) (s^2 (1 - cos) "
+      "sin + s (h + s sin) cos)",
+      seed, {"1 - ell d, as a product", [](S x) { return equation(x, 1, 1, 1, 1); }}, lagrange,
+      "The fraction bar is lost in the text at hand: $1-\\ell/\\sqrt{\\dots}$. As a product it subtracts "
+      "an area from a number; at the level bar of the scene, $h=0.8$ m and $\\ell=1$ m, it is 0.2 for "
+      "-0.25, and the pressed spring, which holds the bar up, would pull it down.");
 
   const Version<Sample> condition{"m g r + c s (h - ell)", [](S x) { return balance(x, 1, x.s); }};
   const Versions other{{"m g r - c s (h - ell)", [](S x) { return balance(x, -1, x.s); }},

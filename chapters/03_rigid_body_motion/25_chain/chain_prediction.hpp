@@ -7,6 +7,7 @@
 
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
 #include "chapters/stops.hpp"
+#include "solvers/counted_calls.hpp"
 
 namespace oddity::chain {
 
@@ -15,7 +16,8 @@ namespace oddity::chain {
 /// Gragg's modified midpoint rule with 2, 4, ..., 20 substeps, extrapolated: order 20 in the number type T,
 /// and 120 evaluations a step. What is left of the error is rounding.
 template <class T, std::size_t N, class Rhs>
-void extrapolated_step(const Rhs& rhs, std::array<T, N>& x, T step, long& evaluations) {
+void extrapolated_step(const Rhs& system, std::array<T, N>& x, T step, long& evaluations) {
+  const auto rhs = counted_calls(system, evaluations);
   constexpr int columns = 10;
   std::array<std::array<T, N>, columns> table;
   for (int k = 1; k <= columns; ++k) {
@@ -31,7 +33,6 @@ void extrapolated_step(const Rhs& rhs, std::array<T, N>& x, T step, long& evalua
         now[i] = next;
       }
     }
-    evaluations += 2 * k + 1;
     auto& row = table[static_cast<std::size_t>(k - 1)];
     for (std::size_t i = 0; i < N; ++i) row[i] = (now[i] + before[i]) / 2;
     for (int j = k - 1; j > 0; --j) {

@@ -114,7 +114,8 @@ Quantity mode_frequencies(const Triple& c, const Reference& truth) {
   q.add(
       {"tensions at rest", "one link's accelerations by dual numbers, then GSL's QR", no_knob(), [=](double) {
          Eigen::Matrix3d minus;
-         for (int j = 0; j < 3; ++j) {
+         long accelerations = 0;
+         for (int j = 0; j < 3; ++j, ++accelerations) {
            std::array<Dual<double>, 3> theta{}, omega{}, alpha{};
            theta[static_cast<std::size_t>(j)].slope = 1;
            by_tensions(c.m, c.r, c.g, theta, omega, alpha);
@@ -123,7 +124,7 @@ Quantity mode_frequencies(const Triple& c, const Reference& truth) {
          std::vector<double> w;
          for (const auto& square : eigenvalues(minus)) w.push_back(std::sqrt(square.real()));
          std::ranges::sort(w);
-         return Answer{Value(w), 3};
+         return Answer{Value(w), accelerations};
        }});
   return q;
 }

@@ -110,7 +110,7 @@ Check later(const std::string& quantity, const std::string& as, double seed, con
     const double dx = x[2] - x[0], dy = x[3] - x[1], vx = x[6] - x[4], vy = x[7] - x[5];
     const double r = std::hypot(dx, dy);
     const Value seen = state ? Value{dx, dy, (dx * vx + dy * vy) / r} : Value{dx * vy - dy * vx};
-    worst.see(published(b), seen, {1e-8, "ten thousand tolerances of the integration"}, 1,
+    worst.see(published(b), seen, {1e-10, "a thousand tolerances of the integration"}, 1,
               "m1 = " + rounded(b.m1, 4) + ", m2 = " + rounded(b.m2, 4) + ", r0 = " + rounded(b.r0, 4));
   }
   return worst.check();
@@ -149,7 +149,7 @@ Reading in_space(const std::string& text, double seed, const Theta& theta, const
     const Value flat = by_system(b, b.r0 * b.r0 * b.phi0_dot, gamma);
     const double from_axis = phi(flat[1]), meridian = theta(theta0);
     worst.see({from_axis * std::cos(meridian), from_axis * std::sin(meridian), flat[0]}, {x[0], x[1], x[2]},
-              {1e-8, "ten thousand tolerances of the integration"}, 1,
+              {1e-10, "a thousand tolerances of the integration"}, 1,
               "theta0 = " + rounded(theta0, 4) + ", phi0 = " + rounded(b.phi0, 4));
   }
   return {text, {worst.check()}};

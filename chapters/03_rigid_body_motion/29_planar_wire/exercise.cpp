@@ -409,6 +409,16 @@ std::vector<Claim> claims(double seed) {
   const Version<Sample> Fx{"int F.i delta ds", along({1, 0})}, Fy{"int F.j delta ds", along({0, 1})};
   says("force_x", 2927, "Fx", Fx, potential(0), {Fy});
   says("force_y", 2933, "Fy", Fy, potential(1), {Fx});
+  Claim& upward = all.back();
+  upward.meant = std::move(upward.printed);
+  upward.printed = {
+      "int F delta ds, a vector",
+      {compare<Sample>("Fy", {"int F delta ds", [=](S s) { return values(Fx.of(s)[0], Fy.of(s)[0]); }},
+                       potential(1), seed)}};
+  upward.says = "Fy is int F . delta ds, its unit vector missing";
+  upward.why =
+      "The unit vector $\\jmath$ after the dot is lost in the text at hand; line 2931, on $F_x$, has its "
+      "$\\imath$. Without it what is integrated is the force, a vector, and not its component.";
   says("force_theta", 2939, "Ftheta",
        {"int F.(dR/dtheta b) delta ds",
         [](S s) { return generalized(s, [&](Point p) { return turned(s, p); }); }},

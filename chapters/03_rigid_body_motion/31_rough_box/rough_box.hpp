@@ -10,6 +10,7 @@
 
 #include "chapters/03_rigid_body_motion/31_rough_box/models.hpp"
 #include "chapters/scene.hpp"
+#include "solvers/counted_calls.hpp"
 #include "solvers/ode/events.hpp"
 
 namespace oddity::rough_box {
@@ -70,15 +71,15 @@ Solved<Pose> through_the_stop(const Box& b, double softness, double setting) {
 enum class Stepping { semi_implicit_euler, midpoint };
 inline std::optional<Pose> step_or_stop(const InTime& box, Stepping rule, double t, double h,
                                         InTime::State& x, long& evaluations) {
+  const auto rhs = counted_calls(box, evaluations);
   InTime::State rate{}, half{};
-  box(x, rate, t);
-  evaluations += rule == Stepping::midpoint ? 2 : 1;
+  rhs(x, rate, t);
   const double now = box.speed(x[3], x[4], x[5]);
   const double braking = -(x[3] * rate[3] + x[4] * rate[4] + box.J() * x[5] * rate[5]) / now;
   if (now <= h * braking) return coasted(box, t, x);
   if (rule == Stepping::midpoint) {
     for (std::size_t i = 0; i < 6; ++i) half[i] = x[i] + h / 2 * rate[i];
-    box(half, rate, t + h / 2);
+    rhs(half, rate, t + h / 2);
     for (std::size_t i = 0; i < 6; ++i) x[i] += h * rate[i];
   } else {
     for (std::size_t i = 3; i < 6; ++i) x[i] += h * rate[i];

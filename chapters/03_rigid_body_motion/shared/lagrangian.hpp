@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "chapters/exercise.hpp"
+#include "chapters/lost_bar.hpp"
 #include "chapters/random.hpp"
 #include "solvers/dual.hpp"
 
@@ -72,6 +74,28 @@ double size_of_terms(const Version<Sample>& version, const Sample& sample) {
   return size;
 }
 
+/// The same for a function of an array of letters.
+template <std::size_t n, class F>
+double size_of_terms(const F& f, const std::array<double, n>& letters) {
+  constexpr double change = 0x1p-20;
+  const Value value = f(letters);
+  double size = size_of(value);
+  for (std::size_t i = 0; i < n; ++i) {
+    auto moved = letters;
+    moved[i] *= 1 + change;
+    size += distance(Value(f(moved)), value) / change;
+  }
+  return size;
+}
+
+/// Two functions of the same letters at one sample, with the size of their terms.
+template <std::size_t n, class Left, class Right>
+void see(Worst& worst, const Left& left, const Right& right, const std::array<double, n>& letters,
+         const std::string& where) {
+  worst.see(left(letters), right(letters),
+            std::max(size_of_terms(left, letters), size_of_terms(right, letters)), where);
+}
+
 /// Two versions of a quantity over the samples. The size of its terms is found from a sample's letters()
 /// where it has them. Else it is that of the largest value; where the quantity is compared with zero, the
 /// terms are what cancels, of which a sample's size() is the sum.
@@ -122,6 +146,16 @@ Claim formula_claim(std::string id, int line, const std::string& what, double se
   for (const Version<Sample>& near : near_misses)
     claim.near_misses.push_back({near.text, {compare(what, near, truth, seed)}});
   return claim;
+}
+
+/// A formula claim whose fraction bars the text at hand has lost. `says` states it as it stands.
+template <class Sample>
+void bars_lost(Claim& claim, std::string says, double seed, const Version<Sample>& as_it_stands,
+               const Version<Sample>& truth, std::string why) {
+  const std::string quantity = claim.printed.checks[0].quantity;
+  claim = lost_bar(std::move(claim), {as_it_stands.text, {compare(quantity, as_it_stands, truth, seed)}},
+                   std::move(why));
+  claim.says = std::move(says);
 }
 
 }  // namespace oddity

@@ -98,7 +98,7 @@ inline Quantity partials(const std::string& name, const std::string& says, const
       {}};
   const std::string field = "field", formula = "published derivatives";
   const auto published = [x](Point (*f)(const Point&)) {
-    return [x, f](double) { return Answer{scaled(f(x), x), 3}; };
+    return [x, f](double) { return Answer{scaled(f(x), x), static_cast<long>(x.size())}; };
   };
   q.add({formula, "quotient rule", no_knob(), published(each<quotient>), quotient_ends,
          quotient_ends == Outcome::ok ? "" : "|x|^6 overflows from |x| = 2e51 on"});

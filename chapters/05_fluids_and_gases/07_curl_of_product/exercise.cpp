@@ -6,6 +6,7 @@
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
 #include "chapters/05_fluids_and_gases/shared/proof.hpp"
+#include "solvers/counted_calls.hpp"
 
 namespace oddity {
 
@@ -68,9 +69,10 @@ Quantity curl_of_product(const Parameters& p, const Reference& truth) {
                         nine_digits(known.value));
   add_ways(q, "product as one field", 2, [=](auto& way) { return curl_by(way, times(phi, f), x); });
   add_ways(q, "phi curl f + grad phi x f", 1, [=](auto& way) {
-    const Point curl_f = curl_by(way, f, x), turned = cross(gradient_by(way, phi, x), f(x));
-    way.calls += 2;
-    return combined(phi(x), curl_f, 1, turned);
+    const auto f_at = counted_calls(f, way.calls);
+    const auto phi_at = counted_calls(phi, way.calls);
+    const Point curl_f = curl_by(way, f, x), turned = cross(gradient_by(way, phi, x), f_at(x));
+    return combined(phi_at(x), curl_f, 1, turned);
   });
   add_breakdowns(q, "product as one field");
   return q;

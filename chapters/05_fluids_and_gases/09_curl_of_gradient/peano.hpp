@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
+#include "solvers/counted_calls.hpp"
 
 /// A function whose second derivatives exist everywhere and are not continuous at the origin:
 ///   p(x, y) = x y (x^2 - y^2) / (x^2 + y^2), p(0, 0) = 0   [Peano]
@@ -35,7 +36,9 @@ inline Quantity peano_curl() {
              {}};
   q.add({"p", "nested dual numbers", no_knob(),
          [](double) {
-           return Answer{curl(gradient(peano))(Point{})[2], 9};
+           long calls = 0;
+           const double twist = curl(gradient(counted_calls(peano, calls)))(Point{})[2];
+           return Answer{twist, calls};
          },
          Outcome::non_finite, "p is 0/0 at the origin, and dual numbers take no limits"});
   q.add({"slopes by dual numbers", "central differences 2", steps(15), [](double h) {

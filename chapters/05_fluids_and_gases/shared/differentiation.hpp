@@ -5,6 +5,7 @@
 #include "chapters/05_fluids_and_gases/shared/fields.hpp"
 #include "chapters/exercise.hpp"
 #include "reference/reference.hpp"
+#include "solvers/counted_calls.hpp"
 
 /// Ways to differentiate a field at a point, their calls of the field counted, and the quantities of this
 /// chapter computed by all of them.
@@ -64,10 +65,10 @@ requires(order == 2 || order == 4) struct ByDifferences {
 
   template <class Field>
   auto along(const Field& f, const Point& x, const Point& u) {
+    const auto at = counted_calls(f, calls);
     const auto slope = [&](double step) {
-      calls += 2;
-      return combined(1 / (2 * step), f(combined(1, x, step, u)), -1 / (2 * step),
-                      f(combined(1, x, -step, u)));
+      return combined(1 / (2 * step), at(combined(1, x, step, u)), -1 / (2 * step),
+                      at(combined(1, x, -step, u)));
     };
     if constexpr (order == 2)
       return slope(h);

@@ -263,12 +263,31 @@ Claim diagonal_claim(const Random& random) {
   return claim;
 }
 
+Claim pivot_claim(const Random& random) {
+  const auto reading = [&](const char* text, Exchange exchange) {
+    return Reading{
+        text, {unsolved_without_pivot("systems with a zero pivot that are not solved", exchange, random)}};
+  };
+  Claim claim{"7.1-zero_pivot", 3793,
+              "a system that has one solution can be divided by its diagonal entries"};
+  claim.printed = reading("the rows as they stand", Exchange::never);
+  claim.corrected = reading("rows exchanged where a pivot is zero", Exchange::always);
+  claim.near_misses = {reading("the first row alone exchanged", Exchange::at_the_first)};
+  claim.why =
+      "Where a pivot is zero, crosswise clearing multiplies the other rows by it, and the diagonal entries "
+      "that are divided by at the end are 0: $x_2=2$, $x_1=3$, written as two rows in this order, ends in "
+      "$0/0$. An exchange with a lower row cures it and costs no arithmetic, so that the totals stand. The "
+      "solution has none, for forward elimination neither.";
+  return claim;
+}
+
 Findings study(const Parameters& p, const Reference&) {
   const Random random(p["seed"]);
   const Table table = counted_sizes();
   std::vector<Claim> claims;
   for (const Law& law : laws()) claims.push_back(claim(table, law));
   claims.push_back(diagonal_claim(random));
+  claims.push_back(pivot_claim(random));
   for (Claim& claim : comparisons(table)) claims.push_back(std::move(claim));
   Quantity large = solution("larger_system", random_system(static_cast<std::size_t>(p["N"]), random), true);
   large.add(Breakdown{

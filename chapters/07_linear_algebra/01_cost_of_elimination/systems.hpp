@@ -47,6 +47,39 @@ inline Check unsolved(std::string what, Diagonal diagonal, Random random) {
   return never(std::move(what), violations, samples, "n = 2 to 12, modulo 2^31 - 1");
 }
 
+/// Where rows are exchanged for a pivot that is zero.
+enum class Exchange { never, at_the_first, always };
+
+/// The same for systems whose first or second pivot is zero, as long as their rows stay where they are.
+inline Check unsolved_without_pivot(std::string what, Exchange exchange, Random random) {
+  long violations = 0, samples = 0;
+  for (std::size_t n = 2; n <= 12; ++n) {
+    auto m = random_rows(n, [&] { return Residue{random.bits() % Residue::prime}; });
+    if (n % 2 == 0) m[0][0] = Residue{0};
+    for (std::size_t j = 0; n % 2 != 0 && j < 2; ++j) m[1][j] = m[0][j] + m[0][j];
+    auto rows = m;
+    for (std::size_t k = 0; k < n; ++k) {
+      std::size_t pivot = k;
+      if (exchange == Exchange::always || (exchange == Exchange::at_the_first && k == 0))
+        while (rows[pivot][k].value == 0 && pivot + 1 < n) ++pivot;
+      std::swap(rows[k], rows[pivot]);
+      full_step(rows, k);
+    }
+    bool solved = true;
+    for (std::size_t i = 0; i < n; ++i) solved = solved && rows[i][i].value != 0;
+    if (solved) {
+      const auto x = divide(rows);
+      for (const auto& row : m) {
+        Residue sum{0};
+        for (std::size_t j = 0; j < n; ++j) sum = sum + row[j] * x[j];
+        solved = solved && sum.value == row[n].value;
+      }
+    }
+    ++samples, violations += !solved;
+  }
+  return never(std::move(what), violations, samples, "n = 2 to 12, modulo 2^31 - 1");
+}
+
 struct System {
   Rows<double> rows;
   std::vector<double> x;

@@ -63,22 +63,27 @@ inline Eigen::MatrixXd columns(const Vector& a, const Vector& b, const Vector& c
   return m;
 }
 
-/// What is left of p, in twice the digits.
+/// What is left of p, in the number type T.
+template <class T>
+Vector3<T> residual_in(const Basis& s, const Eigen::VectorXd& k) {
+  const auto term = [](double factor, const Vector& a) { return T(factor) * cast<T>(a); };
+  return cast<T>(s.p) - term(k[0], s.a) - term(k[1], s.b) - term(k[2], s.c);
+}
+/// In twice the digits.
 inline Vector residual(const Basis& s, const Eigen::VectorXd& k) {
-  const auto term = [](double factor, const Vector& a) {
-    return DoubleDouble(factor) * cast<DoubleDouble>(a);
-  };
-  return cast<double>(cast<DoubleDouble>(s.p) - term(k[0], s.a) - term(k[1], s.b) - term(k[2], s.c));
+  return cast<double>(residual_in<DoubleDouble>(s, k));
 }
 
 /// LU, and corrections by the residual in twice the digits.
 inline Answer refined(const Basis& s, int corrections) {
   const Eigen::MatrixXd m = columns(s.a, s.b, s.c);
   auto solved = solve(Factorization::partial_pivot_lu, m, dense(s.p));
+  const long work =
+      operations_of([&] { return residual_in<Counted<double>>(s, solved.value); }).all_but_additions();
   for (int i = 0; i < corrections; ++i) {
     const auto correction = solve(Factorization::partial_pivot_lu, m, dense(residual(s, solved.value)));
     solved.value += correction.value;
-    solved.evaluations += 9 + correction.evaluations;
+    solved.evaluations += work + correction.evaluations;
   }
   return answer(solved);
 }

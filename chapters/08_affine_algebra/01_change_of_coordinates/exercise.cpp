@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "chapters/exercise.hpp"
+#include "chapters/lost_bar.hpp"
 #include "chapters/random.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
@@ -87,29 +88,34 @@ Check transpose_of_rotation(const std::string& by, double angle) {
 }
 
 std::vector<Claim> claims(double seed) {
-  return {{"8.1-origin",
-           3977,
-           "with equal origins (c1, c2) = (0, 0)",
-           {"(0, 0)", {constants(seed, 0)}},
-           {},
-           {},
-           {{"also for origins a thousandth apart", {constants(seed, 1e-3)}}}},
+  return {
+      {"8.1-origin",
+       3977,
+       "with equal origins (c1, c2) = (0, 0)",
+       {"(0, 0)", {constants(seed, 0)}},
+       {},
+       {},
+       {{"also for origins a thousandth apart", {constants(seed, 1e-3)}}}},
+      lost_bar(
           {"8.1-matrix",
            3981,
-           "b = 1/sqrt(2) (1 1; -1 1) a",
-           {"as printed", {coordinates(seed, "printed", printed)}},
+           "b = 1 sqrt(2) (1 1; -1 1) a",
+           {"1/sqrt(2) (1 1; -1 1)", {coordinates(seed, "as a quotient", printed)}},
            {},
            {},
            {{"1/sqrt(2) (1 -1; 1 1)", {coordinates(seed, "transposed", printed.transpose())}},
             {"without 1/sqrt(2)", {coordinates(seed, "not normalized", rows(1, 1, -1, 1))}}}},
-          {"8.1-transpose",
-           3991,
-           "the matrix is R^T, R the counterclockwise rotation by pi/4",
-           {"R = (cos -sin; sin cos) at pi/4", {transpose_of_rotation("R^T at pi/4", quarter)}},
-           {},
-           {},
-           {{"R clockwise", {transpose_of_rotation("R^T at -pi/4", -quarter)}},
-            {"R by pi/2", {transpose_of_rotation("R^T at pi/2", 2 * quarter)}}}}};
+          {"1 sqrt(2) (1 1; -1 1)", {coordinates(seed, "as a product", 2 * printed)}},
+          "The fraction bar is lost in the text at hand: $\\tfrac1{\\sqrt2}$. With the product the matrix is "
+          "no rotation, and every distance from the origin is doubled."),
+      {"8.1-transpose",
+       3991,
+       "the matrix is R^T, R the counterclockwise rotation by pi/4",
+       {"R = (cos -sin; sin cos) at pi/4", {transpose_of_rotation("R^T at pi/4", quarter)}},
+       {},
+       {},
+       {{"R clockwise", {transpose_of_rotation("R^T at -pi/4", -quarter)}},
+        {"R by pi/2", {transpose_of_rotation("R^T at pi/2", 2 * quarter)}}}}};
 }
 
 // ---- methods ----------------------------------------------------------------------------------------------

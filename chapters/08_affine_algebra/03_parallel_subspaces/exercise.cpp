@@ -8,6 +8,7 @@
 #include "chapters/08_affine_algebra/03_parallel_subspaces/subspaces.hpp"
 #include "chapters/exercise.hpp"
 #include "reference/text.hpp"
+#include "solvers/counted_calls.hpp"
 
 namespace oddity {
 
@@ -144,12 +145,11 @@ std::vector<Claim> claims(double seed) {
 
 /// 1 for parallel, 0 for not, pair by pair. A rank or a projection is one evaluation.
 template <class Judge>
-Answer judged(const std::vector<Pair>& pairs, bool by_ranks, const Judge& judge) {
+Answer judged(const std::vector<Pair>& pairs, const Judge& judge) {
   Answer answer;
   std::vector<double> verdicts;
   for (const Pair& pair : pairs) {
-    verdicts.push_back(judge(pair));
-    answer.evaluations += by_ranks ? 3 : pair.smaller().cols();
+    verdicts.push_back(judge(pair, answer.evaluations));
   }
   answer.value = Value(std::move(verdicts));
   return answer;
@@ -165,22 +165,24 @@ Quantity parallel(std::string name, std::string says, std::string because, const
                        const auto& judge) {
     q.add({model, algorithm, knob,
            [=](double e) {
-             return judged(pairs, std::string_view(model) == "ranks",
-                           [=](const Pair& pair) { return judge(pair, e); });
+             return judged(pairs, [=](const Pair& pair, long& calls) { return judge(pair, e, calls); });
            },
            expected, expected == Outcome::ok ? "" : why});
   };
   const Knob knob = tolerances(2, 12, 5);
-  add("ranks", "elimination in integers", no_knob(), in_integers,
-      [](const Pair& pair, double) { return by_rank(pair, exact_rank); });
-  add("ranks", "singular values", knob, in_doubles, [](const Pair& pair, double e) {
-    return by_rank(pair, [e](const MatrixXd& m) { return rank(m, e); });
-  });
-  add("ranks", "elimination, complete pivoting", knob, in_doubles, [](const Pair& pair, double e) {
-    return by_rank(pair, [e](const MatrixXd& m) { return eliminated_rank(m, e); });
-  });
+  const auto ranks = [&](const char* algorithm, const Knob& settings, Outcome expected, const auto& rank_of) {
+    add("ranks", algorithm, settings, expected, [rank_of](const Pair& pair, double e, long& calls) {
+      const auto of = [&](const MatrixXd& m) { return rank_of(m, e); };
+      return by_rank(pair, counted_calls(of, calls));
+    });
+  };
+  ranks("elimination in integers", no_knob(), in_integers,
+        [](const MatrixXd& m, double) { return exact_rank(m); });
+  ranks("singular values", knob, in_doubles, [](const MatrixXd& m, double e) { return rank(m, e); });
+  ranks("elimination, complete pivoting", knob, in_doubles,
+        [](const MatrixXd& m, double e) { return eliminated_rank(m, e); });
   add("projection", "Householder QR", knob, in_doubles,
-      [](const Pair& pair, double e) { return by_projection(pair, e); });
+      [](const Pair& pair, double e, long& calls) { return by_projection(pair, e, calls); });
   return q;
 }
 

@@ -75,10 +75,11 @@ bool by_rank(const Pair& pair, const Rank& rank_of) {
   return rank_of(pair.both()) == std::max(rank_of(pair.first), rank_of(pair.second));
 }
 
-/// The smaller's columns projected on the larger: nothing is left of them.
-inline bool by_projection(const Pair& pair, double relative) {
+/// The smaller's columns projected on the larger, until something is left of one.
+inline bool by_projection(const Pair& pair, double relative, long& projections) {
   const MatrixXd& basis = pair.larger();
   for (long j = 0; j < pair.smaller().cols(); ++j) {
+    ++projections;
     const VectorXd v = pair.smaller().col(j);
     const auto x = solve(Factorization::householder_qr, basis, v);
     if (!x.reached() || (basis * x.value - v).norm() > relative * v.norm()) return false;
