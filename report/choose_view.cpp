@@ -55,8 +55,8 @@ std::string error_of(const Tried& tried, const Choice& choice) {
 }
 
 std::string cost_of(const Tried& tried) {
-  const std::string evaluations = rounded(tried.evaluations_a_frame, 3);
-  return shown_time(tried.seconds_a_frame) + " per frame (" + evaluations +
+  const std::string evaluations = rounded(tried.evaluations_per_frame, 3);
+  return shown_time(tried.seconds_per_frame) + " per frame (" + evaluations +
          (evaluations == "1" ? " evaluation)" : " evaluations)");
 }
 
@@ -99,7 +99,7 @@ std::string ties_text(const Choice& choice) {
     const std::string one = described(t, choice.need);
     if (seen.insert(one).second)
       text += (text.empty() ? "  costs the same, within a quarter or the spread: " : "; ") + one + " (" +
-              shown_time(t.seconds_a_frame) + ", error " + error_of(t, choice) + ")";
+              shown_time(t.seconds_per_frame) + ", error " + error_of(t, choice) + ")";
   }
   return text.empty() ? "" : text + ".\n";
 }
@@ -110,7 +110,7 @@ std::string miss_text(const Choice& choice) {
   const Tried& miss = *choice.nearest_miss;
   if (!miss.holds()) return text + "  nearest miss: " + failing_of(miss, choice) + ".\n";
   return text + "  nearest miss: " + described(miss, choice.need) + " is as accurate, but costs " +
-         cost_of(miss) + ", " + times_as(miss.seconds_a_frame / choice.need.budget) + " the budget.\n";
+         cost_of(miss) + ", " + times_as(miss.seconds_per_frame / choice.need.budget) + " the budget.\n";
 }
 
 std::string chaos_text(const Choice& choice) {
@@ -138,7 +138,7 @@ std::string verdict_of(const Tried& tried, const Choice& choice) {
   if (choice.chosen && tried.model == choice.chosen->model && tried.algorithm == choice.chosen->algorithm)
     return "chosen";
   if (!tried.holds()) return std::string(name_of(tried.outcome)) + " at " + tried.where;
-  return tried.seconds_a_frame > choice.need.budget ? "over the budget" : "holds";
+  return tried.seconds_per_frame > choice.need.budget ? "over the budget" : "holds";
 }
 
 /// The rows that a reader looks for first: those that hold, the chosen one among them.
@@ -182,8 +182,8 @@ Json from(const Tried& t, const Choice& choice) {
           {"error_in_needs", from(t.error)},
           {"holds", t.holds()},
           {"outcome", name_of(t.outcome)},
-          {"evaluations_per_frame", t.evaluations_a_frame},
-          {"seconds_per_frame", from(t.seconds_a_frame)},
+          {"evaluations_per_frame", t.evaluations_per_frame},
+          {"seconds_per_frame", from(t.seconds_per_frame)},
           {"spread", from(t.spread)}};
 }
 
@@ -229,7 +229,7 @@ std::string answer_text(const Choice& choice) {
   const Tried& best = *choice.chosen;
   std::string text = "Take " + described(best, choice.need) + ": " + cost_of(best);
   if (std::isfinite(choice.need.budget))
-    text += ", " + percent(best.seconds_a_frame / choice.need.budget) + " of the budget";
+    text += ", " + percent(best.seconds_per_frame / choice.need.budget) + " of the budget";
   text += ".\n" + margin_text(choice) + ties_text(choice);
   if (!choice.by_objective)
     text +=
@@ -242,7 +242,7 @@ std::string answer_text(const Choice& choice) {
   if (choice.next_cheaper) text += "  next cheaper: " + failing_of(*choice.next_cheaper, choice) + ".\n";
   if (const auto& richer = choice.next_richer)
     text += "  next richer: " + described(*richer, choice.need) + ", " + cost_of(*richer) + ": " +
-            times_as(richer->seconds_a_frame / best.seconds_a_frame) + " the cost, error " +
+            times_as(richer->seconds_per_frame / best.seconds_per_frame) + " the cost, error " +
             error_of(*richer, choice) + ".\n";
   return text;
 }
@@ -253,7 +253,7 @@ std::string choice_text(const Choice& choice, bool all_rows) {
       {"model", "algorithm", "setting", "error", "evaluations per frame", "time per frame", ""}};
   for (const Tried& tried : shown_rows)
     rows.push_back({tried.model, tried.algorithm, shown_setting(tried, choice.need), error_of(tried, choice),
-                    rounded(tried.evaluations_a_frame, 3), shown_time(tried.seconds_a_frame),
+                    rounded(tried.evaluations_per_frame, 3), shown_time(tried.seconds_per_frame),
                     verdict_of(tried, choice)});
   const std::size_t hidden = choice.tried.size() - shown_rows.size();
   return asked_text(choice) + "\n\n" + (choice.chosen ? answer_text(choice) : miss_text(choice)) +
@@ -289,7 +289,7 @@ std::string choice_csv(const Choice& choice) {
     for (std::size_t i = 0; i < t.errors.size(); ++i)
       text += "," + shortest(t.errors[i] / shown_unit(choice.units[i], choice).size);
     text += std::string(t.holds() ? ",1," : ",0,") + std::string(name_of(t.outcome)) + "," +
-            shortest(t.evaluations_a_frame) + "," + shortest(t.seconds_a_frame) +
+            shortest(t.evaluations_per_frame) + "," + shortest(t.seconds_per_frame) +
             (verdict_of(t, choice) == "chosen" ? ",1\n" : ",0\n");
   }
   return text;

@@ -87,7 +87,7 @@ Tried attempt(const std::vector<Start>& starts, const Method& method, double set
         here ? run(start.motion, *here, setting)
              : Trial{method.model, method.algorithm, {}, setting, {}, {}, nan, nan, nan, Outcome::raised};
     if (&start == &starts.front())
-      tried.evaluations_a_frame = static_cast<double>(trial.answer.evaluations) / need.frames();
+      tried.evaluations_per_frame = static_cast<double>(trial.answer.evaluations) / need.frames();
     const double error = judged(start.motion, trial, need);
     tried.error = std::max(tried.error, error);
     tried.errors.resize(start.motion.units().size(), 0);
@@ -109,7 +109,7 @@ std::string shown_setting(const Tried& tried, const Need& need) {
 }
 
 bool hopeless(const Tried& tried) {
-  return tried.outcome == Outcome::raised || tried.evaluations_a_frame > 1e5;
+  return tried.outcome == Outcome::raised || tried.evaluations_per_frame > 1e5;
 }
 
 }  // namespace oddity

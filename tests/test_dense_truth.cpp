@@ -50,8 +50,8 @@ struct Case {
   Horizon horizon{0, 1, 60};
   std::string nearest = "none";
   double error = std::numeric_limits<double>::infinity();  ///< the largest at any frame
-  double known_to = 0;     ///< what the two integrations differ by, and the reference's own error
-  double a_frame_off = 0;  ///< the error of the same motion read a frame late
+  double known_to = 0;       ///< what the two integrations differ by, and the reference's own error
+  double one_frame_off = 0;  ///< the error of the same motion read a frame late
 };
 
 /// The same motion, each frame shown what belongs to the one before.
@@ -81,7 +81,7 @@ void follow(Case& c) {
   if (!coarser) return;
   c.known_to = distance(nearest, coarser->run(1e-9).value) + dense.reference_error +
                rounding(size_of(nearest), dense.samples).allowed;
-  c.a_frame_off = distance(late(nearest, dense.samples), dense.reference.value);
+  c.one_frame_off = distance(late(nearest, dense.samples), dense.reference.value);
 }
 
 std::vector<Case> two_starts_of_each_scene() {
@@ -105,7 +105,7 @@ TEST_CASE("at every frame the true motion is where a model comes to that shares 
     INFO(to_string(c.entry->number) << ": " << c.nearest << " is off by " << c.error << " and knows to "
                                     << c.known_to);
     CHECK(c.error <= c.known_to);
-    CHECK(c.known_to < 1e-6 * c.a_frame_off);
+    CHECK(c.known_to < 1e-6 * c.one_frame_off);
   }
 }
 
