@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -134,29 +133,17 @@ std::string motion_key(std::string_view table, const std::vector<double>& inputs
          ") at " + listed(std::vector<double>(times.begin(), times.end()));
 }
 
-std::string checksum(std::string_view text) {
-  std::ostringstream hex;
-  hex << std::hex << std::hash<std::string_view>()(text);
-  return hex.str();
-}
-
 fs::path kept_file(const fs::path& cache, const std::string& key) {
   return cache / (key.substr(0, key.find(' ')) + "_" + checksum(key) + ".txt");
 }
 
-/// The motion kept under the key: a line with the key, one with the error, one with each value, and the
-/// checksum of these.
+/// The motion kept under the key: a line with the key, one with the error, one with each value.
 std::optional<Known> kept_motion(const fs::path& cache, const std::string& key) {
-  std::ifstream in(kept_file(cache, key), std::ios::binary);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line + "\n");
-  if (lines.size() < 3 || lines.front() != key + "\n") return {};
-  std::string text;
-  for (std::size_t i = 0; i + 1 < lines.size(); ++i) text += lines[i];
-  if (lines.back() != checksum(text) + "\n") return {};
+  const auto text = read_sealed(kept_file(cache, key));
+  if (!text || !text->starts_with(key + "\n")) return {};
+  std::istringstream lines(text->substr(key.size() + 1));
   Known known;
-  for (std::size_t i = 1; i + 1 < lines.size(); ++i)
-    known.value.push_back(number_in(lines[i].substr(0, lines[i].size() - 1)).value());
+  for (std::string line; std::getline(lines, line);) known.value.push_back(number_in(line).value());
   known.error = known.value.front();
   known.value.erase(known.value.begin());
   return known;
@@ -165,10 +152,7 @@ std::optional<Known> kept_motion(const fs::path& cache, const std::string& key) 
 void keep_motion(const fs::path& cache, const std::string& key, const Known& known) {
   std::string text = key + "\n" + shortest(known.error) + "\n";
   for (double x : known.value) text += shortest(x) + "\n";
-  try {
-    write_whole(kept_file(cache, key), text + checksum(text) + "\n");
-  } catch (const BadInput&) {  // it will be made again
-  }
+  keep_sealed(kept_file(cache, key), text);
 }
 
 /// Rows that a table has, one a time; none when one is missing.

@@ -366,7 +366,14 @@ class Search {
 
 }  // namespace
 
-Time measured_price(const Method& method, double setting) { return time(method, setting); }
+Time measured_price(const Method& method, double setting) {
+  Time best = time(method, setting);
+  for (int more = 0; more < 2 && best.seconds < 0.01; ++more) {
+    const Time again = time(method, setting);
+    if (again.seconds < best.seconds) best = again;
+  }
+  return best;
+}
 
 Choice choose(const Task& task, const Need& need, const Reference& truth, const Price& price,
               const Progress& progress) {

@@ -260,7 +260,8 @@ std::string choice_text(const Choice& choice, bool all_rows) {
          chaos_text(choice) + "\nEach method at its cheapest setting that holds, or else at its best:\n" +
          aligned(rows) + (hidden > 0 ? "  and " + std::to_string(hidden) + " more: --all\n" : "") + "\n" +
          engine_text(choice) + "\nchosen on: " + listed(choice.seen) +
-         (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) + "\n";
+         (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) +
+         (choice.prices_are.empty() ? "" : "\ntimes: " + choice.prices_are) + "\n";
 }
 
 std::string choice_json(const Choice& choice) {
@@ -277,6 +278,7 @@ std::string choice_json(const Choice& choice) {
   json["predictable"] = choice.predictable ? from(*choice.predictable) : Json(nullptr);
   json["chosen_on"] = choice.seen;
   json["tested_on"] = choice.unseen;
+  json["times"] = choice.prices_are;
   return json.dump(2) + "\n";
 }
 

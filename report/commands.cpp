@@ -144,6 +144,9 @@ void add_choose(CLI::App& app, Session& s) {
   choose->add_option("--only", s.need.only, "only models and algorithms with these words in their names");
   choose->add_option("--exclude", s.need.exclude, "none with these words");
   choose->add_option("--time-limit", s.need.time_limit, "for the answer: 60s");
+  choose->add_flag("--measure", s.need.measure,
+                   "times anew: those of an earlier run are kept, so that the same question gets the same "
+                   "answer");
   choose->add_flag("--all", s.all_rows, "all rows of the table");
   add_formats(*choose, s, "the choice");
   auto* code = choose->add_flag("--code", s.code, "the chosen model and loop as C++ to paste");
