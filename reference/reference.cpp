@@ -92,6 +92,22 @@ std::string source_of(const truth::Truth& truth) {
   return "computed on the spot: " + truth.first_route + "; and " + truth.second_route;
 }
 
+/// "3.5" of 03_05_swing.
+std::string exercise_of(std::string_view table) {
+  const auto number = [&](std::size_t at) {
+    return shortest(number_in(table.substr(at, 2)).value_or(no_number));
+  };
+  return number(0) + "." + number(3);
+}
+
+/// "a = 0.5, t = 1".
+std::string named(const truth::Truth& truth, const std::vector<double>& inputs) {
+  std::string all;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    all += (all.empty() ? "" : ", ") + truth.inputs[i] + " = " + shortest(inputs[i]);
+  return all;
+}
+
 /// What `make`, given a tick, makes for the table at the inputs. What the tick throws is no bad input.
 template <class Make>
 Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::vector<double>& inputs,
@@ -105,6 +121,10 @@ Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::
   };
   try {
     made = make(watched);
+  } catch (const truth::BudgetSpent& error) {
+    throw BadInput("exercise " + exercise_of(table) + ": the truth of its table " + std::string(table) +
+                   " takes too long to make at " + named(truth, inputs) + ": " + error.what() +
+                   ". Ask for parameters that make the motion slower or less stiff, or for a shorter time");
   } catch (const std::exception& error) {
     if (ticking) throw;
     throw BadInput("table " + std::string(table) + " has no value at " + listed(inputs) + ": " +
@@ -129,7 +149,7 @@ constexpr std::size_t compared_times = 48;
 std::string motion_key(std::string_view table, const std::vector<double>& inputs,
                        std::span<const double> times) {
   return std::string(table) + " " + std::string(truth::fingerprint_of_makers) + " " +
-         std::to_string(truth::spot_digits) + " " + std::to_string(compared_times) + " (" + listed(inputs) +
+         "MPFR " + mpfr_get_version() + " " + std::to_string(truth::spot_digits) + " " + std::to_string(compared_times) + " (" + listed(inputs) +
          ") at " + listed(std::vector<double>(times.begin(), times.end()));
 }
 

@@ -88,6 +88,9 @@ class Search {
     for (const Method& method : seen_.front().motion.methods)
       if (wanted(need, method) && can_be_judged(method)) methods_.push_back(&method);
     if (methods_.empty()) throw BadInput("no method is left; this scene has " + names());
+    if (need.criterion == Criterion::constraint && std::ranges::none_of(methods_, is_constrained))
+      throw BadInput("no model " + std::string(need.only.empty() && need.exclude.empty() ? "here" : "left") +
+                     " has a constraint to be off: all coordinates are free, or hold it by construction");
   }
 
   Choice choose() {
@@ -122,6 +125,8 @@ class Search {
       all += (all.empty() ? "" : "; ") + m.model + " by " + m.algorithm;
     return all;
   }
+
+  static bool is_constrained(const Method* m) { return static_cast<bool>(m->off_constraint); }
 
   /// By its energy only what has something conserved that was watched: some of it is lost at the coarsest
   /// setting.
@@ -370,7 +375,7 @@ Time measured_price(const Method& method, double setting) {
   Time best = time(method, setting);
   for (int more = 0; more < 2 && best.seconds < 0.01; ++more) {
     const Time again = time(method, setting);
-    if (again.seconds < best.seconds) best = again;
+    best = {std::min(best.seconds, again.seconds), std::min(best.spread, again.spread)};
   }
   return best;
 }

@@ -41,7 +41,7 @@ struct Choice {
 /// What a method costs over the whole horizon [s].
 using Price = std::function<Time(const Method&, double setting)>;
 
-/// Measured on this machine: of three times over, the shortest, as nothing makes a program faster than it is.
+/// Measured on this machine: of three times over, the least disturbed.
 Time measured_price(const Method&, double setting);
 
 /// Chooses on the task's start and two beside it, tests on three others (the scene's `starts`, each up to a

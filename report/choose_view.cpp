@@ -40,7 +40,16 @@ std::string errors_of(const std::vector<double>& errors, const Choice& choice) {
 
 std::string percent(double part) { return rounded(100 * part, 2) + " %"; }
 
-/// The error that decides: of the path in its units, of energy and period as a part.
+/// How far what is held is off, in the unit asked in.
+std::string off_constraint(double off, const Choice& choice) {
+  const auto shown = choice.need.shown.find("m");
+  const bool asked = shown != choice.need.shown.end() && !shown->second.symbol.empty();
+  const ShownUnit unit = asked ? shown->second : ShownUnit{"m", 1};
+  return shown_error(off / unit.size) + " " + unit.symbol;
+}
+
+/// The error that decides: of the path in its units, of energy and period as a part, of what is held as a
+/// length.
 std::string error_of(const Tried& tried, const Choice& choice) {
   switch (choice.need.criterion) {
     case Criterion::path:
@@ -48,6 +57,10 @@ std::string error_of(const Tried& tried, const Choice& choice) {
     case Criterion::energy:
     case Criterion::period:
       return std::isfinite(tried.error) ? percent(tried.error * choice.need.error) : "-";
+    case Criterion::constraint:
+      if (!std::isfinite(tried.error)) return "-";
+      return tried.constrained ? off_constraint(tried.error * choice.need.error, choice)
+                               : "held by construction";
     case Criterion::bounded:
       break;
   }
@@ -74,6 +87,9 @@ std::string what_holds(const Choice& choice) {
              percent(choice.need.error) + " of what moves in it";
     case Criterion::period:
       return choice.quantity + " with its period right to " + percent(choice.need.error);
+    case Criterion::constraint:
+      return choice.quantity + " with what is held off by " + off_constraint(choice.need.error, choice) +
+             " at most, at every frame";
     case Criterion::bounded:
       break;
   }
@@ -194,13 +210,13 @@ Json from(const std::vector<Tried>& all, const Choice& choice) {
 }
 
 Json need_of(const Choice& choice) {
-  static constexpr const char* criteria[] = {"path", "energy", "period", "bounded"};
+  static constexpr const char* criteria[] = {"path", "energy", "period", "bounded", "constraint"};
   const Json error =
       choice.need.criterion == Criterion::path ? from(choice.needs, choice) : from(choice.need.error);
   return {{"exercise", choice.exercise},
           {"criterion", criteria[static_cast<int>(choice.need.criterion)]},
           {"error", error},
-          {"unit", units_of(choice)},
+          {"unit", choice.need.criterion == Criterion::constraint ? Json("m") : units_of(choice)},
           {"horizon", choice.need.horizon},
           {"time_unit", choice.time_unit},
           {"frames_per_second", choice.need.frames_per_second},

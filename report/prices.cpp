@@ -74,15 +74,15 @@ void KeptPrices::read() {
 Time KeptPrices::operator()(const Method& method, double setting) {
   const Which which{method.model, method.algorithm, setting};
   if (const auto kept = prices_.find(which); kept != prices_.end()) {
-    ++found_;
+    found_ = found_ || !measured_.contains(which);
     return kept->second;
   }
-  ++measured_;
+  measured_.insert(which);
   return prices_[which] = measure_(method, setting);
 }
 
 void KeptPrices::keep() const {
-  if (measured_ == 0) return;
+  if (measured_.empty()) return;
   std::string text = key_ + "\n";
   for (const auto& [which, time] : prices_)
     if (std::isfinite(time.seconds))
@@ -92,8 +92,8 @@ void KeptPrices::keep() const {
 }
 
 std::string KeptPrices::source() const {
-  if (found_ == 0) return "measured in this run on this machine, and kept for the next";
-  return std::string(measured_ == 0 ? "those" : "in part those") +
+  if (!found_) return "measured in this run on this machine, and kept for the next";
+  return std::string(measured_.empty() ? "those" : "in part those") +
          " of an earlier run of this program on this machine; --measure measures them anew";
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -37,7 +38,8 @@ class KeptPrices {
   std::string key_;
   Price measure_;
   std::map<Which, Time> prices_;
-  std::size_t found_ = 0, measured_ = 0;  ///< of those given out
+  std::set<Which> measured_;  ///< in this run
+  bool found_ = false;        ///< one that an earlier run had kept was given out
 };
 
 }  // namespace oddity

@@ -99,6 +99,7 @@ struct Tried {
   double seconds_per_frame = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed
   double spread = 0;                                                    ///< of the seconds
   double unseen_error = std::numeric_limits<double>::quiet_NaN();  ///< over the starts it was not chosen on
+  bool constrained = false;                                        ///< of a model in redundant coordinates
 
   bool holds() const { return outcome == Outcome::ok; }
 };

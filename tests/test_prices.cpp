@@ -56,7 +56,10 @@ TEST_CASE("a price is measured once, and read back in every bit", "[prices]") {
   CHECK(again.source().starts_with("those of an earlier run"));
   CHECK(again(euler, 0.5).seconds != first);
   CHECK(again.source().starts_with("in part those of an earlier run"));
-  CHECK(run.prices("another").source().starts_with("measured in this run"));
+  KeptPrices fresh = run.prices("another");
+  fresh(verlet, 0.5);
+  fresh(verlet, 0.5);
+  CHECK(fresh.source().starts_with("measured in this run"));
 }
 
 TEST_CASE("another setting, question, machine or program has prices of its own", "[prices]") {

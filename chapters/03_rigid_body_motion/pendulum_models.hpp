@@ -77,6 +77,7 @@ struct CartesianWithConstraint : Pendulum {
   OneConserved conserved(const State& x, double) const {
     return energy_of((x[2] * x[2] + x[3] * x[3]) / 2, g * x[1]);
   }
+  double off_constraint(const State& x, double) const { return std::abs(std::hypot(x[0], x[1]) - L); }
 };
 
 }  // namespace oddity::pendulum
