@@ -262,6 +262,9 @@ struct Method {
   /// The steps at which linear theory calls it unstable, with the model's Jacobian frozen along the motion.
   std::function<std::vector<ode::Tongue>()> unstable_steps = {};
   std::function<Disturbances(const ode::Criteria&)> disturbances = {};
+  // Of a model in redundant coordinates only; those of the others hold what is held by construction:
+  /// m, how far the motion is off its constraint at most, at the times looked at.
+  std::function<double(double setting)> off_constraint = {};
 };
 
 /// A known failure and its cure: two rows of the table of trials, both asserted.

@@ -12,6 +12,19 @@ Answer ModelOf<n>::run(std::string_view algorithm, const Horizon& horizon, doubl
 }
 
 template <std::size_t n>
+double ModelOf<n>::off_constraint(std::string_view algorithm, const Horizon& horizon, double setting) const {
+  const auto times = horizon.times();
+  const auto motion = ode::precompiled<n>(algorithm)(*this, start(), times, setting, {}).value;
+  double most = motion.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const double off = off_constraint_at(motion[i], times[i]);
+    if (!(off <= most)) most = off;  // NaN stays
+    if (std::isnan(most)) break;
+  }
+  return most;
+}
+
+template <std::size_t n>
 Answer ModelOf<n>::observed(std::span<const double> times, const ode::Trajectory<State>& trajectory) const {
   Answer answer{{}, trajectory.evaluations, trajectory.error_estimate,
                 0,  trajectory.ending,      trajectory.message};
@@ -155,8 +168,14 @@ Ladder& Ladder::add(std::string name, Any model, ode::Brief algorithm, Outcome e
   const auto run = [model, algorithm, horizon = horizon_](double setting) {
     return model->run(algorithm.name, horizon, setting);
   };
+  std::function<double(double)> off_constraint;
+  if (model->constrained())
+    off_constraint = [model, algorithm, horizon = horizon_](double setting) {
+      return model->off_constraint(algorithm.name, horizon, setting);
+    };
   quantity_.add(Method{std::move(name), std::string(algorithm.name), has_tolerance ? tolerances_ : steps_,
-                       run, expected, std::move(why), std::move(unstable_steps), std::move(disturbances)});
+                       run, expected, std::move(why), std::move(unstable_steps), std::move(disturbances),
+                       std::move(off_constraint)});
   return *this;
 }
 

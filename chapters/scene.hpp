@@ -28,7 +28,9 @@
 /// A closed form offers            at(t) -> array of observables.
 /// A model to be integrated offers State, start() -> State, operator()(x, dxdt, t), observe(x, t) ->
 /// observables, and, where there are any,       conserved(x, t) -> array of Conserved;
-///                                 acceleration(q, a), for x = (q, v) with forces of position alone.
+///                                 acceleration(q, a), for x = (q, v) with forces of position alone;
+///                                 off_constraint(x, t) -> m, how far redundant coordinates are off what
+///                                 holds them.
 namespace oddity {
 
 /// What a game asks of a position [m] and of an angle [rad].
@@ -55,6 +57,11 @@ concept ClosedForm = requires(const Model& model, double t) {
 template <class Model>
 concept Conservative = requires(const Model& model, const typename Model::State& x) {
   { model.conserved(x, 0.0)[0] } -> std::convertible_to<Conserved<double>>;
+};
+
+template <class Model>
+concept Constrained = requires(const Model& model, const typename Model::State& x) {
+  { model.off_constraint(x, 0.0) } -> std::convertible_to<double>;
 };
 
 /// The true observables at a scene's times: the table `name`, whose last input is the time, at these inputs.
@@ -99,8 +106,11 @@ class AnyModel {
  public:
   virtual ~AnyModel() = default;
   virtual bool partitioned() const = 0;
+  virtual bool constrained() const = 0;
   /// Its motion by a precompiled algorithm.
   virtual Answer run(std::string_view algorithm, const Horizon&, double setting) const = 0;
+  /// m, how far that motion is off the model's constraint at most; NaN when it is nowhere.
+  virtual double off_constraint(std::string_view algorithm, const Horizon&, double setting) const = 0;
   /// The eigenvalues of its Jacobian along its motion.
   virtual ode::Spectrum spectrum(double end) const = 0;
   /// What becomes of small disturbances of its motion. The model must outlive the result.
@@ -118,8 +128,11 @@ class ModelOf : public AnyModel, public ode::AnySystem<n> {
   virtual void observe(const State& x, double t, std::vector<double>& seen) const = 0;
   /// None where the model has none.
   virtual std::vector<Conserved<double>> conserved(const State& x, double t) const = 0;
+  /// 0 where the model has no constraint.
+  virtual double off_constraint_at(const State& x, double t) const = 0;
 
   Answer run(std::string_view algorithm, const Horizon&, double setting) const final;
+  double off_constraint(std::string_view algorithm, const Horizon&, double setting) const final;
   ode::Spectrum spectrum(double end) const final;
   Disturbances disturbances(std::string_view algorithm, double end, const ode::Criteria&) const final;
   /// A motion through the times, observed there, the conserved quantities watched.
@@ -149,6 +162,7 @@ class Erased final : public ode::Adapted<ModelLike<Model>, Model> {
   using ode::Adapted<ModelLike<Model>, Model>::Adapted, ode::Adapted<ModelLike<Model>, Model>::system;
 
   bool partitioned() const override { return ode::Partitioned<Model, State>; }
+  bool constrained() const override { return Constrained<Model>; }
   State start() const override { return system().start(); }
   void observe(const State& x, double t, std::vector<double>& seen) const override {
     const auto observables = system().observe(x, t);
@@ -161,6 +175,12 @@ class Erased final : public ode::Adapted<ModelLike<Model>, Model> {
     } else {
       return {};
     }
+  }
+  double off_constraint_at(const State& x, double t) const override {
+    if constexpr (Constrained<Model>)
+      return system().off_constraint(x, t);
+    else
+      return 0;
   }
 };
 

@@ -2,6 +2,9 @@
 
 #include <cerrno>
 #include <fstream>
+#include <functional>
+#include <iterator>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -64,6 +67,29 @@ void write_whole(const fs::path& file, const std::string& text) {
   out.close();
   require(!out.fail(), file);
   part.keep();
+}
+
+std::string checksum(std::string_view text) {
+  std::ostringstream hex;
+  hex << std::hex << std::hash<std::string_view>()(text);
+  return hex.str();
+}
+
+void keep_sealed(const fs::path& file, const std::string& text) {
+  try {
+    write_whole(file, text + checksum(text) + "\n");
+  } catch (const BadInput&) {  // it will be made again
+  }
+}
+
+std::optional<std::string> read_sealed(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string all(std::istreambuf_iterator<char>(in), {});
+  if (all.size() < 2 || all.back() != '\n') return {};
+  const std::size_t seal = all.rfind('\n', all.size() - 2) + 1;  // 0 where there is one line alone
+  const std::string text = all.substr(0, seal);
+  if (all.substr(seal) != checksum(text) + "\n") return {};
+  return text;
 }
 
 }  // namespace oddity

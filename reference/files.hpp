@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 
 /// Files that are there whole or not at all, whatever interrupts the run.
 namespace oddity {
@@ -30,5 +32,13 @@ void require_writable(const std::filesystem::path& file);
 void require_writable_folder(const std::filesystem::path& folder);
 /// Writes the whole file or none of it. Throws BadInput when it cannot be written.
 void write_whole(const std::filesystem::path& file, const std::string& text);
+
+/// Of a text, for files that this machine alone reads again.
+std::string checksum(std::string_view text);
+/// Writes the text's lines and, in one more, their checksum. Where the file cannot be written nothing is
+/// kept.
+void keep_sealed(const std::filesystem::path& file, const std::string& text);
+/// What was kept in the file; nothing when it is not there, or is not what was written.
+std::optional<std::string> read_sealed(const std::filesystem::path& file);
 
 }  // namespace oddity

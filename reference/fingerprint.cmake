@@ -1,5 +1,6 @@
-# cmake -P: writes OUT, a hash of the files of the makers (FOLDER) as a constant.
-file(GLOB files "${FOLDER}/*.cpp" "${FOLDER}/*.hpp")
+# cmake -P: writes OUT, a hash of all sources of the room of reference (FOLDER) as a constant: the makers, and what
+# runs them, compares their routes and rounds.
+file(GLOB files "${FOLDER}/*.cpp" "${FOLDER}/*.hpp" "${FOLDER}/make/*.cpp" "${FOLDER}/make/*.hpp")
 list(SORT files)
 set(all "")
 foreach(file IN LISTS files)

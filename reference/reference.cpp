@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -93,6 +92,22 @@ std::string source_of(const truth::Truth& truth) {
   return "computed on the spot: " + truth.first_route + "; and " + truth.second_route;
 }
 
+/// "3.5" of 03_05_swing.
+std::string exercise_of(std::string_view table) {
+  const auto number = [&](std::size_t at) {
+    return shortest(number_in(table.substr(at, 2)).value_or(no_number));
+  };
+  return number(0) + "." + number(3);
+}
+
+/// "a = 0.5, t = 1".
+std::string named(const truth::Truth& truth, const std::vector<double>& inputs) {
+  std::string all;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    all += (all.empty() ? "" : ", ") + truth.inputs[i] + " = " + shortest(inputs[i]);
+  return all;
+}
+
 /// What `make`, given a tick, makes for the table at the inputs. What the tick throws is no bad input.
 template <class Make>
 Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::vector<double>& inputs,
@@ -106,6 +121,10 @@ Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::
   };
   try {
     made = make(watched);
+  } catch (const truth::BudgetSpent& error) {
+    throw BadInput("exercise " + exercise_of(table) + ": the truth of its table " + std::string(table) +
+                   " takes too long to make at " + named(truth, inputs) + ": " + error.what() +
+                   ". Ask for parameters that make the motion slower or less stiff, or for a shorter time");
   } catch (const std::exception& error) {
     if (ticking) throw;
     throw BadInput("table " + std::string(table) + " has no value at " + listed(inputs) + ": " +
@@ -130,33 +149,21 @@ constexpr std::size_t compared_times = 48;
 std::string motion_key(std::string_view table, const std::vector<double>& inputs,
                        std::span<const double> times) {
   return std::string(table) + " " + std::string(truth::fingerprint_of_makers) + " " +
-         std::to_string(truth::spot_digits) + " " + std::to_string(compared_times) + " (" + listed(inputs) +
+         "MPFR " + mpfr_get_version() + " " + std::to_string(truth::spot_digits) + " " + std::to_string(compared_times) + " (" + listed(inputs) +
          ") at " + listed(std::vector<double>(times.begin(), times.end()));
-}
-
-std::string checksum(std::string_view text) {
-  std::ostringstream hex;
-  hex << std::hex << std::hash<std::string_view>()(text);
-  return hex.str();
 }
 
 fs::path kept_file(const fs::path& cache, const std::string& key) {
   return cache / (key.substr(0, key.find(' ')) + "_" + checksum(key) + ".txt");
 }
 
-/// The motion kept under the key: a line with the key, one with the error, one with each value, and the
-/// checksum of these.
+/// The motion kept under the key: a line with the key, one with the error, one with each value.
 std::optional<Known> kept_motion(const fs::path& cache, const std::string& key) {
-  std::ifstream in(kept_file(cache, key), std::ios::binary);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line + "\n");
-  if (lines.size() < 3 || lines.front() != key + "\n") return {};
-  std::string text;
-  for (std::size_t i = 0; i + 1 < lines.size(); ++i) text += lines[i];
-  if (lines.back() != checksum(text) + "\n") return {};
+  const auto text = read_sealed(kept_file(cache, key));
+  if (!text || !text->starts_with(key + "\n")) return {};
+  std::istringstream lines(text->substr(key.size() + 1));
   Known known;
-  for (std::size_t i = 1; i + 1 < lines.size(); ++i)
-    known.value.push_back(number_in(lines[i].substr(0, lines[i].size() - 1)).value());
+  for (std::string line; std::getline(lines, line);) known.value.push_back(number_in(line).value());
   known.error = known.value.front();
   known.value.erase(known.value.begin());
   return known;
@@ -165,10 +172,7 @@ std::optional<Known> kept_motion(const fs::path& cache, const std::string& key) 
 void keep_motion(const fs::path& cache, const std::string& key, const Known& known) {
   std::string text = key + "\n" + shortest(known.error) + "\n";
   for (double x : known.value) text += shortest(x) + "\n";
-  try {
-    write_whole(kept_file(cache, key), text + checksum(text) + "\n");
-  } catch (const BadInput&) {  // it will be made again
-  }
+  keep_sealed(kept_file(cache, key), text);
 }
 
 /// Rows that a table has, one a time; none when one is missing.

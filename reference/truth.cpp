@@ -25,20 +25,26 @@ std::string digits_of(const Number& x, int digits) {
 
 namespace {
 
+/// The largest component; 1 where all vanish, and give no scale.
+Number size_of(const Numbers& value) {
+  Number size = 0;
+  for (const Number& x : value) size = std::max<Number>(size, abs(x));
+  return size == 0 ? Number(1) : size;
+}
+
 /// Both routes at the same inputs: raises `error` to their disagreement, and to what so many digits leave
-/// open.
+/// open of the largest component.
 void compare(const Truth& truth, const Numbers& first, const Numbers& second, int digits, Number& error) {
   if (first.size() != truth.components.size() || second.size() != first.size())
     throw std::logic_error("a route made " + std::to_string(second.size()) + " components of " +
                            std::to_string(truth.components.size()));
-  const Number floor = pow(Number(10), -digits);
   for (std::size_t i = 0; i < second.size(); ++i) {
     if (!isfinite(first[i]) || !isfinite(second[i]))
       throw std::domain_error("the " + std::string(isfinite(second[i]) ? "first" : "second") +
                               " route gives no finite " + truth.components[i].name);
-    const Number size = std::max<Number>(abs(first[i]), Number(1));
-    error = std::max<Number>(error, std::max<Number>(abs(first[i] - second[i]), size * floor));
+    error = std::max<Number>(error, abs(first[i] - second[i]));
   }
+  error = std::max<Number>(error, size_of(first) * pow(Number(10), -digits));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <boost/multiprecision/mpfr.hpp>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,11 @@ using Number = boost::multiprecision::number<Backend, boost::multiprecision::et_
 using Numbers = std::vector<Number>;
 
 class Motions;
+
+/// A route would take too long: the message says what it has spent, and where it has come to.
+struct BudgetSpent : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// How many digits a route is to give, and, where a motion is asked for at many times, what it has
 /// integrated.
@@ -85,7 +91,7 @@ std::string table(const std::string& name, const Truth&);
 constexpr int table_digits = 42;
 constexpr int spot_digits = 24;
 
-/// Changes with any maker's source. Generated when the program is built.
+/// Changes with any source of this room. Generated when the program is built.
 extern const std::string_view fingerprint_of_makers;
 
 }  // namespace oddity::truth

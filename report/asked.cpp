@@ -174,7 +174,7 @@ void set_errors(Need& need, const Entry& entry, const std::string& text) {
 }
 
 Criterion criterion_of(const std::string& text) {
-  const std::vector<std::string> names{"path", "energy", "period", "bounded"};
+  const std::vector<std::string> names{"path", "energy", "period", "bounded", "constraint"};
   const auto found = std::ranges::find(names, text);
   if (found == names.end())
     throw BadInput("--criterion '" + text + "' is none of " + joined(names) +
@@ -189,6 +189,12 @@ void set_accuracy(Need& need, const Entry& entry, const AskedNeed& asked) {
     if (!asked.error.empty() || !asked.digits.empty())
       throw BadInput("--criterion bounded takes no --error and no --digits");
     need.error = 1;
+    return;
+  }
+  if (need.criterion == Criterion::constraint) {
+    if (asked.error.empty()) throw BadInput("--criterion constraint needs --error, a length such as 1mm");
+    need.error = positive("--error", asked.error, "m");
+    need.shown["m"] = shown_unit(asked.error, "m");
     return;
   }
   if (asked.error.empty() && asked.digits.empty()) throw BadInput("choose needs --error or --digits");

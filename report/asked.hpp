@@ -22,6 +22,7 @@ struct AskedNeed {
   std::string criterion = "path", time_limit = {};
   std::vector<std::string> only = {}, exclude = {};
   bool cheapest = false, one_step = false;
+  bool measure = false;  ///< what earlier runs measured is measured anew
 };
 constexpr double most_frames = 1e6;  ///< that a need may ask for: an hour at 277 frames per second
 /// For an exercise that has a motion.

@@ -32,6 +32,7 @@ struct Choice {
   std::optional<double>
       predictable;  ///< of a chaotic motion: until when a start known to 1e-9 tells the path
   std::vector<std::string> seen, unseen;
+  std::string prices_are = {};  ///< where they come from
 
   /// How many times better than asked the chosen one was on starts that it was not chosen on.
   double margin() const { return 1 / chosen->unseen_error; }
@@ -40,7 +41,7 @@ struct Choice {
 /// What a method costs over the whole horizon [s].
 using Price = std::function<Time(const Method&, double setting)>;
 
-/// Measured on this machine.
+/// Measured on this machine: of three times over, the least disturbed.
 Time measured_price(const Method&, double setting);
 
 /// Chooses on the task's start and two beside it, tests on three others (the scene's `starts`, each up to a

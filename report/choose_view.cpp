@@ -40,7 +40,16 @@ std::string errors_of(const std::vector<double>& errors, const Choice& choice) {
 
 std::string percent(double part) { return rounded(100 * part, 2) + " %"; }
 
-/// The error that decides: of the path in its units, of energy and period as a part.
+/// How far what is held is off, in the unit asked in.
+std::string off_constraint(double off, const Choice& choice) {
+  const auto shown = choice.need.shown.find("m");
+  const bool asked = shown != choice.need.shown.end() && !shown->second.symbol.empty();
+  const ShownUnit unit = asked ? shown->second : ShownUnit{"m", 1};
+  return shown_error(off / unit.size) + " " + unit.symbol;
+}
+
+/// The error that decides: of the path in its units, of energy and period as a part, of what is held as a
+/// length.
 std::string error_of(const Tried& tried, const Choice& choice) {
   switch (choice.need.criterion) {
     case Criterion::path:
@@ -48,6 +57,10 @@ std::string error_of(const Tried& tried, const Choice& choice) {
     case Criterion::energy:
     case Criterion::period:
       return std::isfinite(tried.error) ? percent(tried.error * choice.need.error) : "-";
+    case Criterion::constraint:
+      if (!std::isfinite(tried.error)) return "-";
+      return tried.constrained ? off_constraint(tried.error * choice.need.error, choice)
+                               : "held by construction";
     case Criterion::bounded:
       break;
   }
@@ -55,8 +68,8 @@ std::string error_of(const Tried& tried, const Choice& choice) {
 }
 
 std::string cost_of(const Tried& tried) {
-  const std::string evaluations = rounded(tried.evaluations_a_frame, 3);
-  return shown_time(tried.seconds_a_frame) + " per frame (" + evaluations +
+  const std::string evaluations = rounded(tried.evaluations_per_frame, 3);
+  return shown_time(tried.seconds_per_frame) + " per frame (" + evaluations +
          (evaluations == "1" ? " evaluation)" : " evaluations)");
 }
 
@@ -74,6 +87,9 @@ std::string what_holds(const Choice& choice) {
              percent(choice.need.error) + " of what moves in it";
     case Criterion::period:
       return choice.quantity + " with its period right to " + percent(choice.need.error);
+    case Criterion::constraint:
+      return choice.quantity + " with what is held off by " + off_constraint(choice.need.error, choice) +
+             " at most, at every frame";
     case Criterion::bounded:
       break;
   }
@@ -99,7 +115,7 @@ std::string ties_text(const Choice& choice) {
     const std::string one = described(t, choice.need);
     if (seen.insert(one).second)
       text += (text.empty() ? "  costs the same, within a quarter or the spread: " : "; ") + one + " (" +
-              shown_time(t.seconds_a_frame) + ", error " + error_of(t, choice) + ")";
+              shown_time(t.seconds_per_frame) + ", error " + error_of(t, choice) + ")";
   }
   return text.empty() ? "" : text + ".\n";
 }
@@ -110,7 +126,7 @@ std::string miss_text(const Choice& choice) {
   const Tried& miss = *choice.nearest_miss;
   if (!miss.holds()) return text + "  nearest miss: " + failing_of(miss, choice) + ".\n";
   return text + "  nearest miss: " + described(miss, choice.need) + " is as accurate, but costs " +
-         cost_of(miss) + ", " + times_as(miss.seconds_a_frame / choice.need.budget) + " the budget.\n";
+         cost_of(miss) + ", " + times_as(miss.seconds_per_frame / choice.need.budget) + " the budget.\n";
 }
 
 std::string chaos_text(const Choice& choice) {
@@ -138,7 +154,7 @@ std::string verdict_of(const Tried& tried, const Choice& choice) {
   if (choice.chosen && tried.model == choice.chosen->model && tried.algorithm == choice.chosen->algorithm)
     return "chosen";
   if (!tried.holds()) return std::string(name_of(tried.outcome)) + " at " + tried.where;
-  return tried.seconds_a_frame > choice.need.budget ? "over the budget" : "holds";
+  return tried.seconds_per_frame > choice.need.budget ? "over the budget" : "holds";
 }
 
 /// The rows that a reader looks for first: those that hold, the chosen one among them.
@@ -182,8 +198,8 @@ Json from(const Tried& t, const Choice& choice) {
           {"error_in_needs", from(t.error)},
           {"holds", t.holds()},
           {"outcome", name_of(t.outcome)},
-          {"evaluations_per_frame", t.evaluations_a_frame},
-          {"seconds_per_frame", from(t.seconds_a_frame)},
+          {"evaluations_per_frame", t.evaluations_per_frame},
+          {"seconds_per_frame", from(t.seconds_per_frame)},
           {"spread", from(t.spread)}};
 }
 
@@ -194,13 +210,13 @@ Json from(const std::vector<Tried>& all, const Choice& choice) {
 }
 
 Json need_of(const Choice& choice) {
-  static constexpr const char* criteria[] = {"path", "energy", "period", "bounded"};
+  static constexpr const char* criteria[] = {"path", "energy", "period", "bounded", "constraint"};
   const Json error =
       choice.need.criterion == Criterion::path ? from(choice.needs, choice) : from(choice.need.error);
   return {{"exercise", choice.exercise},
           {"criterion", criteria[static_cast<int>(choice.need.criterion)]},
           {"error", error},
-          {"unit", units_of(choice)},
+          {"unit", choice.need.criterion == Criterion::constraint ? Json("m") : units_of(choice)},
           {"horizon", choice.need.horizon},
           {"time_unit", choice.time_unit},
           {"frames_per_second", choice.need.frames_per_second},
@@ -229,7 +245,7 @@ std::string answer_text(const Choice& choice) {
   const Tried& best = *choice.chosen;
   std::string text = "Take " + described(best, choice.need) + ": " + cost_of(best);
   if (std::isfinite(choice.need.budget))
-    text += ", " + percent(best.seconds_a_frame / choice.need.budget) + " of the budget";
+    text += ", " + percent(best.seconds_per_frame / choice.need.budget) + " of the budget";
   text += ".\n" + margin_text(choice) + ties_text(choice);
   if (!choice.by_objective)
     text +=
@@ -242,7 +258,7 @@ std::string answer_text(const Choice& choice) {
   if (choice.next_cheaper) text += "  next cheaper: " + failing_of(*choice.next_cheaper, choice) + ".\n";
   if (const auto& richer = choice.next_richer)
     text += "  next richer: " + described(*richer, choice.need) + ", " + cost_of(*richer) + ": " +
-            times_as(richer->seconds_a_frame / best.seconds_a_frame) + " the cost, error " +
+            times_as(richer->seconds_per_frame / best.seconds_per_frame) + " the cost, error " +
             error_of(*richer, choice) + ".\n";
   return text;
 }
@@ -253,14 +269,15 @@ std::string choice_text(const Choice& choice, bool all_rows) {
       {"model", "algorithm", "setting", "error", "evaluations per frame", "time per frame", ""}};
   for (const Tried& tried : shown_rows)
     rows.push_back({tried.model, tried.algorithm, shown_setting(tried, choice.need), error_of(tried, choice),
-                    rounded(tried.evaluations_a_frame, 3), shown_time(tried.seconds_a_frame),
+                    rounded(tried.evaluations_per_frame, 3), shown_time(tried.seconds_per_frame),
                     verdict_of(tried, choice)});
   const std::size_t hidden = choice.tried.size() - shown_rows.size();
   return asked_text(choice) + "\n\n" + (choice.chosen ? answer_text(choice) : miss_text(choice)) +
          chaos_text(choice) + "\nEach method at its cheapest setting that holds, or else at its best:\n" +
          aligned(rows) + (hidden > 0 ? "  and " + std::to_string(hidden) + " more: --all\n" : "") + "\n" +
          engine_text(choice) + "\nchosen on: " + listed(choice.seen) +
-         (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) + "\n";
+         (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) +
+         (choice.prices_are.empty() ? "" : "\ntimes: " + choice.prices_are) + "\n";
 }
 
 std::string choice_json(const Choice& choice) {
@@ -277,6 +294,7 @@ std::string choice_json(const Choice& choice) {
   json["predictable"] = choice.predictable ? from(*choice.predictable) : Json(nullptr);
   json["chosen_on"] = choice.seen;
   json["tested_on"] = choice.unseen;
+  json["times"] = choice.prices_are;
   return json.dump(2) + "\n";
 }
 
@@ -289,7 +307,7 @@ std::string choice_csv(const Choice& choice) {
     for (std::size_t i = 0; i < t.errors.size(); ++i)
       text += "," + shortest(t.errors[i] / shown_unit(choice.units[i], choice).size);
     text += std::string(t.holds() ? ",1," : ",0,") + std::string(name_of(t.outcome)) + "," +
-            shortest(t.evaluations_a_frame) + "," + shortest(t.seconds_a_frame) +
+            shortest(t.evaluations_per_frame) + "," + shortest(t.seconds_per_frame) +
             (verdict_of(t, choice) == "chosen" ? ",1\n" : ",0\n");
   }
   return text;

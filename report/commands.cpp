@@ -125,7 +125,7 @@ void add_choose(CLI::App& app, Session& s) {
   add_one_exercise(*choose, s);
   auto* error = choose->add_option("--error", s.need.error,
                                    "largest error of the observables: 0.01 in their units, 1cm, 1cm,1deg; of "
-                                   "energy and period a part, such as 0.01");
+                                   "energy and period a part, such as 0.01; of a constraint a length");
   choose->add_option("--digits", s.need.digits, "instead: right digits of the largest observable")
       ->excludes(error);
   choose
@@ -137,13 +137,17 @@ void add_choose(CLI::App& app, Session& s) {
   choose
       ->add_option(
           "--criterion", s.need.criterion,
-          "what has to hold: path, energy (what is conserved), period, or bounded (nothing explodes)")
+          "what has to hold: path, energy (what is conserved), period, bounded (nothing explodes), or "
+          "constraint (held lengths)")
       ->capture_default_str();
   choose->add_flag("--cheapest", s.need.cheapest, "whatever is cheapest, however complicated");
   choose->add_flag("--one-step", s.need.one_step, "no method that needs a history");
   choose->add_option("--only", s.need.only, "only models and algorithms with these words in their names");
   choose->add_option("--exclude", s.need.exclude, "none with these words");
   choose->add_option("--time-limit", s.need.time_limit, "for the answer: 60s");
+  choose->add_flag("--measure", s.need.measure,
+                   "times anew: those of an earlier run are kept, so that the same question gets the same "
+                   "answer");
   choose->add_flag("--all", s.all_rows, "all rows of the table");
   add_formats(*choose, s, "the choice");
   auto* code = choose->add_flag("--code", s.code, "the chosen model and loop as C++ to paste");

@@ -162,7 +162,7 @@ Json from(const LeastModel& row) {
                      {"setting", from(t->setting)},
                      {"error_in_needs", from(t->error)},
                      {"errors", from(Value(t->errors))},
-                     {"evaluations_a_frame", from(t->evaluations_a_frame)}};
+                     {"evaluations_per_frame", from(t->evaluations_per_frame)}};
   return json;
 }
 LeastModel least_model(const Json& json) {
@@ -175,7 +175,7 @@ LeastModel least_model(const Json& json) {
     row.least = Tried{least.at("model"), least.at("algorithm"), least.at("knob"), number(least.at("setting")),
                       number(least.at("error_in_needs"))};
     for (double error : value(least.at("errors"))) row.least->errors.push_back(error);
-    row.least->evaluations_a_frame = number(least.at("evaluations_a_frame"));
+    row.least->evaluations_per_frame = number(least.at("evaluations_per_frame"));
   }
   return row;
 }

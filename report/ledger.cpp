@@ -47,7 +47,7 @@ std::optional<Tried> cheapest(const std::vector<Start>& start, const std::string
     if (method.model != model) continue;
     for (double setting : settings(method, need)) {
       const Tried tried = attempt(start, method, setting, need);
-      if (tried.holds() && (!best || tried.evaluations_a_frame < best->evaluations_a_frame)) best = tried;
+      if (tried.holds() && (!best || tried.evaluations_per_frame < best->evaluations_per_frame)) best = tried;
       if (tried.holds() || hopeless(tried)) break;
     }
   }
@@ -219,7 +219,8 @@ class Along {
     refine(model, p, looks, next, depth - 1);
   }
 
-  /// The value on the side that holds, to one in a thousand; the error on both sides by the reference is kept.
+  /// The value on the side that holds, to one in a thousand; the error on both sides by the reference is
+  /// kept.
   double crossing(const std::string& model, const Parameter& p, Look fails, Look holds,
                   BreakEven& found) const {
     while (std::abs(fails.at - holds.at) > 1e-3 * std::abs(holds.at)) {

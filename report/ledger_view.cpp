@@ -30,7 +30,7 @@ std::vector<std::string> least_row(const LeastModel& row, const Ledger& ledger) 
           escaped(row.least->algorithm),
           with_powers(escaped(shown_setting(*row.least, row.need))),
           error_of(row, ledger),
-          rounded(row.least->evaluations_a_frame, 3)};
+          rounded(row.least->evaluations_per_frame, 3)};
 }
 
 /// "up to 0.21", "from 109 on", "between 3 and 4".

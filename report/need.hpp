@@ -10,10 +10,11 @@ namespace oddity {
 
 /// What has to hold.
 enum class Criterion {
-  path,     ///< the observables are within the error, at every frame
-  energy,   ///< conserved quantities change by no more than the error, as a part of what moves in them
-  period,   ///< the period is within the error, as a part of it
-  bounded,  ///< nothing explodes, however wrong the path
+  path,        ///< the observables are within the error, at every frame
+  energy,      ///< conserved quantities change by no more than the error, as a part of what moves in them
+  period,      ///< the period is within the error, as a part of it
+  bounded,     ///< nothing explodes, however wrong the path
+  constraint,  ///< lengths that are held, and what lies on something, are within the error, at every frame
 };
 
 /// Which of those that hold is taken.

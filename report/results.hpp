@@ -95,10 +95,11 @@ struct Tried {
   std::vector<double> errors = {};  ///< the same in each of the motion's units
   Outcome outcome = Outcome::ok;
   std::string where = {};  ///< the start on which it ended so, unless ok
-  double evaluations_a_frame = 0;
-  double seconds_a_frame = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed
-  double spread = 0;                                                  ///< of the seconds
+  double evaluations_per_frame = 0;
+  double seconds_per_frame = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed
+  double spread = 0;                                                    ///< of the seconds
   double unseen_error = std::numeric_limits<double>::quiet_NaN();  ///< over the starts it was not chosen on
+  bool constrained = false;                                        ///< of a model in redundant coordinates
 
   bool holds() const { return outcome == Outcome::ok; }
 };

@@ -9,6 +9,7 @@ fs::path results_file() { return fs::path(ODDITY_SOURCE) / "build" / "results.js
 fs::path report_folder() { return fs::path(ODDITY_SOURCE) / "build" / "report"; }
 fs::path chart_folder() { return fs::path(ODDITY_SOURCE) / "build" / "charts"; }
 fs::path motions_folder() { return fs::path(ODDITY_SOURCE) / "build" / "motions"; }
+fs::path prices_folder() { return fs::path(ODDITY_SOURCE) / "build" / "prices"; }
 std::string gnuplot() { return ODDITY_GNUPLOT; }
 std::string version() { return ODDITY_VERSION; }
 

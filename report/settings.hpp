@@ -11,6 +11,7 @@ std::filesystem::path results_file();      ///< the last run's results
 std::filesystem::path report_folder();     ///< the last report
 std::filesystem::path chart_folder();      ///< the last charts
 std::filesystem::path motions_folder();    ///< true motions made on the spot, kept
+std::filesystem::path prices_folder();     ///< what methods cost on this machine, kept
 std::string gnuplot();                     ///< the program that draws
 std::string version();
 

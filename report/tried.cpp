@@ -36,7 +36,7 @@ double period(const Value& value, const Value& truth, int frames) {
 }
 
 /// The trial's error by the need's criterion, in units of what was asked; infinite where it is none.
-double judged(const Quantity& motion, const Trial& trial, const Need& need) {
+double judged(const Quantity& motion, const Method& method, const Trial& trial, const Need& need) {
   const Answer& answer = trial.answer;
   if (!answer.reached() || !finite(answer.value)) return infinity;
   double error = infinity;
@@ -49,6 +49,9 @@ double judged(const Quantity& motion, const Trial& trial, const Need& need) {
       break;
     case Criterion::bounded:
       error = trial.outcome == Outcome::diverged ? infinity : answer.drift;
+      break;
+    case Criterion::constraint:
+      error = method.off_constraint ? method.off_constraint(trial.setting) / need.error : 0;
       break;
     case Criterion::period: {
       const double true_period = period(motion.reference.value, motion.reference.value, motion.samples);
@@ -81,14 +84,15 @@ std::vector<double> settings(const Method& method, const Need& need) {
 
 Tried attempt(const std::vector<Start>& starts, const Method& method, double setting, const Need& need) {
   Tried tried{method.model, method.algorithm, method.knob.name, setting};
+  tried.constrained = static_cast<bool>(method.off_constraint);
   for (const Start& start : starts) {
     const Method* here = method_of(start.motion, method.model, method.algorithm);
     const Trial trial =
         here ? run(start.motion, *here, setting)
              : Trial{method.model, method.algorithm, {}, setting, {}, {}, nan, nan, nan, Outcome::raised};
     if (&start == &starts.front())
-      tried.evaluations_a_frame = static_cast<double>(trial.answer.evaluations) / need.frames();
-    const double error = judged(start.motion, trial, need);
+      tried.evaluations_per_frame = static_cast<double>(trial.answer.evaluations) / need.frames();
+    const double error = here ? judged(start.motion, *here, trial, need) : infinity;
     tried.error = std::max(tried.error, error);
     tried.errors.resize(start.motion.units().size(), 0);
     for (std::size_t i = 0; i < trial.errors.size(); ++i)
@@ -109,7 +113,7 @@ std::string shown_setting(const Tried& tried, const Need& need) {
 }
 
 bool hopeless(const Tried& tried) {
-  return tried.outcome == Outcome::raised || tried.evaluations_a_frame > 1e5;
+  return tried.outcome == Outcome::raised || tried.evaluations_per_frame > 1e5;
 }
 
 }  // namespace oddity

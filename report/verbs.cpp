@@ -11,6 +11,7 @@
 #include "report/code.hpp"
 #include "report/gnuplot.hpp"
 #include "report/ledger.hpp"
+#include "report/prices.hpp"
 #include "report/progress.hpp"
 #include "report/run.hpp"
 #include "report/settings.hpp"
@@ -145,8 +146,11 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   const Task task = task_of(exercise, overrides);
   const Need need = need_of(*task.entry, asked);
   ProgressBar bar;
-  const Choice choice =
-      oddity::choose(task, need, Reference(folder, motions_folder()), measured_price, bar.callback());
+  KeptPrices prices(prices_folder(), price_key(task, need), asked.measure);
+  Choice choice =
+      oddity::choose(task, need, Reference(folder, motions_folder()), std::ref(prices), bar.callback());
+  prices.keep();
+  choice.prices_are = prices.source();
   if (format == Format::code && !choice.chosen)
     std::cerr << choice_text(choice, all_rows);
   else

@@ -73,7 +73,7 @@ TEST_CASE("the cheapest method that holds is chosen, and tested elsewhere", "[ch
   const Choice choice = choose_for(asked(0.05, 10));
   REQUIRE(choice.chosen);
   CHECK(choice.chosen->model == "coarse");
-  CHECK(choice.chosen->evaluations_a_frame == 0.01);
+  CHECK(choice.chosen->evaluations_per_frame == 0.01);
   CHECK(choice.margin() > 1);
   CHECK(choice.seen.size() == 3);
   CHECK(choice.unseen.size() == 3);
@@ -167,7 +167,7 @@ TEST_CASE("a need that nothing meets is said, with the nearest miss", "[choose]"
   CHECK_FALSE(poor.chosen);
   REQUIRE(poor.nearest_miss);
   CHECK(poor.nearest_miss->holds());
-  CHECK(poor.nearest_miss->seconds_a_frame > 1e-9);
+  CHECK(poor.nearest_miss->seconds_per_frame > 1e-9);
   CHECK(choice_text(poor, false).find("times the budget") != std::string::npos);
 
   const Choice impossible = choose_for(asked(1e-15, 10));

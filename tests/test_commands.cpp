@@ -76,6 +76,27 @@ TEST_CASE("list and stability come as CSV and as JSON", "[commands]") {
   CHECK(says(run("stability 3.5 --json"), "\"algorithm\": \"velocity Verlet\""));
 }
 
+TEST_CASE("the same question gets the same answer, and says where its times come from", "[commands]") {
+  const std::string question = "choose 3.5 --error 1deg --horizon 1 --all";
+  const Ran anew = run(question + " --measure");
+  CHECK(anew.status == 0);
+  CHECK(says(anew, "\ntimes: measured in this run on this machine"));
+  const Ran kept = run(question);
+  CHECK(says(kept, "\ntimes: those of an earlier run of this program on this machine; --measure"));
+  CHECK(kept.output.substr(0, kept.output.find("\ntimes: ")) ==
+        anew.output.substr(0, anew.output.find("\ntimes: ")));
+  for (int i = 0; i < 3; ++i) CHECK(run(question).output == kept.output);
+}
+
+TEST_CASE("choose asks for what is held as a length", "[commands]") {
+  const Ran ran = run("choose 3.5 --criterion constraint --error 1mm --horizon 1 --only Cartesian");
+  CHECK(ran.status == 0);
+  CHECK(says(ran, "swing with what is held off by 1 mm at most, at every frame"));
+  const Ran free = run("choose 3.27 --criterion constraint --error 1mm --horizon 1");
+  CHECK(free.status == 2);
+  CHECK(says(free, "no model here has a constraint"));
+}
+
 TEST_CASE("every verb has help with an example", "[commands]") {
   for (const std::string verb :
        {"list", "verify", "solve", "chart", "report", "stability", "choose", "bench"}) {

@@ -39,6 +39,32 @@ TEST_CASE("a made row's error bounds the disagreement of its routes by a power o
   CHECK(error(0, truth::Number("3e-20")) == pow(truth::Number(10), -19));
 }
 
+TEST_CASE("a made row's error goes with the size of its largest component", "[reference]") {
+  const truth::Number small("2e-13");
+  const truth::Made made = truth::make_row(two_routes(gives(small), gives(small)), {1}, 24);
+  CHECK(made.error < truth::Number("1e-35"));
+  CHECK(made.error >= small * truth::Number("1e-24"));
+  truth::Truth two = two_routes(
+      [](const auto&, int) {
+        return truth::Numbers{0, 1000};
+      },
+      [](const auto&, int) {
+        return truth::Numbers{0, 1000};
+      });
+  two.components.push_back({"y", "1"});
+  CHECK(abs(truth::make_row(two, {1}, 24).error / pow(truth::Number(10), -21) - 1) < 1e-30);
+  CHECK(truth::make_row(two_routes(gives(0), gives(0)), {1}, 24).error == pow(truth::Number(10), -24));
+}
+
+TEST_CASE("a small determinant made on the spot is known to as many digits as a large one", "[reference]") {
+  const Reference stored(tables);
+  std::vector<double> tiny(16, 0.0);
+  for (std::size_t i = 0; i < 4; ++i) tiny[5 * i] = 0.001 * static_cast<double>(i + 1);
+  const Known known = stored("07_09_determinant", tiny);
+  CHECK(near(known.value[0], 2.4e-11, 1e-25));
+  CHECK(known.error < 1e-26);
+}
+
 TEST_CASE("a route without a finite value makes no row", "[reference]") {
   const truth::Number nan = std::numeric_limits<truth::Number>::quiet_NaN(),
                       inf = std::numeric_limits<truth::Number>::infinity();

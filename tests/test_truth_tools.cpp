@@ -3,9 +3,11 @@
 #include <set>
 #include <string>
 
+#include "reference/bad_input.hpp"
 #include "reference/make/extrapolation.hpp"
 #include "reference/make/routes.hpp"
 #include "reference/make/taylor.hpp"
+#include "reference/reference.hpp"
 #include "tests/catch.hpp"
 
 namespace oddity::truth {
@@ -79,6 +81,66 @@ TEST_CASE("extrapolation stops when its budget is spent, and says where", "[refe
     CHECK(std::string(error.what()).find("the budget of 10000 right-hand sides is spent at t = ") !=
           std::string::npos);
   }
+}
+
+TEST_CASE("Taylor stops when its budget of expansions is spent, and says where", "[reference]") {
+  const auto fast = [](const auto& x, const auto&) { return std::vector{1000000 * x[1], -1000000 * x[0]}; };
+  const auto spent_by = [](const auto& solve) -> std::string {
+    try {
+      solve();
+    } catch (const BudgetSpent& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  const std::string alone = spent_by([&] { TaylorProblem(fast, 2).solve({1, 0}, 0, 100, 6, 100); });
+  CHECK(alone.find("the budget of 100 expansions of the right-hand side is spent at t = ") !=
+        std::string::npos);
+  // A motion has one budget for all its times, and more of it where it is watched.
+  for (bool watched : {false, true}) {
+    const long allowed = most_expansions * (watched ? 50 : 1);
+    long ticks = 0;
+    Motions motion(watched ? Tick([&] {
+      if (++ticks > 2 * most_expansions) throw std::logic_error("long enough");
+    })
+                           : Tick());
+    const auto follow = [&] {
+      for (int k = 1; k <= 1000; ++k) solve_taylor(fast, {1, 0}, 0, Number(k) / 20, {2, &motion});
+    };
+    if (watched)
+      CHECK_THROWS_AS(follow(), std::logic_error);
+    else
+      CHECK(spent_by(follow).find("the budget of " + std::to_string(allowed)) != std::string::npos);
+  }
+}
+
+TEST_CASE("extrapolation has one budget for all times of a motion", "[reference][slow]") {
+  const std::function<Numbers(const Numbers&, const Number&)> fast = [](const Numbers& x, const Number&) {
+    return Numbers{1000 * x[1], Number(-1000 * x[0])};
+  };
+  Motions motion;
+  CHECK_THROWS_AS(
+      [&] {
+        for (int k = 1; k <= 10000; ++k) solve_extrapolation(fast, {1, 0}, 0, Number(k), {2, &motion});
+      }(),
+      BudgetSpent);
+}
+
+TEST_CASE("a motion that takes too long to make is refused by its exercise, table and parameters",
+          "[reference][slow]") {
+  const Reference stored(std::string(ODDITY_SOURCE) + "/reference");
+  const std::vector<double> stiff{0.3, 0.4, 1.5, 900000, 2, 9.81, 2, 0.8, -2};
+  std::string says = "nothing";
+  try {
+    stored.motion("03_23_swing", stiff, std::vector{0.5, 1.0, 1.5, 2.0});
+  } catch (const BadInput& error) {
+    says = error.what();
+  }
+  CHECK(says.find(
+            "exercise 3.23: the truth of its table 03_23_swing takes too long to make at m = 0.3, r = ") ==
+        0);
+  CHECK(says.find(" is spent at t = ") != std::string::npos);
+  CHECK(says.find("Ask for ") != std::string::npos);
 }
 
 TEST_CASE("a bar that turns over and over on a strong spring keeps its constraint", "[reference]") {

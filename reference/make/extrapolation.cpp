@@ -71,13 +71,19 @@ Number next_step(const Number& step, int settled_at) {
 
 }  // namespace
 
-Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits, long budget) {
+namespace {
+
+/// Right-hand sides, counted.
+struct Budget {
+  long all, spent = 0;
+};
+
+Numbers advance(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits, Budget& budget) {
   const Number tolerance = pow(Number(10), -digits - 3);
-  long evaluations = 0;
   const Rhs counted = [&](const Numbers& y, const Number& t) {
-    if (++evaluations > budget)
-      throw std::runtime_error("extrapolation: the budget of " + std::to_string(budget) +
-                               " right-hand sides is spent at t = " + t0.str(6) + " of " + t1.str(6));
+    if (++budget.spent > budget.all)
+      throw BudgetSpent("extrapolation: the budget of " + std::to_string(budget.all) +
+                        " right-hand sides is spent at t = " + t0.str(6) + " of " + t1.str(6));
     return rhs(y, t);
   };
   Number big = (t1 - t0) / 4;
@@ -92,6 +98,13 @@ Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& 
   return x;
 }
 
+}  // namespace
+
+Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits, long budget) {
+  Budget counted{budget};
+  return advance(rhs, std::move(x), std::move(t0), t1, digits, counted);
+}
+
 namespace {
 
 /// A motion by the states at the times asked for.
@@ -101,14 +114,16 @@ struct ExtrapolatedPath : Path {
     Numbers x;
   };
   std::vector<State> known;
+  Budget budget;
 
-  ExtrapolatedPath(const Numbers& x0, const Number& t0) : known{{t0, x0}} {}
+  ExtrapolatedPath(const Numbers& x0, const Number& t0, long evaluations)
+      : known{{t0, x0}}, budget{evaluations} {}
 
   Numbers at(const Number& t, const Rhs& rhs, int digits) {
     const auto comes_before = [&](const State& s) { return abs(s.t - known[0].t) <= abs(t - known[0].t); };
     const State from = *std::ranges::find_if(known.rbegin(), known.rend(), comes_before);
     if (from.t == t) return from.x;
-    known.push_back({t, solve_extrapolation(rhs, from.x, from.t, t, digits)});
+    known.push_back({t, advance(rhs, from.x, from.t, t, digits, budget)});
     return known.back().x;
   }
 };
@@ -121,7 +136,11 @@ Numbers solve_extrapolation(const Rhs& rhs, const Numbers& x, const Number& t0, 
   if (!precision.kept) return solve_extrapolation(rhs, x, t0, t1, digits);
   precision.kept->tick();
   return precision.kept
-      ->path(rhs.target_type(), x, t0, t1, digits, [&] { return std::make_unique<ExtrapolatedPath>(x, t0); })
+      ->path(rhs.target_type(), x, t0, t1, digits,
+             [&] {
+               return std::make_unique<ExtrapolatedPath>(x, t0,
+                                                         most_evaluations * precision.kept->allowance());
+             })
       .at(t1, rhs, digits);
 }
 

@@ -11,7 +11,7 @@ namespace oddity::truth {
 constexpr long most_evaluations = 4'000'000;
 
 /// The state at t1 from the state at t0, every step settled to 10^-(digits + 3). Throws std::runtime_error
-/// when the step becomes too small, or when the budget of right-hand sides is spent.
+/// when the step becomes too small, BudgetSpent when it takes more right-hand sides.
 Numbers solve_extrapolation(const std::function<Numbers(const Numbers& x, const Number& t)>& rhs, Numbers x,
                             Number t0, const Number& t1, int digits, long budget = most_evaluations);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
+#include <string>
 
 namespace oddity::truth {
 
@@ -141,8 +143,19 @@ Numbers TaylorProblem::Step::at(const Number& t) const {
   return x;
 }
 
-Numbers TaylorProblem::solve(Numbers x, Number t0, const Number& t1, int digits) {
-  while (t0 != t1) {
+namespace {
+
+void require_budget(long spent, long budget, const Number& t, const Number& t1) {
+  if (spent >= budget)
+    throw BudgetSpent("Taylor series: the budget of " + std::to_string(budget) +
+                      " expansions of the right-hand side is spent at t = " + t.str(6) + " of " + t1.str(6));
+}
+
+}  // namespace
+
+Numbers TaylorProblem::solve(Numbers x, Number t0, const Number& t1, int digits, long budget) {
+  for (long spent = 0; t0 != t1; ++spent) {
+    require_budget(spent, budget, t0, t1);
     const Step next = step(x, t0, t1, digits);
     const Number left = t1 - t0;
     const bool last = abs(left) <= next.length;
@@ -157,13 +170,16 @@ Numbers TaylorPath::at(const Number& t, const Motions& request) {
   const Number start = steps_.empty() ? t_ : steps_.front().t0;
   while (steps_.empty() || abs(t - start) > abs(t_ - start)) {
     request.tick();
+    require_budget(static_cast<long>(steps_.size()), most_expansions * request.allowance(), t_, t);
     steps_.push_back(problem_.step(x_, t_, t, digits_));
     const Number& length = steps_.back().length;
     t_ = t > start ? Number(t_ + length) : Number(t_ - length);
     x_ = steps_.back().at(t_);
   }
-  const auto reaches = [&](const TaylorProblem::Step& step) { return abs(t - step.t0) <= step.length; };
-  return std::ranges::find_if(steps_, reaches)->at(t);
+  const auto begins_before = [&](const TaylorProblem::Step& step) {
+    return abs(step.t0 - start) <= abs(t - start);
+  };
+  return std::prev(std::ranges::partition_point(steps_, begins_before))->at(t);
 }
 
 }  // namespace oddity::truth

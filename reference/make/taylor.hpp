@@ -73,6 +73,9 @@ Jet sin(Jet);
 Jet cos(Jet);
 Jet exp(Jet);
 
+/// Expansions that one solution may cost: some twenty seconds of work.
+constexpr long most_expansions = 12'000;
+
 /// An initial value problem recorded on a tape: rhs(x, t) returns the derivatives of x.
 class TaylorProblem {
  public:
@@ -90,8 +93,8 @@ class TaylorProblem {
   }
 
   /// The state at t1 from the state at t0, each step's remainder below 10^-digits. Throws std::runtime_error
-  /// when a pole stops it.
-  Numbers solve(Numbers x, Number t0, const Number& t1, int digits);
+  /// when a pole stops it, BudgetSpent when it takes more expansions.
+  Numbers solve(Numbers x, Number t0, const Number& t1, int digits, long budget = most_expansions);
 
   /// One step of a motion: its polynomials about t0, good for |t - t0| <= length.
   struct Step {
@@ -117,7 +120,7 @@ class TaylorPath final : public Path {
   TaylorPath(TaylorProblem problem, Numbers x0, Number t0, int digits)
       : problem_(std::move(problem)), x_(std::move(x0)), t_(std::move(t0)), digits_(digits) {}
 
-  /// The state at t, integrating further where t is beyond what is known.
+  /// The state at t, integrating further where t is beyond what is known. Throws BudgetSpent.
   Numbers at(const Number& t, const Motions& request);
 
  private:

@@ -93,6 +93,7 @@ struct CartesianWithConstraint {
   auto conserved(const State& x, const T&) const {
     return energy_of<T>((x[2] * x[2] + x[3] * x[3]) / 2, p.g * x[1]);
   }
+  T off_constraint(const State& x, const T&) const { return abs(hypot(x[0], x[1]) - p.L); }
 };
 
 /// From the least to the richest.

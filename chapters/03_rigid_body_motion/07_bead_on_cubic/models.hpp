@@ -60,6 +60,11 @@ struct CartesianWithConstraints : Bead {
   auto conserved(const State& s, double) const {
     return energy_of((s[3] * s[3] + s[4] * s[4] + s[5] * s[5]) / 2, g * s[2]);
   }
+  /// From the wire's point of the same x: the wire itself may be nearer.
+  double off_constraint(const State& s, double) const {
+    const auto wire = curve(s[0]);
+    return std::hypot(s[1] - wire[1], s[2] - wire[2]);
+  }
 };
 
 /// q alone, its speed from the energy.

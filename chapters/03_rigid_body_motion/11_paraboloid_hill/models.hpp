@@ -59,6 +59,8 @@ struct InSpace : Case {
   auto conserved(const State& x, double) const {
     return energy_of((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, g * x[2]);
   }
+  /// Upright: the hill itself may be nearer.
+  double off_constraint(const State& x, double) const { return std::abs(x[2] - hill.height(x[0], x[1])); }
 };
 
 inline height_field::InPlane<Hill> in_plane(const Case& c) {

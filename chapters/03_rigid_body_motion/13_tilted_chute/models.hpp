@@ -96,6 +96,11 @@ struct InSpace : Case {
   auto conserved(const State& x, double) const {
     return energy_of((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, g * x[2]);
   }
+  /// Of the distance R from the axis.
+  double off_constraint(const State& x, double) const {
+    const double c = chute.c(), s = chute.s(), z = x[2] - chute.R / c, way = c * x[0] - s * z;
+    return std::abs(std::hypot(x[0] - way * c, x[1], z + way * s) - chute.R);
+  }
 };
 
 using InPlane = height_field::InPlane<Chute>;

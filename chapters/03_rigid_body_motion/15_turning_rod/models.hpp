@@ -121,6 +121,7 @@ struct InTheTurningPlane : Rod {
     const double speeds = x[2] * x[2] + x[3] * x[3], turned = x[0] * x[0] / 2 + x[1] * x[1];
     return energy_of(m * speeds / 2, K * stretch * stretch / 2 - m * w * w * turned / 2 - x[4]);
   }
+  double off_constraint(const State& x, double) const { return std::abs(x[1]); }
 };
 
 /// (x, x', work): two forces normal to the rod keep x . n1 and x . n2 without acceleration, and do this work.
@@ -147,6 +148,11 @@ struct CartesianWithConstraints : Rod {
   auto conserved(const State& x, double) const {
     return energy_of(m * (x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2,
                      Spring{c, K, ell}.energy(observe(x, 0)) - x[6]);
+  }
+  /// From the rod: across it in the level, and in its upright plane.
+  double off_constraint(const State& x, double t) const {
+    const double C = std::cos(w * t), S = std::sin(w * t), outward = C * x[0] + S * x[1];
+    return std::hypot(C * x[1] - S * x[0], root_half * (outward - x[2]));
   }
 };
 

@@ -96,6 +96,7 @@ struct Cartesian : Pendulum {
     const Space<double> r{s[0], s[1], s[2]}, u{s[3], s[4], s[5]}, turned = outer(w(), r);
     return energy_of(inner(u, u) / 2, -inner(turned, turned) / 2 - g * s[2]);
   }
+  double off_constraint(const State& s, double) const { return std::abs(std::hypot(s[0], s[1], s[2]) - L); }
 };
 
 /// (theta, phi, theta', phi'); with centrifugal = 0 the published equations.

@@ -3,6 +3,7 @@
 // The models of exercise 3.19.
 
 #include <array>
+#include <cmath>
 
 #include "chapters/03_rigid_body_motion/shared/pair.hpp"
 #include "chapters/numbers.hpp"
@@ -89,6 +90,10 @@ struct FourCoordinates : Pulleys {
   }
   Pair observe(const State& x, double) const { return {x[0], x[1]}; }
   auto conserved(const State& x, double) const { return energy(*this, {x[0], x[1]}, {x[4], x[5]}); }
+  /// What the ropes have slipped on their pulleys.
+  double off_constraint(const State& x, double) const {
+    return std::hypot(x[0] - R1 * x[2], x[1] - x[0] - R2 * x[3]);
+  }
 };
 
 }  // namespace oddity::two_pulleys

@@ -78,6 +78,7 @@ struct Center : Disk {
   auto conserved(const State& s, double) const {
     return energy_of(mass() * (s[2] * s[2] + s[3] * s[3]) / 2 + spin_energy(), s[5] - f * s[0]);
   }
+  double off_constraint(const State& s, double) const { return std::abs(std::hypot(s[0], s[1]) - radius()); }
 };
 
 }  // namespace oddity::pipe_and_disk

@@ -85,6 +85,7 @@ struct CartesianWithConstraint : Bar {
     const double stretch = std::hypot(s / r * x[0] - s, s / r * x[1] + h) - ell;
     return energy_of(m * (x[2] * x[2] + x[3] * x[3]) / 2, m * g * x[1] + c * stretch * stretch / 2);
   }
+  double off_constraint(const State& x, double) const { return std::abs(std::hypot(x[0], x[1]) - r); }
 };
 
 }  // namespace oddity::spring_bar

@@ -86,6 +86,9 @@ struct TwoParticles : Thrown {
     return energy_of(mu0 / 4 * (x[4] * x[4] + x[5] * x[5] + x[6] * x[6] + x[7] * x[7]),
                      mu0 * g * (x[1] + x[3]) / 2);
   }
+  double off_constraint(const State& x, double) const {
+    return std::abs(std::hypot(x[0] - x[2], x[1] - x[3]) - 2 * k());
+  }
 };
 
 }  // namespace oddity::planar_wire

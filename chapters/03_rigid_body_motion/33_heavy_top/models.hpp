@@ -173,6 +173,10 @@ struct AxisAndMomentum : Top {
   std::array<Conserved<double>, 1> conserved(const State& x, double) const {
     return {{{x[0] * x[3] + x[1] * x[4] + x[2] * x[5], std::hypot(x[3], x[4], x[5])}}};
   }
+  /// Of the center of mass, which is to stay at the distance l from the tip.
+  double off_constraint(const State& x, double) const {
+    return l * std::abs(std::hypot(x[0], x[1], x[2]) - 1);
+  }
 };
 
 /// (quaternion, angular velocity in body coordinates): Euler's equations with the torque about the tip.

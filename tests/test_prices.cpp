@@ -1,0 +1,123 @@
+// What methods cost, kept from run to run.
+
+#include <fstream>
+#include <iterator>
+
+#include "chapters/contents.hpp"
+#include "report/asked.hpp"
+#include "report/prices.hpp"
+#include "tests/catch.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace oddity;
+namespace fs = std::filesystem;
+
+namespace {
+
+const Method verlet{"one angle", "velocity Verlet", {"step", {}}, nullptr};
+const Method euler{"one angle", "symplectic Euler", {"step", {}}, nullptr};
+
+/// A clock that never shows the same twice.
+struct Noisy {
+  int* calls;
+  Time operator()(const Method&, double) const { return {1e-6 * ++*calls, 1e-8}; }
+};
+
+/// Prices as a run of the program would have them.
+struct Run {
+  ScratchFolder folder;
+  int calls = 0;
+
+  KeptPrices prices(const std::string& key = "3.5 of a test", bool anew = false) {
+    return {folder.path(), key, anew, Noisy{&calls}};
+  }
+  double ask(double setting = 0.5, const std::string& key = "3.5 of a test", bool anew = false) {
+    KeptPrices all = prices(key, anew);
+    const double seconds = all(verlet, setting).seconds;
+    all.keep();
+    return seconds;
+  }
+};
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+TEST_CASE("a price is measured once, and read back in every bit", "[prices]") {
+  Run run;
+  const double first = run.ask();
+  for (int i = 0; i < 20; ++i) CHECK(run.ask() == first);
+  CHECK(run.calls == 1);
+  KeptPrices again = run.prices();
+  CHECK(again(verlet, 0.5).spread == 1e-8);
+  CHECK(again.source().starts_with("those of an earlier run"));
+  CHECK(again(euler, 0.5).seconds != first);
+  CHECK(again.source().starts_with("in part those of an earlier run"));
+  KeptPrices fresh = run.prices("another");
+  fresh(verlet, 0.5);
+  fresh(verlet, 0.5);
+  CHECK(fresh.source().starts_with("measured in this run"));
+}
+
+TEST_CASE("another setting, question, machine or program has prices of its own", "[prices]") {
+  Run run;
+  const double first = run.ask();
+  CHECK(run.ask(0.25) != first);
+  CHECK(run.ask(0.5, "3.5 of another test") != first);
+  CHECK(run.ask() == first);
+
+  const Task swing = task_of("3.5", {}), other = task_of("3.5", {"a=60deg"});
+  Need need{0.01};
+  const std::string key = price_key(swing, need);
+  CHECK(key.find(machine_and_program()) != std::string::npos);
+  CHECK(price_key(other, need) != key);
+  need.error = 0.02;  // is judged, and costs nothing
+  CHECK(price_key(swing, need) == key);
+  need.horizon = 20;
+  CHECK(price_key(swing, need) != key);
+}
+
+TEST_CASE("prices that are asked for anew take the place of those kept", "[prices]") {
+  Run run;
+  const double first = run.ask(), second = run.ask(0.5, "3.5 of a test", true);
+  CHECK(second != first);
+  CHECK(run.ask() == second);
+}
+
+TEST_CASE("prices that are damaged anywhere are measured again", "[prices]") {
+  Run run;
+  run.ask();
+  const fs::path file = run.prices().file();
+  const std::string whole = text_of(file);
+  const auto is_measured_with = [&](const std::string& text) {
+    run.folder.file(file.filename().string(), text);
+    const int before = run.calls;
+    run.prices()(verlet, 0.5);
+    return run.calls == before + 1;
+  };
+  CHECK_FALSE(is_measured_with(whole));
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    INFO("cut after " << length);
+    CHECK(is_measured_with(whole.substr(0, length)));
+  }
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string changed = whole;
+    changed[at] = changed[at] == '7' ? '3' : '7';
+    INFO("another character at " << at << ":\n" << changed);
+    CHECK(is_measured_with(changed));
+  }
+  CHECK(is_measured_with(whole + "1\n"));
+  CHECK(is_measured_with(std::string(1000, '\0')));
+  CHECK_FALSE(is_measured_with(whole));
+}
+
+TEST_CASE("prices are done without where they cannot be kept", "[prices]") {
+  const ScratchFolder folder;
+  int calls = 0;
+  KeptPrices prices(folder.file("a file", ""), "3.5", false, Noisy{&calls});
+  CHECK(prices(verlet, 0.5).seconds == prices(verlet, 0.5).seconds);
+  CHECK_NOTHROW(prices.keep());
+}
