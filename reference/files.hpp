@@ -3,10 +3,13 @@
 #include <filesystem>
 #include <string>
 
+#include "reference/interrupted.hpp"
+
 /// Files that are there whole or not at all, whatever interrupts the run.
 namespace oddity {
 
-/// A file under its name with ".part", until it is whole and takes its name; gone if it never is.
+/// A file under its name with ".part", until it is whole and takes its name; gone if it never is, also when
+/// the run is interrupted (reference/interrupted.hpp).
 class PartFile {
  public:
   /// Makes its folder. Throws BadInput when that cannot be, or when something else than a file has the name.
@@ -22,6 +25,7 @@ class PartFile {
 
  private:
   std::filesystem::path file_, part_;
+  Unfinished unfinished_;
 };
 
 /// Throws BadInput when the file could not be written, so that no run is lost for it; makes its folder.
@@ -30,5 +34,10 @@ void require_writable(const std::filesystem::path& file);
 void require_writable_folder(const std::filesystem::path& folder);
 /// Writes the whole file or none of it. Throws BadInput when it cannot be written.
 void write_whole(const std::filesystem::path& file, const std::string& text);
+
+/// Whether the path is there and neither a regular file nor a folder, as /dev/stdout is.
+bool is_device(const std::filesystem::path& path);
+/// Throws BadInput when the device does not take all of the text.
+void write_to_device(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace oddity

@@ -9,6 +9,7 @@
 
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/interrupted.hpp"
 #include "reference/similar.hpp"
 #include "report/asked.hpp"
 #include "report/settings.hpp"
@@ -304,6 +305,7 @@ int answer(CLI::App& app, Session& session, const std::vector<std::string>& word
 
 int command_line(int argc, char** argv, const Suite& suite) {
   occupy_standard_streams();
+  tidy_when_interrupted();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
   CLI::App app(
       "oddity: the solutions of Game Physics, 2nd edition, checked by machine.\n"
