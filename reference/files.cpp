@@ -31,7 +31,8 @@ void require(bool written, const fs::path& file) {
 
 }  // namespace
 
-PartFile::PartFile(fs::path file) : file_(std::move(file)), part_(file_.string() + ".part") {
+PartFile::PartFile(fs::path file)
+    : file_(std::move(file)), part_(file_.string() + ".part"), unfinished_(part_.string()) {
   make_folder_of(file_);
   std::error_code error;
   const fs::file_status status = fs::status(file_, error);
@@ -90,6 +91,20 @@ std::optional<std::string> read_sealed(const fs::path& file) {
   const std::string text = all.substr(0, seal);
   if (all.substr(seal) != checksum(text) + "\n") return {};
   return text;
+}
+
+bool is_device(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+void write_to_device(const fs::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  require(out.is_open(), path);
+  out << text;
+  out.close();
+  require(!out.fail(), path);
 }
 
 }  // namespace oddity

@@ -5,10 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "reference/interrupted.hpp"
+
 /// Files that are there whole or not at all, whatever interrupts the run.
 namespace oddity {
 
-/// A file under its name with ".part", until it is whole and takes its name; gone if it never is.
+/// A file under its name with ".part", until it is whole and takes its name; gone if it never is, also when
+/// the run is interrupted (reference/interrupted.hpp).
 class PartFile {
  public:
   /// Makes its folder. Throws BadInput when that cannot be, or when something else than a file has the name.
@@ -24,6 +27,7 @@ class PartFile {
 
  private:
   std::filesystem::path file_, part_;
+  Unfinished unfinished_;
 };
 
 /// Throws BadInput when the file could not be written, so that no run is lost for it; makes its folder.
@@ -40,5 +44,10 @@ std::string checksum(std::string_view text);
 void keep_sealed(const std::filesystem::path& file, const std::string& text);
 /// What was kept in the file; nothing when it is not there, or is not what was written.
 std::optional<std::string> read_sealed(const std::filesystem::path& file);
+
+/// Whether the path is there and neither a regular file nor a folder, as /dev/stdout is.
+bool is_device(const std::filesystem::path& path);
+/// Throws BadInput when the device does not take all of the text.
+void write_to_device(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace oddity

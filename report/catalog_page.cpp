@@ -46,8 +46,8 @@ std::string catalog_page() {
       " does not grow, on the negative real axis and on the "
       "imaginary axis. An algorithm that is set by a tolerance chooses its steps; where it has limits, they "
       "are those of its plain step.\n\n" +
-      table({"algorithm", "library", "set by", "order", "evaluations a step", "real limit", "imaginary limit",
-             "theory"},
+      table({"algorithm", "library", "set by", "order", "evaluations per step", "real limit",
+             "imaginary limit", "theory"},
             rows, "356") +
       "## What was found in the libraries\n\n"
       "Each finding is shown by a small test of the library alone, in the version that is named; with "

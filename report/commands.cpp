@@ -9,6 +9,7 @@
 
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/interrupted.hpp"
 #include "reference/similar.hpp"
 #include "report/asked.hpp"
 #include "report/settings.hpp"
@@ -67,7 +68,7 @@ void add_formats(CLI::App& verb, Session& s, const std::string& what) {
 }
 
 void add_list(CLI::App& app, Session& s) {
-  auto* list = verb(app, "list", "exercises, titles, parameters with their ranges",
+  auto* list = verb(app, "list", "list the exercises, with their parameters and ranges",
                     "Example: oddity list 3.5", [&] { verbs::list(s.exercise, s.format()); });
   list->add_option("exercise", s.exercise, "its number, such as 3.33; none: all");
   add_formats(*list, s, "the parameters");
@@ -100,7 +101,7 @@ void add_verify(CLI::App& app, Session& s) {
 }
 
 void add_solve(CLI::App& app, Session& s) {
-  auto* solve = verb(app, "solve", "one exercise: every quantity by every method",
+  auto* solve = verb(app, "solve", "solve one exercise: every quantity by every method",
                      "Example: oddity solve 3.5 a=150deg L=50cm",
                      [&] { verbs::solve(s.folder, s.exercise, s.overrides, s.format()); });
   add_one_exercise(*solve, s);
@@ -109,7 +110,7 @@ void add_solve(CLI::App& app, Session& s) {
 
 void add_choose(CLI::App& app, Session& s) {
   auto* choose = verb(
-      app, "choose", "the model, algorithm and step to use for a need",
+      app, "choose", "choose the model, algorithm and step for a need",
       "Errors are judged at every frame. A one-step method of fixed step, or a closed form, that holds with "
       "a "
       "margin of three is taken, the cheapest of them; of those that cost the same within a quarter, the "
@@ -125,26 +126,26 @@ void add_choose(CLI::App& app, Session& s) {
   add_one_exercise(*choose, s);
   auto* error = choose->add_option("--error", s.need.error,
                                    "largest error of the observables: 0.01 in their units, 1cm, 1cm,1deg; of "
-                                   "energy and period a part, such as 0.01; of a constraint a length");
-  choose->add_option("--digits", s.need.digits, "instead: right digits of the largest observable")
+                                   "energy and period a fraction, such as 0.01; of a constraint a length");
+  choose->add_option("--digits", s.need.digits, "instead: correct digits of the largest observable")
       ->excludes(error);
   choose
       ->add_option("--horizon", s.need.horizon,
                    "how far ahead [s, or the scene's own unit]: 10, 1h; at most a million frames")
       ->capture_default_str();
   choose->add_option("--fps", s.need.frames_per_second, "frames per second: 60, 60Hz")->capture_default_str();
-  choose->add_option("--budget", s.need.budget, "most time per frame: 5us, 300ns, 0.1ms");
+  choose->add_option("--budget", s.need.budget, "at most this time per frame: 5us, 300ns, 0.1ms");
   choose
       ->add_option(
           "--criterion", s.need.criterion,
           "what has to hold: path, energy (what is conserved), period, bounded (nothing explodes), or "
           "constraint (held lengths)")
       ->capture_default_str();
-  choose->add_flag("--cheapest", s.need.cheapest, "whatever is cheapest, however complicated");
-  choose->add_flag("--one-step", s.need.one_step, "no method that needs a history");
+  choose->add_flag("--cheapest", s.need.cheapest, "take whatever is cheapest, however complicated");
+  choose->add_flag("--one-step", s.need.one_step, "take no method that needs a history");
   choose->add_option("--only", s.need.only, "only models and algorithms with these words in their names");
-  choose->add_option("--exclude", s.need.exclude, "none with these words");
-  choose->add_option("--time-limit", s.need.time_limit, "for the answer: 60s");
+  choose->add_option("--exclude", s.need.exclude, "no models or algorithms with these words");
+  choose->add_option("--time-limit", s.need.time_limit, "at most this long for the answer: 60s");
   choose->add_flag("--measure", s.need.measure,
                    "times anew: those of an earlier run are kept, so that the same question gets the same "
                    "answer");
@@ -155,7 +156,7 @@ void add_choose(CLI::App& app, Session& s) {
 }
 
 void add_report(CLI::App& app, Session& s) {
-  auto* report = verb(app, "report", "write the Markdown report, from the last results where they are fresh",
+  auto* report = verb(app, "report", "write the Markdown report, from the last results if they are fresh",
                       "Example: oddity report --chapter 3 --out /tmp/report",
                       [&] { verbs::report(s.folder, s.chapter, s.report_out); });
   report->add_option("--chapter", s.chapter, "one chapter only");
@@ -163,7 +164,7 @@ void add_report(CLI::App& app, Session& s) {
 }
 
 void add_chart(CLI::App& app, Session& s) {
-  auto* chart = verb(app, "chart", "error against work and against time, drawn, with the tables",
+  auto* chart = verb(app, "chart", "draw error against work and against time, with the tables",
                      "Example: oddity chart 3.5 2.13 --out /tmp/charts",
                      [&] { verbs::chart(s.folder, s.exercises, s.chart_out); });
   chart->add_option("exercises", s.exercises, "their numbers, such as 3.5; none: all");
@@ -171,7 +172,7 @@ void add_chart(CLI::App& app, Session& s) {
 }
 
 void add_stability(CLI::App& app, Session& s) {
-  auto* stability = verb(app, "stability", "where methods break: by step, and over a parameter",
+  auto* stability = verb(app, "stability", "show where methods break: by step, and over a parameter",
                          "Example: oddity stability 3.5 --out /tmp/maps", [&] {
                            if (s.rows)
                              verbs::stability_rows(s.folder, s.exercises);
@@ -308,6 +309,7 @@ int answer(CLI::App& app, Session& session, const std::vector<std::string>& word
 
 int command_line(int argc, char** argv, const Suite& suite) {
   occupy_standard_streams();
+  tidy_when_interrupted();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
   CLI::App app(
       "oddity: the solutions of Game Physics, 2nd edition, checked by machine.\n"
@@ -323,12 +325,12 @@ int command_line(int argc, char** argv, const Suite& suite) {
   add_chart(app, session);
   add_stability(app, session);
   add_choose(app, session);
-  verb(app, "bench", "how fast this build is: loops by hand, best methods, the suite",
+  verb(app, "bench", "measure how fast this build is: loops by hand, best methods, the suite",
        "Times mean something only on an idle machine. The exit code is 1 when a limit is broken.\n"
        "Example: oddity bench",
        [&] { session.status = verbs::bench(session.folder); });
   add_report(app, session);
-  verb(app, "help", "this help, or that of a verb", "Example: oddity help choose", [] {});
+  verb(app, "help", "show this help, or that of a verb", "Example: oddity help choose", [] {});
   session.command = typed(words_of(argc, argv));
   const int status = answer(app, session, words_of(argc, argv));
   return output_arrived() ? status : 2;

@@ -288,6 +288,7 @@ Json from(const QuantityResult& q) {
           {"reference_source", q.reference.by},
           {"reference_error", from(q.reference_error)},
           {"need", from(q.need)},
+          {"samples", q.samples},
           {"methods", methods},
           {"trials", trials},
           {"breakdowns", breakdowns},
@@ -313,6 +314,7 @@ QuantityResult quantity(const Json& json) {
   for (const Json& b : json.at("breakdowns"))
     q.breakdowns.push_back(
         {b.at("says"), named(b.at("expected"), outcomes), trial(b.at("broken")), trial(b.at("cured"))});
+  q.samples = json.at("samples");
   if (!json.at("trajectory").is_null()) q.trajectory = trajectory(json.at("trajectory"));
   return q;
 }

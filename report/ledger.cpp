@@ -178,6 +178,10 @@ class Along {
     bool enough() const { return error <= 1; }
   };
 
+  struct Border {
+    double holds, fails;  ///< the parameter on its two sides
+  };
+
   /// At the values given, and unless the model is enough at all of them, or at none, by far, in equal parts;
   /// where the error comes near to what is asked without crossing it, finer: an island narrower than a
   /// thousandth of the range may be missed.
@@ -196,14 +200,22 @@ class Along {
       looks.push_back(next);
     }
     BreakEven found{model, std::string(p.name), std::string(p.unit), {least, most}, {}};
+    std::vector<Border> borders;
     for (std::size_t i = 0; i < looks.size(); ++i) {
       if (looks[i].enough() && (i == 0 || !looks[i - 1].enough()))
-        found.enough.push_back({i == 0 ? least : crossing(model, p, looks[i - 1], looks[i], found), most});
+        found.enough.push_back({i == 0 ? least : crossing(model, p, looks[i - 1], looks[i], borders), most});
       if (i > 0 && looks[i - 1].enough() && !looks[i].enough())
-        found.enough.back().to = crossing(model, p, looks[i], looks[i - 1], found);
+        found.enough.back().to = crossing(model, p, looks[i], looks[i - 1], borders);
     }
-    const bool everywhere = found.holding.empty();
-    return everywhere ? std::nullopt : std::optional(found);
+    if (borders.empty()) return {};  // enough everywhere, or nowhere
+    found.holding.resize(borders.size());
+    found.failing.resize(borders.size());
+    in_parallel(2 * borders.size(), [&](std::size_t i) {  // a true motion takes a while
+      const Border& border = borders[i / 2];
+      (i % 2 == 0 ? found.holding : found.failing)[i / 2] =
+          error(model, motion(p, i % 2 == 0 ? border.holds : border.fails, truth_));
+    });
+    return found;
   }
 
   /// Looks between the last look and the next where both are on one side and either is near the border.
@@ -219,16 +231,14 @@ class Along {
     refine(model, p, looks, next, depth - 1);
   }
 
-  /// The value on the side that holds, to one in a thousand; the error on both sides by the reference is
-  /// kept.
+  /// The value on the side that holds, to one in a thousand; both sides are added to the borders.
   double crossing(const std::string& model, const Parameter& p, Look fails, Look holds,
-                  BreakEven& found) const {
+                  std::vector<Border>& borders) const {
     while (std::abs(fails.at - holds.at) > 1e-3 * std::abs(holds.at)) {
       const Look middle = look(model, p, (fails.at + holds.at) / 2);
       (middle.enough() ? holds : fails) = middle;
     }
-    found.holding.push_back(error(model, motion(p, holds.at, truth_)));
-    found.failing.push_back(error(model, motion(p, fails.at, truth_)));
+    borders.push_back({holds.at, fails.at});
     return holds.at;
   }
 

@@ -305,7 +305,7 @@ std::string quantity_head(const QuantityResult& q) {
          "\n\nReference: " + value_cell(q.reference.value, 16) +
          (q.unit == "1" ? "" : " " + escaped(q.unit, false)) + ", known to " + error_cell(q.reference_error) +
          " (" + escaped(q.reference.by, false) + "). Needed to " + error_cell(q.need.allowed) + ": " +
-         escaped(q.need.reason, false) + ".\n\n";
+         escaped(q.need.reason, false) + (q.samples > 1 ? "; " + instants(q) : "") + ".\n\n";
 }
 
 std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool charts) {
@@ -448,16 +448,19 @@ std::string legend() {
          "agrees; **not checkable** when it speaks of something that neither the text nor this program has; "
          "**unsettled** when nothing does. Verdicts are computed: each check compares two routes "
          "that share nothing, within a "
-         "tolerance that has a reason, and each is known to fail when its left side is disturbed. Lines are "
-         "those of the solutions "
-         "document as plain text.\n\n"
+         "tolerance that has a reason; and near misses of each claim (another sign, a dropped term, another "
+         "digit) have to fail the same comparison. Line numbers are those of the solutions document as plain "
+         "text.\n\n"
          "A method is a model solved by an algorithm; a trial runs it at one setting of its knob (step, "
          "tolerance, points). Its cost is "
          "counted in evaluations of the integrand or right-hand side. A trial is *ok* when its error is "
          "within the need; *inaccurate*, "
          "*drifted* (a conserved quantity changed), *diverged*, *non-finite*, *stalled* (out of steps), "
          "*deceived* (the method's own "
-         "error estimate is below its true error) or *raised* (the library reported an error) otherwise.\n\n";
+         "error estimate is below its true error) or *raised* (the library reported an error) otherwise. A "
+         "motion is "
+         "judged at the few times that are named with it, and may err more between them; the cheapest "
+         "models, and `oddity choose`, judge every frame.\n\n";
 }
 
 /// A chapter's rows in the table of contents: one an exercise, and one for those not yet encoded.

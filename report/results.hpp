@@ -85,7 +85,11 @@ struct QuantityResult {
   std::vector<MethodResult> methods;
   std::vector<BreakdownResult> breakdowns;
   std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
+  int samples = 1;                            ///< of a motion: the times at which it is judged
 };
+
+/// "judged at these 4 times alone" of a motion; empty for what is no motion.
+std::string instants(const QuantityResult&);
 
 /// A method at one setting, over several starts.
 struct Tried {

@@ -53,7 +53,9 @@ QuantityResult shape(const Quantity& quantity, std::vector<Pending>& pending) {
                         quantity.reference_error,
                         quantity.need,
                         {},
-                        {}};
+                        {},
+                        {},
+                        quantity.samples};
   for (const Method& method : quantity.methods)
     result.methods.push_back({method.model, method.algorithm, method.expected, method.why,
                               std::vector<TimedTrial>(method.knob.settings.size())});

@@ -11,6 +11,7 @@
 #include <system_error>
 #include <thread>
 
+#include "reference/interrupted.hpp"
 #include "reference/text.hpp"
 
 extern char** environ;
@@ -70,6 +71,7 @@ Ended run_program(const std::vector<std::string>& command, const std::string& in
   Scratch given, said;
   given.write(input);
   const pid_t child = spawn(command, given.descriptor(), said.descriptor());
+  const Running running(child);
   const auto deadline = std::chrono::steady_clock::now() + limit;
   int status = 0;
   bool late = false;

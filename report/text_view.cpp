@@ -41,7 +41,8 @@ std::string reference_text(const QuantityResult& q) {
 
 std::string quantity_text(const QuantityResult& q) {
   std::string text = "\n" + q.name + ": " + q.says + "\n  reference " + reference_text(q) + "\n  needed to " +
-                     shown_error(q.need.allowed) + " (" + q.need.reason + ")\n";
+                     shown_error(q.need.allowed) + " (" + q.need.reason + ")" +
+                     (q.samples > 1 ? ", " + instants(q) : "") + "\n";
   std::vector<std::vector<std::string>> rows{
       {"model", "algorithm", "knob", "value", "error", "evals", "time", "outcome"}};
   for (const MethodResult& m : q.methods)
@@ -103,6 +104,10 @@ std::string shown_time(double seconds) {
   if (seconds < 1e-6) return rounded(seconds * 1e9, 3) + " ns";
   if (seconds < 1e-3) return rounded(seconds * 1e6, 3) + " us";
   return seconds < 1 ? rounded(seconds * 1e3, 3) + " ms" : rounded(seconds, 3) + " s";
+}
+
+std::string instants(const QuantityResult& q) {
+  return q.samples > 1 ? "judged at these " + std::to_string(q.samples) + " times alone" : "";
 }
 
 std::string shown_knob(const TimedTrial& t) {

@@ -36,21 +36,22 @@ bool stale(const fs::path& results, const fs::path& folder) {
   return false;
 }
 
-/// The last results where they are fresh, else those of a new run; with the ledgers, which a run of the suite
-/// does not need and does not make.
-Results last_results(const fs::path& folder) {
+/// The last results where they are fresh, else those of a new run; if wanted with the ledgers, which a run of
+/// the suite does not need and does not make.
+Results last_results(const fs::path& folder, bool ledgers) {
   const fs::path file = results_file();
-  const Reference truth(folder);
+  const Reference truth(folder, motions_folder());
   const std::vector<Task> tasks(registry().begin(), registry().end());
   ProgressBar bar;
+  const bool fresh = fs::exists(file) && !stale(file, folder);
   Results results =
-      fs::exists(file) && !stale(file, folder)
-          ? read_results(file)
-          : with_stability(run(tasks, truth, true, bar.callback()), tasks, truth, bar.callback());
-  if (std::ranges::any_of(results.exercises, [](const ExerciseResult& e) { return e.scene && !e.ledger; })) {
-    results = with_ledgers(std::move(results), tasks, truth, bar.callback());
-    write_whole(file, to_json(results));
-  }
+      fresh ? read_results(file)
+            : with_stability(run(tasks, truth, true, bar.callback()), tasks, truth, bar.callback());
+  const bool lacking = ledgers && std::ranges::any_of(results.exercises, [](const ExerciseResult& e) {
+                         return e.scene && !e.ledger;
+                       });
+  if (lacking) results = with_ledgers(std::move(results), tasks, truth, bar.callback());
+  if (lacking || !fresh) write_whole(file, to_json(results));
   return results;
 }
 
@@ -165,7 +166,7 @@ void report(const fs::path& folder, const std::string& chapter, const fs::path& 
   const int number = chapter.empty() ? 0 : chapter_of(chapter);
   make_folder(out);
   require_writable(results_file());
-  const fs::path page = write_report(last_results(folder), number, out);
+  const fs::path page = write_report(last_results(folder, number == 0), number, out);
   std::cout << "the report is in " << page.string() << "\n";
 }
 

@@ -25,7 +25,7 @@ void draw_charts(const Results& results, int chapter, const fs::path& folder) {
                           [&e](const fs::path& into) { return map_script(e, into.string()); }, map_title(e)});
     if (chapter != 0 && e.number.chapter != chapter) continue;
     for (const QuantityResult& q : e.quantities) {
-      const std::string title = exercise + q.says;
+      const std::string title = exercise + q.says + (q.samples > 1 ? " (" + instants(q) + ")" : "");
       if (q.trajectory)
         pictures.push_back(
             {folder / trajectory_file(e, q),

@@ -14,6 +14,20 @@ namespace oddity {
 inline const std::string& name_of(const Catch::TestCaseHandle& test) { return test.getTestCaseInfo().name; }
 
 inline void use_no_colour(Catch::ConfigData& data) { data.defaultColourMode = Catch::ColourMode::None; }
+
+/// Every file that Catch2 is to write goes where `elsewhere` says instead.
+template <class F>
+void redirect_outputs(Catch::ConfigData& data, const F& elsewhere) {
+  const auto is_file = [](const std::string& name) {
+    return !name.empty() && name != "-" && name.front() != '%';
+  };
+  if (is_file(data.defaultOutputFilename)) data.defaultOutputFilename = elsewhere(data.defaultOutputFilename);
+  for (Catch::ReporterSpec& spec : data.reporterSpecifications)
+    if (spec.outputFile() && is_file(*spec.outputFile()))
+      spec = Catch::ReporterSpec(spec.name(), elsewhere(*spec.outputFile()), spec.colourMode(),
+                                 spec.customOptions());
+}
+
 /// A test case as the registry takes it.
 template <class Invoker>
 auto owned(const Invoker& invoker) {
@@ -41,6 +55,13 @@ namespace oddity {
 inline const std::string& name_of(const Catch::TestCase& test) { return test.name; }
 
 inline void use_no_colour(Catch::ConfigData& data) { data.useColour = Catch::UseColour::No; }
+
+template <class F>
+void redirect_outputs(Catch::ConfigData& data, const F& elsewhere) {
+  if (!data.outputFilename.empty() && data.outputFilename.front() != '%')
+    data.outputFilename = elsewhere(data.outputFilename);
+}
+
 template <class Invoker>
 Invoker* owned(const Invoker& invoker) {
   return new Invoker(invoker);

@@ -28,6 +28,9 @@ CatchSession::CatchSession(const std::vector<std::string>& arguments)
   if (const char* no_colour = std::getenv("NO_COLOR"); no_colour && *no_colour)
     use_no_colour(session_->catch2.configData());
   session_->accepted = session_->catch2.applyCommandLine(static_cast<int>(words.size()), words.data()) == 0;
+  if (accepted())
+    redirect_outputs(session_->catch2.configData(),
+                     [this](const std::string& file) { return outputs_.emplace_back(file).collector(); });
 }
 
 CatchSession::~CatchSession() = default;
@@ -48,6 +51,11 @@ std::vector<std::string> CatchSession::selected() const {
   return names;
 }
 
-int CatchSession::run() { return session_->catch2.run(); }
+int CatchSession::run() {
+  const int failed = session_->catch2.run();
+  session_.reset();  // which flushes what it has to write
+  for (Collected& output : outputs_) output.deliver();
+  return failed;
+}
 
 }  // namespace oddity

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/collected.hpp"
+
 namespace oddity {
 
 /// A session of Catch2 in two steps, so that work can be done between the choice of test cases and their run.
@@ -19,11 +21,13 @@ class CatchSession {
   /// The names of the test cases that the command line selects. Throws BadInput when Catch2 cannot open the
   /// file that its output is to go to.
   std::vector<std::string> selected() const;
-  /// The number of failures.
+  /// The number of failures. Catch2's files are written now, whole; throws BadInput when one cannot be. To be
+  /// called once, and nothing after it.
   int run();
 
  private:
   struct Session;
+  std::vector<Collected> outputs_;  // which wait for the session to close its streams
   std::unique_ptr<Session> session_;
 };
 

@@ -138,7 +138,7 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
   const std::vector<std::array<std::string, 2>> cases{
       {"solve 3.6", "no exercise '3.6'; chapter 3 has 3.1, 3.3"},
       {"solve 3.50", "no exercise '3.50'; chapter 3 has 3.1, 3.3"},
-      {"solve 4.1", "no exercise '4.1'; chapter 4 has none; 'oddity list' shows all"},
+      {"solve 1.1", "no exercise '1.1'; chapter 1 has none; 'oddity list' shows all"},
       {"solve '3.5 '", "did you mean 3.5 (Pendulum from 30 degrees)?"},
       {"solve pendulum", "3.5 (Pendulum from 30 degrees) or 3.17"},
       {"solve Pendelum", "3.5 (Pendulum from 30 degrees)"},
@@ -160,7 +160,7 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
       {"list 3.5 foo", "oddity list does not take 'foo'"},
       {"report --chapter 15", "--chapter must be a whole number from 1 to 14, and is '15'"},
       {"report --chapter x", "--chapter must be a whole number from 1 to 14, and is 'x'"},
-      {"report --chapter 4", "chapter 4 has no exercises; those that have some are: 2, 3, 5"},
+      {"report --chapter 1", "chapter 1 has no exercises; those that have some are: 2, 3, "},
       {"report --out ''", "--out: it needs a path"},
       {"chart --out ''", "--out: it needs a path"},
       {"chart 3.4", "no exercise '3.4'"},
@@ -201,7 +201,8 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
       {"--reference '' list", "--reference: it needs a path"},
       {"verify --results ''", "--results: it needs a path"},
       {"verify 3.5", "'[3.5]'"},
-      {"verify '[9.1]' -o /no/such/folder/file", "Unable to open file: '/no/such/folder/file'"},
+      {"verify '[9.1]' -o /proc/no/file", "cannot make the folder /proc/no: "},
+      {"verify '[9.1]' -o /tmp", "cannot write /tmp: it is a folder"},
       {"verify --no-such-option", "Catch2 does not take these arguments"},
       {"verify '[3.99]'", "no test case matches"}};
   for (const auto& [arguments, message] : cases) {
@@ -240,6 +241,37 @@ TEST_CASE("lost output is an error", "[commands]") {
   for (const auto& file : fs::recursive_directory_iterator(scratch.path()))
     CHECK(file.path().extension() != ".part");
   CHECK(shell("$oddity verify '[9.1]' --results " + folder + "/r.json >&-").status == 2);
+}
+
+TEST_CASE("output of the suite that a file does not take is an error", "[commands]") {
+  const ScratchFolder scratch;
+  const std::string file = scratch.file("out", "before").string();
+  for (const std::string reporter : {"console -s", "junit", "markdown"}) {
+    const Ran device = run("verify '[9.1]' -o /dev/full -r " + reporter);
+    INFO(device.output);
+    CHECK(device.status == 2);
+    CHECK(says(device, "oddity: cannot write /dev/full: No space left on device"));
+    const Ran full = shell("ulimit -f 0; $oddity verify '[9.1]' -o " + file + " -r " + reporter);
+    INFO(full.output);
+    CHECK(full.status == 2);
+    CHECK(says(full, "oddity: cannot write " + file));
+    CHECK(shell("cat " + file).output == "before");
+  }
+  CHECK(says(run("verify '[9.1]' -o /dev/stdout"), "All tests passed"));
+  CHECK(run("verify '[9.1]' -o /dev/null").status == 0);
+}
+
+TEST_CASE("an interrupted run leaves nothing that is not whole", "[commands]") {
+  for (const std::string signal : {"TERM", "HUP"}) {
+    const ScratchFolder scratch;
+    const std::string folder = scratch.path().string();
+    const Ran ran = shell("$oddity chart 3.5 --out " + folder + " & until ls " + folder +
+                          "/charts/*.svg.part >/dev/null 2>&1; do sleep 0.01; done; kill -" + signal +
+                          " $!; wait $!; echo ended with $?; sleep 0.5; find " + folder + " -name '*.part'");
+    INFO(ran.output);
+    CHECK(says(ran, signal == "TERM" ? "ended with 143" : "ended with 129"));
+    CHECK_FALSE(says(ran, ".part"));
+  }
 }
 
 TEST_CASE("colour is off when the user wants none", "[commands]") {

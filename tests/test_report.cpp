@@ -569,3 +569,35 @@ TEST_CASE("the book has 48 odd exercises", "[report]") {
     CHECK_FALSE(of_the_book(own));
   for (const Number n : {Number{2, 1}, {3, 35}, {9, 1}}) CHECK(of_the_book(n));
 }
+
+TEST_CASE("a motion says everywhere that it is judged at its instants alone", "[report]") {
+  const std::string says = "judged at these 4 times alone";
+  Results results = sample();
+  const auto count_in = [&](const std::string& text) {
+    std::size_t count = 0;
+    for (auto at = text.find(says); at != std::string::npos; at = text.find(says, at + 1)) ++count;
+    return count;
+  };
+  ExerciseResult& e = results.exercises[0];
+  const auto everywhere = [&] {
+    return std::array{count_in(single_page(results)), count_in(chapter_page(results, 3)),
+                      count_in(charts_page(e)), count_in(text_view(e))};
+  };
+  CHECK(everywhere() == std::array<std::size_t, 4>{0, 0, 0, 0});
+  e.quantities[0].samples = 4;
+  CHECK(everywhere() == std::array<std::size_t, 4>{1, 1, 1, 1});
+}
+
+TEST_CASE("every motion knows at how many instants it is judged", "[report]") {
+  int motions = 0;
+  for (const ExerciseResult& e : run_of_all().exercises)
+    for (const QuantityResult& q : e.quantities) {
+      INFO(to_string(e.number) << " " << q.name);
+      CHECK(q.reference.value.size() % static_cast<std::size_t>(q.samples) == 0);
+      if (!q.trajectory) continue;
+      ++motions;
+      CHECK(static_cast<std::size_t>(q.samples) == q.trajectory->judged_at.size());
+      CHECK(instants(q) != "");
+    }
+  CHECK(motions >= 18);
+}

@@ -38,12 +38,22 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// The tables and records, without what is of 4.1, should somebody have taken the walk.
+void copy_tables(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(fs::path(ODDITY_SOURCE) / "reference")) {
+    if (entry.path().extension() != ".csv" || entry.path().stem() == "04_01_spring") continue;
+    std::ifstream in(entry.path());
+    std::ofstream out(folder / entry.path().filename());
+    for (std::string line; std::getline(in, line);)
+      if (!line.starts_with("4.1,") && !line.starts_with("4.1-")) out << line << "\n";
+  }
+}
+
 }  // namespace
 
 TEST_CASE("the walk of CONTRIBUTING.md ends green", "[walk]") {
   const ScratchFolder scratch;
-  for (const auto& entry : fs::directory_iterator(fs::path(ODDITY_SOURCE) / "reference"))
-    if (entry.path().extension() == ".csv") fs::copy(entry, scratch.path());
+  copy_tables(scratch.path());
   const std::string folder = scratch.path().string();
   const auto oddity = [&](const std::string& words) {
     return run(std::string(ODDITY_WALK) + " --reference " + folder + " " + words);
@@ -84,6 +94,7 @@ TEST_CASE("the walk of CONTRIBUTING.md ends green", "[walk]") {
   CHECK_FALSE(says(green, "+ 4.1"));
   CHECK(says(oddity("verify --approve '[4.1]'"), "every row was on record already"));
   CHECK(oddity("verify '[own]'").status == 0);
+  CHECK(says(oddity("choose 4.1 --criterion energy --error 0.01 --horizon 1"), "Take "));
   const Ran page = oddity("verify '[4.1]' -r markdown");
   CHECK(says(page, "0 exercises and 1 of one's own, 1 claim"));
   CHECK(says(page, "4.1 Mass on a spring (own)"));

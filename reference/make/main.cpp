@@ -4,6 +4,7 @@
 
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
+#include "reference/interrupted.hpp"
 #include "reference/truth.hpp"
 
 using namespace oddity::truth;
@@ -26,6 +27,7 @@ bool registered(const std::string& name) {
 
 /// make_reference FOLDER [TABLE...]: makes the named tables, or all of them, in FOLDER.
 int main(int argc, char** argv) {
+  oddity::tidy_when_interrupted();
   if (argc < 2) return bad_input("no folder is named");
   const fs::path folder = argv[1];
   if (!fs::is_directory(folder)) return bad_input(folder.string() + " is not a folder");
@@ -45,7 +47,9 @@ int main(int argc, char** argv) {
       std::cerr << "cannot make " << name << ": " << error.what() << "\n";
       return 1;
     }
-    std::cout << file.string() << "\n";
+    std::cout << file.string() << std::endl;
   }
-  return 0;
+  if (std::cout) return 0;
+  std::cerr << "cannot write to standard output\n";
+  return 2;
 }

@@ -24,9 +24,14 @@ int sine_node(Jet a) {
   return sine;
 }
 
+/// MPFR's own calls: with a new number for every product this would take twice the time.
 Number convolution(const Numbers& a, const Numbers& b, int k, int from, int to) {
-  Number sum = 0;
-  for (int j = from; j <= to; ++j) sum += a[static_cast<std::size_t>(j)] * b[static_cast<std::size_t>(k - j)];
+  Number sum = 0, product;
+  for (int j = from; j <= to; ++j) {
+    mpfr_mul(product.backend().data(), a[static_cast<std::size_t>(j)].backend().data(),
+             b[static_cast<std::size_t>(k - j)].backend().data(), MPFR_RNDN);
+    mpfr_add(sum.backend().data(), sum.backend().data(), product.backend().data(), MPFR_RNDN);
+  }
   return sum;
 }
 
@@ -44,7 +49,12 @@ int Tape::put(Node node) {
   return static_cast<int>(nodes_.size()) - 1;
 }
 
-void Tape::resize(int order) { series_.assign(nodes_.size(), Numbers(static_cast<std::size_t>(order) + 1)); }
+void Tape::resize(int order) {
+  const auto terms = static_cast<std::size_t>(order) + 1;
+  // Series of the same length are written over: every term is, before it is read.
+  if (series_.size() == nodes_.size() && !series_.empty() && series_.front().size() == terms) return;
+  series_.assign(nodes_.size(), Numbers(terms));
+}
 
 void Tape::advance(int k) {
   for (std::size_t i = 0; i < nodes_.size(); ++i)

@@ -7,7 +7,8 @@
 
 namespace oddity::plain {
 
-/// Order 4, one evaluation a step, after three steps of Runge-Kutta 4; these again whenever the step changes.
+/// Order 4, one evaluation per step, after three steps of Runge-Kutta 4; these again whenever the step
+/// changes.
 template <class Model>
 struct AdamsBashforth4 {
   using State = typename Model::State;

@@ -4,7 +4,7 @@
 
 namespace oddity::plain {
 
-/// Order 1, one evaluation a step.
+/// Order 1, one evaluation per step.
 template <class Model>
 struct ExplicitEuler {
   using State = typename Model::State;

@@ -4,7 +4,7 @@
 
 namespace oddity::plain {
 
-/// Gragg's rule with two substeps: order 2, three evaluations a step.
+/// Gragg's rule with two substeps: order 2, three evaluations per step.
 template <class Model>
 struct ModifiedMidpoint {
   using State = typename Model::State;

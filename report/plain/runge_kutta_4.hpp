@@ -4,7 +4,7 @@
 
 namespace oddity::plain {
 
-/// Kutta's classical method: order 4, four evaluations a step.
+/// Kutta's classical method: order 4, four evaluations per step.
 template <class Model>
 struct RungeKutta4 {
   using State = typename Model::State;

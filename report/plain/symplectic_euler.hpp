@@ -4,7 +4,7 @@
 
 namespace oddity::plain {
 
-/// Order 1, one evaluation of the forces a step: q first, then v with the forces at the new q.
+/// Order 1, one evaluation of the forces per step: q first, then v with the forces at the new q.
 template <class Model>
 struct SymplecticEuler {
   using State = typename Model::State;

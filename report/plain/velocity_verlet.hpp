@@ -4,7 +4,7 @@
 
 namespace oddity::plain {
 
-/// Order 2, one evaluation of the forces a step, and one to start. Who changes the state between two steps
+/// Order 2, one evaluation of the forces per step, and one to start. Who changes the state between two steps
 /// sets `started` to false.
 template <class Model>
 struct VelocityVerlet {

@@ -39,7 +39,7 @@ struct AdamsBashforthMoulton {
 }  // namespace detail
 
 /// Adams-Bashforth predicts, Adams-Moulton corrects once, and the derivative is taken again (PECE): order 6,
-/// two evaluations a step, after five steps of Fehlberg 7(8); these again whenever the step changes. Stable
+/// two evaluations per step, after five steps of Fehlberg 7(8); these again whenever the step changes. Stable
 /// to h |lambda| = 0.698 on the negative real axis and 0.526 on the imaginary axis.
 struct AdamsBashforthMoulton6 : detail::AdamsBashforthMoulton<6> {
   static constexpr std::string_view name = "Adams-Bashforth-Moulton 6";

@@ -7,8 +7,8 @@
 namespace oddity::ode {
 
 /// The default explicit method of SUNDIALS's ARKODE: order 4 with an embedded order 3 for the step control,
-/// five evaluations a step. Stable to h |lambda| = 2.785 on the negative real axis and 2.828 on the imaginary
-/// axis.
+/// five evaluations per step. Stable to h |lambda| = 2.785 on the negative real axis and 2.828 on the
+/// imaginary axis.
 struct ArkodeZonneveld43 : detail::Sundials<detail::SundialsMethod::zonneveld> {
   static constexpr std::string_view name = "ARKODE Zonneveld 4(3)";
   static constexpr int order = 4;

@@ -8,7 +8,7 @@
 
 namespace oddity::ode {
 
-/// Order 5 with an embedded order 4 for the step control, six evaluations a step. Stable to h |lambda|
+/// Order 5 with an embedded order 4 for the step control, six evaluations per step. Stable to h |lambda|
 /// = 3.734 on the negative real axis, on the imaginary axis nowhere: undamped oscillations grow, slowly, as
 /// h^6.
 struct CashKarp54 {

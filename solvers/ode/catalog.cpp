@@ -97,7 +97,8 @@ constexpr Finding all_findings[] = {
      "of 1e-12",
      "time itself is turned round, which costs what forward costs"},
     {odeint, boost_1_74, "symplectic_rkn_sb3a_m4_mclachlan", "odeint_mclachlan",
-     "asks for the forces 5 times a step; the last answer has the weight zero", "the fifth is not evaluated"},
+     "asks for the forces 5 times per step; the last answer has the weight zero",
+     "the fifth is not evaluated"},
     {odeint, boost_1_74, "adams_bashforth", "odeint_adams_bashforth_in_place",
      "has order 1 in place, as its default starter writes its result over its input: the first step of 0.1 "
      "of "
@@ -132,7 +133,7 @@ constexpr Finding all_findings[] = {
      "by more than 200 tolerances and msbdf by more than 500, and rk8pd by less than 1",
      judged},
     {gsl, gsl_2_7, "bsimp", "gsl_bsimp_order",
-     "chooses its order once, whatever the tolerance: 12, at 139 evaluations a step. A tolerance of 0.01 "
+     "chooses its order once, whatever the tolerance: 12, at 139 evaluations per step. A tolerance of 0.01 "
      "costs "
      "as many evaluations as one of 1e-6, for 10 s of x'' = -x",
      judged},

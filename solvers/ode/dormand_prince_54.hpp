@@ -8,7 +8,7 @@
 
 namespace oddity::ode {
 
-/// Order 5 with an embedded order 4 for the step control, seven evaluations a step of which the last is the
+/// Order 5 with an embedded order 4 for the step control, seven evaluations per step of which the last is the
 /// next step's first. Stable to h |lambda| = 3.307 on the negative real axis and 0.997 on the imaginary axis.
 struct DormandPrince54 {
   static constexpr std::string_view name = "Dormand-Prince 5(4)";

@@ -8,8 +8,8 @@
 
 namespace oddity::ode {
 
-/// Order 8 (propagated by Odeint) with an embedded order 7 for the step control, thirteen evaluations a step.
-/// Stable to h |lambda| = 5.008 on the negative real axis and 2.365 on the imaginary axis.
+/// Order 8 (propagated by Odeint) with an embedded order 7 for the step control, thirteen evaluations per
+/// step. Stable to h |lambda| = 5.008 on the negative real axis and 2.365 on the imaginary axis.
 struct Fehlberg78 {
   static constexpr std::string_view name = "Fehlberg 7(8)";
   static constexpr Kind kind = Kind::controlled;

@@ -9,7 +9,7 @@
 namespace oddity::ode {
 
 /// McLachlan's symmetric composition of five drifts and four kicks: order 4, symplectic and reversible, four
-/// evaluations of the forces a step. Stable on the imaginary axis to h |lambda| = 2.967.
+/// evaluations of the forces per step. Stable on the imaginary axis to h |lambda| = 2.967.
 struct McLachlan4 {
   static constexpr std::string_view name = "McLachlan 4";
   static constexpr Kind kind = Kind::partitioned;

@@ -7,8 +7,8 @@
 
 namespace oddity::ode {
 
-/// Gragg's rule, of which Bulirsch and Stoer extrapolate: order 2, two substeps and three evaluations a step.
-/// Stable to h |lambda| = 3.087 on the negative real axis, on the imaginary axis nowhere: undamped
+/// Gragg's rule, of which Bulirsch and Stoer extrapolate: order 2, two substeps and three evaluations per
+/// step. Stable to h |lambda| = 3.087 on the negative real axis, on the imaginary axis nowhere: undamped
 /// oscillations grow, slowly, as h^6.
 struct ModifiedMidpoint {
   static constexpr std::string_view name = "modified midpoint";

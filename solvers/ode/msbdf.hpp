@@ -7,7 +7,7 @@
 namespace oddity::ode {
 
 /// Backward differentiation of variable step and order 1 to 5, its corrector solved by up to three Newton
-/// iterations: for stiff problems. Two to four evaluations a step, and now and then a Jacobian with the
+/// iterations: for stiff problems. Two to four evaluations per step, and now and then a Jacobian with the
 /// derivative by time: by dual numbers (n + 1 evaluations) where the system is Differentiable, else by
 /// central differences (2 n + 2).
 struct Msbdf : detail::Gsl<detail::GslStep::msbdf> {

@@ -7,7 +7,7 @@
 
 namespace oddity::ode {
 
-/// Kutta's classical method: order 4, four evaluations a step. Stable to h |lambda| = 2.785 on the negative
+/// Kutta's classical method: order 4, four evaluations per step. Stable to h |lambda| = 2.785 on the negative
 /// real axis and 2.828 on the imaginary axis.
 struct RungeKutta4 {
   static constexpr std::string_view name = "Runge-Kutta 4";

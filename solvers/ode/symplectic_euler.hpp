@@ -7,8 +7,8 @@
 
 namespace oddity::ode {
 
-/// Order 1, one evaluation of the forces a step: q += h v, then v += h a(q). Stable on the imaginary axis to
-/// h |lambda| = 2, where energy oscillates but does not drift.
+/// Order 1, one evaluation of the forces per step: q += h v, then v += h a(q). Stable on the imaginary axis
+/// to h |lambda| = 2, where energy oscillates but does not drift.
 struct SymplecticEuler {
   static constexpr std::string_view name = "symplectic Euler";
   static constexpr Kind kind = Kind::partitioned;

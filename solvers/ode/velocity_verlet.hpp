@@ -8,8 +8,8 @@
 
 namespace oddity::ode {
 
-/// Order 2, one evaluation of the forces a step (and one to start). Symplectic and reversible; stable on the
-/// imaginary axis to h |lambda| = 2.
+/// Order 2, one evaluation of the forces per step (and one to start). Symplectic and reversible; stable on
+/// the imaginary axis to h |lambda| = 2.
 struct VelocityVerlet {
   static constexpr std::string_view name = "velocity Verlet";
   static constexpr Kind kind = Kind::partitioned;

@@ -29,7 +29,7 @@ TEST_CASE("GSL's bsimp has one order for all tolerances", "[libraries]") {
   gsl_odeiv2_step_apply(step, 0, 1, x, error, nullptr, nullptr, &oscillator);
   const unsigned order = gsl_odeiv2_step_order(step);
   gsl_odeiv2_step_free(step);
-  shown.check("12, at 139 evaluations a step", order == 12 && calls == 139, static_cast<double>(calls));
+  shown.check("12, at 139 evaluations per step", order == 12 && calls == 139, static_cast<double>(calls));
   const auto cost = [&](double tolerance) {
     gsl_odeiv2_driver* driver =
         gsl_odeiv2_driver_alloc_y_new(&oscillator, gsl_odeiv2_step_bsimp, 0.01, tolerance, tolerance);

@@ -14,7 +14,7 @@ TEST_CASE("Odeint's McLachlan 4 asks for a force that it does not use", "[librar
     boost::numeric::odeint::symplectic_rkn_sb3a_m4_mclachlan<Half>().do_step(
         [&](const Half& x, Half& a) { a[0] = ++calls == 5 ? fifth_force : -x[0]; },
         std::pair(std::ref(q), std::ref(v)), 0.0, 0.1);
-    shown.check("asks for the forces 5 times a step", calls == 5, calls);
+    shown.check("asks for the forces 5 times per step", calls == 5, calls);
     return std::pair(q[0], v[0]);
   };
   const auto with = step(1e6), without = step(0);

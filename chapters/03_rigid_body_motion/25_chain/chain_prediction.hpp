@@ -14,7 +14,7 @@ namespace oddity::chain {
 // ---- in other precisions ----------------------------------------------------------------------------------
 
 /// Gragg's modified midpoint rule with 2, 4, ..., 20 substeps, extrapolated: order 20 in the number type T,
-/// and 120 evaluations a step. What is left of the error is rounding.
+/// and 120 evaluations per step. What is left of the error is rounding.
 template <class T, std::size_t N, class Rhs>
 void extrapolated_step(const Rhs& system, std::array<T, N>& x, T step, long& evaluations) {
   const auto rhs = counted_calls(system, evaluations);

@@ -1,0 +1,110 @@
+#include "reference/interrupted.hpp"
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <vector>
+
+namespace oddity {
+
+namespace {
+
+constexpr std::array interruptions{SIGINT, SIGTERM, SIGHUP};
+
+sigset_t all_interruptions() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (int signal : interruptions) sigaddset(&set, signal);
+  return set;
+}
+
+/// Files and programs at work. Never destroyed: an interruption may come when the program ends.
+struct Register {
+  std::atomic_flag busy = ATOMIC_FLAG_INIT;
+  std::vector<const char*> files;
+  std::vector<pid_t> programs;
+};
+Register& at_work() {
+  static Register& all = *new Register;
+  return all;
+}
+
+/// The register for one thread, which no interruption stops meanwhile: its handler may wait for it.
+class Access {
+ public:
+  Access() {
+    const sigset_t set = all_interruptions();
+    pthread_sigmask(SIG_BLOCK, &set, &before_);
+    while (at_work().busy.test_and_set(std::memory_order_acquire)) {
+    }
+  }
+  Access(const Access&) = delete;
+  Access& operator=(const Access&) = delete;
+  ~Access() {
+    at_work().busy.clear(std::memory_order_release);
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+
+ private:
+  sigset_t before_{};
+};
+
+/// Only calls that a signal's handler may make. The register stays closed: nothing new begins.
+extern "C" void tidy(int signal) {
+  Register& all = at_work();
+  while (all.busy.test_and_set(std::memory_order_acquire)) {
+  }
+  for (pid_t program : all.programs) {
+    kill(program, SIGKILL);
+    waitpid(program, nullptr, 0);
+  }
+  for (const char* file : all.files) unlink(file);
+  struct sigaction usual {};
+  usual.sa_handler = SIG_DFL;
+  sigaction(signal, &usual, nullptr);
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, signal);
+  raise(signal);
+  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+}  // namespace
+
+void tidy_when_interrupted() {
+  at_work();
+  struct sigaction tidying {};
+  tidying.sa_handler = tidy;
+  tidying.sa_mask = all_interruptions();
+  for (int signal : interruptions) {
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &tidying, nullptr);
+  }
+}
+
+Unfinished::Unfinished(const std::string& file) : file_(file) {
+  const Access access;
+  at_work().files.push_back(file_.c_str());
+}
+
+Unfinished::~Unfinished() {
+  const Access access;
+  std::erase(at_work().files, file_.c_str());
+}
+
+Running::Running(pid_t program) : program_(program) {
+  const Access access;
+  at_work().programs.push_back(program_);
+}
+
+Running::~Running() {
+  const Access access;
+  std::erase(at_work().programs, program_);
+}
+
+}  // namespace oddity
