@@ -239,15 +239,20 @@ Answer answer(const Solved<T>& solved, const See& see = {}) {
 /// How a method of fixed step treats small disturbances of the motion, measured with the method itself: when
 /// two motions that start close together have parted much further than in truth.
 struct Disturbances {
-  double span = 0;     ///< s, in which they are watched: not the horizon shown where the motion goes on alike
+  double span = 0;     ///< s, in which they are judged: not the horizon shown where the motion goes on alike
+  double watched = 0;  ///< s, twice the span where the motion goes on alike, else the span
   double fastest = 0;  ///< rad/s, of the fastest mode, averaged over the motion
   bool goes_on = false;                     ///< the motion goes on alike: the span is not the horizon shown
-  std::function<double(double step)> lost;  ///< s, the time at which they have; infinity: not in the span
+  std::function<ode::Loss(double step)> lost;  ///< s, the times at which they have; infinity: not while watched
   /// ln of what theory has a disturbance grow in the span, beyond what it may, added up along the true
   /// motion.
   std::function<double(double step)> added_growth;
   /// s, theory's limit along the motion that the method itself makes at this step until this time.
   std::function<double(double step, double until)> own_theory;
+  /// s, the time at which a disturbance of the true motion is lost when the method makes its steps alone.
+  std::function<double(double step)> lost_along_truth;
+  /// How often the method's own motion turns in a step.
+  std::function<double(double step)> turns_in_a_step;
 };
 
 /// A model solved by an algorithm.

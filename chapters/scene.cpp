@@ -113,14 +113,16 @@ Disturbances ModelOf<n>::disturbances(std::string_view algorithm, double end,
   const ode::Spectrum shown = spectrum(end);
   const double fastest = ode::fastest(shown), later = criteria.radians / fastest;
   auto disturbed = std::make_shared<const ode::Disturbed<n>>(*this, start(), end, criteria);
-  bool goes_on = later > end && fastest > 0 && ode::largest(spectrum(later)) <= 1.05 * ode::largest(shown);
+  const double longest = 2 * later;
+  bool goes_on = later > end && fastest > 0 && ode::largest(spectrum(longest)) <= 1.05 * ode::largest(shown);
   if (goes_on) {
-    const auto long_run = std::make_shared<const ode::Disturbed<n>>(*this, start(), later, criteria);
-    goes_on = long_run->span() == later;  // it grows no more than in proportion to the time
+    const auto long_run = std::make_shared<const ode::Disturbed<n>>(*this, start(), longest, criteria);
+    goes_on = long_run->span() == longest;  // it grows no more than in proportion to the time
     for (std::size_t i = 0; i < n; ++i)
-      goes_on = goes_on && long_run->sizes()[i] <= 1.5 * later / end * disturbed->sizes()[i];
+      goes_on = goes_on && long_run->sizes()[i] <= 1.5 * longest / end * disturbed->sizes()[i];
     if (goes_on) disturbed = long_run;
   }
+  const double span = goes_on ? later : disturbed->span();
   const auto own_theory = [this, disturbed, algorithm](double step, double until) {
     const auto motion = disturbed->motion(algorithm, step, until);
     const std::size_t points = std::min<std::size_t>(motion.size(), 1025);
@@ -133,14 +135,17 @@ Disturbances ModelOf<n>::disturbances(std::string_view algorithm, double end,
     }
     return ode::stable_step(algorithm, spectrum_along(times, states));
   };
-  return {disturbed->span(),
+  return {span,
+          disturbed->span(),
           fastest,
           goes_on,
           [disturbed, algorithm](double step) { return disturbed->lost(algorithm, step); },
-          [algorithm, shown, span = disturbed->span(), as_fast = criteria.as_fast](double step) {
+          [algorithm, shown, span, as_fast = criteria.as_fast](double step) {
             return ode::added_growth(algorithm, shown, step, span, as_fast);
           },
-          own_theory};
+          own_theory,
+          [disturbed, algorithm](double step) { return disturbed->lost_along_truth(algorithm, step); },
+          [disturbed, algorithm](double step) { return disturbed->turns_in_a_step(algorithm, step); }};
 }
 
 #define ODDITY_MODEL(n, type) template class type<n>;

@@ -42,10 +42,10 @@ Limits read_limits(const std::filesystem::path& folder) {
   Limits limits;
   for (const CsvRow& row : rows_of(folder / "limits.csv",
                                    {"exercise", "model", "algorithm", "step", "theory", "unstable", "watched",
-                                    "halved", "error", "needed", "beyond", "why"},
+                                    "soft", "error", "needed", "beyond", "why"},
                                    3))
     limits.push_back({row.cells[0], row.cells[1], row.cells[2], step_in(row, 3), step_in(row, 4),
-                      row.cells[5], number_or_none(row, 6), number_or_none(row, 7), number_or_none(row, 8),
+                      row.cells[5], number_or_none(row, 6), row.cells[7], number_or_none(row, 8),
                       number_or_none(row, 9), row.cells[10], row.cells[11], row.place});
   return limits;
 }

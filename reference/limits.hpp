@@ -14,8 +14,8 @@ struct ApprovedLimit {
   double theory = 0;     ///< s, of linear theory
   std::string unstable;  ///< the steps that are unstable in theory
   std::optional<double>
-      watched;  ///< s, where the motion does not go on alike: only so long, the horizon shown
-  std::optional<double> halved;  ///< s, where not sharp: the largest stable step when watched half as long
+      watched;       ///< s, where the motion does not go on alike: only so long, the horizon shown
+  std::string soft;  ///< where not sharp: between which steps it lies for other observers; empty: sharp
   std::optional<double> error;   ///< at the largest stable step; none: no step is stable
   std::optional<double> needed;  ///< s, the largest step within the scene's need; none: none that was tried
   std::string beyond;  ///< the outcome just above; "stable" where no step up to the longest tried is unstable

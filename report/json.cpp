@@ -355,7 +355,7 @@ Json from(const Stability& s) {
                       {"lost", from(l.lost)},
                       {"watched", from(l.watched)},
                       {"goes_on", l.goes_on},
-                      {"halved", l.halved ? from(*l.halved) : Json(nullptr)},
+                      {"soft", l.soft ? Json{from(l.soft->least), from(l.soft->most)} : Json(nullptr)},
                       {"at", from(l.at)},
                       {"broken", from(l.broken)},
                       {"within", from(l.within)},
@@ -377,6 +377,10 @@ Json from(const Stability& s) {
           {"parameter", s.parameter}, {"parameter_unit", s.parameter_unit},
           {"steps", s.steps},         {"map", map}};
 }
+std::optional<Between> maybe_between(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return Between{number(json.at(0)), number(json.at(1))};
+}
 Stability stability(const Json& json) {
   Stability s{json.at("quantity"),      json.at("unit"),
               json.at("time_unit"),     number(json.at("horizon")),
@@ -386,8 +390,7 @@ Stability stability(const Json& json) {
   for (const Json& l : json.at("limits"))
     s.limits.push_back({l.at("model"), l.at("algorithm"), tongues(l.at("tongues")), number(l.at("stable")),
                         number(l.at("unstable")), number(l.at("longest")), number(l.at("lost")),
-                        number(l.at("watched")), l.at("goes_on"),
-                        l.at("halved").is_null() ? std::nullopt : std::optional(number(l.at("halved"))),
+                        number(l.at("watched")), l.at("goes_on"), maybe_between(l.at("soft")),
                         maybe_trial(l.at("at")), maybe_trial(l.at("broken")), maybe_trial(l.at("within")),
                         maybe_trial(l.at("cure")), l.at("why"), l.at("evidence")});
   require(!s.steps.empty(), "a map has no steps");

@@ -138,6 +138,11 @@ struct Ledger {
   std::vector<std::string> never;  ///< models that are not enough for a game wherever it was looked
 };
 
+/// The least and the most of a limit.
+struct Between {
+  double least, most;
+};
+
 /// Up to which step a method of fixed step is stable, how far it is from the truth there, how it breaks
 /// beyond, and what cures it.
 struct Limit {
@@ -149,8 +154,9 @@ struct Limit {
   double lost = 0;                   ///< the time at which neighbouring motions have parted at that step
   double watched = 0;                ///< the time for which neighbouring motions are watched
   bool goes_on = false;              ///< the motion goes on alike: `watched` is not the horizon shown
-  std::optional<double>
-      halved;  ///< `stable` when watched half as long, if longer by more than 5 %: lost slowly
+  /// Where the limit is not sharp: between which it lies for observers who watch half or twice as long, or
+  /// count a motion of 1.5 or 4 times the true size as too large, and not of twice. They differ by over 5 %.
+  std::optional<Between> soft;
   std::optional<TimedTrial> at;  ///< the motion by the longest step that is stable and divides its interval
   std::optional<TimedTrial> broken;  ///< and by the next longer one that is unstable
   std::optional<TimedTrial> within;  ///< by the largest step below which all are within the scene's need

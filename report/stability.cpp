@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "chapters/scene.hpp"
@@ -17,48 +18,89 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The map's steps: the sample interval, halved again and again.
 constexpr int map_steps = 12;
 
-/// A limit that is longer by this factor when watched half as long has no sharp value.
-constexpr double lost_slowly = 1.05;
+/// Limits that differ by less than this factor are the same.
+constexpr double sharp = 1.05;
 
 /// From step to step of a scan.
 constexpr double next_step = 1.03;
 
-/// The first step from `step` on that is lost within this time, or the longest.
-double lost_in(const Disturbances& disturbances, double step, double longest, double time) {
-  while (step < longest && !(disturbances.lost(step) <= time)) step = std::min(step * next_step, longest);
-  return step;
-}
+/// How long motions are watched, and by which of the sizes one is too large.
+struct Observer {
+  double time;
+  std::size_t size;
+};
 
-/// The first loss of stability from below, as the measurement has it.
+/// The longest step that is stable, and the shortest that is not: 0 where there is none.
+struct Edge {
+  double stable = 0, unstable = 0;
+};
+
+/// The same disturbances as several observers see them; each step is run once.
+class Scan {
+ public:
+  Scan(const Disturbances& disturbances, double first, double finest, double longest)
+      : disturbances_(disturbances), first_(first), finest_(finest), longest_(longest) {}
+
+  /// The first loss of stability from below, to a part of the step.
+  Edge edge(const Observer& observer, double part) {
+    double low = first_;
+    while (low > finest_ && lost(observer, low)) low = std::max(low / 4, finest_);
+    if (lost(observer, low)) return {0, low};
+    double high = low;
+    while (high == low) {
+      if (low >= longest_) return {low, 0};
+      high = std::min(low * next_step, longest_);
+      if (!lost(observer, high)) low = high;
+    }
+    while (high > (1 + part) * low) {
+      const double middle = std::midpoint(low, high);
+      (lost(observer, middle) ? high : low) = middle;
+    }
+    return {low, high};
+  }
+  double time(const Observer& observer, double step) { return loss(step).time(observer.size); }
+
+ private:
+  bool lost(const Observer& observer, double step) { return time(observer, step) <= observer.time; }
+  const ode::Loss& loss(double step) {
+    const auto found = known_.find(step);
+    return found != known_.end() ? found->second
+                                 : known_.emplace(step, disturbances_.lost(step)).first->second;
+  }
+
+  const Disturbances& disturbances_;
+  double first_, finest_, longest_;
+  std::map<double, ode::Loss> known_;
+};
+
+/// The first loss of stability from below, as the measurement has it; and between which limits it lies for
+/// observers who watch half or twice as long, or for whom another size is too large.
 void measure(Limit& limit, const Disturbances& disturbances, double interval) {
+  constexpr double fewest_steps = 16, most_steps = 200'000;
   limit.watched = disturbances.span;
   limit.goes_on = disturbances.goes_on;
-  constexpr double fewest_steps = 16, most_steps = 200'000;
   limit.longest = std::min(interval, disturbances.span / fewest_steps);
-  const auto stable = [&](double step) { return std::isinf(disturbances.lost(step)); };
   const double finest = std::max(ode::finest / disturbances.fastest, disturbances.span / most_steps);
   const double theory = limit.theory();
-  double low =
+  const double first =
       std::min(std::max(theory < limit.longest ? theory / 4 : limit.longest / 50, finest), limit.longest);
-  while (low > finest && !stable(low)) low = std::max(low / 4, finest);
-  double high = low;
-  if (stable(low)) {
-    while (high == low && low < limit.longest) {
-      high = std::min(low * next_step, limit.longest);
-      if (stable(high)) low = high;
-    }
-    while (high > 1.002 * low) {
-      const double middle = std::midpoint(low, high);
-      (stable(middle) ? low : high) = middle;
-    }
-    limit.stable = low;
+  Scan scan(disturbances, first, finest, limit.longest);
+  // Told from none to a factor of two: the mode varies.
+  const auto told = [&](const Edge& edge) {
+    return edge.unstable > 0 && edge.stable < 2 * finest ? 0 : edge.stable;
+  };
+  const Observer usual{disturbances.span, 1};
+  const Edge edge = scan.edge(usual, 0.002);
+  limit.stable = told(edge);
+  limit.unstable = edge.unstable;
+  if (edge.unstable > 0) limit.lost = scan.time(usual, edge.unstable);
+  Between all{limit.stable, limit.stable};
+  for (const Observer& other : {Observer{usual.time / 2, 1}, Observer{disturbances.watched, 1},
+                                Observer{usual.time, 0}, Observer{usual.time, 2}}) {
+    const double step = told(scan.edge(other, 0.005));
+    all = {std::min(all.least, step), std::max(all.most, step)};
   }
-  if (limit.stable == high) return;
-  limit.unstable = high;
-  limit.lost = disturbances.lost(high);
-  const double halved = lost_in(disturbances, high, limit.longest, disturbances.span / 2);
-  if (halved > std::max(lost_slowly * limit.stable, 2 * finest)) limit.halved = halved;
-  if (limit.stable < 2 * finest) limit.stable = 0;  // told from none to a factor of two: the mode varies
+  if (all.most > sharp * all.least) limit.soft = all;
 }
 
 /// The motion by the longest step that is no longer than this one and divides the interval.
@@ -108,26 +150,87 @@ void keep_cheaper(std::optional<TimedTrial>& best, const Trial& trial) {
     best = as_result(trial);
 }
 
-/// What can be computed of why theory and measurement differ, where they do by more than a quarter.
+/// Within a quarter.
+bool agree(double a, double b) { return a == b || (a >= 0.8 * b && b >= 0.8 * a); }
+
+/// Whether x is nearer to a than to b, as factors go.
+bool nearer(double x, double a, double b) { return std::abs(std::log(x / a)) < std::abs(std::log(x / b)); }
+
+/// The first step, from half the shorter of the limits on, at which a disturbance of the true motion is lost
+/// when the method makes the disturbance's steps alone; infinity: none up to a quarter beyond the longer.
+double first_lost_along_truth(const Limit& limit, const Disturbances& disturbances) {
+  constexpr double most_steps = 20'000;
+  const double theory = std::min(limit.theory(), limit.longest);
+  const double last = std::min(1.25 * std::max(limit.stable, theory), limit.longest);
+  double step = std::max({std::min(limit.stable, theory) / 2, ode::finest / disturbances.fastest,
+                          disturbances.span / most_steps});
+  for (; step <= last; step *= next_step)
+    if (disturbances.lost_along_truth(step) <= disturbances.span) return step;
+  return infinity;
+}
+
+/// Whether theory's growth, frozen at each point but added up along the true motion, stays below this at all
+/// steps up to the limit.
+bool grows_at_most(double granted, const Limit& limit, const Disturbances& disturbances) {
+  double most = -infinity;
+  const double first = std::max(limit.theory(), ode::finest / disturbances.fastest);
+  for (double part : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
+    most = std::max(most, disturbances.added_growth(std::lerp(first, limit.stable, part)));
+  return most <= std::log(granted);
+}
+
+/// The number of steps, from three to six, in which the method's own motion turns once, if it is one.
+std::optional<double> steps_of_a_turn(double turns_in_a_step) {
+  constexpr double close = 0.02;
+  const double steps = 1 / turns_in_a_step, whole = std::round(steps);
+  if (whole < 3 || whole > 6 || std::abs(steps - whole) > close) return std::nullopt;
+  return steps;
+}
+
+/// What can be computed of why theory and measurement differ, where they do by more than a quarter. Between
+/// the two stands a third limit: of the true motion, as theory's, but not frozen, as the measured one.
 void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria& criteria) {
   const double ratio = agreement(limit), theory = limit.theory();
-  if (limit.halved || (ratio >= 0.8 && ratio <= 1.25)) return;
+  if (ratio >= 0.8 && ratio <= 1.25) return;
+  const auto because = [&](const char* why, const std::string& evidence) {
+    limit.why = why;
+    limit.evidence = evidence;
+  };
+  const bool shorter = limit.step() < theory;
+  if (shorter && limit.stable > 0 && (!limit.soft || limit.soft->most < 0.8 * theory))
+    if (const auto steps = steps_of_a_turn(disturbances.turns_in_a_step(0.995 * limit.stable)))
+      return because(
+          "resonance: a turn of the method's own motion takes a whole number of its steps, so that every "
+          "turn "
+          "errs alike and the errors add up",
+          rounded(*steps, 3) + " steps a turn");
+  if (limit.soft) return;  // the mark says it
   limit.why = not_explained;
-  if (limit.step() > theory) {
-    double most = -infinity;
-    const double first = std::max(theory, ode::finest / disturbances.fastest);
-    for (double part : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
-      most = std::max(most, disturbances.added_growth(std::lerp(first, limit.stable, part)));
-    if (most <= std::log(criteria.granted)) {
-      limit.why = "what theory has grow at some points does not add up along the true motion to a loss";
-      limit.evidence = most > 0 ? "at most " + rounded(std::exp(most), 2) + "-fold" : "no growth at all";
-    }
-  } else if (const double own = disturbances.own_theory(limit.unstable, limit.lost); own < theory / 2) {
-    limit.why =
-        "before it is lost the method's own motion is so much faster than the true one that theory's "
-        "limit along it is less than half";
-    limit.evidence = rounded(own, 2);
-  }
+  const double along = first_lost_along_truth(limit, disturbances);
+  const std::string from =
+      std::isinf(along) ? "no step tried is lost there" : "lost there from " + rounded(along, 2) + " on";
+  const bool frozen =
+      shorter ? nearer(along, limit.stable, theory) && agree(along, limit.stable)
+              : along >= limit.stable || (nearer(along, limit.stable, theory) && agree(along, limit.stable));
+  if (frozen && !shorter && grows_at_most(criteria.granted, limit, disturbances))
+    return because("what theory has grow at some points does not add up along the true motion to a loss",
+                   from);
+  if (frozen)
+    return because(
+        "theory freezes the motion at each of its points: the disturbances of the true motion as it goes on "
+        "are lost where the measurement has it, or later",
+        from);
+  if (shorter)
+    if (const double own = disturbances.own_theory(limit.unstable, limit.lost); own < theory / 2)
+      return because(
+          "before it is lost the method's own motion is so much faster than the true one that theory's "
+          "limit along it is less than half",
+          rounded(own, 2));
+  if (nearer(along, theory, limit.stable) && agree(along, theory))
+    because(
+        "theory is right of the true motion, whose disturbances are lost where it says, but the method makes "
+        "another motion of its own",
+        from);
 }
 
 bool of_fixed_step(const Method& method) { return static_cast<bool>(method.unstable_steps); }

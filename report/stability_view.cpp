@@ -81,16 +81,22 @@ std::vector<std::pair<std::string, std::string>> reasons(const Stability& s) {
   return all;
 }
 
+/// "0.0481 to 0.0641".
+std::string shown_soft(const Between& soft) {
+  return rounded(soft.least, 3) + " to " + rounded(soft.most, 3);
+}
+
 /// Which limits have no sharp value, and which hold for the time shown only; one sentence each.
 std::vector<std::string> reservations(const Stability& s) {
   std::vector<std::string> all;
   for (const Limit& l : s.limits) {
     const std::string name = l.model + ", " + l.algorithm + ": ", unit = " " + s.time_unit;
-    if (l.halved)
-      all.push_back(name + "no sharp limit, it is lost slowly: at " + rounded(l.unstable, 3) + unit +
-                    " after " + rounded(l.lost, 2) + unit + ", and within half of the " +
-                    rounded(l.watched, 3) + unit + " watched only from " + rounded(*l.halved, 3) + unit +
-                    " on");
+    if (l.soft)
+      all.push_back(name + "no sharp limit" +
+                    (l.unstable > 0 ? ", at " + rounded(l.unstable, 3) + unit + " it is lost after " +
+                                          rounded(l.lost, 2) + unit
+                                    : "") +
+                    "; for other observers it is " + shown_soft(*l.soft) + unit);
     if (!l.goes_on && !std::isinf(l.step()))
       all.push_back(name + "the motion does not go on alike; it is watched for the " + rounded(l.watched, 3) +
                     unit + " shown, and the limit is of that time");
@@ -114,9 +120,10 @@ std::string map_text(const Stability& s) {
     text += " " + std::string(1, letter_of(outcome)) + " " + std::string(name_of(outcome));
   std::vector<std::vector<std::string>> rows{
       {"model", "algorithm", s.parameter, "steps from coarse to fine"}};
+  const MapRow* last = nullptr;
   for (const MapRow& row : s.map) {
-    const bool first =
-        &row == s.map.data() || (&row)[-1].model != row.model || (&row)[-1].algorithm != row.algorithm;
+    const bool first = !last || last->model != row.model || last->algorithm != row.algorithm;
+    last = &row;
     rows.push_back({first ? row.model : "", first ? row.algorithm : "",
                     in_unit(rounded(row.value, 4), s.parameter_unit), letters_and_theory(row, s.steps)});
   }
@@ -168,8 +175,8 @@ std::string differences(const Results& results) {
     if (e.stability)
       for (const Limit& l : e.stability->limits) {
         ++all;
-        slow += l.halved ? 1 : 0;
-        differ += l.why.empty() ? 0 : 1;
+        slow += l.soft ? 1 : 0;
+        differ += l.soft || l.why.empty() ? 0 : 1;
         open += l.why == not_explained ? 1 : 0;
       }
   return "Of " + std::to_string(all) + " limits " + std::to_string(slow) + " are not sharp; of the others " +
@@ -194,7 +201,7 @@ std::string letters(const MapRow& row) {
 std::string shown_step(const Limit& l) {
   if (std::isinf(l.step())) return "every step";
   if (l.stable == 0) return "none";
-  return (l.unstable > 0 ? "" : "at least ") + rounded(l.stable, 3) + (l.halved ? ", not sharp" : "");
+  return (l.unstable > 0 ? "" : "at least ") + rounded(l.stable, 3) + (l.soft ? ", not sharp" : "");
 }
 
 std::string shown_tongues(const Limit& l) {
@@ -252,7 +259,7 @@ std::string limit_row(const ExerciseResult& e, const Limit& l) {
   return to_string(e.number) + "," + cell(l.model) + "," + cell(l.algorithm) + "," + step_cell(l.step()) +
          "," + step_cell(l.theory()) + "," + cell(shown_tongues(l)) + "," +
          (l.goes_on || std::isinf(l.step()) ? "" : step_cell(l.watched)) + "," +
-         (l.halved ? step_cell(*l.halved) : "") + "," + (l.at ? rounded(l.at->error, 2) : "") + "," +
+         (l.soft ? shown_soft(*l.soft) : "") + "," + (l.at ? rounded(l.at->error, 2) : "") + "," +
          (l.within ? step_cell(l.within->setting) : "") + "," + beyond(l) + "," + cell(l.why) + "\n";
 }
 
@@ -288,17 +295,20 @@ std::string stability_page(const Results& results) {
       "motion's size. Stability is lost when the two have parted a hundred times the square of what true "
       "motions part, or when the motion has become twice too large. They are watched for 1000 radians of "
       "the fastest mode, or, where the motion does not go on alike, for the time shown; so a sharp limit "
-      "depends "
-      "neither on the horizon of a motion that goes on nor on a conserved quantity. In a chaotic motion true "
-      "neighbours part as well, and only what goes beyond them counts. A limit that is longer by more than 5 "
-      "% "
-      "when watched half as long is *not sharp*: the motion drifts, damps or swells slowly, and how long is "
-      "watched decides. Below each table such limits are listed with the time after which they are lost, and "
+      "depends neither on the horizon of a motion that goes on nor on a conserved quantity. In a chaotic "
+      "motion true neighbours part as well, and only what goes beyond them counts. A limit is *not sharp* "
+      "where other observers have it elsewhere by more than 5 %: some watch half or twice as long, for some "
+      "a "
+      "motion is too large from 1.5 or only from 4 times the true size on. Such a motion drifts, damps or "
+      "swells slowly, or swells to a size at which it stays. Below each table these limits are listed with "
+      "the time after which they are lost and with what the observers find, and "
       "so are those of motions that do not go on alike.\n\n*None*: not even a step of 0.02 over "
       "the fastest frequency is stable, to a factor of two; the time after which neighbouring motions have "
-      "parted tells how soon that matters. Explicit Euler has none on any undamped oscillation: disturbances "
-      "grow in it at the rate $h\\omega^2/2$, however short the step $h$. *Every step* is stated only where "
-      "theory proves it; *at least* "
+      "parted tells how soon that matters. On an undamped oscillation, such as a pendulum, explicit Euler is "
+      "unconditionally unstable: disturbances grow in it at the rate $h\\omega^2/2$, however short the step "
+      "$h$. *Every step* is stated only where theory has no unstable step at any point of the motion, "
+      "however "
+      "long, and none that was tried is unstable; *at least* "
       "names the longest step tried.\n\n"
       "*Theory* takes the eigenvalues of the Jacobian at 65 points of the motion and the method's growth "
       "factor at each; it lists all the steps at which a disturbance grows, if only at one of the points, by "

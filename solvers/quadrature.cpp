@@ -135,8 +135,9 @@ Integral cquad(FunctionOfOne f, double a, double b, double tolerance) {
 
 namespace {
 
-/// GSL computes the nodes of those sizes that it has no table for to ten digits only; Newton's method on the
-/// Legendre polynomial, from there, gives all of them. Weights by [Abramowitz, Stegun 25.4.29].
+/// GSL computes the weights of those sizes that it has no table for to ten digits only, by the slope before
+/// its last correction of the node. Newton's method on the Legendre polynomial, from its nodes, gives all of
+/// them. Weights by [Abramowitz, Stegun 25.4.29].
 void polish(gsl_integration_glfixed_table& table) {
   const auto n = static_cast<double>(table.n);
   for (std::size_t i = 0; i < (table.n + 1) / 2; ++i) {

@@ -4,6 +4,7 @@
 #include "solvers/ode/stability.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "solvers/ode/disturbed.hpp"
 #include "tests/catch.hpp"
@@ -141,15 +142,22 @@ TEST_CASE("what parts in truth may part up to twice as fast", "[solvers]") {
   for (double h : {found[0].from, found[0].to}) CHECK(near(-std::log(std::abs(1 - h)), 2.001 * h, 1e-6));
 }
 
+namespace {
+
+struct Oscillator {
+  void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], -x[0]}; }
+  void acceleration(const std::array<double, 1>& q, std::array<double, 1>& a) const { a[0] = -q[0]; }
+};
+
+}  // namespace
+
 TEST_CASE("two motions that start together part where theory says", "[solvers]") {
-  struct Oscillator {
-    void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], -x[0]}; }
-    void acceleration(const std::array<double, 1>& q, std::array<double, 1>& a) const { a[0] = -q[0]; }
-  };
   const Adapted<AnySystem<2>, Oscillator> oscillation{Oscillator{}};
   const Disturbed<2> disturbed(oscillation, {1, 0}, 1000);
   CHECK(disturbed.span() == 1000);
-  const auto lost = [&](std::string_view algorithm, double h) { return disturbed.lost(algorithm, h); };
+  const auto lost = [&](std::string_view algorithm, double h) {
+    return disturbed.lost(algorithm, h).time(1);
+  };
   for (const auto& [algorithm, limit] :
        {std::pair("velocity Verlet", 2.0), std::pair("Runge-Kutta 4", 2.8284),
         std::pair("McLachlan 4", 2.9678), std::pair("Adams-Bashforth 4", 0.43),
@@ -162,4 +170,35 @@ TEST_CASE("two motions that start together part where theory says", "[solvers]")
   CHECK(std::isfinite(lost("explicit Euler", 0.02)));
   CHECK(lost("explicit Euler", 0.04) < lost("explicit Euler", 0.02));
   for (double h : {0.1, 1.0, 10.0}) CHECK(std::isinf(lost("linearly implicit Euler", h)));
+}
+
+TEST_CASE("where the Jacobian stands still a disturbance of the true motion is lost where theory says",
+          "[solvers]") {
+  const Adapted<AnySystem<2>, Oscillator> oscillation{Oscillator{}};
+  const Disturbed<2> disturbed(oscillation, {1, 0}, 1000);
+  for (const auto& [algorithm, limit] :
+       {std::pair("velocity Verlet", 2.0), std::pair("Runge-Kutta 4", 2.8284),
+        std::pair("McLachlan 4", 2.9678), std::pair("Adams-Bashforth 4", 0.43),
+        std::pair("Adams-Bashforth-Moulton 6", 0.5267)}) {
+    INFO(algorithm);
+    CHECK(std::isinf(disturbed.lost_along_truth(algorithm, 0.97 * limit)));
+    CHECK(std::isfinite(disturbed.lost_along_truth(algorithm, 1.03 * limit)));
+  }
+}
+
+TEST_CASE("an oscillation's turns are counted", "[solvers]") {
+  const Adapted<AnySystem<2>, Oscillator> oscillation{Oscillator{}};
+  const Disturbed<2> disturbed(oscillation, {1, 0}, 1000);
+  CHECK(near(disturbed.turns_in_a_step("Runge-Kutta 4", 0.1), 0.1 / (2 * std::numbers::pi), 1e-3));
+  // Verlet turns faster: cos = 1 - h^2 / 2.
+  for (double h : {0.5, 1.0, std::sqrt(2.0), 1.7})
+    CHECK(near(disturbed.turns_in_a_step("velocity Verlet", h),
+               std::acos(1 - h * h / 2) / (2 * std::numbers::pi), 1e-2));
+}
+
+TEST_CASE("implicit Euler lets nothing grow that does not grow in truth, at any step", "[solvers]") {
+  // What "every step" on record rests on, beyond the steps that are scanned.
+  for (double direction = std::numbers::pi / 2; direction <= std::numbers::pi; direction += 0.01)
+    for (double size = 1e-6; size < 1e9; size *= 3)
+      CHECK(growth("linearly implicit Euler", std::polar(size, direction)) <= 1e-12);
 }

@@ -122,7 +122,7 @@ void verify_limit(const ExerciseResult& e, const Limit& limit) {
   CHECK(beyond(limit) == approved->beyond);
   CHECK((!limit.broken || limit.cure));
   CHECK(limit.why == approved->why);
-  CHECK(limit.halved.has_value() == approved->halved.has_value());
+  CHECK(limit.soft.has_value() == !approved->soft.empty());
   CHECK((limit.goes_on || std::isinf(limit.step())) != approved->watched.has_value());
 }
 

@@ -137,6 +137,17 @@ constexpr Finding all_findings[] = {
      "costs "
      "as many evaluations as one of 1e-6, for 10 s of x'' = -x",
      judged},
+    {gsl, gsl_2_7, "gsl_integration_cquad", "gsl_cquad",
+     "does not hold its estimate against the request: 1/sqrt|x - 0.3| over [0, 1] to 1e-10 ends with success "
+     "and an error and an estimate above 1e-8; from 1 to 0 its estimate is below zero; and it takes more "
+     "than "
+     "1,000,000 evaluations of 1/x over [-1, 2], having no budget",
+     "the estimate is looked at, the ends are put in order, and a budget ends it"},
+    {gsl, gsl_2_7, "gsl_integration_glfixed_table_alloc", "gsl_glfixed",
+     "computes the weights that it has no table for to ten digits only: of 50 points they miss their sum by "
+     "more than 1e-11, while the nodes have all digits; those of 64 points, which it has a table for, are "
+     "right",
+     "the weights are computed anew"},
     {gsl, gsl_2_7, "bsimp", "gsl_bsimp_error",
      "errs by more than 100 tolerances where a step is longer than half the motion's period: x' = x cos t "
      "over "

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/integrate.hpp"
@@ -65,30 +67,157 @@ Disturbed<n>::Disturbed(const AnySystem<n>& system, const State& start, double s
 }
 
 template <std::size_t n>
-double Disturbed<n>::lost(std::string_view algorithm, double step) const {
+Loss Disturbed<n>::lost(std::string_view algorithm, double step) const {
   const double h = dividing(span(), step);
   const std::array ends{0.0, span()};
   std::vector<State> motion;
-  double left = infinity;
+  Loss loss{infinity, {}};
+  loss.outgrown.fill(infinity);
   const auto keep = [&](double, const State&, double t, const State& x) {
     motion.push_back(x);
-    for (std::size_t k = 0; k < n; ++k)
-      if (!(std::abs(x[k]) <= criteria_.largest_size * sizes_[k])) left = t;
-    return std::isfinite(left);
+    double size = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double part = std::abs(x[k]) / sizes_[k];
+      if (!(part <= size)) size = part;
+    }
+    for (std::size_t i = 0; i < Loss::sizes.size(); ++i)
+      if (std::isinf(loss.outgrown[i]) && !(size <= Loss::sizes[i] * criteria_.largest_size))
+        loss.outgrown[i] = t;
+    return std::isfinite(loss.outgrown.back());
   };
   precompiled<n>(algorithm)(system_, start_, ends, h, Watch<n>(keep));
   std::size_t i = 0;
-  double parted = infinity;
   const auto compare = [&](double, const State&, double t, const State& x) {
     if (i == motion.size()) return true;
-    const auto piece = static_cast<std::size_t>(t / span() * static_cast<double>(parted_.size() - 1));
-    const double allowed =
-        criteria_.as_fast * parted_[std::min(piece + 1, parted_.size() - 1)] + std::log(criteria_.granted);
-    if (!(std::log(distance(x, motion[i++], sizes_) / first_distance) <= allowed)) parted = t;
-    return std::isfinite(parted);
+    if (!(std::log(distance(x, motion[i++], sizes_) / first_distance) <= allowed(t))) loss.parted = t;
+    return std::isfinite(loss.parted);
   };
   precompiled<n>(algorithm)(system_, beside_, ends, h, Watch<n>(compare));
-  return std::min(left, parted);
+  return loss;
+}
+
+template <std::size_t n>
+double Disturbed<n>::allowed(double t) const {
+  const auto piece = static_cast<std::size_t>(t / span() * static_cast<double>(parted_.size() - 1));
+  return criteria_.as_fast * parted_[std::min(piece + 1, parted_.size() - 1)] + std::log(criteria_.granted);
+}
+
+namespace {
+
+template <std::size_t n>
+using StateOf = std::array<double, n>;
+
+template <std::size_t n>
+StateOf<n> added(StateOf<n> x, double part, const StateOf<n>& d) {
+  for (std::size_t i = 0; i < n; ++i) x[i] += part * d[i];
+  return x;
+}
+
+/// The disturbance of a motion that is known at even times, as a system of its own: d' = J(x(t)) d.
+template <std::size_t n>
+class Disturbance final : public AnySystem<n> {
+ public:
+  using typename AnySystem<n>::State, typename AnySystem<n>::Half;
+
+  Disturbance(const AnySystem<n>& system, std::vector<State> motion, double apart, const State& unit)
+      : system_(system), motion_(std::move(motion)), apart_(apart), unit_(unit) {
+    for (std::size_t i = 0; i < motion_.size(); ++i) {
+      slopes_.emplace_back();
+      system_(motion_[i], slopes_.back(), static_cast<double>(i) * apart_);
+    }
+  }
+
+  void operator()(const State& d, State& dddt, double t) const override {
+    const double size = distance(d, {}, unit_);
+    if (size == 0) return void(dddt = {});
+    const State x = at(t);
+    const double part = first_distance / size;
+    State up, down;
+    system_(added(x, part, d), up, t);
+    system_(added(x, -part, d), down, t);
+    for (std::size_t i = 0; i < n; ++i) dddt[i] = (up[i] - down[i]) / (2 * part);
+  }
+  void acceleration(const Half&, Half&) const override {
+    throw std::logic_error("a disturbance has no parts");
+  }
+  bool differentiable() const override { return false; }
+  long jacobian(const State&, double*, double*, double) const override {
+    throw std::logic_error("a disturbance is not asked for its Jacobian");
+  }
+
+ private:
+  /// By Hermite's cubic.
+  State at(double t) const {
+    const auto i =
+        static_cast<std::size_t>(std::clamp(t / apart_, 0.0, static_cast<double>(motion_.size()) - 1.5));
+    const double u = t / apart_ - static_cast<double>(i), v = 1 - u;
+    State x;
+    for (std::size_t k = 0; k < n; ++k)
+      x[k] = (1 + 2 * u) * v * v * motion_[i][k] + u * v * v * apart_ * slopes_[i][k] +
+             (1 + 2 * v) * u * u * motion_[i + 1][k] - v * u * u * apart_ * slopes_[i + 1][k];
+    return x;
+  }
+
+  const AnySystem<n>& system_;
+  std::vector<State> motion_, slopes_;
+  double apart_;
+  State unit_;
+};
+
+}  // namespace
+
+template <std::size_t n>
+auto Disturbed<n>::truth(double apart) const -> std::vector<State> {
+  std::vector<double> times;
+  for (double i = 0; i * apart <= span() * (1 + 1e-12); ++i) times.push_back(i * apart);
+  return integrate_precompiled<DormandPrince54, n>(system_, start_, times, 1e-10, {}).value;
+}
+
+template <std::size_t n>
+double Disturbed<n>::lost_along_truth(std::string_view algorithm, double step) const {
+  const double h = dividing(span(), step);
+  State d = added(beside_, -1, start_);
+  double lost = infinity;
+  if (is_multistep(algorithm)) {
+    constexpr int pieces = 8;
+    const Disturbance<n> disturbance(system_, truth(h / pieces), h / pieces, sizes_);
+    const auto watch = [&](double, const State&, double t, const State& x) {
+      if (!(std::log(distance(x, {}, sizes_) / first_distance) <= allowed(t))) lost = t;
+      return std::isfinite(lost);
+    };
+    precompiled<n>(algorithm)(disturbance, d, std::array{0.0, span()}, h, Watch<n>(watch));
+    return lost;
+  }
+  const std::vector<State> motion = truth(h);
+  double grown = 0;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const double t = static_cast<double>(i) * h;
+    const auto stepped = [&](double part) {
+      return precompiled<n>(algorithm)(system_, added(motion[i], part, d), std::array{t, t + h}, h, {})
+          .value.back();
+    };
+    const State up = stepped(0.5), down = stepped(-0.5);
+    d = added(up, -1, down);
+    const double size = distance(d, {}, sizes_) / first_distance;
+    grown += std::log(size);
+    if (!(grown <= allowed(t + h))) return t + h;
+    for (double& component : d) component /= size;
+  }
+  return lost;
+}
+
+template <std::size_t n>
+double Disturbed<n>::turns_in_a_step(std::string_view algorithm, double step) const {
+  const std::vector<State> states = motion(algorithm, step, span());
+  double most = 0, turns = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    double mean = 0, square = 0, upward = 0;
+    for (const State& x : states) mean += x[k] / static_cast<double>(states.size());
+    for (const State& x : states) square += (x[k] - mean) / sizes_[k] * ((x[k] - mean) / sizes_[k]);
+    for (std::size_t i = 1; i < states.size(); ++i) upward += states[i - 1][k] < mean && states[i][k] >= mean;
+    if (square > most) most = square, turns = upward;
+  }
+  return turns / static_cast<double>(states.size() - 1);
 }
 
 template <std::size_t n>

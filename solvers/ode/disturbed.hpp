@@ -23,14 +23,24 @@ class Disturbed {
   /// The largest absolute value of each component in truth, but no less than a hundredth of the largest of
   /// all.
   const State& sizes() const { return sizes_; }
-  /// The first time at which the algorithm's two motions have parted more than the criteria grant (in units
-  /// of their first distance), one of them is not finite, or the first is too large. Infinity: not in the
-  /// span.
-  double lost(std::string_view algorithm, double step) const;
+  /// When the algorithm's two motions have parted more than the criteria grant (in units of their first
+  /// distance), or the second is not finite; and when the first has become too large, or is not finite.
+  Loss lost(std::string_view algorithm, double step) const;
+  /// When a disturbance of the true motion has grown as much, where the algorithm makes the disturbance's
+  /// steps and the truth makes the motion's: linear theory without freezing the motion.
+  double lost_along_truth(std::string_view algorithm, double step) const;
+  /// How often the algorithm's own motion turns in a step, on average: how often what moves most, in units of
+  /// its size in truth, passes its mean upward.
+  double turns_in_a_step(std::string_view algorithm, double step) const;
   /// The algorithm's own motion from the start until this time, step by step.
   std::vector<State> motion(std::string_view algorithm, double step, double until) const;
 
  private:
+  /// ln of how far the two may have parted at this time.
+  double allowed(double t) const;
+  /// The true motion through its span, at even times.
+  std::vector<State> truth(double apart) const;
+
   const AnySystem<n>& system_;
   Criteria criteria_;
   State start_, beside_, sizes_{};

@@ -112,6 +112,14 @@ bool is_partitioned(std::string_view algorithm) {
   return found;
 }
 
+bool is_multistep(std::string_view algorithm) {
+  bool found = false;
+  for_each_algorithm([&]<class Algorithm>() {
+    if constexpr (requires { Algorithm::recurrence(1.0); }) found = found || Algorithm::name == algorithm;
+  });
+  return found;
+}
+
 namespace {
 
 /// Beside each eigenvalue lambda a partitioned algorithm also has -lambda.

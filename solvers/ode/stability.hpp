@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <complex>
 #include <functional>
 #include <span>
@@ -31,6 +33,9 @@ double growth(std::string_view algorithm, std::complex<double> z);
 /// Whether the algorithm takes positions and velocities in turn.
 bool is_partitioned(std::string_view algorithm);
 
+/// Whether the algorithm goes on from several steps past.
+bool is_multistep(std::string_view algorithm);
+
 /// Steps at which a method is unstable.
 struct Tongue {
   double from, to;  ///< to infinity: every longer step
@@ -57,6 +62,17 @@ struct Criteria {
   double as_fast = 2;
   /// Of the motion, in units of the truth's: what a scene would call blown up. Some limits hang on it.
   double largest_size = 2;
+};
+
+/// The times at which a motion counts as lost; infinity: it does not in the time watched.
+struct Loss {
+  /// The sizes that are watched, as parts of `Criteria::largest_size`.
+  static constexpr std::array sizes{0.75, 1.0, 2.0};
+  double parted;                             ///< neighbouring motions have parted
+  std::array<double, sizes.size()> outgrown;  ///< the motion has outgrown each size, or is not finite
+
+  /// By one of the sizes.
+  double time(std::size_t size) const { return std::min(parted, outgrown[size]); }
 };
 
 /// The steps at which the algorithm is unstable: at some point of the motion a disturbance that does not grow
