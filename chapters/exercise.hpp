@@ -355,7 +355,7 @@ struct Axes {
 };
 
 /// The code of a scene's models: the headers, which stand alone (they include only the standard library,
-/// chapters/conserved.hpp and other such headers), and for each model of its methods the expression that
+/// chapters/numbers.hpp and other such headers), and for each model of its methods the expression that
 /// constructs it, within namespace oddity, from variables named as the exercise's parameters. A closed form
 /// with an algorithm of its own stands as "model, algorithm".
 struct Listing {
