@@ -242,8 +242,9 @@ struct Disturbances {
   double span = 0;     ///< s, in which they are judged: not the horizon shown where the motion goes on alike
   double watched = 0;  ///< s, twice the span where the motion goes on alike, else the span
   double fastest = 0;  ///< rad/s, of the fastest mode, averaged over the motion
-  bool goes_on = false;                     ///< the motion goes on alike: the span is not the horizon shown
-  std::function<ode::Loss(double step)> lost;  ///< s, the times at which they have; infinity: not while watched
+  bool goes_on = false;  ///< the motion goes on alike: the span is not the horizon shown
+  /// s, the times at which they have; infinity: not while watched.
+  std::function<ode::Loss(double step)> lost;
   /// ln of what theory has a disturbance grow in the span, beyond what it may, added up along the true
   /// motion.
   std::function<double(double step)> added_growth;

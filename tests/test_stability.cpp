@@ -46,7 +46,7 @@ Method method(const std::function<bool(double)>& unstable, std::vector<ode::Tong
           Outcome::ok,
           "",
           [theory] { return theory; },
-          [lost](const ode::Criteria&) {
+          [lost, lost_along_truth](const ode::Criteria&) {
             return Disturbances{1000,
                                 2000,
                                 1,

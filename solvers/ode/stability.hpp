@@ -49,7 +49,7 @@ constexpr double negligible_growth = 1e-3;
 constexpr double finest = 0.02;
 
 /// When a method's motion counts as lost. Where a step is lost at once these numbers hardly matter; where it
-/// is lost slowly they decide, and no number would be right: such limits are marked (`Limit::halved`).
+/// is lost slowly they decide, and no number would be right: such limits are marked (`Limit::soft`).
 struct Criteria {
   /// Of the fastest mode: 159 turns. The longer, the slower a loss is found, and the longer it takes.
   double radians = 1000;
@@ -60,7 +60,8 @@ struct Criteria {
   /// The power of what they part in truth. 1 would blame a method for parting chaotic motions a little
   /// faster.
   double as_fast = 2;
-  /// Of the motion, in units of the truth's: what a scene would call blown up. Some limits hang on it.
+  /// Of the motion, in units of the truth's: what a scene would call blown up. It cannot do without: whom
+  /// explicit Euler flings away, his neighbours go along. Limits that hang on it are marked.
   double largest_size = 2;
 };
 
@@ -68,7 +69,7 @@ struct Criteria {
 struct Loss {
   /// The sizes that are watched, as parts of `Criteria::largest_size`.
   static constexpr std::array sizes{0.75, 1.0, 2.0};
-  double parted;                             ///< neighbouring motions have parted
+  double parted;                              ///< neighbouring motions have parted
   std::array<double, sizes.size()> outgrown;  ///< the motion has outgrown each size, or is not finite
 
   /// By one of the sizes.
