@@ -43,10 +43,12 @@ Results last_results(const fs::path& folder, bool ledgers) {
   const Reference truth(folder, motions_folder());
   const std::vector<Task> tasks(registry().begin(), registry().end());
   ProgressBar bar;
-  const bool fresh = fs::exists(file) && !stale(file, folder);
-  Results results =
-      fresh ? read_results(file)
-            : with_stability(run(tasks, truth, true, bar.callback()), tasks, truth, bar.callback());
+  Results results;
+  if (fs::exists(file) && !stale(file, folder)) results = read_results(file);
+  const bool fresh = std::ranges::equal(results.exercises, tasks, [](const auto& e, const Task& task) {
+    return e.number == task.entry->number;  // a run of a part may have written the file
+  });
+  if (!fresh) results = with_stability(run(tasks, truth, true, bar.callback()), tasks, truth, bar.callback());
   const bool lacking = ledgers && std::ranges::any_of(results.exercises, [](const ExerciseResult& e) {
                          return e.scene && !e.ledger;
                        });

@@ -579,6 +579,12 @@ TEST_CASE("a motion says everywhere that it is judged at its instants alone", "[
     return count;
   };
   ExerciseResult& e = results.exercises[0];
+  auto& trials = e.quantities[0].methods[0].trials;  // enough of them for a chart
+  for (double error : {0.1, 0.01, 0.001}) {
+    trials.push_back(trials.front());
+    trials.back().error = error;
+  }
+  REQUIRE(has_chart(e.quantities[0]));
   const auto everywhere = [&] {
     return std::array{count_in(single_page(results)), count_in(chapter_page(results, 3)),
                       count_in(charts_page(e)), count_in(text_view(e))};
