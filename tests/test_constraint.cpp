@@ -116,7 +116,7 @@ TEST_CASE("choosing by what is held: a length at every frame, or by construction
   INFO(text);
   CHECK(text.find("with what is held off by 1 mm at most, at every frame") != std::string::npos);
   CHECK(text.find(" mm") != std::string::npos);
-  CHECK(text.find("held by construction") == std::string::npos);
+  CHECK(text.substr(0, text.find("As an engine")).find("held by construction") == std::string::npos);
   const auto euler = std::ranges::find(held.tried, "explicit Euler", &Tried::algorithm);
   REQUIRE(euler != held.tried.end());
   CHECK(euler->evaluations_per_frame > held.chosen->evaluations_per_frame);

@@ -73,8 +73,8 @@ Jet sin(Jet);
 Jet cos(Jet);
 Jet exp(Jet);
 
-/// Expansions that one solution may cost: some twenty seconds of work.
-constexpr long most_expansions = 12'000;
+/// Expansions that one solution may cost: some ten seconds of work.
+constexpr long most_expansions = 6'000;
 
 /// An initial value problem recorded on a tape: rhs(x, t) returns the derivatives of x.
 class TaylorProblem {
