@@ -49,6 +49,7 @@ struct Sample {
         v(random.between(-3, 3)),
         a(random.between(-5, 5)) {}
 
+  std::array<double*, 10> letters() { return {&m, &r, &s, &c, &h, &g, &ell, &q, &v, &a}; }
   double size() const {
     return m * g * r + c * (s + h + ell) * (s + h + ell) + m * r * r * (v * v + std::abs(a));
   }

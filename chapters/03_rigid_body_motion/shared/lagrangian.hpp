@@ -96,9 +96,9 @@ void see(Worst& worst, const Left& left, const Right& right, const std::array<do
             std::max(size_of_terms(left, letters), size_of_terms(right, letters)), where);
 }
 
-/// Two versions of a quantity over the samples. The size of its terms is found from a sample's letters()
-/// where it has them. Else it is that of the largest value; where the quantity is compared with zero, the
-/// terms are what cancels, of which a sample's size() is the sum.
+/// Two versions of a quantity over the samples. Where it is compared with zero, the terms are what cancels,
+/// of which a sample's size() is the sum. Else their size is found from a sample's letters() where it has
+/// them, and is that of the largest value where it has not, times the sample's conditioning() if it has one.
 template <class Sample>
 Check compare(std::string quantity, const Version<Sample>& left, const Version<Sample>& right,
               const std::vector<Sample>& samples) {
@@ -117,10 +117,15 @@ Check compare(std::string quantity, const Version<Sample>& left, const Version<S
   }
   Worst worst(std::move(quantity), left.text, right.text);
   const auto size = [&](const Sample& sample) {
-    if constexpr (requires(Sample & s) { s.letters(); })
+    constexpr bool has_letters = requires(Sample & s) { s.letters(); };
+    if constexpr (requires { sample.size(); })
+      if (with_zero) return sample.size();
+    if constexpr (has_letters)
       return std::max(size_of_terms(left, sample), size_of_terms(right, sample));
+    else if constexpr (requires { sample.conditioning(); })
+      return largest * sample.conditioning();
     else
-      return with_zero ? sample.size() : largest;
+      return largest;
   };
   for (std::size_t i = 0; i < samples.size(); ++i)
     worst.see(lefts[i], rights[i], size(samples[i]), samples[i].where());

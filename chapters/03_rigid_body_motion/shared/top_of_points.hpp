@@ -141,6 +141,8 @@ struct Sample {
     return {m, l, mu1, mu3, body.g, q[0], q[1], q[2], v[0], v[1], v[2], body.A, body.lambda};
   }
 
+  /// By how much the equations for the accelerations, once solved, enlarge roundings.
+  double conditioning() const { return 1 / (std::sin(q[1]) * std::sin(q[1])); }
   /// The terms of lengths, rates, energies and forces, added up, and the accelerations that they make.
   double size() const {
     const double sine = std::sin(q[1]), shaken = body.A * body.lambda * (1 + body.lambda);
