@@ -148,9 +148,10 @@ constexpr std::size_t compared_times = 48;
 /// All that a motion made on the spot depends on.
 std::string motion_key(std::string_view table, const std::vector<double>& inputs,
                        std::span<const double> times) {
-  return std::string(table) + " " + std::string(truth::fingerprint_of_makers) + " " +
-         "MPFR " + mpfr_get_version() + " " + std::to_string(truth::spot_digits) + " " + std::to_string(compared_times) + " (" + listed(inputs) +
-         ") at " + listed(std::vector<double>(times.begin(), times.end()));
+  return std::string(table) + " " + std::string(truth::fingerprint_of_makers) + " " + "MPFR " +
+         mpfr_get_version() + " " + std::to_string(truth::spot_digits) + " " +
+         std::to_string(compared_times) + " (" + listed(inputs) + ") at " +
+         listed(std::vector<double>(times.begin(), times.end()));
 }
 
 fs::path kept_file(const fs::path& cache, const std::string& key) {
@@ -264,7 +265,7 @@ Known Reference::motion(std::string_view name, const std::vector<double>& inputs
     }
   const Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick& tick) {
     return truth::make_motion(truth, inputs, {times.begin(), times.end()}, truth::spot_digits, compared_times,
-                              tick);
+                              tick_ ? tick : truth::Tick());
   });
   if (!cache_.empty()) keep_motion(cache_, key, known);
   return known;

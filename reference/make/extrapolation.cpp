@@ -107,6 +107,9 @@ Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& 
 
 namespace {
 
+/// Right-hand sides that a motion may cost which nobody watches: some twenty seconds of work.
+constexpr long most_of_a_motion = 1'000'000;
+
 /// A motion by the states at the times asked for.
 struct ExtrapolatedPath : Path {
   struct State {
@@ -139,7 +142,7 @@ Numbers solve_extrapolation(const Rhs& rhs, const Numbers& x, const Number& t0, 
       ->path(rhs.target_type(), x, t0, t1, digits,
              [&] {
                return std::make_unique<ExtrapolatedPath>(x, t0,
-                                                         most_evaluations * precision.kept->allowance());
+                                                         most_of_a_motion * precision.kept->allowance());
              })
       .at(t1, rhs, digits);
 }
