@@ -14,9 +14,12 @@
 /// computes. A sample is a struct of the exercise's letters:
 ///   Sample(Random&)                        draws one
 ///   where() const -> std::string           tells its letters
-///   letters() -> array of double*          if all else follows from these: the size of a formula's terms is
-///                                          found by changing each a little
-///   size() const -> double                 else: the size of terms that cancel
+///   letters() -> array of double*          where all else follows from these: the size of a formula's terms
+///                                          is found by changing each a little
+///   size() const -> double                 the size of terms that cancel, where a quantity is to be zero
+///   conditioning() const -> double         where there are no letters: the size of the terms over the
+///   largest
+///                                          value
 namespace oddity {
 
 template <class Sample>
@@ -59,8 +62,32 @@ double size_of_terms(const Formula<Sample>& formula, const Sample& sample) {
   return size;
 }
 
-/// Two formulas of a quantity over the samples, the worst of them shown. Where a sample has no letters(), the
-/// terms are as large as the largest value; where the quantity is compared with zero, as the sample's size().
+/// The same for a function of an array of letters.
+template <std::size_t n, class F>
+double size_of_terms(const F& f, const std::array<double, n>& letters) {
+  constexpr double change = 0x1p-20;
+  const Value value = f(letters);
+  double size = size_of(value);
+  for (std::size_t i = 0; i < n; ++i) {
+    auto moved = letters;
+    moved[i] *= 1 + change;
+    size += distance(Value(f(moved)), value) / change;
+  }
+  return size;
+}
+
+/// Two functions of the same letters at one sample, with the size of their terms.
+template <std::size_t n, class Left, class Right>
+void see(Worst& worst, const Left& left, const Right& right, const std::array<double, n>& letters,
+         const std::string& where) {
+  worst.see(left(letters), right(letters),
+            std::max(size_of_terms(left, letters), size_of_terms(right, letters)), where);
+}
+
+/// Two formulas of a quantity over the samples, the worst of them shown. Where the quantity is compared with
+/// zero, the terms are what cancels, of which a sample's size() is the sum. Else their size is found from a
+/// sample's letters() where it has them, and is that of the largest value where it has not, times the
+/// sample's conditioning() if it has one.
 template <class Sample>
 Check compare(std::string quantity, const Formula<Sample>& left, const Formula<Sample>& right,
               const std::vector<Sample>& samples) {
@@ -75,10 +102,12 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
     with_zero = with_zero && size_of(rights.back()) == 0;
   }
   const auto size = [&](const Sample& sample) {
+    if constexpr (requires { sample.size(); })
+      if (with_zero) return sample.size();
     if constexpr (requires(Sample & s) { s.letters(); })
       return std::max(size_of_terms(left, sample), size_of_terms(right, sample));
-    else if constexpr (requires { sample.size(); })
-      return with_zero ? sample.size() : largest;
+    else if constexpr (requires { sample.conditioning(); })
+      return largest * sample.conditioning();
     else
       return largest;
   };
