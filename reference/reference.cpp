@@ -147,11 +147,10 @@ constexpr std::size_t compared_times = 48;
 
 /// All that a motion made on the spot depends on.
 std::string motion_key(std::string_view table, const std::vector<double>& inputs,
-                       std::span<const double> times) {
+                       std::span<const double> times, int digits) {
   return std::string(table) + " " + std::string(truth::fingerprint_of_makers) + " " + "MPFR " +
-         mpfr_get_version() + " " + std::to_string(truth::spot_digits) + " " +
-         std::to_string(compared_times) + " (" + listed(inputs) + ") at " +
-         listed(std::vector<double>(times.begin(), times.end()));
+         mpfr_get_version() + " " + std::to_string(digits) + " " + std::to_string(compared_times) + " (" +
+         listed(inputs) + ") at " + listed(std::vector<double>(times.begin(), times.end()));
 }
 
 fs::path kept_file(const fs::path& cache, const std::string& key) {
@@ -206,7 +205,10 @@ void require_count(std::string_view table, const truth::Truth& truth, std::size_
 
 }  // namespace
 
-Reference::Reference(const fs::path& folder, fs::path cache) : cache_(std::move(cache)) {
+Reference::Reference() : digits_(truth::spot_digits) {}
+
+Reference::Reference(const fs::path& folder, fs::path cache)
+    : cache_(std::move(cache)), digits_(truth::spot_digits) {
   Tables tables;
   for (const truth::Entry& entry : truth::registry()) {
     const std::string name(entry.name);
@@ -225,6 +227,12 @@ Reference Reference::watched(std::function<void()> tick) const {
   return copy;
 }
 
+Reference Reference::to_digits(int digits) const {
+  Reference copy = *this;
+  copy.digits_ = digits;
+  return copy;
+}
+
 const Reference::Table* Reference::table(std::string_view name) const {
   const auto table = tables_->find(name);
   return table == tables_->end() || !maker_of(name) ? nullptr : &table->second;
@@ -240,7 +248,7 @@ Known Reference::operator()(std::string_view name, const std::vector<double>& in
   const truth::Truth truth = maker->make();
   require_count(name, truth, inputs.size());
   return on_the_spot(name, truth, inputs, tick_,
-                     [&](const truth::Tick&) { return truth::make_row(truth, inputs, truth::spot_digits); });
+                     [&](const truth::Tick&) { return truth::make_row(truth, inputs, digits_); });
 }
 
 Known Reference::motion(std::string_view name, const std::vector<double>& inputs,
@@ -257,14 +265,14 @@ Known Reference::motion(std::string_view name, const std::vector<double>& inputs
   if (auto known = tabulated(*rows, inputs, times)) return *known;
   const truth::Truth truth = maker->make();
   require_count(name, truth, inputs.size() + 1);
-  const std::string key = cache_.empty() ? "" : motion_key(name, inputs, times);
+  const std::string key = cache_.empty() ? "" : motion_key(name, inputs, times, digits_);
   if (!cache_.empty())
     if (auto kept = kept_motion(cache_, key)) {
       kept->source = source_of(truth);
       return *kept;
     }
   const Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick& tick) {
-    return truth::make_motion(truth, inputs, {times.begin(), times.end()}, truth::spot_digits, compared_times,
+    return truth::make_motion(truth, inputs, {times.begin(), times.end()}, digits_, compared_times,
                               tick_ ? tick : truth::Tick());
   });
   if (!cache_.empty()) keep_motion(cache_, key, known);

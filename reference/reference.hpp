@@ -34,6 +34,9 @@ class Reference {
   /// The same, which calls `tick` between pieces of its work; what that throws ends it.
   Reference watched(std::function<void()> tick) const;
 
+  /// The same, with so many digits in what is computed on the spot.
+  Reference to_digits(int digits) const;
+
   /// The value of `table` at `inputs` (in the order of the table's columns).
   /// One NaN, its source saying what to write, when there is no such table. Throws BadInput when the inputs
   /// are not as many as the table's or not finite, and when they are not tabulated and have no value that
@@ -46,7 +49,7 @@ class Reference {
                std::span<const double> times) const;
 
  private:
-  Reference() = default;
+  Reference();
 
   using Table = std::map<std::vector<double>, Known>;
   using Tables = std::map<std::string, Table, std::less<>>;
@@ -56,6 +59,7 @@ class Reference {
   std::shared_ptr<const Tables> tables_ = std::make_shared<Tables>();
   std::filesystem::path cache_;
   std::function<void()> tick_;
+  int digits_;
 };
 
 }  // namespace oddity

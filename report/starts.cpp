@@ -7,6 +7,7 @@
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "reference/truth.hpp"
 #include "report/parallel.hpp"
 
 namespace oddity {
@@ -14,6 +15,15 @@ namespace oddity {
 namespace {
 
 constexpr double nearby = 0.1;
+
+/// The true motion's error is a millionth of the need at most, or it is made with all digits.
+constexpr double needless = 1e-6;
+
+/// Digits with which that is so where errors grow by less than a millionfold.
+int digits_for(const Need& need) {
+  const double least = need.relative ? need.error : std::min(need.error_in("m"), need.error_in("rad"));
+  return std::clamp(12 + static_cast<int>(std::ceil(-std::log10(least))), 14, truth::spot_digits);
+}
 
 }  // namespace
 
@@ -42,10 +52,14 @@ Start Starts::start(const Parameters& p) const {
   std::string says;
   for (std::string_view name : scene().starts)
     says += (says.empty() ? "" : ", ") + std::string(name) + " = " + rounded(p[name], 4);
-  Start start{says, motion(scene(), p, horizon(), truth_)};
-  start.motion.needs = needs_of(need_, start.motion);
-  start.motion.need = {*std::ranges::min_element(start.motion.needs), "asked for"};
-  return start;
+  const auto made = [&](const Reference& truth) {
+    Start start{says, motion(scene(), p, horizon(), truth)};
+    start.motion.needs = needs_of(need_, start.motion);
+    start.motion.need = {*std::ranges::min_element(start.motion.needs), "asked for"};
+    return start;
+  };
+  Start start = made(truth_.to_digits(digits_for(need_)));
+  return start.motion.reference_error <= needless * start.motion.need.allowed ? start : made(truth_);
 }
 
 Start Starts::asked() const {
