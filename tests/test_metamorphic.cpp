@@ -52,9 +52,9 @@ void for_each_model(const See& see) {
     see("3.5", "one angle", pendulum::OneAngle<double>{released}, 10.0);
     see("3.5", "Cartesian with constraint", pendulum::CartesianWithConstraint<double>{released}, 10.0);
   }
-  const bead_on_cubic::Bead bead{1, 1};
-  see("3.7", "one coordinate", bead_on_cubic::OneCoordinate{bead}, 4.0);
-  see("3.7", "Cartesian with constraints", bead_on_cubic::CartesianWithConstraints{bead}, 4.0);
+  const bead_on_cubic::Given<double> bead{1, 1};
+  see("3.7", "one coordinate", bead_on_cubic::OneCoordinate<double>{bead}, 4.0);
+  see("3.7", "Cartesian with constraints", bead_on_cubic::CartesianWithConstraints<double>{bead}, 4.0);
   see("3.9", "plane, with the work", damped_ball::PlaneWithWork{{1, 4, 0.4, 1, 0.5, 0, 1.5}}, 5.0);
   const paraboloid_hill::Hill hill{1, 2};
   const height_field::InPlane<paraboloid_hill::Hill>::State down{0, 0, 1.5, 1.5};

@@ -73,8 +73,9 @@ struct Sample {
   /// x'' = q'' from gravity and the wire's two forces.
   double by_forces() const {
     const auto x = curve(q), u = velocity(q, v);
-    CartesianWithConstraints::State rate;
-    CartesianWithConstraints{{q, g}}({x[0], x[1], x[2], u[0], u[1], u[2]}, rate, 0);
+    const std::array state{x[0], x[1], x[2], u[0], u[1], u[2]};
+    auto rate = state;
+    CartesianWithConstraints<double>{{q, g}}(state, rate, 0.0);
     return rate[3];
   }
 };
@@ -82,13 +83,15 @@ struct Sample {
 // ---- the methods ---------------------------------------------------------------------------------------
 
 /// Longer than any arrival takes: at rest the bead is heaviest, and int_0^1 ds / std::sqrt(1 - s^3) = 1.402.
-inline double latest(const Bead& bead) { return 1.5 * std::sqrt(metric(bead.q0) / (2 * bead.g * bead.q0)); }
+inline double latest(const Given<double>& bead) {
+  return 1.5 * std::sqrt(metric(bead.q0) / (2 * bead.g * bead.q0));
+}
 
 /// The time at which a model's x changes its sign, and the state there.
 template <class Algorithm, class Model>
 Solved<ode::Event<typename Model::State>> event_of(const Model& model, double setting) {
   const auto x = [&](const typename Model::State& s, double t) { return model.observe(s, t)[0]; };
-  return ode::find_event<Algorithm>(model, model.start(), 0, latest(model), setting, x);
+  return ode::find_event<Algorithm>(model, model.start(), 0, latest(model.p), setting, x);
 }
 
 template <class Algorithm, class Model>
@@ -99,7 +102,7 @@ void add_event(Quantity& arrival, const std::string& name, const Model& model, O
     time.error_estimate = std::numeric_limits<double>::quiet_NaN();  // it is the last bracket's alone
     return time;
   };
-  const Knob steps = halving("step", latest(model) / 32, 8);
+  const Knob steps = halving("step", latest(model.p) / 32, 8);
   const ode::Brief algorithm = ode::brief<Algorithm>();
   arrival.add({name, std::string(algorithm.name), ode::has_tolerance(algorithm.kind) ? tolerances() : steps,
                run, expected, why});
@@ -121,10 +124,10 @@ inline const std::string stuck = "energy in q", regular = "energy in u", one = "
                          substituted = "energy integral over u";
 inline const std::string fehlberg{ode::brief<ode::Fehlberg78>().name};
 
-inline void add_integrals(Quantity& arrival, const Bead& bead) {
+inline void add_integrals(Quantity& arrival, const Given<double>& bead) {
   const double q0 = bead.q0;
-  const auto over_q = [=](double q) { return 1 / EnergyInQ{bead}.speed(q); };
-  const auto over_u = [=](double u) { return EnergyInU{bead}.seconds_per_u(u); };
+  const auto over_q = [=](double q) { return 1 / EnergyInQ<double>{bead}.speed(q); };
+  const auto over_u = [=](double u) { return EnergyInU<double>{bead}.seconds_per_u(u); };
   const auto panels = [](double n) { return static_cast<int>(n); };
   arrival.add({raw, "Gauss-Legendre", doubling("points", 4, 8),
                [=](double n) { return answer(gauss_legendre(over_q, 0, q0, panels(n))); },
@@ -142,16 +145,16 @@ inline void add_integrals(Quantity& arrival, const Bead& bead) {
   arrival.add({substituted, "QAGS", tolerances(), [=](double e) { return answer(qags(over_u, 0, 1, e)); }});
 }
 
-inline Quantity arrival(const Bead& bead, const Reference& truth) {
+inline Quantity arrival(const Given<double>& bead, const Reference& truth) {
   Quantity time = quantity("arrival", "s", "time from release to the origin",
                            truth("03_07_arrival", {bead.q0, bead.g}), {});
   time.need = {4e-10 * time.reference.value[0], "nine decimals of the book's case"};
   add_integrals(time, bead);
-  add_event<ode::RungeKutta4>(time, regular, EnergyInU{bead});
-  add_event<ode::Fehlberg78>(time, regular, EnergyInU{bead});
-  add_events(time, one, OneCoordinate{bead});
-  add_event<ode::Fehlberg78>(time, cartesian, CartesianWithConstraints{bead});
-  add_event<ode::Fehlberg78>(time, stuck, EnergyInQ{bead}, Outcome::raised,
+  add_event<ode::RungeKutta4>(time, regular, EnergyInU<double>{bead});
+  add_event<ode::Fehlberg78>(time, regular, EnergyInU<double>{bead});
+  add_events(time, one, OneCoordinate<double>{bead});
+  add_event<ode::Fehlberg78>(time, cartesian, CartesianWithConstraints<double>{bead});
+  add_event<ode::Fehlberg78>(time, stuck, EnergyInQ<double>{bead}, Outcome::raised,
                              "q = q0 for ever solves it too, and that is the solution taken");
   time.add(
       Breakdown{"The time's integrand is infinite at the release, and bisection goes there until it "
@@ -165,7 +168,7 @@ inline Quantity arrival(const Bead& bead, const Reference& truth) {
 }
 
 /// The position from the energy integral over u: Brent's method on a Gauss rule.
-inline Answer by_inverted_integral(const EnergyInU& bead, const Horizon& horizon, int points) {
+inline Answer by_inverted_integral(const EnergyInU<double>& bead, const Horizon& horizon, int points) {
   return observe_at_times(horizon, [&](double t, Answer& answer) {
     const auto late = [&](double u) {
       const auto time = gauss_legendre([&](double s) { return bead.seconds_per_u(s); }, 0, u, points);
@@ -181,21 +184,22 @@ inline Answer by_inverted_integral(const EnergyInU& bead, const Horizon& horizon
   });
 }
 
-inline Quantity slide(const Bead& bead, const Horizon& horizon, const Reference& truth) {
+inline Quantity slide(const Given<double>& bead, const Horizon& horizon, const Reference& truth) {
   Quantity position = quantity("slide", "m", "position at " + times_up_to(horizon),
                                trajectory(truth, "03_07_slide", {bead.q0, bead.g}, horizon), {});
   position.need = {1e-7 * size_of(position.reference.value), "a ten-millionth of the farthest coordinate"};
   Ladder(position, horizon, halving("step", 0.125, 9), tolerances())
-      .closed_form("straight tangent", StraightTangent{bead}, Outcome::inaccurate, "the curve bends away")
-      .by<ode::Fehlberg78>(stuck, EnergyInQ{bead}, Outcome::inaccurate, "the bead never moves")
-      .by_few(regular, EnergyInU{bead})
-      .by_common(one, OneCoordinate{bead})
-      .by_others(one, OneCoordinate{bead},
+      .closed_form("straight tangent", StraightTangent<double>{bead}, Outcome::inaccurate,
+                   "the curve bends away")
+      .by<ode::Fehlberg78>(stuck, EnergyInQ<double>{bead}, Outcome::inaccurate, "the bead never moves")
+      .by_few(regular, EnergyInU<double>{bead})
+      .by_common(one, OneCoordinate<double>{bead})
+      .by_others(one, OneCoordinate<double>{bead},
                  {{"linearly implicit Euler", Outcome::inaccurate,
                    "its order is too low for this need at this step"}})
-      .by_common(cartesian, CartesianWithConstraints{bead});
+      .by_common(cartesian, CartesianWithConstraints<double>{bead});
   position.add({substituted, "Gauss-Legendre, inverted by Brent", doubling("points", 4, 6), [=](double n) {
-                  return by_inverted_integral(EnergyInU{bead}, horizon, static_cast<int>(n));
+                  return by_inverted_integral(EnergyInU<double>{bead}, horizon, static_cast<int>(n));
                 }});
   position.add(
       Breakdown{"Energy alone, q' = -sqrt(...), lets a bead at rest stay at rest; the second-order "
@@ -210,9 +214,9 @@ inline constexpr double book_step = 0.001;
 inline constexpr int book_steps = 2500;
 
 /// The states (q, q') of the book's run.
-inline std::vector<OneCoordinate::State> book_run() {
-  const OneCoordinate bead{{1, 1}};
-  std::vector<OneCoordinate::State> run{bead.start()};
+inline std::vector<OneCoordinate<double>::State> book_run() {
+  const OneCoordinate<double> bead{{1, 1}};
+  std::vector<OneCoordinate<double>::State> run{bead.start()};
   double t = 0;
   for (int i = 0; i < book_steps; ++i) {
     auto state = run.back();
@@ -223,8 +227,8 @@ inline std::vector<OneCoordinate::State> book_run() {
 }
 
 /// The states at t = 1, 2, ..., 1000, the run gone on with.
-inline std::vector<OneCoordinate::State> long_run() {
-  const OneCoordinate bead{{1, 1}};
+inline std::vector<OneCoordinate<double>::State> long_run() {
+  const OneCoordinate<double> bead{{1, 1}};
   return ode::integrate<ode::DormandPrince54>(bead, bead.start(), Horizon{1000, 1000}.times(), 1e-10).value;
 }
 

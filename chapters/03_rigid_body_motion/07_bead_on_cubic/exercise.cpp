@@ -37,11 +37,11 @@ Scene scene() {
           {"q0"},
           {{"x", "y", "z"}, "s", {{"m", {0, 1, 2}}}},
           {{"chapters/03_rigid_body_motion/07_bead_on_cubic/models.hpp"},
-           {{"straight tangent", "bead_on_cubic::StraightTangent{{q0, g}}"},
-            {"energy in q", "bead_on_cubic::EnergyInQ{{q0, g}}"},
-            {"energy in u", "bead_on_cubic::EnergyInU{{q0, g}}"},
-            {"one coordinate", "bead_on_cubic::OneCoordinate{{q0, g}}"},
-            {"Cartesian with constraints", "bead_on_cubic::CartesianWithConstraints{{q0, g}}"}}}};
+           {{"straight tangent", "bead_on_cubic::StraightTangent<double>{{q0, g}}"},
+            {"energy in q", "bead_on_cubic::EnergyInQ<double>{{q0, g}}"},
+            {"energy in u", "bead_on_cubic::EnergyInU<double>{{q0, g}}"},
+            {"one coordinate", "bead_on_cubic::OneCoordinate<double>{{q0, g}}"},
+            {"Cartesian with constraints", "bead_on_cubic::CartesianWithConstraints<double>{{q0, g}}"}}}};
 }
 
 // ---- the claims: formulas ---------------------------------------------------------------------------------
@@ -113,7 +113,9 @@ std::vector<Claim> formulas(double seed) {
            return s.m * (metric(s.q) * s.a + (4 + 2) * bend(s) * s.v * s.v + 3 * s.g * s.q * s.q);
          }}});
   const Version<Sample> solved{"-(3g q^2 + 2q (2 + 9q^2) q'^2) / (1 + 4q^2 + 9q^4)", [](S s) {
-                                 return OneCoordinate{{s.q, s.g}}.acceleration(s.q, s.v);
+                                 std::array<double, 2> rate;
+                                 OneCoordinate<double>{{s.q, s.g}}(std::array{s.q, s.v}, rate, 0.0);
+                                 return rate[1];
                                }};
   says("equation_of_motion", 1411, "q'' (the minus sign being read as that of the whole fraction)", solved,
        {"Lagrange's equation by nested dual numbers, the mass at random",
@@ -163,8 +165,8 @@ struct Row {
   std::array<double, 3> position;
 };
 
-Reading row_reading(const std::string& text, const Row& row, const std::vector<OneCoordinate::State>& run,
-                    const Reference& truth) {
+Reading row_reading(const std::string& text, const Row& row,
+                    const std::vector<OneCoordinate<double>::State>& run, const Reference& truth) {
   const auto& state = run[static_cast<std::size_t>(row.step)];
   const double t = row.step / 1000.0;
   return {
@@ -179,16 +181,17 @@ Reading row_reading(const std::string& text, const Row& row, const std::vector<O
 
 /// How many of the book's steps violate a statement about a state and its successor.
 template <class Holds>
-Check over_run(const std::string& what, const std::vector<OneCoordinate::State>& run, const Holds& holds) {
+Check over_run(const std::string& what, const std::vector<OneCoordinate<double>::State>& run,
+               const Holds& holds) {
   long violations = 0;
   for (std::size_t i = 0; i + 1 < run.size(); ++i) violations += !holds(run[i], run[i + 1]);
   return never(what, violations, book_steps);
 }
 
-std::vector<Claim> run_down(const std::vector<OneCoordinate::State>& run) {
-  using State = OneCoordinate::State;
+std::vector<Claim> run_down(const std::vector<OneCoordinate<double>::State>& run) {
+  using State = OneCoordinate<double>::State;
   const auto force = [](const State& x) { return lagrange_acceleration(Lagrangian{1, 1}, x[0], x[1]); };
-  const auto at_origin = event_of<ode::Fehlberg78>(OneCoordinate{{1, 1}}, 1e-12).value.state;
+  const auto at_origin = event_of<ode::Fehlberg78>(OneCoordinate<double>{{1, 1}}, 1e-12).value.state;
 
   Claim start{"3.7-start", 1375, "the bead at rest at (1, 1, 1) is q = 1, q' = 0"};
   const auto start_at = [](double q) {
@@ -270,9 +273,10 @@ std::vector<Claim> run_down(const std::vector<OneCoordinate::State>& run) {
   return {start, negative, slower, moving, down};
 }
 
-std::vector<Claim> arrival_claims(const std::vector<OneCoordinate::State>& run, const Reference& truth) {
+std::vector<Claim> arrival_claims(const std::vector<OneCoordinate<double>::State>& run,
+                                  const Reference& truth) {
   const Known T = truth("03_07_arrival", {1, 1});
-  const auto event = event_of<ode::Fehlberg78>(CartesianWithConstraints{{1, 1}}, 1e-12).value;
+  const auto event = event_of<ode::Fehlberg78>(CartesianWithConstraints<double>{{1, 1}}, 1e-12).value;
   const Tolerance integrated{1e-10, "a hundred tolerances of the integration"};
 
   Claim gravity{"3.7-needs_g", 1417, "the time depends on g"};
