@@ -245,16 +245,16 @@ TEST_CASE("the printed file stands alone, with the question, the answer and the 
 }
 
 TEST_CASE("what cannot be printed is said, with what can", "[code]") {
-  const auto of = [](int exercise, const std::string& model, const std::string& algorithm) {
-    const Entry& entry = *std::ranges::find(registry(), Number{3, exercise}, &Entry::number);
+  const auto of = [](const Number& exercise, const std::string& model, const std::string& algorithm) {
+    const Entry& entry = *std::ranges::find(registry(), exercise, &Entry::number);
     Method method{model, algorithm, no_knob(), {}};
     return complaint_of(Task(entry), method);
   };
-  CHECK(of(5, "one angle", "Fehlberg 7(8)")
+  CHECK(of({3, 5}, "one angle", "Fehlberg 7(8)")
             .starts_with("there is no code to print for the algorithm Fehlberg 7(8); there is for: closed "
                          "form; explicit Euler; "));
-  CHECK(of(13, "elliptic angle", "closed form")
-            .find("'elliptic angle', which needs Boost's Jacobi functions; there is for: center line; ") !=
-        std::string::npos);
-  CHECK(of(5, "one angle", "Runge-Kutta 4") == "nothing");
+  CHECK(of({2, 7}, "matrix, orthonormalized", "Runge-Kutta 4")
+            .find("'matrix, orthonormalized', which repairs the orientation after each step; there is for: "
+                  "frame; ") != std::string::npos);
+  CHECK(of({3, 5}, "one angle", "Runge-Kutta 4") == "nothing");
 }

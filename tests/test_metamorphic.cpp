@@ -7,11 +7,10 @@
 #include <map>
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
-#include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
+#include "chapters/03_rigid_body_motion/07_bead_on_cubic/models.hpp"
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
 #include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
-#include "chapters/03_rigid_body_motion/shared/height_field.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 #include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
@@ -52,18 +51,17 @@ void for_each_model(const See& see) {
     see("3.5", "one angle", pendulum::OneAngle<double>{released}, 10.0);
     see("3.5", "Cartesian with constraint", pendulum::CartesianWithConstraint<double>{released}, 10.0);
   }
-  const bead_on_cubic::Bead bead{1, 1};
-  see("3.7", "one coordinate", bead_on_cubic::OneCoordinate{bead}, 4.0);
-  see("3.7", "Cartesian with constraints", bead_on_cubic::CartesianWithConstraints{bead}, 4.0);
-  see("3.9", "plane, with the work", damped_ball::PlaneWithWork{{1, 4, 0.4, 1, 0.5, 0, 1.5}}, 5.0);
-  const paraboloid_hill::Hill hill{1, 2};
-  const height_field::InPlane<paraboloid_hill::Hill>::State down{0, 0, 1.5, 1.5};
-  see("3.11", "plane", height_field::InPlane<paraboloid_hill::Hill>{hill, 10, down}, 2.0);
-  see("3.11", "momenta", height_field::Momenta<paraboloid_hill::Hill>{hill, 10, down}, 2.0);
-  see("3.11", "space", paraboloid_hill::InSpace{{hill, 10, {0, 0}, {1.5, 1.5}}}, 2.0);
-  const tilted_chute::Case ball{{1, 5, 3}, 9.81, 1, -1};
-  see("3.13", "angle about the axis", tilted_chute::Angle{ball}, 4.0);
-  see("3.13", "space", tilted_chute::InSpace{ball}, 4.0);
+  const bead_on_cubic::Given<double> bead{1, 1};
+  see("3.7", "one coordinate", bead_on_cubic::OneCoordinate<double>{bead}, 4.0);
+  see("3.7", "Cartesian with constraints", bead_on_cubic::CartesianWithConstraints<double>{bead}, 4.0);
+  see("3.9", "plane, with the work", damped_ball::PlaneWithWork<double>{{1, 4, 0.4, 1, 0.5, 0, 1.5}}, 5.0);
+  const auto down = paraboloid_hill::from_the_top<double>({1, 2, 10, 2, 2, 0.75});
+  see("3.11", "plane", paraboloid_hill::in_plane(down), 2.0);
+  see("3.11", "momenta", paraboloid_hill::in_momenta(down), 2.0);
+  see("3.11", "space", paraboloid_hill::InSpace<double>{down}, 2.0);
+  const tilted_chute::Given<double> ball{1, 5, 3, 9.81, 1, -1};
+  see("3.13", "angle about the axis", tilted_chute::Angle<double>{ball}, 4.0);
+  see("3.13", "space", tilted_chute::InSpace<double>{ball}, 4.0);
   const turning_rod::Rod rod{1, 1, 10, pi / 4, 2};
   see("3.15", "along the rod", turning_rod::AlongTheRodWithWork{rod}, 2.0);
   see("3.15", "turning plane", turning_rod::InTheTurningPlane{rod}, 2.0);

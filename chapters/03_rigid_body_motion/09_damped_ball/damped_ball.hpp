@@ -10,6 +10,8 @@
 
 namespace oddity::damped_ball {
 
+using Ball = Given<double>;
+
 inline Known true_path(const Ball& b, const Horizon& horizon, const Reference& truth) {
   return trajectory(truth, "03_09_ball", {b.m, b.c, b.a, b.p1, b.p2, b.v1, b.v2}, horizon);
 }
@@ -19,18 +21,15 @@ inline Quantity path(const std::string& name, const std::string& says, const Bal
   Quantity q = quantity(name, "m", says, true_path(b, horizon, truth), {1e-8, "a hundredth of a micrometre"});
   const double d = b.a * b.a - 4 * b.m * b.c;
   Ladder(q, horizon, halving("step", 0.125, 11), tolerances(3, 11))
-      .closed_form("closed form, one for all regimes", OneForm{b})
-      .closed_form("two exponentials", TwoExponentials{b},
-                   d > 0   ? Outcome::ok
-                   : d < 0 ? Outcome::raised
-                           : Outcome::non_finite,
+      .closed_form("closed form, one for all regimes", OneForm<double>{b})
+      .closed_form("two exponentials", TwoExponentials<double>{b}, d > 0 ? Outcome::ok : Outcome::non_finite,
                    d > 0 ? "" : "there are no two real roots")
-      .by_common("plane", Plane{b}, Outcome::inaccurate, Outcome::inaccurate)
-      .by_others("plane", Plane{b},
+      .by_common("plane", Plane<double>{b}, Outcome::inaccurate, Outcome::inaccurate)
+      .by_others("plane", Plane<double>{b},
                  {{"linearly implicit Euler", Outcome::inaccurate,
                    "its order is too low for this need at this step"}})
-      .by_few("plane, with the work", PlaneWithWork{b}, Outcome::inaccurate, Outcome::inaccurate)
-      .by<ode::Rosenbrock4>("plane, with the work", PlaneWithWork{b});
+      .by_few("plane, with the work", PlaneWithWork<double>{b}, Outcome::inaccurate, Outcome::inaccurate)
+      .by<ode::Rosenbrock4>("plane, with the work", PlaneWithWork<double>{b});
   return q;
 }
 
@@ -51,8 +50,8 @@ inline Quantity first_arrival(const Ball& at_rest) {
             },
             Outcome::inaccurate, "the principal value is negative: it lies before the start"});
   time.add({"plane", "Fehlberg 7(8)", tolerances(), [=](double tolerance) {
-              const Plane plane{at_rest};
-              const auto along = [&](const Plane::State& x, double) {
+              const Plane<double> plane{at_rest};
+              const auto along = [&](const Plane<double>::State& x, double) {
                 return x[0] * at_rest.p1 + x[1] * at_rest.p2;
               };
               return answer(
@@ -72,8 +71,8 @@ inline Quantity near_critical_path(const Ball& b, const Horizon& horizon, const 
   Quantity q = quantity("near_critical", "m", "the same with friction 1e-13 of itself above the critical",
                         true_path(b, horizon, truth), {1e-12, "twelve decimals"});
   Ladder(q, horizon, no_knob(), no_knob())
-      .closed_form("one form for all regimes", OneForm{b})
-      .closed_form("two exponentials", TwoExponentials{b}, Outcome::inaccurate,
+      .closed_form("one form for all regimes", OneForm<double>{b})
+      .closed_form("two exponentials", TwoExponentials<double>{b}, Outcome::inaccurate,
                    "its two terms nearly cancel where the roots nearly meet");
   return q.add(Breakdown{
       "Where the roots nearly meet, the two exponentials have factors of a million and of opposite sign, and "
@@ -86,16 +85,14 @@ inline Quantity near_critical_path(const Ball& b, const Horizon& horizon, const 
 /// bisection.
 template <class Algorithm>
 Answer largest_stable_step(const Ball& ball) {
-  struct Fast : Ball {
-    void operator()(const std::array<double, 2>& x, std::array<double, 2>& dxdt, double) const {
-      dxdt = {x[1], (-c * x[0] - a * x[1]) / m};
-    }
+  const auto fast = [&](const std::array<double, 2>& x, std::array<double, 2>& dxdt, double) {
+    dxdt = {x[1], (-ball.c * x[0] - ball.a * x[1]) / ball.m};
   };
   Answer limit{0};
   double low = 0, high = 10 * ball.m / ball.a;
   while (high - low > 1e-6 * high) {
     const double h = (low + high) / 2;
-    const auto end = ode::integrate<Algorithm>(Fast{ball}, std::array{1.0, -ball.a / ball.m}, 0, 1000 * h, h);
+    const auto end = ode::integrate<Algorithm>(fast, std::array{1.0, -ball.a / ball.m}, 0, 1000 * h, h);
     limit.evaluations += end.evaluations;
     (end.reached() && std::abs(end.value[1]) <= ball.a / ball.m ? low : high) = h;
   }

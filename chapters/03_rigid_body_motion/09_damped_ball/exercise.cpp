@@ -125,7 +125,7 @@ struct Passage {
 /// found by marching and bisection on the way along p.
 Passage first_passage(const Ball& b) {
   const auto x = [&](double t) {
-    const auto at = OneForm{b}.at(t);
+    const auto at = OneForm<double>{b}.at(t);
     return at[0] * b.p1 + at[1] * b.p2;
   };
   const double step = 1e-3 * std::sqrt(b.m / b.c);
@@ -267,10 +267,10 @@ std::vector<Claim> claims(double seed) {
     return Check{"x(1) at a^2 = 4 m c", {by, x}, with_t, rounding(1)};
   };
   overdamped.printed = {"for all real roots, the double one included",
-                        {at_double_root("two exponentials", TwoExponentials{critical}.at(t))}};
+                        {at_double_root("two exponentials", TwoExponentials<double>{critical}.at(t))}};
   overdamped.corrected = {"for r1 != r2; for a double root r, (K1 + K2 t) exp(r t)",
                           {solves("two exponentials", seed, true, two_exponentials(1)),
-                           at_double_root("the limit of the two regimes", OneForm{critical}.at(t))}};
+                           at_double_root("the limit of the two regimes", OneForm<double>{critical}.at(t))}};
   overdamped.near_misses = {
       {"for a double root r, (p + v t) exp(r t)",
        {at_double_root("(p + v t) exp(-2 t)", {std::exp(-2.0) * (1 + 0.0), std::exp(-2.0) * (0.5 + 1.5)})}}};
@@ -305,15 +305,15 @@ std::vector<Claim> claims(double seed) {
   const double passes = std::log(8.0 / 5.0) / 3;
   const auto at_origin = [&](const std::string& when, double time) {
     return Check{"x at t = " + when,
-                 {"closed form", OneForm{thrown}.at(time)},
+                 {"closed form", OneForm<double>{thrown}.at(time)},
                  {"the origin", {0, 0}},
                  rounding(2),
                  2};
   };
   never_reached.printed = {
       "|x| > 0 for all t",
-      {never("the origin is passed by t = 1: x1(1) has changed its sign", OneForm{thrown}.at(1)[0] < 0, 1,
-             "m = 1, c = 4, a = 5, p = (1, 2), v = -9 p")}};
+      {never("the origin is passed by t = 1: x1(1) has changed its sign",
+             OneForm<double>{thrown}.at(1)[0] < 0, 1, "m = 1, c = 4, a = 5, p = (1, 2), v = -9 p")}};
   never_reached.corrected = {
       "a ball thrown at the origin faster than |r2| |p| passes it once, at exp((r1 - r2) t) = -K2/K1",
       {at_origin("ln(8/5)/3", passes)}};
@@ -333,10 +333,10 @@ std::vector<Claim> claims(double seed) {
   for (int i = 0; i < 100; ++i) {
     const double a = random.between(4.5, 60), b = a * random.between(1.05, 3);
     const Ball one{1, 4, a, 1, 1, 0, 0}, other{1, 4, b, 1, 1, 0, 0};
-    slower += !(OneForm{other}.at(5)[0] < OneForm{one}.at(5)[0]);
-    faster += !(OneForm{other}.at(5)[0] > OneForm{one}.at(5)[0]);
+    slower += !(OneForm<double>{other}.at(5)[0] < OneForm<double>{one}.at(5)[0]);
+    faster += !(OneForm<double>{other}.at(5)[0] > OneForm<double>{one}.at(5)[0]);
     const Ball light{1, 4, a / 15, 1, 1, 0, 0}, heavier{1, 4, b / 15, 1, 1, 0, 0};
-    below += !(std::abs(OneForm{heavier}.at(5)[0]) > std::abs(OneForm{light}.at(5)[0]));
+    below += !(std::abs(OneForm<double>{heavier}.at(5)[0]) > std::abs(OneForm<double>{light}.at(5)[0]));
   }
   sooner.printed = {"x(5) falls with a",
                     {never("more friction leaves the ball farther away at t = 5", slower, 100)}};
@@ -483,7 +483,7 @@ std::vector<Claim> claims(double seed) {
   Claim pointing{"3.9-velocity_points_to_origin", 1525,
                  "what happens physically is that the velocity points to the origin at the start"};
   const Ball away{1, 4, 0.4, 1, 2, 1, 2};
-  const auto [w1, w2] = OneForm{away}.at(first_passage(away).time);
+  const auto [w1, w2] = OneForm<double>{away}.at(first_passage(away).time);
   const Ball aside{1, 4, 0.4, 1, 2, 1, 1};
   const auto back = [&](const std::string& what, const Ball& ball) {
     const auto [time, known] = first_passage(ball);
@@ -491,7 +491,7 @@ std::vector<Claim> claims(double seed) {
     const double speed = std::hypot(derivative(form(ball.m, ball.c, ball.a, ball.p1, ball.v1), time),
                                     derivative(form(ball.m, ball.c, ball.a, ball.p2, ball.v2), time));
     return Check{what,
-                 {"closed form", OneForm{ball}.at(time)},
+                 {"closed form", OneForm<double>{ball}.at(time)},
                  {"the origin", {0, 0}},
                  {known.allowed * speed, "the way that the ball goes in the uncertainty of its passage"},
                  std::hypot(ball.p1, ball.p2)};
@@ -584,10 +584,10 @@ Scene scene() {
           {"p1", "p2", "v2"},
           {{"x", "y"}, "s", {{"m", {0, 1}}}},
           {{"chapters/03_rigid_body_motion/09_damped_ball/models.hpp"},
-           {{"closed form, one for all regimes", "damped_ball::OneForm{{m, c, a, p1, p2, v1, v2}}"},
-            {"two exponentials", "damped_ball::TwoExponentials{{m, c, a, p1, p2, v1, v2}}"},
-            {"plane", "damped_ball::Plane{{m, c, a, p1, p2, v1, v2}}"},
-            {"plane, with the work", "damped_ball::PlaneWithWork{{m, c, a, p1, p2, v1, v2}}"}}}};
+           {{"closed form, one for all regimes", "damped_ball::OneForm<double>{{m, c, a, p1, p2, v1, v2}}"},
+            {"two exponentials", "damped_ball::TwoExponentials<double>{{m, c, a, p1, p2, v1, v2}}"},
+            {"plane", "damped_ball::Plane<double>{{m, c, a, p1, p2, v1, v2}}"},
+            {"plane, with the work", "damped_ball::PlaneWithWork<double>{{m, c, a, p1, p2, v1, v2}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

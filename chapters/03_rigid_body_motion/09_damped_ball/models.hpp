@@ -1,69 +1,88 @@
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <stdexcept>
+#include <tuple>
 
 #include "chapters/numbers.hpp"
 
-/// A ball in the plane on a spring of constant c with viscous friction a: m x'' + a x' + c x = 0 from p with
-/// velocity v.
+/// The models of exercise 3.9: a ball in the plane on a spring of constant c with viscous friction a,
+/// m x'' + a x' + c x = 0 from p with velocity v.
 namespace oddity::damped_ball {
 
-struct Ball {
-  double m, c, a, p1, p2, v1, v2;
+/// The exercise's parameters.
+template <class T>
+struct Given {
+  T m, c, a, p1, p2, v1, v2;
 };
 
-/// The three regimes in one form, without cancellation where they meet: exp(-h t)(p C + (v + h p) S).
-/// Over-damped, the slow exponential is taken out of C and S; its rate h - w is (c/m)/(h + w).
-struct OneForm : Ball {
-  std::array<double, 2> at(double t) const {
-    const double h = a / (2 * m), d = h * h - c / m, w = std::sqrt(std::abs(d));
-    const double rate = d > 0 ? c / m / (h + w) : h;
-    const double even = d > 0 ? (1 + std::exp(-2 * w * t)) / 2 : std::cos(w * t);
-    const double odd = w == 0 ? t : d > 0 ? -std::expm1(-2 * w * t) / (2 * w) : std::sin(w * t) / w;
-    const auto x = [&](double p, double v) { return std::exp(-rate * t) * (p * even + (v + h * p) * odd); };
+/// The book's case 1: K1 exp(r1 t) + K2 exp(r2 t), as written; no number where the roots are complex.
+template <class T>
+struct TwoExponentials {
+  Given<T> p;
+  std::array<T, 2> at(const T& t) const {
+    const auto& [m, c, a, p1, p2, v1, v2] = p;
+    const T root = sqrt(a * a - 4 * m * c), r1 = (-a + root) / (2 * m), r2 = (-a - root) / (2 * m);
+    const auto x = [&](const T& from, const T& v) -> T {
+      const T k1 = (v - r2 * from) / (r1 - r2);
+      return k1 * exp(r1 * t) + (from - k1) * exp(r2 * t);
+    };
     return {x(p1, v1), x(p2, v2)};
   }
 };
 
-/// The book's case 1: K1 exp(r1 t) + K2 exp(r2 t), as written; raised where the roots are complex.
-struct TwoExponentials : Ball {
-  std::array<double, 2> at(double t) const {
-    if (a * a < 4 * m * c) throw std::domain_error("the roots are complex: a^2 < 4 m c");
-    const double root = std::sqrt(a * a - 4 * m * c), r1 = (-a + root) / (2 * m), r2 = (-a - root) / (2 * m);
-    const auto x = [&](double p, double v) {
-      const double k1 = (v - r2 * p) / (r1 - r2);
-      return k1 * std::exp(r1 * t) + (p - k1) * std::exp(r2 * t);
+/// The three regimes in one form, without cancellation where they meet: exp(-h t)(p C + (v + h p) S).
+/// Over-damped, the slow exponential is taken out of C and S; its rate h - w is (c/m)/(h + w).
+template <class T>
+struct OneForm {
+  Given<T> p;
+  std::array<T, 2> at(const T& t) const {
+    const auto& [m, c, a, p1, p2, v1, v2] = p;
+    const T h = a / (2 * m), d = h * h - c / m, w = sqrt(abs(d)), zero(0);
+    const T rate = select(d > zero, T(c / m / (h + w)), h);
+    const T even = select(d > zero, T((1 + exp(-2 * w * t)) / 2), T(cos(w * t)));
+    const T odd = select(d > zero, T(-expm1(-2 * w * t) / (2 * w)), T(sin(w * t) / w));
+    const T turned = select(w > zero, odd, t);
+    const auto x = [&](const T& from, const T& v) -> T {
+      return exp(-rate * t) * (from * even + (v + h * from) * turned);
     };
     return {x(p1, v1), x(p2, v2)};
   }
 };
 
 /// (x1, x2, x1', x2').
-struct Plane : Ball {
-  using State = std::array<double, 4>;
-  State start() const { return {p1, p2, v1, v2}; }
-  template <class X, class T>
-  void operator()(const X& x, X& dxdt, const T&) const {
-    dxdt = {x[2], x[3], (-c * x[0] - a * x[2]) / m, (-c * x[1] - a * x[3]) / m};
+template <class T>
+struct Plane {
+  Given<T> p;
+  using State = std::array<T, 4>;
+  State start() const { return {p.p1, p.p2, p.v1, p.v2}; }
+  template <class X>
+  void operator()(const std::array<X, 4>& x, std::array<X, 4>& dxdt, const X&) const {
+    dxdt = {x[2], x[3], (-p.c * x[0] - p.a * x[2]) / p.m, (-p.c * x[1] - p.a * x[3]) / p.m};
   }
-  std::array<double, 2> observe(const State& x, double) const { return {x[0], x[1]}; }
+  std::array<T, 2> observe(const State& x, const T&) const { return {x[0], x[1]}; }
 };
 
 /// (x1, x2, x1', x2', work lost to friction): with it the energy is conserved.
-struct PlaneWithWork : Ball {
-  using State = std::array<double, 5>;
-  State start() const { return {p1, p2, v1, v2, 0}; }
-  template <class X, class T>
-  void operator()(const X& x, X& dxdt, const T&) const {
-    dxdt = {x[2], x[3], (-c * x[0] - a * x[2]) / m, (-c * x[1] - a * x[3]) / m,
-            a * (x[2] * x[2] + x[3] * x[3])};
+template <class T>
+struct PlaneWithWork {
+  Given<T> p;
+  using State = std::array<T, 5>;
+  State start() const { return {p.p1, p.p2, p.v1, p.v2, T(0)}; }
+  template <class X>
+  void operator()(const std::array<X, 5>& x, std::array<X, 5>& dxdt, const X&) const {
+    dxdt = {x[2], x[3], (-p.c * x[0] - p.a * x[2]) / p.m, (-p.c * x[1] - p.a * x[3]) / p.m,
+            p.a * (x[2] * x[2] + x[3] * x[3])};
   }
-  std::array<double, 2> observe(const State& x, double) const { return {x[0], x[1]}; }
-  auto conserved(const State& x, double) const {
-    return energy_of(m * (x[2] * x[2] + x[3] * x[3]) / 2, c * (x[0] * x[0] + x[1] * x[1]) / 2 + x[4]);
+  std::array<T, 2> observe(const State& x, const T&) const { return {x[0], x[1]}; }
+  auto conserved(const State& x, const T&) const {
+    return energy_of<T>(p.m * (x[2] * x[2] + x[3] * x[3]) / 2, p.c * (x[0] * x[0] + x[1] * x[1]) / 2 + x[4]);
   }
 };
+
+/// From the least to the richest, but for the two exponentials, which have no number for every friction.
+template <class T>
+auto models(const Given<T>& p) {
+  return std::tuple{OneForm<T>{p}, Plane<T>{p}, PlaneWithWork<T>{p}};
+}
 
 }  // namespace oddity::damped_ball

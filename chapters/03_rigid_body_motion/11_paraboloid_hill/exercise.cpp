@@ -5,8 +5,8 @@
 // numbers from the hill's height alone; its statements about paths are tried on integrated motions. Along a
 // straight path x3'' = -2K: at K = g/2 it is a free fall, and the hill pushes with g - 2K = 0.
 
-#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "reference/text.hpp"
 
 namespace oddity {
@@ -28,8 +28,13 @@ constexpr Parameter parameters[] = {
 
 // ---- the equations ----------------------------------------------------------------------------------------
 
+/// The velocity along v with which the line is straight.
+Pair right_speed(const Hill<double>& hill, double g, const Pair& v) {
+  return from_the_top<double>({hill.a1, hill.a2, g, v[0], v[1], 1}).v;
+}
+
 struct Sample {
-  Hill hill;
+  Hill<double> hill;
   double g, t;
   Pair x, v, a;
 
@@ -48,7 +53,7 @@ struct Sample {
            rounded(v[1], 4) + "), t = " + rounded(t, 4);
   }
   Pair left_side(const Pair& at, const Pair& acceleration) const {
-    return lagrange_left_side(height_field::Lagrangian<Hill>{hill, g}, at, v, acceleration);
+    return lagrange_left_side(height_field::Lagrangian<Hill<double>>{hill, g}, at, v, acceleration);
   }
 };
 
@@ -144,7 +149,7 @@ struct FromTop : Sample {
     const int kind = random.below(4);
     if (kind == 1 || kind == 3) v[0] = 0;
     if (kind == 2 || kind == 3) v[1] = 0;
-    if (kind == 0 && random.unit() < 0.5) v = at_the_right_speed({hill, g, {}, v}).v;
+    if (kind == 0 && random.unit() < 0.5) v = right_speed(hill, g, v);
   }
   /// v1^2/a1^2 + v2^2/a2^2 against g/2, or what the products make of it.
   bool equal(double left) const { return std::abs(left - g / 2) <= rounding(left + g / 2).allowed; }
@@ -219,7 +224,7 @@ std::vector<Claim> conditions(double seed) {
   long buried = 0;
   for (int i = 0; i < 200; ++i) {
     const Sample s(random);
-    const Pair v = at_the_right_speed({s.hill, s.g, {}, s.v}).v;
+    const Pair v = right_speed(s.hill, s.g, s.v);
     const auto x3 = [&](const auto& t) { return s.hill.height(v[0] * t, v[1] * t); };
     push.see(s.g + second_derivative(x3, s.t), 0, s.g, s.where());
     const double faster = random.between(1.01, 2);
@@ -245,7 +250,7 @@ std::vector<Claim> conditions(double seed) {
 
 /// How far the path from the top strays from the line of its first velocity, over its length.
 double stray(S s, const Pair& v) {
-  const auto path = ode::integrate<ode::Fehlberg78>(in_plane({s.hill, s.g, {0, 0}, v}),
+  const auto path = ode::integrate<ode::Fehlberg78>(in_plane<double>({s.hill, s.g, {0, 0}, v}),
                                                     std::array{0.0, 0.0, v[0], v[1]}, 0, 2, 1e-12);
   if (!path.reached()) return std::numeric_limits<double>::quiet_NaN();
   const auto& x = path.value;
@@ -260,7 +265,7 @@ Claim not_straight(double seed) {
   for (int i = 0; i < 50; ++i) {
     Sample s(random);
     const double off = random.between(0.3, 0.9);
-    const Pair right = at_the_right_speed({s.hill, s.g, {}, s.v}).v;
+    const Pair right = right_speed(s.hill, s.g, s.v);
     Pair slow = {right[0] * off, right[1] * off};
     bent_at_condition += !(stray(s, right) < 1e-9);
     if (std::abs(s.hill.a1 - s.hill.a2) > 0.1 && std::min(std::abs(slow[0]), std::abs(slow[1])) > 0.05)
@@ -291,13 +296,15 @@ Claim not_straight(double seed) {
   return claim;
 }
 
-/// From the top at the speed of the straight path.
-Case asked(const Parameters& p) { return from_the_top({p["a1"], p["a2"]}, p["g"], {p["v1"], p["v2"]}, 1); }
+/// From the top at this part of the straight path's speed.
+Case<double> asked(const Parameters& p, double factor) {
+  return from_the_top<double>({p["a1"], p["a2"], p["g"], p["v1"], p["v2"], factor});
+}
 
 constexpr auto low_order = "its order is too low for this need at this step";
 
 Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  const Case c = from_the_top({p["a1"], p["a2"]}, p["g"], {p["v1"], p["v2"]}, p["factor"]);
+  const Case<double> c = asked(p, p["factor"]);
   Quantity position =
       path("slower",
            "position at " + times_up_to(horizon) + ", from the top at a part of the straight path's speed", c,
@@ -310,27 +317,28 @@ Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& tr
 }
 
 Scene scene() {
-  return {slower,
-          2,
-          centimeter,
-          "factor",
-          {0.99, 0.9, 0.75, 0.5, 0.2},
-          {"v1", "v2"},
-          {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
-          {{"chapters/03_rigid_body_motion/11_paraboloid_hill/models.hpp"},
-           {{"straight line",
-             "paraboloid_hill::StraightLine{paraboloid_hill::from_the_top({a1, a2}, g, {v1, v2}, factor)}"},
-            {"height field",
-             "paraboloid_hill::in_plane(paraboloid_hill::from_the_top({a1, a2}, g, {v1, v2}, factor))"},
-            {"Cartesian with constraint",
-             "paraboloid_hill::InSpace{paraboloid_hill::from_the_top({a1, a2}, g, {v1, v2}, factor)}"},
-            {"momenta",
-             "paraboloid_hill::in_momenta(paraboloid_hill::from_the_top({a1, a2}, g, {v1, v2}, factor))"}}}};
+  return {
+      slower,
+      2,
+      centimeter,
+      "factor",
+      {0.99, 0.9, 0.75, 0.5, 0.2},
+      {"v1", "v2"},
+      {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
+      {{"chapters/03_rigid_body_motion/11_paraboloid_hill/models.hpp"},
+       {{"straight line",
+         "paraboloid_hill::StraightLine<double>{paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor})}"},
+        {"height field",
+         "paraboloid_hill::in_plane(paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor}))"},
+        {"Cartesian with constraint",
+         "paraboloid_hill::InSpace<double>{paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor})}"},
+        {"momenta",
+         "paraboloid_hill::in_momenta(paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor}))"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Horizon horizon{scene().horizon};
-  const Case right = asked(p);
+  const Case<double> right = asked(p, 1);
   std::vector<Claim> claims = equations(p["seed"]);
   for (const Claim& claim : conditions(p["seed"])) claims.push_back(claim);
   claims.push_back(not_straight(p["seed"]));
@@ -344,7 +352,7 @@ Findings study(const Parameters& p, const Reference& truth) {
                 right, true, horizon, truth),
            bent,
            path("faster", "the same at twice that, the hill holding the particle back",
-                times(right, 2 * p["factor"]), false, horizon, truth),
+                asked(p, 2 * p["factor"]), false, horizon, truth),
            path("beside", "in the same free fall from a start beside the top: straight as well",
                 beside(right, p["offset"]), true, horizon, truth)}};
 }

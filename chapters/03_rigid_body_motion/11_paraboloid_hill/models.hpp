@@ -1,89 +1,121 @@
 #pragma once
 
 #include <array>
-#include <cmath>
+#include <tuple>
 
 #include "chapters/03_rigid_body_motion/shared/height_field_models.hpp"
 
-/// A particle on the frictionless hill x3 = -x1^2/a1^2 - x2^2/a2^2 (lengths over the metre).
+/// The models of exercise 3.11: a particle on the frictionless hill x3 = -x1^2/a1^2 - x2^2/a2^2 (lengths over
+/// the metre). The observables are the position.
 namespace oddity::paraboloid_hill {
 
-using height_field::Pair;
+/// The exercise's parameters: from the top along (v1, v2), at `factor` times the speed with which the line is
+/// straight.
+template <class T>
+struct Given {
+  T a1, a2, g, v1, v2, factor;
+};
 
+template <class T>
 struct Hill {
-  double a1, a2;
+  T a1, a2;
 
-  template <class T>
-  T height(const T& x1, const T& x2) const {
-    return -(x1 * x1 / T(a1 * a1)) - x2 * x2 / T(a2 * a2);
+  template <class X>
+  X height(const X& x1, const X& x2) const {
+    return -(x1 * x1 / (a1 * a1)) - x2 * x2 / (a2 * a2);
   }
-  Pair gradient(const Pair& x) const { return {-2 * x[0] / (a1 * a1), -2 * x[1] / (a2 * a2)}; }
+  template <class X>
+  std::array<X, 2> gradient(const std::array<X, 2>& x) const {
+    return {-2 * x[0] / (a1 * a1), -2 * x[1] / (a2 * a2)};
+  }
   /// (Hessian of h) v.
-  Pair turn(const Pair&, const Pair& v) const { return {-2 * v[0] / (a1 * a1), -2 * v[1] / (a2 * a2)}; }
-  double bend(const Pair& x, const Pair& v) const {
-    const Pair turned = turn(x, v);
+  template <class X>
+  std::array<X, 2> turn(const std::array<X, 2>&, const std::array<X, 2>& v) const {
+    return {-2 * v[0] / (a1 * a1), -2 * v[1] / (a2 * a2)};
+  }
+  template <class X>
+  X bend(const std::array<X, 2>& x, const std::array<X, 2>& v) const {
+    const auto turned = turn(x, v);
     return v[0] * turned[0] + v[1] * turned[1];
   }
 };
 
 /// v1^2/a1^2 + v2^2/a2^2: half of what the hill bends down along v.
-inline double steepening(const Hill& hill, const Pair& v) { return -hill.bend({0, 0}, v) / 2; }
+template <class T>
+T steepening(const Hill<T>& hill, const std::array<T, 2>& v) {
+  return -hill.bend(v, v) / 2;
+}
 
 /// A start at p with velocity v in the plane.
+template <class T>
 struct Case {
-  Hill hill;
-  double g;
-  Pair p, v;
+  Hill<T> hill;
+  T g;
+  std::array<T, 2> p, v;
 };
 
-struct StraightLine : Case {
-  std::array<double, 3> at(double t) const {
-    const double x1 = p[0] + v[0] * t, x2 = p[1] + v[1] * t;
-    return {x1, x2, hill.height(x1, x2)};
+template <class T>
+Case<T> from_the_top(const Given<T>& given) {
+  Case<T> start{{given.a1, given.a2}, given.g, {T(0), T(0)}, {given.v1, given.v2}};
+  const T right = sqrt(start.g / (2 * steepening(start.hill, start.v)));
+  for (T& v : start.v) v = v * right * given.factor;
+  return start;
+}
+
+template <class T>
+struct StraightLine {
+  Case<T> of;
+  std::array<T, 3> at(const T& t) const {
+    const T x1 = of.p[0] + of.v[0] * t, x2 = of.p[1] + of.v[1] * t;
+    return {x1, x2, of.hill.height(x1, x2)};
   }
 };
 
-/// (x1, x2, x3, x1', x2', x3'); the hill's force along (2 x1/a1^2, 2 x2/a2^2, 1) keeps the point on it.
-struct InSpace : Case {
-  using State = std::array<double, 6>;
-  State start() const {
-    const Pair n = hill.gradient(p);
-    return {p[0], p[1], hill.height(p[0], p[1]), v[0], v[1], n[0] * v[0] + n[1] * v[1]};
-  }
-  void operator()(const State& x, State& dxdt, double) const {
-    const double n1 = 2 * x[0] / (hill.a1 * hill.a1), n2 = 2 * x[1] / (hill.a2 * hill.a2);
-    const double force = (g + hill.bend({}, {x[3], x[4]})) / (n1 * n1 + n2 * n2 + 1);
-    dxdt = {x[3], x[4], x[5], force * n1, force * n2, force - g};
-  }
-  std::array<double, 3> observe(const State& x, double) const { return {x[0], x[1], x[2]}; }
-  auto conserved(const State& x, double) const {
-    return energy_of((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, g * x[2]);
-  }
-  /// Upright: the hill itself may be nearer.
-  double off_constraint(const State& x, double) const { return std::abs(x[2] - hill.height(x[0], x[1])); }
-};
-
-inline height_field::InPlane<Hill> in_plane(const Case& c) {
+template <class T>
+using InPlane = height_field::InPlane<T, Hill<T>>;
+template <class T>
+InPlane<T> in_plane(const Case<T>& c) {
   return {c.hill, c.g, {c.p[0], c.p[1], c.v[0], c.v[1]}};
 }
 
-inline height_field::Momenta<Hill> in_momenta(const Case& c) { return {c.hill, c.g, in_plane(c).first}; }
-
-/// The speed along v with which the line is straight.
-inline Case at_the_right_speed(Case c) {
-  const double factor = std::sqrt(c.g / (2 * steepening(c.hill, c.v)));
-  for (double& v : c.v) v *= factor;
-  return c;
+template <class T>
+using Momenta = height_field::Momenta<T, Hill<T>>;
+template <class T>
+Momenta<T> in_momenta(const Case<T>& c) {
+  return {c.hill, c.g, in_plane(c).first};
 }
 
-inline Case times(Case c, double factor) {
-  for (double& v : c.v) v *= factor;
-  return c;
-}
+/// (x1, x2, x3, x1', x2', x3'); the hill's force along (2 x1/a1^2, 2 x2/a2^2, 1) keeps the point on it.
+template <class T>
+struct InSpace {
+  Case<T> of;
+  using State = std::array<T, 6>;
+  State start() const {
+    const auto& [hill, g, p, v] = of;
+    const auto n = hill.gradient(p);
+    return {p[0], p[1], hill.height(p[0], p[1]), v[0], v[1], n[0] * v[0] + n[1] * v[1]};
+  }
+  template <class X>
+  void operator()(const std::array<X, 6>& x, std::array<X, 6>& dxdt, const X&) const {
+    const auto& [hill, g, p, v] = of;
+    const X n1 = 2 * x[0] / (hill.a1 * hill.a1), n2 = 2 * x[1] / (hill.a2 * hill.a2);
+    const std::array<X, 2> u{x[3], x[4]};
+    const X force = (g + hill.bend(u, u)) / (n1 * n1 + n2 * n2 + 1);
+    dxdt = {x[3], x[4], x[5], force * n1, force * n2, force - g};
+  }
+  std::array<T, 3> observe(const State& x, const T&) const { return {x[0], x[1], x[2]}; }
+  auto conserved(const State& x, const T&) const {
+    return energy_of<T>((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, of.g * x[2]);
+  }
+  /// Upright: the hill itself may be nearer.
+  T off_constraint(const State& x, const T&) const { return abs(x[2] - of.hill.height(x[0], x[1])); }
+};
 
-/// From the top along v, at `factor` times the speed with which the line is straight.
-inline Case from_the_top(const Hill& hill, double g, const Pair& v, double factor) {
-  return times(at_the_right_speed({hill, g, {0, 0}, v}), factor);
+/// From the least to the richest.
+template <class T>
+auto models(const Given<T>& p) {
+  const Case<T> start = from_the_top(p);
+  return std::tuple{StraightLine<T>{start}, in_plane(start), in_momenta(start), InSpace<T>{start}};
 }
 
 }  // namespace oddity::paraboloid_hill

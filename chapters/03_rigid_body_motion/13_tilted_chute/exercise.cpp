@@ -217,7 +217,7 @@ std::vector<Claim> statements(double seed) {
     Random random(seed);
     for (int i = 0; i < 20; ++i) {
       const OnChute s(random);
-      const InPlane ball{s.chute, s.g, {s.x1, 0, s.v1, across}};
+      const InPlane<double> ball{s.chute, s.g, {s.x1, 0, s.v1, across}};
       worst.see(ode::integrate<ode::Fehlberg78>(ball, ball.start(), 0, 1, 1e-10).value[1], 0, s.chute.R,
                 s.where());
     }
@@ -371,10 +371,9 @@ std::vector<Claim> statements(double seed) {
   return {solution, stays, positive, always, speed, angle, form, still};
 }
 
-Case asked(const Parameters& p) {
-  const Chute chute{p["R"], p["L"], p["H"]};
-  if (!(chute.H < chute.L)) throw BadInput("the chute's fall H must be less than its length L");
-  return {chute, p["g"], p["phi"], p["u"]};
+Given<double> asked(const Parameters& p) {
+  if (!(p["H"] < p["L"])) throw BadInput("the chute's fall H must be less than its length L");
+  return {p["R"], p["L"], p["H"], p["g"], p["phi"], p["u"]};
 }
 
 Quantity swinging_ball(const Parameters& p, const Horizon& horizon, const Reference& truth) {
@@ -390,19 +389,19 @@ Scene scene() {
           {"phi", "u"},
           {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
           {{"chapters/03_rigid_body_motion/13_tilted_chute/models.hpp"},
-           {{"center line", "tilted_chute::CenterLine{{{R, L, H}, g, phi, u}}"},
-            {"small angle", "tilted_chute::SmallAngle{{{R, L, H}, g, phi, u}}"},
-            {"angle about the axis", "tilted_chute::Angle{{{R, L, H}, g, phi, u}}"},
-            {"height field", "tilted_chute::in_plane({{R, L, H}, g, phi, u})"},
-            {"Cartesian with constraint", "tilted_chute::InSpace{{{R, L, H}, g, phi, u}}"}},
-           {{"elliptic angle", "which needs Boost's Jacobi functions"}}}};
+           {{"center line", "tilted_chute::CenterLine<double>{{R, L, H, g, phi, u}}"},
+            {"small angle", "tilted_chute::SmallAngle<double>{{R, L, H, g, phi, u}}"},
+            {"elliptic angle", "tilted_chute::EllipticAngle<double>({R, L, H, g, phi, u})"},
+            {"angle about the axis", "tilted_chute::Angle<double>{{R, L, H, g, phi, u}}"},
+            {"height field", "tilted_chute::in_plane<double>({R, L, H, g, phi, u})"},
+            {"Cartesian with constraint", "tilted_chute::InSpace<double>{{R, L, H, g, phi, u}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
   const double seed = p["seed"];
   const Horizon horizon{scene().horizon};
-  const Case ball = asked(p);
-  Case center = ball, steep = ball, rim = ball;
+  const Given<double> ball = asked(p);
+  Given<double> center = ball, steep = ball, rim = ball;
   center.phi = 0;
   steep.phi = 1.5;
   rim.phi = std::numbers::pi / 2;

@@ -1,113 +1,160 @@
 #pragma once
 
 #include <array>
-#include <cmath>
+#include <tuple>
 
+#include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/03_rigid_body_motion/shared/height_field_models.hpp"
 
-/// A ball in a cylindrical chute whose axis falls: its models, whose observables are the position.
+/// The models of exercise 3.13: a ball in a cylindrical chute whose axis falls. The observables are the
+/// position.
 namespace oddity::tilted_chute {
 
-using height_field::Pair;
-using Point = std::array<double, 3>;
-
 /// Radius R; the axis falls by H over its length L. e = (c, 0, -s) down the axis, n = (s, 0, c) normal to it.
+template <class T>
 struct Chute {
-  double R, L, H;
+  T R, L, H;
 
-  double c() const { return std::sqrt((L - H) * (L + H)) / L; }
-  double s() const { return H / L; }
+  T c() const { return sqrt((L - H) * (L + H)) / L; }
+  T s() const { return H / L; }
 
   /// Where the distance `along` down the axis and the angle phi about it lead, from the origin.
-  template <class T>
-  std::array<T, 3> position(const T& along, const T& phi) const {
-    using std::cos, std::sin;
-    const T up = T(R) * (T(1.0) - cos(phi));
-    return {along * T(c()) + up * T(s()), T(R) * sin(phi), up * T(c()) - along * T(s())};
+  template <class X>
+  std::array<X, 3> position(const X& along, const X& phi) const {
+    const X up = R * (1 - cos(phi));
+    return {along * c() + up * s(), R * sin(phi), up * c() - along * s()};
   }
 
   // The same as a height field.
-  template <class T>
-  T height(const T& x1, const T& x2) const {
-    using std::sqrt;
-    return (T(R) - T(s()) * x1 - sqrt(T(R * R) - x2 * x2)) / T(c());
+  template <class X>
+  X height(const X& x1, const X& x2) const {
+    return (R - s() * x1 - sqrt(R * R - x2 * x2)) / c();
   }
-  double depth(double x2) const { return std::sqrt((R - x2) * (R + x2)); }
-  Pair gradient(const Pair& x) const { return {-s() / c(), x[1] / (depth(x[1]) * c())}; }
-  Pair turn(const Pair& x, const Pair& v) const {
-    const double d = depth(x[1]);
-    return {0, R * R * v[1] / (d * d * d * c())};
+  template <class X>
+  X depth(const X& x2) const {
+    return sqrt((R - x2) * (R + x2));
   }
-  double bend(const Pair& x, const Pair& v) const { return v[1] * turn(x, v)[1]; }
+  template <class X>
+  std::array<X, 2> gradient(const std::array<X, 2>& x) const {
+    return {X(-s() / c()), x[1] / (depth(x[1]) * c())};
+  }
+  template <class X>
+  std::array<X, 2> turn(const std::array<X, 2>& x, const std::array<X, 2>& v) const {
+    const X d = depth(x[1]);
+    return {X(0), R * R * v[1] / (d * d * d * c())};
+  }
+  template <class X>
+  X bend(const std::array<X, 2>& x, const std::array<X, 2>& v) const {
+    return v[1] * turn(x, v)[1];
+  }
 };
 
-/// Let go at the angle phi from the lowest line, with the speed u down the axis.
-struct Case {
-  Chute chute;
-  double g, phi, u;
+/// The exercise's parameters: let go at the angle phi from the lowest line, with the speed u down the axis.
+template <class T>
+struct Given {
+  T R, L, H, g, phi, u;
 
-  double along(double t) const { return u * t + g * chute.s() * t * t / 2; }
-  double square() const { return g * chute.c() / chute.R; }
+  Chute<T> chute() const { return {R, L, H}; }
+  T along(const T& t) const { return u * t + g * chute().s() * t * t / 2; }
+  T square() const { return g * chute().c() / R; }
 };
 
 /// The book's: x2 = 0.
-struct CenterLine : Case {
-  Point at(double t) const {
-    const double theta = std::asin(chute.H / chute.L);
-    const double x1 = chute.position(0.0, phi)[0] + u * chute.c() * t + g * std::sin(2 * theta) / 4 * t * t;
-    return {x1, 0, chute.height(x1, 0.0)};
+template <class T>
+struct CenterLine {
+  Given<T> p;
+  std::array<T, 3> at(const T& t) const {
+    const Chute<T> chute = p.chute();
+    const T theta = asin(p.H / p.L), zero(0);
+    const T x1 = chute.position(zero, p.phi)[0] + p.u * chute.c() * t + p.g * sin(2 * theta) / 4 * t * t;
+    return {x1, zero, chute.height(x1, zero)};
   }
 };
 
-struct SmallAngle : Case {
-  Point at(double t) const { return chute.position(along(t), phi * std::cos(std::sqrt(square()) * t)); }
+template <class T>
+struct SmallAngle {
+  Given<T> p;
+  std::array<T, 3> at(const T& t) const {
+    return p.chute().position(p.along(t), T(p.phi * cos(sqrt(p.square()) * t)));
+  }
+};
+
+/// Exact: the angle is a pendulum's.
+template <class T>
+struct EllipticAngle {
+  Given<T> p;
+  pendulum::FourierSeries<T> angle;
+
+  explicit EllipticAngle(const Given<T>& given)
+      : p(given), angle({given.phi, given.R, given.g * given.chute().c()}) {}
+  std::array<T, 3> at(const T& t) const { return p.chute().position(p.along(t), angle.at(t)[0]); }
 };
 
 /// (phi, phi'); the way along the axis in closed form.
-struct Angle : Case {
-  using State = std::array<double, 2>;
-  State start() const { return {phi, 0}; }
-  void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], -square() * std::sin(x[0])}; }
-  void acceleration(const std::array<double, 1>& q, std::array<double, 1>& dv) const {
-    dv = {-square() * std::sin(q[0])};
+template <class T>
+struct Angle {
+  Given<T> p;
+  using State = std::array<T, 2>;
+  State start() const { return {p.phi, T(0)}; }
+  template <class X>
+  void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X&) const {
+    dxdt = {x[1], -p.square() * sin(x[0])};
   }
-  Point observe(const State& x, double t) const { return chute.position(along(t), x[0]); }
-  auto conserved(const State& x, double) const {
-    return energy_of(x[1] * x[1] / 2, square() * (1 - std::cos(x[0])));
+  template <class X>
+  void acceleration(const std::array<X, 1>& q, std::array<X, 1>& dv) const {
+    dv = {-p.square() * sin(q[0])};
+  }
+  std::array<T, 3> observe(const State& x, const T& t) const { return p.chute().position(p.along(t), x[0]); }
+  auto conserved(const State& x, const T&) const {
+    return energy_of<T>(x[1] * x[1] / 2, p.square() * (1 - cos(x[0])));
   }
 };
+
+template <class T>
+using InPlane = height_field::InPlane<T, Chute<T>>;
+template <class T>
+InPlane<T> in_plane(const Given<T>& p) {
+  const Chute<T> chute = p.chute();
+  const auto x = chute.position(T(0), p.phi);
+  return {chute, p.g, {x[0], x[1], p.u * chute.c(), T(0)}};
+}
 
 /// (x1, x2, x3, x1', x2', x3') with the chute's force along the way to its axis.
-struct InSpace : Case {
-  using State = std::array<double, 6>;
+template <class T>
+struct InSpace {
+  Given<T> p;
+  using State = std::array<T, 6>;
   State start() const {
-    const Point x = chute.position(0.0, phi);
-    return {x[0], x[1], x[2], u * chute.c(), 0, -u * chute.s()};
+    const Chute<T> chute = p.chute();
+    const auto x = chute.position(T(0), p.phi);
+    return {x[0], x[1], x[2], p.u * chute.c(), T(0), -p.u * chute.s()};
   }
-  void operator()(const State& x, State& dxdt, double) const {
-    const double c = chute.c(), s = chute.s(), z = x[2] - chute.R / c;
-    const double way = c * x[0] - s * z, speed = c * x[3] - s * x[5];
-    const double n1 = x[0] - way * c, n2 = x[1], n3 = z + way * s;
-    const double w1 = x[3] - speed * c, w2 = x[4], w3 = x[5] + speed * s;
-    const double m = (g * n3 - w1 * w1 - w2 * w2 - w3 * w3) / (n1 * n1 + n2 * n2 + n3 * n3);
-    dxdt = {x[3], x[4], x[5], m * n1, m * n2, m * n3 - g};
+  template <class X>
+  void operator()(const std::array<X, 6>& x, std::array<X, 6>& dxdt, const X&) const {
+    const T c = p.chute().c(), s = p.chute().s();
+    const X z = x[2] - p.R / c;
+    const X way = c * x[0] - s * z, speed = c * x[3] - s * x[5];
+    const X n1 = x[0] - way * c, n2 = x[1], n3 = z + way * s;
+    const X w1 = x[3] - speed * c, w2 = x[4], w3 = x[5] + speed * s;
+    const X m = (p.g * n3 - w1 * w1 - w2 * w2 - w3 * w3) / (n1 * n1 + n2 * n2 + n3 * n3);
+    dxdt = {x[3], x[4], x[5], m * n1, m * n2, m * n3 - p.g};
   }
-  Point observe(const State& x, double) const { return {x[0], x[1], x[2]}; }
-  auto conserved(const State& x, double) const {
-    return energy_of((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, g * x[2]);
+  std::array<T, 3> observe(const State& x, const T&) const { return {x[0], x[1], x[2]}; }
+  auto conserved(const State& x, const T&) const {
+    return energy_of<T>((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, p.g * x[2]);
   }
   /// Of the distance R from the axis.
-  double off_constraint(const State& x, double) const {
-    const double c = chute.c(), s = chute.s(), z = x[2] - chute.R / c, way = c * x[0] - s * z;
-    return std::abs(std::hypot(x[0] - way * c, x[1], z + way * s) - chute.R);
+  T off_constraint(const State& x, const T&) const {
+    const T c = p.chute().c(), s = p.chute().s(), z = x[2] - p.R / c, way = c * x[0] - s * z;
+    return abs(hypot(hypot(x[0] - way * c, x[1]), z + way * s) - p.R);
   }
 };
 
-using InPlane = height_field::InPlane<Chute>;
-
-inline InPlane in_plane(const Case& c) {
-  const Point x = c.chute.position(0.0, c.phi);
-  return {c.chute, c.g, {x[0], x[1], c.u * c.chute.c(), 0}};
+/// From the least to the richest.
+template <class T>
+auto models(const Given<T>& p) {
+  return std::tuple{CenterLine<T>{p}, SmallAngle<T>{p}, EllipticAngle<T>(p),
+                    Angle<T>{p},      in_plane(p),      InSpace<T>{p}};
 }
 
 }  // namespace oddity::tilted_chute

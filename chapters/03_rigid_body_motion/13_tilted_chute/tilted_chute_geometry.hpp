@@ -2,11 +2,13 @@
 
 // The claims of exercise 3.13 about the cylinder, its axis and its height, and their random samples.
 
-#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::tilted_chute {
+
+using Point = std::array<double, 3>;
 
 inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline Point sum(const Point& a, const Point& b, double factor = 1) {
@@ -53,7 +55,7 @@ struct OnCylinder {
 
 /// A chute, a place and a velocity in the plane, a friction, an angle and a way along the axis.
 struct OnChute {
-  Chute chute;
+  Chute<double> chute;
   double g, x1, x2, x3, v1, v2, k, phi, way;
 
   explicit OnChute(Random& random)
@@ -84,7 +86,8 @@ struct OnChute {
     const double n1 = chute.height(D(x1, 1), D(x2)).slope, n2 = chute.height(D(x1), D(x2, 1)).slope;
     const double rise = chute.height(D(x1, v1), D(x2, v2)).slope;
     const Pair force{-friction * (v1 + n1 * rise), wind - friction * (v2 + n2 * rise)};
-    return lagrange_accelerations(height_field::Lagrangian<Chute>{chute, g}, {x1, x2}, {v1, v2}, force);
+    return lagrange_accelerations(height_field::Lagrangian<Chute<double>>{chute, g}, {x1, x2}, {v1, v2},
+                                  force);
   }
   /// The same without forces from the Lagrangian in the way along the axis and the angle about it.
   Value accelerations_about_axis() const {

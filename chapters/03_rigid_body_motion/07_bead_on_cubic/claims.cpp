@@ -1,0 +1,464 @@
+// The claims of exercise 3.7. The equations are compared with Lagrange's, whose Lagrangian is differentiated
+// by dual numbers from the curve alone, and with the wire's forces in Cartesian coordinates; the statements
+// about the motion with the book's own run.
+
+#include "chapters/claims.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
+#include "chapters/03_rigid_body_motion/shared/listed_runge_kutta.hpp"
+
+namespace oddity::ex03_07 {
+
+using namespace bead_on_cubic;
+using std::abs, std::sqrt;
+
+// ---- the Lagrangian ---------------------------------------------------------------------------------------
+
+/// The bead's velocity for q' = v.
+template <class T>
+std::array<T, 3> velocity(const T& q, const T& v) {
+  const auto x = curve(Dual<T>(q, v));
+  return {x[0].slope, x[1].slope, x[2].slope};
+}
+
+struct KineticEnergy {
+  double m;
+  template <class T>
+  T operator()(const T& q, const T& v, const T&) const {
+    const auto u = velocity(q, v);
+    return 0.5 * m * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  }
+};
+
+struct Lagrangian {
+  double m, g;
+  template <class T>
+  T operator()(const T& q, const T& v, const T& t) const {
+    return KineticEnergy{m}(q, v, t) - m * g * curve(q)[2];
+  }
+};
+
+/// A bead somewhere on the curve, and any q''.
+struct Sample {
+  double m, g, q, v, a;
+  explicit Sample(Random& random)
+      : m(abs(random.magnitude(0.1, 10))),
+        g(abs(random.magnitude(0.1, 10))),
+        q(random.magnitude(0.01, 2)),
+        v(random.magnitude(0.01, 3)),
+        a(random.magnitude(0.01, 3)) {}
+  std::array<double*, 5> letters() { return {&m, &g, &q, &v, &a}; }
+  std::string where() const {
+    return "m = " + shortest(m) + ", g = " + shortest(g) + ", q = " + shortest(q) + ", q' = " + shortest(v) +
+           ", q'' = " + shortest(a);
+  }
+  KineticEnergy T() const { return {m}; }
+  Lagrangian L() const { return {m, g}; }
+  double bend() const { return 2 * q + 9 * q * q * q; }
+  /// x'' by Lagrange's equation.
+  std::array<double, 3> acceleration() const {
+    const Dual<double> along(q, v), speed(v, lagrange_acceleration(L(), q, v));
+    const auto u = velocity(along, speed);
+    return {u[0].slope, u[1].slope, u[2].slope};
+  }
+  /// The power of the force on the bead, each of its terms taken as `of` it.
+  template <class Of>
+  double power(const Of& of) const {
+    const auto x = acceleration(), u = velocity(q, v);
+    return m * (of(u[0] * x[0]) + of(u[1] * x[1]) + of(u[2] * x[2]));
+  }
+  /// q'' by the exercise's equation.
+  double published() const {
+    std::array<double, 2> rate;
+    OneCoordinate<double>{{q, g}}(std::array{q, v}, rate, 0.0);
+    return rate[1];
+  }
+  /// x'' = q'' from gravity and the wire's two forces.
+  double by_forces() const {
+    const auto x = curve(q), u = velocity(q, v);
+    const std::array state{x[0], x[1], x[2], u[0], u[1], u[2]};
+    auto rate = state;
+    CartesianWithConstraints<double>{{q, g}}(state, rate, 0.0);
+    return rate[3];
+  }
+};
+
+void formulas(Claims& claims, double seed) {
+  const auto samples = draw<Sample>(200, seed);
+  const Formula<Sample> energy{R"($\frac m2|\dot x|^2$, $\dot x$ by dual numbers)",
+                               [](const Sample& s) { return s.T()(s.q, s.v, 0.0); }};
+
+  claims.formula<Sample>(
+      "tangent", 1375, "the tangent $dx/dq$ of the curve", samples,
+      {.truth = {"the curve by dual numbers", [](const Sample& s) { return velocity(s.q, 1.0); }},
+       .printed = {"$(1,2q,3q^2)$", [](const Sample& s) { return values(1, 2 * s.q, 3 * s.q * s.q); }},
+       .near_misses = {
+           {"$(1,2q,2q^2)$", [](const Sample& s) { return values(1, 2 * s.q, 2 * s.q * s.q); }}}});
+  claims.formula<Sample>(
+      "velocity", 1375, R"(the bead's velocity $\dot x$)", samples,
+      {.truth = {"the curve by dual numbers", [](const Sample& s) { return velocity(s.q, s.v); }},
+       .printed = {R"($\dot q\,(1,2q,3q^2)$)",
+                   [](const Sample& s) { return values(s.v, 2 * s.q * s.v, 3 * s.q * s.q * s.v); }},
+       .near_misses = {
+           {"$(1,2q,3q^2)$", [](const Sample& s) { return values(1, 2 * s.q, 3 * s.q * s.q); }}}});
+  const auto by_speed = [](std::string text, double factor, double power) -> Formula<Sample> {
+    return {std::move(text), [=](const Sample& s) {
+              const auto u = velocity(s.q, s.v);
+              return factor * s.m * std::pow(std::hypot(u[0], u[1], u[2]), power);
+            }};
+  };
+  claims.formula<Sample>(
+      "kinetic_energy_by_speed", 1379, R"(the kinetic energy $T$ by the speed $|\dot x|$)", samples,
+      {.truth = energy,
+       .printed = by_speed(R"($\frac m2|\dot x|$)", 0.5, 1),
+       .meant = by_speed(R"($\frac m2|\dot x|^2$)", 0.5, 2),
+       .near_misses = {by_speed(R"($m|\dot x|^2$)", 1, 2)},
+       .kind = Fault::formula,
+       .why =
+           R"(The speed's exponent is missing; the next form of the line, with $\dot q^2$, comes from the )"
+           R"(square. A bead twice as fast has four times the energy, and by the printed form twice.)"});
+  claims.formula<Sample>("kinetic_energy", 1381, R"(the kinetic energy $T$ by $q$ and $\dot q$)", samples,
+                         {.truth = energy,
+                          .printed = {R"($\frac m2(1+4q^2+9q^4)\dot q^2$)",
+                                      [](const Sample& s) { return s.m / 2 * metric(s.q) * s.v * s.v; }},
+                          .near_misses = {{R"($\frac m2(1+4q^2+9q^2)\dot q^2$)", [](const Sample& s) {
+                                             return s.m / 2 * (1 + 13 * s.q * s.q) * s.v * s.v;
+                                           }}}});
+  claims.formula<Sample>(
+      "dT_dq", 1385, R"($\partial T/\partial q$)", samples,
+      {.truth = {"$T$ by dual numbers", [](const Sample& s) { return d_dq(s.T(), s.q, s.v); }},
+       .printed = {R"($2m(2q+9q^3)\dot q^2$)",
+                   [](const Sample& s) { return 2 * s.m * s.bend() * s.v * s.v; }},
+       .near_misses = {
+           {R"($m(2q+9q^3)\dot q^2$)", [](const Sample& s) { return s.m * s.bend() * s.v * s.v; }}}});
+  claims.formula<Sample>(
+      "dT_dqdot", 1387, R"($\partial T/\partial\dot q$)", samples,
+      {.truth = {"$T$ by dual numbers", [](const Sample& s) { return d_dv(s.T(), s.q, s.v); }},
+       .printed = {R"($m(1+4q^2+9q^4)\dot q$)", [](const Sample& s) { return s.m * metric(s.q) * s.v; }},
+       .near_misses = {{R"($\frac m2(1+4q^2+9q^4)\dot q$)",
+                        [](const Sample& s) { return s.m / 2 * metric(s.q) * s.v; }}}});
+  const auto rate = [](double factor) {
+    return [=](const Sample& s) { return s.m * (metric(s.q) * s.a + factor * s.bend() * s.v * s.v); };
+  };
+  claims.formula<Sample>("momentum_rate", 1393, R"($\frac d{dt}\,\partial T/\partial\dot q$)", samples,
+                         {.truth = {"$T$ by nested dual numbers",
+                                    [](const Sample& s) { return momentum_rate(s.T(), s.q, s.v, s.a); }},
+                          .printed = {R"($m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2$)", rate(4)},
+                          .near_misses = {{R"($m(1+4q^2+9q^4)\ddot q+2m(2q+9q^3)\dot q^2$)", rate(2)}}});
+  claims.formula<Sample>(
+      "force", 1395, "the generalized force of gravity", samples,
+      {.truth = {R"($\partial L/\partial q$ at rest by dual numbers)",
+                 [](const Sample& s) { return d_dq(s.L(), s.q, 0); }},
+       .printed = {"$-3mgq^2$", [](const Sample& s) { return -3 * s.m * s.g * s.q * s.q; }},
+       .near_misses = {{"$3mgq^2$", [](const Sample& s) { return 3 * s.m * s.g * s.q * s.q; }}}});
+  const auto sides = [](double factor) {
+    return [=](const Sample& s) {
+      return s.m * (metric(s.q) * s.a + factor * s.bend() * s.v * s.v + 3 * s.g * s.q * s.q);
+    };
+  };
+  claims.formula<Sample>(
+      "lagrange_equation", 1407, "what is zero by Lagrange's equation", samples,
+      {.truth = {R"($\frac d{dt}\,\partial L/\partial\dot q-\partial L/\partial q$ by nested dual numbers)",
+                 [](const Sample& s) { return momentum_rate(s.L(), s.q, s.v, s.a) - d_dq(s.L(), s.q, s.v); }},
+       .printed = {R"($m(1+4q^2+9q^4)\ddot q+(4m-2m)(2q+9q^3)\dot q^2+3mgq^2$)", sides(4 - 2)},
+       .near_misses = {{R"($m(1+4q^2+9q^4)\ddot q+(4m+2m)(2q+9q^3)\dot q^2+3mgq^2$)", sides(4 + 2)}}});
+
+  const Formula<Sample> solved{R"($-(3gq^2+2q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", &Sample::published},
+      lagrange{R"(Lagrange's equation by nested dual numbers, at any mass)",
+               [](const Sample&s) { return lagrange_acceleration(s.L(), s.q, s.v); }},
+      forces{"gravity and the wire's two forces in Cartesian coordinates", &Sample::by_forces};
+  const auto solved_by = [&](std::string text, double square, double gravity) -> Reading {
+    const Formula<Sample> formula{text, [=](const Sample& s) {
+                                    return -(square * s.bend() * s.v * s.v + gravity * s.g * s.q * s.q) /
+                                           metric(s.q);
+                                  }};
+    return {std::move(text), {compare(R"($\ddot q$)", formula, lagrange, samples)}};
+  };
+  claims.add("equation_of_motion", 1411,
+             R"(the equation of motion for $\ddot q$ (the minus sign is read as that of the whole fraction))",
+             {.printed = {solved.text,
+                          {compare(R"($\ddot q$)", solved, lagrange, samples),
+                           compare(R"($\ddot q=\ddot x_1$)", solved, forces, samples)}},
+              .near_misses = {solved_by(R"($(-3gq^2+2q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", -2, 3),
+                              solved_by(R"($-(3gq^2+q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", 1, 3)}});
+
+  const Formula<Sample> work{R"($m\ddot x\cdot\dot x$ by Lagrange's equation)",
+                             [](const Sample& s) { return s.power([](double x) { return x; }); },
+                             [](const Sample& s) { return s.power([](double x) { return abs(x); }); }};
+  const auto power = [&](std::string text, double factor) -> Reading {
+    const Formula<Sample> formula{
+        std::move(text), [=](const Sample& s) { return -factor * s.m * s.g * velocity(s.q, s.v)[2]; }};
+    return {formula.text, {compare("power of the force on the bead", formula, work, samples)}};
+  };
+  claims.add(
+      "only_gravity", 1415, "gravity alone acts on the bead",
+      {.printed = {R"($\ddot x=(0,0,-g)$)",
+                   {compare<Sample>("the bead's acceleration",
+                                    {R"($(0,0,-g)$)", [](const Sample& s) { return values(0, 0, -s.g); }},
+                                    {"Lagrange's equation", &Sample::acceleration}, samples)}},
+       .corrected = power(R"(gravity alone does work: $m\ddot x\cdot\dot x=-mg\dot x_3$)", 1),
+       .near_misses = {power(R"(the wire does as much: $m\ddot x\cdot\dot x=-2mg\dot x_3$)", 2)},
+       .why =
+           R"(The wire pushes as well: at the release with $\sqrt{70}/14=0.598$ of the bead's weight. Its )"
+           R"(force is normal to the curve and does no work, so that the conclusion stands.)",
+       .kind = Fault::left_out,
+       .root = "the wire's force"});
+}
+
+// ---- the book's run ---------------------------------------------------------------------------------------
+
+using State = OneCoordinate<double>::State;
+constexpr double book_step = 0.001;
+constexpr int book_steps = 2500;
+
+/// The states (q, q') of the book's run.
+std::vector<State> book_run() {
+  const OneCoordinate<double> bead{{1, 1}};
+  std::vector<State> run{bead.start()};
+  double t = 0;
+  for (int i = 0; i < book_steps; ++i) {
+    auto state = run.back();
+    listed_step(bead, state, t, book_step);
+    run.push_back(state);
+  }
+  return run;
+}
+
+/// One of its steps.
+struct Step {
+  int number;
+  State from, to;
+  std::string where() const { return "step " + std::to_string(number) + ", to q = " + rounded(to[0], 6); }
+};
+
+/// q'' of the book's bead.
+double force(const State& x) { return lagrange_acceleration(Lagrangian{1, 1}, x[0], x[1]); }
+
+/// A second of the book's bead.
+struct Second {
+  std::size_t number;
+  State at;
+  std::string where() const { return "t = " + std::to_string(number); }
+};
+
+/// Those from `first` up to 1000 s.
+std::vector<Second> seconds(std::size_t first) {
+  const OneCoordinate<double> bead{{1, 1}};
+  const auto run =
+      ode::integrate<ode::DormandPrince54>(bead, bead.start(), Horizon{1000, 1000}.times(), 1e-10).value;
+  std::vector<Second> all;
+  for (std::size_t i = first; i < run.size(); ++i) all.push_back({i, run[i]});
+  return all;
+}
+
+void run_down(Claims& claims, const std::vector<State>& run) {
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i + 1 < run.size(); ++i)
+    steps.push_back({static_cast<int>(i) + 1, run[i], run[i + 1]});
+  const auto everywhere = [&](const std::string& text, const std::function<bool(const Step&)>& holds) {
+    return in_all(text, steps, holds);
+  };
+
+  const auto start_at = [](std::string text, double q) -> Reading {
+    const auto x = curve(q), v = velocity(q, 0.0);
+    return {std::move(text),
+            {{"position and velocity",
+              {"at rest at (1, 1, 1)", {1, 1, 1, 0, 0, 0}},
+              {"the curve and its tangent", {x[0], x[1], x[2], v[0], v[1], v[2]}},
+              exact()}}};
+  };
+  claims.add("start", 1375, "the start at rest at $(1,1,1)$",
+             {.printed = start_at(R"($q=1$, $\dot q=0$)", 1),
+              .near_misses = {start_at(R"($q=-1$, $\dot q=0$)", -1)}});
+
+  const auto positive_after = std::ranges::count_if(steps, [](const Step& s) { return force(s.to) > 0; });
+  claims.add(
+      "rhs_negative", 1415, R"($\ddot q$ is always negative)",
+      {.printed = {R"($\ddot q<0$)",
+                   {everywhere(R"($\ddot q<0$)", [](const Step& s) { return force(s.from) < 0; })}},
+       .corrected = {R"($\ddot q<0$ as long as $q>0$, $\ddot q=0$ at $q=0$, $\ddot q>0$ after it)",
+                     {everywhere(R"($q\ddot q<0$)",
+                                 [](const Step& s) { return s.from[0] * force(s.from) < 0; }),
+                      {R"($\ddot q$ at $q=0$)",
+                       {"Lagrange's equation", force({0, -1})},
+                       {"zero", 0.0},
+                       rounding(1),
+                       1}}},
+       .near_misses = {{R"($\ddot q<0$ as long as $q>-0.01$, and no longer)",
+                        {everywhere(
+                            R"($\ddot q<0$ exactly where $q>-0.01$)",
+                            [](const Step& s) { return (force(s.from) < 0) == (s.from[0] > -0.01); })}}},
+       .why =
+           R"(The second term has the sign of $-q$, and at $q=0$ the first is zero as well: there )"
+           R"($\ddot q=0$, and beyond it $\ddot q$ is positive: in the book's own run after each of the last )" +
+           std::to_string(positive_after) + " of its " + std::to_string(book_steps) + " steps.",
+       .kind = Fault::counterexample,
+       .root = "beyond the origin"});
+
+  const auto at_origin = event_of<ode::Fehlberg78>(OneCoordinate<double>{{1, 1}}, 1e-12).value.state;
+  const auto turns_at = [&](double q) {
+    return everywhere(R"($\dot q$ decreases, then increases)", [q](const Step& s) {
+      return s.from[0] > q && s.to[0] < q ? true : (s.to[1] < s.from[1]) == (s.from[0] > q);
+    });
+  };
+  claims.add(
+      "velocity_decreases", 1415, R"($\dot q$ is a decreasing function of time)",
+      {.printed = {R"($\dot q$ decreases)",
+                   {everywhere(R"($\dot q$ decreases)", [](const Step& s) { return s.to[1] < s.from[1]; })}},
+       .corrected =
+           {R"($\dot q$ decreases until $q=0$, where it is $-\sqrt{2g}$, and increases from then on)",
+            {turns_at(0),
+             {R"($\dot q$ at $q=0$)",
+              {"Fehlberg 7(8) and its event", at_origin[1]},
+              {R"($-\sqrt{2gq_0^3}$, the energy)", -sqrt(2.0)},
+              {1e-10, "a hundred tolerances of the integration"}}}},
+       .near_misses = {{R"($\dot q$ decreases until $q=-0.01$, and increases from then on)",
+                        {turns_at(-0.01)}}},
+       .why =
+           R"($\dot q$ is least at the origin, $-\sqrt{2g}$, and rises towards zero afterwards. The two rows )"
+           R"(printed show it: $-1.41421347$ at 2.240 and $-1.41420923$ at 2.241.)",
+       .kind = Fault::counterexample,
+       .root = "beyond the origin"});
+
+  const auto moves = [](std::size_t first) {
+    return in_all<Second>(R"($\dot q<0$ at whole seconds up to 1000)", seconds(first),
+                          [](const Second& s) { return s.at[1] < 0; });
+  };
+  claims.add("velocity_negative", 1415, R"($\dot q$ is negative from the release on)",
+             {.printed = {R"($\dot q<0$ for $t>0$)",
+                          {moves(1), everywhere(R"($\dot q<0$ at the end of each step)",
+                                                [](const Step& s) { return s.to[1] < 0; })}},
+              .near_misses = {{R"($\dot q<0$ for $t\ge0$)", {moves(0)}},
+                              {R"($\ddot q<0$ for $t>0$)",
+                               {everywhere(R"($\ddot q<0$ at the end of each step)",
+                                           [](const Step& s) { return force(s.to) < 0; })}}}});
+
+  const auto falls = [&](const std::string& text, std::size_t i) {
+    return everywhere(text, [i](const Step& s) { return curve(s.to[0])[i] < curve(s.from[0])[i]; });
+  };
+  claims.add(
+      "slides_down", 1415, "$q$ decreases all the time, and the bead goes down",
+      {.printed = {"$q$ and $x_3$ decrease", {falls("$q=x_1$ decreases", 0), falls("$x_3$ decreases", 2)}},
+       .near_misses = {{"$x_2$ decreases", {falls("$x_2$ decreases", 1)}}}});
+}
+
+// ---- the arrival ------------------------------------------------------------------------------------------
+
+/// A row of the book's output: q, q' and x1; x2 and x3 are 0.0000.
+struct Row {
+  int step;
+  std::string q, v, x;
+};
+
+void arrivals(Claims& claims, const std::vector<State>& run, const Reference& truth) {
+  const Known T = truth("03_07_arrival", {1, 1});
+  const auto event = event_of<ode::Fehlberg78>(CartesianWithConstraints<double>{{1, 1}}, 1e-12).value;
+  const Tolerance integrated{1e-10, "a hundred tolerances of the integration"};
+
+  const auto ratio = [&](std::string text, double r) -> Reading {
+    return {std::move(text),
+            {{"the time at $4g$ over that at $g$",
+              {"as stated", r},
+              {"table", truth("03_07_arrival", {1, 4}).value[0] / T.value[0]},
+              rounding(1)}}};
+  };
+  claims.add(
+      "needs_g", 1417, "the time to the origin depends on $g$",
+      {.printed = ratio(R"(it is $1/\sqrt g$ times a number)", 0.5),
+       .near_misses = {ratio("it does not depend on $g$", 1), ratio("it is $1/g$ times a number", 0.25)}});
+
+  const auto from_origin = [&](std::string text, const Route& position) -> Reading {
+    return {std::move(text), {{"position", position, {"the origin", {0, 0, 0}}, integrated, 1}}};
+  };
+  claims.add(
+      "at_the_origin", 1417, "the bead is at $(0,0,0)$ when $q=0$",
+      {.printed = from_origin("at the event $q=0$",
+                              {"Cartesian, at its event", {event.state[0], event.state[1], event.state[2]}}),
+       .near_misses = {
+           from_origin("at $t=2.24$", {"table at 2.24", truth("03_07_slide", {1, 1, 2.24}).value})}});
+
+  const auto time = [&](std::string text, double t) -> Reading {
+    return {text, {{"time to the origin", {text, t}, {"table, by energy quadrature", T.value}, integrated}}};
+  };
+  const auto &above = run[2240], &below = run[2241];
+  claims.add("by_numbers", 1417,
+             "a numerical method gives the time (that $q(t)$ has no closed form, and that there is no other "
+             "hope, is not judged)",
+             {.printed = time("Cartesian integration to its event", event.time),
+              .near_misses = {time("the book's run, its last row above zero", 2240 * book_step),
+                              time("the book's run, half of the way to the zero between its rows",
+                                   book_step * (2240 + 0.5 * above[0] / (above[0] - below[0])))}});
+
+  const auto row_reading = [&](const Row& row) -> Reading {
+    const double q = run[static_cast<std::size_t>(row.step)][0],
+                 v = run[static_cast<std::size_t>(row.step)][1];
+    return {"$q=" + row.q + R"($, $\dot q=)" + row.v + "$, position $(" + row.x + ",0,0)$",
+            {as_written("$q$", row.q, {"the book's run", q}),
+             as_written(R"($\dot q$)", row.v, {"the book's run", v}),
+             {"position",
+              {"as printed", {std::stod(row.x), 0, 0}},
+              {"the book's run", curve(q)},
+              printed_decimals(4)},
+             as_written("$q$", row.q, {"table", truth("03_07_slide", {1, 1, row.step / 1000.0}).value[0]})}};
+  };
+  const auto row = [&](std::string_view slug, int line, const Row& printed, const std::string& q_up,
+                       const std::string& v_up) {
+    Row other_q = printed, other_v = printed;
+    other_q.q = q_up;
+    other_v.v = v_up;
+    claims.add(
+        slug, line, "the output at $t=" + shortest(printed.step / 1000.0) + "$",
+        {.printed = row_reading(printed), .near_misses = {row_reading(other_q), row_reading(other_v)}});
+  };
+  row("row_2240", 1421, {2240, "0.00017622", "-1.41421347", "0.0002"}, "0.00017623", "-1.41421346");
+  row("row_2241", 1423, {2241, "-0.00123799", "-1.41420923", "-0.0012"}, "-0.00123798", "-1.41420922");
+
+  const auto within = [&](std::string text, double middle) -> Reading {
+    return {std::move(text),
+            {{"time to the origin",
+              {"middle of the interval", middle},
+              {"table", T.value},
+              {0.0005, "half the interval"}}}};
+  };
+  claims.add(
+      "between", 1425, "the time at which $q$ is zero",
+      {.printed = within("between 2.24 and 2.241", 2.2405),
+       .near_misses = {within("between 2.241 and 2.242", 2.2415), within("between 2.239 and 2.24", 2.2395)}});
+
+  const auto about_zero = [&](std::size_t step) {
+    return Check{"position after step " + std::to_string(step),
+                 {"the book's run", curve(run[step][0])},
+                 {"the origin", {0, 0, 0}},
+                 {sqrt(2.0) * book_step, "the way of one step"},
+                 1};
+  };
+  claims.add(
+      "near_the_origin", 1425, "the position is about zero in both rows",
+      {.printed = {"closer to the origin than the way of one step", {about_zero(2240), about_zero(2241)}},
+       .near_misses = {{"so one step later", {about_zero(2242)}}}});
+}
+
+std::vector<Claim> claims(double seed, const Reference& truth) {
+  Claims all("3.7");
+  const auto run = book_run();
+  formulas(all, seed);
+  run_down(all, run);
+  arrivals(all, run, truth);
+  return all.in_order();
+}
+
+std::vector<Root> roots() {
+  return {
+      {"the wire's force",
+       R"(A bead that feels gravity alone drops to $(1,1,0)$ in 1.41 s and misses the origin by 1.41 m; the one )"
+       R"(on the wire is there after 2.24 s.)"},
+      {"beyond the origin",
+       R"(An animation that takes $\ddot q$ for negative keeps the bead gaining speed: its $|\dot q|$ stays above )"
+       R"(the 1.414 of the origin, where the true bead is down to 1.145 at $t=2.5$ s, a quarter of a second later.)"}};
+}
+
+}  // namespace oddity::ex03_07
