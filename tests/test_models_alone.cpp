@@ -1,12 +1,12 @@
-#include "chapters/03_rigid_body_motion/25_chain/models.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/models.hpp"
+#include "chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/models.hpp"
+#include "chapters/03_rigid_body_motion/23_spring_bar/models.hpp"
+#include "chapters/03_rigid_body_motion/25_chain/models.hpp"
+#include "chapters/03_rigid_body_motion/27_two_bodies/models.hpp"
 #include "chapters/03_rigid_body_motion/29_planar_wire/models.hpp"
 #include "chapters/03_rigid_body_motion/31_rough_box/models.hpp"
-#include "chapters/03_rigid_body_motion/23_spring_bar/models.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/models.hpp"
-#include "chapters/03_rigid_body_motion/27_two_bodies/models.hpp"
-#include "chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"
 // These stand alone, and so the rest comes after them.
 #include <algorithm>
 #include <set>
@@ -38,7 +38,7 @@ Value observed(const Model& model, double h) {
     using State = typename Model::State;
     const State x = model.start();
     State a, b, c, d;
-    model(x, a, 0);
+    model(x, a, 0.0);
     model(moved(x, h / 2, a), b, h / 2);
     model(moved(x, h / 2, b), c, h / 2);
     model(moved(x, h, c), d, h);
@@ -140,9 +140,10 @@ TEST_CASE("The models of 3.23 stand alone, and are listed", "[models]") {
   Listed listed("3.23");
   const double m = listed["m"], r = listed["r"], s = listed["s"], c = listed["c"], h = listed["h"],
                g = listed["g"], ell = listed["ell"], theta0 = listed["theta0"], w0 = listed["w0"];
-  HAS("small oscillation", spring_bar::SmallOscillation{{m, r, s, c, h, g, ell, theta0, w0}});
-  HAS("one angle", spring_bar::OneAngle{{m, r, s, c, h, g, ell, theta0, w0}});
-  HAS("Cartesian with constraint", spring_bar::CartesianWithConstraint{{m, r, s, c, h, g, ell, theta0, w0}});
+  HAS("small oscillation", spring_bar::SmallOscillation<double>{{m, r, s, c, h, g, ell, theta0, w0}});
+  HAS("one angle", spring_bar::OneAngle<double>{{m, r, s, c, h, g, ell, theta0, w0}});
+  HAS("Cartesian with constraint",
+      spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}});
   listed.have_all();
 }
 

@@ -79,7 +79,7 @@ struct Sample {
   /// T + sign V, V by its positions.
   auto energies(double sign) const {
     return [*this, sign](const auto& angle, const auto& rate, const auto& t) {
-      return T()(angle, rate, t) + sign * Bar{m, r, s, c, h, g, ell, 0, 0}.potential(angle);
+      return T()(angle, rate, t) + sign * Given<double>{m, r, s, c, h, g, ell, 0, 0}.potential(angle);
     };
   }
 };
@@ -152,7 +152,7 @@ std::vector<Claim> claims(double seed) {
       [](S x) { return momentum_rate(x.energies(-1), x.q, x.v, x.a) - d_dq(x.energies(-1), x.q, x.v); }};
   const auto by_potential = [](double sign) {
     return [sign](S x) {
-      const Bar bar{x.m, x.r, x.s, x.c, x.h, x.g, x.ell, 0, 0};
+      const Given<double> bar{x.m, x.r, x.s, x.c, x.h, x.g, x.ell, 0, 0};
       return x.m * x.r * x.r * x.a + sign * derivative([&](const auto& q) { return bar.potential(q); }, x.q);
     };
   };
@@ -205,7 +205,7 @@ std::vector<Claim> claims(double seed) {
   return all;
 }
 
-Bar asked(const Parameters& p) {
+Given<double> asked(const Parameters& p) {
   return {p["m"], p["r"], p["s"], p["c"], p["h"], p["g"], p["ell"], p["theta0"], p["w0"]};
 }
 
@@ -214,28 +214,29 @@ Quantity swing_of(const Parameters& p, const Horizon& horizon, const Reference& 
 }
 
 Scene scene() {
-  return {swing_of,
-          4,
-          centimeter,
-          "c",
-          {20, 50, 100, 300, 1000, 2500},
-          {"theta0", "m", "h"},
-          {{"x", "y"}, "s", {{"m", {0, 1}}}},
-          {{"chapters/03_rigid_body_motion/23_spring_bar/models.hpp"},
-           {{"small oscillation", "spring_bar::SmallOscillation{{m, r, s, c, h, g, ell, theta0, w0}}"},
-            {"one angle", "spring_bar::OneAngle{{m, r, s, c, h, g, ell, theta0, w0}}"},
-            {"Cartesian with constraint",
-             "spring_bar::CartesianWithConstraint{{m, r, s, c, h, g, ell, theta0, w0}}"}}}};
+  return {
+      swing_of,
+      4,
+      centimeter,
+      "c",
+      {20, 50, 100, 300, 1000, 2500},
+      {"theta0", "m", "h"},
+      {{"x", "y"}, "s", {{"m", {0, 1}}}},
+      {{"chapters/03_rigid_body_motion/23_spring_bar/models.hpp"},
+       {{"small oscillation", "spring_bar::SmallOscillation<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
+        {"one angle", "spring_bar::OneAngle<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
+        {"Cartesian with constraint",
+         "spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  const Bar bar = asked(p);
+  const Given<double> bar = asked(p);
   Quantity mass = motion(scene(), p, truth);
   mass.add(Breakdown{
       "Explicit Euler gains energy at every step: at eight steps a second the bar turns over "
       "and over. Classical Runge-Kutta follows it at 256 steps a second.",
       "one angle, explicit Euler", 0.125, Outcome::drifted, "one angle, Runge-Kutta 4", 0.00390625});
-  Bar stiff = bar;
+  Given<double> stiff = bar;
   stiff.c = 1000 * bar.c;
   stiff.ell = stiff.balancing_rest_length();
   Quantity fast = stiff_swing(stiff, truth);
