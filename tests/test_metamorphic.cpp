@@ -75,9 +75,9 @@ void for_each_model(const See& see) {
                                      1, 1, 1.5, 9.81, 1,   2.5, 0.25, -0.5};
   see("3.19", "two coordinates", two_pulleys::TwoCoordinates{pulleys}, 8.0);
   see("3.19", "four coordinates", two_pulleys::FourCoordinates{pulleys}, 8.0);
-  const pipe_and_disk::Disk disk{1, 2, 0.5, 1, 3, 0.2, 2, 0.5, 10};
-  see("3.21", "two angles", pipe_and_disk::TwoAngles{disk}, 8.0);
-  see("3.21", "Cartesian center", pipe_and_disk::Center{disk}, 8.0);
+  const pipe_and_disk::Given<double> disk{1, 2, 0.5, 1, 3, 0.2, 2, 0.5, 10};
+  see("3.21", "two angles", pipe_and_disk::TwoAngles<double>{disk}, 8.0);
+  see("3.21", "Cartesian center", pipe_and_disk::Center<double>{disk}, 8.0);
   const spring_bar::Given<double> bar{1, 1, 0.5, 98.1, 0.8, 9.81, 1, 0.3, 0};
   see("3.23", "one angle", spring_bar::OneAngle<double>{bar}, 4.0);
   see("3.23", "Cartesian with constraint", spring_bar::CartesianWithConstraint<double>{bar}, 4.0);

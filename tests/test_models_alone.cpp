@@ -129,10 +129,11 @@ TEST_CASE("The models of 3.21 stand alone, and are listed", "[models]") {
   const double m = listed["m"], L = listed["L"], r = listed["r"], phi = listed["phi"], f = listed["f"],
                k = listed["k"], theta = listed["theta"], theta_dot = listed["theta_dot"],
                psi_dot = listed["psi_dot"];
-  HAS("constant speeds", pipe_and_disk::ConstantSpeeds{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
-  HAS("one angle", pipe_and_disk::OneAngle{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
-  HAS("two angles", pipe_and_disk::TwoAngles{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
-  HAS("Cartesian center", pipe_and_disk::Center{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  HAS("constant speeds",
+      pipe_and_disk::ConstantSpeeds<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  HAS("one angle", pipe_and_disk::OneAngle<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  HAS("two angles", pipe_and_disk::TwoAngles<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  HAS("Cartesian center", pipe_and_disk::Center<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
   listed.have_all();
 }
 

@@ -7,8 +7,8 @@
 // mu2 is the moment about a diameter, mu3 that about the pipe; J has the second moments of mass, (mu3/2,
 // mu3/2, mu2 - mu3/2). It takes phi constant; with phi free gravity would turn the pipe like a top.
 
-#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/pipe_and_disk.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "reference/text.hpp"
 
 namespace oddity {
@@ -273,7 +273,7 @@ Claim upright_pipe(double seed) {
   return claim;
 }
 
-Disk asked(const Parameters& p) {
+Given<double> asked(const Parameters& p) {
   return {p["m"], p["L"], p["r"], p["phi"], p["f"], p["k"], p["theta"], p["theta_dot"], p["psi_dot"]};
 }
 
@@ -292,16 +292,18 @@ Scene scene() {
       {"theta", "theta_dot", "psi_dot"},
       {{"x", "y", "psi"}, "s", {{"m", {0, 1}}, {"rad", {2}}}},
       {{"chapters/03_rigid_body_motion/21_pipe_and_disk/models.hpp"},
-       {{"constant speeds", "pipe_and_disk::ConstantSpeeds{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
-        {"one angle", "pipe_and_disk::OneAngle{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
-        {"two angles", "pipe_and_disk::TwoAngles{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
-        {"Cartesian center", "pipe_and_disk::Center{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"}}}};
+       {{"constant speeds",
+         "pipe_and_disk::ConstantSpeeds<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
+        {"one angle", "pipe_and_disk::OneAngle<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
+        {"two angles", "pipe_and_disk::TwoAngles<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
+        {"Cartesian center",
+         "pipe_and_disk::Center<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  const Disk pushed = asked(p);
+  const Given<double> pushed = asked(p);
   const Horizon horizon{seconds};
-  Disk free = pushed, frictionless = pushed, steep = pushed;
+  Given<double> free = pushed, frictionless = pushed, steep = pushed;
   free.f = free.k = frictionless.k = 0;
   steep.phi = 0.01;
   std::vector<Claim> claims = equations(p["seed"]);
