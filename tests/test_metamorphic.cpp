@@ -71,10 +71,10 @@ void for_each_model(const See& see) {
   const foucault::Pendulum bob{0.75, 1, 0.0625, 9.81, 0.5, 0.25, 1, 0};
   see("3.17", "Cartesian", foucault::Cartesian{bob}, 16.0);
   see("3.17", "two angles", foucault::TwoAngles{bob}, 16.0);
-  const two_pulleys::Pulleys pulleys{1, 2, 0.5, 0.25, 0.5, 0.5, 40,   30,  1,
-                                     1, 1, 1.5, 9.81, 1,   2.5, 0.25, -0.5};
-  see("3.19", "two coordinates", two_pulleys::TwoCoordinates{pulleys}, 8.0);
-  see("3.19", "four coordinates", two_pulleys::FourCoordinates{pulleys}, 8.0);
+  const two_pulleys::Given<double> pulleys{1, 2, 0.5, 0.25, 0.5, 0.5, 40,   30,  1,
+                                           1, 1, 1.5, 9.81, 1,   2.5, 0.25, -0.5};
+  see("3.19", "two coordinates", two_pulleys::TwoCoordinates<double>{pulleys}, 8.0);
+  see("3.19", "four coordinates", two_pulleys::FourCoordinates<double>{pulleys}, 8.0);
   const pipe_and_disk::Given<double> disk{1, 2, 0.5, 1, 3, 0.2, 2, 0.5, 10};
   see("3.21", "two angles", pipe_and_disk::TwoAngles<double>{disk}, 8.0);
   see("3.21", "Cartesian center", pipe_and_disk::Center<double>{disk}, 8.0);

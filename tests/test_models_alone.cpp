@@ -115,12 +115,13 @@ TEST_CASE("The models of 3.19 stand alone, and are listed", "[models]") {
                R2 = listed["R2"], c1 = listed["c1"], c2 = listed["c2"], L1 = listed["L1"], L2 = listed["L2"],
                K1 = listed["K1"], K2 = listed["K2"], g = listed["g"], y2 = listed["y2"], y3 = listed["y3"],
                v2 = listed["v2"], v3 = listed["v3"];
-  HAS("two coordinates",
-      two_pulleys::TwoCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}});
+  HAS("two coordinates", two_pulleys::TwoCoordinates<double>{
+                             {m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}});
   HAS("four coordinates with tensions",
-      two_pulleys::FourCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}});
-  HAS("published equations",
-      two_pulleys::TwoCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}, 0});
+      two_pulleys::FourCoordinates<double>{
+          {m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}});
+  HAS("published equations", two_pulleys::TwoCoordinates<double>{
+                                 {m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}, 0});
   listed.have_all();
 }
 
