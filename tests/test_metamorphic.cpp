@@ -64,10 +64,10 @@ void for_each_model(const See& see) {
   const tilted_chute::Case ball{{1, 5, 3}, 9.81, 1, -1};
   see("3.13", "angle about the axis", tilted_chute::Angle{ball}, 4.0);
   see("3.13", "space", tilted_chute::InSpace{ball}, 4.0);
-  const turning_rod::Rod rod{1, 1, 10, pi / 4, 2};
-  see("3.15", "along the rod", turning_rod::AlongTheRodWithWork{rod}, 2.0);
-  see("3.15", "turning plane", turning_rod::InTheTurningPlane{rod}, 2.0);
-  see("3.15", "Cartesian with constraints", turning_rod::CartesianWithConstraints{rod}, 2.0);
+  const turning_rod::Given<double> rod{1, 1, 10, pi / 4, 2};
+  see("3.15", "along the rod", turning_rod::AlongTheRodWithWork<double>{{rod}}, 2.0);
+  see("3.15", "turning plane", turning_rod::InTheTurningPlane<double>{{rod}}, 2.0);
+  see("3.15", "Cartesian with constraints", turning_rod::CartesianWithConstraints<double>{{rod}}, 2.0);
   const foucault::Pendulum bob{0.75, 1, 0.0625, 9.81, 0.5, 0.25, 1, 0};
   see("3.17", "Cartesian", foucault::Cartesian{bob}, 16.0);
   see("3.17", "two angles", foucault::TwoAngles{bob}, 16.0);
