@@ -68,9 +68,9 @@ void for_each_model(const See& see) {
   see("3.15", "along the rod", turning_rod::AlongTheRodWithWork<double>{{rod}}, 2.0);
   see("3.15", "turning plane", turning_rod::InTheTurningPlane<double>{{rod}}, 2.0);
   see("3.15", "Cartesian with constraints", turning_rod::CartesianWithConstraints<double>{{rod}}, 2.0);
-  const foucault::Pendulum bob{0.75, 1, 0.0625, 9.81, 0.5, 0.25, 1, 0};
-  see("3.17", "Cartesian", foucault::Cartesian{bob}, 16.0);
-  see("3.17", "two angles", foucault::TwoAngles{bob}, 16.0);
+  const foucault::Given<double> bob{0.75, 1, 0.0625, 9.81, 0.5, 0.25, 1, 0};
+  see("3.17", "Cartesian", foucault::Cartesian<double>{bob}, 16.0);
+  see("3.17", "two angles", foucault::TwoAngles<double>{bob}, 16.0);
   const two_pulleys::Given<double> pulleys{1, 2, 0.5, 0.25, 0.5, 0.5, 40,   30,  1,
                                            1, 1, 1.5, 9.81, 1,   2.5, 0.25, -0.5};
   see("3.19", "two coordinates", two_pulleys::TwoCoordinates<double>{pulleys}, 8.0);

@@ -99,13 +99,13 @@ TEST_CASE("The models of 3.17 stand alone, and are listed", "[models]") {
   const double lambda = listed["lambda"], L = listed["L"], omega = listed["omega"], g = listed["g"],
                theta = listed["theta"], phi = listed["phi"], theta_dot = listed["theta_dot"],
                phi_dot = listed["phi_dot"];
-  HAS("averaged", foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, true});
-  HAS("small angle", foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
+  HAS("averaged", foucault::SmallAngle<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, true});
+  HAS("small angle", foucault::SmallAngle<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
   HAS("two angles as published",
-      foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0});
-  HAS("two angles", foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
+      foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0});
+  HAS("two angles", foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
   HAS("Cartesian with constraint",
-      foucault::Cartesian{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
+      foucault::Cartesian<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
   listed.have_all();
 }
 
@@ -231,7 +231,7 @@ TEST_CASE("The models of 3.35 stand alone, and are listed", "[models]") {
 }
 
 TEST_CASE("A Foucault pendulum starts with the velocity that dual numbers give", "[models]") {
-  const foucault::Pendulum p{0.75, 1.25, 0.0625, 9.81, 0.5, 0.25, 1, -0.5};
+  const foucault::Given<double> p{0.75, 1.25, 0.0625, 9.81, 0.5, 0.25, 1, -0.5};
   const auto v = foucault::axis_velocity<double>({p.theta, p.phi}, {p.theta_dot, p.phi_dot});
   for (std::size_t i = 0; i < 3; ++i) CHECK(p.cartesian()[3 + i] == p.L * v[i]);
 }
