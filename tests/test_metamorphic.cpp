@@ -16,7 +16,7 @@
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
-#include "chapters/03_rigid_body_motion/21_pipe_and_disk/pipe_and_disk.hpp"
+#include "chapters/03_rigid_body_motion/21_pipe_and_disk/models.hpp"
 #include "chapters/03_rigid_body_motion/23_spring_bar/models.hpp"
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
 #include "chapters/03_rigid_body_motion/27_two_bodies/two_bodies.hpp"
