@@ -8,20 +8,25 @@
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/models.hpp"
-#include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
 #include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
+#include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
-#include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
-#include "chapters/03_rigid_body_motion/21_pipe_and_disk/pipe_and_disk.hpp"
-#include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
-#include "chapters/03_rigid_body_motion/23_spring_bar/spring_bar.hpp"
+#include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
+#include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
+#include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
-#include "chapters/03_rigid_body_motion/shared/top.hpp"
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
-#include "chapters/03_rigid_body_motion/27_two_bodies/two_bodies.hpp"
+#include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
+#include "chapters/03_rigid_body_motion/21_pipe_and_disk/models.hpp"
+#include "chapters/03_rigid_body_motion/23_spring_bar/models.hpp"
+#include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
+#include "chapters/03_rigid_body_motion/27_two_bodies/two_bodies.hpp"
+#include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
+#include "chapters/03_rigid_body_motion/shared/height_field.hpp"
+#include "chapters/03_rigid_body_motion/shared/top.hpp"
 #include "chapters/contents.hpp"
 #include "report/choose.hpp"
 #include "tests/catch.hpp"
@@ -62,23 +67,23 @@ void for_each_model(const See& see) {
   const tilted_chute::Given<double> ball{1, 5, 3, 9.81, 1, -1};
   see("3.13", "angle about the axis", tilted_chute::Angle<double>{ball}, 4.0);
   see("3.13", "space", tilted_chute::InSpace<double>{ball}, 4.0);
-  const turning_rod::Rod rod{1, 1, 10, pi / 4, 2};
-  see("3.15", "along the rod", turning_rod::AlongTheRodWithWork{rod}, 2.0);
-  see("3.15", "turning plane", turning_rod::InTheTurningPlane{rod}, 2.0);
-  see("3.15", "Cartesian with constraints", turning_rod::CartesianWithConstraints{rod}, 2.0);
-  const foucault::Pendulum bob{0.75, 1, 0.0625, 9.81, 0.5, 0.25, 1, 0};
-  see("3.17", "Cartesian", foucault::Cartesian{bob}, 16.0);
-  see("3.17", "two angles", foucault::TwoAngles{bob}, 16.0);
-  const two_pulleys::Pulleys pulleys{1, 2, 0.5, 0.25, 0.5, 0.5, 40,   30,  1,
-                                     1, 1, 1.5, 9.81, 1,   2.5, 0.25, -0.5};
-  see("3.19", "two coordinates", two_pulleys::TwoCoordinates{pulleys}, 8.0);
-  see("3.19", "four coordinates", two_pulleys::FourCoordinates{pulleys}, 8.0);
-  const pipe_and_disk::Disk disk{1, 2, 0.5, 1, 3, 0.2, 2, 0.5, 10};
-  see("3.21", "two angles", pipe_and_disk::TwoAngles{disk}, 8.0);
-  see("3.21", "Cartesian center", pipe_and_disk::Center{disk}, 8.0);
-  const spring_bar::Bar bar{1, 1, 0.5, 98.1, 0.8, 9.81, 1, 0.3, 0};
-  see("3.23", "one angle", spring_bar::OneAngle{bar}, 4.0);
-  see("3.23", "Cartesian with constraint", spring_bar::CartesianWithConstraint{bar}, 4.0);
+  const turning_rod::Given<double> rod{1, 1, 10, pi / 4, 2};
+  see("3.15", "along the rod", turning_rod::AlongTheRodWithWork<double>{{rod}}, 2.0);
+  see("3.15", "turning plane", turning_rod::InTheTurningPlane<double>{{rod}}, 2.0);
+  see("3.15", "Cartesian with constraints", turning_rod::CartesianWithConstraints<double>{{rod}}, 2.0);
+  const foucault::Given<double> bob{0.75, 1, 0.0625, 9.81, 0.5, 0.25, 1, 0};
+  see("3.17", "Cartesian", foucault::Cartesian<double>{bob}, 16.0);
+  see("3.17", "two angles", foucault::TwoAngles<double>{bob}, 16.0);
+  const two_pulleys::Given<double> pulleys{1, 2, 0.5, 0.25, 0.5, 0.5, 40,   30,  1,
+                                           1, 1, 1.5, 9.81, 1,   2.5, 0.25, -0.5};
+  see("3.19", "two coordinates", two_pulleys::TwoCoordinates<double>{pulleys}, 8.0);
+  see("3.19", "four coordinates", two_pulleys::FourCoordinates<double>{pulleys}, 8.0);
+  const pipe_and_disk::Given<double> disk{1, 2, 0.5, 1, 3, 0.2, 2, 0.5, 10};
+  see("3.21", "two angles", pipe_and_disk::TwoAngles<double>{disk}, 8.0);
+  see("3.21", "Cartesian center", pipe_and_disk::Center<double>{disk}, 8.0);
+  const spring_bar::Given<double> bar{1, 1, 0.5, 98.1, 0.8, 9.81, 1, 0.3, 0};
+  see("3.23", "one angle", spring_bar::OneAngle<double>{bar}, 4.0);
+  see("3.23", "Cartesian with constraint", spring_bar::CartesianWithConstraint<double>{bar}, 4.0);
   const chain::Triple links{{1, 0.75, 0.5}, {1, 0.75, 0.5}, 9.8125, 2.5, {0.25, 0.375, 0.5}, {0, 0, 0}};
   see("3.25", "dense mass matrix", chain::Angles<chain::Equations::dense>{links}, 4.0);
   see("3.25", "tensions", chain::Angles<chain::Equations::tensions>{links}, 4.0);

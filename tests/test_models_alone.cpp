@@ -1,12 +1,12 @@
-#include "chapters/03_rigid_body_motion/25_chain/models.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/models.hpp"
+#include "chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/models.hpp"
+#include "chapters/03_rigid_body_motion/23_spring_bar/models.hpp"
+#include "chapters/03_rigid_body_motion/25_chain/models.hpp"
+#include "chapters/03_rigid_body_motion/27_two_bodies/models.hpp"
 #include "chapters/03_rigid_body_motion/29_planar_wire/models.hpp"
 #include "chapters/03_rigid_body_motion/31_rough_box/models.hpp"
-#include "chapters/03_rigid_body_motion/23_spring_bar/models.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/models.hpp"
-#include "chapters/03_rigid_body_motion/27_two_bodies/models.hpp"
-#include "chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"
 // These stand alone, and so the rest comes after them.
 #include <algorithm>
 #include <set>
@@ -38,7 +38,7 @@ Value observed(const Model& model, double h) {
     using State = typename Model::State;
     const State x = model.start();
     State a, b, c, d;
-    model(x, a, 0);
+    model(x, a, 0.0);
     model(moved(x, h / 2, a), b, h / 2);
     model(moved(x, h / 2, b), c, h / 2);
     model(moved(x, h, c), d, h);
@@ -99,13 +99,13 @@ TEST_CASE("The models of 3.17 stand alone, and are listed", "[models]") {
   const double lambda = listed["lambda"], L = listed["L"], omega = listed["omega"], g = listed["g"],
                theta = listed["theta"], phi = listed["phi"], theta_dot = listed["theta_dot"],
                phi_dot = listed["phi_dot"];
-  HAS("averaged", foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, true});
-  HAS("small angle", foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
+  HAS("averaged", foucault::SmallAngle<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, true});
+  HAS("small angle", foucault::SmallAngle<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
   HAS("two angles as published",
-      foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0});
-  HAS("two angles", foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
+      foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0});
+  HAS("two angles", foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
   HAS("Cartesian with constraint",
-      foucault::Cartesian{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
+      foucault::Cartesian<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}});
   listed.have_all();
 }
 
@@ -115,12 +115,13 @@ TEST_CASE("The models of 3.19 stand alone, and are listed", "[models]") {
                R2 = listed["R2"], c1 = listed["c1"], c2 = listed["c2"], L1 = listed["L1"], L2 = listed["L2"],
                K1 = listed["K1"], K2 = listed["K2"], g = listed["g"], y2 = listed["y2"], y3 = listed["y3"],
                v2 = listed["v2"], v3 = listed["v3"];
-  HAS("two coordinates",
-      two_pulleys::TwoCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}});
+  HAS("two coordinates", two_pulleys::TwoCoordinates<double>{
+                             {m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}});
   HAS("four coordinates with tensions",
-      two_pulleys::FourCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}});
-  HAS("published equations",
-      two_pulleys::TwoCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}, 0});
+      two_pulleys::FourCoordinates<double>{
+          {m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}});
+  HAS("published equations", two_pulleys::TwoCoordinates<double>{
+                                 {m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}, 0});
   listed.have_all();
 }
 
@@ -129,10 +130,11 @@ TEST_CASE("The models of 3.21 stand alone, and are listed", "[models]") {
   const double m = listed["m"], L = listed["L"], r = listed["r"], phi = listed["phi"], f = listed["f"],
                k = listed["k"], theta = listed["theta"], theta_dot = listed["theta_dot"],
                psi_dot = listed["psi_dot"];
-  HAS("constant speeds", pipe_and_disk::ConstantSpeeds{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
-  HAS("one angle", pipe_and_disk::OneAngle{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
-  HAS("two angles", pipe_and_disk::TwoAngles{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
-  HAS("Cartesian center", pipe_and_disk::Center{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  HAS("constant speeds",
+      pipe_and_disk::ConstantSpeeds<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  HAS("one angle", pipe_and_disk::OneAngle<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  HAS("two angles", pipe_and_disk::TwoAngles<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
+  HAS("Cartesian center", pipe_and_disk::Center<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}});
   listed.have_all();
 }
 
@@ -140,9 +142,10 @@ TEST_CASE("The models of 3.23 stand alone, and are listed", "[models]") {
   Listed listed("3.23");
   const double m = listed["m"], r = listed["r"], s = listed["s"], c = listed["c"], h = listed["h"],
                g = listed["g"], ell = listed["ell"], theta0 = listed["theta0"], w0 = listed["w0"];
-  HAS("small oscillation", spring_bar::SmallOscillation{{m, r, s, c, h, g, ell, theta0, w0}});
-  HAS("one angle", spring_bar::OneAngle{{m, r, s, c, h, g, ell, theta0, w0}});
-  HAS("Cartesian with constraint", spring_bar::CartesianWithConstraint{{m, r, s, c, h, g, ell, theta0, w0}});
+  HAS("small oscillation", spring_bar::SmallOscillation<double>{{m, r, s, c, h, g, ell, theta0, w0}});
+  HAS("one angle", spring_bar::OneAngle<double>{{m, r, s, c, h, g, ell, theta0, w0}});
+  HAS("Cartesian with constraint",
+      spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}});
   listed.have_all();
 }
 
@@ -228,7 +231,7 @@ TEST_CASE("The models of 3.35 stand alone, and are listed", "[models]") {
 }
 
 TEST_CASE("A Foucault pendulum starts with the velocity that dual numbers give", "[models]") {
-  const foucault::Pendulum p{0.75, 1.25, 0.0625, 9.81, 0.5, 0.25, 1, -0.5};
+  const foucault::Given<double> p{0.75, 1.25, 0.0625, 9.81, 0.5, 0.25, 1, -0.5};
   const auto v = foucault::axis_velocity<double>({p.theta, p.phi}, {p.theta_dot, p.phi_dot});
   for (std::size_t i = 0; i < 3; ++i) CHECK(p.cartesian()[3 + i] == p.L * v[i]);
 }

@@ -18,7 +18,7 @@ namespace ex03_15 {
 
 using namespace turning_rod;
 
-const Rod book{1, 1, 10, quarter, 2};
+const Rod<double> book{{1, 1, 10, quarter, 2}};
 
 constexpr Parameter parameters[] = {
     {"m", 1, "kg", "mass", 0.1, 100},
@@ -50,7 +50,7 @@ Check pulls(const std::string& what, double seed, const Holds& holds) {
 
 /// How many states of the motion up to t = 2 from lambda = s are not on the segment of length 4.
 Check stays_on(const std::string& start, double s, double K, double w = quarter) {
-  const AlongTheRod rod{{book.m, book.c, K, w, s}};
+  const AlongTheRod<double> rod{{{book.m, book.c, K, w, s}}};
   const auto states =
       ode::integrate<ode::DormandPrince54>(rod, rod.start(), Horizon{2, 200}.times(), 1e-10).value;
   long violations = 0;
@@ -60,8 +60,8 @@ Check stays_on(const std::string& start, double s, double K, double w = quarter)
 
 /// An end of the segment is passed at the time named.
 Check passes(double end, double s, double K, double time) {
-  const AlongTheRod rod{{book.m, book.c, K, quarter, s}};
-  const auto beyond = [=](const AlongTheRod::State& x, double) { return x[0] - end; };
+  const AlongTheRod<double> rod{{{book.m, book.c, K, quarter, s}}};
+  const auto beyond = [=](const AlongTheRod<double>::State& x, double) { return x[0] - end; };
   const double found = ode::find_event<ode::Fehlberg78>(rod, rod.start(), 0, 3, 1e-12, beyond).value.time;
   return {"time at which lambda = " + shortest(end) + ", from lambda = " + shortest(s) +
               " with K = " + shortest(K),
@@ -92,7 +92,7 @@ Claim on_the_segment() {
 }
 
 std::vector<Claim> motion(double seed, const Value& end) {
-  const CartesianWithConstraints cartesian{book};
+  const CartesianWithConstraints<double> cartesian{book};
 
   Claim towards{"3.15-force_towards", 1819, "the force is towards (c, 0, 0)"};
   towards.printed = {"always", {pulls("F . (c i - x) > 0", seed, [](bool pull, bool) { return pull; })}};
@@ -109,7 +109,7 @@ std::vector<Claim> motion(double seed, const Value& end) {
       "pull has the mass 3.5 mm off at $t=2$.";
 
   Claim arrives{"3.15-arrival_time", 1849, "the mass arrives in the (x2, x3)-plane at t = 2"};
-  const auto x1 = [](const CartesianWithConstraints::State& x, double) { return x[0]; };
+  const auto x1 = [](const CartesianWithConstraints<double>::State& x, double) { return x[0]; };
   const double arrival =
       ode::find_event<ode::Fehlberg78>(cartesian, cartesian.start(), 0, 5, 1e-12, x1).value.time;
   const auto at = [&](double t) {
@@ -139,7 +139,7 @@ std::vector<Claim> motion(double seed, const Value& end) {
   // lambda(2), the segment's length being of no account but for the start b
   Claim select{"3.15-parameters", 1867, "the parameters to select are L, c, m and K"};
   const auto end_of = [](double b, double m, double K) {
-    const AlongTheRod rod{{m, book.c, K, quarter, sqrt2 * b}};
+    const AlongTheRod<double> rod{{{m, book.c, K, quarter, sqrt2 * b}}};
     return ode::integrate<ode::Fehlberg78>(rod, rod.start(), 0, 2, 1e-14).value[0];
   };
   const double half = book.s0 / sqrt2;
@@ -179,7 +179,7 @@ struct Run {
 
 /// The listing's 200 steps.
 Run listing(double factor) {
-  const AsListed rod{book, factor};
+  const AsListed<double> rod{book, factor};
   auto state = rod.start();
   Run run{{state[0]}, 0};
   for (int i = 0; i < 200; ++i) {
@@ -192,7 +192,7 @@ Run listing(double factor) {
 /// lambda and x2 = x3 as printed, against a route's lambda.
 std::vector<Check> line(double lambda, double d, const std::string& by, double s) {
   return {{"lambda", {"as printed", lambda}, {by, s}, printed_decimals(5)},
-          {"x2", {"as printed", d}, {by, root_half * s}, printed_decimals(6)}};
+          {"x2", {"as printed", d}, {by, root_half<double> * s}, printed_decimals(6)}};
 }
 
 /// The cosine of x next to pi/2 as FCOS gives it: the distance from its own pi/2, which has 66 bits.
@@ -224,7 +224,7 @@ std::vector<Claim> listed(const Run& run, const Run& mended) {
   const auto digits = [&](const std::string& by, double cosine) {
     return Check{"x1",
                  {"as printed", -8.54596e-16},
-                 {by, root_half * s * cosine},
+                 {by, root_half<double> * s * cosine},
                  {0.5e-21, "half a unit of the sixth digit, the last one printed"}};
   };
   x1.printed = {"with FCOS", {digits("cosine with a pi of 66 bits", fcos_near_half_pi(angle))}};
@@ -234,7 +234,7 @@ std::vector<Claim> listed(const Run& run, const Run& mended) {
   Claim plane{"3.15-in_the_plane", 2181, "x1 is effectively zero at the end"};
   const auto x1_after = [&](int steps) {
     return Check{"x1 after step " + std::to_string(steps),
-                 {"listing", root_half * s * cos(angle * steps / 200)},
+                 {"listing", root_half<double> * s * cos(angle * steps / 200)},
                  {"zero", 0.0},
                  {200 * 0x1p-53 * 2, "the rounding of a clock that adds 200 steps"},
                  1};
@@ -314,7 +314,7 @@ std::vector<Claim> conclusions(const Run& run, const Run& mended, const Value& e
   return {value, arrival, meaning, down};
 }
 
-Rod asked(const Parameters& p) { return {p["m"], p["c"], p["K"], p["w"], p["s"]}; }
+Given<double> asked(const Parameters& p) { return {p["m"], p["c"], p["K"], p["w"], p["s"]}; }
 
 Quantity sliding(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   return slide(asked(p), horizon, truth);
@@ -331,24 +331,25 @@ Scene scene() {
       {"s", "c"},
       {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
       {{"chapters/03_rigid_body_motion/15_turning_rod/models.hpp"},
-       {{"no spring", "turning_rod::NoSpring{{m, c, K, w, s}}"},
-        {"spring's end on the axis", "turning_rod::EndOnTheAxis{{m, c, K, w, s}}"},
-        {"rigid spring", "turning_rod::RigidSpring{{m, c, K, w, s}}"},
-        {"listing as printed", "turning_rod::AsListed{{m, c, K, w, s}}"},
-        {"listing with the other rest length", "turning_rod::listed_with_other_rest_length({m, c, K, w, s})"},
-        {"along the rod", "turning_rod::AlongTheRod{{m, c, K, w, s}}"},
-        {"along the rod, with the work", "turning_rod::AlongTheRodWithWork{{m, c, K, w, s}}"},
-        {"in the turning plane", "turning_rod::InTheTurningPlane{{m, c, K, w, s}}"},
-        {"Cartesian with constraints", "turning_rod::CartesianWithConstraints{{m, c, K, w, s}}"}}}};
+       {{"no spring", "turning_rod::NoSpring<double>{{{m, c, K, w, s}}}"},
+        {"spring's end on the axis", "turning_rod::EndOnTheAxis<double>{{{m, c, K, w, s}}}"},
+        {"rigid spring", "turning_rod::RigidSpring<double>{{{m, c, K, w, s}}}"},
+        {"listing as printed", "turning_rod::AsListed<double>{{{m, c, K, w, s}}}"},
+        {"listing with the other rest length",
+         "turning_rod::listed_with_other_rest_length<double>({m, c, K, w, s})"},
+        {"along the rod", "turning_rod::AlongTheRod<double>{{{m, c, K, w, s}}}"},
+        {"along the rod, with the work", "turning_rod::AlongTheRodWithWork<double>{{{m, c, K, w, s}}}"},
+        {"in the turning plane", "turning_rod::InTheTurningPlane<double>{{{m, c, K, w, s}}}"},
+        {"Cartesian with constraints", "turning_rod::CartesianWithConstraints<double>{{{m, c, K, w, s}}}"}}}};
 }
 
 Findings study(const Parameters& given, const Reference& truth) {
   const Horizon horizon{scene().horizon};
-  const Rod rod = asked(given);
-  const Rod stiff{rod.m, rod.c, given["stiff"], rod.w, rod.s0};
-  const Rod fast{rod.m, rod.c, rod.K, given["r"] * sqrt(2 * rod.K / rod.m), rod.s0};
+  const Given<double> rod = asked(given);
+  const Given<double> stiff{rod.m, rod.c, given["stiff"], rod.w, rod.s0};
+  const Given<double> fast{rod.m, rod.c, rod.K, given["r"] * sqrt(2 * rod.K / rod.m), rod.s0};
   const double seed = given["seed"];
-  const Run run = listing(root_half), mended = listing(quarter);
+  const Run run = listing(root_half<double>), mended = listing(quarter);
   auto at_2 = inputs(book);
   at_2.push_back(2);
   const Value end = truth("03_15_slide", at_2).value;

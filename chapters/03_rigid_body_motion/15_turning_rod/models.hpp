@@ -1,183 +1,235 @@
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
+#include <tuple>
 
 #include "chapters/numbers.hpp"
 
-/// A mass on a rod that turns about the x3-axis at 45 degrees to it, starting in the (x1, x3)-plane, and a
-/// spring from (c, 0, 0) to the mass: its models, whose observables are the position.
+/// The models of exercise 3.15: a mass on a rod that turns about the x3-axis at 45 degrees to it, starting in
+/// the (x1, x3)-plane, and a spring from (c, 0, 0) to the mass. The observables are its position.
 ///   s  distance from the origin along the rod (the book's lambda)    w  angular speed of the rod
 ///   K  stiffness and  ell  rest length of the spring                 r  length of the spring
 namespace oddity::turning_rod {
 
-inline const double root_half = std::sqrt(0.5);
+template <class T>
+inline const T root_half = T(std::numbers::sqrt2 / 2);
 
-struct Spring {
-  double c, K, ell;
-  /// The energy when the other end is at x.
-  template <class T>
-  T energy(const std::array<T, 3>& x) const {
-    using std::sqrt;
-    const T stretch = sqrt((x[0] - c) * (x[0] - c) + x[1] * x[1] + x[2] * x[2]) - ell;
-    return 0.5 * K * stretch * stretch;
+/// The exercise's parameters; s0 is the start.
+template <class T>
+struct Given {
+  T m, c, K, w, s0;
+
+  /// The spring's length at the start.
+  T spring() const { return sqrt(s0 * s0 - T(std::numbers::sqrt2) * c * s0 + c * c); }
+};
+
+template <class T>
+struct Rod : Given<T> {
+  T ell = this->spring();
+
+  std::array<T, 3> place(const T& s, const T& t) const {
+    const T across = root_half<T> * s;
+    return {across * cos(this->w * t), across * sin(this->w * t), across};
+  }
+  /// The spring's energy when the mass is at x.
+  template <class X>
+  X energy(const std::array<X, 3>& x) const {
+    const X stretch = sqrt((x[0] - this->c) * (x[0] - this->c) + x[1] * x[1] + x[2] * x[2]) - ell;
+    return this->K / 2 * stretch * stretch;
   }
 };
 
-struct Rod {
-  double m, c, K, w, s0;
-  double ell = std::sqrt(s0 * s0 - std::numbers::sqrt2 * c * s0 + c * c);
-
-  std::array<double, 3> place(double s, double t) const {
-    const double across = root_half * s;
-    return {across * std::cos(w * t), across * std::sin(w * t), across};
-  }
-};
-
-struct NoSpring : Rod {
-  std::array<double, 3> at(double t) const { return place(s0 * std::cosh(w * root_half * t), t); }
+template <class T>
+struct NoSpring {
+  Rod<T> rod;
+  std::array<T, 3> at(const T& t) const { return rod.place(rod.s0 * cosh(rod.w * root_half<T> * t), t); }
 };
 
 /// The spring's fixed end at the origin: linear.
-struct EndOnTheAxis : Rod {
-  std::array<double, 3> at(double t) const {
-    const double pull = K / m - w * w / 2, rest = K / m * s0 / pull, frequency = std::sqrt(std::abs(pull));
-    return place(rest + (s0 - rest) * (pull > 0 ? std::cos(frequency * t) : std::cosh(frequency * t)), t);
+template <class T>
+struct EndOnTheAxis {
+  Rod<T> rod;
+  std::array<T, 3> at(const T& t) const {
+    const auto& [m, c, K, w, s0] = static_cast<const Given<T>&>(rod);
+    const T pull = K / m - w * w / 2, rest = K / m * s0 / pull, frequency = sqrt(abs(pull));
+    const T swung = cos(frequency * t), flown = cosh(frequency * t);
+    return rod.place(rest + (s0 - rest) * select(pull > T(0), swung, flown), t);
   }
 };
 
-/// The spring a bar of its rest length: the distance along the rod is a matter of geometry. Raised where the
-/// bar does not reach the rod.
-struct RigidSpring : Rod {
-  std::array<double, 3> at(double t) const {
-    const double p = c * root_half * std::cos(w * t), square = ell * ell - c * c + p * p;
-    if (square < 0) throw std::domain_error("a bar as long as the spring does not reach the rod");
-    return place(p + std::sqrt(square), t);
+/// The spring a bar of its rest length: the distance along the rod is a matter of geometry. NaN where the bar
+/// does not reach the rod.
+template <class T>
+struct RigidSpring {
+  Rod<T> rod;
+  std::array<T, 3> at(const T& t) const {
+    const T p = rod.c * root_half<T> * cos(rod.w * t);
+    return rod.place(p + sqrt(rod.ell * rod.ell - rod.c * rod.c + p * p), t);
   }
 };
+
+/// (lambda, lambda'), the listing's arithmetic; `factor` is what it multiplies the time by inside the cosine.
+template <class T>
+struct AsListed {
+  Rod<T> rod;
+  T factor = root_half<T>;
+  using State = std::array<T, 2>;
+  State start() const { return {rod.s0, T(0)}; }
+  template <class X>
+  void operator()(const std::array<X, 2>& state, std::array<X, 2>& output, const X& time) const {
+    const X tmp0 = rod.c * root_half<T> * cos(factor * time);
+    const X tmp1 = state[0] - tmp0;
+    const X tmp2 = state[0] - 2 * tmp0;
+    const X tmp3 = state[0] * tmp2 + rod.c * rod.c;
+    const X tmp4 = 1 - rod.ell * (1 / sqrt(tmp3));
+    const T pi = T(std::numbers::pi);
+    output = {state[1], pi * pi / 32 * state[0] - rod.K / rod.m * tmp4 * tmp1};
+  }
+  std::array<T, 3> observe(const State& x, const T& t) const { return rod.place(x[0], t); }
+};
+
+/// With the rest length sqrt((b-c)^2 + c^2), the rod's turning mended.
+template <class T>
+AsListed<T> listed_with_other_rest_length(const Given<T>& p) {
+  const T b = root_half<T> * p.s0;
+  return {{p, hypot(b - p.c, p.c)}, T(std::numbers::pi) / 4};
+}
 
 /// (s, s').
-struct AlongTheRod : Rod {
-  using State = std::array<double, 2>;
-  State start() const { return {s0, 0}; }
-  double acceleration(double s, double t) const {
-    const double p = c * root_half * std::cos(w * t);
-    const double r = std::sqrt(s * s - 2 * p * s + c * c);
-    return w * w / 2 * s - K / m * (1 - ell / r) * (s - p);
+template <class T>
+struct AlongTheRod {
+  Rod<T> rod;
+  using State = std::array<T, 2>;
+  State start() const { return {rod.s0, T(0)}; }
+  template <class X>
+  X acceleration_at(const X& s, const X& t) const {
+    const X p = rod.c * root_half<T> * cos(rod.w * t);
+    const X r = sqrt(s * s - 2 * p * s + rod.c * rod.c);
+    return rod.w * rod.w / 2 * s - rod.K / rod.m * (1 - rod.ell / r) * (s - p);
   }
-  void operator()(const State& x, State& dxdt, double t) const { dxdt = {x[1], acceleration(x[0], t)}; }
-  std::array<double, 3> observe(const State& x, double t) const { return place(x[0], t); }
+  template <class X>
+  void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X& t) const {
+    dxdt = {x[1], acceleration_at(x[0], t)};
+  }
+  std::array<T, 3> observe(const State& x, const T& t) const { return rod.place(x[0], t); }
 };
 
 /// (s, s', work): for the rod the spring's end turns, and does this work; the energy seen from the rod less
 /// it is conserved.
-struct AlongTheRodWithWork : Rod {
-  using State = std::array<double, 3>;
-  State start() const { return {s0, 0, 0}; }
-  double length(double s, double t) const {
-    return std::sqrt(s * s - std::numbers::sqrt2 * c * std::cos(w * t) * s + c * c);
+template <class T>
+struct AlongTheRodWithWork {
+  Rod<T> rod;
+  using State = std::array<T, 3>;
+  State start() const { return {rod.s0, T(0), T(0)}; }
+  template <class X>
+  X length(const X& s, const X& t) const {
+    return sqrt(s * s - T(std::numbers::sqrt2) * rod.c * cos(rod.w * t) * s + rod.c * rod.c);
   }
-  void operator()(const State& x, State& dxdt, double t) const {
-    const double pull = K * (1 - ell / length(x[0], t));
-    dxdt = {x[1], AlongTheRod{*this}.acceleration(x[0], t),
-            pull * c * root_half * x[0] * w * std::sin(w * t)};
+  template <class X>
+  void operator()(const std::array<X, 3>& x, std::array<X, 3>& dxdt, const X& t) const {
+    const X pull = rod.K * (1 - rod.ell / length(x[0], t));
+    dxdt = {x[1], AlongTheRod<T>{rod}.acceleration_at(x[0], t),
+            pull * rod.c * root_half<T> * x[0] * rod.w * sin(rod.w * t)};
   }
-  std::array<double, 3> observe(const State& x, double t) const { return place(x[0], t); }
-  auto conserved(const State& x, double t) const {
-    const double stretch = length(x[0], t) - ell;
-    return energy_of(m * x[1] * x[1] / 2, K * stretch * stretch / 2 - m * w * w * x[0] * x[0] / 4 - x[2]);
+  std::array<T, 3> observe(const State& x, const T& t) const { return rod.place(x[0], t); }
+  auto conserved(const State& x, const T& t) const {
+    const T stretch = length(x[0], t) - rod.ell;
+    return energy_of<T>(rod.m * x[1] * x[1] / 2,
+                        rod.K * stretch * stretch / 2 - rod.m * rod.w * rod.w * x[0] * x[0] / 4 - x[2]);
   }
 };
 
 /// (s, y, s', y', work) in the plane that turns with the rod and holds it and the horizontal across it:
 /// centrifugal and Coriolis force, and the rod's push across that keeps y without acceleration. The spring's
 /// end turns backward, and does the work.
-struct InTheTurningPlane : Rod {
-  using State = std::array<double, 5>;
-  State start() const { return {s0, 0, 0, 0, 0}; }
+template <class T>
+struct InTheTurningPlane {
+  Rod<T> rod;
+  using State = std::array<T, 5>;
+  State start() const { return {rod.s0, T(0), T(0), T(0), T(0)}; }
   /// From the spring's end to (s, y): along the rod, across it, and out of the plane.
-  std::array<double, 3> spring(double s, double y, double t) const {
-    const double p = root_half * c * std::cos(w * t);
-    return {s - p, y + c * std::sin(w * t), p};
+  template <class X>
+  std::array<X, 3> spring(const X& s, const X& y, const X& t) const {
+    const X p = root_half<T> * rod.c * cos(rod.w * t);
+    return {s - p, y + rod.c * sin(rod.w * t), p};
   }
-  void operator()(const State& x, State& dxdt, double t) const {
+  template <class X>
+  void operator()(const std::array<X, 5>& x, std::array<X, 5>& dxdt, const X& t) const {
+    const T w = rod.w;
     const auto d = spring(x[0], x[1], t);
-    const double pull = -K / m * (1 - ell / std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
-    const double along = pull * d[0] + w * w / 2 * x[0] + 2 * w * root_half * x[3];
-    const double across = pull * d[1] + w * w * x[1] - 2 * w * root_half * x[2], push = -across;
-    const double C = std::cos(w * t), S = std::sin(w * t);
-    const double by_end = -m * pull * c * w * (root_half * S * (d[0] - d[2]) + C * d[1]);
-    dxdt = {x[2], x[3], along, across + push, by_end + m * push * x[3]};
+    const X pull = -rod.K / rod.m * (1 - rod.ell / sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+    const X along = pull * d[0] + w * w / 2 * x[0] + 2 * w * root_half<T> * x[3];
+    const X across = pull * d[1] + w * w * x[1] - 2 * w * root_half<T> * x[2], push = -across;
+    const X C = cos(w * t), S = sin(w * t);
+    const X by_end = -rod.m * pull * rod.c * w * (root_half<T> * S * (d[0] - d[2]) + C * d[1]);
+    dxdt = {x[2], x[3], along, across + push, by_end + rod.m * push * x[3]};
   }
-  std::array<double, 3> observe(const State& x, double t) const {
-    const auto r = place(x[0], t);
-    return {r[0] - x[1] * std::sin(w * t), r[1] + x[1] * std::cos(w * t), r[2]};
+  std::array<T, 3> observe(const State& x, const T& t) const {
+    const auto r = rod.place(x[0], t);
+    return {r[0] - x[1] * sin(rod.w * t), r[1] + x[1] * cos(rod.w * t), r[2]};
   }
-  auto conserved(const State& x, double t) const {
+  auto conserved(const State& x, const T& t) const {
     const auto d = spring(x[0], x[1], t);
-    const double stretch = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - ell;
-    const double speeds = x[2] * x[2] + x[3] * x[3], turned = x[0] * x[0] / 2 + x[1] * x[1];
-    return energy_of(m * speeds / 2, K * stretch * stretch / 2 - m * w * w * turned / 2 - x[4]);
+    const T stretch = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - rod.ell;
+    const T speeds = x[2] * x[2] + x[3] * x[3], turned = x[0] * x[0] / 2 + x[1] * x[1];
+    return energy_of<T>(rod.m * speeds / 2,
+                        rod.K * stretch * stretch / 2 - rod.m * rod.w * rod.w * turned / 2 - x[4]);
   }
-  double off_constraint(const State& x, double) const { return std::abs(x[1]); }
+  T off_constraint(const State& x, const T&) const { return abs(x[1]); }
 };
 
 /// (x, x', work): two forces normal to the rod keep x . n1 and x . n2 without acceleration, and do this work.
-struct CartesianWithConstraints : Rod {
-  using State = std::array<double, 7>;
-  State start() const { return {root_half * s0, 0, root_half * s0, 0, root_half * s0 * w, 0, 0}; }
-  void operator()(const State& x, State& dxdt, double t) const {
-    const double C = std::cos(w * t), S = std::sin(w * t), h = root_half;
-    const double y = x[0] - c, pull = -K / m * (1 - ell / std::sqrt(y * y + x[1] * x[1] + x[2] * x[2]));
-    const std::array f{pull * y, pull * x[1], pull * x[2]};
-    const double m1 = S * f[0] - C * f[1] + 2 * w * (C * x[3] + S * x[4]) + w * w * (C * x[1] - S * x[0]);
-    const double m2 =
+template <class T>
+struct CartesianWithConstraints {
+  Rod<T> rod;
+  using State = std::array<T, 7>;
+  State start() const {
+    return {
+        root_half<T> * rod.s0, T(0), root_half<T> * rod.s0, T(0), root_half<T> * rod.s0 * rod.w, T(0), T(0)};
+  }
+  template <class X>
+  void operator()(const std::array<X, 7>& x, std::array<X, 7>& dxdt, const X& t) const {
+    const T w = rod.w, h = root_half<T>;
+    const X C = cos(w * t), S = sin(w * t);
+    const X y = x[0] - rod.c, pull = -rod.K / rod.m * (1 - rod.ell / sqrt(y * y + x[1] * x[1] + x[2] * x[2]));
+    const std::array<X, 3> f{pull * y, pull * x[1], pull * x[2]};
+    const X m1 = S * f[0] - C * f[1] + 2 * w * (C * x[3] + S * x[4]) + w * w * (C * x[1] - S * x[0]);
+    const X m2 =
         h * (f[2] - C * f[0] - S * f[1] + 2 * w * (S * x[3] - C * x[4]) + w * w * (C * x[0] + S * x[1]));
-    const std::array n{-S * m1 + h * C * m2, C * m1 + h * S * m2, -h * m2};
+    const std::array<X, 3> n{-S * m1 + h * C * m2, C * m1 + h * S * m2, -h * m2};
     dxdt = {x[3],
             x[4],
             x[5],
             f[0] + n[0],
             f[1] + n[1],
             f[2] + n[2],
-            m * (n[0] * x[3] + n[1] * x[4] + n[2] * x[5])};
+            rod.m * (n[0] * x[3] + n[1] * x[4] + n[2] * x[5])};
   }
-  std::array<double, 3> observe(const State& x, double) const { return {x[0], x[1], x[2]}; }
-  auto conserved(const State& x, double) const {
-    return energy_of(m * (x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2,
-                     Spring{c, K, ell}.energy(observe(x, 0)) - x[6]);
+  std::array<T, 3> observe(const State& x, const T&) const { return {x[0], x[1], x[2]}; }
+  auto conserved(const State& x, const T& t) const {
+    return energy_of<T>(rod.m * (x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2,
+                        rod.energy(observe(x, t)) - x[6]);
   }
   /// From the rod: across it in the level, and in its upright plane.
-  double off_constraint(const State& x, double t) const {
-    const double C = std::cos(w * t), S = std::sin(w * t), outward = C * x[0] + S * x[1];
-    return std::hypot(C * x[1] - S * x[0], root_half * (outward - x[2]));
+  T off_constraint(const State& x, const T& t) const {
+    const T C = cos(rod.w * t), S = sin(rod.w * t), outward = C * x[0] + S * x[1];
+    return hypot(C * x[1] - S * x[0], root_half<T> * (outward - x[2]));
   }
 };
 
-/// (lambda, lambda'), the listing's arithmetic; `factor` is what it multiplies the time by inside the cosine.
-struct AsListed : Rod {
-  using State = std::array<double, 2>;
-  double factor = root_half;
-  State start() const { return {s0, 0}; }
-  void operator()(const State& state, State& output, double time) const {
-    const double tmp0 = c * root_half * std::cos(factor * time);
-    const double tmp1 = state[0] - tmp0;
-    const double tmp2 = state[0] - 2.0 * tmp0;
-    const double tmp3 = state[0] * tmp2 + c * c;
-    const double tmp4 = 1.0 - ell * (1 / std::sqrt(tmp3));
-    output = {state[1], std::numbers::pi * std::numbers::pi / 32.0 * state[0] - K / m * tmp4 * tmp1};
-  }
-  std::array<double, 3> observe(const State& x, double t) const { return place(x[0], t); }
-};
-
-/// With the rest length sqrt((b-c)^2 + c^2), the rod's turning mended.
-inline AsListed listed_with_other_rest_length(const Rod& rod) {
-  const double b = root_half * rod.s0;
-  AsListed other_length{rod, std::numbers::pi / 4};
-  other_length.ell = std::hypot(b - rod.c, rod.c);
-  return other_length;
+/// From the least to the richest.
+template <class T>
+auto models(const Given<T>& p) {
+  const Rod<T> rod{p};
+  return std::tuple{NoSpring<T>{rod},
+                    EndOnTheAxis<T>{rod},
+                    RigidSpring<T>{rod},
+                    AsListed<T>{rod},
+                    listed_with_other_rest_length(p),
+                    AlongTheRod<T>{rod},
+                    AlongTheRodWithWork<T>{rod},
+                    InTheTurningPlane<T>{rod},
+                    CartesianWithConstraints<T>{rod}};
 }
 
 }  // namespace oddity::turning_rod

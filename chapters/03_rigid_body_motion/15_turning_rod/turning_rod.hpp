@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "chapters/03_rigid_body_motion/15_turning_rod/models.hpp"
 #include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "chapters/03_rigid_body_motion/shared/listed_runge_kutta.hpp"
-#include "chapters/03_rigid_body_motion/15_turning_rod/models.hpp"
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
 #include "solvers/ode/events.hpp"
@@ -19,7 +19,7 @@ namespace oddity::turning_rod {
 template <class T>
 std::array<T, 3> direction(const T& angle) {
   using std::cos, std::sin;
-  const std::array<double, 3> d{root_half, 0, root_half}, k{0, 0, 1};
+  const std::array<double, 3> d{root_half<double>, 0, root_half<double>}, k{0, 0, 1};
   const std::array<double, 3> side{k[1] * d[2] - k[2] * d[1], k[2] * d[0] - k[0] * d[2],
                                    k[0] * d[1] - k[1] * d[0]};
   const double along = k[0] * d[0] + k[1] * d[1] + k[2] * d[2];
@@ -53,7 +53,7 @@ struct KineticEnergy {
 };
 
 /// Minus the gradient of the spring's energy, by dual numbers.
-inline std::array<double, 3> force_of(const Spring& spring, const std::array<double, 3>& x) {
+inline std::array<double, 3> force_of(const Rod<double>& spring, const std::array<double, 3>& x) {
   std::array<double, 3> f;
   for (std::size_t i = 0; i < 3; ++i) {
     std::array<Dual<double>, 3> y{x[0], x[1], x[2]};
@@ -65,7 +65,7 @@ inline std::array<double, 3> force_of(const Spring& spring, const std::array<dou
 
 struct Lagrangian {
   double m, w;
-  Spring spring;
+  Rod<double> spring;
   template <class T>
   T operator()(const T& s, const T& v, const T& t) const {
     return KineticEnergy{m, w}(s, v, t) - spring.energy(position(s, t, w));
@@ -94,7 +94,7 @@ struct Sample {
     return "c = " + shortest(c) + ", w = " + shortest(w) + ", ell = " + shortest(ell) +
            ", s = " + shortest(s) + ", s' = " + shortest(v) + ", t = " + shortest(t);
   }
-  Spring spring() const { return {c, K, ell}; }
+  Rod<double> spring() const { return {{m, c, K, w, s}, ell}; }
   Lagrangian L() const { return {m, w, spring()}; }
   KineticEnergy T() const { return {m, w}; }
   std::array<double, 3> x() const { return position(s, t, w); }
@@ -103,40 +103,41 @@ struct Sample {
 
 // ---- the methods ------------------------------------------------------------------------------------------
 
-inline std::vector<double> inputs(const Rod& rod) { return {rod.m, rod.c, rod.K, rod.w, rod.s0}; }
+inline std::vector<double> inputs(const Given<double>& rod) { return {rod.m, rod.c, rod.K, rod.w, rod.s0}; }
 
-inline Quantity slide(const Rod& rod, const Horizon& horizon, const Reference& truth) {
+inline Quantity slide(const Given<double>& rod, const Horizon& horizon, const Reference& truth) {
   Quantity place = quantity("slide", "m", "position at " + times_up_to(horizon),
                             trajectory(truth, "03_15_slide", inputs(rod), horizon), {});
   place.need = {5e-7 * size_of(place.reference.value), "six digits, as many as are printed"};
   Ladder(place, horizon, halving("step", 0.125, 9), tolerances())
-      .closed_form("no spring", NoSpring{rod}, Outcome::inaccurate, "the spring does most of the work")
-      .closed_form("spring's end on the axis", EndOnTheAxis{rod}, Outcome::inaccurate,
+      .closed_form("no spring", NoSpring<double>{{rod}}, Outcome::inaccurate,
+                   "the spring does most of the work")
+      .closed_form("spring's end on the axis", EndOnTheAxis<double>{{rod}}, Outcome::inaccurate,
                    "it is the turning of the spring's end that pulls the mass down")
-      .closed_form("rigid spring", RigidSpring{rod}, Outcome::inaccurate, "the spring gives way")
-      .by<ode::RungeKutta4>("listing as printed", AsListed{rod}, Outcome::inaccurate,
+      .closed_form("rigid spring", RigidSpring<double>{{rod}}, Outcome::inaccurate, "the spring gives way")
+      .by<ode::RungeKutta4>("listing as printed", AsListed<double>{{rod}}, Outcome::inaccurate,
                             "it multiplies the time by 1/sqrt(2) where the rod turns by pi/4 a second")
       .by<ode::RungeKutta4>("listing with the other rest length", listed_with_other_rest_length(rod),
                             Outcome::inaccurate,
                             "with sqrt((b-c)^2 + c^2) the spring is stretched from the start")
-      .by_common("along the rod", AlongTheRod{rod})
-      .by_others("along the rod", AlongTheRod{rod},
+      .by_common("along the rod", AlongTheRod<double>{{rod}})
+      .by_others("along the rod", AlongTheRod<double>{{rod}},
                  {{"linearly implicit Euler", Outcome::inaccurate,
                    "its order is too low for this need at this step"}})
-      .by_few("along the rod, with the work", AlongTheRodWithWork{rod})
-      .by_common("in the turning plane", InTheTurningPlane{rod})
-      .by_common("Cartesian with constraints", CartesianWithConstraints{rod});
+      .by_few("along the rod, with the work", AlongTheRodWithWork<double>{{rod}})
+      .by_common("in the turning plane", InTheTurningPlane<double>{{rod}})
+      .by_common("Cartesian with constraints", CartesianWithConstraints<double>{{rod}});
   return place;
 }
 
 /// The same rod with a stiff spring: a geometric motion and a tremor about it.
-inline Quantity stiff_spring(const Rod& rod, const Horizon& horizon, const Reference& truth) {
+inline Quantity stiff_spring(const Given<double>& rod, const Horizon& horizon, const Reference& truth) {
   Quantity place = quantity("stiff_spring", "m", "position at " + times_up_to(horizon) + ", the spring stiff",
                             trajectory(truth, "03_15_slide", inputs(rod), horizon), {1e-3, "a millimetre"});
-  const AlongTheRod along{rod};
+  const AlongTheRod<double> along{{rod}};
   const std::string name = "along the rod", rigid = "rigid spring";
   Ladder(place, horizon, halving("step", 0.0625, 6), tolerances())
-      .closed_form(rigid, RigidSpring{rod})
+      .closed_form(rigid, RigidSpring<double>{{rod}})
       .by<ode::RungeKutta4>(name, along)
       .by<ode::DormandPrince54>(name, along)
       .by<ode::Fehlberg78>(name, along)
@@ -155,13 +156,13 @@ inline Quantity stiff_spring(const Rod& rod, const Horizon& horizon, const Refer
 
 /// s'/s after some e-foldings of the runaway.
 template <class Algorithm>
-Answer late_rate(const AlongTheRod& rod, double rate, double foldings, double setting) {
+Answer late_rate(const AlongTheRod<double>& rod, double rate, double foldings, double setting) {
   return answer(ode::integrate<Algorithm>(rod, rod.start(), 0, foldings / rate, setting),
-                [](const AlongTheRod::State& x) { return x[1] / x[0]; });
+                [](const AlongTheRod<double>::State& x) { return x[1] / x[0]; });
 }
 
 /// Beyond w = sqrt(2K/m) the centrifugal force grows faster along the rod than the spring's.
-inline Quantity runaway(const Rod& rod) {
+inline Quantity runaway(const Given<double>& rod) {
   const double rate = std::sqrt(rod.w * rod.w / 2 - rod.K / rod.m);
   Quantity growth{"runaway",
                   "1/s",
@@ -169,11 +170,11 @@ inline Quantity runaway(const Rod& rod) {
                   {"sqrt(w^2/2 - K/m)", rate},
                   1e-15 * rate,
                   {1e-8 * rate, "eight digits"}};
-  const AlongTheRod along{rod};
+  const AlongTheRod<double> along{{rod}};
   const Knob foldings = doubling("e-foldings", 2, 5);
   growth.add({"no spring", "closed form", no_knob(),
               [=](double) {
-                return Answer{rod.w * root_half, 1};
+                return Answer{rod.w * root_half<double>, 1};
               },
               Outcome::inaccurate, "the spring holds back in proportion"});
   growth.add({"along the rod", std::string(ode::brief<ode::RungeKutta4>().name), foldings,

@@ -131,7 +131,9 @@ inline std::vector<Claim> dynamics(double seed) {
       "ends, at $r=1.410$.");
   const Version<Sample> at_rest{"zero", [](S) { return values(0, 0, 0); },
                                 [](S s) { return s.K * (s.b + s.c); }};
-  const auto first_force = [](S s, double ell) { return force_of(Spring{s.c, s.K, ell}, {s.b, 0, s.b}); };
+  const auto first_force = [](S s, double ell) {
+    return force_of(Rod<double>{{s.m, s.c, s.K, s.w, s.s}, ell}, {s.b, 0, s.b});
+  };
   f.add("unstretched", 1823, "the force at the start",
         {"with the rest length of line 1817", [=](S s) { return first_force(s, first_length(s)); }}, at_rest,
         {{"with the rest length of line 1869", [=](S s) { return first_force(s, second_length(s)); }}})

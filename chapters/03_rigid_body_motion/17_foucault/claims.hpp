@@ -9,7 +9,7 @@
 namespace oddity::foucault {
 
 /// T - V of a mass m at L R(q) in axes that turn with omega k: |r' + w x r| is its speed in axes that do not.
-struct Lagrangian : Pendulum {
+struct Lagrangian : Given<double> {
   double m;
   template <class T>
   T operator()(const Two<T>& q, const Two<T>& v) const {
@@ -40,7 +40,7 @@ Pair euler_lagrange(const L& lagrangian, const Pair& q, const Pair& v, const Pai
 
 /// A pendulum anywhere in any motion.
 struct Sample {
-  Pendulum p;
+  Given<double> p;
   double m;
   Pair q, v, a;
   Space<double> free_r, free_v, free_a;  ///< a point in any motion

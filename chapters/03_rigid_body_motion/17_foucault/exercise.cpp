@@ -29,7 +29,7 @@ constexpr Parameter parameters[] = {
     {"seed", 317, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
-Pendulum asked(const Parameters& p) {
+Given<double> asked(const Parameters& p) {
   return {p["lambda"], p["L"], p["omega"], p["g"], p["theta"], p["phi"], p["theta_dot"], p["phi_dot"]};
 }
 
@@ -40,26 +40,29 @@ Quantity swinging_bob(const Parameters& p, const Horizon& horizon, const Referen
 /// The slower it starts about the vertical, the closer the bob passes the lowest point, where theta is no
 /// coordinate.
 Scene scene() {
-  return {swinging_bob,
-          16,
-          centimeter,
-          "theta_dot",
-          {3, 1, 0.25, 0.125, 0.0625},
-          {"theta", "phi", "theta_dot"},
-          {{"x", "y"}, "s", {{"m", {0, 1}}}},
-          {{"chapters/03_rigid_body_motion/17_foucault/models.hpp"},
-           {{"averaged", "foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, true}"},
-            {"small angle", "foucault::SmallAngle{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
-            {"two angles as published",
-             "foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0}"},
-            {"two angles", "foucault::TwoAngles{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
-            {"Cartesian with constraint",
-             "foucault::Cartesian{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}}};
+  return {
+      swinging_bob,
+      16,
+      centimeter,
+      "theta_dot",
+      {3, 1, 0.25, 0.125, 0.0625},
+      {"theta", "phi", "theta_dot"},
+      {{"x", "y"}, "s", {{"m", {0, 1}}}},
+      {{"chapters/03_rigid_body_motion/17_foucault/models.hpp"},
+       {{"averaged",
+         "foucault::SmallAngle<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, true}"},
+        {"small angle",
+         "foucault::SmallAngle<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
+        {"two angles as published",
+         "foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0}"},
+        {"two angles", "foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
+        {"Cartesian with constraint",
+         "foucault::Cartesian<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Horizon horizon{scene().horizon};
-  const Pendulum pendulum = asked(p);
+  const Given<double> pendulum = asked(p);
   const double seed = p["seed"];
   std::vector<Claim> claims = geometry(seed);
   for (const auto& more : {point_forces(seed), center_of_mass(seed), moments(seed), tensor(seed)})

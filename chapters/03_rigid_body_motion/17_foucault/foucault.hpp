@@ -14,6 +14,9 @@
 namespace oddity::foucault {
 
 template <class T>
+using Space = std::array<T, 3>;
+
+template <class T>
 Space<T> sum(const Space<T>& a, const Space<T>& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
@@ -40,7 +43,7 @@ inline double major_axis(const std::array<double, 4>& s, double seconds_squared)
 /// The axis of a pendulum let go at rest turns at omega sin lambda; to order phi^2 the ellipse that the
 /// release gives it (its minor axis is phi omega sin lambda / sqrt(g/L)) turns it back by 3/8 phi^2 of that
 /// [Airy 1851].
-struct AxisTurning : Pendulum {
+struct AxisTurning : Given<double> {
   double back = 0;
   std::array<double, 1> at(double t) const {
     return {theta + omega * std::sin(lambda) * (1 - back * phi * phi) * t};
@@ -50,7 +53,7 @@ struct AxisTurning : Pendulum {
 template <class Model>
 struct SeenAsAxis : Model {
   std::array<double, 1> observe(const typename Model::State& x, double) const {
-    return {major_axis(this->flat(x), this->L / this->g)};
+    return {major_axis(this->flat(x), this->p.L / this->p.g)};
   }
 };
 
@@ -94,7 +97,7 @@ inline Pair coriolis(double L, const Space<double>& w, const Pair& q, const Pair
 }
 
 /// The published energy and forces, integrated in the two angles.
-struct BookSwing : Pendulum {
+struct BookSwing : Given<double> {
   BookEnergy T;
   using State = std::array<double, 4>;
   State start() const { return {theta, phi, theta_dot, phi_dot}; }
@@ -112,8 +115,8 @@ struct BookSwing : Pendulum {
 };
 
 /// A point mass whose direction is seen.
-struct Direction : Cartesian {
-  Pair observe(const State& s, double) const { return {s[0] / L, s[1] / L}; }
+struct Direction : Cartesian<double> {
+  Pair observe(const State& s, double) const { return {s[0] / p.L, s[1] / p.L}; }
 };
 
 // ---- the quantities ---------------------------------------------------------------------------------------
@@ -126,22 +129,22 @@ inline const std::string cartesian = "Cartesian with constraint", angles = "two 
 inline const std::string turns_at_once =
     "each pass by the lowest point turns theta by half a turn, too fast for these steps";
 
-inline Quantity bob(const Pendulum& p, const Horizon& horizon, const Reference& truth) {
+inline Quantity bob(const Given<double>& p, const Horizon& horizon, const Reference& truth) {
   Quantity q = quantity("bob", "m", "horizontal position at " + times_up_to(horizon),
                         trajectory(truth, "03_17_bob", p.inputs(), horizon), {1e-6, "a micrometre"});
   Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
-      .closed_form("averaged", SmallAngle{p, true}, Outcome::inaccurate, small)
-      .closed_form("small angle", SmallAngle{p}, Outcome::inaccurate, small)
-      .by<ode::ExplicitEuler>(published, TwoAngles{p, 0}, Outcome::drifted, no_centrifugal)
-      .by<ode::RungeKutta4>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
-      .by<ode::DormandPrince54>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
-      .by<ode::Fehlberg78>(published, TwoAngles{p, 0}, Outcome::inaccurate, no_centrifugal)
-      .by_common(angles, TwoAngles{p}, Outcome::drifted)
+      .closed_form("averaged", SmallAngle<double>{p, true}, Outcome::inaccurate, small)
+      .closed_form("small angle", SmallAngle<double>{p}, Outcome::inaccurate, small)
+      .by<ode::ExplicitEuler>(published, TwoAngles<double>{p, 0}, Outcome::drifted, no_centrifugal)
+      .by<ode::RungeKutta4>(published, TwoAngles<double>{p, 0}, Outcome::inaccurate, no_centrifugal)
+      .by<ode::DormandPrince54>(published, TwoAngles<double>{p, 0}, Outcome::inaccurate, no_centrifugal)
+      .by<ode::Fehlberg78>(published, TwoAngles<double>{p, 0}, Outcome::inaccurate, no_centrifugal)
+      .by_common(angles, TwoAngles<double>{p}, Outcome::drifted)
       .by_others(
-          angles, TwoAngles{p},
+          angles, TwoAngles<double>{p},
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
            {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
-      .by_common(cartesian, Cartesian{p}, Outcome::drifted);
+      .by_common(cartesian, Cartesian<double>{p}, Outcome::drifted);
   return q.add(Breakdown{
       "The published equations leave out the centrifugal force. At the default omega, of one turn in 100 s, "
       "it "
@@ -150,7 +153,7 @@ inline Quantity bob(const Pendulum& p, const Horizon& horizon, const Reference& 
 }
 
 /// Foucault's own pendulum: the Pantheon's 67 m, let go at rest 3 m aside.
-inline constexpr Pendulum pantheon{0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0};
+inline constexpr Given<double> pantheon{0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0};
 
 inline Quantity bob_on_earth(const Horizon& horizon, const Reference& truth) {
   Quantity q =
@@ -158,26 +161,26 @@ inline Quantity bob_on_earth(const Horizon& horizon, const Reference& truth) {
                trajectory(truth, "03_17_bob", pantheon.inputs(), horizon),
                {1e-5, "a hundredth of a millimetre; the centrifugal force is worth a quarter of it"});
   Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
-      .closed_form("averaged", SmallAngle{pantheon, true}, Outcome::inaccurate, small)
-      .closed_form("small angle", SmallAngle{pantheon}, Outcome::inaccurate, small)
-      .by<ode::RungeKutta4>(cartesian, Cartesian{pantheon})
-      .by<ode::Fehlberg78>(cartesian, Cartesian{pantheon})
-      .by<ode::Fehlberg78>(published, TwoAngles{pantheon, 0});
+      .closed_form("averaged", SmallAngle<double>{pantheon, true}, Outcome::inaccurate, small)
+      .closed_form("small angle", SmallAngle<double>{pantheon}, Outcome::inaccurate, small)
+      .by<ode::RungeKutta4>(cartesian, Cartesian<double>{pantheon})
+      .by<ode::Fehlberg78>(cartesian, Cartesian<double>{pantheon})
+      .by<ode::Fehlberg78>(published, TwoAngles<double>{pantheon, 0});
   return q;
 }
 
 /// Pushed from the lowest point, where theta is no coordinate.
-inline Quantity push(Pendulum p, const Horizon& horizon, const Reference& truth) {
+inline Quantity push(Given<double> p, const Horizon& horizon, const Reference& truth) {
   p.phi = p.theta_dot = 0;
   p.phi_dot = 0.75;
   Quantity q = quantity("pushed_from_below", "m", "the same, pushed from the lowest point by phi' = 0.75 / s",
                         trajectory(truth, "03_17_bob", p.inputs(), horizon), {1e-6, "a micrometre"});
   const std::string why = "at the lowest point the first equation is divided by sin phi = 0";
   Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
-      .by<ode::RungeKutta4>(angles, TwoAngles{p}, Outcome::non_finite, why)
-      .by<ode::Fehlberg78>(angles, TwoAngles{p}, Outcome::non_finite, why)
-      .by<ode::RungeKutta4>(cartesian, Cartesian{p})
-      .by<ode::Fehlberg78>(cartesian, Cartesian{p});
+      .by<ode::RungeKutta4>(angles, TwoAngles<double>{p}, Outcome::non_finite, why)
+      .by<ode::Fehlberg78>(angles, TwoAngles<double>{p}, Outcome::non_finite, why)
+      .by<ode::RungeKutta4>(cartesian, Cartesian<double>{p})
+      .by<ode::Fehlberg78>(cartesian, Cartesian<double>{p});
   return q.add(
       Breakdown{"The angle theta has no value at the lowest point, and its equation divides by zero "
                 "there. Position and velocity in three coordinates have no such point.",
@@ -191,8 +194,8 @@ inline Quantity hours(const Reference& truth) {
                         "direction of the Pantheon's pendulum (67 m, 3 m aside, at rest) after an hour",
                         trajectory(truth, "03_17_axis", pantheon.inputs(), horizon),
                         {1e-3, "a twentieth of a degree; theory: omega sin lambda, 11.3 degrees an hour"});
-  const SeenAsAxis<Cartesian> full{{pantheon}};
-  const SeenAsAxis<TwoAngles> two{{pantheon}};
+  const SeenAsAxis<Cartesian<double>> full{{pantheon}};
+  const SeenAsAxis<TwoAngles<double>> two{{pantheon}};
   const Knob steps = halving("step", 1, 4);
   Ladder(q, horizon, steps, tolerances(5, 9))
       .closed_form("averaged", AxisTurning{pantheon})
@@ -210,14 +213,15 @@ inline Quantity hours(const Reference& truth) {
       angles + ", Runge-Kutta 4", 0.125, Outcome::non_finite, cartesian + ", Runge-Kutta 4", 0.125});
 }
 
-inline Quantity cone_swing(Pendulum p, const Cone& cone, const Horizon& horizon, const Reference& truth) {
+inline Quantity cone_swing(Given<double> p, const Cone& cone, const Horizon& horizon,
+                           const Reference& truth) {
   p.L = cone.equivalent_length();
   Known known = trajectory(truth, "03_17_bob", p.inputs(), horizon);
   for (double& x : known.value) x /= p.L;
   Quantity q =
       quantity("cone", "1", "direction of a cone hung by its vertex (west, north) at " + times_up_to(horizon),
                known, {1e-6, "a millionth"});
-  Pendulum point = p, book = p;
+  Given<double> point = p, book = p;
   point.L = cone.L();
   book.L = book_cone(cone).L;
   const std::string why = "the cone's own turning has inertia";

@@ -1,54 +1,45 @@
 #pragma once
 
-// The models of exercise 3.17. Axes x to the west, y to the north, z down; w = omega (0, cos lambda, -sin
-// lambda).
-
 #include <array>
-#include <cmath>
-#include <complex>
+#include <tuple>
 #include <vector>
 
-#include "chapters/03_rigid_body_motion/shared/pair.hpp"
 #include "chapters/numbers.hpp"
 
+/// The models of exercise 3.17: a pendulum of length L at the latitude lambda of an Earth that turns at
+/// omega. Axes x to the west, y to the north, z down; w = omega (0, cos lambda, -sin lambda). The angle theta
+/// is about the vertical, from west to north; phi from the lower vertical.
 namespace oddity::foucault {
 
-// ---- vectors generic in their number type -----------------------------------------------------------------
-
 template <class T>
-using Space = std::array<T, 3>;
-
-template <class T>
-T inner(const Space<T>& a, const Space<T>& b) {
+T inner(const std::array<T, 3>& a, const std::array<T, 3>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 template <class T>
-Space<T> outer(const Space<T>& a, const Space<T>& b) {
+std::array<T, 3> outer(const std::array<T, 3>& a, const std::array<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// ---- the pendulum -----------------------------------------------------------------------------------------
-
-/// Angle theta about the vertical, from west to north; phi from the lower vertical.
+/// The book's three axes; the bob is at L R.
 template <class T>
 struct Axes {
-  Space<T> P, Q, R;
-  explicit Axes(const Two<T>& q) {
-    using std::cos, std::sin;
+  std::array<T, 3> P, Q, R;
+  explicit Axes(const std::array<T, 2>& q) {
     const T c = cos(q[0]), s = sin(q[0]), cp = cos(q[1]), sp = sin(q[1]);
-    P = {-s, c, T(0.0)};
+    P = {-s, c, T(0)};
     Q = {-c * cp, -s * cp, sp};
     R = {c * sp, s * sp, cp};
   }
 };
 
-struct Pendulum {
-  double lambda, L, omega, g, theta, phi, theta_dot, phi_dot;
+template <class T>
+struct Given {
+  T lambda, L, omega, g, theta, phi, theta_dot, phi_dot;
 
-  std::vector<double> inputs() const { return {lambda, L, omega, g, theta, phi, theta_dot, phi_dot}; }
-  Space<double> w() const { return {0, omega * std::cos(lambda), -omega * std::sin(lambda)}; }
-  std::array<double, 6> cartesian() const {
-    const double c = std::cos(theta), s = std::sin(theta), cp = std::cos(phi), sp = std::sin(phi);
+  std::vector<T> inputs() const { return {lambda, L, omega, g, theta, phi, theta_dot, phi_dot}; }
+  std::array<T, 3> w() const { return {T(0), omega * cos(lambda), -omega * sin(lambda)}; }
+  std::array<T, 6> cartesian() const {
+    const T c = cos(theta), s = sin(theta), cp = cos(phi), sp = sin(phi);
     return {L * (c * sp),
             L * (s * sp),
             L * cp,
@@ -58,73 +49,85 @@ struct Pendulum {
   }
 };
 
-// ---- closed forms -----------------------------------------------------------------------------------------
-
 /// z'' = 2i W z' - (g/L) z for z = x + iy, W = omega sin lambda: exp(iWt)(A cos nt + B sin nt), n^2 = g/L +
 /// W^2; averaged: n^2 = g/L, the free ellipse in axes that turn with W.
-struct SmallAngle : Pendulum {
+template <class T>
+struct SmallAngle {
+  Given<T> p;
   bool averaged = false;
-  double turning() const { return omega * std::sin(lambda); }
-  Pair at(double t) const {
-    using C = std::complex<double>;
-    const double W = turning(), n = std::sqrt(g / L + (averaged ? 0 : W * W));
-    const auto s = cartesian();
-    const C A(s[0], s[1]), B = (C(s[3], s[4]) - C(0, W) * A) / n;
-    const C z = std::polar(1.0, W * t) * (A * std::cos(n * t) + B * std::sin(n * t));
-    return {z.real(), z.imag()};
+  std::array<T, 2> at(const T& t) const {
+    const T W = p.omega * sin(p.lambda), n = sqrt(p.g / p.L + (averaged ? T(0) : W * W));
+    const auto s = p.cartesian();
+    const T C = cos(n * t), S = sin(n * t), c = cos(W * t), d = sin(W * t);
+    const T along = s[0] * C + (s[3] + W * s[1]) / n * S, across = s[1] * C + (s[4] - W * s[0]) / n * S;
+    return {c * along - d * across, c * across + d * along};
   }
-};
-
-// ---- integrated -------------------------------------------------------------------------------------------
-
-/// Position and velocity in the turning axes, the rod's tension from |r| = L.
-struct Cartesian : Pendulum {
-  using State = std::array<double, 6>;
-  State start() const { return cartesian(); }
-  void operator()(const State& s, State& dsdt, double) const {
-    const double wy = w()[1], wz = w()[2], square = wy * wy + wz * wz, along = wy * s[1] + wz * s[2];
-    const double ax = -2 * (wy * s[5] - wz * s[4]) + square * s[0];
-    const double ay = -2 * wz * s[3] + square * s[1] - wy * along;
-    const double az = 2 * wy * s[3] + square * s[2] - wz * along + g;
-    const double tension = (s[0] * ax + s[1] * ay + s[2] * az + s[3] * s[3] + s[4] * s[4] + s[5] * s[5]) /
-                           (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
-    dsdt = {s[3], s[4], s[5], ax - tension * s[0], ay - tension * s[1], az - tension * s[2]};
-  }
-  std::array<double, 4> flat(const State& s) const { return {s[0], s[1], s[3], s[4]}; }
-  Pair observe(const State& s, double) const { return {s[0], s[1]}; }
-  auto conserved(const State& s, double) const {
-    const Space<double> r{s[0], s[1], s[2]}, u{s[3], s[4], s[5]}, turned = outer(w(), r);
-    return energy_of(inner(u, u) / 2, -inner(turned, turned) / 2 - g * s[2]);
-  }
-  double off_constraint(const State& s, double) const { return std::abs(std::hypot(s[0], s[1], s[2]) - L); }
 };
 
 /// (theta, phi, theta', phi'); with centrifugal = 0 the published equations.
-struct TwoAngles : Pendulum {
-  double centrifugal = 1;
-  using State = std::array<double, 4>;
-  State start() const { return {theta, phi, theta_dot, phi_dot}; }
-  void operator()(const State& x, State& dxdt, double) const {
-    const double c = std::cos(x[1]), s = std::sin(x[1]), ct = std::cos(x[0]), st = std::sin(x[0]);
-    const double wy = w()[1], wz = w()[2], wP = wy * ct, wQ = -wy * st * c + wz * s,
-                 wR = wy * st * s + wz * c;
+template <class T>
+struct TwoAngles {
+  Given<T> p;
+  T centrifugal = T(1);
+  using State = std::array<T, 4>;
+  State start() const { return {p.theta, p.phi, p.theta_dot, p.phi_dot}; }
+  template <class X>
+  void operator()(const std::array<X, 4>& x, std::array<X, 4>& dxdt, const X&) const {
+    const X c = cos(x[1]), s = sin(x[1]), ct = cos(x[0]), st = sin(x[0]);
+    const auto [wx, wy, wz] = p.w();
+    const X wP = wy * ct, wQ = -wy * st * c + wz * s, wR = wy * st * s + wz * c;
     dxdt = {x[2], x[3], (-2 * x[3] * wR - 2 * x[2] * x[3] * c - centrifugal * wP * wR) / s,
-            x[2] * x[2] * s * c + 2 * x[2] * s * wR - g / L * s + centrifugal * wQ * wR};
+            x[2] * x[2] * s * c + 2 * x[2] * s * wR - p.g / p.L * s + centrifugal * wQ * wR};
   }
-  std::array<double, 4> flat(const State& x) const {
-    const auto s = Pendulum{lambda, L, omega, g, x[0], x[1], x[2], x[3]}.cartesian();
+  /// (x, y, x', y')
+  std::array<T, 4> flat(const State& x) const {
+    const auto s = Given<T>{p.lambda, p.L, p.omega, p.g, x[0], x[1], x[2], x[3]}.cartesian();
     return {s[0], s[1], s[3], s[4]};
   }
-  Pair observe(const State& x, double) const {
-    return {L * std::cos(x[0]) * std::sin(x[1]), L * std::sin(x[0]) * std::sin(x[1])};
+  std::array<T, 2> observe(const State& x, const T&) const {
+    return {p.L * cos(x[0]) * sin(x[1]), p.L * sin(x[0]) * sin(x[1])};
   }
-  auto conserved(const State& x, double) const {
-    const double s = std::sin(x[1]);
-    const auto r = Axes<double>({x[0], x[1]}).R;
-    const auto turned = outer(w(), r);
-    return energy_of(L * L * (s * s * x[2] * x[2] + x[3] * x[3]) / 2,
-                     -L * L * centrifugal * inner(turned, turned) / 2 - g * L * std::cos(x[1]));
+  auto conserved(const State& x, const T&) const {
+    const T s = sin(x[1]);
+    const auto turned = outer(p.w(), Axes<T>({x[0], x[1]}).R);
+    return energy_of<T>(p.L * p.L * (s * s * x[2] * x[2] + x[3] * x[3]) / 2,
+                        -p.L * p.L * centrifugal * inner(turned, turned) / 2 - p.g * p.L * cos(x[1]));
   }
 };
+
+/// Position and velocity in the turning axes, the rod's tension from |r| = L.
+template <class T>
+struct Cartesian {
+  Given<T> p;
+  using State = std::array<T, 6>;
+  State start() const { return p.cartesian(); }
+  template <class X>
+  void operator()(const std::array<X, 6>& s, std::array<X, 6>& dsdt, const X&) const {
+    const auto [wx, wy, wz] = p.w();
+    const T square = wy * wy + wz * wz;
+    const X along = wy * s[1] + wz * s[2];
+    const X ax = -2 * (wy * s[5] - wz * s[4]) + square * s[0];
+    const X ay = -2 * wz * s[3] + square * s[1] - wy * along;
+    const X az = 2 * wy * s[3] + square * s[2] - wz * along + p.g;
+    const X tension = (s[0] * ax + s[1] * ay + s[2] * az + s[3] * s[3] + s[4] * s[4] + s[5] * s[5]) /
+                      (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+    dsdt = {s[3], s[4], s[5], ax - tension * s[0], ay - tension * s[1], az - tension * s[2]};
+  }
+  /// (x, y, x', y')
+  std::array<T, 4> flat(const State& s) const { return {s[0], s[1], s[3], s[4]}; }
+  std::array<T, 2> observe(const State& s, const T&) const { return {s[0], s[1]}; }
+  auto conserved(const State& s, const T&) const {
+    const std::array<T, 3> r{s[0], s[1], s[2]}, u{s[3], s[4], s[5]}, turned = outer(p.w(), r);
+    return energy_of<T>(inner(u, u) / 2, -inner(turned, turned) / 2 - p.g * s[2]);
+  }
+  T off_constraint(const State& s, const T&) const { return abs(hypot(s[0], s[1], s[2]) - p.L); }
+};
+
+/// From the least to the richest.
+template <class T>
+auto models(const Given<T>& p) {
+  return std::tuple{SmallAngle<T>{p, true}, SmallAngle<T>{p}, TwoAngles<T>{p, T(0)}, TwoAngles<T>{p},
+                    Cartesian<T>{p}};
+}
 
 }  // namespace oddity::foucault

@@ -6,8 +6,8 @@
 // What the text derives is compared with Lagrange's equations from the two energies, by dual numbers, and
 // with Newton's laws for each body and the tensions of the ropes' four ends.
 
-#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "reference/text.hpp"
 #include "solvers/linear.hpp"
 
@@ -42,7 +42,7 @@ constexpr Parameter parameters[] = {
 
 /// Any two pulleys in any motion, hung between a ceiling and a floor at depth `floor`; y1 is the large one's.
 struct Sample {
-  Pulleys p;
+  Given<double> p;
   Pair q, v, a;
   double floor, y1, delta;
 
@@ -116,8 +116,8 @@ struct Sample {
   }
   Pair by_lagrange() const { return lagrange_accelerations(Lagrangian{p}, q, v); }
   Pair by_tensions() const {
-    FourCoordinates::State rate;
-    FourCoordinates{p}({q[0], q[1], q[0] / p.R1, (q[1] - q[0]) / p.R2, v[0], v[1], 0, 0}, rate, 0);
+    FourCoordinates<double>::State rate;
+    FourCoordinates<double>{p}({q[0], q[1], q[0] / p.R1, (q[1] - q[0]) / p.R2, v[0], v[1], 0, 0}, rate, 0.0);
     return {rate[4], rate[5]};
   }
   double pull1() const { return p.c1 * (p.K1 - p.L1 + q[0]); }
@@ -325,7 +325,7 @@ std::vector<Claim> derivatives(double seed) {
         [=](S s) { return momenta(s, s.v, 1); }},
        {"dual numbers", [](S s) { return Value(df_dv(KineticEnergy{s.p}, s.q, s.v)); }},
        {{"y3' + y2'", [=](S s) { return momenta(s, s.v, -1); }}});
-  const auto products = [](const Pulleys& p) { return Pair{p.I1 * p.R1 * p.R1, p.I2 * p.R2 * p.R2}; };
+  const auto products = [](const Given<double>& p) { return Pair{p.I1 * p.R1 * p.R1, p.I2 * p.R2 * p.R2}; };
   lost(
       "the derivatives of T are m2 y2' + I1 R1^2 y2' + (I2/R2^2) (y2' - y3') and m3 y3' + I2 R2^2 (y3' - "
       "y2')",
@@ -467,7 +467,7 @@ std::vector<Claim> forces(double seed) {
   };
   const V part{"what -dV/dy2 has for c1 and not for c1 = 0", [](S s) {
                  const Sample stretched = s.stretched();
-                 Pulleys free = stretched.p;
+                 Given<double> free = stretched.p;
                  free.c1 = 0;
                  return values(stretched.forces()[0] + df_dq(PotentialEnergy{free}, s.q, s.v)[0]);
                }};
@@ -476,7 +476,7 @@ std::vector<Claim> forces(double seed) {
   return {spring, on_pulley, on_mass, generalized, first};
 }
 
-Pulleys asked(const Parameters& p) {
+Given<double> asked(const Parameters& p) {
   return {p["m2"], p["m3"], p["I1"], p["I2"], p["R1"], p["R2"], p["c1"], p["c2"], p["L1"],
           p["L2"], p["K1"], p["K2"], p["g"],  p["y2"], p["y3"], p["v2"], p["v3"]};
 }
@@ -496,18 +496,18 @@ Scene scene() {
       {{"y2", "y3"}, "s", {{"m", {0}}, {"m", {1}}}},
       {{"chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"},
        {{"two coordinates",
-         "two_pulleys::TwoCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}}"},
+         "two_pulleys::TwoCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}}"},
         {"four coordinates with tensions",
-         "two_pulleys::FourCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}}"},
+         "two_pulleys::FourCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}}"},
         {"published equations",
-         "two_pulleys::TwoCoordinates{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}, "
+         "two_pulleys::TwoCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}, "
          "0}"}},
        {{"normal modes", "which needs GSL's eigenvalues"},
         {"normal modes, pulleys without inertia", "which needs GSL's eigenvalues"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  const Pulleys pulleys = asked(p);
+  const Given<double> pulleys = asked(p);
   std::vector<Claim> claims = kinematics(p["seed"]);
   claims.push_back(two_freedoms());
   for (const auto& more : {derivatives(p["seed"]), forces(p["seed"])})
@@ -515,7 +515,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   for (const Claim& claim : strings(p["seed"])) claims.push_back(claim);
   claims.push_back(compressed(p["seed"]));
 
-  Pulleys stiff = pulleys;
+  Given<double> stiff = pulleys;
   stiff.c1 *= 0x1p30;
   Quantity graded = frequencies("graded_frequencies", "the same with the first spring 2^30 times as stiff",
                                 stiff, true, truth);

@@ -5,35 +5,52 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "chapters/03_rigid_body_motion/shared/two_coordinates.hpp"
 #include "chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"
+#include "chapters/03_rigid_body_motion/shared/two_coordinates.hpp"
 #include "chapters/scene.hpp"
 #include "solvers/linear.hpp"
 
 namespace oddity::two_pulleys {
 
-struct Lagrangian : Pulleys {
+struct KineticEnergy {
+  Given<double> p;
+  template <class T>
+  T operator()(const Two<T>&, const Two<T>& v) const {
+    return p.kinetic_energy(v);
+  }
+};
+
+struct PotentialEnergy {
+  Given<double> p;
+  template <class T>
+  T operator()(const Two<T>& y, const Two<T>&) const {
+    return p.potential_energy(y);
+  }
+};
+
+struct Lagrangian {
+  Given<double> p;
   template <class T>
   T operator()(const Two<T>& y, const Two<T>& v) const {
-    return KineticEnergy{*this}(y, v) - PotentialEnergy{*this}(y, v);
+    return p.kinetic_energy(v) - p.potential_energy(y);
   }
 };
 
 // ---- the normal modes -------------------------------------------------------------------------------------
 
-inline Eigen::Matrix2d mass_matrix(const Pulleys& p) {
+inline Eigen::Matrix2d mass_matrix(const Given<double>& p) {
   Eigen::Matrix2d m;
   m << p.m2 + p.turn1() + p.turn2(), -p.turn2(), -p.turn2(), p.m3 + p.turn2();
   return m;
 }
-inline Eigen::Matrix2d stiffness(const Pulleys& p) {
+inline Eigen::Matrix2d stiffness(const Given<double>& p) {
   Eigen::Matrix2d k;
   k << p.c1 + 4 * p.c2, -2 * p.c2, -2 * p.c2, p.c2;
   return k;
 }
 
 /// The depths at rest: c2 (S2 - L2) = m3 g, c1 (S1 - L1) = (m2 + 2 m3) g.
-inline Pair at_rest(const Pulleys& p) {
+inline Pair at_rest(const Given<double>& p) {
   const double down = p.L1 - p.K1 + (p.m2 + 2 * p.m3) * p.g / p.c1;
   return {down, p.L2 - p.K2 + p.m3 * p.g / p.c2 + 2 * down};
 }
@@ -41,7 +58,7 @@ inline Pair at_rest(const Pulleys& p) {
 /// Oscillations about the equilibrium in the directions that diagonalize M and K.
 class NormalModes {
  public:
-  explicit NormalModes(const Pulleys& p) : rest_(at_rest(p)[0], at_rest(p)[1]) {
+  explicit NormalModes(const Given<double>& p) : rest_(at_rest(p)[0], at_rest(p)[1]) {
     const Modes both = modes(stiffness(p), mass_matrix(p));
     w_ = both.squares.cwiseSqrt();
     shapes_ = both.shapes;
@@ -62,14 +79,14 @@ class NormalModes {
   Eigen::Matrix2d shapes_;
 };
 
-inline Pulleys without_inertia(Pulleys p) {
+inline Given<double> without_inertia(Given<double> p) {
   p.I1 = p.I2 = 0;
   return p;
 }
 
 // ---- the quantities ---------------------------------------------------------------------------------------
 
-inline Quantity depths(const Pulleys& p, const Horizon& horizon, const Reference& truth) {
+inline Quantity depths(const Given<double>& p, const Horizon& horizon, const Reference& truth) {
   const std::vector<double> inputs{p.m2, p.m3, p.I1, p.I2, p.R1, p.R2, p.c1, p.c2, p.L1,
                                    p.L2, p.K1, p.K2, p.g,  p.y2, p.y3, p.v2, p.v3};
   Quantity y =
@@ -80,14 +97,15 @@ inline Quantity depths(const Pulleys& p, const Horizon& horizon, const Reference
       .closed_form("normal modes", NormalModes(p))
       .closed_form("normal modes, pulleys without inertia", NormalModes(without_inertia(p)),
                    Outcome::inaccurate, "the pulleys' inertia slows the oscillation")
-      .by_common("two coordinates", TwoCoordinates{p}, Outcome::drifted, Outcome::inaccurate)
+      .by_common("two coordinates", TwoCoordinates<double>{p}, Outcome::drifted, Outcome::inaccurate)
       .by_others(
-          "two coordinates", TwoCoordinates{p},
+          "two coordinates", TwoCoordinates<double>{p},
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
            {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
-      .by_few("four coordinates with tensions", FourCoordinates{p}, Outcome::drifted, Outcome::inaccurate)
-      .by<ode::RungeKutta4>(published, TwoCoordinates{p, 0}, Outcome::diverged, why)
-      .by<ode::Fehlberg78>(published, TwoCoordinates{p, 0}, Outcome::diverged, why);
+      .by_few("four coordinates with tensions", FourCoordinates<double>{p}, Outcome::drifted,
+              Outcome::inaccurate)
+      .by<ode::RungeKutta4>(published, TwoCoordinates<double>{p, 0}, Outcome::diverged, why)
+      .by<ode::Fehlberg78>(published, TwoCoordinates<double>{p, 0}, Outcome::diverged, why);
   y.add(Breakdown{
       "The published equations do not conserve energy however small the tolerance: their two frequencies are "
       "complex, 3.05 +- 1.06 i per second, and the swing grows more than a thousandfold within eight "
@@ -102,7 +120,7 @@ inline Quantity depths(const Pulleys& p, const Horizon& horizon, const Reference
 
 /// The roots of a s^2 - b s + c by the formula of the textbooks, the smaller from the difference or, by
 /// Vieta, from the product; c = c1 c2 without subtraction.
-inline Pair by_quadratic(const Pulleys& p, bool vieta) {
+inline Pair by_quadratic(const Given<double>& p, bool vieta) {
   const Eigen::Matrix2d m = mass_matrix(p), k = stiffness(p);
   const double a = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0),
                b = m(0, 0) * k(1, 1) + m(1, 1) * k(0, 0) - 2 * m(0, 1) * k(0, 1), c = p.c1 * p.c2,
@@ -111,8 +129,8 @@ inline Pair by_quadratic(const Pulleys& p, bool vieta) {
 }
 
 /// Ratios to the true frequencies; `graded`: the springs are so unlike that the frequencies are, too.
-inline Quantity frequencies(const std::string& name, const std::string& says, const Pulleys& p, bool graded,
-                            const Reference& truth) {
+inline Quantity frequencies(const std::string& name, const std::string& says, const Given<double>& p,
+                            bool graded, const Reference& truth) {
   const Known w = truth("03_19_frequencies", {p.m2, p.m3, p.I1, p.I2, p.R1, p.R2, p.c1, p.c2});
   Quantity q{name, "1", says, {"one, " + w.source, {1, 1}}, 1e-16, {1e-12, "twelve digits of each"}};
   const auto ratios = [w](const Pair& by) {

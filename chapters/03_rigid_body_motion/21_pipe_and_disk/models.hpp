@@ -1,84 +1,101 @@
 #pragma once
 
-// The models of exercise 3.21.
-
 #include <array>
-#include <cmath>
+#include <tuple>
 
 #include "chapters/numbers.hpp"
 
+/// The models of exercise 3.21. Mass m and radius r of the disk, length L and inclination phi of the pipe; on
+/// the center act a force f along x and friction -k times its velocity. At the start theta, theta', psi = 0
+/// and psi'.
 namespace oddity::pipe_and_disk {
 
-/// Mass m and radius r of the disk, length L and inclination phi of the pipe; on the center act a force f
-/// along x and friction -k times its velocity. At the start theta, theta', psi = 0 and psi'.
-struct Disk {
-  double m, L, r, phi, f, k, theta, theta_dot, psi_dot;
+template <class T>
+struct Given {
+  T m, L, r, phi, f, k, theta, theta_dot, psi_dot;
 
-  double mu2() const { return m * r * r / 4; }
-  double mu3() const { return m * r * r / 2; }
-  double inertia() const { return (m * L * L + mu2()) * std::sin(phi) * std::sin(phi); }
-  double spin() const { return psi_dot + theta_dot * std::cos(phi); }
-  double spin_energy() const { return mu3() * spin() * spin() / 2; }
-  double radius() const { return L * std::sin(phi); }
-  std::array<double, 3> seen(double angle, double psi) const {
-    return {radius() * std::cos(angle), radius() * std::sin(angle), psi};
+  T mu2() const { return m * r * r / 4; }
+  T mu3() const { return m * r * r / 2; }
+  T inertia() const { return (m * L * L + mu2()) * sin(phi) * sin(phi); }
+  T spin() const { return psi_dot + theta_dot * cos(phi); }
+  T spin_energy() const { return mu3() * spin() * spin() / 2; }
+  T radius() const { return L * sin(phi); }
+  std::array<T, 3> seen(const T& angle, const T& psi) const {
+    return {radius() * cos(angle), radius() * sin(angle), psi};
   }
 };
 
-struct ConstantSpeeds : Disk {
-  std::array<double, 3> at(double t) const { return seen(theta + theta_dot * t, psi_dot * t); }
-};
-
-/// (theta, psi, theta', psi', work lost to friction): the book's equations.
-struct TwoAngles : Disk {
-  using State = std::array<double, 5>;
-  State start() const { return {theta, 0, theta_dot, psi_dot, 0}; }
-  void operator()(const State& x, State& dxdt, double) const {
-    const double speed = radius() * x[2];
-    const double force = -f * radius() * std::sin(x[0]) - k * radius() * speed;
-    dxdt = {x[2], x[3], force / inertia(), -force * std::cos(phi) / inertia(), k * speed * speed};
-  }
-  std::array<double, 3> observe(const State& x, double) const { return seen(x[0], x[1]); }
-  auto conserved(const State& x, double) const {
-    const double turn = x[3] + x[2] * std::cos(phi);
-    return energy_of(inertia() * x[2] * x[2] / 2 + mu3() * turn * turn / 2,
-                     x[4] - f * radius() * std::cos(x[0]));
-  }
+template <class T>
+struct ConstantSpeeds {
+  Given<T> p;
+  std::array<T, 3> at(const T& t) const { return p.seen(p.theta + p.theta_dot * t, p.psi_dot * t); }
 };
 
 /// (theta, theta'), psi from the conserved spin.
-struct OneAngle : Disk {
-  using State = std::array<double, 2>;
-  State start() const { return {theta, theta_dot}; }
-  void operator()(const State& x, State& dxdt, double) const {
-    const double arm = radius();
-    dxdt = {x[1], (-f * arm * std::sin(x[0]) - k * arm * arm * x[1]) / inertia()};
+template <class T>
+struct OneAngle {
+  Given<T> p;
+  using State = std::array<T, 2>;
+  State start() const { return {p.theta, p.theta_dot}; }
+  template <class X>
+  void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X&) const {
+    const T arm = p.radius();
+    dxdt = {x[1], (-p.f * arm * sin(x[0]) - p.k * arm * arm * x[1]) / p.inertia()};
   }
-  std::array<double, 3> observe(const State& x, double t) const {
-    return seen(x[0], spin() * t - std::cos(phi) * (x[0] - theta));
+  std::array<T, 3> observe(const State& x, const T& t) const {
+    return p.seen(x[0], p.spin() * t - cos(p.phi) * (x[0] - p.theta));
+  }
+};
+
+/// (theta, psi, theta', psi', work lost to friction): the book's equations.
+template <class T>
+struct TwoAngles {
+  Given<T> p;
+  using State = std::array<T, 5>;
+  State start() const { return {p.theta, T(0), p.theta_dot, p.psi_dot, T(0)}; }
+  template <class X>
+  void operator()(const std::array<X, 5>& x, std::array<X, 5>& dxdt, const X&) const {
+    const X speed = p.radius() * x[2];
+    const X force = -p.f * p.radius() * sin(x[0]) - p.k * p.radius() * speed;
+    dxdt = {x[2], x[3], force / p.inertia(), -force * cos(p.phi) / p.inertia(), p.k * speed * speed};
+  }
+  std::array<T, 3> observe(const State& x, const T&) const { return p.seen(x[0], x[1]); }
+  auto conserved(const State& x, const T&) const {
+    const T turn = x[3] + x[2] * cos(p.phi);
+    return energy_of<T>(p.inertia() * x[2] * x[2] / 2 + p.mu3() * turn * turn / 2,
+                        x[4] - p.f * p.radius() * cos(x[0]));
   }
 };
 
 /// (x, y, x', y', psi, work lost): the center as a mass m + mu2/L^2 on its circle.
-struct Center : Disk {
-  using State = std::array<double, 6>;
+template <class T>
+struct Center {
+  Given<T> p;
+  using State = std::array<T, 6>;
   State start() const {
-    const double x = radius() * std::cos(theta), y = radius() * std::sin(theta);
-    return {x, y, -y * theta_dot, x * theta_dot, 0, 0};
+    const T x = p.radius() * cos(p.theta), y = p.radius() * sin(p.theta);
+    return {x, y, -y * p.theta_dot, x * p.theta_dot, T(0), T(0)};
   }
-  double mass() const { return m + mu2() / (L * L); }
-  void operator()(const State& s, State& dsdt, double) const {
-    const double square = s[0] * s[0] + s[1] * s[1], speeds = s[2] * s[2] + s[3] * s[3];
-    const double a = (f - k * s[2]) / mass(), b = -k * s[3] / mass();
-    const double inward = (a * s[0] + b * s[1] + speeds) / square;
-    const double turning = (s[0] * s[3] - s[1] * s[2]) / square;
-    dsdt = {s[2], s[3], a - inward * s[0], b - inward * s[1], spin() - turning * std::cos(phi), k * speeds};
+  T mass() const { return p.m + p.mu2() / (p.L * p.L); }
+  template <class X>
+  void operator()(const std::array<X, 6>& s, std::array<X, 6>& dsdt, const X&) const {
+    const X square = s[0] * s[0] + s[1] * s[1], speeds = s[2] * s[2] + s[3] * s[3];
+    const X a = (p.f - p.k * s[2]) / mass(), b = -p.k * s[3] / mass();
+    const X inward = (a * s[0] + b * s[1] + speeds) / square;
+    const X turning = (s[0] * s[3] - s[1] * s[2]) / square;
+    dsdt = {s[2], s[3], a - inward * s[0], b - inward * s[1], p.spin() - turning * cos(p.phi), p.k * speeds};
   }
-  std::array<double, 3> observe(const State& s, double) const { return {s[0], s[1], s[4]}; }
-  auto conserved(const State& s, double) const {
-    return energy_of(mass() * (s[2] * s[2] + s[3] * s[3]) / 2 + spin_energy(), s[5] - f * s[0]);
+  std::array<T, 3> observe(const State& s, const T&) const { return {s[0], s[1], s[4]}; }
+  auto conserved(const State& s, const T&) const {
+    return energy_of<T>(mass() * (s[2] * s[2] + s[3] * s[3]) / 2 + p.spin_energy(), s[5] - p.f * s[0]);
   }
-  double off_constraint(const State& s, double) const { return std::abs(std::hypot(s[0], s[1]) - radius()); }
+  T off_constraint(const State& s, const T&) const { return abs(hypot(s[0], s[1]) - p.radius()); }
 };
+
+/// From the least to the richest.
+template <class T>
+auto models(const Given<T>& p) {
+  return std::tuple{ConstantSpeeds<T>{p}, OneAngle<T>{p}, TwoAngles<T>{p}, Center<T>{p}};
+}
 
 }  // namespace oddity::pipe_and_disk

@@ -8,15 +8,22 @@
 // (s/r) sqrt(c/m), in which neither gravity nor the spring's length appears.
 
 #include "chapters/03_rigid_body_motion/23_spring_bar/spring_bar.hpp"
-#include "reference/text.hpp"
-#include "solvers/quadrature.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "chapters/scene.hpp"
+#include "solvers/counted_calls.hpp"
+#include "solvers/differences.hpp"
+#include "solvers/dual.hpp"
+#include "solvers/ode/events.hpp"
 
 namespace oddity {
 
 namespace ex03_23 {
 
 using namespace spring_bar;
-using std::cos, std::sin, std::sqrt;
 
 constexpr Parameter parameters[] = {
     {"m", 1, "kg", "mass", 0.1, 100},
@@ -31,211 +38,116 @@ constexpr Parameter parameters[] = {
     {"seed", 23, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
-// ---- the claims -------------------------------------------------------------------------------------------
+// ---- the quantities ---------------------------------------------------------------------------------------
 
-/// A random bar at a random angle q with q' = v, q'' = a.
-struct Sample {
-  double m, r, s, c, h, g, ell, q, v, a;
-
-  explicit Sample(Random& random)
-      : m(random.between(0.3, 3)),
-        r(random.between(0.3, 3)),
-        s(random.between(0.3, 1)),
-        c(random.between(1, 30)),
-        h(random.between(1.2, 3)),
-        g(random.between(1, 10)),
-        ell(random.between(0.3, 4)),
-        q(random.between(-3, 3)),
-        v(random.between(-3, 3)),
-        a(random.between(-5, 5)) {}
-
-  std::array<double*, 10> letters() { return {&m, &r, &s, &c, &h, &g, &ell, &q, &v, &a}; }
-  double size() const {
-    return m * g * r + c * (s + h + ell) * (s + h + ell) + m * r * r * (v * v + std::abs(a));
-  }
-  std::string where() const {
-    return "m, r, s, c, h, g, ell = " + rounded(m, 4) + ", " + rounded(r, 4) + ", " + rounded(s, 4) + ", " +
-           rounded(c, 4) + ", " + rounded(h, 4) + ", " + rounded(g, 4) + ", " + rounded(ell, 4) +
-           "; theta, theta', theta'' = " + rounded(q, 4) + ", " + rounded(v, 4) + ", " + rounded(a, 4);
-  }
-
-  double length(double angle) const { return std::hypot(s * cos(angle) - s, s * sin(angle) + h); }
-  /// Moments about the origin of the forces at the ends of their arms.
-  double moment_of_weight(double angle) const { return r * cos(angle) * (-m * g); }
-  double moment_of_spring(double angle) const {
-    const double x = s * cos(angle), y = s * sin(angle), d = length(angle), pull = -c * (d - ell);
-    return (x * (y + h) - y * (x - s)) / d * pull;
-  }
-  /// What has to be done against a moment from the level to q.
-  double work(double (Sample::*moment)(double) const) const {
-    return -gauss_legendre([&](double angle) { return (this->*moment)(angle); }, 0, q, 100).value;
-  }
-  auto T() const {
-    return [*this](const auto& angle, const auto& rate, const auto&) {
-      const auto vx = -r * sin(angle) * rate, vy = r * cos(angle) * rate;
-      return 0.5 * m * (vx * vx + vy * vy);
-    };
-  }
-  /// T + sign V, V by its positions.
-  auto energies(double sign) const {
-    return [*this, sign](const auto& angle, const auto& rate, const auto& t) {
-      return T()(angle, rate, t) + sign * Bar{m, r, s, c, h, g, ell, 0, 0}.potential(angle);
-    };
-  }
-};
-using S = const Sample&;
-using Versions = std::vector<Version<Sample>>;
-
-double gravity(S x) { return x.m * x.g * x.r * sin(x.q); }
-
-double spring(S x, double at_rest) {
-  const double stretch =
-      sqrt(x.s * x.s * (cos(x.q) - 1) * (cos(x.q) - 1) + (x.h + x.s * sin(x.q)) * (x.h + x.s * sin(x.q))) -
-      x.ell;
-  return x.c / 2 * (stretch * stretch - at_rest * at_rest);
-}
-
-/// The right side of the equation of motion; signs and factors are 1 as meant. `power` is that of the
-/// spring's length d in 1 - ell/d.
-double equation(S x, double first, double second, double ratio = 1, int power = -1) {
-  const double C = cos(x.q), s2 = x.s * x.s, reach = x.h + x.s * sin(x.q);
-  const double d = sqrt(s2 * (C - 1) * (C - 1) + reach * reach);
-  return x.m * x.r * x.r * x.a + x.m * x.g * x.r * C +
-         x.c * (1 - ratio * x.ell * std::pow(d, power)) *
-             (first * s2 * (1 - C) * sin(x.q) + second * x.s * reach * C);
-}
-
-double balance(S x, double sign, double arm) { return x.m * x.g * x.r + sign * x.c * arm * (x.h - x.ell); }
-
-std::vector<Claim> claims(double seed) {
-  std::vector<Claim> all;
-  const auto says = [&](const char* id, int line, const char* what, const Version<Sample>& printed,
-                        const Version<Sample>& truth, const Versions& near) {
-    all.push_back(formula_claim(std::string("3.23-") + id, line, what, seed, printed, truth, near));
-  };
-  const auto also = [&](const char* what, const Version<Sample>& printed, const Version<Sample>& truth) {
-    all.back().printed.checks.push_back(compare<Sample>(what, printed, truth, seed));
-  };
-  says("potential_of_gravity", 2579, "the potential energy of gravity", {"m g r sin theta", gravity},
-       {"work against the weight, by quadrature", [](S x) { return x.work(&Sample::moment_of_weight); }},
-       {{"m g r cos theta", [](S x) { return x.m * x.g * x.r * cos(x.q); }},
-        {"-m g r sin theta", [](S x) { return -gravity(x); }}});
-  says("potential_of_spring", 2583, "the potential energy of the spring",
-       {"(c/2) ((sqrt(s^2 (cos - 1)^2 + (h + s sin)^2) - ell)^2 - (h - ell)^2)",
-        [](S x) { return spring(x, x.h - x.ell); }},
-       {"work against the spring, by quadrature", [](S x) { return x.work(&Sample::moment_of_spring); }},
-       {{"- h^2 at the end", [](S x) { return spring(x, x.h); }},
-        {"twice as much", [](S x) { return 2 * spring(x, x.h - x.ell); }}});
-  says("potential", 2593, "the potential energy",
-       {"the sum of the two", [](S x) { return gravity(x) + spring(x, x.h - x.ell); }},
-       {"work against both, by quadrature",
-        [](S x) { return x.work(&Sample::moment_of_weight) + x.work(&Sample::moment_of_spring); }},
-       {{"their difference", [](S x) { return gravity(x) - spring(x, x.h - x.ell); }}});
-  says(
-      "kinetic_energy", 2597, "the kinetic energy",
-      {"(m/2) r^2 theta'^2", [](S x) { return x.m / 2 * x.r * x.r * x.v * x.v; }},
-      {"(m/2) |x'|^2, x' by dual numbers",
-       [](S x) {
-         const Dual<double> q(x.q, x.v), along = x.r * cos(q), up = x.r * sin(q);
-         return x.m / 2 * (along.slope * along.slope + up.slope * up.slope);
-       }},
-      {{"(m/6) r^2 theta'^2, a uniform bar of length r", [](S x) { return x.m / 6 * x.r * x.r * x.v * x.v; }},
-       {"(m/2) r theta'^2", [](S x) { return x.m / 2 * x.r * x.v * x.v; }}});
-  const auto moments = [](S x) { return x.moment_of_weight(x.q) + x.moment_of_spring(x.q); };
-  const auto by_lagrangian = [](double sign) {
-    return [sign](S x) { return x.m * x.r * x.r * lagrange_acceleration(x.energies(sign), x.q, x.v); };
-  };
-  says("lagrangian", 2601, "m r^2 theta'' by Lagrange's equation", {"L = T - V", by_lagrangian(-1)},
-       {"the moments of the weight and of the spring", moments}, {{"L = T + V", by_lagrangian(1)}});
-  const Version<Sample> lagrange{
-      "d/dt dL/dtheta' - dL/dtheta by nested dual numbers",
-      [](S x) { return momentum_rate(x.energies(-1), x.q, x.v, x.a) - d_dq(x.energies(-1), x.q, x.v); }};
-  const auto by_potential = [](double sign) {
-    return [sign](S x) {
-      const Bar bar{x.m, x.r, x.s, x.c, x.h, x.g, x.ell, 0, 0};
-      return x.m * x.r * x.r * x.a + sign * derivative([&](const auto& q) { return bar.potential(q); }, x.q);
-    };
-  };
-  says("equation_in_V", 2613, "the equation of motion, right side",
-       {"m r^2 theta'' + dV/dtheta", by_potential(1)}, lagrange,
-       {{"m r^2 theta'' - dV/dtheta", by_potential(-1)}});
-  const Version<Sample> written{
-      "m r^2 theta'' + m g r cos + c (1 - ell/d) (s^2 (1 - cos) sin + s (h + s sin) cos)",
-      [](S x) { return equation(x, 1, 1); }};
-  says("equation_of_motion", 2615, "the equation of motion, right side", written, lagrange,
-       {{"s^2 (cos - 1) sin", [](S x) { return equation(x, -1, 1); }},
-        {"- s (h + s sin) cos", [](S x) { return equation(x, 1, -1); }},
-        {"1 + ell/d", [](S x) { return equation(x, 1, 1, -1); }},
-        {"half of the bracket", [](S x) { return equation(x, 0.5, 0.5); }}});
-  also("the equation of motion, by moments", written, {"m r^2 theta'' - the moments of the forces", [=](S x) {
-                                                         return x.m * x.r * x.r * x.a - moments(x);
-                                                       }});
-  bars_lost(
-      all.back(),
-      "the equation of motion is 0 = m r^2 theta'' + m g r cos + c (1 - ell sqrt(...)) (s^2 (1 - cos) "
-      "sin + s (h + s sin) cos)",
-      seed, {"1 - ell d, as a product", [](S x) { return equation(x, 1, 1, 1, 1); }}, lagrange,
-      "The fraction bar is lost in the text at hand: $1-\\ell/\\sqrt{\\dots}$. As a product it subtracts "
-      "an area from a number; at the level bar of the scene, $h=0.8$ m and $\\ell=1$ m, it is 0.2 for "
-      "-0.25, and the pressed spring, which holds the bar up, would pull it down.");
-
-  const Version<Sample> condition{"m g r + c s (h - ell)", [](S x) { return balance(x, 1, x.s); }};
-  const Versions other{{"m g r - c s (h - ell)", [](S x) { return balance(x, -1, x.s); }},
-                       {"m g r + c r (h - ell)", [](S x) { return balance(x, 1, x.r); }}};
-  says("equilibrium_terms", 2623,
-       "the equilibrium's condition is all terms but the one in theta'', at theta = 0", condition,
-       {"-m r^2 theta'' of the level bar at rest, by Lagrange's equation",
-        [](S x) { return -x.m * x.r * x.r * lagrange_acceleration(x.energies(-1), 0, 0); }},
-       other);
-  says("equilibrium_condition", 2625, "what is zero when the level bar is in equilibrium", condition,
-       {"the moments of the forces on the level bar, clockwise",
-        [](S x) { return -x.moment_of_weight(0) - x.moment_of_spring(0); }},
-       other);
-  const auto balanced = [](double side) {
-    return [side](S x) {
-      Sample y = x;
-      y.ell = y.h + side * y.m * y.g * y.r / (y.c * y.s);
-      return y.moment_of_spring(0);
-    };
-  };
-  says("as_by_virtual_work", 2627, "the condition is that of the equilibrium of forces; the spring's moment",
-       {"with ell = h + m g r/(c s)", balanced(1)},
-       {"against the weight's", [](S x) { return -x.moment_of_weight(0); }},
-       {{"with ell = h - m g r/(c s)", balanced(-1)}});
-  return all;
-}
-
-Bar asked(const Parameters& p) {
+Given<double> asked(const Parameters& p) {
   return {p["m"], p["r"], p["s"], p["c"], p["h"], p["g"], p["ell"], p["theta0"], p["w0"]};
 }
 
-Quantity swing_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return swing(asked(p), horizon, truth);
+Known true_swing(const Given<double>& b, const Horizon& horizon, const Reference& truth) {
+  return trajectory(truth, "03_23_swing", {b.m, b.r, b.s, b.c, b.h, b.g, b.ell, b.theta0, b.w0}, horizon);
+}
+
+Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  const Given<double> bar = asked(p);
+  Quantity mass = quantity("swing", "m", "position of the mass at four times",
+                           true_swing(bar, horizon, truth), {1e-6, "a micrometre"});
+  Ladder(mass, horizon, halving("step", 0.125, 10), tolerances())
+      .closed_form("small oscillation", SmallOscillation<double>{bar}, Outcome::inaccurate,
+                   "the frequency depends on the amplitude, and the spring is softer above than below")
+      .by_common("one angle", OneAngle<double>{bar}, Outcome::drifted)
+      .by_others("one angle", OneAngle<double>{bar},
+                 {{"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
+      .by_common("Cartesian with constraint", CartesianWithConstraint<double>{bar}, Outcome::drifted);
+  return mass;
+}
+
+Quantity stiff_swing(const Given<double>& bar, const Reference& truth) {
+  const Horizon horizon{1};
+  Quantity mass = quantity("stiff", "m", "position after 0.25, 0.5, 0.75 and 1 s on a stiff spring",
+                           true_swing(bar, horizon, truth), {1e-6, "a micrometre"});
+  const std::string one = "one angle", damps = "stable at every step, but it takes the swing's energy away";
+  Ladder(mass, horizon, halving("step", 0.0625, 11), tolerances(2, 10))
+      .by<ode::ExplicitEuler>(one, OneAngle<double>{bar}, Outcome::drifted, "it gains energy at every step")
+      .by<ode::VelocityVerlet>(one, OneAngle<double>{bar}, Outcome::inaccurate,
+                               "its order is too low for this need at this step")
+      .by<ode::RungeKutta4>(one, OneAngle<double>{bar})
+      .by<ode::Fehlberg78>(one, OneAngle<double>{bar})
+      .by<ode::ImplicitEuler>(one, OneAngle<double>{bar}, Outcome::drifted, damps)
+      .by<ode::Rosenbrock4>(one, OneAngle<double>{bar});
+  return mass;
+}
+
+/// A whole period of the swing that passes theta = 0 with the speed w amplitude.
+Answer frequency_by_events(Given<double> bar, double amplitude) {
+  bar.w0 = amplitude * bar.frequency();
+  const OneAngle<double> one{bar};
+  OneAngle<double>::State state{0, bar.w0};
+  Answer answer;
+  double t = 0;
+  for (int half = 0; half < 2; ++half) {
+    const auto crossing =
+        ode::find_event<ode::Fehlberg78>(one, state, t, t + 5 / bar.frequency(), 1e-13,
+                                         [](const OneAngle<double>::State& x, double) { return x[0]; });
+    answer.evaluations += crossing.evaluations;
+    answer.ending = crossing.ending;
+    answer.message = crossing.message;
+    t = crossing.value.time;
+    state = {0, crossing.value.state[1]};
+  }
+  answer.value = 2 * std::numbers::pi / t;
+  return answer;
+}
+
+Quantity small_frequency(const Given<double>& bar, const Reference& truth) {
+  Quantity w = quantity("frequency", "rad/s", "angular frequency of small oscillations about theta = 0",
+                        truth("03_23_frequency", {bar.m, bar.r, bar.s, bar.c, bar.h, bar.g, bar.ell}),
+                        {1e-6 * bar.frequency(), "a millionth of it"});
+  const auto of = [bar](double curvature) { return std::sqrt(curvature / (bar.m * bar.r * bar.r)); };
+  const auto V = [bar](const auto& q) { return bar.potential(q); };
+  const auto slope = [V](double q) { return derivative(V, q); };
+  w.add({"curvature of V", "nested dual numbers", no_knob(), [=](double) {
+           return Answer{of(second_derivative(V, 0.0)), 1};
+         }});
+  w.add({"curvature of V", "second difference", halving("step", 0.125, 9), [=](double h) {
+           long calls = 0;
+           const auto at = counted_calls(V, calls);
+           const double second = (at(h) - 2 * at(0.0) + at(-h)) / (h * h);
+           return Answer{of(second), calls};
+         }});
+  w.add({"slope of V' by dual numbers", "central difference, order 2", halving("step", 0.125, 9),
+         [=](double h) { return answer(central_difference_2(slope, 0, h), of); }});
+  w.add({"slope of V' by dual numbers", "central difference, order 4", halving("step", 0.125, 9),
+         [=](double h) { return answer(central_difference_4(slope, 0, h), of); }});
+  w.add({"one angle", "Fehlberg 7(8), a period by events", halving("amplitude", 0.125, 9),
+         [=](double amplitude) { return frequency_by_events(bar, amplitude); }});
+  return w;
 }
 
 Scene scene() {
-  return {swing_of,
-          4,
-          centimeter,
-          "c",
-          {20, 50, 100, 300, 1000, 2500},
-          {"theta0", "m", "h"},
-          {{"x", "y"}, "s", {{"m", {0, 1}}}},
-          {{"chapters/03_rigid_body_motion/23_spring_bar/models.hpp"},
-           {{"small oscillation", "spring_bar::SmallOscillation{{m, r, s, c, h, g, ell, theta0, w0}}"},
-            {"one angle", "spring_bar::OneAngle{{m, r, s, c, h, g, ell, theta0, w0}}"},
-            {"Cartesian with constraint",
-             "spring_bar::CartesianWithConstraint{{m, r, s, c, h, g, ell, theta0, w0}}"}}}};
+  return {
+      swing,
+      4,
+      centimeter,
+      "c",
+      {20, 50, 100, 300, 1000, 2500},
+      {"theta0", "m", "h"},
+      {{"x", "y"}, "s", {{"m", {0, 1}}}},
+      {{"chapters/03_rigid_body_motion/23_spring_bar/models.hpp"},
+       {{"small oscillation", "spring_bar::SmallOscillation<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
+        {"one angle", "spring_bar::OneAngle<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
+        {"Cartesian with constraint",
+         "spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  const Bar bar = asked(p);
+  const Given<double> bar = asked(p);
   Quantity mass = motion(scene(), p, truth);
   mass.add(Breakdown{
       "Explicit Euler gains energy at every step: at eight steps a second the bar turns over "
       "and over. Classical Runge-Kutta follows it at 256 steps a second.",
       "one angle, explicit Euler", 0.125, Outcome::drifted, "one angle, Runge-Kutta 4", 0.00390625});
-  Bar stiff = bar;
+  Given<double> stiff = bar;
   stiff.c = 1000 * bar.c;
   stiff.ell = stiff.balancing_rest_length();
   Quantity fast = stiff_swing(stiff, truth);

@@ -1,91 +1,106 @@
 #pragma once
 
-// The models of exercise 3.23.
-
 #include <array>
-#include <cmath>
+#include <tuple>
 
 #include "chapters/numbers.hpp"
 
+/// The models of exercise 3.23: a bar without mass that turns about the origin, a mass m at the distance r,
+/// and at the distance s a spring of constant c and rest length ell that stands on (s, -h). It starts at
+/// theta0 with angular speed w0.
 namespace oddity::spring_bar {
 
-/// A bar without mass that turns about the origin, a mass m at the distance r, and at the distance s a spring
-/// of constant c and rest length ell that stands on (s, -h). It starts at theta0 with angular speed w0.
-struct Bar {
-  double m, r, s, c, h, g, ell, theta0, w0;
+template <class T>
+struct Given {
+  T m, r, s, c, h, g, ell, theta0, w0;
 
-  /// Twice differentiable in q by dual numbers; built from the positions alone.
-  template <class Q>
-  Q potential(const Q& q) const {
-    using std::cos, std::sin, std::sqrt;
-    const Q dx = s * cos(q) - s, dy = s * sin(q) + h;
-    const Q stretch = sqrt(dx * dx + dy * dy) - ell;
-    return m * g * r * sin(q) + 0.5 * c * stretch * stretch;
+  /// Built from the positions alone.
+  template <class X>
+  X potential(const X& q) const {
+    const X dx = s * cos(q) - s, dy = s * sin(q) + h;
+    const X stretch = sqrt(dx * dx + dy * dy) - ell;
+    return m * g * r * sin(q) + c / 2 * stretch * stretch;
   }
-  std::array<double, 2> position(double angle) const { return {r * std::cos(angle), r * std::sin(angle)}; }
+  std::array<T, 2> position(const T& angle) const { return {r * cos(angle), r * sin(angle)}; }
   /// At theta = 0, where the spring is upright: V'' = c s^2 whatever h, ell and g are.
-  double frequency() const { return s / r * std::sqrt(c / m); }
+  T frequency() const { return s / r * sqrt(c / m); }
   /// The rest length for which theta = 0 is an equilibrium.
-  double balancing_rest_length() const { return h + m * g * r / (c * s); }
+  T balancing_rest_length() const { return h + m * g * r / (c * s); }
 };
 
 /// The equation linearized about theta = 0.
-struct SmallOscillation : Bar {
-  std::array<double, 2> at(double t) const {
-    const double w = frequency(), middle = -(m * g * r + c * s * (h - ell)) / (c * s * s);
-    return position(middle + (theta0 - middle) * std::cos(w * t) + w0 / w * std::sin(w * t));
+template <class T>
+struct SmallOscillation {
+  Given<T> p;
+  std::array<T, 2> at(const T& t) const {
+    const T w = p.frequency(), middle = -(p.m * p.g * p.r + p.c * p.s * (p.h - p.ell)) / (p.c * p.s * p.s);
+    return p.position(middle + (p.theta0 - middle) * cos(w * t) + p.w0 / w * sin(w * t));
   }
 };
 
 /// (theta, theta').
-struct OneAngle : Bar {
-  using State = std::array<double, 2>;
-  State start() const { return {theta0, w0}; }
-  template <class Q>
-  Q acceleration_at(const Q& q) const {
-    using std::cos, std::sin, std::sqrt;
-    const Q dx = s * cos(q) - s, dy = s * sin(q) + h;
-    const Q pull = c * (1.0 - ell / sqrt(dx * dx + dy * dy));
-    return -(m * g * r * cos(q) + pull * (dy * s * cos(q) - dx * s * sin(q))) / (m * r * r);
+template <class T>
+struct OneAngle {
+  Given<T> p;
+  using State = std::array<T, 2>;
+  State start() const { return {p.theta0, p.w0}; }
+  template <class X>
+  X acceleration_at(const X& q) const {
+    const X dx = p.s * cos(q) - p.s, dy = p.s * sin(q) + p.h;
+    const X pull = p.c * (1 - p.ell / sqrt(dx * dx + dy * dy));
+    return -(p.m * p.g * p.r * cos(q) + pull * (dy * p.s * cos(q) - dx * p.s * sin(q))) / (p.m * p.r * p.r);
   }
-  template <class X, class T>
-  void operator()(const X& x, X& dxdt, const T&) const {
+  template <class X>
+  void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X&) const {
     dxdt = {x[1], acceleration_at(x[0])};
   }
-  void acceleration(const std::array<double, 1>& q, std::array<double, 1>& a) const {
-    a = {acceleration_at(q[0])};
+  template <class X>
+  void acceleration(const std::array<X, 1>& q, std::array<X, 1>& dv) const {
+    dv = {acceleration_at(q[0])};
   }
-  std::array<double, 2> observe(const State& x, double) const { return position(x[0]); }
-  auto conserved(const State& x, double) const {
-    return energy_of(m * r * r * x[1] * x[1] / 2, potential(x[0]));
+  std::array<T, 2> observe(const State& x, const T&) const { return p.position(x[0]); }
+  auto conserved(const State& x, const T&) const {
+    return energy_of<T>(p.m * p.r * p.r * x[1] * x[1] / 2, p.potential(x[0]));
   }
 };
 
 /// (x, y, x', y') of the mass; the spring's force reaches it through the lever, s/r of it, and the bar holds
 /// it by x^2 + y^2 = r^2, twice differentiated.
-struct CartesianWithConstraint : Bar {
-  using State = std::array<double, 4>;
+template <class T>
+struct CartesianWithConstraint {
+  Given<T> p;
+  using State = std::array<T, 4>;
   State start() const {
-    return {r * std::cos(theta0), r * std::sin(theta0), -r * w0 * std::sin(theta0),
-            r * w0 * std::cos(theta0)};
+    const auto [x, y] = p.position(p.theta0);
+    return {x, y, -p.r * p.w0 * sin(p.theta0), p.r * p.w0 * cos(p.theta0)};
   }
   /// Force on the mass over m, without the bar's hold.
-  std::array<double, 2> pushed(double x, double y) const {
-    const double lever = s / r, dx = lever * x - s, dy = lever * y + h;
-    const double pull = -lever * c / m * (1 - ell / std::hypot(dx, dy));
-    return {pull * dx, pull * dy - g};
+  template <class X>
+  std::array<X, 2> pushed(const X& x, const X& y) const {
+    const T lever = p.s / p.r;
+    const X dx = lever * x - p.s, dy = lever * y + p.h;
+    const X pull = -lever * p.c / p.m * (1 - p.ell / hypot(dx, dy));
+    return {pull * dx, pull * dy - p.g};
   }
-  void operator()(const State& x, State& dxdt, double) const {
+  template <class X>
+  void operator()(const std::array<X, 4>& x, std::array<X, 4>& dxdt, const X&) const {
     const auto f = pushed(x[0], x[1]);
-    const double hold = (x[2] * x[2] + x[3] * x[3] + f[0] * x[0] + f[1] * x[1]) / (x[0] * x[0] + x[1] * x[1]);
+    const X hold = (x[2] * x[2] + x[3] * x[3] + f[0] * x[0] + f[1] * x[1]) / (x[0] * x[0] + x[1] * x[1]);
     dxdt = {x[2], x[3], f[0] - hold * x[0], f[1] - hold * x[1]};
   }
-  std::array<double, 2> observe(const State& x, double) const { return {x[0], x[1]}; }
-  auto conserved(const State& x, double) const {
-    const double stretch = std::hypot(s / r * x[0] - s, s / r * x[1] + h) - ell;
-    return energy_of(m * (x[2] * x[2] + x[3] * x[3]) / 2, m * g * x[1] + c * stretch * stretch / 2);
+  std::array<T, 2> observe(const State& x, const T&) const { return {x[0], x[1]}; }
+  auto conserved(const State& x, const T&) const {
+    const T stretch = hypot(p.s / p.r * x[0] - p.s, p.s / p.r * x[1] + p.h) - p.ell;
+    return energy_of<T>(p.m * (x[2] * x[2] + x[3] * x[3]) / 2,
+                        p.m * p.g * x[1] + p.c * stretch * stretch / 2);
   }
-  double off_constraint(const State& x, double) const { return std::abs(std::hypot(x[0], x[1]) - r); }
+  T off_constraint(const State& x, const T&) const { return abs(hypot(x[0], x[1]) - p.r); }
 };
+
+/// From the least to the richest.
+template <class T>
+auto models(const Given<T>& p) {
+  return std::tuple{SmallOscillation<T>{p}, OneAngle<T>{p}, CartesianWithConstraint<T>{p}};
+}
 
 }  // namespace oddity::spring_bar

@@ -1,0 +1,250 @@
+#include "chapters/claims.hpp"
+
+#include "chapters/03_rigid_body_motion/21_pipe_and_disk/pipe_and_disk.hpp"
+#include "chapters/03_rigid_body_motion/shared/two_coordinates.hpp"
+#include "reference/text.hpp"
+#include "solvers/ode/algorithms.hpp"
+#include "solvers/ode/integrate.hpp"
+
+namespace oddity::ex03_21 {
+
+namespace {
+
+template <class T>
+using Vector = std::array<T, 3>;
+
+template <class T>
+T dot(const Vector<T>& a, const Vector<T>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// A rigid disk on a pipe, in any motion.
+struct Sample {
+  double m, L, mu2, mu3, phi, g;
+  Pair q, v;  ///< (theta, psi) and their speeds
+  Vector<double> F;
+
+  explicit Sample(Random& random)
+      : m(random.between(0.2, 3)),
+        L(random.between(0.3, 3)),
+        mu2(random.between(0.1, 2)),
+        mu3(mu2 * random.between(0.1, 0.9)),
+        phi(random.between(0.2, 2.9)),
+        g(random.between(0.5, 20)),
+        q{random.between(-3, 3), random.between(-3, 3)},
+        v{random.magnitude(0.1, 3), random.magnitude(0.1, 3)},
+        F{random.point(5)} {}
+  std::array<double*, 13> letters() {
+    return {&m, &L, &mu2, &mu3, &phi, &g, &q[0], &q[1], &v[0], &v[1], &F[0], &F[1], &F[2]};
+  }
+  double inertia(double moment) const { return (m * L * L + moment) * sin(phi) * sin(phi); }
+  double size() const {
+    return 8 * (1 + m * L * (L + g) + mu2 + L * 5) * (1 + dot<double>({v[0], v[1], 0}, {v[0], v[1], 0})) *
+           (1 + 1 / inertia(mu2));
+  }
+  std::string where() const {
+    return "phi = " + rounded(phi, 4) + ", theta = " + rounded(q[0], 4) + ", theta' = " + rounded(v[0], 4) +
+           ", psi' = " + rounded(v[1], 4);
+  }
+  Sample upright() const {
+    Sample up = *this;
+    up.phi = 0;
+    return up;
+  }
+
+  /// The disk's two diameters and the pipe's direction: the columns of R.
+  template <class T>
+  std::array<Vector<T>, 3> axes(const T& theta, const T& psi) const {
+    const T c = cos(theta), s = sin(theta), a = cos(psi), b = sin(psi), C(cos(phi)), S(sin(phi));
+    const Vector<T> down{c * C, s * C, -S}, side{-s, c, T(0.0)}, pipe{c * S, s * S, C};
+    Vector<T> e, f;
+    for (std::size_t i = 0; i < 3; ++i) {
+      e[i] = a * down[i] + b * side[i];
+      f[i] = a * side[i] - b * down[i];
+    }
+    return {e, f, pipe};
+  }
+  /// Gravity being `weight` over the mass.
+  auto lagrangian(double weight) const {
+    return [*this, weight]<class T>(const Two<T>& at, const Two<T>& speed) {
+      const auto r = axes(Dual<T>(at[0], speed[0]), Dual<T>(at[1], speed[1]));
+      const double moments[] = {mu3 / 2, mu3 / 2, mu2 - mu3 / 2};
+      T energy = T(0.0);
+      for (std::size_t k = 0; k < 3; ++k)
+        for (const Dual<T>& component : r[k]) {
+          const T rate = component.slope;
+          energy = energy + T(moments[k] / 2 + (k == 2 ? m * L * L / 2 : 0)) * rate * rate;
+        }
+      return energy - T(m * weight * L) * r[2][2].value;
+    };
+  }
+  /// Accelerations under gravity and a generalized force on theta.
+  Pair accelerations(double force, double weight) const {
+    return lagrange_accelerations(lagrangian(weight), q, v, {force, 0});
+  }
+  /// dX/dtheta, X the center.
+  Vector<double> lever() const {
+    const auto pipe = axes(Dual<double>(q[0], 1), Dual<double>(q[1]))[2];
+    return {L * pipe[0].slope, L * pipe[1].slope, L * pipe[2].slope};
+  }
+  double force() const { return dot(F, lever()); }
+  /// d/dt of the disk's angular velocity theta' k + psi' u, both speeds constant.
+  Vector<double> angular_acceleration() const {
+    const auto pipe = axes(Dual<double>(q[0], v[0]), Dual<double>(q[1]))[2];
+    return {v[1] * pipe[0].slope, v[1] * pipe[1].slope, v[1] * pipe[2].slope};
+  }
+  /// (theta, psi, theta', psi') after 2 s under gravity and a force along x.
+  std::array<double, 4> after_two_seconds(double along_x) const {
+    const auto rhs = [&](const std::array<double, 4>& x, std::array<double, 4>& dxdt, double) {
+      Sample now = *this;
+      now.q = {x[0], x[1]};
+      now.v = {x[2], x[3]};
+      const Pair a = now.accelerations(along_x * now.lever()[0], g);
+      dxdt = {x[2], x[3], a[0], a[1]};
+    };
+    return ode::integrate<ode::RungeKutta4>(rhs, std::array{q[0], q[1], v[0], v[1]}, 0, 2, 0.05).value;
+  }
+};
+using S = const Sample&;
+
+/// Two of (theta, psi, theta', psi') after 2 s against their values at the start.
+Reading unchanged(const std::string& text, const std::string& what, double seed, std::size_t first,
+                  double along_x = 0) {
+  const Formula<Sample> later{"Lagrange's equations under gravity, integrated", [=](S s) {
+                                const auto x = s.after_two_seconds(along_x);
+                                return values(x[first], x[first + 1]);
+                              }};
+  Worst worst(what + " after 2 s", later.text, "at the start", 512);
+  for (const Sample& s : draw<Sample>(20, seed)) {
+    const std::array start{s.q[0], s.q[1], s.v[0], s.v[1]};
+    worst.see(later.of(s), {start[first], start[first + 1]}, size_of_terms(later, s), s.where());
+  }
+  return {text, {worst.check()}};
+}
+
+}  // namespace
+
+std::vector<Claim> claims(double seed) {
+  Claims claims("3.21");
+  const auto samples = draw<Sample>(200, seed);
+  const std::string lagrange = "Lagrange's equations of the rigid disk, by nested dual numbers";
+  const std::string speeds = R"($(\dot\theta,\dot\psi)$)";
+  const Formula<Sample> nothing{"zero", [](S) { return values(0, 0); }};
+
+  const auto quotient = [](double Sample::*moment, int power = 2) {
+    return [=](S s) { return s.force() / s.inertia(s.*moment) * pow(sin(s.phi), 2 - power); };
+  };
+  claims.formula<Sample>(
+      "theta", 2559, R"(the pipe's angular acceleration $\ddot\theta$)", samples,
+      {.truth = {lagrange, [](S s) { return s.accelerations(s.force(), 0)[0]; }},
+       .printed = {R"($F_\theta/((mL^2+\mu_2)\sin^2\phi)$)", quotient(&Sample::mu2)},
+       .near_misses = {{R"($\mu_3$, the moment about the pipe, for $\mu_2$)", quotient(&Sample::mu3)},
+                       {R"($\sin\phi$ for its square)", quotient(&Sample::mu2, 1)}}});
+
+  const auto in_lagrange = [](const auto& accelerations) {
+    return [=](S s) {
+      const Sample up = s.upright();
+      return Value(lagrange_left_side(up.lagrangian(up.g), up.q, up.v, accelerations(up)));
+    };
+  };
+  claims.formula<Sample>(
+      "upright", 2559, R"($\ddot\theta$ is that quotient at every inclination, and so without a force $0$)",
+      samples,
+      {.quantity = "Lagrange's left sides of an upright pipe under gravity",
+       .truth = nothing,
+       .printed = {R"(of an upright pipe, too: $\ddot\theta$ the quotient, $\ddot\psi=-\ddot\theta\cos\phi$)",
+                   in_lagrange([](S up) {
+                     const double a = -up.m * up.g * up.lever()[2] / up.inertia(up.mu2);
+                     return Pair{a, -a};
+                   })},
+       .corrected =
+           {R"(only where the pipe is inclined; upright $\ddot\theta$ is any number, and $\ddot\psi=-\ddot\theta$)",
+            in_lagrange([](S up) {
+              return Pair{up.F[0], -up.F[0]};
+            })},
+       .near_misses = {{R"(upright $\ddot\theta$ is any number, and $\ddot\psi=0$)", in_lagrange([](S up) {
+                          return Pair{up.F[0], 0};
+                        })}},
+       .kind = Fault::left_out,
+       .root = "division by an upright pipe",
+       .why =
+           R"(An upright pipe has $\sin\phi=0$: the quotient is 0/0 without any force, and a program that )"
+           R"(divides has NaN in its first step. Both angles turn the disk about the same line then, and )"
+           R"(the equations fix their sum alone. At $\phi=0.01$ the default disk has only )"
+           R"($4.1\cdot10^{-4}$ kg m$^2$ under the bar, and a small force already makes large )"
+           R"(accelerations.)"});
+  const auto turned_back = [=](double sign) {
+    return [=](S s) { return sign * quotient(&Sample::mu2)(s) * cos(s.phi); };
+  };
+  claims.formula<Sample>(
+      "psi", 2561, R"(the disk's angular acceleration $\ddot\psi$)", samples,
+      {.truth = {lagrange, [](S s) { return s.accelerations(s.force(), 0)[1]; }},
+       .printed = {R"($-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)", turned_back(-1)},
+       .near_misses = {{"the same without the minus", turned_back(1)}, {"zero", turned_back(0)}}});
+
+  const auto product = [](double sign, double third) {
+    return [=](S s) {
+      const double sine = sin(s.phi), c = cos(s.q[0]), w = sin(s.q[0]);
+      return s.L * (-sign * s.F[0] * w * sine + s.F[1] * c * sine + third * s.F[2] * cos(s.phi));
+    };
+  };
+  claims.formula<Sample>(
+      "force", 2569, R"(the generalized force on $\theta$)", samples,
+      {.truth = {R"($F\cdot\partial X/\partial\theta$ of the center $X$, by dual numbers)", &Sample::force},
+       .printed = {R"($F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)", product(1, 0)},
+       .near_misses = {{R"($+\sin\theta$)", product(-1, 0)},
+                       {R"($\cos\phi$ as the third component)", product(1, 1)}}});
+  const auto weight = [](std::size_t axis) { return [=](S s) { return -s.m * s.g * s.lever()[axis]; }; };
+  claims.formula<Sample>("gravity_force", 2571,
+                         R"(gravity has no generalized force on $\theta$, at any time)", samples,
+                         {.quantity = R"($F_\theta$)",
+                          .truth = {"zero", [](S) { return values(0); }},
+                          .printed = {R"($-mgk\cdot\partial X/\partial\theta$, by dual numbers)", weight(2)},
+                          .near_misses = {{R"(the same with gravity along $-\imath$)", weight(0)}}});
+  const auto under_gravity = [](double force) { return [=](S s) { return s.accelerations(force, s.g); }; };
+  claims.formula<Sample>(
+      "no_acceleration", 2573, R"(gravity makes $\ddot\theta=0$ and $\ddot\psi=0$)", samples,
+      {.quantity = R"($(\ddot\theta,\ddot\psi)$)",
+       .truth = nothing,
+       .printed = {"Lagrange's equations under gravity", under_gravity(0)},
+       .near_misses = {{R"(the same with a force of 0.1 on $\theta$)", under_gravity(0.1)}}});
+  claims.formula<Sample>(
+      "angular_accelerations", 2575,
+      "pipe and disk turn without angular acceleration, each about its own axis", samples,
+      {.quantity = "the angular acceleration",
+       .truth = {"zero", [](S) { return values(0, 0, 0); }},
+       .printed =
+           {R"($\ddot\theta$ and $\ddot\psi$ by Lagrange's equations, and the component along the pipe )"
+            R"(of the rate of $\dot\theta k+\dot\psi u$, by dual numbers)",
+            [](S s) {
+              const Pair a = s.accelerations(0, s.g);
+              return values(a[0], a[1], dot(s.angular_acceleration(), s.axes(s.q[0], s.q[1])[2]));
+            }},
+       .near_misses = {{R"(the rate of the disk's whole angular velocity $\dot\theta k+\dot\psi u$)",
+                        &Sample::angular_acceleration}}});
+  claims.add(
+      "integrated", 2575, R"(integrated, the equations give $\theta(t)=\theta_0$ and $\psi(t)=\psi(0)$)",
+      {.printed = unchanged("the angles keep their values", R"($(\theta,\psi)$)", seed, 0),
+       .meant =
+           unchanged(R"(the speeds keep theirs, $\dot\theta(t)=\dot\theta_0$ and $\dot\psi(t)=\dot\psi(0)$)",
+                     speeds, seed, 2),
+       .near_misses = {unchanged("the speeds keep theirs under a horizontal force of 0.1, too", speeds, seed,
+                                 2, 0.1)},
+       .why =
+           R"(The dots are lost: zero accelerations keep the speeds $\dot\theta$ and $\dot\psi$, as the next )"
+           R"(sentence says; the angles grow with time.)",
+       .kind = Fault::lost_typography});
+  claims.add("constant_speeds", 2575, "the angular speeds are constant",
+             {.printed = unchanged("under gravity", speeds, seed, 2),
+              .near_misses = {unchanged("under a horizontal force of 1, too", speeds, seed, 2, 1)}});
+  return claims.in_order();
+}
+
+std::vector<Root> roots() {
+  return {
+      {"division by an upright pipe",
+       "Stand the default disk's pipe upright, and a program that divides has NaN for both angles after its "
+       "first step: the disk is gone from the screen, where it should spin on at 10.5 rad/s."}};
+}
+
+}  // namespace oddity::ex03_21
