@@ -41,8 +41,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 template <class See>
 void for_each_model(const See& see) {
   using std::numbers::pi;
-  see("2.7", "matrix", curve_on_sphere::AsMatrix{1}, 4.0);
-  see("2.7", "quaternion", curve_on_sphere::AsQuaternion{1}, 4.0);
+  see("2.7", "matrix", curve_on_sphere::AsMatrix<double>{{{1}}}, 4.0);
+  see("2.7", "quaternion", curve_on_sphere::AsQuaternion<double>{{{1}}}, 4.0);
   const kepler::Start earth{4 * pi * pi, 1, 1, 0.09375, 1.75, 6.25};
   see("3.3", "equation (2)", kepler::Distance<double>{earth}, 2.0);
   see("3.3", "polar", kepler::Polar<double>{earth}, 2.0);
