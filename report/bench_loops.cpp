@@ -278,7 +278,7 @@ std::vector<Race> races() {
   std::vector<Race> all;
   const pendulum::OneAngle<double> swing{{std::numbers::pi / 6, 1, 9.81}};
   add_races(all, "pendulum", swing, PendulumByHand{-9.81}, swing.start());
-  const kepler::Cartesian planet{{1, 1, 1, 0, 0, 1.2}};
+  const kepler::Cartesian<double> planet{{1, 1, 1, 0, 0, 1.2}};
   add_races(all, "planet in its plane", planet, PlanarKeplerByHand{1}, planet.start());
   add_races(all, "planet in space", raced::SpatialKepler{1}, SpatialKeplerByHand{1}, {1, 0, 0, 0, 1.1, 0.4});
   return all;
@@ -373,8 +373,8 @@ Contest kepler_contest(const Reference& truth) {
     E.value = {std::cos(E.value[0]) - e, std::copysign(minor * std::sin(E.value[0]), M)};
     return E;
   });
-  const kepler::Cartesian model{start};
-  const kepler::ByKeplersEquation exact(start);
+  const kepler::Cartesian<double> model{start};
+  const kepler::ByKeplersEquation<double> exact(start);
   return {.says = "planet with e = 0.9 over 3.2 orbits",
           .hand = "planet in its plane",
           .to_end = motion("Cartesian", model, last_of(known, 2), to_end),

@@ -30,7 +30,7 @@ struct SpatialKepler {
 /// The algorithm and the model compiled apart, with the flags of the scenes.
 std::function<Run()> precompiled(const pendulum::OneAngle<double>&, const std::array<double, 2>& start,
                                  std::string_view algorithm, ode::Kind);
-std::function<Run()> precompiled(const kepler::Cartesian&, const std::array<double, 4>& start,
+std::function<Run()> precompiled(const kepler::Cartesian<double>&, const std::array<double, 4>& start,
                                  std::string_view algorithm, ode::Kind);
 std::function<Run()> precompiled(const SpatialKepler&, const std::array<double, 6>& start,
                                  std::string_view algorithm, ode::Kind);

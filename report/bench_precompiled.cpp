@@ -22,7 +22,7 @@ std::function<Run()> precompiled(const pendulum::OneAngle<double>& model, const 
   return any(model, start, algorithm, kind);
 }
 
-std::function<Run()> precompiled(const kepler::Cartesian& model, const std::array<double, 4>& start,
+std::function<Run()> precompiled(const kepler::Cartesian<double>& model, const std::array<double, 4>& start,
                                  std::string_view algorithm, ode::Kind kind) {
   return any(model, start, algorithm, kind);
 }

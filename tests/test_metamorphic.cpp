@@ -45,12 +45,12 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 template <class See>
 void for_each_model(const See& see) {
   using std::numbers::pi;
-  see("2.7", "matrix", curve_on_sphere::AsMatrix{1}, 4.0);
-  see("2.7", "quaternion", curve_on_sphere::AsQuaternion{1}, 4.0);
+  see("2.7", "matrix", curve_on_sphere::AsMatrix<double>{{{1}}}, 4.0);
+  see("2.7", "quaternion", curve_on_sphere::AsQuaternion<double>{{{1}}}, 4.0);
   const kepler::Start earth{4 * pi * pi, 1, 1, 0.09375, 1.75, 6.25};
-  see("3.3", "equation (2)", kepler::Distance{earth}, 2.0);
-  see("3.3", "polar", kepler::Polar{earth}, 2.0);
-  see("3.3", "Cartesian", kepler::Cartesian{earth}, 2.0);
+  see("3.3", "equation (2)", kepler::Distance<double>{earth}, 2.0);
+  see("3.3", "polar", kepler::Polar<double>{earth}, 2.0);
+  see("3.3", "Cartesian", kepler::Cartesian<double>{earth}, 2.0);
   for (double a : {pi / 6, pi / 2}) {
     const pendulum::Given<double> released{a, 1, 9.81};
     see("3.5", "one angle", pendulum::OneAngle<double>{released}, 10.0);
@@ -88,8 +88,8 @@ void for_each_model(const See& see) {
   see("3.25", "dense mass matrix", chain::Angles<chain::Equations::dense>{links}, 4.0);
   see("3.25", "tensions", chain::Angles<chain::Equations::tensions>{links}, 4.0);
   const two_bodies::Bodies bodies{1, 2, 1, 1, 0.25, 0.5, 1.5};
-  see("3.27", "(r, u, phi)", two_bodies::Published{bodies}, 4.0);
-  see("3.27", "two bodies", two_bodies::BothBodies{bodies}, 4.0);
+  see("3.27", "(r, u, phi)", two_bodies::Published<double>{bodies}, 4.0);
+  see("3.27", "two bodies", two_bodies::BothBodies<double>{bodies}, 4.0);
   const planar_wire::Thrown wire{6, 0.5, 2, 5, 6, 9.81, {0.25, 0.5}};
   see("3.29", "x, y, theta", planar_wire::Generalized{wire}, 2.0);
   see("3.29", "two particles", planar_wire::TwoParticles{wire}, 2.0);

@@ -169,9 +169,9 @@ TEST_CASE("The models of 3.27 stand alone, and are listed", "[models]") {
   const double G = listed["G"], m1 = listed["m1"], m2 = listed["m2"], r0 = listed["r0"],
                r0_dot = listed["r0_dot"], phi0 = listed["phi0"], phi0_dot = listed["phi0_dot"];
   HAS("Kepler's equation, Newton from pi",
-      two_bodies::ByKeplersEquation(two_bodies::Bodies{G, m1, m2, r0, r0_dot, phi0, phi0_dot}.relative()));
-  HAS("(r, u, phi)", two_bodies::Published{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}});
-  HAS("two bodies", two_bodies::BothBodies{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}});
+      two_bodies::ByKeplersEquation<double>({G, m1, m2, r0, r0_dot, phi0, phi0_dot}));
+  HAS("(r, u, phi)", two_bodies::Published<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}});
+  HAS("two bodies", two_bodies::BothBodies<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}});
   listed.have_all();
 }
 

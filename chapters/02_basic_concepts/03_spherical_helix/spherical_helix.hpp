@@ -36,7 +36,7 @@ inline Vector3 differentiated(const Dual<Dual<double>>& x) {
 /// One time, and the motion there by the route without the text.
 struct Sample {
   double t, d = 1 + t * t;
-  Motion m = motion_of(helix, t);
+  Motion<double> m = motion_of(helix, t);
   Vector3 rho, theta, phi;
   Vector3 v = in_frame(m.r, m.v), a = in_frame(m.r, m.a);
   double speed = length(m.v), pull = length(m.a);

@@ -1,15 +1,24 @@
 #pragma once
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/models.hpp"
+#include "chapters/02_basic_concepts/shared/rotation_matrices.hpp"
 #include "chapters/02_basic_concepts/shared/sides.hpp"
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
 #include "solvers/counted_calls.hpp"
 
-/// Exercise 2.7: ways to carry an orientation along a curve's frame, and the exercise's quantities.
+/// Exercise 2.7: the frame by dual numbers, ways to carry an orientation along a curve's frame, and the
+/// exercise's quantities.
 namespace oddity::curve_on_sphere {
 
 using namespace identities;
+using namespace space;
+
+template <class T>
+Matrix<T> frame(const T& t) {
+  const Vector<T> r = position(t), u = unit(derivative_of(position, t));
+  return Matrix<T>::columns(r, u, cross(r, u));
+}
 
 // ---- orientation as a scene -------------------------------------------------------------------------------
 
@@ -59,7 +68,8 @@ Answer observe_repaired(const Model& model, const Horizon& horizon, double step)
 
 /// R(t + h) = exp(Skew(W)) R(t). Order 2: W = h w at the middle; order 4: from w at two Gauss points, with
 /// the commutator [Iserles and Norsett, Phil. Trans. R. Soc. A 357 (1999) 983]. A rotation to rounding.
-inline Answer observe_exponentials(const AsMatrix& model, const Horizon& horizon, double step, int order) {
+inline Answer observe_exponentials(const AsMatrix<double>& model, const Horizon& horizon, double step,
+                                   int order) {
   return observe_steps(model, model.start(), horizon, step, [&](auto& x, double t, double h) {
     const auto velocity = [&](double at) { return model.w(at); };
     long calls = 0;
@@ -132,10 +142,10 @@ inline Quantity orientation(const Parameters& p, const Horizon& horizon, const R
   Quantity q =
       quantity("orientation", "1", "R at four times, carried on from t = 0",
                true_orientation(pace, horizon, truth), {1e-8, "a five hundredth of a second of arc"});
-  const AsMatrix as_matrix{pace}, as_listed{pace, true};
-  const AsQuaternion as_quaternion{pace};
+  const AsMatrix<double> as_matrix{{{pace}}}, as_listed{{{pace}, true}};
+  const AsQuaternion<double> as_quaternion{{{pace}}};
   Ladder(q, horizon, steps, tolerances())
-      .closed_form("frame", Frame{pace})
+      .closed_form("frame", Frame<double>{{pace}})
       .by_common("matrix", as_matrix, Outcome::drifted)
       .by_common("quaternion", as_quaternion, Outcome::drifted)
       .by_others(

@@ -18,9 +18,9 @@ namespace ex02_07 {
 using namespace curve_on_sphere;
 
 constexpr Parameter parameters[] = {
+    {"pace", 1, "1/s", "units of the curve's time a second", 0.1, 16},
     {"t", 0.75, "1", "time at which w is computed", -8, 8},
     {"T", 4, "s", "time until which the orientation is carried on from t = 0", 0.25, 64},
-    {"pace", 1, "1/s", "units of the curve's time a second", 0.1, 16},
     {"seed", 1, "", "of the random times", 0, 1e9, whole_number},
 };
 
@@ -28,7 +28,7 @@ constexpr Parameter parameters[] = {
 
 struct Sample {
   double t;
-  Motion m = motion_of(position, t);
+  Motion<double> m = motion_of(position, t);
   Matrix3 R, R_dot;  ///< the frame and its derivative by dual numbers
   Vector3 u, b, u_dot, b_dot, w;
   double speed = length(m.v), pull = length(m.a);
@@ -264,8 +264,8 @@ std::vector<Claim> claims(double seed) {
       formula("2.7-only_r_v_a", 537, "functions for r, r' and r'' are all that w needs", "w", of_frame, all,
               1, 0,
               [](S s, double k) {
-                return Sides{angular_velocity({s.m.r, s.m.v, k * s.m.a}), unskew(s.R_dot * transpose(s.R)),
-                             s.size};
+                return Sides{angular_velocity<double>({s.m.r, s.m.v, k * s.m.a}),
+                             unskew(s.R_dot * transpose(s.R)), s.size};
               }),
       name,
       listed_derivative,
@@ -291,10 +291,10 @@ Scene scene() {
            "s",
            {{"rad", {0, 3, 6}}, {"rad", {1, 4, 7}}, {"rad", {2, 5, 8}}}},
           {{"chapters/02_basic_concepts/07_curve_on_sphere/models.hpp"},
-           {{"frame", "curve_on_sphere::Frame{pace}"},
-            {"matrix", "curve_on_sphere::AsMatrix{{pace}}"},
-            {"quaternion", "curve_on_sphere::AsQuaternion{{pace}}"},
-            {"matrix, w of the printed listing", "curve_on_sphere::AsMatrix{{pace, true}}"}},
+           {{"frame", "curve_on_sphere::Frame<double>{{pace}}"},
+            {"matrix", "curve_on_sphere::AsMatrix<double>{{{pace}}}"},
+            {"quaternion", "curve_on_sphere::AsQuaternion<double>{{{pace}}}"},
+            {"matrix, w of the printed listing", "curve_on_sphere::AsMatrix<double>{{{pace}, true}}"}},
            {{"matrix, orthonormalized", "which repairs the orientation after each step"},
             {"quaternion, normalized", "which repairs the orientation after each step"}}}};
 }

@@ -1,96 +1,135 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
+#include <tuple>
 #include <type_traits>
 
-#include "chapters/02_basic_concepts/shared/rotation_matrices.hpp"
+#include "chapters/02_basic_concepts/shared/matrices.hpp"
 #include "chapters/numbers.hpp"
 
 /// A curve on the unit sphere with its frame R = [r u r x u], u = r'/|r'|, the frame's angular velocity w,
 /// and an orientation carried along R' = Skew(w) R.
 namespace oddity::curve_on_sphere {
 
-using namespace space;
+using space::Matrix, space::Motion, space::Vector;
+
+/// The first of the exercise's parameters: the curve is run through at `pace` units of its time a second.
+template <class T>
+struct Given {
+  T pace;
+};
 
 inline constexpr auto position = [](const auto& t) {
-  using std::cos, std::sin, std::sqrt;
   using T = std::decay_t<decltype(t)>;
   const T height = t * t, flat = T(1.0) - height, turn = T(std::numbers::pi) * t;
   return Vector<T>{flat * cos(turn), flat * sin(turn), height} / sqrt(flat * flat + height * height);
 };
 
+/// The curve's, from those of n = ((1 - t^2) cos(pi t), (1 - t^2) sin(pi t), t^2) and n's length s.
 template <class T>
-Matrix<T> frame(const T& t) {
-  const Vector<T> r = position(t), u = unit(derivative_of(position, t));
-  return Matrix<T>::columns(r, u, cross(r, u));
+Motion<T> motion(const T& t) {
+  const T pi = T(std::numbers::pi), height = t * t, flat = 1 - height, c = cos(pi * t), s = sin(pi * t);
+  const T along = -2 * t, across = pi * flat, bent = -2 - pi * across, turned = 2 * pi * along;
+  const Vector<T> n{flat * c, flat * s, height}, n_dot{along * c - across * s, along * s + across * c, 2 * t},
+      n_dot_dot{bent * c - turned * s, bent * s + turned * c, T(2)};
+  const T size = length(n);
+  const Vector<T> r = n / size;
+  const T size_dot = dot(r, n_dot);
+  const Vector<T> v = (n_dot - size_dot * r) / size;
+  const T size_dot_dot = dot(v, n_dot) + dot(r, n_dot_dot);
+  return {r, v, (n_dot_dot - 2 * size_dot * v - size_dot_dot * r) / size};
 }
 
 /// w along r x u and along r: r' = w x r and (r x u).u' = w.r.
-inline Vector3 angular_velocity(const Motion& m) {
+template <class T>
+Vector<T> angular_velocity(const Motion<T>& m) {
   return cross(m.r, m.v) + dot(m.r, cross(m.v, m.a)) / dot(m.v, m.v) * m.r;
 }
 
 /// The listing's UDot and W, in its arithmetic; `mended`: with A.Dot(U) in the place of R.Dot(U).
-inline Vector3 listed_u_dot(const Motion& m, bool mended) {
-  const double speed = length(m.v);
-  const Vector3 U = m.v / speed;
+template <class T>
+Vector<T> listed_u_dot(const Motion<T>& m, bool mended) {
+  const T speed = length(m.v);
+  const Vector<T> U = m.v / speed;
   return (m.a - dot(mended ? m.a : m.r, U) * U) / speed;
 }
-inline Vector3 listed_w(const Motion& m, const Vector3& UDot) {
-  const Vector3 &R = m.r, &V = m.v, U = V / length(V), RxU = cross(R, U), RxUDot = cross(R, UDot);
+template <class T>
+Vector<T> listed_w(const Motion<T>& m, const Vector<T>& UDot) {
+  const Vector<T>&R = m.r, &V = m.v, U = V / length(V), RxU = cross(R, U), RxUDot = cross(R, UDot);
   return {-(V[1] * R[2] + UDot[1] * U[2] + RxUDot[1] * RxU[2]),
-          +(V[0] * R[2] + UDot[0] * U[2] + RxUDot[0] * RxU[2]),
+          V[0] * R[2] + UDot[0] * U[2] + RxUDot[0] * RxU[2],
           -(V[0] * R[1] + UDot[0] * U[1] + RxUDot[0] * RxU[1])};
 }
 
-/// The curve is run through at `pace` units of its time a second.
+template <class T>
 struct Frame {
-  double pace;
-  std::array<double, 9> at(double t) const { return frame(pace * t).e; }
+  Given<T> p;
+  std::array<T, 9> at(const T& t) const {
+    const Motion<T> m = motion<T>(p.pace * t);
+    const Vector<T> u = unit(m.v);
+    return Matrix<T>::columns(m.r, u, cross(m.r, u)).e;
+  }
 };
 
-/// The largest entry of R^T R - I.
-inline double departure(const Matrix3& R) {
-  double most = 0;
-  for (double x : transpose(R) * R - identity()) {
-    if (std::isnan(x)) return x;
-    most = std::max(most, std::abs(x));
+/// The largest entry of R^T R - I; NaN where one is.
+template <class T>
+T departure(const Matrix<T>& R) {
+  T most(0), nothing(0);
+  for (const T& x : transpose(R) * R - space::identity<T>()) {
+    most = select(abs(x) > most, T(abs(x)), most);
+    nothing += 0 * x;
   }
-  return most;
+  return most + nothing;
 }
 
 /// w at the time t: the frame's, or the printed listing's.
+template <class T>
 struct Turning {
-  double pace;
+  Given<T> p;
   bool listed = false;
-  Vector3 w(double t) const {
-    const Motion m = motion_of(position, pace * t);
-    return pace * (listed ? listed_w(m, listed_u_dot(m, false)) : angular_velocity(m));
+  template <class X>
+  Vector<X> w(const X& t) const {
+    const Motion<X> m = motion<X>(p.pace * t);
+    return p.pace * (listed ? listed_w(m, listed_u_dot(m, false)) : angular_velocity(m));
   }
 };
 
 /// R, row by row. What is conserved is |R^T R - I|, the departure from a rotation.
-struct AsMatrix : Turning {
-  using State = std::array<double, 9>;
-  State start() const { return identity().e; }
-  void operator()(const State& x, State& dxdt, double t) const { dxdt = (skew(w(t)) * Matrix3{x}).e; }
-  std::array<double, 9> observe(const State& x, double) const { return x; }
-  std::array<Conserved<double>, 1> conserved(const State& x, double) const { return {{{departure(Matrix3{x}), 1}}}; }
+template <class T>
+struct AsMatrix : Turning<T> {
+  using State = std::array<T, 9>;
+  State start() const { return space::identity<T>().e; }
+  template <class X>
+  void operator()(const std::array<X, 9>& x, std::array<X, 9>& dxdt, const X& t) const {
+    dxdt = (skew(this->w(t)) * Matrix<X>{x}).e;
+  }
+  std::array<T, 9> observe(const State& x, const T&) const { return x; }
+  std::array<Conserved<T>, 1> conserved(const State& x, const T&) const {
+    return {{{departure(Matrix<T>{x}), T(1)}}};
+  }
 };
 
 /// q with q' = (0, w) q / 2, read as a matrix by the formula for unit quaternions.
-struct AsQuaternion : Turning {
-  using State = Quaternion<double>;
-  State start() const { return {1, 0, 0, 0}; }
-  void operator()(const State& q, State& dqdt, double t) const {
-    const Vector3 v{q[1], q[2], q[3]}, half = 0.5 * w(t), turned = q[0] * half + cross(half, v);
+template <class T>
+struct AsQuaternion : Turning<T> {
+  using State = space::Quaternion<T>;
+  State start() const { return {T(1), T(0), T(0), T(0)}; }
+  template <class X>
+  void operator()(const std::array<X, 4>& q, std::array<X, 4>& dqdt, const X& t) const {
+    const Vector<X> v{q[1], q[2], q[3]}, half = X(0.5) * this->w(t), turned = q[0] * half + cross(half, v);
     dqdt = {-dot(half, v), turned[0], turned[1], turned[2]};
   }
-  std::array<double, 9> observe(const State& q, double) const { return matrix(q).e; }
-  std::array<Conserved<double>, 1> conserved(const State& q, double) const { return {{{departure(matrix(q)), 1}}}; }
+  std::array<T, 9> observe(const State& q, const T&) const { return space::matrix(q).e; }
+  std::array<Conserved<T>, 1> conserved(const State& q, const T&) const {
+    return {{{departure(space::matrix(q)), T(1)}}};
+  }
 };
+
+/// From the least to the richest.
+template <class T>
+auto models(const Given<T>& p) {
+  return std::tuple{AsMatrix<T>{{p, true}}, Frame<T>{p}, AsMatrix<T>{{p}}, AsQuaternion<T>{{p}}};
+}
 
 }  // namespace oddity::curve_on_sphere

@@ -13,24 +13,11 @@ Matrix<T> rodrigues(const Vector<T>& D, const T& angle) {
   return identity<T>() + sin(angle) * S + (T(1.0) - cos(angle)) * (S * S);
 }
 
-/// (w, x, y, z).
-template <class T>
-using Quaternion = std::array<T, 4>;
-
 template <class T>
 Quaternion<T> quaternion(const Vector<T>& D, const T& angle) {
   using std::cos, std::sin;
   const T half = T(0.5) * angle, s = sin(half);
   return {cos(half), s * D[0], s * D[1], s * D[2]};
-}
-/// The matrix of a unit quaternion.
-template <class T>
-Matrix<T> matrix(const Quaternion<T>& q) {
-  const T two(2.0), one(1.0);
-  const auto& [w, x, y, z] = q;
-  return {one - two * (y * y + z * z), two * (x * y - w * z),       two * (x * z + w * y),
-          two * (x * y + w * z),       one - two * (x * x + z * z), two * (y * z - w * x),
-          two * (x * z - w * y),       two * (y * z + w * x),       one - two * (x * x + y * y)};
 }
 /// The vector part of 2 q' q*.
 inline Vector3 turning(const Quaternion<Dual<double>>& q) {

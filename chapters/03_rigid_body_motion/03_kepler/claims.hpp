@@ -97,7 +97,7 @@ inline std::vector<Sample> samples(double seed) {
     const double span = sqrt(pow(s.r0, 3) / s.mu()), end = random.between(3, 6) * span;
     std::vector<double> times(pieces + 1), angles(pieces + 1, s.theta0);
     for (std::size_t j = 0; j <= pieces; ++j) times[j] = end * static_cast<double>(j) / pieces;
-    const Cartesian model{s};
+    const Cartesian<double> model{s};
     const auto states =
         ode::integrate<ode::Fehlberg78>(model, model.start(), std::span<const double>(times), 1e-13).value;
     if (states.size() != times.size()) throw std::runtime_error("a sample orbit was not integrated");
@@ -620,7 +620,7 @@ inline Sides later(std::string_view line, const Sample& k) {
   const double to_rate = al0 / (G * G * pow(M, 3));
   if (line == "rate_by_angle") return {w, to_rate * pow(potential - B, 2), to_rate * pow(potential + B, 2)};
   if (line == "constants_of_rate") {
-    const auto rate = [&](double V_start) { return to_rate * pow(OneAngle(k.s, V_start).V(k.theta), 2); };
+    const auto rate = [&](double V_start) { return to_rate * pow(OneAngle<double>(k.s, V_start).V(k.theta), 2); };
     return {w, rate(mu / r0), rate(-mu / r0), 0, rate(-mu / (2 * r0))};
   }
 
@@ -802,7 +802,7 @@ inline Reading constants_at_start(std::string text, bool at_rest, double sign, d
     const double across = at_rest && i % 10 == 0 ? 0 : random.between(0.5, 1.3);
     const Start s = random_start(random, across, at_rest && i % 20 == 0 ? 0 : random.between(-0.5, 0.5));
     const double V0 = s.mu() / s.r0, size = 2 + 2 / (across * across);
-    worst.see(OneAngle(s, -sign * V0).V(s.theta0) / V0, -1, rounding(size), size,
+    worst.see(OneAngle<double>(s, -sign * V0).V(s.theta0) / V0, -1, rounding(size), size,
               "r0' = " + shortest(s.r0_dot) + ", theta0' = " + shortest(s.theta0_dot));
   }
   return {std::move(text), {worst.check()}};

@@ -5,8 +5,8 @@
 // kepler_claims.hpp judges the derivation against Newton's law, kepler.hpp has the models. The reference is
 // Kepler's equation in universal variables and the Taylor series of the Cartesian equations, in 60 digits.
 
-#include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/claims.hpp"
+#include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 #include "chapters/scene.hpp"
 #include "solvers/ode/events.hpp"
 
@@ -38,7 +38,7 @@ std::vector<double> inputs(const Start& s) { return {s.G, s.M, s.r0, s.r0_dot, s
 /// Raised unless the orbit is an ellipse.
 template <class Solve>
 Answer by_keplers_equation(const Start& start, const Horizon& horizon, const Solve& solve) {
-  const Ellipse orbit(start);
+  const Ellipse<double> orbit = ellipse(start);
   return observe_at_times(horizon, [&](double t, Answer& answer) {
     const double M = orbit.mean_anomaly(t);
     const Solved<double> E = solve(orbit.e, abs(M));
@@ -82,16 +82,16 @@ Quantity path(const std::string& name, const std::string& says, const Start& s, 
     where.add({"Kepler's equation", std::move(algorithm), no_knob(),
                [=](double) { return by_keplers_equation(s, horizon, solve); }});
   };
-  solved("Newton from pi", [](double e, double M) { return newton(e, M, pi, 50); });
-  solved("Newton from M + 0.85 e", [](double e, double M) { return newton(e, M, M + 0.85 * e, 50); });
+  solved("Newton from pi", [](double e, double M) { return by_newton(e, M, pi, 50); });
+  solved("Newton from M + 0.85 e", [](double e, double M) { return by_newton(e, M, M + 0.85 * e, 50); });
   solved("Brent", [](double e, double M) { return bracketed(e, M, 1e-14); });
   Ladder ladder(where, horizon, steps, tolerances());
-  ladder.by<ode::Fehlberg78>("equation (7) as printed", OneAngleAsPrinted(s), Outcome::inaccurate,
+  ladder.by<ode::Fehlberg78>("equation (7) as printed", OneAngleAsPrinted<double>(s), Outcome::inaccurate,
                              "V0 has the wrong sign, and the perihelion is not at theta = 0");
-  integrated(ladder, "equation (7)", OneAngle(s, -s.mu() / s.r0), expected.angle);
-  integrated(ladder, "equation (2)", Distance{s}, expected.distance);
-  integrated(ladder, "polar", Polar{s}, expected.polar);
-  integrated(ladder, "Cartesian", Cartesian{s}, expected.cartesian);
+  integrated(ladder, "equation (7)", OneAngle<double>(s), expected.angle);
+  integrated(ladder, "equation (2)", Distance<double>{s}, expected.distance);
+  integrated(ladder, "polar", Polar<double>{s}, expected.polar);
+  integrated(ladder, "Cartesian", Cartesian<double>{s}, expected.cartesian);
   return where;
 }
 
@@ -105,9 +105,9 @@ Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& tr
   Quantity where = path("path", "near the Earth's orbit unless asked otherwise", s, horizon, truth, steps,
                         {{}, {}, {}, {Outcome::drifted, Outcome::ok}});
   Ladder(where, horizon, steps, tolerances())
-      .by<ode::CashKarp54>("Cartesian", Cartesian{s})
+      .by<ode::CashKarp54>("Cartesian", Cartesian<double>{s})
       .by_others(
-          "Cartesian", Cartesian{s},
+          "Cartesian", Cartesian<double>{s},
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
            {"linearly implicit Euler", Outcome::drifted,
             "of order 1, and it takes energy out: the planet spirals in"}});
@@ -126,12 +126,13 @@ Scene scene() {
           {{"x", "y"}, "yr", {{"AU", {0, 1}}}},
           {{"chapters/03_rigid_body_motion/03_kepler/models.hpp"},
            {{"Kepler's equation, Newton from M + 0.85 e",
-             "kepler::ByKeplersEquation({G, M, r0, r0_dot, theta0, theta0_dot})"},
-            {"equation (7) as printed", "kepler::OneAngleAsPrinted({G, M, r0, r0_dot, theta0, theta0_dot})"},
-            {"equation (7)", "kepler::OneAngle({G, M, r0, r0_dot, theta0, theta0_dot}, -(G * M) / r0)"},
-            {"equation (2)", "kepler::Distance{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
-            {"polar", "kepler::Polar{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
-            {"Cartesian", "kepler::Cartesian{{G, M, r0, r0_dot, theta0, theta0_dot}}"}}}};
+             "kepler::ByKeplersEquation<double>({G, M, r0, r0_dot, theta0, theta0_dot})"},
+            {"equation (7) as printed",
+             "kepler::OneAngleAsPrinted<double>({G, M, r0, r0_dot, theta0, theta0_dot})"},
+            {"equation (7)", "kepler::OneAngle<double>({G, M, r0, r0_dot, theta0, theta0_dot})"},
+            {"equation (2)", "kepler::Distance<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
+            {"polar", "kepler::Polar<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
+            {"Cartesian", "kepler::Cartesian<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"}}}};
 }
 
 std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {
@@ -188,10 +189,10 @@ Quantity eccentric_anomaly(const std::string& name, const std::string& says, dou
   const auto hard = [&](Outcome outcome) { return easy ? ok : outcome; };
   const auto because = [&](std::string why) { return easy ? std::string() : why; };
   add(
-      "Newton from M", iterations, [=](int n) { return newton(e, M, M, n); }, hard(stalled),
+      "Newton from M", iterations, [=](int n) { return by_newton(e, M, M, n); }, hard(stalled),
       because("1 - e cos M is small: the first step overshoots by a turn, and the iterates wander"));
-  add("Newton from pi", iterations, [=](int n) { return newton(e, M, pi, n); });
-  add("Newton from M + 0.85 e", iterations, [=](int n) { return newton(e, M, M + 0.85 * e, n); });
+  add("Newton from pi", iterations, [=](int n) { return by_newton(e, M, pi, n); });
+  add("Newton from M + 0.85 e", iterations, [=](int n) { return by_newton(e, M, M + 0.85 * e, n); });
   add("fixed point", doubling("iterations", 1, 8), [=](int n) { return fixed_point(e, M, n); });
   add(
       "Bessel functions", doubling("terms", 2, 7), [=](int n) { return bessel_series(e, M, n); },
@@ -224,9 +225,9 @@ std::vector<Quantity> eccentric_anomalies(const Reference& truth) {
 /// error.
 template <class Algorithm, class Model>
 Answer turn_by(const Model& model, std::size_t angle, double limit, double setting) {
-  const double sense = model.theta0_dot < 0 ? -1 : 1;
+  const double sense = model.p.theta0_dot < 0 ? -1 : 1;
   const auto turned = [&](const typename Model::State& x, double) {
-    return sense * (x[angle] - model.theta0) - 2 * pi;
+    return sense * (x[angle] - model.p.theta0) - 2 * pi;
   };
   const auto event = ode::find_event<Algorithm>(model, model.start(), 0, limit, setting, turned);
   return {event.value.time, event.evaluations, std::numeric_limits<double>::quiet_NaN(), 0,
@@ -236,11 +237,11 @@ Answer turn_by(const Model& model, std::size_t angle, double limit, double setti
 Quantity period(const std::string& name, const std::string& says, const Start& s, const Reference& truth) {
   Quantity T = quantity(name, "yr", "period, " + says, truth("03_03_period", inputs(s)),
                         {1e-9, "a thirtieth of a second"});
-  const Ellipse orbit(s);
-  const OneAngle seven(s, -s.mu() / s.r0);
+  const Ellipse<double> orbit = ellipse(s);
+  const OneAngle<double> seven(s);
   const auto slowness = [=](double theta) {
     std::array<double, 1> rate{};
-    seven({theta}, rate, 0);
+    seven.operator()<double>({theta}, rate, 0);
     return 1 / abs(rate[0]);
   };
   const auto third_law = [=](double a) { return Answer{2 * pi * std::pow(a, 1.5) / sqrt(s.mu()), 1}; };
@@ -255,7 +256,7 @@ Quantity period(const std::string& name, const std::string& says, const Start& s
          [=](double t) { return answer(qag(slowness, 0, 2 * pi, t)); }});
   const double limit = 1.5 * 2 * pi / orbit.n;
   T.add({"polar", "Fehlberg 7(8)", tolerances(),
-         [=](double t) { return turn_by<ode::Fehlberg78>(Polar{s}, 1, limit, t); }});
+         [=](double t) { return turn_by<ode::Fehlberg78>(Polar<double>{s}, 1, limit, t); }});
   return T;
 }
 

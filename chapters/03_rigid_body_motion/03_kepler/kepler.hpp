@@ -3,15 +3,34 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "chapters/03_rigid_body_motion/03_kepler/models.hpp"
 #include "solvers/roots.hpp"
 #include "solvers/solved.hpp"
 
-/// Other ways to solve Kepler's equation than Newton's method.
+/// Ways to solve Kepler's equation.
 namespace oddity::kepler {
 
+using Start = Given<double>;
+
+/// Throws unless the start's orbit is an ellipse.
+inline Ellipse<double> ellipse(const Start& start) {
+  if (!(start.energy() < 0)) throw std::domain_error("the orbit is no ellipse: the start is too fast");
+  return Ellipse<double>(start);
+}
+
 // ---- Kepler's equation E - e sin E = M, 0 <= M <= pi ------------------------------------------------------
+
+/// Newton's method from E0; `stalled` when the last correction is not small after so many iterations.
+inline Solved<double> by_newton(double e, double M, double E0, int iterations) {
+  const auto found = newton(e, M, E0, iterations);
+  Solved<double> E{found.E, found.corrections};
+  if (found.settled) return E;
+  E.ending = Ending::stalled;
+  E.message = "Newton's method has not settled";
+  return E;
+}
 
 /// E <- M + e sin E; its error shrinks by e cos E.
 inline Solved<double> fixed_point(double e, double M, int iterations) {

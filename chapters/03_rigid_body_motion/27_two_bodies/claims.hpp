@@ -105,7 +105,7 @@ Check later(const std::string& quantity, const std::string& as, double seed, con
     const Bodies b{random.between(0.5, 2),  random.between(0.5, 2), random.between(0.5, 2),
                    random.between(1, 2),    random.between(-1, 1),  random.between(-3, 3),
                    random.between(0.5, 1.5)};
-    const BothBodies model{b};
+    const BothBodies<double> model{b};
     const auto x = ode::integrate<ode::Fehlberg78>(model, model.start(), 0, 1, 1e-13).value;
     const double dx = x[2] - x[0], dy = x[3] - x[1], vx = x[6] - x[4], vy = x[7] - x[5];
     const double r = std::hypot(dx, dy);

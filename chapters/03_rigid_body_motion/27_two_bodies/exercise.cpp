@@ -38,25 +38,28 @@ Quantity path(const std::string& name, const std::string& says, const Bodies& b,
   const std::string order = "its order is too low for this need at this step",
                     steep = "equal steps in time are too long where the bodies meet",
                     published = "(r, u, phi)", both = "two bodies";
-  Quantity q = quantity(name, "m", "the second body seen from the first at four times, " + says,
-                        trajectory(truth, "03_27_two_bodies", b.inputs(), horizon), {1e-6, "a micrometre"});
+  Quantity q = quantity(
+      name, "m", "the second body seen from the first at four times, " + says,
+      trajectory(truth, "03_27_two_bodies", {b.G, b.m1, b.m2, b.r0, b.r0_dot, b.phi0, b.phi0_dot}, horizon),
+      {1e-6, "a micrometre"});
   q.add({"Kepler's equation", "Newton from pi", no_knob(), [=](double) { return by_kepler(s, horizon); },
          ellipse ? ok : raised, ellipse ? "" : "the orbit is no ellipse"});
   q.add({"Levi-Civita's coordinates", "Runge-Kutta 4 in fictitious time", steps,
          [=](double step) { return by_levi_civita(s, horizon, step); }});
   const std::string why = expected.runge_kutta == ok ? "" : steep;
   Ladder(q, horizon, std::move(steps), tolerances(4, 12))
-      .by<ode::ExplicitEuler>(published, Published{b}, expected.euler, order)
-      .by<ode::RungeKutta4>(published, Published{b}, expected.runge_kutta, why)
-      .by<ode::DormandPrince54>(published, Published{b})
-      .by<ode::Fehlberg78>(published, Published{b})
-      .by<ode::ExplicitEuler>(both, BothBodies{b}, expected.euler_of_both, order)
-      .by<ode::SymplecticEuler>(both, BothBodies{b}, expected.symplectic, order)
-      .by<ode::VelocityVerlet>(both, BothBodies{b}, expected.verlet, expected.verlet == ok ? "" : order)
-      .by<ode::RungeKutta4>(both, BothBodies{b}, expected.runge_kutta, why)
-      .by<ode::DormandPrince54>(both, BothBodies{b})
-      .by<ode::Fehlberg78>(both, BothBodies{b})
-      .by<ode::BulirschStoer>(both, BothBodies{b});
+      .by<ode::ExplicitEuler>(published, Published<double>{b}, expected.euler, order)
+      .by<ode::RungeKutta4>(published, Published<double>{b}, expected.runge_kutta, why)
+      .by<ode::DormandPrince54>(published, Published<double>{b})
+      .by<ode::Fehlberg78>(published, Published<double>{b})
+      .by<ode::ExplicitEuler>(both, BothBodies<double>{b}, expected.euler_of_both, order)
+      .by<ode::SymplecticEuler>(both, BothBodies<double>{b}, expected.symplectic, order)
+      .by<ode::VelocityVerlet>(both, BothBodies<double>{b}, expected.verlet,
+                               expected.verlet == ok ? "" : order)
+      .by<ode::RungeKutta4>(both, BothBodies<double>{b}, expected.runge_kutta, why)
+      .by<ode::DormandPrince54>(both, BothBodies<double>{b})
+      .by<ode::Fehlberg78>(both, BothBodies<double>{b})
+      .by<ode::BulirschStoer>(both, BothBodies<double>{b});
   return q;
 }
 
@@ -69,7 +72,7 @@ Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& t
   Quantity q =
       path("path", "as asked", asked(p), horizon, truth, steps, {inaccurate, inaccurate, inaccurate, ok, ok});
   Ladder(q, horizon, steps, tolerances(4, 12))
-      .by_others("two bodies", BothBodies{asked(p)},
+      .by_others("two bodies", BothBodies<double>{asked(p)},
                  {{"linearly implicit Euler", inaccurate, "of order 1, and the orbit shrinks"}});
   return q;
 }
@@ -84,10 +87,9 @@ Scene scene() {
           {{"x", "y"}, "s", {{"m", {0, 1}}}},
           {{"chapters/03_rigid_body_motion/27_two_bodies/models.hpp"},
            {{"Kepler's equation, Newton from pi",
-             "two_bodies::ByKeplersEquation(two_bodies::Bodies{G, m1, m2, r0, r0_dot, phi0, "
-             "phi0_dot}.relative())"},
-            {"(r, u, phi)", "two_bodies::Published{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"},
-            {"two bodies", "two_bodies::BothBodies{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"}},
+             "two_bodies::ByKeplersEquation<double>({G, m1, m2, r0, r0_dot, phi0, phi0_dot})"},
+            {"(r, u, phi)", "two_bodies::Published<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"},
+            {"two bodies", "two_bodies::BothBodies<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"}},
            {{"Levi-Civita's coordinates", "which needs Newton's method for the time of every frame"}}}};
 }
 
@@ -107,8 +109,8 @@ Quantity period(const Bodies& b) {
   };
   q.add({"(r, u, phi)", "Fehlberg 7(8), event phi = phi0 + 2 pi", tolerances(6, 12), [=](double tolerance) {
            Answer all = of(
-               Published{b}, [=](const auto& x, double) { return x[2] - b.phi0 - 2 * std::numbers::pi; },
-               tolerance);
+               Published<double>{b},
+               [=](const auto& x, double) { return x[2] - b.phi0 - 2 * std::numbers::pi; }, tolerance);
            all.error_estimate = std::numeric_limits<double>::quiet_NaN();
            return all;
          }});
@@ -130,12 +132,14 @@ Quantity period(const Bodies& b) {
 Claim state_and_data(const Reference& truth) {
   constexpr Bodies b{1, 2, 1, 1, 0.25, 0.5, 1.5};
   const Horizon horizon{4};
-  const Value known = trajectory(truth, "03_27_two_bodies", b.inputs(), horizon).value;
+  const Value known =
+      trajectory(truth, "03_27_two_bodies", {b.G, b.m1, b.m2, b.r0, b.r0_dot, b.phi0, b.phi0_dot}, horizon)
+          .value;
   const auto from = [&](const std::string& text, const Bodies& data) {
     return Reading{text,
                    {{"path at four times to 4 s",
                      {"r, u, phi integrated",
-                      observe_integrated<ode::Fehlberg78>(Published{data}, horizon, 1e-12).value},
+                      observe_integrated<ode::Fehlberg78>(Published<double>{data}, horizon, 1e-12).value},
                      {"Kepler's equation in universal variables", known},
                      {1e-9, "a thousand tolerances of the integration"},
                      1}}};

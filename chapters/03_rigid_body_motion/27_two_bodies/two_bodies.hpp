@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <vector>
 
+#include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 #include "chapters/03_rigid_body_motion/27_two_bodies/models.hpp"
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
@@ -25,19 +27,22 @@ struct LeviCivita {
   }
 };
 
+using Bodies = Given<double>;
+
 /// By Kepler's equation at every stop. Throws std::domain_error when the orbit is no ellipse.
 inline Answer by_kepler(const kepler::Start& start, const Horizon& horizon) {
-  const ByKeplersEquation orbit(start);
+  const auto orbit = kepler::ellipse(start);
   Answer answer;
   std::vector<double> seen;
   std::array<double, 2> now{};
   const auto solve = [&](double, double t) {
-    const auto place = orbit.solved_at(t);
-    answer.evaluations += place.evaluations;
-    answer.ending = place.ending;
-    answer.message = place.message;
-    now = place.value;
-    return place.reached();
+    const double M = orbit.mean_anomaly(t);
+    const auto E = kepler::by_newton(orbit.e, std::abs(M), std::numbers::pi, 50);
+    answer.evaluations += E.evaluations;
+    answer.ending = E.ending;
+    answer.message = E.message;
+    now = orbit.at_eccentric_anomaly(std::copysign(E.value, M));
+    return E.reached();
   };
   through_times(horizon, solve, [&](double) { seen.insert(seen.end(), now.begin(), now.end()); });
   answer.value = Value(std::move(seen));
