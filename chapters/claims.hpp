@@ -20,6 +20,8 @@
 ///   conditioning() const -> double         where there are no letters: the size of the terms over the
 ///   largest
 ///                                          value
+///   whole                                  a static constant, where all is in whole numbers that a double
+///                                          holds: they have to be equal
 namespace oddity {
 
 template <class Sample>
@@ -113,7 +115,10 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
   };
   Worst worst(std::move(quantity), left.text, right.text);
   for (std::size_t i = 0; i < samples.size(); ++i)
-    worst.see(lefts[i], rights[i], size(samples[i]), samples[i].where());
+    if constexpr (requires { Sample::whole; })
+      worst.see(lefts[i], rights[i], exact(), size(samples[i]), samples[i].where());
+    else
+      worst.see(lefts[i], rights[i], size(samples[i]), samples[i].where());
   return worst.check();
 }
 

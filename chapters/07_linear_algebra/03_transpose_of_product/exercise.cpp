@@ -4,10 +4,15 @@
 // exact. In floating point both sides have the same bits when their sums run in the same order, fused or not:
 // a b = b a is exact, a + (b + c) = (a + b) + c is not.
 
+#include <cmath>
 #include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "chapters/07_linear_algebra/03_transpose_of_product/products.hpp"
-#include "reference/text.hpp"
+#include "chapters/07_linear_algebra/shared/double_double.hpp"
+#include "chapters/07_linear_algebra/shared/matrices.hpp"
+#include "chapters/claims.hpp"
 
 namespace oddity {
 
@@ -23,15 +28,8 @@ constexpr Parameter parameters[] = {
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
-Value value(const std::vector<double>& x) { return x; }
-Value value(const std::vector<Quaternion>& x) {
-  std::vector<double> all;
-  for (const Quaternion& q : x) all.insert(all.end(), {q.w, q.x, q.y, q.z});
-  return all;
-}
-
 template <class T>
-T whole(Random& random) {
+T whole_number_of(Random& random) {
   const auto digit = [&] { return static_cast<double>(random.below(199) - 99); };
   if constexpr (std::same_as<T, double>) {
     return digit();
@@ -40,133 +38,296 @@ T whole(Random& random) {
   }
 }
 
-/// Column r of AB as A(B e_r), written as row r: the transpose of the product, entry by entry.
 template <class T>
-Matrix<T> by_columns(const Matrix<T>& a, const Matrix<T>& b, const T& one) {
-  Matrix<T> all{a.n};
-  for (int r = 0; r < a.n; ++r) {
-    std::vector<T> unit(static_cast<std::size_t>(a.n));
-    unit[static_cast<std::size_t>(r)] = one;
-    const std::vector<T> column = applied(a, applied(b, unit));
-    for (int c = 0; c < a.n; ++c) all(r, c) = column[static_cast<std::size_t>(c)];
-  }
+Matrix<T> whole_matrix(int n, Random& random) {
+  return filled<T>(n, [&](int, int) { return whole_number_of<T>(random); });
+}
+
+std::vector<double> whole_vector(int n, Random& random) {
+  std::vector<double> x;
+  for (int i = 0; i < n; ++i) x.push_back(whole_number_of<double>(random));
+  return x;
+}
+
+Value value(const std::vector<double>& x) { return x; }
+Value value(const std::vector<Quaternion>& x) {
+  std::vector<double> all;
+  for (const Quaternion& q : x) all.insert(all.end(), {q.w, q.x, q.y, q.z});
   return all;
 }
 
-/// A formula for the entry (r, c) of (AB)^T as a sum over k, against A(B e_r); random whole numbers, n = 1
-/// to 8.
-template <class T = double>
-Reading entries(std::string text, Random random, const auto& term) {
-  Worst worst("all entries of (AB)^T, against A(B e_r)", text, "A(B e_r)");
-  for (int n = 8; n >= 1; --n)
-    for (int sample = 0; sample < 10; ++sample) {
-      const auto entry = [&](int, int) { return whole<T>(random); };
-      const auto a = filled<T>(n, entry), b = filled<T>(n, entry);
-      const auto sums = filled<T>(n, [&](int r, int c) {
-        T sum{};
-        for (int k = 0; k < n; ++k) sum = sum + term(a, b, r, c, k);
-        return sum;
-      });
-      worst.see(value(sums.entries), value(by_columns(a, b, T{1.0}).entries), exact(), n * 1e4,
-                "n = " + std::to_string(n));
-    }
-  return {std::move(text), {worst.check()}};
-}
-
-std::vector<double> vector(int n, Random& random) {
-  std::vector<double> x;
-  for (int i = 0; i < n; ++i) x.push_back(whole<double>(random));
-  return x;
-}
 double dot(const std::vector<double>& u, const std::vector<double>& v) {
   return std::inner_product(u.begin(), u.end(), v.begin(), 0.0);
 }
 
-/// What is said to be the transpose of a matrix, seen through scalar products.
-Reading transposes(std::string text, Random random, const auto& candidate) {
-  Worst worst(text + " and y.(B x)", text, "y.(B x)");
-  for (int n = 8; n >= 2; --n) {
-    const auto b = filled<double>(n, [&](int, int) { return whole<double>(random); });
-    const auto x = vector(n, random), y = vector(n, random);
-    worst.see(dot(applied(candidate(b), y), x), dot(y, applied(b, x)), exact(), n * n * 1e6,
-              "n = " + std::to_string(n));
-  }
-  return {std::move(text), {worst.check()}};
+/// Two matrices.
+template <class T>
+struct Factors {
+  static constexpr bool whole = true;
+  Matrix<T> a, b;
+  std::string where() const { return "n = " + std::to_string(a.n); }
+};
+
+template <class T>
+std::vector<Factors<T>> factors(Random random) {
+  std::vector<Factors<T>> all;
+  for (int n = 8; n >= 1; --n)
+    for (int sample = 0; sample < 10; ++sample)
+      all.push_back({whole_matrix<T>(n, random), whole_matrix<T>(n, random)});
+  return all;
 }
 
-/// The transpose of AB, seen through scalar products, as two transposes one after the other.
-Reading transposes_product(std::string text, Random random, bool a_last) {
-  Worst worst("x.(" + text + ") and y.(A (B x))", text + ", times x", "y.(A (B x))");
-  for (int n = 8; n >= 2; --n) {
-    const auto entry = [&](int, int) { return whole<double>(random); };
-    const auto a = filled<double>(n, entry), b = filled<double>(n, entry);
-    const auto x = vector(n, random), y = vector(n, random);
-    const auto both = a_last ? applied(transposed(a), applied(transposed(b), y))
-                             : applied(transposed(b), applied(transposed(a), y));
-    worst.see(dot(both, x), dot(y, applied(a, applied(b, x))), exact(), n * n * n * 1e8,
-              "n = " + std::to_string(n));
-  }
-  return {std::move(text), {worst.check()}};
+/// Column r of AB as A(B e_r), written as row r: the transpose of the product, entry by entry.
+template <class T>
+Formula<Factors<T>> by_columns(const T& one) {
+  return {"$A(Be_r)$, column by column", [=](const Factors<T>& f) {
+            Matrix<T> all{f.a.n};
+            for (int r = 0; r < f.a.n; ++r) {
+              std::vector<T> unit(static_cast<std::size_t>(f.a.n));
+              unit[static_cast<std::size_t>(r)] = one;
+              const std::vector<T> column = applied(f.a, applied(f.b, unit));
+              for (int c = 0; c < f.a.n; ++c) all(r, c) = column[static_cast<std::size_t>(c)];
+            }
+            return value(all.entries);
+          }};
+}
+
+/// The entry (r, c) of (AB)^T as a sum over k.
+template <class T>
+using Term = T (*)(const Matrix<T>& a, const Matrix<T>& b, int r, int c, int k);
+
+template <class T = double>
+Formula<Factors<T>> sum_of(std::string text, std::type_identity_t<Term<T>> term) {
+  return {std::move(text), [=](const Factors<T>& f) {
+            return value(filled<T>(f.a.n, [&](int r, int c) {
+                           T sum{};
+                           for (int k = 0; k < f.a.n; ++k) sum = sum + term(f.a, f.b, r, c, k);
+                           return sum;
+                         }).entries);
+          }};
 }
 
 /// The entry (r, c) of m'.
-auto primed(const auto& m) {
-  return [&m](int r, int c) { return m(c, r); };
+template <class T>
+T primed(const Matrix<T>& m, int r, int c) {
+  return m(c, r);
 }
 
-Claim line(std::string id, int number, std::string says, const Reading& printed, const Reading& near_miss) {
-  Claim claim{std::move(id), number, std::move(says)};
-  claim.printed = printed;
-  claim.near_misses = {near_miss};
-  return claim;
+template <class T>
+T swapped(const Matrix<T>& a, const Matrix<T>& b, int r, int c, int k) {
+  return primed(b, r, k) * primed(a, k, c);
 }
 
-Claim transpose_of_b(const Random& random) {
-  Claim claim{"7.3-transpose_of_b", 3817, "the matrix with the entries b'_rc = b_cr is written B"};
-  Worst worst("B x", "[b'_rc] x", "B x");
-  Random numbers = random;
-  const auto b = filled<double>(8, [&](int, int) { return whole<double>(numbers); });
-  const std::vector<double> x(8, 1.0);
-  worst.see(applied(transposed(b), x), applied(b, x), exact(), 1e3, "n = 8");
-  claim.printed = {"B = [b'_rc]", {worst.check()}};
-  claim.meant = transposes("([b'_rc] y).x", random, [](const auto& m) { return transposed(m); });
-  claim.near_misses = {transposes("([b_rc] y).x", random, [](const auto& m) { return m; })};
-  claim.why =
-      "The exponent T is missing: $B^T=[b'_{rc}]$, as the conclusion has it. For the rows $(1,2)$, $(3,4)$ "
-      "of $B$ "
-      "the matrix $[b'_{rc}]$ has the rows $(1,3)$, $(2,4)$.";
-  return claim;
+/// One matrix or the product of two between two vectors.
+struct Between {
+  static constexpr bool whole = true;
+  Matrix<double> a, b;
+  std::vector<double> x, y;
+  std::string where() const { return "n = " + std::to_string(b.n); }
+};
+
+std::vector<Between> between(Random random, bool two) {
+  std::vector<Between> all;
+  for (int n = 8; n >= 2; --n)
+    all.push_back({two ? whole_matrix<double>(n, random) : Matrix<double>{n}, whole_matrix<double>(n, random),
+                   whole_vector(n, random), whole_vector(n, random)});
+  return all;
 }
 
 std::vector<Claim> claims(const Random& random) {
-  const auto sum = [&](std::string text, const auto& term) { return entries(std::move(text), random, term); };
-  const auto swapped = [](auto& a, auto& b, int r, int c, int k) {
-    return primed(b)(r, k) * primed(a)(k, c);
+  Claims claims("7.3");
+  const auto pairs = factors<double>(random);
+  const auto single = between(random, false);
+  const auto entry = [&](const char* slug, int line, const char* says,
+                         const Formula<Factors<double>>& printed, const Formula<Factors<double>>& near) {
+    claims.formula<Factors<double>>(slug, line, says, pairs,
+                                    {.quantity = R"(all entries $(r,c)$ of $(AB)^T$)",
+                                     .truth = by_columns(1.0),
+                                     .printed = printed,
+                                     .near_misses = {near}});
   };
-  const auto noncommuting =
-      entries<Quaternion>("sum of b'_rk a'_kc, the entries quaternions", random, swapped);
-  return {
-      line("7.3-product", 3815, "the entries m_rc of AB are the sums over k of a_rk b_kc",
-           sum("sum of a_rk b_kc at (c, r)",
-               [](auto& a, auto& b, int r, int c, int k) { return a(c, k) * b(k, r); }),
-           sum("sum of a_rk b_ck at (c, r)",
-               [](auto& a, auto& b, int r, int c, int k) { return a(c, k) * b(r, k); })),
-      line("7.3-transpose_of_a", 3817, "the transpose of A has the entries a'_rc = a_cr",
-           transposes("([a'_rc] y).x", random, [](const auto& m) { return transposed(m); }),
-           transposes("([a_rc] y).x", random, [](const auto& m) { return m; })),
-      transpose_of_b(random),
-      line("7.3-entry", 3823, "m'_rc = m_cr is the sum over k of a_ck b_kr",
-           sum("sum of a_ck b_kr", [](auto& a, auto& b, int r, int c, int k) { return a(c, k) * b(k, r); }),
-           sum("sum of a_rk b_kc", [](auto& a, auto& b, int r, int c, int k) { return a(r, k) * b(k, c); })),
-      line("7.3-primed", 3827, "this is the sum over k of a'_kc b'_rk",
-           sum("sum of a'_kc b'_rk",
-               [](auto& a, auto& b, int r, int c, int k) { return primed(a)(k, c) * primed(b)(r, k); }),
-           sum("sum of a'_ck b'_rk",
-               [](auto& a, auto& b, int r, int c, int k) { return primed(a)(c, k) * primed(b)(r, k); })),
-      line("7.3-swapped", 3831, "this is the sum over k of b'_rk a'_kc", sum("sum of b'_rk a'_kc", swapped),
-           noncommuting),
-      line("7.3-result", 3835, "(AB)^T = B^T A^T", transposes_product("B^T (A^T y)", random, false),
-           transposes_product("A^T (B^T y)", random, true))};
+  using M = const Matrix<double>&;
+
+  entry("product", 3815, R"(the entries $m_{rc}$ of $AB$ are $\sum_ka_{rk}b_{kc}$)",
+        sum_of(R"($m_{cr}=\sum_ka_{ck}b_{kr}$)",
+               [](M a, M b, int r, int c, int k) { return a(c, k) * b(k, r); }),
+        sum_of(R"($m_{cr}=\sum_ka_{ck}b_{rk}$)",
+               [](M a, M b, int r, int c, int k) { return a(c, k) * b(r, k); }));
+
+  const Formula<Between> moved{R"($y\cdot Bx$)", [](const Between&s) { return dot(s.y, applied(s.b, s.x)); }},
+      primes{R"($[b'_{rc}]\,y\cdot x$)",
+             [](const Between&s) { return dot(applied(transposed(s.b), s.y), s.x); }},
+      none{R"($[b_{rc}]\,y\cdot x$)", [](const Between&s) { return dot(applied(s.b, s.y), s.x); }};
+  claims.formula<Between>("transpose_of_a", 3817, R"(the transpose of $A$ has the entries $a'_{rc}=a_{cr}$)",
+                          single,
+                          {.quantity = R"(the transpose of a matrix, on the other side of a scalar product)",
+                           .truth = {R"($y\cdot Ax$)", moved.of},
+                           .printed = {R"($[a'_{rc}]\,y\cdot x$)", primes.of},
+                           .near_misses = {{R"($[a_{rc}]\,y\cdot x$)", none.of}}});
+  claims.formula<Between>(
+      "transpose_of_b", 3817, R"(the matrix with the entries $b'_{rc}=b_{cr}$ is written $B$)", single,
+      {.quantity = "the matrix in a scalar product",
+       .truth = moved,
+       .printed = {R"($B=[b'_{rc}]$: $y\cdot[b'_{rc}]\,x$)",
+                   [](const Between& s) { return dot(s.y, applied(transposed(s.b), s.x)); }},
+       .meant = {R"($B^T=[b'_{rc}]$: $[b'_{rc}]\,y\cdot x$)", primes.of},
+       .near_misses = {{R"($B^T=[b_{rc}]$: $[b_{rc}]\,y\cdot x$)", none.of}},
+       .kind = Fault::formula,
+       .why = R"(The exponent $T$ is missing: $B^T=[b'_{rc}]$, as the conclusion has it. For the rows )"
+              R"($(1,2)$, $(3,4)$ of $B$ the matrix $[b'_{rc}]$ has the rows $(1,3)$, $(2,4)$.)"});
+
+  entry("entry", 3823, R"($m'_{rc}=m_{cr}$ is a sum over $k$)",
+        sum_of(R"($\sum_ka_{ck}b_{kr}$)", [](M a, M b, int r, int c, int k) { return a(c, k) * b(k, r); }),
+        sum_of(R"($\sum_ka_{rk}b_{kc}$)", [](M a, M b, int r, int c, int k) { return a(r, k) * b(k, c); }));
+  entry("primed", 3827, "it is one of the primed entries",
+        sum_of(R"($\sum_ka'_{kc}b'_{rk}$)",
+               [](M a, M b, int r, int c, int k) { return primed(a, k, c) * primed(b, r, k); }),
+        sum_of(R"($\sum_ka'_{ck}b'_{rk}$)",
+               [](M a, M b, int r, int c, int k) { return primed(a, c, k) * primed(b, r, k); }));
+  const std::string entries = R"(all entries $(r,c)$ of $(AB)^T$)", exchanged = R"($\sum_kb'_{rk}a'_{kc}$)";
+  claims.add(
+      "swapped", 3831, "the factors of each product change places",
+      {.printed = {exchanged, {compare(entries, sum_of(exchanged, swapped<double>), by_columns(1.0), pairs)}},
+       .near_misses = {{exchanged + ", the entries quaternions",
+                        {compare(entries, sum_of<Quaternion>(exchanged, swapped<Quaternion>),
+                                 by_columns(Quaternion{1.0}), factors<Quaternion>(random))}}}});
+
+  claims.formula<Between>(
+      "result", 3835, "$(AB)^T=B^TA^T$", between(random, true),
+      {.quantity = R"(the transpose of $AB$, on the other side of a scalar product)",
+       .truth = {R"($y\cdot A(Bx)$)",
+                 [](const Between& s) { return dot(s.y, applied(s.a, applied(s.b, s.x))); }},
+       .printed = {R"($B^T(A^Ty)\cdot x$)",
+                   [](const Between& s) {
+                     return dot(applied(transposed(s.b), applied(transposed(s.a), s.y)), s.x);
+                   }},
+       .near_misses = {{R"($A^T(B^Ty)\cdot x$)", [](const Between& s) {
+                          return dot(applied(transposed(s.a), applied(transposed(s.b), s.y)), s.x);
+                        }}}});
+  return claims.in_order();
+}
+
+// ---- in floating point ------------------------------------------------------------------------------------
+
+/// How many entries of (AB)^T and B^T A^T are not the same double.
+template <class T>
+Answer differing(int n, double decades, Random random, Order left, Order right) {
+  const auto entry = [&](int, int) {
+    return T(random.magnitude(std::pow(10, -decades / 2), std::pow(10, decades / 2)));
+  };
+  const auto a = filled<T>(n, entry), b = filled<T>(n, entry);
+  const auto one = transposed(product(a, b, left)), other = product(transposed(b), transposed(a), right);
+  double count = 0;
+  for (std::size_t i = 0; i < one.entries.size(); ++i)
+    count += static_cast<double>(one.entries[i]) != static_cast<double>(other.entries[i]);
+  return {count, 2L * n * n * n};
+}
+
+Quantity same_bits(double decades, const Random& random) {
+  Quantity q{"differing_entries",
+             "",
+             "entries in which (AB)^T and B^T A^T differ, random matrices",
+             {"none, in exact arithmetic", 0.0},
+             0,
+             {0, "bit for bit"},
+             {},
+             {}};
+  const Knob sizes = doubling("n", 2, 5);
+  const auto add = [&]<class T>(T, std::string model, std::string algorithm, Order left, Order right,
+                                Outcome expected, std::string why) {
+    q.add({std::move(model), std::move(algorithm), sizes,
+           [=](double n) { return differing<T>(static_cast<int>(n), decades, random, left, right); },
+           expected, std::move(why)});
+  };
+  const Outcome equal = Outcome::ok, differ = Outcome::inaccurate;
+  const std::string associative = "addition is not associative",
+                    once = "the fused sum rounds once a term, the plain one twice";
+  add(0.0, "doubles", "both sums ascending", Order::ascending, Order::ascending, equal, "");
+  add(0.0, "doubles", "both sums pairwise", Order::pairwise, Order::pairwise, equal, "");
+  add(0.0, "doubles", "both sums fused", Order::fused, Order::fused, equal, "");
+  add(0.0, "doubles", "ascending and descending", Order::ascending, Order::descending, differ, associative);
+  add(0.0, "doubles", "ascending and pairwise", Order::ascending, Order::pairwise, differ, associative);
+  add(0.0, "doubles", "ascending and fused", Order::ascending, Order::fused, differ, once);
+  add(DoubleDouble(), "twice the digits, then rounded", "ascending and descending", Order::ascending,
+      Order::descending, equal, "");
+  q.add(
+      Breakdown{"The two sides agree bit for bit only while their sums run alike. Sums in twice the digits, "
+                "rounded at the end, agree in any order.",
+                "doubles, ascending and descending", 32, differ,
+                "twice the digits, then rounded, ascending and descending", 32});
+  return q;
+}
+
+// ---- a product that cancels -------------------------------------------------------------------------------
+
+/// The inverse of a triangular matrix of whole numbers with ones on its diagonal, by substitution: exact.
+Matrix<Whole> inverse(const Matrix<Whole>& b) {
+  Matrix<Whole> a{b.n};
+  for (int c = 0; c < b.n; ++c)
+    for (int r = c; r < b.n; ++r) {
+      a(r, c) = r == c;
+      for (int k = c; k < r; ++k) a(r, c) -= b(r, k) * a(k, c);
+    }
+  return a;
+}
+
+template <class T>
+T converted(Whole x) {
+  if constexpr (std::same_as<T, DoubleDouble>) {
+    const double high = static_cast<double>(x);
+    return {high, static_cast<double>(x - static_cast<Whole>(high))};
+  } else {
+    return static_cast<T>(x);
+  }
+}
+
+Quantity identity(int size, Random random) {
+  constexpr int n = 4;
+  const auto triangle = [&] {
+    return filled<Whole>(n, [&](int r, int c) {
+      const Whole x = random.below(2 * size + 1) - size;
+      return r == c ? 1 : r > c ? x : 0;
+    });
+  };
+  const auto times = [](const auto& x, const auto& y) { return product(x, y, Order::ascending); };
+  const auto first = triangle(), second = triangle(), third = triangle();
+  const auto a = times(inverse(third), times(transposed(inverse(second)), inverse(first)));
+  const auto b = times(first, times(transposed(second), third));
+  const auto unit = filled<double>(n, [](int r, int c) { return r == c; });
+  Quantity q{"product_with_inverse",
+             "",
+             "(AB)^T for a matrix B of whole numbers and its inverse A",
+             {"the identity", unit.entries},
+             0,
+             {1e-9, "nine decimals"},
+             {},
+             {}};
+  const auto add = [&]<class T>(T, std::string model, std::string algorithm, Order order, Outcome expected,
+                                std::string why) {
+    const auto number = [](const Matrix<Whole>& m) {
+      return filled<T>(n, [&](int r, int c) { return converted<T>(m(r, c)); });
+    };
+    q.add({std::move(model), std::move(algorithm), no_knob(),
+           [=, left = number(a), right = number(b)](double) {
+             std::vector<double> all;
+             for (const T& x : transposed(product(left, right, order)).entries)
+               all.push_back(static_cast<double>(x));
+             return Answer{all, static_cast<long>(all.size()) * left.n};
+           },
+           expected, std::move(why)});
+  };
+  const std::string cancels = "terms of 10^18 cancel";
+  add(0.0, "doubles", "ascending", Order::ascending, Outcome::diverged, cancels);
+  add(0.0, "doubles", "descending", Order::descending, Outcome::diverged, cancels);
+  add(0.0, "doubles", "pairwise", Order::pairwise, Outcome::diverged, cancels);
+  add(0.0, "doubles", "fused", Order::fused, Outcome::diverged, cancels);
+  add(DoubleDouble(), "twice the digits", "ascending", Order::ascending, Outcome::ok, "");
+  add(Whole(), "whole numbers of 128 bits", "ascending", Order::ascending, Outcome::ok, "");
+  q.add(
+      Breakdown{"The entries of the inverse are up to 10^15, the terms up to 10^18 and more; no order of "
+                "summation keeps the digits that a product of two doubles does not have.",
+                "doubles, ascending", 0, Outcome::diverged, "twice the digits, ascending", 0});
+  return q;
 }
 
 Findings study(const Parameters& p, const Reference&) {

@@ -5,22 +5,22 @@
 // triangle.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "chapters/07_linear_algebra/05_triangle_normal/triangles.hpp"
-#include "chapters/random.hpp"
-#include "reference/text.hpp"
+#include "chapters/07_linear_algebra/05_triangle_normal/triangle_normal.hpp"
+#include "chapters/07_linear_algebra/shared/double_double.hpp"
+#include "chapters/07_linear_algebra/shared/vectors.hpp"
+#include "reference/reference.hpp"
+#include "solvers/counted.hpp"
 
 namespace oddity {
 
 namespace ex07_05 {
 
-using namespace triangle_normals;
-
-/// Whole numbers of 128 bits.
-__extension__ typedef __int128 Whole;
+using namespace vectors;
 
 constexpr Parameter parameters[] = {
     {"d", 1e8, "", "distance of the flat triangle from the origin", 0, 1e10},
@@ -29,222 +29,120 @@ constexpr Parameter parameters[] = {
     {"seed", 1, "", "seed of the random vectors", 0, 1e9, whole_number},
 };
 
-// ---- the claims -------------------------------------------------------------------------------------------
+// ---- the methods ------------------------------------------------------------------------------------------
 
-struct Sample {
-  Vector u, v, w;
+struct Triangle {
+  Vector3<double> p, q, r;
+  std::vector<double> inputs() const { return {p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2]}; }
 };
 
-/// Whole numbers of all sizes up to a million, every tenth v nearly parallel to u; w closes the triangle or
-/// is random.
-std::vector<Sample> samples(Random random, bool closed) {
-  std::vector<Sample> all;
-  const auto vector = [&] {
-    const double size = std::round(std::abs(random.magnitude(1, 1e6)));
-    Vector x;
-    for (double& component : x) component = std::round(random.between(-size, size));
-    return x;
-  };
-  for (int i = 0; i < 300; ++i) {
-    Sample s{vector(), vector(), vector()};
-    if (i % 10 == 9) s.v = Vector{1 - s.u[0], -s.u[1], 2 - s.u[2]};
-    if (closed) s.w = -(s.u + s.v);
-    all.push_back(s);
-  }
-  return all;
+/// Height about h over a base of about 1, at the distance d.
+Triangle flat(double d, double h) {
+  return {{d, d / 3, -d / 7},
+          {d + 1.1, d / 3 + 0.7, -d / 7 - 0.3},
+          {d + 0.66, d / 3 + 0.42 + h, -d / 7 - 0.18 + h}};
 }
 
-std::string shown(const Vector& x) {
-  return "(" + shortest(x[0]) + ", " + shortest(x[1]) + ", " + shortest(x[2]) + ")";
+/// Two sides of about 1, the third of about s.
+Triangle needle(double s) {
+  return {{0, 0, 0}, {1.08231, 0.73914, -0.31277}, {1.08231 + s, 0.73914 - 2 * s, -0.31277 + s / 3}};
 }
 
-using Expression = std::function<Vector(const Sample&)>;
-
-/// Two vectors over all samples, exactly.
-Reading equal(std::string text, const std::vector<Sample>& all, const std::string& left,
-              const Expression& one, const std::string& right, const Expression& other) {
-  Worst worst(left + " and " + right, left, right);
-  for (const Sample& s : all)
-    worst.see(one(s), other(s), exact(), 1 + dot(s.u, s.u) + dot(s.v, s.v) + dot(s.w, s.w),
-              shown(s.u) + ", " + shown(s.v));
-  return {std::move(text), {worst.check()}};
+/// What f multiplies, divides and roots, the vertices of t being its arguments.
+long work_of(const Triangle& t, const auto& f) {
+  using Number = Counted<double>;
+  return operations_of([&] { return f(cast<Number>(t.p), cast<Number>(t.q), cast<Number>(t.r)); })
+      .all_but_additions();
 }
 
-Claim claim(std::string id, int line, std::string says, Reading printed, Reading near_miss) {
-  Claim c{std::move(id), line, std::move(says)};
-  c.printed = std::move(printed);
-  c.near_misses = {std::move(near_miss)};
-  return c;
-}
-
-Vector zero(const Sample&) { return {0, 0, 0}; }
-Vector sum(const Sample& s) { return s.u + s.v + s.w; }
-Vector expanded(const Sample& s) { return cross(s.u, s.u) + cross(s.u, s.v) + cross(s.u, s.w); }
-Vector normal(const Sample& s) { return cross(s.u, s.v); }
-
-/// The three vectors of a sample as the vertices of a triangle, and the walk around it.
-Claim closed_walk(const std::vector<Sample>& vertices) {
-  const auto sum = [](const Sample& s) { return ((s.v - s.u) + (s.w - s.v)) + (s.u - s.w); };
-  const auto walked = [](const Sample& s) {
-    return Vector{length(s.v - s.u) + length(s.w - s.v) + length(s.u - s.w), 0, 0};
-  };
-  Claim c = claim("7.5-closed_walk", 3853,
-                  "once around a triangle the net distance traveled, that is the displacement, is zero",
-                  equal("(Q - P) + (R - Q) + (P - R) = 0", vertices, "sum of the edges", sum, "0", zero),
-                  equal(
-                      "the last edge backwards", vertices, "(Q - P) + (R - Q) + (R - P)",
-                      [](auto& s) { return ((s.v - s.u) + (s.w - s.v)) + (s.w - s.u); }, "0", zero));
-  c.near_misses.push_back(
-      equal("the distance that is walked", vertices, "length of the three edges", walked, "0", zero));
-  return c;
-}
-
-/// Whether u and v are independent, by their Gram determinant in whole numbers.
-bool independent(const Sample& s) {
-  const auto u = cast<Whole>(s.u), v = cast<Whole>(s.v);
-  return dot(u, u) * dot(v, v) != dot(u, v) * dot(u, v);
-}
-
-/// Three vectors with the sum zero, every tenth three of them on a line: those without a normal.
-Claim triangle(const std::vector<Sample>& closed) {
-  const auto normals = [&](std::string text, const auto& chosen) {
-    long without = 0, samples = 0;
-    for (std::size_t i = 0; i < closed.size(); ++i) {
-      Sample s = closed[i];
-      if (i % 10 == 0) s.v = (i % 20 == 0 ? 2.0 : 0.0) * s.u, s.w = -(s.u + s.v);
-      if (!chosen(s)) continue;
-      ++samples, without += normal(s) == Vector{};
-    }
-    return Reading{std::move(text), {never("triples without a normal vector", without, samples)}};
-  };
-  Claim c{"7.5-triangle", 3853, "vectors with the sum zero are edges of a triangle, u x v its normal vector"};
-  c.printed = normals("u + v + w = 0", [](const Sample&) { return true; });
-  c.corrected = normals("u + v + w = 0, u and v not parallel", independent);
-  c.near_misses = {normals("u + v + w = 0, none of them zero", [](const Sample& s) {
-    return s.u != Vector{} && s.v != Vector{} && s.w != Vector{};
-  })};
-  c.why =
-      "Three vectors on one line, $u=(1,0,0)$, $v=(2,0,0)$, $w=(-3,0,0)$, have the sum zero as well: all "
-      "three "
-      "products are 0. The triangle is flat, lies in many planes, and its unit normal is $0/0$. That the "
-      "products are equal, and their length twice the area, holds there too.";
-  return c;
-}
-
-std::vector<Claim> lines(const std::vector<Sample>& open, const std::vector<Sample>& closed) {
-  Claim inserted{"7.5-inserted", 3841, "u x 0 is u x (u + v + w)"};
-  inserted.printed = equal(
-      "0 = u x (u + x v + w): with a cross and no plus", closed, "u x (u x v + w)",
-      [](auto& s) { return cross(s.u, cross(s.u, s.v) + s.w); }, "0", zero);
-  inserted.meant = equal(
-      "0 = u x (u + v + w)", closed, "u x (u + v + w)", [](auto& s) { return cross(s.u, sum(s)); }, "0",
-      zero);
-  inserted.near_misses = {equal(
-      "0 = u x (u + v - w)", closed, "u x (u + v - w)", [](auto& s) { return cross(s.u, s.u + s.v - s.w); },
-      "0", zero)};
-  inserted.why =
-      "A stray cross stands before $v$ inside the bracket; the next line expands $u\\times(u+v+w)$. Read "
-      "as it stands, with $u=(1,0,0)$, $v=(0,1,0)$ and $w=(-1,-1,0)$, it is $(0,-1,-1)$ and not 0.";
-
-  Claim reduced{"7.5-reduced", 3845, "u x u + u x v + u x w is 0 + u x v - w x u"};
-  reduced.printed = equal("0 + u x v - w x v", open, "u x u + u x v + u x w", expanded, "0 + u x v - w x v",
-                          [](auto& s) { return cross(s.u, s.v) - cross(s.w, s.v); });
-  reduced.meant = equal("0 + u x v - w x u", open, "u x u + u x v + u x w", expanded, "0 + u x v - w x u",
-                        [](auto& s) { return cross(s.u, s.v) - cross(s.w, s.u); });
-  reduced.near_misses = {equal("0 + u x v + w x u", open, "u x u + u x v + u x w", expanded,
-                               "0 + u x v + w x u",
-                               [](auto& s) { return cross(s.u, s.v) + cross(s.w, s.u); })};
-  reduced.why =
-      "$u\\times w=-w\\times u$, not $-w\\times v$: with $u+v+w=0$ the printed line is $2\\,u\\times v$, and "
-      "not zero. The next line has $w\\times u$.";
-
+/// A formula for the normal in p, q, r, in 53 and in 106 bits.
+Method formula(std::string model, std::string algorithm, const Triangle& t, const auto& f) {
   return {
-      claim("7.5-zero", 3839, "u x 0 is 0",
-            equal(
-                "u x 0 = 0", open, "u x 0", [](auto& s) { return cross(s.u, zero(s)); }, "0", zero),
-            equal(
-                "u x 0 = u", open, "u x 0", [](auto& s) { return cross(s.u, zero(s)); }, "u",
-                [](auto& s) { return s.u; })),
-      inserted,
-      claim("7.5-expanded", 3843, "u x (u + v + w) is u x u + u x v + u x w",
-            equal(
-                "u x u + u x v + u x w", open, "u x (u + v + w)", [](auto& s) { return cross(s.u, sum(s)); },
-                "u x u + u x v + u x w", expanded),
-            equal(
-                "u x u + u x v + w x u", open, "u x (u + v + w)", [](auto& s) { return cross(s.u, sum(s)); },
-                "u x u + u x v + w x u", [](auto& s) { return cross(s.u, s.v) + cross(s.w, s.u); })),
-      reduced,
-      claim(
-          "7.5-first_pair", 3847, "u x v = w x u",
-          equal("u x v = w x u", closed, "u x v", normal, "w x u", [](auto& s) { return cross(s.w, s.u); }),
-          equal("u x v = u x w", closed, "u x v", normal, "u x w", [](auto& s) { return cross(s.u, s.w); })),
-      claim(
-          "7.5-second_pair", 3851, "u x v = v x w",
-          equal("u x v = v x w", closed, "u x v", normal, "v x w", [](auto& s) { return cross(s.v, s.w); }),
-          equal("u x v = w x v", closed, "u x v", normal, "w x v", [](auto& s) { return cross(s.w, s.v); })),
-      closed_walk(open)};
+      std::move(model),
+      std::move(algorithm),
+      {"significant bits", {53, 106}},
+      [=, work = work_of(t, f)](double bits) {
+        if (bits == 53) return Answer{Value(f(t.p, t.q, t.r)), work};
+        return Answer{
+            Value(cast<double>(f(cast<DoubleDouble>(t.p), cast<DoubleDouble>(t.q), cast<DoubleDouble>(t.r)))),
+            work};
+      }};
 }
 
-/// Two whole numbers over all samples, exactly: compared in two halves of 52 bits.
-Reading same(std::string text, const std::vector<Sample>& all, const std::string& left,
-             const std::string& right, const auto& one, const auto& other) {
-  const auto halves = [](Whole x) {
-    constexpr Whole base = Whole{1} << 52;
-    return Value{static_cast<double>(x / base), static_cast<double>(x % base)};
-  };
-  Worst worst(left + " and " + right + ", in halves of 52 bits", left, right);
-  for (const Sample& s : all) {
-    const auto u = cast<Whole>(s.u), v = cast<Whole>(s.v), w = cast<Whole>(s.w);
-    worst.see(halves(one(u, v, w)), halves(other(u, v, w)), exact(), 0x1p53, shown(s.u) + ", " + shown(s.v));
-  }
-  return {std::move(text), {worst.check()}};
+Quantity normal_of(std::string name, std::string says, const Triangle& t, const Reference& truth) {
+  const Known known = truth("07_05_normal", t.inputs());
+  Quantity q = quantity(std::move(name), "", std::move(says), known,
+                        {1e-9 * size_of(known.value), "nine digits of the largest component"});
+  q.add(formula("edges", "u x v", t,
+                [](const auto& a, const auto& b, const auto& c) { return cross(b - a, c - b); }));
+  q.add(formula("edges", "v x w", t,
+                [](const auto& a, const auto& b, const auto& c) { return cross(c - b, a - c); }));
+  q.add(formula("edges", "w x u", t,
+                [](const auto& a, const auto& b, const auto& c) { return cross(a - c, b - a); }));
+  q.add(formula("vertices", "P x Q + Q x R + R x P", t, [](const auto& a, const auto& b, const auto& c) {
+    return cross(a, b) + cross(b, c) + cross(c, a);
+  }));
+  return q;
 }
 
-std::vector<Claim> geometry(const std::vector<Sample>& open, const std::vector<Sample>& closed) {
-  const auto none = [](auto&...) { return Whole{0}; };
-  const auto volume = [](auto& u, auto& v, auto& w) { return triple(u, v, w); };
-  const auto out_of_perpendicular = [](auto& u, auto& v, auto& w) {
-    const auto n = cross(u, v);
-    return dot(n, u) * dot(n, u) + dot(n, v) * dot(n, v) + dot(n, w) * dot(n, w);
+template <class T>
+T length(const Vector3<T>& x) {
+  using std::sqrt;
+  return sqrt(dot(x, x));
+}
+
+/// The lengths of the sides, the largest first.
+template <class T>
+Vector3<T> sides(const Vector3<T>& p, const Vector3<T>& q, const Vector3<T>& r) {
+  Vector3<T> abc{length(q - p), length(r - q), length(p - r)};
+  std::sort(abc.rbegin(), abc.rend());
+  return abc;
+}
+
+Quantity twice_area(const Triangle& t, const Reference& truth) {
+  const Known known = truth("07_05_normal", t.inputs());
+  const double area = length(Vector3<double>{known.value[0], known.value[1], known.value[2]});
+  Quantity q{"twice_area",
+             "",
+             "twice the area of a triangle of height 1e-6 over a base of about one",
+             {known.source + ", its length", area},
+             4e-16 * area,
+             {1e-9 * area, "nine digits"},
+             {},
+             {}};
+  const std::string lengths = "the height changes the lengths by no more than h^2, which they round away";
+  const auto add = [&](const char* model, const char* algorithm, const auto& f,
+                       Outcome expected = Outcome::ok, const std::string& why = "") {
+    const long work = work_of(t, f);
+    q.add({model, algorithm, no_knob(),
+           [=](double) {
+             return Answer{f(t.p, t.q, t.r), work};
+           },
+           expected, why});
   };
-  const auto length = [](auto& u, auto& v, auto&) { return dot(cross(u, v), cross(u, v)); };
-  const auto others = [](auto& u, auto& v, auto& w) {
-    return dot(cross(w, v), cross(v, w)) + dot(cross(u, w), cross(w, u)) + 3 * dot(cross(u, v), cross(u, v));
-  };
-  const auto sixteen_areas = [](auto& u, auto& v, auto& w) {
-    const Whole a = dot(u, u), b = dot(v, v), c = dot(w, w);
-    return 2 * (a * b + b * c + c * a) - a * a - b * b - c * c;
-  };
-  const std::string heron = "16 area^2 by Heron";
-  std::vector<Claim> all{
-      claim("7.5-plane", 3853, "the three vectors lie in a plane",
-            same("u . v x w = 0", closed, "u . v x w", "0", volume, none),
-            same("for any u, v, w", open, "u . v x w", "0", volume, none)),
-      claim("7.5-any_two_edges", 3853,
-            "any two of the edges give a normal vector, of the same length (in the order of the walk)",
-            {"perpendicular to all edges, the same length by every two",
-             {same("", closed, "sum of (u x v . edge)^2", "0", out_of_perpendicular, none).checks[0],
-              same("", closed, "|u x v|^2 from w x v, u x w, u x v", "|u x v|^2", others, length).checks[0]}},
-            same("for any u, v, w", open, "sum of (u x v . edge)^2", "0", out_of_perpendicular, none)),
-      claim("7.5-twice_area", 3853, "the normal is twice as long as the area",
-            same(
-                "4 |u x v|^2 = 16 area^2", closed, "4 |u x v|^2", heron,
-                [=](auto&... x) { return 4 * length(x...); }, sixteen_areas),
-            same(
-                "16 |u x v|^2 = 16 area^2", closed, "16 |u x v|^2", heron,
-                [=](auto&... x) { return 16 * length(x...); }, sixteen_areas))};
-  all[1].near_misses.push_back(equal("in either order the same vector", closed, "u x v", normal, "v x u",
-                                     [](auto& s) { return cross(s.v, s.u); }));
-  all.push_back(triangle(closed));
-  return all;
+  add("edges", "|u x v|",
+      [](const auto& a, const auto& b, const auto& c) { return length(cross(b - a, c - b)); });
+  add(
+      "lengths", "Heron",
+      []<class T>(const Vector3<T>& v0, const Vector3<T>& v1, const Vector3<T>& v2) {
+        using std::sqrt;
+        const auto [a, b, c] = sides(v0, v1, v2);
+        const T s = (a + b + c) / T(2.0);
+        return T(2.0) * sqrt(s * (s - a) * (s - b) * (s - c));
+      },
+      Outcome::inaccurate, lengths);
+  add(
+      "lengths", "Heron, Kahan's order",
+      []<class T>(const Vector3<T>& v0, const Vector3<T>& v1, const Vector3<T>& v2) {
+        using std::sqrt;
+        const auto [a, b, c] = sides(v0, v1, v2);
+        return sqrt((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))) / T(2.0);
+      },
+      Outcome::inaccurate, lengths);
+  return q;
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  const Random random(p["seed"]);
-  const auto open = samples(random, false), closed = samples(random, true);
-  std::vector<Claim> claims = lines(open, closed);
-  for (Claim& c : geometry(open, closed)) claims.push_back(std::move(c));
-
   Quantity far = normal_of("flat_far_away", "normal of a flat triangle far from the origin",
                            flat(p["d"], p["h"]), truth);
   far.add(
@@ -256,7 +154,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       Breakdown{"The three products are equal, but not equally good: that of the two long sides cancels "
                 "terms of size one down to s. Take the short side.",
                 "edges, w x u", 53, Outcome::inaccurate, "edges, v x w", 53});
-  return {claims, {far, thin, twice_area(flat(1, 1e-6), truth)}};
+  return {claims(Random(p["seed"])), {far, thin, twice_area(flat(1, 1e-6), truth)}, roots()};
 }
 
 }  // namespace ex07_05

@@ -4,205 +4,175 @@
 // The coefficients are planted: p is put together from whole numbers, and every line has to give them back,
 // exactly. Triple products are Cramer's rule; Higham, Accuracy and Stability, 2nd ed., 1.10.1.
 
-#include <algorithm>
-#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "chapters/07_linear_algebra/07_general_basis/bases.hpp"
-#include "chapters/random.hpp"
+#include "chapters/07_linear_algebra/07_general_basis/general_basis.hpp"
+#include "chapters/07_linear_algebra/shared/double_double.hpp"
+#include "chapters/07_linear_algebra/shared/vectors.hpp"
+#include "reference/reference.hpp"
+#include "reference/text.hpp"
+#include "solvers/counted.hpp"
+#include "solvers/linear.hpp"
 
 namespace oddity {
 
 namespace ex07_07 {
 
-using namespace bases;
-using vectors::operator*;
+using namespace vectors;
 
 constexpr Parameter parameters[] = {
     {"gap", 1e-3, "", "distance of w from the plane of u and v, about", 1e-13, 1},
     {"seed", 1, "", "seed of the random bases", 0, 1e9, whole_number},
 };
 
-// ---- the claims -------------------------------------------------------------------------------------------
+// ---- the methods ------------------------------------------------------------------------------------------
 
-/// Whole numbers: a basis, and p put together from the vectors or from their cross products.
-struct Sample {
-  Vector u, v, w;
-  double x, y, z;
-  Vector p;
+struct Basis {
+  Vector3<double> a, b, c, p;
 };
 
-Vector whole_vector(Random& random) {
-  const double size = std::round(std::abs(random.magnitude(1, 1e3)));
-  Vector a;
-  for (double& component : a) component = std::round(random.between(-size, size));
-  return a;
+/// u, v, and w off their plane by about the gap.
+Basis nearly_dependent(double gap) {
+  return {{0.83, -0.41, 0.57},
+          {0.29, 0.91, -0.33},
+          {0.6 * 0.83 + 0.3 * 0.29 + gap, 0.6 * -0.41 + 0.3 * 0.91 - gap, 0.6 * 0.57 + 0.3 * -0.33 + 2 * gap},
+          {0.71, 0.37, 1.13}};
 }
 
-/// Every fifth basis is nearly dependent; `dual`: p = x u x v + y v x w + z w x u.
-std::vector<Sample> samples(Random random, bool dual) {
-  std::vector<Sample> all;
-  const auto digit = [&] { return static_cast<double>(1 + random.below(99)); };
-  while (all.size() < 300) {
-    Sample s{whole_vector(random), whole_vector(random), whole_vector(random), digit(), digit(), digit(), {}};
-    if (all.size() % 5 == 4) s.w = s.u + s.v + Vector{1, 0, 0};
-    if (triple(s.u, s.v, s.w) == 0) continue;
-    s.p = dual ? s.x * cross(s.u, s.v) + s.y * cross(s.v, s.w) + s.z * cross(s.w, s.u)
-               : s.x * s.u + s.y * s.v + s.z * s.w;
-    all.push_back(s);
-  }
-  return all;
+/// Over a, b, c.
+template <class T>
+Vector3<T> cramer(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c, const Vector3<T>& q) {
+  const Vector3<T> bc = cross(b, c);
+  const T d = dot(a, bc);
+  return {dot(q, bc) / d, dot(q, cross(c, a)) / d, dot(q, cross(a, b)) / d};
 }
 
-/// What stands on one side of a line.
-struct Term {
-  std::string text;
-  std::function<Value(const Sample&)> value;
-};
+/// Over a x b, b x c, c x a.
+template <class T>
+Vector3<T> dual_cramer(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c, const Vector3<T>& q) {
+  const T d = triple(a, b, c);
+  return {dot(c, q) / d, dot(a, q) / d, dot(b, q) / d};
+}
 
-struct Letter {
-  std::string name;
-  Vector Sample::*vector;
-};
-struct Unknown {
-  std::string name;
-  double Sample::*number;
-  operator Term() const {
-    return {name, [of = number](const Sample& s) { return Value(s.*of); }};
-  }
-};
-
-const Letter u{"u", &Sample::u}, v{"v", &Sample::v}, w{"w", &Sample::w}, p{"p", &Sample::p};
-const Unknown x{"x", &Sample::x}, y{"y", &Sample::y}, z{"z", &Sample::z};
-
-Term volume(const Letter& a, const Letter& b, const Letter& c) {
-  return {a.name + "." + b.name + "x" + c.name, [i = a.vector, j = b.vector, k = c.vector](const Sample& s) {
-            return Value(triple(s.*i, s.*j, s.*k));
+Method triple_products(const Basis& s, const auto& formula) {
+  const auto in = [=]<class T>(T) { return formula(cast<T>(s.a), cast<T>(s.b), cast<T>(s.c), cast<T>(s.p)); };
+  const long work = operations_of([&] { return in(Counted<double>()); }).all_but_additions();
+  return {"triple products", "Cramer", {"significant bits", {24, 53, 106}}, [=](double bits) {
+            const auto by = [&](auto zero) { return Value(cast<double>(in(zero))); };
+            return Answer{bits == 24 ? by(float{}) : bits == 53 ? by(0.0) : by(DoubleDouble()), work};
           }};
 }
-Term along(const Letter& a, const Letter& b) {
-  return {a.name + "." + b.name,
-          [i = a.vector, j = b.vector](const Sample& s) { return Value(dot(s.*i, s.*j)); }};
-}
-Term operator*(const Unknown& a, const Term& b) {
-  return {a.name + " " + b.text,
-          [of = a.number, f = b.value](const Sample& s) { return Value(s.*of * f(s)[0]); }};
-}
-Term operator/(const Term& a, const Term& b) {
-  return {a.text + "/" + b.text,
-          [f = a.value, g = b.value](const Sample& s) { return Value(f(s)[0] / g(s)[0]); }};
+
+Eigen::Vector3d dense(const Vector3<double>& a) { return {a[0], a[1], a[2]}; }
+Eigen::MatrixXd columns(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) {
+  Eigen::MatrixXd m(3, 3);
+  m << dense(a), dense(b), dense(c);
+  return m;
 }
 
-/// Two sides over all samples, exactly.
-Reading equal(const std::vector<Sample>& all, const Term& left, const Term& right) {
-  Worst worst(left.text + " = " + right.text, left.text, right.text);
-  for (const Sample& s : all)
-    worst.see(left.value(s), right.value(s), exact(), std::max(1.0, size_of(right.value(s))), "");
-  return {left.text + " = " + right.text, {worst.check()}};
+/// What is left of p, in the number type T.
+template <class T>
+Vector3<T> residual_in(const Basis& s, const Eigen::VectorXd& k) {
+  const auto term = [](double factor, const Vector3<double>& a) { return T(factor) * cast<T>(a); };
+  return cast<T>(s.p) - term(k[0], s.a) - term(k[1], s.b) - term(k[2], s.c);
+}
+/// In twice the digits.
+Vector3<double> residual(const Basis& s, const Eigen::VectorXd& k) {
+  return cast<double>(residual_in<DoubleDouble>(s, k));
 }
 
-struct Line {
-  std::string id;
-  int number;
-  Term left, right, near_miss;  ///< of the right side
-};
-
-Claim claim(const std::vector<Sample>& all, const Line& line) {
-  Claim c{line.id, line.number, line.left.text + " = " + line.right.text};
-  c.printed = equal(all, line.left, line.right);
-  c.near_misses = {equal(all, line.left, line.near_miss)};
-  return c;
+/// LU, and corrections by the residual in twice the digits.
+Answer refined(const Basis& s, int corrections) {
+  const Eigen::MatrixXd m = columns(s.a, s.b, s.c);
+  auto solved = solve(Factorization::partial_pivot_lu, m, dense(s.p));
+  const long work =
+      operations_of([&] { return residual_in<Counted<double>>(s, solved.value); }).all_but_additions();
+  for (int i = 0; i < corrections; ++i) {
+    const auto correction = solve(Factorization::partial_pivot_lu, m, dense(residual(s, solved.value)));
+    solved.value += correction.value;
+    solved.evaluations += work + correction.evaluations;
+  }
+  return answer(solved);
 }
 
-/// The volume times any vector, and what the coefficients make of the basis; in the first item or the second.
-Line combination(bool dual) {
-  const Vector q{3, -1, 4};
-  const Term left{"(u.vxw) q", [=](const Sample& s) { return Value(triple(s.u, s.v, s.w) * q); }};
-  const auto sum = [=](double last) {
-    return [=](const Sample& s) {
-      if (dual)
-        return Value(dot(s.w, q) * cross(s.u, s.v) + dot(s.u, q) * cross(s.v, s.w) +
-                     last * dot(s.v, q) * cross(s.w, s.u));
-      return Value(triple(q, s.v, s.w) * s.u + triple(q, s.w, s.u) * s.v + last * triple(q, s.u, s.v) * s.w);
-    };
+/// The coefficients of s.p over the three vectors by every factorization.
+void add_factorizations(Quantity& q, const Eigen::MatrixXd& m, const Vector3<double>& right, Outcome expected,
+                        const std::string& why) {
+  const auto add = [&](std::string algorithm, Factorization how) {
+    q.add({"factorization", std::move(algorithm), no_knob(),
+           [=](double) { return answer(solve(how, m, dense(right))); }, expected, why});
   };
-  if (dual)
-    return {"7.7-dual_combination",
-            3897,
-            left,
-            {"w.q uxv + u.q vxw + v.q wxu", sum(1)},
-            {"with a minus before the last", sum(-1)}};
-  return {"7.7-combination",
-          3857,
-          left,
-          {"q.vxw u + q.wxu v + q.uxv w", sum(1)},
-          {"with a minus before the last", sum(-1)}};
+  add("LU, rows exchanged", Factorization::partial_pivot_lu);
+  add("LU, rows and columns exchanged", Factorization::full_pivot_lu);
+  add("QR", Factorization::householder_qr);
 }
 
-std::vector<Line> first_item() {
-  return {combination(false),
-          {"7.7-x_equation", 3863, volume(p, v, w), x * volume(u, v, w), x * volume(u, w, v)},
-          {"7.7-y_equation", 3865, volume(p, w, u), y * volume(v, w, u), y * volume(v, u, w)},
-          {"7.7-z_equation", 3867, volume(p, u, v), z * volume(w, u, v), z * volume(w, v, u)},
-          {"7.7-x", 3871, x, volume(p, v, w) / volume(u, v, w), volume(p, w, v) / volume(u, v, w)},
-          {"7.7-y", 3877, y, volume(p, w, u) / volume(v, w, u), volume(p, w, u) / volume(v, u, w)},
-          {"7.7-y_again", 3881, y, volume(u, p, w) / volume(u, v, w), volume(u, w, p) / volume(u, v, w)},
-          {"7.7-z", 3887, z, volume(p, u, v) / volume(w, u, v), volume(p, v, u) / volume(w, u, v)},
-          {"7.7-z_again", 3891, z, volume(u, v, p) / volume(u, v, w), volume(v, u, p) / volume(u, v, w)}};
+Known known_coefficients(const Basis& s, bool dual, const Reference& truth) {
+  std::vector<double> inputs;
+  for (const Vector3<double>& a : {s.a, s.b, s.c, s.p}) inputs.insert(inputs.end(), a.begin(), a.end());
+  Known known = truth("07_07_coefficients", inputs);
+  known.value = dual ? std::vector(known.value.begin() + 3, known.value.end())
+                     : std::vector(known.value.begin(), known.value.begin() + 3);
+  return known;
 }
 
-std::vector<Line> second_item() {
-  return {combination(true),
-          {"7.7-dual_x_equation", 3901, along(w, p), x * volume(w, u, v), x * volume(w, v, u)},
-          {"7.7-dual_y_equation", 3903, along(u, p), y * volume(u, v, w), x * volume(u, v, w)},
-          {"7.7-dual_x", 3909, x, along(w, p) / volume(w, u, v), along(u, p) / volume(w, u, v)},
-          {"7.7-dual_y", 3917, y, along(u, p) / volume(u, v, w), along(v, p) / volume(u, v, w)},
-          {"7.7-dual_z", 3923, z, along(v, p) / volume(v, w, u), along(w, p) / volume(v, w, u)}};
+Quantity coefficients(std::string name, double gap, Outcome in_doubles, const Reference& truth) {
+  const Basis s = nearly_dependent(gap);
+  const Eigen::MatrixXd m = columns(s.a, s.b, s.c);
+  const Known known = known_coefficients(s, false, truth);
+  const std::string condition_number = rounded(condition(m), 2);
+  Quantity q = quantity(std::move(name), "", "coefficients over u, v, w; condition " + condition_number,
+                        known, {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
+  q.add(triple_products(s, [](const auto&... a) { return cramer(a...); }));
+  add_factorizations(q, m, s.p, in_doubles,
+                     in_doubles == Outcome::ok ? ""
+                                               : "the condition " + condition_number +
+                                                     " takes that many of the digits of a double");
+  q.add({"factorization", "LU, refined", {"corrections", {0, 1, 2, 3}}, [=](double n) {
+           return refined(s, static_cast<int>(n));
+         }});
+  return q;
 }
 
-Claim dual_z_equation(const std::vector<Sample>& all) {
-  Claim c{"7.7-dual_z_equation", 3905, "v.p = z v.w.u"};
-  const Term dots{"v.w.u, components multiplied", [](const Sample& s) {
-                    double sum = 0;
-                    for (std::size_t i = 0; i < 3; ++i) sum += s.v[i] * s.w[i] * s.u[i];
-                    return Value(sum);
-                  }};
-  c.printed = equal(all, along(v, p), z * dots);
-  c.meant = equal(all, along(v, p), z * volume(v, w, u));
-  c.near_misses = {equal(all, along(v, p), z * volume(v, u, w))};
-  c.why =
-      "A dot stands where the cross belongs: $v\\cdot w\\times u$. The solution for $z$ has it. With "
-      "twice the unit vectors for a basis the volume is 8, and no product of two dots is a number at all.";
-  return c;
+Quantity dual_coefficients(double gap, const Reference& truth) {
+  const Basis s = nearly_dependent(gap);
+  const Known known = known_coefficients(s, true, truth);
+  Quantity q = quantity("dual_coefficients", "", "coefficients over u x v, v x w, w x u", known,
+                        {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
+  q.add(triple_products(s, [](const auto&... a) { return dual_cramer(a...); }));
+  add_factorizations(q, columns(cross(s.a, s.b), cross(s.b, s.c), cross(s.c, s.a)), s.p, Outcome::ok, "");
+  return q;
 }
 
-/// A quotient whose bar the text at hand has lost.
-Claim lost_bar(const std::vector<Sample>& all, const std::string& id, int line, const Unknown& unknown,
-               const Letter& letter, const Term& near_miss) {
-  const Term bottom = volume(u, v, w), top = along(letter, p);
-  const Term run_together{top.text + bottom.text,
-                          [=](const Sample& s) { return Value(top.value(s)[0] * bottom.value(s)[0]); }};
-  Claim c{id, line, unknown.name + " = " + run_together.text};
-  c.printed = equal(all, unknown, run_together);
-  c.meant = equal(all, unknown, top / bottom);
-  c.near_misses = {equal(all, unknown, near_miss)};
-  c.why = "The fraction bar is lost in the text at hand: $" + unknown.name + "=(" + letter.name +
-          "\\cdot p)/(u\\cdot v\\times w)$, as in the line before it. As a product it is off by the square "
-          "of the "
-          "volume $u\\cdot v\\times w$: with twice the unit vectors for a basis, 64 times.";
-  return c;
+/// What the coefficients leave of p: it can be small though the coefficients are wrong.
+Quantity left_over(double gap, const Reference& truth) {
+  const Basis s = nearly_dependent(gap);
+  const Eigen::MatrixXd m = columns(s.a, s.b, s.c);
+  const double size = size_of(known_coefficients(s, false, truth).value);
+  Quantity q{"left_over",
+             "",
+             "p - (x u + y v + z w), the basis nearly dependent",
+             {"zero", {0.0, 0.0, 0.0}},
+             0,
+             rounding(size, 16),
+             {},
+             {}};
+  const auto seen = [s](const Answer& a) {
+    Answer b = a;
+    b.value = residual(s, Eigen::Vector3d(a.value[0], a.value[1], a.value[2]));
+    return b;
+  };
+  Quantity all = coefficients("", gap, Outcome::ok, truth);
+  for (Method& method : all.methods) {
+    method.run = [run = method.run, seen](double setting) { return seen(run(setting)); };
+    q.add(std::move(method));
+  }
+  return q;
 }
 
 Findings study(const Parameters& chosen, const Reference& truth) {
-  const Random random(chosen["seed"]);
-  const auto first = samples(random, false), second = samples(random, true);
-  std::vector<Claim> claims;
-  for (const Line& line : first_item()) claims.push_back(claim(first, line));
-  for (const Line& line : second_item()) claims.push_back(claim(second, line));
-  claims.push_back(dual_z_equation(second));
-  claims.push_back(lost_bar(second, "7.7-dual_x_again", 3913, x, w, along(w, p) / volume(v, u, w)));
-  claims.push_back(lost_bar(second, "7.7-dual_z_again", 3927, z, v, along(v, p) / volume(u, w, v)));
-  std::ranges::stable_sort(claims, {}, &Claim::line);
-
   Quantity nearly = coefficients("nearly_dependent", 1e-10, Outcome::inaccurate, truth);
   nearly.add(
       Breakdown{"With $w$ within $10^{-10}$ of the plane of $u$ and $v$ every triple product is what is left "
@@ -213,7 +183,7 @@ Findings study(const Parameters& chosen, const Reference& truth) {
       "(see left_over): a small remainder proves nothing. Corrected by that remainder, in twice the digits, "
       "it gets them back.",
       "factorization, LU, rows exchanged", 0, Outcome::inaccurate, "factorization, LU, refined", 3});
-  return {claims,
+  return {claims(Random(chosen["seed"])),
           {coefficients("coefficients", chosen["gap"], Outcome::ok, truth),
            dual_coefficients(chosen["gap"], truth), nearly, left_over(1e-10, truth)}};
 }

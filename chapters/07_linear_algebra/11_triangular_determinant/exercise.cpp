@@ -3,10 +3,16 @@
 // whole numbers (Bareiss 1968), which knows neither cofactors nor, since it is given full matrices too,
 // triangles. Higham, Accuracy and Stability, 2nd ed., 14.6.
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
 
-#include "chapters/07_linear_algebra/11_triangular_determinant/diagonals.hpp"
 #include "chapters/07_linear_algebra/shared/matrices.hpp"
+#include "chapters/claims.hpp"
+#include "reference/reference.hpp"
+#include "solvers/linear.hpp"
 
 namespace oddity {
 
@@ -22,11 +28,23 @@ constexpr Parameter parameters[] = {
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
-Matrix<Whole> random_matrix(int n, Random& random, bool triangular) {
-  return filled<Whole>(n, [&](int r, int c) {
-    const Whole size = 1 + random.below(9), x = random.unit() < 0.5 ? -size : size;
-    return triangular && r > c ? 0 : x;
-  });
+/// A random matrix M of whole numbers, or U, zero below its diagonal.
+struct Sample {
+  static constexpr bool whole = true;
+  Matrix<Whole> m;
+  double size() const { return std::pow(9.0, m.n); }
+  std::string where() const { return "n = " + std::to_string(m.n); }
+};
+
+std::vector<Sample> matrices_of_whole_numbers(Random random, bool triangular) {
+  std::vector<Sample> all;
+  for (int n = 8; n >= 1; --n)
+    for (int sample = 0; sample < 10; ++sample)
+      all.push_back({filled<Whole>(n, [&](int r, int c) {
+        const Whole size = 1 + random.below(9), x = random.unit() < 0.5 ? -size : size;
+        return triangular && r > c ? 0 : x;
+      })});
+  return all;
 }
 
 /// Without one row and one column.
@@ -38,26 +56,6 @@ Matrix<Whole> minor_of(const Matrix<Whole>& m, int row, int column) {
 Whole cofactor_term(const Matrix<Whole>& m, int column) {
   const Whole term = m(m.n - 1, column) * bareiss(minor_of(m, m.n - 1, column));
   return (m.n - 1 + column) % 2 == 0 ? term : -term;
-}
-
-/// Two whole numbers for random matrices of 1 to 8 rows, exactly.
-Reading equal(std::string text, const std::string& left, const std::string& right, Random random,
-              bool triangular, const auto& one, const auto& other) {
-  Worst worst(left + " and " + right, left, right);
-  for (int n = 8; n >= 1; --n)
-    for (int sample = 0; sample < 10; ++sample) {
-      const auto m = random_matrix(n, random, triangular);
-      worst.see(static_cast<double>(one(m)), static_cast<double>(other(m)), exact(), std::pow(9.0, n),
-                "n = " + std::to_string(n));
-    }
-  return {std::move(text), {worst.check()}};
-}
-
-Claim claim(std::string id, int line, std::string says, Reading printed, Reading near_miss) {
-  Claim c{std::move(id), line, std::move(says)};
-  c.printed = std::move(printed);
-  c.near_misses = {std::move(near_miss)};
-  return c;
 }
 
 Whole product_of(const Matrix<Whole>& m, int last) {
@@ -88,84 +86,218 @@ Matrix<Whole> eliminated(Matrix<Whole> m, int columns) {
   return m;
 }
 
+Formula<Sample> in_whole(std::string text, const std::function<Whole(const Matrix<Whole>&)>& of) {
+  return {std::move(text), [=](const Sample& s) { return values(of(s.m)); }};
+}
+
+/// The squares of the last row's entries before its last.
+Whole first_entries(const Matrix<Whole>& m) {
+  Whole sum = 0;
+  for (int c = 0; c + 1 < m.n; ++c) sum += m(m.n - 1, c) * m(m.n - 1, c);
+  return sum;
+}
+
+/// The squares of the entries below the diagonal.
+Whole below(const Matrix<Whole>& m) {
+  Whole sum = 0;
+  for (int r = 0; r < m.n; ++r)
+    for (int c = 0; c < r; ++c) sum += m(r, c) * m(r, c);
+  return sum;
+}
+
+/// How much of the determinant the last term of the last row's expansion misses.
+Whole others(const Matrix<Whole>& m) { return bareiss(m) - cofactor_term(m, m.n - 1); }
+
 std::vector<Claim> claims(const Random& random) {
-  const auto determinant_of = [](const auto& m) { return bareiss(m); };
-  const auto none = [](const auto&) { return Whole{0}; };
-  const auto last_row = [](const auto& m) {
-    Whole sum = 0;
-    for (int c = 0; c < m.n; ++c) sum += cofactor_term(m, c);
-    return sum;
+  Claims claims("7.11");
+  const auto full = matrices_of_whole_numbers(random, false), upper = matrices_of_whole_numbers(random, true);
+  const auto add = [&](const char* slug, int line, const char* says, const std::vector<Sample>& samples,
+                       const char* quantity, const Formula<Sample>& truth, const Formula<Sample>& printed,
+                       const Formula<Sample>& near) {
+    claims.formula<Sample>(slug, line, says, samples,
+                           {.quantity = quantity, .truth = truth, .printed = printed, .near_misses = {near}});
   };
-  const auto first_entries = [](const auto& m) {
-    Whole sum = 0;
-    for (int c = 0; c + 1 < m.n; ++c) sum += m(m.n - 1, c) * m(m.n - 1, c);
-    return sum;
-  };
-  const auto last_term = [](const auto& m) { return cofactor_term(m, m.n - 1); };
-  const auto below = [](const Matrix<Whole>& m) {
-    Whole sum = 0;
-    for (int r = 0; r < m.n; ++r)
-      for (int c = 0; c < r; ++c) sum += m(r, c) * m(r, c);
-    return sum;
-  };
-  const auto recursion = [](int corner) {
-    return [=](const auto& m) {
-      return m(corner < 0 ? m.n - 1 : corner, corner < 0 ? m.n - 1 : corner) *
-             bareiss(minor_of(m, m.n - 1, m.n - 1));
-    };
-  };
-  const std::string det = "det U by elimination";
-  return {
-      claim("7.11-expansion", 3965, "the determinant is the cofactor expansion by the last row",
-            equal("full matrices", "sum over the last row", "det by elimination", random, false, last_row,
-                  determinant_of),
-            equal("the last term alone", "last term", "det by elimination", random, false, last_term,
-                  determinant_of)),
-      claim("7.11-zeros", 3965, "the first n-1 entries of the last row are zero",
-            equal(
-                "U, left by an elimination", "sum of squares of u_n1, ..., u_n,n-1", "0", random, false,
-                [&](const auto& m) { return first_entries(eliminated(m, m.n - 1)); }, none),
-            equal(
-                "before its last column is cleared", "sum of squares of u_n1, ..., u_n,n-1", "0", random,
-                false, [&](const auto& m) { return first_entries(eliminated(m, m.n - 2)); }, none)),
-      claim("7.11-only_contribution", 3965, "only the entry u_nn contributes",
-            equal("the last term is all of det U", "last term", det, random, true, last_term, determinant_of),
-            equal(
-                "with one entry not zero below the diagonal", "last term", det, random, true,
-                [&](auto m) { return m(m.n - 1, 0) = 5, last_term(m); },
-                [&](auto m) { return m(m.n - 1, 0) = 5, bareiss(m); })),
-      claim("7.11-submatrix", 3965, "without its last row and column U is upper triangular again",
-            equal(
-                "U'", "sum of squares below the diagonal", "0", random, true,
-                [&](const auto& m) { return below(minor_of(m, m.n - 1, m.n - 1)); }, none),
-            equal(
-                "without the last row and the first column", "sum of squares below the diagonal", "0", random,
-                true, [&](const auto& m) { return below(minor_of(m, m.n - 1, 0)); }, none)),
-      claim("7.11-recursion", 3967, "det U = u_nn det U'",
-            equal("u_nn det U'", "u_nn det U'", det, random, true, recursion(-1), determinant_of),
-            equal("u_11 det U'", "u_11 det U'", det, random, true, recursion(0), determinant_of)),
-      claim("7.11-sign", 3969, "the sign of u_nn is + for every n",
-            equal(
-                "+", "det of M bordered by 0 ... 0 1", "det M", random, false,
-                [](const auto& m) { return bareiss(bordered(m)); }, determinant_of),
-            equal(
-                "(-1)^n", "det of M bordered by 0 ... 0 1", "det M", random, false,
-                [](const auto& m) { return bareiss(bordered(m)); },
-                [](const auto& m) { return m.n % 2 == 0 ? -bareiss(m) : bareiss(m); })),
-      claim("7.11-product", 3971, "det U = u_nn ... u_11",
-            equal(
-                "u_nn ... u_11", "u_nn ... u_11", det, random, true,
-                [](const auto& m) { return product_of(m, 0); }, determinant_of),
-            equal(
-                "u_nn ... u_22", "u_nn ... u_22", det, random, true,
-                [](const auto& m) { return product_of(m, 1); }, determinant_of))};
+  using M = const Matrix<Whole>&;
+  const auto zero = in_whole("zero", [](M) { return Whole{0}; }),
+             det = in_whole("fraction-free elimination", bareiss);
+
+  add("expansion", 3965, "the determinant is the cofactor expansion by the last row", full, R"($\det M$)",
+      det,
+      in_whole("sum over the last row",
+               [](M m) {
+                 Whole sum = 0;
+                 for (int c = 0; c < m.n; ++c) sum += cofactor_term(m, c);
+                 return sum;
+               }),
+      in_whole("its last term alone", [](M m) { return cofactor_term(m, m.n - 1); }));
+  add("zeros", 3965, R"(the first $n-1$ entries of the last row are zero)", full,
+      R"($u_{n1}^2+\ldots+u_{n,n-1}^2$)", zero,
+      in_whole("$U$, left by an elimination", [](M m) { return first_entries(eliminated(m, m.n - 1)); }),
+      in_whole("before its last column is cleared",
+               [](M m) { return first_entries(eliminated(m, m.n - 2)); }));
+  add("only_contribution", 3965, "only the entry $u_{nn}$ contributes", upper,
+      "elimination's determinant less the expansion's last term", zero, in_whole("$U$ as it is", others),
+      in_whole("$U$ with one entry not zero below the diagonal", [](Matrix<Whole> m) {
+        m(m.n - 1, 0) = 5;
+        return others(m);
+      }));
+  add("submatrix", 3965, "without its last row and column $U$ is upper triangular again", upper,
+      "sum of squares below the diagonal", zero,
+      in_whole("without the last row and column", [](M m) { return below(minor_of(m, m.n - 1, m.n - 1)); }),
+      in_whole("without the last row and the first column",
+               [](M m) { return below(minor_of(m, m.n - 1, 0)); }));
+  add("recursion", 3967, R"($\det U$ by the matrix $U'$ without the last row and column)", upper,
+      R"($\det U$)", det,
+      in_whole(R"($u_{nn}\det U'$)",
+               [](M m) { return m(m.n - 1, m.n - 1) * bareiss(minor_of(m, m.n - 1, m.n - 1)); }),
+      in_whole(R"($u_{11}\det U'$)", [](M m) { return m(0, 0) * bareiss(minor_of(m, m.n - 1, m.n - 1)); }));
+  add("sign", 3969, "the sign of $u_{nn}$ is the same for every $n$", full,
+      R"($\det M$, $M$ bordered by $0,\ldots,0,1$)",
+      in_whole("elimination of the bordered matrix", [](M m) { return bareiss(bordered(m)); }),
+      in_whole(R"($+\det M$)", bareiss),
+      in_whole(R"($(-1)^{n+1}\det M$)", [](M m) { return m.n % 2 == 0 ? -bareiss(m) : bareiss(m); }));
+  add("product", 3971, R"($\det U$ is the product of the diagonal)", upper, R"($\det U$)", det,
+      in_whole(R"($u_{nn}\cdots u_{11}$)", [](M m) { return product_of(m, 0); }),
+      in_whole(R"($u_{nn}\cdots u_{22}$)", [](M m) { return product_of(m, 1); }));
+  return claims.in_order();
+}
+
+// ---- the methods ------------------------------------------------------------------------------------------
+
+/// s_k m_k 2^e in the first half, s_k m_k 2^f in the second; m_k from 1 to 2, s_k = -1 for every third k.
+std::vector<double> diagonal(int n, int e, int f) {
+  std::vector<double> u;
+  for (int k = 1; k <= n; ++k)
+    u.push_back(std::ldexp((k % 3 == 0 ? -1 : 1) * (64 + 37 * k % 64) / 64.0, 2 * k <= n ? e : f));
+  return u;
+}
+
+double product(const std::vector<double>& u) {
+  double all = 1;
+  for (double x : u) all *= x;
+  return all;
+}
+
+/// A number as mantissa and power of two, so that no product leaves the range.
+struct Scaled {
+  double mantissa = 1;
+  long exponent = 0;
+};
+
+Scaled scaled_product(const std::vector<double>& u) {
+  Scaled all;
+  for (double x : u) {
+    int of_factor = 0, of_product = 0;
+    all.mantissa = std::frexp(all.mantissa * std::frexp(x, &of_factor), &of_product);
+    all.exponent += of_factor + of_product;
+  }
+  return all;
+}
+
+double sum_of_logarithms(const std::vector<double>& u) {
+  double sum = 0;
+  for (double x : u) sum += std::log(std::abs(x));
+  return sum;
+}
+
+double sign_of(const std::vector<double>& u) {
+  return std::ranges::count_if(u, [](double x) { return x < 0; }) % 2 == 0 ? 1 : -1;
+}
+
+/// The largest with the smallest, the second largest with the second smallest, ...
+std::vector<double> paired(std::vector<double> u) {
+  std::ranges::sort(u, {}, [](double x) { return std::abs(x); });
+  std::vector<double> all;
+  for (std::size_t i = 0, j = u.size(); i < j;) {
+    all.push_back(u[--j]);
+    if (i < j) all.push_back(u[i++]);
+  }
+  return all;
+}
+
+Answer finite_answer(double x, long work) {
+  if (std::isfinite(x)) return {x, work};
+  return {x,
+          work,
+          std::numeric_limits<double>::quiet_NaN(),
+          0,
+          Ending::non_finite,
+          "out of the range of a double"};
+}
+
+Quantity determinant_quantity(int n, int e, const Reference& truth) {
+  const std::vector<double> u = diagonal(n, e, -e), last_first(u.rbegin(), u.rend());
+  const Known known = truth("07_11_determinant", {double(n), double(e)});
+  Quantity q = quantity("determinant", "",
+                        "determinant of a triangular matrix, the large entries of its diagonal first", known,
+                        {1e-12 * std::abs(known.value[0]), "twelve digits"});
+  q.add({"product", "as printed, the last first", no_knob(),
+         [=](double) { return finite_answer(product(last_first), n); }, Outcome::inaccurate,
+         "the small entries underflow to zero before the large ones come"});
+  q.add({"product", "the first first", no_knob(), [=](double) { return finite_answer(product(u), n); },
+         Outcome::non_finite, "the large entries overflow before the small ones come"});
+  q.add(
+      {"product", "large by small", no_knob(), [=](double) { return finite_answer(product(paired(u)), n); }});
+  q.add({"mantissas and exponents", "the first first", no_knob(), [=](double) {
+           const Scaled s = scaled_product(u);
+           return finite_answer(std::ldexp(s.mantissa, static_cast<int>(s.exponent)), n);
+         }});
+  q.add({"logarithms", "exponential of the sum", no_knob(),
+         [=](double) { return finite_answer(sign_of(u) * std::exp(sum_of_logarithms(u)), n + 1); }});
+  q.add(
+      Breakdown{"The determinant is a moderate number, but not the products on the way to it: in the printed "
+                "order they fall below 2^-1074.",
+                "product, as printed, the last first", 0, Outcome::inaccurate,
+                "mantissas and exponents, the first first", 0});
+  q.add(Breakdown{"In the other order they rise above 2^1024.", "product, the first first", 0,
+                  Outcome::non_finite, "logarithms, exponential of the sum", 0});
+  return q;
+}
+
+/// The diagonal under random entries, as a full matrix.
+Eigen::MatrixXd triangular(const std::vector<double>& u, Random random) {
+  const auto n = static_cast<Eigen::Index>(u.size());
+  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index r = 0; r < n; ++r)
+    for (Eigen::Index c = r; c < n; ++c)
+      m(r, c) = r == c ? u[static_cast<std::size_t>(r)] : random.between(-1, 1);
+  return m;
+}
+
+Quantity log_determinant(int n, int e, const Reference& truth, const Random& random) {
+  const std::vector<double> u = diagonal(n, e, e), last_first(u.rbegin(), u.rend());
+  const Eigen::MatrixXd m = triangular(u, random);
+  const Known known = truth("07_11_log_determinant", {double(n), double(e)});
+  Quantity q = quantity("log_determinant", "", "log |det U| with large entries all along the diagonal", known,
+                        {1e-12 * known.value[0], "twelve digits"});
+  const std::string overflows = "the determinant itself is out of the range of a double";
+  q.add({"logarithm of the product", "as printed, the last first", no_knob(),
+         [=](double) { return finite_answer(std::log(std::abs(product(last_first))), n + 1); },
+         Outcome::non_finite, overflows});
+  q.add({"logarithm of the product", "LU, rows exchanged", no_knob(),
+         [=](double) {
+           Solved<double> solved = determinant(m);
+           solved.value = std::log(std::abs(solved.value));
+           return answer(solved);
+         },
+         Outcome::non_finite, overflows});
+  q.add({"logarithms", "sum", no_knob(), [=](double) { return finite_answer(sum_of_logarithms(u), n); }});
+  q.add({"mantissas and exponents", "logarithm of the mantissa", no_knob(), [=](double) {
+           const Scaled s = scaled_product(u);
+           return finite_answer(
+               std::log(std::abs(s.mantissa)) + static_cast<double>(s.exponent) * std::numbers::ln2, n + 2);
+         }});
+  q.add(Breakdown{
+      "No order of the product helps against a determinant of 10^729. Its logarithm is a sum, and needs no "
+      "determinant.",
+      "logarithm of the product, LU, rows exchanged", 0, Outcome::non_finite, "logarithms, sum", 0});
+  return q;
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Random random(p["seed"]);
   const int n = static_cast<int>(p["n"]), e = static_cast<int>(p["e"]);
-  return {claims(random),
-          {diagonals::determinant_of(n, e, truth), diagonals::log_determinant(n, e, truth, random)}};
+  return {claims(random), {determinant_quantity(n, e, truth), log_determinant(n, e, truth, random)}};
 }
 
 }  // namespace ex07_11

@@ -8,9 +8,7 @@
 #include <complex>
 #include <numbers>
 
-#include "chapters/exercise.hpp"
-#include "chapters/lost_bar.hpp"
-#include "chapters/random.hpp"
+#include "chapters/claims.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
 #include "solvers/counted.hpp"
@@ -51,71 +49,84 @@ Vector2d on_turned_axes(const Vector2d& point, const Vector2d& origin, double an
 
 // ---- claims -----------------------------------------------------------------------------------------------
 
-/// The coordinates of the first frame's origin on the second's axes, the two origins `apart`.
-Check constants(double seed, double apart) {
-  Worst worst("(c1, c2)", "b - R^T a for a random point", "(0, 0)");
-  Random random(seed);
-  for (int n = 0; n < 100; ++n) {
-    const double size = std::abs(random.magnitude(1e-3, 1e3));
-    const auto draw = [&] { return Vector2d(random.between(-size, size), random.between(-size, size)); };
-    const Vector2d first = draw(), second = first + apart * draw(), a = draw();
-    worst.see(Value(Vector2d(on_turned_axes(first + a, second, quarter) - printed * a)), Value{0, 0},
-              4 * size, "size " + rounded(size, 3));
+/// A point, and two frames whose origins differ by as much as the claim says of `offset`.
+struct Frames {
+  double largest;
+  Vector2d origin, offset, a;
+
+  explicit Frames(Random& random) : largest(std::abs(random.magnitude(1e-3, 1e3))) {
+    for (Vector2d* x : {&origin, &offset, &a})
+      for (int i = 0; i < 2; ++i) (*x)[i] = random.between(-largest, largest);
   }
-  return worst.check();
+  double size() const { return 4 * largest; }
+  std::string where() const { return "size " + rounded(largest, 3); }
+};
+
+/// The coordinates of the first frame's origin on the second's axes, the two origins `apart`.
+Formula<Frames> constants(std::string text, double apart) {
+  return {std::move(text), [=](const Frames& f) {
+            const Vector2d second = f.origin + apart * f.offset;
+            return Value(Vector2d(on_turned_axes(f.origin + f.a, second, quarter) - printed * f.a));
+          }};
 }
 
-Check coordinates(double seed, const std::string& by, const Matrix2d& matrix) {
-  Worst worst("(b1, b2), " + by + " against elimination on turned axes", by,
-              "elimination on axes turned by pi/4");
-  Random random(seed);
-  for (int n = 0; n < 100; ++n) {
-    const Vector2d a(random.magnitude(1e-3, 1e3), random.magnitude(1e-3, 1e3));
-    worst.see(Value(Vector2d(matrix * a)), Value(on_turned_axes(a, Vector2d::Zero(), quarter)), a.norm(),
-              "a = (" + rounded(a[0], 4) + ", " + rounded(a[1], 4) + ")");
-  }
-  return worst.check();
+/// Coordinates on the first frame's axes.
+struct Point {
+  double a1, a2;
+
+  explicit Point(Random& random) : a1(random.magnitude(1e-3, 1e3)), a2(random.magnitude(1e-3, 1e3)) {}
+  std::array<double*, 2> letters() { return {&a1, &a2}; }
+  std::string where() const { return "a = (" + rounded(a1, 4) + ", " + rounded(a2, 4) + ")"; }
+};
+
+Formula<Point> times(std::string text, const Matrix2d& matrix) {
+  return {std::move(text), [=](const Point& p) { return Value(Vector2d(matrix * Vector2d(p.a1, p.a2))); }};
 }
 
 /// The printed matrix against the transpose of the rotation that takes 1 to exp(i angle) and i to i exp(i
 /// angle).
-Check transpose_of_rotation(const std::string& by, double angle) {
+Reading transpose_of_rotation(const std::string& text, double angle) {
   const Complex one = std::polar(1.0, angle), i = one * Complex(0, 1);
-  return {"entries, row by row",
-          {"1/sqrt(2) (1 1; -1 1)", Value{printed(0, 0), printed(0, 1), printed(1, 0), printed(1, 1)}},
-          {by, Value{one.real(), one.imag(), i.real(), i.imag()}},
-          rounding(1)};
+  return {
+      text,
+      {{"entries, row by row",
+        {R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}$)",
+         Value{printed(0, 0), printed(0, 1), printed(1, 0), printed(1, 1)}},
+        {text + ": the columns of $R$ by complex numbers", Value{one.real(), one.imag(), i.real(), i.imag()}},
+        rounding(1)}}};
 }
 
 std::vector<Claim> claims(double seed) {
-  return {
-      {"8.1-origin",
-       3977,
-       "with equal origins (c1, c2) = (0, 0)",
-       {"(0, 0)", {constants(seed, 0)}},
-       {},
-       {},
-       {{"also for origins a thousandth apart", {constants(seed, 1e-3)}}}},
-      lost_bar(
-          {"8.1-matrix",
-           3981,
-           "b = 1 sqrt(2) (1 1; -1 1) a",
-           {"1/sqrt(2) (1 1; -1 1)", {coordinates(seed, "as a quotient", printed)}},
-           {},
-           {},
-           {{"1/sqrt(2) (1 -1; 1 1)", {coordinates(seed, "transposed", printed.transpose())}},
-            {"without 1/sqrt(2)", {coordinates(seed, "not normalized", rows(1, 1, -1, 1))}}}},
-          {"1 sqrt(2) (1 1; -1 1)", {coordinates(seed, "as a product", 2 * printed)}},
-          "The fraction bar is lost in the text at hand: $\\tfrac1{\\sqrt2}$. With the product the matrix is "
-          "no rotation, and every distance from the origin is doubled."),
-      {"8.1-transpose",
-       3991,
-       "the matrix is R^T, R the counterclockwise rotation by pi/4",
-       {"R = (cos -sin; sin cos) at pi/4", {transpose_of_rotation("R^T at pi/4", quarter)}},
-       {},
-       {},
-       {{"R clockwise", {transpose_of_rotation("R^T at -pi/4", -quarter)}},
-        {"R by pi/2", {transpose_of_rotation("R^T at pi/2", 2 * quarter)}}}}};
+  Claims claims("8.1");
+  claims.formula<Frames>("origin", 3977, "with equal origins $(c_1,c_2)=(0,0)$", draw<Frames>(100, seed),
+                         {.quantity = R"($(c_1,c_2)=b-R^Ta$ for a random point, $b$ by elimination)",
+                          .truth = {"$(0,0)$",
+                                    [](const Frames&) {
+                                      return Value{0, 0};
+                                    }},
+                          .printed = constants("equal origins", 0),
+                          .near_misses = {constants("origins a thousandth apart", 1e-3)}});
+  claims.formula<Point>(
+      "matrix", 3981, R"($b=1\,\sqrt2\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)", draw<Point>(100, seed),
+      {.quantity = "$(b_1,b_2)$",
+       .truth = {R"(elimination on axes turned by $\pi/4$)",
+                 [](const Point& p) {
+                   return Value(on_turned_axes(Vector2d(p.a1, p.a2), Vector2d::Zero(), quarter));
+                 }},
+       .printed = times(R"($1\,\sqrt2\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$, a product)", 2 * printed),
+       .meant = times(R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)", printed),
+       .near_misses = {times(R"($\frac1{\sqrt2}\begin{pmatrix}1&-1\\1&1\end{pmatrix}a$)",
+                             printed.transpose()),
+                       times(R"($\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)", rows(1, 1, -1, 1))},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The fraction bar is lost in the text at hand: $\tfrac1{\sqrt2}$. With the product the matrix )"
+           R"(is no rotation, and every distance from the origin is doubled.)"});
+  claims.add("transpose", 3991, R"(the matrix is $R^T$, $R$ the counterclockwise rotation by $\pi/4$)",
+             {.printed = transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/4$)", quarter),
+              .near_misses = {transpose_of_rotation(R"($R^T$, clockwise by $\pi/4$)", -quarter),
+                              transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/2$)", 2 * quarter)}});
+  return claims.in_order();
 }
 
 // ---- methods ----------------------------------------------------------------------------------------------

@@ -3,23 +3,139 @@
 // the x-axis and of the y-axis. The reference for random ones is how they were made; exact ranks are by
 // elimination in integers.
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <vector>
 
-#include "chapters/08_affine_algebra/03_parallel_subspaces/subspaces.hpp"
-#include "chapters/exercise.hpp"
+#include "chapters/claims.hpp"
 #include "reference/text.hpp"
 #include "solvers/counted_calls.hpp"
+#include "solvers/linear.hpp"
 
 namespace oddity {
 
 namespace ex08_03 {
 
-using namespace subspaces;
-
 constexpr Parameter parameters[] = {
     {"pairs", 60, "", "random pairs of subspaces", 1, 500, whole_number},
     {"seed", 1, "", "of the random pairs", 0, 1e9, whole_number},
 };
+
+// ---- vector spaces ----------------------------------------------------------------------------------------
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+__extension__ typedef __int128 Wide;
+
+struct Pair {
+  MatrixXd first, second;
+  bool parallel;  ///< as made
+
+  MatrixXd both() const {
+    MatrixXd m(first.rows(), first.cols() + second.cols());
+    m << first, second;
+    return m;
+  }
+  const MatrixXd& larger() const { return first.cols() >= second.cols() ? first : second; }
+  const MatrixXd& smaller() const { return first.cols() >= second.cols() ? second : first; }
+};
+
+/// The rank of a matrix of whole numbers, without a division that leaves a remainder [Bareiss, Math. Comp.
+/// 22, 1968, p. 565].
+int exact_rank(const MatrixXd& a) {
+  const auto rows = static_cast<std::size_t>(a.rows()), columns = static_cast<std::size_t>(a.cols());
+  std::vector<std::vector<Wide>> m(rows, std::vector<Wide>(columns));
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < columns; ++j)
+      m[i][j] = static_cast<Wide>(a(static_cast<long>(i), static_cast<long>(j)));
+  std::size_t r = 0;
+  Wide before = 1;
+  for (std::size_t c = 0; c < columns && r < rows; ++c) {
+    std::size_t pivot = r;
+    while (pivot < rows && m[pivot][c] == 0) ++pivot;
+    if (pivot == rows) continue;
+    std::swap(m[pivot], m[r]);
+    for (std::size_t i = r + 1; i < rows; ++i) {
+      for (std::size_t j = c + 1; j < columns; ++j)
+        m[i][j] = (m[r][c] * m[i][j] - m[i][c] * m[r][j]) / before;
+      m[i][c] = 0;
+    }
+    before = m[r++][c];
+  }
+  return static_cast<int>(r);
+}
+
+/// Gaussian elimination with complete pivoting; pivots below `relative` times the first are taken for zero.
+int eliminated_rank(MatrixXd a, double relative) {
+  const double first = a.cwiseAbs().maxCoeff();
+  int r = 0;
+  while (r < std::min(a.rows(), a.cols())) {
+    long i = 0, j = 0;
+    const double pivot = a.bottomRightCorner(a.rows() - r, a.cols() - r).cwiseAbs().maxCoeff(&i, &j);
+    if (!(pivot > relative * first)) break;
+    a.row(r).swap(a.row(r + i));
+    a.col(r).swap(a.col(r + j));
+    for (long k = r + 1; k < a.rows(); ++k) a.row(k) -= a(k, r) / a(r, r) * a.row(r).eval();
+    ++r;
+  }
+  return r;
+}
+
+/// Does either contain the other? Together they span no more than the larger does.
+template <class Rank>
+bool by_rank(const Pair& pair, const Rank& rank_of) {
+  return rank_of(pair.both()) == std::max(rank_of(pair.first), rank_of(pair.second));
+}
+
+/// The smaller's columns projected on the larger, until something is left of one.
+bool by_projection(const Pair& pair, double relative, long& projections) {
+  const MatrixXd& basis = pair.larger();
+  for (long j = 0; j < pair.smaller().cols(); ++j) {
+    ++projections;
+    const VectorXd v = pair.smaller().col(j);
+    const auto x = solve(Factorization::householder_qr, basis, v);
+    if (!x.reached() || (basis * x.value - v).norm() > relative * v.norm()) return false;
+  }
+  return true;
+}
+
+// ---- samples ----------------------------------------------------------------------------------------------
+
+MatrixXd whole(Random& random, long rows, long columns) {
+  MatrixXd m(rows, columns);
+  for (long i = 0; i < rows; ++i)
+    for (long j = 0; j < columns; ++j) m(i, j) = random.below(9) - 4;
+  return m;
+}
+
+MatrixXd independent(Random& random, long rows, long columns) {
+  while (true) {
+    const MatrixXd m = whole(random, rows, columns);
+    if (exact_rank(m) == columns) return m;
+  }
+}
+
+/// Pairs in dimensions 2 to 5: contained, coincident, and with at least one direction outside (a column of
+/// full rank beside the larger's).
+std::vector<Pair> random_pairs(double seed, int count) {
+  Random random(seed);
+  std::vector<Pair> all;
+  while (static_cast<int>(all.size()) < count) {
+    const int n = 2 + random.below(4), large = 1 + random.below(n - 1), small = 1 + random.below(large);
+    const MatrixXd frame = independent(random, n, large + 1);
+    const MatrixXd larger = frame.leftCols(large);
+    MatrixXd smaller = larger * independent(random, large, small);
+    const bool contained = random.below(2) == 0;
+    if (!contained) smaller.col(0) += (1 + random.below(3)) * frame.col(large);
+    if (exact_rank(smaller) < small) continue;
+    if (random.below(2) == 0)
+      all.push_back({larger, smaller, contained});
+    else
+      all.push_back({smaller, larger, contained});
+  }
+  return all;
+}
 
 MatrixXd column(std::initializer_list<double> xs) {
   MatrixXd m(static_cast<long>(xs.size()), 1);
@@ -32,113 +148,105 @@ const Pair axes{column({1, 0}), column({0, 1}), false};
 
 // ---- claims -----------------------------------------------------------------------------------------------
 
-/// The vectors that carry points of the line `normal . x = constant` into points of it, against the span of a
-/// direction, by exact rank.
-Check carriers(double seed, const std::string& axis, const MatrixXd& normal, const MatrixXd& direction) {
-  Random random(seed);
-  long differing = 0;
-  for (int n = 0; n < 400; ++n) {
-    const MatrixXd v = whole(random, 2, 1);
-    const bool stays = (normal.transpose() * v)(0, 0) == 0;
-    differing += stays != (exact_rank(Pair{v, direction, true}.both()) == 1);
+/// A vector of whole numbers.
+struct Carrier {
+  MatrixXd v;
+  explicit Carrier(Random& random) : v(whole(random, 2, 1)) {}
+  std::string where() const { return "v = (" + shortest(v(0, 0)) + ", " + shortest(v(1, 0)) + ")"; }
+  /// It carries points of the lines `normal . x = constant` into points of them just when it has this
+  /// direction.
+  bool stays_along(const MatrixXd& direction, const MatrixXd& normal) const {
+    return ((normal.transpose() * v)(0, 0) == 0) == (exact_rank(Pair{v, direction, true}.both()) == 1);
   }
-  return never("vectors that keep points on the line and are not on the " + axis + ", or the reverse",
-               differing, 400);
+};
+
+Reading ranks(std::string text, const std::string& rank) {
+  const auto check = [&](const char* what, const MatrixXd& one, const MatrixXd& other) {
+    return as_written(what, rank,
+                      {"exact elimination", static_cast<double>(exact_rank(Pair{one, other, true}.both()))});
+  };
+  return {std::move(text),
+          {check("rank of the columns of $V_1$ and $V_2$", axes.first, axes.second),
+           check("rank of the columns of $V_2$ and $V_1$", axes.second, axes.first)}};
 }
 
-Check contained(const char* what, const MatrixXd& inner, const MatrixXd& outer, double ranks) {
-  return {std::string("rank of the columns of ") + what,
-          {"exact elimination", static_cast<double>(exact_rank(Pair{inner, outer, true}.both()))},
-          {ranks == 2 ? "2: not contained" : "1: contained", ranks},
-          exact(),
-          1};
-}
-
-/// Translates of A1 = P1 + V1: how far from A2 are the points P1 + t d1? Parallel lines: all equally far.
-Check distances(bool constant) {
-  std::vector<double> far, expected;
-  for (double t : {-3.0, 0.0, 2.0, 5.0}) {
+/// A point (1 + t, 4) of A1 = (1, 4) + V1; A2 is the line x = -2.
+struct Walker {
+  double t;
+  std::string where() const { return "t = " + shortest(t); }
+  double distance() const {
     const MatrixXd x = column({1, 4}) + t * axes.first - column({-2, 7});
     const auto along = solve(Factorization::householder_qr, axes.second, x.col(0));
-    far.push_back((x - axes.second * along.value).norm());
-    expected.push_back(constant ? 3 : std::abs(3 + t));
+    return (x - axes.second * along.value).norm();
   }
-  return {"distances of (1 + t, 4) from the line x = -2, t = -3, 0, 2, 5",
-          {"least squares", far},
-          {constant ? "constant" : "|3 + t|: they meet at t = -3", expected},
-          rounding(8)};
-}
+};
 
-/// Points of the smaller at equal distances from the larger, by least squares: parallel to the eye.
-bool equally_far(const Pair& pair, Random& random) {
-  const MatrixXd apart = whole(random, pair.first.rows(), 1);
-  std::vector<double> far;
-  for (int n = 0; n < 6; ++n) {
-    const VectorXd x = apart + pair.smaller() * whole(random, pair.smaller().cols(), 1);
-    const auto nearest = solve(Factorization::householder_qr, pair.larger(), x);
-    far.push_back((x - pair.larger() * nearest.value).norm());
+/// A pair of vector spaces, and whether points of the smaller are equally far from the larger, by least
+/// squares: parallel to the eye.
+struct Judged {
+  Pair pair;
+  bool equally_far;
+  std::string where() const {
+    return "dimensions " + std::to_string(pair.first.cols()) + " and " + std::to_string(pair.second.cols()) +
+           " of " + std::to_string(pair.first.rows());
   }
-  const auto [least, most] = std::ranges::minmax(far);
-  return most - least < 1e-9;
-}
+};
 
-Check criterion(double seed, const char* by, bool (*parallel)(const Pair&)) {
+std::vector<Judged> judged_pairs(double seed) {
   Random random(seed);
-  long wrong = 0, count = 0;
+  std::vector<Judged> all;
   for (const Pair& pair : random_pairs(seed, 300)) {
-    ++count;
-    wrong += parallel(pair) != equally_far(pair, random);
+    const MatrixXd apart = whole(random, pair.first.rows(), 1);
+    std::vector<double> far;
+    for (int n = 0; n < 6; ++n) {
+      const VectorXd x = apart + pair.smaller() * whole(random, pair.smaller().cols(), 1);
+      const auto nearest = solve(Factorization::householder_qr, pair.larger(), x);
+      far.push_back((x - pair.larger() * nearest.value).norm());
+    }
+    const auto [least, most] = std::ranges::minmax(far);
+    all.push_back({pair, most - least < 1e-9});
   }
-  return never(std::string("pairs judged otherwise than by equal distances, by ") + by, wrong, count);
-}
-
-bool either_contains(const Pair& pair) { return by_rank(pair, exact_rank); }
-bool both_equal(const Pair& pair) {
-  return pair.first.cols() == pair.second.cols() && exact_rank(pair.both()) == pair.first.cols();
-}
-bool common_direction(const Pair& pair) {
-  return exact_rank(pair.both()) < pair.first.cols() + pair.second.cols();
+  return all;
 }
 
 std::vector<Claim> claims(double seed) {
-  // The lines y = const and x = const by their equations.
-  const auto vectors = [&](const char* axis, const MatrixXd& normal, const MatrixXd& direction) {
-    return carriers(seed, axis, normal, direction);
-  };
-  return {{"8.3-directions",
-           3999,
-           "the vectors of A1 are those on the x-axis, the vectors of A2 those on the y-axis (A1 and A2 "
-           "themselves are not in "
-           "the solutions: any lines in these directions)",
-           {"x-axis and y-axis",
-            {vectors("x-axis", axes.second, axes.first), vectors("y-axis", axes.first, axes.second)}},
-           {},
-           {},
-           {{"exchanged", {vectors("y-axis", axes.second, axes.second)}}}},
-          {"8.3-neither",
-           3999,
-           "neither V1 is in V2 nor V2 in V1",
-           {"rank 2 both ways",
-            {contained("V1 and V2", axes.first, axes.second, 2),
-             contained("V2 and V1", axes.second, axes.first, 2)}},
-           {},
-           {},
-           {{"V1 in V2", {contained("V1 and V2", axes.first, axes.second, 1)}}}},
-          {"8.3-not_parallel",
-           3999,
-           "the affine subspaces are not parallel",
-           {"their distance changes along the line", {distances(false)}},
-           {},
-           {},
-           {{"their distance is constant", {distances(true)}}}},
-          {"8.3-criterion",
-           3999,
-           "what decides is whether one vector space contains the other",
-           {"V1 in V2 or V2 in V1", {criterion(seed, "containment, exact ranks", either_contains)}},
-           {},
-           {},
-           {{"V1 = V2", {criterion(seed, "equality, exact ranks", both_equal)}},
-            {"a common direction", {criterion(seed, "a common direction, exact ranks", common_direction)}}}}};
+  Claims claims("8.3");
+  claims.statement<Carrier>(
+      "directions", 3999,
+      "the vectors of $A_1$ are those on the x-axis, the vectors of $A_2$ those on the y-axis ($A_1$ and "
+      "$A_2$ themselves are not in the solutions: any lines in these directions)",
+      draw<Carrier>(400, seed),
+      {.printed =
+           {"a vector keeps points on $A_1$ just when it is on the x-axis, on $A_2$ when on the y-axis",
+            [](const Carrier& c) {
+              return c.stays_along(axes.first, axes.second) && c.stays_along(axes.second, axes.first);
+            }},
+       .near_misses = {{"a vector keeps points on $A_1$ just when it is on the y-axis",
+                        [](const Carrier& c) { return c.stays_along(axes.second, axes.second); }}}});
+  claims.add(
+      "neither", 3999, "neither $V_1$ is in $V_2$ nor $V_2$ in $V_1$",
+      {.printed = ranks("rank 2 both ways", "2"), .near_misses = {ranks("rank 1: one in the other", "1")}});
+  claims.formula<Walker>(
+      "not_parallel", 3999, "the affine subspaces are not parallel", {{-3}, {0}, {2}, {5}},
+      {.quantity = "distance of $(1+t,4)$ from the line $x=-2$",
+       .truth = {"least squares", &Walker::distance},
+       .printed = {"$|3+t|$: it changes along the line", [](const Walker& w) { return std::abs(3 + w.t); }},
+       .near_misses = {{"$3$: it is constant", [](const Walker&) { return 3.0; }}}});
+  claims.statement<Judged>(
+      "criterion", 3999, "what decides is whether one vector space contains the other", judged_pairs(seed),
+      {.printed = {R"(points are equally far just when $V_1\subseteq V_2$ or $V_2\subseteq V_1$)",
+                   [](const Judged& j) { return by_rank(j.pair, exact_rank) == j.equally_far; }},
+       .near_misses = {{"just when $V_1=V_2$",
+                        [](const Judged& j) {
+                          const long dimension = j.pair.first.cols();
+                          return (dimension == j.pair.second.cols() &&
+                                  exact_rank(j.pair.both()) == dimension) == j.equally_far;
+                        }},
+                       {"just when they have a direction in common", [](const Judged& j) {
+                          const long dimensions = j.pair.first.cols() + j.pair.second.cols();
+                          return (exact_rank(j.pair.both()) < dimensions) == j.equally_far;
+                        }}}});
+  return claims.in_order();
 }
 
 // ---- methods ----------------------------------------------------------------------------------------------

@@ -3,29 +3,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "solvers/counted.hpp"
+#include "chapters/exercise.hpp"
+#include "chapters/random.hpp"
 
 /// Row reduction of an augmented n x (n+1) matrix without exchange of rows, generic in its number type: the
 /// same code solves and is counted.
-namespace oddity::elimination {
-
-/// What operations cost: so many multiplications, additions (and subtractions), divisions.
-struct Cost {
-  double mu = 0, alpha = 0, delta = 0;
-
-  constexpr Cost() = default;
-  constexpr Cost(double m, double a, double d) : mu(m), alpha(a), delta(d) {}
-  Cost(const Operations& counted)
-      : mu(static_cast<double>(counted.multiplications)),
-        alpha(static_cast<double>(counted.additions)),
-        delta(static_cast<double>(counted.divisions)) {}
-
-  friend constexpr Cost operator+(Cost a, Cost b) {
-    return {a.mu + b.mu, a.alpha + b.alpha, a.delta + b.delta};
-  }
-  friend constexpr Cost operator*(double x, Cost a) { return {x * a.mu, x * a.alpha, x * a.delta}; }
-  friend constexpr Cost operator-(Cost a, Cost b) { return a + -1.0 * b; }
-};
+namespace oddity::ex07_01 {
 
 template <class T>
 using Rows = std::vector<std::vector<T>>;
@@ -108,32 +91,11 @@ std::vector<T> solve_full(Rows<T> m, Clearing clearing, Diagonal diagonal) {
   return divide(m);
 }
 
-/// What the parts of crosswise elimination cost a system of n unknowns, by running them on counted numbers.
-struct Counts {
-  double n = 0;
-  Cost first_row = {}, forward_second = {}, full_second = {};  ///< one column cleared
-  Cost full = {}, division = {};                               ///< all columns cleared; then the division
-  Cost forward_and_back = {};
-};
+std::vector<Claim> claims(const Random&);
+std::vector<Root> roots();
 
-inline Counts count(std::size_t n) {
-  using Number = Counted<double>;
-  const Rows<Number> start(n, std::vector<Number>(n + 1, 1.0));
-  Counts counts{static_cast<double>(n)};
-  auto rows = start;
-  counts.first_row = operations_of([&] { full_step(rows, 0); });
-  if (n > 1) {
-    auto forward = rows;
-    counts.forward_second = operations_of([&] { forward_step(forward, 1); });
-    counts.full_second = operations_of([&] { full_step(rows, 1); });
-  }
-  rows = start;
-  counts.full = operations_of([&] {
-    for (std::size_t k = 0; k < n; ++k) full_step(rows, k);
-  });
-  counts.division = operations_of([&] { return divide(rows); });
-  counts.forward_and_back = operations_of([&] { return solve_forward(start, Clearing::crosswise); });
-  return counts;
-}
+/// A random system of n equations solved by every elimination; in a `large` one the numbers of crosswise
+/// clearing leave their range.
+Quantity solution(const std::string& name, std::size_t n, bool large, const Random&);
 
-}  // namespace oddity::elimination
+}  // namespace oddity::ex07_01

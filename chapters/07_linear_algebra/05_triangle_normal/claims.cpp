@@ -1,0 +1,241 @@
+#include "chapters/claims.hpp"
+
+#include <cmath>
+
+#include "chapters/07_linear_algebra/05_triangle_normal/triangle_normal.hpp"
+#include "chapters/07_linear_algebra/shared/vectors.hpp"
+#include "reference/text.hpp"
+
+namespace oddity::ex07_05 {
+
+namespace {
+
+using namespace vectors;
+
+/// Whole numbers of 128 bits.
+__extension__ typedef __int128 Whole;
+
+/// Three vectors of whole numbers.
+struct Edges {
+  static constexpr bool whole = true;
+  Vector3<double> u, v, w;
+
+  Vector3<double> normal() const { return cross(u, v); }
+  /// u and v, by their Gram determinant in whole numbers.
+  bool independent() const {
+    const auto a = cast<Whole>(u), b = cast<Whole>(v);
+    return dot(a, a) * dot(b, b) != dot(a, b) * dot(a, b);
+  }
+  double size() const { return 1 + dot(u, u) + dot(v, v) + dot(w, w); }
+  std::string where() const {
+    const auto shown = [](const Vector3<double>& x) {
+      return "(" + shortest(x[0]) + ", " + shortest(x[1]) + ", " + shortest(x[2]) + ")";
+    };
+    return "u = " + shown(u) + ", v = " + shown(v) + ", w = " + shown(w);
+  }
+};
+
+/// Of all sizes up to a million, every tenth v nearly parallel to u; w closes the triangle or is random.
+std::vector<Edges> samples(Random random, bool closed) {
+  std::vector<Edges> all;
+  const auto vector = [&] {
+    const double size = std::round(std::abs(random.magnitude(1, 1e6)));
+    Vector3<double> x;
+    for (double& component : x) component = std::round(random.between(-size, size));
+    return x;
+  };
+  for (int i = 0; i < 300; ++i) {
+    Edges s{vector(), vector(), vector()};
+    if (i % 10 == 9) s.v = Vector3<double>{1 - s.u[0], -s.u[1], 2 - s.u[2]};
+    if (closed) s.w = -(s.u + s.v);
+    all.push_back(s);
+  }
+  return all;
+}
+
+/// The same with every tenth on a line, or v even zero: triples without a normal.
+std::vector<Edges> some_on_a_line(std::vector<Edges> all) {
+  for (std::size_t i = 0; i < all.size(); i += 10) {
+    Edges& s = all[i];
+    s.v = (i % 20 == 0 ? 2.0 : 0.0) * s.u, s.w = -(s.u + s.v);
+  }
+  return all;
+}
+
+using Vectors = Formula<Edges>;
+
+void lines(Claims& claims, const std::vector<Edges>& open, const std::vector<Edges>& closed) {
+  const Vectors zero{"$0$",
+                     [](const Edges&) {
+                       return Value{0, 0, 0};
+                     }},
+      times_zero{R"($u\times0$)", [](const Edges&s) { return cross(s.u, Vector3<double>{}); }},
+      bracket{R"($u\times(u+v+w)$)", [](const Edges&s) { return cross(s.u, s.u + s.v + s.w); }},
+      three{R"($u\times u+u\times v+u\times w$)",
+            [](const Edges&s) { return cross(s.u, s.u) + cross(s.u, s.v) + cross(s.u, s.w); }},
+      uv{R"($u\times v$)", &Edges::normal};
+
+  claims
+      .formula<Edges>("zero", 3839, R"($u\times0=0$)", open,
+                      {.truth = times_zero,
+                       .printed = zero,
+                       .near_misses = {{"$u$", [](const Edges& s) { return s.u; }}}})
+      .formula<Edges>(
+          "inserted", 3841, R"($u\times0$ is the product of $u$ with the sum of the three)", closed,
+          {.truth = zero,
+           .printed = {R"($u\times(u+{\times}v+w)$, with a cross and no plus: $u\times(u\times v+w)$)",
+                       [](const Edges& s) { return cross(s.u, cross(s.u, s.v) + s.w); }},
+           .meant = bracket,
+           .near_misses = {{R"($u\times(u+v-w)$)",
+                            [](const Edges& s) { return cross(s.u, s.u + s.v - s.w); }}},
+           .kind = Fault::formula,
+           .why = R"(A stray cross stands before $v$ inside the bracket; the next line expands )"
+                  R"($u\times(u+v+w)$. Read as it stands, with $u=(1,0,0)$, $v=(0,1,0)$ and $w=(-1,-1,0)$, )"
+                  R"(it is $(0,-1,-1)$ and not 0.)"})
+      .formula<Edges>("expanded", 3843, R"($u\times(u+v+w)$ multiplied out)", open,
+                      {.truth = bracket,
+                       .printed = three,
+                       .near_misses = {{R"($u\times u+u\times v+w\times u$)",
+                                        [](const Edges& s) { return cross(s.u, s.v) + cross(s.w, s.u); }}}})
+      .formula<Edges>(
+          "reduced", 3845, R"($u\times u+u\times v+u\times w$ without what is zero)", open,
+          {.truth = three,
+           .printed = {R"($0+u\times v-w\times v$)",
+                       [](const Edges& s) { return cross(s.u, s.v) - cross(s.w, s.v); }},
+           .meant = {R"($0+u\times v-w\times u$)",
+                     [](const Edges& s) { return cross(s.u, s.v) - cross(s.w, s.u); }},
+           .near_misses = {{R"($0+u\times v+w\times u$)",
+                            [](const Edges& s) { return cross(s.u, s.v) + cross(s.w, s.u); }}},
+           .kind = Fault::formula,
+           .why = R"($u\times w=-w\times u$, not $-w\times v$: with $u+v+w=0$ the printed line is )"
+                  R"($2\,u\times v$, and not zero. The next line has $w\times u$.)"})
+      .formula<Edges>("first_pair", 3847, R"($u\times v=w\times u$)", closed,
+                      {.truth = uv,
+                       .printed = {R"($w\times u$)", [](const Edges& s) { return cross(s.w, s.u); }},
+                       .near_misses = {{R"($u\times w$)", [](const Edges& s) { return cross(s.u, s.w); }}}})
+      .formula<Edges>("second_pair", 3851, R"($u\times v=v\times w$)", closed,
+                      {.truth = uv,
+                       .printed = {R"($v\times w$)", [](const Edges& s) { return cross(s.v, s.w); }},
+                       .near_misses = {{R"($w\times v$)", [](const Edges& s) { return cross(s.w, s.v); }}}})
+      // The three vectors as the vertices P, Q, R of a triangle, and the walk around it.
+      .formula<Edges>(
+          "closed_walk", 3853,
+          "once around a triangle $PQR$ the net distance traveled, that is the displacement, is zero", open,
+          {.truth = zero,
+           .printed = {"$(Q-P)+(R-Q)+(P-R)$",
+                       [](const Edges& s) { return ((s.v - s.u) + (s.w - s.v)) + (s.u - s.w); }},
+           .near_misses = {{"$(Q-P)+(R-Q)+(R-P)$, the last edge backwards",
+                            [](const Edges& s) { return ((s.v - s.u) + (s.w - s.v)) + (s.w - s.u); }},
+                           {"$|Q-P|+|R-Q|+|P-R|$, the distance that is walked", [](const Edges& s) {
+                              double walked = 0;
+                              for (const auto& edge : {s.v - s.u, s.w - s.v, s.u - s.w})
+                                walked += std::sqrt(dot(edge, edge));
+                              return Value{walked, 0, 0};
+                            }}}});
+}
+
+/// A formula in whole numbers of 128 bits, as two halves of 52 bits.
+using InWhole =
+    std::function<Whole(const Vector3<Whole>& u, const Vector3<Whole>& v, const Vector3<Whole>& w)>;
+
+Vectors in_whole(std::string text, const InWhole& of) {
+  return {std::move(text), [=](const Edges& s) {
+            constexpr Whole base = Whole{1} << 52;
+            const auto u = cast<Whole>(s.u), v = cast<Whole>(s.v), w = cast<Whole>(s.w);
+            const Whole x = of(u, v, w);
+            return values(x / base, x % base);
+          }};
+}
+
+void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<Edges>& closed) {
+  using W = const Vector3<Whole>&;
+  const auto length = [](W u, W v, W) { return dot(cross(u, v), cross(u, v)); };
+  const auto times_length = [=](int factor) {
+    return in_whole("$" + std::to_string(factor) + R"(|u\times v|^2$)",
+                    [=](W u, W v, W w) { return factor * length(u, v, w); });
+  };
+  const Vectors zero = in_whole("$0$", [](W, W, W) { return Whole{0}; }),
+                squared = in_whole(R"($|u\times v|^2$)", length),
+                volume = in_whole(R"($u\cdot v\times w$)", [](W u, W v, W w) { return triple(u, v, w); }),
+                leaning =
+                    in_whole(R"($(n\cdot u)^2+(n\cdot v)^2+(n\cdot w)^2$, $n=u\times v$)",
+                             [](W u, W v, W w) {
+                               const auto n = cross(u, v);
+                               return dot(n, u) * dot(n, u) + dot(n, v) * dot(n, v) + dot(n, w) * dot(n, w);
+                             }),
+                pairs =
+                    in_whole(R"($(w\times v)\cdot(v\times w)+(u\times w)\cdot(w\times u)+3|u\times v|^2$)",
+                             [](W u, W v, W w) {
+                               return dot(cross(w, v), cross(v, w)) + dot(cross(u, w), cross(w, u)) +
+                                      3 * dot(cross(u, v), cross(u, v));
+                             }),
+                heron = in_whole("$16\\,\\text{area}^2$ by Heron, from the lengths of the sides",
+                                 [](W u, W v, W w) {
+                                   const Whole a = dot(u, u), b = dot(v, v), c = dot(w, w);
+                                   return 2 * (a * b + b * c + c * a) - a * a - b * b - c * c;
+                                 });
+  const auto in_plane = [&](const std::vector<Edges>& samples) {
+    return compare(R"($u\cdot v\times w$, in halves of 52 bits)", volume, zero, samples);
+  };
+  const auto perpendicular = [&](const std::vector<Edges>& samples) {
+    return compare(R"(what $u\times v$ has along the edges, in halves of 52 bits)", leaning, zero, samples);
+  };
+  claims
+      .add("plane", 3853, "the three vectors lie in a plane",
+           {.printed = {R"($u\cdot v\times w=0$)", {in_plane(closed)}},
+            .near_misses = {{"for any $u$, $v$, $w$", {in_plane(open)}}}})
+      .add("any_two_edges", 3853,
+           "any two of the edges give a normal vector, of the same length (in the order of the walk)",
+           {.printed = {"perpendicular to all edges, the same length by every two",
+                        {perpendicular(closed),
+                         compare("the squared length by every two edges, in halves of 52 bits", pairs,
+                                 squared, closed)}},
+            .near_misses = {{"for any $u$, $v$, $w$", {perpendicular(open)}},
+                            {"in either order the same vector",
+                             {compare<Edges>(
+                                 "the product of two edges", {R"($u\times v$)", &Edges::normal},
+                                 {R"($v\times u$)", [](const Edges& s) { return cross(s.v, s.u); }},
+                                 closed)}}}})
+      .formula<Edges>("twice_area", 3853, "the normal is twice as long as the triangle's area", closed,
+                      {.quantity = R"($16\,\text{area}^2$, in halves of 52 bits)",
+                       .truth = heron,
+                       .printed = times_length(4),
+                       .near_misses = {times_length(16)}})
+      .statement<Edges>(
+          "triangle", 3853,
+          R"(vectors with the sum zero are edges of a triangle, and $u\times v$ is its normal vector)",
+          some_on_a_line(closed),
+          {.printed = {"$u+v+w=0$", [](const Edges& s) { return s.normal() != Vector3<double>{}; }},
+           .corrected = {"$u+v+w=0$, $u$ and $v$ not parallel",
+                         [](const Edges& s) { return !s.independent() || s.normal() != Vector3<double>{}; }},
+           .near_misses = {{"$u+v+w=0$, none of them zero",
+                            [](const Edges& s) {
+                              const Vector3<double> none{};
+                              return s.u == none || s.v == none || s.w == none || s.normal() != none;
+                            }}},
+           .kind = Fault::left_out,
+           .root = "edges on one line",
+           .why =
+               R"(Three vectors on one line, $u=(1,0,0)$, $v=(2,0,0)$, $w=(-3,0,0)$, have the sum zero as )"
+               R"(well: all three products are 0. The triangle is flat, lies in many planes, and its unit )"
+               R"(normal is $0/0$. That the products are equal, and their length twice the area, holds )"
+               R"(there too.)"});
+}
+
+}  // namespace
+
+std::vector<Claim> claims(const Random& random) {
+  const auto open = samples(random, false), closed = samples(random, true);
+  Claims claims("7.5");
+  lines(claims, open, closed);
+  geometry(claims, open, closed);
+  return claims.in_order();
+}
+
+std::vector<Root> roots() {
+  return {{"edges on one line",
+           R"(Of the 84 triples of vertices of a $3\times3$ grid 8 lie on a line: a face on one of them has )"
+           R"(the unit normal $0/0$, and is lit with NaN.)"}};
+}
+
+}  // namespace oddity::ex07_05

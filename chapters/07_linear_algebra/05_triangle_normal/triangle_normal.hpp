@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "chapters/exercise.hpp"
+#include "chapters/random.hpp"
+
+namespace oddity::ex07_05 {
+
+std::vector<Claim> claims(const Random&);
+std::vector<Root> roots();
+
+}  // namespace oddity::ex07_05

@@ -1,0 +1,245 @@
+#include "chapters/claims.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "chapters/07_linear_algebra/09_determinant_4x4/determinant_4x4.hpp"
+
+namespace oddity::ex07_09 {
+
+namespace {
+
+struct Row {
+  int line;
+  std::string_view permutation, term;
+  std::string where() const { return std::string(permutation); }
+};
+
+// clang-format off
+constexpr Row table[] = {
+    {3939, "1234", "+ a11 a22 a33 a44"}, {3941, "3124", "+ a31 a12 a23 a44"},
+    {3943, "2314", "+ a21 a32 a13 a44"}, {3945, "1324", "- a11 a32 a23 a44"},
+    {3945, "3214", "- a31 a22 a13 a44"}, {3945, "2134", "- a21 a12 a33 a44"},
+    {3945, "1243", "- a11 a22 a43 a34"}, {3945, "3142", "- a31 a12 a43 a24"},
+    {3945, "2341", "- a21 a32 a43 a14"}, {3945, "1342", "+ a11 a32 a43 a24"},
+    {3947, "3241", "+ a31 a22 a43 a14"}, {3949, "2143", "+ a21 a12 a43 a34"},
+    {3953, "1423", "+ a11 a42 a23 a34"}, {3955, "3412", "+ a31 a42 a13 a24"},
+    {3957, "2431", "+ a21 a42 a33 a14"}, {3959, "1432", "- a11 a42 a33 a24"},
+    {3959, "3421", "- a31 a42 a23 a14"}, {3959, "2413", "- a21 a42 a13 a34"},
+    {3959, "4123", "- a41 a12 a23 a34"}, {3959, "4312", "- a41 a32 a13 a24"},
+    {3959, "4231", "- a41 a22 a33 a14"}, {3959, "4132", "+ a41 a12 a33 a24"},
+    {3961, "4321", "+ a41 a32 a23 a14"}, {3963, "4213", "+ a41 a22 a13 a34"},
+};
+// clang-format on
+
+std::size_t digit(char c) { return static_cast<std::size_t>(c - '1'); }
+
+Term parsed(std::string_view text) {
+  Term term{text[0] == '-', {}, {}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    term.rows[k] = digit(text[4 * k + 3]);
+    term.columns[k] = digit(text[4 * k + 4]);
+  }
+  return term;
+}
+
+}  // namespace
+
+std::vector<Term> printed_terms() {
+  std::vector<Term> terms;
+  for (const Row& row : table) terms.push_back(parsed(row.term));
+  return terms;
+}
+
+namespace {
+
+/// Fraction-free elimination with exchange of rows (Bareiss 1968): every division leaves no remainder. For
+/// whole numbers with entries below 2000.
+Whole by_bareiss(Matrix4<Whole> m) {
+  Whole previous = 1, sign = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::size_t pivot = k;
+    while (pivot < 4 && m[pivot][k] == 0) ++pivot;
+    if (pivot == 4) return 0;
+    if (pivot != k) std::swap(m[pivot], m[k]), sign = -sign;
+    for (std::size_t i = k + 1; i < 4; ++i)
+      for (std::size_t j = k + 1; j < 4; ++j) m[i][j] = (m[k][k] * m[i][j] - m[i][k] * m[k][j]) / previous;
+    previous = m[k][k];
+  }
+  return sign * m[3][3];
+}
+
+/// A matrix of whole numbers, a tenth of them singular.
+struct Sample {
+  static constexpr bool whole = true;
+  Matrix4<Whole> m;
+  std::string where() const {
+    std::string all = "rows";
+    for (const auto& row : m)
+      for (const Whole x : row) all += " " + std::to_string(static_cast<long>(x));
+    return all;
+  }
+};
+
+std::vector<Sample> full_matrices(Random random) {
+  std::vector<Sample> all;
+  for (int sample = 0; sample < 500; ++sample) {
+    auto m = random_matrix(random, 999);
+    if (sample % 10 == 9) m[3] = m[static_cast<std::size_t>(random.below(3))];
+    all.push_back({m});
+  }
+  return all;
+}
+
+/// Whole numbers at the four places of a term, zero elsewhere.
+std::vector<Sample> matrices_of(const Term& term, Random random) {
+  std::vector<Sample> all;
+  for (int sample = 0; sample < 8; ++sample) {
+    Matrix4<Whole> m{};
+    for (std::size_t k = 0; k < 4; ++k) m[term.rows[k]][term.columns[k]] = 1 + random.below(99);
+    all.push_back({m});
+  }
+  return all;
+}
+
+Formula<Sample> in_whole(std::string text, const std::function<Whole(const Matrix4<Whole>&)>& of) {
+  return {std::move(text), [=](const Sample& s) { return values(of(s.m)); }};
+}
+
+Formula<Sample> terms(std::string text, const std::vector<Term>& all) {
+  return in_whole(std::move(text), [=](const Matrix4<Whole>& m) {
+    Whole sum = 0;
+    for (const Term& term : all) sum += (term.negative ? -1 : 1) * term_of(term, m);
+    return sum;
+  });
+}
+
+const Formula<Sample> elimination = in_whole("fraction-free elimination", by_bareiss);
+
+/// The sum over all permutations, with or without their signs, their order found by counting inversions.
+Formula<Sample> over_permutations(std::string text, bool with_signs) {
+  return in_whole(std::move(text), [=](const Matrix4<Whole>& m) {
+    std::array<std::size_t, 4> s{0, 1, 2, 3};
+    Whole sum = 0;
+    do {
+      int inversions = 0;
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = i + 1; j < 4; ++j) inversions += s[i] > s[j];
+      const Whole product = m[s[0]][0] * m[s[1]][1] * m[s[2]][2] * m[s[3]][3];
+      sum += with_signs && inversions % 2 == 1 ? -product : product;
+    } while (std::next_permutation(s.begin(), s.end()));
+    return sum;
+  });
+}
+
+/// "+ a11 a22" as $+a_{11}a_{22}$.
+std::string typeset(std::string_view term) {
+  std::string tex = "$";
+  for (std::size_t i = 0; i < term.size(); ++i) {
+    if (term[i] == ' ') continue;
+    tex += term[i];
+    if (term[i] == 'a') tex += "_{" + std::string(term.substr(i + 1, 2)) + "}", i += 2;
+  }
+  return tex + "$";
+}
+
+/// The printed row and column numbers against those that the permutation asks for.
+Check places(const Row& row) {
+  const Term term = parsed(row.term);
+  std::vector<double> printed, asked;
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (const std::size_t number : {term.rows[k] + 1, term.columns[k] + 1})
+      printed.push_back(static_cast<double>(number));
+    for (const std::size_t number : {digit(row.permutation[k]) + 1, k + 1})
+      asked.push_back(static_cast<double>(number));
+  }
+  return {"row and column numbers",
+          {"as printed", printed},
+          {R"($\sigma(1)1,\ldots,\sigma(4)4$)", asked},
+          exact()};
+}
+
+void add_row(Claims& claims, const Row& row, const Random& random) {
+  const std::string name(row.permutation), tex = typeset(row.term);
+  const Term term = parsed(row.term);
+  Term negated = term;
+  negated.negative = !term.negative;
+  const auto sign = [&](const std::string& text, const Term& t) {
+    return compare("the determinant without the other entries", terms(text, {t}), elimination,
+                   matrices_of(term, random));
+  };
+  const std::string other = (negated.negative ? "$-" : "$+") + tex.substr(2);
+  claims.add(
+      "term_" + name, row.line, "the permutation " + name + " and its term",
+      {.printed = {tex, {places(row), sign(tex, term)}}, .near_misses = {{other, {sign(other, negated)}}}});
+}
+
+/// Of the 4^4 maps of {1, 2, 3, 4} into itself, those that reach every number.
+double onto_maps() {
+  int count = 0;
+  for (int code = 0; code < 256; ++code)
+    count += std::set<int>{code & 3, code >> 2 & 3, code >> 4 & 3, code >> 6}.size() == 4;
+  return count;
+}
+
+}  // namespace
+
+std::vector<Claim> claims(const Random& random) {
+  Claims claims("7.9");
+  const auto matrices = full_matrices(random);
+  const std::vector<Term> all = printed_terms();
+  claims.formula<Sample>(
+      "formula", 3933, "the determinant is a sum over the permutations of signed products", matrices,
+      {.quantity = R"($\det A$)",
+       .truth = elimination,
+       .printed = terms(R"($\det A=\ldots=\varepsilon_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3})"
+                        R"(a_{\sigma(4)4}$, a product alone: $a_{11}a_{22}a_{33}a_{44}$)",
+                        {all[0]}),
+       .meant = over_permutations(
+           R"($\sum_\sigma\varepsilon_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3}a_{\sigma(4)4}$)",
+           true),
+       .near_misses = {over_permutations(
+           R"($\sum_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3}a_{\sigma(4)4}$)", false)},
+       .kind = Fault::formula,
+       .why = "An equals sign stands between the summation sign and the product that it sums. A product "
+              "alone is one of 24 terms: 1 for a matrix of ones, whose determinant is 0."});
+  claims.number("permutations", 3935, "there are $4!$ permutations",
+                {.quantity = "permutations",
+                 .truth = {R"(maps of $\{1,2,3,4\}$ onto itself)", onto_maps()},
+                 .printed = "24",
+                 .near_misses = {"23"}});
+
+  std::vector<Row> rows(std::begin(table), std::end(table));
+  const auto entries = [](int number) {
+    return [=](const Row& row) {
+      const Term t = parsed(row.term);
+      return std::ranges::count(row.term, 'a') == number &&
+             std::set(t.rows.begin(), t.rows.end()).size() == 4 &&
+             std::set(t.columns.begin(), t.columns.end()).size() == 4;
+    };
+  };
+  claims.statement<Row>("four_entries", 3935, "each term has four entries, one of every row and column", rows,
+                        {.printed = {"four", entries(4)}, .near_misses = {{"three", entries(3)}}});
+
+  std::set<std::string_view> different;
+  for (const Row& row : table) different.insert(row.permutation);
+  std::vector<Term> flipped = all, dropped = all;
+  flipped.back().negative = !flipped.back().negative;
+  dropped.pop_back();
+  const auto sum = [&](const std::string& text, const std::vector<Term>& some) {
+    return compare(R"($\det A$)", terms(text, some), elimination, matrices);
+  };
+  claims.add("table", 3935, "the table shows the 24 terms and signs",
+             {.printed = {"24 different permutations, and the sum of the terms is the determinant",
+                          {{"different permutations",
+                            {"in the table", static_cast<double>(different.size())},
+                            {R"(maps of $\{1,2,3,4\}$ onto itself)", onto_maps()},
+                            exact()},
+                           sum("sum of the 24 terms", all)}},
+              .near_misses = {{"the last sign flipped", {sum("sum, the last sign flipped", flipped)}},
+                              {"the last term dropped", {sum("sum, the last term dropped", dropped)}}}});
+  for (const Row& row : table) add_row(claims, row, random);
+  return claims.in_order();
+}
+
+}  // namespace oddity::ex07_09
