@@ -14,7 +14,6 @@
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
-#include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
 #include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
