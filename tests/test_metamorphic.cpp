@@ -9,7 +9,7 @@
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/models.hpp"
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
-#include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
+#include "chapters/03_rigid_body_motion/09_damped_ball/models.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 #include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
