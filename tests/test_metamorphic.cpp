@@ -12,7 +12,7 @@
 #include "chapters/03_rigid_body_motion/09_damped_ball/models.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
-#include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
+#include "chapters/03_rigid_body_motion/11_paraboloid_hill/models.hpp"
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/pipe_and_disk.hpp"
 #include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
