@@ -1,0 +1,665 @@
+// The claims of exercise 3.9. The equations are derived again from L = m|x'|^2/2 - c|x|^2/2 and Rayleigh's
+// dissipation a|x'|^2/2 by dual numbers; the published solutions are put into the differential equation,
+// their derivatives taken by dual numbers. Letters: r1 > r2 the real roots of m r^2 + a r + c; alpha, beta
+// the parts of the complex ones.
+
+#include "chapters/claims.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
+#include "reference/text.hpp"
+#include "solvers/dual.hpp"
+
+namespace oddity::ex03_09 {
+
+using namespace damped_ball;
+using std::abs, std::sqrt, std::numbers::pi;
+
+/// The next samples of a stream that goes on from claim to claim.
+template <class Sample>
+std::vector<Sample> next(Random& random, int count) {
+  std::vector<Sample> samples;
+  for (int i = 0; i < count; ++i) samples.emplace_back(random);
+  return samples;
+}
+
+// ---- the equation and its solutions -----------------------------------------------------------------------
+
+/// A ball somewhere, with any velocity.
+struct Anywhere {
+  double m, c, a, x1, x2, v1, v2;
+  explicit Anywhere(Random& random)
+      : m(random.between(0.1, 3)), c(random.between(0.1, 3)), a(random.between(0.1, 3)) {
+    const auto x = random.point(3), v = random.point(3);
+    x1 = x[0], x2 = x[1], v1 = v[0], v2 = v[1];
+  }
+  std::array<double*, 7> letters() { return {&m, &c, &a, &x1, &x2, &v1, &v2}; }
+  std::string where() const { return "a = " + rounded(a, 4); }
+  /// m x'' from the two energies.
+  Value derived() const {
+    const auto lagrangian = [this](const auto& q1, const auto& q2) {
+      return 0.5 * m * (v1 * v1 + v2 * v2) - 0.5 * c * (q1 * q1 + q2 * q2);
+    };
+    const auto dissipation = [this](const auto& u1, const auto& u2) { return 0.5 * a * (u1 * u1 + u2 * u2); };
+    using Along = Dual<double>;
+    return {lagrangian(Along(x1, 1), Along(x2)).slope - dissipation(Along(v1, 1), Along(v2)).slope,
+            lagrangian(Along(x1), Along(x2, 1)).slope - dissipation(Along(v1), Along(v2, 1)).slope};
+  }
+};
+
+/// The characteristic polynomial's coefficients, and its roots by the text.
+struct Polynomial {
+  double m, c, a;
+  explicit Polynomial(Random& random)
+      : m(random.between(0.1, 3)), c(random.between(0.1, 3)), a(random.between(0.1, 9)) {}
+  std::array<double*, 3> letters() { return {&m, &c, &a}; }
+  std::string where() const {
+    return "m = " + rounded(m, 4) + ", c = " + rounded(c, 4) + ", a = " + rounded(a, 4);
+  }
+  std::complex<double> root(double sign, double factor = 4) const {
+    return (-a + sign * sqrt(std::complex<double>(a * a - factor * m * c))) / (2 * m);
+  }
+  Value sum_and_product(double factor) const {
+    const auto r1 = root(1, factor), r2 = root(-1, factor);
+    return {(r1 + r2).real(), (r1 * r2).real()};
+  }
+};
+
+/// One coordinate from p with velocity v, at a later time; friction in parts of the critical.
+struct Coordinate {
+  double m, c, p, v, a, t;
+  Coordinate(Random& random, double least, double most)
+      : m(random.between(0.3, 3)),
+        c(random.between(0.3, 3)),
+        p(random.between(-2, 2)),
+        v(random.between(-2, 2)),
+        a(2 * sqrt(m * c) * random.between(least, most)),
+        t(random.between(0.1, 5)) {}
+  std::array<double*, 6> letters() { return {&m, &c, &a, &p, &v, &t}; }
+  std::string where() const {
+    return "m = " + rounded(m, 4) + ", c = " + rounded(c, 4) + ", a = " + rounded(a, 4) +
+           ", t = " + rounded(t, 4);
+  }
+};
+struct OverDamped : Coordinate {
+  explicit OverDamped(Random& random) : Coordinate(random, 1.1, 3) {}
+};
+struct UnderDamped : Coordinate {
+  explicit UnderDamped(Random& random) : Coordinate(random, 0.05, 0.9) {}
+};
+
+/// The book's two exponentials as a function of the time.
+auto two_exponentials(double m, double c, double a, double p, double v) {
+  const double root = sqrt(a * a - 4 * m * c), r1 = (-a + root) / (2 * m), r2 = (-a - root) / (2 * m);
+  const double k1 = (v - r2 * p) / (r1 - r2);
+  return [=](const auto& t) { return k1 * exp(r1 * t) + (p - k1) * exp(r2 * t); };
+}
+
+/// exp(alpha t) (K1 cos(beta t) + K2 sin(beta t)).
+auto oscillation(double alpha, double beta, double k1, double k2) {
+  return [=](const auto& t) { return exp(alpha * t) * (k1 * cos(beta * t) + k2 * sin(beta * t)); };
+}
+
+/// sign = 1: the published K2 = (v - alpha p)/beta.
+auto damped_oscillation(double m, double c, double a, double p, double v, double sign = 1) {
+  const double alpha = -a / (2 * m), beta = sqrt(4 * m * c - a * a) / (2 * m);
+  return oscillation(alpha, beta, p, (v - sign * alpha * p) / beta);
+}
+
+/// A solution put into the differential equation, and its start.
+template <class Sample, class Form>
+Formula<Sample> put_in(std::string text, const Form& form) {
+  return {std::move(text),
+          [form](const Sample& s) {
+            const auto x = form(s);
+            return values(s.m * second_derivative(x, s.t) + s.a * derivative(x, s.t) + s.c * x(s.t), x(0.0),
+                          derivative(x, 0.0));
+          },
+          [form](const Sample& s) {
+            const auto x = form(s);
+            return abs(s.m * second_derivative(x, s.t)) + abs(s.a * derivative(x, s.t)) + abs(s.c * x(s.t));
+          }};
+}
+const std::string put_in_quantity = R"($(m\ddot x+a\dot x+cx,\;x(0),\;\dot x(0))$)";
+template <class Sample>
+const Formula<Sample> as_asked{"$(0,p,v)$", [](const Sample& s) { return values(0, s.p, s.v); }};
+
+/// Two real roots' constants; the mass is 1, the spring 4.
+struct Constants {
+  double a, k1, k2;
+  explicit Constants(Random& random)
+      : a(random.between(4.1, 20)), k1(random.magnitude(1e-3, 1e3)), k2(random.magnitude(1e-3, 1e3)) {}
+  std::string where() const {
+    return "a = " + rounded(a, 4) + ", K1 = " + rounded(k1, 4) + ", K2 = " + rounded(k2, 4);
+  }
+  double at(double t) const {
+    const double root = sqrt(a * a - 16);
+    return k1 * std::exp((-a + root) / 2 * t) + k2 * std::exp((-a - root) / 2 * t);
+  }
+};
+
+/// More friction, and still more.
+struct Frictions {
+  double a, b;
+  explicit Frictions(Random& random) : a(random.between(4.5, 60)), b(a * random.between(1.05, 3)) {}
+  std::string where() const { return "a = " + rounded(a, 4) + " and " + rounded(b, 4); }
+  /// How far from the origin a ball let go at rest is after 5 s.
+  static double left(double friction) { return abs(OneForm<double>{{1, 4, friction, 1, 1, 0, 0}}.at(5)[0]); }
+};
+
+/// K1 and K2 of the oscillation, and a time.
+struct Oscillation {
+  double alpha, beta, k1, k2, t;
+  explicit Oscillation(Random& random)
+      : alpha(-random.unit()),
+        beta(random.between(0.1, 3)),
+        k1(random.between(-2, 2)),
+        k2(random.between(-2, 2)),
+        t(random.between(0, 5)) {}
+  std::array<double*, 5> letters() { return {&alpha, &beta, &k1, &k2, &t}; }
+  std::string where() const { return "t = " + rounded(t, 4); }
+  /// x' with `last` times its last term.
+  double rate(double last) const {
+    const double e = std::exp(alpha * t), co = std::cos(beta * t), si = std::sin(beta * t);
+    return e * (-beta * k1 * si + beta * k2 * co) + last * alpha * e * (k1 * co + k2 * si);
+  }
+};
+
+struct StartOfOne {
+  double alpha, beta, p, v;
+  explicit StartOfOne(Random& random)
+      : alpha(-random.unit()),
+        beta(random.between(0.1, 3)),
+        p(random.between(-2, 2)),
+        v(random.between(-2, 2)) {}
+  std::array<double*, 4> letters() { return {&alpha, &beta, &p, &v}; }
+  std::string where() const { return "alpha = " + rounded(alpha, 4) + ", beta = " + rounded(beta, 4); }
+  Value started(double sign) const {
+    const auto x = oscillation(alpha, beta, p, (v - sign * alpha * p) / beta);
+    return {x(0.0), derivative(x, 0.0)};
+  }
+};
+
+void solutions(Claims& claims, double seed, Random& random) {
+  const auto friction = [](std::string text, double factor) -> Formula<Anywhere> {
+    return {std::move(text), [=](const Anywhere& s) {
+              return values(-s.c * s.x1 - factor * s.a * s.v1, -s.c * s.x2 - factor * s.a * s.v2);
+            }};
+  };
+  claims.formula<Anywhere>(
+      "equations", 1449, R"(each coordinate obeys $m\ddot x+a\dot x+cx=0$)", draw<Anywhere>(200, seed),
+      {.quantity = R"($m\ddot x$)",
+       .truth = {"the Lagrangian and Rayleigh's dissipation by dual numbers", &Anywhere::derived},
+       .printed = friction(R"($m\ddot x=-cx-a\dot x$)", 1),
+       .near_misses = {friction(R"($m\ddot x=-cx-\frac12a\dot x$, the dissipation's factor kept)", 0.5),
+                       friction(R"($m\ddot x=-cx+a\dot x$)", -1)}});
+
+  const auto polynomials = next<Polynomial>(random, 300);
+  const auto rest = [](std::string text, double sign) -> Formula<Polynomial> {
+    return {std::move(text), [=](const Polynomial& s) { return values(sign * s.c, 0); }};
+  };
+  claims.formula<Polynomial>(
+      "characteristic_polynomial", 1453, "the characteristic polynomial", polynomials,
+      {.quantity = "$mr^2+ar$ at the roots that the text has for it",
+       .truth = {"$mr^2+ar$",
+                 [](const Polynomial& s) {
+                   const auto r = s.root(1), p = s.m * r * r + s.a * r;
+                   return values(p.real(), p.imag());
+                 },
+                 [](const Polynomial& s) { return s.a * s.a / s.m + s.c; }},
+       .printed = rest("$mr^2+ar+{}$, the last term missing", 0),
+       .meant = rest("$mr^2+ar+c$", -1),
+       .near_misses = {rest("$mr^2+ar-c$", 1)},
+       .kind = Fault::formula,
+       .why = "The last coefficient, $c$, is missing after its plus sign; the roots that follow have it."});
+  const auto roots_with = [](std::string text, double factor) -> Formula<Polynomial> {
+    return {std::move(text), [=](const Polynomial& s) { return s.sum_and_product(factor); },
+            [](const Polynomial& s) { return s.a * s.a / (s.m * s.m) + 1; }};
+  };
+  claims.formula<Polynomial>("roots", 1455, "the polynomial's roots", polynomials,
+                             {.quantity = "the roots' sum and product",
+                              .truth = {"the coefficients: $-a/m$ and $c/m$",
+                                        [](const Polynomial& s) { return values(-s.a / s.m, s.c / s.m); }},
+                              .printed = roots_with(R"($(-a\pm\sqrt{a^2-4mc})/(2m)$)", 4),
+                              .near_misses = {roots_with(R"($(-a\pm\sqrt{a^2-2mc})/(2m)$)", 2)}});
+  claims.statement<Polynomial>(
+      "negative_roots", 1461, "the roots are real and negative, or complex with negative real part",
+      polynomials,
+      {.printed = {R"($\mathrm{Re}\,r<0$)",
+                   [](const Polynomial& s) {
+                     const auto r1 = s.root(1), r2 = s.root(-1);
+                     return s.a * s.a >= 4 * s.m * s.c ? r1.real() < 0 && r2.real() < 0 && r1.imag() == 0
+                                                       : r1.real() < 0 && r1.imag() != 0;
+                   }},
+       .near_misses = {{R"($\mathrm{Re}\,r>0$)", [](const Polynomial& s) { return s.root(1).real() > 0; }}}});
+
+  const Ball critical{1, 4, 4, 1, 0.5, 0, 1.5};
+  const auto at_double_root = [&](const std::string& by, const Value& x) {
+    return Check{"$x(1)$ at $a^2=4mc$",
+                 {by, x},
+                 {"$e^{rt}(p+(v-rp)t)$, $r=-2$",
+                  {std::exp(-2.0) * (1 + 2 * 1.0), std::exp(-2.0) * (0.5 + (1.5 + 1) * 1.0)}},
+                 rounding(1)};
+  };
+  claims.add(
+      "two_exponentials", 1469, "$x=K_1e^{r_1t}+K_2e^{r_2t}$ is the general solution for real roots",
+      {.printed = {"for all real roots, the double one included",
+                   {at_double_root("two exponentials", TwoExponentials<double>{critical}.at(1))}},
+       .corrected = {R"(for $r_1\ne r_2$; for a double root $r$ it is $(K_1+K_2t)\,e^{rt}$)",
+                     {compare(put_in_quantity,
+                              put_in<OverDamped>("the two exponentials, differentiated by dual numbers",
+                                                 [](const OverDamped& s) {
+                                                   return two_exponentials(s.m, s.c, s.a, s.p, s.v);
+                                                 }),
+                              as_asked<OverDamped>, draw<OverDamped>(200, seed)),
+                      at_double_root("the limit of the two regimes", OneForm<double>{critical}.at(1))}},
+       .near_misses = {{"for a double root $r$ it is $(p+vt)\\,e^{rt}$",
+                        {at_double_root("$(p+vt)\\,e^{-2t}$",
+                                        {std::exp(-2.0) * (1 + 0.0), std::exp(-2.0) * (0.5 + 1.5)})}}},
+       .why =
+           R"(Case 1 includes $a^2=4mc$, where both exponentials are the same function: two starting values )"
+           R"(cannot be met, and the formulas for $K_1$ and $K_2$ divide by zero. With roots that differ by )"
+           R"(very little the two exponentials are still right, but they are large and of opposite sign, and )"
+           R"(their sum loses digits (see `near_critical`).)",
+       .kind = Fault::left_out,
+       .root = "the double root"});
+
+  const auto near_zero = [](std::string text, double t) -> Statement<Constants> {
+    return {std::move(text), [t](const Constants& s) { return abs(s.at(t)) < 1e-12; }};
+  };
+  claims.statement<Constants>(
+      "limit", 1471, "whatever $K_1$ and $K_2$, $x$ tends to zero", next<Constants>(random, 200),
+      {.printed = near_zero(R"($|x(500)|<10^{-12}$ for $|K|$ up to 1000)", 500),
+       .near_misses = {{R"(without the spring, $c=0$, $|x(500)|<10^{-12}$)",
+                        [](const Constants& s) { return abs(s.k1 + s.k2 * std::exp(-s.a * 500)) < 1e-12; }},
+                       near_zero(R"($|x(100)|<10^{-12}$)", 100)}});
+
+  const Ball thrown{1, 4, 5, 1, 2, -9, -18};
+  const auto passes = [&](std::string text, double time) -> Reading {
+    return {std::move(text),
+            {{"$x$ at $t=" + rounded(time, 3) + "$",
+              {"closed form", OneForm<double>{thrown}.at(time)},
+              {"the origin", {0, 0}},
+              rounding(2),
+              2}}};
+  };
+  const double third = std::log(8.0 / 5.0) / 3;
+  claims.add(
+      "overdamped_never_arrives", 1477,
+      "with real roots the ball reaches the origin only after infinite time",
+      {.printed = {"$|x|>0$ for all $t$",
+                   {never("$x_1(1)$ has changed its sign: the origin is passed by then",
+                          OneForm<double>{thrown}.at(1)[0] < 0, 1,
+                          "m = 1, c = 4, a = 5, p = (1, 2), v = -9 p")}},
+       .corrected = passes("a ball thrown at the origin faster than $|r_2||p|$ passes it once, at "
+                           "$e^{(r_1-r_2)t}=-K_2/K_1$",
+                           third),
+       .near_misses = {passes("at $e^{(r_1-r_2)t}=K_2/K_1$", -third),
+                       passes("at $e^{r_1t}=-K_2/K_1$", 3 * third)},
+       .why =
+           R"(With $p$ and $v$ parallel both coordinates vanish together once if $v$ points to the origin and )"
+           R"($|v|>|r_2||p|$. For $m=1$, $c=4$, $a=5$ the roots are $-1$ and $-4$; from $p$ with $v=-9p$, )"
+           R"($x=\frac13(-5e^{-t}+8e^{-4t})\,p$ is zero at $t=\frac13\ln\frac85=0.157$.)",
+       .kind = Fault::counterexample,
+       .root = "a fast throw"});
+
+  claims.statement<Frictions>(
+      "larger_friction_sooner", 1477, "the larger the friction, the sooner the ball is nearly at the origin",
+      next<Frictions>(random, 100),
+      {.printed = {"$|x(5)|$ falls with $a$", [](const Frictions& s) { return s.left(s.b) < s.left(s.a); }},
+       .corrected = {R"($|x(5)|$ grows with $a$ beyond the critical $2\sqrt{mc}$)",
+                     [](const Frictions& s) { return s.left(s.b) > s.left(s.a); }},
+       .near_misses = {{"$|x(5)|$ grows with $a$ from a fifteenth of that on",
+                        [](const Frictions& s) { return s.left(s.b / 15) > s.left(s.a / 15); }}},
+       .kind = Fault::counterexample,
+       .root = "too much friction",
+       .why =
+           R"(Beyond critical damping the slow root $r_1=-2c/(a+\sqrt{a^2-4mc})$ goes to zero as $-c/a$: )"
+           R"(the spring draws the ball through honey. The rate of decay is greatest at $a=2\sqrt{mc}$.)"});
+
+  claims.formula<Oscillation>(
+      "derivative", 1487, R"(the derivative of $x=e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)",
+      next<Oscillation>(random, 200),
+      {.truth = {"$x$ by dual numbers",
+                 [](const Oscillation& s) {
+                   return derivative(oscillation(s.alpha, s.beta, s.k1, s.k2), s.t);
+                 }},
+       .printed = {R"($e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t))"
+                   R"(+\alpha e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)",
+                   [](const Oscillation& s) { return s.rate(1); }},
+       .near_misses = {{R"($e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t)$)",
+                        [](const Oscillation& s) { return s.rate(0); }}}});
+  const auto constant = [](std::string text, double sign) -> Formula<StartOfOne> {
+    return {std::move(text), [=](const StartOfOne& s) { return s.started(sign); }};
+  };
+  claims.formula<StartOfOne>("constants", 1489, R"($x(0)=p$ and $\dot x(0)=v$ lead to $K_1$ and $K_2$)",
+                             draw<StartOfOne>(200, seed),
+                             {.quantity = R"($(x(0),\dot x(0))$ by dual numbers)",
+                              .truth = {"$(p,v)$", [](const StartOfOne& s) { return values(s.p, s.v); }},
+                              .printed = constant(R"($K_1=p$, $K_2=(v-\alpha p)/\beta$)", 1),
+                              .near_misses = {constant(R"($K_1=p$, $K_2=v/\beta$)", 0)}});
+  const auto oscillates = [](std::string text, double sign) {
+    return put_in<UnderDamped>(std::move(text), [sign](const UnderDamped& s) {
+      return damped_oscillation(s.m, s.c, s.a, s.p, s.v, sign);
+    });
+  };
+  claims.formula<UnderDamped>(
+      "damped_oscillation", 1491,
+      R"(the solution for complex roots, with $\alpha=-a/(2m)$ and $\beta=\sqrt{4mc-a^2}/(2m)$)",
+      draw<UnderDamped>(200, seed),
+      {.quantity = put_in_quantity,
+       .truth = as_asked<UnderDamped>,
+       .printed =
+           oscillates(R"($x=e^{\alpha t}\big(p\cos\beta t+\frac{v-\alpha p}\beta\sin\beta t\big)$)", 1),
+       .near_misses = {
+           oscillates(R"($x=e^{\alpha t}\big(p\cos\beta t+\frac{v+\alpha p}\beta\sin\beta t\big)$)", -1)}});
+}
+
+// ---- the arrival ------------------------------------------------------------------------------------------
+
+/// An under-damped ball of mass 1 with p and v parallel.
+struct Start {
+  Ball ball;
+  std::string where;
+  double alpha() const { return -ball.a / 2; }
+  double beta() const { return sqrt(4 * ball.c - ball.a * ball.a) / 2; }
+};
+
+/// When a ball is at the origin, and how well doubles can tell: the terms of the coordinate that is zero
+/// there, by its slope.
+struct Passage {
+  double time;
+  Tolerance known;
+};
+
+/// First positive time at the origin, found by marching and bisection on the way along p.
+Passage first_passage(const Ball& b) {
+  const auto x = [&](double t) {
+    const auto at = OneForm<double>{b}.at(t);
+    return at[0] * b.p1 + at[1] * b.p2;
+  };
+  const double rate = sqrt(b.c / b.m), step = 1e-3 / rate;
+  double t = 0;
+  while (x(t) * x(t + step) > 0) t += step;
+  double low = t, high = t + step;
+  for (int i = 0; i < 60; ++i) (x(low) * x((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
+  const double slope = b.p1 * derivative(damped_oscillation(b.m, b.c, b.a, b.p1, b.v1), low) +
+                       b.p2 * derivative(damped_oscillation(b.m, b.c, b.a, b.p2, b.v2), low);
+  const double terms =
+      abs(b.p1) * (abs(b.p1) + abs(b.v1) / rate) + abs(b.p2) * (abs(b.p2) + abs(b.v2) / rate);
+  return {low, rounding(low + terms / abs(slope))};
+}
+
+/// A formula for beta times the time of arrival.
+Reading arrives(std::string text, const std::vector<Start>& starts,
+                const std::function<double(const Start&)>& angle) {
+  Worst worst("first time at the origin", text, R"(the sign change of $x\cdot p$, by bisection)");
+  for (const Start& s : starts) {
+    const Passage found = first_passage(s.ball);
+    worst.see(angle(s) / s.beta(), found.time, found.known, found.time, s.where);
+  }
+  return {std::move(text), {worst.check()}};
+}
+
+double forward(double angle) { return angle < 0 ? angle + pi : angle; }
+
+/// Any two vectors, and any parts of a root.
+struct Vectors {
+  double p1, p2, v1, v2, alpha, beta;
+  explicit Vectors(Random& random) {
+    const auto p = random.point(2), v = random.point(2);
+    p1 = p[0], p2 = p[1], v1 = v[0], v2 = v[1];
+    alpha = -random.between(0.05, 2);
+    beta = random.between(0.1, 2);
+  }
+  std::array<double*, 6> letters() { return {&p1, &p2, &v1, &v2, &alpha, &beta}; }
+  std::string where() const {
+    return "p = (" + rounded(p1, 4) + ", " + rounded(p2, 4) + "), v = (" + rounded(v1, 4) + ", " +
+           rounded(v2, 4) + ")";
+  }
+};
+
+/// A ball that does not start towards the origin; mass 1, spring 4.
+struct Aside {
+  double p1, p2, v1, v2, a, t;
+  explicit Aside(Random& random) {
+    const auto p = random.point(2), v = random.point(2);
+    p1 = p[0], p2 = p[1], v1 = v[0], v2 = v[1];
+    a = random.between(0.1, 3.5);
+    t = random.between(0.1, 6);
+  }
+  std::array<double*, 6> letters() { return {&a, &t, &p1, &p2, &v1, &v2}; }
+  std::string where() const { return "a = " + rounded(a, 4) + ", t = " + rounded(t, 4); }
+  double momentum() const {
+    const auto x1 = damped_oscillation(1, 4, a, p1, v1), x2 = damped_oscillation(1, 4, a, p2, v2);
+    return x1(t) * derivative(x2, t) - x2(t) * derivative(x1, t);
+  }
+};
+
+void arrivals(Claims& claims, double seed, Random& random) {
+  claims.formula<Vectors>(
+      "parallel", 1515,
+      R"($p$ and $(v-\alpha p)/\beta$ are parallel when $p$ and $v$ are (the text's parenthesis does not close))",
+      draw<Vectors>(200, seed),
+      {.quantity = R"($\beta$ times the vectors' product)",
+       .truth = {R"($\beta\,p\times(v-\alpha p)/\beta$)",
+                 [](const Vectors& s) {
+                   return s.beta * (s.p1 * ((s.v2 - s.alpha * s.p2) / s.beta) -
+                                    s.p2 * ((s.v1 - s.alpha * s.p1) / s.beta));
+                 }},
+       .printed = {R"(zero with $p\times v$)", [](const Vectors& s) { return s.p1 * s.v2 - s.p2 * s.v1; }},
+       .near_misses = {{R"(zero with $p\times(v+p')$, $p'$ the vector $p$ turned by a right angle)",
+                        [](const Vectors& s) { return s.p1 * (s.v2 + s.p1) - s.p2 * (s.v1 - s.p2); }}}});
+
+  // In all directions, some along an axis, where the other coordinate is zero for ever.
+  std::vector<Start> directions;
+  Random any(seed);
+  for (int i = 0; i < 60; ++i) {
+    const double s = any.between(-2, 2), angle = any.between(0, 2 * pi);
+    const double p1 = i % 3 == 0 ? 0 : std::cos(angle), p2 = i % 3 == 1 ? 0 : std::sin(angle);
+    const double c = any.between(1, 4), a = any.between(0.1, 0.9);
+    directions.push_back(
+        {{1, c, a, p1, p2, s * p1, s * p2},
+         "p = (" + rounded(p1, 4) + ", " + rounded(p2, 4) + "), v = " + rounded(s, 4) + " p"});
+  }
+  const auto along = [&](std::string text, const std::function<std::array<double, 2>(const Ball&)>& way) {
+    return arrives(std::move(text), directions, [=](const Start& s) {
+      const auto [u1, u2] = way(s.ball);
+      const double p = u1 * s.ball.p1 + u2 * s.ball.p2, v = u1 * s.ball.v1 + u2 * s.ball.v2;
+      return forward(std::atan(-s.beta() * p / (v - s.alpha() * p)));
+    });
+  };
+  claims.add(
+      "first_equation_suffices", 1515,
+      "for $p$ and $v$ parallel the two equations are one, and the first can be solved for the time",
+      {.printed = along(
+           R"($\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$, plus $\pi/\beta$ where negative)",
+           [](const Ball&) {
+             return std::array{1.0, 0.0};
+           }),
+       .corrected = along(
+           R"($\frac1\beta\tan^{-1}\frac{-\beta\,p\cdot p}{(v-\alpha p)\cdot p}$, plus $\pi/\beta$ where negative)",
+           [](const Ball& b) {
+             return std::array{b.p1, b.p2};
+           }),
+       .near_misses = {along(
+           "the same with the products by $(-p_2,p_1+p_2)$, which is across $p$ for $p_1=0$",
+           [](const Ball& b) {
+             return std::array{-b.p2, b.p1 + b.p2};
+           })},
+       .why = R"(Where $p_1=v_1=0$ the first equation reads $0=0$, and the arctangent is of $0/0$. With the )"
+              R"(products by $p$ no direction is special.)",
+       .kind = Fault::left_out,
+       .root = "the first equation alone"});
+
+  std::vector<Start> oblique;
+  any = Random(seed);
+  for (int i = 0; i < 50; ++i) {
+    const double s = any.between(-2, 2), p = any.between(0.2, 2);
+    const double c = any.between(1, 4), a = any.between(0.1, 0.9);
+    oblique.push_back(
+        {{1, c, a, p, 2 * p, s * p, 2 * s * p}, "v = " + rounded(s, 4) + " p, a = " + rounded(a, 4)});
+  }
+  const auto principal = [](const Start& s) {
+    return std::atan(-s.beta() * s.ball.p1 / (s.ball.v1 - s.alpha() * s.ball.p1));
+  };
+  claims.add(
+      "arrival_time", 1517, "the time at which the ball is at the origin, for $p$ and $v$ parallel",
+      {.printed = arrives(R"($\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$, the principal value)",
+                          oblique, principal),
+       .corrected = arrives(R"(that, plus $\pi/\beta$ where it is negative)", oblique,
+                            [=](const Start& s) { return forward(principal(s)); }),
+       .near_misses = {arrives(
+           R"($\frac1\beta\tan^{-1}\frac{\beta p_1}{v_1-\alpha p_1}$, plus $\pi/\beta$ where negative)",
+           oblique, [=](const Start& s) { return forward(-principal(s)); })},
+       .why =
+           R"(The arctangent's principal value is negative whenever $(v_1-\alpha p_1)/p_1>0$, which includes )"
+           R"(every ball let go at rest or moving away: the formula then names a time before the start. The )"
+           R"(first arrival is $\pi/\beta$ later.)",
+       .kind = Fault::formula,
+       .root = "the arctangent's branch"});
+
+  std::vector<Start> on_axis;
+  any = Random(seed);
+  for (int i = 0; i < 50; ++i) {
+    const double p = any.magnitude(0.2, 2), a = any.between(0.1, 0.9), c = any.between(1, 4), alpha = -a / 2,
+                 v = i % 5 == 0 ? alpha * p : any.between(-2, 2);
+    on_axis.push_back(
+        {{1, c, a, p, 0, v, 0}, "p = " + rounded(p, 4) + ", v - alpha p = " + rounded(v - alpha * p, 4)});
+  }
+  const auto of_pair = [&](std::string text, double (*angle)(double y, double x)) {
+    return arrives(std::move(text), on_axis, [=](const Start& s) {
+      return angle(s.beta() * s.ball.p1, s.ball.v1 - s.alpha() * s.ball.p1);
+    });
+  };
+  claims.add(
+      "arrival_quotient", 1517,
+      "the arrival's arctangent is of a quotient, which any $p_1$ and $v_1$ have, where it is not $0/0$",
+      {.printed = of_pair(R"($-\beta p_1/(v_1-\alpha p_1)$, no number for $v_1=\alpha p_1$)",
+                          [](double y, double x) {
+                            return x == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                          : forward(std::atan(-y / x));
+                          }),
+       .corrected = of_pair(
+           R"(the angle from 0 to $\pi$ of the pair $(-(v_1-\alpha p_1),\beta p_1)$, $p_1>0$ or both signs changed)",
+           [](double y, double x) { return std::atan2(abs(y), y > 0 ? -x : x); }),
+       .near_misses = {of_pair(R"(the angle of $(v_1-\alpha p_1,\beta p_1)$)",
+                               [](double y, double x) { return std::atan2(abs(y), y > 0 ? x : -x); })},
+       .why =
+           R"(For $v_1=\alpha p_1$ the denominator is zero: the ball then moves towards the origin just so fast )"
+           R"(that $x$ is a pure cosine but for its decay, and arrives at $t=\pi/(2\beta)$. The angle of the )"
+           R"(pair needs no division, and no $\pi/\beta$ to be added either.)",
+       .kind = Fault::left_out,
+       .root = "a zero denominator"});
+
+  const Ball away{1, 4, 0.4, 1, 2, 1, 2}, aside{1, 4, 0.4, 1, 2, 1, 1};
+  const auto [w1, w2] = OneForm<double>{away}.at(first_passage(away).time);
+  const auto back = [&](std::string text, const std::string& where, const Ball& b) -> Reading {
+    const auto [time, known] = first_passage(b);
+    const double speed = std::hypot(derivative(damped_oscillation(b.m, b.c, b.a, b.p1, b.v1), time),
+                                    derivative(damped_oscillation(b.m, b.c, b.a, b.p2, b.v2), time));
+    return {std::move(text),
+            {{R"($x$ at the first sign change of $x\cdot p$, )" + where,
+              {"closed form", OneForm<double>{b}.at(time)},
+              {"the origin", {0, 0}},
+              {known.allowed * speed, "the way that the ball goes in the uncertainty of its passage"},
+              std::hypot(b.p1, b.p2)}}};
+  };
+  claims.add(
+      "velocity_points_to_origin", 1525,
+      "what happens physically is that the velocity points to the origin at the start",
+      {.printed = {R"($p\cdot v<0$ in every start that arrives)",
+                   {never(R"($p\cdot v\ge0$ though the ball arrives, $p=(1,2)$, $v=p$)",
+                          size_of({w1, w2}) < 1e-9, 1)}},
+       .corrected = back("$p$ and $v$ parallel, in either direction", "$v=p$", away),
+       .near_misses = {back("any direction", "$v=(1,1)$", aside)},
+       .why = "Parallel is enough: a ball moving straight away from the origin turns round and comes back "
+              "through it.",
+       .kind = Fault::counterexample,
+       .root = "a ball that turns back"});
+
+  std::vector<Start> starts;
+  any = Random(seed);
+  for (int i = 0; i < 100; ++i) {
+    const double p = any.between(0.2, 2), v = any.between(-2, 2);
+    const double c = any.between(1, 4), a = any.between(0.1, 0.9);
+    starts.push_back({{1, c, a, p, 0, v, 0}, "p = " + rounded(p, 4) + ", v = " + rounded(v, 4)});
+  }
+  const auto turned = [&](std::string text, int power, double sign) -> Reading {
+    Worst worst(R"(the pair less its part along $(-\sin\beta t,\cos\beta t)$)", text, "zero");
+    for (const Start& start : starts) {
+      const double p = start.ball.p1, beta = start.beta(), speed = start.ball.v1 - start.alpha() * p;
+      const Passage found = first_passage(start.ball);
+      const double second = power < 0 ? speed / beta : start.ball.v1 - start.alpha() * p * beta;
+      const double c = std::cos(beta * found.time), s = sign * std::sin(beta * found.time),
+                   part = -p * s + second * c, size = p + abs(second);
+      worst.see({p + part * s, second - part * c}, {0, 0},
+                {beta * found.known.allowed * size + rounding(size).allowed,
+                 "the passage's uncertainty, as an angle, and 64 roundings"},
+                size, start.where);
+    }
+    return {std::move(text), {worst.check()}};
+  };
+  claims.add(
+      "turned_pair", 1537,
+      R"(where a coordinate is zero, position and velocity give a pair along $(-\sin\beta t,\cos\beta t)$)",
+      {.printed = turned(R"($(p_i,\;v_i-\alpha p_i\beta)$, as a product)", 1, 1),
+       .meant = turned(R"($(p_i,\;(v_i-\alpha p_i)/\beta)$)", -1, 1),
+       .near_misses = {turned(R"($(p_i,\;(v_i-\alpha p_i)/\beta)$ along $(\sin\beta t,\cos\beta t)$)", -1,
+                              -1)},
+       .why =
+           R"(The fraction bar is lost in the text at hand, here and in line 1529; lines 1505 and 1511 have it. )"
+           R"(For $m=1$, $c=4$, $a=0.4$ and $p=1$ at rest the pair is $(1,0.10)$, and $(1,0.40)$ with the product.)",
+       .kind = Fault::lost_typography});
+
+  const auto momentum = [](std::string text, double rate) -> Formula<Aside> {
+    return {std::move(text),
+            [=](const Aside& s) { return std::exp(-rate * s.a * s.t) * (s.p1 * s.v2 - s.p2 * s.v1); }};
+  };
+  claims.formula<Aside>(
+      "not_parallel_never", 1541,
+      "for $p$ and $v$ not parallel the ball never reaches the origin in finite time",
+      next<Aside>(random, 200),
+      {.quantity = R"($x_1\dot x_2-x_2\dot x_1$ at $t$)",
+       .truth = {"the closed form, differentiated by dual numbers", &Aside::momentum},
+       .printed = momentum(R"(the angular momentum decays but is never zero: $e^{-at/m}(p_1v_2-p_2v_1)$)", 1),
+       .near_misses = {momentum("the angular momentum is conserved: $p_1v_2-p_2v_1$", 0)}});
+}
+
+std::vector<Claim> claims(double seed) {
+  Claims all("3.9");
+  Random random(seed + 1);
+  solutions(all, seed, random);
+  arrivals(all, seed, random);
+  return all.in_order();
+}
+
+std::vector<Root> roots() {
+  return {
+      {"the double root",
+       R"(A door closer with the friction $2\sqrt{mc}$, which shuts it fastest without swinging, gets NaN for its )"
+       R"(position; for $m=1$, $c=4$ the door, let go at rest, is at 0.41 of its start after a second.)"},
+      {"a fast throw",
+       R"(A game that rules the hit out for strong friction lets a ball, thrown from $p$ with $v=-9p$ at $m=1$, )"
+       R"($c=4$, $a=5$, through its goal after 0.157 s, at 4.3 $|p|$ a second, unseen.)"},
+      {"too much friction",
+       R"(Who turns the friction up to have the ball home sooner waits longer: for $m=1$, $c=4$ it is within a )"
+       R"(hundredth of its way after 3.3 s with $a=4$, after 8.7 s with $a=8$, and after 46 s with $a=40$.)"},
+      {"the first equation alone",
+       R"(A ball that swings along the $x_2$-axis gets NaN for its time: let go at rest with $m=1$, $c=4$, )"
+       R"($a=0.4$ it reaches the origin after 0.840 s all the same.)"},
+      {"the arctangent's branch",
+       R"(For $m=1$, $c=4$, $a=0.4$ and a start at rest the formula says $-0.739$ s for 0.840 s: a game that )"
+       R"(schedules the hit for that moment has it in the past, and the event never fires.)"},
+      {"a zero denominator",
+       R"(With $m=1$, $c=4$, $a=0.4$ and $v=-0.2\,p$ the ball is at the origin after 0.789 s, and a program that )"
+       R"(divides depends on what it makes of $p_1/0$.)"},
+      {"a ball that turns back",
+       R"(With $m=1$, $c=4$, $a=0.4$, a ball sent off from $(1,2)$ m at $(1,2)$ m/s is back at the origin after )"
+       R"(1.06 s: a game that tests $p\cdot v<0$ leaves this hit out.)"}};
+}
+
+}  // namespace oddity::ex03_09
