@@ -15,7 +15,7 @@
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
-#include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
+#include "chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/models.hpp"
 #include "chapters/03_rigid_body_motion/23_spring_bar/models.hpp"
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
