@@ -1,5 +1,7 @@
 #include <thread>
 
+#include "chapters/07_linear_algebra/01_cost_of_elimination/cost_of_elimination.hpp"
+#include "chapters/07_linear_algebra/05_triangle_normal/triangle_normal.hpp"
 #include "chapters/09_calculus/01_point_triangle/point_triangle.hpp"
 #include "report/fit.hpp"
 #include "solvers/counted.hpp"

@@ -1,0 +1,693 @@
+#include "chapters/claims.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
+#include "chapters/03_rigid_body_motion/shared/listed_runge_kutta.hpp"
+#include "reference/reference.hpp"
+#include "reference/text.hpp"
+#include "solvers/ode/algorithms.hpp"
+#include "solvers/ode/events.hpp"
+
+namespace oddity::ex03_15 {
+
+namespace {
+
+using namespace turning_rod;
+using std::numbers::pi, std::numbers::sqrt2;
+using Space = std::array<double, 3>;
+
+constexpr double quarter = pi / 4;
+const Rod<double> book{{1, 1, 10, quarter, 2}};
+
+double dot(const Space& x, const Space& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
+double length(const Space& x) { return sqrt(dot(x, x)); }
+Space times(double factor, const Space& x) { return {factor * x[0], factor * x[1], factor * x[2]}; }
+
+// ---- the Lagrangian ---------------------------------------------------------------------------------------
+
+/// The rod's direction after turning by an angle: Rodrigues' formula for (1, 0, 1)/sqrt(2) about k.
+template <class T>
+std::array<T, 3> direction(const T& angle) {
+  const Space d{root_half<double>, 0, root_half<double>}, k{0, 0, 1};
+  const Space side{k[1] * d[2] - k[2] * d[1], k[2] * d[0] - k[0] * d[2], k[0] * d[1] - k[1] * d[0]};
+  const T c = cos(angle), s = sin(angle);
+  const auto component = [&](std::size_t i) -> T {
+    return d[i] * c + side[i] * s + k[i] * dot(k, d) * (1.0 - c);
+  };
+  return {component(0), component(1), component(2)};
+}
+
+template <class T>
+std::array<T, 3> position(const T& s, const T& t, double w) {
+  const auto D = direction(T(w * t));
+  return {s * D[0], s * D[1], s * D[2]};
+}
+
+/// The mass's velocity for s' = v, by dual numbers.
+template <class T>
+std::array<T, 3> velocity(const T& s, const T& v, const T& t, double w) {
+  const auto x = position(Dual<T>(s, v), Dual<T>(t, T(1.0)), w);
+  return {x[0].slope, x[1].slope, x[2].slope};
+}
+
+/// Minus the gradient of the spring's energy, by dual numbers.
+Space force_of(const Rod<double>& spring, const Space& x) {
+  Space f;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::array<Dual<double>, 3> y{x[0], x[1], x[2]};
+    y[i].slope = 1;
+    f[i] = -spring.energy(y).slope;
+  }
+  return f;
+}
+
+/// A rod to (a, 0, a), a spring of any rest length, a start (b, 0, b), and a mass anywhere, with any s''.
+struct Sample {
+  double m, a, b, c, K, w, ell, s, v, A, t;
+  explicit Sample(Random& random)
+      : m(random.between(0.1, 5)),
+        a(random.between(1, 5)),
+        b(random.between(0.1, 5)),
+        c(random.between(0.1, 5)),
+        K(random.between(0.1, 10)),
+        w(random.magnitude(0.1, 5)),
+        ell(random.between(0.1, 5)),
+        s(random.between(0.1, 7)),
+        v(random.magnitude(0.1, 5)),
+        A(random.magnitude(0.1, 5)),
+        t(random.between(-5, 5)) {}
+  std::array<double*, 11> letters() { return {&m, &a, &b, &c, &K, &w, &ell, &s, &v, &A, &t}; }
+  std::string where() const {
+    return "c = " + shortest(c) + ", w = " + shortest(w) + ", ell = " + shortest(ell) +
+           ", s = " + shortest(s) + ", s' = " + shortest(v) + ", t = " + shortest(t);
+  }
+
+  Rod<double> spring(double rest_length) const { return {{m, c, K, w, s}, rest_length}; }
+  auto T() const {
+    return [m = m, w = w]<class X>(const X& at, const X& rate, const X& time) {
+      const auto u = ex03_15::velocity(at, rate, time, w);
+      return 0.5 * m * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    };
+  }
+  auto L() const {
+    return [*this]<class X>(const X& at, const X& rate, const X& time) {
+      return T()(at, rate, time) - spring(ell).energy(position(at, time, w));
+    };
+  }
+  Space x() const { return position(s, t, w); }
+  Space from_end() const { return {x()[0] - c, x()[1], x()[2]}; }
+  double spring_length() const { return length(from_end()); }
+  Space velocity() const { return ex03_15::velocity(s, v, t, w); }
+  Space segment() const { return {a, 0, a}; }
+
+  // What the text prints, letter by letter.
+  Space D() const { return {cos(w * t) / sqrt2, sin(w * t) / sqrt2, 1 / sqrt2}; }
+  Space D_rate() const { return {-w * sin(w * t) / sqrt2, w * cos(w * t) / sqrt2, 0}; }
+  /// The projection of (c, 0, 0) on the rod.
+  double p() const { return c * cos(w * t) / sqrt2; }
+  /// The generalized force with a projection, and the power of the root in it.
+  double F(double projection, int power = -1) const {
+    return -K * (1 - ell * pow(sqrt(s * s - 2 * projection * s + c * c), power)) * (s - projection);
+  }
+  double rest_length(double third) const { return sqrt((b - c) * (b - c) + third * third); }
+};
+using S = const Sample&;
+using Samples = std::vector<Sample>;
+
+// ---- formulas ---------------------------------------------------------------------------------------------
+
+void geometry(Claims& claims, const Samples& samples) {
+  const std::string rodrigues = "Rodrigues' rotation about $k$", dual = "dual numbers";
+  const auto constant = [](const Value& value) { return [=](S) { return value; }; };
+  const double h = 1 / sqrt2;
+
+  claims.formula<Sample>(
+      "angle", 1741, "the angle between the segment and the axis", samples,
+      {.truth = {"that of $(a,0,a)$", [](S s) { return std::acos(s.a / hypot(s.a, s.a)); }},
+       .printed = {R"($\pi/4$)", constant(pi / 4)},
+       .near_misses = {{R"($\pi/3$)", constant(pi / 3)}}});
+  claims.formula<Sample>("initial_direction", 1741, "the initial direction", samples,
+                         {.truth = {"$(a,0,a)$ over its length",
+                                    [](S s) { return times(1 / length(s.segment()), s.segment()); }},
+                          .printed = {R"($(1,0,1)/\sqrt2$)", constant({h, 0, h})},
+                          .near_misses = {{"$(1,0,1)$", constant({1, 0, 1})}}});
+  claims.formula<Sample>("towards", 1745, "the direction after a quarter turn", samples,
+                         {.truth = {rodrigues, [](S) { return direction(pi / 2); }},
+                          .printed = {R"($(0,1,1)/\sqrt2$, in the $(x_2,x_3)$-plane)", constant({0, h, h})},
+                          .near_misses = {{R"($(0,-1,1)/\sqrt2$)", constant({0, -h, h})}}});
+  claims.formula<Sample>("direction", 1747, "$D(t)$", samples,
+                         {.truth = {rodrigues, [](S s) { return direction(s.w * s.t); }},
+                          .printed = {R"($(\cos\omega t,\sin\omega t,1)/\sqrt2$)", &Sample::D},
+                          .near_misses = {{R"($(\cos\omega t,-\sin\omega t,1)/\sqrt2$)",
+                                           [](S s) { return values(s.D()[0], -s.D()[1], s.D()[2]); }}}});
+  claims.formula<Sample>(
+      "lambda_start", 1755, R"($x(0)$, with $\lambda(0)=bL/a$)", samples,
+      {.truth = {R"($\lambda(0)D(0)$ with $L=|(a,0,a)|$ and $D$ by Rodrigues' rotation)",
+                 [](S s) { return position(s.b * hypot(s.a, s.a) / s.a, 0.0, s.w); }},
+       .printed = {"$(b,0,b)$", [](S s) { return values(s.b, 0, s.b); }},
+       .near_misses = {{R"($\lambda(0)=b$)", [](S s) { return times(s.b, direction(0.0)); }}}});
+  claims.formula<Sample>(
+      "velocity", 1765, R"(the velocity $\dot x$)", samples,
+      {.truth = {dual, &Sample::velocity},
+       .printed = {R"($\dot\lambda D+\lambda\dot D$)",
+                   [](S s) {
+                     const Space along = times(s.v, s.D()), across = times(s.s, s.D_rate());
+                     return values(along[0] + across[0], along[1] + across[1], along[2] + across[2]);
+                   }},
+       .near_misses = {{R"($\dot\lambda D$)", [](S s) { return times(s.v, s.D()); }}}});
+  claims.formula<Sample>("direction_rate", 1767, R"($\dot D$)", samples,
+                         {.truth = {dual, [](S s) { return velocity(1.0, 0.0, s.t, s.w); }},
+                          .printed = {R"($\omega(-\sin\omega t,\cos\omega t,0)/\sqrt2$)", &Sample::D_rate},
+                          .near_misses = {{R"($(-\sin\omega t,\cos\omega t,0)/\sqrt2$)",
+                                           [](S s) { return times(1 / s.w, s.D_rate()); }}}});
+  claims.formula<Sample>("segment_length", 1919, "$a$, $L$ being the length of $(a,0,a)$", samples,
+                         {.truth = {"$a$", [](S s) { return s.a; }},
+                          .printed = {R"($L/\sqrt2$)", [](S s) { return length(s.segment()) / sqrt2; }},
+                          .near_misses = {{"$L/2$", [](S s) { return length(s.segment()) / 2; }}}});
+
+  const Formula<Sample> start{rodrigues, [](S) { return direction(0.0); }};
+  claims.formula<Sample>(
+      "direction_again", 1845, R"($D(0)$ in the formula for $\dot\lambda(0)$)", samples,
+      {.truth = {rodrigues, [](S) { return direction(0.0); }},
+       .printed = {"$(a,0,a)$", &Sample::segment},
+       .meant = {R"($(1,0,1)/\sqrt2$)", constant({h, 0, h})},
+       .near_misses = {{"$(1,0,1)/2$", constant({0.5, 0, 0.5})}},
+       .kind = Fault::formula,
+       .why =
+           R"($D$ is a unit vector (1741), and $(a,0,a)$ has the length $L$, 4 in the listing. Multiplied by )"
+           R"(zero it does no harm; for a mass that is thrown along the segment $\dot\lambda(0)$ would be )"
+           R"(four times too large.)"});
+  const auto across = [](double factor) { return [=](S s) { return values(0, factor * pi * s.b / 4, 0); }; };
+  claims.formula<Sample>(
+      "starts_at_rest", 1843, R"($\dot x(0)$)", samples,
+      {.truth = {dual, [](S s) { return velocity(sqrt2 * s.b, 0.0, 0.0, quarter); }},
+       .printed = {"$(0,0,0)$", across(0)},
+       .corrected = {R"($(0,\pi b/4,0)$)", across(1)},
+       .near_misses = {{R"($(0,-\pi b/4,0)$)", across(-1)}},
+       .kind = Fault::formula,
+       .root = "at rest in space",
+       .why =
+           R"(The segment turns at a constant speed from the start and takes the mass along: by the text's )"
+           R"(own formula (1765) $\dot x(0)=\lambda(0)\dot D(0)=(0,\pi b/4,0)$, 1.11 m/s. The mass is at )"
+           R"(rest on the segment only, and that is what $\dot\lambda(0)=0$ says.)"});
+  claims.formula<Sample>("lambda_dot", 1843, R"($\dot\lambda$)", samples,
+                         {.truth = {R"($\dot\lambda$ of the motion)", [](S s) { return s.v; }},
+                          .printed = {R"($D\cdot\dot x$, the velocity by dual numbers)",
+                                      [](S s) { return dot(s.D(), s.velocity()); }},
+                          .near_misses = {{R"($LD\cdot\dot x$)", [](S s) {
+                                             return sqrt2 * s.a * dot(direction(s.w * s.t), s.velocity());
+                                           }}}});
+  const auto speed = [](S s) { return pi * s.b / 4; };
+  claims.formula<Sample>(
+      "lambda_dot_start", 1845, R"($\dot\lambda(0)$)", samples,
+      {.truth =
+           {R"($D(0)\cdot\dot x(0)$ of a mass at rest on the segment, by Rodrigues' rotation and dual numbers)",
+            [](S s) { return dot(direction(0.0), velocity(sqrt2 * s.b, 0.0, 0.0, quarter)); }, speed},
+       .printed = {R"($(a,0,a)\cdot(0,0,0)$)",
+                   [](S s) {
+                     return dot(s.segment(), {0, 0, 0});
+                   }},
+       .near_misses = {{R"(the speed $|\dot x(0)|$)", speed}}});
+}
+
+void energies(Claims& claims, const Samples& samples) {
+  const std::string dual = "dual numbers";
+  const auto T = [](double square) {
+    return [=](S s) { return s.m / 2 * (s.w * s.w * s.s * s.s / square + s.v * s.v); };
+  };
+  claims.formula<Sample>(
+      "kinetic_energy", 1787, "the kinetic energy $T$", samples,
+      {.truth = {R"($\frac m2|\dot x|^2$ by dual numbers)", [](S s) { return s.T()(s.s, s.v, s.t); }},
+       .printed = {R"($\frac m2(\omega^2\lambda^2/2+\dot\lambda^2)$)", T(2)},
+       .near_misses = {{R"($\frac m2(\omega^2\lambda^2+\dot\lambda^2)$)", T(1)}}});
+  claims.formula<Sample>(
+      "dT_dlambda", 1793, R"($\partial T/\partial\lambda$)", samples,
+      {.truth = {dual, [](S s) { return d_dq(s.T(), s.s, s.v, s.t); }},
+       .printed = {R"($m\omega^2\lambda/2$)", [](S s) { return s.m * s.w * s.w / 2 * s.s; }},
+       .near_misses = {{R"($m\omega^2\lambda$)", [](S s) { return s.m * s.w * s.w * s.s; }}}});
+  claims.formula<Sample>("dT_dlambdadot", 1799, R"($\partial T/\partial\dot\lambda$)", samples,
+                         {.truth = {dual, [](S s) { return d_dv(s.T(), s.s, s.v, s.t); }},
+                          .printed = {R"($m\dot\lambda$)", [](S s) { return s.m * s.v; }},
+                          .near_misses = {{R"($m\dot\lambda/2$)", [](S s) { return s.m * s.v / 2; }}}});
+  claims.formula<Sample>(
+      "momentum_rate", 1803, R"(the time derivative of $\partial T/\partial\dot\lambda$)", samples,
+      {.truth = {"nested dual numbers", [](S s) { return momentum_rate(s.T(), s.s, s.v, s.A, s.t); },
+                 [](S s) { return s.m * abs(s.w) * (abs(s.v) + abs(s.w) * s.s); }},
+       .printed = {R"($m\ddot\lambda$)", [](S s) { return s.m * s.A; }},
+       .near_misses = {
+           {R"($m(\ddot\lambda+\omega\dot\lambda)$)", [](S s) { return s.m * (s.A + s.w * s.v); }}}});
+}
+
+void spring(Claims& claims, const Samples& samples) {
+  const std::string right = R"($\sqrt{(b-c)^2+b^2}$)", wrong = R"($\sqrt{(b-c)^2+c^2}$)";
+  const auto by_b = [](S s) { return s.rest_length(s.b); };
+  const auto by_c = [](S s) { return s.rest_length(s.c); };
+  const Formula<Sample> distance{"the distance from $(c,0,0)$ to $(b,0,b)$", [](S s) {
+                                   return length({s.b - s.c, 0, s.b});
+                                 }};
+  claims.formula<Sample>("rest_length", 1817, R"(the rest length $\ell$)", samples,
+                         {.truth = distance, .printed = {right, by_b}, .near_misses = {{wrong, by_c}}});
+  claims.formula<Sample>(
+      "rest_length_again", 1869, R"(the rest length $\ell$ in the summary)", samples,
+      {.truth = distance,
+       .printed = {wrong, by_c},
+       .meant = {right, by_b},
+       .near_misses = {{R"($\sqrt{(b+c)^2+b^2}$)",
+                        [](S s) { return sqrt((s.b + s.c) * (s.b + s.c) + s.b * s.b); }}},
+       .kind = Fault::formula,
+       .why =
+           R"(Line 1817 has $\sqrt{(b-c)^2+b^2}$, and the listing takes the distance itself. Whoever codes )"
+           R"(this summary starts with a stretched spring, and gets $\lambda(2)=0.188$ for 0.994: the mass )"
+           R"(arrives 0.8 m too far down the segment.)"});
+
+  const auto hooke = [](double sign, double rest, int power = -1) {
+    return [=](S s) {
+      const double r = s.spring_length();
+      return times(sign * s.K * (r - rest * s.ell) * pow(r, power), s.from_end());
+    };
+  };
+  claims.formula<Sample>(
+      "force", 1821, R"(the force of the spring is $-K(r-\ell)(x-c\imath)\,r$ with $r=|x-c\imath|$)", samples,
+      {.quantity = "the force of the spring",
+       .truth = {"minus the gradient of the spring's energy, by dual numbers",
+                 [](S s) { return force_of(s.spring(s.ell), s.x()); }},
+       .printed = {"a product with $r$", hooke(-1, 1, 1)},
+       .meant = {R"($-K(r-\ell)(x-c\imath)/r$)", hooke(-1, 1)},
+       .near_misses = {{R"($+K(r-\ell)(x-c\imath)/r$)", hooke(1, 1)},
+                       {R"($-K(x-c\imath)$, without $\ell$)", hooke(-1, 0)}},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The fraction bar is lost in the text at hand: $(x-c\imath)/|x-c\imath|$ is a direction, of )"
+           R"(length 1. Multiplied by its length the force is $r^2$ times as large: twice where the motion )"
+           R"(of the text ends, at $r=1.410$.)"});
+  const auto at_start = [](double third(S)) {
+    return [=](S s) { return force_of(s.spring(s.rest_length(third(s))), {s.b, 0, s.b}); };
+  };
+  claims.formula<Sample>(
+      "unstretched", 1823, "the force at the start is zero", samples,
+      {.quantity = "the force at the start",
+       .truth = {"zero", [](S) { return values(0, 0, 0); }, [](S s) { return s.K * (s.b + s.c); }},
+       .printed = {"with the rest length of line 1817, " + right, at_start([](S s) { return s.b; })},
+       .near_misses = {{"with the rest length of line 1869, " + wrong, at_start([](S s) { return s.c; })}}});
+  claims.statement<Sample>(
+      "force_towards", 1819, "the force is towards $(c,0,0)$", samples,
+      {.printed = {R"($F\cdot(c\imath-x)>0$)",
+                   [](S s) { return dot(force_of(s.spring(s.ell), s.x()), s.from_end()) < 0; }},
+       .corrected = {R"($F\cdot(c\imath-x)>0$ where the spring is stretched, $r>\ell$, and there only)",
+                     [](S s) {
+                       const bool pulls = dot(force_of(s.spring(s.ell), s.x()), s.from_end()) < 0;
+                       return pulls == (s.spring_length() > s.ell);
+                     }},
+       .near_misses = {{R"($F\cdot(c\imath-x)>0$ where the spring is compressed, $r<\ell$, and there only)",
+                        [](S s) {
+                          const bool pulls = dot(force_of(s.spring(s.ell), s.x()), s.from_end()) < 0;
+                          return pulls != (s.spring_length() > s.ell);
+                        }}},
+       .kind = Fault::counterexample,
+       .root = "a spring that always pulls",
+       .why =
+           R"(A compressed spring pushes. It does so at the end of this very motion, where $r=1.410$ is less )"
+           R"(than $\ell=1.474$. The formula (1821) has it right; a game that takes the sentence and lets the )"
+           R"(spring always pull has the mass 3.5 mm off at $t=2$.)"});
+}
+
+void equations(Claims& claims, const Samples& samples) {
+  const auto force = [](double projections, int power = -1) {
+    return [=](S s) { return s.F(projections * s.p(), power); };
+  };
+  claims.formula<Sample>(
+      "generalized_force", 1829,
+      R"(the generalized force is $-K(1-\ell\sqrt{\dots})(\lambda-c\cos(\omega t)/\sqrt2)$)", samples,
+      {.quantity = "the generalized force",
+       .truth = {R"(minus the derivative of the spring's energy by $\lambda$, by dual numbers)",
+                 [](S s) { return d_dq(s.L(), s.s, 0, s.t) - d_dq(s.T(), s.s, 0, s.t); }},
+       .printed = {R"($1-\ell\sqrt{\dots}$, a product)", force(1, 1)},
+       .meant = {R"($1-\ell/\sqrt{\dots}$)", force(1)},
+       .near_misses = {{R"($1-\ell/\sqrt{\dots}$ and $c\cos\omega t$ for $c\cos(\omega t)/\sqrt2$)",
+                        force(sqrt2)}},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The bar under $\ell$ is lost in the text at hand. The quotient is 1 where the spring is at )"
+           R"(rest, and the bracket 0; of the product the bracket is $1-\ell^2$, and the mass of the listing )"
+           R"(starts with a push of 15 N that is not there.)"});
+  const auto equation = [](double centrifugal) {
+    return [=](S s) { return s.m * s.A - centrifugal * s.m * s.w * s.w / 2 * s.s - s.F(s.p()); };
+  };
+  claims.formula<Sample>(
+      "equation", 1839, "the difference of the sides of the equation of motion", samples,
+      {.truth = {R"($\frac{d}{dt}\frac{\partial L}{\partial\dot\lambda}-\frac{\partial L}{\partial\lambda}$ )"
+                 R"(by nested dual numbers)",
+                 [](S s) { return momentum_rate(s.L(), s.s, s.v, s.A, s.t) - d_dq(s.L(), s.s, s.v, s.t); }},
+       .printed = {R"($m\ddot\lambda-m\omega^2\lambda/2-F$)", equation(1)},
+       .near_misses = {{R"($m\ddot\lambda-m\omega^2\lambda-F$)", equation(2)},
+                       {R"($m\ddot\lambda-F$)", equation(0)}}});
+  const auto summary = [](double square, int power = -1) {
+    return [=](S s) {
+      const double cosine = cos(pi * s.t / 4);
+      const double r = sqrt(s.s * s.s - 2 * s.s * cosine * s.c / sqrt2 + s.c * s.c);
+      return square / 32 * s.s - s.K / s.m * (1 - s.ell * pow(r, power)) * (s.s - cosine * s.c / sqrt2);
+    };
+  };
+  claims.formula<Sample>(
+      "summary", 1853,
+      R"($\ddot\lambda=\pi^2\lambda/32-(K/m)(1-\ell\sqrt{\dots})(\lambda-c\cos(\pi t/4)/\sqrt2)$)", samples,
+      {.quantity = R"($\ddot\lambda$)",
+       .truth = {R"(Lagrange's equation at $\omega=\pi/4$, by nested dual numbers)",
+                 [](Sample s) {
+                   s.w = quarter;
+                   return lagrange_acceleration(s.L(), s.s, s.v, s.t);
+                 }},
+       .printed = {R"($1-\ell\sqrt{\dots}$, a product)", summary(pi * pi, 1)},
+       .meant = {R"($1-\ell/\sqrt{\dots}$)", summary(pi * pi)},
+       .near_misses = {{R"($1-\ell/\sqrt{\dots}$ and $\pi^2\lambda/16$)", summary(2 * pi * pi)}},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The bar under $\ell$ is lost in the text at hand, as in the generalized force above. Besides, )"
+           R"(the $\sqrt2$ inside the root is printed as the word sqrt.)"});
+
+  const auto code = [](double factor) { return [=](S s) { return s.c * sqrt(0.5) * cos(factor * s.t); }; };
+  claims.formula<Sample>(
+      "listing_cosine", 2079, R"(`tmp0`, which is `aux[3]*Cos(aux[0]*time)`, is $c\cos(\pi t/4)/\sqrt2$)",
+      samples,
+      {.quantity = "`tmp0`",
+       .truth = {R"($c\cos(\pi t/4)/\sqrt2$)", [](S s) { return s.c * cos(pi * s.t / 4) / sqrt2; }},
+       .printed = {R"(`Cos(aux[0]*time)`, `aux[0]` $=1/\sqrt2$)", code(sqrt(0.5))},
+       .corrected = {R"(`Cos(aux[1]*time)`, `aux[1]` $=\pi/4$)", code(0.25 * pi)},
+       .near_misses = {{R"(`Cos(aux[2]*time)`, `aux[2]` $=\pi^2/32$)", code(pi * pi / 32)}},
+       .kind = Fault::listing,
+       .root = "`aux[0]` for `aux[1]`",
+       .why =
+           R"(The code takes `aux[0]`, which is $1/\sqrt2$, for `aux[1]`, which is $\pi/4$: in its equation of )"
+           R"(motion the spring sees the rod turn by 81 degrees, while the positions that it prints turn by )"
+           R"(90.)"});
+  claims.formula<Sample>(
+      "comment_root", 2093, "$r^2$ in the comment on `tmp4`", samples,
+      {.truth = {R"(the square of the distance from $(c,0,0)$ to $x$)",
+                 [](S s) { return s.spring_length() * s.spring_length(); }},
+       .printed = {R"($\lambda(\lambda-2p+c^2)$, $p=c\cos(\omega t)/\sqrt2$)",
+                   [](S s) { return s.s * (s.s - 2 * s.p() + s.c * s.c); }},
+       .meant = {R"($\lambda(\lambda-2p)+c^2$)", [](S s) { return s.s * (s.s - 2 * s.p()) + s.c * s.c; }},
+       .near_misses = {{R"($\lambda(\lambda-p)+c^2$)", [](S s) { return s.s * (s.s - s.p()) + s.c * s.c; }}},
+       .kind = Fault::formula,
+       .why =
+           R"(A parenthesis closes too late: read so, $r^2$ at the start would be 3.17, not 2.17, as $c=1$ )"
+           R"(and $\lambda=2$ have it. The code below is right.)"});
+}
+
+// ---- the motion -------------------------------------------------------------------------------------------
+
+AlongTheRod<double> along(double s, double m, double K, double w = quarter) {
+  return {{{m, book.c, K, w, s}}};
+}
+
+/// How many states of the motion up to t = 2 from lambda = s are not on the segment of length 4.
+Check stays_on(const std::string& start, double s, double K, double w = quarter) {
+  const auto rod = along(s, 1, K, w);
+  const auto states =
+      ode::integrate<ode::DormandPrince54>(rod, rod.start(), Horizon{2, 200}.times(), 1e-10).value;
+  const auto off = [](const auto& x) { return !(0 <= x[0] && x[0] <= 4); };
+  return never(R"($0\le\lambda\le L$ )" + start, std::ranges::count_if(states, off),
+               static_cast<long>(states.size()));
+}
+
+/// An end of the segment is passed at the time named.
+Check passes(double end, double s, double K, const std::string& time) {
+  const auto rod = along(s, 1, K);
+  const auto beyond = [=](const auto& x, double) { return x[0] - end; };
+  return as_written(R"(the time at which $\lambda=$ )" + shortest(end) + R"(, from $\lambda=$ )" +
+                        shortest(s) + " with $K=$ " + shortest(K),
+                    time,
+                    {"the equation of motion and its event",
+                     ode::find_event<ode::Fehlberg78>(rod, rod.start(), 0, 3, 1e-12, beyond).value.time});
+}
+
+void motion(Claims& claims, const Value& end) {
+  const Tolerance integrated{1e-10, "a hundred tolerances of the integration"};
+  const CartesianWithConstraints<double> cartesian{book};
+
+  const Check middle = stays_on("from the middle with $K=10$, as in the listing", 2, 10);
+  claims.add(
+      "on_the_segment", 1755,
+      R"($0\le\lambda(t)\le L$, whatever $L$, $c$, $m$, $K$ and the start are selected)",
+      {.printed = {"at any time, from any start",
+                   {middle, stays_on("from 3/4 of the segment with $K=1$", 3, 1),
+                    stays_on("from 1/4 of the segment with $K=20$", 1, 20)}},
+       .corrected = {"in the listing's motion; the equations themselves know no end of the segment",
+                     {middle, passes(4, 3, 1, "1.700"), passes(0, 1, 20, "1.892")}},
+       .near_misses = {{R"(at any speed, such as $1.5\sqrt{2K/m}$)",
+                        {stays_on(R"(from the middle at $\omega=1.5\sqrt{2K/m}$)", 2, 10,
+                                  1.5 * sqrt(20.0))}}},
+       .why =
+           R"(Nothing in the equation of motion stops the mass at $0$ or at $L$. With the listing's $L=4$, )"
+           R"($c=m=1$ a weak spring, $K=1$, lets it slide off the upper end after 1.70 s when it starts at )"
+           R"(three quarters of the segment, and $\lambda(2)=4.23$; a stiff one, $K=20$, draws it through the )"
+           R"(lower end after 1.89 s when it starts at a quarter, and $\lambda(2)=-0.14$. A game has to look )"
+           R"(for both events, or its mass goes on along a rod that is not there.)",
+       .kind = Fault::counterexample,
+       .root = "a segment without ends"});
+
+  const auto x1 = [](const auto& x, double) { return x[0]; };
+  const double arrival =
+      ode::find_event<ode::Fehlberg78>(cartesian, cartesian.start(), 0, 5, 1e-12, x1).value.time;
+  const auto arrives = [&](const std::string& text, double t) -> Reading {
+    return {text,
+            {{"the time of arrival",
+              {"as stated", t},
+              {"the Cartesian motion's first $x_1=0$", arrival},
+              integrated}}};
+  };
+  claims.add("arrival_time", 1849, "the mass arrives in the $(x_2,x_3)$-plane at $t=2$",
+             {.printed = arrives("$t=2$", 2),
+              .near_misses = {arrives("$t=4$, half a turn", 4), arrives("$t=1$", 1)}});
+
+  const auto place = [&](const std::string& text, const auto& state, double t) -> Reading {
+    return {text,
+            {{"$x(2)$",
+              {"the Cartesian motion " + text, cartesian.observe(state, t)},
+              {"table", end},
+              integrated}}};
+  };
+  const auto by_fehlberg = [&](const std::string& text, double t) {
+    return place(text, ode::integrate<ode::Fehlberg78>(cartesian, cartesian.start(), 0, t, 1e-12).value, t);
+  };
+  claims.add(
+      "by_numbers", 1847,
+      "a numerical method gives the position at $t=2$ (that there is no closed form is not judged)",
+      {.printed = by_fehlberg("by Fehlberg 7(8)", 2),
+       .near_misses = {
+           by_fehlberg("by Fehlberg 7(8), up to a step of the listing before", 1.99),
+           place("by 16 steps of Runge-Kutta 4",
+                 ode::integrate<ode::RungeKutta4>(cartesian, cartesian.start(), 0, 2, 0.125).value, 2)}});
+
+  // the segment's length is of no account but for the start b
+  const auto same = [&](const std::string& text, const std::string& another, double b, double m,
+                        double K) -> Reading {
+    const auto end_of = [](double start, double mass, double stiffness) {
+      const auto rod = along(sqrt2 * start, mass, stiffness);
+      return ode::integrate<ode::Fehlberg78>(rod, rod.start(), 0, 2, 1e-14).value[0];
+    };
+    return {text,
+            {{R"($\lambda(2)$, $c$ being 1 in both)",
+              {R"($L=4$, $m=1$, $K=10$, $b=\sqrt2$)", end_of(book.s0 / sqrt2, 1, 10)},
+              {another, end_of(b, m, K)},
+              {1e-12, "a hundred tolerances of the integration"}}}};
+  };
+  const double half = book.s0 / sqrt2;
+  claims.add(
+      "parameters", 1867, "the parameters to select are $L$, $c$, $m$ and $K$",
+      {.printed = same("$L$, $c$, $m$, $K$", R"($L=4$, $m=1$, $K=10$, $b=1/\sqrt2$)", half / 2, 1, 10),
+       .corrected = same("$b$, $c$ and $K/m$", R"($L=8$, $m=3$, $K=30$, $b=\sqrt2$)", half, 3, 30),
+       .near_misses = {same("$b$, $c$ and $K$", R"($L=8$, $m=3$, $K=10$, $b=\sqrt2$)", half, 3, 10)},
+       .why =
+           R"(The start $b$ is missing, on which $\lambda(0)=bL/a=\sqrt2\,b$ and $\ell$ depend. From a quarter )"
+           R"(of the segment instead of its middle, with the same $L$, $c$, $m$ and $K$, $\lambda(2)$ is 0.252 )"
+           R"(and not 0.994. The length $L$ decides nothing else, and $m$ and $K$ only by $K/m$. The listing )"
+           R"(has $b$ as the initial `lambda`.)",
+       .kind = Fault::left_out,
+       .root = "the start is no parameter"});
+}
+
+// ---- the listing and its output ---------------------------------------------------------------------------
+
+struct Run {
+  std::vector<double> lambda;
+  double time = 0;
+};
+
+/// The listing's 200 steps.
+Run listing(double factor) {
+  const AsListed<double> rod{book, factor};
+  auto state = rod.start();
+  Run run{{state[0]}};
+  for (int i = 0; i < 200; ++i) {
+    listed_step(rod, state, run.time, 0.01);
+    run.lambda.push_back(state[0]);
+  }
+  return run;
+}
+
+/// The cosine of x next to pi/2 as FCOS gives it: the distance from its own pi/2, which has 66 bits.
+double fcos_near_half_pi(double x) { return 0x234Cp-67 - (x - pi / 2); }
+
+void output(Claims& claims, const Value& end) {
+  const Run run = listing(root_half<double>), mended = listing(quarter);
+  const double s = run.lambda.back(), angle = quarter * run.time;
+  const Route listed{"the listing's arithmetic", s},
+      by_text{"the listing with `aux[1]`", mended.lambda.back()};
+
+  const auto starts = [](const std::string& x, double number) -> Reading {
+    const auto middle = position(2.0, 0.0, quarter);
+    return {x,
+            {{R"($\lambda$, $x_1$, $x_2$, $x_3$)",
+              {"as written", {2, number, 0, number}},
+              {"the middle of the segment of length 4", {4 / 2, middle[0], middle[1], middle[2]}},
+              printed_decimals(5)}}};
+  };
+  claims.add("first_line", 2177, R"(the output begins with $\lambda=2$, $x_1=x_3=1.41421$, $x_2=0$)",
+             {.printed = starts("1.41421", 1.41421), .near_misses = {starts("1.41422", 1.41422)}});
+
+  const auto last = [](const std::string& lambda, const std::string& x, const Route& by,
+                       const std::string& text = "") -> Reading {
+    return {lambda + " and " + x + text,
+            {as_written(R"($\lambda$)", lambda, by),
+             as_written("$x_2$", x, {by.by, root_half<double> * by.value[0]})}};
+  };
+  claims.add("listing_output", 2179, R"(the listing ends with $\lambda=1.15214$, $x_2=x_3=0.814683$)",
+             {.printed = last("1.15214", "0.814683", listed),
+              .near_misses = {last("1.15215", "0.814683", listed), last("1.15214", "0.814684", listed),
+                              last("1.15214", "0.814683", by_text, " with `aux[1]`")}});
+
+  const auto digits = [&](const std::string& by, double cosine) -> Reading {
+    return {by, {as_written("$x_1$", "-8.54596e-16", {by, root_half<double> * s * cosine})}};
+  };
+  claims.add(
+      "listing_x1", 2179, R"(the listing ends with $x_1=-8.54596\cdot10^{-16}$)",
+      {.printed = digits(R"(the x87's FCOS, whose $\pi$ has 66 bits)", fcos_near_half_pi(angle)),
+       .near_misses = {digits("the true cosine", cos(angle)),
+                       digits("the cosine at $t=2$, by a clock that does not round", cos(quarter * 2))}});
+
+  const auto x1_after = [&](const std::string& text, int steps) -> Reading {
+    return {text,
+            {{"$x_1$ after step " + std::to_string(steps),
+              {"the listing", root_half<double> * s * cos(angle * steps / 200)},
+              {"zero", 0.0},
+              {200 * 0x1p-53 * 2, "the rounding of a clock that adds 200 steps"},
+              1}}};
+  };
+  claims.add("in_the_plane", 2181, "$x_1$ is effectively zero at the end",
+             {.printed = x1_after("zero but for the clock's rounding", 200),
+              .near_misses = {x1_after("so one step before", 199)}});
+
+  const auto starts_at = [](const std::string& text, double t) -> Reading {
+    return {text,
+            {{"the position after `Initialize(1, 0.01, 2, 0)`",
+              {R"($\lambda=2$ at $t=1$)", book.place(2, 1)},
+              {R"($\lambda=2$ at the clock's time)", position(2.0, t, quarter)},
+              rounding(2)}}};
+  };
+  claims.add(
+      "initial_time", 1995, "`Initialize(time, ...)` starts at the time that it is given",
+      {.printed = starts_at("`mTime = 0.0`", 0),
+       .corrected = starts_at("`mTime = time`", 1),
+       .near_misses = {starts_at("`mTime = deltaTime`", 0.01)},
+       .why =
+           R"(The argument `time` is not used: the clock is set to `mTime = 0.0`. The main program passes 0, )"
+           R"(and its output is not touched. Whoever resumes a saved motion at $t=1$ finds the segment turned )"
+           R"(back by $45^\circ$, and the mass 1.08 m from its place. (With `mTime = time` the rest length must )"
+           R"(be kept as well: `mAux[6]` takes the spring's length at that moment, 1.73 for 1.47.))",
+       .kind = Fault::listing,
+       .root = "a clock set to zero"});
+
+  const double lambda = length({end[0], end[1], end[2]}), d = end[1];
+  const Route true_lambda{R"($|x(2)|$ of the table)", lambda};
+  const auto is_lambda = [&](const std::string& number) -> Reading {
+    return {number, {as_written(R"($\lambda(2)$)", number, true_lambda)}};
+  };
+  claims.add(
+      "lambda_value", 2179, R"($\lambda(2)=1.15214$)",
+      {.printed = is_lambda("1.15214"),
+       .corrected = {"0.99421",
+                     {as_written(R"($\lambda(2)$)", "0.99421", true_lambda),
+                      as_written(R"($\lambda(2)$)", "0.99421", by_text)}},
+       .near_misses = {is_lambda("0.99422")},
+       .why =
+           R"(The output belongs to the slip of the listing, `aux[0]*time` for `aux[1]*time` (2079), not to )"
+           R"(the equation of the text, whose $\lambda(2)$ is 0.994210: what is printed is 16 percent too )"
+           R"(large.)",
+       .kind = Fault::listing,
+       .root = "`aux[0]` for `aux[1]`"});
+  claims.number("d_value", 2181, "$d=0.814683$, the mass arriving at $(0,d,d)$",
+                {.quantity = "$d$",
+                 .truth = {"$x_2(2)$ of the table", d},
+                 .printed = "0.814683",
+                 .corrected = "0.703013",
+                 .near_misses = {"0.703014"},
+                 .kind = Fault::listing,
+                 .root = "`aux[0]` for `aux[1]`",
+                 .why = R"(It comes from the slip of the listing (2079); the mass arrives at $(0,d,d)$ with )"
+                        R"($d=0.703013$, 0.16 m nearer to the origin along the segment.)"});
+  const auto is_d = [&](const std::string& text, double factor) -> Reading {
+    return {text,
+            {{"$d$", {text + " of the table", lambda * factor}, {"$x_2(2)$ of the table", d}, rounding(1)}}};
+  };
+  claims.add(
+      "d_is_lambda", 1849, R"($d$ is $\lambda(2)$)",
+      {.printed = is_d(R"($\lambda(2)$)", 1),
+       .meant = is_d(R"($\lambda(2)/\sqrt2$)", 1 / sqrt2),
+       .near_misses = {is_d(R"($\lambda(2)/2$)", 0.5)},
+       .why =
+           R"($\lambda$ is a distance along the segment and $d$ a coordinate: $d=\lambda(2)/\sqrt2$, as in the )"
+           R"(output's own 1.15214 and 0.814683. Taken at its word it places the mass 0.41 m too far along the )"
+           R"(segment. The line is repeated in the summary (1869).)",
+       .kind = Fault::formula});
+
+  long rises = 0;
+  for (std::size_t i = 1; i < mended.lambda.size(); ++i) rises += !(mended.lambda[i] < mended.lambda[i - 1]);
+  claims.add("slipped", 2181, R"($\lambda$ has decreased)",
+             {.printed = {R"($\lambda(2)<\lambda(0)$)",
+                          {never(R"($\lambda(2)<2$ by the listing, by the mended one, by the table)",
+                                 !(s < 2) + !(mended.lambda.back() < 2) + !(lambda < 2), 3)}},
+              .near_misses = {{R"($\lambda$ decreases all the time)",
+                               {never(R"($\lambda$ decreases in a step)", rises, 200)}}}});
+}
+
+}  // namespace
+
+std::vector<Claim> claims(double seed, const Reference& truth) {
+  Claims claims("3.15");
+  const auto samples = draw<Sample>(200, seed);
+  const Value end = truth("03_15_slide", {book.m, book.c, book.K, book.w, book.s0, 2}).value;
+  geometry(claims, samples);
+  energies(claims, samples);
+  spring(claims, samples);
+  equations(claims, samples);
+  motion(claims, end);
+  output(claims, end);
+  return claims.in_order();
+}
+
+std::vector<Root> roots() {
+  return {
+      {"`aux[0]` for `aux[1]`",
+       "The listing puts the mass 16 cm too far out on the segment after two seconds, at 1.152 m for 0.994 "
+       "m."},
+      {"at rest in space",
+       "A mass started at rest in space is 1.9 cm off the segment after the first sixtieth of a second: the "
+       "segment leaves it at 1.11 m/s."},
+      {"a spring that always pulls",
+       "A spring that pulls where it is compressed has the mass 3.5 mm off at the end of the motion."},
+      {"a segment without ends",
+       "On a spring of 1 N/m, started at three quarters of the segment, the mass leaves its upper end after "
+       "1.70 s and is drawn 0.23 m beyond it at the end."},
+      {"the start is no parameter",
+       "Started at a quarter of the segment instead of its middle, all parameters named being the same, the "
+       "mass arrives at 0.252 m for 0.994 m."},
+      {"a clock set to zero",
+       R"(Who loads a motion saved at $t=1$ sees the mass jump by 1.08 m, as the segment is turned back by )"
+       R"($45^\circ$.)"}};
+}
+
+}  // namespace oddity::ex03_15
