@@ -20,6 +20,8 @@
 ///   conditioning() const -> double         where there are no letters: the size of the terms over the
 ///   largest
 ///                                          value
+///   tolerance(double size) -> Tolerance    where its numbers are no better than what made them, such as an
+///                                          integration: what they may differ by, for terms of this size
 namespace oddity {
 
 template <class Sample>
@@ -113,7 +115,11 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
   };
   Worst worst(std::move(quantity), left.text, right.text);
   for (std::size_t i = 0; i < samples.size(); ++i)
-    worst.see(lefts[i], rights[i], size(samples[i]), samples[i].where());
+    if constexpr (requires(double terms) { samples[i].tolerance(terms); })
+      worst.see(lefts[i], rights[i], samples[i].tolerance(size(samples[i])), size(samples[i]),
+                samples[i].where());
+    else
+      worst.see(lefts[i], rights[i], size(samples[i]), samples[i].where());
   return worst.check();
 }
 
