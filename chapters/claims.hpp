@@ -22,6 +22,8 @@
 ///                                          value
 ///   whole                                  a static constant, where all is in whole numbers that a double
 ///                                          holds: they have to be equal
+///   tolerance(double size) -> Tolerance    where its numbers are no better than what made them, such as an
+///                                          integration: what they may differ by, for terms of this size
 namespace oddity {
 
 template <class Sample>
@@ -117,6 +119,9 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
   for (std::size_t i = 0; i < samples.size(); ++i)
     if constexpr (requires { Sample::whole; })
       worst.see(lefts[i], rights[i], exact(), size(samples[i]), samples[i].where());
+    else if constexpr (requires(double terms) { samples[i].tolerance(terms); })
+      worst.see(lefts[i], rights[i], samples[i].tolerance(size(samples[i])), size(samples[i]),
+                samples[i].where());
     else
       worst.see(lefts[i], rights[i], size(samples[i]), samples[i].where());
   return worst.check();

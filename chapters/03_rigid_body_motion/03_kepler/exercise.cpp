@@ -2,19 +2,20 @@
 // equation for the angle, (7), by the potential as a function of the angle, (3):
 //   V = -GM/r = c0 sin(theta) + c1 cos(theta) - G^2 M^4/alpha^2,   theta' = alpha V^2/(G^2 M^3),
 //   alpha = M r0^2 theta0'.
-// kepler_claims.hpp judges the derivation against Newton's law, kepler.hpp has the models. The reference is
+// claims.cpp judges the derivation against Newton's law, models.hpp has the models. The reference is
 // Kepler's equation in universal variables and the Taylor series of the Cartesian equations, in 60 digits.
 
-#include "chapters/03_rigid_body_motion/03_kepler/claims.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 #include "chapters/scene.hpp"
 #include "solvers/ode/events.hpp"
+#include "solvers/quadrature.hpp"
 
 namespace oddity {
 
 namespace ex03_03 {
 
 using namespace kepler;
+using std::numbers::pi;
 
 constexpr double four_pi_squared = 39.47841760435743;
 
@@ -270,7 +271,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   if (start.energy() < 0) append({period("period", "near the Earth's unless asked otherwise", start, truth)});
   append({period("period_eccentric", "e = 0.9", eccentric, truth),
           period("period_very_eccentric", "e = 0.99", very_eccentric, truth)});
-  return {kepler::claims(p["seed"]), all};
+  return {kepler::claims(p["seed"]), all, kepler::roots()};
 }
 
 }  // namespace ex03_03

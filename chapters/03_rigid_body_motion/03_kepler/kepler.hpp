@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include "chapters/03_rigid_body_motion/03_kepler/models.hpp"
+#include "chapters/exercise.hpp"
 #include "solvers/roots.hpp"
 #include "solvers/solved.hpp"
 
@@ -64,5 +66,11 @@ inline Solved<double> lagrange_series(double e, double M, int terms) {
     }
   return {E, static_cast<long>(terms) * (terms + 1) / 2};
 }
+
+// ---- the claims of exercise 3.3 ---------------------------------------------------------------------------
+
+/// Judged on random orbits.
+std::vector<Claim> claims(double seed);
+std::vector<Root> roots();
 
 }  // namespace oddity::kepler

@@ -1,0 +1,1236 @@
+// The published lines of exercise 3.3, judged on random orbits. What is true comes from Newton's law alone:
+// the path is integrated in Cartesian coordinates, its acceleration is the slope of G M/|r| by dual numbers,
+// and r, theta, V with their derivatives are taken along it by second-order dual numbers. The constants of
+// equation (3) are found from two later positions on the path, not from the start.
+
+#include "chapters/claims.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
+#include "reference/text.hpp"
+#include "solvers/dual.hpp"
+#include "solvers/ode/algorithms.hpp"
+#include "solvers/ode/integrate.hpp"
+#include "solvers/quadrature.hpp"
+
+namespace oddity::kepler {
+
+namespace {
+
+using std::numbers::pi;
+
+// ---- samples ----------------------------------------------------------------------------------------------
+
+/// The slope of G M/|r| in each direction of space.
+template <std::size_t n>
+std::array<double, n> gravity(double mu, const std::array<double, n>& q) {
+  std::array<double, n> a{};
+  for (std::size_t i = 0; i < n; ++i) {
+    Dual<double> square = 0.0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const Dual<double> z(q[j], i == j ? 1 : 0);
+      square += z * z;
+    }
+    a[i] = (mu / sqrt(square)).slope;
+  }
+  return a;
+}
+
+/// A planet of mass m at one moment, and another acceleration than gravity's.
+struct Moment {
+  double G, M, m, x, y, vx, vy, push_x, push_y;
+  std::string orbit;
+
+  std::array<double*, 9> letters() { return {&G, &M, &m, &x, &y, &vx, &vy, &push_x, &push_y}; }
+  std::string where() const { return orbit; }
+};
+
+/// r, theta and V = -GM/r at a moment: along the path in time by dual numbers of second order, and from there
+/// V', V'' along the angle.
+struct Along {
+  double G, M, m, mu, x, y, vx, vy, ax, ay, r, r_dot, r_dot_dot, angle, w, w_dot, c, s, h, alpha;
+  double V, V_dot, V1, V1_dot, V2;  ///< V1 = V', V2 = V''
+  double speed, factor;             ///< alpha/(G M^2)
+  Dual<double> distance, potential;
+
+  Along(const Moment& k, bool pushed)
+      : G(k.G), M(k.M), m(k.m), mu(G * M), x(k.x), y(k.y), vx(k.vx), vy(k.vy) {
+    const auto pull = gravity(mu, std::array{x, y});
+    ax = pushed ? k.push_x : pull[0], ay = pushed ? k.push_y : pull[1];
+    using Twice = Dual<Dual<double>>;
+    const Twice t(Dual<double>(0, 1), Dual<double>(1, 0));
+    const Twice along_x = x + t * (Twice(vx) + t * Twice(ax / 2)),
+                along_y = y + t * (Twice(vy) + t * Twice(ay / 2));
+    const Twice R = sqrt(along_x * along_x + along_y * along_y), theta = atan2(along_y, along_x);
+    const Twice energy = -mu / R;
+    r = R.value.value, r_dot = R.slope.value, r_dot_dot = R.slope.slope, distance = {r, r_dot};
+    angle = theta.value.value, w = theta.slope.value, w_dot = theta.slope.slope;
+    c = cos(angle), s = sin(angle), h = r * r * w, alpha = M * h, speed = hypot(vx, vy);
+    V = energy.value.value, V_dot = energy.slope.value, potential = {V, V_dot}, V1 = V_dot / w;
+    V1_dot = (energy.slope.slope * w - V_dot * w_dot) / (w * w), V2 = V1_dot / w;
+    factor = alpha / (G * M * M);
+  }
+  double mean() const { return pow(G * M * M / alpha, 2); }  ///< G^2 M^4/alpha^2
+  /// A vector by its parts along R and P.
+  Value parts(double along_R, double along_P) const {
+    return {along_R * c - along_P * s, along_R * s + along_P * c};
+  }
+  // The size of the terms, whatever the letters are: of r'', of r theta'', of V''.
+  double of_radial() const { return r * w * w + mu / (r * r) + 4 * r_dot * r_dot / r; }
+  double of_transverse() const { return speed * speed / r; }
+  double of_bend() const { return of_radial() * mu / pow(r * w, 2) + abs(V); }
+};
+
+using Terms = double (Along::*)() const;
+
+template <class Of>
+Formula<Moment> along(std::string text, const Of& of, Terms terms = nullptr, bool pushed = false) {
+  Formula<Moment> formula{std::move(text), [=](const Moment& k) -> Value { return of(Along(k, pushed)); }};
+  if (terms) formula.terms = [=](const Moment& k) { return (Along(k, pushed).*terms)(); };
+  return formula;
+}
+/// Under the other acceleration.
+template <class Of>
+Formula<Moment> pushed(std::string text, const Of& of) {
+  return along(std::move(text), of, &Along::of_transverse, true);
+}
+
+/// A random orbit, from its start to a later moment.
+struct Later {
+  Start start;
+  Moment now;
+  double t, theta;  ///< the angle goes on beyond a turn
+  double c0, c1;    ///< of equation (3), from two other positions
+
+  std::array<double*, 14> letters() {
+    auto& [G, M, r0, r0_dot, theta0, theta0_dot] = start;
+    return {&G,     &M,      &r0,     &r0_dot, &theta0, &theta0_dot, &now.x,
+            &now.y, &now.vx, &now.vy, &t,      &theta,  &c0,         &c1};
+  }
+  std::string where() const { return now.where(); }
+  Tolerance tolerance(double size) const {
+    return {1e-10 * size, "a thousand tolerances of the path's integration"};
+  }
+
+  double r() const { return hypot(now.x, now.y); }
+  double h() const { return now.x * now.vy - now.y * now.vx; }
+  double w() const { return h() / (r() * r()); }
+  double V() const { return -start.mu() / r(); }
+  double mean() const { return pow(start.mu() / start.h(), 2); }  ///< G^2 M^4/alpha^2
+  double potential(double angle) const { return c0 * sin(angle) + c1 * cos(angle); }
+  double slope(double angle) const { return c0 * cos(angle) - c1 * sin(angle); }
+  double distance(double angle) const { return -start.mu() / (potential(angle) - mean()); }
+  /// The time from one angle to another, dt = r^2 d theta/h.
+  double time_between(double from, double to) const {
+    return qag([&](double angle) { return pow(distance(angle), 2) / start.h(); }, from, to, 1e-13).value;
+  }
+  /// The time of a turn.
+  double turn() const {
+    const auto slowness = [&](double angle) { return pow(distance(angle), 2) / abs(start.h()); };
+    return trapezoid(slowness, 0, 2 * pi, 512).value;
+  }
+  /// The moment of the start.
+  Along first() const {
+    const auto q = start.position(), v = start.velocity();
+    return Along({start.G, start.M, 1, q[0], q[1], v[0], v[1], 0, 0, {}}, false);
+  }
+  /// v x c0 - GM R.
+  Value laplace() const {
+    const double pull = start.mu() / r();
+    return {now.vy * h() - pull * now.x, -now.vx * h() - pull * now.y};
+  }
+  /// A vector by its parts along R0 and P0.
+  Value parts(double along_R, double along_P) const {
+    const double c = cos(start.theta0), s = sin(start.theta0);
+    return {along_R * c - along_P * s, along_R * s + along_P * c};
+  }
+};
+
+/// The orbit's elements by the lines from the start.
+struct Elements {
+  double mu, squared, tilted;  ///< r0^3 theta0'^2, r0^2 r0' theta0'
+  double gamma0, gamma1, e, rho, a, omega;
+
+  explicit Elements(const Later& k) : mu(k.start.mu()) {
+    const auto& [G, M, r0, r0_dot, theta0, w0] = k.start;
+    squared = r0 * r0 * r0 * w0 * w0, tilted = r0 * r0 * r0_dot * w0, gamma0 = r0 * r0 * abs(w0);
+    gamma1 = sqrt(pow(squared - mu, 2) + tilted * tilted), e = gamma1 / mu, rho = gamma0 * gamma0 / gamma1;
+    a = rho * e / (1 - e * e), omega = theta0 - std::atan2(tilted, squared - mu);
+  }
+  double orbit(double angle) const { return e * rho / (1 + e * cos(angle)); }
+};
+
+/// The distances at the apsides, by the energy and the angular momentum of the later moment.
+struct Apsides {
+  double nearest, farthest, half_axis;
+
+  explicit Apsides(const Later& k) {
+    const double mu = k.start.mu(), energy = (pow(k.now.vx, 2) + pow(k.now.vy, 2)) / 2 - mu / k.r();
+    const double root = sqrt(mu * mu + 2 * energy * k.h() * k.h());
+    nearest = (mu - root) / (-2 * energy), farthest = (mu + root) / (-2 * energy);
+    half_axis = (nearest + farthest) / 2;
+  }
+};
+
+/// A start at `transverse` and `radial` times the circular speed.
+Start random_start(Random& random, double transverse, double radial) {
+  const double G = abs(random.magnitude(0.2, 5)), M = abs(random.magnitude(0.2, 5));
+  const double r0 = abs(random.magnitude(0.3, 3)), circular = sqrt(G * M / r0);
+  return {G, M, r0, radial * circular, random.between(-pi, pi), transverse * circular / r0};
+}
+
+std::string letters_of(const Start& s) {
+  return "G = " + shortest(s.G) + ", M = " + shortest(s.M) + ", r0 = " + shortest(s.r0) +
+         ", r0' = " + shortest(s.r0_dot) + ", theta0 = " + shortest(s.theta0) +
+         ", theta0' = " + shortest(s.theta0_dot);
+}
+
+/// Bound orbits of eccentricity up to 0.95, of either sense, each followed in so many pieces.
+constexpr std::size_t pieces = 64;
+
+std::vector<Later> orbits(double seed) {
+  Random random(seed);
+  std::vector<Later> all;
+  for (int i = 0; i < 40; ++i) {
+    const Start s =
+        random_start(random, random.between(0.5, 1.3) * (i % 4 ? 1 : -1), random.between(-0.5, 0.5));
+    const double span = sqrt(pow(s.r0, 3) / s.mu()), end = random.between(3, 6) * span;
+    std::vector<double> times(pieces + 1), angles(pieces + 1, s.theta0);
+    for (std::size_t j = 0; j <= pieces; ++j) times[j] = end * static_cast<double>(j) / pieces;
+    const Cartesian<double> model{s};
+    const auto states =
+        ode::integrate<ode::Fehlberg78>(model, model.start(), std::span<const double>(times), 1e-13).value;
+    if (states.size() != times.size()) throw std::runtime_error("a sample orbit was not integrated");
+    for (std::size_t j = 1; j <= pieces; ++j) {
+      const auto &from = states[j - 1], &to = states[j];
+      angles[j] =
+          angles[j - 1] + std::atan2(from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
+    }
+    const double push_x = random.normal(), push_y = random.normal(), m = abs(random.magnitude(1e-3, 1e3));
+    const auto& [x, y, vx, vy] = states.back();
+    Later k{s,   {s.G, s.M, m, x, y, vx, vy, push_x, push_y, letters_of(s) + ", t = " + shortest(end)},
+            end, angles.back(),
+            0,   0};
+    double best = 0;
+    for (std::size_t one = pieces / 8; one < pieces; one += pieces / 8)
+      for (std::size_t two = one + pieces / 8; two < pieces; two += pieces / 8) {
+        const double determinant = sin(angles[one] - angles[two]);
+        if (abs(determinant) <= best) continue;
+        best = abs(determinant);
+        const double v1 = k.mean() - s.mu() / hypot(states[one][0], states[one][1]);
+        const double v2 = k.mean() - s.mu() / hypot(states[two][0], states[two][1]);
+        k.c0 = (v1 * cos(angles[two]) - v2 * cos(angles[one])) / determinant;
+        k.c1 = (v2 * sin(angles[one]) - v1 * sin(angles[two])) / determinant;
+      }
+    all.push_back(std::move(k));
+  }
+  return all;
+}
+
+/// A place and a velocity in space, and drag beside gravity.
+struct InSpace {
+  std::array<double, 3> q, v, a;
+  explicit InSpace(Random& random) : q(random.point()), v(random.point()) {
+    a = gravity(abs(random.magnitude(0.1, 10)), q);
+  }
+  double size() const { return hypot(q[0], q[1], q[2]) * hypot(a[0], a[1], a[2]); }
+  std::string where() const { return "r = (" + shortest(q[0]) + ", ...)"; }
+  /// d/dt (r x v) = r x a.
+  Value turned(double drag) const {
+    std::array<double, 3> f = a;
+    for (std::size_t j = 0; j < 3; ++j) f[j] -= drag * v[j];
+    return {q[1] * f[2] - q[2] * f[1], q[2] * f[0] - q[0] * f[2], q[0] * f[1] - q[1] * f[0]};
+  }
+};
+
+/// A start, at so many times the circular speed across and along.
+struct AnyStart {
+  double across, along;
+  Start start;
+
+  AnyStart(Random& random, double least, double most, double most_along)
+      : across(random.between(least, most)),
+        along(random.between(-most_along, most_along)),
+        start(random_start(random, across, along)) {}
+  std::string where() const { return letters_of(start); }
+  double size() const { return 2 + 2 / (across * across); }
+
+  /// r reaches a thousandth of r0.
+  bool falls() const {
+    const auto system = [&](const std::array<double, 2>& z, std::array<double, 2>& d, double) {
+      d = {z[1], start.h() * start.h() / pow(z[0], 3) - start.mu() / (z[0] * z[0])};
+    };
+    const auto near = [&](double, const auto&, double, const std::array<double, 2>& z) {
+      return z[0] < 1e-3 * start.r0;
+    };
+    const double span = sqrt(pow(start.r0, 3) / start.mu());
+    const std::array times{0.0, 10 * span};
+    const auto states = ode::integrate<ode::RungeKutta4>(system, std::array{start.r0, start.r0_dot},
+                                                         std::span<const double>(times), 1e-3 * span, near);
+    return !(states.value.back()[0] >= 1e-3 * start.r0);
+  }
+  bool ellipse_below(double square) const {
+    if (across * across + along * along >= square) return true;
+    return hypot(start.h() * start.h() / start.r0 - start.mu(), start.h() * start.r0_dot) < start.mu();
+  }
+};
+
+std::vector<AnyStart> starts(int count, double seed, double least, double most, double most_along) {
+  Random random(seed);
+  std::vector<AnyStart> all;
+  for (int i = 0; i < count; ++i) all.emplace_back(random, least, most, most_along);
+  return all;
+}
+
+/// The same, and every tenth of them once more without angular momentum, half of these at rest.
+std::vector<AnyStart> and_straight(std::vector<AnyStart> all) {
+  for (std::size_t i = 0, count = all.size(); i < count; i += 10) {
+    AnyStart k = all[i];
+    k.across = k.start.theta0_dot = 0;
+    if (i % 20 == 0) k.along = k.start.r0_dot = 0;
+    all.push_back(k);
+  }
+  return all;
+}
+
+// ---- Newton's law in polar coordinates: lines 945 to 1007 -------------------------------------------------
+
+void motion_in_a_plane(Claims& claims, const std::vector<Later>& orbits, double seed) {
+  claims.formula("plane", 945,
+                 R"(the normal $\mathbf c_0=\mathbf r\times\mathbf v$ is constant: the motion stays in the )"
+                 R"(plane of $\mathbf r$ and $\mathbf v$)",
+                 draw<InSpace>(100, seed),
+                 {.quantity = R"($\mathbf r\times\ddot{\mathbf r}$, the rate of $\mathbf r\times\mathbf v$)",
+                  .truth = {"zero",
+                            [](const InSpace&) {
+                              return Value{0, 0, 0};
+                            }},
+                  .printed = {"under gravity", [](const InSpace& k) { return k.turned(0); }},
+                  .near_misses = {{"with drag", [](const InSpace& k) { return k.turned(0.1); }}}});
+  claims.statement<AnyStart>(
+      "orbit_for_all_time", 945,
+      R"(a start whose $\mathbf r$ and $\mathbf v$ span a plane determines an orbit for all $t\ge0$)",
+      and_straight(starts(40, seed, 0.5, 1.3, 0.5)),
+      {.printed = {R"($\mathbf r$ and $\mathbf v$ span a plane, and $r$ stays above $r_0/1000$)",
+                   [](const AnyStart& k) { return k.across == 0 || !k.falls(); }},
+       .near_misses = {{R"($r$ stays above $r_0/1000$ also where $\mathbf r$ and $\mathbf v$ are in line)",
+                        [](const AnyStart& k) { return !k.falls(); }}}});
+  claims.statement<Later>(
+      "increasing", 987, R"(for $\dot\theta_0>0$ the angle increases strictly for all time)", orbits,
+      {.printed = {R"(for $\dot\theta_0>0$ later on the path $\dot\theta>0$ and $\theta>\theta_0$)",
+                   [](const Later& k) {
+                     return k.start.theta0_dot < 0 || (k.h() > 0 && k.theta > k.start.theta0);
+                   }},
+       .near_misses = {{R"(for $\dot\theta_0<0$ likewise)", [](const Later& k) {
+                          return k.start.theta0_dot > 0 || (k.h() > 0 && k.theta > k.start.theta0);
+                        }}}});
+}
+
+void equations_of_motion(Claims& claims, const std::vector<Moment>& moments) {
+  using K = const Along&;
+  const auto acceleration = pushed("any acceleration", [](K k) { return values(k.ax, k.ay); });
+  const auto polar = [](K k) {
+    return k.parts(k.r_dot_dot - k.r * k.w * k.w, k.r * k.w_dot + 2 * k.r_dot * k.w);
+  };
+  claims.formula(
+      "unit_vector", 945,
+      R"($\mathbf r=r\mathbf R$, and $\mathbf R$ is of length 1 and points from the sun to the planet)",
+      moments,
+      {.quantity = R"($\mathbf r$)",
+       .truth = along("the planet's coordinates", [](K k) { return values(k.x, k.y); }),
+       .printed = along(R"($r\mathbf R$)", [](K k) { return k.parts(k.r, 0); }),
+       .near_misses = {along(R"($r\mathbf P$)", [](K k) { return k.parts(0, k.r); })}});
+  claims.formula("acceleration", 949,
+                 R"($\mathbf a=(\ddot r-r\dot\theta^2)\mathbf R+(r\ddot\theta+2\dot r\dot\theta)\mathbf P$)",
+                 moments,
+                 {.quantity = R"($\mathbf a$)",
+                  .truth = acceleration,
+                  .printed = pushed("its polar form, derivatives by dual numbers", polar),
+                  .near_misses = {pushed(R"(the polar form with $+r\dot\theta^2$)", [](K k) {
+                    return k.parts(k.r_dot_dot + k.r * k.w * k.w, k.r * k.w_dot + 2 * k.r_dot * k.w);
+                  })}});
+  claims.formula(
+      "equation_number", 949, "equation (3.2) is the polar form of any acceleration", moments,
+      {.quantity = R"($\mathbf a$)",
+       .truth = acceleration,
+       .printed = pushed(R"($-(GM/r^2)\mathbf R$, which follows from equation (3.2))",
+                         [](K k) { return k.parts(-k.mu / (k.r * k.r), 0); }),
+       .meant = pushed(
+           R"(another equation: $(\ddot r-r\dot\theta^2)\mathbf R+(r\ddot\theta+2\dot r\dot\theta)\mathbf P$)",
+           polar),
+       .near_misses = {pushed(
+           R"(that other equation, $\dot r\dot\theta$ without its 2)",
+           [](K k) { return k.parts(k.r_dot_dot - k.r * k.w * k.w, k.r * k.w_dot + k.r_dot * k.w); })},
+       .kind = Fault::number,
+       .why =
+           R"(Exercise 3.1 (857) and the end of this one (1229) give the number (3.2) to the orbit, )"
+           R"($r=e\rho/(1+e\cos\theta)$, which knows no acceleration but $-GM/r^2$ towards the sun. The polar )"
+           R"(form is another equation of the book: whoever looks (3.2) up for it finds the orbit.)"});
+  const auto pull = [](double sign, double power) {
+    return [=](K k) {
+      const double f = sign * k.mu * pow(k.r, 3 * power), g = sign * k.mu * pow(k.r, 2 * power);
+      return values(f * k.x, f * k.y, g * k.c, g * k.s);
+    };
+  };
+  claims.formula(
+      "gravity", 953,
+      R"($\mathbf a=-GM\,r^3\,\mathbf r$ (the distance cubed, times the vector) )"
+      R"($=-GM\,r^2\,\mathbf R=-(GM/r^2)\mathbf R+0\,\mathbf P$)",
+      moments,
+      {.quantity = R"($\mathbf a$, twice)",
+       .truth = along(R"(the slope of $GM/|\mathbf r|$ by dual numbers)",
+                      [](K k) { return values(k.ax, k.ay, k.ax, k.ay); }),
+       .printed = along(R"($-GM\,r^3\,\mathbf r$ and $-GM\,r^2\,\mathbf R$)", pull(-1, 1)),
+       .meant = along(R"($-(GM/r^3)\,\mathbf r$ and $-(GM/r^2)\,\mathbf R$)", pull(-1, -1)),
+       .near_misses = {along(R"($+(GM/r^3)\,\mathbf r$ and $+(GM/r^2)\,\mathbf R$)", pull(1, -1))},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The fraction bars are lost: read as they stand, $GMr^3$ and $GMr^2$ make a planet twice as far )"
+           R"(away feel four times the pull instead of a quarter of it. The last form of the line has its bar.)"});
+  claims.formula(
+      "radial", 967, R"($\ddot r-r\dot\theta^2=-GM\,r^2$)", moments,
+      {.quantity = R"($\ddot r-r\dot\theta^2$)",
+       .truth = along(
+           "by dual numbers", [](K k) { return k.r_dot_dot - k.r * k.w * k.w; }, &Along::of_radial),
+       .printed = along(R"($-GM\,r^2$)", [](K k) { return -k.mu * k.r * k.r; }),
+       .meant = along(R"($-GM/r^2$)", [](K k) { return -k.mu / (k.r * k.r); }),
+       .near_misses = {along(R"($-GM/r^3$)", [](K k) { return -k.mu / (k.r * k.r * k.r); })},
+       .kind = Fault::lost_typography,
+       .why = "The fraction bar is lost; equation (2), made from this line, has it."});
+  claims.formula("transverse", 967, R"($r\ddot\theta+2\dot r\dot\theta=0$)", moments,
+                 {.quantity = R"($r\ddot\theta$)",
+                  .truth = along(
+                      "by dual numbers", [](K k) { return k.r * k.w_dot; }, &Along::of_transverse),
+                  .printed = along(R"($-2\dot r\dot\theta$)", [](K k) { return -2 * k.r_dot * k.w; }),
+                  .near_misses = {along(R"($-\dot r\dot\theta$)", [](K k) { return -k.r_dot * k.w; })}});
+  const auto areal = [](double two) {
+    return [=](K k) {
+      const double rate = k.r * k.r * k.w_dot + two * k.r * k.r_dot * k.w;
+      return values(rate, rate);
+    };
+  };
+  claims.formula(
+      "areal", 973,
+      R"($r(r\ddot\theta+2\dot r\dot\theta)=r^2\ddot\theta+2r\dot r\dot\theta=\frac{d}{dt}(r^2\dot\theta)$)",
+      moments,
+      {.truth = {R"($r$ times the transverse acceleration, and $x\ddot y-y\ddot x$)",
+                 pushed("",
+                        [](K k) {
+                          return values(k.r * (k.r * k.w_dot + 2 * k.r_dot * k.w), k.x * k.ay - k.y * k.ax);
+                        })
+                     .of,
+                 [](const Moment& k) { return k.vx * k.vx + k.vy * k.vy; }},
+       .printed = pushed(R"($r^2\ddot\theta+2r\dot r\dot\theta$)", areal(2)),
+       .near_misses = {pushed(R"($r^2\ddot\theta+r\dot r\dot\theta$)", areal(1))}});
+  claims.formula(
+      "angular_momentum", 979, R"($\alpha=Mr^2\dot\theta$ is the angular momentum)", moments,
+      {.quantity = R"($\partial L/\partial\dot\theta$ of a planet of mass $m$)",
+       .truth = along(R"($L=T-V$ differentiated by dual numbers)",
+                      [](K k) {
+                        const auto lagrangian = [&](auto rate) {
+                          return k.m / 2 * (k.r_dot * k.r_dot + k.r * k.r * (rate * rate)) + k.m * k.mu / k.r;
+                        };
+                        return derivative(lagrangian, k.w);
+                      }),
+       .printed = along(R"($Mr^2\dot\theta$)", [](K k) { return k.alpha; }),
+       .corrected = along(R"($mr^2\dot\theta$, $m$ the planet's mass)", [](K k) { return k.m * k.h; }),
+       .near_misses = {along(R"($mr\dot\theta$)", [](K k) { return k.m * k.r * k.w; })},
+       .kind = Fault::formula,
+       .root = "the sun's mass for the planet's",
+       .why =
+           R"($M$ is the mass that attracts, the sun's: $\partial L/\partial\dot\theta$ is $mr^2\dot\theta$ with )"
+           R"(the mass of the planet, for the Earth 1/333000 of it. $\alpha$ is constant all the same, and every )"
+           R"(later line uses no more than that: only $\alpha/M=r^2\dot\theta$ ever enters.)"});
+  const auto radial = [](double sign) {
+    return [=](K k) {
+      const double M2 = k.M * k.M, r3 = k.r * k.r * k.r;
+      return values(k.r_dot_dot + sign * k.r * k.w * k.w,
+                    k.r_dot_dot + sign * k.r * pow(k.alpha / (k.M * k.r * k.r), 2),
+                    k.r_dot_dot + sign * k.alpha * k.alpha / (M2 * r3));
+    };
+  };
+  claims.formula(
+      "radial_equation", 995,
+      R"($-GM/r^2=\ddot r-r\dot\theta^2=\ddot r-r(\alpha/(Mr^2))^2=\ddot r-\alpha^2/(M^2r^3)$ (2))", moments,
+      {.truth = along(R"($-GM/r^2$)",
+                      [](K k) {
+                        const double a = -k.mu / (k.r * k.r);
+                        return values(a, a, a);
+                      }),
+       .printed = along(R"(the other three forms, $\ddot r$ by dual numbers)", radial(-1), &Along::of_radial),
+       .near_misses = {along(R"($\ddot r+\alpha^2/(M^2r^3)$)", radial(1), &Along::of_radial)}});
+
+  const auto singular = [&](const std::string& text, double ratio) {
+    Worst worst(R"($\ddot r$ at $z$ over $\ddot r$ at $2z$, $z=2^{-21}r$, $\alpha$ being the same)",
+                "Cartesian, by dual numbers", text);
+    for (const Moment& k : moments) {
+      const Along now(k, false);
+      const auto fall = [&](double z) {
+        return Along({k.G, k.M, k.m, z, 0, 0, now.h / z, 0, 0, {}}, false).r_dot_dot;
+      };
+      const double z = now.r * 0x1p-21;
+      worst.see(fall(z) / fall(2 * z), ratio,
+                {16 * now.mu * z / (now.h * now.h) + 1e-12, R"(twice the pull's share there, $GMz/h^2$)"},
+                ratio, k.where());
+    }
+    return Reading{text, {worst.check()}};
+  };
+  claims.add("singular", 1007,
+             R"(the right-hand side of (2) has a singularity at $r=0$, here: of the third order)",
+             {.printed = singular("of the third order: $2^3$", 8),
+              .near_misses = {singular("of the second order: $2^2$", 4)}});
+}
+
+// ---- the potential as a function of the angle: lines 1009 to 1101 -----------------------------------------
+
+void equation_of_the_potential(Claims& claims, const std::vector<Moment>& moments) {
+  using K = const Along&;
+  const auto twice = [](const auto& of) { return [=](K k) { return values(of(k), of(k)); }; };
+  const auto r_dot = along(R"($\dot r$ by dual numbers)", [](K k) { return k.r_dot; });
+  const auto r_dot_twice = along(R"($\dot r$ by dual numbers)", twice([](K k) { return k.r_dot; }));
+  const auto r_dot_dot_twice =
+      along(R"($\ddot r$ by dual numbers)", twice([](K k) { return k.r_dot_dot; }), &Along::of_radial);
+
+  const auto force = [](K k) { return derivative([&](auto z) { return k.mu / z; }, k.r); };
+  claims.formula(
+      "potential_energy", 1009, R"($V=-GM/r$ is the potential energy)", moments,
+      {.quantity = R"(the force on a planet of mass $m$)",
+       .truth = along(R"($m$ times the slope of $GM/|\mathbf r|$ by dual numbers)",
+                      [](K k) { return k.m * (k.ax * k.c + k.ay * k.s); }),
+       .printed = along(R"($-dV/dr$)", force),
+       .corrected = along(R"($-m\,dV/dr$: $-GM/r$ is the potential energy per unit mass of the planet)",
+                          [=](K k) { return k.m * force(k); }),
+       .near_misses = {along(R"($-\frac m2dV/dr$)", [=](K k) { return k.m / 2 * force(k); })},
+       .kind = Fault::formula,
+       .root = "the sun's mass for the planet's",
+       .why =
+           R"(The force on a planet of mass $m$ is $-GMm/r^2$; $-GM/r$ is its energy divided by $m$. With )"
+           R"($\alpha=Mr^2\dot\theta$ the text divides the momentum by $m$ and multiplies it by $M$, so that $V$ )"
+           R"(and $\alpha$ belong to different masses; the orbit depends on neither, only a display of energies )"
+           R"(in joules is off by the factor $m$.)"});
+  claims.formula(
+      "power_rule", 1017, R"($\dot r=\frac{d}{dt}(-GM\,V)=(GM/V^2)\,dV/dt$)", moments,
+      {.quantity = R"($\dot r$)",
+       .truth = r_dot_twice,
+       .printed =
+           along(R"($\frac{d}{dt}(-GM\,V)$ by dual numbers, and $(GM/V^2)\,dV/dt$)",
+                 [](K k) { return values((-k.mu * k.potential).slope, k.mu / (k.V * k.V) * k.V_dot); }),
+       .meant = along(R"($\frac{d}{dt}(-GM/V)$ by dual numbers, and $(GM/V^2)\,dV/dt$)",
+                      [](K k) { return values((-k.mu / k.potential).slope, k.mu / (k.V * k.V) * k.V_dot); }),
+       .near_misses = {along(R"($(GM/V)\,dV/dt$)", twice([](K k) { return k.mu / k.V * k.V_dot; }))},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The fraction bar of $-GM/V$ is lost. The product $-GMV=G^2M^2/r$ is no distance, and shrinks where )"
+           R"(the distance grows.)"});
+  claims.formula(
+      "chain_rule", 1023, R"($\dot r=GM\,V^2\,(dV/d\theta)\,\dot\theta$)", moments,
+      {.quantity = R"($\dot r$)",
+       .truth = r_dot,
+       .printed = along(R"($GM\,V^2V'\dot\theta$)", [](K k) { return k.mu * k.V * k.V * k.V1 * k.w; }),
+       .meant = along(R"($(GM/V^2)V'\dot\theta$)", [](K k) { return k.mu / (k.V * k.V) * k.V1 * k.w; }),
+       .near_misses = {along(R"($(GM/V^2)V'$)", [](K k) { return k.mu / (k.V * k.V) * k.V1; })},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The fraction bar is lost; the line before has it. For the Earth, in astronomical units and years, )"
+           R"(the product $GMV^2$ is 61500 where the quotient is 0.025.)"});
+  claims.formula(
+      "r_dot", 1031, R"($\dot r=GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2)=\alpha V'/(GM^2)$)", moments,
+      {.quantity = R"($\dot r$)",
+       .truth = r_dot_twice,
+       .printed = along(R"($GM\,(-GM/r)^2V'\,\alpha\,Mr^2$, and $\alpha V'/(GM^2)$)",
+                        [](K k) {
+                          return values(k.mu * pow(k.mu / k.r, 2) * k.V1 * (k.alpha * k.M * k.r * k.r),
+                                        k.factor * k.V1);
+                        }),
+       .meant = along(R"($GM/(-GM/r)^2\,V'\,\alpha/(Mr^2)$, and $\alpha V'/(GM^2)$)",
+                      [](K k) {
+                        return values(k.mu / pow(k.mu / k.r, 2) * k.V1 * k.alpha / (k.M * k.r * k.r),
+                                      k.factor * k.V1);
+                      }),
+       .near_misses = {along(R"($\alpha V'/(GM)$)", twice([](K k) { return k.alpha * k.V1 / k.mu; }))},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The bars of the first form's two fractions are lost. As products the powers of $r$ cancel as well, )"
+           R"(and what is left is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)"});
+  claims.formula(
+      "second_chain_rule", 1041, R"($\ddot r=\alpha\,GM^2\,dV'/dt=\alpha\,GM^2\,V''\dot\theta$)", moments,
+      {.quantity = R"($\ddot r$)",
+       .truth = r_dot_dot_twice,
+       .printed = along(R"($\alpha\,GM^2\,dV'/dt$ and $\alpha\,GM^2\,V''\dot\theta$)",
+                        [](K k) {
+                          const double product = k.alpha * k.mu * k.M;
+                          return values(product * k.V1_dot, product * k.V2 * k.w);
+                        }),
+       .meant = along(R"($\alpha/(GM^2)\,dV'/dt$ and $\alpha/(GM^2)\,V''\dot\theta$)",
+                      [](K k) { return values(k.factor * k.V1_dot, k.factor * k.V2 * k.w); }),
+       .near_misses = {along(R"($\alpha/(GM^2)\,V'\dot\theta$)",
+                             twice([](K k) { return k.factor * k.V1 * k.w; }))},
+       .kind = Fault::lost_typography,
+       .why =
+           "The fraction bar is lost, here and in line 1049: line 1037, which is differentiated, has it."});
+  const auto bent = [](K k) { return k.alpha * k.alpha * k.V2; };
+  claims.formula(
+      "r_dot_dot", 1055, R"($\ddot r=\alpha\,GM^2\,V''\,(\alpha\,Mr^2)=\alpha^2V''/(GM^3r^2)$)", moments,
+      {.quantity = R"($\ddot r$)",
+       .truth = r_dot_dot_twice,
+       .printed = along(R"($\alpha\,GM^2\,V''\,\alpha\,Mr^2$, and $\alpha^2V''/(GM^3r^2)$)",
+                        [=](K k) {
+                          return values(k.mu * k.M * k.M * k.r * k.r * bent(k),
+                                        bent(k) / (k.mu * k.M * k.M * k.r * k.r));
+                        }),
+       .meant = along(R"($\alpha/(GM^2)\,V''\,\alpha/(Mr^2)$, and $\alpha^2V''/(GM^3r^2)$)",
+                      [=](K k) {
+                        return values(k.factor * k.V2 * (k.alpha / (k.M * k.r * k.r)),
+                                      bent(k) / (k.mu * k.M * k.M * k.r * k.r));
+                      }),
+       .near_misses = {along(R"($\alpha^2V''/(GM^2r^2)$)",
+                             twice([=](K k) { return bent(k) / (k.mu * k.M * k.r * k.r); }))},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The bars of $\alpha/(GM^2)$ and of $\dot\theta=\alpha/(Mr^2)$ are lost; the last form of the line )"
+           R"(has one for both.)"});
+  const auto by_V = [=](K k) { return bent(k) * k.V * k.V / (pow(k.G, 3) * pow(k.M, 5)); };
+  claims.formula(
+      "r_dot_dot_by_V", 1063, R"($\ddot r=\alpha^2V''/(GM^3(-GM/V)^2)=\alpha^2V''V^2/(G^3M^5)$)", moments,
+      {.quantity = R"($\ddot r$)",
+       .truth = r_dot_dot_twice,
+       .printed =
+           along("the two forms",
+                 [=](K k) { return values(bent(k) / (k.mu * k.M * k.M * pow(-k.mu / k.V, 2)), by_V(k)); }),
+       .near_misses = {along(R"($\alpha^2V''V^2/(G^3M^4)$)", twice([=](K k) { return k.M * by_V(k); }))}});
+  claims.formula(
+      "substituted", 1077, R"($-GM\,(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)", moments,
+      {.truth = along(R"($\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$, $V''$ by dual numbers)",
+                      [=](K k) { return by_V(k) - k.alpha * k.alpha / (k.M * k.M * pow(-k.mu / k.V, 3)); },
+                      &Along::of_radial),
+       .printed = along(R"($-GM\,(-GM/V)^2$)", [](K k) { return -k.mu * pow(k.mu / k.V, 2); }),
+       .meant = along(R"($-GM/(-GM/V)^2$)", [](K k) { return -k.mu / pow(k.mu / k.V, 2); }),
+       .near_misses = {along(R"($+GM/(-GM/V)^2$)", [](K k) { return k.mu / pow(k.mu / k.V, 2); })},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The bar of the left side is lost, as at line 953: $GM(-GM/V)^2$ is $GMr^2$, a pull that grows with )"
+           R"(the distance. The next line, $-V^2/(GM)$, is the quotient.)"});
+  const auto simplified = [=](double sign) {
+    return [=](K k) { return by_V(k) + sign * pow(k.alpha, 2) * pow(k.V, 3) / (pow(k.G, 3) * pow(k.M, 5)); };
+  };
+  claims.formula("simplified", 1083, R"($-V^2/(GM)=\alpha^2V''V^2/(G^3M^5)+\alpha^2V^3/(G^3M^5)$)", moments,
+                 {.truth = along(R"($-V^2/(GM)$)", [](K k) { return -k.V * k.V / k.mu; }),
+                  .printed = along(R"(the sum of the other two terms, $V''$ by dual numbers)", simplified(1),
+                                   &Along::of_radial),
+                  .near_misses = {along("their difference", simplified(-1), &Along::of_radial)}});
+  claims.formula(
+      "potential_equation", 1091, R"($-G^2M^4/\alpha^2=V''+V$)", moments,
+      {.truth = along(R"($-G^2M^4/\alpha^2$)", [](K k) { return -k.mean(); }),
+       .printed = along(R"($V''+V$, $V''$ by dual numbers)", [](K k) { return k.V2 + k.V; }, &Along::of_bend),
+       .near_misses = {along(R"($V''-V$)", [](K k) { return k.V2 - k.V; }, &Along::of_bend)}});
+  const auto by_root = [](bool imaginary) {
+    return [=](K k) {
+      const std::complex<double> root = imaginary ? std::complex(0.0, k.angle < 0 ? -1.0 : 1.0) : 1.0;
+      const auto bend = root * root * (k.V + k.mean());
+      return values(bend.real(), bend.imag());
+    };
+  };
+  claims.formula(
+      "characteristic", 1095, R"($\lambda^2+1=0$ has the roots $\pm i$)", moments,
+      {.quantity = R"($V''$ on the path, real and imaginary part)",
+       .truth = along(
+           "by dual numbers", [](K k) { return values(k.V2, 0); }, &Along::of_bend),
+       .printed = along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=\pm i$)", by_root(true)),
+       .near_misses = {along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=1$)", by_root(false))}});
+  claims.formula(
+      "independent", 1095, R"($\sin$ and $\cos$ solve $V''+V=0$, linearly independent)", moments,
+      {.quantity = "Wronski's determinant",
+       .truth = along("by dual numbers",
+                      [](K k) {
+                        const auto sine = [](auto z) { return sin(z); };
+                        const auto cosine = [](auto z) { return cos(z); };
+                        return k.s * derivative(cosine, k.angle) - k.c * derivative(sine, k.angle);
+                      }),
+       .printed = along(R"($-1$, which is not zero)", [](K) { return -1.0; }),
+       .near_misses = {along(R"(zero, as of $\sin\theta$ and $\sin(\theta+\pi)$)", [](K) { return 0.0; })}});
+  const auto particular = [](double sign) {
+    return [=](K k) { return values(sign * k.G * k.G * pow(k.M, 4) / pow(k.M * sqrt(k.mu * k.r), 2), 0, 0); };
+  };
+  claims.formula(
+      "particular", 1101, R"($V_p=-G^2M^4/\alpha^2$ has $V_p''+V_p=0-G^2M^4/\alpha^2$)", moments,
+      {.quantity = R"($(V,V',V'')$ on a circle, where $V$ is constant)",
+       .truth = along("by dual numbers",
+                      [](K k) {
+                        const double rate = sqrt(k.mu / (k.r * k.r * k.r)), x = k.r * k.c, y = k.r * k.s;
+                        const Along circle({k.G, k.M, k.m, x, y, -rate * y, rate * x, 0, 0, {}}, false);
+                        return values(circle.V, circle.V1, circle.V2);
+                      }),
+       .printed = along(R"($(-G^2M^4/\alpha^2,0,0)$)", particular(-1)),
+       .near_misses = {along(R"($(+G^2M^4/\alpha^2,0,0)$)", particular(1))}});
+}
+
+// ---- from the start to a later moment: lines 979 to 1227 --------------------------------------------------
+
+using OfStart = Formula<Later>;
+
+void constants_of_motion(Claims& claims, const std::vector<Later>& orbits) {
+  using K = const Later&;
+  claims.formula(
+      "conserved", 979,
+      R"($r^2\dot\theta$ is constant, and so is $\alpha=Mr^2\dot\theta=Mr_0^2\dot\theta_0$)", orbits,
+      {.quantity = R"($r^2\dot\theta$ and $Mr^2\dot\theta$)",
+       .truth = {"later on the path", [](K k) { return values(k.h(), k.start.M * k.h()); }},
+       .printed = {R"($r_0^2\dot\theta_0$ and $Mr_0^2\dot\theta_0$)",
+                   [](K k) { return values(k.start.h(), k.start.M * k.start.h()); }},
+       .near_misses = {{R"($r_0\dot\theta_0$ and $Mr_0^2\dot\theta_0$)",
+                        [](K k) { return values(k.start.h() / k.start.r0, k.start.M * k.start.h()); }}}});
+  const auto rate = [](double power) {
+    return [=](K k) { return values(k.start.h() / pow(k.r(), 2), k.start.h() * pow(k.r(), power)); };
+  };
+  claims.formula(
+      "rate", 981, R"($\dot\theta=\alpha/(Mr^2)=r_0^2\dot\theta_0\,r^2$ (1))", orbits,
+      {.quantity = R"($\dot\theta$, twice)",
+       .truth = {"later on the path", [](K k) { return values(k.w(), k.w()); }},
+       .printed = {R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0\,r^2$)", rate(2)},
+       .meant = {R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0/r^2$)", rate(-2)},
+       .near_misses = {{R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0/r$)", rate(-1)}},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The bar of the second fraction is lost: as it stands, a planet that has come to twice its distance )"
+           R"(goes round four times as fast, and not at a quarter of its rate. The first form has its bar.)"});
+  claims.formula(
+      "invertible", 987,
+      R"($t$ is a function of $\theta$, $t=f^{-1}(\theta)$, and $r(f^{-1}(\theta))$ is the distance as a function of the angle)",
+      orbits,
+      {.quantity = R"($(t,r)$)",
+       .truth = {"later on the path", [](K k) { return values(k.t, k.r()); }},
+       .printed =
+           {R"($\int r^2d\theta/(r_0^2\dot\theta_0)$ and $r(\theta)$, by $c_0$ and $c_1$ from two other places)",
+            [](K k) { return values(k.time_between(k.start.theta0, k.theta), k.distance(k.theta)); }},
+       .near_misses = {{"the same functions at half the angle", [](K k) {
+                          const double half = (k.start.theta0 + k.theta) / 2;
+                          return values(k.time_between(k.start.theta0, half), k.distance(half));
+                        }}}});
+  claims.formula("constant", 1095, R"($-G^2M^4/\alpha^2$ is a constant)", orbits,
+                 {.quantity = R"($-G^2M^4/\alpha^2$)",
+                  .truth = {"later on the path", [](K k) { return -pow(k.start.mu() / k.h(), 2); }},
+                  .printed = {"at the start", [](K k) { return -k.mean(); }},
+                  .near_misses = {{R"($V$)", [](K k) { return k.V(); }}}});
+  const auto bent = [](double sign) { return [=](K k) { return sign * (k.V() + k.mean()); }; };
+  claims.formula("homogeneous", 1097, R"($V_h=c_0\sin\theta+c_1\cos\theta$ has $V_h''+V_h=0$)", orbits,
+                 {.quantity = R"($V_h''$)",
+                  .truth = {R"(by dual numbers, $c_0$ and $c_1$ from two places on the path)",
+                            [](K k) {
+                              return second_derivative([&](auto z) { return k.c0 * sin(z) + k.c1 * cos(z); },
+                                                       k.theta);
+                            }},
+                  .printed = {R"($-V_h$, which is $-(V+G^2M^4/\alpha^2)$ at a third place)", bent(-1)},
+                  .near_misses = {{R"($+V_h$)", bent(1)}}});
+  claims.formula("potential", 1107, R"($V=c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2$ (3))", orbits,
+                 {.quantity = R"($V$)",
+                  .truth = {R"($-GM/r$ later on the path)", [](K k) { return k.V(); }},
+                  .printed = {R"((3), $c_0$ and $c_1$ from two other places)",
+                              [](K k) { return k.potential(k.theta) - k.mean(); }},
+                  .near_misses = {{R"((3) with $+G^2M^4/\alpha^2$)",
+                                   [](K k) { return k.potential(k.theta) + k.mean(); }}}});
+  claims.formula(
+      "potential_slope", 1113, R"($V'=c_0\cos\theta-c_1\sin\theta$)", orbits,
+      {.quantity = R"($V'$)",
+       .truth = {R"($\dot V/\dot\theta$ later on the path, by dual numbers)",
+                 [](K k) { return Along(k.now, false).V1; }},
+       .printed = {R"($c_0\cos\theta-c_1\sin\theta$)", [](K k) { return k.slope(k.theta); }},
+       .near_misses = {{R"($c_0\cos\theta+c_1\sin\theta$)", [](K k) { return k.slope(-k.theta); }}}});
+
+  const auto system = [](double sign, bool later) {
+    return [=](K k) {
+      const double at = k.start.theta0, sine = sin(later ? k.theta : at);
+      return values(k.potential(at), k.c0 * cos(at) + sign * k.c1 * sine);
+    };
+  };
+  claims.formula(
+      "system", 1117,
+      R"(at $\theta_0$: $c_0\sin\theta_0+c_1\cos\theta_0=V_0+G^2M^4/\alpha^2$, $c_0\cos\theta_0-c_1\sin\theta=V_0'$)",
+      orbits,
+      {.quantity = R"($V_0+G^2M^4/\alpha^2$ and $V_0'$)",
+       .truth = {"at the start, by dual numbers",
+                 [](K k) {
+                   const Along first = k.first();
+                   return values(first.V + k.mean(), first.V1);
+                 }},
+       .printed = {R"(the two sums, with $\sin\theta$ in the second)", system(-1, true)},
+       .meant = {R"(the two sums, with $\sin\theta_0$ in the second)", system(-1, false)},
+       .near_misses = {{R"(the two sums, with $+c_1\sin\theta_0$ in the second)", system(1, false)}},
+       .kind = Fault::formula,
+       .why =
+           "The second equation stands at the initial angle like the first; its sine has lost the index 0, and "
+           "the solution given next has it."});
+  const OfStart constants{R"(from two later places on the path)", [](K k) { return values(k.c0, k.c1); }};
+  const auto solved = [](double sign) {
+    return [=](K k) {
+      const Along first = k.first();
+      return k.parts(first.V + k.mean(), sign * first.V1);
+    };
+  };
+  claims.formula(
+      "system_solved", 1123,
+      R"($c_0=(V_0+G^2M^4/\alpha^2)\sin\theta_0+V_0'\cos\theta_0$, $c_1=(V_0+G^2M^4/\alpha^2)\cos\theta_0-V_0'\sin\theta_0$)",
+      orbits,
+      {.quantity = R"($(c_1,c_0)$)",
+       .truth = {constants.text, [](K k) { return values(k.c1, k.c0); }},
+       .printed = {R"(the solution, $V_0$ and $V_0'$ by dual numbers)", solved(1)},
+       .near_misses = {{R"(the solution with $-V_0'$)", solved(-1)}}});
+  const auto V0 = [](double share) { return [=](K k) { return share * k.start.mu() / k.start.r0; }; };
+  claims.formula(
+      "V0", 1143, R"($V_0=V(\theta_0)=GM/r_0$)", orbits,
+      {.quantity = R"($V(\theta_0)$)",
+       .truth = {R"((3), $c_0$ and $c_1$ from two later places on the path)",
+                 [](K k) { return k.potential(k.start.theta0) - k.mean(); }},
+       .printed = {R"($GM/r_0$)", V0(1)},
+       .corrected = {R"($-GM/r_0$)", V0(-1)},
+       .near_misses = {{R"($-GM/(2r_0)$)", V0(-0.5)}},
+       .kind = Fault::formula,
+       .root = "sign of the potential at the start",
+       .why =
+           R"($V=-GM/r$ by definition (line 1009), so $V_0=-GM/r_0$. The sign is carried on into (4) and (5), and )"
+           R"(turns the planet's orbit into one on which it stops.)"});
+  const auto mu_M_r0_dot = [](K k) { return k.start.mu() * k.start.M * k.start.r0_dot; };
+  const auto alpha = [](K k) { return k.start.M * k.start.h(); };
+  claims.formula(
+      "V0_slope", 1149, R"($V_0'=GM^2\dot r_0\,\alpha$)", orbits,
+      {.quantity = R"($V'(\theta_0)$)",
+       .truth = {R"((3) differentiated, $c_0$ and $c_1$ from two later places on the path)",
+                 [](K k) { return k.slope(k.start.theta0); }},
+       .printed = {R"($GM^2\dot r_0\,\alpha$)", [=](K k) { return mu_M_r0_dot(k) * alpha(k); }},
+       .meant = {R"($GM^2\dot r_0/\alpha$)", [=](K k) { return mu_M_r0_dot(k) / alpha(k); }},
+       .near_misses = {{R"($GM\dot r_0/\alpha$)",
+                        [=](K k) { return mu_M_r0_dot(k) / k.start.M / alpha(k); }}},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The fraction bar is lost: what stands there is the product $GM^2\dot r_0\,\alpha$. Line 1031, from )"
+           R"(which it comes, is $\dot r=\alpha V'/(GM^2)$.)"});
+
+  const auto squares = [](K k) {
+    return pow(k.start.mu(), 2) / (pow(k.start.r0, 4) * pow(k.start.theta0_dot, 2));
+  };
+  const auto tilt = [](K k) { return k.start.mu() * k.start.r0_dot / k.start.h(); };
+  claims.formula(
+      "mass_cancels", 1171,
+      R"($G^2M^4/(Mr_0^2\dot\theta_0)^2=G^2M^2/(r_0^4\dot\theta_0^2)$, and the term in $\dot r_0$ is $GM\,\dot r_0\,r_0^2\dot\theta_0$)",
+      orbits,
+      {.quantity = R"($G^2M^4/\alpha^2$ and $GM^2\dot r_0/\alpha$)",
+       .truth = {R"($\alpha=Mr^2\dot\theta$ taken later on the path)",
+                 [=](K k) {
+                   return values(pow(k.start.mu() / k.h(), 2), mu_M_r0_dot(k) / (k.start.M * k.h()));
+                 }},
+       .printed = {R"($G^2M^2/(r_0^4\dot\theta_0^2)$ and $GM\,\dot r_0\,r_0^2\dot\theta_0$)",
+                   [=](K k) { return values(squares(k), k.start.mu() * k.start.r0_dot * k.start.h()); }},
+       .meant = {R"($G^2M^2/(r_0^4\dot\theta_0^2)$ and $GM\,\dot r_0/(r_0^2\dot\theta_0)$)",
+                 [=](K k) { return values(squares(k), tilt(k)); }},
+       .near_misses = {{R"($G^2M^3/(r_0^4\dot\theta_0^2)$ and $GM^2\dot r_0/(r_0^2\dot\theta_0)$)",
+                        [=](K k) { return values(squares(k) * k.start.M, tilt(k) * k.start.M); }}},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The bars of the terms in $\dot r_0$ are lost in both lines: what stands there is )"
+           R"($GM\,\dot r_0\,r_0^2\dot\theta_0$. At the start of the scene below that is 23, and the quotient 0.59.)"});
+
+  /// (4) or (5), by the signs of GM/r0 and of the last term.
+  const auto constant = [=](bool fourth, double sign, double last) {
+    return [=](K k) {
+      const double bracket = sign * k.start.mu() / k.start.r0 + squares(k), angle = k.start.theta0;
+      return fourth ? bracket * sin(angle) + last * tilt(k) * cos(angle)
+                    : bracket * cos(angle) - last * tilt(k) * sin(angle);
+    };
+  };
+  const auto wrong_sign = [&](std::string_view slug, int line, bool fourth, std::string says,
+                              std::string why) {
+    claims.formula(slug, line, std::move(says), orbits,
+                   {.quantity = fourth ? R"($c_0$)" : R"($c_1$)",
+                    .truth = {constants.text, [=](K k) { return fourth ? k.c0 : k.c1; }},
+                    .printed = {"as printed, the bars of its fractions restored", constant(fourth, 1, 1)},
+                    .corrected = {R"(with $-GM/r_0$ for $GM/r_0$ in the bracket)", constant(fourth, -1, 1)},
+                    .near_misses = {{R"(with $-GM/r_0$, and the last term with the other sign)",
+                                     constant(fourth, -1, -1)}},
+                    .kind = Fault::formula,
+                    .root = "sign of the potential at the start",
+                    .why = std::move(why)});
+  };
+  wrong_sign(
+      "c0", 1171, true,
+      R"($c_0=\left(\frac{GM}{r_0}+\frac{G^2M^2}{r_0^4\dot\theta_0^2}\right)\sin\theta_0+)"
+      R"(\frac{GM\dot r_0}{r_0^2\dot\theta_0}\cos\theta_0$ (4))",
+      R"(The first term is $V_0=-GM/r_0$. On a circle ($r_0^3\dot\theta_0^2=GM$) the bracket must vanish; as )"
+      R"(printed it is $2GM/r_0$.)");
+  wrong_sign(
+      "c1", 1187, false,
+      R"($c_1=\left(\frac{GM}{r_0}+\frac{G^2M^2}{r_0^4\dot\theta_0^2}\right)\cos\theta_0-)"
+      R"(\frac{GM\dot r_0}{r_0^2\dot\theta_0}\sin\theta_0$ (5))",
+      R"(As in (4), the first term is $V_0=-GM/r_0$: on a circle $c_1$ must be zero, and as printed it is )"
+      R"($2GM\cos\theta_0/r_0$.)");
+
+  const auto to_rate = [](K k) { return k.start.h() / (k.start.G * k.start.G * k.start.M * k.start.M); };
+  const auto seven = [=](double sign) {
+    return [=](K k) { return to_rate(k) * pow(k.potential(k.theta) + sign * k.mean(), 2); };
+  };
+  const OfStart later_rate{R"(later on the path)", [](K k) { return k.w(); }};
+  claims.formula("rate_by_angle", 1215,
+                 R"($\dot\theta=\frac{\alpha}{G^2M^3}(c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2)^2$ (7))",
+                 orbits,
+                 {.quantity = R"($\dot\theta$)",
+                  .truth = later_rate,
+                  .printed = {R"((7), $c_0$ and $c_1$ from two other places)", seven(-1)},
+                  .near_misses = {{R"((7) with $+G^2M^4/\alpha^2$)", seven(1)}}});
+  const auto started = [=](double share) {
+    return [=](K k) {
+      const OneAngle<double> model(k.start, share * k.start.mu() / k.start.r0);
+      return to_rate(k) * pow(model.V(k.theta), 2);
+    };
+  };
+  claims.formula(
+      "constants_of_rate", 1227, "the constants of (7) are those of (4) and (5)", orbits,
+      {.quantity = R"($\dot\theta$)",
+       .truth = later_rate,
+       .printed = {"(7) with (4) and (5) as printed", started(1)},
+       .corrected = {R"((7) with (4) and (5) for $V_0=-GM/r_0$)", started(-1)},
+       .near_misses = {{R"((7) with (4) and (5) for $V_0=-GM/(2r_0)$)", started(-0.5)}},
+       .kind = Fault::formula,
+       .root = "sign of the potential at the start",
+       .why =
+           R"(At the start the bracket is $V_0$, and (7) squares it: the planet sets off with the right )"
+           R"($\dot\theta_0$ whichever the sign, and the error shows only later. With the printed sign the bracket )"
+           R"(reaches zero where $c_0\sin\theta+c_1\cos\theta=G^2M^4/\alpha^2$; there $\dot\theta=0$, and the planet )"
+           R"(never comes round. (A nearly circular orbit ends 60 degrees from its start.))"});
+}
+
+void any_start(Claims& claims, double seed) {
+  const auto at_start = [](const std::string& text, const std::vector<AnyStart>& all, double sign) {
+    const Formula<AnyStart> sum{R"((3) with (4) and (5), times $r_0/(GM)$, plus 1)", [=](const AnyStart& k) {
+                                  const double V0 = k.start.mu() / k.start.r0;
+                                  return OneAngle<double>(k.start, sign * V0).V(k.start.theta0) / V0 + 1;
+                                }};
+    const Formula<AnyStart> zero{"zero", [](const AnyStart&) { return 0.0; }};
+    return Reading{text, {compare(R"($(V(\theta_0)+GM/r_0)\,r_0/(GM)$)", sum, zero, all)}};
+  };
+  const auto turning = starts(100, seed, 0.5, 1.3, 0.5);
+  claims.add(
+      "constants_of_any_start", 1171,
+      R"((4) and (5) give $c_0$ and $c_1$ for any $r_0,\dot r_0,\theta_0,\dot\theta_0$)",
+      {.printed = at_start(R"(any $\dot\theta_0$, with $V_0=-GM/r_0$)", and_straight(turning), -1),
+       .corrected = at_start(R"($\dot\theta_0\ne0$, with $V_0=-GM/r_0$)", turning, -1),
+       .near_misses = {at_start(R"($\dot\theta_0\ne0$, with $V_0=GM/r_0$)", turning, 1)},
+       .why =
+           R"(Both divide by $\dot\theta_0$. A planet that starts at rest, or straight towards the sun or away from )"
+           R"(it, has $\alpha=0$; then $c_0$ and $c_1$ are infinite or not a number, and so is every angle that (7) )"
+           R"(gives. The planet stays on its ray: from rest at $r_0$ it falls into the sun within )"
+           R"($\tfrac{\pi}{2\sqrt2}\sqrt{r_0^3/GM}$, the Earth in 65 days. The application takes $\dot\theta_0$ from )"
+           R"(the user and has to treat zero apart.)",
+       .kind = Fault::left_out,
+       .root = "a start without angular momentum"});
+}
+
+// ---- the orbit: lines 1197 and 1229 to 1269 ---------------------------------------------------------------
+
+void momentum(Claims& claims, const std::vector<Later>& orbits) {
+  using K = const Later&;
+  const auto conserved = [&](const std::string& text, const std::string& what, const auto& of) {
+    const OfStart later{"later on the path", [=](K k) { return of(k.now.x, k.now.y, k.now.vx, k.now.vy); }};
+    const OfStart first{"at the start", [=](K k) {
+                          const auto q = k.start.position(), v = k.start.velocity();
+                          return of(q[0], q[1], v[0], v[1]);
+                        }};
+    return Reading{text, {compare(what, later, first, orbits)}};
+  };
+  claims.add(
+      "momentum", 1197, R"(conservation of momentum says that $\alpha=Mr^2\dot\theta$ is constant)",
+      {.printed = conserved("the momentum is conserved", R"($(\dot x,\dot y)$)",
+                            [](double, double, double u, double v) { return values(u, v); }),
+       .meant = conserved("the angular momentum is conserved", R"($x\dot y-y\dot x$)",
+                          [](double x, double y, double u, double v) { return values(x * v - y * u); }),
+       .near_misses = {conserved(
+           R"($\mathbf r\cdot\mathbf v$ is conserved)", R"($x\dot x+y\dot y$)",
+           [](double x, double y, double u, double v) { return values(x * u + y * v); })},
+       .why =
+           "The word *angular* is left out. The planet's momentum turns through a full circle with every orbit: "
+           "the Earth's velocity changes by 60 km/s in half a year. What is constant is its moment about the sun.",
+       .kind = Fault::term});
+}
+
+void moments_of_the_velocity(Claims& claims, const std::vector<Moment>& moments) {
+  using K = const Along&;
+  const auto rate = along(R"($\dot\theta$ by dual numbers)", [](K k) { return values(k.w, k.w, k.w); });
+  claims.formula(
+      "rate_by_V", 1201, R"($\dot\theta=\alpha/(Mr^2)=\alpha/(M(-GM/V)^2)=\alpha V^2/(G^2M^3)$ (6))", moments,
+      {.truth = rate,
+       .printed = along("the three forms",
+                        [](K k) {
+                          return values(k.alpha / (k.M * k.r * k.r), k.alpha / (k.M * pow(-k.mu / k.V, 2)),
+                                        k.alpha * k.V * k.V / (k.mu * k.mu * k.M));
+                        }),
+       .near_misses = {along(R"($\alpha V^2/(G^2M^2)$)", [](K k) {
+         const double wrong = k.alpha * k.V * k.V / (k.mu * k.mu);
+         return values(wrong, wrong, wrong);
+       })}});
+  const auto velocity = [](double sign) { return [=](K k) { return k.parts(k.r_dot, sign * k.r * k.w); }; };
+  claims.formula(
+      "velocity", 1235, R"($\mathbf v=\dot r\mathbf R+r\dot\theta\mathbf P$)", moments,
+      {.quantity = R"($\mathbf v$)",
+       .truth = along("the path's velocity", [](K k) { return values(k.vx, k.vy); }),
+       .printed = along(R"(its polar form, $\dot r$ and $\dot\theta$ by dual numbers)", velocity(1)),
+       .near_misses = {along(R"($\dot r\mathbf R-r\dot\theta\mathbf P$)", velocity(-1))}});
+  claims.formula(
+      "moment", 1237,
+      R"($\mathbf r\times\mathbf v=(r\mathbf R)\times(\dot r\mathbf R+r\dot\theta\mathbf P)=r^2\dot\theta\,\mathbf k$)",
+      moments,
+      {.truth = along(R"($x\dot y-y\dot x$)",
+                      [](K k) { return values(k.x * k.vy - k.y * k.vx, k.x * k.vy - k.y * k.vx); }),
+       .printed = along("the product of the polar forms, and the last form",
+                        [=](K k) {
+                          const Value v = velocity(1)(k);
+                          return values(k.r * k.c * v[1] - k.r * k.s * v[0], k.h);
+                        }),
+       .near_misses = {
+           along(R"($r\dot\theta\,\mathbf k$)", [](K k) { return values(k.r * k.w, k.r * k.w); })}});
+  const auto turned = [](double sign) {
+    return [=](K k) {
+      const Value v = k.parts(k.r_dot, k.r * k.w), last = k.parts(k.r * k.w * k.h, sign * -k.r_dot * k.h);
+      return values(v[1] * k.h, -v[0] * k.h, last[0], last[1]);
+    };
+  };
+  claims.formula(
+      "v_cross_c0", 1245,
+      R"($\mathbf v\times\mathbf c_0=(\dot r\mathbf R+r\dot\theta\mathbf P)\times(r^2\dot\theta)\mathbf k=)"
+      R"((r^2\dot r\dot\theta)\mathbf R\times\mathbf k+(r^3\dot\theta^2)\mathbf P\times\mathbf k=)"
+      R"(-(r^2\dot r\dot\theta)\mathbf P+(r^3\dot\theta^2)\mathbf R$)",
+      moments,
+      {.truth = along(R"($\mathbf v\times\mathbf c_0$ in Cartesian coordinates)",
+                      [](K k) {
+                        const double h = k.x * k.vy - k.y * k.vx;
+                        return values(k.vy * h, -k.vx * h, k.vy * h, -k.vx * h);
+                      }),
+       .printed = along("the product of the polar forms, and the last form", turned(1)),
+       .near_misses = {along(R"($+(r^2\dot r\dot\theta)\mathbf P$ in the last form)", turned(-1))}});
+}
+
+void polar_orbit(Claims& claims, const std::vector<Later>& orbits, double seed) {
+  using K = const Later&;
+  claims.formula("e_and_rho", 1229, R"($e=\gamma_1/(GM)$, $\rho=\gamma_0^2/\gamma_1$)", orbits,
+                 {.quantity = R"($e$ and $p/e$, $p$ the semi-latus rectum)",
+                  .truth = {"the apsides by the energy and the angular momentum later on the path",
+                            [](K k) {
+                              const auto [nearest, farthest, half] = Apsides(k);
+                              const double e = (farthest - nearest) / (farthest + nearest);
+                              return values(e, 2 * nearest * farthest / (nearest + farthest) / e);
+                            }},
+                  .printed = {R"($\gamma_1/(GM)$ and $\gamma_0^2/\gamma_1$)",
+                              [](K k) { return values(Elements(k).e, Elements(k).rho); }},
+                  .near_misses = {{R"($\gamma_1/(GM)$ and $\gamma_0/\gamma_1$)", [](K k) {
+                                     return values(Elements(k).e, Elements(k).gamma0 / Elements(k).gamma1);
+                                   }}}});
+  const auto orbit = [](double turned) {
+    return [=](K k) { return Elements(k).orbit(k.theta + turned * Elements(k).omega); };
+  };
+  claims.formula(
+      "orbit", 1229, R"(with $\theta$ from (7) the distance is $r=e\rho/(1+e\cos\theta)$)", orbits,
+      {.quantity = R"($r$)",
+       .truth = {"later on the path", [](K k) { return k.r(); }},
+       .printed = {R"($e\rho/(1+e\cos\theta)$)", orbit(0)},
+       .corrected = {R"($e\rho/(1+e\cos(\theta-\omega))$, $\omega$ the angle of the vector $\mathbf c_1$)",
+                     orbit(-1)},
+       .near_misses = {{R"($e\rho/(1+e\cos(\theta+\omega))$)", orbit(1)}},
+       .kind = Fault::formula,
+       .root = "angle from the axis for the angle from the perihelion",
+       .why =
+           R"(The polar equation measures the angle from the perihelion, the direction of the vector $\mathbf c_1$; )"
+           R"((7) measures it from the axis that $\theta_0$ is given in. They agree only when the user's start has )"
+           R"(its perihelion at $\theta=0$: in general $r(\theta_0)\ne r_0$. The application draws the orbit of )"
+           R"(`eccentric_path` below turned by $73^\circ$, and starts the planet on it 0.30 AU from the sun instead )"
+           R"(of 1.75. Either subtract $\omega=\arg\mathbf c_1$, or use $r=-GM/V(\theta)$.)"});
+
+  const auto below = [](double square) { return [=](const AnyStart& k) { return k.ellipse_below(square); }; };
+  claims.statement<AnyStart>(
+      "elliptical_path", 1229, "the path is an ellipse for the inputs that a user specifies",
+      starts(200, seed, 0.1, 2, 1),
+      {.printed = {R"(any start has $e=\gamma_1/(GM)<1$)", below(std::numeric_limits<double>::infinity())},
+       .corrected = {R"($\dot r_0^2+r_0^2\dot\theta_0^2<2GM/r_0$ has $e<1$)", below(2)},
+       .near_misses = {{R"($\dot r_0^2+r_0^2\dot\theta_0^2<2.5\,GM/r_0$ has $e<1$)", below(2.5)}},
+       .kind = Fault::left_out,
+       .root = "faster than escape",
+       .why =
+           R"(Only below the speed of escape, $\dot r_0^2+r_0^2\dot\theta_0^2<2GM/r_0$, at the Earth's distance 42 )"
+           R"(km/s. Above it $e\ge1$; then $a$ and $T$ of the last paragraph do not exist ($1-e^2\le0$), and )"
+           R"($\theta$ tends to a limit.)"});
+
+  // G = M = 2, r0 = 4, theta0' = 1/4: its numbers are exact in binary.
+  const Later circle{{2, 2, 4, 0, 0, 0.25}, {}, 0, 0, 0, 0};
+  const Elements of(circle);
+  const auto radius = [&](const std::string& text, double p) {
+    const double r = p / (1 + of.e * cos(1.0));
+    return Reading{text,
+                   {{R"($r$ at $\theta=1$)",
+                     {text, r},
+                     {"the circle", circle.start.r0},
+                     exact(),
+                     0,
+                     "GM = 4, r0 = 4, theta0' = 1/4"}}};
+  };
+  claims.add(
+      "rho_of_a_circle", 1229, R"($\rho=\gamma_0^2/\gamma_1$ serves for the orbit of any start)",
+      {.printed = radius(R"($e\rho=(\gamma_1/(GM))(\gamma_0^2/\gamma_1)$)", of.e * of.rho),
+       .corrected = radius(R"($e\rho=\gamma_0^2/(GM)$)", of.gamma0 * of.gamma0 / of.mu),
+       .near_misses = {radius(R"($e\rho=\gamma_0/(GM)$)", of.gamma0 / of.mu)},
+       .why =
+           R"(A circle ($\dot r_0=0$, $r_0^3\dot\theta_0^2=GM$) has $\gamma_1=0$: $\rho$ is a division by zero, and )"
+           R"($e\rho$ is zero times infinity. The application, which computes $r=e\rho/(1+e\cos\theta)$ and )"
+           R"($2a=2\rho e/(1-e^2)$, gets no number for either and draws nothing, of all orbits for the simplest. )"
+           R"(Without $\rho$ it does: $e\rho=\gamma_0^2/(GM)$.)",
+       .kind = Fault::left_out,
+       .root = "a circle divides by zero"});
+
+  const OfStart vector{R"($\mathbf v\times\mathbf c_0-GM\,\mathbf R$ later on the path)",
+                       [](K k) { return k.laplace(); }};
+  const auto at_start = [](double sign) {
+    return [=](K k) {
+      const auto q = k.start.position(), v = k.start.velocity();
+      const double pull = sign * k.start.mu() / k.start.r0;
+      return values(v[1] * k.start.h() - pull * q[0], -v[0] * k.start.h() - pull * q[1]);
+    };
+  };
+  claims.formula(
+      "laplace", 1231,
+      R"($\mathbf v\times\mathbf c_0=GM\,\mathbf R+\mathbf c_1$ with a constant vector $\mathbf c_1$)",
+      orbits,
+      {.quantity = R"($\mathbf c_1$)",
+       .truth = vector,
+       .printed = {"the same at the start", at_start(1)},
+       .near_misses = {{R"($\mathbf v\times\mathbf c_0+GM\,\mathbf R$ at the start)", at_start(-1)}}});
+  claims.formula("gamma0", 1241,
+                 R"($\mathbf c_0=r_0^2\dot\theta_0\,\mathbf k$, of length $\gamma_0=r_0^2|\dot\theta_0|$)",
+                 orbits,
+                 {.quantity = R"($\mathbf c_0$ along $\mathbf k$, and its length)",
+                  .truth = {R"($x\dot y-y\dot x$ later on the path, and its size)",
+                            [](K k) { return values(k.h(), abs(k.h())); }},
+                  .printed = {R"($r_0^2\dot\theta_0$ and $r_0^2|\dot\theta_0|$)",
+                              [](K k) { return values(k.start.h(), Elements(k).gamma0); }},
+                  .near_misses = {{R"($r_0^2\dot\theta_0$ for the length)",
+                                   [](K k) { return values(k.start.h(), k.start.h()); }}}});
+  const auto c1_vector = [](double sign) {
+    return [=](K k) {
+      const Elements now(k);
+      const Value velocity = k.parts(now.squared, -now.tilted), pull = k.parts(-sign * now.mu, 0),
+                  last = k.parts(now.squared - sign * now.mu, -now.tilted);
+      return values(velocity[0] + pull[0], velocity[1] + pull[1], last[0], last[1]);
+    };
+  };
+  claims.formula(
+      "c1_vector", 1253,
+      R"($\mathbf c_1=(r_0^3\dot\theta_0^2)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0-GM\,\mathbf R_0=)"
+      R"((r_0^3\dot\theta_0^2-GM)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0$)",
+      orbits,
+      {.quantity = R"($\mathbf c_1$, twice)",
+       .truth = {vector.text,
+                 [](K k) {
+                   const Value now = k.laplace();
+                   return values(now[0], now[1], now[0], now[1]);
+                 }},
+       .printed = {"the two forms", c1_vector(1)},
+       .near_misses = {{R"(the two forms with $+GM\,\mathbf R_0$)", c1_vector(-1)}}});
+  const auto length = [](double sign) {
+    return [=](K k) { return hypot(Elements(k).squared + sign * Elements(k).mu, Elements(k).tilted); };
+  };
+  claims.formula("gamma1", 1259,
+                 R"($\gamma_1=\sqrt{(r_0^3\dot\theta_0^2-GM)^2+(r_0^2\dot r_0\dot\theta_0)^2}$)", orbits,
+                 {.quantity = R"($|\mathbf c_1|$)",
+                  .truth = {vector.text, [](K k) { return hypot(k.laplace()[0], k.laplace()[1]); }},
+                  .printed = {"the root", length(-1)},
+                  .near_misses = {{R"(the root with $r_0^3\dot\theta_0^2+GM$)", length(1)}}});
+
+  const OfStart turn{R"(the integral of $r^2d\theta/(r_0^2|\dot\theta_0|)$ over a turn, by $c_0$ and $c_1$)",
+                     [](K k) { return k.turn(); }};
+  const auto third_law = [](double axes, double power) {
+    return [=](K k) { return 2 * pi * pow(axes * Apsides(k).half_axis, 1.5) * pow(k.start.mu(), power); };
+  };
+  claims.formula(
+      "period", 1267, R"($T=2\pi a^{3/2}\sqrt{GM}$, $2a$ being the length of the ellipse)", orbits,
+      {.quantity = R"($T$)",
+       .truth = turn,
+       .printed = {R"($2\pi a^{3/2}\sqrt{GM}$)", third_law(1, 0.5)},
+       .meant = {R"($2\pi a^{3/2}/\sqrt{GM}$)", third_law(1, -0.5)},
+       .near_misses = {{R"($2\pi a^{3/2}/(\sqrt G\,M)$)",
+                        [=](K k) { return third_law(1, -0.5)(k) / sqrt(k.start.M); }}},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The fraction bar is lost: what stands there is a product with $\sqrt{GM}$. For the Earth, in )"
+           R"(astronomical units and years, it is 39.5 years.)"});
+  claims.formula(
+      "major_axis", 1269, R"(in $T$, $a$ is the length of the major axis)", orbits,
+      {.quantity = R"($T$)",
+       .truth = turn,
+       .printed = {R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ the length of the major axis)", third_law(2, -0.5)},
+       .corrected = {R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ half of that length)", third_law(1, -0.5)},
+       .near_misses = {{R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ half the length of the minor axis)",
+                        [=](K k) { return third_law(1, -0.5)(k) * pow(1 - pow(Elements(k).e, 2), 0.75); }}},
+       .kind = Fault::term,
+       .root = "the axis for its half",
+       .why =
+           R"(With the whole axis for $a$ the period is $2^{3/2}=2.83$ times too long. The next sentence has it )"
+           R"(right: the axis is $2a$.)"});
+  claims.formula(
+      "a", 1269, R"($2a=2\rho e/(1-e^2)$)", orbits,
+      {.quantity = R"($2a$)",
+       .truth = {"the two apsides by the energy and the angular momentum later on the path",
+                 [](K k) { return 2 * Apsides(k).half_axis; }},
+       .printed = {R"($2\rho e/(1-e^2)$)", [](K k) { return 2 * Elements(k).a; }},
+       .near_misses = {{R"($2\rho/(1-e^2)$)", [](K k) { return 2 * Elements(k).a / Elements(k).e; }}}});
+  const auto minor = [](double power) {
+    return [=](K k) { return 2 * Elements(k).a * pow(1 - pow(Elements(k).e, 2), power); };
+  };
+  claims.formula("b", 1269, R"(the minor axis is $2b=2a\sqrt{1-e^2}$)", orbits,
+                 {.quantity = R"($2b$)",
+                  .truth = {R"(the area law, $\pi ab=\tfrac12r^2\dot\theta\,T$ with the integral for $T$)",
+                            [](K k) { return abs(k.h()) * k.turn() / (pi * Apsides(k).half_axis); }},
+                  .printed = {R"($2a\sqrt{1-e^2}$)", minor(0.5)},
+                  .near_misses = {{R"($2a(1-e^2)$)", minor(1)}}});
+}
+
+}  // namespace
+
+std::vector<Claim> claims(double seed) {
+  const std::vector<Later> all = orbits(seed);
+  std::vector<Moment> moments;
+  for (const Later& k : all) moments.push_back(k.now);
+  Claims claims("3.3");
+  motion_in_a_plane(claims, all, seed);
+  equations_of_motion(claims, moments);
+  equation_of_the_potential(claims, moments);
+  constants_of_motion(claims, all);
+  any_start(claims, seed);
+  momentum(claims, all);
+  moments_of_the_velocity(claims, moments);
+  polar_orbit(claims, all, seed);
+  return claims.in_order();
+}
+
+std::vector<Root> roots() {
+  return {
+      {"the sun's mass for the planet's",
+       R"(A display shows the Earth's angular momentum as $8.9\cdot10^{45}\,\mathrm{kg\,m^2/s}$, 333000 times what )"
+       R"(it is; the orbit is right.)"},
+      {"sign of the potential at the start",
+       R"(The scene's planet slows down instead of going round: it has turned by $46^\circ$ instead of $89^\circ$ )"
+       R"(after three months, and by $57^\circ$ after the year in which it should be back.)"},
+      {"a start without angular momentum",
+       "A planet let go at rest at the Earth's distance, which should be in the sun after 65 days, is at NaN from "
+       "the first frame."},
+      {"angle from the axis for the angle from the perihelion",
+       R"(The comet of `eccentric_path` is drawn 0.30 AU from the sun where the user put it at 1.75, on an ellipse )"
+       R"(that is turned by $73^\circ$.)"},
+      {"faster than escape",
+       R"(A body that leaves the Earth's place at 45 km/s never turns beyond $141^\circ$ from its perihelion, and )"
+       R"(its period is the root of a negative number.)"},
+      {"a circle divides by zero",
+       "A planet at exactly its circular speed, 29.8 km/s at the Earth's distance, is drawn nowhere: $0/0$."},
+      {"the axis for its half", "The Earth's year comes out at 1033 days."}};
+}
+
+}  // namespace oddity::kepler
