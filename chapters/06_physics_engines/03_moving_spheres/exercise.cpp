@@ -3,7 +3,8 @@
 // the motion, or without bins. Centers and velocities are whole 64ths, so that the reference tests every pair
 // in exact integers.
 
-#include "chapters/06_physics_engines/03_moving_spheres/moving.hpp"
+#include "chapters/06_physics_engines/03_moving_spheres/moving_spheres.hpp"
+#include "chapters/claims.hpp"
 
 namespace oddity {
 
@@ -133,50 +134,58 @@ Quantity pairs(const Parameters& p) {
   return q;
 }
 
-/// Frames whose pairs differ from the exact ones, over several random scenes.
-template <class Find>
-Check agrees(const Parameters& p, const char* by, const Find& find) {
+/// Ten frames of random spheres, and their pairs by every pair in integers.
+struct Filmed {
+  std::vector<Frame> frames;
+  std::vector<double> pairs;
+  std::string where() const { return std::to_string(frames[0].size()) + " spheres"; }
+};
+
+std::vector<Filmed> films(const Parameters& p) {
   Random random(p["seed"]);
-  long wrong = 0, samples = 0;
+  std::vector<Filmed> all;
   for (int scene = 0; scene < 4; ++scene) {
     Parameters other = p;
     other.set("seed", random.below(1000000));
     other.set("n", 2 + random.below(60));
     other.set("frames", 10);
     other.set("speed", random.between(0.1, 2));
-    const auto all = movers(other);
-    const Pairs found = find(frames_of(all, 10));
-    const auto truth = exact_pairs(all, 10);
-    for (std::size_t k = 0; k < truth.size(); k += 2, ++samples)
-      wrong += found.value[k] != truth[k] || found.value[k + 1] != truth[k + 1];
+    const auto spheres = movers(other);
+    all.push_back({frames_of(spheres, 10), exact_pairs(spheres, 10)});
   }
-  return never(std::string("frames with other pairs than all pairs in exact integers: ") + by, wrong,
-               samples);
+  return all;
 }
 
-Claim many_ways(const Parameters& p) {
+std::vector<Claim> claims(const Parameters& p) {
+  const auto all = films(p);
+  const auto agrees = [&](const std::string& by,
+                          const std::function<Pairs(const std::vector<Frame>&)>& find) {
+    return in_all<Filmed>(by + ": in ten frames the pairs that all pairs in exact integers give", all,
+                          [&](const Filmed& f) { return find(f.frames).value == f.pairs; });
+  };
   const auto with = [](double across, Follow how) {
     return [=](const auto& frames) { return by_bins(frames, grid_of(across), how); };
   };
-  Claim claim{
-      "6.3-many_ways", 3739,
-      "there are many ways to do it (no answer is given that could be judged: what is checked is that "
-      "five algorithms for one such question find the same pairs)"};
-  claim.printed = {
-      "at least five ways",
-      {agrees(p, "bins rebuilt", with(8, Follow::rebuilt)),
-       agrees(p, "bins updated", with(16, Follow::updated)),
-       agrees(p, "bins of centers", [](const auto& f) { return by_center_bins(f, grid_of(8), false); }),
-       agrees(p, "sweep, sorted", [](const auto& f) { return by_sweep(f, false); }),
-       agrees(p, "sweep, order kept", [](const auto& f) { return by_sweep(f, true); })}};
-  claim.near_misses = {
-      {"bins need no update", {agrees(p, "bins never updated", with(8, Follow::never))}},
-      {"a center's own bin is enough",
-       {agrees(p, "own bin", [](const auto& f) { return by_center_bins(f, grid_of(8), true); })}}};
-  return claim;
+  Claims claims("6.3");
+  claims.add(
+      "many_ways", 3739,
+      "there are many ways to do it (no answer is given that could be judged: what is checked is that five "
+      "algorithms for one such question find the same pairs)",
+      {.printed = {"at least five ways",
+                   {agrees("bins rebuilt", with(8, Follow::rebuilt)),
+                    agrees("bins updated", with(16, Follow::updated)),
+                    agrees("bins of centers",
+                           [](const auto& f) { return by_center_bins(f, grid_of(8), false); }),
+                    agrees("sweep, sorted", [](const auto& f) { return by_sweep(f, false); }),
+                    agrees("sweep, order kept", [](const auto& f) { return by_sweep(f, true); })}},
+       .near_misses = {{"bins need no update", {agrees("bins never updated", with(8, Follow::never))}},
+                       {"a center's own bin is enough", {agrees("own bin", [](const auto& f) {
+                          return by_center_bins(f, grid_of(8), true);
+                        })}}}});
+  return claims.in_order();
 }
 
-Findings study(const Parameters& p, const Reference&) { return {{many_ways(p)}, {pairs(p)}}; }
+Findings study(const Parameters& p, const Reference&) { return {claims(p), {pairs(p)}}; }
 
 }  // namespace ex06_03
 

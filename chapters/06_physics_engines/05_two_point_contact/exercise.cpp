@@ -5,14 +5,13 @@
 // Runge-Kutta. The box of the tables stands on an edge, turned by theta about it; l0, l1 are the ends of the
 // contact on the edge, counted from its middle. (6.88), (6.89) and (6.91) are the book's equations.
 
-#include "chapters/06_physics_engines/05_two_point_contact/contact_faces.hpp"
+#include "chapters/06_physics_engines/05_two_point_contact/two_point_contact.hpp"
 #include "reference/reference.hpp"
+#include "solvers/quadrature.hpp"
 
 namespace oddity {
 
 namespace ex06_05 {
-
-using namespace contact;
 
 constexpr Parameter parameters[] = {
     {"a", 1, "m", "side of the box along the edge", 0.01, 100},
@@ -206,7 +205,7 @@ Quantity patch(const Parameters& p) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(p["seed"]), {spin(p, truth), rebound(p), patch(p)}};
+  return {claims(p["seed"]), {spin(p, truth), rebound(p), patch(p)}, roots()};
 }
 
 }  // namespace ex06_05

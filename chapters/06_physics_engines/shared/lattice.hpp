@@ -17,6 +17,11 @@ struct Lattice {
   std::array<long long, 3> c;
   long long r;
 
+  static constexpr bool whole = true;  // in a claim: what is counted of it
+  std::string where() const {
+    return "c = (" + std::to_string(c[0]) + ", " + std::to_string(c[1]) + ", " + std::to_string(c[2]) +
+           ")/64, r = " + std::to_string(r) + "/64";
+  }
   Sphere sphere(double h = 1) const {
     const auto part = [h](long long k) { return static_cast<double>(k) * h / unit; };
     return {{part(c[0]), part(c[1]), part(c[2])}, part(r)};
@@ -91,11 +96,6 @@ inline std::vector<Lattice> test_spheres(const Parameters& p) {
   std::vector<Lattice> all = edge_cases(half);
   for (const Lattice& s : random_spheres(p["seed"], 40, half, 2 * p["ratio"])) all.push_back(s);
   return all;
-}
-
-inline std::string where(const Lattice& s) {
-  return "c = (" + std::to_string(s.c[0]) + ", " + std::to_string(s.c[1]) + ", " + std::to_string(s.c[2]) +
-         ")/64, r = " + std::to_string(s.r) + "/64";
 }
 
 }  // namespace oddity::bins

@@ -6,14 +6,15 @@
 // the normal equations has the square of the edges' condition [Higham, Accuracy and Stability, 2nd ed., ch.
 // 20].
 
-#include "chapters/08_affine_algebra/05_tetrahedron_map/claims.hpp"
+#include <limits>
+
+#include "chapters/08_affine_algebra/05_tetrahedron_map/tetrahedron_map.hpp"
 #include "solvers/counted.hpp"
+#include "solvers/linear.hpp"
 
 namespace oddity {
 
 namespace ex08_05 {
-
-using namespace tetrahedra;
 
 constexpr Parameter parameters[] = {
     {"height", 1, "", "of the apex over its base, in units of the base", 0.0625, 1},

@@ -5,7 +5,7 @@
 // The coefficients' other route is differentiation of |V(s, t) - P|^2 by dual numbers; the minimum's are the
 // perpendicular and the edges, and for the tables a bisection that knows no regions.
 
-#include "chapters/09_calculus/01_point_triangle/claims.hpp"
+#include "chapters/09_calculus/01_point_triangle/point_triangle.hpp"
 #include "reference/reference.hpp"
 #include "solvers/counted.hpp"
 
@@ -13,7 +13,6 @@ namespace oddity {
 
 namespace ex09_01 {
 
-using namespace triangles;
 using Point = Vec<double>;
 
 constexpr Parameter parameters[] = {

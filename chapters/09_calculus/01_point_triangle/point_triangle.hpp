@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "chapters/exercise.hpp"
 
 /// The point of a triangle closest to a point, by several algorithms, generic in the number type.
-namespace oddity::triangles {
+namespace oddity::ex09_01 {
 
 template <class T>
 using Vec = std::array<T, 3>;
@@ -275,4 +278,6 @@ T gradient_distance(const Triangle<T>& w, const Vec<T>& p, int steps) {
   return length(w.at(s, t) - p);
 }
 
-}  // namespace oddity::triangles
+std::vector<Claim> claims(double seed);
+
+}  // namespace oddity::ex09_01

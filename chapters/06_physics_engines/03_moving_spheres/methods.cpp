@@ -1,42 +1,15 @@
-#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
-#include "chapters/06_physics_engines/shared/lattice.hpp"
+#include "chapters/06_physics_engines/03_moving_spheres/moving_spheres.hpp"
 
-/// Which spheres overlap while all of them move: several ways to find the pairs, frame by frame.
-namespace oddity::bins {
+namespace oddity::ex06_03 {
 
-/// A sphere in 64ths of a unit that moves by v a frame.
-struct Mover {
-  std::array<long long, 3> c, v;
-  long long r;
+using namespace bins;
 
-  Lattice at(int frame) const { return {{c[0] + frame * v[0], c[1] + frame * v[1], c[2] + frame * v[2]}, r}; }
-};
-
-using Frame = std::vector<Sphere>;
-
-/// The pairs of every frame as two numbers a frame, their count and the sum of i n + j; and the work: pairs
-/// tested, and bin entries or comparisons to find them.
-struct Pairs {
-  std::vector<double> value = {};
-  long tested = 0, upkeep = 0;
-
-  void begin() { value.insert(value.end(), {0.0, 0.0}); }
-  void test(const Frame& s, int i, int j) {
-    ++tested;
-    if (i > j) std::swap(i, j);
-    const Sphere &a = s[static_cast<std::size_t>(i)], &b = s[static_cast<std::size_t>(j)];
-    double squared = 0;
-    for (std::size_t k = 0; k < 3; ++k) squared += (a.c[k] - b.c[k]) * (a.c[k] - b.c[k]);
-    if (squared <= (a.r + b.r) * (a.r + b.r)) put(i, j, s.size());
-  }
-  void put(int i, int j, std::size_t n) {
-    value[value.size() - 2] += 1;
-    value.back() += i * static_cast<double>(n) + j;
-  }
-};
-
-inline Pairs by_all_pairs(const std::vector<Frame>& frames) {
+Pairs by_all_pairs(const std::vector<Frame>& frames) {
   Pairs found;
   for (const Frame& s : frames) {
     found.begin();
@@ -47,6 +20,8 @@ inline Pairs by_all_pairs(const std::vector<Frame>& frames) {
 }
 
 // ---- bins -------------------------------------------------------------------------------------------------
+
+namespace {
 
 /// Where a sphere lies in the grid; what is outside belongs to the bins of the border.
 struct Block {
@@ -71,7 +46,6 @@ struct Block {
   }
 };
 
-/// Bins that list every sphere whose box they meet. A pair is tested in the least bin that both lie in.
 class Lists {
  public:
   Lists(const Grid& grid, Pairs& found)
@@ -107,16 +81,15 @@ class Lists {
   std::vector<std::vector<int>> bins_;
 };
 
-inline std::vector<Block> blocks_of(const Frame& s, const Grid& grid) {
+std::vector<Block> blocks_of(const Frame& s, const Grid& grid) {
   std::vector<Block> blocks;
   for (const Sphere& sphere : s) blocks.emplace_back(sphere, grid);
   return blocks;
 }
 
-/// How the bins follow the motion.
-enum class Follow { rebuilt, updated, never };
+}  // namespace
 
-inline Pairs by_bins(const std::vector<Frame>& frames, const Grid& grid, Follow how) {
+Pairs by_bins(const std::vector<Frame>& frames, const Grid& grid, Follow how) {
   Pairs found;
   Lists lists(grid, found);
   std::vector<Block> blocks;
@@ -138,9 +111,7 @@ inline Pairs by_bins(const std::vector<Frame>& frames, const Grid& grid, Follow 
   return found;
 }
 
-/// Bins that list centers. Around a sphere all bins within its radius and the largest are searched, or,
-/// wrongly, its own bin alone.
-inline Pairs by_center_bins(const std::vector<Frame>& frames, const Grid& grid, bool own_bin_alone) {
+Pairs by_center_bins(const std::vector<Frame>& frames, const Grid& grid, bool own_bin_alone) {
   Pairs found;
   for (const Frame& s : frames) {
     found.begin();
@@ -168,9 +139,7 @@ inline Pairs by_center_bins(const std::vector<Frame>& frames, const Grid& grid, 
 
 // ---- sweep ------------------------------------------------------------------------------------------------
 
-/// Along x: spheres in the order of their least x; each is tested with those that have not ended before it
-/// begins. The order is sorted anew in every frame, or put right by insertion from the frame before.
-inline Pairs by_sweep(const std::vector<Frame>& frames, bool keep_order) {
+Pairs by_sweep(const std::vector<Frame>& frames, bool keep_order) {
   Pairs found;
   std::vector<int> order;
   for (const Frame& s : frames) {
@@ -201,4 +170,4 @@ inline Pairs by_sweep(const std::vector<Frame>& frames, bool keep_order) {
   return found;
 }
 
-}  // namespace oddity::bins
+}  // namespace oddity::ex06_03

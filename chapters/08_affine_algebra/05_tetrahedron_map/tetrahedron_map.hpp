@@ -2,9 +2,12 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <vector>
+
+#include "chapters/exercise.hpp"
 
 /// A tetrahedron, an affine map, and barycentric coordinates by volumes.
-namespace oddity::tetrahedra {
+namespace oddity::ex08_05 {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -49,4 +52,6 @@ inline Vector3d by_volumes(const Tetrahedron& t, const Vector3d& p) {
   return by_volumes<double>(p - t.p[0], t.edge(1), t.edge(2), t.edge(3));
 }
 
-}  // namespace oddity::tetrahedra
+std::vector<Claim> claims(double seed);
+
+}  // namespace oddity::ex08_05

@@ -3,14 +3,16 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
-#include "chapters/random.hpp"
+#include "chapters/exercise.hpp"
 #include "solvers/linear.hpp"
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/integrate.hpp"
 
 /// A rigid body that is hit: what an impulse leaves behind, and the motion while a short force acts.
-namespace oddity::contact {
+namespace oddity::ex06_05 {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -19,7 +21,6 @@ using Eigen::VectorXd;
 inline Vector3d cross(const Vector3d& a, const Vector3d& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline Vector3d vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
 /// The inverse by cofactors.
 inline Matrix3d inverse(const Matrix3d& a) {
@@ -97,51 +98,11 @@ inline Solved<std::array<double, 6>> after_pulse(const Body& body, const Hit& hi
           end.message};
 }
 
-// ---- bodies -----------------------------------------------------------------------------------------------
-
-/// Uniformly distributed rotation, from a random unit quaternion.
-inline Matrix3d random_rotation(Random& random) {
-  Eigen::Vector4d q(random.normal(), random.normal(), random.normal(), random.normal());
-  q.normalize();
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  Matrix3d r;
-  r << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
-      1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
-      1 - 2 * (x * x + y * y);
-  return r;
-}
-
 inline Matrix3d box_inertia(double mass, double a, double b, double c) {
   return mass / 12 * Vector3d(b * b + c * c, a * a + c * c, a * a + b * b).asDiagonal().toDenseMatrix();
 }
 
-/// A box of constant density, anywhere and turned anyhow.
-inline Body random_box(Random& random) {
-  const double mass = random.between(0.5, 2);
-  const Matrix3d r = random_rotation(random);
-  const Matrix3d own =
-      box_inertia(mass, random.between(0.5, 2), random.between(0.5, 2), random.between(0.5, 2));
-  return {mass, r * own * r.transpose(), vector(random.point()), vector(random.point()),
-          vector(random.point())};
-}
+std::vector<Claim> claims(double seed);
+std::vector<Root> roots();
 
-/// Eight unequal masses: a body whose density is anything but constant.
-inline Body random_masses(Random& random) {
-  std::array<Vector3d, 8> at;
-  std::array<double, 8> masses;
-  Body body{0, Matrix3d::Zero(), Vector3d::Zero(), vector(random.point()), vector(random.point())};
-  for (std::size_t i = 0; i < 8; ++i) {
-    at[i] = vector(random.point(2));
-    masses[i] = random.between(0.02, 0.5);
-    body.mass += masses[i];
-    body.center += masses[i] * at[i];
-  }
-  body.center /= body.mass;
-  for (std::size_t i = 0; i < 8; ++i) {
-    const Vector3d r = at[i] - body.center;
-    body.inertia += masses[i] * (r.dot(r) * Matrix3d::Identity() - r * r.transpose());
-  }
-  return body;
-}
-
-}  // namespace oddity::contact
+}  // namespace oddity::ex06_05

@@ -1,0 +1,265 @@
+#include "chapters/claims.hpp"
+
+#include "chapters/06_physics_engines/01_bins/bins.hpp"
+#include "chapters/06_physics_engines/shared/lattice.hpp"
+#include "reference/text.hpp"
+#include "solvers/counted.hpp"
+#include "solvers/roots.hpp"
+
+/// What the book says about bins: each by counting, or in exact integers.
+namespace oddity::ex06_01 {
+
+namespace {
+
+using namespace bins;
+
+using Range = Span (*)(double, double, const Grid&);
+
+/// A small sphere in the middle of every bin.
+std::vector<Lattice> one_in_every_bin(const Grid& grid) {
+  std::vector<Lattice> all;
+  for (int i = -grid.half; i < grid.half; ++i)
+    for (int j = -grid.half; j < grid.half; ++j)
+      for (int k = -grid.half; k < grid.half; ++k)
+        all.push_back({{i * unit + unit / 2, j * unit + unit / 2, k * unit + unit / 2}, unit / 4});
+  return all;
+}
+
+/// A sphere of any center and radius.
+struct Solid {
+  Point c;
+  double r;
+
+  explicit Solid(Random& random) : c(random.point(10)), r(std::abs(random.magnitude(1e-3, 1e3))) {}
+  std::array<double*, 4> letters() { return {&c[0], &c[1], &c[2], &r}; }
+  std::string where() const { return "r = " + shortest(r); }
+
+  /// On each axis two planes, `distance` from the center.
+  Value planes(double distance) const {
+    return {c[0] - distance, c[0] + distance, c[1] - distance,
+            c[1] + distance, c[2] - distance, c[2] + distance};
+  }
+};
+
+/// A sphere's center in the grid.
+struct Center {
+  Point c;
+
+  explicit Center(Random& random) : c(random.point(8)) {}
+  std::string where() const {
+    return "c = (" + shortest(c[0]) + ", " + shortest(c[1]) + ", " + shortest(c[2]) + ")";
+  }
+
+  /// For r = 4 in a world of 16, the bins' side from 1/4 to 4: what the range costs never rises.
+  bool never_rises(bool as_fraction) const {
+    double before = std::numeric_limits<double>::infinity();
+    for (int half = 32; half >= 2; half /= 2) {
+      const Grid grid{8.0 / half, half};
+      double now = 1;
+      for (double x : c) now *= static_cast<double>(reach(x, 4, grid).count());
+      if (as_fraction) now /= static_cast<double>(grid.count());
+      if (now > before) return false;
+      before = now;
+    }
+    return true;
+  }
+};
+
+/// A grid of 2 half bins an axis.
+struct Size {
+  static constexpr bool whole = true;
+  int half;
+  std::string where() const { return std::to_string(2 * half) + " bins an axis"; }
+};
+
+void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& spheres, const Grid& grid) {
+  const auto every = [](int stride) {
+    return [=](const Lattice& s) {
+      const Grid small{1, 2};
+      std::vector<long> found;
+      for (long id : hits(s.sphere(), small, every_bin, touches).ids)
+        if (id % stride == 0) found.push_back(id);
+      return found == exact_ids(s, small, hit_exactly);
+    };
+  };
+  claims.statement<Lattice>("naive_needs_n", 3735,
+                            "testing bin after bin takes $n$ tests a sphere: none can be left out",
+                            one_in_every_bin({1, 2}),
+                            {.printed = {"$n$ tests find a sphere in any of 64 bins", every(1)},
+                             .near_misses = {{"tests of every second bin find it", every(2)}}});
+
+  const auto ends = [](const std::string& text, double stretch) {
+    return Formula<Solid>{"$" + text + "$", [=](const Solid& s) { return s.planes(stretch * s.r); }};
+  };
+  claims.formula<Solid>(
+      "projections", 3737, "the projections of a sphere on the axes are intervals about its center's $c$",
+      draw<Solid>(30, p["seed"]),
+      {.quantity = "ends of the three projections",
+       .truth = {"planes that just meet the sphere, by bisection of $r^2-(x-c)^2$",
+                 [](const Solid& s) {
+                   const auto left = [&](double offset) { return s.r * s.r - offset * offset; };
+                   return s.planes(brent(left, 0, 3 * s.r, 1e-15 * s.r).value);
+                 }},
+       .printed = ends("[c-r,c+r]", 1),
+       .near_misses = {ends(R"([c-r/\sqrt3,c+r/\sqrt3])", 1 / std::sqrt(3.0)), ends("[c-2r,c+2r]", 2)}});
+
+  /// The range has the bins that meet the box, and tests in it find what n tests find.
+  const auto by = [&](std::string text, Range range) {
+    return Statement<Lattice>{
+        std::move(text), [=](const Lattice& s) {
+          const Sphere sphere = s.sphere();
+          return hits(sphere, grid, range, always).ids == exact_ids(s, grid, box_hit_exactly) &&
+                 hits(sphere, grid, range, touches).ids == hits(sphere, grid, every_bin, touches).ids;
+        }};
+  };
+  claims.statement<Lattice>(
+      "subset", 3737,
+      "least and greatest index on each axis give the bins that meet the sphere's box, and no hit is lost",
+      spheres,
+      {.printed = by(R"($\lceil(x-r)/h\rceil-1$ to $\lfloor(x+r)/h\rfloor$, $h$ the bin's side)", reach),
+       .near_misses = {by("floor at both ends", reach_by_floor),
+                       by("truncation at both ends", reach_by_truncation),
+                       by("converted to 32 bits, then clamped", reach_converted_first)}});
+
+  const auto divisions = [](std::string text, double said) {
+    return Formula<Size>{std::move(text), [=](const Size&) { return Value{said, said}; }};
+  };
+  claims.formula<Size>("few_computations", 3737,
+                       "the indices take few computations, however many bins there are", {{1}, {4}, {12}},
+                       {.quantity = "divisions and roundings for a sphere's range",
+                        .truth = {"counted",
+                                  [](const Size& size) {
+                                    const Operations operations = operations_of([&] {
+                                      for (double x : {0.3, -0.2, 0.7})
+                                        static_cast<void>(reach_of<Counted<double>>(x, 0.9, {1, size.half}));
+                                    });
+                                    return values(operations.divisions, operations.functions);
+                                  }},
+                        .printed = divisions("six of each", 6),
+                        .near_misses = {divisions("three of each", 3)}});
+}
+
+/// The mean number of bins in the range, over centers evenly spread over an axis of the grid, cubed.
+double mean_tests(double ratio, int half) {
+  const Grid grid{1, half};
+  const int samples = 64 * half;
+  double sum = 0;
+  for (int n = 0; n < samples; ++n)
+    sum += static_cast<double>(reach((n + 0.5) / 32 - half, ratio, grid).count());
+  return std::pow(sum / samples, 3);
+}
+
+/// In an endless grid 1 + 2 ratio on an axis; bin number i from the border misses the centers outside.
+double mean_in_closed_form(double ratio, int half) {
+  double lost = 0;
+  for (int i = 0; i < 2 * half; ++i) lost += 2 * std::max(0.0, ratio - i);
+  return std::pow(1 + 2 * ratio - lost / (2 * half), 3);
+}
+
+/// A sphere's radius over the bin's side.
+struct Ratio {
+  double ratio;
+  std::string where() const { return "r/h = " + shortest(ratio); }
+};
+
+void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& spheres, const Grid& grid) {
+  const auto small = [&](double largest) {
+    return in_all<Lattice>(
+        "the range is at most a fiftieth of 4096 bins, r up to " + shortest(largest) + " bins",
+        random_spheres(p["seed"], 400, 8, largest), [](const Lattice& s) {
+          const Grid sixteen{1, 8};
+          return 50 * hits(s.sphere(), sixteen, reach, always).tests <= sixteen.count();
+        });
+  };
+  const auto mean = [](const std::string& text, double per_radius) {
+    return compare<Ratio>(
+        "mean size of the range", {"counted", [](const Ratio& r) { return mean_tests(r.ratio, 32); }},
+        {text + " less what the border cuts off",
+         [=](const Ratio& r) {
+           return std::pow(std::cbrt(mean_in_closed_form(r.ratio, 32)) + (per_radius - 2) * r.ratio, 3);
+         }},
+        {{0.25}, {0.5}, {1.0}, {2.0}});
+  };
+  claims.add("typically_less", 3737, "the range is typically far smaller than the grid",
+             {.printed = {R"(below a fiftieth while $r\le h$; $(1+2r/h)^3$ less what the border cuts off)",
+                          {small(1), mean("$(1+2r/h)^3$", 2)}},
+              .near_misses = {{"for spheres of up to 8 bins' radius too", {small(8)}},
+                              {"$(1+r/h)^3$", {mean("$(1+r/h)^3$", 1)}}}});
+
+  const auto everything = [](double widths) {
+    return [=](const Center& center) {
+      const Grid sixteen{1, 8};
+      return hits({center.c, widths * 16}, sixteen, reach, always).tests >= sixteen.count();
+    };
+  };
+  claims
+      .statement<Center>("unless_large", 3737,
+                         "for a really large sphere the range is the grid, and nothing is gained",
+                         draw<Center>(400, p["seed"]),
+                         {.printed = {"every bin for $r$ the grid's width", everything(1)},
+                          .near_misses = {{"every bin for $r$ half the width", everything(0.5)}}})
+      .statement<Center>("bins_too_small", 3737,
+                         "where the range is large the bins are too small: larger ones need fewer tests",
+                         draw<Center>(100, p["seed"]),
+                         {.printed = {"tests never rise when the bins' side is doubled",
+                                      [](const Center& c) { return c.never_rises(false); }},
+                          .near_misses = {{"the fraction of the grid never rises either",
+                                           [](const Center& c) { return c.never_rises(true); }}}});
+
+  const auto share = [&](std::string text, bool (*hit)(const Lattice&, const Index&)) {
+    return compare<Lattice>(
+        "tests, and bins in the grid",
+        {"tests counted by the range and by the grid",
+         [=](const Lattice& s) {
+           return values(hits(s.sphere(), grid, reach, touches).tests,
+                         hits(s.sphere(), grid, every_bin, touches).tests);
+         }},
+        {std::move(text),
+         [=](const Lattice& s) { return values(exact_ids(s, grid, hit).size(), grid.count()); }},
+        spheres);
+  };
+  claims.add("cost_ratio", 3737, "the cost, in units of the $n$ tests, is the range's share of the bins",
+             {.printed = {"range over $n$",
+                          {share("bins that meet the box, in exact integers, and $n$", box_hit_exactly)}},
+              .near_misses = {{"the share that the sphere itself meets",
+                               {share("bins that meet the sphere, in exact integers, and $n$", hit_exactly)}},
+                              {"the ratio of radius and grid decides the number of tests",
+                               {{"mean tests at $r$ = width/16",
+                                 {"in a grid of 8 bins an axis", mean_tests(0.5, 4)},
+                                 {"in a grid of 32 bins an axis", mean_tests(2, 16)},
+                                 rounding(125)}}}}});
+
+  std::vector<double> counted, closed, constant, linear;
+  for (int half : {4, 8, 16, 32}) {
+    counted.push_back(mean_tests(0.5, half));
+    closed.push_back(mean_in_closed_form(0.5, half));
+    constant.push_back(8);
+    linear.push_back(counted.front() * std::pow(half / 4.0, 3));
+  }
+  const auto tests = [&](const char* by, const std::vector<double>& value, const Tolerance& tolerance) {
+    return Check{"mean tests a sphere at $r=h/2$, $n=8^3,16^3,32^3,64^3$",
+                 {"counted", counted},
+                 {by, value},
+                 tolerance};
+  };
+  claims.add(
+      "constant_cost", 3737,
+      "with bins of a good size the number of tests is about constant, $O(1)$ for $O(n)$",
+      {.printed = {"8 less what the border cuts off, at $r=h/2$",
+                   {tests("$(2-1/N)^3$ for $N$ bins an axis", closed, rounding(8)),
+                    tests("8", constant, {8 * 3 / 16.0, "the border cuts off $3/(2N)$ of 8, $N=8$"})}},
+       .near_misses = {{"proportional to $n$", {tests("proportional to $n$", linear, {1.5, "as above"})}}}});
+}
+
+}  // namespace
+
+std::vector<Claim> claims(const Parameters& p) {
+  const Grid grid{1, static_cast<int>(p["half"])};
+  const auto spheres = test_spheres(p);
+  Claims claims("6.1");
+  ranges(claims, p, spheres, grid);
+  costs(claims, p, spheres, grid);
+  return claims.in_order();
+}
+
+}  // namespace oddity::ex06_01

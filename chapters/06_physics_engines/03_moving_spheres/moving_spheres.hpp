@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "chapters/06_physics_engines/shared/lattice.hpp"
+
+/// Which spheres overlap while all of them move: several ways to find the pairs, frame by frame.
+namespace oddity::ex06_03 {
+
+using bins::Grid, bins::Lattice, bins::Sphere;
+
+/// A sphere in 64ths of a unit that moves by v a frame.
+struct Mover {
+  std::array<long long, 3> c, v;
+  long long r;
+
+  Lattice at(int frame) const { return {{c[0] + frame * v[0], c[1] + frame * v[1], c[2] + frame * v[2]}, r}; }
+};
+
+using Frame = std::vector<Sphere>;
+
+/// The pairs of every frame as two numbers a frame, their count and the sum of i n + j; and the work: pairs
+/// tested, and bin entries or comparisons to find them.
+struct Pairs {
+  std::vector<double> value = {};
+  long tested = 0, upkeep = 0;
+
+  void begin() { value.insert(value.end(), {0.0, 0.0}); }
+  void test(const Frame& s, int i, int j) {
+    ++tested;
+    if (i > j) std::swap(i, j);
+    const Sphere &a = s[static_cast<std::size_t>(i)], &b = s[static_cast<std::size_t>(j)];
+    double squared = 0;
+    for (std::size_t k = 0; k < 3; ++k) squared += (a.c[k] - b.c[k]) * (a.c[k] - b.c[k]);
+    if (squared <= (a.r + b.r) * (a.r + b.r)) put(i, j, s.size());
+  }
+  void put(int i, int j, std::size_t n) {
+    value[value.size() - 2] += 1;
+    value.back() += i * static_cast<double>(n) + j;
+  }
+};
+
+Pairs by_all_pairs(const std::vector<Frame>&);
+
+/// How the bins follow the motion.
+enum class Follow { rebuilt, updated, never };
+
+/// Bins that list every sphere whose box they meet. A pair is tested in the least bin that both lie in.
+Pairs by_bins(const std::vector<Frame>&, const Grid&, Follow);
+
+/// Bins that list centers. Around a sphere all bins within its radius and the largest are searched, or,
+/// wrongly, its own bin alone.
+Pairs by_center_bins(const std::vector<Frame>&, const Grid&, bool own_bin_alone);
+
+/// Along x: spheres in the order of their least x; each is tested with those that have not ended before it
+/// begins. The order is sorted anew in every frame, or put right by insertion from the frame before.
+Pairs by_sweep(const std::vector<Frame>&, bool keep_order);
+
+}  // namespace oddity::ex06_03

@@ -1,0 +1,432 @@
+#include "chapters/claims.hpp"
+
+#include "chapters/06_physics_engines/05_two_point_contact/two_point_contact.hpp"
+#include "reference/text.hpp"
+#include "solvers/quadrature.hpp"
+
+/// The displayed lines of the two-point contact, and what the book concludes from them, on random bodies.
+namespace oddity::ex06_05 {
+
+namespace {
+
+Vector3d vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+
+/// Uniformly distributed rotation, from a random unit quaternion.
+Matrix3d random_rotation(Random& random) {
+  Eigen::Vector4d q(random.normal(), random.normal(), random.normal(), random.normal());
+  q.normalize();
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  Matrix3d r;
+  r << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
+      1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
+      1 - 2 * (x * x + y * y);
+  return r;
+}
+
+/// A box of constant density, anywhere and turned anyhow.
+Body random_box(Random& random) {
+  const double mass = random.between(0.5, 2);
+  const Matrix3d r = random_rotation(random);
+  const Matrix3d own =
+      box_inertia(mass, random.between(0.5, 2), random.between(0.5, 2), random.between(0.5, 2));
+  return {mass, r * own * r.transpose(), vector(random.point()), vector(random.point()),
+          vector(random.point())};
+}
+
+/// Eight unequal masses: a body whose density is anything but constant.
+Body random_masses(Random& random) {
+  std::array<Vector3d, 8> at;
+  std::array<double, 8> masses;
+  Body body{0, Matrix3d::Zero(), Vector3d::Zero(), vector(random.point()), vector(random.point())};
+  for (std::size_t i = 0; i < 8; ++i) {
+    at[i] = vector(random.point(2));
+    masses[i] = random.between(0.02, 0.5);
+    body.mass += masses[i];
+    body.center += masses[i] * at[i];
+  }
+  body.center /= body.mass;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Vector3d r = at[i] - body.center;
+    body.inertia += masses[i] * (r.dot(r) * Matrix3d::Identity() - r * r.transpose());
+  }
+  return body;
+}
+
+struct Sample {
+  Body body;
+  Hit hit;
+  Vector3d normal;
+  double f;
+
+  Vector3d arm(const Vector3d& p) const { return p - body.center; }
+  /// What the impulse does to v, and at most to w.
+  double kick() const { return std::abs(f) / body.mass; }
+  double twist() const { return yielding() * angular_impulse(); }
+  double angular_impulse() const { return std::abs(f) * std::max(arm(hit.p0).norm(), arm(hit.p1).norm()); }
+  /// The size of J^-1.
+  double yielding() const { return inverse(body.inertia).cwiseAbs().sum(); }
+
+  std::vector<double*> letters() {
+    std::vector<double*> all{&body.mass, &f};
+    for (Vector3d* x : {&body.center, &body.v, &body.w, &hit.p0, &hit.p1, &normal})
+      for (int i = 0; i < 3; ++i) all.push_back(&(*x)[i]);
+    for (int i = 0; i < 9; ++i) all.push_back(&body.inertia(i / 3, i % 3));
+    return all;
+  }
+  std::string where() const { return "f = " + rounded(f, 6); }
+};
+
+std::vector<Sample> samples(double seed, int count, Body (*make_body)(Random&)) {
+  Random random(seed);
+  std::vector<Sample> all;
+  for (int n = 0; n < count; ++n) {
+    const Body body = make_body(random);
+    const Vector3d normal = vector(random.direction());
+    const double f = random.magnitude(0.1, 3);
+    all.push_back({body, {vector(random.point(2)), vector(random.point(2)), f * normal}, normal, f});
+  }
+  return all;
+}
+
+using OfSample = std::function<Vector3d(const Sample&)>;
+
+Formula<Sample> formula(std::string text, const OfSample& of) {
+  return {std::move(text), [=](const Sample& s) { return Value(of(s)); }};
+}
+
+// ---- the delta function -----------------------------------------------------------------------------------
+
+constexpr double width = 1e-3;
+
+/// The mean of g over a cube of half side `width` about p, by Gauss-Legendre: a delta function in the making.
+template <class G>
+double near_point(const G& g, const Vector3d& p) {
+  const Rule rule = [](FunctionOfOne f, double a, double b) { return gauss_legendre(f, a, b, 2); };
+  const auto low = [](double y) { return [y](double) { return y - width; }; };
+  const auto high = [](double y) { return [y](double) { return y + width; }; };
+  const double volume = 8 * width * width * width;
+  const auto integral = nested(
+      rule, [&](double x, double y, double z) { return g(Vector3d(x, y, z)); }, p[0] - width, p[0] + width,
+      low(p[1]), high(p[1]), [&](double, double) { return p[2] - width; },
+      [&](double, double) { return p[2] + width; });
+  return integral.value / volume;
+}
+
+/// The integral of g with `weight` of a delta function at either point.
+template <class G>
+double sifted(const G& g, const Hit& hit, double weight = 0.5) {
+  return weight * near_point(g, hit.p0) + weight * near_point(g, hit.p1);
+}
+
+double smooth(const Vector3d& x) { return std::exp(0.5 * x[0]) * std::cos(x[1]) + x[2] * x[2] * x[0]; }
+
+Reading property(const std::string& text, const std::vector<Sample>& all, double weight, bool at_midpoint) {
+  Worst worst(R"($\int G(X)\,\delta(X,S)\,dX$)",
+              "narrow cubes about both points, weight " + shortest(weight) + " each",
+              at_midpoint ? "$G(M)$" : R"($\frac12(G(P_0)+G(P_1))$)");
+  for (const Sample& s : all) {
+    const double mean =
+        at_midpoint ? smooth((s.hit.p0 + s.hit.p1) / 2) : (smooth(s.hit.p0) + smooth(s.hit.p1)) / 2;
+    worst.see(
+        sifted(smooth, s.hit, weight), mean,
+        {width * width, "the cube's half side squared times a sixth of $G$'s Laplacian, which is below 6"}, 3,
+        "P0 = (" + rounded(s.hit.p0[0], 4) + ", ...)");
+  }
+  return {text, {worst.check()}};
+}
+
+// ---- the velocities ---------------------------------------------------------------------------------------
+
+constexpr double pulse = 1e-6;
+
+/// What a pulse shared evenly by the two points, moving with the body, does to v (from 0) or to w (from 3).
+Vector3d by_motion(const Sample& s, std::size_t from, double first = 0.5) {
+  Hit hit = s.hit;
+  hit.first = first;
+  const auto after = after_pulse(s.body, hit, pulse).value;
+  return {after[from], after[from + 1], after[from + 2]};
+}
+
+/// What the pulse's 128 steps leave out of its integral, by the first term of Simpson's error at the half
+/// steps: 630 t^4 (1 - t)^4 has the fifth derivatives -+302400 at its ends.
+constexpr double steps_leave = 604800 / 1512.0 * 0x1p-48;
+
+/// A pulse turns no velocity: what differs is its integral, and the narrow cubes' rounded bounds.
+Tolerance of_v(const Sample& s) {
+  return {(steps_leave + 64 * 0x1p-52 / width) * s.kick() + 16 * 0x1p-52 * s.body.v.norm(),
+          "1.4e-12 of the impulse by the steps of the pulse, 1.4e-11 by the rounded ends of the cubes"};
+}
+
+/// While the pulse acts the body turns by no more than |w| and the impulse make of 1e-6 s, and arms and
+/// inertia turn with it.
+Tolerance of_w(const Sample& s) {
+  const double turn = pulse * (s.body.w.norm() + s.twist());
+  const double momentum = (s.body.inertia * s.body.w).norm() + s.angular_impulse();
+  return {2 * turn * s.yielding() * momentum + of_v(s).allowed,
+          "in a pulse of 1e-6 s the body turns by 1e-6 |w|, its arms and its inertia with it"};
+}
+
+/// A formula for v+ (from 0) or w+ (from 3) against the motion.
+Check against_motion(const std::vector<Sample>& all, const Formula<Sample>& by, std::size_t from) {
+  Worst worst(from == 0 ? "$v^+$" : "$w^+$", by.text, "motion under half the pulse at either point");
+  for (const Sample& s : all) {
+    const double scale = from == 0 ? s.body.v.norm() + s.kick() : s.body.w.norm() + s.twist();
+    worst.see(by.of(s), Value(by_motion(s, from)), from == 0 ? of_v(s) : of_w(s), scale, s.where());
+  }
+  return worst.check();
+}
+
+Vector3d linear(const Sample& s, double impulses) {
+  return s.body.v + impulses * s.f * s.normal / s.body.mass;
+}
+
+/// The double integral of the first line, the delta functions narrow.
+Vector3d linear_integral(const Sample& s, double weight) {
+  Vector3d v = s.body.v;
+  for (long k = 0; k < 3; ++k)
+    v[k] += sifted([&](const Vector3d&) { return s.f * s.normal[k]; }, s.hit, weight) / s.body.mass;
+  return v;
+}
+
+Vector3d angular_integral(const Sample& s, double weight) {
+  Vector3d momentum;
+  for (long k = 0; k < 3; ++k)
+    momentum[k] =
+        sifted([&](const Vector3d& x) { return cross(s.arm(x), s.f * s.normal)[k]; }, s.hit, weight);
+  return s.body.w + turned(s.body.inertia, momentum);
+}
+
+/// w+ by the torques at the two points, with this share of their sum, and this normal at P1.
+Vector3d by_torques(const Sample& s, double share, const Vector3d& second) {
+  const Vector3d both = cross(s.arm(s.hit.p0), s.f * s.normal) + cross(s.arm(s.hit.p1), s.f * second);
+  return s.body.w + turned(s.body.inertia, share * both);
+}
+Vector3d mean_torque(const Sample& s) { return by_torques(s, 0.5, s.normal); }
+
+/// w+ by one impulse at this arm.
+Vector3d at(const Sample& s, const Vector3d& arm) {
+  return s.body.w + turned(s.body.inertia, cross(arm, s.f * s.normal));
+}
+Vector3d midpoint(const Sample& s) { return at(s, s.arm((s.hit.p0 + s.hit.p1) / 2)); }
+
+void linear_lines(Claims& claims, const std::vector<Sample>& all) {
+  const auto motion = [&](std::string text, const OfSample& of) {
+    return Reading{text, {against_motion(all, formula(text, of), 0)}};
+  };
+  const std::string integrals = R"($v^-+\frac1m\int fN\,\delta\,dX$ over two narrow delta functions)";
+  claims.add(
+      "linear_integral", 3753, "$v^+$ from the impulse integrated with the delta function of both points",
+      {.printed = motion(integrals + ", their mean", [](const Sample& s) { return linear_integral(s, 0.5); }),
+       .near_misses = {
+           motion(integrals + ", their sum", [](const Sample& s) { return linear_integral(s, 1); })}});
+
+  const auto means = [&](const std::string& text, double share) {
+    Worst worst("$v^+$", text, integrals + ", their mean");
+    for (const Sample& s : all)
+      worst.see(Value(linear(s, 2 * share)), Value(linear_integral(s, 0.5)),
+                rounding((s.body.v.norm() + 2 * s.kick()) / width, 16), s.body.v.norm() + s.kick(),
+                s.where());
+    return Reading{text, {worst.check()}};
+  };
+  claims.add("linear_mean", 3757, "the integral is the mean of the two impulses",
+             {.printed = means(R"($v^-+\frac1m\frac{fN+fN}2$)", 0.5),
+              .near_misses = {means(R"($v^-+\frac1m(fN+fN)$)", 1)}});
+
+  const auto result = [&](std::string text, double impulses) {
+    return motion(std::move(text), [=](const Sample& s) { return linear(s, impulses); });
+  };
+  claims.add("linear_result", 3761, "$v^+$ is that of one impulse",
+             {.printed = result("$v^-+fN/m$", 1),
+              .near_misses = {result("$v^-+2fN/m$", 2), result("$v^--fN/m$", -1)}});
+}
+
+void angular_lines(Claims& claims, const std::vector<Sample>& all) {
+  const auto motion = [&](std::string text, const OfSample& of) {
+    return Reading{text, {against_motion(all, formula(text, of), 3)}};
+  };
+  const auto same = [&](std::string text, const OfSample& of, const Formula<Sample>& truth) {
+    return compare("$w^+$", formula(std::move(text), of), truth, all);
+  };
+  const auto integral = [&](std::string text, double weight) {
+    return motion(std::move(text), [=](const Sample& s) { return angular_integral(s, weight); });
+  };
+  claims.add(
+      "angular_integral", 3767,
+      "$w^+$ from the torques integrated with the delta function of both points, at $t_0$",
+      {.printed = integral(
+           R"($w^-+J^{-1}\int r\times fN\,\delta\,dX$ over two narrow delta functions, their mean)", 0.5),
+       .near_misses = {integral(
+           R"($w^-+J^{-1}\int r\times fN\,\delta\,dX$ over two narrow delta functions, their sum)", 1)}});
+
+  const auto torques = [&](std::string text, double share) {
+    return motion(std::move(text), [=](const Sample& s) { return by_torques(s, share, s.normal); });
+  };
+  const std::string mean = R"($w^-+\frac12J^{-1}(r(P_0)\times fN+r(P_1)\times fN)$)";
+  claims.add("angular_mean", 3771, "the integral is the mean of the two torques",
+             {.printed = torques(mean, 0.5),
+              .near_misses = {torques(R"($w^-+J^{-1}(r(P_0)\times fN+r(P_1)\times fN)$)", 1),
+                              torques(R"($w^-+\frac12J^{-1}(fN\times r(P_0)+fN\times r(P_1))$)", -0.5)}});
+
+  const Formula<Sample> truth = formula(mean, mean_torque);
+  const std::string mean_arm = R"($w^-+J^{-1}\frac{r(P_0)+r(P_1)}2\times fN$)",
+                    half_difference = R"($w^-+J^{-1}\frac{r(P_1)-r(P_0)}2\times fN$)",
+                    one_end = R"($w^-+J^{-1}r(P_0)\times fN$)", middle = R"($w^-+J^{-1}r(M)\times fN$)";
+  claims.add(
+      "angular_mean_arm", 3777, "the mean of the two arms takes the place of the mean torque",
+      {.printed = {mean_arm,
+                   {same(
+                       mean_arm,
+                       [](const Sample& s) { return at(s, (s.arm(s.hit.p0) + s.arm(s.hit.p1)) / 2); },
+                       truth)}},
+       .near_misses = {{half_difference,
+                        {same(
+                            half_difference, [](const Sample& s) { return at(s, (s.hit.p1 - s.hit.p0) / 2); },
+                            truth)}}}});
+
+  const auto other = [](const Sample& s) { return Vector3d(s.normal[1], s.normal[2], s.normal[0]); };
+  claims.add(
+      "angular_midpoint", 3783, "that is the arm of the midpoint $M=(P_0+P_1)/2$",
+      {.printed = {middle, {same(middle, midpoint, truth), motion(middle, midpoint).checks[0]}},
+       .near_misses = {{one_end,
+                        {same(
+                            one_end, [](const Sample& s) { return at(s, s.arm(s.hit.p0)); }, truth)}},
+                       {"also for unequal impulses",
+                        {same(middle, midpoint,
+                              formula("motion, three quarters of the impulse at $P_0$",
+                                      [](const Sample& s) { return by_motion(s, 3, 0.75); }))}},
+                       {"also for two normals",
+                        {same(
+                            middle + ", $N$ the mean of two normals",
+                            [=](const Sample& s) {
+                              const Vector3d r = s.arm((s.hit.p0 + s.hit.p1) / 2);
+                              return Vector3d(s.body.w + turned(s.body.inertia,
+                                                                cross(r, s.f * (s.normal + other(s)) / 2)));
+                            },
+                            formula("the mean of two torques, each with its normal",
+                                    [=](const Sample& s) { return by_torques(s, 0.5, other(s)); }))}}}});
+}
+
+// ---- segments, faces and densities ------------------------------------------------------------------------
+
+/// w+ for the impulse spread along P0 P1 with density 1 + slope (2u - 1) at the fraction u.
+Vector3d along_segment(const Sample& s, double slope) {
+  Vector3d momentum;
+  for (long k = 0; k < 3; ++k)
+    momentum[k] = gauss_legendre(
+                      [&](double u) {
+                        const Vector3d x = (1 - u) * s.hit.p0 + u * s.hit.p1;
+                        return (1 + slope * (2 * u - 1)) * cross(s.arm(x), s.f * s.normal)[k];
+                      },
+                      0, 1, 4)
+                      .value;
+  return s.body.w + turned(s.body.inertia, momentum);
+}
+
+Check as_segment(const std::vector<Sample>& all, const std::string& bodies, double slope) {
+  return compare("$w^+$ of " + bodies, formula("half the impulse at either point", mean_torque),
+                 formula(slope == 0 ? "an even impulse along the segment" : "one that grows along it",
+                         [=](const Sample& s) { return along_segment(s, slope); }),
+                 all);
+}
+
+/// w+ for the impulse spread evenly over the plane quadrilateral P0, P1, P1 + b, P0 + a.
+Vector3d over_area(const Sample& s, const Vector3d& a, const Vector3d& b) {
+  const Vector3d e = s.hit.p1 - s.hit.p0;
+  const Rule rule = [](FunctionOfOne f, double low, double high) { return gauss_legendre(f, low, high, 4); };
+  const auto integral = [&](const auto& g) {
+    const auto element = [&](double u, double v) {
+      const Vector3d x = s.hit.p0 + u * e + v * ((1 - u) * a + u * b);
+      return g(x) * cross(e + v * (b - a), (1 - u) * a + u * b).norm();
+    };
+    return nested(
+               rule, element, 0, 1, [](double) { return 0.0; }, [](double) { return 1.0; })
+        .value;
+  };
+  Vector3d momentum;
+  for (long k = 0; k < 3; ++k)
+    momentum[k] = integral([&](const Vector3d& x) { return cross(s.arm(x), s.f * s.normal)[k]; });
+  return s.body.w + turned(s.body.inertia, momentum / integral([](const Vector3d&) { return 1.0; }));
+}
+
+/// Equal impulses at the corners against the area's even one. The side opposite to P0 P1 is parallel to it
+/// and `ratio` as long; 0 makes a triangle.
+Check as_area(const std::vector<Sample>& all, const std::string& shape, double ratio) {
+  const auto side = [](const Sample& s) {
+    const Vector3d e = s.hit.p1 - s.hit.p0;
+    return Vector3d(Vector3d(e[1], e[2], e[0]) + 0.5 * e);
+  };
+  const auto corners = [=](const Sample& s) {
+    const Vector3d e = s.hit.p1 - s.hit.p0, third = s.hit.p0 + side(s), fourth = third + ratio * e;
+    const Vector3d three = (s.hit.p0 + s.hit.p1 + third) / 3,
+                   four = (s.hit.p0 + s.hit.p1 + third + fourth) / 4;
+    return at(s, s.arm(ratio == 0 ? three : four));
+  };
+  const auto even = [=](const Sample& s) {
+    return over_area(s, side(s), side(s) + (ratio - 1) * (s.hit.p1 - s.hit.p0));
+  };
+  return compare("$w^+$, " + shape, formula("equal impulses at the corners", corners),
+                 formula("spread evenly over the area", even), all);
+}
+
+void what_follows(Claims& claims, double seed) {
+  const auto boxes = samples(seed, 40, random_box), masses = samples(seed, 40, random_masses);
+  const Check segment = as_segment(boxes, "boxes", 0), triangles = as_area(boxes, "triangles", 0),
+              parallelograms = as_area(boxes, "parallelograms", 1);
+  claims.add(
+      "segment", 3785, "two points give exactly what an evenly pressed segment gives",
+      {.printed = {"even pressure", {segment}},
+       .near_misses = {{"pressure growing by half along the segment", {as_segment(boxes, "boxes", 0.2)}}}});
+  claims.add(
+      "constant_density", 3785,
+      "they agree for bodies of constant density (and, by the same check, for any other: the condition is on "
+      "the pressure along the segment, not on the mass)",
+      {.printed = {"boxes of constant density; eight unequal masses",
+                   {segment, as_segment(masses, "eight unequal masses", 0)}},
+       .near_misses = {{"only for constant density",
+                        {in_all<Sample>("two points and the segment differ, eight unequal masses", masses,
+                                        [](const Sample& s) {
+                                          const double size =
+                                              s.body.v.norm() + s.body.w.norm() + s.kick() + s.twist();
+                                          return (mean_torque(s) - along_segment(s, 0)).norm() > 1e-12 * size;
+                                        })}}}});
+  claims.add(
+      "finite_set", 3785, "to consider only a finite set of contact points is no approximation",
+      {.printed = {"for segments, triangles, parallelograms and trapezoids",
+                   {segment, triangles, parallelograms, as_area(boxes, R"(trapezoids, $1:\frac12$)", 0.5)}},
+       .corrected = {"for segments, and where the corners' mean is the area's centroid: triangles, "
+                     "parallelograms",
+                     {segment, triangles, parallelograms}},
+       .near_misses = {{"trapezoids alone, $1:0.9$", {as_area(boxes, "trapezoids, $1:0.9$", 0.9)}}},
+       .why =
+           "Two points do replace an evenly pressed segment; that corners replace a face does not follow. "
+           "The mean of a trapezoid's corners is not its centroid: with parallel sides 2 and 1 it lies at "
+           R"($\frac12$ of the height, the centroid at $\frac49$, and the torque about the long side is an )"
+           "eighth too large. Corners weighted by area (a third of each triangle's share) give the face's "
+           "result exactly.",
+       .kind = Fault::counterexample,
+       .root = "corners for a face"});
+}
+
+}  // namespace
+
+std::vector<Claim> claims(double seed) {
+  const auto all = samples(seed, 40, random_masses);
+  Claims claims("6.5");
+  claims.add("delta", 3743, "the average of two delta functions gives the average of $G$ at the two points",
+             {.printed = property(R"($\frac12(G(P_0)+G(P_1))$)", all, 0.5, false),
+              .near_misses = {property("$G(P_0)+G(P_1)$", all, 1, false),
+                              property("$G(M)$, $M$ the midpoint", all, 0.5, true)}});
+  linear_lines(claims, all);
+  angular_lines(claims, all);
+  what_follows(claims, seed);
+  return claims.in_order();
+}
+
+std::vector<Root> roots() {
+  return {{"corners for a face",
+           R"(A box of $1\times0.5\times0.75$ m and 2 kg, hit from below with 3 Ns spread evenly over a )"
+           R"(trapezoid, starts to tip over its long side at 0.62 rad/s; equal impulses at the four corners )"
+           "do not tip it at all."}};
+}
+
+}  // namespace oddity::ex06_05
