@@ -19,7 +19,7 @@
 #include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
 #include "chapters/03_rigid_body_motion/23_spring_bar/spring_bar.hpp"
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
-#include "chapters/03_rigid_body_motion/shared/top.hpp"
+#include "chapters/03_rigid_body_motion/35_moving_tip/models.hpp"
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
 #include "chapters/03_rigid_body_motion/27_two_bodies/two_bodies.hpp"
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
@@ -91,13 +91,13 @@ void for_each_model(const See& see) {
   see("3.29", "x, y, theta", planar_wire::Generalized{wire}, 2.0);
   see("3.29", "two particles", planar_wire::TwoParticles{wire}, 2.0);
   for (double shaken : {0.0, 0.0625}) {
-    const top::Top heavy{
-        1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 0.5, 0.25, 30, shaken, shaken == 0 ? 0.0 : 3.0};
+    const heavy_top::Top<double> heavy{
+        {1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 0.5, 0.25, 30}, shaken, shaken == 0 ? 0.0 : 3.0};
     const char* exercise = shaken == 0 ? "3.33" : "3.35";
-    if (shaken == 0) see(exercise, "one angle", top::OneAngle{{heavy}}, 4.0);
-    see(exercise, "Euler angles", top::EulerAngles{heavy}, 4.0);
-    see(exercise, "axis and angular momentum", top::AxisAndMomentum{heavy}, 4.0);
-    see(exercise, "rigid body", top::RigidBody{heavy}, 4.0);
+    if (shaken == 0) see(exercise, "one angle", heavy_top::OneAngle<double>{heavy}, 4.0);
+    see(exercise, "Euler angles", heavy_top::EulerAngles<double>{heavy}, 4.0);
+    see(exercise, "axis and angular momentum", heavy_top::AxisAndMomentum<double>{heavy}, 4.0);
+    see(exercise, "rigid body", heavy_top::RigidBody<double>{heavy}, 4.0);
   }
 }
 

@@ -38,7 +38,7 @@ Value observed(const Model& model, double h) {
     using State = typename Model::State;
     const State x = model.start();
     State a, b, c, d;
-    model(x, a, 0);
+    model(x, a, 0.0);
     model(moved(x, h / 2, a), b, h / 2);
     model(moved(x, h / 2, b), c, h / 2);
     model(moved(x, h, c), d, h);
@@ -199,13 +199,15 @@ TEST_CASE("The models of 3.33 stand alone, and are listed", "[models]") {
                theta = listed["theta"], phi = listed["phi"], psi = listed["psi"], dtheta = listed["dtheta"],
                dphi = listed["dphi"], dpsi = listed["dpsi"];
   HAS("mean precession of a fast top",
-      top::MeanPrecession{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+      heavy_top::MeanPrecession<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
   HAS("one angle, precession by quadrature",
-      top::OneAngle{{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}});
-  HAS("Euler angles", top::EulerAngles{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
-  HAS("rigid body, quaternion", top::RigidBody{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+      heavy_top::OneAngle<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+  HAS("Euler angles",
+      heavy_top::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+  HAS("rigid body, quaternion",
+      heavy_top::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
   HAS("axis and angular momentum",
-      top::AxisAndMomentum{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+      heavy_top::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
   listed.have_all();
 }
 
@@ -214,16 +216,18 @@ TEST_CASE("The models of 3.35 stand alone, and are listed", "[models]") {
   const double m = listed["m"], l = listed["l"], mu1 = listed["mu1"], mu3 = listed["mu3"], g = listed["g"],
                theta = listed["theta"], phi = listed["phi"], psi = listed["psi"], dtheta = listed["dtheta"],
                dphi = listed["dphi"], dpsi = listed["dpsi"], A = listed["A"], lambda = listed["lambda"];
-  HAS("fixed tip, as proposed", top::AxisAndMomentum{top::with_fixed_tip(
+  HAS("fixed tip, as proposed", moving_tip::AxisAndMomentum<double>{moving_tip::with_fixed_tip<double>(
                                     {m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda})});
-  HAS("small tilt", top::SmallTilt{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+  HAS("small tilt",
+      moving_tip::SmallTilt<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
   HAS("first order in A",
-      top::FirstOrderInA{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
-  HAS("Euler angles", top::EulerAngles{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+      moving_tip::FirstOrderInA<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+  HAS("Euler angles",
+      moving_tip::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
   HAS("rigid body, quaternion",
-      top::RigidBody{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
-  HAS("axis and angular momentum",
-      top::AxisAndMomentum{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+      moving_tip::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+  HAS("axis and angular momentum", moving_tip::AxisAndMomentum<double>{
+                                       {m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
   listed.have_all();
 }
 
