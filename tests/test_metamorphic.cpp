@@ -8,7 +8,7 @@
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
-#include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
+#include "chapters/03_rigid_body_motion/25_chain/models.hpp"
 #include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/03_rigid_body_motion/shared/height_field.hpp"
@@ -81,9 +81,10 @@ void for_each_model(const See& see) {
   const spring_bar::Bar bar{1, 1, 0.5, 98.1, 0.8, 9.81, 1, 0.3, 0};
   see("3.23", "one angle", spring_bar::OneAngle{bar}, 4.0);
   see("3.23", "Cartesian with constraint", spring_bar::CartesianWithConstraint{bar}, 4.0);
-  const chain::Triple links{{1, 0.75, 0.5}, {1, 0.75, 0.5}, 9.8125, 2.5, {0.25, 0.375, 0.5}, {0, 0, 0}};
-  see("3.25", "dense mass matrix", chain::Angles<chain::Equations::dense>{links}, 4.0);
-  see("3.25", "tensions", chain::Angles<chain::Equations::tensions>{links}, 4.0);
+  const chain::Given<double> links{{1, 0.75, 0.5},     {1, 0.75, 0.5}, 9.8125, 2.5,
+                                   {0.25, 0.375, 0.5}, {0, 0, 0}};
+  see("3.25", "dense mass matrix", chain::Angles<double, chain::Equations::dense>{links}, 4.0);
+  see("3.25", "tensions", chain::Angles<double, chain::Equations::tensions>{links}, 4.0);
   const two_bodies::Bodies bodies{1, 2, 1, 1, 0.25, 0.5, 1.5};
   see("3.27", "(r, u, phi)", two_bodies::Published{bodies}, 4.0);
   see("3.27", "two bodies", two_bodies::BothBodies{bodies}, 4.0);

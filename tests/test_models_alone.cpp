@@ -153,10 +153,10 @@ TEST_CASE("The models of 3.25 stand alone, and are listed", "[models]") {
                theta2 = listed["theta2"], theta3 = listed["theta3"], omega1 = listed["omega1"],
                omega2 = listed["omega2"], omega3 = listed["omega3"];
   HAS("dense mass matrix",
-      chain::Angles<chain::Equations::dense>{
+      chain::Angles<double, chain::Equations::dense>{
           {{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, theta3}, {omega1, omega2, omega3}}});
   HAS("tensions",
-      chain::Angles<chain::Equations::tensions>{
+      chain::Angles<double, chain::Equations::tensions>{
           {{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, theta3}, {omega1, omega2, omega3}}});
   listed.have_all();
 }
