@@ -16,7 +16,7 @@
 #include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/pipe_and_disk.hpp"
-#include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
+#include "chapters/03_rigid_body_motion/29_planar_wire/models.hpp"
 #include "chapters/03_rigid_body_motion/23_spring_bar/spring_bar.hpp"
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/models.hpp"
@@ -88,9 +88,9 @@ void for_each_model(const See& see) {
   const two_bodies::Bodies bodies{1, 2, 1, 1, 0.25, 0.5, 1.5};
   see("3.27", "(r, u, phi)", two_bodies::Published{bodies}, 4.0);
   see("3.27", "two bodies", two_bodies::BothBodies{bodies}, 4.0);
-  const planar_wire::Thrown wire{6, 0.5, 2, 5, 6, 9.81, {0.25, 0.5}};
-  see("3.29", "x, y, theta", planar_wire::Generalized{wire}, 2.0);
-  see("3.29", "two particles", planar_wire::TwoParticles{wire}, 2.0);
+  const planar_wire::Thrown<double> wire{6, 0.5, 2, 5, 6, 9.81, {0.25, 0.5}};
+  see("3.29", "x, y, theta", planar_wire::Generalized<double>{wire}, 2.0);
+  see("3.29", "two particles", planar_wire::TwoParticles<double>{wire}, 2.0);
   for (double shaken : {0.0, 0.0625}) {
     const heavy_top::Top<double> heavy{
         {1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 0.5, 0.25, 30}, shaken, shaken == 0 ? 0.0 : 3.0};

@@ -176,10 +176,11 @@ TEST_CASE("The models of 3.29 stand alone, and are listed", "[models]") {
   Listed listed("3.29");
   const double q = listed["q"], d = listed["d"], u = listed["u"], v = listed["v"], w = listed["w"],
                g = listed["g"];
-  HAS("center alone", planar_wire::PointMass{planar_wire::thrown_parabola(q, d, u, v, w, g)});
-  HAS("free fall", planar_wire::FreeFall{planar_wire::thrown_parabola(q, d, u, v, w, g)});
-  HAS("x, y, theta", planar_wire::Generalized{planar_wire::thrown_parabola(q, d, u, v, w, g)});
-  HAS("two particles and a rod", planar_wire::TwoParticles{planar_wire::thrown_parabola(q, d, u, v, w, g)});
+  HAS("center alone", planar_wire::PointMass<double>{planar_wire::thrown<double>({q, d, u, v, w, g})});
+  HAS("free fall", planar_wire::FreeFall<double>{planar_wire::thrown<double>({q, d, u, v, w, g})});
+  HAS("x, y, theta", planar_wire::Generalized<double>{planar_wire::thrown<double>({q, d, u, v, w, g})});
+  HAS("two particles and a rod",
+      planar_wire::TwoParticles<double>{planar_wire::thrown<double>({q, d, u, v, w, g})});
   listed.have_all();
 }
 
