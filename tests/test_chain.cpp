@@ -6,7 +6,7 @@ using namespace oddity;
 
 TEST_CASE("a chain's accelerations cost the same for each link beyond the first", "[chain]") {
   const auto cost = [](int n) {
-    const chain::Pattern p(n);
+    const ex03_25::Pattern p(n);
     const auto counted = [](const std::vector<double>& x) {
       return std::vector<Counted<double>>(x.begin(), x.end());
     };

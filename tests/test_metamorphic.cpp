@@ -6,28 +6,24 @@
 #include <functional>
 #include <map>
 
-#include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
-#include "chapters/03_rigid_body_motion/07_bead_on_cubic/models.hpp"
-#include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
-#include "chapters/03_rigid_body_motion/09_damped_ball/models.hpp"
-#include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
-#include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
-#include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
-#include "chapters/03_rigid_body_motion/11_paraboloid_hill/models.hpp"
+#include "chapters/02_basic_concepts/07_curve_on_sphere/models.hpp"
+#include "chapters/03_rigid_body_motion/03_kepler/models.hpp"
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
-#include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
-#include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
-#include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
+#include "chapters/03_rigid_body_motion/07_bead_on_cubic/models.hpp"
+#include "chapters/03_rigid_body_motion/09_damped_ball/models.hpp"
+#include "chapters/03_rigid_body_motion/11_paraboloid_hill/models.hpp"
+#include "chapters/03_rigid_body_motion/13_tilted_chute/models.hpp"
 #include "chapters/03_rigid_body_motion/15_turning_rod/models.hpp"
-#include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
+#include "chapters/03_rigid_body_motion/17_foucault/models.hpp"
 #include "chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"
-#include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/models.hpp"
 #include "chapters/03_rigid_body_motion/23_spring_bar/models.hpp"
-#include "chapters/03_rigid_body_motion/27_two_bodies/two_bodies.hpp"
-#include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
-#include "chapters/03_rigid_body_motion/shared/height_field.hpp"
-#include "chapters/03_rigid_body_motion/shared/top.hpp"
+#include "chapters/03_rigid_body_motion/25_chain/models.hpp"
+#include "chapters/03_rigid_body_motion/27_two_bodies/models.hpp"
+#include "chapters/03_rigid_body_motion/29_planar_wire/models.hpp"
+#include "chapters/03_rigid_body_motion/31_rough_box/models.hpp"
+#include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
+#include "chapters/03_rigid_body_motion/35_moving_tip/models.hpp"
 #include "chapters/contents.hpp"
 #include "report/choose.hpp"
 #include "tests/catch.hpp"
@@ -85,23 +81,24 @@ void for_each_model(const See& see) {
   const spring_bar::Given<double> bar{1, 1, 0.5, 98.1, 0.8, 9.81, 1, 0.3, 0};
   see("3.23", "one angle", spring_bar::OneAngle<double>{bar}, 4.0);
   see("3.23", "Cartesian with constraint", spring_bar::CartesianWithConstraint<double>{bar}, 4.0);
-  const chain::Triple links{{1, 0.75, 0.5}, {1, 0.75, 0.5}, 9.8125, 2.5, {0.25, 0.375, 0.5}, {0, 0, 0}};
-  see("3.25", "dense mass matrix", chain::Angles<chain::Equations::dense>{links}, 4.0);
-  see("3.25", "tensions", chain::Angles<chain::Equations::tensions>{links}, 4.0);
+  const chain::Given<double> links{{1, 0.75, 0.5},     {1, 0.75, 0.5}, 9.8125, 2.5,
+                                   {0.25, 0.375, 0.5}, {0, 0, 0}};
+  see("3.25", "dense mass matrix", chain::Angles<double, chain::Equations::dense>{links}, 4.0);
+  see("3.25", "tensions", chain::Angles<double, chain::Equations::tensions>{links}, 4.0);
   const two_bodies::Bodies bodies{1, 2, 1, 1, 0.25, 0.5, 1.5};
   see("3.27", "(r, u, phi)", two_bodies::Published<double>{bodies}, 4.0);
   see("3.27", "two bodies", two_bodies::BothBodies<double>{bodies}, 4.0);
-  const planar_wire::Thrown wire{6, 0.5, 2, 5, 6, 9.81, {0.25, 0.5}};
-  see("3.29", "x, y, theta", planar_wire::Generalized{wire}, 2.0);
-  see("3.29", "two particles", planar_wire::TwoParticles{wire}, 2.0);
+  const planar_wire::Thrown<double> wire{6, 0.5, 2, 5, 6, 9.81, {0.25, 0.5}};
+  see("3.29", "x, y, theta", planar_wire::Generalized<double>{wire}, 2.0);
+  see("3.29", "two particles", planar_wire::TwoParticles<double>{wire}, 2.0);
   for (double shaken : {0.0, 0.0625}) {
-    const top::Top heavy{
-        1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 0.5, 0.25, 30, shaken, shaken == 0 ? 0.0 : 3.0};
+    const heavy_top::Top<double> heavy{
+        {1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 0.5, 0.25, 30}, shaken, shaken == 0 ? 0.0 : 3.0};
     const char* exercise = shaken == 0 ? "3.33" : "3.35";
-    if (shaken == 0) see(exercise, "one angle", top::OneAngle{{heavy}}, 4.0);
-    see(exercise, "Euler angles", top::EulerAngles{heavy}, 4.0);
-    see(exercise, "axis and angular momentum", top::AxisAndMomentum{heavy}, 4.0);
-    see(exercise, "rigid body", top::RigidBody{heavy}, 4.0);
+    if (shaken == 0) see(exercise, "one angle", heavy_top::OneAngle<double>{heavy}, 4.0);
+    see(exercise, "Euler angles", heavy_top::EulerAngles<double>{heavy}, 4.0);
+    see(exercise, "axis and angular momentum", heavy_top::AxisAndMomentum<double>{heavy}, 4.0);
+    see(exercise, "rigid body", heavy_top::RigidBody<double>{heavy}, 4.0);
   }
 }
 

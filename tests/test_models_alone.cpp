@@ -156,10 +156,10 @@ TEST_CASE("The models of 3.25 stand alone, and are listed", "[models]") {
                theta2 = listed["theta2"], theta3 = listed["theta3"], omega1 = listed["omega1"],
                omega2 = listed["omega2"], omega3 = listed["omega3"];
   HAS("dense mass matrix",
-      chain::Angles<chain::Equations::dense>{
+      chain::Angles<double, chain::Equations::dense>{
           {{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, theta3}, {omega1, omega2, omega3}}});
   HAS("tensions",
-      chain::Angles<chain::Equations::tensions>{
+      chain::Angles<double, chain::Equations::tensions>{
           {{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, theta3}, {omega1, omega2, omega3}}});
   listed.have_all();
 }
@@ -179,10 +179,11 @@ TEST_CASE("The models of 3.29 stand alone, and are listed", "[models]") {
   Listed listed("3.29");
   const double q = listed["q"], d = listed["d"], u = listed["u"], v = listed["v"], w = listed["w"],
                g = listed["g"];
-  HAS("center alone", planar_wire::PointMass{planar_wire::thrown_parabola(q, d, u, v, w, g)});
-  HAS("free fall", planar_wire::FreeFall{planar_wire::thrown_parabola(q, d, u, v, w, g)});
-  HAS("x, y, theta", planar_wire::Generalized{planar_wire::thrown_parabola(q, d, u, v, w, g)});
-  HAS("two particles and a rod", planar_wire::TwoParticles{planar_wire::thrown_parabola(q, d, u, v, w, g)});
+  HAS("center alone", planar_wire::PointMass<double>{planar_wire::thrown<double>({q, d, u, v, w, g})});
+  HAS("free fall", planar_wire::FreeFall<double>{planar_wire::thrown<double>({q, d, u, v, w, g})});
+  HAS("x, y, theta", planar_wire::Generalized<double>{planar_wire::thrown<double>({q, d, u, v, w, g})});
+  HAS("two particles and a rod",
+      planar_wire::TwoParticles<double>{planar_wire::thrown<double>({q, d, u, v, w, g})});
   listed.have_all();
 }
 
@@ -202,13 +203,15 @@ TEST_CASE("The models of 3.33 stand alone, and are listed", "[models]") {
                theta = listed["theta"], phi = listed["phi"], psi = listed["psi"], dtheta = listed["dtheta"],
                dphi = listed["dphi"], dpsi = listed["dpsi"];
   HAS("mean precession of a fast top",
-      top::MeanPrecession{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+      heavy_top::MeanPrecession<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
   HAS("one angle, precession by quadrature",
-      top::OneAngle{{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}});
-  HAS("Euler angles", top::EulerAngles{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
-  HAS("rigid body, quaternion", top::RigidBody{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+      heavy_top::OneAngle<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+  HAS("Euler angles",
+      heavy_top::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+  HAS("rigid body, quaternion",
+      heavy_top::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
   HAS("axis and angular momentum",
-      top::AxisAndMomentum{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
+      heavy_top::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}});
   listed.have_all();
 }
 
@@ -217,16 +220,18 @@ TEST_CASE("The models of 3.35 stand alone, and are listed", "[models]") {
   const double m = listed["m"], l = listed["l"], mu1 = listed["mu1"], mu3 = listed["mu3"], g = listed["g"],
                theta = listed["theta"], phi = listed["phi"], psi = listed["psi"], dtheta = listed["dtheta"],
                dphi = listed["dphi"], dpsi = listed["dpsi"], A = listed["A"], lambda = listed["lambda"];
-  HAS("fixed tip, as proposed", top::AxisAndMomentum{top::with_fixed_tip(
+  HAS("fixed tip, as proposed", moving_tip::AxisAndMomentum<double>{moving_tip::with_fixed_tip<double>(
                                     {m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda})});
-  HAS("small tilt", top::SmallTilt{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+  HAS("small tilt",
+      moving_tip::SmallTilt<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
   HAS("first order in A",
-      top::FirstOrderInA{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
-  HAS("Euler angles", top::EulerAngles{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+      moving_tip::FirstOrderInA<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+  HAS("Euler angles",
+      moving_tip::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
   HAS("rigid body, quaternion",
-      top::RigidBody{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
-  HAS("axis and angular momentum",
-      top::AxisAndMomentum{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+      moving_tip::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
+  HAS("axis and angular momentum", moving_tip::AxisAndMomentum<double>{
+                                       {m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}});
   listed.have_all();
 }
 

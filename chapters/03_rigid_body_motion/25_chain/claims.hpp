@@ -3,6 +3,7 @@
 // The claims of exercise 3.25. Positions are turned rods; velocities, forces and Lagrange's equations come
 // from the positions alone by nested dual numbers.
 
+#include <Eigen/Core>
 #include <complex>
 #include <numbers>
 
@@ -10,9 +11,12 @@
 #include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "chapters/random.hpp"
 #include "reference/text.hpp"
+#include "solvers/linear.hpp"
 #include "solvers/quadrature.hpp"
 
-namespace oddity::chain {
+namespace oddity::ex03_25 {
+
+using chain::by_tensions;
 
 /// The letters of a random chain of n masses.
 struct Sample {
@@ -357,4 +361,4 @@ inline std::vector<Claim> claims(double seed) {
   return all;
 }
 
-}  // namespace oddity::chain
+}  // namespace oddity::ex03_25

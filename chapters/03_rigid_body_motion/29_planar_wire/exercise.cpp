@@ -10,15 +10,16 @@
 #include <complex>
 #include <functional>
 
-#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
 #include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
+#include "chapters/scene.hpp"
 #include "reference/text.hpp"
+#include "solvers/dual.hpp"
 
 namespace oddity {
 
 namespace ex03_29 {
 
-using namespace planar_wire;
 using std::cos, std::sin;
 
 constexpr Parameter parameters[] = {
@@ -447,45 +448,38 @@ std::vector<Claim> claims(double seed) {
   return all;
 }
 
-Wire parabola(const Parameters& p) { return {Shape::parabola, p["q"], p["d"], 0}; }
+Given asked(const Parameters& p) { return {p["q"], p["d"], p["u"], p["v"], p["w"], p["g"]}; }
 
 Quantity fall_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return fall(parabola(p), thrown_parabola(p["q"], p["d"], p["u"], p["v"], p["w"], p["g"]), horizon, truth);
+  return fall(asked(p), horizon, truth);
 }
 
 Scene scene() {
-  return {fall_of,
-          2,
-          centimeter,
-          "w",
-          {1, 3, 6, 10, 20},
-          {"u", "v", "w"},
-          {{"x", "y"}, "s", {{"m", {0, 1}}}},
-          {{"chapters/03_rigid_body_motion/29_planar_wire/models.hpp"},
-           {{"center alone", "planar_wire::PointMass{planar_wire::thrown_parabola(q, d, u, v, w, g)}"},
-            {"free fall", "planar_wire::FreeFall{planar_wire::thrown_parabola(q, d, u, v, w, g)}"},
-            {"x, y, theta", "planar_wire::Generalized{planar_wire::thrown_parabola(q, d, u, v, w, g)}"},
-            {"two particles and a rod",
-             "planar_wire::TwoParticles{planar_wire::thrown_parabola(q, d, u, v, w, g)}"}}}};
+  return {
+      fall_of,
+      2,
+      centimeter,
+      "w",
+      {1, 3, 6, 10, 20},
+      {"u", "v", "w"},
+      {{"x", "y"}, "s", {{"m", {0, 1}}}},
+      {{"chapters/03_rigid_body_motion/29_planar_wire/models.hpp"},
+       {{"center alone", "planar_wire::PointMass<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
+        {"free fall", "planar_wire::FreeFall<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
+        {"x, y, theta", "planar_wire::Generalized<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
+        {"two particles and a rod",
+         "planar_wire::TwoParticles<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  const Wire wire = parabola(p);
-  Quantity semicircle = inertia("semicircle", {Shape::semicircle, p["q"], p["d"], 0}, truth);
-  semicircle.add(Breakdown{
-      "As a graph over x the half circle has vertical ends, where ds/dx is infinite: a "
-      "rule that takes the ends fails, Gauss and Legendre's gains one digit for ten times "
-      "the points. By the angle the integrands are smooth.",
-      "as a graph over x, Gauss-Legendre", 64, Outcome::inaccurate, "by the angle, Gauss-Legendre", 16});
-  Quantity falling = motion(scene(), p, truth);
-  falling.add(
+  Findings found{claims(p["seed"]), inertias(asked(p), truth)};
+  found.quantities.push_back(motion(scene(), p, truth));
+  found.quantities.back().add(
       Breakdown{"Particles and a rod: explicit Euler lets the rod grow and the energy with it. With "
                 "the angle as a coordinate there is no rod to keep, and Verlet's method is exact.",
                 "two particles and a rod, explicit Euler", 0.125, Outcome::drifted,
                 "x, y, theta, velocity Verlet", 0.125});
-  return {claims(p["seed"]),
-          {inertia("straight wire", {Shape::straight, p["q"], p["d"], 0}, truth), semicircle,
-           inertia("parabola", wire, truth), falling}};
+  return found;
 }
 
 }  // namespace ex03_29

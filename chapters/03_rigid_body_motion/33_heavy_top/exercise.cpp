@@ -6,8 +6,9 @@
 // come from the points' positions by dual numbers. top_models.hpp has the models, top_quantities.hpp the
 // quantities.
 
+#include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
 #include "chapters/03_rigid_body_motion/shared/top_of_points.hpp"
-#include "chapters/03_rigid_body_motion/33_heavy_top/top_quantities.hpp"
+#include "chapters/scene.hpp"
 
 namespace oddity {
 
@@ -113,7 +114,7 @@ std::vector<Claim> energy_claims(const Judge& judge) {
                              {"(0, 0, l)", [](S s) { return values(0, 0, s.l); }},
                              {"sum of m x over the points, in body coordinates",
                               [](S s) {
-                                Vector sum{};
+                                Vector<double> sum{};
                                 for (const Point& p : s.body.points)
                                   for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * p.x[i] / s.m;
                                 return sum;
@@ -319,7 +320,7 @@ std::vector<Claim> force_claims(const Judge& judge) {
 
 /// (c, gamma) of the rigid body after 4 s against the start's, by the text's formulas.
 Check along_the_motion(const Top& start) {
-  const RigidBody body{start};
+  const heavy_top::RigidBody<double> body{{start}};
   const auto run = ode::integrate<ode::Fehlberg78>(body, body.start(), 0, 4, 1e-12);
   const auto [q, i, j, k, w1, w2, w3] = run.value;
   const double up1 = 2 * (i * k - q * j), up2 = 2 * (j * k + q * i), up3 = 1 - 2 * (i * i + j * j);
@@ -332,7 +333,7 @@ Check along_the_motion(const Top& start) {
 }
 
 /// Euler's third equation, the moments and the torque of gravity summed over the points.
-double spin_rate_by_euler(S s, const Vector& w) {
+double spin_rate_by_euler(S s, const Vector<double>& w) {
   const auto r = rotation(s.q[0], s.q[1], s.q[2]);
   double J1 = 0, J2 = 0, torque = 0;
   for (const Point& p : s.body.points) {
@@ -393,7 +394,7 @@ std::vector<Claim> motion_claims(const Judge& judge, const Top& start) {
       {"(w3, vertical part of R J w, w3' of Euler's equations)",
        [](S s) {
          const auto r = rotation(s.q[0], s.q[1], s.q[2]);
-         const Vector w = s.body_rates();
+         const Vector<double> w = s.body_rates();
          return values(w[2], s.mu1 * (r[2][0] * w[0] + r[2][1] * w[1]) + s.mu3 * r[2][2] * w[2],
                        spin_rate_by_euler(s, w));
        }},
@@ -423,23 +424,25 @@ Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& t
 }
 
 Scene scene() {
-  return {axis_of,
-          duration,
-          degree,
-          "dpsi",
-          {5, 10, 20, 30, 60, 100},
-          {"phi", "dtheta", "dpsi"},
-          {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
-          {{"chapters/03_rigid_body_motion/33_heavy_top/models.hpp"},
-           {{"mean precession of a fast top",
-             "top::MeanPrecession{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
-            {"one angle, precession by quadrature",
-             "top::OneAngle{{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}}"},
-            {"Euler angles", "top::EulerAngles{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
-            {"rigid body, quaternion",
-             "top::RigidBody{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
-            {"axis and angular momentum",
-             "top::AxisAndMomentum{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"}}}};
+  return {
+      axis_of,
+      duration,
+      degree,
+      "dpsi",
+      {5, 10, 20, 30, 60, 100},
+      {"phi", "dtheta", "dpsi"},
+      {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
+      {{"chapters/03_rigid_body_motion/33_heavy_top/models.hpp"},
+       {{"mean precession of a fast top",
+         "heavy_top::MeanPrecession<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+        {"one angle, precession by quadrature",
+         "heavy_top::OneAngle<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+        {"Euler angles",
+         "heavy_top::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+        {"rigid body, quaternion",
+         "heavy_top::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+        {"axis and angular momentum",
+         "heavy_top::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
@@ -449,7 +452,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   for (const auto& part :
        {energy_claims(judge), derivative_claims(judge), force_claims(judge), motion_claims(judge, start)})
     found.claims.insert(found.claims.end(), part.begin(), part.end());
-  found.quantities = heavy_top_quantities(start, truth);
+  found.quantities = quantities(start, truth);
   found.quantities.insert(found.quantities.begin(), motion(scene(), p, truth));
   return found;
 }

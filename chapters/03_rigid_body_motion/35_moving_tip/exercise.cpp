@@ -4,8 +4,10 @@
 // Judged against tops made of point masses, whose Lagrangian with a moving tip is differentiated by nested
 // dual numbers. The models are those of top_models.hpp; top_moving_tip.hpp has the quantities.
 
-#include "chapters/03_rigid_body_motion/35_moving_tip/top_moving_tip.hpp"
+#include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
+#include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
 #include "chapters/03_rigid_body_motion/shared/top_of_points.hpp"
+#include "chapters/scene.hpp"
 
 namespace oddity {
 
@@ -37,11 +39,11 @@ using V = Judge::Version;
 // ---- the points' motion along Lagrange's accelerations ----------------------------------------------------
 
 struct Moving {
-  Vector x, v, a;
+  Vector<double> x, v, a;
 };
 
 /// Position, velocity and acceleration of a body point.
-Moving motion(S s, const Vector& body_point) {
+Moving motion(S s, const Vector<double>& body_point) {
   using D = Dual<Dual<double>>;
   const auto angle = [&](std::size_t i) {
     return D(Dual<double>(s.q[i], s.v[i]), Dual<double>(s.v[i], s.truth[i]));
@@ -57,32 +59,35 @@ Moving motion(S s, const Vector& body_point) {
   return moving;
 }
 
-Vector less(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vector<double> less(const Vector<double>& a, const Vector<double>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
 /// The rate of the angular momentum about a point moving with the body, as seen from it.
-Vector momentum_rate_about(S s, const Vector& body_point) {
+Vector<double> momentum_rate_about(S s, const Vector<double>& body_point) {
   const Moving center = motion(s, body_point);
-  Vector sum{};
+  Vector<double> sum{};
   for (const Point& p : s.body.points) {
     const Moving point = motion(s, p.x);
-    const Vector moment = cross(less(point.x, center.x), less(point.a, center.a));
+    const Vector<double> moment = cross(less(point.x, center.x), less(point.a, center.a));
     for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * moment[i];
   }
   return sum;
 }
 
 /// The force on the tip: mass times the acceleration of the center of mass, less the weight.
-Vector tip_force(S s) {
+Vector<double> tip_force(S s) {
   const Moving center = motion(s, {0, 0, s.l});
   return {s.m * center.a[0], s.m * center.a[1], s.m * (center.a[2] + s.body.g)};
 }
 
-Vector tip(S s) { return {s.body.A * sin(s.body.lambda * s.t), 0, 0}; }
+Vector<double> tip(S s) { return {s.body.A * sin(s.body.lambda * s.t), 0, 0}; }
 
 /// The rates of change (theta'', phi'', psi'') of the model with Euler angles.
 Value model_accelerations(const Top& top, S s) {
-  EulerAngles::State rates;
-  EulerAngles{top}(EulerAngles{top}.start(), rates, s.t);
+  heavy_top::EulerAngles<double>::State rates;
+  const heavy_top::EulerAngles<double> model{top};
+  model(model.start(), rates, s.t);
   return {rates[3], rates[4], rates[5]};
 }
 
@@ -99,8 +104,9 @@ Value body_rates_change(S s) {
 }
 
 Value euler_equations(const Top& top, S s) {
-  RigidBody::State rates;
-  RigidBody{top}(RigidBody{top}.start(), rates, s.t);
+  heavy_top::RigidBody<double>::State rates;
+  const heavy_top::RigidBody<double> model{top};
+  model(model.start(), rates, s.t);
   return {rates[4], rates[5], rates[6]};
 }
 
@@ -110,7 +116,7 @@ double vertical_momentum_rate(S s) {
   });
 }
 
-Top at_rest(S s) { return with_fixed_tip(s.top()); }
+Top at_rest(S s) { return moving_tip::with_fixed_tip(s.top()); }
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
@@ -127,8 +133,8 @@ std::vector<Claim> claims(const Judge& judge) {
   // The accelerations are those of Lagrange's equations: what cancels is larger than the two sides.
   const auto left_by = [&](const char* text, double sign) {
     const V rest{"sum of m (x - r) x (x'' - r'') over the points, less the torque", [=](S s) {
-                   const Vector rate = momentum_rate_about(s, {0, 0, s.l}),
-                                torque = cross(less(tip(s), motion(s, {0, 0, s.l}).x), tip_force(s));
+                   const Vector<double> rate = momentum_rate_about(s, {0, 0, s.l}),
+                                        torque = cross(less(tip(s), motion(s, {0, 0, s.l}).x), tip_force(s));
                    return values(rate[0] - sign * torque[0], rate[1] - sign * torque[1],
                                  rate[2] - sign * torque[2]);
                  }};
@@ -193,7 +199,7 @@ std::vector<Claim> claims(const Judge& judge) {
                       judge.compare("rate of the angular momentum about the tip",
                                     {"l d x (-m g k - m p'')",
                                      [](S s) {
-                                       Vector rate = cross(s.top().axis(), s.top().force(s.t));
+                                       Vector<double> rate = cross(s.top().axis(), s.top().force(s.t));
                                        for (double& x : rate) x *= s.l;
                                        return rate;
                                      }},
@@ -217,16 +223,16 @@ std::vector<Claim> claims(const Judge& judge) {
       "0.73 rad at 14.17 rad/s, the frequency of the nutation.";
 
   const V summed{"sum of m x/m over the points", [](S s) {
-                   Vector sum{};
+                   Vector<double> sum{};
                    for (const Point& p : s.body.points) {
-                     const Vector x = motion(s, p.x).x;
+                     const Vector<double> x = motion(s, p.x).x;
                      for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * x[i] / s.m;
                    }
                    return sum;
                  }};
   const auto along_axis = [](const char* text, double by) {
     return V{text, [by](S s) {
-               const Vector d = s.top().axis(), p = tip(s);
+               const Vector<double> d = s.top().axis(), p = tip(s);
                return values(p[0] + by * s.l * d[0], p[1] + by * s.l * d[1], by * s.l * d[2]);
              }};
   };
@@ -245,7 +251,7 @@ std::vector<Claim> claims(const Judge& judge) {
     const Moving c = motion(s, {0, 0, s.l});
     const auto r = rotation(s.q[0], s.q[1], s.q[2]);
     const Value body = s.body_rates(), rate = euler_equations(s.top(), s);
-    Vector w{}, dw{}, arm{};
+    Vector<double> w{}, dw{}, arm{};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         w[i] += r[i][k] * body[k];
@@ -253,7 +259,7 @@ std::vector<Claim> claims(const Judge& judge) {
       }
       arm[i] = -s.l * r[i][2];
     }
-    const Vector swing = cross(dw, arm), pull = cross(w, cross(w, arm));
+    const Vector<double> swing = cross(dw, arm), pull = cross(w, cross(w, arm));
     return values(c.a[0] + swing[0] + pull[0], c.a[1] + swing[1] + pull[1], c.a[2] + swing[2] + pull[2]);
   };
   const auto shaken = [](double sign) {
@@ -276,19 +282,13 @@ Top asked(const Parameters& p) {
 }
 
 Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  Quantity axis = shaken_axis("axis", "unit vector along the axis at four times", asked(p), horizon, truth);
-  Ladder(axis, horizon, shaken_steps(), tolerances(3, 11))
-      .by_others(
-          "axis and angular momentum", AxisAndMomentum{asked(p)},
-          {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
-           {"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps the nodding"}});
-  return axis;
+  return axis(asked(p), horizon, truth);
 }
 
 Scene scene() {
   return {
       axis_of,
-      duration,
+      ex03_33::duration,
       degree,
       "lambda",
       {0.5, 1.5, 3, 6, 10, 14},
@@ -296,23 +296,24 @@ Scene scene() {
       {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
       {{"chapters/03_rigid_body_motion/35_moving_tip/models.hpp"},
        {{"fixed tip, as proposed",
-         "top::AxisAndMomentum{top::with_fixed_tip({m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, "
-         "A, lambda})}"},
-        {"small tilt", "top::SmallTilt{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+         "moving_tip::AxisAndMomentum<double>{moving_tip::with_fixed_tip<double>({m, l, mu1, mu3, g, theta, phi, psi, "
+         "dtheta, dphi, dpsi, A, lambda})}"},
+        {"small tilt",
+         "moving_tip::SmallTilt<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
         {"first order in A",
-         "top::FirstOrderInA{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+         "moving_tip::FirstOrderInA<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
         {"Euler angles",
-         "top::EulerAngles{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+         "moving_tip::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
         {"rigid body, quaternion",
-         "top::RigidBody{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+         "moving_tip::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
         {"axis and angular momentum",
-         "top::AxisAndMomentum{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}}};
+         "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  std::vector<Quantity> quantities = moving_tip_quantities(asked(p), truth);
-  quantities.insert(quantities.begin(), motion(scene(), p, truth));
-  return {claims(Judge("3.35", p["seed"], 1)), quantities};
+  std::vector<Quantity> all = quantities(asked(p), truth);
+  all.insert(all.begin(), motion(scene(), p, truth));
+  return {claims(Judge("3.35", p["seed"], 1)), all};
 }
 
 }  // namespace ex03_35

@@ -7,15 +7,17 @@
 #include <numbers>
 #include <vector>
 
+#include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
 #include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
-#include "chapters/03_rigid_body_motion/shared/top.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::top {
 
+using heavy_top::Matrix, heavy_top::Vector, heavy_top::cross, heavy_top::dot, heavy_top::rotation;
+
 struct Point {
   double m;
-  Vector x;
+  Vector<double> x;
 };
 
 /// T and V of the points, for angles q = (theta, phi, psi), rates v and time t.
@@ -51,10 +53,11 @@ struct Points {
 
 /// d/dt dL/dv - dL/dq along a motion with the accelerations a; lagrangian(q, v, t) is generic.
 template <class L>
-Vector lagrange_left(const L& lagrangian, const Vector& q, const Vector& v, const Vector& a, double t) {
+Vector<double> lagrange_left(const L& lagrangian, const Vector<double>& q, const Vector<double>& v,
+                             const Vector<double>& a, double t) {
   using Along = Dual<double>;
   using Outer = Dual<Along>;
-  Vector left;
+  Vector<double> left;
   for (std::size_t k = 0; k < 3; ++k) {
     std::array<Outer, 3> x, dx;
     std::array<Along, 3> y, dy;
@@ -71,11 +74,12 @@ Vector lagrange_left(const L& lagrangian, const Vector& q, const Vector& v, cons
 
 /// The accelerations for which it is zero: it is linear in them.
 template <class L>
-Vector lagrange_accelerations(const L& lagrangian, const Vector& q, const Vector& v, double t) {
-  const Vector rest = lagrange_left(lagrangian, q, v, {0, 0, 0}, t);
-  std::array<Vector, 3> columns;
+Vector<double> lagrange_accelerations(const L& lagrangian, const Vector<double>& q, const Vector<double>& v,
+                                      double t) {
+  const Vector<double> rest = lagrange_left(lagrangian, q, v, {0, 0, 0}, t);
+  std::array<Vector<double>, 3> columns;
   for (std::size_t k = 0; k < 3; ++k) {
-    Vector unit{0, 0, 0};
+    Vector<double> unit{0, 0, 0};
     unit[k] = 1;
     columns[k] = lagrange_left(lagrangian, q, v, unit, t);
     for (std::size_t i = 0; i < 3; ++i) columns[k][i] -= rest[i];
@@ -88,11 +92,11 @@ Vector lagrange_accelerations(const L& lagrangian, const Vector& q, const Vector
 /// A random top at a random instant of a motion with random accelerations, away from the vertical.
 struct Sample {
   Points body;
-  Vector q, v, a;
+  Vector<double> q, v, a;
   double t;
   double m = 0, l = 0, mu1 = 0, mu3 = 0;
-  Vector truth;    ///< the accelerations of Lagrange's equations
-  Vector kinetic;  ///< d/dt dT/dv - dT/dq along the accelerations a
+  Vector<double> truth;    ///< the accelerations of Lagrange's equations
+  Vector<double> kinetic;  ///< d/dt dT/dv - dT/dq along the accelerations a
 
   explicit Sample(Random& random, double shake = 0)
       : body{{}, random.between(1, 10), shake * random.between(0.1, 1), random.between(0.5, 4)},
@@ -133,11 +137,11 @@ struct Sample {
         for (std::size_t k = 0; k < 3; ++k) w[i][j] += r[k][i].value * r[k][j].slope;
     return w;
   }
-  Vector body_rates() const {
+  Vector<double> body_rates() const {
     const auto w = body_spin();
     return {w[2][1], w[0][2], w[1][0]};
   }
-  Top top() const {
+  heavy_top::Top<double> top() const {
     return {m, l, mu1, mu3, body.g, q[0], q[1], q[2], v[0], v[1], v[2], body.A, body.lambda};
   }
 
@@ -159,7 +163,7 @@ struct Sample {
 
 /// The time derivative, along the motion with the accelerations a, of f(q, v).
 template <class F>
-double rate_of(const Sample& s, const Vector& a, const F& f) {
+double rate_of(const Sample& s, const Vector<double>& a, const F& f) {
   std::array<Dual<double>, 3> q, v;
   for (std::size_t i = 0; i < 3; ++i) {
     q[i] = {s.q[i], s.v[i]};

@@ -1,44 +1,32 @@
-#pragma once
-
 // The quantities of exercise 3.33: the axis in time, its bounds, steady precession and the sleeping top.
 
 #include <cmath>
 #include <numbers>
 
-#include "chapters/03_rigid_body_motion/shared/top.hpp"
+#include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
+#include "chapters/scene.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/ode/events.hpp"
 #include "solvers/roots.hpp"
 
-namespace oddity::top {
+namespace oddity::ex03_33 {
 
-inline constexpr const char* rigid_body = "rigid body, quaternion";
-inline constexpr const char* euler_angles = "Euler angles";
-inline constexpr const char* momentum_model = "axis and angular momentum";
-inline constexpr const char* low_order = "its order is too low for this need at this step";
-inline constexpr const char* divides = "it divides by sin(phi)";
+using namespace heavy_top;
 
-inline Known true_axis(const Top& top, const Horizon& horizon, const Reference& truth) {
-  return trajectory(truth, "03_33_axis", top.inputs(), horizon);
+namespace {
+
+constexpr const char* rigid_body = "rigid body, quaternion";
+constexpr const char* euler_angles = "Euler angles";
+constexpr const char* momentum_model = "axis and angular momentum";
+constexpr const char* low_order = "its order is too low for this need at this step";
+constexpr const char* divides = "it divides by sin(phi)";
+
+std::vector<double> inputs(const Top& t) {
+  return {t.m, t.l, t.mu1, t.mu3, t.g, t.theta, t.phi, t.psi, t.dtheta, t.dphi, t.dpsi};
 }
 
-inline Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
-  Quantity q = quantity("axis", "1", "unit vector along the axis at four times",
-                        true_axis(top, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
-  Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
-      .closed_form("mean precession of a fast top", MeanPrecession{top}, Outcome::inaccurate,
-                   "the axis nods, and its mean rate is m g l/(mu3 c) in the limit of fast spin only")
-      .by_common("one angle, precession by quadrature", OneAngle{{top}}, Outcome::drifted)
-      .by_others("one angle, precession by quadrature", OneAngle{{top}},
-                 {{"modified midpoint", Outcome::inaccurate, low_order},
-                  {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps the nodding"}})
-      .by_common(euler_angles, EulerAngles{top})
-      .by_common(rigid_body, RigidBody{top}, Outcome::drifted)
-      .by<ode::ExplicitEuler>(momentum_model, AxisAndMomentum{top}, Outcome::inaccurate, low_order)
-      .by<ode::RungeKutta4>(momentum_model, AxisAndMomentum{top})
-      .by<ode::DormandPrince54>(momentum_model, AxisAndMomentum{top})
-      .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum{top});
-  return q;
+Known true_axis(const Top& top, const Horizon& horizon, const Reference& truth) {
+  return trajectory(truth, "03_33_axis", inputs(top), horizon);
 }
 
 // ---- the height of the axis: one degree of freedom --------------------------------------------------------
@@ -48,10 +36,10 @@ struct HeightCubic {
   double alpha, a, b, e, u0;
 
   explicit HeightCubic(const Top& t)
-      : alpha(t.alpha()), a(t.a()), b(t.b()), e(HeightAlone{t}.constant()), u0(std::cos(t.phi)) {}
+      : alpha(t.alpha()), a(t.a()), b(t.b()), e(HeightAlone<double>{t}.constant()), u0(std::cos(t.phi)) {}
   double operator()(double u) const { return (e - 2 * alpha * u) * (1 - u * u) - (b - a * u) * (b - a * u); }
   /// Its three roots in ascending order, the last beyond 1, by Viete's angles.
-  Vector roots() const {
+  Vector<double> roots() const {
     const double lead = 2 * alpha, third = -(e + a * a) / lead / 3, p1 = (2 * a * b - lead) / lead,
                  p0 = (e - b * b) / lead;
     const double q = third * third - p1 / 3, r = third * third * third - third * p1 / 2 + p0 / 2;
@@ -62,7 +50,7 @@ struct HeightCubic {
 };
 
 /// sn(x, k) by descending Landen steps [DLMF 22.20.2].
-inline double jacobi_sn(double x, double k) {
+double jacobi_sn(double x, double k) {
   std::array<double, 12> a{1}, c{k};
   double b = std::sqrt(1 - k * k);
   std::size_t n = 0;
@@ -97,7 +85,7 @@ struct HeightByJacobi {
   }
 };
 
-inline Quantity height(const Top& top, const Reference& truth) {
+Quantity height(const Top& top, const Reference& truth) {
   const Horizon horizon{duration};
   Known known = true_axis(top, horizon, truth);
   known.value = {known.value[2], known.value[5], known.value[8], known.value[11]};
@@ -105,19 +93,21 @@ inline Quantity height(const Top& top, const Reference& truth) {
                         {1e-7, "a fiftieth of a second of arc"});
   Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
       .closed_form("Jacobi's sn", HeightByJacobi(top))
-      .by<ode::SymplecticEuler>("one angle", Nutation{top}, Outcome::inaccurate, low_order)
-      .by<ode::VelocityVerlet>("one angle", Nutation{top}, Outcome::inaccurate, low_order)
-      .by<ode::RungeKutta4>("one angle", Nutation{top})
-      .by<ode::Fehlberg78>("one angle", Nutation{top})
-      .by<ode::RungeKutta4>("height alone", HeightAlone{top})
-      .by<ode::Fehlberg78>("height alone", HeightAlone{top});
+      .by<ode::SymplecticEuler>("one angle", Nutation<double>{top}, Outcome::inaccurate, low_order)
+      .by<ode::VelocityVerlet>("one angle", Nutation<double>{top}, Outcome::inaccurate, low_order)
+      .by<ode::RungeKutta4>("one angle", Nutation<double>{top})
+      .by<ode::Fehlberg78>("one angle", Nutation<double>{top})
+      .by<ode::RungeKutta4>("height alone", HeightAlone<double>{top})
+      .by<ode::Fehlberg78>("height alone", HeightAlone<double>{top});
   return q;
 }
 
 /// The least and the greatest height, from the first two turns of a motion.
-inline Answer followed_turns(const Top& top, double tolerance) {
-  const AxisAndMomentum model{top};
-  const auto climbing = [&](const AxisAndMomentum::State& x, double) { return x[3] * x[1] - x[4] * x[0]; };
+Answer followed_turns(const Top& top, double tolerance) {
+  const AxisAndMomentum<double> model{{top}};
+  const auto climbing = [&](const AxisAndMomentum<double>::State& x, double) {
+    return x[3] * x[1] - x[4] * x[0];
+  };
   Answer bounds{{0, 0}};
   auto state = model.start();
   double t = 0;
@@ -140,7 +130,7 @@ inline Answer followed_turns(const Top& top, double tolerance) {
   return bounds;
 }
 
-inline Quantity nutation_bounds(const Top& top, const Reference& truth) {
+Quantity nutation_bounds(const Top& top, const Reference& truth) {
   Quantity q = quantity(
       "nutation_bounds", "1", "least and greatest height cos(phi) of the axis",
       truth("03_33_bounds", {top.m, top.l, top.mu1, top.mu3, top.g, top.phi, top.dtheta, top.dphi, top.dpsi}),
@@ -166,28 +156,28 @@ inline Quantity nutation_bounds(const Top& top, const Reference& truth) {
 
 // ---- steady precession ------------------------------------------------------------------------------------
 
-inline bool has_steady_precession(const Top& t, double c) {
+bool has_steady_precession(const Top& t, double c) {
   const double u = std::cos(t.phi);  // below its tip a top has both rates at any spin, the fast one backward
   return std::abs(u) > 1e-6 && std::pow(t.mu3 * c, 2) > 4 * t.mu1 * t.m * t.g * t.l * u;
 }
 
 /// The rate of the precession that the rigid body goes through one radian with, started at the given rate.
-inline Answer followed_precession(Top top, double c, double rate, double tolerance) {
+Answer followed_precession(Top top, double c, double rate, double tolerance) {
   top.theta = top.psi = top.dphi = 0;
   top.dtheta = rate;
   top.dpsi = c - rate * std::cos(top.phi);
-  const RigidBody model{top};
+  const RigidBody<double> model{{top}};
   const double time = 1 / std::abs(rate);
   const auto end = ode::integrate<ode::Fehlberg78>(model, model.start(), 0, time, tolerance);
-  const Vector d = model.observe(end.value, time);
+  const Vector<double> d = model.observe(end.value, time);
   return answer(end, [&](const auto&) { return std::array{std::atan2(d[0], -d[1]) / time}; });
 }
 
 enum class Root { slow, fast };
 
 /// A rate of steady precession at the start's tilt, with the total spin c.
-inline Quantity steady_precession(const std::string& name, const std::string& says, const Top& top, double c,
-                                  Root which, const Reference& truth) {
+Quantity steady_precession(const std::string& name, const std::string& says, const Top& top, double c,
+                           Root which, const Reference& truth) {
   const bool slow = which == Root::slow;
   Quantity q = quantity(name, "rad/s", says,
                         truth("03_33_steady", {top.m, top.l, top.mu1, top.mu3, top.g, top.phi, c}), {});
@@ -232,7 +222,7 @@ inline Quantity steady_precession(const std::string& name, const std::string& sa
 
 /// The least spin at which a top, let go a millionth off the vertical, stays there for the given time: its
 /// tilt does not grow with the time. Bisection.
-inline Answer observed_threshold(Top top, double seconds) {
+Answer observed_threshold(Top top, double seconds) {
   constexpr double tilt = 1e-6, step = 0.045;  // the step in units of 1/sqrt(alpha)
   top.phi = tilt;
   top.theta = top.psi = top.dtheta = top.dphi = 0;
@@ -242,10 +232,11 @@ inline Answer observed_threshold(Top top, double seconds) {
   while (high - low > 1e-7 * high) {
     top.dpsi = (low + high) / 2;
     bool fell = false;
-    const auto watch = [&](double, const RigidBody::State&, double, const RigidBody::State& x) {
+    const auto watch = [&](double, const RigidBody<double>::State&, double,
+                           const RigidBody<double>::State& x) {
       return fell = 4 * (x[1] * x[1] + x[2] * x[2]) > limit * limit;
     };
-    const RigidBody model{top};
+    const RigidBody<double> model{{top}};
     const std::array times{0.0, seconds};
     const auto run = ode::integrate<ode::RungeKutta4>(model, model.start(), std::span<const double>(times),
                                                       step / fall, watch);
@@ -256,7 +247,7 @@ inline Answer observed_threshold(Top top, double seconds) {
   return threshold;
 }
 
-inline Quantity sleeping_threshold(const Top& top) {
+Quantity sleeping_threshold(const Top& top) {
   const double exact = 2 * std::sqrt(top.mu1 * top.m * top.g * top.l) / top.mu3;
   Quantity q{"sleeping_threshold",
              "rad/s",
@@ -283,7 +274,7 @@ inline Quantity sleeping_threshold(const Top& top) {
 
 // ---- at and near the vertical -----------------------------------------------------------------------------
 
-inline Quantity struck_upright(const Top& top, const Reference& truth) {
+Quantity struck_upright(const Top& top, const Reference& truth) {
   Top upright = top;
   upright.theta = upright.phi = upright.psi = upright.dtheta = 0;
   upright.dphi = 0.5;
@@ -293,11 +284,11 @@ inline Quantity struck_upright(const Top& top, const Reference& truth) {
                         "axis of the same top struck while it stands upright with a spin of 16 rad/s",
                         true_axis(upright, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
   Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
-      .by<ode::RungeKutta4>(euler_angles, EulerAngles{upright}, Outcome::non_finite, divides)
-      .by<ode::DormandPrince54>(euler_angles, EulerAngles{upright}, Outcome::non_finite, divides)
-      .by<ode::RungeKutta4>(rigid_body, RigidBody{upright})
-      .by<ode::DormandPrince54>(rigid_body, RigidBody{upright})
-      .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum{upright});
+      .by<ode::RungeKutta4>(euler_angles, EulerAngles<double>{{upright}}, Outcome::non_finite, divides)
+      .by<ode::DormandPrince54>(euler_angles, EulerAngles<double>{{upright}}, Outcome::non_finite, divides)
+      .by<ode::RungeKutta4>(rigid_body, RigidBody<double>{{upright}})
+      .by<ode::DormandPrince54>(rigid_body, RigidBody<double>{{upright}})
+      .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum<double>{{upright}});
   return q.add(Breakdown{
       "Upright, the precession and the spin are turns about one line, and the Euler angles' equations divide "
       "by sin(phi) = 0. The quaternion has no such place.",
@@ -305,7 +296,7 @@ inline Quantity struck_upright(const Top& top, const Reference& truth) {
       "rigid body, quaternion, Runge-Kutta 4", 0.00048828125});
 }
 
-inline Quantity past_the_vertical(const Top& top, const Reference& truth) {
+Quantity past_the_vertical(const Top& top, const Reference& truth) {
   Top grazing = top;
   grazing.dtheta = 6.4;
   grazing.dphi = -0.5;
@@ -314,11 +305,11 @@ inline Quantity past_the_vertical(const Top& top, const Reference& truth) {
   Quantity q = quantity("past_the_vertical", "1", "axis of the same top that passes close to the vertical",
                         true_axis(grazing, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
   Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
-      .by<ode::RungeKutta4>(euler_angles, EulerAngles{grazing})
-      .by<ode::Fehlberg78>(euler_angles, EulerAngles{grazing})
-      .by<ode::RungeKutta4>(rigid_body, RigidBody{grazing})
-      .by<ode::Fehlberg78>(rigid_body, RigidBody{grazing})
-      .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum{grazing});
+      .by<ode::RungeKutta4>(euler_angles, EulerAngles<double>{{grazing}})
+      .by<ode::Fehlberg78>(euler_angles, EulerAngles<double>{{grazing}})
+      .by<ode::RungeKutta4>(rigid_body, RigidBody<double>{{grazing}})
+      .by<ode::Fehlberg78>(rigid_body, RigidBody<double>{{grazing}})
+      .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum<double>{{grazing}});
   return q.add(Breakdown{
       "Where the axis passes 0.012 rad from the vertical, the rate of precession peaks as 1/sin^2(phi), and "
       "equal steps that serve the quaternion to nine digits lose three of them with Euler angles; at a "
@@ -327,7 +318,7 @@ inline Quantity past_the_vertical(const Top& top, const Reference& truth) {
       "rigid body, quaternion, Runge-Kutta 4", 0.00048828125});
 }
 
-inline Quantity looping(const Top& top, const Reference& truth) {
+Quantity looping(const Top& top, const Reference& truth) {
   Top hanging = top;
   hanging.theta = hanging.psi = 0;
   hanging.phi = 2;
@@ -337,16 +328,37 @@ inline Quantity looping(const Top& top, const Reference& truth) {
   Quantity q = quantity("looping", "1", "axis of the same top hanging below its tip, its spin slow",
                         true_axis(hanging, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
   Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
-      .by<ode::Fehlberg78>("one angle, precession by quadrature", OneAngle{{hanging}})
-      .by<ode::RungeKutta4>(euler_angles, EulerAngles{hanging})
-      .by<ode::Fehlberg78>(euler_angles, EulerAngles{hanging})
-      .by<ode::RungeKutta4>(rigid_body, RigidBody{hanging})
-      .by<ode::Fehlberg78>(rigid_body, RigidBody{hanging})
-      .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum{hanging});
+      .by<ode::Fehlberg78>("one angle, precession by quadrature", OneAngle<double>{hanging})
+      .by<ode::RungeKutta4>(euler_angles, EulerAngles<double>{{hanging}})
+      .by<ode::Fehlberg78>(euler_angles, EulerAngles<double>{{hanging}})
+      .by<ode::RungeKutta4>(rigid_body, RigidBody<double>{{hanging}})
+      .by<ode::Fehlberg78>(rigid_body, RigidBody<double>{{hanging}})
+      .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum<double>{{hanging}});
   return q;
 }
 
-inline std::vector<Quantity> heavy_top_quantities(const Top& top, const Reference& truth) {
+}  // namespace
+
+Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
+  Quantity q = quantity("axis", "1", "unit vector along the axis at four times",
+                        true_axis(top, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
+  Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
+      .closed_form("mean precession of a fast top", MeanPrecession<double>{top}, Outcome::inaccurate,
+                   "the axis nods, and its mean rate is m g l/(mu3 c) in the limit of fast spin only")
+      .by_common("one angle, precession by quadrature", OneAngle<double>{top}, Outcome::drifted)
+      .by_others("one angle, precession by quadrature", OneAngle<double>{top},
+                 {{"modified midpoint", Outcome::inaccurate, low_order},
+                  {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps the nodding"}})
+      .by_common(euler_angles, EulerAngles<double>{{top}})
+      .by_common(rigid_body, RigidBody<double>{{top}}, Outcome::drifted)
+      .by<ode::ExplicitEuler>(momentum_model, AxisAndMomentum<double>{{top}}, Outcome::inaccurate, low_order)
+      .by<ode::RungeKutta4>(momentum_model, AxisAndMomentum<double>{{top}})
+      .by<ode::DormandPrince54>(momentum_model, AxisAndMomentum<double>{{top}})
+      .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum<double>{{top}});
+  return q;
+}
+
+std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
   std::vector<Quantity> all{height(top, truth), nutation_bounds(top, truth), sleeping_threshold(top)};
   if (has_steady_precession(top, top.dpsi)) {
     const std::string says = "rate at the start's tilt and total spin dpsi";
@@ -374,4 +386,4 @@ inline std::vector<Quantity> heavy_top_quantities(const Top& top, const Referenc
   return all;
 }
 
-}  // namespace oddity::top
+}  // namespace oddity::ex03_33

@@ -1,46 +1,50 @@
-#pragma once
-
 // The quantities of exercise 3.35: the top whose tip is at (A sin(lambda t), 0, 0).
 
-#include "chapters/03_rigid_body_motion/shared/top.hpp"
-#include "chapters/03_rigid_body_motion/35_moving_tip/models.hpp"
+#include <cmath>
 
-namespace oddity::top {
+#include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
+#include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
+#include "chapters/scene.hpp"
 
-inline std::vector<double> shaken_inputs(const Top& top) {
-  auto in = top.inputs();
-  in.insert(in.end(), {top.A, top.lambda});
-  return in;
+namespace oddity::ex03_35 {
+
+using namespace moving_tip;
+
+namespace {
+
+std::vector<double> inputs(const Top& top) {
+  return {top.m,   top.l,      top.mu1,  top.mu3,  top.g, top.theta, top.phi,
+          top.psi, top.dtheta, top.dphi, top.dpsi, top.A, top.lambda};
 }
 
-inline constexpr const char* fixed_tip = "fixed tip, as proposed";
-inline constexpr const char* separate = "the accelerated tip turns the top";
+constexpr const char* fixed_tip = "fixed tip, as proposed";
+constexpr const char* separate = "the accelerated tip turns the top";
 
-inline Knob shaken_steps() { return halving("step", 0.03125, 8); }
+Knob shaken_steps() { return halving("step", 0.03125, 8); }
 
-inline Quantity shaken_axis(const std::string& name, const std::string& says, const Top& top,
-                            const Horizon& horizon, const Reference& truth) {
+Quantity shaken_axis(const std::string& name, const std::string& says, const Top& top, const Horizon& horizon,
+                     const Reference& truth) {
   const std::string tilted = "Euler angles", quaternion = "rigid body, quaternion",
                     momentum = "axis and angular momentum", first = "first order in A",
                     order = "its order is too low for this need at this step",
                     squares = "terms of order A^2 are left out";
-  const AxisAndMomentum proposed{with_fixed_tip(top)}, full{top};
-  const FirstOrderInA linear{top};
+  const AxisAndMomentum<double> proposed{with_fixed_tip(top)}, full{top};
+  const FirstOrderInA<double> linear{top};
   constexpr Outcome off = Outcome::inaccurate;
-  Quantity q = quantity(name, "1", says, trajectory(truth, "03_35_axis", shaken_inputs(top), horizon),
+  Quantity q = quantity(name, "1", says, trajectory(truth, "03_35_axis", inputs(top), horizon),
                         {1e-7, "a fiftieth of a second of arc"});
   Ladder(q, horizon, shaken_steps(), tolerances(3, 11))
       .by<ode::ExplicitEuler>(fixed_tip, proposed, off, separate)
       .by<ode::RungeKutta4>(fixed_tip, proposed, off, separate)
       .by<ode::DormandPrince54>(fixed_tip, proposed, off, separate)
       .by<ode::Fehlberg78>(fixed_tip, proposed, off, separate)
-      .closed_form("small tilt", SmallTilt{top}, off, "the tilt is not small")
+      .closed_form("small tilt", SmallTilt<double>{top}, off, "the tilt is not small")
       .by<ode::ExplicitEuler>(first, linear, off, squares)
       .by<ode::RungeKutta4>(first, linear, off, squares)
       .by<ode::DormandPrince54>(first, linear, off, squares)
       .by<ode::Fehlberg78>(first, linear, off, squares)
-      .by_common(tilted, EulerAngles{top})
-      .by_common(quaternion, RigidBody{top}, Outcome::drifted)
+      .by_common(tilted, EulerAngles<double>{top})
+      .by_common(quaternion, RigidBody<double>{top}, Outcome::drifted)
       .by<ode::ExplicitEuler>(momentum, full, off, order)
       .by<ode::RungeKutta4>(momentum, full)
       .by<ode::DormandPrince54>(momentum, full)
@@ -52,29 +56,30 @@ inline Quantity shaken_axis(const std::string& name, const std::string& says, co
       "rigid body, quaternion, Fehlberg 7(8)", 1e-11});
 }
 
-inline Quantity nearly_upright(Top top, const Reference& truth) {
+Quantity nearly_upright(Top top, const Reference& truth) {
   top.phi = 0.015625;
   top.dtheta = top.dphi = 0;
   top.A /= 16;
-  const Horizon horizon{duration};
+  const Horizon horizon{ex03_33::duration};
   Quantity q =
       quantity("nearly_upright", "1", "axis of the same top let go one degree off the vertical, A / 16",
-               trajectory(truth, "03_35_axis", shaken_inputs(top), horizon),
+               trajectory(truth, "03_35_axis", inputs(top), horizon),
                {1e-4, "twenty seconds of arc: nothing that is seen"});
   Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 9))
-      .by<ode::Fehlberg78>(fixed_tip, AxisAndMomentum{with_fixed_tip(top)}, Outcome::inaccurate, separate)
-      .closed_form("small tilt", SmallTilt{top})
-      .by<ode::Fehlberg78>("first order in A", FirstOrderInA{top})
-      .by<ode::Fehlberg78>("Euler angles", EulerAngles{top})
-      .by<ode::RungeKutta4>("rigid body, quaternion", RigidBody{top})
-      .by<ode::Fehlberg78>("axis and angular momentum", AxisAndMomentum{top});
+      .by<ode::Fehlberg78>(fixed_tip, AxisAndMomentum<double>{with_fixed_tip(top)}, Outcome::inaccurate,
+                           separate)
+      .closed_form("small tilt", SmallTilt<double>{top})
+      .by<ode::Fehlberg78>("first order in A", FirstOrderInA<double>{top})
+      .by<ode::Fehlberg78>("Euler angles", EulerAngles<double>{top})
+      .by<ode::RungeKutta4>("rigid body, quaternion", RigidBody<double>{top})
+      .by<ode::Fehlberg78>("axis and angular momentum", AxisAndMomentum<double>{top});
   return q;
 }
 
 // ---- how far the fixed-tip motion is from the truth -------------------------------------------------------
 
 /// The frequency at which a top nutates about its steady precession, seen from the world, to a 64th.
-inline double nutation_frequency(const Top& t) {
+double nutation_frequency(const Top& t) {
   const double u = std::cos(t.phi), inside = t.a() * t.a() - 4 * t.alpha() * u;
   if (inside < 0) return t.a();
   const double slow = 2 * t.alpha() / (t.a() + std::sqrt(inside));
@@ -83,7 +88,7 @@ inline double nutation_frequency(const Top& t) {
 }
 
 /// (A, lambda), (A/8, lambda), (A, 2 lambda), and A at the nutation's frequency.
-inline std::array<Top, 4> shakings(const Top& top) {
+std::array<Top, 4> shakings(const Top& top) {
   std::array<Top, 4> all{top, top, top, top};
   all[1].A /= 8;
   all[2].lambda *= 2;
@@ -91,12 +96,12 @@ inline std::array<Top, 4> shakings(const Top& top) {
   return all;
 }
 
-inline double angle_between(const Vector& a, const Vector& b) {
-  const Vector normal = cross(a, b);
+double angle_between(const Vector<double>& a, const Vector<double>& b) {
+  const Vector<double> normal = cross(a, b);
   return std::atan2(std::sqrt(dot(normal, normal)), dot(a, b));
 }
 
-inline constexpr double observed_after = 4;
+constexpr double observed_after = 4;
 
 template <class Algorithm, class Model>
 Answer followed_deviation(const Top& top, double tolerance) {
@@ -116,14 +121,14 @@ Answer followed_deviation(const Top& top, double tolerance) {
   return answer;
 }
 
-inline Quantity deviation(const Top& top, const Reference& truth) {
+Quantity deviation(const Top& top, const Reference& truth) {
   const auto axis_at = [&](const Top& t) {
-    auto in = shaken_inputs(t);
+    auto in = inputs(t);
     in.push_back(observed_after);
     return truth("03_35_axis", in);
   };
   Known known = axis_at(with_fixed_tip(top));
-  const Vector still{known.value[0], known.value[1], known.value[2]};
+  const Vector<double> still{known.value[0], known.value[1], known.value[2]};
   known.value.clear();
   known.error = 1e-15;
   for (const Top& shaken : shakings(top)) {
@@ -141,28 +146,40 @@ inline Quantity deviation(const Top& top, const Reference& truth) {
          },
          Outcome::inaccurate, separate});
   q.add({"first order in A", "Fehlberg 7(8)", tolerances(3, 11),
-         [=](double e) { return followed_deviation<ode::Fehlberg78, FirstOrderInA>(top, e); },
+         [=](double e) { return followed_deviation<ode::Fehlberg78, FirstOrderInA<double>>(top, e); },
          Outcome::inaccurate, "terms of order A^2 are left out"});
   q.add({"Euler angles", "Fehlberg 7(8)", tolerances(3, 11),
-         [=](double e) { return followed_deviation<ode::Fehlberg78, EulerAngles>(top, e); }});
+         [=](double e) { return followed_deviation<ode::Fehlberg78, EulerAngles<double>>(top, e); }});
   q.add({"rigid body, quaternion", "Fehlberg 7(8)", tolerances(3, 11),
-         [=](double e) { return followed_deviation<ode::Fehlberg78, RigidBody>(top, e); }});
+         [=](double e) { return followed_deviation<ode::Fehlberg78, RigidBody<double>>(top, e); }});
   q.add({"axis and angular momentum", "Fehlberg 7(8)", tolerances(3, 11),
-         [=](double e) { return followed_deviation<ode::Fehlberg78, AxisAndMomentum>(top, e); }});
+         [=](double e) { return followed_deviation<ode::Fehlberg78, AxisAndMomentum<double>>(top, e); }});
   return q;
 }
 
-inline std::vector<Quantity> moving_tip_quantities(const Top& top, const Reference& truth) {
+}  // namespace
+
+Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
+  Quantity q = shaken_axis("axis", "unit vector along the axis at four times", top, horizon, truth);
+  Ladder(q, horizon, shaken_steps(), tolerances(3, 11))
+      .by_others(
+          "axis and angular momentum", AxisAndMomentum<double>{top},
+          {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
+           {"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps the nodding"}});
+  return q;
+}
+
+std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
   Top resonant = top, strong = top;
   resonant.A /= 8;
   resonant.lambda = nutation_frequency(top);
   strong.A *= 4;
   strong.lambda += 5;
-  const Horizon horizon{duration};
+  const Horizon horizon{ex03_33::duration};
   return {shaken_axis("near_resonance", "the same with A / 8 at the nutation's frequency", resonant, horizon,
                       truth),
           shaken_axis("strong_shaking", "the same with 4 A, 5 rad/s faster", strong, horizon, truth),
           nearly_upright(top, truth), deviation(top, truth)};
 }
 
-}  // namespace oddity::top
+}  // namespace oddity::ex03_35

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
+#include "chapters/exercise.hpp"
+
+/// Exercise 3.33's methods and claims.
+namespace oddity::ex03_33 {
+
+using Top = heavy_top::Given<double>;
+
+inline constexpr double duration = 4;  ///< s, for which the axis is looked at
+
+Quantity axis(const Top&, const Horizon&, const Reference&);
+std::vector<Quantity> quantities(const Top&, const Reference&);
+
+}  // namespace oddity::ex03_33
