@@ -25,6 +25,7 @@
 #include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/models.hpp"
 #include "chapters/contents.hpp"
+#include "chapters/scene.hpp"
 #include "report/choose.hpp"
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
@@ -44,7 +45,7 @@ void for_each_model(const See& see) {
   using std::numbers::pi;
   see("2.7", "matrix", curve_on_sphere::AsMatrix<double>{{{1}}}, 4.0);
   see("2.7", "quaternion", curve_on_sphere::AsQuaternion<double>{{{1}}}, 4.0);
-  const kepler::Start earth{4 * pi * pi, 1, 1, 0.09375, 1.75, 6.25};
+  const kepler::Given<double> earth{4 * pi * pi, 1, 1, 0.09375, 1.75, 6.25};
   see("3.3", "equation (2)", kepler::Distance<double>{earth}, 2.0);
   see("3.3", "polar", kepler::Polar<double>{earth}, 2.0);
   see("3.3", "Cartesian", kepler::Cartesian<double>{earth}, 2.0);
@@ -85,7 +86,7 @@ void for_each_model(const See& see) {
                                    {0.25, 0.375, 0.5}, {0, 0, 0}};
   see("3.25", "dense mass matrix", chain::Angles<double, chain::Equations::dense>{links}, 4.0);
   see("3.25", "tensions", chain::Angles<double, chain::Equations::tensions>{links}, 4.0);
-  const two_bodies::Bodies bodies{1, 2, 1, 1, 0.25, 0.5, 1.5};
+  const two_bodies::Given<double> bodies{1, 2, 1, 1, 0.25, 0.5, 1.5};
   see("3.27", "(r, u, phi)", two_bodies::Published<double>{bodies}, 4.0);
   see("3.27", "two bodies", two_bodies::BothBodies<double>{bodies}, 4.0);
   const planar_wire::Thrown<double> wire{6, 0.5, 2, 5, 6, 9.81, {0.25, 0.5}};
