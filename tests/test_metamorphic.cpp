@@ -17,7 +17,7 @@
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/pipe_and_disk.hpp"
 #include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
 #include "chapters/03_rigid_body_motion/23_spring_bar/spring_bar.hpp"
-#include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
+#include "chapters/03_rigid_body_motion/13_tilted_chute/models.hpp"
 #include "chapters/03_rigid_body_motion/shared/top.hpp"
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
 #include "chapters/03_rigid_body_motion/27_two_bodies/two_bodies.hpp"
