@@ -1,113 +1,23 @@
 #pragma once
 
-// The quantities of exercise 3.13.
-
-#include <cmath>
-#include <numbers>
-#include <string>
+#include <vector>
 
 #include "chapters/03_rigid_body_motion/13_tilted_chute/models.hpp"
-#include "chapters/03_rigid_body_motion/shared/height_field.hpp"
 #include "chapters/scene.hpp"
 
-namespace oddity::tilted_chute {
+/// What the files of exercise 3.13 share.
+namespace oddity::ex03_13 {
 
-/// The Lagrangian of a unit mass in the distance along the axis and the angle about it, of the position
-/// alone.
-struct AlongAndAbout {
-  Chute<double> chute;
-  double g;
+using Ball = tilted_chute::Given<double>;
 
-  template <class T>
-  T operator()(const Two<T>& q, const Two<T>& v) const {
-    const auto x = chute.position(Dual<T>(q[0], v[0]), Dual<T>(q[1], v[1]));
-    return T(0.5) * (x[0].slope * x[0].slope + x[1].slope * x[1].slope + x[2].slope * x[2].slope) -
-           T(g) * x[2].value;
-  }
-};
+// methods.cpp
+Quantity swing(const Ball&, const Horizon&, const Reference&);
+Quantity below_rim(const Ball&, const Horizon&, const Reference&);
+Quantity on_center(const Ball&, const Horizon&, const Reference&);
+Quantity from_rim(const Ball&, const Horizon&, const Reference&);
 
-inline const std::string center = "center line", small = "small angle", exact_angle = "elliptic angle",
-                         about = "angle about the axis", plane = "height field",
-                         space = "Cartesian with constraint";
+// claims.cpp
+std::vector<Claim> claims(double seed);
+std::vector<Root> roots();
 
-inline Quantity slide(const std::string& name, const std::string& says, const Given<double>& c,
-                      const Horizon& horizon, const Reference& truth) {
-  Quantity position = quantity(
-      name, "m", says, trajectory(truth, "03_13_chute", {c.R, c.L, c.H, c.g, c.phi, c.u}, horizon), {});
-  position.need = {1e-8 * size_of(position.reference.value), "eight digits of the farthest coordinate"};
-  return position;
-}
-
-/// The ladder up to the angle; the height field and space are the caller's.
-inline Ladder swinging(Quantity& position, const Given<double>& c, const Horizon& horizon) {
-  Ladder ladder(position, horizon, halving("step", 0.125, 10), tolerances(3, 11));
-  ladder.closed_form(center, CenterLine<double>{c}, Outcome::inaccurate, "the ball is beside the center line")
-      .closed_form(small, SmallAngle<double>{c}, Outcome::inaccurate, "the period grows with the amplitude")
-      .closed_form(exact_angle, EllipticAngle<double>(c))
-      .by_common(about, Angle<double>{c})
-      .by_common(space, InSpace<double>{c});
-  return ladder;
-}
-
-inline const std::string low_order = "its order is too low for this need at this step";
-
-inline Quantity swing(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
-  Quantity position =
-      slide("swing", "position at " + times_up_to(horizon) + " of a ball let go beside the center line", c,
-            horizon, truth);
-  swinging(position, c, horizon)
-      .by_common(plane, in_plane(c))
-      .by_others(about, Angle<double>{c},
-                 {{"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps every swing"}});
-  return position;
-}
-
-inline Quantity below_rim(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
-  Quantity position = slide("steep", "the same from phi = 1.5, just below the rim", c, horizon, truth);
-  swinging(position, c, horizon)
-      .by<ode::ExplicitEuler>(plane, in_plane(c), Outcome::inaccurate, low_order)
-      .by<ode::RungeKutta4>(plane, in_plane(c))
-      .by<ode::CashKarp54>(plane, in_plane(c))
-      .by<ode::DormandPrince54>(plane, in_plane(c))
-      .by<ode::Fehlberg78>(plane, in_plane(c))
-      .by<ode::BulirschStoer>(plane, in_plane(c), Outcome::non_finite,
-                              "its long trial steps leave the chute, |x2| > R");
-  return position.add(Breakdown{
-      "Near the rim the coarse first substeps of a long trial step leave the chute, where the height has no "
-      "value, and the step is taken as if all were well. In the angle there is nothing to leave.",
-      plane + ", Bulirsch-Stoer", 1e-11, Outcome::non_finite, about + ", Bulirsch-Stoer", 1e-11});
-}
-
-inline Quantity on_center(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
-  Quantity position = slide("center", "the same from the center line", c, horizon, truth);
-  Ladder(position, horizon, halving("step", 0.125, 10), tolerances(3, 11))
-      .closed_form(center, CenterLine<double>{c})
-      .closed_form(small, SmallAngle<double>{c})
-      .closed_form(exact_angle, EllipticAngle<double>(c))
-      .by<ode::ExplicitEuler>(plane, in_plane(c), Outcome::inaccurate, low_order)
-      .by<ode::RungeKutta4>(plane, in_plane(c))
-      .by<ode::DormandPrince54>(plane, in_plane(c))
-      .by<ode::RungeKutta4>(space, InSpace<double>{c})
-      .by<ode::DormandPrince54>(space, InSpace<double>{c});
-  return position;
-}
-
-inline Quantity from_rim(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
-  const std::string why = "at |x2| = R the height's slope is infinite";
-  Quantity position = slide("rim", "the same from the rim, x2 = R", c, horizon, truth);
-  Ladder(position, horizon, halving("step", 0.125, 10), tolerances(3, 11))
-      .closed_form(small, SmallAngle<double>{c}, Outcome::inaccurate, "the period grows with the amplitude")
-      .closed_form(exact_angle, EllipticAngle<double>(c))
-      .by<ode::RungeKutta4>(about, Angle<double>{c})
-      .by<ode::DormandPrince54>(about, Angle<double>{c})
-      .by<ode::RungeKutta4>(plane, in_plane(c), Outcome::non_finite, why)
-      .by<ode::DormandPrince54>(plane, in_plane(c), Outcome::non_finite, why)
-      .by<ode::RungeKutta4>(space, InSpace<double>{c})
-      .by<ode::DormandPrince54>(space, InSpace<double>{c});
-  return position.add(Breakdown{
-      "On the rim the height field has no slope: the ball let go there never gets a state that is "
-      "a number. The angle about the axis knows no rim.",
-      plane + ", Runge-Kutta 4", 0.0009765625, Outcome::non_finite, about + ", Runge-Kutta 4", 0.0009765625});
-}
-
-}  // namespace oddity::tilted_chute
+}  // namespace oddity::ex03_13

@@ -1,0 +1,741 @@
+// The claims of exercise 3.13. The cylinder's formulas are tried on points made by walking along the axis and
+// turning about it; partial derivatives are taken by dual numbers; the equations of motion are Lagrange's,
+// the Lagrangian differentiated by nested dual numbers, in the plane's coordinates and in those of the
+// cylinder, s along its axis and phi about it.
+
+#include "chapters/claims.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
+#include "chapters/03_rigid_body_motion/shared/height_field.hpp"
+#include "reference/text.hpp"
+
+namespace oddity::ex03_13 {
+
+using namespace tilted_chute;
+using std::abs, std::cos, std::hypot, std::sin, std::sqrt, std::numbers::pi;
+using Point = std::array<double, 3>;
+
+/// The Lagrangian of a unit mass in the distance along the axis and the angle about it, of the position
+/// alone.
+struct AlongAndAbout {
+  Chute<double> chute;
+  double g;
+
+  template <class T>
+  T operator()(const Two<T>& q, const Two<T>& v) const {
+    const auto x = chute.position(Dual<T>(q[0], v[0]), Dual<T>(q[1], v[1]));
+    return T(0.5) * (x[0].slope * x[0].slope + x[1].slope * x[1].slope + x[2].slope * x[2].slope) -
+           T(g) * x[2].value;
+  }
+};
+
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Point sum(const Point& a, const Point& b, double factor = 1) {
+  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Point unit(const Point& a) { return sum({}, a, 1 / sqrt(dot(a, a))); }
+
+/// Y^T (I + sign D D^T) Y with the matrix written out.
+double quadratic(const Point& y, const Point& d, double sign = -1) {
+  double total = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) total += y[i] * ((i == j ? 1 : 0) + sign * d[i] * d[j]) * y[j];
+  return total;
+}
+
+/// A point X of a cylinder about P + t D: along the axis, then R away from it. U, V, D are orthonormal.
+struct OnCylinder {
+  double R, t;
+  Point P, D, U, V, X, Y;
+
+  explicit OnCylinder(Random& random)
+      : R(random.between(0.2, 3)),
+        t(random.magnitude(0.1, 3)),
+        P(random.point(3)),
+        D(random.direction()),
+        U(unit(cross(D, random.direction()))),
+        V(cross(D, U)),
+        X(sum(sum(P, D, t), unit(cross(D, random.direction())), R)),
+        Y(sum(X, P, -1)) {}
+  std::vector<double*> letters() {
+    std::vector<double*> all{&R, &t};
+    for (Point* point : {&P, &D, &U, &V, &X, &Y})
+      for (double& x : *point) all.push_back(&x);
+    return all;
+  }
+  std::string where() const { return "R = " + rounded(R, 4) + ", t = " + rounded(t, 4); }
+  double y1() const { return dot(U, Y); }
+  double y2() const { return dot(V, Y); }
+  double y3() const { return dot(D, Y); }
+};
+
+/// A chute, a place and a velocity in the plane, a friction, an angle and a way along the axis.
+struct OnChute {
+  Chute<double> chute;
+  double g, x1, x2, x3, v1, v2, k, phi, way;
+
+  explicit OnChute(Random& random)
+      : chute{random.between(0.5, 3), random.between(2, 10), 0},
+        g(random.between(0.5, 20)),
+        x1(random.magnitude(0.05, 3)),
+        x2(chute.R * random.magnitude(0.05, 0.9)),
+        x3(random.magnitude(0.05, 3)),
+        v1(random.magnitude(0.05, 3)),
+        v2(random.magnitude(0.05, 3)),
+        k(random.between(0.1, 2)),
+        phi(random.magnitude(0.05, 1.4)),
+        way(random.magnitude(0.05, 3)) {
+    chute.H = chute.L * sin(random.between(0.1, 1.4));
+  }
+  double cosine() const { return sqrt(chute.L * chute.L - chute.H * chute.H) / chute.L; }
+  double theta() const { return std::asin(chute.H / chute.L); }
+  std::array<double*, 12> letters() {
+    return {&chute.R, &chute.L, &chute.H, &g, &x1, &x2, &x3, &v1, &v2, &k, &phi, &way};
+  }
+  std::string where() const {
+    return "theta = " + rounded(theta(), 4) + ", R = " + rounded(chute.R, 4) + ", x2 = " + rounded(x2, 4) +
+           ", v = (" + rounded(v1, 4) + ", " + rounded(v2, 4) + ")";
+  }
+  /// (x1'', x2'') from the Lagrangian of the height, with friction and a side wind over the mass.
+  Value accelerations(double friction = 0, double wind = 0) const {
+    using D = Dual<double>;
+    const double n1 = chute.height(D(x1, 1), D(x2)).slope, n2 = chute.height(D(x1), D(x2, 1)).slope;
+    const double rise = chute.height(D(x1, v1), D(x2, v2)).slope;
+    const Pair force{-friction * (v1 + n1 * rise), wind - friction * (v2 + n2 * rise)};
+    return lagrange_accelerations(height_field::Lagrangian<Chute<double>>{chute, g}, {x1, x2}, {v1, v2},
+                                  force);
+  }
+  /// The same without forces from the Lagrangian in the way along the axis and the angle about it.
+  Value accelerations_about_axis() const {
+    const double angle = std::asin(x2 / chute.R), turning = v2 / (chute.R * cos(angle));
+    const double along = (x1 - chute.R * (1 - cos(angle)) * chute.s()) / chute.c();
+    const double speed = (v1 - chute.R * sin(angle) * turning * chute.s()) / chute.c();
+    const Pair a = lagrange_accelerations(AlongAndAbout{chute, g}, {along, angle}, {speed, turning});
+    const auto x = [&](std::size_t i) {
+      return [&, i](const auto& t) {
+        return chute.position(along + speed * t + 0.5 * a[0] * t * t,
+                              angle + turning * t + 0.5 * a[1] * t * t)[i];
+      };
+    };
+    return {second_derivative(x(0), 0.0), second_derivative(x(1), 0.0)};
+  }
+
+  double d1() const { return -cosine(); }
+  double d3() const { return chute.H / chute.L; }
+  double p3() const { return chute.R / cosine(); }
+  /// Any point against the cylinder.
+  double excess() const { return quadratic({x1, x2, x3 - p3()}, {d1(), 0, d3()}) - chute.R * chute.R; }
+  /// A point of the chute's half of the cylinder, or, turned by pi, of the other.
+  Point on_it(bool other_half = false) const { return chute.position(way, other_half ? phi + pi : phi); }
+  /// d^2 h / dx_i dx_j by nested dual numbers.
+  double second(int i, int j) const {
+    using Along = Dual<double>;
+    const auto x = [&](int n, double value) {
+      return Dual<Along>(Along(value, i == n ? 1.0 : 0.0), Along(j == n ? 1.0 : 0.0, 0.0));
+    };
+    return chute.height(x(1, x1), x(2, x2)).slope.slope;
+  }
+  /// The same chute and ball with no place and no speed across.
+  OnChute on_center() const {
+    OnChute there = *this;
+    there.x2 = there.v2 = 0;
+    return there;
+  }
+  /// x1'' on the center line of a chute of another angle.
+  double at_angle(double angle) const {
+    OnChute there = on_center();
+    there.chute.H = chute.L * sin(angle);
+    return there.accelerations()[0];
+  }
+  /// The published accelerations; `square` stands for x2'^2 and `slope` for h_x1.
+  Value published(double square, double slope, double gravity = 1) const {
+    const double R2 = chute.R * chute.R, c = cosine(), r = depth(), tangent = chute.H / (chute.L * c);
+    const double above = R2 * square / (r * r * r * c) + gravity * g;
+    const double factor = -above / (1 + tangent * tangent + x2 * x2 / (r * r * c * c));
+    return values(factor * slope, factor * x2 / (r * c));
+  }
+  double slope() const { return -chute.H / (chute.L * cosine()); }
+  double depth() const { return sqrt(chute.R * chute.R - x2 * x2); }
+
+  double bracket(const Point& x) const { return d1() * (x[2] - p3()) - d3() * x[0]; }
+  double depth_at(const Point& x) const { return sqrt(chute.R * chute.R - x[1] * x[1]); }
+};
+
+// ---- the cylinder -----------------------------------------------------------------------------------------
+
+void cylinder(Claims& claims, double seed) {
+  using S = const OnCylinder&;
+  using Form = Formula<OnCylinder>;
+  const auto samples = draw<OnCylinder>(200, seed);
+  const Form square{"$R^2$, the point having been put $R$ from the axis", [](S s) { return s.R * s.R; }};
+  const auto across = [](S s) { return sum(sum({}, s.U, s.y1()), s.V, s.y2()); };
+  const auto squares = [](S s) { return s.y1() * s.y1() + s.y2() * s.y2(); };
+
+  claims.formula<OnCylinder>(
+      "cylinder", 1587, "the equation of the cylinder of radius $R$ about the line $P+tD$, $|D|=1$", samples,
+      {.truth = square,
+       .printed = {"$(X-P)^T(I-DD^T)(X-P)=R^2$", [](S s) { return quadratic(s.Y, s.D); }},
+       .near_misses = {{"$(X-P)^T(I+DD^T)(X-P)=R^2$", [](S s) { return quadratic(s.Y, s.D, 1); }},
+                       {"$X^T(I-DD^T)X=R^2$", [](S s) { return quadratic(s.X, s.D); }}}});
+  const auto of_products = [](std::string text, const Point OnCylinder::*third) -> Form {
+    return {std::move(text),
+            [=](S s) { return sum(sum(sum(s.P, s.U, s.y1()), s.V, s.y2()), s.D, dot(s.D, s.*third)); }};
+  };
+  claims.formula<OnCylinder>(
+      "coordinates", 1595,
+      R"($X=P+y_1U+y_2V+y_3D$ in a right-handed orthonormal set $U,V,D$, the $y$ being products)", samples,
+      {.quantity = "$P+y_1U+y_2V+y_3D$",
+       .truth = {"$X$", [](S s) { return s.X; }},
+       .printed = of_products(R"($y_1=U\cdot(X-P)$, $y_2=V\cdot(X-P)$, $y_3=D\cdot(X-P)$)", &OnCylinder::Y),
+       .near_misses = {of_products(R"($y_3=D\cdot X$)", &OnCylinder::X)}});
+  claims.formula<OnCylinder>(
+      "distance", 1597, "the cylinder in these coordinates", samples,
+      {.truth = square,
+       .printed = {"$y_1^2+y_2^2=R^2$", squares},
+       .near_misses = {{"$y_1^2+y_3^2=R^2$", [](S s) { return s.y1() * s.y1() + s.y3() * s.y3(); }}}});
+  claims.formula<OnCylinder>(
+      "perpendicular", 1599, "$y_1U+y_2V$", samples,
+      {.truth = {"the sum of the two", across},
+       .printed = {R"($(X-P)-(D\cdot(X-P))D$)", [](S s) { return sum(s.Y, s.D, -s.y3()); }},
+       .near_misses = {{R"($(X-P)+(D\cdot(X-P))D$)", [](S s) { return sum(s.Y, s.D, s.y3()); }}}});
+  claims.formula<OnCylinder>(
+      "squared_left", 1601, "$|y_1U+y_2V|^2$", samples,
+      {.truth = {"the vector's square",
+                 [=](S s) {
+                   const Point w = across(s);
+                   return dot(w, w);
+                 }},
+       .printed = {"$y_1^2+y_2^2$", squares},
+       .near_misses = {{"$(y_1+y_2)^2$", [](S s) { return std::pow(s.y1() + s.y2(), 2); }}}});
+
+  const auto row = [&](std::string_view slug, int line, const Form& printed, const Form& near) {
+    claims.formula<OnCylinder>(slug, line, "what is $R^2$ on the cylinder, rewritten", samples,
+                               {.truth = square, .printed = printed, .near_misses = {near}});
+  };
+  row("squared_right", 1603,
+      {R"($|(X-P)-(D\cdot(X-P))D|^2$)",
+       [](S s) {
+         const Point w = sum(s.Y, s.D, -s.y3());
+         return dot(w, w);
+       }},
+      {"$|X-P|^2$", [](S s) { return dot(s.Y, s.Y); }});
+  const auto opened = [](double minus, double plus) {
+    return
+        [=](S s) { return dot(s.Y, s.Y) - minus * s.y3() * s.y3() + plus * s.y3() * s.y3() * dot(s.D, s.D); };
+  };
+  row("opened", 1605, {R"($(X-P)\cdot(X-P)-2(D\cdot(X-P))^2+(D\cdot(X-P))^2(D\cdot D)$)", opened(2, 1)},
+      {R"($(X-P)\cdot(X-P)-(D\cdot(X-P))^2+(D\cdot(X-P))^2(D\cdot D)$)", opened(1, 1)});
+  row("gathered", 1607, {R"($(X-P)\cdot(X-P)-(D\cdot(X-P))^2$)", opened(1, 0)},
+      {R"($(X-P)\cdot(X-P)-2(D\cdot(X-P))^2$)", opened(2, 0)});
+  const auto products = [](double sign) {
+    return [=](S s) { return dot(s.Y, s.Y) + sign * dot(s.Y, s.D) * dot(s.D, s.Y); };
+  };
+  row("rows_and_columns", 1609, {"$(X-P)^T(X-P)-((X-P)^TD)(D^T(X-P))$", products(-1)},
+      {"$(X-P)^T(X-P)+((X-P)^TD)(D^T(X-P))$", products(1)});
+  const auto matrices = [](double dyad) {
+    return [=](S s) {
+      double total = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+          total += s.Y[i] * (i == j ? 1 : 0) * s.Y[j] - dyad * (s.Y[i] * (s.D[i] * s.D[j]) * s.Y[j]);
+      return total;
+    };
+  };
+  row("matrices", 1611, {"$(X-P)^TI(X-P)-(X-P)^T(DD^T)(X-P)$", matrices(1)},
+      {"$(X-P)^TI(X-P)$", matrices(0)});
+  row("one_matrix", 1613, {"$(X-P)^T(I-DD^T)(X-P)$", [](S s) { return quadratic(s.Y, s.D); }},
+      {"$(X-P)^T(DD^T-I)(X-P)$", [](S s) { return -quadratic(s.Y, s.D); }});
+}
+
+// ---- the axis ---------------------------------------------------------------------------------------------
+
+void axis(Claims& claims, const std::vector<OnChute>& samples) {
+  using S = const OnChute&;
+  const auto sides = [](double (*run)(double)) {
+    return [=](S s) { return values(hypot(s.chute.L * run(s.theta()), s.chute.H), s.chute.H); };
+  };
+  claims.formula<OnChute>(
+      "triangle", 1617, R"(the triangle of the axis, its hypotenuse $L$ at the angle $\theta$ to the plane)",
+      samples,
+      {.quantity = "hypotenuse and opposite side",
+       .truth = {R"($L$ and $L\sin\theta$)",
+                 [](S s) { return values(s.chute.L, s.chute.L * sin(s.theta())); }},
+       .printed = {R"(where $x_3$ rises by $H$, $x_1$ falls by $L\cos\theta$)", sides(std::cos)},
+       .near_misses = {{R"(where $x_3$ rises by $H$, $x_1$ falls by $L\sin\theta$)", sides(std::sin)}}});
+  claims.formula<OnChute>(
+      "adjacent", 1619, "the triangle's adjacent side", samples,
+      {.truth = {R"($L\cos\theta$)", [](S s) { return s.chute.L * cos(s.theta()); }},
+       .printed = {R"($\sqrt{L^2-H^2}$)",
+                   [](S s) { return sqrt(s.chute.L * s.chute.L - s.chute.H * s.chute.H); }},
+       .near_misses = {{R"($\sqrt{L^2+H^2}$)", [](S s) { return hypot(s.chute.L, s.chute.H); }}}});
+  claims.formula<OnChute>("cosine", 1621, R"($\cos\theta$)", samples,
+                          {.truth = {R"($\cos(\sin^{-1}(H/L))$)", [](S s) { return cos(s.theta()); }},
+                           .printed = {R"($\sqrt{L^2-H^2}/L$)", [](S s) { return s.cosine(); }},
+                           .near_misses = {{R"($L/\sqrt{L^2-H^2}$)", [](S s) { return 1 / s.cosine(); }}}});
+  const auto run = [](S s) { return sqrt((s.chute.L - s.chute.H) * (s.chute.L + s.chute.H)); };
+  claims.formula<OnChute>("sine", 1621, R"($\sin\theta$)", samples,
+                          {.truth = {"the angle between the chute and the plane",
+                                     [=](S s) { return sin(std::atan2(s.chute.H, run(s))); }},
+                           .printed = {"$H/L$", [](S s) { return s.chute.H / s.chute.L; }},
+                           .near_misses = {{"$L/H$", [](S s) { return s.chute.L / s.chute.H; }}}});
+  const auto direction = [](double sign) {
+    return [=](S s) { return values(sign * cos(s.theta()), 0, sin(s.theta())); };
+  };
+  claims.formula<OnChute>("direction", 1623, "the unit vector $D$ up the axis", samples,
+                          {.truth = {R"($(-\sqrt{L^2-H^2},0,H)$, normalized)",
+                                     [=](S s) {
+                                       return unit({-run(s), 0, s.chute.H});
+                                     }},
+                           .printed = {R"($(-\cos\theta,0,\sin\theta)$)", direction(-1)},
+                           .near_misses = {{R"($(\cos\theta,0,\sin\theta)$)", direction(1)}}});
+  const auto passing = [](std::string text, double (*height)(S)) -> Formula<OnChute> {
+    return {std::move(text), [=](S s) {
+              const Point w = cross({0, 0, height(s)}, {-cos(s.theta()), 0, sin(s.theta())});
+              return sqrt(dot(w, w));
+            }};
+  };
+  claims.formula<OnChute>(
+      "axis_point", 1631, "the height at which the axis passes above the origin, $R$ from it", samples,
+      {.quantity = R"(the origin's distance $|(0,0,p_3)\times D|$ from the axis)",
+       .truth = {"$R$", [](S s) { return s.chute.R; }},
+       .printed = passing(R"($R/\cos\theta$)", [](S s) { return s.p3(); }),
+       .near_misses = {passing(R"($R\cos\theta$)", [](S s) { return s.chute.R * s.cosine(); }),
+                       passing("$R$", [](S s) { return s.chute.R; })}});
+}
+
+// ---- the cylinder solved for x3 ---------------------------------------------------------------------------
+
+void solved(Claims& claims, const std::vector<OnChute>& samples) {
+  using S = const OnChute&;
+  using Form = Formula<OnChute>;
+  const Form form{"$(X-P)^T(I-DD^T)(X-P)-R^2$ at any point", [](S s) { return s.excess(); }};
+  const std::string equation = "what is zero on the cylinder, $P=(0,0,p_3)$, $D=(d_1,0,d_3)$";
+  const auto expanded = [](double sign, double R2) {
+    return [=](S s) {
+      const double z = s.x3 - s.p3(), along = s.d1() * s.x1 + sign * s.d3() * z;
+      return s.x1 * s.x1 + s.x2 * s.x2 + z * z - along * along - R2 * s.chute.R * s.chute.R;
+    };
+  };
+  claims.formula<OnChute>(
+      "expansion_1", 1637, equation, samples,
+      {.truth = form,
+       .printed = {"$x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1+d_3(x_3-p_3))^2$", expanded(1, 0)},
+       .meant = {"$x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1+d_3(x_3-p_3))^2-R^2$", expanded(1, 1)},
+       .near_misses = {{"$x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1-d_3(x_3-p_3))^2-R^2$", expanded(-1, 1)}},
+       .kind = Fault::formula,
+       .why =
+           "The term $-R^2$, there in the lines before and after, is left out: so read it is the axis alone "
+           "that satisfies the equation."});
+  const auto by_powers = [](double (*first)(double d3)) {
+    return [=](S s) {
+      const double z = s.x3 - s.p3(), d1 = s.d1(), d3 = s.d3();
+      return first(d3) * z * z - 2 * d1 * d3 * s.x1 * z + (1 - d1 * d1) * s.x1 * s.x1 + s.x2 * s.x2 -
+             s.chute.R * s.chute.R;
+    };
+  };
+  const std::string rest = "(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+(1-d_1^2)x_1^2+x_2^2-R^2$";
+  claims.formula<OnChute>(
+      "expansion_2", 1639, "the same by powers of $x_3-p_3$", samples,
+      {.truth = form,
+       .printed = {"$(1-d_3)^2" + rest, by_powers([](double d) { return (1 - d) * (1 - d); })},
+       .meant = {"$(1-d_3^2)" + rest, by_powers([](double d) { return 1 - d * d; })},
+       .near_misses = {{"$(1+d_3^2)" + rest, by_powers([](double d) { return 1 + d * d; })}},
+       .kind = Fault::formula,
+       .why = "The square belongs to $d_3$: $(1-d_3^2)$, which the next line writes as $d_1^2$. With the "
+              "default chute, $d_3=3/5$, that is 0.64, and what is printed 0.16."});
+  const auto by_parts = [](double middle) {
+    return [=](S s) {
+      const double z = s.x3 - s.p3(), d1 = s.d1(), d3 = s.d3();
+      return d1 * d1 * z * z + middle * d1 * d3 * s.x1 * z + d3 * d3 * s.x1 * s.x1 + s.x2 * s.x2 -
+             s.chute.R * s.chute.R;
+    };
+  };
+  claims.formula<OnChute>(
+      "expansion_3", 1641, "the same with $d_1^2+d_3^2=1$", samples,
+      {.truth = form,
+       .printed = {"$d_1^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$", by_parts(-2)},
+       .near_misses = {{"$d_1^2(x_3-p_3)^2+2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$", by_parts(2)}}});
+  const auto completed = [](double sign) {
+    return [=](S s) {
+      const double b = s.d1() * (s.x3 - s.p3()) + sign * s.d3() * s.x1;
+      return b * b + s.x2 * s.x2 - s.chute.R * s.chute.R;
+    };
+  };
+  claims.formula<OnChute>("expansion_4", 1643, "the same with a square", samples,
+                          {.truth = form,
+                           .printed = {"$(d_1(x_3-p_3)-d_3x_1)^2+x_2^2-R^2$", completed(-1)},
+                           .near_misses = {{"$(d_1(x_3-p_3)+d_3x_1)^2+x_2^2-R^2$", completed(1)}}});
+
+  const std::string bracket = "$d_1(x_3-p_3)-d_3x_1$";
+  const auto roots = [](double upper) {
+    return [=](S s) { return values(s.depth_at(s.on_it()), upper * s.depth_at(s.on_it(true))); };
+  };
+  claims.formula<OnChute>(
+      "two_roots", 1647, bracket + " on the two halves of the cylinder", samples,
+      {.truth = {"points of the lower half and of the upper, turned about the axis",
+                 [](S s) { return values(s.bracket(s.on_it()), s.bracket(s.on_it(true))); }},
+       .printed = {R"($+\sqrt{R^2-x_2^2}$ and $-\sqrt{R^2-x_2^2}$)", roots(-1)},
+       .near_misses = {{R"($+\sqrt{R^2-x_2^2}$ on both)", roots(1)}}});
+  const auto at_zero = [](std::string text, double height) -> Form {
+    return {std::move(text), [=](S s) { return quadratic({0, 0, -height * s.p3()}, {s.d1(), 0, s.d3()}); }};
+  };
+  claims.formula<OnChute>("origin", 1649, "the origin is on the cylinder", samples,
+                          {.quantity = "$(X-P)^T(I-DD^T)(X-P)$ at $X=0$",
+                           .truth = {"$R^2$", [](S s) { return s.chute.R * s.chute.R; }},
+                           .printed = at_zero(R"(with the axis at $p_3=R/\cos\theta$)", 1),
+                           .near_misses = {at_zero("with the axis half as high", 0.5)}});
+  const auto products = [](double sign) {
+    return [=](S s) { return values(cos(s.theta()) * (s.chute.R / cos(s.theta())), sign * s.d1() * s.p3()); };
+  };
+  claims.formula<OnChute>("at_origin", 1651, bracket + " at the origin", samples,
+                          {.quantity = R"($\cos\theta\,(R/\cos\theta)$, and )" + bracket + " at the origin",
+                           .truth = {"$R$, and the bracket there",
+                                     [](S s) {
+                                       return values(s.chute.R, s.bracket({0, 0, 0}));
+                                     }},
+                           .printed = {R"($\cos\theta\,(R/\cos\theta)=-d_1p_3=R$)", products(-1)},
+                           .near_misses = {{R"($\cos\theta\,(R/\cos\theta)=d_1p_3=R$)", products(1)}}});
+  const auto root_at_zero = [](double sign) { return [=](S s) { return sign * s.depth_at({}); }; };
+  claims.formula<OnChute>("plus", 1653, "the root's sign at the origin", samples,
+                          {.quantity = bracket + " at the origin",
+                           .truth = {"the bracket at $x_1=x_3=0$",
+                                     [](S s) {
+                                       return s.bracket({0, 0, 0});
+                                     }},
+                           .printed = {R"($+\sqrt{R^2-0}$)", root_at_zero(1)},
+                           .near_misses = {{R"($-\sqrt{R^2-0}$)", root_at_zero(-1)}}});
+  const auto on_half = [](double sign) { return [=](S s) { return sign * s.depth_at(s.on_it()); }; };
+  claims.formula<OnChute>(
+      "chute", 1655, bracket + " on the chute", samples,
+      {.truth = {"points of the lower half, turned about the axis", [](S s) { return s.bracket(s.on_it()); }},
+       .printed = {R"($+\sqrt{R^2-x_2^2}$)", on_half(1)},
+       .near_misses = {{R"($-\sqrt{R^2-x_2^2}$)", on_half(-1)}}});
+  const Form x3{"$x_3$ of a point turned about the axis", [](S s) { return s.on_it()[2]; }};
+  const auto from_axis = [](double sign) {
+    return [=](S s) {
+      const Point x = s.on_it();
+      return s.p3() + (sign * s.d3() * x[0] + s.depth_at(x)) / s.d1();
+    };
+  };
+  claims.formula<OnChute>("solved", 1659, "$x_3$ on the chute by $d_1$, $d_3$ and $p_3$", samples,
+                          {.truth = x3,
+                           .printed = {R"($p_3+(d_3x_1+\sqrt{R^2-x_2^2})/d_1$)", from_axis(1)},
+                           .near_misses = {{R"($p_3+(-d_3x_1+\sqrt{R^2-x_2^2})/d_1$)", from_axis(-1)}}});
+  const auto height = [](double fall, double depth) {
+    return [=](S s) {
+      const Point x = s.on_it();
+      const auto& [R, L, H] = s.chute;
+      return (L * R + fall * H * x[0] + depth * L * s.depth_at(x)) / (L * s.cosine());
+    };
+  };
+  claims.formula<OnChute>(
+      "height", 1663, "the height $h(x_1,x_2)$ of the chute", samples,
+      {.truth = x3,
+       .printed = {R"($(LR-Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(-1, -1)},
+       .near_misses = {{R"($(LR+Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(1, -1)},
+                       {R"($(LR-Hx_1+L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(-1, 1)}}});
+}
+
+// ---- the height's derivatives -----------------------------------------------------------------------------
+
+/// What is to vanish, and the size of what cancels in it.
+struct Vanishing {
+  double value, terms;
+  std::string place;
+  double size() const { return terms; }
+  std::string where() const { return place; }
+};
+/// value and size by `of` at every sample against zero.
+template <class Of>
+Check vanishes(std::string quantity, std::string by, const std::vector<OnChute>& samples, const Of& of) {
+  std::vector<Vanishing> all;
+  for (const OnChute& s : samples) {
+    const auto [value, terms] = of(s);
+    all.push_back({value, terms, s.where()});
+  }
+  return compare<Vanishing>(std::move(quantity), {std::move(by), [](const Vanishing& v) { return v.value; }},
+                            {"zero", [](const Vanishing&) { return 0.0; }}, all);
+}
+
+void derivatives(Claims& claims, const std::vector<OnChute>& samples) {
+  using S = const OnChute&;
+  using Along = Dual<double>;
+  claims.formula<OnChute>(
+      "h1", 1673, "$h_{x_1}$", samples,
+      {.truth = {"$h$ by dual numbers",
+                 [](S s) { return s.chute.height(Along(s.x1, 1), Along(s.x2)).slope; }},
+       .printed = {R"($-HL\cos\theta$, as a product)",
+                   [](S s) { return -s.chute.H * s.chute.L * s.cosine(); }},
+       .meant = {R"($-H/(L\cos\theta)$)", [](S s) { return s.slope(); }},
+       .near_misses = {{R"($+H/(L\cos\theta)$)", [](S s) { return -s.slope(); }}},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The fraction's bar is lost. For the default chute the quotient is $-0.75$, and the product $-12$.)"});
+  claims.formula<OnChute>(
+      "h2", 1677, "$h_{x_2}$", samples,
+      {.truth = {"$h$ by dual numbers",
+                 [](S s) { return s.chute.height(Along(s.x1), Along(s.x2, 1)).slope; }},
+       .printed = {R"($x_2(R^2-x_2^2)^{1/2}\cos\theta$, as a product)",
+                   [](S s) { return s.x2 * s.depth() * s.cosine(); }},
+       .meant = {R"($x_2/\big((R^2-x_2^2)^{1/2}\cos\theta\big)$)",
+                 [](S s) { return s.x2 / (s.depth() * s.cosine()); }},
+       .near_misses = {{R"($-x_2/\big((R^2-x_2^2)^{1/2}\cos\theta\big)$)",
+                        [](S s) { return -s.x2 / (s.depth() * s.cosine()); }}},
+       .kind = Fault::lost_typography,
+       .why =
+           "The fraction's bar is lost. Towards the rim this slope becomes infinite, and the product zero."});
+  const auto second = [&](const std::string& quantity, int i, int j) {
+    return vanishes(quantity, "$h$ by nested dual numbers", samples,
+                    [=](S s) { return std::pair(s.second(i, j), abs(s.second(2, 2))); });
+  };
+  claims.add(
+      "h11_h12", 1679, "the second derivatives that are zero",
+      {.printed = {"$h_{x_1x_1}=h_{x_1x_2}=0$", {second("$h_{x_1x_1}$", 1, 1), second("$h_{x_1x_2}$", 1, 2)}},
+       .near_misses = {{"$h_{x_2x_2}=0$", {second("$h_{x_2x_2}$", 2, 2)}}}});
+  claims.formula<OnChute>(
+      "h22", 1681, "$h_{x_2x_2}$", samples,
+      {.truth = {"$h$ by nested dual numbers", [](S s) { return s.second(2, 2); }},
+       .printed = {R"($R^2/\big((R^2-x_2^2)^{3/2}\cos\theta\big)$)",
+                   [](S s) { return s.chute.R * s.chute.R / (std::pow(s.depth(), 3) * s.cosine()); }},
+       .near_misses = {{R"($x_2^2/\big((R^2-x_2^2)^{3/2}\cos\theta\big)$)",
+                        [](S s) { return s.x2 * s.x2 / (std::pow(s.depth(), 3) * s.cosine()); }},
+                       {R"($R^2/\big((R^2-x_2^2)^{1/2}\cos\theta\big)$)",
+                        [](S s) { return s.chute.R * s.chute.R / (s.depth() * s.cosine()); }}}});
+}
+
+// ---- the equations of motion ------------------------------------------------------------------------------
+
+void equations(Claims& claims, const std::vector<OnChute>& samples) {
+  using S = const OnChute&;
+  using Form = Formula<OnChute>;
+  const Form lagrange{"Lagrange's equations by nested dual numbers", [](S s) { return s.accelerations(); }},
+      about{"Lagrange's equations along and about the axis, mapped by dual numbers",
+            [](S s) { return s.accelerations_about_axis(); }};
+  const auto reading = [&](std::string quantity, const Form& formula,
+                           std::initializer_list<Form> truths) -> Reading {
+    Reading all{formula.text, {}};
+    for (const Form& truth : truths) all.checks.push_back(compare(quantity, formula, truth, samples));
+    return all;
+  };
+  const std::string both = R"($(\ddot x_1,\ddot x_2)$)";
+  const auto downwards = [](double gravity) {
+    return [=](S s) { return s.published(s.v2 * s.v2, s.slope(), gravity); };
+  };
+  claims.add(
+      "equations", 1691, "the equations of motion for " + both,
+      {.printed = reading(both,
+                          {R"($R^2x_2^2$ above, $-HL\cos\theta$ in the vector)",
+                           [](S s) { return s.published(s.x2 * s.x2, -s.chute.H * s.chute.L * s.cosine()); }},
+                          {lagrange}),
+       .meant = reading(both, {R"($R^2\dot x_2^2$ above, $-H/(L\cos\theta)$ in the vector)", downwards(1)},
+                        {lagrange, about}),
+       .near_misses = {reading(both, {"the same with gravity upwards", downwards(-1)}, {lagrange})},
+       .why = R"(A dot and two bars are lost: above stands $R^2\dot x_2^2$, and the vector is the gradient )"
+              R"($(-H/(L\cos\theta),\,x_2/((R^2-x_2^2)^{1/2}\cos\theta))$. So read, it is what Lagrange's )"
+              R"(equations give, in the coordinates of the plane and in those of the cylinder.)",
+       .kind = Fault::lost_typography});
+
+  const Form truth{"Lagrange's equations at $x_2=\\dot x_2=0$",
+                   [](S s) { return s.on_center().accelerations()[0]; }};
+  const auto over = [](std::string text, double (*tangent)(S)) -> Form {
+    return {std::move(text), [=](S s) {
+              const double t = tangent(s);
+              return s.g * t / (1 + t * t);
+            }};
+  };
+  const std::string first = R"($\ddot x_1$ on the center line)";
+  Reading chain =
+      reading(first, {R"($\frac g2\sin2\theta$)", [](S s) { return s.g / 2 * sin(2 * s.theta()); }}, {truth});
+  for (const Form& form :
+       {over(R"($gt/(1+t^2)$, $t=H/(L\cos\theta)$)", [](S s) { return -s.slope(); }),
+        over(R"($g\tan\theta/(1+\tan^2\theta)$)", [](S s) { return std::tan(s.theta()); })})
+    chain.checks.push_back(compare(first, form, truth, samples));
+  claims.add(
+      "center_acceleration", 1717, first,
+      {.printed = chain,
+       .near_misses = {
+           reading(first, {R"($g\sin\theta$)", [](S s) { return s.g * sin(s.theta()); }}, {truth}),
+           reading(first, {R"($g\sin2\theta$)", [](S s) { return s.g * sin(2 * s.theta()); }}, {truth})}});
+
+  const auto moves = [](std::string text, double factor) -> Form {
+    return {std::move(text), [=](S s) {
+              const auto x = [&](const auto& t) {
+                return s.x1 + s.v1 * t + (s.g * sin(2 * s.theta()) * factor) * t * t;
+              };
+              return values(x(0.0), derivative(x, 0.0), second_derivative(x, 1.5));
+            }};
+  };
+  claims.formula<OnChute>("center_motion", 1735, "$x_1(t)$ on the center line", samples,
+                          {.quantity = R"($(x_1(0),\dot x_1(0),\ddot x_1)$ by dual numbers)",
+                           .truth = {"the start, and Lagrange's equations",
+                                     [=](S s) { return values(s.x1, s.v1, truth.of(s)[0]); }},
+                           .printed = moves(R"($x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}4t^2$)", 0.25),
+                           .near_misses = {moves(R"($x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}2t^2$)", 0.5)}});
+}
+
+// ---- what is said about it --------------------------------------------------------------------------------
+
+void statements(Claims& claims, const std::vector<OnChute>& samples) {
+  using S = const OnChute&;
+  /// x2'' where there is no speed across, with a side wind and, if there is some, friction k.
+  const auto at_rest = [&](std::string text, double x2, double wind, double friction) -> Reading {
+    return {std::move(text), {vanishes(R"($\ddot x_2$)", "Lagrange's equations", samples, [=](OnChute s) {
+              s.x2 = x2;
+              s.v2 = 0;
+              const Value a = s.accelerations(friction * s.k, wind);
+              return std::pair(a[1], size_of(a));
+            })}};
+  };
+  claims.add("x2_zero", 1715, "$x_2=0$ for all time solves the second equation",
+             {.printed = at_rest(R"($\ddot x_2=0$ at $x_2=\dot x_2=0$)", 0, 0, 0),
+              .near_misses = {at_rest(R"($\ddot x_2=0$ at $x_2=0.05$, $\dot x_2=0$)", 0.05, 0, 0)}});
+  const auto staying = [&](std::string text, double across) -> Reading {
+    const std::vector<OnChute> some(samples.begin(), samples.begin() + 20);
+    return {std::move(text),
+            {vanishes("$x_2$ after 1 s", "Fehlberg 7(8) on the height field", some, [=](S s) {
+              const InPlane<double> ball{s.chute, s.g, {s.x1, 0, s.v1, across}};
+              const auto end = ode::integrate<ode::Fehlberg78>(ball, ball.start(), 0, 1, 1e-10);
+              return std::pair(end.value[1], s.chute.R);
+            })}};
+  };
+  claims.add("stays_in_center", 1715, "the ball stays in the center if it starts there",
+             {.printed = staying("without speed across", 0),
+              .near_misses = {staying("with speed across as well", 0.01)}});
+
+  const auto constant = [&](std::string text, double moved) -> Reading {
+    return {std::move(text),
+            {compare<OnChute>(R"($\ddot x_1$, and whether it is positive)",
+                              {"at one place and speed",
+                               [](S s) {
+                                 const double a = s.on_center().accelerations()[0];
+                                 return values(a, a > 0);
+                               }},
+                              {"at another, and yes",
+                               [=](S s) {
+                                 OnChute other = s.on_center();
+                                 other.x1 = 1 - s.x1;
+                                 other.v1 = 2 - s.v1;
+                                 other.x2 = moved * s.x2;
+                                 return values(other.accelerations()[0], 1);
+                               }},
+                              samples)}};
+  };
+  claims.add("positive", 1733, R"(the acceleration $\ddot x_1$ is a positive constant)",
+             {.printed = constant("on the center line of a chute neither level nor vertical", 0),
+              .near_misses = {constant("beside the center line as well", 1),
+                              {"in a level chute as well",
+                               {in_all<OnChute>(R"($\ddot x_1>0$ in a level chute)", samples,
+                                                [](S s) { return s.at_angle(0) > 0; })}}}});
+  const auto always = [](std::string text, std::size_t i) -> Statement<OnChute> {
+    return {std::move(text), [=](S s) { return s.accelerations()[i] > 0; }};
+  };
+  claims.statement<OnChute>(
+      "always_positive", 1733, "the acceleration along $x_1$ is always positive", samples,
+      {.printed = always(R"($\ddot x_1>0$)", 0), .near_misses = {always(R"($\ddot x_2>0$)", 1)}});
+
+  /// (x1, x1') on the center line a millisecond later.
+  const auto then = [](S s) {
+    const double a = s.g * s.chute.s() * s.cosine(), t = 1e-3;
+    return Pair{s.x1 + s.v1 * t + a * t * t / 2, s.v1 + a * t};
+  };
+  const auto faster_and_farther = [=](S s) { return abs(then(s)[1]) > abs(s.v1) && then(s)[0] > s.x1; };
+  claims.statement<OnChute>(
+      "speed_increases", 1733, "what increases on the center line, over a millisecond", samples,
+      {.printed = {R"(the speed $|\dot x_1|$ and the position $x_1$)", faster_and_farther},
+       .corrected = {R"(the velocity $\dot x_1$; $|\dot x_1|$ and $x_1$ once $\dot x_1\ge0$)",
+                     [=](S s) { return then(s)[1] > s.v1 && (s.v1 < 0 || faster_and_farther(s)); }},
+       .near_misses = {{"the position $x_1$", [=](S s) { return then(s)[0] > s.x1; }}},
+       .kind = Fault::counterexample,
+       .root = "a ball sent up",
+       .why =
+           R"(The next formula admits any $\dot x_1(0)$. A ball sent up the chute first slows down, and its )"
+           R"($x_1$ decreases, until $t=-2\dot x_1(0)/(g\sin2\theta)$. What increases from the start is the )"
+           R"(velocity $\dot x_1$.)"});
+
+  const auto steeper = [](double s) { return s + 0.2 * (pi / 2 - s); };
+  const auto changes = [=](S s) { return s.at_angle(steeper(s.theta())) - s.at_angle(s.theta()); };
+  claims.statement<OnChute>(
+      "steeper_is_faster", 1737, "the acceleration on the center line in a steeper chute", samples,
+      {.printed = {R"($\ddot x_1$ increases with $\theta$)", [=](S s) { return changes(s) > 0; }},
+       .corrected =
+           {R"($\ddot x_1$ increases up to $45^\circ$ and decreases beyond; the acceleration along the )"
+            "chute increases",
+            [=](S s) {
+              const double theta = s.theta(), more = steeper(theta), turn = pi / 4;
+              return (theta >= turn ? changes(s) < 0 : more > turn || changes(s) > 0) &&
+                     s.at_angle(more) / cos(more) > s.at_angle(theta) / cos(theta);
+            }},
+       .near_misses = {{R"($\ddot x_1$ increases up to $60^\circ$)",
+                        [=](S s) { return steeper(s.theta()) > pi / 3 || changes(s) > 0; }}},
+       .kind = Fault::counterexample,
+       .root = "beyond 45 degrees",
+       .why =
+           R"($\ddot x_1=\frac g2\sin2\theta$ is largest at $45^\circ$, $g/2$, and falls to zero at $90^\circ$: )"
+           R"(in free fall nothing moves sideways. What grows with the angle is the acceleration along the )"
+           R"(chute, $g\sin\theta$, of which $\ddot x_1$ is the horizontal part.)"});
+
+  const auto slowed = [&](std::string text, double across) -> Reading {
+    return {std::move(text),
+            {compare<OnChute>(R"($(\ddot x_1,\ddot x_2)$)",
+                              {"the equations without friction, less its terms",
+                               [=](S s) {
+                                 const Value a = s.published(s.v2 * s.v2, s.slope());
+                                 return values(a[0] - s.k * s.v1, a[1] - across * s.k * s.v2);
+                               }},
+                              {R"(Lagrange's equations, friction $-k\dot x$ in space)",
+                               [](S s) { return s.accelerations(s.k); }},
+                              samples)}};
+  };
+  claims.add(
+      "friction_form", 1739, R"(the form of $\ddot x_2$ with viscous friction, $S$ a scalar)",
+      {.printed = {R"($\ddot x_2=Sx_2$)",
+                   {vanishes(R"($\ddot x_2$ at $x_2=0$, $\dot x_2\ne0$)",
+                             "Lagrange's equations with friction", samples,
+                             [](OnChute s) {
+                               s.x2 = 0;
+                               const Value a = s.accelerations(s.k);
+                               return std::pair(a[1], size_of(a));
+                             })}},
+       .corrected = slowed(R"($\ddot x_2=Sx_2-k\dot x_2$, $k$ the friction over the mass)", 1),
+       .near_misses = {slowed(R"($\ddot x_2=Sx_2-2k\dot x_2$)", 2)},
+       .why = R"(Friction adds $-k\dot x_2$: where the ball crosses the center line, $x_2=0$, the form says )"
+              R"($\ddot x_2=0$, but friction slows it. In the equation $S$ is that of before.)",
+       .kind = Fault::formula,
+       .root = "friction across"});
+  claims.add("friction_center", 1739, "with viscous friction $x_2=0$ for all time is still a solution",
+             {.printed = at_rest(R"($\ddot x_2=0$ at $x_2=\dot x_2=0$ with friction)", 0, 0, 1),
+              .near_misses = {at_rest("with friction and a wind across", 0, 0.1, 1)}});
+}
+
+std::vector<Claim> claims(double seed) {
+  Claims all("3.13");
+  const auto samples = draw<OnChute>(200, seed);
+  cylinder(all, seed);
+  axis(all, samples);
+  solved(all, samples);
+  derivatives(all, samples);
+  equations(all, samples);
+  statements(all, samples);
+  return all.in_order();
+}
+
+std::vector<Root> roots() {
+  return {
+      {"a ball sent up",
+       R"(The default ball, with $\dot x_1(0)=-0.8$ m/s, first climbs for 0.17 s, 7 cm along $x_1$, and is back at )"
+       R"(its start after 0.34 s.)"},
+      {"beyond 45 degrees",
+       R"(Seen from above, as on a map of a game's level, the ball in a chute of $75^\circ$ looks as slow as that )"
+       R"(in one of $15^\circ$: both cover 1.23 m in the first second.)"},
+      {"friction across",
+       R"(Programmed as $\ddot x_2=Sx_2$ with the $S$ of before, a ball swings across the chute for ever; with )"
+       R"($k=0.5$ s$^{-1}$ a small swing is down to 8 % after ten seconds.)"}};
+}
+
+}  // namespace oddity::ex03_13
