@@ -14,7 +14,7 @@
 #include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
 #include "chapters/03_rigid_body_motion/15_turning_rod/models.hpp"
-#include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
+#include "chapters/03_rigid_body_motion/17_foucault/models.hpp"
 #include "chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/models.hpp"
 #include "chapters/03_rigid_body_motion/23_spring_bar/models.hpp"
