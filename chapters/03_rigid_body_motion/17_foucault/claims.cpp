@@ -60,6 +60,11 @@ struct Sample {
         free_r(random.point()),
         free_v(random.point()),
         free_a(random.point()) {}
+  std::array<double*, 20> letters() {
+    return {&p.lambda,  &p.L,       &p.omega,   &p.g,       &m,         &q[0],      &q[1],
+            &v[0],      &v[1],      &a[0],      &a[1],      &free_r[0], &free_r[1], &free_r[2],
+            &free_v[0], &free_v[1], &free_v[2], &free_a[0], &free_a[1], &free_a[2]};
+  }
   /// The terms of the equations, added up, also after their division by sin phi.
   double size() const {
     const double rates = abs(v[0]) + abs(v[1]) + p.omega, size = p.L * (1 + p.L);
@@ -231,15 +236,15 @@ void forces(Claims& claims, const Samples& samples) {
   const auto cross = [](double factor) { return [=](S s) { return times(factor, outer(s.w(), s.free_v)); }; };
   claims.formula<Sample>(
       "force", 2241,
-      R"(to the forces, gravity and rod, the turning axes add $-2\omega\times\dot r$, to first order in $\omega$)",
+      R"(to the forces, gravity and rod, the turning axes add $-2w\times\dot r$, to first order in $\omega$)",
       samples,
       {.quantity = "what the turning axes add to the acceleration",
        .truth = {R"($\ddot r$ less the acceleration in axes that do not turn, its part linear in $\omega$)",
                  [](S s) { return s.coriolis_acceleration(-1); }},
-       .printed = {R"($-2\omega\times\dot r$)", cross(-2)},
+       .printed = {R"($-2w\times\dot r$)", cross(-2)},
        .near_misses = {
-           {R"($+2\omega\times\dot r$)", cross(2)},
-           {R"($-\omega\times\dot r$)", cross(-1)},
+           {R"($+2w\times\dot r$)", cross(2)},
+           {R"($-w\times\dot r$)", cross(-1)},
            {R"($\ddot r$ less the acceleration in axes that do not turn, to all orders in $\omega$)",
             [](S s) { return sum(s.free_a, times(-1.0, s.inertial_acceleration(1))); }}}});
   const auto second_difference = [](int power) {
@@ -390,9 +395,9 @@ void equations(Claims& claims, const Samples& samples, double seed) {
       {.quantity = "both equations, left side less right side",
        .truth = {"in the angles, with $g/L$",
                  [](S s) { return values(first_equation(s), second_equation(s, s.p.g / s.p.L)); }},
-       .printed = {R"($(\ddot r+2\omega\times\dot r-gk)\cdot(P,-Q)/L$, the acceleration by dual numbers)",
+       .printed = {R"($(\ddot r+2w\times\dot r-gk)\cdot(P,-Q)/L$, the acceleration by dual numbers)",
                    newton(2)},
-       .near_misses = {{R"(the same with $\omega\times\dot r$ once)", newton(1)}}});
+       .near_misses = {{R"(the same with $w\times\dot r$ once)", newton(1)}}});
 }
 
 // ---- the cone ---------------------------------------------------------------------------------------------
