@@ -89,7 +89,7 @@ Quantity bob(const Given<double>& p, const Horizon& horizon, const Reference& tr
            {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
       .by_common(cartesian, Cartesian<double>{p}, Outcome::drifted);
   return q.add(Breakdown{
-      "The published equations leave out the centrifugal force. At the default omega, of one turn in 100 s, "
+      "The published equations leave out the centrifugal force. At the default $\\omega$, of one turn in 100 s, "
       "it shows within seconds.",
       published + ", Fehlberg 7(8)", 1e-11, Outcome::inaccurate, angles + ", Fehlberg 7(8)", 1e-11});
 }
@@ -124,7 +124,7 @@ Quantity push(Given<double> p, const Horizon& horizon, const Reference& truth) {
       .by<ode::RungeKutta4>(cartesian, Cartesian<double>{p})
       .by<ode::Fehlberg78>(cartesian, Cartesian<double>{p});
   return q.add(
-      Breakdown{"The angle theta has no value at the lowest point, and its equation divides by zero "
+      Breakdown{"The angle $\\theta$ has no value at the lowest point, and its equation divides by zero "
                 "there. Position and velocity in three coordinates have no such point.",
                 angles + ", Runge-Kutta 4", 0.001953125, Outcome::non_finite, cartesian + ", Runge-Kutta 4",
                 0.001953125});
@@ -148,7 +148,7 @@ Quantity hours(const Reference& truth) {
       .by<ode::RungeKutta4>(angles, two, Outcome::non_finite, turns_at_once);
   Ladder(q, horizon, steps, tolerances(7, 7)).by<ode::Fehlberg78>(angles, two);
   return q.add(Breakdown{
-      "Let go at rest, the bob passes the lowest point at a distance of 0.4 mm, where theta changes by half "
+      "Let go at rest, the bob passes the lowest point at a distance of 0.4 mm, where $\\theta$ changes by half "
       "a turn within a millisecond. Steps that serve the swing overflow there; error control finds its way, "
       "at twenty times the cost of three coordinates.",
       angles + ", Runge-Kutta 4", 0.125, Outcome::non_finite, cartesian + ", Runge-Kutta 4", 0.125});
