@@ -237,6 +237,6 @@ TEST_CASE("The models of 3.35 stand alone, and are listed", "[models]") {
 
 TEST_CASE("A Foucault pendulum starts with the velocity that dual numbers give", "[models]") {
   const foucault::Given<double> p{0.75, 1.25, 0.0625, 9.81, 0.5, 0.25, 1, -0.5};
-  const auto v = foucault::axis_velocity<double>({p.theta, p.phi}, {p.theta_dot, p.phi_dot});
+  const auto v = ex03_17::axis_velocity<double>({p.theta, p.phi}, {p.theta_dot, p.phi_dot});
   for (std::size_t i = 0; i < 3; ++i) CHECK(p.cartesian()[3 + i] == p.L * v[i]);
 }

@@ -77,7 +77,7 @@ Quantity stiff_spring(const Given<double>& rod, const Horizon& horizon, const Re
       .by<ode::BulirschStoer>(name, along);
   const std::string runge_kutta = name + ", " + std::string(ode::brief<ode::RungeKutta4>().name);
   place.add(Breakdown{
-      "The spring's tremor, about sqrt(K/m), must be resolved though nobody sees it: beyond a step of 2.83 "
+      "The spring's tremor, about $\\sqrt{K/m}$, must be resolved though nobody sees it: beyond a step of 2.83 "
       "over that frequency Runge-Kutta 4 blows it up. A smaller step cures it.",
       runge_kutta, 0.0625, Outcome::diverged, runge_kutta, 0.015625});
   place.add(Breakdown{

@@ -7,7 +7,8 @@
 // difference of two Earths that turn the opposite ways. The cone's integrals are taken by quadrature over its
 // points.
 
-#include "chapters/03_rigid_body_motion/17_foucault/foucault_cone.hpp"
+#include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
+#include "chapters/scene.hpp"
 
 namespace oddity {
 
@@ -63,16 +64,11 @@ Scene scene() {
 Findings study(const Parameters& p, const Reference& truth) {
   const Horizon horizon{scene().horizon};
   const Given<double> pendulum = asked(p);
-  const double seed = p["seed"];
-  std::vector<Claim> claims = geometry(seed);
-  for (const auto& more : {point_forces(seed), center_of_mass(seed), moments(seed), tensor(seed)})
-    claims.insert(claims.end(), more.begin(), more.end());
-  claims.push_back(cone_equations(seed));
-
   const Cone cone{p["h"], p["r"]};
-  return {claims,
+  return {claims(p["seed"]),
           {motion(scene(), p, truth), bob_on_earth(horizon, truth), push(pendulum, horizon, truth),
-           hours(truth), cone_swing(pendulum, cone, horizon, truth), inertia(cone)}};
+           hours(truth), cone_swing(pendulum, cone, horizon, truth), inertia(cone)},
+          roots()};
 }
 
 }  // namespace ex03_17

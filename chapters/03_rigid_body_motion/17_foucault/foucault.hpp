@@ -1,17 +1,17 @@
 #pragma once
 
-// The quantities of exercise 3.17, and the cone.
-
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <vector>
 
 #include "chapters/03_rigid_body_motion/17_foucault/models.hpp"
 #include "chapters/03_rigid_body_motion/shared/two_coordinates.hpp"
-#include "chapters/scene.hpp"
-#include "solvers/quadrature.hpp"
+#include "chapters/exercise.hpp"
 
-namespace oddity::foucault {
+/// What the methods and the claims of exercise 3.17 share: the cone, and the published energy and force.
+namespace oddity::ex03_17 {
+
+using foucault::Axes, foucault::Given, foucault::inner, foucault::outer;
 
 template <class T>
 using Space = std::array<T, 3>;
@@ -31,33 +31,6 @@ Space<T> axis_velocity(const Two<T>& q, const Two<T>& v) {
   const Axes<Dual<T>> axes({Dual<T>(q[0], v[0]), Dual<T>(q[1], v[1])});
   return {axes.R[0].slope, axes.R[1].slope, axes.R[2].slope};
 }
-
-// ---- the direction of the swing ---------------------------------------------------------------------------
-
-/// The direction of the major axis of the small-amplitude ellipse through (x, y, x', y').
-inline double major_axis(const std::array<double, 4>& s, double seconds_squared) {
-  return 0.5 * std::atan2(2 * (s[0] * s[1] + seconds_squared * s[2] * s[3]),
-                          s[0] * s[0] - s[1] * s[1] + seconds_squared * (s[2] * s[2] - s[3] * s[3]));
-}
-
-/// The axis of a pendulum let go at rest turns at omega sin lambda; to order phi^2 the ellipse that the
-/// release gives it (its minor axis is phi omega sin lambda / sqrt(g/L)) turns it back by 3/8 phi^2 of that
-/// [Airy 1851].
-struct AxisTurning : Given<double> {
-  double back = 0;
-  std::array<double, 1> at(double t) const {
-    return {theta + omega * std::sin(lambda) * (1 - back * phi * phi) * t};
-  }
-};
-
-template <class Model>
-struct SeenAsAxis : Model {
-  std::array<double, 1> observe(const typename Model::State& x, double) const {
-    return {major_axis(this->flat(x), this->p.L / this->p.g)};
-  }
-};
-
-// ---- the cone ---------------------------------------------------------------------------------------------
 
 /// A cone of unit mass that hangs by its vertex: its center of mass at L, moments of inertia about that.
 struct Cone {
@@ -92,196 +65,18 @@ struct BookEnergy : BookCone {
 
 /// The generalized Coriolis force on a point of unit mass at L.
 inline Pair coriolis(double L, const Space<double>& w, const Pair& q, const Pair& v) {
-  const double wR = inner(Axes<double>(q).R, w), s = std::sin(q[1]);
+  const double wR = inner(Axes<double>(q).R, w), s = sin(q[1]);
   return {-2 * L * L * s * v[1] * wR, 2 * L * L * s * v[0] * wR};
 }
 
-/// The published energy and forces, integrated in the two angles.
-struct BookSwing : Given<double> {
-  BookEnergy T;
-  using State = std::array<double, 4>;
-  State start() const { return {theta, phi, theta_dot, phi_dot}; }
-  void operator()(const State& x, State& dxdt, double) const {
-    const Pair q{x[0], x[1]}, v{x[2], x[3]};
-    Pair force = coriolis(T.L, T.w, q, v);
-    force[1] -= g * T.L * std::sin(q[1]);
-    const Pair a = lagrange_accelerations(T, q, v, force);
-    dxdt = {v[0], v[1], a[0], a[1]};
-  }
-  Pair observe(const State& x, double) const {
-    const auto R = Axes<double>({x[0], x[1]}).R;
-    return {R[0], R[1]};
-  }
-};
+Quantity bob(const Given<double>&, const Horizon&, const Reference&);
+Quantity bob_on_earth(const Horizon&, const Reference&);
+Quantity push(Given<double>, const Horizon&, const Reference&);
+Quantity hours(const Reference&);
+Quantity cone_swing(Given<double>, const Cone&, const Horizon&, const Reference&);
+Quantity inertia(const Cone&);
 
-/// A point mass whose direction is seen.
-struct Direction : Cartesian<double> {
-  Pair observe(const State& s, double) const { return {s[0] / p.L, s[1] / p.L}; }
-};
+std::vector<Claim> claims(double seed);
+std::vector<Root> roots();
 
-// ---- the quantities ---------------------------------------------------------------------------------------
-
-inline const std::string cartesian = "Cartesian with constraint", angles = "two angles",
-                         published = "two angles as published",
-                         no_centrifugal = "the centrifugal force is left out",
-                         small = "the period grows with the amplitude, and ellipses turn by themselves";
-
-inline const std::string turns_at_once =
-    "each pass by the lowest point turns theta by half a turn, too fast for these steps";
-
-inline Quantity bob(const Given<double>& p, const Horizon& horizon, const Reference& truth) {
-  Quantity q = quantity("bob", "m", "horizontal position at " + times_up_to(horizon),
-                        trajectory(truth, "03_17_bob", p.inputs(), horizon), {1e-6, "a micrometre"});
-  Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
-      .closed_form("averaged", SmallAngle<double>{p, true}, Outcome::inaccurate, small)
-      .closed_form("small angle", SmallAngle<double>{p}, Outcome::inaccurate, small)
-      .by<ode::ExplicitEuler>(published, TwoAngles<double>{p, 0}, Outcome::drifted, no_centrifugal)
-      .by<ode::RungeKutta4>(published, TwoAngles<double>{p, 0}, Outcome::inaccurate, no_centrifugal)
-      .by<ode::DormandPrince54>(published, TwoAngles<double>{p, 0}, Outcome::inaccurate, no_centrifugal)
-      .by<ode::Fehlberg78>(published, TwoAngles<double>{p, 0}, Outcome::inaccurate, no_centrifugal)
-      .by_common(angles, TwoAngles<double>{p}, Outcome::drifted)
-      .by_others(
-          angles, TwoAngles<double>{p},
-          {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
-           {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
-      .by_common(cartesian, Cartesian<double>{p}, Outcome::drifted);
-  return q.add(Breakdown{
-      "The published equations leave out the centrifugal force. At the default omega, of one turn in 100 s, "
-      "it "
-      "shows within seconds.",
-      published + ", Fehlberg 7(8)", 1e-11, Outcome::inaccurate, angles + ", Fehlberg 7(8)", 1e-11});
-}
-
-/// Foucault's own pendulum: the Pantheon's 67 m, let go at rest 3 m aside.
-inline constexpr Given<double> pantheon{0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0};
-
-inline Quantity bob_on_earth(const Horizon& horizon, const Reference& truth) {
-  Quantity q =
-      quantity("bob_on_earth", "m", "the same for the Pantheon's pendulum: 67 m, let go 3 m aside",
-               trajectory(truth, "03_17_bob", pantheon.inputs(), horizon),
-               {1e-5, "a hundredth of a millimetre; the centrifugal force is worth a quarter of it"});
-  Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
-      .closed_form("averaged", SmallAngle<double>{pantheon, true}, Outcome::inaccurate, small)
-      .closed_form("small angle", SmallAngle<double>{pantheon}, Outcome::inaccurate, small)
-      .by<ode::RungeKutta4>(cartesian, Cartesian<double>{pantheon})
-      .by<ode::Fehlberg78>(cartesian, Cartesian<double>{pantheon})
-      .by<ode::Fehlberg78>(published, TwoAngles<double>{pantheon, 0});
-  return q;
-}
-
-/// Pushed from the lowest point, where theta is no coordinate.
-inline Quantity push(Given<double> p, const Horizon& horizon, const Reference& truth) {
-  p.phi = p.theta_dot = 0;
-  p.phi_dot = 0.75;
-  Quantity q = quantity("pushed_from_below", "m", "the same, pushed from the lowest point by phi' = 0.75 / s",
-                        trajectory(truth, "03_17_bob", p.inputs(), horizon), {1e-6, "a micrometre"});
-  const std::string why = "at the lowest point the first equation is divided by sin phi = 0";
-  Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
-      .by<ode::RungeKutta4>(angles, TwoAngles<double>{p}, Outcome::non_finite, why)
-      .by<ode::Fehlberg78>(angles, TwoAngles<double>{p}, Outcome::non_finite, why)
-      .by<ode::RungeKutta4>(cartesian, Cartesian<double>{p})
-      .by<ode::Fehlberg78>(cartesian, Cartesian<double>{p});
-  return q.add(
-      Breakdown{"The angle theta has no value at the lowest point, and its equation divides by zero "
-                "there. Position and velocity in three coordinates have no such point.",
-                angles + ", Runge-Kutta 4", 0.001953125, Outcome::non_finite, cartesian + ", Runge-Kutta 4",
-                0.001953125});
-}
-
-inline Quantity hours(const Reference& truth) {
-  const Horizon horizon{3600, 1};
-  Quantity q = quantity("plane_of_swing", "rad",
-                        "direction of the Pantheon's pendulum (67 m, 3 m aside, at rest) after an hour",
-                        trajectory(truth, "03_17_axis", pantheon.inputs(), horizon),
-                        {1e-3, "a twentieth of a degree; theory: omega sin lambda, 11.3 degrees an hour"});
-  const SeenAsAxis<Cartesian<double>> full{{pantheon}};
-  const SeenAsAxis<TwoAngles<double>> two{{pantheon}};
-  const Knob steps = halving("step", 1, 4);
-  Ladder(q, horizon, steps, tolerances(5, 9))
-      .closed_form("averaged", AxisTurning{pantheon})
-      .closed_form("averaged, with Airy's term", AxisTurning{pantheon, 3.0 / 8})
-      .by<ode::RungeKutta4>(cartesian, full)
-      .by<ode::DormandPrince54>(cartesian, full)
-      .by<ode::Fehlberg78>(cartesian, full)
-      .by<ode::RungeKutta4>(angles, two, Outcome::non_finite, turns_at_once);
-  Ladder(q, horizon, steps, tolerances(7, 7)).by<ode::Fehlberg78>(angles, two);
-  return q.add(Breakdown{
-      "Let go at rest, the bob passes the lowest point at a distance of 0.4 mm, where theta changes by half "
-      "a turn within a millisecond. Steps that serve the swing overflow there; error control finds its way, "
-      "at "
-      "twenty times the cost of three coordinates.",
-      angles + ", Runge-Kutta 4", 0.125, Outcome::non_finite, cartesian + ", Runge-Kutta 4", 0.125});
-}
-
-inline Quantity cone_swing(Given<double> p, const Cone& cone, const Horizon& horizon,
-                           const Reference& truth) {
-  p.L = cone.equivalent_length();
-  Known known = trajectory(truth, "03_17_bob", p.inputs(), horizon);
-  for (double& x : known.value) x /= p.L;
-  Quantity q =
-      quantity("cone", "1", "direction of a cone hung by its vertex (west, north) at " + times_up_to(horizon),
-               known, {1e-6, "a millionth"});
-  Given<double> point = p, book = p;
-  point.L = cone.L();
-  book.L = book_cone(cone).L;
-  const std::string why = "the cone's own turning has inertia";
-  Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
-      .by<ode::RungeKutta4>("point mass at (L^2 + Ixx)/L", Direction{{p}})
-      .by<ode::Fehlberg78>("point mass at (L^2 + Ixx)/L", Direction{{p}})
-      .by<ode::Fehlberg78>("point mass at the center of mass", Direction{{point}}, Outcome::inaccurate, why)
-      .by<ode::DormandPrince54>("published energy", BookSwing{book, {book_cone(cone), p.w()}},
-                                Outcome::inaccurate, why + "; its L and J are not the cone's");
-  return q;
-}
-
-/// Ixx and Izz about the base's center, by the text's limits (x inside, z outside) or in cylindrical
-/// coordinates.
-inline Answer cone_moments(const Cone& cone, bool cartesian_limits, const Rule& rule) {
-  const auto rho = [=](double z) { return cone.r * (1 - z / cone.h); };
-  const auto over = [&](const std::function<double(double, double, double)>& f) {
-    if (!cartesian_limits)
-      return nested(
-          rule, [&](double z, double t, double s) { return s * f(s * std::cos(t), s * std::sin(t), z); }, 0,
-          cone.h, [](double) { return 0.0; }, [](double) { return 2 * std::numbers::pi; },
-          [](double, double) { return 0.0; }, [&](double z, double) { return rho(z); });
-    const auto half = [&](double z, double y) { return std::sqrt(std::max(0.0, rho(z) * rho(z) - y * y)); };
-    return nested(
-        rule, [&](double z, double y, double x) { return f(x, y, z); }, 0, cone.h,
-        [&](double z) { return -rho(z); }, rho, [&](double z, double y) { return -half(z, y); }, half);
-  };
-  const auto across = over([](double, double y, double z) { return y * y + z * z; });
-  const auto along = over([](double x, double y, double) { return x * x + y * y; });
-  return {Value{across.value, along.value}, across.evaluations + along.evaluations};
-}
-
-inline Quantity inertia(const Cone& cone) {
-  const double h = cone.h, r = cone.r, pi = std::numbers::pi, r2h = pi * r * r * h;
-  const Value exact{r2h * (2 * h * h + 3 * r * r) / 60, r2h * r * r / 10};
-  Quantity q{"inertia",
-             "m^5",
-             "Ixx and Izz of the cone about its base's center, its density one",
-             {"closed form", exact},
-             4e-16 * size_of(exact),
-             {1e-10 * size_of(exact), "ten digits of the larger"}};
-  const auto gauss = [=](bool cartesian_limits) {
-    return [=](double n) {
-      return cone_moments(cone, cartesian_limits, [n](FunctionOfOne f, double a, double b) {
-        return gauss_legendre(f, a, b, static_cast<int>(n));
-      });
-    };
-  };
-  q.add({"cylindrical coordinates", "Gauss-Legendre", doubling("points", 2, 4), gauss(false)});
-  q.add({"the text's limits", "Gauss-Legendre", doubling("points", 2, 5), gauss(true), Outcome::inaccurate,
-         "the width sqrt(rho^2 - y^2) has infinite slopes at its ends"});
-  q.add({"the text's limits", "QAGS", tolerances(6, 9, 3), [=](double e) {
-           return cone_moments(cone, true,
-                               [e](FunctionOfOne f, double a, double b) { return qags(f, a, b, e); });
-         }});
-  return q.add(
-      Breakdown{"In the text's Cartesian limits the middle integrand has infinite slopes at its ends, and "
-                "Gauss's rule converges slowly; cylindrical coordinates have none.",
-                "the text's limits, Gauss-Legendre", 32, Outcome::inaccurate,
-                "cylindrical coordinates, Gauss-Legendre", 16});
-}
-
-}  // namespace oddity::foucault
+}  // namespace oddity::ex03_17

@@ -118,8 +118,8 @@ Quantity swing(const Parameters& given, const Horizon& horizon, const Reference&
       .by<ode::Fehlberg78>(published, TwoCoordinates<double>{p, 0}, Outcome::diverged, why);
   y.add(Breakdown{
       "The published equations do not conserve energy however small the tolerance: their two frequencies are "
-      "complex, 3.05 +- 1.06 i per second, and the swing grows more than a thousandfold within eight "
-      "seconds. With the second spring's pull on the pulley, 2 c2 (S2 - L2), both are real.",
+      "complex, $3.05\\pm1.06\\,i$ per second, and the swing grows more than a thousandfold within eight "
+      "seconds. With the second spring's pull on the pulley, $2c_2(S_2-L_2)$, both are real.",
       published + ", Fehlberg 7(8)", 1e-11, Outcome::diverged, "two coordinates, Fehlberg 7(8)", 1e-11});
   y.add(Breakdown{"Explicit Euler gains energy at every step, the most in the faster mode.",
                   "two coordinates, explicit Euler", 0.125, Outcome::diverged,
@@ -185,7 +185,7 @@ Findings study(const Parameters& p, const Reference& truth) {
                                 stiff, true, truth);
   graded.add(Breakdown{
       "The quadratic formula subtracts two nearly equal numbers, and the eigenvalue solver errs by roundings "
-      "of the larger eigenvalue. The product of the roots is c1 c2/det M, without subtraction.",
+      "of the larger eigenvalue. The product of the roots is $c_1c_2/\\det M$, without subtraction.",
       "det(K - s M) = 0, quadratic formula", 0, Outcome::inaccurate,
       "det(K - s M) = 0, larger root and product", 0});
   return {claims(p["seed"]),

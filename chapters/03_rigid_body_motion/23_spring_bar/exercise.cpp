@@ -152,8 +152,8 @@ Findings study(const Parameters& p, const Reference& truth) {
   stiff.ell = stiff.balancing_rest_length();
   Quantity fast = stiff_swing(stiff, truth);
   fast.add(
-      Breakdown{"A spring a thousand times as strong swings at 25 a second; explicit steps longer than "
-                "2/w to 2.8/w throw the bar around. Step control finds the step by itself.",
+      Breakdown{"A spring a thousand times as strong swings 25 times a second; explicit steps longer than "
+                "$2/\\omega$ to $2.8/\\omega$ throw the bar around. Step control finds the step by itself.",
                 "one angle, Runge-Kutta 4", 0.0625, Outcome::drifted, "one angle, Fehlberg 7(8)", 1e-10});
   return {claims(p["seed"]), {small_frequency(bar, truth), mass, fast}};
 }

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 
-#include "chapters/03_rigid_body_motion/shared/pair.hpp"
 #include "solvers/dual.hpp"
 
 /// Two degrees of freedom q with v = q'. A function f(q, v) is generic in its number type; its derivatives
 /// are taken by dual numbers.
 namespace oddity {
+
+template <class T>
+using Two = std::array<T, 2>;
+using Pair = Two<double>;
 
 template <class T = double>
 Two<Dual<T>> toward(const Two<T>& x, std::size_t i) {
