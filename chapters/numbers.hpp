@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <numbers>
 
@@ -20,6 +21,23 @@ using std::abs, std::sqrt, std::hypot, std::exp, std::expm1, std::log, std::sin,
 template <class T>
 T select(bool condition, const T& yes, const T& no) {
   return condition ? yes : no;
+}
+/// Component by component, for conditions that are not plain truths.
+template <class Condition, class T, std::size_t n>
+requires(!std::same_as<Condition, bool>) std::array<T, n> select(const Condition& condition,
+                                                                 const std::array<T, n>& yes,
+                                                                 std::array<T, n> no) {
+  for (std::size_t i = 0; i < n; ++i) no[i] = select(condition, yes[i], no[i]);
+  return no;
+}
+/// yes() where the condition holds, else no(). Where the condition is a plain truth, only that one is
+/// computed.
+template <class Condition, class Yes, class No>
+auto either(const Condition& condition, const Yes& yes, const No& no) {
+  if constexpr (std::same_as<Condition, bool>)
+    return condition ? yes() : no();
+  else
+    return select(condition, yes(), no());
 }
 /// A loop's condition, which goes on while it holds for any of several numbers.
 inline bool any_of(bool condition) { return condition; }

@@ -126,6 +126,7 @@ class Scene {
 
   template <std::size_t i, class Expected>
   void in_duals(const Expected& expected, double scale) const {
+    using Model = std::tuple_element_t<i, decltype(all(values_))>;
     using First = Dual<double>;
     using Second = Dual<First>;
     std::vector<First> first;
@@ -144,7 +145,9 @@ class Scene {
       const double slope = (up[k] - down[k]) / (2 * share);
       const double bend = (up[k] - 2 * expected[k] + down[k]) / (share * share);
       CHECK(std::abs(one[k].slope - slope) <= 1e-6 * (scale + std::abs(slope)));
-      CHECK(std::abs(two[k].slope.slope - bend) <= 1e-4 * (scale + std::abs(bend)));
+      // At a kink the second derivative need not exist, and a scene may start at one.
+      if constexpr (!requires { Model::not_analytic; })
+        CHECK(std::abs(two[k].slope.slope - bend) <= 1e-4 * (scale + std::abs(bend)));
     }
   }
 

@@ -1,5 +1,10 @@
-#include "chapters/03_rigid_body_motion/31_rough_box/rough_box_motion.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "chapters/03_rigid_body_motion/31_rough_box/models.hpp"
 #include "chapters/random.hpp"
+#include "solvers/ode/algorithms.hpp"
+#include "solvers/ode/integrate.hpp"
 #include "solvers/quadrature.hpp"
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
@@ -10,7 +15,7 @@ using namespace oddity::rough_box;
 namespace {
 
 /// The mean of v/|v| and of its moment by nested quadrature, the foot cut at the instantaneous centre.
-std::array<double, 3> by_quadrature(const Contact& foot, double u, double v, double w) {
+std::array<double, 3> by_quadrature(const Contact<double>& foot, double u, double v, double w) {
   const double cx = std::clamp(-v / w, -foot.a, foot.a), cy = std::clamp(u / w, -foot.b, foot.b);
   const Rule rule = [](FunctionOfOne f, double from, double to) {
     return from == to ? Integral{} : qags(f, from, to, 1e-9);
@@ -38,7 +43,7 @@ std::array<double, 3> by_quadrature(const Contact& foot, double u, double v, dou
 TEST_CASE("friction over the foot in closed form is the integral over its points", "[rough box]") {
   Random random(31);
   for (int i = 0; i < 12; ++i) {
-    const Contact foot{random.between(0.2, 1), random.between(0.2, 1)};
+    const Contact<double> foot{random.between(0.2, 1), random.between(0.2, 1)};
     const double w = random.magnitude(0.5, 5), u = random.between(-2, 2), v = random.between(-2, 2);
     const auto closed = foot.means(u, v, w), summed = by_quadrature(foot, u, v, w);
     for (std::size_t k = 0; k < 3; ++k) CHECK(near(closed[k], summed[k], 1e-8));
@@ -48,12 +53,14 @@ TEST_CASE("friction over the foot in closed form is the integral over its points
 TEST_CASE("sliding alone and spinning alone end at the times and places of uniform deceleration",
           "[rough box]") {
   for (const auto& [u, w] : {std::pair(2.0, 0.0), std::pair(0.0, 10.0)}) {
-    const Box box{{0.3, 0.2}, 0.3, 9.81, u, 0, w};
-    const auto rest = in_stretched_time<ode::Fehlberg78>(box, 1e-12).value;
+    const Given<double> box{{0.3, 0.2}, 0.3, 9.81, u, 0, w};
+    const Stretched<double> model{box};
+    const auto [x, y, theta, vx, vy, spin, time] =
+        ode::integrate<ode::Fehlberg78>(model, model.start(), 0, model.end(), 1e-12).value;
     const double slowing = 0.3 * 9.81,
-                 spin_slowing = slowing / box.J() * std::abs(by_quadrature(box, 0, 0, 1)[2]);
-    CHECK(near(rest[0], u / slowing + w / spin_slowing, 1e-7));
-    CHECK(near(rest[1], u * u / (2 * slowing), 1e-7));
-    CHECK(near(rest[3], w * w / (2 * spin_slowing), 1e-6));
+                 spin_slowing = slowing / box.J() * std::abs(by_quadrature(box.foot, 0, 0, 1)[2]);
+    CHECK(near(time, u / slowing + w / spin_slowing, 1e-7));
+    CHECK(near(x, u * u / (2 * slowing), 1e-7));
+    CHECK(near(theta, w * w / (2 * spin_slowing), 1e-6));
   }
 }

@@ -33,5 +33,6 @@ struct Pattern {
 
 Quantity hanging(const Triple&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Triple&, const Reference&);
+std::vector<Claim> claims(double seed);
 
 }  // namespace oddity::ex03_25

@@ -5,19 +5,16 @@
 //                = -mu_i g r_i sin(theta_i),   mu_k the mass from k on
 //   tensions   (1/m_k + 1/m_(k-1)) t_k - c_k t_(k-1)/m_(k-1) - c_(k+1) t_(k+1)/m_k = r_k theta_k'^2 (+ g cos
 //              theta_1 for k = 1), c_k = cos(theta_k - theta_(k-1)): tridiagonal, so linear in n
-// The claims are judged against Lagrange's equations by nested dual numbers of the positions alone, and
-// against Newton's law with tensions. References: 60-digit Taylor series in Cartesian coordinates against
-// extrapolation in the angles. Masses, lengths and starts are dyadic, so that every precision starts from the
-// same state.
+// methods.cpp has the quantities, claims.cpp the claims. References: 60-digit Taylor series in Cartesian
+// coordinates against extrapolation in the angles. Masses, lengths and starts are dyadic, so that every
+// precision starts from the same state.
 
-#include "chapters/03_rigid_body_motion/25_chain/claims.hpp"
+#include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity {
 
 namespace ex03_25 {
-
-using namespace chain;
 
 constexpr Parameter parameters[] = {
     {"m1", 1, "kg", "mass next to the pivot", 1e-2, 1e2},
@@ -81,11 +78,13 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 Exercise exercise_3_25() {
   using namespace ex03_25;
-  return {"Triple pendulum and a chain of n masses",
-          "Three masses hang one from the other by rigid massless rods. Find the kinetic and the potential "
-          "energy and the equations of motion in the angles $\\theta_1,\\theta_2,\\theta_3$; what becomes of "
-          "them for $n$ masses?",
-          parameters, scene(), study};
+  return {
+      "Triple pendulum and a chain of n masses",
+      R"(Three masses $m_k$ at $(x_k,y_k)$ hang one from the other by rigid massless rods of the lengths $r_k$, )"
+      R"(the first from a pivot at $(0,h)$. Find the kinetic and the potential energy and the equations of motion )"
+      R"(in the rods' angles $\theta_1,\theta_2,\theta_3$ from the downward vertical; what becomes of them for )"
+      R"($n$ masses?)",
+      parameters, scene(), study};
 }
 
 }  // namespace oddity

@@ -68,5 +68,7 @@ Inertia by_primitives(const Wire&);
 Quantity fall(const Given&, const Horizon&, const Reference&);
 /// Of the three wires.
 std::vector<Quantity> inertias(const Given&, const Reference&);
+std::vector<Claim> claims(double seed);
+std::vector<Root> roots();
 
 }  // namespace oddity::ex03_29

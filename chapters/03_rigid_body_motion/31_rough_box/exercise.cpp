@@ -5,13 +5,13 @@
 // full speed only makes the box tremble, and on a slope creep. A uniform pressure is assumed; the box is too
 // low to be tilted by its friction.
 
-#include "chapters/03_rigid_body_motion/31_rough_box/rough_box_motion.hpp"
+#include "chapters/03_rigid_body_motion/31_rough_box/rough_box.hpp"
+#include "chapters/claims.hpp"
+#include "chapters/scene.hpp"
 
 namespace oddity {
 
 namespace ex03_31 {
-
-using namespace rough_box;
 
 constexpr Parameter parameters[] = {
     {"a", 0.3, "m", "half the box's length", 0.1, 0.5},
@@ -26,15 +26,15 @@ constexpr Parameter parameters[] = {
 // ---- the claims -------------------------------------------------------------------------------------------
 
 std::vector<Claim> claims() {
-  const auto about_the_program = [](const char* id, const char* says) {
-    Claim claim{std::string("3.31-") + id, 2949, says};
-    claim.not_checkable =
-        "the program is on the book's CD-ROM; the text gives neither its equations nor a listing";
-    return claim;
-  };
-  return {about_the_program("rough_friction", "the program RoughPlaneSolidBox has rough friction"),
-          about_the_program("no_static_friction", "the program leaves static friction out"),
-          about_the_program("easily_modified", "the program is easily changed to have static friction")};
+  const std::string why =
+      "the program is on the book's CD-ROM; the text gives neither its equations nor a listing";
+  return Claims("3.31")
+      .add("rough_friction", 2949, "the program `RoughPlaneSolidBox` has rough friction",
+           {.not_checkable = why})
+      .add("no_static_friction", 2949, "the program leaves static friction out", {.not_checkable = why})
+      .add("easily_modified", 2949, "the program is easily changed to have static friction",
+           {.not_checkable = why})
+      .in_order();
 }
 
 Box asked(const Parameters& p) { return {{p["a"], p["b"]}, p["mu"], p["g"], p["u0"], p["v0"], p["w0"]}; }
@@ -44,36 +44,27 @@ Quantity slide_of(const Parameters& p, const Horizon& horizon, const Reference& 
 }
 
 Scene scene() {
-  return {slide_of,
-          1.25,
-          centimeter,
-          "mu",
-          {0.2, 0.3, 0.5, 0.7, 1},
-          {"u0", "v0", "w0"},
-          {{"x", "y", "theta"}, "s", {{"m", {0, 1}}, {"rad", {2}}}},
-          {{"chapters/03_rigid_body_motion/31_rough_box/models.hpp"},
-           {{"sliding and spinning apart", "rough_box::Uncoupled{{{a, b}, mu, g, u0, v0, w0}}"},
-            {"friction at full speed only", "rough_box::InTime{{{a, b}, mu, g, u0, v0, w0}}"},
-            {"friction regularized at 1 cm/s", "rough_box::InTime{{{a, b}, mu, g, u0, v0, w0}, 0.01}"}},
-           {{"steps with a stick test", "which needs a loop of its own"},
-            {"stopped by event", "which needs a search for events"},
-            {"time stretched by the speed", "which needs Newton's method for the time of every frame"}}}};
+  return {
+      slide_of,
+      1.25,
+      centimeter,
+      "mu",
+      {0.2, 0.3, 0.5, 0.7, 1},
+      {"u0", "v0", "w0"},
+      {{"x", "y", "theta"}, "s", {{"m", {0, 1}}, {"rad", {2}}}},
+      {{"chapters/03_rigid_body_motion/31_rough_box/models.hpp"},
+       {{"sliding and spinning apart", "rough_box::Uncoupled<double>{{{a, b}, mu, g, u0, v0, w0}}"},
+        {"friction at full speed only", "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}}"},
+        {"friction regularized at 1 cm/s", "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}, 0.01}"}},
+       {{"steps with a stick test", "which needs a loop of its own"},
+        {"stopped by event", "which needs a search for events"},
+        {"time stretched by the speed", "which needs Newton's method for the time of every frame"}}}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  const Box box = asked(p);
-  Quantity end = rest(box, truth);
-  end.add(
-      Breakdown{"Friction that has full strength at any speed reverses at every step once the box should "
-                "rest: it trembles and wanders. A test whether friction can stop the box within the step "
-                "lets it rest.",
-                in_time + ", Runge-Kutta 4", 0x1p-8, Outcome::inaccurate, sticks + ", " + midpoint, 0x1p-12});
-  end.add(
-      Breakdown{"Regularized friction is stiff at rest: its rate is mu g / softness, and a fixed explicit "
-                "step ends by trembling. An implicit method takes its steps from the motion.",
-                soft + ", Runge-Kutta 4, step 1/256", 0.0001, Outcome::inaccurate,
-                soft + ", Rosenbrock 4, tolerance 1e-9", 0.0001});
-  return {claims(), {time_to_rest(box, truth), end, motion(scene(), p, truth)}};
+  Findings found{claims(), at_rest(asked(p), truth)};
+  found.quantities.push_back(motion(scene(), p, truth));
+  return found;
 }
 
 }  // namespace ex03_31

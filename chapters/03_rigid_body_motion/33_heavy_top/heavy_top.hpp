@@ -14,5 +14,7 @@ inline constexpr double duration = 4;  ///< s, for which the axis is looked at
 
 Quantity axis(const Top&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Top&, const Reference&);
+std::vector<Claim> claims(double seed, const Top& start);
+std::vector<Root> roots();
 
 }  // namespace oddity::ex03_33

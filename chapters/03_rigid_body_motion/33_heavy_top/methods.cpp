@@ -173,12 +173,12 @@ Answer followed_precession(Top top, double c, double rate, double tolerance) {
   return answer(end, [&](const auto&) { return std::array{std::atan2(d[0], -d[1]) / time}; });
 }
 
-enum class Root { slow, fast };
+enum class Rate { slow, fast };
 
 /// A rate of steady precession at the start's tilt, with the total spin c.
 Quantity steady_precession(const std::string& name, const std::string& says, const Top& top, double c,
-                           Root which, const Reference& truth) {
-  const bool slow = which == Root::slow;
+                           Rate which, const Reference& truth) {
+  const bool slow = which == Rate::slow;
   Quantity q = quantity(name, "rad/s", says,
                         truth("03_33_steady", {top.m, top.l, top.mu1, top.mu3, top.g, top.phi, c}), {});
   q.reference.value = Value{q.reference.value[slow ? 0 : 1]};
@@ -362,20 +362,20 @@ std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
   std::vector<Quantity> all{height(top, truth), nutation_bounds(top, truth), sleeping_threshold(top)};
   if (has_steady_precession(top, top.dpsi)) {
     const std::string says = "rate at the start's tilt and total spin dpsi";
-    all.push_back(steady_precession("steady_slow", "slow " + says, top, top.dpsi, Root::slow, truth));
-    all.push_back(steady_precession("steady_fast", "fast " + says, top, top.dpsi, Root::fast, truth));
+    all.push_back(steady_precession("steady_slow", "slow " + says, top, top.dpsi, Rate::slow, truth));
+    all.push_back(steady_precession("steady_fast", "fast " + says, top, top.dpsi, Rate::fast, truth));
   }
   Top hanging = top;
   hanging.phi = 2;
   const std::string of_hanging = " rate of the same top at a tilt of 2 rad, below its tip, total spin dpsi";
-  for (Root root : {Root::slow, Root::fast}) {
-    const std::string name = root == Root::slow ? "slow" : "fast";
+  for (Rate root : {Rate::slow, Rate::fast}) {
+    const std::string name = root == Rate::slow ? "slow" : "fast";
     all.push_back(
         steady_precession("steady_" + name + "_hanging", name + of_hanging, hanging, top.dpsi, root, truth));
   }
   if (has_steady_precession(top, 0x1p20))
     all.push_back(steady_precession("steady_slow_of_fast_top", "slow rate at a spin of 2^20 rad/s", top,
-                                    0x1p20, Root::slow, truth)
+                                    0x1p20, Rate::slow, truth)
                       .add(Breakdown{"The slow rate is the difference of two numbers that agree in ten "
                                      "digits; multiplied out by the other root, it is a sum.",
                                      "quadratic, as it is taught", 0, Outcome::inaccurate,

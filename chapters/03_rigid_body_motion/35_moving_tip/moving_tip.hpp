@@ -12,5 +12,7 @@ using Top = heavy_top::Top<double>;
 
 Quantity axis(const Top&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Top&, const Reference&);
+std::vector<Claim> claims(double seed);
+std::vector<Root> roots();
 
 }  // namespace oddity::ex03_35

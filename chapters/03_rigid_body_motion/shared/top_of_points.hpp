@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
-#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
+#include "chapters/claims.hpp"
 #include "reference/text.hpp"
+#include "solvers/dual.hpp"
 
 namespace oddity::top {
 
@@ -183,31 +184,12 @@ double by_angle(const Sample& s, std::size_t k, const F& f, bool rate = false) {
   return f(q, v).slope;
 }
 
-/// Claims about formulas, judged on the same samples.
-class Judge {
- public:
-  using Version = oddity::Version<Sample>;
-
-  Judge(std::string exercise, double seed, double shake = 0) : exercise_(std::move(exercise)) {
-    Random random(seed);
-    for (int i = 0; i < 100; ++i) samples_.emplace_back(random, shake);
-  }
-
-  Check compare(const std::string& quantity, const Version& left, const Version& right) const {
-    return oddity::compare(quantity, left, right, samples_);
-  }
-  Claim claim(const std::string& id, int line, const std::string& says, const Version& printed,
-              const Version& truth, const std::vector<Version>& near_misses) const {
-    Claim claim{exercise_ + "-" + id, line, says};
-    claim.printed = {printed.text, {compare(says, printed, truth)}};
-    for (const Version& near : near_misses)
-      claim.near_misses.push_back({near.text, {compare(says, near, truth)}});
-    return claim;
-  }
-
- private:
-  std::string exercise_;
-  std::vector<Sample> samples_;
-};
+/// A hundred tops; `shake` is the tip's largest amplitude.
+inline std::vector<Sample> random_tops(double seed, double shake = 0) {
+  Random random(seed);
+  std::vector<Sample> tops;
+  for (int i = 0; i < 100; ++i) tops.emplace_back(random, shake);
+  return tops;
+}
 
 }  // namespace oddity::top

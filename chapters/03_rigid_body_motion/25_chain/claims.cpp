@@ -1,0 +1,378 @@
+// The claims of exercise 3.25. Positions are turned rods; velocities, forces and Lagrange's equations come
+// from the positions alone by nested dual numbers.
+
+#include <Eigen/Core>
+#include <complex>
+#include <numbers>
+
+#include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
+#include "chapters/claims.hpp"
+#include "reference/text.hpp"
+#include "solvers/dual.hpp"
+#include "solvers/linear.hpp"
+#include "solvers/quadrature.hpp"
+
+namespace oddity::ex03_25 {
+
+namespace {
+
+/// The letters of a random chain of n masses.
+struct Sample {
+  std::vector<double> m, r, theta, omega;
+  double g, h;
+
+  explicit Sample(Random& random, int n = 3) : g(random.between(1, 10)), h(random.between(1, 5)) {
+    for (int k = 0; k < n; ++k) {
+      m.push_back(random.between(0.3, 3));
+      r.push_back(random.between(0.3, 2));
+      theta.push_back(random.between(-3, 3));
+      omega.push_back(random.between(-3, 3));
+    }
+  }
+  std::string where() const {
+    return "theta = (" + rounded(theta[0], 4) + ", ...), omega = (" + rounded(omega[0], 4) + ", ...)";
+  }
+
+  /// The rod k pointing down, turned by theta, as a complex number x + i y.
+  std::complex<double> rod(std::size_t k) const { return std::polar(r[k], theta[k] - std::numbers::pi / 2); }
+  /// (x_1, y_1, ...) in any number type.
+  template <class X>
+  std::vector<X> at(const std::vector<X>& q) const {
+    using std::cos, std::sin;
+    std::vector<X> all;
+    X x(0.0), y(h);
+    for (std::size_t k = 0; k < r.size(); ++k) {
+      x += X(r[k]) * sin(q[k]);
+      y -= X(r[k]) * cos(q[k]);
+      all.push_back(x);
+      all.push_back(y);
+    }
+    return all;
+  }
+  /// (x_1', y_1', ...) by dual numbers.
+  template <class X>
+  std::vector<X> velocities(const std::vector<X>& q, const std::vector<X>& v) const {
+    std::vector<Dual<X>> moving;
+    for (std::size_t k = 0; k < q.size(); ++k) moving.emplace_back(q[k], v[k]);
+    std::vector<X> all;
+    for (const auto& p : at(moving)) all.push_back(p.slope);
+    return all;
+  }
+  std::vector<double> velocities() const { return velocities(theta, omega); }
+  template <class X>
+  X kinetic(const std::vector<X>& q, const std::vector<X>& v) const {
+    X T(0.0);
+    const auto u = velocities(q, v);
+    for (std::size_t i = 0; i < u.size(); ++i) T += X(m[i / 2] / 2) * u[i] * u[i];
+    return T;
+  }
+  template <class X>
+  X potential(const std::vector<X>& q) const {
+    X V(0.0);
+    const auto p = at(q);
+    for (std::size_t k = 0; k < m.size(); ++k) V += X(m[k] * g) * p[2 * k + 1];
+    return V;
+  }
+  /// The kinetic energy as that of the center of mass and of the masses' speeds relative to each other
+  /// [Koenig].
+  double kinetic_by_pairs() const {
+    const auto v = velocities();
+    double all = 0, px = 0, py = 0, pairs = 0;
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      all += m[i];
+      px += m[i] * v[2 * i];
+      py += m[i] * v[2 * i + 1];
+      for (std::size_t j = 0; j < i; ++j)
+        pairs += m[i] * m[j] * (std::pow(v[2 * i] - v[2 * j], 2) + std::pow(v[2 * i + 1] - v[2 * j + 1], 2));
+    }
+    return (px * px + py * py + pairs) / (2 * all);
+  }
+  /// theta'' from d/dt dL/dtheta_i' - sign dL/dtheta_i = 0, L = T - v_sign V, by nested dual numbers.
+  std::vector<double> lagrange(double sign = 1, double v_sign = 1) const {
+    using Along = Dual<double>;
+    using Outer = Dual<Along>;
+    const std::size_t n = m.size();
+    const auto value = [&](std::size_t i, bool by_speed, const std::vector<double>& a, bool moving) {
+      std::vector<Outer> q, v;
+      for (std::size_t k = 0; k < n; ++k) {
+        const double one = k == i;
+        q.emplace_back(Along(theta[k], moving ? omega[k] : 0), Along(by_speed ? 0 : one));
+        v.emplace_back(Along(omega[k], moving ? a[k] : 0), Along(by_speed ? one : 0));
+      }
+      return (kinetic(q, v) - Outer(v_sign) * potential(q)).slope;
+    };
+    const auto left_side = [&](std::size_t i, const std::vector<double>& a) {
+      return value(i, true, a, true).slope - sign * value(i, false, a, false).value;
+    };
+    const auto size = static_cast<Eigen::Index>(n);
+    Eigen::MatrixXd M(size, size);
+    Eigen::VectorXd f(size);
+    std::vector<double> a(n, 0);
+    for (std::size_t i = 0; i < n; ++i) f(static_cast<Eigen::Index>(i)) = -left_side(i, a);
+    for (std::size_t j = 0; j < n; ++j) {
+      a[j] = 1;
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        M(row, static_cast<Eigen::Index>(j)) = left_side(i, a) + f(row);
+      }
+      a[j] = 0;
+    }
+    const Eigen::VectorXd alpha = solve(Factorization::partial_pivot_lu, M, f).value;
+    return {alpha.begin(), alpha.end()};
+  }
+  std::vector<double> newton() const {
+    std::vector<double> alpha(m.size());
+    chain::by_tensions(m, r, g, theta, omega, alpha);
+    return alpha;
+  }
+  /// The work of gravity on the way of the angles from zero, all in proportion.
+  double work_of_gravity() const {
+    const auto power = [&](double s) {
+      std::vector<double> q = theta;
+      for (double& x : q) x *= s;
+      const auto v = velocities(q, theta);
+      double sum = 0;
+      for (std::size_t k = 0; k < m.size(); ++k) sum -= m[k] * g * v[2 * k + 1];
+      return sum;
+    };
+    return gauss_legendre(power, 0, 1, 32).value;
+  }
+};
+
+/// r_k theta_k' times the cosine or sine of theta_k.
+double cx(const Sample& s, std::size_t k) { return s.r[k] * s.omega[k] * std::cos(s.theta[k]); }
+double sy(const Sample& s, std::size_t k) { return s.r[k] * s.omega[k] * std::sin(s.theta[k]); }
+double square(double x) { return x * x; }
+
+/// The bracket of mass n in the expanded energy; turn = -1 is the text's, +1 a near miss.
+double bracket(const Sample& s, std::size_t n, double turn = -1) {
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    sum += square(s.r[i] * s.omega[i]);
+    for (std::size_t j = 0; j < i; ++j)
+      sum += 2 * s.r[i] * s.r[j] * s.omega[i] * s.omega[j] * std::cos(s.theta[j] + turn * s.theta[i]);
+  }
+  return s.m[n - 1] / 2 * sum;
+}
+
+/// Two routes to n accelerations. Solving loses what the mass matrix's condition allows.
+template <class Left, class Right>
+Check accelerations(const std::string& left, const std::string& right, double seed, int least, int most,
+                    const Left& by_left, const Right& by_right) {
+  Random random(seed);
+  Worst worst(R"($\ddot\theta$)", left, right);
+  for (int i = 0; i < 60; ++i) {
+    const int n = least + i % (most - least + 1);
+    const Sample s(random, n);
+    const Value expected = by_right(s);
+    const double size = std::max(size_of(expected), 10.0);
+    worst.see(by_left(s), expected, {1e-10 * size, "a ten-thousandth of a millionth: condition 1e4 or less"},
+              size, "n = " + std::to_string(n) + ", " + s.where());
+  }
+  return worst.check();
+}
+
+/// The pattern's accelerations, its tail mass taken from the later of the two links, or from the earlier one.
+std::vector<double> by_pattern(const Sample& s, bool later, double sine_sign) {
+  const auto n = static_cast<Eigen::Index>(s.m.size());
+  const auto mu = mass_from_here_on(s.m);
+  Eigen::MatrixXd M(n, n);
+  Eigen::VectorXd f(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto a = static_cast<std::size_t>(i);
+    f(i) = -mu[a] * s.g * s.r[a] * std::sin(s.theta[a]);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const auto b = static_cast<std::size_t>(j);
+      const double weight = mu[later ? std::max(a, b) : std::min(a, b)] * s.r[a] * s.r[b];
+      M(i, j) = weight * std::cos(s.theta[a] - s.theta[b]);
+      f(i) -= sine_sign * weight * std::sin(s.theta[a] - s.theta[b]) * square(s.omega[b]);
+    }
+  }
+  const Eigen::VectorXd alpha = solve(Factorization::partial_pivot_lu, M, f).value;
+  return {alpha.begin(), alpha.end()};
+}
+
+/// The coordinates that the rods' constraints leave free.
+int free_coordinates(const Sample& s) {
+  Eigen::MatrixXd constraints = Eigen::MatrixXd::Zero(3, 6);  // gradients of |p_k - p_(k-1)|^2
+  for (int k = 0; k < 3; ++k) {
+    const auto d = s.rod(static_cast<std::size_t>(k));
+    constraints(k, 2 * k) = d.real();
+    constraints(k, 2 * k + 1) = d.imag();
+    if (k == 0) continue;
+    constraints(k, 2 * k - 2) = -d.real();
+    constraints(k, 2 * k - 1) = -d.imag();
+  }
+  return 6 - rank(constraints);
+}
+
+// ---- the text's formulas
+// ------------------------------------------------------------------------------------
+
+double across(const Sample& s) {
+  return s.r[0] * std::sin(s.theta[0]) + s.r[1] * std::sin(s.theta[1]) + s.r[2] * std::sin(s.theta[2]);
+}
+double drop(const Sample& s) {
+  return s.r[0] * std::cos(s.theta[0]) + s.r[1] * std::cos(s.theta[1]) + s.r[2] * std::cos(s.theta[2]);
+}
+double cosines(const Sample& s) { return cx(s, 0) + cx(s, 1) + cx(s, 2); }
+double sines(const Sample& s) { return sy(s, 0) + sy(s, 1) + sy(s, 2); }
+std::complex<double> three_rods(const Sample& s) { return s.rod(0) + s.rod(1) + s.rod(2); }
+
+/// T by the derivatives, those of the third mass from the rod `first_of_3` on.
+double substituted(const Sample& s, std::size_t first_of_3) {
+  double T = 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    double x = 0, y = 0;
+    for (std::size_t k = n == 2 ? first_of_3 : 0; k <= n; ++k) {
+      x += cx(s, k);
+      y += sy(s, k);
+    }
+    T += s.m[n] / 2 * (x * x + y * y);
+  }
+  return T;
+}
+
+/// The sum of m_k |v_k|^2/2, with another factor for the third mass.
+double summed(const Sample& s, double third) {
+  const auto v = s.velocities();
+  double T = 0;
+  for (std::size_t i = 0; i < 6; ++i) T += (i < 4 ? 0.5 : third) * s.m[i / 2] * v[i] * v[i];
+  return T;
+}
+
+/// The text's potential, less that at rest.
+double risen(const Sample& s, double y_sign) {
+  const auto published = [&](const std::vector<double>& q) {
+    const auto p = s.at(q);
+    double V = 0;
+    for (std::size_t k = 0; k < 3; ++k) V += -s.m[k] * s.g * (s.h - y_sign * p[2 * k + 1]);
+    return V;
+  };
+  return published(s.theta) - published({0, 0, 0});
+}
+
+}  // namespace
+
+std::vector<Claim> claims(double seed) {
+  using Reader = Formula<Sample>;
+  const auto samples = draw<Sample>(200, seed);
+  Claims claims("3.25");
+  const Reader by_pairs{"Koenig: the center of mass, and the speeds of the masses relative to each other",
+                        &Sample::kinetic_by_pairs};
+  claims.formula("kinetic_sum", 2629, "the kinetic energy $T$ as a sum over the masses", samples,
+                 {.quantity = "$T$",
+                  .truth = by_pairs,
+                  .printed = {R"($\sum\frac{m_k}2(\dot x_k^2+\dot y_k^2)$)",
+                              [](const Sample& s) { return summed(s, 0.5); }},
+                  .near_misses = {{"$m_3$ for $m_3/2$", [](const Sample& s) { return summed(s, 1); }}}});
+  claims.statement("three_free_variables", 2643, "how many of the six coordinates are free",
+                   draw<Sample>(100, seed),
+                   {.printed = {"three, 6 less the rank of the rods' constraints",
+                                [](const Sample& s) { return free_coordinates(s) == 3; }},
+                    .near_misses = {{"four", [](const Sample& s) { return free_coordinates(s) == 4; }}}});
+  const std::string rods = "three turned rods, by complex numbers";
+  claims.formula("x3", 2645, "the place $x_3$ of the third mass", samples,
+                 {.truth = {rods, [](const Sample& s) { return three_rods(s).real(); }},
+                  .printed = {R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)", across},
+                  .near_misses = {{R"($r_1\cos\theta_1+r_2\cos\theta_2+r_3\cos\theta_3$)", drop}}});
+  claims.formula("y3", 2647, "its height $y_3$", samples,
+                 {.truth = {rods, [](const Sample& s) { return s.h + three_rods(s).imag(); }},
+                  .printed = {R"($y_3=h-r_1\cos\theta_1-r_2\cos\theta_2-r_3\cos\theta_3$)",
+                              [](const Sample& s) { return s.h - drop(s); }},
+                  .near_misses = {{R"($h+r_1\cos\theta_1+r_2\cos\theta_2+r_3\cos\theta_3$)",
+                                   [](const Sample& s) { return s.h + drop(s); }}}});
+  const std::string
+      of_cosines = R"(r_1\dot\theta_1\cos\theta_1+r_2\dot\theta_2\cos\theta_2+r_3\dot\theta_3\cos\theta_3$)",
+      of_sines = R"(r_1\dot\theta_1\sin\theta_1+r_2\dot\theta_2\sin\theta_2+r_3\dot\theta_3\sin\theta_3$)";
+  claims.formula("x3_rate", 2651, R"($\dot x_3$)", samples,
+                 {.truth = {"dual numbers in the time", [](const Sample& s) { return s.velocities()[4]; }},
+                  .printed = {R"($\dot x_3=)" + of_cosines, cosines},
+                  .near_misses = {{"the opposite", [](const Sample& s) { return -cosines(s); }},
+                                  {"$" + of_sines, sines}}});
+  claims.formula("y3_rate", 2653, R"($\dot y_3$)", samples,
+                 {.truth = {"dual numbers in the time", [](const Sample& s) { return s.velocities()[5]; }},
+                  .printed = {R"($\dot y_3=)" + of_sines, sines},
+                  .near_misses = {{"the opposite", [](const Sample& s) { return -sines(s); }},
+                                  {"$" + of_cosines, cosines}}});
+  claims.formula(
+      "kinetic_substituted", 2657, "$T$ with the derivatives put in", samples,
+      {.quantity = "$T$",
+       .truth = by_pairs,
+       .printed =
+           {R"(squares of the sums of $r_k\dot\theta_k\cos\theta_k$ and $r_k\dot\theta_k\sin\theta_k$)",
+            [](const Sample& s) { return substituted(s, 0); }},
+       .near_misses = {
+           {"the third bracket without $r_1$", [](const Sample& s) { return substituted(s, 1); }}}});
+  claims.formula(
+      "kinetic_expanded", 2679, "$T$ expanded: squares, and a cosine of each difference of angles", samples,
+      {.quantity = "$T$",
+       .truth = by_pairs,
+       .printed =
+           {"the second and the third bracket multiplied: the plus sign between them stands inside the second",
+            [](const Sample& s) { return bracket(s, 1) + bracket(s, 2) * bracket(s, 3); }},
+       .meant = {"the three brackets added",
+                 [](const Sample& s) { return bracket(s, 1) + bracket(s, 2) + bracket(s, 3); }},
+       .near_misses = {{R"($\cos(\theta_i+\theta_j)$)",
+                        [](const Sample& s) {
+                          return bracket(s, 1, 1) + bracket(s, 2, 1) + bracket(s, 3, 1);
+                        }},
+                       {"no factor 2 before the cosines",
+                        [](const Sample& s) {
+                          double T = 0;
+                          for (std::size_t n = 1; n <= 3; ++n)
+                            for (std::size_t i = 0; i < n; ++i)
+                              T += s.m[n - 1] / 4 * square(s.r[i] * s.omega[i]);
+                          return T + (bracket(s, 1) + bracket(s, 2) + bracket(s, 3)) / 2;
+                        }}},
+       .kind = Fault::formula,
+       .why =
+           "The plus sign that should join the second and the third term stands inside the second's parenthesis, "
+           "after its last cosine: as it stands the two are multiplied. Every term of the sum is right."});
+  claims.formula(
+      "potential", 2713, "the potential energy $V$", samples,
+      {.quantity = "$V$ less that at rest",
+       .truth = {"minus gravity's work on the way, by quadrature",
+                 [](const Sample& s) { return -s.work_of_gravity(); }},
+       .printed = {"$V=-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$", [](const Sample& s) { return risen(s, 1); }},
+       .near_misses = {{"$h+y_k$ for $h-y_k$", [](const Sample& s) { return risen(s, -1); }},
+                       {"$m_3$ left out", [](const Sample& s) {
+                          const double y3 = s.h - drop(s), rest = s.h - s.r[0] - s.r[1] - s.r[2];
+                          return risen(s, 1) - s.m[2] * s.g * (y3 - rest);
+                        }}}});
+
+  const auto newton = [](const Sample& s) { return s.newton(); };
+  const std::string by_lagrange = "Lagrange's equations by nested dual numbers",
+                    by_newton = "Newton's law with the rods' tensions";
+  const auto equation = [&](const std::string& text, double sign, double v_sign) {
+    return Reading{text,
+                   {accelerations(
+                       by_lagrange + ": " + text, by_newton, seed, 3, 3,
+                       [=](const Sample& s) { return s.lagrange(sign, v_sign); }, newton)}};
+  };
+  const auto of = [](const std::string& sign, const std::string& lagrangian) {
+    return R"($\frac{d}{dt}\frac{\partial L}{\partial\dot\theta_i})" + sign +
+           R"(\frac{\partial L}{\partial\theta_i}=0$ with $L=)" + lagrangian + "$";
+  };
+  claims.add("equations", 2715, "the equations of motion, one for each angle",
+             {.printed = equation(of("-", "T-V"), 1, 1),
+              .near_misses = {equation(of("-", "T+V"), 1, -1), equation(of("+", "T-V"), -1, 1)}});
+
+  const auto pattern = [&](const std::string& mass, const std::string& sign, bool later, double sine_sign) {
+    const std::string text = R"($\sum_j\mu_{\)" + mass +
+                             R"((i,j)}r_ir_j(\cos(\theta_i-\theta_j)\,\ddot\theta_j)" + sign +
+                             R"(\sin(\theta_i-\theta_j)\,\dot\theta_j^2)=-\mu_igr_i\sin\theta_i$, )" +
+                             R"($\mu_k$ the mass from $k$ on)";
+    const auto by = [=](const Sample& s) { return by_pattern(s, later, sine_sign); };
+    return Reading{
+        text,
+        {accelerations(text, by_lagrange, seed, 1, 5, by, [](const Sample& s) { return s.lagrange(); }),
+         accelerations(text, by_newton, seed, 20, 30, by, newton)}};
+  };
+  claims.add("pattern", 2753, "for $n$ masses the derivatives follow a pattern that can be coded",
+             {.printed = pattern("max", "+", true, 1),
+              .near_misses = {pattern("min", "+", false, 1), pattern("max", "-", true, -1)}});
+  return claims.in_order();
+}
+
+}  // namespace oddity::ex03_25

@@ -1,0 +1,337 @@
+// The quantities of exercise 3.31: when and where the box comes to rest, and its way there and after.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "chapters/03_rigid_body_motion/31_rough_box/rough_box.hpp"
+#include "chapters/scene.hpp"
+#include "chapters/stops.hpp"
+#include "solvers/counted_calls.hpp"
+#include "solvers/ode/events.hpp"
+
+namespace oddity::ex03_31 {
+
+using namespace rough_box;
+
+namespace {
+
+using Pose = std::array<double, 4>;  ///< time of rest, x, y, theta
+
+/// Sliding and spinning as if each were alone.
+Pose uncoupled(const Box& box) {
+  const double slide = box.sliding_time(), spin = box.spinning_time();
+  return {std::max(slide, spin), box.u0 * slide / 2, box.v0 * slide / 2, box.w0 * spin / 2};
+}
+
+/// The state in which a box rests that is decelerated steadily from now on.
+Pose coasted(const InTime<double>& box, double t, const InTime<double>::State& x) {
+  const auto f = box.p.friction(x[2], x[3], x[4], x[5]);
+  const double now = box.p.speed(x[3], x[4], x[5]);
+  const double left = now * now / -(x[3] * f[0] + x[4] * f[1] + box.p.J() * x[5] * f[2]);
+  return {t + left, x[0] + x[3] * left / 2, x[1] + x[4] * left / 2, x[2] + x[5] * left / 2};
+}
+
+/// In time until a two-thousandth of the speed is left, and from there at a steady deceleration.
+template <class Algorithm>
+Solved<Pose> stopped_by_event(const Box& b, double setting) {
+  const InTime<double> box{b};
+  const double least = 5e-4 * box.p.speed(box.p.u0, box.p.v0, box.p.w0);
+  const auto slow = [&](const InTime<double>::State& x, double) {
+    return box.p.speed(x[3], x[4], x[5]) - least;
+  };
+  const auto event = ode::find_event<Algorithm>(box, box.start(), 0, box.p.long_enough(), setting, slow);
+  Solved<Pose> rest{coasted(box, event.value.time, event.value.state), event.evaluations + 1};
+  rest.ending = event.ending;
+  rest.message = event.message;
+  return rest;
+}
+
+template <class Algorithm>
+Solved<Pose> in_stretched_time(const Box& b, double setting) {
+  const Stretched<double> box{b};
+  const auto end = ode::integrate<Algorithm>(box, box.start(), 0, box.end(), setting);
+  const auto& x = end.value;
+  Solved<Pose> rest{{x[6], x[0], x[1], x[2]}, end.evaluations};
+  rest.ending = end.ending;
+  rest.message = end.message;
+  return rest;
+}
+
+/// In time through the stop and on; `softness` 0 is friction that knows no rest. It gives no time of rest.
+template <class Algorithm>
+Solved<Pose> through_the_stop(const Box& b, double softness, double setting) {
+  const InTime<double> box{b, softness};
+  const auto end = ode::integrate<Algorithm>(box, box.start(), 0, box.p.long_enough(), setting);
+  const auto& x = end.value;
+  Solved<Pose> rest{{box.p.long_enough(), x[0], x[1], x[2]}, end.evaluations};
+  rest.ending = end.ending;
+  rest.message = end.message;
+  return rest;
+}
+
+/// One step with a test whether friction can stop the box within it; if so, the pose in which it rests.
+enum class Stepping { semi_implicit_euler, midpoint };
+std::optional<Pose> step_or_stop(const InTime<double>& box, Stepping rule, double t, double h,
+                                 InTime<double>::State& x, long& evaluations) {
+  const auto rhs = counted_calls(box, evaluations);
+  InTime<double>::State rate{}, half{};
+  rhs(x, rate, t);
+  const double now = box.p.speed(x[3], x[4], x[5]);
+  const double braking = -(x[3] * rate[3] + x[4] * rate[4] + box.p.J() * x[5] * rate[5]) / now;
+  if (now <= h * braking) return coasted(box, t, x);
+  if (rule == Stepping::midpoint) {
+    for (std::size_t i = 0; i < 6; ++i) half[i] = x[i] + h / 2 * rate[i];
+    rhs(half, rate, t + h / 2);
+    for (std::size_t i = 0; i < 6; ++i) x[i] += h * rate[i];
+  } else {
+    for (std::size_t i = 3; i < 6; ++i) x[i] += h * rate[i];
+    for (std::size_t i = 0; i < 3; ++i) x[i] += h * x[i + 3];
+  }
+  return {};
+}
+
+Solved<Pose> with_stick_test(const Box& b, double h) {
+  const InTime<double> box{b};
+  InTime<double>::State x = box.start();
+  Solved<Pose> rest;
+  const double too_long = box.p.long_enough();
+  for (double t = 0; t < too_long; t += h)
+    if (const auto pose = step_or_stop(box, Stepping::midpoint, t, h, x, rest.evaluations)) {
+      rest.value = *pose;
+      return rest;
+    }
+  rest.ending = Ending::stalled;
+  rest.message = "the box has not come to rest";
+  return rest;
+}
+
+// ---- the quantities ---------------------------------------------------------------------------------------
+
+Value place(const Pose& rest) { return {rest[1], rest[2], rest[3]}; }
+Value moment(const Pose& rest) { return rest[0]; }
+
+const std::string in_time = "friction at full speed only", soft = "regularized friction",
+                  stretched = "time stretched by the speed", event = "stopped by event",
+                  sticks = "steps with a stick test", midpoint = "explicit midpoint";
+
+/// The methods that know a time of rest, seen through `see`.
+template <class See>
+void add_stopping(Quantity& q, const Box& box, const See& see) {
+  const Knob steps = halving("step", 0.0625, 10), stretched_steps = halving("step", 0.5, 8);
+  q.add({"sliding and spinning apart", "closed form", no_knob(),
+         [=](double) {
+           return Answer{see(uncoupled(box)), 1};
+         },
+         box.w0 == 0 || box.sliding_time() == 0 ? Outcome::ok : Outcome::inaccurate,
+         "each motion takes friction's direction away from the other, and both last longer"});
+  q.add({stretched, "Runge-Kutta 4", stretched_steps,
+         [=](double h) { return answer(in_stretched_time<ode::RungeKutta4>(box, h), see); }});
+  q.add({stretched, "Dormand-Prince 5(4)", tolerances(),
+         [=](double e) { return answer(in_stretched_time<ode::DormandPrince54>(box, e), see); }});
+  q.add({stretched, "Fehlberg 7(8)", tolerances(),
+         [=](double e) { return answer(in_stretched_time<ode::Fehlberg78>(box, e), see); }});
+  q.add({event, "Dormand-Prince 5(4)", tolerances(),
+         [=](double e) { return answer(stopped_by_event<ode::DormandPrince54>(box, e), see); }});
+  q.add({event, "Runge-Kutta 4", steps,
+         [=](double h) { return answer(stopped_by_event<ode::RungeKutta4>(box, h), see); }});
+  q.add({sticks, midpoint, steps, [=](double h) { return answer(with_stick_test(box, h), see); }});
+}
+
+Known true_rest(const Box& b, const Reference& truth) {
+  return truth("03_31_rest", {b.foot.a, b.foot.b, b.mu, b.g, b.u0, b.v0, b.w0});
+}
+
+Quantity time_to_rest(const Box& box, const Reference& truth) {
+  Known known = true_rest(box, truth);
+  known.value.resize(1);
+  Quantity q = quantity("time_to_rest", "s", "when the box comes to rest", known, {1e-6, "a microsecond"});
+  add_stopping(q, box, moment);
+  return q;
+}
+
+Quantity rest(const Box& box, const Reference& truth) {
+  Known known = true_rest(box, truth);
+  known.value.erase(known.value.begin());
+  Quantity q = quantity("rest", "m, m, rad", "position and angle at which the box comes to rest", known,
+                        {1e-6, "a micrometre, a fifth of a second of arc"});
+  add_stopping(q, box, place);
+  const Knob softness{"softness", {0.3, 0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001}};
+  q.add({in_time, "Runge-Kutta 4", halving("step", 0.0625, 6),
+         [=](double h) { return answer(through_the_stop<ode::RungeKutta4>(box, 0, h), place); },
+         Outcome::inaccurate, "at the stop friction changes its sign at every step: the box trembles"});
+  q.add({soft, "Dormand-Prince 5(4), tolerance 1e-9", softness,
+         [=](double e) { return answer(through_the_stop<ode::DormandPrince54>(box, e, 1e-9), place); }});
+  q.add({soft, "Rosenbrock 4, tolerance 1e-9", softness,
+         [=](double e) { return answer(through_the_stop<ode::Rosenbrock4>(box, e, 1e-9), place); }});
+  q.add({soft, "Runge-Kutta 4, step 1/256", softness,
+         [=](double e) { return answer(through_the_stop<ode::RungeKutta4>(box, e, 0x1p-8), place); },
+         Outcome::inaccurate, "unstable at rest when the step exceeds 2.8 softness / (mu g)"});
+  return q;
+}
+
+bool fail(Answer& answer, Ending ending, std::string message) {
+  answer.ending = ending;
+  answer.message = std::move(message);
+  return false;
+}
+
+/// From stop to stop in the stretched time. How much of it a stop needs is found by Newton's method, from
+/// below, as the speed falls.
+template <class Algorithm>
+Answer slide_in_stretched_time(const Box& b, const Horizon& horizon, double setting) {
+  const Stretched<double> box{b};
+  Stretched<double>::State x = box.start();
+  double s = 0;
+  Answer answer;
+  std::vector<double> seen;
+  const auto go_on = [&](double, double stop) {
+    for (int newton = 0; s < box.end() && std::abs(stop - x[6]) > 1e-15 * stop; ++newton) {
+      if (newton == 100) return fail(answer, Ending::stalled, "the time of the stop is not met");
+      const double part = std::min((stop - x[6]) / box.p.speed(x[3], x[4], x[5]), box.end() - s);
+      const auto end = ode::integrate<Algorithm>(box, x, 0, part, setting);
+      answer.evaluations += end.evaluations;
+      if (!end.reached()) return fail(answer, end.ending, end.message);
+      x = end.value;
+      s += part;
+    }
+    return true;
+  };
+  through_times(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
+  answer.value = Value(std::move(seen));
+  return answer;
+}
+
+/// From stop to stop in time, and from a two-thousandth of the speed on at a steady deceleration.
+template <class Algorithm>
+Answer slide_until_event(const Box& b, const Horizon& horizon, double setting) {
+  const InTime<double> box{b};
+  const double least = 5e-4 * box.p.speed(box.p.u0, box.p.v0, box.p.w0);
+  const auto slow = [&](const InTime<double>::State& x, double) {
+    return box.p.speed(x[3], x[4], x[5]) - least;
+  };
+  InTime<double>::State x = box.start();
+  bool rests = false;
+  Answer answer;
+  std::vector<double> seen;
+  const auto go_on = [&](double from, double to) {
+    if (rests) return true;
+    const auto stop = ode::find_event<Algorithm>(box, x, from, to, setting, slow);
+    answer.evaluations += stop.evaluations;
+    x = stop.value.state;
+    if (stop.reached()) {
+      const Pose rest = coasted(box, stop.value.time, x);
+      std::copy(rest.begin() + 1, rest.end(), x.begin());
+      rests = true;
+    } else if (stop.value.time != to) {
+      return fail(answer, stop.ending, stop.message);
+    }
+    return true;
+  };
+  through_times(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
+  answer.value = Value(std::move(seen));
+  return answer;
+}
+
+/// By equal steps, none of which takes the box through its stop.
+Answer slide_with_stick_test(const Box& b, Stepping rule, const Horizon& horizon, double step) {
+  const InTime<double> box{b};
+  InTime<double>::State x = box.start();
+  bool rests = false;
+  Answer answer;
+  std::vector<double> seen;
+  const auto go_on = [&](double from, double to) {
+    const double n = count_of_steps(to - from, step), h = (to - from) / n;
+    for (double k = 0; k < n && !rests; ++k) {
+      if (answer.evaluations > ode::budget)
+        return fail(answer, Ending::stalled, "the budget of evaluations is spent");
+      if (const auto rest = step_or_stop(box, rule, from + k * h, h, x, answer.evaluations)) {
+        std::copy(rest->begin() + 1, rest->end(), x.begin());
+        rests = true;
+      }
+    }
+    return true;
+  };
+  through_times(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
+  answer.value = Value(std::move(seen));
+  return answer;
+}
+
+}  // namespace
+
+Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
+  using enum Outcome;
+  Quantity q = quantity("slide", "m, m, rad", "position and angle at four times, the last after the stop",
+                        trajectory(truth, "03_31_slide",
+                                   {box.foot.a, box.foot.b, box.mu, box.g, box.u0, box.v0, box.w0}, horizon),
+                        {1e-6, "a micrometre, a fifth of a second of arc"});
+  const Knob steps = halving("step", 0.0625, 10), stretched_steps = halving("step", 0.5, 8);
+  const InTime<double> full{box}, softened{box, 0.01};
+  const std::string soft_1 = "friction regularized at 1 cm/s", order = "its order is too low for this need",
+                    trembles = "at the stop friction changes its sign at every step: the box trembles",
+                    creeps = "below a centimetre a second friction is too weak";
+  Ladder(q, horizon, steps, tolerances(2, 4, 1))
+      .closed_form("sliding and spinning apart", Uncoupled<double>{box},
+                   box.w0 == 0 || box.sliding_time() == 0 ? ok : inaccurate,
+                   "each motion takes friction's direction away from the other, and both last longer")
+      .by<ode::ExplicitEuler>(in_time, full, inaccurate, order)
+      .by<ode::RungeKutta4>(in_time, full, inaccurate, trembles)
+      .by<ode::DormandPrince54>(in_time, full, inaccurate, trembles)
+      .by<ode::Fehlberg78>(in_time, full, inaccurate, trembles);
+  Ladder(q, horizon, steps, tolerances())
+      .by<ode::ExplicitEuler>(soft_1, softened, inaccurate, creeps)
+      .by<ode::RungeKutta4>(soft_1, softened, inaccurate, creeps)
+      .by<ode::DormandPrince54>(soft_1, softened, inaccurate, creeps)
+      .by<ode::Fehlberg78>(soft_1, softened, inaccurate, creeps)
+      .by_others(soft_1, softened,
+                 {{"modified midpoint", inaccurate, creeps},
+                  {"Adams-Bashforth 4", inaccurate, creeps},
+                  {"Adams-Bashforth-Moulton 6", inaccurate, creeps},
+                  {"linearly implicit Euler", inaccurate, creeps},
+                  {"Rosenbrock 4", inaccurate, creeps},
+                  {"GSL rk8pd", inaccurate, creeps},
+                  {"GSL msadams", inaccurate, creeps},
+                  {"GSL msbdf", inaccurate, creeps},
+                  {"GSL bsimp", inaccurate, creeps},
+                  {"CVODE Adams", inaccurate, creeps},
+                  {"CVODE BDF", inaccurate, creeps},
+                  {"ARKODE Zonneveld 4(3)", inaccurate, creeps},
+                  {"ARKODE Verner 6(5)", inaccurate, creeps}});
+  q.add({sticks, "semi-implicit Euler", steps,
+         [=](double h) { return slide_with_stick_test(box, Stepping::semi_implicit_euler, horizon, h); },
+         inaccurate, order});
+  q.add({sticks, midpoint, steps,
+         [=](double h) { return slide_with_stick_test(box, Stepping::midpoint, horizon, h); }});
+  q.add({event, "Runge-Kutta 4", steps,
+         [=](double h) { return slide_until_event<ode::RungeKutta4>(box, horizon, h); }});
+  q.add({event, "Dormand-Prince 5(4)", tolerances(),
+         [=](double e) { return slide_until_event<ode::DormandPrince54>(box, horizon, e); }});
+  q.add({event, "Fehlberg 7(8)", tolerances(),
+         [=](double e) { return slide_until_event<ode::Fehlberg78>(box, horizon, e); }});
+  q.add({stretched, "Runge-Kutta 4", stretched_steps,
+         [=](double h) { return slide_in_stretched_time<ode::RungeKutta4>(box, horizon, h); }});
+  q.add({stretched, "Dormand-Prince 5(4)", tolerances(),
+         [=](double e) { return slide_in_stretched_time<ode::DormandPrince54>(box, horizon, e); }});
+  q.add({stretched, "Fehlberg 7(8)", tolerances(),
+         [=](double e) { return slide_in_stretched_time<ode::Fehlberg78>(box, horizon, e); }});
+  return q;
+}
+
+std::vector<Quantity> at_rest(const Box& box, const Reference& truth) {
+  Quantity end = rest(box, truth);
+  end.add(
+      Breakdown{"Friction that has full strength at any speed reverses at every step once the box should "
+                "rest: it trembles and wanders. A test whether friction can stop the box within the step "
+                "lets it rest.",
+                in_time + ", Runge-Kutta 4", 0x1p-8, Outcome::inaccurate, sticks + ", " + midpoint, 0x1p-12});
+  end.add(
+      Breakdown{"Regularized friction is stiff at rest: its rate is mu g / softness, and a fixed explicit "
+                "step ends by trembling. An implicit method takes its steps from the motion.",
+                soft + ", Runge-Kutta 4, step 1/256", 0.0001, Outcome::inaccurate,
+                soft + ", Rosenbrock 4, tolerance 1e-9", 0.0001});
+  return {time_to_rest(box, truth), end};
+}
+
+}  // namespace oddity::ex03_31
