@@ -6,155 +6,316 @@
 // 1-5], which is -N before 0. A unit normal out of that plane need not jump [Bishop, Amer. Math. Monthly 82
 // (1975) 246].
 
+#include <cmath>
 #include <numbers>
 
-#include "chapters/02_basic_concepts/01_plane_change/plane_change.hpp"
-#include "chapters/random.hpp"
+#include "chapters/02_basic_concepts/shared/sides.hpp"
+#include "chapters/02_basic_concepts/shared/space.hpp"
+#include "chapters/claims.hpp"
 
 namespace oddity {
 
 namespace ex02_01 {
 
-using namespace plane_change;
-using std::numbers::sqrt2;
+using namespace space;
+using identities::joined, identities::limit, identities::limit_at_zero, std::numbers::sqrt2;
 
 constexpr Parameter parameters[] = {
     {"h", 0.25, "1", "distance from t = 0 at which a numerical limit starts", 1e-3, 0.5},
     {"seed", 1, "", "of the random times", 0, 1e9, whole_number},
 };
 
+// ---- the curve --------------------------------------------------------------------------------------------
+
+constexpr int before = -1, after = 1;
+
+/// (x, y, 0) in the plane of the piece before 0, (x, 0, y) in that of the piece after.
+template <class T>
+Vector<T> in_plane(int side, const T& x, const T& y) {
+  return side < 0 ? Vector<T>{x, y, T(0.0)} : Vector<T>{x, T(0.0), y};
+}
+auto piece(int side) {
+  return [side](const auto& t) { return in_plane(side, t, t * t * t); };
+}
+/// The polynomial of degree n-1 through n points of a piece.
+Vector3 interpolated(int side, double t, int n) {
+  Vector3 sum{};
+  for (int i = 0; i < n; ++i) {
+    double weight = 1;
+    for (int j = 0; j < n; ++j)
+      if (j != i) weight *= (t - 0.5 * j) / (0.5 * (i - j));
+    sum = sum + weight * piece(side)(0.5 * i);
+  }
+  return sum;
+}
+
+struct Local {
+  Vector3 r, v, a, T, N;
+  double speed;
+};
+Local local(int side, double t) {
+  const auto m = motion_of(piece(side), t);
+  const Vector3 T = unit(m.v), N = in_plane(side, -(side < 0 ? T[1] : T[2]), T[0]);
+  return {m.r, m.v, m.a, T, N, length(m.v)};
+}
+Value all_of(const Local& l) { return joined(l.r, l.v, l.a, l.speed, l.T, l.N); }
+
+/// From positions alone: differences of step h, on the side of the limit or across 0.
+Value from_positions(int side, double h, bool across) {
+  const auto r = [&](double t) { return piece(t < 0 || (t == 0 && side < 0) ? before : after)(t); };
+  const double s = side * h;
+  const Vector3 near = r(s), far = across ? r(-s) : r(0), far2 = r(2 * s);
+  const Vector3 v = across ? (near - far) / (2 * s) : (near - far) / s;
+  const Vector3 a = across ? (near - 2.0 * r(0) + far) / (h * h) : (far2 - 2.0 * near + r(0)) / (h * h);
+  const Vector3 T = unit(v), normal = unit(a - dot(a, T) * T);
+  return all_of({near, v, a, T, double(side) * normal, length(v)});
+}
+
+Quantity one_sided_limits(double h) {
+  const Value at_zero{0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 1, 0, 0};
+  Quantity limits{"one_sided_limits",
+                  "1",
+                  "r, v, a, speed, T and N as t -> 0 from below, then from above",
+                  {"polynomials at 0, and T turned in the plane of its piece",
+                   joined(at_zero, Vector3{0, 1, 0}, at_zero, Vector3{0, 0, 1})},
+                  0,
+                  {1e-10, "ten decimals of numbers of size one"}};
+  const auto both = [](auto f) { return [f](double s) { return joined(f(before, s), f(after, s)); }; };
+  const auto pieces = both([](int side, double s) { return all_of(local(side, side * s)); });
+  const auto one_sided = both([](int side, double s) { return from_positions(side, s, false); });
+  const auto central = both([](int side, double s) { return from_positions(side, s, true); });
+  const Knob halvings{"halvings", {2, 4, 6, 8, 10}};
+  const std::string derivatives = "derivatives of each piece";
+  const auto richardson = [=](auto f) {
+    return [=](double n) { return limit_at_zero(f, h, static_cast<int>(n)); };
+  };
+  const Knob distances{"distance", {h, h * 0x1p-5, h * 0x1p-10, h * 0x1p-15, h * 0x1p-20}};
+  limits.add({derivatives, "value at a distance", distances,
+              [=](double s) {
+                return Answer{pieces(s), 1};
+              },
+              Outcome::inaccurate, "the acceleration is still 6 distances away"});
+  limits.add({derivatives, "Richardson", halvings, richardson(pieces)});
+  limits.add({"differences of positions, one side", "Richardson", halvings, richardson(one_sided)});
+  limits.add({"differences of positions across 0", "Richardson", halvings, richardson(central),
+              Outcome::deceived, "they see one normal, (0, -1, 1)/sqrt(2), at every h"});
+  limits.add(
+      Breakdown{"Central differences are the better ones inside a piece. Across the joint they give (0, -1, "
+                "1)/sqrt(2) for the normal, half-way between -N before and N after, however small the step.",
+                "differences of positions across 0, Richardson", 10, Outcome::deceived,
+                "differences of positions, one side, Richardson", 10});
+  return limits;
+}
+
+// ---- the claims -------------------------------------------------------------------------------------------
+
+struct Sample {
+  double t;
+  std::array<double*, 1> letters() { return {&t}; }
+  std::string where() const { return "t = " + shortest(t); }
+  int side() const { return t < 0 ? before : after; }
+  Local local() const { return ex02_01::local(side(), t); }
+};
+using OfTime = Formula<Sample>;
+
 double root(double t) { return std::sqrt(1 + 9 * t * t * t * t); }
 
-using S = const Sample&;
+OfTime by_duals(Vector3 Local::*of) {
+  return {"dual numbers", [=](const Sample& s) { return Value(s.local().*of); }};
+}
+/// (x, y, 0) or (x, 0, y).
+OfTime components(std::string text, double (*x)(double t), double (*y)(double t)) {
+  return {std::move(text), [=](const Sample& s) { return Value(in_plane(s.side(), x(s.t), y(s.t))); }};
+}
+double zero(double) { return 0; }
+double one(double) { return 1; }
+
+/// What the vector f(side, t) does as t goes to 0 from these sides, by Richardson's extrapolation.
+class Limits {
+ public:
+  explicit Limits(double h) : h_(h) {}
+
+  template <class F>
+  Reading tends(const std::string& what, std::initializer_list<int> sides, const Vector3& to,
+                const F& f) const {
+    const std::string text =
+        "$" + what + R"(\to()" + shortest(to[0]) + "," + shortest(to[1]) + "," + shortest(to[2]) + ")$";
+    Reading reading{text, {}};
+    for (int side : sides)
+      reading.checks.push_back(limit("$" + what + (side < 0 ? "$ from below" : "$ from above"), to, h_,
+                                     [=](double s) { return f(side, side * s); }));
+    return reading;
+  }
+  Check jump(double sign, double said) const {
+    return limit(sign > 0 ? R"($|\mathbf N_+-\mathbf N_-|$)" : R"($|\mathbf N_++\mathbf N_-|$)", said, h_,
+                 [=](double s) { return length(local(after, s).N - sign * local(before, -s).N); });
+  }
+  /// The formulas of N at t for the limits from both sides.
+  Reading normal_at(double t) const {
+    Reading reading{R"($\mathbf N$ at $t=)" + shortest(t) + "$", {}};
+    for (int side : {before, after})
+      reading.checks.push_back(limit(R"($\mathbf N$)", 1 / root(t) * in_plane(side, -3 * t * t, 1.0), h_,
+                                     [=](double s) { return local(side, side * s).N; }));
+    return reading;
+  }
+  template <class Normal>
+  Reading right_angle(const std::string& text, const Normal& normal) const {
+    return {text, {limit("cosine of the normals at $t$ and $-t$", 0, h_, [=](double s) {
+              return dot(normal(s), local(before, -s).N);
+            })}};
+  }
+
+ private:
+  double h_;
+};
+
+void frames(Claims& claims, int side, const std::vector<Sample>& samples) {
+  const auto tangent = [](double k, int power) {
+    return [=](const Sample& s) {
+      return Value(std::pow(root(s.t), power) * in_plane(s.side(), 1.0, k * s.t * s.t));
+    };
+  };
+  const auto normal = [](double k, int power) {
+    return [=](const Sample& s) {
+      const Vector3 n = std::pow(root(s.t), power) * in_plane(s.side(), -k * s.t * s.t, 1.0);
+      return joined(n, length(n), dot(n, s.local().T));
+    };
+  };
+  const std::string range = side < 0 ? " before 0" : " from 0 on", T = side < 0 ? "(1,3t^2,0)" : "(1,0,3t^2)",
+                    N = side < 0 ? "(-3t^2,1,0)" : "(-3t^2,0,1)", by_root = R"(\sqrt{1+9t^4})";
+  const auto is = [](const std::string& what, const std::string& value) {
+    return "$" + what + "=" + value + "$";
+  };
+  const std::string why =
+      R"(The bar above the root is lost in the text at hand: the root divides. As it stands the vector is )"
+      R"(multiplied by it, and at $t=\pm1$ its length is 10, not 1.)";
+  claims.formula(side < 0 ? "tangent_before" : "tangent_after", side < 0 ? 135 : 161,
+                 is(R"(\mathbf T)", T + R"(\,)" + by_root) + range, samples,
+                 {.quantity = R"($\mathbf T$)",
+                  .truth = {R"($\mathbf v/|\mathbf v|$ by dual numbers)", by_duals(&Local::T).of},
+                  .printed = {"$" + T + R"(\,)" + by_root + "$", tangent(3, 1)},
+                  .meant = {"$" + T + "/" + by_root + "$", tangent(3, -1)},
+                  .near_misses = {{R"(the quotient with $-3t^2$)", tangent(-3, -1)}},
+                  .kind = Fault::lost_typography,
+                  .why = why});
+  claims.formula(
+      side < 0 ? "normal_before" : "normal_after", side < 0 ? 141 : 167,
+      is(R"(\mathbf N)", N + R"(\,)" + by_root) + " is a unit normal" + range, samples,
+      {.quantity = R"($\mathbf N$, $|\mathbf N|$ and $\mathbf N\cdot\mathbf T$)",
+       .truth = {std::string(side < 0 ? "minus " : "") + "the principal normal by dual numbers, 1 and 0",
+                 [](const Sample& s) {
+                   const Local l = s.local();
+                   return joined(double(s.side()) * unit(cross(cross(l.v, l.a), l.v)), 1, 0);
+                 }},
+       .printed = {"$" + N + R"(\,)" + by_root + "$", normal(3, 1)},
+       .meant = {"$" + N + "/" + by_root + "$", normal(3, -1)},
+       .near_misses = {{R"(the quotient with $+3t^2$)", normal(-3, -1)}},
+       .kind = Fault::lost_typography,
+       .why = why});
+}
 
 std::vector<Claim> claims(double h, double seed) {
   Random random(seed);
-  std::vector<Sample> left{{-0.75}}, right{{0.75}}, all;
+  std::vector<Sample> left{{-0.75}}, right{{0.75}};
   for (int i = 0; i < 200; ++i) {
     const Sample s{random.magnitude(1e-3, 1e2)};
     (s.t < 0 ? left : right).push_back(s);
   }
-  for (const auto& side : {left, right}) all.insert(all.end(), side.begin(), side.end());
+  std::vector<Sample> all = left;
+  all.insert(all.end(), right.begin(), right.end());
+  const Limits limits(h);
+  const auto of = [](Vector3 Local::*vector) {
+    return [=](int side, double t) { return local(side, t).*vector; };
+  };
+  const auto r = of(&Local::r), v = of(&Local::v), a = of(&Local::a), N = of(&Local::N);
+  const Vector3 none{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  const std::string R = R"(\mathbf r)", V = R"(\mathbf v)", A = R"(\mathbf a)", normal = R"(\mathbf N)";
+  Claims claims("2.1");
 
-  const auto r = [](int side, double t) { return local(side, t).r; };
-  const auto v = [](int side, double t) { return local(side, t).v; };
-  const auto a = [](int side, double t) { return local(side, t).a; };
-  const auto N = [](int side, double t) { return local(side, t).N; };
-  const auto text_T = [](S s, double k) {
-    return Sides{1 / root(s.t) * in_plane(s.side(), 1.0, k * s.t * s.t), local(s).T};
+  const auto with_limit = [&](const std::string& what, const OfTime& formula, const OfTime& truth,
+                              Reading at_0) {
+    at_0.text = formula.text;
+    at_0.checks.insert(at_0.checks.begin(), compare(what, formula, truth, all));
+    return at_0;
   };
-  const auto text_N = [](S s, double k) {
-    const Local l = local(s);
-    const Vector3 n = 1 / root(s.t) * in_plane(s.side(), -k * s.t * s.t, 1.0);
-    const Vector3 principal = unit(cross(cross(l.v, l.a), l.v));
-    return Sides{joined(n, length(n), dot(n, l.T)), joined(double(s.side()) * principal, 1, 0), 1};
+  const auto near = [&](const std::string& what, const OfTime& formula, const OfTime& truth) {
+    return Reading{formula.text, {compare(what, formula, truth, all)}};
   };
-
-  // As the text at hand has them, the root a factor.
-  const std::string lost =
-      "The bar above the root is lost in the text at hand: the root divides. As it stands the vector is "
-      "multiplied by it, and at $t=\\pm1$ its length is 10, not 1.";
-  const auto product = [&](const char* text, bool normal, const std::vector<Sample>& samples) {
-    return reading(text, normal ? "N" : "T", "dual numbers", samples, [=](S s) {
-      const double t2 = 3 * s.t * s.t, d = root(s.t);
-      const Local l = local(s);
-      return normal ? Sides{d * in_plane(s.side(), -t2, 1.0), l.N}
-                    : Sides{d * in_plane(s.side(), 1.0, t2), l.T};
-    });
+  const OfTime velocity = by_duals(&Local::v), acceleration = by_duals(&Local::a);
+  claims.add("velocity", 69, R"($\mathbf v=(1,3t^2,0)$ before 0 and $(1,0,3t^2)$ from 0 on)",
+             {.printed = with_limit("$" + V + "$",
+                                    components("these, and 1 along $x$ at 0 from both sides", one,
+                                               [](double t) { return 3 * t * t; }),
+                                    velocity,
+                                    limits.tends(R"((\mathbf r(t)-\mathbf r(0))/t)", {before, after}, x,
+                                                 [=](int side, double t) { return r(side, t) / t; })),
+              .near_misses = {near(
+                  "$" + V + "$", components(R"($2t^2$ for $3t^2$)", one, [](double t) { return 2 * t * t; }),
+                  velocity)}});
+  claims.add("acceleration", 77, R"($\mathbf a=(0,6t,0)$ before 0 and $(0,0,6t)$ from 0 on)",
+             {.printed = with_limit(
+                  "$" + A + "$",
+                  components("these, and 0 at 0 from both sides", zero, [](double t) { return 6 * t; }),
+                  acceleration,
+                  limits.tends(R"((\mathbf v(t)-\mathbf v(0))/t)", {before, after}, none,
+                               [=](int side, double t) { return (v(side, t) - x) / t; })),
+              .near_misses = {near("$" + A + "$",
+                                   components(R"($3t$ for $6t$)", zero, [](double t) { return 3 * t; }),
+                                   acceleration)}});
+  claims.add("position_from_below", 87, R"($\mathbf r$ tends to 0 from below)",
+             {.printed = limits.tends(R, {before}, none, r),
+              .near_misses = {limits.tends(R, {before}, 1e-6 * y, r)}});
+  const auto through = [](std::string text, int points) {
+    return OfTime{std::move(text),
+                  [=](const Sample& s) { return Value(interpolated(s.side(), s.t, points)); },
+                  [](const Sample& s) { return 10 * (1 + std::abs(s.t * s.t * s.t)); }};
   };
-
-  const auto tends = [&](const std::string& what, std::initializer_list<int> sides, const Vector3& to,
-                         auto f) {
-    Reading reading{what + " -> (" + shortest(to[0]) + ", " + shortest(to[1]) + ", " + shortest(to[2]) + ")",
-                    {}};
-    for (int side : sides)
-      reading.checks.push_back(limit(what + (side < 0 ? " from below" : " from above"), to, h,
-                                     [=](double s) { return f(side, side * s); }));
-    return reading;
+  claims.formula("polynomials", 103, "the components are polynomials (of degree 3), hence continuous", all,
+                 {.quantity = R"($\mathbf r$)",
+                  .truth = {"the curve", [](const Sample& s) { return Value(piece(s.side())(s.t)); }},
+                  .printed = through("the cubic through four of its points", 4),
+                  .near_misses = {through("the parabola through three of its points", 3)}});
+  claims.add(
+      "position_from_above", 105, R"($\mathbf r$ tends to 0 from above)",
+      {.printed = limits.tends(R, {after}, none, r), .near_misses = {limits.tends(R, {after}, 1e-6 * z, r)}});
+  claims.add("velocity_limit", 121, R"($\mathbf v$ tends to $(1,0,0)$ from both sides)",
+             {.printed = limits.tends(V, {before, after}, x, v),
+              .near_misses = {limits.tends(V, {before, after}, x + y, v)}});
+  claims.add("acceleration_limit", 121, R"($\mathbf a$ tends to 0 from both sides)",
+             {.printed = limits.tends(A, {before, after}, none, a),
+              .near_misses = {limits.tends(A, {before, after}, 6.0 * y, a)}});
+  const auto speed = [](double k) {
+    return [=](const Sample& s) { return std::sqrt(1 + k * std::pow(s.t, 4)); };
   };
-  const auto evaluated = [&](double t) {
-    Reading reading{"N at t = " + shortest(t), {}};
-    for (int side : {before, after})
-      reading.checks.push_back(limit("N", 1 / root(t) * in_plane(side, -3 * t * t, 1.0), h,
-                                     [=](double s) { return N(side, side * s); }));
-    return reading;
-  };
-  const auto jump = [&](double sign, double said) {
-    return limit(sign > 0 ? "|N+ - N-|" : "|N+ + N-|", said, h,
-                 [=](double s) { return length(N(after, s) - sign * N(before, -s)); });
-  };
-  const auto right_angle = [&](const char* text, auto normal_after) {
-    const auto cosine = [=](double s) { return dot(normal_after(s), N(before, -s)); };
-    return Reading{text, {limit("cosine of the normals at t and -t", 0, h, cosine)}};
-  };
-  const Vector3 zero{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-
-  Claim velocity = formula("2.1-velocity", 69, "v = (1, 3t^2, 0) before 0 and (1, 0, 3t^2) from 0 on", "v",
-                           "dual numbers", all, 3, 2, [](S s, double k) {
-                             return Sides{in_plane(s.side(), 1.0, k * s.t * s.t), local(s).v};
-                           });
-  for (const Check& c : tends("(r(t) - r(0))/t", {before, after}, x, [=](int side, double t) {
-                          return r(side, t) / t;
-                        }).checks)
-    velocity.printed.checks.push_back(c);
-  Claim acceleration = formula("2.1-acceleration", 77, "a = (0, 6t, 0) before 0 and (0, 0, 6t) from 0 on",
-                               "a", "dual numbers", all, 6, 3, [](S s, double k) {
-                                 return Sides{in_plane(s.side(), 0.0, k * s.t), local(s).a};
-                               });
-  for (const Check& c : tends("(v(t) - v(0))/t", {before, after}, zero, [=](int side, double t) {
-                          return (v(side, t) - x) / t;
-                        }).checks)
-    acceleration.printed.checks.push_back(c);
-
-  return {
-      velocity,
-      acceleration,
-      claim("2.1-position_from_below", 87, "r tends to 0 from below", tends("r", {before}, zero, r),
-            {tends("r", {before}, 1e-6 * y, r)}),
-      formula("2.1-polynomials", 103, "the components are polynomials (of degree 3), hence continuous", "r",
-              "the cubic through four of its points", all, 4, 3,
-              [](S s, double n) {
-                return Sides{piece(s.side())(s.t), interpolated(s.side(), s.t, static_cast<int>(n)),
-                             10 * (1 + std::abs(s.t * s.t * s.t))};
-              }),
-      claim("2.1-position_from_above", 105, "r tends to 0 from above", tends("r", {after}, zero, r),
-            {tends("r", {after}, 1e-6 * z, r)}),
-      claim("2.1-velocity_limit", 121, "v tends to (1, 0, 0) from both sides",
-            tends("v", {before, after}, x, v), {tends("v", {before, after}, x + y, v)}),
-      claim("2.1-acceleration_limit", 121, "a tends to 0 from both sides",
-            tends("a", {before, after}, zero, a), {tends("a", {before, after}, 6.0 * y, a)}),
-      formula("2.1-speed", 123, "the speed is sqrt(1 + 9t^4) on both sides", "|v|", "dual numbers", all, 9, 3,
-              [](S s, double k) {
-                return Sides{std::sqrt(1 + k * std::pow(s.t, 4)), local(s).speed};
-              }),
-      lost_bar(formula("2.1-tangent_before", 135, "T = (1, 3t^2, 0)/sqrt(1 + 9t^4) before 0", "T",
-                       "v/|v| by dual numbers", left, 3, -3, text_T),
-               product("T = (1, 3t^2, 0) sqrt(1 + 9t^4)", false, left), lost),
-      lost_bar(
-          formula("2.1-normal_before", 141, "N = (-3t^2, 1, 0)/sqrt(1 + 9t^4) is a unit normal before 0",
-                  "N, |N|, N.T", "minus the principal normal by dual numbers, 1, 0", left, 3, -3, text_N),
-          product("N = (-3t^2, 1, 0) sqrt(1 + 9t^4)", true, left), lost),
-      claim("2.1-normal_from_below", 147, "N tends to (0, 1, 0) from below", tends("N", {before}, y, N),
-            {tends("N", {before}, z, N), tends("N", {before}, -y, N)}),
-      claim("2.1-normal_by_evaluation", 155, "the limits of N are its formulas' values at 0", evaluated(0),
-            {evaluated(1e-3)}),
-      lost_bar(formula("2.1-tangent_after", 161, "T = (1, 0, 3t^2)/sqrt(1 + 9t^4) from 0 on", "T",
-                       "v/|v| by dual numbers", right, 3, -3, text_T),
-               product("T = (1, 0, 3t^2) sqrt(1 + 9t^4)", false, right), lost),
-      lost_bar(formula("2.1-normal_after", 167, "N = (-3t^2, 0, 1)/sqrt(1 + 9t^4) is a unit normal from 0 on",
-                       "N, |N|, N.T", "the principal normal by dual numbers, 1, 0", right, 3, -3, text_N),
-               product("N = (-3t^2, 0, 1) sqrt(1 + 9t^4)", true, right), lost),
-      claim("2.1-normal_from_above", 173, "N tends to (0, 0, 1) from above", tends("N", {after}, z, N),
-            {tends("N", {after}, y, N), tends("N", {after}, -z, N)}),
-      claim("2.1-no_sign_helps", 181, "the two limits of N differ, and so do they with one sign changed",
-            {"both jumps are sqrt(2)", {jump(1, sqrt2), jump(-1, sqrt2)}},
-            {{"the limits are equal", {jump(1, 0)}}, {"they are opposite", {jump(-1, 0)}}}),
-      claim("2.1-no_continuous_normal", 181, "no function for the curve's normal is continuous at 0",
-            right_angle("the normal in the curve's own plane, of either sign: a right angle remains",
-                        [=](double t) { return N(after, t); }),
-            {right_angle("every unit vector perpendicular to T: but (0, 1, 0) continues N for t >= 0",
-                         [=](double) { return y; })}),
-  };
+  claims.formula("speed", 123, R"(the speed is $\sqrt{1+9t^4}$ on both sides)", all,
+                 {.quantity = R"($|\mathbf v|$)",
+                  .truth = {"dual numbers", [](const Sample& s) { return s.local().speed; }},
+                  .printed = {R"($\sqrt{1+9t^4}$)", speed(9)},
+                  .near_misses = {{R"($\sqrt{1+3t^4}$)", speed(3)}}});
+  frames(claims, before, left);
+  claims.add("normal_from_below", 147, R"($\mathbf N$ tends to $(0,1,0)$ from below)",
+             {.printed = limits.tends(normal, {before}, y, N),
+              .near_misses = {limits.tends(normal, {before}, z, N), limits.tends(normal, {before}, -y, N)}});
+  claims.add("normal_by_evaluation", 155, R"(the limits of $\mathbf N$ are its formulas' values at 0)",
+             {.printed = limits.normal_at(0), .near_misses = {limits.normal_at(1e-3)}});
+  frames(claims, after, right);
+  claims.add("normal_from_above", 173, R"($\mathbf N$ tends to $(0,0,1)$ from above)",
+             {.printed = limits.tends(normal, {after}, z, N),
+              .near_misses = {limits.tends(normal, {after}, y, N), limits.tends(normal, {after}, -z, N)}});
+  claims.add("no_sign_helps", 181,
+             R"(the two limits of $\mathbf N$ differ, and so do they with one sign changed)",
+             {.printed = {R"(both jumps are $\sqrt2$)", {limits.jump(1, sqrt2), limits.jump(-1, sqrt2)}},
+              .near_misses = {{"the limits are equal", {limits.jump(1, 0)}},
+                              {"they are opposite", {limits.jump(-1, 0)}}}});
+  claims.add(
+      "no_continuous_normal", 181, "no function for the curve's normal is continuous at 0",
+      {.printed =
+           limits.right_angle("the normal in the curve's own plane, of either sign: a right angle remains",
+                              [=](double t) { return N(after, t); }),
+       .near_misses = {limits.right_angle(
+           R"(every unit vector perpendicular to $\mathbf T$: but $(0,1,0)$ continues $\mathbf N$ for $t\ge0$)",
+           [=](double) { return y; })}});
+  return claims.in_order();
 }
 
 }  // namespace ex02_01
@@ -162,8 +323,8 @@ std::vector<Claim> claims(double h, double seed) {
 Exercise exercise_2_1() {
   using namespace ex02_01;
   return {"Curve that changes its plane",
-          "The curve $\\mathbf r(t)=(t,t^3,0)$ for $t<0$, $(t,0,t^3)$ for $t\\ge0$: show that position, "
-          "velocity and acceleration are continuous at $t=0$, and that the normal $\\mathbf N$ is not.",
+          R"(The curve $\mathbf r(t)=(t,t^3,0)$ for $t<0$, $(t,0,t^3)$ for $t\ge0$: show that position, )"
+          R"(velocity and acceleration are continuous at $t=0$, and that the normal $\mathbf N$ is not.)",
           parameters,
           {},
           [](const Parameters& p, const Reference&) {

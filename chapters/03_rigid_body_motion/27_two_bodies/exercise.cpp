@@ -1,11 +1,20 @@
 // Exercise 3.27: two bodies of masses m1 and m2 that attract each other, as the first-order system
 //   r' = u,  u' = beta^2/r^3 - gamma/r^2,  phi' = beta/r^2,   beta = r0^2 phi0', gamma = G (m1 + m2)
-// The equations are derived again from T and V of the two bodies in space, whose positions are written in the
-// book's coordinates P = x2 - x1 = r (sin phi cos theta, sin phi sin theta, cos phi) and differentiated by
-// nested dual numbers. References: Kepler's equation in universal variables against Taylor series of both
-// bodies.
+// claims.cpp derives them again. References: Kepler's equation in universal variables against Taylor series
+// of both bodies.
 
-#include "chapters/03_rigid_body_motion/27_two_bodies/claims.hpp"
+#include "chapters/03_rigid_body_motion/27_two_bodies/two_bodies.hpp"
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
+#include "chapters/scene.hpp"
+#include "chapters/stops.hpp"
+#include "solvers/ode/events.hpp"
 
 namespace oddity {
 
@@ -25,6 +34,89 @@ constexpr Parameter parameters[] = {
     {"seed", 327, "", "of the random samples", 0, 1e9, whole_number},
 };
 
+// ---- methods that do not take equal steps in time ---------------------------------------------------------
+
+/// x + i y = w^2 and dt = r ds turn the relative motion into w'' = (E/2) w, E the energy per reduced mass
+/// [Levi-Civita 1920]: nothing is singular at r = 0. The state is (w, w', t).
+struct LeviCivita {
+  using State = std::array<double, 5>;
+  double half_energy;
+
+  void operator()(const State& x, State& dxdt, double) const {
+    dxdt = {x[2], x[3], half_energy * x[0], half_energy * x[1], x[0] * x[0] + x[1] * x[1]};
+  }
+};
+
+/// By Kepler's equation at every stop. Throws std::domain_error when the orbit is no ellipse.
+Answer by_kepler(const kepler::Start& start, const Horizon& horizon) {
+  const auto orbit = kepler::ellipse(start);
+  Answer answer;
+  std::vector<double> seen;
+  std::array<double, 2> now{};
+  const auto solve = [&](double, double t) {
+    const double M = orbit.mean_anomaly(t);
+    const auto E = kepler::by_newton(orbit.e, std::abs(M), std::numbers::pi, 50);
+    answer.evaluations += E.evaluations;
+    answer.ending = E.ending;
+    answer.message = E.message;
+    now = orbit.at_eccentric_anomaly(std::copysign(E.value, M));
+    return E.reached();
+  };
+  through_times(horizon, solve, [&](double) { seen.insert(seen.end(), now.begin(), now.end()); });
+  answer.value = Value(std::move(seen));
+  return answer;
+}
+
+/// Equal steps of s up to each stop; the last part's length by Newton's method, dt/ds being r, kept inside
+/// the step that passes the stop.
+Answer by_levi_civita(const kepler::Start& start, const Horizon& horizon, double step) {
+  const LeviCivita model{start.energy() / 2};
+  const auto p = start.position(), v = start.velocity();
+  const auto w = std::sqrt(std::complex(p[0], p[1])), rate = std::conj(w) * std::complex(v[0], v[1]) / 2.0;
+  LeviCivita::State x{w.real(), w.imag(), rate.real(), rate.imag(), 0};
+  Answer answer;
+  std::vector<double> seen;
+  const auto advance = [&](double s) {
+    const auto part = ode::integrate<ode::RungeKutta4>(model, x, 0, s, s);
+    answer.evaluations += part.evaluations;
+    return part.value;
+  };
+  const auto fail = [&](Ending ending, const char* message) {
+    answer.ending = ending;
+    answer.message = message;
+    return false;
+  };
+  const auto go_on = [&](double, double stop) {
+    auto next = advance(step);
+    while (next[4] < stop) {
+      if (answer.evaluations > ode::budget)
+        return fail(Ending::stalled, "the budget of evaluations is spent");
+      x = next;
+      next = advance(step);
+    }
+    if (!ode::finite(next)) return fail(Ending::non_finite, "the state is not finite");
+    double least = 0, most = step, s = step * (stop - x[4]) / (next[4] - x[4]);
+    for (int newton = 0; newton < 60; ++newton) {
+      next = advance(s);
+      const double late = next[4] - stop;
+      if (std::abs(late) <= 1e-15 * stop) {
+        x = next;
+        return true;
+      }
+      (late < 0 ? least : most) = s;
+      s -= late / (next[0] * next[0] + next[1] * next[1]);
+      if (!(s > least && s < most)) s = (least + most) / 2;
+    }
+    return fail(Ending::stalled, "the time of the stop is not met");
+  };
+  through_times(horizon, go_on, [&](double) {
+    seen.push_back(x[0] * x[0] - x[1] * x[1]);
+    seen.push_back(2 * x[0] * x[1]);
+  });
+  answer.value = Value(std::move(seen));
+  return answer;
+}
+
 // ---- the path ---------------------------------------------------------------------------------------------
 
 struct Expected {
@@ -38,10 +130,8 @@ Quantity path(const std::string& name, const std::string& says, const Bodies& b,
   const std::string order = "its order is too low for this need at this step",
                     steep = "equal steps in time are too long where the bodies meet",
                     published = "(r, u, phi)", both = "two bodies";
-  Quantity q = quantity(
-      name, "m", "the second body seen from the first at four times, " + says,
-      trajectory(truth, "03_27_two_bodies", {b.G, b.m1, b.m2, b.r0, b.r0_dot, b.phi0, b.phi0_dot}, horizon),
-      {1e-6, "a micrometre"});
+  Quantity q = quantity(name, "m", "the second body seen from the first at four times, " + says,
+                        trajectory(truth, "03_27_two_bodies", inputs(b), horizon), {1e-6, "a micrometre"});
   q.add({"Kepler's equation", "Newton from pi", no_knob(), [=](double) { return by_kepler(s, horizon); },
          ellipse ? ok : raised, ellipse ? "" : "the orbit is no ellipse"});
   q.add({"Levi-Civita's coordinates", "Runge-Kutta 4 in fictitious time", steps,
@@ -127,35 +217,6 @@ Quantity period(const Bodies& b) {
                 "(r, u, phi), Fehlberg 7(8), event phi = phi0 + 2 pi", 1e-12});
 }
 
-/// The three unknowns from the data that the text lists, beta and gamma computed from them, against the
-/// tabulated path, which knows neither.
-Claim state_and_data(const Reference& truth) {
-  constexpr Bodies b{1, 2, 1, 1, 0.25, 0.5, 1.5};
-  const Horizon horizon{4};
-  const Value known =
-      trajectory(truth, "03_27_two_bodies", {b.G, b.m1, b.m2, b.r0, b.r0_dot, b.phi0, b.phi0_dot}, horizon)
-          .value;
-  const auto from = [&](const std::string& text, const Bodies& data) {
-    return Reading{text,
-                   {{"path at four times to 4 s",
-                     {"r, u, phi integrated",
-                      observe_integrated<ode::Fehlberg78>(Published<double>{data}, horizon, 1e-12).value},
-                     {"Kepler's equation in universal variables", known},
-                     {1e-9, "a thousand tolerances of the integration"},
-                     1}}};
-  };
-  Bodies reduced = b, still = b;
-  reduced.G *= b.m1 * b.m2 / ((b.m1 + b.m2) * (b.m1 + b.m2));
-  still.r0_dot = 0;
-  Claim claim{
-      "3.27-state_and_data", 2787,
-      "r, u, phi with m1, m2, G and the four initial values are all; beta and gamma follow from them"};
-  claim.printed = from("the motion from these alone", b);
-  claim.near_misses = {from("gamma with the reduced mass for the sum", reduced),
-                       from("without the rate r0'", still)};
-  return claim;
-}
-
 Findings study(const Parameters& p, const Reference& truth) {
   constexpr Bodies eccentric{1, 2, 1, 1, 0.25, 0.5, 0.5}, near_collision{1, 2, 1, 1, 0.25, 0.5, 0x1p-5};
   const Horizon horizon{scene().horizon};
@@ -173,9 +234,7 @@ Findings study(const Parameters& p, const Reference& truth) {
                                  halving("step", 0x1p-5, 9), {drifted, drifted, inaccurate, inaccurate, ok}),
                             hit};
   if (const Bodies bodies = asked(p); bodies.relative().energy() < 0) all.push_back(period(bodies));
-  std::vector<Claim> said = claims(p["seed"]);
-  said.push_back(state_and_data(truth));
-  return {said, all};
+  return {claims(p["seed"], truth), all};
 }
 
 }  // namespace ex03_27

@@ -1,0 +1,125 @@
+// The quantities of exercise 2.3: the motion by several routes, the colatitude and the helix's ends.
+
+#include "chapters/02_basic_concepts/03_spherical_helix/spherical_helix.hpp"
+#include "chapters/02_basic_concepts/shared/sides.hpp"
+#include "reference/reference.hpp"
+#include "solvers/counted_calls.hpp"
+
+namespace oddity::spherical_helix {
+
+namespace {
+
+using std::sqrt, std::pow, std::numbers::pi, identities::joined, identities::limit_at_zero;
+
+/// v and a of the text; `corrected`: with the components along Q as they are.
+Answer by_the_text(double t, bool corrected) {
+  const double d = 1 + t * t;
+  return {{1 / sqrt(d), corrected ? 1 / d : -1 / d, 0, -2 * t / pow(d, 1.5),
+           corrected ? t * (t * t - 1) / (d * d) : -t / d, -(2 + t * t) / (d * d)},
+          1};
+}
+/// v and a from positions at distances h and 2h: differences of order 2 or 4.
+Answer by_differences(double t, double h, int order) {
+  const auto second = [&](double s) { return (helix(t + s) - 2.0 * helix(t) + helix(t - s)) / (s * s); };
+  const auto first = [&](double s) { return (helix(t + s) - helix(t - s)) / (2 * s); };
+  const auto mixed = [&](auto f) { return order == 2 ? f(h) : (4.0 * f(h) - f(2 * h)) / 3.0; };
+  const Vector3 r = helix(t);
+  return {joined(in_frame(r, mixed(first)), in_frame(r, mixed(second))), order + 1};
+}
+
+/// Distance from the axis and height at t = +1/s and -1/s.
+Answer ends(double s, bool hypot) {
+  const auto point = [&](double t) {
+    const double root = hypot ? std::hypot(1, t) : sqrt(1 + t * t);
+    return Value{1 / root, t / root};
+  };
+  Answer both;
+  const auto at = counted_calls(point, both.evaluations);
+  both.value = joined(at(1 / s), at(-1 / s));
+  return both;
+}
+
+}  // namespace
+
+Quantity motion(double t, const Reference& truth) {
+  Known known = truth("02_03_motion", {t});
+  known.value.erase(known.value.begin());
+  Quantity q =
+      quantity("motion", "1", "velocity and acceleration along P, Q, R", known, {1e-10, "ten decimals"});
+  const std::string too_small = "halving on, rounding takes over: it grows as eps/h^2";
+  const Knob steps = halving("h", 0x1p-4, 12);
+  q.add({"components as printed", "closed form", no_knob(), [=](double) { return by_the_text(t, false); },
+         Outcome::inaccurate, "both components along Q are wrong"});
+  q.add({"components, corrected", "closed form", no_knob(), [=](double) { return by_the_text(t, true); }});
+  q.add({"spherical angles", "dual numbers", no_knob(), [=](double) {
+           const Vector3 phi = At(t).phi;
+           const double s = std::sin(phi[0]), c = std::cos(phi[0]), w = phi[1];
+           return Answer{{s, -w, 0, 2 * w * c, s * c - phi[2], -w * w - s * s}, 1};
+         }});
+  q.add({"Cartesian", "dual numbers", no_knob(), [=](double) {
+           const auto m = space::motion_of(helix, t);
+           return Answer{joined(in_frame(m.r, m.v), in_frame(m.r, m.a)), 1};
+         }});
+  for (int order : {2, 4})
+    q.add({"Cartesian", "differences of order " + std::to_string(order), steps,
+           [=](double h) { return by_differences(t, h, order); }, Outcome::inaccurate, too_small});
+  q.add(Breakdown{
+      "A difference of step $2^{-15}$ carries rounding errors of $4\\epsilon/h^2\\approx10^{-6}$. Dual "
+      "numbers have no step.",
+      "Cartesian, differences of order 4", 0x1p-15, Outcome::inaccurate, "Cartesian, dual numbers", 0});
+  return q;
+}
+
+Quantity colatitude(const std::string& name, double t, const Reference& truth) {
+  Known known = truth("02_03_motion", {t});
+  known.value.resize(1);
+  Quantity q = quantity(name, "rad", "the angle phi from the pole, t = " + shortest(t), known,
+                        {1e-12 * known.value[0], "twelve digits"});
+  const bool north = t > 1e4, south = t < -1e4;
+  q.add({"t/sqrt(1 + t^2)", "acos", no_knob(),
+         [=](double) {
+           return Answer{std::acos(t / sqrt(1 + t * t)), 1};
+         },
+         north || south ? Outcome::inaccurate : Outcome::ok, "the cosine rounds to 1 near a pole"});
+  q.add({"1/sqrt(1 + t^2)", "asin", no_knob(),
+         [=](double) {
+           return Answer{std::asin(1 / sqrt(1 + t * t)), 1};
+         },
+         t < 0 ? Outcome::inaccurate : Outcome::ok, "the sine does not tell north from south"});
+  q.add({"latitude", "pi/2 - atan", no_knob(),
+         [=](double) {
+           return Answer{pi / 2 - std::atan(t), 1};
+         },
+         north ? Outcome::inaccurate : Outcome::ok, "two right angles cancel"});
+  q.add({"(1, t)", "atan2", no_knob(), [=](double) { return Answer{std::atan2(1, t), 1}; }});
+  if (north || south)
+    q.add(
+        Breakdown{"At $|t|=10^8$ the cosine $t/\\sqrt{1+t^2}$ rounds to $\\pm1$, and the arc cosine puts "
+                  "the point on the pole. Both coordinates of the meridian together, atan2(1, t), keep "
+                  "every digit.",
+                  "t/sqrt(1 + t^2), acos", 0, Outcome::inaccurate, "(1, t), atan2", 0});
+  return q;
+}
+
+Quantity limits_at_infinity() {
+  Quantity q{"limits_at_infinity",
+             "1",
+             "distance from the axis and height as t -> infinity, then as t -> -infinity",
+             {"closed form: the poles", {0, 1, 0, -1}},
+             0,
+             {1e-10, "ten decimals"}};
+  const Knob times{"t", {1e2, 1e4, 1e8, 1e12, 1e200}};
+  q.add({"sqrt(1 + t^2)", "value at t", times, [](double t) { return ends(1 / t, false); },
+         Outcome::inaccurate, "t^2 overflows and the height becomes 0"});
+  q.add({"hypot(1, t)", "value at t", times, [](double t) { return ends(1 / t, true); }});
+  q.add({"sqrt(1 + t^2)", "Richardson in 1/t", Knob{"halvings", {2, 4, 6, 8, 10}}, [](double n) {
+           return limit_at_zero([](double s) { return ends(s, false).value; }, 0.5, static_cast<int>(n));
+         }});
+  q.add(Breakdown{
+      "From $|t|\\approx1.3\\cdot10^{154}$ on $t^2$ is infinite and the helix falls back to the equator. "
+      "hypot scales.",
+      "sqrt(1 + t^2), value at t", 1e200, Outcome::inaccurate, "hypot(1, t), value at t", 1e200});
+  return q;
+}
+
+}  // namespace oddity::spherical_helix

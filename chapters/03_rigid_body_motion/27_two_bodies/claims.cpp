@@ -1,0 +1,340 @@
+// The claims of exercise 3.27. The equations are derived again from T and V of the two bodies in space, whose
+// positions are written in the book's coordinates P = x2 - x1 = r (sin phi cos theta, sin phi sin theta, cos
+// phi) and differentiated by nested dual numbers; whole motions are compared with Cartesian coordinates.
+
+#include "chapters/claims.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "chapters/03_rigid_body_motion/27_two_bodies/two_bodies.hpp"
+#include "chapters/scene.hpp"
+#include "solvers/dual.hpp"
+#include "solvers/linear.hpp"
+
+namespace oddity::two_bodies {
+
+namespace {
+
+const Tolerance by_integration{1e-10, "a thousand tolerances of the integration"};
+
+/// Random bodies and a state (q, v) of q = (r, theta, phi).
+struct Sample {
+  double G, m1, m2;
+  std::array<double, 3> q, v;
+
+  explicit Sample(Random& random)
+      : G(random.between(0.5, 2)),
+        m1(random.between(0.3, 3)),
+        m2(random.between(0.3, 3)),
+        q{random.between(0.5, 2), random.between(-3, 3), random.between(0.4, 2.7)},
+        v{random.between(-2, 2), 0, random.between(-2, 2)} {}
+  std::array<double*, 8> letters() { return {&G, &m1, &m2, &q[0], &q[1], &q[2], &v[0], &v[2]}; }
+  /// The terms of the equations over r and theta's inertia, which is r^2 sin^2 phi.
+  double size() const {
+    const double r = q[0], speed = std::abs(v[0]) + r * std::abs(v[2]), sine = std::sin(q[2]);
+    const double forces = speed * speed / r + gamma() / (r * r) + m1 + m2 + G * m1 * m2;
+    return forces * (1 + speed) * (1 + 1 / (r * r)) / (sine * sine);
+  }
+  std::string where() const {
+    return "m1 = " + rounded(m1, 4) + ", m2 = " + rounded(m2, 4) + ", r = " + rounded(q[0], 4) +
+           ", phi' = " + rounded(v[2], 4);
+  }
+
+  double beta() const { return q[0] * q[0] * v[2]; }
+  double gamma() const { return G * (m1 + m2); }
+
+  /// Both bodies' positions, the centre of mass in the origin.
+  template <class X>
+  std::array<X, 6> bodies(const std::array<X, 3>& at) const {
+    const std::array<X, 3> P{at[0] * sin(at[2]) * cos(at[1]), at[0] * sin(at[2]) * sin(at[1]),
+                             at[0] * cos(at[2])};
+    const X a(-m2 / (m1 + m2)), b(m1 / (m1 + m2));
+    return {a * P[0], a * P[1], a * P[2], b * P[0], b * P[1], b * P[2]};
+  }
+  template <class X>
+  X kinetic(const std::array<X, 3>& at, const std::array<X, 3>& speed) const {
+    std::array<Dual<X>, 3> moving;
+    for (std::size_t i = 0; i < 3; ++i) moving[i] = {at[i], speed[i]};
+    X T(0.0);
+    const auto x = bodies(moving);
+    for (std::size_t i = 0; i < 6; ++i) T += X((i < 3 ? m1 : m2) / 2) * x[i].slope * x[i].slope;
+    return T;
+  }
+  template <class X>
+  X potential(const std::array<X, 3>& at) const {
+    const auto x = bodies(at);
+    X square(0.0);
+    for (std::size_t i = 0; i < 3; ++i) square += (x[i + 3] - x[i]) * (x[i + 3] - x[i]);
+    return X(-G * m1 * m2) / sqrt(square);
+  }
+  /// d/dt dT/dv_i - d(T - V)/dq_i along a motion with the accelerations a.
+  double unbalanced(std::size_t i, const std::array<double, 3>& a, const std::array<double, 3>& speed) const {
+    using Nested = Dual<Dual<double>>;
+    std::array<Nested, 3> by_speed, with_speed, by_place, still;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double one = k == i;
+      by_speed[k] = Nested(Dual<double>(q[k], speed[k]));
+      with_speed[k] = Nested(Dual<double>(speed[k], a[k]), Dual<double>(one));
+      by_place[k] = Nested(Dual<double>(q[k]), Dual<double>(one));
+      still[k] = Nested(Dual<double>(speed[k]));
+    }
+    return kinetic(by_speed, with_speed).slope.slope -
+           (kinetic(by_place, still) - potential(by_place)).slope.value;
+  }
+  /// (r'', theta'', phi'') by Lagrange's equations.
+  std::array<double, 3> lagrange(const std::array<double, 3>& speed) const {
+    Eigen::MatrixXd M(3, 3);
+    Eigen::VectorXd f(3);
+    for (int i = 0; i < 3; ++i) f(i) = -unbalanced(static_cast<std::size_t>(i), {0, 0, 0}, speed);
+    for (int j = 0; j < 3; ++j) {
+      std::array<double, 3> a{0, 0, 0};
+      a[static_cast<std::size_t>(j)] = 1;
+      for (int i = 0; i < 3; ++i) M(i, j) = unbalanced(static_cast<std::size_t>(i), a, speed) + f(i);
+    }
+    const Eigen::VectorXd a = solve(Factorization::partial_pivot_lu, M, f).value;
+    return {a(0), a(1), a(2)};
+  }
+  /// In how many independent ways the positions move with r, theta and phi.
+  int freedoms() const {
+    Eigen::MatrixXd by(6, 3);
+    for (int j = 0; j < 3; ++j) {
+      std::array<Dual<double>, 3> moved;
+      for (std::size_t k = 0; k < 3; ++k) moved[k] = {q[k], k == static_cast<std::size_t>(j) ? 1.0 : 0.0};
+      const auto x = bodies(moved);
+      for (int k = 0; k < 6; ++k) by(k, j) = x[static_cast<std::size_t>(k)].slope;
+    }
+    return static_cast<int>(rank(by));
+  }
+};
+
+/// (x, y, u) at t = 1 by the published system with other letters, or with its bars over r^2 lost.
+Value by_system(const Bodies& b, double beta, double gamma, bool bars = true) {
+  const auto rhs = [=](const std::array<double, 3>& x, std::array<double, 3>& dxdt, double) {
+    const double square = x[0] * x[0], over = bars ? 1 / square : square;
+    dxdt = {x[1], beta * beta / (square * x[0]) - gamma * over, beta * over};
+  };
+  const auto x = ode::integrate<ode::Fehlberg78>(rhs, std::array{b.r0, b.r0_dot, b.phi0}, 0, 1, 1e-13).value;
+  return {x[0] * std::cos(x[2]), x[0] * std::sin(x[2]), x[1]};
+}
+
+/// A start like the default one, and both bodies a second later in Cartesian coordinates.
+struct Later {
+  Bodies b;
+  double dx, dy, vx, vy;
+
+  explicit Later(Random& random)
+      : b{random.between(0.5, 2), random.between(0.5, 2), random.between(0.5, 2),  random.between(1, 2),
+          random.between(-1, 1),  random.between(-3, 3),  random.between(0.5, 1.5)} {
+    const BothBodies<double> model{b};
+    const auto x = ode::integrate<ode::Fehlberg78>(model, model.start(), 0, 1, 1e-13).value;
+    dx = x[2] - x[0], dy = x[3] - x[1], vx = x[6] - x[4], vy = x[7] - x[5];
+  }
+  Tolerance tolerance(double) const { return by_integration; }
+  std::string where() const {
+    return "m1 = " + rounded(b.m1, 4) + ", m2 = " + rounded(b.m2, 4) + ", r0 = " + rounded(b.r0, 4);
+  }
+};
+
+/// A start in space on the meridian theta0, near the pole, which it passes; the second body seen from the
+/// first a second later in Cartesian coordinates, and in the plane of the published system.
+struct PastThePole {
+  double theta0;
+  Bodies b;
+  std::array<double, 6> x;
+  Value flat;
+
+  explicit PastThePole(Random& random) {
+    b = {random.between(0.5, 2), random.between(0.5, 2),   random.between(0.5, 2),    random.between(1, 2),
+         random.between(-1, 1),  random.between(0.1, 0.3), random.between(-1.5, -0.5)};
+    theta0 = random.between(0.5, 2.5);
+    const double gamma = b.G * (b.m1 + b.m2), c = std::cos(b.phi0), s = std::sin(b.phi0);
+    const double across = b.r0_dot * s + b.r0 * b.phi0_dot * c, ct = std::cos(theta0), st = std::sin(theta0);
+    const std::array start{b.r0 * s * ct, b.r0 * s * st, b.r0 * c,
+                           across * ct,   across * st,   b.r0_dot * c - b.r0 * b.phi0_dot * s};
+    const auto rhs = [=](const std::array<double, 6>& now, std::array<double, 6>& dxdt, double) {
+      const double r = std::hypot(now[0], now[1], now[2]), pull = -gamma / (r * r * r);
+      dxdt = {now[3], now[4], now[5], pull * now[0], pull * now[1], pull * now[2]};
+    };
+    x = ode::integrate<ode::Fehlberg78>(rhs, start, 0, 1, 1e-13).value;
+    flat = by_system(b, b.r0 * b.r0 * b.phi0_dot, gamma);
+  }
+  Tolerance tolerance(double) const { return by_integration; }
+  std::string where() const { return "theta0 = " + rounded(theta0, 4) + ", phi0 = " + rounded(b.phi0, 4); }
+  Value on_meridian(double theta, double from_axis) const {
+    return {from_axis * std::cos(theta), from_axis * std::sin(theta), flat[0]};
+  }
+};
+
+void equations(Claims& claims, const std::vector<Sample>& all, const std::vector<PastThePole>& passing) {
+  using K = const Sample&;
+  const std::string by_lagrange = "Lagrange's equations of both bodies by nested dual numbers";
+  const std::vector<Sample> first(all.begin(), all.begin() + 100);
+  claims.statement<Sample>("three_degrees", 2755,
+                           R"($r$, $\theta$ and $\varphi$ are the three degrees of freedom)", first,
+                           {.printed = {"the positions move with them in three independent ways",
+                                        [](K k) { return k.freedoms() == 3; }},
+                            .near_misses = {{"in two", [](K k) { return k.freedoms() == 2; }}}});
+
+  const auto stays = [&](double rate) {
+    const Formula<Sample> turning{by_lagrange, [=](K k) { return k.lagrange({k.v[0], rate, k.v[2]})[1]; }};
+    return compare(R"($\ddot\theta$)", turning, {"zero", [](K) { return 0.0; }}, all);
+  };
+  const auto in_space = [&](const std::string& text, const auto& place) {
+    return compare<PastThePole>(R"($(x,y,z)$ at $t=1$)", {text, place},
+                                {"the relative motion in Cartesian coordinates, Fehlberg 7(8)",
+                                 [](const PastThePole& k) {
+                                   return Value{k.x[0], k.x[1], k.x[2]};
+                                 }},
+                                passing);
+  };
+  const std::string running = R"($\theta=\theta_0$ also beyond the pole, $\varphi$ running on below 0)",
+                    kept = R"($\varphi$ kept between 0 and $\pi$)";
+  const auto on_theta0 = [](const PastThePole& k) { return k.on_meridian(k.theta0, k.flat[1]); };
+  // The text's "theta_0 = 0" has lost its overdot: theta counts round the pole, and the plane is any
+  // meridian.
+  claims.add(
+      "theta_constant", 2755, R"(with $\dot\theta=0$ at the start $\theta$ keeps its value)",
+      {.printed = {R"($\ddot\theta=0$ where $\dot\theta=0$)", {stays(0), in_space(running, on_theta0)}},
+       .near_misses = {{R"($\ddot\theta=0$ also where $\dot\theta=1$)", {stays(1)}},
+                       {kept, {in_space(kept, [](const PastThePole& k) {
+                          return k.on_meridian(k.theta0, std::abs(k.flat[1]));
+                        })}}}});
+
+  const auto radial = [](double sign) {
+    return
+        [=](K k) { return k.beta() * k.beta() / std::pow(k.q[0], 3) + sign * k.gamma() / (k.q[0] * k.q[0]); };
+  };
+  claims.formula("radial_equation", 2757, R"($\ddot r=\beta^2/r^3-\gamma/r^2$)", all,
+                 {.quantity = R"($\ddot r$)",
+                  .truth = {by_lagrange, [](K k) { return k.lagrange(k.v)[0]; }},
+                  .printed = {R"($\beta^2/r^3-\gamma/r^2$)", radial(-1)},
+                  .near_misses = {{R"($\beta^2/r^3+\gamma/r^2$)", radial(1)},
+                                  {R"($\beta/r^3-\gamma/r^2$)", [](K k) {
+                                     return k.beta() / std::pow(k.q[0], 3) - k.gamma() / (k.q[0] * k.q[0]);
+                                   }}}});
+
+  const auto c1 = [](K k) {
+    const auto along = [&](const auto& x) {
+      using X = std::decay_t<decltype(x)>;
+      return k.kinetic<X>({X(k.q[0]), X(k.q[1]), X(k.q[2])}, {x, X(0.0), X(k.v[2])});
+    };
+    return second_derivative(along, k.v[0]);
+  };
+  const auto c2 = [](K k) { return -k.potential(k.q) * k.q[0]; };
+  claims.formula("gamma_constants", 2767, R"($c_1=m_1m_2/(m_1+m_2)$, the reduced mass, and $c_2=Gm_1m_2$)",
+                 all,
+                 {.quantity = R"($(c_1,c_2)$)",
+                  .truth = {R"($\partial^2T/\partial\dot r^2$ and $-rV$ by dual numbers)",
+                            [=](K k) { return values(c1(k), c2(k)); }},
+                  .printed = {R"($m_1m_2/(m_1+m_2)$ and $Gm_1m_2$)",
+                              [](K k) { return values(k.m1 * k.m2 / (k.m1 + k.m2), k.G * k.m1 * k.m2); }},
+                  .near_misses = {{R"($m_1+m_2$ and $Gm_1m_2$)",
+                                   [](K k) { return values(k.m1 + k.m2, k.G * k.m1 * k.m2); }}}});
+  claims.formula("gamma", 2769, R"($\gamma=c_2/c_1=G(m_1+m_2)$)", all,
+                 {.quantity = R"($c_2/c_1$)",
+                  .truth = {"the ratio by dual numbers", [=](K k) { return c2(k) / c1(k); }},
+                  .printed = {R"($G(m_1+m_2)$)", [](K k) { return k.gamma(); }},
+                  .near_misses = {{R"($Gm_1m_2(m_1+m_2)$)", [](K k) { return k.gamma() * k.m1 * k.m2; }},
+                                  {R"($Gm_1$)", [](K k) { return k.G * k.m1; }}}});
+  const auto rate = [](double power) {
+    return [=](K k) { return -power * k.beta() / std::pow(k.q[0], power + 1) * k.v[0]; };
+  };
+  claims.formula("phi_equation", 2773, R"($\dot\varphi=\beta/r^2$)", all,
+                 {.quantity = R"($\ddot\varphi$)",
+                  .truth = {by_lagrange, [](K k) { return k.lagrange(k.v)[2]; }},
+                  .printed = {R"($\beta/r^2$, differentiated with $\dot r=u$)", rate(2)},
+                  .near_misses = {{R"($\beta/r$, differentiated)", rate(1)},
+                                  {R"($\beta/r^3$, differentiated)", rate(3)}}});
+
+  claims.add(
+      "initial_conditions", 2787,
+      R"(the initial conditions are $r_0,\dot r_0,\varphi_0$ and $\dot\varphi_0$)",
+      {.printed = {R"(these four, $\theta$ being nowhere set)",
+                   {in_space("on the meridian 0",
+                             [](const PastThePole& k) { return k.on_meridian(0, k.flat[1]); })}},
+       .meant = {R"(these four and $\theta_0$)", {in_space(R"(on the meridian $\theta_0$)", on_theta0)}},
+       .near_misses = {{R"(these four and $-\theta_0$)",
+                        {in_space(
+                            R"(on the meridian $-\theta_0$)",
+                            [](const PastThePole& k) { return k.on_meridian(-k.theta0, k.flat[1]); })}}},
+       .why =
+           R"(The list lacks $\theta_0$, which the first line says has to be specified. The motion in its plane )"
+           R"(does not need it, the place in space does: without it every orbit lies on the meridian $\theta=0$, for )"
+           R"($\theta_0=\pi/2$ turned by 90 degrees out of its plane.)",
+       .kind = Fault::left_out});
+}
+
+void motions(Claims& claims, const std::vector<Later>& all) {
+  using K = const Later&;
+  const std::string cartesian = "both bodies in Cartesian coordinates, Fehlberg 7(8)";
+  const auto beta = [](K k) { return k.b.r0 * k.b.r0 * k.b.phi0_dot; };
+  const auto gamma = [](K k) { return k.b.G * (k.b.m1 + k.b.m2); };
+  claims.formula("beta", 2765, R"($\beta=r_0^2\dot\varphi_0$, and $r^2\dot\varphi$ keeps this value)", all,
+                 {.quantity = R"($r^2\dot\varphi$ at $t=1$)",
+                  .truth = {cartesian, [](K k) { return k.dx * k.vy - k.dy * k.vx; }},
+                  .printed = {R"($r_0^2\dot\varphi_0$)", beta},
+                  .near_misses = {{R"($r_0\dot\varphi_0$)", [](K k) { return k.b.r0 * k.b.phi0_dot; }}}});
+  claims.formula(
+      "first_order_system", 2779,
+      R"($\dot r=u$, $\dot u=\beta^2/r^3-\gamma r^2$, $\dot\varphi=\beta r^2$ from $(r_0,\dot r_0,\varphi_0)$ is the motion)",
+      all,
+      {.quantity = R"($(x,y,u)$ at $t=1$)",
+       .truth = {cartesian,
+                 [](K k) {
+                   const double r = std::hypot(k.dx, k.dy);
+                   return Value{k.dx, k.dy, (k.dx * k.vx + k.dy * k.vy) / r};
+                 }},
+       .printed = {R"($\dot u=\beta^2/r^3-\gamma r^2$, $\dot\varphi=\beta r^2$)",
+                   [=](K k) { return by_system(k.b, beta(k), gamma(k), false); }},
+       .meant = {R"($\dot u=\beta^2/r^3-\gamma/r^2$, $\dot\varphi=\beta/r^2$)",
+                 [=](K k) { return by_system(k.b, beta(k), gamma(k)); }},
+       .near_misses = {{R"(the same with $\gamma=Gm_1$)",
+                        [=](K k) { return by_system(k.b, beta(k), k.b.G * k.b.m1); }},
+                       {R"(the same with $\beta=r_0\dot\varphi_0$)",
+                        [=](K k) { return by_system(k.b, beta(k) / k.b.r0, gamma(k)); }}},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The bars over $r^2$ are lost in lines 2783 and 2785, where the text at hand reads $\gamma r^2$ and )"
+           R"($\beta r^2$. The equations of lines 2757 and 2773, which are written as a system here, have them.)"});
+}
+
+/// The three unknowns from the data that the text lists, beta and gamma computed from them, against the
+/// tabulated path, which knows neither.
+void state_and_data(Claims& claims, const Reference& truth) {
+  constexpr Bodies b{1, 2, 1, 1, 0.25, 0.5, 1.5};
+  const Horizon horizon{4};
+  const Value known = trajectory(truth, "03_27_two_bodies", inputs(b), horizon).value;
+  const auto from = [&](const std::string& text, const Bodies& data) {
+    return Reading{text,
+                   {{"path at four times to 4 s",
+                     {R"($r,u,\varphi$ integrated)",
+                      observe_integrated<ode::Fehlberg78>(Published<double>{data}, horizon, 1e-12).value},
+                     {"Kepler's equation in universal variables", known},
+                     {1e-9, "a thousand tolerances of the integration"},
+                     1}}};
+  };
+  Bodies reduced = b, still = b;
+  reduced.G *= b.m1 * b.m2 / ((b.m1 + b.m2) * (b.m1 + b.m2));
+  still.r0_dot = 0;
+  claims.add(
+      "state_and_data", 2787,
+      R"($r,u,\varphi$ with $m_1,m_2,G$ and the four initial values are all; $\beta$ and $\gamma$ follow from them)",
+      {.printed = from("the motion from these alone", b),
+       .near_misses = {from(R"($\gamma$ with the reduced mass for the sum)", reduced),
+                       from(R"(without the rate $\dot r_0$)", still)}});
+}
+
+}  // namespace
+
+std::vector<double> inputs(const Bodies& b) { return {b.G, b.m1, b.m2, b.r0, b.r0_dot, b.phi0, b.phi0_dot}; }
+
+std::vector<Claim> claims(double seed, const Reference& truth) {
+  Claims claims("3.27");
+  equations(claims, draw<Sample>(200, seed), draw<PastThePole>(20, seed));
+  motions(claims, draw<Later>(20, seed));
+  state_and_data(claims, truth);
+  return claims.in_order();
+}
+
+}  // namespace oddity::two_bodies
