@@ -152,7 +152,7 @@ std::string typeset(std::string_view line, const Names& names) {
     }
     const auto found = names.find(base);
     return (found != names.end() ? found->second
-            : base == "phi"      ? "\\varphi "
+            : base == "phi"      ? "\\varphi"
                                  : base) +
            (indices.empty() ? "" : "_{" + indices + "}");
   };
