@@ -26,43 +26,60 @@ void fill(Sample& s, const Drawn& d) {
   for (std::size_t j = 0; j < 3; ++j) s.put("slope" + digit(j), along(position, d.x, axes[j]));
 }
 
+const Names names{{"fgrad_g", R"(((\mathbf f\cdot\nabla)\mathbf g))"},
+                  {"fgrad_x", R"(((\mathbf f\cdot\nabla)\mathbf x))"},
+                  {"along_f", R"(((\mathbf f\cdot\nabla)\mathbf x))"},
+                  {"div_x", R"((\nabla\cdot\mathbf x))"},
+                  {"e0", R"((\mathbf e_0))"},
+                  {"e1", R"((\mathbf e_1))"},
+                  {"e2", R"((\mathbf e_2))"},
+                  {"slope0", R"((\partial\mathbf x/\partial x_0))"},
+                  {"slope1", R"((\partial\mathbf x/\partial x_1))"},
+                  {"slope2", R"((\partial\mathbf x/\partial x_2))"}};
+
 std::vector<Claim> claims(Random random) {
-  Proof proof("5.1", sampled(random, fill));
-  const std::string turned = "f.grad along a turned frame";
-  proof.line("operator", 3105, "f.grad is f0 d/dx0 + f1 d/dx1 + f2 d/dx2 (on any field g)",
-             each_component("fgrad_g#", "f0 g#,0 + f1 g#,1 + f2 g#,2"), turned);
-  proof.line("distributed", 3115, "the operator goes to every component of the position",
-             each_component("fgrad_x#", "f0 x#,0 + f1 x#,1 + f2 x#,2"), turned,
+  Proof proof("5.1", sampled(random, fill), names);
+  const std::string turned = R"($\mathbf f\cdot\nabla$ along a turned frame)";
+  proof.line(
+      "operator", 3105,
+      R"($\mathbf f\cdot\nabla$ is $f_0\,\partial/\partial x_0+f_1\,\partial/\partial x_1+f_2\,\partial/\partial x_2$ )"
+      R"((on any field $\mathbf g$))",
+      each_component("fgrad_g#", "f0 g#,0 + f1 g#,1 + f2 g#,2"), turned);
+  const auto distributed = each_component("fgrad_x#", "f0 x#,0 + f1 x#,1 + f2 x#,2");
+  proof.line("distributed", 3115, "the operator goes to every component of the position", distributed, turned,
              {each_component("fgrad_x#", "f1 x#,0 + f0 x#,1 + f2 x#,2"),
               each_component("fgrad_x#", "f0 x#,0 - f1 x#,1 + f2 x#,2")});
-  Claim& dot = proof.line("dot", 3105, "f.grad is applied to the position by a dot: (...) . (x0, x1, x2)",
-                          each_component("fgrad_x#", "f0 x#,0 + f1 x#,1 + f2 x#,2"), turned,
-                          {each_component("fgrad_x#", "f0 x#,0 + f1 x#,1")});
-  dot.meant = std::exchange(
-      dot.printed,
-      {"a dot product, the number f0 x0,0 + f1 x1,1 + f2 x2,2",
-       {compare(proof.samples, each_component("fgrad_x#", "f0 x0,0 + f1 x1,1 + f2 x2,2"), turned)}});
-  dot.why =
-      "The operator is a number's, and what it is applied to a vector: no dot belongs between them. Read as "
-      "a "
-      "dot product the right side is the number $f_0+f_1+f_2$, 6 for $\\mathbf f=(1,2,3)$, and the left side "
-      "the vector $\\mathbf f$. The next line goes on without it.";
-  for (std::size_t j = 0; j < 3; ++j)
-    proof.line("unit_vector_" + digit(j), 3125,
-               "the derivative of the position by x" + digit(j) + " is e" + digit(j),
-               each_component("slope" + digit(j) + "#", "e" + digit(j) + "#"),
-               "the position along an axis, dual numbers",
-               {each_component("slope" + digit(j) + "#", "e" + digit((j + 1) % 3) + "#"),
-                each_component("slope" + digit(j) + "#", "- e" + digit(j) + "#")});
-  proof.line("sum_of_unit_vectors", 3125, "(f.grad) x is f0 e0 + f1 e1 + f2 e2",
+  Reading dot = proof.reading(each_component("fgrad_x#", "f0 x0,0 + f1 x1,1 + f2 x2,2"), turned);
+  dot.text = "a dot product, the number $f_0x_{0,0}+f_1x_{1,1}+f_2x_{2,2}$";
+  proof.claims.add(
+      "dot", 3105,
+      R"($\mathbf f\cdot\nabla$ is applied to the position by a dot, $(\ldots)\cdot(x_0,x_1,x_2)$)",
+      {.printed = dot,
+       .meant = proof.reading(distributed, turned),
+       .near_misses = {proof.reading(each_component("fgrad_x#", "f0 x#,0 + f1 x#,1"), turned)},
+       .why =
+           R"(The operator is a number's, and what it is applied to a vector: no dot belongs between them. )"
+           R"(Read as a dot product the line is the number $f_0+f_1+f_2$, 6 for $\mathbf f=(1,2,3)$, and )"
+           R"(not the vector $\mathbf f$. The next line goes on without it.)",
+       .kind = Fault::formula});
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::string by = digit(j), slope = "slope" + by + "#";
+    proof.line(
+        "unit_vector_" + by, 3125,
+        "the derivative of the position by $x_" + by + "$ is $\\mathbf e_" + by + "$",
+        each_component(slope, "e" + by + "#"), "the position along an axis, dual numbers",
+        {each_component(slope, "e" + digit((j + 1) % 3) + "#"), each_component(slope, "- e" + by + "#")});
+  }
+  proof.line("sum_of_unit_vectors", 3125, R"($(\mathbf f\cdot\nabla)\mathbf x$ is a sum of unit vectors)",
              each_component("fgrad_x#", "f0 e0# + f1 e1# + f2 e2#"), turned,
              {each_component("fgrad_x#", "f0 e1# + f1 e0# + f2 e2#"),
               each_component("fgrad_x#", "f0 e0# + f1 e1# - f2 e2#")});
-  proof.line("components", 3127, "its components are f0, f1, f2", each_component("fgrad_x#", "f#"), turned);
-  proof.line("identity", 3129, "(f.grad) x = f", each_component("along_f#", "f#"),
-             "the position along f, dual numbers",
+  proof.line("components", 3127, "its components are those of $\\mathbf f$", each_component("fgrad_x#", "f#"),
+             turned);
+  proof.line("identity", 3129, R"($(\mathbf f\cdot\nabla)\mathbf x=\mathbf f$)",
+             each_component("along_f#", "f#"), R"(the position along $\mathbf f$, dual numbers)",
              {each_component("along_f#", "- f#"), each_component("along_f#", "div_x f#")});
-  return proof.claims;
+  return proof.claims.in_order();
 }
 
 Quantity directional(const Parameters& p, const Reference& truth) {
@@ -97,7 +114,7 @@ Exercise exercise_5_1() {
   using namespace ex05_01;
   return {"Directional derivative of the position",
           "Show that $(\\mathbf f\\cdot\\nabla)\\mathbf x = \\mathbf f$, where $\\mathbf x$ is the position. "
-          "Below `x0,1` is the derivative of $x_0$ by $x_1$.",
+          "Below $x_{0,1}$ is the derivative of $x_0$ by $x_1$.",
           field_parameters,
           {},
           study};

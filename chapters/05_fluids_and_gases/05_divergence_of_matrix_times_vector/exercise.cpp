@@ -66,54 +66,83 @@ void fill(Sample& s, const Drawn& d) {
   s.put_vector("h", product(m, d.f), d.x);
 }
 
+const Names names{{"Mf", R"((M\mathbf f))"},
+                  {"gTM", R"((\mathbf g^TM))"},
+                  {"MTg", R"((M^T\mathbf g))"},
+                  {"MTgrad_phi", R"((M^T\nabla\varphi))"},
+                  {"turned_Mf", R"((M\mathbf f)')"},
+                  {"turned_gTM", R"((\mathbf g^TM)')"},
+                  {"div_Mf", R"(\nabla\cdot(M\mathbf f))"},
+                  {"div_phi_Mf", R"(\nabla\cdot(\varphi M\mathbf f))"},
+                  {"column0_f", R"(((M\mathbf e_0)\cdot\nabla\mathbf f))"},
+                  {"column1_f", R"(((M\mathbf e_1)\cdot\nabla\mathbf f))"},
+                  {"column2_f", R"(((M\mathbf e_2)\cdot\nabla\mathbf f))"},
+                  {"row0_f", R"(((M^T\mathbf e_0)\cdot\nabla\mathbf f))"},
+                  {"row1_f", R"(((M^T\mathbf e_1)\cdot\nabla\mathbf f))"},
+                  {"row2_f", R"(((M^T\mathbf e_2)\cdot\nabla\mathbf f))"}};
+
 std::vector<Claim> claims(Random random) {
-  Proof proof("5.5", sampled(random, fill));
-  const std::string whole = "M f differentiated as one field along a turned frame";
+  Proof proof("5.5", sampled(random, fill), names);
+  const std::string whole = R"($M\mathbf f$ differentiated as one field along a turned frame)";
   const std::string by_eigen = "the product by Eigen";
   const std::string outside =
       "m00 f0,0 + m01 f1,0 + m02 f2,0 + m10 f0,1 + m11 f1,1 + m12 f2,1 + m20 f0,2 + m21 f1,2 + m22 f2,2";
-
   const std::string product_with_x =
       "m00 x0 f0 + m01 x0 f1 + m02 x0 f2 + m10 x1 f0 + m11 x1 f1 + m12 x1 f2 + m20 x2 f0 + m21 x2 f1 + m22 "
       "x2 f2";
 
-  proof.line("product", 3271, "m_ij f_j, summed over j, is M f",
+  proof.line("product", 3271, R"($m_{ij}f_j$, summed over $j$, is $M\mathbf f$)",
              each_component("Mf#", "m#0 f0 + m#1 f1 + m#2 f2"), by_eigen);
   proof.line("free_i", 3271,
-             "i being the only free index, m_ij f_j is a vector: it turns with its factors (n, v)",
-             each_component("turned_Mf#", "n#0 v0 + n#1 v1 + n#2 v2"), "M f, turned");
-  proof.line("divergence", 3273, "div (M f) is d(m_ij f_j)/dx_i (h = M f)",
-             {{"div_Mf", "h0,0 + h1,1 + h2,2"}}, whole);
-  Claim& constants = proof.line("constants_outside", 3277,
-                                "the constants m_ij move out of the derivatives, (m_ij /dx_i) f_j",
-                                {{"div_Mf", outside}}, whole);
-  constants.meant = std::exchange(constants.printed,
-                                  {"m_ij /dx_i times f_j, with nothing to differentiate: " + product_with_x,
-                                   {compare(proof.samples, {{"div_Mf", product_with_x}}, whole)}});
-  constants.why =
-      "The bar and the $\\partial$ above it are lost in the text at hand, here and in line 3295: the "
-      "operator "
-      "is $m_{ij}\\,\\partial/\\partial x_i$, as line 3287 has it. Without the $\\partial$ nothing is "
-      "differentiated: for $M=I$ and $\\mathbf f=\\mathbf x$ the divergence is 3, and the products $x_if_i$ "
-      "add up to $|\\mathbf x|^2$.";
-  constants.near_misses.push_back(
-      {"the same of a matrix that varies, phi M",
-       {compare(proof.samples, {{"div_phi_Mf", "phi (" + outside + ")"}}, whole)}});
-  proof.line("row_times_matrix", 3285, "g_i m_ij, summed over i, is g^T M",
+             "$i$ being the only free index, $m_{ij}f_j$ is a vector: it turns with its factors, which are "
+             R"($n$ for $M$ and $v$ for $\mathbf f$ in the turned frame)",
+             each_component("turned_Mf#", "n#0 v0 + n#1 v1 + n#2 v2"), R"($M\mathbf f$, turned)");
+  proof.line(
+      "divergence", 3273,
+      R"($\nabla\cdot(M\mathbf f)$ is $\partial(m_{ij}f_j)/\partial x_i$; below $\mathbf h=M\mathbf f$)",
+      {{"div_Mf", "h0,0 + h1,1 + h2,2"}}, whole);
+
+  const std::vector<Row> constants{{"div_Mf", outside}};
+  Reading lost = proof.reading({{"div_Mf", product_with_x}}, whole);
+  lost.text = "$m_{ij}x_if_j$, with nothing to differentiate: " + lost.text;
+  auto changes = proof.single_changes(constants, whole);
+  changes.push_back(proof.reading({{"div_phi_Mf", "phi (" + outside + ")"}}, whole));
+  changes.back().text = "the same of a matrix that varies, $\\varphi M$";
+  proof.claims.add(
+      "constants_outside", 3277,
+      R"(the constants $m_{ij}$ move out of the derivatives, $(m_{ij}/\partial x_i)f_j$)",
+      {.printed = lost,
+       .meant = proof.reading(constants, whole),
+       .near_misses = std::move(changes),
+       .why =
+           R"(The bar and the $\partial$ above it are lost in the text at hand, here and in line 3295: the )"
+           R"(operator is $m_{ij}\,\partial/\partial x_i$, as line 3287 has it. Without the $\partial$ )"
+           R"(nothing is differentiated: for $M=I$ and $\mathbf f=\mathbf x$ the divergence is 3, and the )"
+           R"(products $x_if_i$ add up to $|\mathbf x|^2$.)",
+       .kind = Fault::lost_typography});
+
+  proof.line("row_times_matrix", 3285, R"($g_im_{ij}$, summed over $i$, is $\mathbf g^TM$)",
              each_component("gTM#", "g0 m0# + g1 m1# + g2 m2#"), by_eigen);
   proof.line("free_j", 3285,
-             "j being the only free index, g_i m_ij is a vector: it turns with its factors (u, n)",
-             each_component("turned_gTM#", "u0 n0# + u1 n1# + u2 n2#"), "g^T M, turned");
-  proof.line("commuted", 3285, "written m_ij g_i, it is M^T g",
+             "$j$ being the only free index, $g_im_{ij}$ is a vector: it turns with its factors, which are "
+             R"($u$ for $\mathbf g$ and $n$ for $M$ in the turned frame)",
+             each_component("turned_gTM#", "u0 n0# + u1 n1# + u2 n2#"), R"($\mathbf g^TM$, turned)");
+  proof.line("commuted", 3285, R"(written $m_{ij}g_i$, it is $M^T\mathbf g$)",
              each_component("MTg#", "m0# g0 + m1# g1 + m2# g2"), by_eigen);
-  proof.line("operator", 3291, "so m_ij d/dx_i is M^T grad (on any field phi)",
+  proof.line("operator", 3291,
+             R"(so $m_{ij}\,\partial/\partial x_i$ is $M^T\nabla$ (on any field $\varphi$))",
              each_component("MTgrad_phi#", "m0# phi,0 + m1# phi,1 + m2# phi,2"),
-             "M^T times the gradient along a turned frame, by Eigen");
-  Claim& identity = proof.line("identity", 3293, "div (M f) = (M^T grad).f: each f_j along column j of M",
-                               {{"div_Mf", "column0_f0 + column1_f1 + column2_f2"}}, whole);
-  identity.near_misses.push_back(
-      {"(M grad).f", {compare(proof.samples, {{"div_Mf", "row0_f0 + row1_f1 + row2_f2"}}, whole)}});
-  return proof.claims;
+             "$M^T$ times the gradient along a turned frame, by Eigen");
+
+  const std::vector<Row> identity{{"div_Mf", "column0_f0 + column1_f1 + column2_f2"}};
+  changes = proof.single_changes(identity, whole);
+  changes.push_back(proof.reading({{"div_Mf", "row0_f0 + row1_f1 + row2_f2"}}, whole));
+  changes.back().text = R"($(M\nabla)\cdot\mathbf f$)";
+  proof.claims.add(
+      "identity", 3293,
+      R"($\nabla\cdot(M\mathbf f)=(M^T\nabla)\cdot\mathbf f$: each $f_j$ along column $j$ of $M$, $M\mathbf e_j$)",
+      {.printed = proof.reading(identity, whole), .near_misses = std::move(changes)});
+  return proof.claims.in_order();
 }
 
 Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
@@ -150,7 +179,7 @@ Exercise exercise_5_5() {
   return {"Divergence of a matrix times a vector",
           "Show that $\\nabla\\cdot(M\\mathbf f) = (M^T\\nabla)\\cdot\\mathbf f$ for a constant matrix $M$. "
           "Below "
-          "`f2,1` is the derivative of $f_2$ by $x_1$.",
+          "$f_{2,1}$ is the derivative of $f_2$ by $x_1$.",
           parameters,
           {},
           study};

@@ -23,12 +23,18 @@ void fill(Sample& s, const Drawn& d) {
   s.put("grad_phi_x_f", cross(gradient(d.phi, d.frame)(d.x), d.f(d.x)));
 }
 
+const Names names{{"curl_phi_f", R"((\nabla\times\varphi\mathbf f))"},
+                  {"phi_f", R"((\varphi f))"},
+                  {"curl_f", R"((\nabla\times\mathbf f))"},
+                  {"grad_phi_x_f", R"((\nabla\varphi\times\mathbf f))"}};
+
 std::vector<Claim> claims(Random random) {
-  Proof proof{"5.7", sampled(random, fill)};
+  Proof proof("5.7", sampled(random, fill), names);
+  const std::string whole = R"($\varphi\mathbf f$ differentiated as one field along a turned frame)";
   const auto component = [&](const std::string& step, std::size_t i, int at, const std::string& says,
                              const std::string& right) {
     proof.line(step + "_" + digit(i), at, says + ", component " + digit(i),
-               {{"curl_phi_f" + digit(i), right}}, "phi f differentiated as one field along a turned frame");
+               {{"curl_phi_f" + digit(i), right}}, whole);
   };
   const std::string definition = "the curl of the product in coordinates";
   component("definition", 0, 3305, definition, "phi_f2,1 - phi_f1,2");
@@ -43,20 +49,22 @@ std::vector<Claim> claims(Random random) {
   component("gathered", 1, 3345, gathered, "phi (f0,2 - f2,0) + (phi,2 f0 - phi,0 f2)");
   component("gathered", 2, 3349, gathered, "phi (f1,0 - f0,1) + (phi,0 f1 - phi,1 f0)");
 
-  proof.line("first_vector", 3343, "the first of the two vectors, with its factor, is phi curl f",
+  proof.line("first_vector", 3343,
+             R"(the first of the two vectors, with its factor, is $\varphi\,\nabla\times\mathbf f$)",
              {{"phi curl_f0", "phi (f2,1 - f1,2)"},
               {"phi curl_f1", "phi (f0,2 - f2,0)"},
               {"phi curl_f2", "phi (f1,0 - f0,1)"}},
-             "curl f along a turned frame");
-  proof.line("second_vector", 3353, "the second of the two vectors is grad phi x f",
+             R"($\nabla\times\mathbf f$ along a turned frame)");
+  proof.line("second_vector", 3353, R"(the second of the two vectors is $\nabla\varphi\times\mathbf f$)",
              {{"grad_phi_x_f0", "phi,1 f2 - phi,2 f1"},
               {"grad_phi_x_f1", "phi,2 f0 - phi,0 f2"},
               {"grad_phi_x_f2", "phi,0 f1 - phi,1 f0"}},
-             "grad phi along a turned frame");
-  proof.line("identity", 3367, "curl (phi f) = phi curl f + grad phi x f",
-             each_component("curl_phi_f#", "phi curl_f# + grad_phi_x_f#"),
-             "phi f differentiated as one field along a turned frame");
-  return proof.claims;
+             R"($\nabla\varphi$ along a turned frame)");
+  proof.line(
+      "identity", 3367,
+      R"($\nabla\times(\varphi\mathbf f)=\varphi\,\nabla\times\mathbf f+\nabla\varphi\times\mathbf f$)",
+      each_component("curl_phi_f#", "phi curl_f# + grad_phi_x_f#"), whole);
+  return proof.claims.in_order();
 }
 
 Quantity curl_of_product(const Parameters& p, const Reference& truth) {
@@ -88,8 +96,7 @@ Exercise exercise_5_7() {
   using namespace ex05_07;
   return {"Curl of a scalar times a vector",
           "Show that $\\nabla\\times(\\varphi\\mathbf f) = \\varphi\\,\\nabla\\times\\mathbf f + "
-          "\\nabla\\varphi\\times\\mathbf f$. Below `f2,1` is the derivative of $f_2$ by $x_1$, and `phi_f` "
-          "the product.",
+          "\\nabla\\varphi\\times\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ by $x_1$.",
           field_parameters,
           {},
           study};

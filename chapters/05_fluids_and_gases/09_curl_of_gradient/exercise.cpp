@@ -2,9 +2,8 @@
 // Left side: the curl of the gradient by nested dual numbers along a frame turned at random. Right side: the
 // published components: each printed second derivative against the slope of the gradient along the turned
 // frame, and the pattern of indices against the curl of any field. The condition that the solution names is
-// tried on Peano's function (peano.hpp).
+// tried on Peano's function.
 
-#include "chapters/05_fluids_and_gases/09_curl_of_gradient/peano.hpp"
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
 #include "chapters/05_fluids_and_gases/shared/proof.hpp"
 #include "solvers/counted_calls.hpp"
@@ -37,37 +36,76 @@ void fill(Sample& s, const Drawn& d) {
   s.put_vector("v", d.f, d.x);
 }
 
+/// A function whose second derivatives exist everywhere and are not continuous at the origin:
+///   p(x, y) = x y (x^2 - y^2) / (x^2 + y^2), p(0, 0) = 0   [Peano]
+/// There d/dx (dp/dy) = 1 and d/dy (dp/dx) = -1, since dp/dy (x, 0) = x and dp/dx (0, y) = -y.
+/// [Peano] G. Peano in A. Genocchi, Calcolo differenziale, 1884.
+constexpr auto peano = []<class T>(const Triple<T>& x) {
+  const T a = x[0] * x[0], b = x[1] * x[1];
+  return x[0] * x[1] * (a - b) / (a + b);
+};
+
+/// Difference quotients of Peano's slopes at the origin, by x of dp/dy and by y of dp/dx, down to 2^-400.
+Check peano_orders() {
+  Worst worst("second derivatives at the origin", "by $y$, then by $x$", "by $x$, then by $y$");
+  for (int k = 10; k <= 400; k += 10) {
+    const double t = std::ldexp(1.0, -k);
+    worst.see(along(peano, Point{t, 0, 0}, axes[1]) / t, along(peano, Point{0, t, 0}, axes[0]) / t, 1,
+              "quotient over 2^-" + std::to_string(k));
+  }
+  return worst.check();
+}
+
+const Names names{{"grad", R"((\nabla\varphi))"},
+                  {"curl_grad", R"((\nabla\times\nabla\varphi))"},
+                  {"curl_v", R"((\nabla\times\mathbf v))"},
+                  {"turned", R"(\varphi')"},
+                  {"zero", "0"}};
+
 std::vector<Claim> claims(Random random, const Known& mixed) {
-  Proof proof("5.9", sampled(random, fill));
-  const std::string turned = "curl grad phi along a turned frame";
+  Proof proof("5.9", sampled(random, fill), names);
   proof.line("gradient", 3373, "the gradient in coordinates", each_component("grad#", "phi,#"),
              "the gradient along a turned frame");
   const auto component = [&](int at, const std::string& i, const std::vector<Row>& terms,
                              const std::string& any) {
-    proof.line("component_" + i, at, "curl grad phi in coordinates, component " + i, terms,
-               "slopes of the gradient along a turned frame");
-    proof.also({{"curl_v" + i, any}}, "the curl of any field v, by the same pattern");
+    const std::string slopes = "slopes of the gradient along a turned frame",
+                      pattern = R"(the curl of any field $\mathbf v$ along a turned frame)";
+    const std::vector<Row> of_any{{"curl_v" + i, any}};
+    Claim claim{.printed = proof.reading(terms, slopes), .near_misses = proof.single_changes(terms, slopes)};
+    const Reading same = proof.reading(of_any, pattern);
+    claim.printed.text += ", by the pattern " + same.text;
+    claim.printed.checks.push_back(same.checks[0]);
+    for (Reading& near : proof.single_changes(of_any, pattern)) claim.near_misses.push_back(std::move(near));
+    proof.claims.add("component_" + i, at, R"($\nabla\times\nabla\varphi$ in coordinates, component )" + i,
+                     std::move(claim));
   };
   component(3379, "0", {{"grad2,1", "phi,21"}, {"- grad1,2", "- phi,12"}}, "v2,1 - v1,2");
   component(3387, "1", {{"grad0,2", "phi,02"}, {"- grad2,0", "- phi,20"}}, "v0,2 - v2,0");
   component(3395, "2", {{"grad1,0", "phi,10"}, {"- grad0,1", "- phi,01"}}, "v1,0 - v0,1");
-  proof.line("identity", 3403, "curl grad phi = 0", each_component("curl_grad#", "zero"), turned,
+  proof.line("identity", 3403, R"($\nabla\times\nabla\varphi=0$)", each_component("curl_grad#", "zero"),
+             R"($\nabla\times\nabla\varphi$ along a turned frame)",
              {each_component("curl_v#", "zero"),
               {{"phi,21 + phi,12", "zero"}, {"phi,02 + phi,20", "zero"}, {"phi,10 + phi,01", "zero"}}});
-  Claim& order =
-      proof.line("order", 3405, "where second derivatives are continuous, their order is irrelevant",
-                 {{"turned01", "turned10"}, {"turned12", "turned21"}, {"turned20", "turned02"}},
-                 "nested dual numbers along two vectors of a turned frame",
-                 {{{"turned01", "turned02"}, {"turned12", "turned10"}, {"turned20", "turned21"}}});
+
+  const std::string nested = "nested dual numbers along two vectors of a turned frame";
   const auto& m = mixed.value;
   const Value one{m[0], m[2], m[4]}, other{m[1], m[3], m[5]};
+  Claim order{
+      .printed = proof.reading({{"turned01", "turned10"}, {"turned12", "turned21"}, {"turned20", "turned02"}},
+                               nested),
+      .near_misses = {
+          proof.reading({{"turned01", "turned02"}, {"turned12", "turned10"}, {"turned20", "turned21"}},
+                        nested),
+          {"it is irrelevant wherever they exist (Peano's $xy(x^2-y^2)/(x^2+y^2)$)", {peano_orders()}}}};
   order.printed.checks.push_back({"second derivatives of the fixed field",
                                   {"iterated limits in 60 digits, in one order", one},
-                                  {"and in the other", other},
+                                  {"iterated limits in 60 digits, in the other", other},
                                   rounding(size_of(one), 1)});
-  order.near_misses.push_back(
-      {"it is irrelevant wherever they exist (Peano's x y (x^2 - y^2) / (x^2 + y^2))", {peano_orders()}});
-  return proof.claims;
+  proof.claims.add("order", 3405,
+                   "where second derivatives are continuous, their order is irrelevant (below "
+                   "$\\varphi'_{01}$ is one along two vectors of a turned frame)",
+                   std::move(order));
+  return proof.claims.in_order();
 }
 
 Quantity mixed_derivatives(const At& at, const Known& six) {
@@ -126,6 +164,50 @@ Quantity mixed_derivatives(const At& at, const Known& six) {
   return q;
 }
 
+Quantity peano_curl() {
+  Quantity q{"peano_curl",
+             "1",
+             "curl grad p, component 2, at the origin, for Peano's p",
+             {"1 - (-1): the slopes dp/dy = x on the x axis and dp/dx = -y on the y axis", 2.0},
+             0,
+             {1e-9, "nine digits"},
+             {},
+             {}};
+  q.add({"p", "nested dual numbers", no_knob(),
+         [](double) {
+           long calls = 0;
+           const double twist = curl(gradient(counted_calls(peano, calls)))(Point{})[2];
+           return Answer{twist, calls};
+         },
+         Outcome::non_finite, "p is 0/0 at the origin, and dual numbers take no limits"});
+  q.add({"slopes by dual numbers", "central differences 2", steps(15), [](double h) {
+           ByDifferences<2> way{h};
+           const double one = way.along(partial(peano, 1), Point{}, axes[0]);
+           return Answer{one - way.along(partial(peano, 0), Point{}, axes[1]), way.calls};
+         }});
+  const auto nested = [](double h, double k) {
+    ByDifferences<2> outer{h}, inner{k};
+    const auto slope = [&](std::size_t j) {
+      return [&inner, j](const Point& y) { return inner.along(peano, y, axes[j]); };
+    };
+    const double one = outer.along(slope(1), Point{}, axes[0]);
+    return Answer{one - outer.along(slope(0), Point{}, axes[1]), inner.calls};
+  };
+  q.add({"p", "equal steps h", steps(15), [=](double h) { return nested(h, h); }, Outcome::inaccurate,
+         "p is zero at all four corners (+-h, +-h), so that the difference of differences is zero for every "
+         "h"});
+  q.add({"p", "inner step h 2^-20", steps(15), [=](double h) { return nested(h, h * 0x1p-20); }});
+  q.add(Breakdown{
+      "A symmetric second difference with equal steps shows a curl of zero at every step, as if the order "
+      "did not matter; the iterated limit needs an inner step much finer than the outer one.",
+      "p, equal steps h", 0x1p-15, Outcome::inaccurate, "p, inner step h 2^-20", 0x1p-15});
+  q.add(Breakdown{
+      "Dual numbers cannot pass through 0/0 at the origin. Their slopes beside it can be differenced.",
+      "p, nested dual numbers", 0, Outcome::non_finite, "slopes by dual numbers, central differences 2",
+      0x1p-3});
+  return q;
+}
+
 Findings study(const Parameters& p, const Reference& truth) {
   const At at(p);
   const Known mixed = truth("05_09_mixed", at.inputs());
@@ -136,13 +218,14 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 Exercise exercise_5_9() {
   using namespace ex05_09;
-  return {"Curl of a gradient",
-          "Show that $\\nabla\\times\\nabla\\varphi = 0$. Below `phi,12` is the derivative of $\\varphi$ by "
-          "$x_1$, "
-          "then by $x_2$.",
-          field_parameters,
-          {},
-          study};
+  return {
+      "Curl of a gradient",
+      "Show that $\\nabla\\times\\nabla\\varphi = 0$. Below $\\varphi_{,12}$ is the derivative of $\\varphi$ by "
+      "$x_1$, "
+      "then by $x_2$.",
+      field_parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

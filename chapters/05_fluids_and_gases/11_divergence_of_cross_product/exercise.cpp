@@ -43,22 +43,29 @@ void fill(Sample& s, const Drawn& d) {
   s.put("curl_g", curl(d.g, d.frame)(d.x));
 }
 
+const Names names{{"div_fxg", R"(\nabla\cdot(\mathbf f\times\mathbf g))"},
+                  {"fxg", R"((\mathbf f\times\mathbf g))"},
+                  {"curl_f", R"((\nabla\times\mathbf f))"},
+                  {"curl_g", R"((\nabla\times\mathbf g))"}};
+
 std::vector<Claim> claims(Random random) {
-  Proof proof("5.11", sampled(random, fill));
-  const std::string whole = "f x g differentiated as one field along a turned frame";
+  Proof proof("5.11", sampled(random, fill), names);
+  const std::string whole = R"($\mathbf f\times\mathbf g$ differentiated as one field along a turned frame)";
   const std::string alone = "the bracket differentiated as one field";
   const std::string curls = "curls along a turned frame";
 
-  proof.line("cross_product", 3413, "the brackets are the components of f x g",
+  proof.line("cross_product", 3413, R"(the brackets are the components of $\mathbf f\times\mathbf g$)",
              {{"fxg0", "f1 g2 - f2 g1"}, {"fxg1", "f2 g0 - f0 g2"}, {"fxg2", "f0 g1 - f1 g0"}},
-             "determinants of f, g and a unit vector, by LU");
-  proof.line("definition", 3409, "the divergence is the sum of the three brackets' derivatives (h = f x g)",
-             {{"div_fxg", "h0,0 + h1,1 + h2,2"}}, whole);
-  proof.line("product_rule_0", 3419, "the first bracket's derivative by x0 has four terms",
+             R"(determinants of $\mathbf f$, $\mathbf g$ and a unit vector, by LU)");
+  proof.line(
+      "definition", 3409,
+      R"(the divergence is the sum of the three brackets' derivatives; below $\mathbf h=\mathbf f\times\mathbf g$)",
+      {{"div_fxg", "h0,0 + h1,1 + h2,2"}}, whole);
+  proof.line("product_rule_0", 3419, "the first bracket's derivative by $x_0$ has four terms",
              {{"h0,0", "f1,0 g2 + f1 g2,0 - f2,0 g1 - f2 g1,0"}}, alone);
-  proof.line("product_rule_1", 3425, "the second bracket's derivative by x1 has four terms",
+  proof.line("product_rule_1", 3425, "the second bracket's derivative by $x_1$ has four terms",
              {{"h1,1", "f2,1 g0 + f2 g0,1 - f0,1 g2 - f0 g2,1"}}, alone);
-  proof.line("product_rule_2", 3431, "the third bracket's derivative by x2 has four terms",
+  proof.line("product_rule_2", 3431, "the third bracket's derivative by $x_2$ has four terms",
              {{"h2,2", "f0,2 g1 + f0 g1,2 - f1,2 g0 - f1 g0,2"}}, alone);
   proof.line("product_rule", 3419, "the divergence is the sum of these twelve terms",
              {{"div_fxg",
@@ -71,17 +78,19 @@ std::vector<Claim> claims(Random random) {
                "(g0,2 - g2,0) f1 - (g1,0 - g0,1) f2"}},
              whole);
   proof.line(
-      "curl_f", 3437, "the first three terms gathered are curl f . g",
+      "curl_f", 3437, R"(the first three terms gathered are $(\nabla\times\mathbf f)\cdot\mathbf g$)",
       {{"curl_f0 g0 + curl_f1 g1 + curl_f2 g2", "(f2,1 - f1,2) g0 + (f0,2 - f2,0) g1 + (f1,0 - f0,1) g2"}},
       curls);
-  proof.line("curl_g", 3455, "the last three terms gathered are -curl g . f",
+  proof.line("curl_g", 3455, R"(the last three terms gathered are $-(\nabla\times\mathbf g)\cdot\mathbf f$)",
              {{"- curl_g0 f0 - curl_g1 f1 - curl_g2 f2",
                "- (g2,1 - g1,2) f0 - (g0,2 - g2,0) f1 - (g1,0 - g0,1) f2"}},
              curls);
-  proof.line("identity", 3473, "div (f x g) = curl f . g - curl g . f",
-             {{"div_fxg", "(curl_f0 g0 + curl_f1 g1 + curl_f2 g2) - (curl_g0 f0 + curl_g1 f1 + curl_g2 f2)"}},
-             whole);
-  return proof.claims;
+  proof.line(
+      "identity", 3473,
+      R"($\nabla\cdot(\mathbf f\times\mathbf g)=(\nabla\times\mathbf f)\cdot\mathbf g-(\nabla\times\mathbf g)\cdot\mathbf f$)",
+      {{"div_fxg", "(curl_f0 g0 + curl_f1 g1 + curl_f2 g2) - (curl_g0 f0 + curl_g1 f1 + curl_g2 f2)"}},
+      whole);
+  return proof.claims.in_order();
 }
 
 Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
@@ -114,7 +123,7 @@ Exercise exercise_5_11() {
   return {
       "Divergence of a cross product",
       "Show that $\\nabla\\cdot(\\mathbf f\\times\\mathbf g) = (\\nabla\\times\\mathbf f)\\cdot\\mathbf g "
-      "- (\\nabla\\times\\mathbf g)\\cdot\\mathbf f$. Below `f2,1` is the derivative of $f_2$ by $x_1$.",
+      "- (\\nabla\\times\\mathbf g)\\cdot\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ by $x_1$.",
       field_parameters,
       {},
       study};

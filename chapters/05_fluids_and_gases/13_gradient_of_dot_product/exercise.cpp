@@ -67,33 +67,43 @@ std::vector<Check> cancellation(const Sample& symbols, bool with_fourth) {
   }
   return {
       never("components in which the sum of (9) to (12) is another polynomial than (8)", differing, 3),
-      {"terms that cancel in each component", {"counted", cancelled}, {"14 - 6", Value{8, 8, 8}}, exact()}};
+      {"terms that cancel in each component", {"counted", cancelled}, {"$14-6$", Value{8, 8, 8}}, exact()}};
 }
 
+const Names names{{"grad_fg", R"((\nabla(\mathbf f\cdot\mathbf g)))"},
+                  {"f_x_curl_g", R"((\mathbf f\times(\nabla\times\mathbf g)))"},
+                  {"g_x_curl_f", R"((\mathbf g\times(\nabla\times\mathbf f)))"},
+                  {"fgrad_g", R"(((\mathbf f\cdot\nabla)\mathbf g))"},
+                  {"ggrad_f", R"(((\mathbf g\cdot\nabla)\mathbf f))"}};
+
 std::vector<Claim> claims(Random random) {
-  Proof proof("5.13", sampled(random, fill));
+  Proof proof("5.13", sampled(random, fill), names);
   const auto components = [&](const std::string& slug, std::array<int, 3> at, const std::string& says,
                               const std::string& left, const Components& right, const std::string& by) {
     for (std::size_t i = 0; i < 3; ++i)
       proof.line(slug + "_" + digit(i), at[i], says + ", component " + digit(i),
                  {{left + digit(i), right[i]}}, by);
   };
-  components("gradient", {3481, 3495, 3509}, "grad (f.g), equation (8)", "grad_fg", left_8,
-             "f.g differentiated as one field along a turned frame");
+  components("gradient", {3481, 3495, 3509}, R"($\nabla(\mathbf f\cdot\mathbf g)$, equation (8))", "grad_fg",
+             left_8, R"($\mathbf f\cdot\mathbf g$ differentiated as one field along a turned frame)");
   const std::string turned = "the operator along a turned frame";
-  components("first_term", {3529, 3543, 3557}, "f x curl g, equation (9)", "f_x_curl_g", first_9, turned);
-  components("second_term", {3577, 3591, 3605}, "g x curl f, equation (10)", "g_x_curl_f", second_10, turned);
-  components("third_term", {3625, 3633, 3641}, "(f.grad) g, equation (11)", "fgrad_g", third_11, turned);
-  components("fourth_term", {3655, 3663, 3671}, "(g.grad) f, equation (12)", "ggrad_f", fourth_12, turned);
+  components("first_term", {3529, 3543, 3557}, R"($\mathbf f\times(\nabla\times\mathbf g)$, equation (9))",
+             "f_x_curl_g", first_9, turned);
+  components("second_term", {3577, 3591, 3605}, R"($\mathbf g\times(\nabla\times\mathbf f)$, equation (10))",
+             "g_x_curl_f", second_10, turned);
+  components("third_term", {3625, 3633, 3641}, R"($(\mathbf f\cdot\nabla)\mathbf g$, equation (11))",
+             "fgrad_g", third_11, turned);
+  components("fourth_term", {3655, 3663, 3671}, R"($(\mathbf g\cdot\nabla)\mathbf f$, equation (12))",
+             "ggrad_f", fourth_12, turned);
 
-  proof.line("sum", 3681, "the four terms add up to grad (f.g)",
+  proof.line("sum", 3681, R"(the four terms add up to $\nabla(\mathbf f\cdot\mathbf g)$)",
              each_component("grad_fg#", "f_x_curl_g# + g_x_curl_f# + fgrad_g# + ggrad_f#"),
-             "f.g differentiated as one field along a turned frame");
-  Claim cancels{"5.13-cancellation", 3681, "in the sum of (9) to (12) quite a few terms cancel; (8) is left"};
-  cancels.printed = {"8 of 14 terms cancel in each component", cancellation(proof.samples[0], true)};
-  cancels.near_misses = {{"without the fourth term", cancellation(proof.samples[0], false)}};
-  proof.claims.push_back(cancels);
-  return proof.claims;
+             R"($\mathbf f\cdot\mathbf g$ differentiated as one field along a turned frame)");
+  proof.claims.add(
+      "cancellation", 3681, "in the sum of (9) to (12) quite a few terms cancel; (8) is left",
+      {.printed = {"8 of 14 terms cancel in each component", cancellation(proof.samples[0], true)},
+       .near_misses = {{"without the fourth term", cancellation(proof.samples[0], false)}}});
+  return proof.claims.in_order();
 }
 
 Quantity gradient_of_product(const Parameters& p, const Reference& truth) {
@@ -126,7 +136,7 @@ Exercise exercise_5_13() {
   return {"Gradient of a dot product",
           "Show that $\\nabla(\\mathbf f\\cdot\\mathbf g) = \\mathbf f\\times(\\nabla\\times\\mathbf g) + "
           "\\mathbf g\\times(\\nabla\\times\\mathbf f) + (\\mathbf f\\cdot\\nabla)\\mathbf g + "
-          "(\\mathbf g\\cdot\\nabla)\\mathbf f$. Below `f2,1` is the derivative of $f_2$ by $x_1$.",
+          "(\\mathbf g\\cdot\\nabla)\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ by $x_1$.",
           field_parameters,
           {},
           study};

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "chapters/05_fluids_and_gases/15_repeated_curl/repeated_curl.hpp"
+#include "chapters/claims.hpp"
 #include "reference/text.hpp"
 
 /// Index expressions compared with operators along a frame turned at random, at random fields.
@@ -91,6 +92,51 @@ struct Said {
   std::string left, right, free = "i";
 };
 
+/// "k1" as k_1.
+inline std::string typeset_index(const std::string& index) {
+  return index.size() < 2 ? index : index.substr(0, 1) + "_" + index.substr(1);
+}
+
+/// "e(i j k) f(k, j)" as e_{ijk}f_{k,j}, without the dollars.
+inline std::string typeset(const std::string& expression) {
+  static const std::map<std::string, std::string> names{{"once", R"((\nabla\times\mathbf f))"},
+                                                        {"twice", R"(((\nabla\times)^2\mathbf f))"},
+                                                        {"phi_once", R"((\varphi\nabla\times\mathbf f))"},
+                                                        {"mirrored_u", R"(\bar u)"},
+                                                        {"mirrored_v", R"(\bar v)"}};
+  std::string tex, word;
+  for (char c : expression) {
+    if (std::isalnum(c) || c == '_') {
+      word += c;
+      continue;
+    }
+    if (c == '(')
+      tex += (names.contains(word) ? names.at(word) : word) + "_{";
+    else
+      tex += typeset_index(word) + (c == ')' ? "}" : c == ',' ? "," : "");
+    word.clear();
+  }
+  return tex;
+}
+
+/// The left side, its free index with it.
+inline std::string typeset_left(const Said& said) {
+  static const std::map<std::string, std::string> names{
+      {"g x f", R"((\mathbf g\times\mathbf f))"},
+      {"g x f, turned", R"((\mathbf g\times\mathbf f)')"},
+      {"g x f, mirrored", R"(\overline{(\mathbf g\times\mathbf f)})"},
+      {"curl1", R"((\nabla\times\mathbf f))"},
+      {"curl2", R"(((\nabla\times)^2\mathbf f))"},
+      {"curl3", R"(((\nabla\times)^3\mathbf f))"},
+      {"curl4", R"(((\nabla\times)^4\mathbf f))"},
+      {"curl2, turned", R"(((\nabla\times)^2\mathbf f)')"},
+      {"phi curl2", R"((\varphi(\nabla\times)^2\mathbf f))"},
+      {"f along a, b", R"(((\mathbf a\cdot\nabla)(\mathbf b\cdot\nabla)\mathbf f))"},
+      {"f along a, b, c",
+       R"(((\mathbf a\cdot\nabla)(\mathbf b\cdot\nabla)(\mathbf c\cdot\nabla)\mathbf f))"}};
+  return names.at(said.left) + "_{" + typeset_index(said.free) + "}";
+}
+
 class Tensorial {
  public:
   explicit Tensorial(Random random) {
@@ -99,8 +145,8 @@ class Tensorial {
 
   Check compare(const Said& said) const {
     const IndexExpression expression(said.right, said.free);
-    Worst worst("the index expression, against " + said.left,
-                said.left + ", differentiated along a turned frame", "the index expression as it is written");
+    Worst worst("$" + typeset_left(said) + "$", "the operators, along a turned frame",
+                "the index expression as it is written");
     for (const Sampled& s : samples_) {
       const Point left = s.left.at(said.left);
       worst.see(left, expression.value(s.tensors), expression.size(s.tensors), s.where);
@@ -110,14 +156,14 @@ class Tensorial {
   Reading reading(const std::vector<Said>& all) const {
     Reading reading;
     for (const Said& said : all) {
-      reading.text += (reading.text.empty() ? "" : "; ") + said.left + " = " + said.right;
+      reading.text +=
+          (reading.text.empty() ? "$" : ", $") + typeset_left(said) + "=" + typeset(said.right) + "$";
       reading.checks.push_back(compare(said));
     }
     return reading;
   }
-  Claim claim(const std::string& slug, int at, std::string says, const std::vector<Said>& printed,
-              const std::vector<std::vector<Said>>& near_misses) const {
-    Claim claim{"5.15-" + slug, at, std::move(says), reading(printed)};
+  Claim claim(const std::vector<Said>& printed, const std::vector<std::vector<Said>>& near_misses) const {
+    Claim claim{.printed = reading(printed)};
     for (const auto& near : near_misses) claim.near_misses.push_back(reading(near));
     return claim;
   }
@@ -127,14 +173,15 @@ class Tensorial {
 };
 
 /// Only the free index occurs once, every other one twice.
-inline Claim summed(const std::string& slug, int at, std::string says, const std::string& expression,
-                    const std::string& near) {
+inline Check well_formed(const std::string& expression, const std::string& free) {
+  return never("indices that occur once or thrice, but the free one",
+               IndexExpression(expression, free).ill_formed(), 1);
+}
+inline Claim summed(const std::string& expression, const std::string& near) {
   const auto reading = [](const std::string& text) {
-    return Reading{text,
-                   {never("indices that occur once or thrice, but the free one",
-                          IndexExpression(text, "i").ill_formed(), 1)}};
+    return Reading{"$" + typeset(text) + "$", {well_formed(text, "i")}};
   };
-  return {"5.15-" + slug, at, std::move(says), reading(expression), {}, {}, {reading(near)}};
+  return {.printed = reading(expression), .near_misses = {reading(near)}};
 }
 
 }  // namespace oddity::fields

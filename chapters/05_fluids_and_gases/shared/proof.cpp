@@ -142,22 +142,55 @@ std::vector<Row> each_component(const std::string& left, const std::string& righ
   return all;
 }
 
+std::string typeset(std::string_view line, const Names& names) {
+  const auto symbol = [&](const std::string& read) {
+    const std::size_t comma = std::min(read.find(','), read.size());
+    std::string base = read.substr(0, comma), indices = read.substr(comma);
+    while (!names.contains(base) && !base.empty() && std::isdigit(base.back())) {
+      indices.insert(0, 1, base.back());
+      base.pop_back();
+    }
+    const auto found = names.find(base);
+    return (found != names.end() ? found->second
+            : base == "phi"      ? "\\varphi"
+                                 : base) +
+           (indices.empty() ? "" : "_{" + indices + "}");
+  };
+  std::string tex;
+  for (std::size_t i = 0; i < line.size();) {
+    std::size_t end = i;
+    while (end < line.size() && (std::isalnum(line[end]) || line[end] == '_' || line[end] == ',')) ++end;
+    const bool follows = !tex.empty() && line[i] != ' ' && i > 0 && line[i - 1] == ' ' &&
+                         (std::isalnum(line[i]) || line[i] == '(') && tex.back() != '+' && tex.back() != '-';
+    if (follows) tex += "\\,";
+    if (end > i)
+      tex += symbol(std::string(line.substr(i, end - i)));
+    else if (line[i] != ' ')
+      tex += line[i];
+    i = std::max(end, i + 1);
+  }
+  return tex;
+}
+
 namespace {
 
-std::string written(const std::vector<Row>& rows) {
+std::string written(const std::vector<Row>& rows, const Names& names) {
   std::string text;
-  for (const Row& row : rows) text += (text.empty() ? "" : "; ") + row.left + " = " + row.right;
+  for (const Row& row : rows)
+    text += (text.empty() ? "$" : ", $") + typeset(row.left, names) + "=" + typeset(row.right, names) + "$";
   return text;
 }
 
 }  // namespace
 
-Check compare(const std::vector<Sample>& samples, const std::vector<Row>& rows, const std::string& by) {
+Reading Proof::reading(const std::vector<Row>& rows, const std::string& by) const {
   std::vector<std::pair<Terms, Terms>> lines;
+  std::string quantity;
   for (const Row& row : rows) {
     lines.emplace_back(read_terms(row.left, samples[0]), read_terms(row.right, samples[0]));
+    quantity += (quantity.empty() ? "$" : ", $") + typeset(row.left, names) + "$";
   }
-  Worst worst("the line, against " + by, by, "the line as it is written");
+  Worst worst(quantity, by, "the line as it is written");
   for (const Sample& s : samples) {
     std::vector<double> left, right;
     double size = 0;
@@ -168,7 +201,7 @@ Check compare(const std::vector<Sample>& samples, const std::vector<Row>& rows, 
     }
     worst.see(left, right, size, s.where);
   }
-  return worst.check();
+  return {written(rows, names), {worst.check()}};
 }
 
 namespace {
@@ -191,9 +224,8 @@ std::vector<std::string> indices_changed(const std::string& line) {
 }
 
 /// Of all single changes to one row, the one that is hardest to see.
-Reading hardest_to_see(const std::string& kind, const std::vector<Sample>& samples,
-                       const std::vector<Row>& rows, const std::string& by,
-                       std::vector<std::string> (*changes)(const std::string&)) {
+Reading hardest_to_see(const std::string& kind, const Proof& proof, const std::vector<Row>& rows,
+                       const std::string& by, std::vector<std::string> (*changes)(const std::string&)) {
   Reading hardest;
   double least = 0;
   int count = 0;
@@ -201,11 +233,11 @@ Reading hardest_to_see(const std::string& kind, const std::vector<Sample>& sampl
     for (const std::string& changed : changes(rows[i].right)) {
       std::vector<Row> changed_rows = rows;
       changed_rows[i].right = changed;
-      const Check check = compare(samples, changed_rows, by);
-      const double tolerances = check.difference() / check.tolerance.allowed;
+      const Reading reading = proof.reading(changed_rows, by);
+      const double tolerances = reading.checks[0].difference() / reading.checks[0].tolerance.allowed;
       if (count++ > 0 && tolerances >= least) continue;
       least = tolerances;
-      hardest = {written(changed_rows), {check}};
+      hardest = reading;
     }
   hardest.text = kind + ", the hardest to see of " + std::to_string(count) + ": " + hardest.text;
   return hardest;
@@ -213,27 +245,22 @@ Reading hardest_to_see(const std::string& kind, const std::vector<Sample>& sampl
 
 }  // namespace
 
-Claim& Proof::line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
-                   const std::string& by) {
-  claims.push_back({exercise + "-" + slug, at, std::move(says), {written(rows), {}}});
-  return also(rows, by);
+std::vector<Reading> Proof::single_changes(const std::vector<Row>& rows, const std::string& by) const {
+  return {hardest_to_see("a sign flipped", *this, rows, by, signs_flipped),
+          hardest_to_see("an index changed", *this, rows, by, indices_changed)};
 }
 
-Claim& Proof::also(const std::vector<Row>& rows, const std::string& by) {
-  Claim& claim = claims.back();
-  claim.printed.checks.push_back(compare(samples, rows, by));
-  claim.near_misses.push_back(hardest_to_see("a sign flipped", samples, rows, by, signs_flipped));
-  claim.near_misses.push_back(hardest_to_see("an index changed", samples, rows, by, indices_changed));
-  return claim;
+void Proof::line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
+                 const std::string& by) {
+  claims.add(slug, at, std::move(says),
+             {.printed = reading(rows, by), .near_misses = single_changes(rows, by)});
 }
 
-Claim& Proof::line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
-                   const std::string& by, const std::vector<std::vector<Row>>& near_misses) {
-  claims.push_back(
-      {exercise + "-" + slug, at, std::move(says), {written(rows), {compare(samples, rows, by)}}});
-  for (const auto& near : near_misses)
-    claims.back().near_misses.push_back({written(near), {compare(samples, near, by)}});
-  return claims.back();
+void Proof::line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
+                 const std::string& by, const std::vector<std::vector<Row>>& near_misses) {
+  Claim claim{.printed = reading(rows, by)};
+  for (const auto& near : near_misses) claim.near_misses.push_back(reading(near, by));
+  claims.add(slug, at, std::move(says), std::move(claim));
 }
 
 }  // namespace oddity::fields

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
+
 #include "chapters/05_fluids_and_gases/shared/fields.hpp"
-#include "chapters/exercise.hpp"
+#include "chapters/claims.hpp"
 
 /// Published lines of index calculus, evaluated as they are written: `f2,1` is the derivative of f2 by x1,
 /// `phi,12` the derivative by x1, then by x2. What a report shows is what was computed, and every single sign
@@ -76,28 +78,33 @@ struct Row {
 /// A row for each component, which `#` stands for.
 std::vector<Row> each_component(const std::string& left, const std::string& right);
 
-/// All rows, as one vector, at every sample.
-Check compare(const std::vector<Sample>& samples, const std::vector<Row>& rows, const std::string& by);
+/// What names of more than a letter are in TeX: "curl_f" of `curl_f2`, "e0" of `e01`.
+using Names = std::map<std::string, std::string>;
+
+/// A line such as "phi (f2,1 - f1,2)" in TeX, without the dollars.
+std::string typeset(std::string_view line, const Names& names);
 
 /// The lines of one exercise, and the claims that come of them.
 class Proof {
  public:
-  Proof(std::string number, std::vector<Sample> at) : samples(std::move(at)), exercise(std::move(number)) {}
+  Proof(const std::string& exercise, std::vector<Sample> at, Names in_tex)
+      : claims(exercise), samples(std::move(at)), names(std::move(in_tex)) {}
 
-  std::vector<Sample> samples;
-  std::vector<Claim> claims;
+  Claims claims;
+  const std::vector<Sample> samples;
+  const Names names;
+
+  /// All rows, as one vector, at every sample, against the way that the left sides are come `by`.
+  Reading reading(const std::vector<Row>& rows, const std::string& by) const;
+  /// Of all single signs and of all single indices of the rows, the one whose change is hardest to see.
+  std::vector<Reading> single_changes(const std::vector<Row>& rows, const std::string& by) const;
 
   /// Published lines hold; the near misses change each single sign and index.
-  Claim& line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
-              const std::string& by);
-  /// A further comparison for the claim made last, with its near misses.
-  Claim& also(const std::vector<Row>& rows, const std::string& by);
+  void line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
+            const std::string& by);
   /// Published lines hold; the near misses are the lines given.
-  Claim& line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
-              const std::string& by, const std::vector<std::vector<Row>>& near_misses);
-
- private:
-  std::string exercise;
+  void line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
+            const std::string& by, const std::vector<std::vector<Row>>& near_misses);
 };
 
 }  // namespace oddity::fields

@@ -1,14 +1,67 @@
-#pragma once
-
 #include <numbers>
 
-#include "chapters/05_fluids_and_gases/shared/fields.hpp"
-#include "chapters/exercise.hpp"
-#include "reference/reference.hpp"
+#include "chapters/05_fluids_and_gases/03_inverse_square_field/inverse_square_field.hpp"
+#include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
 #include "solvers/quadrature.hpp"
 
-/// The flux of x / |x|^3 through closed surfaces: 4 pi when the origin is inside, 0 when it is outside.
-namespace oddity::fields {
+namespace oddity::ex05_03 {
+
+using namespace fields;
+
+// ---- derivatives ------------------------------------------------------------------------------------------
+
+namespace {
+
+/// The three derivatives and their sum, times |x|^3.
+Value scaled(const Point& slopes, const Point& x) {
+  const double r = length(x);
+  const Point s{slopes[0] * r * r * r, slopes[1] * r * r * r, slopes[2] * r * r * r};
+  return {s[0], s[1], s[2], s[0] + s[1] + s[2]};
+}
+
+}  // namespace
+
+Quantity partials(const std::string& name, const std::string& says, const Point& x, const Reference& truth,
+                  Outcome quotient_ends, const Steps& absolute) {
+  const Known known = truth("05_03_partials", {x[0], x[1], x[2]});
+  Quantity q{
+      name,
+      "1",
+      says,
+      {known.source + ", and the sum zero", Value{known.value[0], known.value[1], known.value[2], 0.0}},
+      known.error,
+      {1e-9, "nine decimals"},
+      {},
+      {}};
+  const std::string field = "field", formula = "published derivatives";
+  const auto published = [x](Point (*f)(const Point&)) {
+    return [x, f](double) { return Answer{scaled(f(x), x), static_cast<long>(x.size())}; };
+  };
+  q.add({formula, "quotient rule", no_knob(), published(each<quotient>), quotient_ends,
+         quotient_ends == Outcome::ok ? "" : "|x|^6 overflows from |x| = 2e51 on"});
+  q.add({formula, "simplified", no_knob(), published(each<simplified>)});
+  const auto by = [x](auto way) {
+    Point slopes;
+    for (std::size_t i = 0; i < 3; ++i) slopes[i] = way.along(inverse_square, x, axes[i])[i];
+    return Answer{scaled(slopes, x), way.calls};
+  };
+  const double size = length(x);
+  q.add({field, "dual numbers", no_knob(), [=](double) { return by(ByDuals{}); }});
+  q.add({field + ", step h", "central differences 2", steps(),
+         [=](double h) { return by(ByDifferences<2>{h}); }, absolute.second, absolute.why});
+  q.add({field + ", step h", "central differences 4", steps(),
+         [=](double h) { return by(ByDifferences<4>{h}); }, absolute.fourth,
+         absolute.fourth == Outcome::ok ? "" : absolute.why});
+  q.add({field + ", step h |x|", "central differences 2", steps(),
+         [=](double h) { return by(ByDifferences<2>{h * size}); }, Outcome::inaccurate, Steps{}.why});
+  q.add({field + ", step h |x|", "central differences 4", steps(),
+         [=](double h) { return by(ByDifferences<4>{h * size}); }, Outcome::inaccurate, Steps{}.why});
+  return q;
+}
+
+// ---- the flux: 4 pi when the origin is inside, 0 when it is outside ---------------------------------------
+
+namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
@@ -62,25 +115,25 @@ struct Cube {
   }
 };
 
-inline Tolerance ten_decimals() { return {1e-10, "ten decimals"}; }
+Tolerance ten_decimals() { return {1e-10, "ten decimals"}; }
 
 template <class F>
 Rule with(F rule, double setting) {
   return
       [rule, n = static_cast<int>(setting)](FunctionOfOne f, double a, double b) { return rule(f, a, b, n); };
 }
-inline Rule qags_with(double tolerance) {
+Rule qags_with(double tolerance) {
   return [tolerance](FunctionOfOne f, double a, double b) { return qags(f, a, b, tolerance); };
 }
 
-inline const std::string low_order = "order 4 is too low for ten decimals with these panels";
+const std::string low_order = "order 4 is too low for ten decimals with these panels";
 
-/// The flux through a spheroid by several rules; `peaked`: the origin is so close to the surface that rules
-/// with fixed points miss the peak of the density.
-inline Quantity spheroid_flux(const std::string& name, const std::string& says, const Spheroid& surface,
-                              const Reference& truth, bool peaked = false) {
-  Quantity q = quantity(name, "1", says, truth("05_03_spheroid_flux", {surface.a, surface.b, surface.d}),
-                        ten_decimals());
+}  // namespace
+
+Quantity spheroid_flux(const std::string& name, const std::string& says, double a, double b, double d,
+                       const Reference& truth, bool peaked) {
+  const Spheroid surface{a, b, d};
+  Quantity q = quantity(name, "1", says, truth("05_03_spheroid_flux", {a, b, d}), ten_decimals());
   const Outcome fixed = peaked ? Outcome::inaccurate : Outcome::ok;
   const std::string why = peaked ? "the density is a peak, narrower than the points are apart" : "";
   const auto by = [surface](const Rule& rule) {
@@ -114,7 +167,8 @@ inline Quantity spheroid_flux(const std::string& name, const std::string& says, 
   return q;
 }
 
-inline Quantity cube_flux(const Cube& cube, const Reference& truth) {
+Quantity cube_flux(double h, const Reference& truth) {
+  const Cube cube{h, {0.25 * h, -0.5 * h, 0.125 * h}};
   Quantity q =
       quantity("flux_cube", "1", "flux through a cube around the origin, its centre at (h/4, -h/2, h/8)",
                truth("05_03_cube_flux", {cube.h, cube.c[0], cube.c[1], cube.c[2]}), ten_decimals());
@@ -127,4 +181,4 @@ inline Quantity cube_flux(const Cube& cube, const Reference& truth) {
   return q;
 }
 
-}  // namespace oddity::fields
+}  // namespace oddity::ex05_03

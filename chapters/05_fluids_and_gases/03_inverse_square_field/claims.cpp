@@ -1,0 +1,215 @@
+#include "chapters/claims.hpp"
+
+#include <numbers>
+
+#include "chapters/05_fluids_and_gases/03_inverse_square_field/inverse_square_field.hpp"
+#include "reference/reference.hpp"
+#include "reference/text.hpp"
+
+namespace oddity::ex05_03 {
+
+namespace {
+
+using namespace fields;
+
+/// The derivatives of the components by their own coordinates, summed from a turned frame.
+Point own_slopes(const Point& x, const Frame& frame) {
+  Point slopes{};
+  for (const Point& u : frame) {
+    const Point along_u = along(inverse_square, x, u);
+    for (std::size_t i = 0; i < 3; ++i) slopes[i] += u[i] * along_u[i];
+  }
+  return slopes;
+}
+
+double quotient_factor_2(double s, double x) {
+  return (std::pow(s, 1.5) - 2 * x * x * std::pow(s, 0.5)) / std::pow(s, 3);
+}
+double quotient_plus(double s, double x) {
+  return (std::pow(s, 1.5) + 3 * x * x * std::pow(s, 0.5)) / std::pow(s, 3);
+}
+double simplified_plus(double s, double x) { return (s + 3 * x * x) / std::pow(s, 2.5); }
+double simplified_dropped(double s, double) { return s / std::pow(s, 2.5); }
+
+/// The three summands over the common denominator.
+Point brackets(const Point& x) {
+  const double s = x[0] * x[0] + x[1] * x[1] + x[2] * x[2], denominator = std::pow(s, 2.5);
+  return {(s - 3 * x[0] * x[0]) / denominator, (s - 3 * x[1] * x[1]) / denominator,
+          (s - 3 * x[2] * x[2]) / denominator};
+}
+Point brackets_first_twice(const Point& x) {
+  const Point b = brackets(x);
+  return {b[0], b[0], b[2]};
+}
+
+/// A point at any distance from the origin, a turned frame, and how fast a field's slopes fall.
+struct Away {
+  Point x;
+  Frame frame;
+  double power;
+
+  std::array<double*, 3> letters() { return {&x[0], &x[1], &x[2]}; }
+  double size() const { return std::pow(length(x), -power); }
+  std::string where() const { return "|x| = " + shortest(length(x)); }
+};
+
+/// Sizes within `range` of 1 either way.
+std::vector<Away> samples(Random random, double range, double power = 3) {
+  std::vector<Away> all;
+  for (int n = 0; n < 256; ++n) {
+    const double r = std::abs(random.magnitude(1 / range, range));
+    const Point u = random.direction();
+    all.push_back({{r * u[0], r * u[1], r * u[2]}, random_frame(random), power});
+  }
+  return all;
+}
+
+const Formula<Away> differentiated{"dual numbers along a turned frame",
+                                   [](const Away& a) { return own_slopes(a.x, a.frame); }};
+
+/// The three derivatives that are summed: by x0 of x_i / |x|^3, by x1 of x_1 / |x|^3, by x2 of x_2 / |x|^3.
+Check summands(std::size_t i, const Random& random) {
+  return compare<Away>("the derivatives that make up the divergence",
+                       {"the three that are printed, $x_i$ being $x_" + std::to_string(i) + "$",
+                        [=](const Away& a) {
+                          const Matrix<double> d = jacobian(inverse_square, a.x);
+                          return Value{d[i][0], d[1][1], d[2][2]};
+                        }},
+                       differentiated, samples(random, 1e30));
+}
+
+/// The divergence of x / |x|^power.
+Check divergence_is_zero(const std::string& field, const std::function<double(const Away&)>& of,
+                         const std::vector<Away>& all) {
+  return compare<Away>(R"($\nabla\cdot()" + field + ")$", {"dual numbers along a turned frame", of},
+                       {"zero", [](const Away&) { return 0.0; }}, all);
+}
+Reading divergence_of_power(int power, const Random& random) {
+  const std::string field = R"(\mathbf x/|\mathbf x|^)" + std::to_string(power);
+  return {R"($\nabla\cdot()" + field + ")=0$",
+          {divergence_is_zero(
+              "$" + field + "$",
+              [=](const Away& a) {
+                const auto along_x = [=](const auto& x) {
+                  using std::pow;
+                  const auto scale = pow(dot(x, x), -power / 2.0);
+                  return std::array{x[0] * scale, x[1] * scale, x[2] * scale};
+                };
+                return divergence(along_x, a.frame)(a.x);
+              },
+              samples(random, 1e40, power))}};
+}
+
+/// A point of whole coordinates.
+struct Whole {
+  long x, y, z;
+  explicit Whole(Random& random)
+      : x(random.below(2000001) - 1000000),
+        y(random.below(2000001) - 1000000),
+        z(random.below(2000001) - 1000000) {}
+  std::string where() const {
+    return "x = (" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + ")";
+  }
+  /// The brackets |x|^2 - factor x_i^2 add up to zero.
+  bool cancels(long factor) const {
+    const long s = x * x + y * y + z * z;
+    return (s - factor * x * x) + (s - factor * y * y) + (s - factor * z * z) == 0;
+  }
+};
+
+}  // namespace
+
+std::vector<Claim> claims(const Random& random, const Reference& truth) {
+  Claims claims("5.3");
+  const auto derivatives = [&](const char* slug, int line, const char* says, double range,
+                               const std::vector<std::pair<const char*, Point (*)(const Point&)>>& all) {
+    std::vector<Formula<Away>> formulas;
+    for (const auto& [text, of] : all) formulas.push_back({text, [f = of](const Away& a) { return f(a.x); }});
+    claims.formula<Away>(slug, line, says, samples(random, range),
+                         {.quantity = R"($\partial(x_i/|\mathbf x|^3)/\partial x_i$, $i=0,1,2$)",
+                          .truth = differentiated,
+                          .printed = formulas[0],
+                          .near_misses = {formulas.begin() + 1, formulas.end()}});
+  };
+  derivatives("quotient_rule", 3135, R"(the quotient rule for $x_i/(\mathbf x\cdot\mathbf x)^{3/2}$)", 1e45,
+              {{R"($(|\mathbf x|^3-3x_i^2|\mathbf x|)/|\mathbf x|^6$)", each<quotient>},
+               {R"($(|\mathbf x|^3-2x_i^2|\mathbf x|)/|\mathbf x|^6$)", each<quotient_factor_2>},
+               {R"($(|\mathbf x|^3+3x_i^2|\mathbf x|)/|\mathbf x|^6$)", each<quotient_plus>}});
+  derivatives("simplified", 3173, R"(a factor $|\mathbf x|$ cancels)", 1e55,
+              {{R"($(|\mathbf x|^2-3x_i^2)/|\mathbf x|^5$)", each<simplified>},
+               {R"($(|\mathbf x|^2+3x_i^2)/|\mathbf x|^5$)", each<simplified_plus>},
+               {R"($|\mathbf x|^2/|\mathbf x|^5$)", each<simplified_dropped>}});
+  claims.add(
+      "divergence", 3191,
+      R"(the divergence is the sum of three derivatives, the first one of $x_i/|\mathbf x|^3$)",
+      {.printed = {R"($\partial(x_i/|\mathbf x|^3)/\partial x_0$, for any $i$)",
+                   {summands(0, random), summands(1, random), summands(2, random)}},
+       .meant = {R"($\partial(x_0/|\mathbf x|^3)/\partial x_0$)", {summands(0, random)}},
+       .near_misses = {{R"($\partial(x_1/|\mathbf x|^3)/\partial x_0$)", {summands(1, random)}}},
+       .why =
+           R"(The first derivative is printed of $x_i/|\mathbf x|^3$, an index that nothing sums and )"
+           R"(nothing else has: it must be $x_0$, which the next line has. At the point $(0.3,-0.7,0.9)$, )"
+           R"(times $|\mathbf x|^3$, the three derivatives are 0.8058, $-0.0576$ and $-0.7482$, which add )"
+           R"(up to zero; with $x_1$ in the first one it is 0.4532.)",
+       .kind = Fault::formula});
+  derivatives("common_denominator", 3239, R"(the three summands over the common denominator $|\mathbf x|^5$)",
+              1e55,
+              {{"brackets with $3x_0^2$, $3x_1^2$, $3x_2^2$", brackets},
+               {"the first bracket twice", brackets_first_twice}});
+  Random digits = random;
+  std::vector<Whole> whole;
+  for (int n = 0; n < 1000; ++n) whole.emplace_back(digits);
+  claims.statement<Whole>(
+      "numerator", 3267, "the sum of the brackets is zero", whole,
+      {.printed = {R"($\sum_i(|\mathbf x|^2-3x_i^2)=0$)", [](const Whole& x) { return x.cancels(3); }},
+       .near_misses = {
+           {R"($\sum_i(|\mathbf x|^2-2x_i^2)=0$)", [](const Whole& x) { return x.cancels(2); }}}});
+
+  const Known flux = truth("05_03_spheroid_flux", {1.5, 1.5, 0.375});
+  const Check zero = divergence_is_zero(
+      R"(\mathbf x/|\mathbf x|^3)", [](const Away& a) { return divergence(inverse_square, a.frame)(a.x); },
+      samples(random, 1e60));
+  claims.add("zero", 3267, "the divergence is zero, where the field is defined",
+             {.printed = {R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=0$)", {zero}},
+              .near_misses = {divergence_of_power(2, random),
+                              divergence_of_power(4, random),
+                              {"and at the origin too: a sphere around it has no flux",
+                               {{"flux through a sphere",
+                                 {flux.source, flux.value},
+                                 {"zero", 0.0},
+                                 {1e-10, "ten decimals"},
+                                 1}}}}});
+
+  const double all_around = 4 * std::numbers::pi;
+  const auto out_of_a_ball = [&](const char* text, double said) {
+    return Reading{text,
+                   {{"flux out of a ball around the origin",
+                     {flux.source, flux.value},
+                     {"the divergence over the ball", said},
+                     rounding(all_around),
+                     all_around}}};
+  };
+  Reading corrected = out_of_a_ball(R"(zero but at the origin: a flux of $4\pi$ around it)", all_around);
+  corrected.checks.push_back(zero);
+  claims.add(
+      "origin", 3267, "the divergence is zero, no point being left out",
+      {.printed = out_of_a_ball("zero everywhere: no flux out of any ball", 0),
+       .corrected = corrected,
+       .near_misses = {out_of_a_ball(R"(a flux of $2\pi$)", all_around / 2)},
+       .why = R"(At $\mathbf x=0$ the text divides by zero, and its lines say nothing about that point. It )"
+              R"(matters: $4\pi=12.566$ flows out of every sphere around the origin, however small, so that )"
+              R"(the divergence is $4\pi\delta(\mathbf x)$, and Gauss's theorem with a divergence of zero )"
+              R"(gives 0.)",
+       .kind = Fault::left_out,
+       .root = "the origin"});
+  return claims.in_order();
+}
+
+std::vector<Root> roots() {
+  return {
+      {"the origin",
+       R"(A field that is put together from its sources, as smoke or gravity is, has none of this: nothing )"
+       R"(flows out of the sphere around the source, where $4\pi=12.566$ should, whatever its radius.)"}};
+}
+
+}  // namespace oddity::ex05_03
