@@ -485,7 +485,7 @@ TEST_CASE("turned axes change no outcome", "[metamorphic]") {
         INFO(method.model << ", " << method.algorithm << " at " << setting << ": error " << a.error
                           << ", turned " << b.error);
         CHECK(name_of(a.outcome) == name_of(b.outcome));
-        if (a.answer.reached() && a.outcome != Outcome::diverged)
+        if (a.answer.reached() && a.outcome != Outcome::diverged && a.outcome != Outcome::non_finite)
           CHECK(near(b.error, a.error, 1e-6 * a.error + 1e-11));
       }
     }

@@ -93,13 +93,15 @@ void to_the_second_squaring(Claims& claims, const std::vector<Point>& orbit_alon
        .printed = {R"($e\rho=r(1+e\cos\theta)=r+ex$)",
                    [](P p) { return values(p.r * (1 + p.e * cos(std::atan2(p.y, p.x))), p.r + p.e * p.x); }},
        .near_misses = {{R"($e\rho=r-ex$)", [](P p) { return twice(p.r - p.e * p.x); }}}});
-  const auto squared = [](double middle) {
-    return [=](P p) { return p.r * p.r + middle * p.e * p.x * p.r + p.e * p.e * p.x * p.x; };
+  const auto squared = [](std::string text, double middle) -> Formula<Point> {
+    return {std::move(text),
+            [=](P p) { return p.r * p.r + middle * p.e * p.x * p.r + p.e * p.e * p.x * p.x; },
+            [](P p) { return p.r * p.r + p.e * p.e * p.x * p.x; }};
   };
   claims.formula<Point>("squared", 861, "its square", orbit_alone,
                         {.truth = {R"($e^2\rho^2$)", [](P p) { return p.e * p.e * p.rho * p.rho; }},
-                         .printed = {R"($e^2\rho^2=r^2+2exr+e^2x^2$)", squared(2)},
-                         .near_misses = {{R"($e^2\rho^2=r^2+exr+e^2x^2$)", squared(1)}}});
+                         .printed = squared(R"($e^2\rho^2=r^2+2exr+e^2x^2$)", 2),
+                         .near_misses = {squared(R"($e^2\rho^2=r^2+exr+e^2x^2$)", 1)}});
   claims.formula<Point>(
       "solved", 863, "this solved for the middle term", orbit_alone,
       {.truth = {"$2exr$ at the point", [](P p) { return 2 * p.e * p.x * p.r; }},
@@ -124,7 +126,8 @@ void rewritten(Claims& claims, const std::vector<Point>& anywhere, const std::ve
   using P = const Point&;
   const auto line = [&](std::string_view slug, int number, std::string says, const Formula<Point>& before,
                         const Formula<Point>& printed, const Formula<Point>& near) {
-    const auto reading = [&](const Formula<Point>& now) -> Reading {
+    const auto reading = [&](Formula<Point> now) -> Reading {
+      now.terms = [](P p) { return p.sum() * p.sum() + p.r2() * p.r2(); };
       return {now.text,
               {compare("the line", now, before, anywhere),
                compare<Point>("zero on both curves, its last term set apart",

@@ -66,6 +66,9 @@ void equations(Claims& claims, double seed) {
                           return values(s.v[0] * s.t, s.v[1] * s.t, s.v[0], s.v[1]);
                         }}}});
 
+  const std::string lagrange =
+      R"($\frac d{dt}\frac{\partial L}{\partial\dot x_1}-\frac{\partial L}{\partial x_1}$ )"
+      "by nested dual numbers";
   /// `power` of a1 below 4 x1; `squares` of the speeds in the bracket.
   const auto equation = [](std::string text, double sign, int power, double squares) -> Formula<Sample> {
     return {std::move(text), [=](const Sample& s) {
@@ -78,12 +81,11 @@ void equations(Claims& claims, double seed) {
   };
   claims.formula<Sample>(
       "first_equation", 1545,
-      R"(the first equation of motion, with $B=\frac{x_1\ddot x_1+\dot x_1^2}{a_1^2}+\frac{x_2\ddot x_2+\dot x_2^2}{a_2^2}$)",
+      R"(the first equation of motion, with )"
+      R"($B=\frac{x_1\ddot x_1+\dot x_1^2}{a_1^2}+\frac{x_2\ddot x_2+\dot x_2^2}{a_2^2}$)",
       samples,
       {.quantity = "what is zero by the first equation of motion",
-       .truth =
-           {R"($\frac d{dt}\frac{\partial L}{\partial\dot x_1}-\frac{\partial L}{\partial x_1}$ by nested dual numbers)",
-            [](const Sample& s) { return s.lagrange(s.x, s.a)[0]; }},
+       .truth = {lagrange, [](const Sample& s) { return s.lagrange(s.x, s.a)[0]; }},
        .printed = equation(R"($0=\ddot x_1+\frac{4x_1}{a_1}B-\frac{2gx_1}{a_1^2}$)", 1, 1, 1),
        .meant = equation(R"($0=\ddot x_1+\frac{4x_1}{a_1^2}B-\frac{2gx_1}{a_1^2}$)", 1, 2, 1),
        .near_misses = {equation(R"($0=\ddot x_1-\frac{4x_1}{a_1^2}B-\frac{2gx_1}{a_1^2}$)", -1, 2, 1),
@@ -102,9 +104,7 @@ void equations(Claims& claims, double seed) {
   claims.formula<Sample>(
       "substituted", 1563, "the first equation on $(v_1t,v_2t)$", samples,
       {.quantity = "what is zero by the first equation on $(v_1t,v_2t)$",
-       .truth =
-           {R"($\frac d{dt}\frac{\partial L}{\partial\dot x_1}-\frac{\partial L}{\partial x_1}$ by nested dual numbers)",
-            [](const Sample& s) { return s.on_line()[0]; }},
+       .truth = {lagrange, [](const Sample& s) { return s.on_line()[0]; }},
        .printed = {R"($0=0+4v_1t\,a_1^2(v_1^2a_1^2+v_2^2a_2^2)-2gv_1t/a_1^2$, as products)",
                    [](const Sample& s) {
                      return 4 * s.v[0] * s.t * s.A1() *
