@@ -295,15 +295,14 @@ std::vector<Claim> claims(double seed) {
                   .printed = {R"($\dot y_3=)" + of_sines, sines},
                   .near_misses = {{"the opposite", [](const Sample& s) { return -sines(s); }},
                                   {"$" + of_cosines, cosines}}});
-  claims.formula(
-      "kinetic_substituted", 2657, "$T$ with the derivatives put in", samples,
-      {.quantity = "$T$",
-       .truth = by_pairs,
-       .printed =
-           {R"(squares of the sums of $r_k\dot\theta_k\cos\theta_k$ and $r_k\dot\theta_k\sin\theta_k$)",
-            [](const Sample& s) { return substituted(s, 0); }},
-       .near_misses = {
-           {"the third bracket without $r_1$", [](const Sample& s) { return substituted(s, 1); }}}});
+  claims.formula("kinetic_substituted", 2657, "$T$ with the derivatives put in", samples,
+                 {.quantity = "$T$",
+                  .truth = by_pairs,
+                  .printed = {R"($\sum_n\frac{m_n}2\left((\sum_{k\le n}r_k\dot\theta_k\cos\theta_k)^2)"
+                              R"(+(\sum_{k\le n}r_k\dot\theta_k\sin\theta_k)^2\right)$)",
+                              [](const Sample& s) { return substituted(s, 0); }},
+                  .near_misses = {{"the third bracket without $r_1$",
+                                   [](const Sample& s) { return substituted(s, 1); }}}});
   claims.formula(
       "kinetic_expanded", 2679, "$T$ expanded: squares, and a cosine of each difference of angles", samples,
       {.quantity = "$T$",

@@ -80,10 +80,10 @@ Exercise exercise_3_25() {
   using namespace ex03_25;
   return {
       "Triple pendulum and a chain of n masses",
-      R"(Three masses $m_k$ at $(x_k,y_k)$ hang one from the other by rigid massless rods of the lengths $r_k$, )"
-      R"(the first from a pivot at $(0,h)$. Find the kinetic and the potential energy and the equations of motion )"
-      R"(in the rods' angles $\theta_1,\theta_2,\theta_3$ from the downward vertical; what becomes of them for )"
-      R"($n$ masses?)",
+      R"(Three masses $m_k$ at $(x_k,y_k)$ hang under gravity $g$ one from the other by rigid massless rods of )"
+      R"(the lengths $r_k$, the first from a pivot at $(0,h)$. Find the kinetic and the potential energy and the )"
+      R"(equations of motion in the rods' angles $\theta_1,\theta_2,\theta_3$ from the downward vertical; what )"
+      R"(becomes of them for $n$ masses?)",
       parameters, scene(), study};
 }
 

@@ -402,7 +402,7 @@ std::vector<Claim> claims(double seed) {
   };
   const Reader Fx = along(R"($\int F\cdot\imath\,\delta\,ds$)", {1, 0}),
                Fy = along(R"($\int F\cdot\jmath\,\delta\,ds$)", {0, 1});
-  claims.formula("force_x", 2927, "the generalized force $F_x$", samples,
+  claims.formula("force_x", 2927, "the generalized force $F_x$ of a force $F$ on each unit of mass", samples,
                  {.truth = slope(0), .printed = Fx, .near_misses = {Fy}});
   claims.formula(
       "force_y", 2933, "the generalized force $F_y$", samples,

@@ -1,7 +1,7 @@
 // Exercise 3.31: a box slides and turns on a rough plane. The solution is two sentences about a program that
 // is not at hand, and nothing here judges them. What is computed is the motion that the exercise is about:
 //   F = -mu p int n dA,  moment = -mu p int rho x n dA,  n = (V + w k x rho)/|V + w k x rho|, p = m g/(4ab)
-// The integrals have closed forms about the instantaneous centre. At rest n has no direction: friction at
+// The integrals have closed forms about the instantaneous center. At rest n has no direction: friction at
 // full speed only makes the box tremble, and on a slope creep. A uniform pressure is assumed; the box is too
 // low to be tilted by its friction.
 

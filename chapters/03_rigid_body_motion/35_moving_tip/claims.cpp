@@ -172,7 +172,7 @@ std::vector<Claim> claims(double seed) {
                  tops,
                  {.quantity = R"($\dot w_3$)",
                   .truth = zero,
-                  .printed = {R"($\dot w_3=0$: its value along Lagrange's accelerations)",
+                  .printed = {R"($\dot w_3=0$ along Lagrange's accelerations)",
                               [](const Sample& s) { return body_rates_change(s)[2]; }},
                   .near_misses = {{R"($\ddot\psi=0$)", [](const Sample& s) { return s.truth[2]; }}}});
 

@@ -75,10 +75,10 @@ Exercise exercise_3_35() {
   return {
       "Heavy top on a moving tip",
       R"(The tip of a heavy symmetric top moves to and fro as $\mathbf p=(\alpha\sin\lambda t,0,0)$. What )"
-      R"(becomes of its motion? The top has the mass $m$, its center of mass $\mathbf r$ at $\ell$ from the tip )"
-      R"(along the axis $\boldsymbol\xi_3$, and the moments $\mu_1$ and $\mu_3$ about the tip, across the axis )"
-      R"(and about it; the angles are $\theta$ (precession), $\phi$ (tilt) and $\psi$ (spin), the angular )"
-      R"(velocity in body coordinates is $\mathbf w$.)",
+      R"(becomes of its motion? The top has the mass $m$ under gravity $-g\mathbf k$, its center of mass $\mathbf r$ )"
+      R"(at $\ell$ from the tip along the axis $\boldsymbol\xi_3$, and the moments $\mu_1$ and $\mu_3$ about the )"
+      R"(tip, across the axis and about it; the angles are $\theta$ (precession), $\phi$ (tilt) and $\psi$ (spin), )"
+      R"(the angular velocity in body coordinates is $\mathbf w$.)",
       parameters, scene(), study};
 }
 
