@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "chapters/02_basic_concepts/shared/bodies.hpp"
+
+/// Exercise 2.9: the half disc x^2 + y^2 <= 1, y >= 0 with the density exp(k x), and what the files of the
+/// exercise share.
+namespace oddity::balance {
+
+using std::cos, std::sin, std::numbers::pi;
+
+using Moments = std::array<double, 3>;  // mass, and the first moments in x and y
+
+inline Moments moments_of(double density, double x, double y) { return {density, density * x, density * y}; }
+
+/// Columns at x = sin u, as high as cos u and cos u du wide.
+inline Integral by_sine(const Rule& rule, double k, std::size_t which) {
+  return nested(
+      rule, [=](double u, double y) { return cos(u) * moments_of(std::exp(k * sin(u)), sin(u), y)[which]; },
+      -pi / 2, pi / 2, [](double) { return 0.0; }, [](double u) { return cos(u); });
+}
+
+inline Integral by_sectors(const Rule& rule, double k, std::size_t which) {
+  return nested(
+      rule,
+      [=](double t, double r) {
+        return r * moments_of(std::exp(k * r * cos(t)), r * cos(t), r * sin(t))[which];
+      },
+      0, pi, [](double) { return 0.0; }, [](double) { return 1.0; });
+}
+
+struct Particle {
+  double m;
+  basic_vectors::Vector r;  ///< in the plane z = 0
+};
+
+/// `k`: the growth of the half disc's density.
+std::vector<Claim> claims(double seed, double k);
+std::vector<Root> roots();
+
+}  // namespace oddity::balance
