@@ -1,9 +1,5 @@
 #include <thread>
 
-#include "chapters/07_linear_algebra/01_cost_of_elimination/elimination.hpp"
-#include "chapters/07_linear_algebra/05_triangle_normal/triangles.hpp"
-#include "chapters/09_calculus/01_point_triangle/point_triangle.hpp"
-#include "report/fit.hpp"
 #include "solvers/counted.hpp"
 #include "tests/catch.hpp"
 
@@ -40,12 +36,4 @@ TEST_CASE("a count neither sees another thread's operations nor loses those arou
     CHECK(inner.multiplications == 2);
   });
   CHECK(outer.multiplications == 1);
-}
-
-TEST_CASE("chapters and report have their costs and triangles side by side", "[counted]") {
-  const elimination::Cost cost = operations_of([] { return Real(2) * Real(3); });
-  CHECK(cost.mu == 1);
-  CHECK(std::is_enum_v<Cost>);
-  CHECK(triangle_normals::flat(0, 1).inputs().size() == 9);
-  CHECK(triangles::Triangle<double>{}.v.size() == 3);
 }
