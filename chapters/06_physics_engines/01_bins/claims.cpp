@@ -92,7 +92,8 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
     return Formula<Solid>{"$" + text + "$", [=](const Solid& s) { return s.planes(stretch * s.r); }};
   };
   claims.formula<Solid>(
-      "projections", 3737, "the projections of a sphere on the axes are intervals about its center's $c$",
+      "projections", 3737,
+      "the projections of a sphere on the axes are intervals about its center, $c$ on an axis",
       draw<Solid>(30, p["seed"]),
       {.quantity = "ends of the three projections",
        .truth = {"planes that just meet the sphere, by bisection of $r^2-(x-c)^2$",

@@ -203,11 +203,16 @@ std::vector<Claim> claims(const Random& random) {
        .kind = Fault::formula,
        .why = "An equals sign stands between the summation sign and the product that it sums. A product "
               "alone is one of 24 terms: 1 for a matrix of ones, whose determinant is 0."});
-  claims.number("permutations", 3935, "there are $4!$ permutations",
-                {.quantity = "permutations",
-                 .truth = {R"(maps of $\{1,2,3,4\}$ onto itself)", onto_maps()},
-                 .printed = "24",
-                 .near_misses = {"23"}});
+  const auto permutations = [](const char* text, double number) {
+    return Reading{text,
+                   {{"permutations",
+                     {"as printed", number},
+                     {R"(maps of $\{1,2,3,4\}$ onto itself)", onto_maps()},
+                     exact()}}};
+  };
+  claims.add(
+      "permutations", 3935, "there are $4!$ permutations",
+      {.printed = permutations("24", 24), .near_misses = {permutations("23, the identity not counted", 23)}});
 
   std::vector<Row> rows(std::begin(table), std::end(table));
   const auto entries = [](int number) {

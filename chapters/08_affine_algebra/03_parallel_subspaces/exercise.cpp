@@ -160,12 +160,14 @@ struct Carrier {
   }
 };
 
-Reading ranks(std::string text, const std::string& rank) {
+Reading ranks(std::string text, double rank) {
   const auto check = [&](const char* what, const MatrixXd& one, const MatrixXd& other) {
-    return as_written(what, rank,
-                      {"exact elimination", static_cast<double>(exact_rank(Pair{one, other, true}.both()))});
+    return Check{what,
+                 {"exact elimination", static_cast<double>(exact_rank(Pair{one, other, true}.both()))},
+                 {text, rank},
+                 exact()};
   };
-  return {std::move(text),
+  return {text,
           {check("rank of the columns of $V_1$ and $V_2$", axes.first, axes.second),
            check("rank of the columns of $V_2$ and $V_1$", axes.second, axes.first)}};
 }
@@ -225,7 +227,7 @@ std::vector<Claim> claims(double seed) {
                         [](const Carrier& c) { return c.stays_along(axes.second, axes.second); }}}});
   claims.add(
       "neither", 3999, "neither $V_1$ is in $V_2$ nor $V_2$ in $V_1$",
-      {.printed = ranks("rank 2 both ways", "2"), .near_misses = {ranks("rank 1: one in the other", "1")}});
+      {.printed = ranks("rank 2 both ways", 2), .near_misses = {ranks("rank 1, one in the other", 1)}});
   claims.formula<Walker>(
       "not_parallel", 3999, "the affine subspaces are not parallel", {{-3}, {0}, {2}, {5}},
       {.quantity = "distance of $(1+t,4)$ from the line $x=-2$",

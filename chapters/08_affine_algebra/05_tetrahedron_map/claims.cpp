@@ -30,6 +30,15 @@ struct Sample {
     return sum;
   }
 
+  /// What the volumes' cancellations can do to a sum over the coefficients: it is the same whatever the
+  /// letters are, and they do not show it.
+  double cancelling(const auto& size_of_vertex) const {
+    double sum = std::abs(c0()) * size_of_vertex(t.p[0]);
+    for (std::size_t i = 1; i < 4; ++i)
+      sum += std::abs(c()[static_cast<long>(i) - 1]) * size_of_vertex(t.p[i]);
+    return condition * sum;
+  }
+
   std::vector<double*> letters() {
     std::vector<double*> all{&f.b};
     for (Vector3d* x : {&t.p[0], &t.p[1], &t.p[2], &t.p[3], &p, &f.a})
@@ -59,9 +68,10 @@ std::vector<Sample> samples(double seed, double height, double most) {
 }
 
 Formula<Sample> sums(std::string text, double sign_of_c0) {
-  return {std::move(text), [=](const Sample& s) {
-            return Value(s.combined(sign_of_c0 * s.c0(),
-                                    [](const Vector3d& x) { return Eigen::Vector4d(x[0], x[1], x[2], 1); }));
+  const auto point = [](const Vector3d& x) { return Eigen::Vector4d(x[0], x[1], x[2], 1); };
+  return {std::move(text), [=](const Sample& s) { return Value(s.combined(sign_of_c0 * s.c0(), point)); },
+          [=](const Sample& s) {
+            return s.cancelling([=](const Vector3d& x) { return point(x).cwiseAbs().maxCoeff(); });
           }};
 }
 
@@ -76,6 +86,11 @@ Reading by_vertices(std::string text, const std::vector<Sample>& all, double wit
                             [=](const Sample& s) {
                               return s.combined(with_c0 * s.c0(),
                                                 [&](const Vector3d& x) { return bent(s, x, bend); });
+                            },
+                            [=](const Sample& s) {
+                              return s.cancelling([&](const Vector3d& x) {
+                                return s.f.a.cwiseAbs().dot(x.cwiseAbs()) + std::abs(s.f.b);
+                              });
                             }},
                            {"the map itself", [=](const Sample& s) { return bent(s, s.p, bend); }}, all)}};
 }
