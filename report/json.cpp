@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 2;
+constexpr int format = 3;
 
 void require(bool holds, const char* otherwise) {
   if (!holds) throw std::runtime_error(otherwise);
@@ -30,6 +30,8 @@ Enum named(const Json& json, const std::array<Enum, N>& all) {
 
 constexpr std::array verdicts{Verdict::confirmed, Verdict::misprint, Verdict::erratum, Verdict::not_checkable,
                               Verdict::unsettled};
+constexpr std::array faults{Fault::none,           Fault::number, Fault::formula, Fault::left_out,
+                            Fault::counterexample, Fault::term,   Fault::listing, Fault::lost_typography};
 constexpr std::array outcomes{Outcome::ok,         Outcome::inaccurate, Outcome::drifted,  Outcome::diverged,
                               Outcome::non_finite, Outcome::stalled,    Outcome::deceived, Outcome::raised};
 
@@ -93,15 +95,23 @@ Json from(const JudgedClaim& judged) {
     readings[name] = reading.text;
     for (const Check& c : reading.checks) checks.push_back(from(c, name));
   });
-  return {{"id", claim.id},       {"line", claim.line},
-          {"says", claim.says},   {"verdict", name_of(judged.verdict)},
-          {"why", claim.why},     {"not_checkable", claim.not_checkable},
-          {"readings", readings}, {"checks", checks}};
+  return {{"id", claim.id},
+          {"line", claim.line},
+          {"says", claim.says},
+          {"verdict", name_of(judged.verdict)},
+          {"why", claim.why},
+          {"not_checkable", claim.not_checkable},
+          {"kind", name_of(claim.kind)},
+          {"root", claim.root},
+          {"readings", readings},
+          {"checks", checks}};
 }
 JudgedClaim claim(const Json& json) {
   JudgedClaim judged{{json.at("id"), json.at("line"), json.at("says")}, named(json.at("verdict"), verdicts)};
   judged.claim.why = json.at("why");
   judged.claim.not_checkable = json.at("not_checkable");
+  judged.claim.kind = named(json.at("kind"), faults);
+  judged.claim.root = json.at("root");
   std::size_t near_misses = 0;
   for (const auto& [name, text] : json.at("readings").items()) near_misses += name.starts_with("near miss");
   judged.claim.near_misses.resize(near_misses);
@@ -409,12 +419,15 @@ Json from(const ExerciseResult& e) {
     parameters.push_back({{"name", p.name}, {"value", from(p.value)}, {"unit", p.unit}, {"says", p.says}});
   for (const JudgedClaim& c : e.claims) claims.push_back(from(c));
   for (const QuantityResult& q : e.quantities) quantities.push_back(from(q));
+  Json roots = Json::array();
+  for (const Root& root : e.roots) roots.push_back({{"name", root.name}, {"shows", root.shows}});
   return {{"number", to_string(e.number)},
           {"title", e.title},
           {"asks", e.asks},
           {"scene", e.scene},
           {"parameters", parameters},
           {"claims", claims},
+          {"roots", roots},
           {"quantities", quantities},
           {"failure", e.failure},
           {"stability", e.stability ? from(*e.stability) : Json(nullptr)},
@@ -428,6 +441,7 @@ ExerciseResult exercise(const Json& json) {
   for (const Json& p : json.at("parameters"))
     e.parameters.push_back({p.at("name"), number(p.at("value")), p.at("unit"), p.at("says")});
   for (const Json& c : json.at("claims")) e.claims.push_back(claim(c));
+  for (const Json& root : json.at("roots")) e.roots.push_back({root.at("name"), root.at("shows")});
   std::set<std::string> files;
   for (const Json& q : json.at("quantities")) {
     e.quantities.push_back(quantity(q));

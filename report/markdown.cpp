@@ -173,7 +173,8 @@ std::string finding(const JudgedClaim& judged) {
   const std::string kind = judged.verdict == Verdict::erratum    ? "Erratum"
                            : judged.verdict == Verdict::misprint ? "Misprint"
                                                                  : "Unsettled";
-  std::string text = claim_anchor(claim) + "\n\n**" + kind + " " + code(claim.id) + "**, line " +
+  const std::string fault = claim.kind == Fault::none ? "" : ", " + std::string(name_of(claim.kind));
+  std::string text = claim_anchor(claim) + "\n\n**" + kind + " " + code(claim.id) + "**" + fault + ", line " +
                      std::to_string(claim.line) + ". *The solution says:* " + escaped(claim.says, false) +
                      ".\n\n" + prose(claim.why) + "\n\n";
   std::vector<std::vector<std::string>> rows;
@@ -399,6 +400,35 @@ std::string chapter_text(const Results& results, const Chapter& chapter, bool ch
   return text;
 }
 
+std::string link_to(const ExerciseResult& e, const Claim& claim, bool links) {
+  const std::string id = escaped(claim.id);
+  return links ? "[" + id + "](" + chapter_file(e.number.chapter) + "#" + anchor_of(claim) + ")" : id;
+}
+
+/// The errata by what they come from: those with one root are one finding.
+std::string errata(const Results& results, bool links) {
+  std::vector<std::vector<std::string>> rows;
+  for (const ExerciseResult& e : results.exercises) {
+    std::map<std::string, std::size_t> row_of;
+    for (const JudgedClaim& c : e.claims) {
+      if (c.verdict != Verdict::erratum) continue;
+      const Claim& claim = c.claim;
+      const auto known = row_of.find(claim.root);
+      if (known != row_of.end() && !claim.root.empty()) {
+        rows[known->second][0] += ", " + link_to(e, claim, links);
+        continue;
+      }
+      row_of[claim.root] = rows.size();
+      const auto root = std::ranges::find(e.roots, claim.root, &Root::name);
+      rows.push_back({link_to(e, claim, links), std::string(name_of(claim.kind)), escaped(claim.says),
+                      escaped(claim.printed.text), escaped(claim.corrected.text),
+                      root == e.roots.end() ? "" : escaped(root->shows)});
+    }
+  }
+  return table({"claims", "kind", "the solution says", "as printed", "what is right", "what one would see"},
+               rows);
+}
+
 /// The claims of one verdict, each beside what is right.
 std::string list_of(const Results& results, Verdict verdict, bool links) {
   std::vector<std::vector<std::string>> rows;
@@ -406,11 +436,9 @@ std::string list_of(const Results& results, Verdict verdict, bool links) {
     for (const JudgedClaim& c : e.claims) {
       if (c.verdict != verdict) continue;
       const Claim& claim = c.claim;
-      const std::string id = escaped(claim.id);
-      rows.push_back(
-          {links ? "[" + id + "](" + chapter_file(e.number.chapter) + "#" + anchor_of(claim) + ")" : id,
-           std::to_string(claim.line), escaped(claim.says), escaped(claim.printed.text),
-           escaped((verdict == Verdict::misprint ? claim.meant : claim.corrected).text)});
+      rows.push_back({link_to(e, claim, links), std::to_string(claim.line), escaped(claim.says),
+                      escaped(claim.printed.text),
+                      escaped((verdict == Verdict::misprint ? claim.meant : claim.corrected).text)});
     }
   return table({"claim", "line", "the solution says", "as printed",
                 verdict == Verdict::misprint ? "what is meant" : "what is right"},
@@ -435,7 +463,7 @@ std::string whats_wrong(const Results& results, Counts counts, bool links) {
                                        {Verdict::unsettled, "Unsettled"}})
     if (counts[verdict] > 0)
       text += "### " + std::string(title) + " (" + std::to_string(counts[verdict]) + ")\n\n" +
-              list_of(results, verdict, links);
+              (verdict == Verdict::erratum ? errata(results, links) : list_of(results, verdict, links));
   if (counts[Verdict::not_checkable] > 0) text += "### Not checkable\n\n" + not_checkable_table(results);
   return text.empty() ? "Nothing in this run.\n\n" : text;
 }

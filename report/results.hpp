@@ -206,6 +206,7 @@ struct ExerciseResult {
   std::string failure;  ///< an exception that ended the study; empty: none
   std::optional<Ledger> ledger = {};
   std::optional<Stability> stability = {};
+  std::vector<Root> roots = {};  ///< of the errata
 };
 
 struct Results {

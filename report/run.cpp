@@ -90,6 +90,7 @@ ExerciseResult shape(const Studied& studied, std::vector<Pending>& pending) {
     result.parameters.push_back(
         {std::string(p.name), studied.task->parameters[p.name], std::string(p.unit), std::string(p.says)});
   for (const Claim& claim : studied.findings.claims) result.claims.push_back({claim, verdict(claim)});
+  result.roots = studied.findings.roots;
   for (const Quantity& quantity : studied.findings.quantities)
     result.quantities.push_back(shape(quantity, pending));
   return result;
