@@ -71,3 +71,24 @@ TEST_CASE("a reference that is computed in doubles states its own rounding", "[c
       CHECK(quantity_of(studied(entry, {{"c1", 0.3}, {"height", 0.3}}), "value").reference_error > 1e-15);
   }
 }
+
+TEST_CASE("every finding in the book has a kind, and every erratum a root that is told with a number",
+          "[claims]") {
+  for (const Entry& entry : registry()) {
+    const Findings findings = studied(entry, {});
+    for (const Claim& claim : findings.claims) {
+      const Verdict v = verdict(claim);
+      if (v != Verdict::misprint && v != Verdict::erratum) continue;
+      INFO(claim.id << ", root '" << claim.root << "'");
+      CHECK(claim.kind != Fault::none);
+      if (v == Verdict::misprint) continue;
+      const auto root = std::ranges::find(findings.roots, claim.root, &Root::name);
+      REQUIRE(root != findings.roots.end());
+      CHECK(root->shows.find_first_of("0123456789") != std::string::npos);
+    }
+    for (const Root& root : findings.roots) {
+      INFO(to_string(entry.number) << ", " << root.name);
+      CHECK(std::ranges::count(findings.claims, root.name, &Claim::root) > 0);
+    }
+  }
+}
