@@ -14,7 +14,9 @@
 /// computes. A sample is a struct of the exercise's letters:
 ///   Sample(Random&)                        draws one
 ///   where() const -> std::string           tells its letters
-///   tolerance() const -> Tolerance         where a route errs by more than roundings, as quadratures do
+///   tolerance() const -> Tolerance         where a route errs by more than roundings, as
+///                                          quadratures do; size() is then that of the
+///                                          terms
 ///   letters() -> array of double*          where all else follows from these: the size of a formula's terms
 ///                                          is found by changing each a little
 ///   size() const -> double                 the size of terms that cancel, where a quantity is to be zero
@@ -119,7 +121,7 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
   if constexpr (requires(const Sample& sample) { sample.tolerance(); }) {
     Worst rough(std::move(quantity), left.text, right.text);
     for (std::size_t i = 0; i < samples.size(); ++i)
-      rough.see(lefts[i], rights[i], samples[i].tolerance(), size(samples[i]), samples[i].where());
+      rough.see(lefts[i], rights[i], samples[i].tolerance(), samples[i].size(), samples[i].where());
     return rough.check();
   }
   Worst worst(std::move(quantity), left.text, right.text);

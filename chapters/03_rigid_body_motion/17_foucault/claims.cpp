@@ -818,7 +818,8 @@ void tensor(Claims& claims, const Cones& cones) {
 /// A cone in any motion, compared within the roundings of its equations.
 struct Swinging : ConeSample {
   using ConeSample::ConeSample;
-  Tolerance tolerance() const { return rounding(motion.size(), 512); }
+  double size() const { return motion.size(); }
+  Tolerance tolerance() const { return rounding(size(), 512); }
 };
 
 void cone_equations(Claims& claims, double seed) {

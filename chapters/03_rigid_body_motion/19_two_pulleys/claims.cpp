@@ -340,7 +340,8 @@ void forces(Claims& claims, const Samples& samples) {
                    Sample stretched = s.stretched(), free = stretched;
                    free.p.c1 = 0;
                    return stretched.forces()[0] - free.forces()[0];
-                 }},
+                 },
+                 &Sample::size},
        .printed = {"$-c_1(S_1-L_1)$", pull(1)},
        .near_misses = {{"$+c_1(S_1-L_1)$", pull(-1)}}});
   claims.formula<Sample>(
