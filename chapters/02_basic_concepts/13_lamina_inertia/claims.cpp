@@ -1,0 +1,241 @@
+// The claims of exercise 2.13: the text's integrals by columns, against the definition by rows.
+
+#include "chapters/claims.hpp"
+
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "chapters/02_basic_concepts/13_lamina_inertia/lamina_inertia.hpp"
+#include "solvers/dual.hpp"
+
+namespace oddity::lamina_inertia {
+
+namespace {
+
+using Fraction = std::array<long, 2>;
+using InSpace = double (*)(double x, double y, double z);
+
+const Rule sixteen = gauss_rule(16);
+
+/// The integral of x^p y^q over the lamina, that over a row being 2 y^(q+(p+1)/2) / (p+1) for p even.
+Fraction moment(long p, long q) {
+  const long bottom = (p + 1) * (p + 2 * q + 3), common = std::gcd(4L, bottom);
+  return p % 2 == 0 ? Fraction{4 / common, bottom / common} : Fraction{0L, 1L};
+}
+Fraction sum(Fraction a, Fraction b) {
+  const long over = a[0] * b[1] + b[0] * a[1], under = a[1] * b[1], common = std::gcd(over, under);
+  return {over / common, under / common};
+}
+
+/// The lamina cut off at x = left, at the height z.
+struct Cut {
+  double left, z;
+  std::array<double*, 2> letters() { return {&left, &z}; }
+  std::string where() const { return "left = " + shortest(left) + ", z = " + shortest(z); }
+};
+std::vector<Cut> cuts(double seed, double up = 1) {
+  Random random(seed);
+  std::vector<Cut> all;
+  for (int i = 0; i < 20; ++i) {
+    const double left = random.between(-1, 0.8);
+    all.push_back({left, up * random.magnitude(0.1, 3)});
+  }
+  return all;
+}
+Formula<Cut> by_columns(const std::string& text, InSpace f) {
+  return {text + ", by columns", [=](const Cut& c) {
+            return columns(
+                       sixteen, [&](double x, double y) { return f(x, y, c.z); }, c.left)
+                .value;
+          }};
+}
+Formula<Cut> by_definition(std::size_t k) {
+  return {R"($\mathbf r\times(\mathbf w\times\mathbf r)$ by rows over $\sqrt y$)",
+          [=](const Cut& c) {
+            const auto at = [&](double x, double y) { return inertia_by_definition(k, {x, y, c.z}); };
+            return rows(sixteen, at, c.left, true).value;
+          },
+          [](const Cut& c) { return (1 + c.z * c.z) * (1 - c.left); }};
+}
+
+/// A component with its printed integrand and value, and a near miss of each; `exact`: by rows, in rational
+/// numbers.
+struct Component {
+  std::string letters;
+  int integrand_line, value_line;
+  std::string integrand;
+  InSpace printed;
+  std::string near_integrand;
+  InSpace near;
+  Fraction value, near_value, exact;
+};
+
+Reading value_of(const Component& c, std::size_t k, const Fraction& value) {
+  const double size = 4.0 / 3;  // the area
+  const auto definition = [=](double x, double y) { return inertia_by_definition(k, {x, y, 0}); };
+  const auto pair = [](const Fraction& r) {
+    return Value{static_cast<double>(r[0]), static_cast<double>(r[1])};
+  };
+  const std::string text = value[1] == 1 ? std::to_string(value[0])
+                                         : R"($\tfrac{)" + std::to_string(value[0]) + "}{" +
+                                               std::to_string(value[1]) + "}$",
+                    name = "$I_{" + c.letters + "}$";
+  const double decimal = static_cast<double>(value[0]) / static_cast<double>(value[1]);
+  return {text,
+          {{name + " as a fraction", {text, pair(value)}, {"by rows, in rationals", pair(c.exact)}, exact()},
+           {name,
+            {text, decimal},
+            {"Gauss-Legendre by rows", rows(sixteen, definition, -1, true).value},
+            rounding(size),
+            size}}};
+}
+
+void component(Claims& claims, const Component& c, std::size_t k, double seed) {
+  const std::string slug = "i" + c.letters, name = "I_{" + c.letters + "}";
+  claims.formula(slug + "_integrand", c.integrand_line, "$" + name + "$ integrates " + c.integrand,
+                 cuts(seed),
+                 {.quantity = "$" + name + "$ of random laminas",
+                  .truth = by_definition(k),
+                  .printed = by_columns(c.integrand, c.printed),
+                  .near_misses = {by_columns(c.near_integrand, c.near)}});
+  const Reading value = value_of(c, k, c.value), near = value_of(c, k, c.near_value);
+  if (k > 0) {
+    claims.add(slug, c.value_line, "$" + name + "$ is " + value.text,
+               {.printed = value, .near_misses = {near}});
+    return;
+  }
+  claims.add(
+      slug, c.value_line, "$" + name + "=47$",
+      {.printed = value_of(c, k, {47, 1}),
+       .meant = value,
+       .near_misses = {near},
+       .why =
+           R"(The fraction bar is lost in the text at hand: $\tfrac47$. The lamina has the mass $\tfrac43$ and )"
+           R"(lies within 1 of the axis, so that no moment can be above $\tfrac43$.)",
+       .kind = Fault::lost_typography});
+}
+
+struct Column {
+  double x;
+  explicit Column(Random& random) : x(random.between(-1, 1)) {}
+  std::array<double*, 1> letters() { return {&x}; }
+  std::string where() const { return "x = " + shortest(x); }
+};
+const Formula<Column> inner_integral{"Gauss-Legendre of $y^2$ from $x^2$ to 1", [](const Column& c) {
+                                       return sixteen([](double y) { return y * y; }, c.x * c.x, 1).value;
+                                     }};
+
+/// The lines that lead to Ixx.
+void steps(Claims& claims, double seed) {
+  const auto columns_of = draw<Column>(50, seed);
+  const auto squared = [](double, double y, double) { return y * y; };
+  const auto flat = [&](const std::string& text, double up) {
+    return Reading{text,
+                   {compare("$I_{xx}$ of random laminas", by_columns("$y^2$", squared), by_definition(0),
+                            cuts(seed, up))}};
+  };
+  claims.add("ixx_without_z", 677, "with $z=0$ the integrand of $I_{xx}$ is $y^2$",
+             {.printed = flat("$y^2$ at $z=0$", 0), .near_misses = {flat("$y^2$ at another height", 1)}});
+  const auto between = [](double divisor) {
+    return [=](const Column& c) { return (1 - std::pow(c.x * c.x, 3)) / divisor; };
+  };
+  claims.formula("ixx_inner", 681, "the inner integral is $y^3/3$ between $x^2$ and 1", columns_of,
+                 {.quantity = "the inner integral",
+                  .truth = inner_integral,
+                  .printed = {"$y^3/3$ between $x^2$ and 1", between(3)},
+                  .near_misses = {{"$y^3/2$ between $x^2$ and 1", between(2)}}});
+  const auto power = [](int n) { return [=](const Column& c) { return (1 - std::pow(c.x, n)) / 3; }; };
+  claims.formula("ixx_outer", 689, "the outer integrand is $(1-x^6)/3$", columns_of,
+                 {.quantity = "the inner integral",
+                  .truth = inner_integral,
+                  .printed = {"$(1-x^6)/3$", power(6)},
+                  .near_misses = {{"$(1-x^5)/3$", power(5)}}});
+
+  const double by_rows = nested(
+                             sixteen, [](double, double y) { return y * y; }, -1, 1, parabola, top)
+                             .value;
+  const auto primitive = [&](const std::string& text, double seventh, double over) {
+    const auto f = [=](const auto& x) { return (x - x * x * x * x * x * x * x / seventh) / over; };
+    return Reading{
+        text,
+        {compare("the inner integral",
+                 {"the derivative of " + text, [=](const Column& c) { return derivative(f, c.x); }},
+                 inner_integral, columns_of),
+         {"$I_{xx}$",
+          {text + " between $-1$ and 1", f(1.0) - f(-1.0)},
+          {"Gauss-Legendre by rows", by_rows},
+          rounding(1)}}};
+  };
+  claims.add(
+      "ixx_antiderivative", 695, "the antiderivative, between $-1$ and 1, is $x-x^7/73$",
+      {.printed = primitive("$x-x^7/73$", 73, 1),
+       .meant = primitive("$(x-x^7/7)/3$", 7, 3),
+       .near_misses = {primitive("$(x-x^7/6)/3$", 6, 3)},
+       .why =
+           R"(The bar above the 3 is lost in the text at hand: $(x-x^7/7)/3$, whose difference is $\tfrac47$. As )"
+           R"(it stands it is $\tfrac{144}{73}$.)",
+       .kind = Fault::lost_typography});
+}
+
+struct Point {
+  double x, y;
+  explicit Point(Random& random) : x(random.between(-2, 2)), y(random.between(-1, 2)) {}
+  std::string where() const { return "(x, y) = (" + shortest(x) + ", " + shortest(y) + ")"; }
+  /// The point is in the lamina and in |x| <= bound, low(x) <= y <= 1, or in neither.
+  bool alike(double bound, double (*low)(double)) const {
+    return (x * x <= y && y <= 1) == (abs(x) <= bound && low(x) <= y && y <= 1);
+  }
+};
+double wedge(double x) { return abs(x); }
+
+void region_and_order(Claims& claims, double seed) {
+  const auto in = [](double bound, double (*low)(double)) {
+    return [=](const Point& p) { return p.alike(bound, low); };
+  };
+  claims.statement<Point>(
+      "region", 667, R"(the region is $-1\le x\le1$ with $y$ from $x^2$ to 1)", draw<Point>(4000, seed),
+      {.printed = {R"(a point is in the lamina where $|x|\le1$, $x^2\le y\le1$)", in(1, parabola)},
+       .near_misses = {{R"(where $|x|\le0.9$, $x^2\le y\le1$)", in(0.9, parabola)},
+                       {R"(where $|x|\le y\le1$)", in(1, wedge)}}});
+  const auto from = [](const std::string& text, double (*low)(double)) {
+    const auto all = all_of(6, [&](std::size_t k) {
+      const auto at = [=](double x, double y) { return Lamina{-1, 0, 1}.at(x, y)[k]; };
+      return nested(sixteen, at, -1, 1, low, top);
+    });
+    return Reading{text,
+                   {{"the six components",
+                     {"columns, $y$ " + text, all.value},
+                     {"by rows, in rationals", {4.0 / 7, 4.0 / 15, 88.0 / 105, 0, 0, 0}},
+                     rounding(1)}}};
+  };
+  claims.add("similar", 701, "the other components come from the same two integrals, $dy$ then $dx$",
+             {.printed = from("from $x^2$ to 1", parabola), .near_misses = {from("from $|x|$ to 1", wedge)}});
+}
+
+}  // namespace
+
+std::vector<Claim> claims(double seed) {
+  using D = double;
+  const InSpace xx = [](D x, D, D z) { return x * x + z * z; },
+                yy = [](D, D y, D z) { return y * y + z * z; },
+                zz = [](D x, D y, D) { return x * x + y * y; }, xy = [](D x, D y, D) { return x * y; },
+                minus_xy = [](D x, D y, D) { return -x * y; }, xz = [](D x, D, D z) { return x * z; },
+                yz = [](D, D y, D z) { return y * z; };
+  const Fraction polar = sum(moment(0, 2), moment(2, 0));
+  const Component all[] = {
+      {"xx", 669, 699, "$y^2+z^2$", yy, "$x^2+z^2$", xx, {4, 7}, {2, 7}, moment(0, 2)},
+      {"yy", 703, 707, "$x^2+z^2$", xx, "$x^2+y^2$", zz, {4, 15}, {4, 5}, moment(2, 0)},
+      {"zz", 711, 715, "$x^2+y^2$", zz, "$y^2+z^2$", yy, {88, 105}, {32, 105}, polar},
+      {"xy", 719, 723, "$xy$", xy, "$-xy$", minus_xy, {0, 1}, {1, 6}, moment(1, 1)},
+      {"xz", 727, 731, "$xz$", xz, "$yz$", yz, {0, 1}, {1, 4}, {0, 1}},
+      {"yz", 735, 735, "$yz$", yz, "$xz$", xz, {0, 1}, {4, 5}, {0, 1}},
+  };
+  Claims claims("2.13");
+  region_and_order(claims, seed);
+  for (std::size_t k = 0; k < 6; ++k) component(claims, all[k], k, seed);
+  steps(claims, seed);
+  return claims.in_order();
+}
+
+}  // namespace oddity::lamina_inertia
