@@ -41,6 +41,11 @@ struct Sample {
            ", phi' = " + rounded(v[2], 4);
   }
 
+  /// Of r'', before what cancels whatever the letters are.
+  double terms() const {
+    const double speed = std::abs(v[0]) + q[0] * std::abs(v[2]);
+    return speed * speed / q[0] + gamma() / (q[0] * q[0]);
+  }
   double beta() const { return q[0] * q[0] * v[2]; }
   double gamma() const { return G * (m1 + m2); }
 
@@ -205,14 +210,15 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
     return
         [=](K k) { return k.beta() * k.beta() / std::pow(k.q[0], 3) + sign * k.gamma() / (k.q[0] * k.q[0]); };
   };
-  claims.formula("radial_equation", 2757, R"($\ddot r=\beta^2/r^3-\gamma/r^2$)", all,
-                 {.quantity = R"($\ddot r$)",
-                  .truth = {by_lagrange, [](K k) { return k.lagrange(k.v)[0]; }},
-                  .printed = {R"($\beta^2/r^3-\gamma/r^2$)", radial(-1)},
-                  .near_misses = {{R"($\beta^2/r^3+\gamma/r^2$)", radial(1)},
-                                  {R"($\beta/r^3-\gamma/r^2$)", [](K k) {
-                                     return k.beta() / std::pow(k.q[0], 3) - k.gamma() / (k.q[0] * k.q[0]);
-                                   }}}});
+  claims.formula(
+      "radial_equation", 2757, R"($\ddot r=\beta^2/r^3-\gamma/r^2$)", all,
+      {.quantity = R"($\ddot r$)",
+       .truth = {by_lagrange, [](K k) { return k.lagrange(k.v)[0]; }, [](K k) { return k.terms(); }},
+       .printed = {R"($\beta^2/r^3-\gamma/r^2$)", radial(-1)},
+       .near_misses = {{R"($\beta^2/r^3+\gamma/r^2$)", radial(1)}, {R"($\beta/r^3-\gamma/r^2$)", [](K k) {
+                                                                      return k.beta() / std::pow(k.q[0], 3) -
+                                                                             k.gamma() / (k.q[0] * k.q[0]);
+                                                                    }}}});
 
   const auto c1 = [](K k) {
     const auto along = [&](const auto& x) {
@@ -240,12 +246,13 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
   const auto rate = [](double power) {
     return [=](K k) { return -power * k.beta() / std::pow(k.q[0], power + 1) * k.v[0]; };
   };
-  claims.formula("phi_equation", 2773, R"($\dot\varphi=\beta/r^2$)", all,
-                 {.quantity = R"($\ddot\varphi$)",
-                  .truth = {by_lagrange, [](K k) { return k.lagrange(k.v)[2]; }},
-                  .printed = {R"($\beta/r^2$, differentiated with $\dot r=u$)", rate(2)},
-                  .near_misses = {{R"($\beta/r$, differentiated)", rate(1)},
-                                  {R"($\beta/r^3$, differentiated)", rate(3)}}});
+  claims.formula(
+      "phi_equation", 2773, R"($\dot\varphi=\beta/r^2$)", all,
+      {.quantity = R"($\ddot\varphi$)",
+       .truth = {by_lagrange, [](K k) { return k.lagrange(k.v)[2]; }, [](K k) { return k.terms() / k.q[0]; }},
+       .printed = {R"($\beta/r^2$, differentiated with $\dot r=u$)", rate(2)},
+       .near_misses = {{R"($\beta/r$, differentiated)", rate(1)},
+                       {R"($\beta/r^3$, differentiated)", rate(3)}}});
 
   claims.add(
       "initial_conditions", 2787,
