@@ -460,9 +460,15 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
   wrong.claim.corrected = misprint.claim.meant = {"x = 1", {one_against_one(1e-9)}};
   misprint.claim.id = "3.5-lost_bar";
   wrong.verdict = verdict(wrong.claim);
+  wrong.claim.kind = Fault::number;
+  wrong.claim.root = "a slip";
+  JudgedClaim follows = wrong;
+  follows.claim.id = "3.5-follows";
+  results.exercises[0].roots = {{"a slip", "1 m too far"}};
   misprint.verdict = verdict(misprint.claim);
   results.exercises[0].claims.push_back(misprint);
   results.exercises[0].claims.push_back(wrong);
+  results.exercises[0].claims.push_back(follows);
   const std::string page = chapter_page(results, 3), index = index_page(results);
   const auto erratum = page.find("<a id=\"3.5-wrong\"></a>"), bar = page.find("<a id=\"3.5-lost_bar\"></a>"),
              folded = page.find("<details><summary>1 confirmed claim</summary>\n\n|");
@@ -471,7 +477,9 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
   CHECK(erratum < bar);
   CHECK(bar < folded);
   CHECK(count(index, "What is wrong in the solutions manual") == 1);
-  CHECK(count(index, "[3.5-wrong](chapter_03.md#3.5-wrong) | 1 | x is 1 | x = 2 | x = 1 |") == 1);
+  CHECK(count(index,
+              "[3.5-wrong](chapter_03.md#3.5-wrong), [3.5-follows](chapter_03.md#3.5-follows) | number | "
+              "x is 1 | x = 2 | x = 1 | 1 m too far |") == 1);
   CHECK(count(index, "### Misprints (1)") == 1);
   CHECK(count(index, "[3.5-lost\\_bar](chapter_03.md#3.5-lost_bar)") == 1);
 }

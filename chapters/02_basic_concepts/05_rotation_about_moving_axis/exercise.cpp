@@ -80,6 +80,8 @@ std::vector<Claim> claims(double seed) {
   frame.near_misses = {reading("U2 = D'/|D'|, U3 = D x D'", "U^T U", route, moments.any, [&](M m) {
     return gram(Matrix3::columns(m.U[0], m.U[1] / m.lambda, m.U[2]));
   })};
+  frame.kind = Fault::left_out;
+  frame.root = "length of the axis' rate";
   frame.why =
       "$\\dot{\\mathbf D}$ is perpendicular to $\\mathbf D$, but its length $\\lambda=|\\dot{\\mathbf D}|$ "
       "is $1$ only when the axis moves so; it is $0$ when the axis is fixed, and then there is no such "
@@ -112,6 +114,8 @@ std::vector<Claim> claims(double seed) {
          return Sides{(M * U) * transpose(U), M, m.frame_size};
        })}};
   singular.near_misses = {{"so is R' R^T + I", {determinants("det (R' R^T + I)", 1, true)}}};
+  singular.kind = Fault::counterexample;
+  singular.root = "a singular matrix";
   singular.why =
       "A skew $3\\times3$ matrix is never invertible, since $\\det S=\\det S^T=-\\det S$: $\\dot RR^T$ has "
       "the "
@@ -329,7 +333,13 @@ std::vector<Claim> claims(double seed) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(p["seed"]), {angular_velocity(p["t"], {p["alpha"], p["Omega"], p["nu"]}, truth)}};
+  return {claims(p["seed"]),
+          {angular_velocity(p["t"], {p["alpha"], p["Omega"], p["nu"]}, truth)},
+          {{"length of the axis' rate",
+            R"(An axis that moves at half a radian per second has $|\dot{\mathbf D}|=0.5$: the determinant of the )"
+            R"(printed frame is 0.25, and a body that is drawn in it loses three quarters of its volume.)"},
+           {"a singular matrix",
+            R"(A program that inverts $\dot RR^T$ divides by its determinant, which is 0 at every moment.)"}}};
 }
 
 }  // namespace ex02_05

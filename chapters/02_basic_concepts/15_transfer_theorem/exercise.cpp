@@ -185,12 +185,14 @@ std::vector<Claim> products_of_inertia(double seed) {
   Claim split_claim = lines.claim("ixy_split", 783, "= sum of x' y' + sum of m (cx y' + cy x' + cx cy)",
                                   split(true), "with m, and - cy x'", split(false, -1));
   split_claim.meant = lines.of("sum of m x' y' + sum of m (cx y' + cy x' + cx cy)", split(false));
+  split_claim.kind = Fault::formula;
   split_claim.why = why;
   Claim collected_claim =
       lines.claim("ixy_collected", 787, "= sum of x' y' + cx sum of m y' + cy sum of m x' + cx cy sum of m",
                   collected(true), "with m, and - cy sum of m x'", collected(false, -1));
   collected_claim.meant =
       lines.of("sum of m x' y' + cx sum of m y' + cy sum of m x' + cx cy sum of m", collected(false));
+  collected_claim.kind = Fault::formula;
   collected_claim.why = why;
   return {lines.claim("ixy", 779, "Ixy = sum of m x y, the tensor's component with its sign changed",
                       direct(1), "Ixy = - sum of m x y", direct(-1)),

@@ -46,6 +46,8 @@ inline std::vector<Claim> extrema(double seed) {
   });
   maximum.near_misses = {none("where W' = 0 there is a minimum", seed,
                               [=](M m, int k) { return !is_peak(constant, m, stationary(m, k), -1); })};
+  maximum.kind = Fault::counterexample;
+  maximum.root = "stationary for maximal";
   maximum.why =
       "$W'=0$ is necessary and not sufficient: every other such time, $\\omega T=5\\pi/4, "
       "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)$, as the text itself says two sentences on.";
@@ -112,6 +114,8 @@ inline std::vector<Claim> extrema(double seed) {
   growing_zeros.printed = nearest.of(three(printed_zeros));
   growing_zeros.corrected = growing_roots.of(and_zero(printed_zeros));
   growing_zeros.near_misses = {growing_roots.of(and_zero(spaced("3 pi/4 + k pi", 3 * first, pi)))};
+  growing_zeros.kind = Fault::left_out;
+  growing_zeros.root = "the start is stationary too";
   growing_zeros.why =
       "$W'=r\\omega T(\\cos\\omega T-\\sin\\omega T)$ has the factor $T$: it is zero at $T=0$ as well, a "
       "minimum, "
@@ -154,6 +158,8 @@ inline Claim maxima_value(double seed) {
       at_maxima("W(x/w) = r/w (x sqrt 2 - 1)", [](M m, double x) { return m.r / m.w * (x * sqrt2 - 1); }));
   claim.near_misses = {turned.of(
       at_maxima("W(x/w) = r/w (x sqrt 2 + 1)", [](M m, double x) { return m.r / m.w * (x * sqrt2 + 1); }))};
+  claim.kind = Fault::formula;
+  claim.root = "a term dropped at the maxima";
   claim.why =
       "The $-1$ of the closed form is dropped: with $x=\\pi/4+2n\\pi$ the work is $\\frac "
       "r\\omega(\\sqrt2\\,x-1)$ at $T=x/\\omega$. For $r=\\omega=1$ the first maximum is $0.1107$, not "
@@ -175,6 +181,7 @@ inline std::vector<Claim> growth(double seed) {
   maxima.printed = steps("W(pi/4 + 2 n pi) grows", 1, as_time, maxima_at);
   maxima.meant = steps("W at w T = pi/4 + 2 n pi grows", 1, as_angle, maxima_at);
   maxima.near_misses = {steps("W at w T = 5 pi/4 + 2 n pi grows", 1, as_angle, minima_at)};
+  maxima.kind = Fault::lost_typography;
   maxima.why =
       "The maxima are at $\\omega T=\\pi/4+2n\\pi$, where $W$ grows by $2\\sqrt2\\,\\pi r/\\omega$ each "
       "time. At $T=\\pi/4+2n\\pi$, as printed, and $\\omega\\ne1$ it goes up and down.";

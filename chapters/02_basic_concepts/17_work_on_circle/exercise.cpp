@@ -122,6 +122,7 @@ std::vector<Claim> misprints(double seed) {
       {"r w (-sin wT + cos wt), t = T + 1", [](M m) { return m.r * m.w * (-s(m) + cos(m.w * (m.T + 1))); }});
   slope.meant = slopes.of({"r w (-sin wT + cos wT)", wave(1, 0, 1, -1)});
   slope.near_misses = {slopes.of({"r w (sin wT + cos wT)", wave(1, 0, 1, 1)})};
+  slope.kind = Fault::formula;
   slope.why =
       "The cosine keeps the variable of integration $t$, which has no value once the integral is done; both "
       "times are $T$, as the next line takes them. (The check puts $t=T+1$.)";
@@ -138,6 +139,7 @@ std::vector<Claim> misprints(double seed) {
   work.meant = works.of({"r/w ((-1 + cos - sin) + T w (cos + sin))", form(-1, true)});
   work.near_misses = {works.of({"r w (-1 + cos - sin) + T w (cos + sin)", form(1, false)}),
                       works.of({"r (-1 + cos - sin + T w (cos + sin))", form(0, true)})};
+  work.kind = Fault::lost_typography;
   work.why =
       "A fraction bar and a parenthesis are lost: the factor is $r/\\omega$, not $r\\omega$, and stands "
       "before the whole. The two differ by $\\omega^2$ and agree at $\\omega=1$ alone.";
@@ -150,6 +152,7 @@ std::vector<Claim> misprints(double seed) {
   turn.printed = until("W(2 pi omega) = 0", [](double w) { return 2 * pi * w; });
   turn.meant = until("W(2 pi / omega) = 0", [](double w) { return 2 * pi / w; });
   turn.near_misses = {until("W(pi / omega) = 0", [](double w) { return pi / w; })};
+  turn.kind = Fault::lost_typography;
   turn.why =
       "The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the particle has turned "
       "by $2\\pi\\omega^2$ and the work is zero by chance only, as for $\\omega=1$; for "
@@ -215,7 +218,16 @@ Findings study(const Parameters& p, const Reference& truth) {
                      "power, Gauss-Legendre", 64, Outcome::inaccurate, "power, Gauss-Legendre", 256});
   return {claims,
           {work_quantity("work", "works of (1, 1, 1) and of (t, t, 1) until T", m, truth), late,
-           early_work(truth), maximum(m, p["turn"], truth)}};
+           early_work(truth), maximum(m, p["turn"], truth)},
+          {{"stationary for maximal",
+            R"(With $r=\omega=1$ the work at $T=5\pi/4$ is $-2.414$, stationary and the least there is, where the )"
+            R"(first maximum has 0.414.)"},
+           {"the start is stationary too",
+            R"(A search for the first maximum that starts at $T=0$ ends there, with no work for 0.1107 )"
+            R"(($r=\omega=1$).)"},
+           {"a term dropped at the maxima",
+            R"(With $r=\omega=1$ the first maximum is 0.1107 and the printed formula says 1.1107: ten times the )"
+            R"(work that the force does.)"}}};
 }
 
 }  // namespace ex02_17
