@@ -25,11 +25,11 @@ std::string digits_of(const Number& x, int digits) {
 
 namespace {
 
-/// The largest component; 1 where all vanish, and give no scale.
+/// The largest component; 1 where all vanish but for the working precision, and give no scale.
 Number size_of(const Numbers& value) {
   Number size = 0;
   for (const Number& x : value) size = std::max<Number>(size, abs(x));
-  return size == 0 ? Number(1) : size;
+  return size < pow(Number(10), 12 - static_cast<int>(working_digits)) ? Number(1) : size;
 }
 
 /// Both routes at the same inputs: raises `error` to their disagreement, and to what so many digits leave
