@@ -14,19 +14,15 @@
 /// computes. A sample is a struct of the exercise's letters:
 ///   Sample(Random&)                        draws one
 ///   where() const -> std::string           tells its letters
-///   tolerance() const -> Tolerance         where a route errs by more than roundings, as
-///                                          quadratures do; size() is then that of the
-///                                          terms
 ///   letters() -> array of double*          where all else follows from these: the size of a formula's terms
 ///                                          is found by changing each a little
 ///   size() const -> double                 the size of terms that cancel, where a quantity is to be zero
-///   conditioning() const -> double         where there are no letters: the size of the terms over the
-///   largest
-///                                          value
+///   conditioning() const -> double         where there are no letters: how much larger the terms are than
+///                                          the largest value
 ///   whole                                  a static constant, where all is in whole numbers that a double
 ///                                          holds: they have to be equal
-///   tolerance(double size) -> Tolerance    where its numbers are no better than what made them, such as an
-///                                          integration: what they may differ by, for terms of this size
+///   tolerance(double size) -> Tolerance    where its numbers are no better than what made them, such as a
+///                                          quadrature: what they may differ by, for terms of this size
 namespace oddity {
 
 template <class Sample>
@@ -113,17 +109,14 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
       if (with_zero) return sample.size();
     if constexpr (requires(Sample & s) { s.letters(); })
       return std::max(size_of_terms(left, sample), size_of_terms(right, sample));
-    else if constexpr (requires { sample.conditioning(); })
-      return largest * sample.conditioning();
+    double given = 0;
+    for (const auto* formula : {&left, &right})
+      if (formula->terms) given = std::max(given, formula->terms(sample));
+    if constexpr (requires { sample.conditioning(); })
+      return given + largest * sample.conditioning();
     else
-      return largest;
+      return given + largest;
   };
-  if constexpr (requires(const Sample& sample) { sample.tolerance(); }) {
-    Worst rough(std::move(quantity), left.text, right.text);
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      rough.see(lefts[i], rights[i], samples[i].tolerance(), samples[i].size(), samples[i].where());
-    return rough.check();
-  }
   Worst worst(std::move(quantity), left.text, right.text);
   for (std::size_t i = 0; i < samples.size(); ++i)
     if constexpr (requires { Sample::whole; })

@@ -174,7 +174,7 @@ struct Claim {
       {};                          ///< what must not hold: a flipped sign, a dropped term, another digit
   std::string why = {};            ///< unless confirmed: what is wrong, what is right, how it shows
   std::string not_checkable = {};  ///< why nothing at hand can judge it; it has no readings then
-  Fault kind = Fault::none;          ///< of a misprint or an erratum
+  Fault kind = Fault::none;        ///< of a misprint or an erratum
   /// Of an erratum: the name of what it comes from, which it may share with others of its exercise; empty: it
   /// stands alone.
   std::string root = {};
@@ -307,7 +307,8 @@ struct Quantity {
   /// The distinct units of the norms, in their order; without norms the quantity's.
   std::vector<std::string_view> units() const;
   /// The largest error in each of `units()` over all times; NaN where the value is not comparable.
-  std::vector<double> errors(const Value&) const;
+  std::vector<double> errors(const Value& value) const { return errors(value, reference.value); }
+  std::vector<double> errors(const Value& value, const Value& truth) const;
   /// The largest error in needs: up to 1 is enough.
   double in_needs(const std::vector<double>& errors) const;
 

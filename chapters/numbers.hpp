@@ -16,6 +16,12 @@ using std::abs, std::sqrt, std::hypot, std::exp, std::expm1, std::log, std::sin,
     std::asin, std::acos, std::atan2, std::sinh, std::cosh, std::asinh, std::copysign, std::remainder,
     std::pow;
 
+/// By how much of a number its rounding errs at most; of double, where a number type holds doubles.
+template <class T>
+constexpr double unit_roundoff = 0x1p-53;
+template <>
+inline constexpr double unit_roundoff<float> = 0x1p-24;
+
 /// `yes` where the condition holds, else `no`. Both are computed; number types whose comparisons are not
 /// plain truths have their own.
 template <class T>

@@ -88,51 +88,59 @@ std::vector<Line> lines(const Task& task, const Scene& scene) {
   return all;
 }
 
-/// The model's algorithm whose two finest settings agree best, or one that has no setting: what the motion by
-/// it errs by is the model's, not the algorithm's. None where no algorithm gets through.
-const Method* exact_solver(const Quantity& motion, const std::string& model) {
-  const Method* best = nullptr;
-  double best_change = std::numeric_limits<double>::infinity();
+/// In needs: what two settings of an algorithm may differ by to be taken for the model's own motion.
+constexpr double exact_enough = 0.01;
+
+/// A model's motion at its algorithm's finest setting, and how far from it the setting before is.
+struct Solved {
+  std::string algorithm = {};
+  Value value = {};
+  double change = std::numeric_limits<double>::infinity();  ///< in needs; none of a closed form
+};
+
+/// Nothing where the algorithm does not get through.
+std::optional<Solved> solved(const Quantity& motion, const Method& method) {
+  const auto& settings = method.knob.settings;
+  const Answer fine = run(motion, method, settings.back()).answer;
+  if (!fine.reached() || !finite(fine.value)) return {};
+  Solved found{method.algorithm, fine.value};
+  if (settings.size() == 1) found.change = 0;
+  if (settings.size() == 1) return found;
+  const Answer coarser = run(motion, method, settings[settings.size() - 2]).answer;
+  if (coarser.reached() && finite(coarser.value))
+    found.change = motion.in_needs(motion.errors(coarser.value, fine.value));
+  return found;
+}
+
+/// The motion as the model itself has it, by the algorithm that changes least or has no setting: what it errs
+/// by is the model's, not the algorithm's.
+std::optional<Solved> solved_best(const Quantity& motion, const std::string& model) {
+  std::optional<Solved> best;
   for (const Method& method : motion.methods) {
     if (method.model != model) continue;
-    const auto& settings = method.knob.settings;
-    const Answer fine = run(motion, method, settings.back()).answer;
-    if (!fine.reached() || !finite(fine.value)) continue;
-    if (settings.size() == 1) return &method;
-    const Answer coarser = run(motion, method, settings[settings.size() - 2]).answer;
-    const double change = coarser.reached() ? distance(fine.value, coarser.value) : std::nan("");
-    if (change < best_change) {
-      best_change = change;
-      best = &method;
-    }
+    auto found = solved(motion, method);
+    if (found && (!best || found->change < best->change)) best = std::move(found);
+    if (best && best->change == 0) break;
   }
   return best;
 }
 
-/// The motion as the model itself has it, by this algorithm, or where that does not get through by its best.
-std::optional<Value> solved(const Quantity& motion, const std::string& model, const std::string& algorithm) {
-  const auto by = [&](const Method* method) -> std::optional<Value> {
-    if (!method) return {};
-    const Answer answer = run(motion, *method, method->knob.settings.back()).answer;
-    return answer.reached() && finite(answer.value) ? std::optional(answer.value) : std::nullopt;
-  };
-  if (auto value = by(method_of(motion, model, algorithm))) return value;
-  return by(exact_solver(motion, model));
-}
-
-/// The exact solvers of a scene's models at its defaults.
+/// The algorithms that solve a scene's models best at its defaults.
 using Solvers = std::map<std::string, std::string>;
 
 Solvers solvers_of(const Quantity& motion) {
   Solvers solvers;
   for (const std::string& model : models_of(motion))
-    if (const Method* method = exact_solver(motion, model)) solvers[model] = method->algorithm;
+    if (const auto best = solved_best(motion, model)) solvers[model] = best->algorithm;
   return solvers;
 }
 
-std::optional<Value> solved(const Quantity& motion, const std::string& model, const Solvers& solvers) {
-  const auto solver = solvers.find(model);
-  return solved(motion, model, solver == solvers.end() ? "" : solver->second);
+/// By its solver, or where that is not exact enough to be taken for the model itself, by its best.
+std::optional<Solved> solved(const Quantity& motion, const std::string& model, const Solvers& solvers) {
+  if (const auto solver = solvers.find(model); solver != solvers.end())
+    if (const Method* method = method_of(motion, model, solver->second))
+      if (auto found = solved(motion, *method); found && found->change <= exact_enough) return found;
+  return solved_best(motion, model);
 }
 
 /// Values from a to b: in proportion where they have one sign and span more than fourfold, else evenly
@@ -158,7 +166,7 @@ class Along {
       : task_(task),
         scene_(*task.entry->exercise.scene),
         need_(need),
-        truth_(truth),
+        truth_(truth.to_digits(digits_for(need))),
         truest_(std::move(truest)),
         solvers_(solvers),
         lines_(lines(task, scene_)) {}
@@ -174,7 +182,9 @@ class Along {
 
  private:
   struct Look {
-    double at, error;  ///< in needs; infinite where the model has no motion
+    double at, error;  ///< in needs; infinite where the model has no motion; not a number where nothing
+                       ///< solves this model, or the truest, exactly enough
+    bool known() const { return !std::isnan(error); }
     bool enough() const { return error <= 1; }
   };
 
@@ -182,6 +192,7 @@ class Along {
     double holds, fails;  ///< the parameter on its two sides
   };
 
+  /// Over the values about the task's own between which the models' motions are known exactly enough.
   /// At the values given, and unless the model is enough at all of them, or at none, by far, in equal parts;
   /// where the error comes near to what is asked without crossing it, finer: an island narrower than a
   /// thousandth of the range may be missed.
@@ -190,15 +201,22 @@ class Along {
     constexpr int parts = 48;
     constexpr double by_far = 20;
     std::vector<double> errors;
-    for (double at : values) errors.push_back(look(model, p, at).error);
-    if (std::ranges::max(errors) < 1 / by_far || std::ranges::min(errors) > by_far) return {};
-    const auto [least, most] = std::ranges::minmax(values);
+    for (double at : values)
+      if (const Look one = look(model, p, at); one.known()) errors.push_back(one.error);
+    if (errors.empty() || std::ranges::max(errors) < 1 / by_far || std::ranges::min(errors) > by_far)
+      return {};
+    const auto [first, last] = std::ranges::minmax(values);
     std::vector<Look> looks;
-    for (double at : spaced(least, most, parts)) {
+    for (double at : spaced(first, last, parts)) {
       const Look next = look(model, p, at);
+      if (!next.known() && at < task_.parameters[p.name]) looks.clear();
+      if (!next.known() && at > task_.parameters[p.name]) break;
+      if (!next.known()) continue;
       if (!looks.empty()) refine(model, p, looks, next, 3);
       looks.push_back(next);
     }
+    if (looks.size() < 2) return {};
+    const double least = looks.front().at, most = looks.back().at;
     BreakEven found{model, std::string(p.name), std::string(p.unit), {least, most}, {}};
     std::vector<Border> borders;
     for (std::size_t i = 0; i < looks.size(); ++i) {
@@ -213,7 +231,7 @@ class Along {
     in_parallel(2 * borders.size(), [&](std::size_t i) {  // a true motion takes a while
       const Border& border = borders[i / 2];
       (i % 2 == 0 ? found.holding : found.failing)[i / 2] =
-          error(model, motion(p, i % 2 == 0 ? border.holds : border.fails, truth_));
+          by_reference(model, p, i % 2 == 0 ? border.holds : border.fails);
     });
     return found;
   }
@@ -226,6 +244,7 @@ class Along {
     const double nearest = std::min(std::abs(std::log(last.error)), std::abs(std::log(next.error)));
     if (depth == 0 || last.enough() != next.enough() || !(nearest < std::log(near_border))) return;
     const Look middle = look(model, p, (last.at + next.at) / 2);
+    if (!middle.known()) return;
     refine(model, p, looks, middle, depth - 1);
     looks.push_back(middle);
     refine(model, p, looks, next, depth - 1);
@@ -236,6 +255,7 @@ class Along {
                   std::vector<Border>& borders) const {
     while (std::abs(fails.at - holds.at) > 1e-3 * std::abs(holds.at)) {
       const Look middle = look(model, p, (fails.at + holds.at) / 2);
+      if (!middle.known()) break;
       (middle.enough() ? holds : fails) = middle;
     }
     borders.push_back({holds.at, fails.at});
@@ -251,9 +271,19 @@ class Along {
   }
 
   double error(const std::string& model, const Quantity& seen) const {
-    const auto value = solved(seen, model, solvers_);
-    const double error = value ? seen.in_needs(seen.errors(*value)) : std::nan("");
-    return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+    const auto found = solved(seen, model, solvers_);
+    const double error = found ? seen.in_needs(seen.errors(found->value)) : std::nan("");
+    if (std::isnan(error)) return std::numeric_limits<double>::infinity();
+    return found->change <= exact_enough * std::max(1.0, error) ? error : std::nan("");
+  }
+
+  /// Not a number where the true motion takes more work to make than it is given.
+  double by_reference(const std::string& model, const Parameter& p, double at) const {
+    try {
+      return error(model, motion(p, at, truth_));
+    } catch (const BadInput&) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
   }
 
   /// With the truest model in place of the truth.
@@ -261,19 +291,19 @@ class Along {
     Quantity seen = motion(p, at, Reference::nothing());
     auto [known, is_new] = truths_.try_emplace({std::string(p.name), at});
     if (is_new) known->second = solved(seen, truest_, solvers_);
-    if (!known->second) return {at, std::numeric_limits<double>::infinity()};
-    seen.reference.value = *known->second;
+    if (!known->second || known->second->change > exact_enough) return {at, std::nan("")};
+    seen.reference.value = known->second->value;
     return {at, error(model, seen)};
   }
 
   const Task& task_;
   const Scene& scene_;
   const Need& need_;
-  const Reference& truth_;
+  Reference truth_;
   std::string truest_;
   const Solvers& solvers_;
   std::vector<Line> lines_;
-  mutable std::map<std::pair<std::string, double>, std::optional<Value>> truths_;
+  mutable std::map<std::pair<std::string, double>, std::optional<Solved>> truths_;
 };
 
 /// The model that, solved exactly, comes nearest to the reference; of those as near the last, the richest.
@@ -281,8 +311,8 @@ std::string truest_model(const Quantity& motion, const Solvers& solvers) {
   std::string truest;
   double least = std::numeric_limits<double>::infinity();
   for (const std::string& model : models_of(motion)) {
-    const auto value = solved(motion, model, solvers);
-    const double error = value ? motion.in_needs(motion.errors(*value)) : std::nan("");
+    const auto found = solved(motion, model, solvers);
+    const double error = found ? motion.in_needs(motion.errors(found->value)) : std::nan("");
     if (error <= std::max(least, 1e-6)) {
       truest = model;
       least = std::min(error, least);
@@ -308,8 +338,8 @@ std::optional<Ledger> ledger(const Task& task, const Reference& truth) {
     auto found = along.break_evens(model);
     std::ranges::move(found, std::back_inserter(ledger.break_evens));
     if (!found.empty()) continue;
-    const auto value = solved(motion, model, solvers);
-    if (!value || !(motion.in_needs(motion.errors(*value)) <= 1)) ledger.never.push_back(model);
+    const auto by_model = solved(motion, model, solvers);
+    if (!by_model || !(motion.in_needs(motion.errors(by_model->value)) <= 1)) ledger.never.push_back(model);
   }
   return ledger;
 }

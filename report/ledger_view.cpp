@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "reference/text.hpp"
 #include "report/ledger.hpp"
 #include "report/markdown.hpp"
@@ -41,13 +43,34 @@ std::string interval_text(const Interval& enough, const BreakEven& b) {
   return "between " + rounded(enough.from, 4) + " and " + with_unit(rounded(enough.to, 4), b.parameter_unit);
 }
 
+/// What speaks against the ends that were found: the model's errors there by the reference.
+std::string reservations(const BreakEven& b) {
+  constexpr double roundings = 0.02;  // of an end that is known to one in a thousand
+  std::string text;
+  const auto disagree = [&](const char* side, double error) {
+    text += " The reference disagrees: where the model " + std::string(side) + ", its error is " +
+            rounded(error, 3) + " of what is allowed.";
+  };
+  long missing = 0;
+  for (double error : b.holding) {
+    missing += std::isnan(error);
+    if (error > 1 + roundings) disagree("should hold", error);
+  }
+  for (double error : b.failing) {
+    missing += std::isnan(error);
+    if (error < 1 - roundings) disagree("should fail", error);
+  }
+  if (missing > 0) text += " The reference takes too long to be made at these ends.";
+  return text;
+}
+
 std::string break_even_text(const BreakEven& b) {
   std::string where;
   for (std::size_t i = 0; i < b.enough.size(); ++i)
     where += (i == 0 ? " " : i + 1 == b.enough.size() ? " and " : ", ") + interval_text(b.enough[i], b);
   return "- *" + escaped(b.model) + "* is enough for " + code(b.parameter) + where + " (of " +
          rounded(b.looked.from, 3) + " to " + with_unit(rounded(b.looked.to, 3), b.parameter_unit) +
-         ", which was searched).\n";
+         ", which was searched)." + reservations(b) + "\n";
 }
 
 std::string never_text(const std::vector<std::string>& models) {

@@ -127,7 +127,7 @@ struct BreakEven {
   Interval looked;               ///< the parameter's values that were looked through
   std::vector<Interval> enough;  ///< ascending, apart; each end inside to one in a thousand
   /// The model's error in needs at the ends inside, on the side that holds and on the one that fails, by the
-  /// reference.
+  /// reference; not a number where that could not be had.
   std::vector<double> holding = {}, failing = {};
 };
 

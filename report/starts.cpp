@@ -19,13 +19,12 @@ constexpr double nearby = 0.1;
 /// The true motion's error is a millionth of the need at most, or it is made with all digits.
 constexpr double needless = 1e-6;
 
-/// Digits with which that is so where errors grow by less than a millionfold.
+}  // namespace
+
 int digits_for(const Need& need) {
   const double least = need.relative ? need.error : std::min(need.error_in("m"), need.error_in("rad"));
   return std::clamp(12 + static_cast<int>(std::ceil(-std::log10(least))), 14, truth::spot_digits);
 }
-
-}  // namespace
 
 double game_error(std::string_view unit) { return unit == "m" ? centimeter : degree; }
 
@@ -58,8 +57,10 @@ Start Starts::start(const Parameters& p) const {
     start.motion.need = {*std::ranges::min_element(start.motion.needs), "asked for"};
     return start;
   };
-  Start start = made(truth_.to_digits(digits_for(need_)));
-  return start.motion.reference_error <= needless * start.motion.need.allowed ? start : made(truth_);
+  const int digits = digits_for(need_);
+  Start start = made(truth_.to_digits(digits));
+  const bool enough = start.motion.reference_error <= needless * start.motion.need.allowed;
+  return enough || digits == truth::spot_digits ? start : made(truth_);
 }
 
 Start Starts::asked() const {

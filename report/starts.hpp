@@ -22,6 +22,10 @@ double game_error(std::string_view unit);
 /// The need in each of the motion's units.
 std::vector<double> needs_of(const Need&, const Quantity& motion);
 
+/// Digits with which a true motion's error is a millionth of the need, where errors grow by less than a
+/// millionfold.
+int digits_for(const Need&);
+
 /// The starts of one choice: the one asked for, and others beside it, whose `starts` parameters are each up
 /// to a tenth off.
 class Starts {

@@ -35,14 +35,23 @@ double period(const Value& value, const Value& truth, int frames) {
   return passages < 2 ? nan : (last - first) / (passages - 1);
 }
 
+/// The trial's errors in each unit, none smaller than that of the truth it is judged by.
+std::vector<double> as_far_as_known(const Quantity& motion, const Trial& trial) {
+  std::vector<double> errors = trial.errors;
+  for (double& error : errors)
+    if (error < motion.reference_error) error = motion.reference_error;
+  return errors;
+}
+
 /// The trial's error by the need's criterion, in units of what was asked; infinite where it is none.
-double judged(const Quantity& motion, const Method& method, const Trial& trial, const Need& need) {
+double judged(const Quantity& motion, const Method& method, const Trial& trial,
+              const std::vector<double>& errors, const Need& need) {
   const Answer& answer = trial.answer;
   if (!answer.reached() || !finite(answer.value)) return infinity;
   double error = infinity;
   switch (need.criterion) {
     case Criterion::path:
-      error = trial.in_needs;
+      error = motion.in_needs(errors);
       break;
     case Criterion::energy:
       error = answer.drift / need.error;
@@ -92,12 +101,12 @@ Tried attempt(const std::vector<Start>& starts, const Method& method, double set
              : Trial{method.model, method.algorithm, {}, setting, {}, {}, nan, nan, nan, Outcome::raised};
     if (&start == &starts.front())
       tried.evaluations_per_frame = static_cast<double>(trial.answer.evaluations) / need.frames();
-    const double error = here ? judged(start.motion, *here, trial, need) : infinity;
+    const std::vector<double> errors = as_far_as_known(start.motion, trial);
+    const double error = here ? judged(start.motion, *here, trial, errors, need) : infinity;
     tried.error = std::max(tried.error, error);
     tried.errors.resize(start.motion.units().size(), 0);
-    for (std::size_t i = 0; i < trial.errors.size(); ++i)
-      tried.errors[i] =
-          std::isfinite(trial.errors[i]) ? std::max(tried.errors[i], trial.errors[i]) : infinity;
+    for (std::size_t i = 0; i < errors.size(); ++i)
+      tried.errors[i] = std::isfinite(errors[i]) ? std::max(tried.errors[i], errors[i]) : infinity;
     if (tried.holds() && !(error <= 1)) {
       tried.outcome = failure(trial);
       tried.where = start.says;

@@ -54,6 +54,12 @@ GslVector copied(const VectorXd& b) {
 GslVector vector_of(std::size_t n) { return GslVector(allocated(gsl_vector_alloc(n))); }
 GslMatrix square(std::size_t n) { return GslMatrix(allocated(gsl_matrix_alloc(n, n))); }
 
+/// The same read by rows as by columns, but for the roundings of two sums of a row's terms in another order.
+bool symmetric(const MatrixXd& a) {
+  const double roundings = 4 * static_cast<double>(a.rows()) * std::numeric_limits<double>::epsilon();
+  return (a - a.transpose()).cwiseAbs().maxCoeff() <= roundings * a.cwiseAbs().maxCoeff();
+}
+
 /// The solution by Householder's reflections, and whether the triangle they leave has no zero on its
 /// diagonal.
 std::pair<VectorXd, bool> least_squares(const MatrixXd& a, const VectorXd& b) {
@@ -85,7 +91,7 @@ std::pair<VectorXd, bool> solution(Factorization how, const MatrixXd& a, const V
     case Factorization::householder_qr:
       return least_squares(a, b);
     case Factorization::cholesky: {
-      if (!a.isApprox(a.transpose()))  // of which Eigen would read one half only
+      if (!symmetric(a))  // of which Eigen would read one half only
         return {VectorXd::Constant(a.cols(), std::numeric_limits<double>::quiet_NaN()), false};
       const Eigen::LDLT<MatrixXd> ldlt(a);
       return {ldlt.solve(b),
@@ -193,7 +199,7 @@ Modes modes(const MatrixXd& k, const MatrixXd& m) {
   if (k.rows() == 0 || k.rows() != k.cols() || m.rows() != k.rows() || m.cols() != k.cols())
     return none("the shapes do not fit");
   if (!k.allFinite() || !m.allFinite()) return none("a matrix is not finite");
-  if (!k.isApprox(k.transpose()) || !m.isApprox(m.transpose())) return none("a matrix is not symmetric");
+  if (!symmetric(k) || !symmetric(m)) return none("a matrix is not symmetric");
   const GslMatrix stiffness = copied(k), mass = copied(m);
   const std::size_t n = stiffness->size1;
   const GslVector squares = vector_of(n);

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "chapters/exercise.hpp"
-#include "chapters/lost_bar.hpp"
 #include "reference/text.hpp"
 
 /// What the exercises of this chapter share: an identity over many samples, and a limit at zero.

@@ -39,11 +39,11 @@ template <class T>
 Iterate<T> newton(const T& e, const T& M, const T& E0, int most) {
   Iterate<T> now{E0, 0, false};
   while (!now.settled && now.corrections < most) {
-    const T correction = (now.E - e * sin(now.E) - M) / (1 - e * cos(now.E));
+    const T slope = 1 - e * cos(now.E), correction = (now.E - e * sin(now.E) - M) / slope;
     now.E -= correction;
     ++now.corrections;
-    const T size = abs(now.E);
-    now.settled = !any_of(abs(correction) > T(1e-15) * select(size > T(1), size, T(1)));
+    const T size = abs(now.E), roundings = (size + abs(M)) / slope, enough = select(size > T(1), size, T(1));
+    now.settled = !any_of(abs(correction) > T(unit_roundoff<T>) * (9 * enough + 2 * roundings));
   }
   return now;
 }

@@ -421,8 +421,8 @@ struct ConeSample {
   double r() const { return cone.r; }
   double mass() const { return pi * r() * r() * h() / 3; }
   double size() const { return mass() * (1 + h() * h() + r() * r()); }
-  Tolerance tolerance() const {
-    return {relative * size(), "the quadratures' tolerance, relative to the terms"};
+  Tolerance tolerance(double terms) const {
+    return {relative * terms, "the quadratures' tolerance, relative to the terms"};
   }
   std::string where() const {
     return "h = " + rounded(h(), 4) + ", r = " + rounded(r(), 4) + ", " + motion.where();
@@ -819,7 +819,7 @@ void tensor(Claims& claims, const Cones& cones) {
 struct Swinging : ConeSample {
   using ConeSample::ConeSample;
   double size() const { return motion.size(); }
-  Tolerance tolerance() const { return rounding(size(), 512); }
+  Tolerance tolerance(double) const { return rounding(size(), 512); }
 };
 
 void cone_equations(Claims& claims, double seed) {
