@@ -26,7 +26,7 @@ while(files)
   endwhile()
   string(APPEND entries "   {\"${file}\",${literal}},\n")
 endwhile()
-file(WRITE "${OUT}" "#include \"report/code.hpp\"
+file(WRITE "${OUT}" "#include \"report/pages/code.hpp\"
 
 namespace oddity {
 

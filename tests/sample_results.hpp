@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/results.hpp"
+#include "report/study/results.hpp"
 
 /// Results that were not run.
 namespace oddity {

@@ -1,6 +1,6 @@
 // What `oddity bench` computes, apart from the clock.
 
-#include "report/bench.hpp"
+#include "report/cli/bench.hpp"
 #include "tests/catch.hpp"
 
 using namespace oddity;

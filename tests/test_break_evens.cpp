@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "report/ledger.hpp"
+#include "report/study/ledger.hpp"
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/integrate.hpp"
 #include "tests/catch.hpp"

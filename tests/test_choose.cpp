@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "reference/bad_input.hpp"
-#include "report/choose.hpp"
+#include "report/study/choose.hpp"
 #include "tests/catch.hpp"
 #include "tests/complaint.hpp"
 

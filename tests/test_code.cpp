@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "chapters/scene.hpp"
-#include "report/code.hpp"
+#include "report/pages/code.hpp"
 #include "tests/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/scratch_folder.hpp"

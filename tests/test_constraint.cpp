@@ -7,8 +7,8 @@
 
 #include "chapters/contents.hpp"
 #include "chapters/scene.hpp"
-#include "report/asked.hpp"
-#include "report/choose.hpp"
+#include "report/cli/asked.hpp"
+#include "report/study/choose.hpp"
 #include "tests/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/near.hpp"

@@ -16,7 +16,7 @@
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/truth.hpp"
-#include "report/parallel.hpp"
+#include "report/study/parallel.hpp"
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/scratch_folder.hpp"

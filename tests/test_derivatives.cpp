@@ -1,7 +1,7 @@
 // Dual numbers against closed derivatives at random points, and differences by their orders.
 
 #include "chapters/random.hpp"
-#include "report/fit.hpp"
+#include "report/study/fit.hpp"
 #include "solvers/differences.hpp"
 #include "solvers/dual.hpp"
 #include "tests/catch.hpp"

@@ -1,10 +1,10 @@
-#include "report/fit.hpp"
+#include "report/study/fit.hpp"
 
 #include <cmath>
 #include <functional>
 
 #include "chapters/random.hpp"
-#include "report/run.hpp"
+#include "report/study/run.hpp"
 #include "solvers/ode/catalog.hpp"
 #include "tests/catch.hpp"
 

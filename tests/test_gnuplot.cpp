@@ -3,7 +3,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "report/gnuplot.hpp"
+#include "report/charts/gnuplot.hpp"
 #include "tests/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/scratch_folder.hpp"

@@ -26,7 +26,7 @@
 #include "chapters/03_rigid_body_motion/35_moving_tip/models.hpp"
 #include "chapters/contents.hpp"
 #include "chapters/scene.hpp"
-#include "report/choose.hpp"
+#include "report/study/choose.hpp"
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
 

@@ -2,7 +2,7 @@
 // time, forward and backward; where it controls its step, the error in proportion to the tolerance, and the
 // cost of a stiff problem. A new algorithm in solvers/ode/all.hpp is certified without a line here.
 
-#include "report/fit.hpp"
+#include "report/study/fit.hpp"
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_algorithms.hpp"

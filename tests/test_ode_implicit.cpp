@@ -1,4 +1,4 @@
-#include "report/fit.hpp"
+#include "report/study/fit.hpp"
 #include "solvers/ode/events.hpp"
 #include "solvers/ode/implicit_euler.hpp"
 #include "solvers/ode/rosenbrock_4.hpp"

@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "chapters/contents.hpp"
-#include "report/asked.hpp"
-#include "report/prices.hpp"
+#include "report/cli/asked.hpp"
+#include "report/study/prices.hpp"
 #include "tests/catch.hpp"
 #include "tests/scratch_folder.hpp"
 

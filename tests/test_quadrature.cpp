@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "report/fit.hpp"
+#include "report/study/fit.hpp"
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/quadrature_rules.hpp"

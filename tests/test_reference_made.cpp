@@ -8,7 +8,7 @@
 
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
-#include "report/parallel.hpp"
+#include "report/study/parallel.hpp"
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
 

@@ -6,11 +6,11 @@
 #include <sstream>
 
 #include "reference/bad_input.hpp"
-#include "report/ledger.hpp"
-#include "report/markdown.hpp"
-#include "report/markup.hpp"
-#include "report/stability.hpp"
-#include "report/write_report.hpp"
+#include "report/pages/markdown.hpp"
+#include "report/pages/markup.hpp"
+#include "report/pages/write_report.hpp"
+#include "report/study/ledger.hpp"
+#include "report/study/stability.hpp"
 #include "tests/catch.hpp"
 #include "tests/sample_results.hpp"
 #include "tests/scratch_folder.hpp"

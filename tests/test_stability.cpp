@@ -1,4 +1,4 @@
-#include "report/stability.hpp"
+#include "report/study/stability.hpp"
 
 #include <tbb/global_control.h>
 
@@ -8,7 +8,7 @@
 
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
-#include "report/chart.hpp"
+#include "report/charts/chart.hpp"
 #include "tests/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/near.hpp"
@@ -95,9 +95,7 @@ struct Silent {
   std::array<double, 1> observe(const State& x, double) const { return {x[0]}; }
 };
 struct Watched : Silent {
-  auto conserved(const State& x, double) const {
-    return energy_of(x[1] * x[1] / 2, -40 * std::cos(x[0]));
-  }
+  auto conserved(const State& x, double) const { return energy_of(x[1] * x[1] / 2, -40 * std::cos(x[0])); }
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "chapters/scene.hpp"
-#include "report/stability.hpp"
+#include "report/study/stability.hpp"
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/commands.hpp"
+#include "report/cli/commands.hpp"
 
 namespace oddity {
 

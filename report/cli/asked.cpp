@@ -1,0 +1,286 @@
+#include "report/cli/asked.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "chapters/scene.hpp"
+#include "reference/bad_input.hpp"
+#include "reference/quantity_text.hpp"
+#include "reference/reference.hpp"
+#include "reference/similar.hpp"
+#include "reference/text.hpp"
+
+namespace oddity {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& texts, const std::string& between = ", ") {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : between) + text;
+  return all;
+}
+
+std::vector<std::string> numbers_of(const auto& is_one) {
+  std::vector<std::string> numbers;
+  for (const Entry& entry : registry())
+    if (is_one(entry)) numbers.push_back(to_string(entry.number));
+  return numbers;
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> words(1);
+  for (char c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      words.back() += c;
+    else if (!words.back().empty())
+      words.emplace_back();
+  return words;
+}
+
+/// Whether a title, or what a parameter says, has a word that may have been meant.
+bool mentions(std::string_view says, const std::string& text) {
+  for (const std::string& asked : words_of(text))
+    for (const std::string& word : words_of(says))
+      if (std::min(asked.size(), word.size()) > 3 &&
+          typing_errors(asked, word) <= static_cast<int>(asked.size()) / 4)
+        return true;
+  return false;
+}
+
+std::string suggested(const std::vector<std::string>& names) {
+  return names.empty() ? "" : "; did you mean " + joined(names, " or ") + "?";
+}
+
+[[noreturn]] void refuse_exercise(const std::string& text) {
+  const std::string refusal = "no exercise '" + text + "'";
+  if (const auto number = exercise_number(text)) {
+    const auto beside = numbers_of([&](const Entry& e) { return e.number.chapter == number->chapter; });
+    if (!beside.empty())
+      throw BadInput(refusal + "; chapter " + std::to_string(number->chapter) + " has " + joined(beside));
+    throw BadInput(refusal + "; chapter " + std::to_string(number->chapter) +
+                   " has none; 'oddity list' shows all");
+  }
+  const auto near = similar(text, numbers_of([](const Entry&) { return true; }));
+  std::vector<std::string> meant;
+  for (const Entry& entry : registry()) {
+    const std::string number = to_string(entry.number);
+    if (std::ranges::find(near, number) != near.end() || mentions(entry.exercise.title, text))
+      meant.push_back(number + " (" + std::string(entry.exercise.title) + ")");
+  }
+  throw BadInput(refusal + suggested(meant) + (meant.empty() ? "; " : " ") + "'oddity list' shows all");
+}
+
+const Parameter& parameter_of(const Task& task, const std::string& name) {
+  const auto declared = task.parameters.declared();
+  const auto found = std::ranges::find(declared, name, &Parameter::name);
+  if (found != declared.end()) return *found;
+  std::vector<std::string> names, meant;
+  for (const Parameter& p : declared) names.emplace_back(p.name);
+  const auto near = similar(name, names);
+  for (const Parameter& p : declared)
+    if (std::ranges::find(near, p.name) != near.end() || mentions(p.says, name))
+      meant.push_back(std::string(p.name) + " (" + std::string(p.says) + ")");
+  throw BadInput("no parameter '" + name +
+                 "'; the parameters are: " + (names.empty() ? "none" : joined(names)) + suggested(meant));
+}
+
+/// The same, with what it is the value of before the complaint.
+double value_of(const std::string& what, std::string_view text, std::string_view unit) {
+  try {
+    return in_unit(text, unit);
+  } catch (const BadInput& error) {
+    throw BadInput(what + ": " + error.what());
+  }
+}
+
+double positive(const std::string& what, std::string_view text, std::string_view unit) {
+  const double value = value_of(what, text, unit);
+  if (!(value > 0 && std::isfinite(value)))
+    throw BadInput(what + " must be positive and finite, and is " + std::string(text));
+  return value;
+}
+
+int whole_of(const std::string& what, const std::string& text, int least, int most) {
+  const auto value = number_in(text);
+  if (!value || *value != std::round(*value) || *value < least || *value > most)
+    throw BadInput(what + " must be a whole number from " + std::to_string(least) + " to " +
+                   std::to_string(most) + ", and is '" + text + "'");
+  return static_cast<int>(*value);
+}
+
+const Scene& scene_of(const Entry& entry) {
+  if (entry.exercise.scene) return *entry.exercise.scene;
+  throw BadInput("exercise " + to_string(entry.number) + " has no motion; those that have one are: " +
+                 joined(numbers_of([](const Entry& e) { return e.exercise.scene.has_value(); })));
+}
+
+std::vector<std::string> words_between_commas(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream in(text);
+  for (std::string word; std::getline(in, word, ',');) words.push_back(word);
+  return words;
+}
+
+bool is_in_unit(const std::string& text, std::string_view unit) {
+  try {
+    in_unit(text, unit);
+    return true;
+  } catch (const BadInput&) {
+    return false;
+  }
+}
+
+/// The unit that a number is written with.
+ShownUnit shown_unit(const std::string& text, std::string_view unit) {
+  double number{};
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), number).ptr;
+  std::string symbol(end, text.data() + text.size());
+  symbol.erase(0, symbol.find_first_not_of(' '));
+  return {symbol, in_unit("1" + symbol, unit)};
+}
+
+/// "0.01" for every unit of the observables, or "1cm", "1cm,1deg", one for each.
+void set_errors(Need& need, const Entry& entry, const std::string& text) {
+  const Scene& scene = scene_of(entry);
+  const Quantity seen =
+      motion(scene, Parameters(entry.exercise.parameters), {scene.horizon}, Reference::nothing());
+  const auto units = seen.units();
+  for (const std::string& one : words_between_commas(text)) {
+    if (number_in(one)) {
+      need.error = positive("--error", one, "");
+      continue;
+    }
+    const auto fits =
+        std::ranges::find_if(units, [&](std::string_view unit) { return is_in_unit(one, unit); });
+    if (fits == units.end() && units.size() == 1) positive("--error", one, units.front());
+    if (fits == units.end())
+      throw BadInput("--error: '" + one + "' is no error of " + seen.name + ", whose observables are in " +
+                     joined({units.begin(), units.end()}));
+    if (!need.errors.emplace(*fits, positive("--error", one, *fits)).second)
+      throw BadInput("--error: two errors in " + std::string(*fits));
+    need.shown[std::string(*fits)] = shown_unit(one, *fits);
+  }
+  for (std::string_view unit : units)
+    if (std::isnan(need.error) && !need.errors.contains(unit))
+      throw BadInput("--error: the observables are in " + joined({units.begin(), units.end()}) +
+                     ", and none is given in " + std::string(unit) +
+                     ": add it after a comma, as in 1cm,1deg");
+  if (std::isnan(need.error)) need.error = need.errors.begin()->second;
+}
+
+Criterion criterion_of(const std::string& text) {
+  const std::vector<std::string> names{"path", "energy", "period", "bounded", "constraint"};
+  const auto found = std::ranges::find(names, text);
+  if (found == names.end())
+    throw BadInput("--criterion '" + text + "' is none of " + joined(names) +
+                   suggested(similar(text, names)));
+  return static_cast<Criterion>(found - names.begin());
+}
+
+/// What someone asks of the motion, its error or digits.
+void set_accuracy(Need& need, const Entry& entry, const AskedNeed& asked) {
+  need.criterion = criterion_of(asked.criterion);
+  if (need.criterion == Criterion::bounded) {
+    if (!asked.error.empty() || !asked.digits.empty())
+      throw BadInput("--criterion bounded takes no --error and no --digits");
+    need.error = 1;
+    return;
+  }
+  if (need.criterion == Criterion::constraint) {
+    if (asked.error.empty()) throw BadInput("--criterion constraint needs --error, a length such as 1mm");
+    need.error = positive("--error", asked.error, "m");
+    need.shown["m"] = shown_unit(asked.error, "m");
+    return;
+  }
+  if (asked.error.empty() && asked.digits.empty()) throw BadInput("choose needs --error or --digits");
+  need.relative = !asked.digits.empty();
+  need.error = std::numeric_limits<double>::quiet_NaN();
+  if (need.relative)
+    need.error = std::pow(10, -whole_of("--digits", asked.digits, 1, 15));
+  else if (need.criterion == Criterion::path)
+    set_errors(need, entry, asked.error);
+  else
+    need.error = positive("--error", asked.error, "");
+}
+
+}  // namespace
+
+const Entry& entry_of(const std::string& exercise) {
+  const auto number = exercise_number(exercise);
+  for (const Entry& entry : registry())
+    if (number == entry.number) return entry;
+  refuse_exercise(exercise);
+}
+
+std::vector<Task> tasks_of(const std::vector<std::string>& exercises, bool scenes) {
+  std::vector<Task> tasks;
+  for (const std::string& exercise : exercises) {
+    const Entry& entry = entry_of(exercise);
+    if (scenes) scene_of(entry);
+    if (std::ranges::find(tasks, &entry, &Task::entry) == tasks.end()) tasks.emplace_back(entry);
+  }
+  for (const Entry& entry : registry())
+    if (exercises.empty() && (!scenes || entry.exercise.scene)) tasks.emplace_back(entry);
+  return tasks;
+}
+
+Task task_of(const std::string& exercise, const std::vector<std::string>& overrides) {
+  Task task(entry_of(exercise));
+  std::set<std::string> given;
+  for (const std::string& assignment : overrides) {
+    const auto equals = assignment.find('=');
+    if (equals == std::string::npos) throw BadInput("'" + assignment + "' is not name=value");
+    const std::string name = assignment.substr(0, equals);
+    const Parameter& p = parameter_of(task, name);
+    if (!given.insert(name).second) throw BadInput("parameter " + name + " is given twice");
+    task.parameters.set(
+        name, value_of("parameter " + name, std::string_view(assignment).substr(equals + 1), p.unit));
+  }
+  return task;
+}
+
+Need need_of(const Entry& entry, const AskedNeed& asked) {
+  const std::string time = std::string(scene_of(entry).axes.time);
+  Need need{};
+  set_accuracy(need, entry, asked);
+  need.objective = asked.cheapest ? Objective::cheapest : Objective::simple;
+  need.only = asked.only;
+  need.exclude = asked.exclude;
+  need.one_step = asked.one_step;
+  if (!asked.time_limit.empty()) need.time_limit = positive("--time-limit", asked.time_limit, "s");
+  need.horizon = positive("--horizon", asked.horizon, time);
+  need.frames_per_second = positive("--fps", asked.frames_per_second, "1/" + time);
+  const double frames = need.horizon * need.frames_per_second;
+  if (frames < 1) throw BadInput("the horizon is shorter than a frame");
+  if (frames > most_frames) {
+    const bool fast = need.frames_per_second > 1000;
+    throw BadInput("--horizon " + asked.horizon + " at --fps " + asked.frames_per_second + " asks for " +
+                   rounded(frames, 3) + " frames, of at most a million: " +
+                   (fast ? "--fps may be " + rounded(most_frames / need.horizon, 6) + " over that time"
+                         : "--horizon may be " + rounded(most_frames / need.frames_per_second, 6) + " " +
+                               time + " at that rate"));
+  }
+  if (!asked.budget.empty()) {
+    if (number_in(asked.budget)) throw BadInput("--budget needs a unit, such as " + asked.budget + "us");
+    need.budget = positive("--budget", asked.budget, "s");
+  }
+  return need;
+}
+
+int chapter_of(const std::string& chapter) {
+  const int number = whole_of("--chapter", chapter, 1, static_cast<int>(chapters().size()));
+  std::vector<std::string> with;
+  for (const Chapter& c : chapters())
+    if (!numbers_of([&](const Entry& e) { return e.number.chapter == c.number; }).empty())
+      with.push_back(std::to_string(c.number));
+  if (std::ranges::find(with, std::to_string(number)) == with.end())
+    throw BadInput("chapter " + chapter + " has no exercises; those that have some are: " + joined(with));
+  return number;
+}
+
+}  // namespace oddity

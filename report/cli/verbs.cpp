@@ -1,0 +1,215 @@
+#include "report/cli/verbs.hpp"
+
+#include <cmath>
+#include <iostream>
+
+#include "reference/files.hpp"
+#include "reference/text.hpp"
+#include "report/charts/gnuplot.hpp"
+#include "report/cli/asked.hpp"
+#include "report/cli/bench.hpp"
+#include "report/cli/settings.hpp"
+#include "report/pages/code.hpp"
+#include "report/pages/table_text.hpp"
+#include "report/pages/text_view.hpp"
+#include "report/pages/write_report.hpp"
+#include "report/study/choose.hpp"
+#include "report/study/ledger.hpp"
+#include "report/study/prices.hpp"
+#include "report/study/progress.hpp"
+#include "report/study/run.hpp"
+#include "report/study/stability.hpp"
+
+namespace oddity::verbs {
+
+namespace {
+
+bool older(const fs::path& file, const fs::path& than) {
+  return fs::last_write_time(file) < fs::last_write_time(than);
+}
+
+/// Older than the program or than a table.
+bool stale(const fs::path& results, const fs::path& folder) {
+  if (older(results, fs::read_symlink("/proc/self/exe"))) return true;
+  for (const auto& table : fs::directory_iterator(folder))
+    if (table.path().extension() == ".csv" && older(results, table)) return true;
+  return false;
+}
+
+/// The last results where they are fresh, else those of a new run; if wanted with the ledgers, which a run of
+/// the suite does not need and does not make.
+Results last_results(const fs::path& folder, bool ledgers) {
+  const fs::path file = results_file();
+  const Reference truth(folder, motions_folder());
+  const std::vector<Task> tasks(registry().begin(), registry().end());
+  ProgressBar bar;
+  Results results;
+  if (fs::exists(file) && !stale(file, folder)) results = read_results(file);
+  const bool fresh = std::ranges::equal(results.exercises, tasks, [](const auto& e, const Task& task) {
+    return e.number == task.entry->number;  // a run of a part may have written the file
+  });
+  if (!fresh) results = with_stability(run(tasks, truth, true, bar.callback()), tasks, truth, bar.callback());
+  const bool lacking = ledgers && std::ranges::any_of(results.exercises, [](const ExerciseResult& e) {
+                         return e.scene && !e.ledger;
+                       });
+  if (lacking) results = with_ledgers(std::move(results), tasks, truth, bar.callback());
+  if (lacking || !fresh) write_whole(file, to_json(results));
+  return results;
+}
+
+/// "0.001 to 3.14", "whole, 2 to 100"; empty when any number will do.
+std::string range_of(const Parameter& p) {
+  const bool from = std::isfinite(p.least), to = std::isfinite(p.most);
+  const std::string ends = from && to ? shortest(p.least) + " to " + shortest(p.most)
+                           : from     ? "from " + shortest(p.least)
+                           : to       ? "up to " + shortest(p.most)
+                                      : "";
+  return (p.whole ? "whole" : "") + std::string(p.whole && !ends.empty() ? ", " : "") + ends;
+}
+
+std::string in_list(const Entry& entry) {
+  std::string text = to_string(entry.number) + "  " + std::string(entry.exercise.title) +
+                     (entry.exercise.scene ? " (scene)" : "") + (of_the_book(entry.number) ? "" : " (own)") +
+                     "\n";
+  for (const Parameter& p : entry.exercise.parameters) {
+    const std::string range = range_of(p);
+    text += "      " + std::string(p.name) + " = " + shortest(p.value) +
+            (p.unit.empty() || p.unit == "1" ? "" : " " + std::string(p.unit)) + "  " + std::string(p.says) +
+            (range.empty() ? "" : " (" + range + ")") + "\n";
+  }
+  return text;
+}
+
+/// A row for each parameter; one without a name where an exercise has none.
+Table parameters_table(const std::vector<Task>& tasks) {
+  Table table{{"exercise", "title", "scene", "parameter", "value", "unit", "least", "most", "whole", "says"},
+              {}};
+  const auto text = [](std::string_view view) { return std::string(view); };
+  for (const Task& task : tasks) {
+    const Exercise& e = task.entry->exercise;
+    const std::vector<Cell> begin{to_string(task.entry->number), text(e.title), e.scene ? 1L : 0L};
+    const auto add = [&](std::vector<Cell> cells) {
+      cells.insert(cells.begin(), begin.begin(), begin.end());
+      table.rows.push_back(std::move(cells));
+    };
+    for (const Parameter& p : e.parameters)
+      add({text(p.name), p.value, text(p.unit), p.least, p.most, p.whole ? 1L : 0L, text(p.says)});
+    if (e.parameters.empty()) add({"", "", "", "", "", "", ""});
+  }
+  return table;
+}
+
+Table limits_table(const Results& results) {
+  Table table{{"exercise", "model", "algorithm", "stable_to", "breaks_at", "theory", "unit", "breaks_by",
+               "error", "error_unit", "why"},
+              {}};
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const ExerciseResult& e : results.exercises)
+    for (const Limit& l : e.stability->limits)
+      table.rows.push_back({to_string(e.number), l.model, l.algorithm, l.step(),
+                            l.broken ? l.broken->setting : none, l.theory(), e.stability->time_unit,
+                            beyond(l), l.broken ? l.broken->error : none, e.stability->unit, l.why});
+  return table;
+}
+
+Results stability_of(const fs::path& folder, const std::vector<std::string>& exercises) {
+  const std::vector<Task> tasks = tasks_of(exercises, true);
+  Results blank;
+  for (const Task& task : tasks) {
+    ExerciseResult& e = blank.exercises.emplace_back();
+    e.number = task.entry->number;
+    e.title = task.entry->exercise.title;
+  }
+  ProgressBar bar;
+  return with_stability(blank, tasks, Reference(folder, motions_folder()), bar.callback());
+}
+
+}  // namespace
+
+void list(const std::string& exercise, Format format) {
+  const std::vector<Task> tasks =
+      tasks_of(exercise.empty() ? std::vector<std::string>() : std::vector{exercise});
+  if (format == Format::text)
+    for (const Task& task : tasks) std::cout << in_list(*task.entry);
+  else
+    std::cout << (format == Format::json ? to_json(parameters_table(tasks))
+                                         : to_csv(parameters_table(tasks)));
+}
+
+void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
+           Format format) {
+  const Task task = task_of(exercise, overrides);
+  const Reference truth(folder);
+  const Results results = run(std::span(&task, 1), truth, true);
+  std::cout << (format == Format::json ? to_json(results) : text_view(results.exercises.front()));
+}
+
+int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
+           const AskedNeed& asked, Format format, bool all_rows, const std::string& command) {
+  const Task task = task_of(exercise, overrides);
+  const Need need = need_of(*task.entry, asked);
+  ProgressBar bar;
+  KeptPrices prices(prices_folder(), price_key(task, need), asked.measure);
+  Choice choice =
+      oddity::choose(task, need, Reference(folder, motions_folder()), std::ref(prices), bar.callback());
+  prices.keep();
+  choice.prices_are = prices.source();
+  if (format == Format::code && !choice.chosen)
+    std::cerr << choice_text(choice, all_rows);
+  else
+    std::cout << (format == Format::json   ? choice_json(choice)
+                  : format == Format::csv  ? choice_csv(choice)
+                  : format == Format::code ? code_of(task, choice, command)
+                                           : choice_text(choice, all_rows));
+  return choice.chosen ? 0 : 1;
+}
+
+void report(const fs::path& folder, const std::string& chapter, const fs::path& out) {
+  const int number = chapter.empty() ? 0 : chapter_of(chapter);
+  make_folder(out);
+  require_writable(results_file());
+  const fs::path page = write_report(last_results(folder, number == 0), number, out);
+  std::cout << "the report is in " << page.string() << "\n";
+}
+
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out) {
+  const std::vector<Task> tasks = tasks_of(exercises);
+  make_folder(out);
+  ProgressBar bar;
+  for (const fs::path& page :
+       write_charts(run(tasks, Reference(folder, motions_folder()), true, bar.callback()), out))
+    std::cout << page.string() << "\n";
+}
+
+void stability(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out) {
+  tasks_of(exercises, true);
+  make_folder(out);
+  const Results results = stability_of(folder, exercises);
+  std::vector<Picture> pictures;
+  for (const ExerciseResult& e : results.exercises) {
+    std::cout << stability_text(e) << "\n";
+    pictures.push_back(
+        {out / map_file(e), [&e](const fs::path& into) { return map_script(e, into.string()); }});
+  }
+  draw(pictures);
+  std::cout << "the maps are in " << (out / "charts").string() << "\n";
+}
+
+void stability_table(const fs::path& folder, const std::vector<std::string>& exercises, Format format) {
+  const Table limits = limits_table(stability_of(folder, exercises));
+  std::cout << (format == Format::json ? to_json(limits) : to_csv(limits));
+}
+
+void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises) {
+  const Results results = stability_of(folder, exercises);
+  std::cout << limit_rows(results) << "\n" << map_rows(results);
+}
+
+int bench(const fs::path& folder) {
+  ProgressBar bar;
+  const Bench result = oddity::bench(Reference(folder, motions_folder()), bar.callback());
+  std::cout << bench_view(result) << std::flush;
+  return result.broken();
+}
+
+}  // namespace oddity::verbs

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/cli/asked.hpp"
+
+/// What the program's verbs do. Each takes the folder of the reference tables, prints what is asked on
+/// standard output, and throws BadInput.
+namespace oddity::verbs {
+
+namespace fs = std::filesystem;
+
+enum class Format { text, json, csv, code };
+
+/// One exercise, or all when the text is empty.
+void list(const std::string& exercise, Format);
+/// `overrides` are "name=value". As text or as JSON.
+void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
+           Format);
+
+/// 0 when something meets the need, else 1. `command` is the command line, for the code's comment.
+int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
+           const AskedNeed&, Format, bool all_rows, const std::string& command);
+/// Of all chapters when the text is empty.
+void report(const fs::path& folder, const std::string& chapter, const fs::path& out);
+/// Of all exercises when there are none.
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out);
+/// Of all scenes when there are none: as text, with the maps drawn.
+void stability(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out);
+/// The same as a table of limits, with nothing drawn.
+void stability_table(const fs::path& folder, const std::vector<std::string>& exercises, Format);
+/// The same as the rows that would put the limits and maps on record.
+void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises);
+/// 0 when no limit is broken, else 1.
+int bench(const fs::path& folder);
+
+}  // namespace oddity::verbs

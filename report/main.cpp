@@ -1,4 +1,0 @@
-#include "report/commands.hpp"
-#include "tests/verify.hpp"
-
-int main(int argc, char** argv) { return oddity::command_line(argc, argv, oddity::verify); }

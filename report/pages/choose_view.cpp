@@ -1,0 +1,316 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "reference/text.hpp"
+#include "report/pages/text_view.hpp"
+#include "report/study/choose.hpp"
+
+namespace oddity {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t first_rows = 5;
+
+std::string times_as(double factor) { return rounded(factor, 2) + " times"; }
+
+std::string described(const Tried& tried, const Need& need) {
+  const std::string setting = shown_setting(tried, need);
+  return tried.model + " by " + tried.algorithm + (setting == "-" ? "" : ", " + setting);
+}
+
+/// The unit asked in, or the motion's own.
+ShownUnit shown_unit(const std::string& unit, const Choice& choice) {
+  const auto shown = choice.need.shown.find(unit);
+  return shown == choice.need.shown.end() ? ShownUnit{unit, 1} : shown->second;
+}
+
+/// "0.35 cm, 0.002 rad".
+std::string errors_of(const std::vector<double>& errors, const Choice& choice) {
+  std::string text;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const ShownUnit unit = shown_unit(choice.units[i], choice);
+    text += (i == 0 ? "" : ", ") + (std::isfinite(errors[i]) ? shown_error(errors[i] / unit.size) : "-");
+    if (std::isfinite(errors[i]) && unit.symbol != "1") text += " " + unit.symbol;
+  }
+  return text;
+}
+
+std::string percent(double part) { return rounded(100 * part, 2) + " %"; }
+
+/// How far what is held is off, in the unit asked in.
+std::string off_constraint(double off, const Choice& choice) {
+  const auto shown = choice.need.shown.find("m");
+  const bool asked = shown != choice.need.shown.end() && !shown->second.symbol.empty();
+  const ShownUnit unit = asked ? shown->second : ShownUnit{"m", 1};
+  return shown_error(off / unit.size) + " " + unit.symbol;
+}
+
+/// The error that decides: of the path in its units, of energy and period as a part, of what is held as a
+/// length.
+std::string error_of(const Tried& tried, const Choice& choice) {
+  switch (choice.need.criterion) {
+    case Criterion::path:
+      return errors_of(tried.errors, choice);
+    case Criterion::energy:
+    case Criterion::period:
+      return std::isfinite(tried.error) ? percent(tried.error * choice.need.error) : "-";
+    case Criterion::constraint:
+      if (!std::isfinite(tried.error)) return "-";
+      return tried.constrained ? off_constraint(tried.error * choice.need.error, choice)
+                               : "held by construction";
+    case Criterion::bounded:
+      break;
+  }
+  return std::isfinite(tried.error) ? "bounded" : "-";
+}
+
+std::string cost_of(const Tried& tried) {
+  const std::string evaluations = rounded(tried.evaluations_per_frame, 3);
+  return shown_time(tried.seconds_per_frame) + " per frame (" + evaluations +
+         (evaluations == "1" ? " evaluation)" : " evaluations)");
+}
+
+std::string failing_of(const Tried& tried, const Choice& choice) {
+  return described(tried, choice.need) + ", " + cost_of(tried) + ": " + std::string(name_of(tried.outcome)) +
+         (std::isfinite(tried.error) ? ", error " + error_of(tried, choice) : "") + " at " + tried.where;
+}
+
+std::string what_holds(const Choice& choice) {
+  switch (choice.need.criterion) {
+    case Criterion::path:
+      return choice.quantity + " within " + errors_of(choice.needs, choice) + " at every frame";
+    case Criterion::energy:
+      return choice.quantity + " with its energy (or what else is conserved) kept to " +
+             percent(choice.need.error) + " of what moves in it";
+    case Criterion::period:
+      return choice.quantity + " with its period right to " + percent(choice.need.error);
+    case Criterion::constraint:
+      return choice.quantity + " with what is held off by " + off_constraint(choice.need.error, choice) +
+             " at most, at every frame";
+    case Criterion::bounded:
+      break;
+  }
+  return choice.quantity + " bounded";
+}
+
+std::string listed(const std::vector<std::string>& starts) {
+  std::string text;
+  for (const std::string& start : starts) text += (text.empty() ? "" : "; ") + start;
+  return text;
+}
+
+std::string margin_text(const Choice& choice) {
+  const double unseen = choice.chosen->unseen_error;
+  return "  margin: on starts that it was not chosen on it is " +
+         (unseen > 0 ? times_as(choice.margin()) + " better than asked.\n" : "exact.\n");
+}
+
+std::string ties_text(const Choice& choice) {
+  std::string text;
+  std::set<std::string> seen;
+  for (const Tried& t : choice.ties) {
+    const std::string one = described(t, choice.need);
+    if (seen.insert(one).second)
+      text += (text.empty() ? "  costs the same, within a quarter or the spread: " : "; ") + one + " (" +
+              shown_time(t.seconds_per_frame) + ", error " + error_of(t, choice) + ")";
+  }
+  return text.empty() ? "" : text + ".\n";
+}
+
+std::string miss_text(const Choice& choice) {
+  std::string text = "Nothing here meets that.\n";
+  if (!choice.nearest_miss) return text;
+  const Tried& miss = *choice.nearest_miss;
+  if (!miss.holds()) return text + "  nearest miss: " + failing_of(miss, choice) + ".\n";
+  return text + "  nearest miss: " + described(miss, choice.need) + " is as accurate, but costs " +
+         cost_of(miss) + ", " + times_as(miss.seconds_per_frame / choice.need.budget) + " the budget.\n";
+}
+
+std::string chaos_text(const Choice& choice) {
+  if (!choice.predictable) return "";
+  const std::string until =
+      std::isfinite(*choice.predictable)
+          ? "is off by the error asked for after " + rounded(*choice.predictable, 3) + " " + choice.time_unit
+          : "still tells the path to the error asked for at the end";
+  return "  the motion is chaotic: one from a start that differs by a thousand-millionth " + until +
+         ". A game may do better to ask for --criterion energy or bounded.\n";
+}
+
+std::string engine_text(const Choice& choice) {
+  if (choice.engine.empty())
+    return "As an engine does today: no model of this scene is one that semi-implicit Euler fits.\n";
+  std::string text =
+      "As an engine does today, semi-implicit Euler on the model \"" + choice.engine.front().model + "\":\n";
+  for (const Tried& t : choice.engine)
+    text += "  at " + rounded(1 / t.setting, 4) + " Hz: error " + error_of(t, choice) +
+            (t.holds() ? ", holds\n" : ", " + std::string(name_of(t.outcome)) + "\n");
+  return text;
+}
+
+std::string verdict_of(const Tried& tried, const Choice& choice) {
+  if (choice.chosen && tried.model == choice.chosen->model && tried.algorithm == choice.chosen->algorithm)
+    return "chosen";
+  if (!tried.holds()) return std::string(name_of(tried.outcome)) + " at " + tried.where;
+  return tried.seconds_per_frame > choice.need.budget ? "over the budget" : "holds";
+}
+
+/// The rows that a reader looks for first: those that hold, the chosen one among them.
+std::vector<Tried> rows_of(const Choice& choice, bool all_rows) {
+  if (all_rows) return choice.tried;
+  std::vector<Tried> rows;
+  for (const Tried& t : choice.tried)
+    if (t.holds() && rows.size() < first_rows) rows.push_back(t);
+  const auto is_chosen = [&](const Tried& t) { return verdict_of(t, choice) == "chosen"; };
+  if (choice.chosen && std::ranges::none_of(rows, is_chosen))
+    rows.back() = *std::ranges::find_if(choice.tried, is_chosen);
+  for (const Tried& t : choice.tried)
+    if (!t.holds() && rows.size() < first_rows) rows.push_back(t);
+  return rows;
+}
+
+Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+/// In the units asked in: a number where there is one, else by unit.
+Json from(const std::vector<double>& errors, const Choice& choice) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const ShownUnit unit = shown_unit(choice.units[i], choice);
+    json[unit.symbol] = from(errors[i] / unit.size);
+  }
+  return json.size() == 1 ? json.begin().value() : json;
+}
+
+Json units_of(const Choice& choice) {
+  Json json = Json::array();
+  for (const std::string& unit : choice.units) json.push_back(shown_unit(unit, choice).symbol);
+  return json;
+}
+
+Json from(const Tried& t, const Choice& choice) {
+  return {{"model", t.model},
+          {"algorithm", t.algorithm},
+          {"setting", shown_setting(t, choice.need)},
+          {t.knob.empty() ? "value" : t.knob, t.knob.empty() ? Json(nullptr) : Json(t.setting)},
+          {"error", from(t.errors, choice)},
+          {"error_in_needs", from(t.error)},
+          {"holds", t.holds()},
+          {"outcome", name_of(t.outcome)},
+          {"evaluations_per_frame", t.evaluations_per_frame},
+          {"seconds_per_frame", from(t.seconds_per_frame)},
+          {"spread", from(t.spread)}};
+}
+
+Json from(const std::vector<Tried>& all, const Choice& choice) {
+  Json json = Json::array();
+  for (const Tried& t : all) json.push_back(from(t, choice));
+  return json;
+}
+
+Json need_of(const Choice& choice) {
+  static constexpr const char* criteria[] = {"path", "energy", "period", "bounded", "constraint"};
+  const Json error =
+      choice.need.criterion == Criterion::path ? from(choice.needs, choice) : from(choice.need.error);
+  return {{"exercise", choice.exercise},
+          {"criterion", criteria[static_cast<int>(choice.need.criterion)]},
+          {"error", error},
+          {"unit", choice.need.criterion == Criterion::constraint ? Json("m") : units_of(choice)},
+          {"horizon", choice.need.horizon},
+          {"time_unit", choice.time_unit},
+          {"frames_per_second", choice.need.frames_per_second},
+          {"budget", from(choice.need.budget)},
+          {"objective", choice.need.objective == Objective::simple ? "simple" : "cheapest"}};
+}
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+std::string asked_text(const Choice& choice) {
+  const Need& need = choice.need;
+  return what_holds(choice) + ", over " + shortest(need.horizon) + " " + choice.time_unit + " at " +
+         shortest(need.frames_per_second) + " frames per " +
+         (choice.time_unit == "s" ? "second" : choice.time_unit) +
+         (std::isfinite(need.budget) ? ", for at most " + shown_time(need.budget) + " per frame" : "");
+}
+
+std::string answer_text(const Choice& choice) {
+  const Tried& best = *choice.chosen;
+  std::string text = "Take " + described(best, choice.need) + ": " + cost_of(best);
+  if (std::isfinite(choice.need.budget))
+    text += ", " + percent(best.seconds_per_frame / choice.need.budget) + " of the budget";
+  text += ".\n" + margin_text(choice) + ties_text(choice);
+  if (!choice.by_objective)
+    text +=
+        "  no one-step method of fixed step and no closed form holds with a margin of three: this is the "
+        "cheapest "
+        "that holds.\n";
+  if (choice.restart > 0.5)
+    text += "  every restart, as after a contact, costs it " + rounded(choice.restart, 3) +
+            " evaluations more.\n";
+  if (choice.next_cheaper) text += "  next cheaper: " + failing_of(*choice.next_cheaper, choice) + ".\n";
+  if (const auto& richer = choice.next_richer)
+    text += "  next richer: " + described(*richer, choice.need) + ", " + cost_of(*richer) + ": " +
+            times_as(richer->seconds_per_frame / best.seconds_per_frame) + " the cost, error " +
+            error_of(*richer, choice) + ".\n";
+  return text;
+}
+
+std::string choice_text(const Choice& choice, bool all_rows) {
+  const std::vector<Tried> shown_rows = rows_of(choice, all_rows);
+  std::vector<std::vector<std::string>> rows{
+      {"model", "algorithm", "setting", "error", "evaluations per frame", "time per frame", ""}};
+  for (const Tried& tried : shown_rows)
+    rows.push_back({tried.model, tried.algorithm, shown_setting(tried, choice.need), error_of(tried, choice),
+                    rounded(tried.evaluations_per_frame, 3), shown_time(tried.seconds_per_frame),
+                    verdict_of(tried, choice)});
+  const std::size_t hidden = choice.tried.size() - shown_rows.size();
+  return asked_text(choice) + "\n\n" + (choice.chosen ? answer_text(choice) : miss_text(choice)) +
+         chaos_text(choice) + "\nEach method at its cheapest setting that holds, or else at its best:\n" +
+         aligned(rows) + (hidden > 0 ? "  and " + std::to_string(hidden) + " more: --all\n" : "") + "\n" +
+         engine_text(choice) + "\nchosen on: " + listed(choice.seen) +
+         (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) +
+         (choice.prices_are.empty() ? "" : "\ntimes: " + choice.prices_are) + "\n";
+}
+
+std::string choice_json(const Choice& choice) {
+  Json json{{"need", need_of(choice)}, {"chosen", nullptr}};
+  if (choice.chosen) {
+    json["chosen"] = from(*choice.chosen, choice);
+    json["chosen"]["margin"] = from(choice.margin());
+    json["chosen"]["restart_evaluations"] = choice.restart;
+    json["chosen"]["by_objective"] = choice.by_objective;
+  }
+  json["ties"] = from(choice.ties, choice);
+  json["candidates"] = from(choice.tried, choice);
+  json["engine"] = from(choice.engine, choice);
+  json["predictable"] = choice.predictable ? from(*choice.predictable) : Json(nullptr);
+  json["chosen_on"] = choice.seen;
+  json["tested_on"] = choice.unseen;
+  json["times"] = choice.prices_are;
+  return json.dump(2) + "\n";
+}
+
+std::string choice_csv(const Choice& choice) {
+  std::string text = "model,algorithm,setting";
+  for (const std::string& unit : choice.units) text += ",error [" + shown_unit(unit, choice).symbol + "]";
+  text += ",holds,outcome,evaluations per frame,seconds per frame,chosen\n";
+  for (const Tried& t : choice.tried) {
+    text += csv_cell(t.model) + "," + csv_cell(t.algorithm) + "," + csv_cell(shown_setting(t, choice.need));
+    for (std::size_t i = 0; i < t.errors.size(); ++i)
+      text += "," + shortest(t.errors[i] / shown_unit(choice.units[i], choice).size);
+    text += std::string(t.holds() ? ",1," : ",0,") + std::string(name_of(t.outcome)) + "," +
+            shortest(t.evaluations_per_frame) + "," + shortest(t.seconds_per_frame) +
+            (verdict_of(t, choice) == "chosen" ? ",1\n" : ",0\n");
+  }
+  return text;
+}
+
+}  // namespace oddity

@@ -1,0 +1,223 @@
+#include "report/pages/code.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "reference/bad_input.hpp"
+#include "reference/text.hpp"
+
+namespace oddity {
+
+namespace {
+
+/// One that report/plain has.
+struct Plain {
+  std::string_view algorithm, header, type;
+};
+
+constexpr Plain plain_algorithms[] = {
+    {"explicit Euler", "report/plain/explicit_euler.hpp", "ExplicitEuler"},
+    {"symplectic Euler", "report/plain/symplectic_euler.hpp", "SymplecticEuler"},
+    {"velocity Verlet", "report/plain/velocity_verlet.hpp", "VelocityVerlet"},
+    {"Runge-Kutta 4", "report/plain/runge_kutta_4.hpp", "RungeKutta4"},
+    {"modified midpoint", "report/plain/modified_midpoint.hpp", "ModifiedMidpoint"},
+    {"McLachlan 4", "report/plain/mclachlan_4.hpp", "McLachlan4"},
+    {"Adams-Bashforth 4", "report/plain/adams_bashforth_4.hpp", "AdamsBashforth4"},
+};
+constexpr std::string_view closed_form = "closed form";
+
+std::string listed(const std::vector<std::string_view>& names) {
+  std::string all;
+  for (std::string_view name : names) all += (all.empty() ? "" : "; ") + std::string(name);
+  return all.empty() ? "none" : all;
+}
+
+/// How a method is printed: the expression that constructs its model, and its algorithm; none for a closed
+/// form.
+struct Printed {
+  std::string_view model;
+  const Plain* algorithm;
+};
+
+template <class Pairs>
+const std::string_view* find(const Pairs& pairs, std::string_view name) {
+  for (const auto& [key, value] : pairs)
+    if (key == name) return &value;
+  return nullptr;
+}
+
+Printed printed(const Listing& listing, const std::string& model, const std::string& algorithm) {
+  if (const auto* own = find(listing.models, model + ", " + algorithm)) return {*own, nullptr};
+  const Plain* found = std::ranges::find(plain_algorithms, algorithm, &Plain::algorithm);
+  if (algorithm != closed_form && found == std::end(plain_algorithms))
+    throw BadInput("there is no code to print for the algorithm " + algorithm +
+                   "; there is for: " + listed(printable_algorithms()) + " (choose among these with --only)");
+  const auto* expression = find(listing.models, model);
+  if (!expression) {
+    const auto* why = find(listing.not_printable, model);
+    std::vector<std::string_view> printable;
+    for (const auto& entry : listing.models) printable.push_back(entry.first);
+    throw BadInput("there is no code to print for the model '" + model + "'" +
+                   (why ? ", " + std::string(*why) : "") + "; there is for: " + listed(printable) +
+                   " (choose among these with --only)");
+  }
+  return {*expression, algorithm == closed_form ? nullptr : found};
+}
+
+std::string_view text_of(std::string_view path) {
+  for (const EmbeddedHeader& header : embedded_headers())
+    if (header.path == path) return header.text;
+  throw std::logic_error("the program does not carry " + std::string(path));
+}
+
+/// Headers put one behind the other, each once, after those that it includes.
+class Joined {
+ public:
+  void add(std::string_view path) {
+    if (!seen_.insert(std::string(path)).second) return;
+    std::string own;
+    std::istringstream lines{std::string(text_of(path))};
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("#include \""))
+        add(line.substr(10, line.find('"', 10) - 10));
+      else if (line.starts_with("#include <"))
+        standard_.insert(line);
+      else if (line != "#pragma once" && !(line.empty() && own.ends_with("\n\n")))
+        own += line + "\n";
+    }
+    text_ += "\n" + own.substr(own.find_first_not_of('\n'));
+  }
+  void add_standard(const std::string& header) { standard_.insert("#include <" + header + ">"); }
+
+  std::string includes() const {
+    std::string text;
+    for (const std::string& line : standard_) text += line + "\n";
+    return text;
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::set<std::string> seen_, standard_;
+  std::string text_;
+};
+
+/// A name of C++ that the expression has as a word.
+bool mentions(std::string_view expression, std::string_view name) {
+  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (auto at = expression.find(name); at != std::string_view::npos; at = expression.find(name, at + 1)) {
+    const auto end = at + name.size();
+    if ((at == 0 || !in_word(expression[at - 1])) && (end == expression.size() || !in_word(expression[end])))
+      return true;
+  }
+  return false;
+}
+
+std::string as_comment(const std::string& text) {
+  std::string comment;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) comment += line.empty() ? "//\n" : "// " + line + "\n";
+  return comment;
+}
+
+/// The parameters and the model that they make.
+std::string model_text(const Task& task, std::string_view expression) {
+  std::string text = "namespace oddity::asked {\n\n";
+  for (const Parameter& p : task.entry->exercise.parameters)
+    if (mentions(expression, p.name))
+      text += "double " + std::string(p.name) + " = " + shortest(task.parameters[p.name]) + ";  // " +
+              (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") + std::string(p.says) +
+              "\n";
+  return text + "\nauto model() { return " + std::string(expression) +
+         "; }\n\n}  // namespace oddity::asked\n";
+}
+
+std::string header_line(const Scene& scene) {
+  std::string line = "t [" + std::string(scene.axes.time) + "]";
+  for (std::string_view name : scene.axes.observables) line += "," + std::string(name);
+  return line;
+}
+
+constexpr std::string_view print_row = R"(
+template <class Observables>
+void print_row(double t, const Observables& observables) {
+  std::printf("%.17g", t);
+  for (double x : observables) std::printf(",%.17g", x);
+  std::printf("\n");
+}
+)";
+
+/// The words with a dollar are placeholders.
+constexpr std::string_view closed_form_main = R"(
+int main() {
+  constexpr int frames = $frames;
+  constexpr double frames_per_second = $rate;
+  const auto model = oddity::asked::model();
+  std::printf("$names\n");
+  for (int frame = 1; frame <= frames; ++frame) {
+    const double t = frame / frames_per_second;
+    print_row(t, model.at(t));
+  }
+}
+)";
+constexpr std::string_view stepping_main = R"(
+int main() {
+  constexpr int frames = $frames, steps_per_frame = $steps;
+  constexpr double frames_per_second = $rate;
+  auto model = oddity::asked::model();
+  auto x = model.start();
+  oddity::plain::$algorithm<decltype(model)> algorithm;
+  std::printf("$names\n");
+  for (int frame = 1; frame <= frames; ++frame) {
+    const double t0 = (frame - 1) / frames_per_second, t1 = frame / frames_per_second;
+    const double h = (t1 - t0) / steps_per_frame;
+    for (int i = 0; i < steps_per_frame; ++i) algorithm.step(model, x, t0 + i * h, h);
+    print_row(t1, model.observe(x, t1));
+  }
+}
+)";
+
+std::string main_text(const Task& task, const Need& need, const Plain* algorithm, double step) {
+  std::string text(algorithm ? stepping_main : closed_form_main);
+  const auto put = [&](const std::string& placeholder, const std::string& what) {
+    text.replace(text.find(placeholder), placeholder.size(), what);
+  };
+  put("$frames", shortest(need.frames()));
+  put("$rate", shortest(need.frames_per_second));
+  put("$names", header_line(*task.entry->exercise.scene));
+  if (algorithm) {
+    put("$steps", shortest(std::round(1 / (step * need.frames_per_second))));
+    put("$algorithm", std::string(algorithm->type));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string_view> printable_algorithms() {
+  std::vector<std::string_view> all{closed_form};
+  for (const Plain& p : plain_algorithms) all.push_back(p.algorithm);
+  return all;
+}
+
+std::string code_of(const Task& task, const Choice& choice, const std::string& command) {
+  if (!choice.chosen) throw BadInput("nothing here meets the need, and there is no code to print");
+  const Exercise& exercise = task.entry->exercise;
+  const Listing& listing = exercise.scene->listing;
+  const auto [model, algorithm] = printed(listing, choice.chosen->model, choice.chosen->algorithm);
+  Joined headers;
+  for (std::string_view header : listing.headers) headers.add(header);
+  if (algorithm) headers.add(algorithm->header);
+  headers.add_standard("cstdio");
+  const std::string about =
+      to_string(task.entry->number) + " " + std::string(exercise.title) + ": " + asked_text(choice) + "\n\n" +
+      answer_text(choice) + "\nThe observables at every frame, by\n  " + command +
+      "\nCompiled by c++ -std=c++20 -O2 -ffp-contract=off it prints oddity's own numbers.";
+  return as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" + model_text(task, model) +
+         std::string(print_row) + main_text(task, choice.need, algorithm, choice.chosen->setting);
+}
+
+}  // namespace oddity

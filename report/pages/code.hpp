@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/study/choose.hpp"
+
+/// What `choose` has chosen, as C++ to paste.
+namespace oddity {
+
+/// A header of this project as the program carries it.
+struct EmbeddedHeader {
+  std::string_view path, text;
+};
+/// Those of the models and of the plain algorithms, and what they include of the project.
+std::span<const EmbeddedHeader> embedded_headers();
+
+/// The algorithms that can be printed.
+std::vector<std::string_view> printable_algorithms();
+
+/// One C++20 file of the standard library alone: the chosen model, the chosen algorithm's loop, and a main
+/// that prints the observables at every frame; `command` is the command line that asked for it. Throws
+/// BadInput where the choice has no model or algorithm that can be printed.
+std::string code_of(const Task&, const Choice&, const std::string& command);
+
+}  // namespace oddity

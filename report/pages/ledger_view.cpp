@@ -1,0 +1,107 @@
+#include <cmath>
+
+#include "reference/text.hpp"
+#include "report/pages/markdown.hpp"
+#include "report/pages/markup.hpp"
+#include "report/pages/text_view.hpp"
+#include "report/study/ledger.hpp"
+#include "report/study/tried.hpp"
+
+namespace oddity {
+
+namespace {
+
+std::string with_unit(const std::string& number, const std::string& unit) {
+  return with_powers(number) + (unit.empty() || unit == "1"           ? ""
+                                : unit.find(',') == std::string::npos ? " " + escaped(unit)
+                                                                      : " (" + escaped(unit) + ")");
+}
+
+std::string error_of(const LeastModel& row, const Ledger& ledger) {
+  if (row.need.relative)
+    return with_powers(shown_error(row.least->error * row.need.error)) + " of the motion";
+  std::string text;
+  for (double error : row.least->errors) text += (text.empty() ? "" : ", ") + with_powers(shown_error(error));
+  return text + (ledger.unit == "1" ? "" : " " + escaped(ledger.unit));
+}
+
+std::vector<std::string> least_row(const LeastModel& row, const Ledger& ledger) {
+  if (!row.least) return {escaped(row.says), "*none here*", "", "", "", ""};
+  return {escaped(row.says),
+          escaped(row.least->model),
+          escaped(row.least->algorithm),
+          with_powers(escaped(shown_setting(*row.least, row.need))),
+          error_of(row, ledger),
+          rounded(row.least->evaluations_per_frame, 3)};
+}
+
+/// "up to 0.21", "from 109 on", "between 3 and 4".
+std::string interval_text(const Interval& enough, const BreakEven& b) {
+  const bool from_start = enough.from == b.looked.from, to_end = enough.to == b.looked.to;
+  if (from_start) return "up to " + with_unit(rounded(enough.to, 3), b.parameter_unit);
+  if (to_end) return "from " + with_unit(rounded(enough.from, 3), b.parameter_unit) + " on";
+  return "between " + rounded(enough.from, 4) + " and " + with_unit(rounded(enough.to, 4), b.parameter_unit);
+}
+
+/// What speaks against the ends that were found: the model's errors there by the reference.
+std::string reservations(const BreakEven& b) {
+  constexpr double roundings = 0.02;  // of an end that is known to one in a thousand
+  std::string text;
+  const auto disagree = [&](const char* side, double error) {
+    text += " The reference disagrees: where the model " + std::string(side) + ", its error is " +
+            rounded(error, 3) + " of what is allowed.";
+  };
+  long missing = 0;
+  for (double error : b.holding) {
+    missing += std::isnan(error);
+    if (error > 1 + roundings) disagree("should hold", error);
+  }
+  for (double error : b.failing) {
+    missing += std::isnan(error);
+    if (error < 1 - roundings) disagree("should fail", error);
+  }
+  if (missing > 0) text += " The reference takes too long to be made at these ends.";
+  return text;
+}
+
+std::string break_even_text(const BreakEven& b) {
+  std::string where;
+  for (std::size_t i = 0; i < b.enough.size(); ++i)
+    where += (i == 0 ? " " : i + 1 == b.enough.size() ? " and " : ", ") + interval_text(b.enough[i], b);
+  return "- *" + escaped(b.model) + "* is enough for " + code(b.parameter) + where + " (of " +
+         rounded(b.looked.from, 3) + " to " + with_unit(rounded(b.looked.to, 3), b.parameter_unit) +
+         ", which was searched)." + reservations(b) + "\n";
+}
+
+std::string never_text(const std::vector<std::string>& models) {
+  std::string names;
+  for (const std::string& model : models) names += (names.empty() ? "*" : ", *") + escaped(model) + "*";
+  return models.empty() ? "" : "- Enough nowhere in the ranges searched: " + names + ".\n";
+}
+
+std::string section(const ExerciseResult& e) {
+  const Ledger& ledger = *e.ledger;
+  std::vector<std::vector<std::string>> rows;
+  for (const LeastModel& row : ledger.least) rows.push_back(least_row(row, ledger));
+  std::string text =
+      "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" +
+      table({"for", "model", "algorithm", "setting", "error", "evaluations per frame"}, rows, "5");
+  for (const BreakEven& b : ledger.break_evens) text += break_even_text(b);
+  return text + never_text(ledger.never) + "\n";
+}
+
+}  // namespace
+
+std::string ledger_page(const Results& results) {
+  std::string text =
+      R"(# The cheapest sufficient model
+
+For each scene, the first of its models, from the simplest on, that holds at every frame over 10 s at 60 frames per second (over 10 years, where the scene's time is in years): to one centimetre and one degree, which is what a game asks, and to ten digits. Among the model's algorithms the one with the least counted work is shown; `oddity choose` adds times on your machine, starts of your own and a margin. The lines below each table say for which values of a parameter a model is enough for the game when it is solved exactly, of the parameter that makes the scene hard and of those of the start, from a sixteenth of their value to four times it. Each border is known to one in a thousand, with the truest model in place of the truth; the error on both of its sides by the reference stands in the results file.
+
+)";
+  for (const ExerciseResult& e : results.exercises)
+    if (e.ledger) text += section(e);
+  return text + "[All chapters](README.md)\n";
+}
+
+}  // namespace oddity

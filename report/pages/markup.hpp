@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/study/results.hpp"
+
+/// Pieces of Markdown that the pages share.
+namespace oddity {
+
+/// Text for a table cell or a paragraph, in one line: what Markdown would take for markup is escaped, except
+/// $formulas$ and `code`. A formula is written as $`...`$, as Markdown would take away some of its
+/// backslashes.
+std::string escaped(const std::string& text, bool in_cell = true);
+/// The same for a paragraph of ours, in which *emphasis* is meant.
+std::string prose(const std::string& text);
+std::string code(const std::string& text);
+/// A name that is safe in a path and in a link: what is no letter, digit, dot or dash becomes an underscore.
+std::string file_name(const std::string& text);
+/// Powers of ten as readers write them, which also do not break over a line's end: "4.4×10⁻¹⁶".
+std::string with_powers(const std::string& text);
+
+std::string error_cell(double error);
+std::string knob_cell(const TimedTrial& t);
+std::string value_cell(const Value& value, int digits);
+
+/// Cells are in one line, and no bar in them ends them. A column whose place (from 0) is among the digits of
+/// `right` holds numbers and is set to the right.
+std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows,
+                  const std::string& right = "");
+
+}  // namespace oddity

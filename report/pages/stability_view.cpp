@@ -1,0 +1,328 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "reference/text.hpp"
+#include "report/pages/markup.hpp"
+#include "report/pages/text_view.hpp"
+#include "report/study/stability.hpp"
+
+namespace oddity {
+
+namespace {
+
+std::string shown_theory(const Limit& l) {
+  return std::isinf(l.theory()) ? "every step" : l.theory() == 0 ? "none" : rounded(l.theory(), 3);
+}
+
+std::string in_unit(const std::string& value, const std::string& unit) {
+  return unit.empty() || unit == "1" ? value : value + " " + unit;
+}
+
+std::string quantity_line(const ExerciseResult& e) {
+  const Stability& s = *e.stability;
+  return code(s.quantity) + " over " + rounded(s.horizon, 4) + " " + escaped(s.time_unit) + "; needed to " +
+         escaped(in_unit(rounded(s.close, 3), s.unit));
+}
+
+std::vector<std::string> header(const Stability& s) {
+  const std::string unit = " [" + s.time_unit + "]";
+  return {
+      "model",       "algorithm",        "stable to" + unit,     "theory" + unit, "unstable in theory" + unit,
+      "error there", "needed to" + unit, "how it breaks beyond", "cure there"};
+}
+
+std::string error_of(const std::optional<TimedTrial>& t, const std::string& unit) {
+  return t ? in_unit(shown_error(t->error), unit) : "-";
+}
+
+std::vector<std::string> limit_cells(const Stability& s, const Limit& l) {
+  return {l.model,
+          l.algorithm,
+          shown_step(l),
+          shown_theory(l),
+          shown_tongues(l),
+          error_of(l.at, s.unit),
+          l.within ? rounded(l.within->setting, 3) : "none found",
+          how_it_breaks(l, s),
+          shown_cure(l, s.unit)};
+}
+
+/// The limits in columns, each model named above its own.
+std::string limits_text(const Stability& s) {
+  const auto names = header(s);
+  std::vector<std::vector<std::string>> rows{{names.begin() + 1, names.end()}};
+  const std::string* model = nullptr;
+  for (const Limit& l : s.limits) {
+    if (!model || *model != l.model) rows.push_back({l.model + ":"});
+    model = &l.model;
+    const auto cells = limit_cells(s, l);
+    rows.emplace_back(cells.begin() + 1, cells.end());
+    rows.back().front().insert(0, "  ");
+  }
+  return aligned(rows);
+}
+
+/// Reasons why theory and measurement differ, the same ones together.
+std::vector<std::pair<std::string, std::string>> reasons(const Stability& s) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const Limit& l : s.limits) {
+    if (l.why.empty()) continue;
+    const std::string name =
+        l.model + ", " + l.algorithm + (l.evidence.empty() ? "" : " (" + l.evidence + ")");
+    const auto same = std::ranges::find(all, l.why, &std::pair<std::string, std::string>::first);
+    if (same == all.end())
+      all.emplace_back(l.why, name);
+    else
+      same->second += "; " + name;
+  }
+  return all;
+}
+
+/// "0.0481 to 0.0641".
+std::string shown_soft(const Between& soft) {
+  return rounded(soft.least, 3) + " to " + rounded(soft.most, 3);
+}
+
+/// Which limits have no sharp value, and which hold for the time shown only; one sentence each.
+std::vector<std::string> reservations(const Stability& s) {
+  std::vector<std::string> all;
+  for (const Limit& l : s.limits) {
+    const std::string name = l.model + ", " + l.algorithm + ": ", unit = " " + s.time_unit;
+    if (l.soft)
+      all.push_back(name + "no sharp limit" +
+                    (l.unstable > 0 ? ", at " + rounded(l.unstable, 3) + unit + " it is lost after " +
+                                          rounded(l.lost, 2) + unit
+                                    : "") +
+                    "; for other observers it is " + shown_soft(*l.soft) + unit);
+    if (!l.goes_on && !std::isinf(l.step()))
+      all.push_back(name + "the motion does not go on alike; it is watched for the " + rounded(l.watched, 3) +
+                    unit + " shown, and the limit is of that time");
+  }
+  return all;
+}
+
+/// The letters with a bar where theory's limit is: "XXd|ddiioooo".
+std::string letters_and_theory(const MapRow& row, const std::vector<double>& steps) {
+  std::string text = letters(row);
+  if (std::isinf(row.theory)) return "|" + text;
+  const auto above = std::ranges::count_if(steps, [&](double step) { return step > row.theory; });
+  return text.insert(static_cast<std::size_t>(above), "|");
+}
+
+std::string map_text(const Stability& s) {
+  std::string text = "\nmap: each letter a step, " + rounded(s.steps.front(), 3) + " " + s.time_unit +
+                     " and its halves to " + rounded(s.steps.back(), 3) + " " + s.time_unit +
+                     "; the bar is theory's limit\n ";
+  for (Outcome outcome : outcomes_of_a_map)
+    text += " " + std::string(1, letter_of(outcome)) + " " + std::string(name_of(outcome));
+  std::vector<std::vector<std::string>> rows{
+      {"model", "algorithm", s.parameter, "steps from coarse to fine"}};
+  const MapRow* last = nullptr;
+  for (const MapRow& row : s.map) {
+    const bool first = !last || last->model != row.model || last->algorithm != row.algorithm;
+    last = &row;
+    rows.push_back({first ? row.model : "", first ? row.algorithm : "",
+                    in_unit(rounded(row.value, 4), s.parameter_unit), letters_and_theory(row, s.steps)});
+  }
+  return text + "\n" + aligned(rows);
+}
+
+/// A cell of a CSV file, quoted where it has to be.
+std::string cell(const std::string& text) {
+  return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
+}
+
+std::string step_cell(double step) { return rounded(step, 3); }
+
+std::string stability_of_scene(const ExerciseResult& e) {
+  const Stability& s = *e.stability;
+  std::string text =
+      "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" + quantity_line(e) + ".\n\n";
+  std::vector<std::vector<std::string>> rows;
+  for (const Limit& l : s.limits) {
+    std::vector<std::string> cells;
+    for (const std::string& text_of_cell : limit_cells(s, l))
+      cells.push_back(with_powers(escaped(text_of_cell)));
+    rows.push_back(std::move(cells));
+  }
+  std::vector<std::string> columns;
+  for (const std::string& name : header(s)) columns.push_back(escaped(name));
+  text += table(columns, rows, "2345");
+  if (const auto why = reasons(s); !why.empty()) {
+    text += "Where theory and measurement differ by more than a quarter:\n\n";
+    for (const auto& [reason, names] : why)
+      text += "- " + escaped(names, false) + ": " + escaped(reason, false) + ".\n";
+    text += "\n";
+  }
+  if (const auto reserved = reservations(s); !reserved.empty()) {
+    text += "Limits that depend on how long is watched:\n\n";
+    for (const std::string& line : reserved) text += "- " + escaped(line, false) + ".\n";
+    text += "\n";
+  }
+  for (const QuantityResult& q : e.quantities)
+    if (q.name == s.quantity)
+      for (const BreakdownResult& b : q.breakdowns) text += prose(b.says) + "\n\n";
+  return text + "![outcome over step and " + escaped(s.parameter, false) + "](" + map_file(e) + ")\n\n";
+}
+
+/// How many limits differ from theory's, and for how many of them a reason was computed.
+std::string differences(const Results& results) {
+  long all = 0, slow = 0, differ = 0, open = 0;
+  for (const ExerciseResult& e : results.exercises)
+    if (e.stability)
+      for (const Limit& l : e.stability->limits) {
+        ++all;
+        slow += l.soft ? 1 : 0;
+        differ += l.soft || l.why.empty() ? 0 : 1;
+        open += l.why == not_explained ? 1 : 0;
+      }
+  return "Of " + std::to_string(all) + " limits " + std::to_string(slow) + " are not sharp; of the others " +
+         std::to_string(differ) + " differ from theory by more than a quarter, and " + std::to_string(open) +
+         " of these are not explained by anything that is computed here.\n\n";
+}
+
+}  // namespace
+
+char letter_of(Outcome outcome) {
+  constexpr std::string_view letters_in_order = "oidXNSER";
+  return letters_in_order[static_cast<std::size_t>(std::ranges::find(outcomes_of_a_map, outcome) -
+                                                   outcomes_of_a_map.begin())];
+}
+
+std::string letters(const MapRow& row) {
+  std::string text;
+  for (Outcome outcome : row.outcomes) text += letter_of(outcome);
+  return text;
+}
+
+std::string shown_step(const Limit& l) {
+  if (std::isinf(l.step())) return "every step";
+  if (l.stable == 0) return "none";
+  return (l.unstable > 0 ? "" : "at least ") + rounded(l.stable, 3) + (l.soft ? ", not sharp" : "");
+}
+
+std::string shown_tongues(const Limit& l) {
+  std::string text;
+  for (const ode::Tongue& t : l.tongues) {
+    if (!text.empty()) text += ", ";
+    const std::string from = t.from == 0 ? "" : rounded(t.from, 3);
+    if (std::isinf(t.to))
+      text += t.from == 0 ? "every step" : "from " + from;
+    else
+      text += t.from == 0 ? "to " + rounded(t.to, 3) : from + " to " + rounded(t.to, 3);
+  }
+  return text.empty() ? "no step" : text;
+}
+
+std::string beyond(const Limit& l) { return l.broken ? std::string(name_of(l.broken->outcome)) : "stable"; }
+
+std::string how_it_breaks(const Limit& l, const Stability& s) {
+  if (!l.broken) return "";
+  const TimedTrial& t = *l.broken;
+  const std::string unit = " " + s.time_unit;
+  return "at " + rounded(l.unstable, 3) + unit + " neighbouring motions have parted after " +
+         rounded(l.lost, 2) + unit + "; the motion at " + rounded(t.setting, 3) + unit + ": " + beyond(l) +
+         ", " + (t.message.empty() ? "error " + in_unit(shown_error(t.error), s.unit) : t.message);
+}
+
+std::string shown_cure(const Limit& l, const std::string& unit) {
+  if (!l.cure) return l.broken ? "none found" : "";
+  const TimedTrial& t = *l.cure;
+  return (t.model == l.model ? "" : t.model + ", ") + t.algorithm +
+         (t.setting == l.broken->setting ? "" : ", " + shown_knob(t)) + ": error " +
+         in_unit(shown_error(t.error), unit) + ", " + std::to_string(t.evaluations) + " evaluations";
+}
+
+double agreement(const Limit& l) {
+  const double theory = l.theory();
+  if (l.unstable == 0 && theory > l.longest) return 1;
+  if (theory == 0 || l.stable == 0)
+    return theory == l.stable ? 1 : l.stable == 0 ? 0 : std::numeric_limits<double>::infinity();
+  return l.stable / theory;
+}
+
+std::string stability_text(const ExerciseResult& e) {
+  const Stability& s = *e.stability;
+  std::string text = "Exercise " + to_string(e.number) + ": " + e.title + "\n" + s.quantity + " over " +
+                     rounded(s.horizon, 4) + " " + s.time_unit + "; needed to " +
+                     in_unit(rounded(s.close, 3), s.unit) + "\n\n";
+  text += limits_text(s);
+  for (const auto& [reason, names] : reasons(s)) text += "\n  " + names + ": " + reason + "\n";
+  for (const std::string& line : reservations(s)) text += "\n  " + line + "\n";
+  return text + map_text(s);
+}
+
+std::string limit_row(const ExerciseResult& e, const Limit& l) {
+  return to_string(e.number) + "," + cell(l.model) + "," + cell(l.algorithm) + "," + step_cell(l.step()) +
+         "," + step_cell(l.theory()) + "," + cell(shown_tongues(l)) + "," +
+         (l.goes_on || std::isinf(l.step()) ? "" : step_cell(l.watched)) + "," +
+         (l.soft ? shown_soft(*l.soft) : "") + "," + (l.at ? rounded(l.at->error, 2) : "") + "," +
+         (l.within ? step_cell(l.within->setting) : "") + "," + beyond(l) + "," + cell(l.why) + "\n";
+}
+
+std::string limit_rows(const Results& results) {
+  std::string rows;
+  for (const ExerciseResult& e : results.exercises)
+    if (e.stability)
+      for (const Limit& l : e.stability->limits) rows += limit_row(e, l);
+  return rows;
+}
+
+std::string map_row(const ExerciseResult& e, const MapRow& row) {
+  return to_string(e.number) + "," + cell(row.model) + "," + cell(row.algorithm) + "," + shortest(row.value) +
+         "," + letters(row) + "\n";
+}
+
+std::string map_rows(const Results& results) {
+  std::string rows;
+  for (const ExerciseResult& e : results.exercises)
+    if (e.stability)
+      for (const MapRow& row : e.stability->map) rows += map_row(e, row);
+  return rows;
+}
+
+std::string stability_page(const Results& results) {
+  std::string text =
+      "# Up to which step methods are stable\n\n"
+      "A method is stable at a step when a small disturbance of the motion does not grow in it, or, where it "
+      "grows in truth, grows at most twice as fast. *Stable to* is the step at which this is first lost when "
+      "the step is made longer and longer. It says nothing about accuracy, which has two columns of its own: "
+      "the error at that step, and the largest step that keeps the error within what the scene needs.\n\n"
+      "The limit is measured with the method itself, from two starts that differ by a millionth of the "
+      "motion's size. Stability is lost when the two have parted a hundred times the square of what true "
+      "motions part, or when the motion has become twice too large. They are watched for 1000 radians of "
+      "the fastest mode, or, where the motion does not go on alike, for the time shown; so a sharp limit "
+      "depends neither on the horizon of a motion that goes on nor on a conserved quantity. In a chaotic "
+      "motion true neighbours part as well, and only what goes beyond them counts. A limit is *not sharp* "
+      "where other observers have it elsewhere by more than 5 %: some watch half or twice as long, for some "
+      "a "
+      "motion is too large from 1.5 or only from 4 times the true size on. Such a motion drifts, damps or "
+      "swells slowly, or swells to a size at which it stays. Below each table these limits are listed with "
+      "the time after which they are lost and with what the observers find, and "
+      "so are those of motions that do not go on alike.\n\n*None*: not even a step of 0.02 over "
+      "the fastest frequency is stable, to a factor of two; the time after which neighbouring motions have "
+      "parted tells how soon that matters. On an undamped oscillation, such as a pendulum, explicit Euler is "
+      "unconditionally unstable: disturbances grow in it at the rate $h\\omega^2/2$, however short the step "
+      "$h$. *Every step* is stated only where theory has no unstable step at any point of the motion, "
+      "however "
+      "long, and none that was tried is unstable; *at least* "
+      "names the longest step tried.\n\n"
+      "*Theory* takes the eigenvalues of the Jacobian at 65 points of the motion and the method's growth "
+      "factor at each; it lists all the steps at which a disturbance grows, if only at one of the points, by "
+      "more than tenfold in 366 turns of its own. The motion beyond is run at the next step that divides the "
+      "interval between two looks at it; the cure is the cheapest method that is within the need at that "
+      "step, or, where there is none, the cheapest with step control. The maps show how each method ends "
+      "over "
+      "the step and over the parameter that makes the scene hard.\n\n";
+  text += differences(results);
+  for (const ExerciseResult& e : results.exercises)
+    if (e.stability) text += stability_of_scene(e);
+  return text + "[All chapters](README.md)\n";
+}
+
+std::string map_file(const ExerciseResult& e) { return "charts/" + to_string(e.number) + "_stability.svg"; }
+
+}  // namespace oddity

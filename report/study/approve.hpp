@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/study/results.hpp"
+
+/// What is on record in verdicts.csv, limits.csv and stability_maps.csv, brought to agree with a run.
+namespace oddity {
+
+/// A file as it would be, and the rows by which that differs from what it is.
+struct Approval {
+  std::filesystem::path file;
+  std::string text;
+  std::vector<std::string> added, removed;
+};
+
+/// One for each of the three files that would change. The rows of the run's exercises are replaced, all
+/// others stay; exercises are in the order of their numbers. An exercise that raised, or a quantity of which
+/// has no reference, keeps its rows; an unsettled claim gets none. Throws BadInput when a file cannot be
+/// read.
+std::vector<Approval> approvals(const Results&, const std::filesystem::path& folder);
+
+/// "+ row" for each row added and "- row" for each row removed, under the name of their file.
+std::string text_of(const std::vector<Approval>&);
+
+}  // namespace oddity

@@ -1,0 +1,391 @@
+#include "report/study/choose.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <ranges>
+#include <utility>
+
+#include "chapters/scene.hpp"
+#include "reference/bad_input.hpp"
+#include "reference/text.hpp"
+#include "report/study/parallel.hpp"
+#include "report/study/time.hpp"
+#include "solvers/ode/catalog.hpp"
+
+namespace oddity {
+
+namespace {
+
+constexpr int seen_beside = 2, unseen_starts = 3, rounds = 4;
+/// Costs that differ by no more are the same to an engineer, and to the clock of another machine.
+constexpr double near_tie = 1.25;
+
+/// Ends what it is asked in between when the time is over.
+class Deadline {
+ public:
+  explicit Deadline(double seconds) : seconds_(seconds) {}
+  void check() const {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    if (passed.count() > seconds_)
+      throw OutOfTime("no answer within the time limit of " + shortest(seconds_) +
+                      " s: ask for a shorter horizon, a lower frame rate or fewer methods (--only)");
+  }
+
+ private:
+  double seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// How simple an algorithm is: its place in the catalog, which goes from the plainest on; before all of them
+/// what is none of it, a closed form.
+std::size_t simplicity(std::string_view algorithm) {
+  const auto all = ode::catalog();
+  const auto found = std::ranges::find(all, algorithm, &ode::CatalogEntry::name);
+  return found == all.end() ? 0 : 1 + static_cast<std::size_t>(found - all.begin());
+}
+
+bool is_multistep(std::string_view algorithm) {
+  return algorithm.starts_with("Adams-") || algorithm.starts_with("ms") || algorithm.starts_with("CVODE");
+}
+
+bool is_simple(const Tried& t) {
+  return (t.knob.empty() || t.knob == "step") && !is_multistep(t.algorithm) &&
+         !t.algorithm.starts_with("linearly implicit");
+}
+
+bool named_by(const std::vector<std::string>& words, const Method& method) {
+  return std::ranges::any_of(words, [&](const std::string& word) {
+    return method.model.find(word) != std::string::npos || method.algorithm.find(word) != std::string::npos;
+  });
+}
+
+bool wanted(const Need& need, const Method& method) {
+  if (!need.only.empty() && !named_by(need.only, method)) return false;
+  return !named_by(need.exclude, method) && !(need.one_step && is_multistep(method.algorithm));
+}
+
+/// Everything tried, and the search through a method's settings.
+class Search {
+ public:
+  Search(const Task& task, const Need& need, const Reference& truth, const Price& price,
+         const Progress& progress)
+      : need_(need),
+        price_(price),
+        progress_(progress),
+        deadline_(need.time_limit),
+        motions_(progress, "making the true motions", 1 + seen_beside),
+        truth_(truth.watched([this] {
+          deadline_.check();
+          motions_.beat();
+        })),
+        starts_(task, need, truth_),
+        seen_{starts_.asked()} {
+    seen_.reserve(1 + seen_beside + rounds * unseen_starts);  // methods_ points into the first
+    motions_.add();
+    std::ranges::move(starts_.beside(seen_beside), std::back_inserter(seen_));
+    for (const Method& method : seen_.front().motion.methods)
+      if (wanted(need, method) && can_be_judged(method)) methods_.push_back(&method);
+    if (methods_.empty()) throw BadInput("no method is left; this scene has " + names());
+    if (need.criterion == Criterion::constraint && std::ranges::none_of(methods_, is_constrained))
+      throw BadInput("no model " + std::string(need.only.empty() && need.exclude.empty() ? "here" : "left") +
+                     " has a constraint to be off: all coordinates are free, or hold it by construction");
+  }
+
+  Choice choose() {
+    try_all("trying the methods", [](const Method&) { return 0.0; });
+    std::vector<Start> unseen;
+    std::optional<Tried> chosen;
+    bool by_objective = true;
+    for (int round = 0; round < rounds; ++round) {
+      measure();
+      by_objective = true;
+      if (!(chosen = pick(true))) by_objective = false, chosen = pick(false);
+      if (!chosen) break;
+      unseen = starts_.beside(unseen_starts);
+      const Tried test = oddity::attempt(unseen, method(*chosen), chosen->setting, need_);
+      chosen->unseen_error = test.error;
+      if (test.holds() && !unseen.empty()) break;
+      std::ranges::move(unseen, std::back_inserter(seen_));
+      try_again();
+      chosen.reset();
+    }
+    return summary(chosen, by_objective, unseen);
+  }
+
+ private:
+  const Method& method(const Tried& tried) const {
+    return *method_of(seen_.front().motion, tried.model, tried.algorithm);
+  }
+
+  std::string names() const {
+    std::string all;
+    for (const Method& m : seen_.front().motion.methods)
+      all += (all.empty() ? "" : "; ") + m.model + " by " + m.algorithm;
+    return all;
+  }
+
+  static bool is_constrained(const Method* m) { return static_cast<bool>(m->off_constraint); }
+
+  /// By its energy only what has something conserved that was watched: some of it is lost at the coarsest
+  /// setting.
+  bool can_be_judged(const Method& m) const {
+    return need_.criterion != Criterion::energy ||
+           run(seen_.front().motion, m, settings(m, need_).front()).answer.drift != 0;
+  }
+
+  /// Every method from the setting from(method) on, in parallel, each on to the first that holds with the
+  /// margin.
+  template <class From>
+  void try_all(const std::string& stage, const From& from) {
+    Tally tally(progress_, stage, methods_.size());
+    std::vector<std::vector<Tried>> tried(methods_.size());
+    in_parallel(methods_.size(), [&](std::size_t m) {
+      const double first = from(*methods_[m]);
+      bool reached = first == 0;
+      for (double setting : settings(*methods_[m], need_)) {
+        reached = reached || setting == first;
+        if (!reached) continue;
+        deadline_.check();
+        tried[m].push_back(oddity::attempt(seen_, *methods_[m], setting, need_));
+        if (holds_with_margin(tried[m].back()) || hopeless(tried[m].back())) break;
+      }
+      tally.add();
+    });
+    for (auto& of_one : tried) std::ranges::move(of_one, std::back_inserter(all_));
+  }
+
+  bool holds_with_margin(const Tried& t) const { return t.holds() && t.error <= 1 / need_.margin(); }
+
+  /// The settings that held, on the starts as they are now; a method whose setting fails goes on to finer
+  /// ones.
+  void try_again() {
+    const std::vector<Tried> before = std::exchange(all_, {});
+    try_all("trying them on more starts", [&](const Method& m) {
+      for (const Tried& tried : before)
+        if (tried.holds() && same(tried, m)) return tried.setting;
+      return 0.0;
+    });
+  }
+
+  static bool same(const Tried& tried, const Method& method) {
+    return tried.model == method.model && tried.algorithm == method.algorithm;
+  }
+
+  /// What a method was tried at that is worth knowing.
+  struct Found {
+    Tried *first = nullptr, *with_margin = nullptr;  ///< the coarsest settings that hold
+    Tried* before = nullptr;                         ///< the one before the first
+    Tried* best = nullptr;                           ///< the least error of those that came to an end
+    Tried* representative() const { return with_margin ? with_margin : first ? first : best; }
+  };
+
+  Found found(const Method& m) {
+    Found found;
+    Tried* last = nullptr;
+    for (Tried& t : all_) {
+      if (!same(t, m)) continue;
+      if (t.holds() && !found.first) found.first = &t, found.before = last;
+      if (holds_with_margin(t) && !found.with_margin) found.with_margin = &t;
+      if (came_to_an_end(t) && (!found.best || t.error < found.best->error)) found.best = &t;
+      last = came_to_an_end(t) ? &t : nullptr;
+    }
+    return found;
+  }
+
+  /// What may be chosen, and what may stand beside it.
+  std::vector<Tried*> to_be_timed() {
+    std::vector<Tried*> wanted;
+    for (const Method* m : methods_) {
+      const Found f = found(*m);
+      for (Tried* t : {f.representative(), f.first, f.before})
+        if (t && std::ranges::find(wanted, t) == wanted.end()) wanted.push_back(t);
+    }
+    return wanted;
+  }
+
+  void measure() {
+    const std::vector<Tried*> wanted = to_be_timed();
+    Tally tally(progress_, "timing them", wanted.size());
+    for (Tried* tried : wanted) {
+      deadline_.check();
+      const Time time = price_(method(*tried), tried->setting);
+      tried->seconds_per_frame = time.seconds / need_.frames();
+      tried->spread = std::isfinite(time.spread) ? time.spread / need_.frames() : 0;
+      tally.add();
+    }
+  }
+
+  /// What broke off has no cost to compare.
+  static bool came_to_an_end(const Tried& tried) {
+    return tried.outcome != Outcome::non_finite && tried.outcome != Outcome::stalled &&
+           tried.outcome != Outcome::raised;
+  }
+
+  bool eligible(const Tried& t, bool by_objective) const {
+    if (!t.holds() || !(t.seconds_per_frame <= need_.budget)) return false;
+    return !by_objective || need_.objective == Objective::cheapest || (is_simple(t) && holds_with_margin(t));
+  }
+
+  static bool ties_with(const Tried& t, const Tried& fastest) {
+    return t.seconds_per_frame <= near_tie * fastest.seconds_per_frame ||
+           t.seconds_per_frame - t.spread <= fastest.seconds_per_frame + fastest.spread;
+  }
+
+  static bool same_cost(const Tried& t, const Tried& other) {
+    return ties_with(t, other) && ties_with(other, t);
+  }
+
+  /// The cheapest; of near ties the more accurate, and of those as accurate within a tenth the simpler.
+  std::optional<Tried> pick(bool by_objective) {
+    ties_.clear();
+    const auto fastest = least(all_, [&](const Tried& t) { return eligible(t, by_objective); });
+    if (!fastest) return {};
+    for (const Tried& t : all_)
+      if (eligible(t, by_objective) && ties_with(t, *fastest)) ties_.push_back(t);
+    const double error = std::ranges::min_element(ties_, {}, &Tried::error)->error;
+    const auto best = std::ranges::min_element(ties_, {}, [&](const Tried& t) {
+      return std::tuple(t.error > 1.1 * error, !is_simple(t), simplicity(t.algorithm), t.error);
+    });
+    const Tried chosen = *best;
+    ties_.erase(best);
+    return chosen;
+  }
+
+  template <class Range, class Predicate>
+  static std::optional<Tried> least(const Range& range, const Predicate& predicate) {
+    std::optional<Tried> best;
+    for (const Tried& tried : range)
+      if (predicate(tried) && (!best || tried.seconds_per_frame < best->seconds_per_frame)) best = tried;
+    return best;
+  }
+
+  /// What comes nearest to a need that nothing meets: within the budget the smallest error, but what holds
+  /// and costs too much comes first.
+  std::optional<Tried> miss() const {
+    if (auto held = least(all_, [](const Tried& t) { return t.holds(); })) return held;
+    const auto nearest = std::ranges::min_element(all_, {}, &Tried::error);
+    return nearest == all_.end() ? std::nullopt : std::optional(*nearest);
+  }
+
+  /// Of the first model that an engine's step fits: semi-implicit Euler at 60, 120 and 240 Hz.
+  std::vector<Tried> engine() const {
+    std::vector<Tried> rows;
+    for (const Method& m : seen_.front().motion.methods) {
+      if (m.algorithm != "symplectic Euler") continue;
+      for (double rate : {60.0, 120.0, 240.0})
+        rows.push_back(oddity::attempt(
+            seen_, m, 1 / (need_.frames_per_second * std::ceil(rate / need_.frames_per_second)), need_));
+      break;
+    }
+    return rows;
+  }
+
+  /// What the first frame of a run costs beside the steady evaluations.
+  double restart(const Tried& chosen) const {
+    const Quantity one_frame = starts_.one_frame();
+    const Method* first = method_of(one_frame, chosen.model, chosen.algorithm);
+    if (!first) return 0;
+    return std::max(0.0, static_cast<double>(run(one_frame, *first, chosen.setting).answer.evaluations) -
+                             chosen.evaluations_per_frame);
+  }
+
+  /// Where a motion is chaotic, the time after which a start known to 1e-9 no longer tells the path to the
+  /// error asked for. Chaotic: in the second half of the horizon neighbours separate by more than a thousand
+  /// times, where those of a regular motion separate in proportion to the time.
+  std::optional<double> predictable() const {
+    constexpr double small = 1e-9, chaotic = 1000;
+    Quantity beside = starts_.disturbed(small);
+    const Method* best = nullptr;
+    for (const Method& m : beside.methods)
+      if (m.algorithm == "Fehlberg 7(8)") best = &m;
+    if (!best) return {};
+    const Trial there = run(beside, *best, 1e-13);
+    const Quantity& motion = seen_.front().motion;
+    if (there.answer.value.size() != motion.reference.value.size()) return {};
+    const std::size_t parts = motion.reference.value.size() / static_cast<std::size_t>(motion.samples);
+    double half = 0, whole = 0;
+    std::optional<double> lost;
+    for (int k = 0; k < motion.samples; ++k) {
+      for (std::size_t i = 0; i < parts; ++i) {
+        const std::size_t at = static_cast<std::size_t>(k) * parts + i;
+        whole = std::max(whole, std::abs(there.answer.value[at] - motion.reference.value[at]));
+      }
+      if (k < motion.samples / 2) half = whole;
+      if (!lost && whole > motion.need.allowed) lost = (k + 1) / need_.frames_per_second;
+    }
+    if (!(whole > chaotic * half)) return {};
+    return lost.value_or(std::numeric_limits<double>::infinity());
+  }
+
+  Choice summary(const std::optional<Tried>& chosen, bool by_objective, const std::vector<Start>& unseen) {
+    const Quantity& motion = seen_.front().motion;
+    Choice choice;
+    choice.need = need_;
+    choice.quantity = motion.name;
+    for (std::string_view unit : motion.units()) choice.units.emplace_back(unit);
+    choice.needs = motion.needs;
+    choice.chosen = chosen;
+    choice.by_objective = by_objective;
+    for (const Start& s : seen_) choice.seen.push_back(s.says);
+    for (const Start& s : unseen) choice.unseen.push_back(s.says);
+    for (const Method* m : methods_)
+      if (const Tried* t = found(*m).representative()) choice.tried.push_back(*t);
+    if (chosen)  // at another setting where its margin does not matter
+      for (Tried& t : choice.tried)
+        if (t.model == chosen->model && t.algorithm == chosen->algorithm) t = *chosen;
+    std::ranges::stable_sort(choice.tried, {}, [](const Tried& t) {
+      return std::isnan(t.seconds_per_frame) ? std::numeric_limits<double>::infinity() : t.seconds_per_frame;
+    });
+    choice.engine = engine();
+    choice.predictable = predictable();
+    if (!chosen) {
+      choice.nearest_miss = miss();
+      return choice;
+    }
+    choice.ties = ties_;
+    choice.restart = restart(*chosen);
+    for (const Tried& tried : all_)
+      if (!tried.holds() && came_to_an_end(tried) && tried.seconds_per_frame < chosen->seconds_per_frame &&
+          (!choice.next_cheaper || tried.seconds_per_frame > choice.next_cheaper->seconds_per_frame))
+        choice.next_cheaper = tried;
+    choice.next_richer = least(choice.tried, [&](const Tried& t) {
+      return t.holds() && t.model != chosen->model && t.seconds_per_frame > chosen->seconds_per_frame &&
+             !same_cost(t, *chosen);
+    });
+    return choice;
+  }
+
+  const Need& need_;
+  const Price& price_;
+  const Progress& progress_;
+  Deadline deadline_;
+  Tally motions_;
+  Reference truth_;
+  Starts starts_;
+  std::vector<Start> seen_;
+  std::vector<const Method*> methods_;
+  std::vector<Tried> all_, ties_;
+};
+
+}  // namespace
+
+Time measured_price(const Method& method, double setting) {
+  Time best = time(method, setting);
+  for (int more = 0; more < 2 && best.seconds < 0.01; ++more) {
+    const Time again = time(method, setting);
+    best = {std::min(best.seconds, again.seconds), std::min(best.spread, again.spread)};
+  }
+  return best;
+}
+
+Choice choose(const Task& task, const Need& need, const Reference& truth, const Price& price,
+              const Progress& progress) {
+  Choice choice = Search(task, need, truth, price, progress).choose();
+  choice.exercise = to_string(task.entry->number);
+  choice.time_unit = task.entry->exercise.scene->axes.time;
+  return choice;
+}
+
+}  // namespace oddity

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/study/tried.hpp"
+
+/// What to use for a scene: the model, algorithm and setting that hold for a need.
+namespace oddity {
+
+struct Choice {
+  Need need;
+  std::string exercise, quantity, time_unit;
+  std::vector<std::string> units;  ///< of the motion's errors
+  std::vector<double> needs;       ///< the error asked for in each of them
+  std::vector<Tried>
+      tried;  ///< every method at its cheapest setting that holds, or else at its best; by cost
+  std::optional<Tried> chosen;
+  bool by_objective =
+      true;  ///< false: nothing that the objective wants holds, and this is the cheapest that does
+  std::vector<Tried>
+      ties;  ///< what costs the same within a quarter, or within the spread, and was passed over
+  std::optional<Tried>
+      next_cheaper;  ///< the most expensive of those that are cheaper, come to an end and fail
+  std::optional<Tried> next_richer;   ///< the cheapest other model that holds
+  std::optional<Tried> nearest_miss;  ///< when nothing is chosen
+  std::vector<Tried> engine;          ///< semi-implicit Euler at 60, 120 and 240 Hz, as engines have it
+  double restart = 0;  ///< evaluations that a restart of the chosen one costs beside the steady ones
+  std::optional<double>
+      predictable;  ///< of a chaotic motion: until when a start known to 1e-9 tells the path
+  std::vector<std::string> seen, unseen;
+  std::string prices_are = {};  ///< where they come from
+
+  /// How many times better than asked the chosen one was on starts that it was not chosen on.
+  double margin() const { return 1 / chosen->unseen_error; }
+};
+
+/// What a method costs over the whole horizon [s].
+using Price = std::function<Time(const Method&, double setting)>;
+
+/// Measured on this machine: of three times over, the least disturbed.
+Time measured_price(const Method&, double setting);
+
+/// Chooses on the task's start and two beside it, tests on three others (the scene's `starts`, each up to a
+/// tenth off), and goes on, with fresh starts, while the test fails. Of near ties the more accurate is taken,
+/// of those the simpler. Throws BadInput when the exercise has no motion or the need makes no sense, and
+/// OutOfTime when the need's time limit is over.
+Choice choose(const Task&, const Need&, const Reference&, const Price& = measured_price,
+              const Progress& = {});
+
+/// What was asked, and the answer with its margin.
+std::string asked_text(const Choice&);
+std::string answer_text(const Choice&);
+/// The choice as a sentence and a table, for a terminal; the table's first rows, or all.
+std::string choice_text(const Choice&, bool all_rows);
+std::string choice_json(const Choice&);
+std::string choice_csv(const Choice&);
+
+}  // namespace oddity

@@ -1,0 +1,486 @@
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "reference/bad_input.hpp"
+#include "report/pages/markup.hpp"
+#include "report/study/results.hpp"
+
+namespace oddity {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int format = 3;
+
+void require(bool holds, const char* otherwise) {
+  if (!holds) throw std::runtime_error(otherwise);
+}
+
+template <class Enum, std::size_t N>
+Enum named(const Json& json, const std::array<Enum, N>& all) {
+  for (Enum value : all)
+    if (json == std::string(name_of(value))) return value;
+  throw std::runtime_error("unknown name " + json.dump());
+}
+
+constexpr std::array verdicts{Verdict::confirmed, Verdict::misprint, Verdict::erratum, Verdict::not_checkable,
+                              Verdict::unsettled};
+constexpr std::array faults{Fault::none,           Fault::number, Fault::formula, Fault::left_out,
+                            Fault::counterexample, Fault::term,   Fault::listing, Fault::lost_typography};
+constexpr std::array outcomes{Outcome::ok,         Outcome::inaccurate, Outcome::drifted,  Outcome::diverged,
+                              Outcome::non_finite, Outcome::stalled,    Outcome::deceived, Outcome::raised};
+
+/// JSON has no infinities and no NaN: they are null, and read as NaN.
+Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+double number(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+Json from(const Value& value) {
+  if (value.size() == 1) return from(value[0]);
+  Json json = Json::array();
+  for (double x : value) json.push_back(from(x));
+  return json;
+}
+Value value(const Json& json) {
+  if (!json.is_array()) return number(json);
+  std::vector<double> components;
+  for (const Json& x : json) components.push_back(number(x));
+  return components;
+}
+
+Json from(const Route& route) { return {{"by", route.by}, {"value", from(route.value)}}; }
+Route route(const Json& json) { return {json.at("by"), value(json.at("value"))}; }
+
+Json from(const Tolerance& t) { return {{"allowed", from(t.allowed)}, {"reason", t.reason}}; }
+Tolerance tolerance(const Json& json) { return {number(json.at("allowed")), json.at("reason")}; }
+
+Json from(const Check& c, const std::string& reading) {
+  return {{"reading", reading},
+          {"quantity", c.quantity},
+          {"left", from(c.left)},
+          {"right", from(c.right)},
+          {"difference", from(c.difference())},
+          {"tolerance", from(c.tolerance)},
+          {"scale", from(c.scale)},
+          {"where", c.where},
+          {"holds", c.holds()}};
+}
+Check check(const Json& json) {
+  return {json.at("quantity"),      route(json.at("left")),
+          route(json.at("right")),  tolerance(json.at("tolerance")),
+          number(json.at("scale")), json.at("where")};
+}
+
+/// The readings of a claim under their names; near misses are numbered.
+template <class C, class F>
+void for_each_reading(C& claim, const F& f) {
+  f("printed", claim.printed);
+  f("meant", claim.meant);
+  f("corrected", claim.corrected);
+  for (std::size_t i = 0; i < claim.near_misses.size(); ++i)
+    f("near miss " + std::to_string(i + 1), claim.near_misses[i]);
+}
+
+Json from(const JudgedClaim& judged) {
+  const Claim& claim = judged.claim;
+  Json readings = Json::object(), checks = Json::array();
+  for_each_reading(claim, [&](const std::string& name, const Reading& reading) {
+    if (reading.checks.empty()) return;
+    readings[name] = reading.text;
+    for (const Check& c : reading.checks) checks.push_back(from(c, name));
+  });
+  return {{"id", claim.id},
+          {"line", claim.line},
+          {"says", claim.says},
+          {"verdict", name_of(judged.verdict)},
+          {"why", claim.why},
+          {"not_checkable", claim.not_checkable},
+          {"kind", name_of(claim.kind)},
+          {"root", claim.root},
+          {"readings", readings},
+          {"checks", checks}};
+}
+JudgedClaim claim(const Json& json) {
+  JudgedClaim judged{{json.at("id"), json.at("line"), json.at("says")}, named(json.at("verdict"), verdicts)};
+  judged.claim.why = json.at("why");
+  judged.claim.not_checkable = json.at("not_checkable");
+  judged.claim.kind = named(json.at("kind"), faults);
+  judged.claim.root = json.at("root");
+  std::size_t near_misses = 0;
+  for (const auto& [name, text] : json.at("readings").items()) near_misses += name.starts_with("near miss");
+  judged.claim.near_misses.resize(near_misses);
+  for_each_reading(judged.claim, [&](const std::string& name, Reading& reading) {
+    if (!json.at("readings").contains(name)) return;
+    reading.text = json.at("readings").at(name);
+    for (const Json& c : json.at("checks"))
+      if (c.at("reading") == name) reading.checks.push_back(check(c));
+  });
+  return judged;
+}
+
+Json from(const TimedTrial& t) {
+  return {{"model", t.model},
+          {"algorithm", t.algorithm},
+          {"knob", t.knob.empty() ? Json(nullptr) : Json(t.setting)},
+          {"knob_name", t.knob},
+          {"value", from(t.value)},
+          {"error", from(t.error)},
+          {"final_error", from(t.final_error)},
+          {"error_estimate", from(t.error_estimate)},
+          {"drift", from(t.drift)},
+          {"evaluations", t.evaluations},
+          {"seconds", from(t.time.seconds)},
+          {"spread", from(t.time.spread)},
+          {"outcome", name_of(t.outcome)},
+          {"message", t.message}};
+}
+TimedTrial trial(const Json& json) {
+  TimedTrial t;
+  t.model = json.at("model");
+  t.algorithm = json.at("algorithm");
+  t.knob = json.at("knob_name");
+  t.setting = json.at("knob").is_null() ? 0 : number(json.at("knob"));
+  t.value = value(json.at("value"));
+  t.error = number(json.at("error"));
+  t.final_error = number(json.at("final_error"));
+  t.error_estimate = number(json.at("error_estimate"));
+  t.drift = number(json.at("drift"));
+  t.evaluations = json.at("evaluations");
+  t.time.seconds = number(json.at("seconds"));
+  t.time.spread = number(json.at("spread"));
+  t.outcome = named(json.at("outcome"), outcomes);
+  t.message = json.at("message");
+  return t;
+}
+
+Json from(const LeastModel& row) {
+  Json json{{"for", row.says},
+            {"error_asked", from(row.need.error)},
+            {"relative", row.need.relative},
+            {"horizon", from(row.need.horizon)},
+            {"frames_per_second", from(row.need.frames_per_second)}};
+  if (const auto& t = row.least)
+    json["least"] = {{"model", t->model},
+                     {"algorithm", t->algorithm},
+                     {"knob", t->knob},
+                     {"setting", from(t->setting)},
+                     {"error_in_needs", from(t->error)},
+                     {"errors", from(Value(t->errors))},
+                     {"evaluations_per_frame", from(t->evaluations_per_frame)}};
+  return json;
+}
+LeastModel least_model(const Json& json) {
+  LeastModel row{json.at("for"),
+                 {number(json.at("error_asked")), json.at("relative"), number(json.at("horizon")),
+                  number(json.at("frames_per_second"))},
+                 {}};
+  if (json.contains("least")) {
+    const Json& least = json.at("least");
+    row.least = Tried{least.at("model"), least.at("algorithm"), least.at("knob"), number(least.at("setting")),
+                      number(least.at("error_in_needs"))};
+    for (double error : value(least.at("errors"))) row.least->errors.push_back(error);
+    row.least->evaluations_per_frame = number(least.at("evaluations_per_frame"));
+  }
+  return row;
+}
+
+Json from(const Interval& interval) { return Json::array({from(interval.from), from(interval.to)}); }
+Interval interval(const Json& json) { return {number(json.at(0)), number(json.at(1))}; }
+
+std::vector<double> numbers(const Json& json) {
+  std::vector<double> all;
+  for (const Json& x : json) all.push_back(number(x));
+  return all;
+}
+
+Json from(const BreakEven& b) {
+  Json enough = Json::array();
+  for (const Interval& i : b.enough) enough.push_back(from(i));
+  return {{"model", b.model},
+          {"parameter", b.parameter},
+          {"parameter_unit", b.parameter_unit},
+          {"looked", from(b.looked)},
+          {"enough", enough},
+          {"holding", from(Value(b.holding))},
+          {"failing", from(Value(b.failing))}};
+}
+BreakEven break_even(const Json& json) {
+  BreakEven b{
+      json.at("model"), json.at("parameter"), json.at("parameter_unit"), interval(json.at("looked")), {}};
+  for (const Json& i : json.at("enough")) b.enough.push_back(interval(i));
+  b.holding = numbers(json.at("holding"));
+  b.failing = numbers(json.at("failing"));
+  return b;
+}
+
+Json from(const Ledger& ledger) {
+  Json least = Json::array(), break_evens = Json::array();
+  for (const LeastModel& row : ledger.least) least.push_back(from(row));
+  for (const BreakEven& b : ledger.break_evens) break_evens.push_back(from(b));
+  return {{"unit", ledger.unit}, {"least", least}, {"break_evens", break_evens}, {"never", ledger.never}};
+}
+Ledger ledger(const Json& json) {
+  Ledger ledger{json.at("unit"), {}, {}, json.at("never")};
+  for (const Json& row : json.at("least")) ledger.least.push_back(least_model(row));
+  for (const Json& b : json.at("break_evens")) ledger.break_evens.push_back(break_even(b));
+  return ledger;
+}
+
+Json from(const Trajectory& t) {
+  Json paths = Json::array();
+  for (const Path& p : t.paths)
+    paths.push_back({{"model", p.model},
+                     {"algorithm", p.algorithm},
+                     {"knob", p.knob},
+                     {"setting", from(p.setting)},
+                     {"error", from(p.error)},
+                     {"outcome", name_of(p.outcome)},
+                     {"value", from(p.value)}});
+  return {{"observables", t.observables},
+          {"time_unit", t.time_unit},
+          {"judged_at", from(Value(t.judged_at))},
+          {"times", from(Value(t.times))},
+          {"truest", t.truest},
+          {"close", from(t.close)},
+          {"paths", paths}};
+}
+Trajectory trajectory(const Json& json) {
+  const auto numbers = [](const Json& list) {
+    const Value all = value(list);
+    return std::vector<double>(all.begin(), all.end());
+  };
+  Trajectory t{json.at("observables"),
+               json.at("time_unit"),
+               numbers(json.at("judged_at")),
+               numbers(json.at("times")),
+               {},
+               json.at("truest"),
+               number(json.at("close"))};
+  for (const Json& p : json.at("paths"))
+    t.paths.push_back({p.at("model"), p.at("algorithm"), p.at("knob"), number(p.at("setting")),
+                       number(p.at("error")), named(p.at("outcome"), outcomes), value(p.at("value"))});
+  require(t.truest < t.paths.size(), "truest is none of the paths");
+  require(!t.judged_at.empty() && !t.times.empty() && t.times.size() % t.judged_at.size() == 0,
+          "a trajectory's times do not hold those where it is judged");
+  const std::size_t size = t.paths[t.truest].value.size();
+  require(size > 0 && size % t.times.size() == 0, "the truest path has not as many values at each time");
+  return t;
+}
+
+/// The trials of a quantity stand in one list; the methods say how many of them in turn are theirs.
+Json from(const QuantityResult& q) {
+  Json methods = Json::array(), trials = Json::array(), breakdowns = Json::array();
+  for (const MethodResult& m : q.methods) {
+    methods.push_back({{"model", m.model},
+                       {"algorithm", m.algorithm},
+                       {"expected", name_of(m.expected)},
+                       {"why", m.why},
+                       {"trials", m.trials.size()},
+                       {"as_expected", m.as_expected()}});
+    for (const TimedTrial& t : m.trials) trials.push_back(from(t));
+  }
+  for (const BreakdownResult& b : q.breakdowns)
+    breakdowns.push_back({{"says", b.says},
+                          {"expected", name_of(b.expected)},
+                          {"broken", from(b.broken)},
+                          {"cured", from(b.cured)},
+                          {"as_expected", b.as_expected()}});
+  return {{"name", q.name},
+          {"unit", q.unit},
+          {"says", q.says},
+          {"reference", from(q.reference.value)},
+          {"reference_source", q.reference.by},
+          {"reference_error", from(q.reference_error)},
+          {"need", from(q.need)},
+          {"samples", q.samples},
+          {"methods", methods},
+          {"trials", trials},
+          {"breakdowns", breakdowns},
+          {"trajectory", q.trajectory ? from(*q.trajectory) : Json(nullptr)}};
+}
+QuantityResult quantity(const Json& json) {
+  QuantityResult q{json.at("name"),
+                   json.at("unit"),
+                   json.at("says"),
+                   {json.at("reference_source"), value(json.at("reference"))},
+                   number(json.at("reference_error")),
+                   tolerance(json.at("need")),
+                   {},
+                   {}};
+  std::size_t next = 0;
+  for (const Json& m : json.at("methods")) {
+    MethodResult method{m.at("model"), m.at("algorithm"), named(m.at("expected"), outcomes), m.at("why"), {}};
+    for (std::size_t i = 0; i < m.at("trials"); ++i)
+      method.trials.push_back(trial(json.at("trials").at(next++)));
+    require(!method.trials.empty(), "a method has no trials");
+    q.methods.push_back(std::move(method));
+  }
+  for (const Json& b : json.at("breakdowns"))
+    q.breakdowns.push_back(
+        {b.at("says"), named(b.at("expected"), outcomes), trial(b.at("broken")), trial(b.at("cured"))});
+  q.samples = json.at("samples");
+  if (!json.at("trajectory").is_null()) q.trajectory = trajectory(json.at("trajectory"));
+  return q;
+}
+
+/// A step or a limit: infinity, "every step", is a word.
+Json from_limit(double x) { return std::isinf(x) ? Json("every") : from(x); }
+double limit_in(const Json& json) {
+  return json == "every" ? std::numeric_limits<double>::infinity() : number(json);
+}
+
+Json from(const std::vector<ode::Tongue>& tongues) {
+  Json all = Json::array();
+  for (const ode::Tongue& t : tongues) all.push_back({from(t.from), from_limit(t.to)});
+  return all;
+}
+std::vector<ode::Tongue> tongues(const Json& json) {
+  std::vector<ode::Tongue> all;
+  for (const Json& t : json) all.push_back({number(t.at(0)), limit_in(t.at(1))});
+  return all;
+}
+
+Json from(const std::optional<TimedTrial>& t) { return t ? from(*t) : Json(nullptr); }
+std::optional<TimedTrial> maybe_trial(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional(trial(json));
+}
+
+Json from(const Stability& s) {
+  Json limits = Json::array(), map = Json::array();
+  for (const Limit& l : s.limits)
+    limits.push_back({{"model", l.model},
+                      {"algorithm", l.algorithm},
+                      {"step", from_limit(l.step())},
+                      {"theory", from_limit(l.theory())},
+                      {"tongues", from(l.tongues)},
+                      {"stable", from(l.stable)},
+                      {"unstable", from(l.unstable)},
+                      {"longest", from(l.longest)},
+                      {"lost", from(l.lost)},
+                      {"watched", from(l.watched)},
+                      {"goes_on", l.goes_on},
+                      {"soft", l.soft ? Json{from(l.soft->least), from(l.soft->most)} : Json(nullptr)},
+                      {"at", from(l.at)},
+                      {"broken", from(l.broken)},
+                      {"within", from(l.within)},
+                      {"cure", from(l.cure)},
+                      {"why", l.why},
+                      {"evidence", l.evidence}});
+  for (const MapRow& row : s.map) {
+    Json ends = Json::array();
+    for (Outcome outcome : row.outcomes) ends.push_back(name_of(outcome));
+    map.push_back({{"model", row.model},
+                   {"algorithm", row.algorithm},
+                   {"value", from(row.value)},
+                   {"theory", from_limit(row.theory)},
+                   {"outcomes", ends}});
+  }
+  return {{"quantity", s.quantity},   {"unit", s.unit},
+          {"time_unit", s.time_unit}, {"horizon", from(s.horizon)},
+          {"close", from(s.close)},   {"limits", limits},
+          {"parameter", s.parameter}, {"parameter_unit", s.parameter_unit},
+          {"steps", s.steps},         {"map", map}};
+}
+std::optional<Between> maybe_between(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return Between{number(json.at(0)), number(json.at(1))};
+}
+Stability stability(const Json& json) {
+  Stability s{json.at("quantity"),      json.at("unit"),
+              json.at("time_unit"),     number(json.at("horizon")),
+              number(json.at("close")), {},
+              json.at("parameter"),     json.at("parameter_unit"),
+              json.at("steps"),         {}};
+  for (const Json& l : json.at("limits"))
+    s.limits.push_back({l.at("model"), l.at("algorithm"), tongues(l.at("tongues")), number(l.at("stable")),
+                        number(l.at("unstable")), number(l.at("longest")), number(l.at("lost")),
+                        number(l.at("watched")), l.at("goes_on"), maybe_between(l.at("soft")),
+                        maybe_trial(l.at("at")), maybe_trial(l.at("broken")), maybe_trial(l.at("within")),
+                        maybe_trial(l.at("cure")), l.at("why"), l.at("evidence")});
+  require(!s.steps.empty(), "a map has no steps");
+  for (const Json& r : json.at("map")) {
+    MapRow row{r.at("model"), r.at("algorithm"), number(r.at("value")), limit_in(r.at("theory")), {}};
+    for (const Json& outcome : r.at("outcomes")) row.outcomes.push_back(named(outcome, outcomes));
+    require(row.outcomes.size() == s.steps.size(), "a row of a map has not one outcome for each step");
+    s.map.push_back(std::move(row));
+  }
+  return s;
+}
+
+Json from(const ExerciseResult& e) {
+  Json parameters = Json::array(), claims = Json::array(), quantities = Json::array();
+  for (const ParameterValue& p : e.parameters)
+    parameters.push_back({{"name", p.name}, {"value", from(p.value)}, {"unit", p.unit}, {"says", p.says}});
+  for (const JudgedClaim& c : e.claims) claims.push_back(from(c));
+  for (const QuantityResult& q : e.quantities) quantities.push_back(from(q));
+  Json roots = Json::array();
+  for (const Root& root : e.roots) roots.push_back({{"name", root.name}, {"shows", root.shows}});
+  return {{"number", to_string(e.number)},
+          {"title", e.title},
+          {"asks", e.asks},
+          {"scene", e.scene},
+          {"parameters", parameters},
+          {"claims", claims},
+          {"roots", roots},
+          {"quantities", quantities},
+          {"failure", e.failure},
+          {"stability", e.stability ? from(*e.stability) : Json(nullptr)},
+          {"ledger", e.ledger ? from(*e.ledger) : Json(nullptr)}};
+}
+ExerciseResult exercise(const Json& json) {
+  const auto number_of = exercise_number(json.at("number").get<std::string>());
+  if (!number_of) throw std::runtime_error("not an exercise number: " + json.at("number").dump());
+  ExerciseResult e{*number_of, json.at("title"),  json.at("asks"), json.at("scene"), {}, {},
+                   {},         json.at("failure")};
+  for (const Json& p : json.at("parameters"))
+    e.parameters.push_back({p.at("name"), number(p.at("value")), p.at("unit"), p.at("says")});
+  for (const Json& c : json.at("claims")) e.claims.push_back(claim(c));
+  for (const Json& root : json.at("roots")) e.roots.push_back({root.at("name"), root.at("shows")});
+  std::set<std::string> files;
+  for (const Json& q : json.at("quantities")) {
+    e.quantities.push_back(quantity(q));
+    require(files.insert(file_name(e.quantities.back().name)).second, "two quantities have one name");
+  }
+  if (!json.at("stability").is_null()) e.stability = stability(json.at("stability"));
+  if (!json.at("ledger").is_null()) e.ledger = ledger(json.at("ledger"));
+  return e;
+}
+
+}  // namespace
+
+std::string to_json(const Results& results) {
+  Json exercises = Json::array();
+  for (const ExerciseResult& e : results.exercises) exercises.push_back(from(e));
+  // Bytes that are not UTF-8, such as a table may hold, are replaced.
+  return Json{{"format", format}, {"exercises", exercises}}.dump(1, ' ', false,
+                                                                 Json::error_handler_t::replace) +
+         "\n";
+}
+
+Results results_from_json(const std::string& text, const std::string& place) {
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("format") != format) throw std::runtime_error("written by another version of oddity");
+    Results results;
+    for (const Json& e : json.at("exercises")) results.exercises.push_back(exercise(e));
+    return results;
+  } catch (const std::exception& error) {
+    throw BadInput(place + ": not a results file: " + error.what());
+  }
+}
+
+Results read_results(const fs::path& file) {
+  std::ifstream in(file);
+  if (!in) throw BadInput("cannot read " + file.string());
+  std::ostringstream text;
+  text << in.rdbuf();
+  return results_from_json(text.str(), file.string());
+}
+
+}  // namespace oddity

@@ -1,0 +1,364 @@
+#include "report/study/ledger.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+
+#include "chapters/scene.hpp"
+#include "reference/bad_input.hpp"
+#include "reference/text.hpp"
+#include "report/study/parallel.hpp"
+#include "report/study/tried.hpp"
+
+namespace oddity {
+
+namespace {
+
+/// "1 cm", "1 degree", "1 cm, 1 degree".
+std::string game_in_words(const Quantity& motion) {
+  std::string words;
+  for (std::string_view unit : motion.units())
+    words += (words.empty() ? "" : ", ") + std::string(unit == "m"    ? "1 cm"
+                                                       : unit == "AU" ? "1 degree of the Earth's orbit"
+                                                                      : "1 degree");
+  return words;
+}
+
+Need game_need() {
+  Need need{degree};
+  need.errors = {{"m", centimeter}};
+  return need;
+}
+
+/// The models of a motion in the order of its ladder.
+std::vector<std::string> models_of(const Quantity& motion) {
+  std::vector<std::string> models;
+  for (const Method& method : motion.methods)
+    if (std::ranges::find(models, method.model) == models.end()) models.push_back(method.model);
+  return models;
+}
+
+/// The cheapest setting of any of the model's algorithms that holds, by counted work.
+std::optional<Tried> cheapest(const std::vector<Start>& start, const std::string& model, const Need& need) {
+  std::optional<Tried> best;
+  for (const Method& method : start.front().motion.methods) {
+    if (method.model != model) continue;
+    for (double setting : settings(method, need)) {
+      const Tried tried = attempt(start, method, setting, need);
+      if (tried.holds() && (!best || tried.evaluations_per_frame < best->evaluations_per_frame)) best = tried;
+      if (tried.holds() || hopeless(tried)) break;
+    }
+  }
+  return best;
+}
+
+LeastModel least_model(std::vector<Start>& start, const std::string& says, const Need& need) {
+  Quantity& motion = start.front().motion;
+  motion.needs = needs_of(need, motion);
+  motion.need.allowed = *std::ranges::min_element(motion.needs);
+  for (const std::string& model : models_of(motion))
+    if (auto found = cheapest(start, model, need)) return {says, need, found};
+  return {says, need, {}};
+}
+
+/// A parameter, and values of it between which a model may stop being enough.
+struct Line {
+  const Parameter* parameter;
+  std::vector<double> values;
+};
+
+/// The scene's hard parameter over its values; then each that differs from start to start, from a sixteenth
+/// of its value to four times it.
+std::vector<Line> lines(const Task& task, const Scene& scene) {
+  const auto declared = [&](std::string_view name) {
+    return &*std::ranges::find(task.parameters.declared(), name, &Parameter::name);
+  };
+  std::vector<Line> all{{declared(scene.varied), scene.over}};
+  for (std::string_view name : scene.starts) {
+    if (name == scene.varied) continue;
+    Line line{declared(name), {}};
+    for (double factor : {0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0})
+      if (const double value = factor * task.parameters[name];
+          value != 0 && value >= line.parameter->least && value <= line.parameter->most)
+        line.values.push_back(value);
+    all.push_back(std::move(line));
+  }
+  return all;
+}
+
+/// In needs: what two settings of an algorithm may differ by to be taken for the model's own motion.
+constexpr double exact_enough = 0.01;
+
+/// A model's motion at its algorithm's finest setting, and how far from it the setting before is.
+struct Solved {
+  std::string algorithm = {};
+  Value value = {};
+  double change = std::numeric_limits<double>::infinity();  ///< in needs; none of a closed form
+};
+
+/// Nothing where the algorithm does not get through.
+std::optional<Solved> solved(const Quantity& motion, const Method& method) {
+  const auto& settings = method.knob.settings;
+  const Answer fine = run(motion, method, settings.back()).answer;
+  if (!fine.reached() || !finite(fine.value)) return {};
+  Solved found{method.algorithm, fine.value};
+  if (settings.size() == 1) found.change = 0;
+  if (settings.size() == 1) return found;
+  const Answer coarser = run(motion, method, settings[settings.size() - 2]).answer;
+  if (coarser.reached() && finite(coarser.value))
+    found.change = motion.in_needs(motion.errors(coarser.value, fine.value));
+  return found;
+}
+
+/// The motion as the model itself has it, by the algorithm that changes least or has no setting: what it errs
+/// by is the model's, not the algorithm's.
+std::optional<Solved> solved_best(const Quantity& motion, const std::string& model) {
+  std::optional<Solved> best;
+  for (const Method& method : motion.methods) {
+    if (method.model != model) continue;
+    auto found = solved(motion, method);
+    if (found && (!best || found->change < best->change)) best = std::move(found);
+    if (best && best->change == 0) break;
+  }
+  return best;
+}
+
+/// The algorithms that solve a scene's models best at its defaults.
+using Solvers = std::map<std::string, std::string>;
+
+Solvers solvers_of(const Quantity& motion) {
+  Solvers solvers;
+  for (const std::string& model : models_of(motion))
+    if (const auto best = solved_best(motion, model)) solvers[model] = best->algorithm;
+  return solvers;
+}
+
+/// By its solver, or where that is not exact enough to be taken for the model itself, by its best.
+std::optional<Solved> solved(const Quantity& motion, const std::string& model, const Solvers& solvers) {
+  if (const auto solver = solvers.find(model); solver != solvers.end())
+    if (const Method* method = method_of(motion, model, solver->second))
+      if (auto found = solved(motion, *method); found && found->change <= exact_enough) return found;
+  return solved_best(motion, model);
+}
+
+/// Values from a to b: in proportion where they have one sign and span more than fourfold, else evenly
+/// spaced.
+std::vector<double> spaced(double a, double b, int count) {
+  const bool in_proportion = a * b > 0 && (b / a > 4 || a / b > 4);
+  std::vector<double> values;
+  for (int i = 0; i <= count; ++i) {
+    const double part = static_cast<double>(i) / count;
+    values.push_back(i == 0          ? a
+                     : i == count    ? b
+                     : in_proportion ? a * std::pow(b / a, part)
+                                     : a + (b - a) * part);
+  }
+  return values;
+}
+
+/// A scene's models beside each other over the ledger's horizon, one parameter moved.
+class Along {
+ public:
+  Along(const Task& task, const Need& need, const Reference& truth, std::string truest,
+        const Solvers& solvers)
+      : task_(task),
+        scene_(*task.entry->exercise.scene),
+        need_(need),
+        truth_(truth.to_digits(digits_for(need))),
+        truest_(std::move(truest)),
+        solvers_(solvers),
+        lines_(lines(task, scene_)) {}
+
+  /// Where the model is enough, along each line on which it is enough somewhere and somewhere not.
+  std::vector<BreakEven> break_evens(const std::string& model) const {
+    std::vector<BreakEven> all;
+    for (const Line& line : lines_)
+      if (line.values.size() > 1)
+        if (auto found = along(model, *line.parameter, line.values)) all.push_back(std::move(*found));
+    return all;
+  }
+
+ private:
+  struct Look {
+    double at, error;  ///< in needs; infinite where the model has no motion; not a number where nothing
+                       ///< solves this model, or the truest, exactly enough
+    bool known() const { return !std::isnan(error); }
+    bool enough() const { return error <= 1; }
+  };
+
+  struct Border {
+    double holds, fails;  ///< the parameter on its two sides
+  };
+
+  /// Over the values about the task's own between which the models' motions are known exactly enough.
+  /// At the values given, and unless the model is enough at all of them, or at none, by far, in equal parts;
+  /// where the error comes near to what is asked without crossing it, finer: an island narrower than a
+  /// thousandth of the range may be missed.
+  std::optional<BreakEven> along(const std::string& model, const Parameter& p,
+                                 const std::vector<double>& values) const {
+    constexpr int parts = 48;
+    constexpr double by_far = 20;
+    std::vector<double> errors;
+    for (double at : values)
+      if (const Look one = look(model, p, at); one.known()) errors.push_back(one.error);
+    if (errors.empty() || std::ranges::max(errors) < 1 / by_far || std::ranges::min(errors) > by_far)
+      return {};
+    const auto [first, last] = std::ranges::minmax(values);
+    std::vector<Look> looks;
+    for (double at : spaced(first, last, parts)) {
+      const Look next = look(model, p, at);
+      if (!next.known() && at < task_.parameters[p.name]) looks.clear();
+      if (!next.known() && at > task_.parameters[p.name]) break;
+      if (!next.known()) continue;
+      if (!looks.empty()) refine(model, p, looks, next, 3);
+      looks.push_back(next);
+    }
+    if (looks.size() < 2) return {};
+    const double least = looks.front().at, most = looks.back().at;
+    BreakEven found{model, std::string(p.name), std::string(p.unit), {least, most}, {}};
+    std::vector<Border> borders;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      if (looks[i].enough() && (i == 0 || !looks[i - 1].enough()))
+        found.enough.push_back({i == 0 ? least : crossing(model, p, looks[i - 1], looks[i], borders), most});
+      if (i > 0 && looks[i - 1].enough() && !looks[i].enough())
+        found.enough.back().to = crossing(model, p, looks[i], looks[i - 1], borders);
+    }
+    if (borders.empty()) return {};  // enough everywhere, or nowhere
+    found.holding.resize(borders.size());
+    found.failing.resize(borders.size());
+    in_parallel(2 * borders.size(), [&](std::size_t i) {  // a true motion takes a while
+      const Border& border = borders[i / 2];
+      (i % 2 == 0 ? found.holding : found.failing)[i / 2] =
+          by_reference(model, p, i % 2 == 0 ? border.holds : border.fails);
+    });
+    return found;
+  }
+
+  /// Looks between the last look and the next where both are on one side and either is near the border.
+  void refine(const std::string& model, const Parameter& p, std::vector<Look>& looks, const Look& next,
+              int depth) const {
+    constexpr double near_border = 1.5;
+    const Look& last = looks.back();
+    const double nearest = std::min(std::abs(std::log(last.error)), std::abs(std::log(next.error)));
+    if (depth == 0 || last.enough() != next.enough() || !(nearest < std::log(near_border))) return;
+    const Look middle = look(model, p, (last.at + next.at) / 2);
+    if (!middle.known()) return;
+    refine(model, p, looks, middle, depth - 1);
+    looks.push_back(middle);
+    refine(model, p, looks, next, depth - 1);
+  }
+
+  /// The value on the side that holds, to one in a thousand; both sides are added to the borders.
+  double crossing(const std::string& model, const Parameter& p, Look fails, Look holds,
+                  std::vector<Border>& borders) const {
+    while (std::abs(fails.at - holds.at) > 1e-3 * std::abs(holds.at)) {
+      const Look middle = look(model, p, (fails.at + holds.at) / 2);
+      if (!middle.known()) break;
+      (middle.enough() ? holds : fails) = middle;
+    }
+    borders.push_back({holds.at, fails.at});
+    return holds.at;
+  }
+
+  Quantity motion(const Parameter& p, double at, const Reference& truth) const {
+    Parameters parameters = task_.parameters;
+    parameters.set(p.name, at);
+    Quantity seen = oddity::motion(scene_, parameters, {need_.horizon, 1, need_.frames_per_second}, truth);
+    seen.needs = needs_of(need_, seen);
+    return seen;
+  }
+
+  double error(const std::string& model, const Quantity& seen) const {
+    const auto found = solved(seen, model, solvers_);
+    const double error = found ? seen.in_needs(seen.errors(found->value)) : std::nan("");
+    if (std::isnan(error)) return std::numeric_limits<double>::infinity();
+    return found->change <= exact_enough * std::max(1.0, error) ? error : std::nan("");
+  }
+
+  /// Not a number where the true motion takes more work to make than it is given.
+  double by_reference(const std::string& model, const Parameter& p, double at) const {
+    try {
+      return error(model, motion(p, at, truth_));
+    } catch (const BadInput&) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+
+  /// With the truest model in place of the truth.
+  Look look(const std::string& model, const Parameter& p, double at) const {
+    Quantity seen = motion(p, at, Reference::nothing());
+    auto [known, is_new] = truths_.try_emplace({std::string(p.name), at});
+    if (is_new) known->second = solved(seen, truest_, solvers_);
+    if (!known->second || known->second->change > exact_enough) return {at, std::nan("")};
+    seen.reference.value = known->second->value;
+    return {at, error(model, seen)};
+  }
+
+  const Task& task_;
+  const Scene& scene_;
+  const Need& need_;
+  Reference truth_;
+  std::string truest_;
+  const Solvers& solvers_;
+  std::vector<Line> lines_;
+  mutable std::map<std::pair<std::string, double>, std::optional<Solved>> truths_;
+};
+
+/// The model that, solved exactly, comes nearest to the reference; of those as near the last, the richest.
+std::string truest_model(const Quantity& motion, const Solvers& solvers) {
+  std::string truest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::string& model : models_of(motion)) {
+    const auto found = solved(motion, model, solvers);
+    const double error = found ? motion.in_needs(motion.errors(found->value)) : std::nan("");
+    if (error <= std::max(least, 1e-6)) {
+      truest = model;
+      least = std::min(error, least);
+    }
+  }
+  return truest;
+}
+
+}  // namespace
+
+std::optional<Ledger> ledger(const Task& task, const Reference& truth) {
+  if (!task.entry->exercise.scene) return {};
+  const Need game = game_need(), digits{1e-10, true};
+  const Starts starts(task, game, truth);
+  std::vector<Start> start{starts.asked()};
+  const Quantity motion = start.front().motion;
+  Ledger ledger{motion.unit, {}, {}, {}};
+  const Solvers solvers = solvers_of(motion);
+  const Along along(task, game, truth, truest_model(motion, solvers), solvers);
+  ledger.least.push_back(least_model(start, game_in_words(motion), game));
+  ledger.least.push_back(least_model(start, "10 digits", digits));
+  for (const std::string& model : models_of(motion)) {
+    auto found = along.break_evens(model);
+    std::ranges::move(found, std::back_inserter(ledger.break_evens));
+    if (!found.empty()) continue;
+    const auto by_model = solved(motion, model, solvers);
+    if (!by_model || !(motion.in_needs(motion.errors(by_model->value)) <= 1)) ledger.never.push_back(model);
+  }
+  return ledger;
+}
+
+Results with_ledgers(Results results, std::span<const Task> tasks, const Reference& truth,
+                     const Progress& progress) {
+  struct Page {
+    const Task* task;
+    ExerciseResult* result;
+  };
+  std::vector<Page> pages;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (tasks[i].entry->exercise.scene) pages.push_back({&tasks[i], &results.exercises[i]});
+  Tally tally(progress, "looking for the least models", pages.size());
+  parallel_for_each(pages, [&](const Page& page) {
+    page.result->ledger = ledger(*page.task, truth);
+    tally.add();
+  });
+  return results;
+}
+
+}  // namespace oddity

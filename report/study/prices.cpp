@@ -1,0 +1,100 @@
+#include "report/study/prices.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <thread>
+
+#include "reference/files.hpp"
+#include "reference/text.hpp"
+
+namespace oddity {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string processor() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("model name") || line.starts_with("CPU part")) return line;
+  return "processor";
+}
+
+std::string program() {
+  std::ifstream in("/proc/self/exe", std::ios::binary);
+  return checksum(std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream in(line);
+  for (std::string cell; std::getline(in, cell, '\t');) cells.push_back(cell);
+  return cells;
+}
+
+}  // namespace
+
+std::string machine_and_program() {
+  static const std::string text =
+      processor() + " x " + std::to_string(std::thread::hardware_concurrency()) + ", program " + program();
+  return text;
+}
+
+std::string price_key(const Task& task, const Need& need) {
+  std::string key = to_string(task.entry->number) + " over " + shortest(need.horizon) + " at " +
+                    shortest(need.frames_per_second) + " frames";
+  for (const Parameter& p : task.parameters.declared())
+    key += ", " + std::string(p.name) + " = " + shortest(task.parameters[p.name]);
+  return key + "; " + machine_and_program();
+}
+
+KeptPrices::KeptPrices(const fs::path& folder, std::string key, bool anew, Price measure)
+    : file_(folder / (key.substr(0, key.find(' ')) + "_" + checksum(key) + ".txt")),
+      key_(std::move(key)),
+      measure_(std::move(measure)) {
+  if (!anew) read();
+}
+
+/// A line with the key, and one for each price: model, algorithm, setting, seconds, spread.
+void KeptPrices::read() {
+  const auto text = read_sealed(file_);
+  if (!text || !text->starts_with(key_ + "\n")) return;
+  std::istringstream lines(text->substr(key_.size() + 1));
+  for (std::string line; std::getline(lines, line);) {
+    const auto cells = cells_of(line);
+    if (cells.size() != 5) continue;
+    const auto setting = number_in(cells[2]), seconds = number_in(cells[3]), spread = number_in(cells[4]);
+    if (setting && seconds && spread && *seconds > 0)
+      prices_[{cells[0], cells[1], *setting}] = {*seconds, *spread};
+  }
+}
+
+Time KeptPrices::operator()(const Method& method, double setting) {
+  const Which which{method.model, method.algorithm, setting};
+  if (const auto kept = prices_.find(which); kept != prices_.end()) {
+    found_ = found_ || !measured_.contains(which);
+    return kept->second;
+  }
+  measured_.insert(which);
+  return prices_[which] = measure_(method, setting);
+}
+
+void KeptPrices::keep() const {
+  if (measured_.empty()) return;
+  std::string text = key_ + "\n";
+  for (const auto& [which, time] : prices_)
+    if (std::isfinite(time.seconds))
+      text += std::get<0>(which) + "\t" + std::get<1>(which) + "\t" + shortest(std::get<2>(which)) + "\t" +
+              shortest(time.seconds) + "\t" + shortest(time.spread) + "\n";
+  keep_sealed(file_, text);
+}
+
+std::string KeptPrices::source() const {
+  if (!found_) return "measured in this run on this machine, and kept for the next";
+  return std::string(measured_.empty() ? "those" : "in part those") +
+         " of an earlier run of this program on this machine; --measure measures them anew";
+}
+
+}  // namespace oddity

@@ -1,0 +1,224 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/contents.hpp"
+#include "report/study/need.hpp"
+
+/// What comes of a run, as plain values: everything that a view, a judge or a file needs, and nothing that
+/// runs.
+namespace oddity {
+
+struct JudgedClaim {
+  Claim claim;
+  Verdict verdict = Verdict::unsettled;
+};
+
+/// How long something takes: the median of several batches, and half their interquartile range.
+struct Time {
+  double seconds = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed
+  double spread = std::numeric_limits<double>::quiet_NaN();
+};
+
+struct TimedTrial {
+  std::string model, algorithm, knob;
+  double setting = 0;
+  Value value;
+  double error = 0;           ///< the largest of all components
+  double final_error = 0;     ///< at the last time alone
+  double error_estimate = 0;  ///< NaN: the method has none
+  double drift = 0;
+  long evaluations = 0;
+  Outcome outcome = Outcome::raised;
+  std::string message;
+  Time time = {};
+};
+
+/// A method's trials from coarse to fine, and how the finest is expected to end.
+struct MethodResult {
+  std::string model, algorithm;
+  Outcome expected = Outcome::ok;
+  std::string why;
+  std::vector<TimedTrial> trials;
+
+  bool as_expected() const { return !trials.empty() && trials.back().outcome == expected; }
+};
+
+/// A breakdown's two rows as they were run.
+struct BreakdownResult {
+  std::string says;
+  Outcome expected = Outcome::ok;
+  TimedTrial broken, cured;
+
+  bool as_expected() const { return broken.outcome == expected && cured.outcome == Outcome::ok; }
+};
+
+/// One model's motion as it is drawn.
+struct Path {
+  std::string model, algorithm, knob;
+  double setting = 0;
+  double error = 0;  ///< at the times where the reference is known
+  Outcome outcome = Outcome::raised;
+  Value value;  ///< the observables of one time after the other; not all of them where the motion broke off
+};
+
+/// A scene's motion, by each of its models.
+struct Trajectory {
+  std::vector<std::string> observables;  ///< their names, if they have any
+  std::string time_unit;
+  std::vector<double> judged_at;  ///< the times of the quantity's reference
+  std::vector<double> times;      ///< of the paths
+  std::vector<Path> paths;
+  std::size_t truest = 0;  ///< the path that is closest to the reference
+  double close = 0;        ///< the error that a game allows, in the observables' unit
+};
+
+struct QuantityResult {
+  std::string name, unit, says;
+  Route reference;
+  double reference_error = 0;
+  Tolerance need;
+  std::vector<MethodResult> methods;
+  std::vector<BreakdownResult> breakdowns;
+  std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
+  int samples = 1;                            ///< of a motion: the times at which it is judged
+};
+
+/// "judged at these 4 times alone" of a motion; empty for what is no motion.
+std::string instants(const QuantityResult&);
+
+/// A method at one setting, over several starts.
+struct Tried {
+  std::string model, algorithm, knob;
+  double setting = 0;
+  double error = 0;  ///< the largest over the starts it was chosen on, in units of what was asked
+  std::vector<double> errors = {};  ///< the same in each of the motion's units
+  Outcome outcome = Outcome::ok;
+  std::string where = {};  ///< the start on which it ended so, unless ok
+  double evaluations_per_frame = 0;
+  double seconds_per_frame = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed
+  double spread = 0;                                                    ///< of the seconds
+  double unseen_error = std::numeric_limits<double>::quiet_NaN();  ///< over the starts it was not chosen on
+  bool constrained = false;                                        ///< of a model in redundant coordinates
+
+  bool holds() const { return outcome == Outcome::ok; }
+};
+
+/// The first model of the ladder, from the least on, that holds for a need by any algorithm, with the least
+/// work.
+struct LeastModel {
+  std::string says;  ///< "1 degree", "10 digits"
+  Need need;
+  std::optional<Tried> least;  ///< none: nothing here holds
+};
+
+/// Values of a parameter between which a model is enough.
+struct Interval {
+  double from, to;
+};
+
+/// Where a model is enough for what a game asks, solved exactly, along one parameter.
+struct BreakEven {
+  std::string model, parameter, parameter_unit;
+  Interval looked;               ///< the parameter's values that were looked through
+  std::vector<Interval> enough;  ///< ascending, apart; each end inside to one in a thousand
+  /// The model's error in needs at the ends inside, on the side that holds and on the one that fails, by the
+  /// reference; not a number where that could not be had.
+  std::vector<double> holding = {}, failing = {};
+};
+
+struct Ledger {
+  std::string unit;               ///< of the observables
+  std::vector<LeastModel> least;  ///< over 10 s at 60 frames per second: for a game, and for 10 digits
+  std::vector<BreakEven> break_evens;
+  std::vector<std::string> never;  ///< models that are not enough for a game wherever it was looked
+};
+
+/// The least and the most of a limit.
+struct Between {
+  double least, most;
+};
+
+/// Up to which step a method of fixed step is stable, how far it is from the truth there, how it breaks
+/// beyond, and what cures it.
+struct Limit {
+  std::string model, algorithm;
+  std::vector<ode::Tongue> tongues;  ///< the steps at which it is unstable by linear theory
+  double stable = 0;                 ///< measured: up to here every step tried is stable; 0: none is
+  double unstable = 0;               ///< measured: the shortest unstable step; 0: none up to `longest`
+  double longest = 0;                ///< the longest step that the measurement may try
+  double lost = 0;                   ///< the time at which neighbouring motions have parted at that step
+  double watched = 0;                ///< the time for which neighbouring motions are watched
+  bool goes_on = false;              ///< the motion goes on alike: `watched` is not the horizon shown
+  /// Where the limit is not sharp: between which it lies for observers who watch half or twice as long, or
+  /// count a motion of 1.5 or 4 times the true size as too large, and not of twice. They differ by over 5 %.
+  std::optional<Between> soft;
+  std::optional<TimedTrial> at;  ///< the motion by the longest step that is stable and divides its interval
+  std::optional<TimedTrial> broken;  ///< and by the next longer one that is unstable
+  std::optional<TimedTrial> within;  ///< by the largest step below which all are within the scene's need
+  std::optional<TimedTrial> cure;    ///< what is within the need at the step of `broken`
+  std::string why;                   ///< where theory and measurement differ by more than a quarter
+  std::string evidence;              ///< what was computed for that, in numbers
+
+  /// Where linear theory's first tongue begins; 0: every step is unstable; infinity: none is.
+  double theory() const;
+  /// The largest stable step; 0: none; infinity: every step, which takes that theory proves it.
+  double step() const;
+};
+
+/// How a method ends at one value of a scene's parameter, step by step.
+struct MapRow {
+  std::string model, algorithm;
+  double value = 0;
+  double theory = 0;  ///< infinity: every step is stable
+  std::vector<Outcome> outcomes;
+};
+
+/// Where the methods of a scene break: over the step, and over the parameter that makes the scene hard.
+struct Stability {
+  std::string quantity, unit;
+  std::string time_unit;  ///< of the horizon and of every step and limit
+  double horizon = 0;
+  double close = 0;  ///< the need, in the unit
+  std::vector<Limit> limits;
+  std::string parameter, parameter_unit;
+  std::vector<double> steps;  ///< of the map, from coarse to fine
+  std::vector<MapRow> map;    ///< method by method, each from the easiest value to the hardest
+};
+
+struct ParameterValue {
+  std::string name;
+  double value = 0;
+  std::string unit, says;
+};
+
+struct ExerciseResult {
+  Number number;
+  std::string title, asks;
+  bool scene = false;
+  std::vector<ParameterValue> parameters;
+  std::vector<JudgedClaim> claims;
+  std::vector<QuantityResult> quantities;
+  std::string failure;  ///< an exception that ended the study; empty: none
+  std::optional<Ledger> ledger = {};
+  std::optional<Stability> stability = {};
+  std::vector<Root> roots = {};  ///< of the errata
+};
+
+struct Results {
+  std::vector<ExerciseResult> exercises;  ///< in the book's order
+};
+
+/// Results as JSON text and back. Numbers that are not finite are written as null and read as NaN.
+std::string to_json(const Results&);
+/// Throws BadInput naming `place` when the text is not results of this version.
+Results results_from_json(const std::string& text, const std::string& place);
+
+/// Throws BadInput when the file cannot be read.
+Results read_results(const std::filesystem::path& file);
+
+}  // namespace oddity

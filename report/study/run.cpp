@@ -1,0 +1,164 @@
+#include "report/study/run.hpp"
+
+#include <numeric>
+
+#include "reference/bad_input.hpp"
+#include "report/study/parallel.hpp"
+#include "report/study/time.hpp"
+#include "report/study/trajectory.hpp"
+
+namespace oddity {
+
+namespace {
+
+/// A task with its findings: where closures become plain values.
+struct Studied {
+  const Task* task;
+  Findings findings;
+  std::string failure;
+};
+
+/// A trial yet to be run, and where its result goes.
+struct Pending {
+  const Quantity* quantity;
+  const Method* method;
+  double setting;
+  TimedTrial* result;
+};
+
+Studied study(const Task& task, const Reference& truth) {
+  Studied studied{&task, {}, {}};
+  try {
+    studied.findings = task.entry->exercise.study(task.parameters, truth);
+  } catch (const BadInput&) {
+    throw;
+  } catch (const std::exception& exception) {
+    studied.failure = exception.what();
+  }
+  return studied;
+}
+
+const Method& method_named(const Quantity& quantity, const std::string& name) {
+  for (const Method& method : quantity.methods)
+    if (method.model + ", " + method.algorithm == name) return method;
+  throw std::logic_error("quantity " + quantity.name + " has no method '" + name + "'");
+}
+
+/// The result's shape, its trials still empty but registered in `pending`.
+QuantityResult shape(const Quantity& quantity, std::vector<Pending>& pending) {
+  QuantityResult result{quantity.name,
+                        quantity.unit,
+                        quantity.says,
+                        quantity.reference,
+                        quantity.reference_error,
+                        quantity.need,
+                        {},
+                        {},
+                        {},
+                        quantity.samples};
+  for (const Method& method : quantity.methods)
+    result.methods.push_back({method.model, method.algorithm, method.expected, method.why,
+                              std::vector<TimedTrial>(method.knob.settings.size())});
+  for (const Breakdown& breakdown : quantity.breakdowns)
+    result.breakdowns.push_back({breakdown.says, breakdown.outcome, {}, {}});
+  for (std::size_t m = 0; m < quantity.methods.size(); ++m)
+    for (std::size_t s = 0; s < quantity.methods[m].knob.settings.size(); ++s)
+      pending.push_back({&quantity, &quantity.methods[m], quantity.methods[m].knob.settings[s],
+                         &result.methods[m].trials[s]});
+  for (std::size_t b = 0; b < quantity.breakdowns.size(); ++b) {
+    const Breakdown& breakdown = quantity.breakdowns[b];
+    BreakdownResult& place = result.breakdowns[b];
+    pending.push_back(
+        {&quantity, &method_named(quantity, breakdown.method), breakdown.setting, &place.broken});
+    pending.push_back(
+        {&quantity, &method_named(quantity, breakdown.cure), breakdown.cure_setting, &place.cured});
+  }
+  return result;
+}
+
+ExerciseResult shape(const Studied& studied, std::vector<Pending>& pending) {
+  const Entry& entry = *studied.task->entry;
+  ExerciseResult result{entry.number,
+                        std::string(entry.exercise.title),
+                        std::string(entry.exercise.asks),
+                        entry.exercise.scene.has_value(),
+                        {},
+                        {},
+                        {},
+                        studied.failure};
+  for (const Parameter& p : entry.exercise.parameters)
+    result.parameters.push_back(
+        {std::string(p.name), studied.task->parameters[p.name], std::string(p.unit), std::string(p.says)});
+  for (const Claim& claim : studied.findings.claims) result.claims.push_back({claim, verdict(claim)});
+  result.roots = studied.findings.roots;
+  for (const Quantity& quantity : studied.findings.quantities)
+    result.quantities.push_back(shape(quantity, pending));
+  return result;
+}
+
+/// The paths of a scene's motion, which is the quantity that its study made of it.
+void see_motion(const Task& task, ExerciseResult& result) {
+  const auto& scene = task.entry->exercise.scene;
+  if (!scene || !result.failure.empty()) return;
+  const std::string name = scene->motion(task.parameters, {scene->horizon}, Reference::nothing()).name;
+  for (QuantityResult& q : result.quantities)
+    if (q.name == name) q.trajectory = trajectory(*scene, task.parameters, q);
+}
+
+}  // namespace
+
+const Method* method_of(const Quantity& quantity, std::string_view model, std::string_view algorithm) {
+  const auto found = std::ranges::find_if(
+      quantity.methods, [&](const Method& m) { return m.model == model && m.algorithm == algorithm; });
+  return found == quantity.methods.end() ? nullptr : &*found;
+}
+
+TimedTrial as_result(const Trial& trial) {
+  const Answer& answer = trial.answer;
+  return {trial.model,
+          trial.algorithm,
+          trial.knob,
+          trial.setting,
+          answer.value,
+          trial.error,
+          trial.final_error,
+          answer.error_estimate,
+          answer.drift,
+          answer.evaluations,
+          trial.outcome,
+          answer.message,
+          {}};
+}
+
+Results run(std::span<const Task> tasks, const Reference& truth, bool timed, const Progress& progress) {
+  std::vector<Studied> studied(tasks.size());
+  for (std::size_t i = 0; i < tasks.size(); ++i) studied[i].task = &tasks[i];
+  {
+    Tally tally(progress, "studying the exercises", tasks.size());
+    parallel_for_each(studied, [&](Studied& s) {
+      s = study(*s.task, truth);
+      tally.add();
+    });
+  }
+  Results results;
+  std::vector<Pending> pending;
+  for (const Studied& s : studied) results.exercises.push_back(shape(s, pending));
+
+  Tally tally(progress, timed ? "running and timing the trials" : "running the trials",
+              pending.size() * (timed ? 2 : 1));
+  parallel_for_each(pending, [&](const Pending& p) {
+    *p.result = as_result(run(*p.quantity, *p.method, p.setting));
+    tally.add();
+  });
+  std::vector<std::size_t> places(tasks.size());
+  std::iota(places.begin(), places.end(), 0);
+  parallel_for_each(places, [&](std::size_t i) { see_motion(tasks[i], results.exercises[i]); });
+  if (timed)
+    for (const Pending& p : pending) {
+      if (p.result->value.size() > 0) p.result->time = time(*p.method, p.setting);
+      tally.add();
+    }
+  return results;
+}
+
+}  // namespace oddity

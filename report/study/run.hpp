@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "reference/reference.hpp"
+#include "report/study/results.hpp"
+
+namespace oddity {
+
+/// An exercise with the parameters to study it at.
+struct Task {
+  const Entry* entry;
+  Parameters parameters;
+
+  explicit Task(const Entry& e) : entry(&e), parameters(e.exercise.parameters) {}
+};
+
+/// Called with how many of how many pieces of a stage's work are done; from several threads, one at a time.
+using Progress = std::function<void(const std::string& stage, std::size_t done, std::size_t all)>;
+
+/// The quantity's method of this model by this algorithm; null when it has none: what a motion offers depends
+/// on its parameters.
+const Method* method_of(const Quantity&, std::string_view model, std::string_view algorithm);
+
+/// A trial as plain values, not timed.
+TimedTrial as_result(const Trial&);
+
+/// Studies the tasks in parallel, then runs all their trials in parallel; when `timed`, runs each trial
+/// again, alone, in batches long enough for the clock. The results are in the order of the tasks and do not
+/// depend on the number of threads. BadInput out of a study is thrown on; any other exception becomes that
+/// exercise's `failure`.
+Results run(std::span<const Task> tasks, const Reference& truth, bool timed, const Progress& progress = {});
+
+}  // namespace oddity

@@ -1,0 +1,414 @@
+#include "report/study/stability.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "chapters/scene.hpp"
+#include "report/study/parallel.hpp"
+#include "report/study/starts.hpp"
+
+namespace oddity {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The map's steps: the sample interval, halved again and again.
+constexpr int map_steps = 12;
+
+/// Limits that differ by less than this factor are the same.
+constexpr double sharp = 1.05;
+
+/// From step to step of a scan.
+constexpr double next_step = 1.03;
+
+/// How long motions are watched, and by which of the sizes one is too large.
+struct Observer {
+  double time;
+  std::size_t size;
+};
+
+/// The longest step that is stable, and the shortest that is not: 0 where there is none.
+struct Edge {
+  double stable = 0, unstable = 0;
+};
+
+/// The same disturbances as several observers see them; each step is run once.
+class Scan {
+ public:
+  Scan(const Disturbances& disturbances, double first, double finest, double longest)
+      : disturbances_(disturbances), first_(first), finest_(finest), longest_(longest) {}
+
+  /// The first loss of stability from below, to a part of the step.
+  Edge edge(const Observer& observer, double part) {
+    double low = first_;
+    while (low > finest_ && lost(observer, low)) low = std::max(low / 4, finest_);
+    if (lost(observer, low)) return {0, low};
+    double high = low;
+    while (high == low) {
+      if (low >= longest_) return {low, 0};
+      high = std::min(low * next_step, longest_);
+      if (!lost(observer, high)) low = high;
+    }
+    while (high > (1 + part) * low) {
+      const double middle = std::midpoint(low, high);
+      (lost(observer, middle) ? high : low) = middle;
+    }
+    return {low, high};
+  }
+  double time(const Observer& observer, double step) { return loss(step).time(observer.size); }
+
+ private:
+  bool lost(const Observer& observer, double step) { return time(observer, step) <= observer.time; }
+  const ode::Loss& loss(double step) {
+    const auto found = known_.find(step);
+    return found != known_.end() ? found->second
+                                 : known_.emplace(step, disturbances_.lost(step)).first->second;
+  }
+
+  const Disturbances& disturbances_;
+  double first_, finest_, longest_;
+  std::map<double, ode::Loss> known_;
+};
+
+/// The first loss of stability from below, as the measurement has it; and between which limits it lies for
+/// observers who watch half or twice as long, or for whom another size is too large.
+void measure(Limit& limit, const Disturbances& disturbances, double interval) {
+  constexpr double fewest_steps = 16, most_steps = 200'000;
+  limit.watched = disturbances.span;
+  limit.goes_on = disturbances.goes_on;
+  limit.longest = std::min(interval, disturbances.span / fewest_steps);
+  const double finest = std::max(ode::finest / disturbances.fastest, disturbances.span / most_steps);
+  const double theory = limit.theory();
+  const double first =
+      std::min(std::max(theory < limit.longest ? theory / 4 : limit.longest / 50, finest), limit.longest);
+  Scan scan(disturbances, first, finest, limit.longest);
+  // Told from none to a factor of two: the mode varies.
+  const auto told = [&](const Edge& edge) {
+    return edge.unstable > 0 && edge.stable < 2 * finest ? 0 : edge.stable;
+  };
+  const Observer usual{disturbances.span, 1};
+  const Edge edge = scan.edge(usual, 0.002);
+  limit.stable = told(edge);
+  limit.unstable = edge.unstable;
+  if (edge.unstable > 0) limit.lost = scan.time(usual, edge.unstable);
+  Between all{limit.stable, limit.stable};
+  for (const Observer& other : {Observer{usual.time / 2, 1}, Observer{disturbances.watched, 1},
+                                Observer{usual.time, 0}, Observer{usual.time, 2}}) {
+    const double step = told(scan.edge(other, 0.005));
+    all = {std::min(all.least, step), std::max(all.most, step)};
+  }
+  if (all.most > sharp * all.least) limit.soft = all;
+}
+
+/// The motion by the longest step that is no longer than this one and divides the interval.
+Trial run_at(const Quantity& quantity, const Method& method, double interval, double step) {
+  return run(quantity, method, interval / std::ceil(interval / step * (1 - 1e-9)));
+}
+
+/// By the shortest step that is no shorter than this one and divides the interval, or by the interval.
+Trial run_beyond(const Quantity& quantity, const Method& method, double interval, double step) {
+  return run(quantity, method, interval / std::max(1.0, std::floor(interval / step * (1 + 1e-9))));
+}
+
+/// By the largest step below which all that were tried are within the need: 1, 2, 3, 5, 8, ... steps an
+/// interval up to 4,096 steps in all, and to 262,144 steps or 200,000 evaluations while none is; bisected to
+/// 1 %.
+std::optional<TimedTrial> within_need(const Quantity& quantity, const Method& method, double interval) {
+  constexpr long enough_steps = 4096, most_steps = 262'144, most_evaluations = 200'000;
+  const auto trial = [&](long steps) { return run(quantity, method, interval / static_cast<double>(steps)); };
+  const auto holds = [&](const Trial& t) { return t.error <= quantity.need.allowed; };
+  std::optional<TimedTrial> within;
+  long coarse = 0, fine = 0;  // steps an interval: the finest that does not hold, the coarsest of those below
+  for (long steps = 1;; steps = std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5))) {
+    const Trial here = trial(steps);
+    if (!holds(here)) {
+      coarse = steps;
+      within.reset();
+    } else if (!within) {
+      fine = steps;
+      within = as_result(here);
+    }
+    const long all = steps * quantity.samples;
+    if (all >= most_steps || here.answer.evaluations >= most_evaluations) break;
+    if (within && all >= enough_steps) break;
+  }
+  while (within && fine - coarse > std::max(1L, fine / 100)) {
+    const long middle = std::midpoint(coarse, fine);
+    const Trial here = trial(middle);
+    (holds(here) ? fine : coarse) = middle;
+    if (holds(here)) within = as_result(here);
+  }
+  return within;
+}
+
+/// The cheaper of two ends, one of which may be missing.
+void keep_cheaper(std::optional<TimedTrial>& best, const Trial& trial) {
+  if (trial.outcome == Outcome::ok && (!best || trial.answer.evaluations < best->evaluations))
+    best = as_result(trial);
+}
+
+/// Within a quarter.
+bool agree(double a, double b) { return a == b || (a >= 0.8 * b && b >= 0.8 * a); }
+
+/// Whether x is nearer to a than to b, as factors go.
+bool nearer(double x, double a, double b) { return std::abs(std::log(x / a)) < std::abs(std::log(x / b)); }
+
+/// The first step, from half the shorter of the limits on, at which a disturbance of the true motion is lost
+/// when the method makes the disturbance's steps alone; infinity: none up to a quarter beyond the longer.
+double first_lost_along_truth(const Limit& limit, const Disturbances& disturbances) {
+  constexpr double most_steps = 20'000;
+  const double theory = std::min(limit.theory(), limit.longest);
+  const double last = std::min(1.25 * std::max(limit.stable, theory), limit.longest);
+  double step = std::max({std::min(limit.stable, theory) / 2, ode::finest / disturbances.fastest,
+                          disturbances.span / most_steps});
+  for (; step <= last; step *= next_step)
+    if (disturbances.lost_along_truth(step) <= disturbances.span) return step;
+  return infinity;
+}
+
+/// Whether theory's growth, frozen at each point but added up along the true motion, stays below this at all
+/// steps up to the limit.
+bool grows_at_most(double granted, const Limit& limit, const Disturbances& disturbances) {
+  double most = -infinity;
+  const double first = std::max(limit.theory(), ode::finest / disturbances.fastest);
+  for (double part : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
+    most = std::max(most, disturbances.added_growth(std::lerp(first, limit.stable, part)));
+  return most <= std::log(granted);
+}
+
+/// The number of steps, from three to six, in which the method's own motion turns once, if it is one.
+std::optional<double> steps_of_a_turn(double turns_in_a_step) {
+  constexpr double close = 0.02;
+  const double steps = 1 / turns_in_a_step, whole = std::round(steps);
+  if (whole < 3 || whole > 6 || std::abs(steps - whole) > close) return std::nullopt;
+  return steps;
+}
+
+/// What can be computed of why theory and measurement differ, where they do by more than a quarter. Between
+/// the two stands a third limit: of the true motion, as theory's, but not frozen, as the measured one.
+void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria& criteria) {
+  const double ratio = agreement(limit), theory = limit.theory();
+  if (ratio >= 0.8 && ratio <= 1.25) return;
+  const auto because = [&](const char* why, const std::string& evidence) {
+    limit.why = why;
+    limit.evidence = evidence;
+  };
+  const bool shorter = limit.step() < theory;
+  if (shorter && limit.stable > 0 && (!limit.soft || limit.soft->most < 0.8 * theory))
+    if (const auto steps = steps_of_a_turn(disturbances.turns_in_a_step(0.995 * limit.stable)))
+      return because(
+          "resonance: a turn of the method's own motion takes a whole number of its steps, so that every "
+          "turn "
+          "errs alike and the errors add up",
+          rounded(*steps, 3) + " steps a turn");
+  if (limit.soft) return;  // the mark says it
+  limit.why = not_explained;
+  const double along = first_lost_along_truth(limit, disturbances);
+  const std::string from =
+      std::isinf(along) ? "no step tried is lost there" : "lost there from " + rounded(along, 2) + " on";
+  const bool frozen =
+      shorter ? nearer(along, limit.stable, theory) && agree(along, limit.stable)
+              : along >= limit.stable || (nearer(along, limit.stable, theory) && agree(along, limit.stable));
+  if (frozen && !shorter && grows_at_most(criteria.granted, limit, disturbances))
+    return because("what theory has grow at some points does not add up along the true motion to a loss",
+                   from);
+  if (frozen)
+    return because(
+        "theory freezes the motion at each of its points: the disturbances of the true motion as it goes on "
+        "are lost where the measurement has it, or later",
+        from);
+  if (shorter)
+    if (const double own = disturbances.own_theory(limit.unstable, limit.lost); own < theory / 2)
+      return because(
+          "before it is lost the method's own motion is so much faster than the true one that theory's "
+          "limit along it is less than half",
+          rounded(own, 2));
+  if (nearer(along, theory, limit.stable) && agree(along, theory))
+    because(
+        "theory is right of the true motion, whose disturbances are lost where it says, but the method makes "
+        "another motion of its own",
+        from);
+}
+
+bool of_fixed_step(const Method& method) { return static_cast<bool>(method.unstable_steps); }
+
+double first_of(const std::vector<ode::Tongue>& tongues) {
+  return tongues.empty() ? infinity : tongues.front().from;
+}
+
+/// At the step that breaks the method: the cheapest other method that is close enough, the same model's if
+/// there is one. Where that step is too long for all, the cheapest with step control.
+std::optional<TimedTrial> cure_of(const Quantity& quantity, const Limit& limit) {
+  if (!limit.broken) return std::nullopt;
+  std::optional<TimedTrial> same_model, other_model, controlled;
+  for (const Method& method : quantity.methods)
+    if (of_fixed_step(method))
+      keep_cheaper(method.model == limit.model ? same_model : other_model,
+                   run(quantity, method, limit.broken->setting));
+  if (same_model) return same_model;
+  if (other_model) return other_model;
+  for (const Method& method : quantity.methods)
+    if (method.knob.name == "tolerance")
+      for (double tolerance : method.knob.settings)
+        keep_cheaper(controlled, run(quantity, method, tolerance));
+  return controlled;
+}
+
+/// A scene's motion at one set of parameters, as the map or the limits look at it.
+struct Motion {
+  std::size_t place;  ///< among the results
+  Quantity quantity;
+  double interval;
+  double value = 0;  ///< of the varied parameter
+  bool varied = false;
+};
+
+Motion motion_of(const Task& task, std::size_t place, const Reference& truth, std::optional<double> value) {
+  const Scene& scene = *task.entry->exercise.scene;
+  Parameters parameters = task.parameters;
+  if (value) parameters.set(scene.varied, *value);
+  Motion motion{place, oddity::motion(scene, parameters, truth), 0, value.value_or(0), value.has_value()};
+  motion.interval = scene.horizon / motion.quantity.samples;
+  motion.quantity.need = {scene.close, "what a game asks"};
+  for (std::string_view unit : motion.quantity.units()) motion.quantity.needs.push_back(game_error(unit));
+  return motion;
+}
+
+std::string unit_of(const Task& task, std::string_view parameter) {
+  for (const Parameter& p : task.parameters.declared())
+    if (p.name == parameter) return std::string(p.unit);
+  throw std::logic_error(to_string(task.entry->number) + " has no parameter " + std::string(parameter));
+}
+
+/// The scene's stability, its limits and its map still to be filled.
+Stability shape(const Task& task) {
+  const Scene& scene = *task.entry->exercise.scene;
+  Stability stability;
+  stability.time_unit = scene.axes.time;
+  stability.horizon = scene.horizon;
+  stability.close = scene.close;
+  stability.parameter = scene.varied;
+  stability.parameter_unit = unit_of(task, scene.varied);
+  return stability;
+}
+
+/// One method of one motion: a limit or a row of the map.
+struct Piece {
+  const Motion* motion;
+  const Method* method;
+  Limit limit = {};
+  MapRow row = {};
+};
+
+MapRow row_of(const Motion& motion, const Method& method) {
+  MapRow row{method.model, method.algorithm, motion.value, first_of(method.unstable_steps()), {}};
+  for (int k = 0; k < map_steps; ++k)
+    row.outcomes.push_back(run(motion.quantity, method, std::ldexp(motion.interval, -k)).outcome);
+  return row;
+}
+
+void examine(Piece& piece) {
+  if (piece.motion->varied) {
+    piece.row = row_of(*piece.motion, *piece.method);
+  } else {
+    piece.limit = limit_of(piece.motion->quantity, *piece.method, piece.motion->interval);
+    piece.limit.cure = cure_of(piece.motion->quantity, piece.limit);
+  }
+}
+
+/// The motions at the defaults and at every value of the varied parameter; their references may take a while.
+std::vector<Motion> motions_of(std::span<const Task> tasks, const Reference& truth,
+                               const Progress& progress) {
+  struct Request {
+    const Task* task;
+    std::size_t place;
+    std::optional<double> value;
+    Motion motion = {};
+  };
+  std::vector<Request> requests;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (const auto& scene = tasks[i].entry->exercise.scene) {
+      requests.push_back({&tasks[i], i, std::nullopt});
+      for (double value : scene->over) requests.push_back({&tasks[i], i, value});
+    }
+  Tally tally(progress, "looking up the motions", requests.size());
+  parallel_for_each(requests, [&](Request& request) {
+    request.motion = motion_of(*request.task, request.place, truth, request.value);
+    tally.add();
+  });
+  std::vector<Motion> motions;
+  for (Request& request : requests) motions.push_back(std::move(request.motion));
+  return motions;
+}
+
+}  // namespace
+
+double Limit::theory() const { return first_of(tongues); }
+
+double Limit::step() const { return unstable == 0 && tongues.empty() ? infinity : stable; }
+
+Limit measured_limit(const Method& method, double interval, const ode::Criteria& criteria) {
+  Limit limit;
+  limit.model = method.model;
+  limit.algorithm = method.algorithm;
+  limit.tongues = method.unstable_steps();
+  const Disturbances disturbances = method.disturbances(criteria);
+  measure(limit, disturbances, interval);
+  explain(limit, disturbances, criteria);
+  return limit;
+}
+
+Limit limit_of(const Quantity& quantity, const Method& method, double interval) {
+  Limit limit = measured_limit(method, interval);
+  while (limit.tongues.size() > 1 && limit.tongues.back().from > interval) limit.tongues.pop_back();
+  if (limit.stable > 0) limit.at = as_result(run_at(quantity, method, interval, limit.stable));
+  if (limit.unstable > 0) limit.broken = as_result(run_beyond(quantity, method, interval, limit.unstable));
+  limit.within = within_need(quantity, method, interval);
+  return limit;
+}
+
+Results with_stability(Results results, std::span<const Task> tasks, const Reference& truth,
+                       const Progress& progress) {
+  const std::vector<Motion> motions = motions_of(tasks, truth, progress);
+  std::vector<Piece> pieces;
+  for (const Motion& motion : motions)
+    for (const Method& method : motion.quantity.methods)
+      if (of_fixed_step(method)) pieces.push_back({&motion, &method});
+  Tally tally(progress, "looking for the limits of stability", pieces.size());
+  parallel_for_each(pieces, [&](Piece& piece) {
+    examine(piece);
+    tally.add();
+  });
+  for (const Motion& motion : motions) {
+    if (motion.varied) continue;
+    Stability& stability = results.exercises.at(motion.place).stability.emplace(shape(tasks[motion.place]));
+    stability.quantity = motion.quantity.name;
+    stability.unit = motion.quantity.unit;
+    for (int k = 0; k < map_steps; ++k) stability.steps.push_back(std::ldexp(motion.interval, -k));
+  }
+  for (Piece& piece : pieces) {
+    ExerciseResult& exercise = results.exercises.at(piece.motion->place);
+    if (piece.motion->varied) {
+      exercise.stability->map.push_back(std::move(piece.row));
+    } else {
+      exercise.stability->limits.push_back(std::move(piece.limit));
+    }
+  }
+  for (ExerciseResult& exercise : results.exercises) {
+    if (!exercise.stability) continue;
+    const auto& limits = exercise.stability->limits;
+    std::ranges::stable_sort(exercise.stability->map, {}, [&](const MapRow& row) {
+      return std::ranges::find_if(limits,
+                                  [&](const Limit& limit) {
+                                    return limit.model == row.model && limit.algorithm == row.algorithm;
+                                  }) -
+             limits.begin();
+    });
+  }
+  return results;
+}
+
+}  // namespace oddity

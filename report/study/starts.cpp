@@ -1,0 +1,116 @@
+#include "report/study/starts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "chapters/scene.hpp"
+#include "reference/bad_input.hpp"
+#include "reference/text.hpp"
+#include "reference/truth.hpp"
+#include "report/study/parallel.hpp"
+
+namespace oddity {
+
+namespace {
+
+constexpr double nearby = 0.1;
+
+/// The true motion's error is a millionth of the need at most, or it is made with all digits.
+constexpr double needless = 1e-6;
+
+}  // namespace
+
+int digits_for(const Need& need) {
+  const double least = need.relative ? need.error : std::min(need.error_in("m"), need.error_in("rad"));
+  return std::clamp(12 + static_cast<int>(std::ceil(-std::log10(least))), 14, truth::spot_digits);
+}
+
+double game_error(std::string_view unit) { return unit == "m" ? centimeter : degree; }
+
+std::vector<double> needs_of(const Need& need, const Quantity& motion) {
+  const double scale = need.relative ? size_of(motion.reference.value) : 1;
+  std::vector<double> needs;
+  for (std::string_view unit : motion.units()) needs.push_back(need.error_in(unit) * scale);
+  return needs;
+}
+
+Starts::Starts(const Task& task, const Need& need, const Reference& truth)
+    : task_(task), need_(need), truth_(truth) {
+  if (!task.entry->exercise.scene)
+    throw BadInput("exercise " + to_string(task.entry->number) + " has no motion to choose a method for");
+  for (const auto& [name, value] :
+       {std::pair("error", need.error), std::pair("horizon", need.horizon),
+        std::pair("frame rate", need.frames_per_second), std::pair("budget", need.budget)})
+    if (!(value > 0))
+      throw BadInput("the " + std::string(name) + " must be positive, and is " + shortest(value));
+  if (need.horizon * need.frames_per_second < 1) throw BadInput("the horizon is shorter than a frame");
+}
+
+Start Starts::start(const Parameters& p) const {
+  std::string says;
+  for (std::string_view name : scene().starts)
+    says += (says.empty() ? "" : ", ") + std::string(name) + " = " + rounded(p[name], 4);
+  const auto made = [&](const Reference& truth) {
+    Start start{says, motion(scene(), p, horizon(), truth)};
+    start.motion.needs = needs_of(need_, start.motion);
+    start.motion.need = {*std::ranges::min_element(start.motion.needs), "asked for"};
+    return start;
+  };
+  const int digits = digits_for(need_);
+  Start start = made(truth_.to_digits(digits));
+  const bool enough = start.motion.reference_error <= needless * start.motion.need.allowed;
+  return enough || digits == truth::spot_digits ? start : made(truth_);
+}
+
+Start Starts::asked() const {
+  Start asked = start(task_.parameters);
+  if (asked.motion.need.allowed < asked.motion.reference_error)
+    throw BadInput("the true motion is known to " + rounded(asked.motion.reference_error, 2) +
+                   ", and the error asked for is smaller");
+  return asked;
+}
+
+Parameters Starts::draw() {
+  Parameters p = task_.parameters;
+  for (std::string_view name : scene().starts) {
+    const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
+    const double value = p[name], size = value == 0 ? 1 : std::abs(value);
+    p.set(name, std::clamp(value + size * random_.between(-nearby, nearby), declared->least, declared->most));
+  }
+  return p;
+}
+
+Quantity Starts::disturbed(double part) const {
+  Parameters p = task_.parameters;
+  const std::string_view name = scene().starts.front();
+  const double value = p[name], change = part * (value == 0 ? 1 : std::abs(value));
+  const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
+  p.set(name, value + change <= declared->most ? value + change : value - change);
+  return motion(scene(), p, horizon(), Reference::nothing());
+}
+
+Quantity Starts::one_frame() const {
+  const Horizon frame{1 / need_.frames_per_second, 1, need_.frames_per_second};
+  return motion(scene(), task_.parameters, frame, Reference::nothing());
+}
+
+std::vector<Start> Starts::beside(int count) {
+  std::vector<Parameters> drawn;
+  for (int i = 0; i < count; ++i) drawn.push_back(draw());
+  std::vector<std::optional<Start>> made(drawn.size());
+  in_parallel(drawn.size(), [&](std::size_t i) {
+    try {
+      made[i] = start(drawn[i]);
+    } catch (const OutOfTime&) {
+      throw;
+    } catch (const std::exception&) {  // no reference there
+    }
+  });
+  std::vector<Start> known;
+  for (auto& one : made)
+    if (one) known.push_back(std::move(*one));
+  return known;
+}
+
+}  // namespace oddity

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "chapters/random.hpp"
+#include "reference/reference.hpp"
+#include "report/study/need.hpp"
+#include "report/study/run.hpp"
+
+namespace oddity {
+
+/// One start of a scene: its true motion at every frame, and every method with what was asked as the need.
+struct Start {
+  std::string says;  ///< "a = 0.5121, L = 0.9034"
+  Quantity motion;
+};
+
+/// What a game asks of a position [m] and of an angle [rad]; of an orbit [AU], a degree of the Earth's.
+double game_error(std::string_view unit);
+
+/// The need in each of the motion's units.
+std::vector<double> needs_of(const Need&, const Quantity& motion);
+
+/// Digits with which a true motion's error is a millionth of the need, where errors grow by less than a
+/// millionfold.
+int digits_for(const Need&);
+
+/// The starts of one choice: the one asked for, and others beside it, whose `starts` parameters are each up
+/// to a tenth off.
+class Starts {
+ public:
+  /// Throws BadInput when the task's exercise has no motion, or the need makes no sense.
+  Starts(const Task&, const Need&, const Reference&);
+
+  /// The start asked for. Throws BadInput when no true motion is known there, or not as exactly as asked.
+  Start asked() const;
+  /// `count` starts drawn afresh, less those of which no true motion is known.
+  std::vector<Start> beside(int count);
+  /// The motion with one of the start's parameters changed by a part of itself, without a reference.
+  Quantity disturbed(double part) const;
+  /// The first frame alone, without a reference.
+  Quantity one_frame() const;
+
+ private:
+  Parameters draw();
+  Start start(const Parameters&) const;
+  const Scene& scene() const { return *task_.entry->exercise.scene; }
+  Horizon horizon() const { return {need_.horizon, 1, need_.frames_per_second}; }
+
+  const Task& task_;
+  const Need& need_;
+  const Reference& truth_;
+  Random random_{7};
+};
+
+}  // namespace oddity

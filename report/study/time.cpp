@@ -1,0 +1,36 @@
+#include "report/study/time.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <vector>
+
+namespace oddity {
+
+Time time(const Method& method, double setting) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::microseconds batch{100};
+  constexpr std::size_t batches = 5;
+  const auto once = [&] {
+    const auto start = Clock::now();
+    static_cast<void>(method.run(setting));
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  const double first = once();
+  const auto runs = static_cast<long>(
+      std::clamp(std::chrono::duration<double>(batch).count() / std::max(first, 1e-8), 1.0, 1e4));
+  std::vector<double> seconds;
+  const std::size_t count = first > 0.05 ? 1 : batches;
+  for (std::size_t b = 0; b < count; ++b) {
+    const auto start = Clock::now();
+    for (long i = 0; i < runs; ++i) static_cast<void>(method.run(setting));
+    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count() /
+                      static_cast<double>(runs));
+  }
+  std::ranges::sort(seconds);
+  const double spread = count > 1 ? (seconds[(3 * count) / 4] - seconds[count / 4]) / 2
+                                  : std::numeric_limits<double>::quiet_NaN();
+  return {seconds[count / 2], spread};
+}
+
+}  // namespace oddity

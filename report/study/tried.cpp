@@ -1,0 +1,128 @@
+#include "report/study/tried.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "reference/bad_input.hpp"
+#include "reference/text.hpp"
+
+namespace oddity {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Steps per frame, from one on, none much more than half as many again as the one before.
+constexpr std::array steps_per_frame{1,  2,  3,  4,  5,  6,  8,   10,  12,  16,  20,  24,
+                                     32, 40, 48, 64, 80, 96, 128, 160, 192, 256, 384, 512};
+
+/// The mean time between the upward passages of the first observable through its true mean, in frames; NaN
+/// for fewer than two.
+double period(const Value& value, const Value& truth, int frames) {
+  const std::size_t parts = truth.size() / static_cast<std::size_t>(frames);
+  double mean = 0;
+  for (std::size_t i = 0; i < truth.size(); i += parts) mean += truth[i] / frames;
+  double first = nan, last = nan;
+  int passages = 0;
+  for (std::size_t i = parts; i < value.size(); i += parts) {
+    const double before = value[i - parts] - mean, now = value[i] - mean;
+    if (!(before < 0 && now >= 0)) continue;
+    last = static_cast<double>(i / parts) - now / (now - before);
+    if (++passages == 1) first = last;
+  }
+  return passages < 2 ? nan : (last - first) / (passages - 1);
+}
+
+/// The trial's errors in each unit, none smaller than that of the truth it is judged by.
+std::vector<double> as_far_as_known(const Quantity& motion, const Trial& trial) {
+  std::vector<double> errors = trial.errors;
+  for (double& error : errors)
+    if (error < motion.reference_error) error = motion.reference_error;
+  return errors;
+}
+
+/// The trial's error by the need's criterion, in units of what was asked; infinite where it is none.
+double judged(const Quantity& motion, const Method& method, const Trial& trial,
+              const std::vector<double>& errors, const Need& need) {
+  const Answer& answer = trial.answer;
+  if (!answer.reached() || !finite(answer.value)) return infinity;
+  double error = infinity;
+  switch (need.criterion) {
+    case Criterion::path:
+      error = motion.in_needs(errors);
+      break;
+    case Criterion::energy:
+      error = answer.drift / need.error;
+      break;
+    case Criterion::bounded:
+      error = trial.outcome == Outcome::diverged ? infinity : answer.drift;
+      break;
+    case Criterion::constraint:
+      error = method.off_constraint ? method.off_constraint(trial.setting) / need.error : 0;
+      break;
+    case Criterion::period: {
+      const double true_period = period(motion.reference.value, motion.reference.value, motion.samples);
+      if (std::isnan(true_period))
+        throw BadInput("the motion has no two periods within the horizon: ask for a longer one");
+      error = std::abs(period(answer.value, motion.reference.value, motion.samples) / true_period - 1) /
+              need.error;
+    }
+  }
+  return std::isnan(error) ? infinity : error;
+}
+
+/// How it ended where it does not hold.
+Outcome failure(const Trial& trial) {
+  return trial.outcome == Outcome::ok ? Outcome::inaccurate : trial.outcome;
+}
+
+}  // namespace
+
+std::vector<double> settings(const Method& method, const Need& need) {
+  std::vector<double> all;
+  if (method.knob.name == "step")
+    for (int steps : steps_per_frame) all.push_back(1 / (need.frames_per_second * steps));
+  else if (method.knob.name == "tolerance")
+    all = tolerances(2, 13, 1).settings;
+  else
+    all = method.knob.settings;
+  return all;
+}
+
+Tried attempt(const std::vector<Start>& starts, const Method& method, double setting, const Need& need) {
+  Tried tried{method.model, method.algorithm, method.knob.name, setting};
+  tried.constrained = static_cast<bool>(method.off_constraint);
+  for (const Start& start : starts) {
+    const Method* here = method_of(start.motion, method.model, method.algorithm);
+    const Trial trial =
+        here ? run(start.motion, *here, setting)
+             : Trial{method.model, method.algorithm, {}, setting, {}, {}, nan, nan, nan, Outcome::raised};
+    if (&start == &starts.front())
+      tried.evaluations_per_frame = static_cast<double>(trial.answer.evaluations) / need.frames();
+    const std::vector<double> errors = as_far_as_known(start.motion, trial);
+    const double error = here ? judged(start.motion, *here, trial, errors, need) : infinity;
+    tried.error = std::max(tried.error, error);
+    tried.errors.resize(start.motion.units().size(), 0);
+    for (std::size_t i = 0; i < errors.size(); ++i)
+      tried.errors[i] = std::isfinite(errors[i]) ? std::max(tried.errors[i], errors[i]) : infinity;
+    if (tried.holds() && !(error <= 1)) {
+      tried.outcome = failure(trial);
+      tried.where = start.says;
+    }
+  }
+  return tried;
+}
+
+std::string shown_setting(const Tried& tried, const Need& need) {
+  if (tried.knob != "step") return tried.knob.empty() ? "-" : tried.knob + " " + shortest(tried.setting);
+  const double steps = std::round(1 / (tried.setting * need.frames_per_second));
+  return shortest(steps) + (steps == 1 ? " step" : " steps") + " per frame";
+}
+
+bool hopeless(const Tried& tried) {
+  return tried.outcome == Outcome::raised || tried.evaluations_per_frame > 1e5;
+}
+
+}  // namespace oddity

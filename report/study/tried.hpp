@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/study/starts.hpp"
+
+namespace oddity {
+
+/// The settings at which a method is tried for a need, from cheap to dear: whole numbers of steps per frame,
+/// tolerances by decades, or the method's own.
+std::vector<double> settings(const Method&, const Need&);
+
+/// The method at a setting over the starts: its worst error by the need's criterion, the first end that does
+/// not hold, and its work on the first start. The time is not measured. Throws BadInput where the criterion
+/// does not fit the motion.
+Tried attempt(const std::vector<Start>&, const Method&, double setting, const Need&);
+
+/// "2 steps per frame", "tolerance 1e-06", "-".
+std::string shown_setting(const Tried&, const Need&);
+
+/// It is no use to try finer settings: the method cannot be run here, or its work is out of all proportion.
+bool hopeless(const Tried&);
+
+}  // namespace oddity
