@@ -127,6 +127,17 @@ TEST_CASE("a page escapes what Markdown would take for markup, but not mathemati
   CHECK(page.find("a\\_1 \\* \\|b\\| with $`a_1 * b`$") != std::string::npos);
 }
 
+TEST_CASE("the index lists claims whose routes never differ though they might", "[report]") {
+  Results results = sample();
+  JudgedClaim& claim = results.exercises[0].claims[0];
+  CHECK(index_page(results).find("Equal to the last bit") == std::string::npos);
+  claim.claim.printed.checks[0].right.value = claim.claim.printed.checks[0].left.value;
+  claim.claim.printed.checks[0].tolerance = {1e-9, "a reason"};
+  CHECK(index_page(results).find("## Equal to the last bit (1)") != std::string::npos);
+  claim.claim.printed.checks[0].tolerance = exact();
+  CHECK(index_page(results).find("Equal to the last bit") == std::string::npos);
+}
+
 TEST_CASE("pages hold no times but the page of times", "[report]") {
   Results slow = sample(), fast = sample();
   fast.exercises[0].quantities[0].methods[0].trials[0].time.seconds = 1e-9;

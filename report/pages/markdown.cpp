@@ -534,6 +534,30 @@ std::string exercises_counted(const Results& results) {
          (own > 0 ? " and " + std::to_string(own) + " of one's own" : "");
 }
 
+/// The routes of all its checks give the same doubles in every sample, though roundings are allowed.
+bool bit_equal(const JudgedClaim& judged) {
+  const auto& checks = deciding(judged).checks;
+  return !checks.empty() && std::ranges::all_of(checks, [](const Check& c) {
+    return c.tolerance.allowed > 0 && c.difference() == 0;
+  });
+}
+
+/// What a reader may doubt: two routes that never differ may be one.
+std::string bit_equal_text(const Results& results, bool links) {
+  std::string list;
+  int count = 0;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims)
+      if (c.verdict != Verdict::not_checkable && bit_equal(c))
+        list += (count++ == 0 ? "" : ", ") + link_to(e, c.claim, links);
+  if (count == 0) return "";
+  return "## Equal to the last bit (" + std::to_string(count) +
+         ")\n\nThe two routes of these claims never differ, though their tolerance leaves room for roundings: "
+         "they do the same arithmetic in the end, or their numbers are short. Their near misses fail like all "
+         "others.\n\n" +
+         list + "\n\n";
+}
+
 std::string index_text(const Results& results, bool links) {
   Counts all;
   for (const ExerciseResult& e : results.exercises) count(e, all);
@@ -560,8 +584,8 @@ std::string index_text(const Results& results, bool links) {
          table({"chapter", "exercise", "confirmed", "misprint", "erratum", "not checkable", "unsettled",
                 "quantities"},
                rows, "234567") +
-         "The solutions have no exercises in chapters " + chapters_without_exercises() +
-         ".\n\n## How to read this\n\n" + legend();
+         "The solutions have no exercises in chapters " + chapters_without_exercises() + ".\n\n" +
+         bit_equal_text(results, links) + "## How to read this\n\n" + legend();
 }
 
 }  // namespace

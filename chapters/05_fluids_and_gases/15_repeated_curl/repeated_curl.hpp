@@ -1,11 +1,141 @@
 #pragma once
 
-#include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
-#include "chapters/05_fluids_and_gases/15_repeated_curl/tensor.hpp"
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
 
-/// The curl applied n times: nested, and by the general formula of the permutation tensor,
+#include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
+#include "chapters/exercise.hpp"
+#include "chapters/random.hpp"
+
+/// Index notation, read and evaluated, and the curl applied n times: nested, and by the general formula of
+/// the permutation tensor,
 ///   ((curl)^n f)_i = e(i jn kn) e(kn j(n-1) k(n-1)) ... e(k2 j1 k1) f(k1, j1 ... jn).
 namespace oddity::fields {
+
+/// Tensors by name and rank, their components in the order of the indices.
+template <class T>
+using Tensors = std::map<std::pair<std::string, std::size_t>, std::vector<T>>;
+
+/// The sign of the permutation (i j k) of (0 1 2), by its inversions; 0 when two agree.
+constexpr double permutation_sign(std::size_t i, std::size_t j, std::size_t k) {
+  if (i == j || j == k || i == k) return 0;
+  return ((i > j) + (j > k) + (i > k)) % 2 == 0 ? 1 : -1;
+}
+
+template <class T>
+void put_permutation_tensor(Tensors<T>& tensors) {
+  std::vector<T>& e = tensors[{"e", 3}];
+  for (std::size_t n = 0; n < 27; ++n) e.push_back(T(permutation_sign(n / 9, n / 3 % 3, n % 3)));
+}
+
+/// f(m, j1 ... jn) for all values of the indices.
+template <int order, class Field, class T>
+std::vector<T> derivatives(const Field& f, const Triple<T>& x) {
+  if constexpr (order == 0) {
+    const Triple<T> value = f(x);
+    return {value.begin(), value.end()};
+  } else {
+    std::vector<T> all;
+    std::array<std::vector<T>, 3> of_slope;
+    for (std::size_t j = 0; j < 3; ++j) of_slope[j] = derivatives<order - 1>(partial(f, j), x);
+    const std::size_t block = of_slope[0].size() / 3;
+    for (std::size_t m = 0; m < 3; ++m)
+      for (const std::vector<T>& slope : of_slope)
+        for (std::size_t n = 0; n < block; ++n) all.push_back(slope[m * block + n]);
+    return all;
+  }
+}
+
+class IndexExpression {
+ public:
+  /// Every index but the free one is summed over 0, 1, 2.
+  IndexExpression(std::string text, const std::string& free) : text_(std::move(text)), indices_{free} {
+    std::string spaced;
+    for (char c : text_) spaced += c == '(' ? ' ' : c == ',' ? ' ' : c == ')' ? ';' : c;
+    std::istringstream factors(spaced);
+    for (std::string factor; std::getline(factors, factor, ';');) {
+      std::istringstream words(factor);
+      Factor& read = factors_.emplace_back();
+      words >> read.tensor;
+      for (std::string index; words >> index;) read.indices.push_back(place(index));
+    }
+  }
+
+  const std::string& text() const { return text_; }
+
+  /// Violations of the convention: the free index not once, another one not twice.
+  long ill_formed() const {
+    std::vector<int> counts(indices_.size());
+    for (const Factor& factor : factors_)
+      for (std::size_t k : factor.indices) ++counts[k];
+    long violations = counts[0] != 1;
+    for (std::size_t k = 1; k < counts.size(); ++k) violations += counts[k] != 2;
+    return violations;
+  }
+
+  /// The size of the terms that are added up: the largest product of components, times how many are not zero.
+  double size(Tensors<double> tensors) const {
+    for (auto& [name, components] : tensors) {
+      if (name.first == "e") continue;
+      const double largest = size_of(Value(components));
+      for (double& c : components) c = largest;
+    }
+    for (double& sign : tensors.at({"e", 3})) sign = std::abs(sign);
+    return size_of(Value(value(tensors)));
+  }
+
+  /// The three components that the free index gives.
+  template <class T>
+  Triple<T> value(const Tensors<T>& tensors) const {
+    std::vector<const std::vector<T>*> found;
+    for (const Factor& factor : factors_)
+      found.push_back(&tensors.at({factor.tensor, factor.indices.size()}));
+    Triple<T> sum{};
+    std::vector<std::size_t> at(indices_.size());
+    do {
+      T product(1.0);
+      for (std::size_t n = 0; n < factors_.size() && !is_zero(product); ++n) {
+        std::size_t place = 0;
+        for (std::size_t k : factors_[n].indices) place = 3 * place + at[k];
+        product = product * (*found[n])[place];
+      }
+      sum[at[0]] += product;
+    } while (advance(at));
+    return sum;
+  }
+
+ private:
+  struct Factor {
+    std::string tensor;
+    std::vector<std::size_t> indices;
+  };
+
+  static bool is_zero(double x) { return x == 0; }
+  template <class T>
+  static bool is_zero(const Dual<T>& x) {
+    return is_zero(x.value) && is_zero(x.slope);
+  }
+  static bool advance(std::vector<std::size_t>& at) {
+    for (std::size_t& k : at) {
+      if (++k < 3) return true;
+      k = 0;
+    }
+    return false;
+  }
+  std::size_t place(const std::string& index) {
+    const auto found = std::ranges::find(indices_, index);
+    if (found == indices_.end()) indices_.push_back(index);
+    return static_cast<std::size_t>(std::ranges::find(indices_, index) - indices_.begin());
+  }
+
+  std::string text_;
+  std::vector<std::string> indices_;
+  std::vector<Factor> factors_;
+};
+
+// ---- repeated curls ---------------------------------------------------------------------------------------
 
 constexpr int most_curls = 4;
 
@@ -52,124 +182,12 @@ inline std::string derivative_of_f(int n, const std::string& component = "k1",
   return text + ")";
 }
 
-// ---- the quantities ---------------------------------------------------------------------------------------
-
-/// p sin(k.x + 1/2) + q exp(l.x); reference/make/05_15_repeated_curl.cpp has its own copy.
-struct PlaneWaves {
-  double w;
-  template <class T>
-  Triple<T> operator()(const Triple<T>& x) const {
-    using std::exp, std::sin;
-    const T wave = sin(w * (2.0 * x[0] + x[1] - x[2]) + 0.5);
-    const T growth = exp(w * (0.5 * x[0] - x[1] + 0.25 * x[2]));
-    return {wave + 0.75 * growth, growth - 2.0 * wave, 0.5 * wave - growth};
-  }
-};
-
-/// f(k1, j1 ... jn) for all components k1: `js` holds j1 ... jn.
-template <int n, int l = 0, class Field, class T>
-Triple<T> derivative_along(const Field& f, const Triple<T>& x, const std::array<std::size_t, n>& js) {
-  if constexpr (l == n)
-    return f(x);
-  else
-    return derivative_along<n, l + 1>(partial(f, js[l]), x, js);
-}
-
-/// A sum, and how many of its terms were taken.
-struct Sum {
-  double value = 0;
-  long terms = 0;
-};
-
-/// The sum over j_l, k_l and all below, `up` being k_(l+1): each term takes a derivative of its own.
-/// Terms whose sign is zero are taken too, or left out as soon as it is known.
-template <int n, int l = n, class Field>
-Sum sum_of_terms(const Field& f, const Point& x, bool zeros_too, std::size_t up, double sign = 1,
-                 std::array<std::size_t, n> js = {}) {
-  if constexpr (l == 0) {
-    return {sign * derivative_along<n>(f, x, js)[up], 1};
-  } else {
-    Sum sum;
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double next = sign * permutation_sign(up, j, k);
-        if (next == 0 && !zeros_too) continue;
-        js[l - 1] = j;
-        const Sum below = sum_of_terms<n, l - 1>(f, x, zeros_too, k, next, js);
-        sum.value += below.value;
-        sum.terms += below.terms;
-      }
-    return sum;
-  }
-}
-template <int n, class Field>
-Answer by_terms(const Field& f, const Point& x, bool zeros_too) {
-  const Sum c0 = sum_of_terms<n>(f, x, zeros_too, 0), c1 = sum_of_terms<n>(f, x, zeros_too, 1),
-            c2 = sum_of_terms<n>(f, x, zeros_too, 2);
-  return {Value{c0.value, c1.value, c2.value}, c0.terms + c1.terms + c2.terms};
-}
-
-/// Curls of curls by one way of differentiation; `way` is copied for each level.
-template <int n, class Way, class Field>
-Point curls_by(const Way& way, const Field& f, const Point& x) {
-  if constexpr (n == 0) {
-    return f(x);
-  } else {
-    Way level = way;
-    return curl_by(
-        level, [&](const Point& y) { return curls_by<n - 1>(way, f, y); }, x);
-  }
-}
-
-template <int n>
-Quantity nth_curl(const At& at, const Reference& truth) {
-  std::vector<double> inputs = at.inputs();
-  inputs.push_back(n);
-  const Known known = truth("05_15_repeated_curl", inputs);
-  const Point x = at.x;
-  const PlaneWaves f{at.waves.w};
-  const std::string times = std::to_string(n);
-  Quantity q =
-      quantity("curl_" + times, "1/m^" + times, "the curl of plane waves, applied n = " + times + " times",
-               known, {1e-7 * size_of(known.value), "seven digits of the largest component"});
-  const std::string dual = "nested dual numbers";
-  q.add({"repeated curl", dual, no_knob(), [=](double) {
-           long calls = 0;
-           const auto counted = [&](const auto& y) { return ++calls, f(y); };
-           const Value value = repeated_curl<n>(counted)(x);
-           return Answer{value, calls};
-         }});
-  q.add({"tensor formula, every term", dual, no_knob(), [=](double) { return by_terms<n>(f, x, true); }});
-  q.add(
-      {"tensor formula, zeros left out", dual, no_knob(), [=](double) { return by_terms<n>(f, x, false); }});
-  q.add({"tensor formula, derivatives kept", dual, no_knob(), [=](double) {
-           long calls = 0;
-           const auto counted = [&](const auto& y) { return ++calls, f(y); };
-           const IndexExpression formula(chain(n, "i", as_printed) + derivative_of_f(n), "i");
-           Tensors<double> tensors;
-           put_permutation_tensor(tensors);
-           tensors[{"f", n + 1}] = derivatives<n>(counted, x);
-           return Answer{Value(formula.value(tensors)), calls};
-         }});
-  const auto differenced = [=](auto way) {
-    long calls = 0;
-    const Value value = curls_by<n>(
-        way, [&](const Point& y) { return ++calls, f(y); }, x);
-    return Answer{value, calls};
-  };
-  constexpr int finest[] = {31, 25, 17, 13};
-  const std::string why = "rounding grows as eps/h^" + times;
-  q.add({"repeated curl", "central differences 2", steps(finest[n - 1]),
-         [=](double h) { return differenced(ByDifferences<2>{h}); }, Outcome::inaccurate, why});
-  q.add({"repeated curl", "central differences 4", steps(finest[n - 1]),
-         [=](double h) { return differenced(ByDifferences<4>{h}); }, Outcome::inaccurate, why});
-  if (n == 4)
-    q.add(Breakdown{
-        "Differences of differences of differences of differences lose $\\varepsilon/h^4$: even the best "
-        "step of order 2, near $\\varepsilon^{1/6}$, has five digits.",
-        "repeated curl, central differences 2", 0x1p-9, Outcome::inaccurate,
-        "repeated curl, nested dual numbers", 0});
-  return q;
-}
-
 }  // namespace oddity::fields
+
+namespace oddity::ex05_15 {
+
+std::vector<Claim> claims(Random);
+/// The curls applied 1, ..., `most` times.
+std::vector<Quantity> quantities(const fields::At&, double most, const Reference&);
+
+}  // namespace oddity::ex05_15

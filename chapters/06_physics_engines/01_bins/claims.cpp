@@ -1,7 +1,7 @@
 #include "chapters/claims.hpp"
 
 #include "chapters/06_physics_engines/01_bins/bins.hpp"
-#include "chapters/06_physics_engines/shared/lattice.hpp"
+#include "chapters/06_physics_engines/shared/bins.hpp"
 #include "reference/text.hpp"
 #include "solvers/counted.hpp"
 #include "solvers/roots.hpp"

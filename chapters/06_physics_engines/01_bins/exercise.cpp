@@ -5,7 +5,7 @@
 // interval of length 2r, laid at random, crosses 2r/h of the bins' ends.
 
 #include "chapters/06_physics_engines/01_bins/bins.hpp"
-#include "chapters/06_physics_engines/shared/lattice.hpp"
+#include "chapters/06_physics_engines/shared/bins.hpp"
 
 namespace oddity {
 

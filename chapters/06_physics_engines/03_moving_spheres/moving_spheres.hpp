@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "chapters/06_physics_engines/shared/lattice.hpp"
+#include "chapters/06_physics_engines/shared/bins.hpp"
 
 /// Which spheres overlap while all of them move: several ways to find the pairs, frame by frame.
 namespace oddity::ex06_03 {

@@ -1,13 +1,17 @@
-#pragma once
+// Every index expression as it is written, evaluated from derivatives along the axes, against curls nested in
+// one another by dual numbers along a frame turned at random.
+#include "chapters/claims.hpp"
 
 #include <Eigen/Geometry>
 
 #include "chapters/05_fluids_and_gases/15_repeated_curl/repeated_curl.hpp"
-#include "chapters/claims.hpp"
 #include "reference/text.hpp"
 
-/// Index expressions compared with operators along a frame turned at random, at random fields.
-namespace oddity::fields {
+namespace oddity::ex05_15 {
+
+namespace {
+
+using namespace fields;
 
 struct Sampled {
   std::string where;
@@ -26,7 +30,7 @@ auto contracted(const Field& f, const IndexExpression& expression) {
   };
 }
 
-inline Point turned(const Frame& r, const Point& v) { return {dot(r[0], v), dot(r[1], v), dot(r[2], v)}; }
+Point turned(const Frame& r, const Point& v) { return {dot(r[0], v), dot(r[1], v), dot(r[2], v)}; }
 
 /// The field in the coordinates of a turned frame.
 template <class Field>
@@ -39,7 +43,7 @@ auto turned_field(const Field& f, const Frame& r) {
   };
 }
 
-inline Sampled sample(Random& random, int number) {
+Sampled sample(Random& random, int number) {
   const ScalarField phi(random, 1, 1);
   const VectorField f(random, random.magnitude(1e-6, 1e6), random.magnitude(0.1, 3));
   const VectorField g(random, random.magnitude(1e-6, 1e6), 1);
@@ -93,12 +97,12 @@ struct Said {
 };
 
 /// "k1" as k_1.
-inline std::string typeset_index(const std::string& index) {
+std::string typeset_index(const std::string& index) {
   return index.size() < 2 ? index : index.substr(0, 1) + "_" + index.substr(1);
 }
 
 /// "e(i j k) f(k, j)" as e_{ijk}f_{k,j}, without the dollars.
-inline std::string typeset(const std::string& expression) {
+std::string typeset(const std::string& expression) {
   static const std::map<std::string, std::string> names{{"once", R"((\nabla\times\mathbf f))"},
                                                         {"twice", R"(((\nabla\times)^2\mathbf f))"},
                                                         {"phi_once", R"((\varphi\nabla\times\mathbf f))"},
@@ -120,7 +124,7 @@ inline std::string typeset(const std::string& expression) {
 }
 
 /// The left side, its free index with it.
-inline std::string typeset_left(const Said& said) {
+std::string typeset_left(const Said& said) {
   static const std::map<std::string, std::string> names{
       {"g x f", R"((\mathbf g\times\mathbf f))"},
       {"g x f, turned", R"((\mathbf g\times\mathbf f)')"},
@@ -173,15 +177,93 @@ class Tensorial {
 };
 
 /// Only the free index occurs once, every other one twice.
-inline Check well_formed(const std::string& expression, const std::string& free) {
+Check well_formed(const std::string& expression, const std::string& free) {
   return never("indices that occur once or thrice, but the free one",
                IndexExpression(expression, free).ill_formed(), 1);
 }
-inline Claim summed(const std::string& expression, const std::string& near) {
+Claim summed(const std::string& expression, const std::string& near) {
   const auto reading = [](const std::string& text) {
     return Reading{"$" + typeset(text) + "$", {well_formed(text, "i")}};
   };
   return {.printed = reading(expression), .near_misses = {reading(near)}};
 }
 
-}  // namespace oddity::fields
+}  // namespace
+
+std::vector<Claim> claims(Random random) {
+  const Tensorial t(random);
+  Claims claims("5.15");
+  const auto add = [&](const char* slug, int line, const char* says, const std::vector<Said>& printed,
+                       const std::vector<std::vector<Said>>& near_misses) {
+    claims.add(slug, line, says, t.claim(printed, near_misses));
+  };
+  add("cross_product", 3687, R"($\mathbf g\times\mathbf f$ in index notation)",
+      {{"g x f", "e(i j k) g(j) f(k)"}},
+      {{{"g x f", "e(i j k) g(k) f(j)"}}, {{"g x f", "e(j i k) g(j) f(k)"}}});
+  claims.add("cross_product_sums", 3689, "$j$ and $k$ are summed over, $i$ is the only free index",
+             summed("e(i j k) g(j) f(k)", "e(i j k) g(j) f(j)"));
+  add("cross_product_vector", 3689,
+      R"(with $i$ free it is a vector: it turns with its factors, which are $u$ and $v$ in the turned frame)",
+      {{"g x f, turned", "e(i j k) u(j) v(k)"}},
+      {{{"g x f, mirrored", "e(i j k) mirrored_u(j) mirrored_v(k)"}}});
+  add("curl", 3691, R"($\nabla\times\mathbf f$ in index notation)", {{"curl1", "e(i j k) f(k, j)"}},
+      {{{"curl1", "e(i j k) f(j, k)"}}, {{"curl1", "e(k j i) f(k, j)"}}});
+  add("twice_nested", 3695,
+      R"($\nabla\times\nabla\times\mathbf f$ is $e_{ijk}\,\partial_j(e_{klm}\,\partial_lf_m)$)",
+      {{"curl2", "e(i j k) once(k, j)"}}, {{{"curl2", "e(i j k) once(j, k)"}}});
+  add("twice_factored", 3695, R"(that is $e_{ijk}e_{klm}\,\partial_j\partial_lf_m$)",
+      {{"curl2", "e(i j k) e(k l m) f(m, l j)"}},
+      {{{"curl2", "e(i j k) e(l k m) f(m, l j)"}}, {{"curl2", "e(i j k) e(j l m) f(m, l k)"}}});
+  add("twice_comma", 3695, "the same with a comma for the derivatives",
+      {{"curl2", "e(i j k) e(k l m) f(m, j l)"}},
+      {{{"curl2", "e(i j k) e(k l m) f(j, m l)"}}, {{"curl2", "e(i j k) e(k l m) f(l, j m)"}}});
+  add("constant", 3697, "$e$, being constant, moves out of the derivative",
+      {{"curl2", "e(i j k) e(k l m) f(m, l j)"}, {"curl2", "e(i j k) once(k, j)"}},
+      {{{"phi curl2", "e(i j k) phi_once(k, j)"}}});
+  claims.add("twice_sums", 3697, "$j$, $k$, $l$ and $m$ are summed over, $i$ is the only free index",
+             summed("e(i j k) e(k l m) f(m, j l)", "e(i j k) e(k l m) f(m, j j)"));
+  add("twice_vector", 3697,
+      R"(with $i$ free it is a vector: it turns with the field, which is $v$ in the turned frame)",
+      {{"curl2, turned", "e(i j k) e(k l m) v(m, j l)"}}, {{{"curl2", "e(i j k) e(k l m) v(m, j l)"}}});
+  add("comma", 3697,
+      R"($f_{m,jl}$ is the derivative of the component $f_m$ by $x_j$ and $x_l$: below along any $\mathbf a$, $\mathbf b$)",
+      {{"f along a, b", "f(m, j l) a(j) b(l)", "m"}}, {{{"f along a, b", "f(j, m l) a(j) b(l)", "m"}}});
+  add("renamed_once", 3701, R"($\nabla\times\mathbf f$ in the new names)",
+      {{"curl1", "e(i j1 k1) f(k1, j1)"}}, {{{"curl1", "e(i k1 j1) f(k1, j1)"}}});
+  add("renamed_twice", 3703, R"($\nabla\times\nabla\times\mathbf f$ in the new names)",
+      {{"curl2", "e(i j2 k2) e(k2 j1 k1) f(k1, j1 j2)"}},
+      {{{"curl2", "e(i j2 k2) e(k1 j1 k2) f(k1, j1 j2)"}},
+       {{"curl2", "e(i j1 k2) e(k2 k1 j2) f(k1, j1 j2)"}}});
+  add("thrice_nested", 3707, "the third curl is one of the second", {{"curl3", "e(i j3 k3) twice(k3, j3)"}},
+      {{{"curl3", "e(i j3 k3) twice(j3, k3)"}}});
+  add("thrice_factored", 3709, "its three tensors in front of the derivatives",
+      {{"curl3", "e(i j3 k3) e(k3 j2 k2) e(k2 j1 k1) f(k1, j1 j2 j3)"}},
+      {{{"curl3", "e(i j3 k3) e(k2 j2 k3) e(k2 j1 k1) f(k1, j1 j2 j3)"}},
+       {{"curl3", "e(i j3 k3) e(k3 j2 k2) e(k2 j1 k1) f(j1, k1 j2 j3)"}}});
+  add("appended", 3711,
+      R"(the derivative by $x_{j_3}$ is one more index behind the comma: below along any $\mathbf a$, $\mathbf b$, $\mathbf c$)",
+      {{"f along a, b, c", "f(k1, j1 j2 j3) a(j1) b(j2) c(j3)", "k1"}},
+      {{{"f along a, b, c", "f(j3, j1 j2 k1) a(j1) b(j2) c(j3)", "k1"}}});
+
+  std::vector<Said> general, reversed_link, reversed_all, wrong_component, product, reversed_product;
+  std::vector<Check> wellformed;
+  for (int n = 1; n <= most_curls; ++n) {
+    const std::string left = numbered("curl", n), free = numbered("k", n + 1), f = derivative_of_f(n);
+    general.push_back({left, chain(n, "i", as_printed) + f});
+    reversed_link.push_back({left, chain(n, "i", first_reversed) + f});
+    reversed_all.push_back({left, chain(n, "i", reversed) + f});
+    wrong_component.push_back({left, chain(n, "i", as_printed) + derivative_of_f(n, "j1", "k1")});
+    product.push_back({left, chain(n, free, as_printed) + f, free});
+    reversed_product.push_back({left, chain(n, free, reversed) + f, free});
+    wellformed.push_back(well_formed(product.back().right, free));
+  }
+  add("general", 3715, R"(the chain of $n$ tensors, $n=1,\ldots,4$)", general,
+      {reversed_link, reversed_all, wrong_component});
+  Claim same = t.claim(product, {reversed_product});
+  same.printed.checks.insert(same.printed.checks.end(), wellformed.begin(), wellformed.end());
+  claims.add("product", 3723, R"(the same as a product over $l$ of $e_{k_{l+1}j_lk_l}$, $n=1,\ldots,4$)",
+             std::move(same));
+  return claims.in_order();
+}
+
+}  // namespace oddity::ex05_15
