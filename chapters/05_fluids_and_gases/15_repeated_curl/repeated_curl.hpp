@@ -1,7 +1,7 @@
 #pragma once
 
-#include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
 #include "chapters/05_fluids_and_gases/15_repeated_curl/tensor.hpp"
+#include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
 
 /// The curl applied n times: nested, and by the general formula of the permutation tensor,
 ///   ((curl)^n f)_i = e(i jn kn) e(kn j(n-1) k(n-1)) ... e(k2 j1 k1) f(k1, j1 ... jn).
