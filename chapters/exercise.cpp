@@ -328,14 +328,22 @@ std::string_view name_of(Verdict verdict) {
 
 std::string_view name_of(Fault kind) {
   switch (kind) {
-    case Fault::none: return "";
-    case Fault::number: return "number";
-    case Fault::formula: return "formula";
-    case Fault::left_out: return "case left out";
-    case Fault::counterexample: return "statement with a counterexample";
-    case Fault::term: return "term";
-    case Fault::listing: return "listing";
-    case Fault::lost_typography: return "typography lost on the way";
+    case Fault::none:
+      return "";
+    case Fault::number:
+      return "number";
+    case Fault::formula:
+      return "formula";
+    case Fault::left_out:
+      return "case left out";
+    case Fault::counterexample:
+      return "statement with a counterexample";
+    case Fault::term:
+      return "term";
+    case Fault::listing:
+      return "listing";
+    case Fault::lost_typography:
+      return "typography lost on the way";
   }
   return "?";
 }

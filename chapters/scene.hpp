@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "chapters/numbers.hpp"
 #include "chapters/exercise.hpp"
+#include "chapters/numbers.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
 #include "solvers/ode/algorithms.hpp"

@@ -140,16 +140,19 @@ namespace {
 /// them. Weights by [Abramowitz, Stegun 25.4.29].
 void polish(gsl_integration_glfixed_table& table) {
   const auto n = static_cast<double>(table.n);
-  for (std::size_t i = 0; i < (table.n + 1) / 2; ++i) {
-    double& x = table.x[i];
+  for (std::size_t node = 0; node < (table.n + 1) / 2; ++node) {
+    double& x = table.x[node];
     double slope = 0;
     for (int step = 0; step < 3; ++step) {
       double before = 1, p = x;
-      for (double k = 2; k <= n; ++k) before = std::exchange(p, ((2 * k - 1) * x * p - (k - 1) * before) / k);
+      for (std::size_t i = 2; i <= table.n; ++i) {
+        const auto k = static_cast<double>(i);
+        before = std::exchange(p, ((2 * k - 1) * x * p - (k - 1) * before) / k);
+      }
       slope = n * (before - x * p) / (1 - x * x);
       if (step < 2) x -= p / slope;
     }
-    table.w[i] = 2 / ((1 - x * x) * slope * slope);
+    table.w[node] = 2 / ((1 - x * x) * slope * slope);
   }
 }
 

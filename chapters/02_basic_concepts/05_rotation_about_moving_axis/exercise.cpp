@@ -333,13 +333,14 @@ std::vector<Claim> claims(double seed) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(p["seed"]),
-          {angular_velocity(p["t"], {p["alpha"], p["Omega"], p["nu"]}, truth)},
-          {{"length of the axis' rate",
-            R"(An axis that moves at half a radian per second has $|\dot{\mathbf D}|=0.5$: the determinant of the )"
-            R"(printed frame is 0.25, and a body that is drawn in it loses three quarters of its volume.)"},
-           {"a singular matrix",
-            R"(A program that inverts $\dot RR^T$ divides by its determinant, which is 0 at every moment.)"}}};
+  return {
+      claims(p["seed"]),
+      {angular_velocity(p["t"], {p["alpha"], p["Omega"], p["nu"]}, truth)},
+      {{"length of the axis' rate",
+        R"(An axis that moves at half a radian per second has $|\dot{\mathbf D}|=0.5$: the determinant of the )"
+        R"(printed frame is 0.25, and a body that is drawn in it loses three quarters of its volume.)"},
+       {"a singular matrix",
+        R"(A program that inverts $\dot RR^T$ divides by its determinant, which is 0 at every moment.)"}}};
 }
 
 }  // namespace ex02_05

@@ -216,18 +216,19 @@ Findings study(const Parameters& p, const Reference& truth) {
                      "closed form, factor r / omega", 0});
   late.add(Breakdown{"64 points are two a turn over 32 turns, too few to see the oscillation.",
                      "power, Gauss-Legendre", 64, Outcome::inaccurate, "power, Gauss-Legendre", 256});
-  return {claims,
-          {work_quantity("work", "works of (1, 1, 1) and of (t, t, 1) until T", m, truth), late,
-           early_work(truth), maximum(m, p["turn"], truth)},
-          {{"stationary for maximal",
-            R"(With $r=\omega=1$ the work at $T=5\pi/4$ is $-2.414$, stationary and the least there is, where the )"
-            R"(first maximum has 0.414.)"},
-           {"the start is stationary too",
-            R"(A search for the first maximum that starts at $T=0$ ends there, with no work for 0.1107 )"
-            R"(($r=\omega=1$).)"},
-           {"a term dropped at the maxima",
-            R"(With $r=\omega=1$ the first maximum is 0.1107 and the printed formula says 1.1107: ten times the )"
-            R"(work that the force does.)"}}};
+  return {
+      claims,
+      {work_quantity("work", "works of (1, 1, 1) and of (t, t, 1) until T", m, truth), late,
+       early_work(truth), maximum(m, p["turn"], truth)},
+      {{"stationary for maximal",
+        R"(With $r=\omega=1$ the work at $T=5\pi/4$ is $-2.414$, stationary and the least there is, where the )"
+        R"(first maximum has 0.414.)"},
+       {"the start is stationary too",
+        R"(A search for the first maximum that starts at $T=0$ ends there, with no work for 0.1107 )"
+        R"(($r=\omega=1$).)"},
+       {"a term dropped at the maxima",
+        R"(With $r=\omega=1$ the first maximum is 0.1107 and the printed formula says 1.1107: ten times the )"
+        R"(work that the force does.)"}}};
 }
 
 }  // namespace ex02_17

@@ -76,7 +76,7 @@ struct Sample {
   std::string where() const {
     std::string all = "rows";
     for (const auto& row : m)
-      for (const Whole x : row) all += " " + std::to_string(static_cast<long>(x));
+      for (const Whole x : row) (all += ' ') += std::to_string(static_cast<long>(x));
     return all;
   }
 };

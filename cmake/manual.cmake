@@ -1,0 +1,35 @@
+# cmake -P: writes OUT, the manual page of PROGRAM: its help, and that of each of its verbs.
+cmake_minimum_required(VERSION 3.25)
+
+# What the program prints with these arguments, but for where this build's tables and results are.
+function(printed output)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX REPLACE "TEXT=[^ \n]*/[^ \n]*" "TEXT" text "${text}")
+  set(${output} "${text}" PARENT_SCOPE)
+endfunction()
+
+# Text as troff takes it, line by line as it is.
+function(as_it_is output text)
+  string(REPLACE "\\" "\\e" text "${text}")
+  string(REPLACE "-" "\\-" text "${text}")
+  string(REGEX REPLACE "(^|\n)([.'])" "\\1\\\\&\\2" text "${text}")
+  set(${output} ".nf\n${text}.fi\n" PARENT_SCOPE)
+endfunction()
+
+printed(help --help)
+printed(version --version)
+string(STRIP "${version}" version)
+string(REGEX MATCH "Subcommands:.*" verbs "${help}")
+string(REGEX MATCHALL "\n  [a-z]+" verbs "${verbs}")
+as_it_is(text "${help}")
+set(page ".TH ODDITY 1 \"\" \"oddity ${version}\"\n.SH NAME\noddity \\- the solutions of Game Physics, checked by machine\n")
+string(APPEND page ".SH SYNOPSIS\n.B oddity\n[options] [verb ...]\n.SH DESCRIPTION\n${text}")
+foreach(verb IN LISTS verbs)
+  string(STRIP "${verb}" verb)
+  if(NOT verb STREQUAL "help")
+    printed(help ${verb} --help)
+    as_it_is(text "${help}")
+    string(APPEND page ".SS ${verb}\n${text}")
+  endif()
+endforeach()
+file(WRITE "${OUT}" "${page}")

@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# What CI checks, each leg by its name, alone or several:
+#   tests/legs.sh NAME ...      runs these, says how long each took, and ends with 1 where one is red
+#   tests/legs.sh               shows the names
+# On Debian each installs what it needs. A leg that builds has its own folder under build/.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+jobs=${JOBS:-$(nproc)}
+
+# build PRESET TARGET...
+build() {
+  cmake --preset "$1" >/dev/null
+  cmake --build "build/$1" --parallel "$jobs" --target "${@:2}"
+}
+
+sources() { git ls-files -- "$@"; }
+
+# ---- legs -------------------------------------------------------------------------------------------------
+
+leg_tests() {  # g++: all tests
+  ./oddity test
+}
+
+leg_report() {  # g++: everything verified, and the report written
+  ./oddity
+}
+
+leg_format() {  # clang-format: every source is as .clang-format has it
+  ./oddity packages clang-format
+  sources '*.cpp' '*.hpp' | xargs -d '\n' clang-format --dry-run -Werror
+}
+
+leg_syntax() {  # g++: every source alone, without precompiled headers; compile_commands.json has all of them
+  ./oddity packages
+  build developer generated_sources
+  local listed missing
+  listed=$(sed -n 's|^ *"file": "'"$PWD"'/\(.*\)".*|\1|p' build/developer/compile_commands.json | sort -u)
+  missing=$(comm -23 <(sources '*.cpp' | sort) <(echo "$listed"))
+  [ -z "$missing" ] || { echo "not in compile_commands.json: $missing"; return 1; }
+  sed -n 's|^ *"command": "\(.*\)",$|\1|p' build/developer/compile_commands.json | sed 's|\\"|"|g; s|\\\\|\\|g' |
+    (cd build/developer && xargs -d '\n' -P "$jobs" -n 1 bash -c 'eval "$0 -fsyntax-only"')
+}
+
+leg_tidy() {  # clang-tidy: the solvers and the tables are clean; TIDY='files' asks for others
+  ./oddity packages clang-tidy
+  cmake --preset developer >/dev/null
+  # g++'s flags that clang does not know
+  sources ${TIDY:-'solvers/*.cpp' 'reference/*.cpp' ':!reference/make/*'} |
+    xargs -d '\n' -P "$jobs" -n 1 clang-tidy --quiet --warnings-as-errors='*' -p build/developer \
+      --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-unused-command-line-argument
+}
+
+leg_libcxx() {  # clang with libc++, without exceptions: every scene's models
+  ./oddity packages clang libc++-dev libc++abi-dev
+  tests/models_with_libcxx.sh
+}
+
+leg_install() {  # what is installed works, and a program of another project finds the models
+  ./oddity packages
+  build release oddity
+  tests/installed.sh build/release
+}
+
+leg_clang() {  # clang: all but the tables made again
+  ./oddity packages clang
+  build clang all
+  ctest --test-dir build/clang --output-on-failure --parallel "$jobs" --exclude-regex tables_made_again
+}
+
+leg_sanitize() {  # address and undefined-behaviour sanitizers: the suite
+  ./oddity packages
+  build sanitize oddity
+  build/sanitize/oddity verify ${SUITE:-}
+}
+
+leg_thread() {  # thread sanitizer: a part of the suite in parallel
+  ./oddity packages
+  build thread oddity
+  TSAN_OPTIONS=halt_on_error=1 build/thread/oddity verify "${SUITE:-[3.5],[3.1],[2.13],[7.1]}"
+}
+
+leg_odr() {  # link-time optimization: no name has two definitions in the program
+  ./oddity packages
+  build odr oddity
+}
+
+# -----------------------------------------------------------------------------------------------------------
+
+if [ $# -eq 0 ]; then
+  sed -n 's/^leg_\([a-z]*\)() {  # \(.*\)$/\1: \2/p' "${BASH_SOURCE[0]}"
+  exit
+fi
+for name in "$@"; do
+  declare -F "leg_$name" >/dev/null || { echo "legs.sh: there is no leg $name; without a name it shows them" >&2; exit 2; }
+done
+took=()
+status=0
+for name in "$@"; do
+  echo "== $name"
+  start=$SECONDS
+  # In a shell of its own, so that its first failure ends the leg.
+  if JOBS=$jobs bash -c 'set -euo pipefail; '"$(declare -p jobs; declare -f)"'; leg_'"$name"; then verdict=green; else verdict=RED status=1; fi
+  took+=("$(printf '%-10s %-6s %4d s' "$name" "$verdict" $((SECONDS - start)))")
+done
+printf '%s\n' "== legs" "${took[@]}"
+exit $status
