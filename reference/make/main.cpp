@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   for (const Entry& entry : registry()) {
     const std::string name(entry.name);
     if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) continue;
+    if (wanted.empty() && !entry.home.empty()) continue;  // whose tables are not the tree's
     const fs::path file = folder / (name + ".csv");
     try {
       oddity::write_whole(file, table(name, entry.make()));

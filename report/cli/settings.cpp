@@ -4,7 +4,8 @@ namespace oddity {
 
 namespace fs = std::filesystem;
 
-fs::path reference_folder() { return fs::path(ODDITY_SOURCE) / "reference"; }
+fs::path source_folder() { return ODDITY_SOURCE; }
+fs::path reference_folder() { return source_folder() / "reference"; }
 fs::path results_file() { return fs::path(ODDITY_SOURCE) / "build" / "results.json"; }
 fs::path report_folder() { return fs::path(ODDITY_SOURCE) / "build" / "report"; }
 fs::path chart_folder() { return fs::path(ODDITY_SOURCE) / "build" / "charts"; }
