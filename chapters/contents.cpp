@@ -5,6 +5,8 @@
 #include <charconv>
 #include <vector>
 
+#include "reference/book.hpp"
+
 namespace oddity {
 
 std::string to_string(Number n) { return std::to_string(n.chapter) + "." + std::to_string(n.index); }
@@ -21,25 +23,27 @@ std::optional<Number> exercise_number(std::string_view text) {
 
 namespace {
 
-constexpr std::array<Chapter, 14> book{{
-    {1, "Introduction", 0},
-    {2, "Basic concepts from physics", 17},
-    {3, "Rigid body motion", 35},
-    {4, "Deformable bodies", 0},
-    {5, "Fluids and gases", 15},
-    {6, "Physics engines", 5},
-    {7, "Linear algebra", 11},
-    {8, "Affine algebra", 5},
-    {9, "Calculus", 1},
-    {10, "Quaternions", 0},
-    {11, "Differential equations", 0},
-    {12, "Ordinary difference equations", 0},
-    {13, "Numerical methods", 0},
-    {14, "Linear complementarity and mathematical programming", 0},
-}};
+constexpr std::array<std::string_view, last_odd_exercises.size()> titles{
+    "Introduction",
+    "Basic concepts from physics",
+    "Rigid body motion",
+    "Deformable bodies",
+    "Fluids and gases",
+    "Physics engines",
+    "Linear algebra",
+    "Affine algebra",
+    "Calculus",
+    "Quaternions",
+    "Differential equations",
+    "Ordinary difference equations",
+    "Numerical methods",
+    "Linear complementarity and mathematical programming",
+};
 
 std::vector<Chapter> with_own_chapters() {
-  std::vector<Chapter> all(book.begin(), book.end());
+  std::vector<Chapter> all;
+  for (std::size_t i = 0; i < titles.size(); ++i)
+    all.push_back({static_cast<int>(i) + 1, titles[i], last_odd_exercises[i]});
   for (const Entry& e : registry())
     if (std::ranges::find(all, e.number.chapter, &Chapter::number) == all.end())
       all.push_back({e.number.chapter, "Exercises of one's own", 0});
@@ -54,10 +58,6 @@ std::span<const Chapter> chapters() {
   return all;
 }
 
-bool of_the_book(Number n) {
-  return std::ranges::any_of(book, [&](const Chapter& c) {
-    return c.number == n.chapter && n.index % 2 == 1 && n.index <= c.last_odd;
-  });
-}
+bool of_the_book(Number n) { return is_published(n.chapter, n.index); }
 
 }  // namespace oddity

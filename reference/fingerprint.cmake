@@ -1,6 +1,11 @@
-# cmake -P: writes OUT, a hash of all sources of the room of reference (FOLDER) as a constant: the makers, and what
-# runs them, compares their routes and rounds.
-file(GLOB files "${FOLDER}/*.cpp" "${FOLDER}/*.hpp" "${FOLDER}/make/*.cpp" "${FOLDER}/make/*.hpp")
+# cmake -P: writes OUT, a hash of all sources of the rooms of reference (FOLDERS, separated by commas) as a constant:
+# the makers, and what runs them, compares their routes and rounds.
+string(REPLACE "," ";" folders "${FOLDERS}")
+set(files "")
+foreach(folder IN LISTS folders)
+  file(GLOB more "${folder}/*.cpp" "${folder}/*.hpp" "${folder}/make/*.cpp" "${folder}/make/*.hpp")
+  list(APPEND files ${more})
+endforeach()
 list(SORT files)
 set(all "")
 foreach(file IN LISTS files)

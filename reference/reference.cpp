@@ -7,9 +7,11 @@
 #include <sstream>
 
 #include "reference/bad_input.hpp"
+#include "reference/book.hpp"
 #include "reference/csv.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
+#include "reference/to_write.hpp"
 #include "reference/truth.hpp"
 
 namespace oddity {
@@ -100,6 +102,12 @@ std::string exercise_of(std::string_view table) {
   return number(0) + "." + number(3);
 }
 
+/// Whose values are made on the spot where there is no table.
+bool of_ones_own(std::string_view table) {
+  const auto number = [&](std::size_t at) { return static_cast<int>(number_in(table.substr(at, 2)).value()); };
+  return !is_published(number(0), number(3));
+}
+
 /// "a = 0.5, t = 1".
 std::string named(const truth::Truth& truth, const std::vector<double>& inputs) {
   std::string all;
@@ -121,6 +129,8 @@ Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::
   };
   try {
     made = make(watched);
+  } catch (const truth::StillToWrite& error) {
+    return {{no_number}, no_number, error.what()};
   } catch (const truth::BudgetSpent& error) {
     throw BadInput("exercise " + exercise_of(table) + ": the truth of its table " + std::string(table) +
                    " takes too long to make at " + named(truth, inputs) + ": " + error.what() +
@@ -212,7 +222,12 @@ Reference::Reference(const fs::path& folder, fs::path cache)
   Tables tables;
   for (const truth::Entry& entry : truth::registry()) {
     const std::string name(entry.name);
-    const fs::path file = folder / "tables" / (name + ".csv");
+    const fs::path room = entry.home.empty() ? folder : fs::path(entry.home) / "reference";
+    const fs::path file = room / "tables" / (name + ".csv");
+    if (!fs::exists(file) && of_ones_own(name)) {
+      tables[name];
+      continue;
+    }
     if (!fs::exists(file))
       throw BadInput("cannot read " + file.string() + ": it is not there; build/release/make_reference " +
                      folder.string() + " " + name + " makes it");
@@ -275,7 +290,7 @@ Known Reference::motion(std::string_view name, const std::vector<double>& inputs
     return truth::make_motion(truth, inputs, {times.begin(), times.end()}, digits_, compared_times,
                               tick_ ? tick : truth::Tick());
   });
-  if (!cache_.empty()) keep_motion(cache_, key, known);
+  if (!cache_.empty() && std::isfinite(known.error)) keep_motion(cache_, key, known);
   return known;
 }
 

@@ -1,7 +1,9 @@
-# cmake -P: writes OUT, the texts of the headers that `oddity choose --code` prints, as a constant: FILES (paths
-# within SOURCE, separated by commas) and what these include of the project.
+# cmake -P: writes OUT, the texts of files as a constant, which the function NAME gives and the header of its
+# declaration is HEADER: FILES (paths within one of SOURCES, both separated by commas) and, unless ALONE, what these
+# include of the project.
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" files "${FILES}")
+string(REPLACE "," ";" sources "${SOURCES}")
 set(entries "")
 set(seen "")
 while(files)
@@ -10,8 +12,16 @@ while(files)
     continue()
   endif()
   list(APPEND seen "${file}")
-  file(READ "${SOURCE}/${file}" text)
-  string(REGEX MATCHALL "#include \"[^\"]+\"" includes "${text}")
+  foreach(source IN LISTS sources)
+    if(EXISTS "${source}/${file}")
+      file(READ "${source}/${file}" text)
+      break()
+    endif()
+  endforeach()
+  set(includes "")
+  if(NOT ALONE)
+    string(REGEX MATCHALL "#include \"[^\"]+\"" includes "${text}")
+  endif()
   foreach(include IN LISTS includes)
     string(REGEX REPLACE "#include \"(.*)\"" "\\1" include "${include}")
     list(APPEND files "${include}")
@@ -26,14 +36,14 @@ while(files)
   endwhile()
   string(APPEND entries "   {\"${file}\",${literal}},\n")
 endwhile()
-file(WRITE "${OUT}" "#include \"report/pages/code.hpp\"
+file(WRITE "${OUT}" "#include \"${HEADER}\"
 
 namespace oddity {
 
-std::span<const EmbeddedHeader> embedded_headers() {
-  static constexpr EmbeddedHeader headers[] = {
+std::span<const EmbeddedFile> ${NAME}() {
+  static constexpr EmbeddedFile files[] = {
 ${entries}  };
-  return headers;
+  return files;
 }
 
 }  // namespace oddity

@@ -186,7 +186,7 @@ TEST_CASE("the printed code has the program's numbers, for every scene, model an
 
 TEST_CASE("headers that are printed need the standard library only", "[code]") {
   REQUIRE(embedded_headers().size() > 8);
-  for (const EmbeddedHeader& header : embedded_headers()) {
+  for (const EmbeddedFile& header : embedded_headers()) {
     std::istringstream lines{std::string(header.text)};
     for (std::string line; std::getline(lines, line);)
       if (line.starts_with("#include <")) {

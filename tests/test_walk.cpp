@@ -1,5 +1,5 @@
-// The walk of CONTRIBUTING.md, with the two files of its page: from a table to make to a green exercise, and
-// how an exercise of one's own is shown.
+// The walks of CONTRIBUTING.md, with what its page fills in: from what `new` writes to green exercises, and
+// how an exercise of one's own is shown. What `new` writes is compiled as it is into the same program.
 
 #include <sys/wait.h>
 
@@ -52,9 +52,18 @@ void copy_tables(const fs::path& folder) {
   }
 }
 
+/// The number of the first line of the file that has the words.
+std::string line_of(const std::string& file, const std::string& words) {
+  std::ifstream in(fs::path(ODDITY_SOURCE) / file);
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number)
+    if (line.find(words) != std::string::npos) return std::to_string(number);
+  return "?";
+}
+
 }  // namespace
 
-TEST_CASE("the walk of CONTRIBUTING.md ends green", "[walk]") {
+TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
   const ScratchFolder scratch;
   copy_tables(scratch.path());
   const std::string folder = scratch.path().string();
@@ -63,43 +72,146 @@ TEST_CASE("the walk of CONTRIBUTING.md ends green", "[walk]") {
   };
   const auto rows = [&](const std::string& file) { return text_of(scratch.path() / file); };
 
-  const Ran before = oddity("solve 4.1");
-  CHECK(before.status == 2);
-  CHECK(says(before, "04_01_spring makes it"));
+  const Ran without_table = oddity("solve 4.1");
+  CHECK(without_table.status == 0);
+  CHECK(says(without_table, "computed on the spot: Taylor series of the equation of motion; and the cosine"));
   const Ran made = run(std::string(ODDITY_WALK_MAKER) + " " + folder + " 04_01_spring");
   INFO(made.output);
   REQUIRE(made.status == 0);
+  CHECK(says(oddity("solve 4.1"), "table 04_01_spring.csv"));
 
-  CHECK(says(oddity("list"), "4.1  Mass on a spring (scene) (own)\n"));
+  CHECK(says(oddity("list"), "4.1  Spring (scene) (own)\n"));
+  CHECK(says(oddity("list"), "9.2  Law of cosines (own)\n"));
   CHECK(oddity("solve 4.1 c=41").status == 0);
 
   const std::string others = rows("approved/verdicts.csv");
-  const Ran red = oddity("verify '[4.1]'");
+  const Ran red = oddity("verify '[4.1],[9.2]'");
   CHECK(red.status == 1);
   CHECK(says(red, "\n+ 4.1-period,confirmed\n"));
+  CHECK(says(red, "\n+ 9.2-first,confirmed\n"));
   CHECK(says(red, "\n+ 4.1,mass on a spring,Runge-Kutta 4,"));
   CHECK_FALSE(says(red, "raised"));
+  CHECK_FALSE(says(red, "write it in"));
   CHECK(rows("approved/verdicts.csv") == others);
 
-  const Ran approved = oddity("verify --approve '[4.1]'");
+  const Ran approved = oddity("verify --approve '[4.1],[9.2]'");
   INFO(approved.output);
   CHECK(approved.status == 0);
   CHECK(says(approved, "\n+ 4.1-period,confirmed\n"));
   CHECK(says(approved, "Look at the differences"));
-  const std::string now = rows("approved/verdicts.csv");
-  const auto added = now.find("4.1-period,confirmed\n");
-  REQUIRE(added != std::string::npos);
-  CHECK(now.find("\n5.1-") > added);
-  CHECK(std::string(now).erase(added, std::string("4.1-period,confirmed\n").size()) == others);
+  std::string now = rows("approved/verdicts.csv");
+  for (const std::string row : {"4.1-period,confirmed\n", "9.2-first,confirmed\n"}) {
+    const auto added = now.find(row);
+    REQUIRE(added != std::string::npos);
+    now.erase(added, row.size());
+  }
+  CHECK(now == others);
+  CHECK(rows("approved/verdicts.csv").find("\n5.1-") > rows("approved/verdicts.csv").find("4.1-period"));
 
-  const Ran green = oddity("verify '[4.1]'");
+  const Ran green = oddity("verify '[4.1],[9.2]'");
   CHECK(green.status == 0);
   CHECK_FALSE(says(green, "+ 4.1"));
   CHECK(says(oddity("verify --approve '[4.1]'"), "every row was on record already"));
-  CHECK(oddity("verify '[own]'").status == 0);
+  CHECK(oddity("verify '[own]~[ch99]'").status == 0);
   CHECK(says(oddity("choose 4.1 --criterion energy --error 0.01 --horizon 1"), "Take "));
   const Ran page = oddity("verify '[4.1]' -r markdown");
   CHECK(says(page, "0 exercises and 1 of one's own, 1 claim"));
-  CHECK(says(page, "4.1 Mass on a spring (own)"));
+  CHECK(says(page, "4.1 Spring (own)"));
   CHECK_FALSE(says(page, "The solutions have no exercises in this chapter"));
+}
+
+TEST_CASE("what new writes runs as it is, from outside the tree, and says what is still to be written",
+          "[walk]") {
+  const auto oddity = [&](const std::string& words) { return run(std::string(ODDITY_WALK) + " " + words); };
+  const std::string folder = "chapters/99_my_topic/";
+  CHECK(says(oddity("list 99.97"), "99.97  My identity (own)\n"));
+  const Ran solved = oddity("solve 99.98");
+  CHECK(solved.status == 0);
+  CHECK(says(solved, "still to be written: "));
+  CHECK(says(solved, "Runge-Kutta 4"));
+
+  const Ran identity = oddity("verify '[99.97]'");
+  CHECK(identity.status == 1);
+  const std::string its_file = folder + "97_my_identity/exercise.cpp";
+  CHECK(says(identity, "99.97: it does not say yet what is asked: write it in report/new/" + its_file));
+  CHECK(says(identity, "99.97: the claim 'first' has no independent route yet: write it in report/new/" +
+                           its_file + ":" + line_of("report/new/" + its_file, "to_write()")));
+  CHECK_FALSE(says(identity, "+ 99.97"));
+
+  const Ran scene = oddity("verify '[99.98]'");
+  CHECK(scene.status == 1);
+  const std::string claims = "report/new/" + folder + "98_my_scene/claims.cpp",
+                    maker = "report/new/reference/make/99_98_my_scene.cpp";
+  CHECK(says(scene, "99.98: the claim 'period' has no independent route yet: write it in " + claims + ":" +
+                        line_of(claims, "to_write()")));
+  CHECK(says(scene, "99.98: the quantity 'swing' has no second route to its truth yet: write it in " + maker +
+                        ":" + line_of(maker, "throw StillToWrite")));
+  CHECK_FALSE(says(scene, "limits.csv"));
+  const Ran choice = oddity("choose 99.98 --error 1cm");
+  CHECK(choice.status == 2);
+  CHECK(says(choice, "exercise 99.98 has no truth to judge by: still to be written: "));
+}
+
+TEST_CASE("new writes the files of the walks but for what they fill in", "[walk][new]") {
+  const ScratchFolder scratch;
+  const auto begin = [&](const std::string& words) {
+    return run(std::string(ODDITY_PROGRAM) + " new " + words + " --in " + scratch.path().string());
+  };
+  const Ran scene = begin("44.2 spring");
+  INFO(scene.output);
+  CHECK(scene.status == 0);
+  CHECK(begin("99.98 my_scene --topic my_topic").status == 0);
+  CHECK(begin("99.97 my_identity --identity").status == 0);
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(ODDITY_SOURCE) / "report/new")) {
+    if (!entry.is_regular_file()) continue;
+    const fs::path file = fs::relative(entry.path(), fs::path(ODDITY_SOURCE) / "report/new");
+    INFO(file);
+    CHECK(text_of(scratch.path() / file) == text_of(entry.path()));
+  }
+  std::string expected =
+      text_of(fs::path(ODDITY_WALK_FOLDER) / "chapters/04_deformable_bodies/01_spring/methods.cpp");
+  for (const auto& [old, fresh] :
+       {std::pair("04_deformable_bodies/01_spring", "44_own/02_spring"), {"04_01", "44_02"}, {"4.1", "44.2"}})
+    for (std::size_t at; (at = expected.find(old)) != std::string::npos;)
+      expected.replace(at, std::string(old).size(), fresh);
+  CHECK(text_of(scratch.path() / "chapters/44_own/02_spring/methods.cpp") == expected);
+  CHECK(says(scene, "\nODDITY_OWN=" + scratch.path().string() + " ./oddity verify '[44.2]'"));
+}
+
+TEST_CASE("new refuses what cannot be, and overwrites nothing", "[new]") {
+  const ScratchFolder scratch;
+  const auto begin = [&](const std::string& words) {
+    return run(std::string(ODDITY_PROGRAM) + " new " + words + " --in " + scratch.path().string());
+  };
+  const auto refuses = [&](const std::string& words, const std::string& reason) {
+    const Ran ran = begin(words);
+    INFO(words << "\n" << ran.output);
+    CHECK(ran.status == 2);
+    CHECK(says(ran, reason));
+  };
+  refuses("3.5 pendulum",
+          "exercise 3.5 is there already: Pendulum from 30 degrees, "
+          "chapters/03_rigid_body_motion/05_pendulum/exercise.cpp");
+  refuses("3.5 pendulum", "Free are 3.2, 3.4, 3.6 and more");
+  refuses("3 pendulum", "'3' is no number of an exercise: that is N.M, such as 3.2");
+  refuses("3.100 pendulum", "each from 1 to 99");
+  refuses("0.2 pendulum", "each from 1 to 99");
+  refuses("3.2 'Spring pendulum'", "did you mean 'spring_pendulum'?");
+  refuses("3.2 ../x", "is no name of a folder");
+  refuses("3.2 2nd", "a letter first; did you mean 'nd'?");
+  refuses("3.2 x --topic statics", "chapter 3 is in chapters/03_rigid_body_motion");
+  refuses("3.2 x --scene --identity", "excludes");
+  refuses("3.2 x --topik y", "did you mean '--topic'?");
+  CHECK(fs::is_empty(scratch.path()));
+  CHECK(says(run(std::string(ODDITY_PROGRAM) + " nwe 3.2 x"), "did you mean 'new'?"));
+
+  CHECK(begin("3.2 spring_pendulum").status == 0);
+  const fs::path file = scratch.path() / "chapters/03_rigid_body_motion/02_spring_pendulum/exercise.cpp";
+  std::ofstream(file, std::ios::app) << "// mine\n";
+  refuses("3.2 spring_pendulum", "exercise 3.2 is there already: " + file.parent_path().string());
+  refuses("3.2 another", "nothing was written");
+  CHECK(text_of(file).ends_with("// mine\n"));
+  fs::remove_all(scratch.path() / "chapters");
+  refuses("3.2 spring_pendulum", "reference/make/03_02_spring_pendulum.cpp; nothing was written");
+  CHECK_FALSE(fs::exists(scratch.path() / "chapters"));
 }

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <iostream>
+#include <set>
 
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
+#include "reference/own.hpp"
+#include "reference/to_write.hpp"
 #include "reference/verdicts.hpp"
+#include "report/cli/settings.hpp"
 #include "report/pages/markdown.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/approve.hpp"
@@ -153,9 +157,52 @@ void verify_stability(const ExerciseResult& e) {
   for (const MapRow& row : e.stability->map) verify_map(e, row);
 }
 
+/// A path as it is within the tree, if it is.
+std::string without_tree(std::string path) {
+  const std::string tree = source_folder().string() + "/";
+  return path.starts_with(tree) ? path.substr(tree.size()) : path;
+}
+
+/// "file:line" of what is still to be written, as a route says; else nothing.
+std::optional<std::string> place_to_write(const std::string& by) {
+  if (!by.starts_with(to_write_mark)) return {};
+  return without_tree(by.substr(to_write_mark.size()));
+}
+
+/// What is still to be written before the exercise can be judged, and where.
+std::vector<std::string> still_to_write(const ExerciseResult& e) {
+  const std::string number = to_string(e.number);
+  std::vector<std::string> all;
+  const Entry& entry = *std::ranges::find(registry(), e.number, &Entry::number);
+  if (entry.exercise.asks.starts_with(to_write_mark))
+    all.push_back(number + ": it does not say yet what is asked: write it in " +
+                  without_tree(std::string(entry.file)));
+  for (const QuantityResult& q : e.quantities)
+    if (const auto place = place_to_write(q.reference.by))
+      all.push_back(number + ": the quantity '" + q.name +
+                    "' has no second route to its truth yet: write it in " + *place);
+  for (const JudgedClaim& c : e.claims) {
+    const auto missing = [&] {
+      for (const Reading* reading : {&c.claim.printed, &c.claim.meant, &c.claim.corrected})
+        for (const Check& check : reading->checks)
+          for (const Route* route : {&check.left, &check.right})
+            if (const auto place = place_to_write(route->by)) return place;
+      return std::optional<std::string>();
+    };
+    if (const auto place = missing())
+      all.push_back(number + ": the claim '" + c.claim.id.substr(number.size() + 1) +
+                    "' has no independent route yet: write it in " + *place);
+  }
+  return all;
+}
+
 void verify_exercise(Number number) {
   const ExerciseResult& e = result_of(number);
   if (!e.failure.empty()) FAIL("exercise " << to_string(number) << " raised: " << e.failure);
+  if (const auto missing = still_to_write(e); !missing.empty()) {
+    for (const std::string& sentence : missing) FAIL_CHECK(sentence);
+    return;
+  }
   CHECK_FALSE((e.claims.empty() && (of_the_book(number) || e.quantities.empty())));
   for (const JudgedClaim& claim : e.claims) {
     CHECK(claim.claim.id.starts_with(to_string(number) + "-"));
@@ -231,9 +278,26 @@ CATCH_REGISTER_REPORTER("markdown", MarkdownReporter)
 
 namespace {
 
+/// Adds the records of exercises from outside the tree, those that have some.
+void add_own(Judged& judged) {
+  std::set<fs::path> folders;
+  for (const Entry& e : registry()) folders.insert(own_reference_folder(e.file));
+  for (const fs::path& folder : folders) {
+    if (folder.empty()) continue;
+    const fs::path own = folder / "approved";
+    if (fs::exists(own / "verdicts.csv")) judged.approved.merge(read_verdicts(own));
+    if (fs::exists(own / "limits.csv"))
+      std::ranges::move(read_limits(own), std::back_inserter(judged.limits));
+    if (fs::exists(own / "stability_maps.csv"))
+      std::ranges::move(read_maps(own), std::back_inserter(judged.maps));
+  }
+}
+
 Judged on_record(const fs::path& folder) {
   const fs::path approved = folder / "approved";
-  return {{}, read_verdicts(approved), read_limits(approved), read_maps(approved)};
+  Judged judged{{}, read_verdicts(approved), read_limits(approved), read_maps(approved)};
+  add_own(judged);
+  return judged;
 }
 
 /// Writes what agrees with the results into the three files of records, and says what that changed.
@@ -246,9 +310,12 @@ void approve(const Results& results, const fs::path& folder) {
             << std::flush;
 }
 
-/// What a red suite could do about its records, each row in one line, to be pasted.
+/// What could be done about a red suite: what is still to be written, and the rows of its records, each in
+/// one line, to be pasted.
 void suggest(const Results& results, const fs::path& folder) {
   const auto changes = approvals(results, folder);
+  for (const ExerciseResult& e : results.exercises)
+    for (const std::string& sentence : still_to_write(e)) std::cerr << sentence << "\n";
   if (!changes.empty())
     std::cerr << "The records differ from this run; oddity verify --approve would write:\n"
               << text_of(changes);

@@ -30,6 +30,9 @@ struct Session {
               maps_out = report_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false;
   AskedNeed need = {};
+  NewExercise begun = {};
+  std::string outside = {};
+  bool scene = false, identity = false;
   std::string command = {};  ///< as it would be typed
   int status = 0;
 
@@ -190,6 +193,27 @@ void add_stability(CLI::App& app, Session& s) {
   for (const char* other : {"--json", "--csv"}) rows->excludes(stability->get_option(other));
 }
 
+void add_new(CLI::App& app, Session& s) {
+  auto* begin =
+      verb(app, "new", "begin an exercise of your own: files that compile, and say what is to be written",
+           "It needs a number that is free: even ones, other chapters. Nothing is overwritten.\n"
+           "Examples: oddity new 3.2 spring_pendulum    oddity new 9.2 law_of_cosines --identity    "
+           "oddity new 20.1 comet --topic space --in ~/exercises",
+           [&] {
+             s.begun.in = s.outside;
+             s.begun.scene = !s.identity;
+             verbs::create(s.begun);
+           });
+  begin->add_option("number", s.begun.number, "such as 3.2")->required();
+  begin->add_option("slug", s.begun.slug, "the name of its folder, such as spring_pendulum")->required();
+  auto* scene = begin->add_flag("--scene", s.scene,
+                                "a motion, with models, methods and claims; so without either word");
+  begin->add_flag("--identity", s.identity, "claims alone")->excludes(scene);
+  begin->add_option("--topic", s.begun.topic, "for a chapter that has no folder: its name");
+  add_path(*begin, "--in", s.outside,
+           "a folder outside the tree, in which ODDITY_OWN has the build find the exercise");
+}
+
 std::vector<std::string> names_of_verbs(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* one : app.get_subcommands({})) names.push_back(one->get_name());
@@ -330,6 +354,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
        "Example: oddity bench",
        [&] { session.status = verbs::bench(session.folder); });
   add_report(app, session);
+  add_new(app, session);
   verb(app, "help", "show this help, or that of a verb", "Example: oddity help choose", [] {});
   session.command = typed(words_of(argc, argv));
   const int status = answer(app, session, words_of(argc, argv));

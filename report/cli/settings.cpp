@@ -30,9 +30,10 @@ fs::path kept() {
 
 }  // namespace
 
+fs::path source_folder() { return ODDITY_SOURCE; }
 fs::path reference_folder() {
   const fs::path installed = installed_tables();
-  return installed.empty() ? fs::path(ODDITY_SOURCE) / "reference" : installed;
+  return installed.empty() ? source_folder() / "reference" : installed;
 }
 fs::path results_file() { return kept() / "results.json"; }
 fs::path report_folder() { return kept() / "report"; }

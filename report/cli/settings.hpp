@@ -6,6 +6,7 @@
 /// Where things are, unless the command line says otherwise. Set by CMake.
 namespace oddity {
 
+std::filesystem::path source_folder();     ///< the tree
 std::filesystem::path reference_folder();  ///< the tables
 std::filesystem::path results_file();      ///< the last run's results
 std::filesystem::path report_folder();     ///< the last report

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <iostream>
 
+#include "chapters/scene.hpp"
+#include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
+#include "reference/to_write.hpp"
 #include "report/charts/gnuplot.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/bench.hpp"
@@ -124,6 +127,14 @@ Results stability_of(const fs::path& folder, const std::vector<std::string>& exe
   return with_stability(blank, tasks, Reference(folder, motions_folder()), bar.callback());
 }
 
+/// Nothing can be chosen where nothing is true yet.
+void require_truth(const Task& task, const Reference& truth) {
+  const Quantity seen = motion(*task.entry->exercise.scene, task.parameters, truth);
+  if (seen.reference.by.starts_with(to_write_mark))
+    throw BadInput("exercise " + to_string(task.entry->number) +
+                   " has no truth to judge by: " + seen.reference.by);
+}
+
 }  // namespace
 
 void list(const std::string& exercise, Format format) {
@@ -150,8 +161,9 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   const Need need = need_of(*task.entry, asked);
   ProgressBar bar;
   KeptPrices prices(prices_folder(), price_key(task, need), asked.measure);
-  Choice choice =
-      oddity::choose(task, need, Reference(folder, motions_folder()), std::ref(prices), bar.callback());
+  const Reference truth(folder, motions_folder());
+  if (!of_the_book(task.entry->number)) require_truth(task, truth);
+  Choice choice = oddity::choose(task, need, truth, std::ref(prices), bar.callback());
   prices.keep();
   choice.prices_are = prices.source();
   if (format == Format::code && !choice.chosen)
@@ -203,6 +215,20 @@ void stability_table(const fs::path& folder, const std::vector<std::string>& exe
 void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises) {
   const Results results = stability_of(folder, exercises);
   std::cout << limit_rows(results) << "\n" << map_rows(results);
+}
+
+void create(NewExercise asked) {
+  if (!asked.in.empty()) asked.in = fs::absolute(asked.in).lexically_normal();
+  const std::vector<NewFile> files = new_files(asked);
+  for (const NewFile& file : files) write_whole(file.path, file.text);
+  for (const NewFile& file : files)
+    std::cout << (asked.in.empty() ? file.path.lexically_relative(source_folder()) : file.path).string()
+              << "\n";
+  const std::string oddity = (asked.in.empty() ? "" : "ODDITY_OWN=" + asked.in.string() + " ") + "./oddity ";
+  std::cout << oddity << "solve " << asked.number << "  # builds it and runs it\n"
+            << oddity << "verify '[" << asked.number << "]'  # says what is still to be written, and where\n"
+            << oddity << "verify --approve '[" << asked.number
+            << "]'  # once that is written: puts its results on record\n";
 }
 
 int bench(const fs::path& folder) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "report/cli/asked.hpp"
+#include "report/cli/new_exercise.hpp"
 
 /// What the program's verbs do. Each takes the folder of the reference tables, prints what is asked on
 /// standard output, and throws BadInput.
@@ -33,6 +34,8 @@ void stability(const fs::path& folder, const std::vector<std::string>& exercises
 void stability_table(const fs::path& folder, const std::vector<std::string>& exercises, Format);
 /// The same as the rows that would put the limits and maps on record.
 void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises);
+/// Writes the files of a new exercise, and says what to do next.
+void create(NewExercise);
 /// 0 when no limit is broken, else 1.
 int bench(const fs::path& folder);
 

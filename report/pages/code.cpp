@@ -69,7 +69,7 @@ Printed printed(const Listing& listing, const std::string& model, const std::str
 }
 
 std::string_view text_of(std::string_view path) {
-  for (const EmbeddedHeader& header : embedded_headers())
+  for (const EmbeddedFile& header : embedded_headers())
     if (header.path == path) return header.text;
   throw std::logic_error("the program does not carry " + std::string(path));
 }

@@ -10,12 +10,12 @@
 /// What `choose` has chosen, as C++ to paste.
 namespace oddity {
 
-/// A header of this project as the program carries it.
-struct EmbeddedHeader {
+/// A file of this project as the program carries it.
+struct EmbeddedFile {
   std::string_view path, text;
 };
 /// Those of the models and of the plain algorithms, and what they include of the project.
-std::span<const EmbeddedHeader> embedded_headers();
+std::span<const EmbeddedFile> embedded_headers();
 
 /// The algorithms that can be printed.
 std::vector<std::string_view> printable_algorithms();

@@ -5,7 +5,9 @@
 #include <map>
 #include <set>
 
+#include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/own.hpp"
 #include "report/study/stability.hpp"
 
 namespace oddity {
@@ -20,8 +22,10 @@ struct Record {
   std::map<Number, RowTexts> rows;
 };
 
-Record read_record(const std::filesystem::path& file) {
+/// Where there is no file, one without rows, its head that of `like`.
+Record read_record(const std::filesystem::path& file, const std::filesystem::path& like) {
   std::ifstream in(file);
+  if (!in && file != like) return {read_record(like, like).head, {}};
   if (!in) throw BadInput("cannot read " + file.string());
   Record record;
   bool in_head = true;
@@ -72,9 +76,9 @@ RowTexts missing(const RowTexts& of, const RowTexts& in) {
   return rows;
 }
 
-}  // namespace
-
-std::vector<Approval> approvals(const Results& results, const std::filesystem::path& folder) {
+/// Of the exercises whose records are in `folder`; `like` has all files.
+std::vector<Approval> approvals_in(const std::filesystem::path& folder, const std::filesystem::path& like,
+                                   const std::vector<const ExerciseResult*>& exercises) {
   const auto of_stability = [](std::string (*text)(const Results&)) {
     return [text](const ExerciseResult& e) { return lines_of(text(Results{{e}})); };
   };
@@ -85,12 +89,12 @@ std::vector<Approval> approvals(const Results& results, const std::filesystem::p
   std::vector<Approval> all;
   for (const auto& [name, rows_of] : files) {
     Approval approval{folder / "approved" / name, {}, {}, {}};
-    Record record = read_record(approval.file);
+    Record record = read_record(approval.file, like / "approved" / name);
     const std::string before = text_of(record);
-    for (const ExerciseResult& e : results.exercises) {
-      if (!approvable(e)) continue;
-      RowTexts& rows = record.rows[e.number];
-      const RowTexts now = rows_of(e), added = missing(now, rows), removed = missing(rows, now);
+    for (const ExerciseResult* e : exercises) {
+      if (!approvable(*e)) continue;
+      RowTexts& rows = record.rows[e->number];
+      const RowTexts now = rows_of(*e), added = missing(now, rows), removed = missing(rows, now);
       approval.added.insert(approval.added.end(), added.begin(), added.end());
       approval.removed.insert(approval.removed.end(), removed.begin(), removed.end());
       if (!added.empty() || !removed.empty()) rows = now;
@@ -98,6 +102,21 @@ std::vector<Approval> approvals(const Results& results, const std::filesystem::p
     approval.text = text_of(record);
     if (approval.text != before) all.push_back(std::move(approval));
   }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Approval> approvals(const Results& results, const std::filesystem::path& folder) {
+  std::map<std::filesystem::path, std::vector<const ExerciseResult*>> by_folder;
+  for (const ExerciseResult& e : results.exercises) {
+    const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
+    const auto own = entry == registry().end() ? "" : own_reference_folder(entry->file);
+    by_folder[own.empty() ? folder : own].push_back(&e);
+  }
+  std::vector<Approval> all;
+  for (const auto& [records, exercises] : by_folder)
+    for (Approval& approval : approvals_in(records, folder, exercises)) all.push_back(std::move(approval));
   return all;
 }
 

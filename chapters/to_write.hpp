@@ -1,0 +1,38 @@
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "chapters/claims.hpp"
+#include "reference/to_write.hpp"
+
+/// The place of a claim's independent route until it is written: `to_write()` stands for any of them, is not
+/// a number, and names its file and line.
+namespace oddity {
+
+class ToWrite {
+ public:
+  ToWrite(const char* file, int line) : by_(to_write_at(file, line)) {}
+
+  /// The same; of what it can be written.
+  template <class... Ingredients>
+  const ToWrite& from(const Ingredients&...) const {
+    return *this;
+  }
+
+  operator Route() const { return {by_, nothing}; }
+  template <class Sample>
+  operator Formula<Sample>() const {
+    return {by_, [](const Sample&) { return Value(nothing); }};
+  }
+
+ private:
+  static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  std::string by_;
+};
+
+inline ToWrite to_write(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+  return {file, line};
+}
+
+}  // namespace oddity
