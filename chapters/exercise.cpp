@@ -296,8 +296,8 @@ double Quantity::in_needs(const std::vector<double>& errors) const {
 std::string in_float(std::string_view algorithm) { return std::string(algorithm) + " in float"; }
 
 Trial run(const Quantity& quantity, const Method& method, double setting) {
-  Trial trial{method.model, method.algorithm, method.knob.name, setting, {}, {}, 0, 0, 0, Outcome::raised,
-              method.precision};
+  Trial trial{method.model,    method.algorithm, method.knob.name, setting, {}, {}, 0, 0, 0,
+              Outcome::raised, method.precision};
   try {
     trial.answer = method.run(setting);
   } catch (const std::exception& exception) {
@@ -335,14 +335,22 @@ std::string_view name_of(Precision precision) {
 
 std::string_view name_of(Fault kind) {
   switch (kind) {
-    case Fault::none: return "";
-    case Fault::number: return "number";
-    case Fault::formula: return "formula";
-    case Fault::left_out: return "case left out";
-    case Fault::counterexample: return "statement with a counterexample";
-    case Fault::term: return "term";
-    case Fault::listing: return "listing";
-    case Fault::lost_typography: return "typography lost on the way";
+    case Fault::none:
+      return "";
+    case Fault::number:
+      return "number";
+    case Fault::formula:
+      return "formula";
+    case Fault::left_out:
+      return "case left out";
+    case Fault::counterexample:
+      return "statement with a counterexample";
+    case Fault::term:
+      return "term";
+    case Fault::listing:
+      return "listing";
+    case Fault::lost_typography:
+      return "typography lost on the way";
   }
   return "?";
 }

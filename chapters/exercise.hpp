@@ -307,7 +307,7 @@ struct Quantity {
   std::string says;
   Route reference;  ///< `by` names the source
   double reference_error = 0;
-  Tolerance need;  ///< the error that still counts as ok
+  Tolerance need;                    ///< the error that still counts as ok
   std::vector<Method> methods = {};  ///< in double
   std::vector<Breakdown> breakdowns = {};
   int samples = 1;               ///< times of a motion; the value has the observables of one after the other

@@ -14,9 +14,11 @@ namespace {
 template <std::size_t n>
 using Motion = ode::Trajectory<std::array<double, n>>;
 
-/// To twelve digits, as far as it comes in 100,000 steps: a model that chatters about rest would take millions.
+/// To twelve digits, as far as it comes in 100,000 steps: a model that chatters about rest would take
+/// millions.
 template <std::size_t n>
-Motion<n> accurate(const ModelOf<n>& model, const std::array<double, n>& start, std::span<const double> times) {
+Motion<n> accurate(const ModelOf<n>& model, const std::array<double, n>& start,
+                   std::span<const double> times) {
   using State = std::array<double, n>;
   long steps = 0;
   const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
@@ -107,9 +109,10 @@ void add_in_float(Quantity& motion, const std::vector<std::string_view>& names,
     throw std::logic_error(motion.name + " has no Runge-Kutta 4 in float");
   const double finest = richest->knob.settings.back();
   const std::string model = richest->model;
-  motion.add(Breakdown{"In float every step rounds, and shorter steps round more often: at the finest step "
-                       "here Runge-Kutta 4 is not within the need, in double it is.",
-                       model + ", " + algorithm, finest, at_finest, model + ", Runge-Kutta 4", finest});
+  motion.add(
+      Breakdown{"In float every step rounds, and shorter steps round more often: at the finest step "
+                "here Runge-Kutta 4 is not within the need, in double it is.",
+                model + ", " + algorithm, finest, at_finest, model + ", Runge-Kutta 4", finest});
 }
 
 }  // namespace oddity::detail

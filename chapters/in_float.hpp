@@ -125,8 +125,8 @@ class ClosedFormInFloat final : public ModelInFloat {
     for (double t : horizon().times()) {
       const Value there = exact_.at(t);
       most.of_parameters = std::max(most.of_parameters, distance(rounded_.at(t), there));
-      most.of_each_step = std::max(most.of_each_step, distance(exact_.at(t * later), there) +
-                                                          unit_roundoff<float> * size_of(there));
+      most.of_each_step = std::max(
+          most.of_each_step, distance(exact_.at(t * later), there) + unit_roundoff<float> * size_of(there));
     }
     return most;
   }
@@ -163,7 +163,9 @@ Quantity with_float(Quantity motion, const Horizon& horizon, const Given<double>
   const auto exact = models(given), rounded = models(rounded_to<double>(in_float));
   std::vector<std::shared_ptr<const ModelInFloat>> all;
   [&]<std::size_t... i>(std::index_sequence<i...>) {
-    (all.push_back(detail::model_in_float(horizon, std::get<i>(floats), std::get<i>(exact), std::get<i>(rounded))), ...);
+    (all.push_back(
+         detail::model_in_float(horizon, std::get<i>(floats), std::get<i>(exact), std::get<i>(rounded))),
+     ...);
   }
   (std::make_index_sequence<std::tuple_size_v<decltype(exact)>>());
   detail::add_in_float(motion, names, all, at_finest);

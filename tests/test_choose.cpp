@@ -24,7 +24,8 @@ Method method(std::string model, std::string algorithm, Knob knob, double a, int
           }};
 }
 
-/// "coarse": off by a tenth of (a - 1). "stepping": off by its step, in float by 0.02 at least. "rich": right, at a hundred evaluations.
+/// "coarse": off by a tenth of (a - 1). "stepping": off by its step, in float by 0.02 at least. "rich":
+/// right, at a hundred evaluations.
 Quantity place(const Parameters& p, const Horizon& horizon, const Reference&) {
   const double a = p["a"];
   const auto everywhere = static_cast<std::size_t>(horizon.count());

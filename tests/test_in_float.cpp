@@ -31,12 +31,12 @@ struct Swing {
 template <class T>
 using Any = ode::AnySystem<2, T>;
 
-const char* const in_float_too[] = {"explicit Euler", "symplectic Euler", "velocity Verlet",  "Runge-Kutta 4",
-                                    "modified midpoint", "McLachlan 4",   "Adams-Bashforth 4"};
+const char* const in_float_too[] = {"explicit Euler",   "symplectic Euler",  "velocity Verlet",
+                                    "Runge-Kutta 4",    "modified midpoint", "McLachlan 4",
+                                    "Adams-Bashforth 4"};
 
 Quantity pendulum_motion(const Horizon& horizon) {
-  const Exercise& exercise =
-      std::ranges::find(registry(), exercise_number("3.5"), &Entry::number)->exercise;
+  const Exercise& exercise = std::ranges::find(registry(), exercise_number("3.5"), &Entry::number)->exercise;
   return motion(*exercise.scene, Parameters(exercise.parameters), horizon,
                 Reference(std::string(ODDITY_SOURCE) + "/reference"));
 }

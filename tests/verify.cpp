@@ -75,8 +75,8 @@ void verify_in_float(const QuantityResult& q, const FloatResult& m) {
 }
 
 bool fails_in_float(const QuantityResult& q) {
-  const auto richest =
-      std::ranges::find(q.in_float.rbegin(), q.in_float.rend(), in_float("Runge-Kutta 4"), &FloatResult::algorithm);
+  const auto richest = std::ranges::find(q.in_float.rbegin(), q.in_float.rend(), in_float("Runge-Kutta 4"),
+                                         &FloatResult::algorithm);
   return richest != q.in_float.rend() && richest->trials.back().outcome != Outcome::ok &&
          q.methods[richest->in_double].trials.back().outcome == Outcome::ok;
 }

@@ -315,8 +315,8 @@ std::string choice_csv(const Choice& choice) {
   for (const std::string& unit : choice.units) text += ",error [" + shown_unit(unit, choice).symbol + "]";
   text += ",holds,outcome,evaluations per frame,seconds per frame,chosen\n";
   for (const Tried& t : choice.tried) {
-    text += csv_cell(t.model) + "," + csv_cell(t.algorithm) + "," +
-            std::string(name_of(t.precision)) + "," + csv_cell(shown_setting(t, choice.need));
+    text += csv_cell(t.model) + "," + csv_cell(t.algorithm) + "," + std::string(name_of(t.precision)) + "," +
+            csv_cell(shown_setting(t, choice.need));
     for (std::size_t i = 0; i < t.errors.size(); ++i)
       text += "," + shortest(t.errors[i] / shown_unit(choice.units[i], choice).size);
     text += std::string(t.holds() ? ",1," : ",0,") + std::string(name_of(t.outcome)) + "," +

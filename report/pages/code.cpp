@@ -144,9 +144,9 @@ std::string model_text(const Task& task, std::string_view expression, const std:
   std::string text = "namespace oddity::asked {\n\nusing Number = " + number + ";\n\n";
   for (const Parameter& p : task.entry->exercise.parameters)
     if (mentions(expression, p.name))
-      text += number + " " + std::string(p.name) + " = " + literal(task.parameters[p.name], number) + ";  // " +
-              (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") + std::string(p.says) +
-              "\n";
+      text += number + " " + std::string(p.name) + " = " + literal(task.parameters[p.name], number) +
+              ";  // " + (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") +
+              std::string(p.says) + "\n";
   return text + "\nauto model() { return " + replaced(std::string(expression), "double", number) +
          "; }\n\n}  // namespace oddity::asked\n";
 }
@@ -225,8 +225,7 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
   const Exercise& exercise = task.entry->exercise;
   const Listing& listing = exercise.scene->listing;
   const bool single = choice.chosen->precision == Precision::in_float;
-  const auto [model, algorithm] =
-      printed(listing, choice.chosen->model, in_double(choice.chosen->algorithm));
+  const auto [model, algorithm] = printed(listing, choice.chosen->model, in_double(choice.chosen->algorithm));
   Joined headers;
   for (std::string_view header : listing.headers) headers.add(header);
   if (algorithm) headers.add(algorithm->header);
@@ -236,8 +235,9 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
       answer_text(choice) + "\nThe observables at every frame, by\n  " + command +
       "\nCompiled by c++ -std=c++20 -O2 -ffp-contract=off it prints oddity's own numbers" +
       (single ? ", but for the observables' roundings: oddity observes a motion in float in double." : ".");
-  return as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" + model_text(task, model, single ? "float" : "double") +
-         std::string(print_row) + main_text(task, choice.need, algorithm, choice.chosen->setting);
+  return as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" +
+         model_text(task, model, single ? "float" : "double") + std::string(print_row) +
+         main_text(task, choice.need, algorithm, choice.chosen->setting);
 }
 
 }  // namespace oddity

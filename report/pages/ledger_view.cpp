@@ -92,7 +92,8 @@ std::string section(const ExerciseResult& e) {
   for (const LeastModel& row : ledger.least) rows.push_back(least_row(row, ledger));
   std::string text =
       "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" +
-      table({"for", "model", "algorithm", "setting", "error", "evaluations per frame", "in float"}, rows, "5");
+      table({"for", "model", "algorithm", "setting", "error", "evaluations per frame", "in float"}, rows,
+            "5");
   for (const BreakEven& b : ledger.break_evens) text += break_even_text(b);
   return text + never_text(ledger.never) + "\n";
 }

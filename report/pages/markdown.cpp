@@ -312,7 +312,9 @@ std::string in_float_text(const QuantityResult& q) {
     rows.push_back({escaped(single->model), escaped(like->algorithm), error_cell(single->error),
                     knob_cell(*single), error_cell(like->error),
                     ok ? "yes" : std::string(name_of(single->outcome)),
-                    !q.trajectory ? "" : single->error <= q.trajectory->close ? "yes" : "no"});
+                    !q.trajectory                          ? ""
+                    : single->error <= q.trajectory->close ? "yes"
+                                                           : "no"});
   }
   return "**In float**, as games compute, the least error that each model reaches, and what double errs by at "
          "the same setting. " +

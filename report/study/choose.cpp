@@ -288,8 +288,7 @@ class Search {
   }
 
   std::optional<Tried> chosen_in_float(const Tried& chosen) const {
-    const Method* single =
-        method_of(seen_.front().motion, chosen.model, oddity::in_float(chosen.algorithm));
+    const Method* single = method_of(seen_.front().motion, chosen.model, oddity::in_float(chosen.algorithm));
     if (!single) return {};
     return oddity::attempt(seen_, *single, chosen.setting, need_);
   }

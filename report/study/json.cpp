@@ -291,8 +291,7 @@ Trajectory trajectory(const Json& json) {
 
 /// The trials of a quantity stand in one list; the methods say how many of them in turn are theirs.
 Json from(const QuantityResult& q) {
-  Json methods = Json::array(), trials = Json::array(), breakdowns = Json::array(),
-       in_float = Json::array();
+  Json methods = Json::array(), trials = Json::array(), breakdowns = Json::array(), in_float = Json::array();
   for (const MethodResult& m : q.methods) {
     methods.push_back({{"model", m.model},
                        {"algorithm", m.algorithm},

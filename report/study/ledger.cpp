@@ -65,7 +65,8 @@ LeastModel least_model(std::vector<Start>& start, const std::string& says, const
   motion.needs = needs_of(need, motion);
   motion.need.allowed = *std::ranges::min_element(motion.needs);
   for (const std::string& model : models_of(motion))
-    if (auto found = cheapest(start, model, need)) return {says, need, found, again_in_float(start, *found, need)};
+    if (auto found = cheapest(start, model, need))
+      return {says, need, found, again_in_float(start, *found, need)};
   return {says, need, {}};
 }
 

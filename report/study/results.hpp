@@ -128,7 +128,7 @@ struct Tried {
 struct LeastModel {
   std::string says;  ///< "1 degree", "10 digits"
   Need need;
-  std::optional<Tried> least;  ///< none: nothing here holds
+  std::optional<Tried> least;          ///< none: nothing here holds
   std::optional<Tried> in_float = {};  ///< the same in float; none: it is in double only
 };
 

@@ -133,20 +133,10 @@ const Method* method_of(const Quantity& quantity, std::string_view model, std::s
 
 TimedTrial as_result(const Trial& trial) {
   const Answer& answer = trial.answer;
-  return {trial.model,
-          trial.algorithm,
-          trial.knob,
-          trial.setting,
-          answer.value,
-          trial.error,
-          trial.final_error,
-          answer.error_estimate,
-          answer.drift,
-          answer.evaluations,
-          trial.outcome,
-          answer.message,
-          {},
-          trial.precision};
+  return {trial.model,  trial.algorithm,    trial.knob,        trial.setting,
+          answer.value, trial.error,        trial.final_error, answer.error_estimate,
+          answer.drift, answer.evaluations, trial.outcome,     answer.message,
+          {},           trial.precision};
 }
 
 bool as_accurate_as_roundings_allow(const TimedTrial& in_float, const TimedTrial& in_double) {

@@ -7,9 +7,9 @@
 
 #include "solvers/ode/integrate.hpp"
 
-/// Precision as a dimension of an algorithm: the explicit algorithms of fixed step in float, as games compute.
-/// Each is compiled once for each number of unknowns, as in double. Those that choose their steps by a
-/// tolerance, the implicit ones and those of GSL and SUNDIALS are in double only.
+/// Precision as a dimension of an algorithm: the explicit algorithms of fixed step in float, as games
+/// compute. Each is compiled once for each number of unknowns, as in double. Those that choose their steps by
+/// a tolerance, the implicit ones and those of GSL and SUNDIALS are in double only.
 namespace oddity::ode {
 
 template <std::size_t n>

@@ -13,8 +13,8 @@ using Recurrence = std::vector<std::complex<double>>;
 namespace detail {
 
 /// An Odeint multistep method whose history starts anew when the step changes: Odeint would go on as if the
-/// past steps had been as long as this one. A step that differs by rounding alone, of float or of the times in
-/// double, is the same.
+/// past steps had been as long as this one. A step that differs by rounding alone, of float or of the times
+/// in double, is the same.
 template <class Multistep>
 struct Restarting {
   Multistep multistep;

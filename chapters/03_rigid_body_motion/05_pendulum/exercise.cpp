@@ -133,8 +133,8 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
                 "imaginary axis; classical Runge-Kutta follows the swing at sixty-four steps a second.",
                 "one angle, explicit Euler", 0.125, Outcome::diverged, "one angle, Runge-Kutta 4", 0.015625});
   return with_float(std::move(angle), horizon, given,
-                    {"small angle", "amplitude-corrected", "Jacobi's function by its Fourier series", "one angle",
-                     "Cartesian with constraint"});
+                    {"small angle", "amplitude-corrected", "Jacobi's function by its Fourier series",
+                     "one angle", "Cartesian with constraint"});
 }
 
 Scene scene() {

@@ -117,9 +117,10 @@ Quantity upright(Given<double> disk, const Reference& truth) {
 }
 
 Quantity wind(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return with_float(under_force("wind", "center and spin at four times, under a horizontal force and friction",
-                                asked(p), horizon, truth, Tried::whole_catalog),
-                    horizon, asked(p), {constant, one, two, cartesian});
+  return with_float(
+      under_force("wind", "center and spin at four times, under a horizontal force and friction", asked(p),
+                  horizon, truth, Tried::whole_catalog),
+      horizon, asked(p), {constant, one, two, cartesian});
 }
 
 Scene scene() {
