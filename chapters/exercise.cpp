@@ -181,7 +181,7 @@ Knob halving(std::string name, double first, int count) {
 }
 
 Quantity& Quantity::add(Method method) {
-  methods.push_back(std::move(method));
+  (method.precision == Precision::in_float ? methods_in_float : methods).push_back(std::move(method));
   return *this;
 }
 
@@ -293,8 +293,11 @@ double Quantity::in_needs(const std::vector<double>& errors) const {
   return largest(ratios);
 }
 
+std::string in_float(std::string_view algorithm) { return std::string(algorithm) + " in float"; }
+
 Trial run(const Quantity& quantity, const Method& method, double setting) {
-  Trial trial{method.model, method.algorithm, method.knob.name, setting, {}, {}, 0, 0, 0, Outcome::raised};
+  Trial trial{method.model,    method.algorithm, method.knob.name, setting, {}, {}, 0, 0, 0,
+              Outcome::raised, method.precision};
   try {
     trial.answer = method.run(setting);
   } catch (const std::exception& exception) {
@@ -324,6 +327,10 @@ std::string_view name_of(Verdict verdict) {
       return "unsettled";
   }
   return "?";
+}
+
+std::string_view name_of(Precision precision) {
+  return precision == Precision::in_float ? "float" : "double";
 }
 
 std::string_view name_of(Fault kind) {

@@ -256,7 +256,11 @@ struct Disturbances {
   std::function<double(double step)> turns_in_a_step;
 };
 
-/// A model solved by an algorithm.
+/// The number type that a method computes in.
+enum class Precision { in_double, in_float };
+
+/// A model solved by an algorithm, in a precision. In float its algorithm is named so, "Runge-Kutta 4 in
+/// float": model and algorithm name a method of a quantity.
 struct Method {
   std::string model;
   std::string algorithm;
@@ -271,7 +275,14 @@ struct Method {
   // Of a model in redundant coordinates only; those of the others hold what is held by construction:
   /// m, how far the motion is off its constraint at most, at the times looked at.
   std::function<double(double setting)> off_constraint = {};
+  Precision precision = Precision::in_double;
+  // Of a method in float only:
+  /// What roundings may add to the error that the like method in double has, in the quantity's largest unit.
+  std::function<double(double setting)> roundings = {};
 };
+
+/// The name in float of an algorithm.
+std::string in_float(std::string_view algorithm);
 
 /// A known failure and its cure: two rows of the table of trials, both asserted.
 struct Breakdown {
@@ -296,13 +307,14 @@ struct Quantity {
   std::string says;
   Route reference;  ///< `by` names the source
   double reference_error = 0;
-  Tolerance need;  ///< the error that still counts as ok
-  std::vector<Method> methods = {};
+  Tolerance need;                    ///< the error that still counts as ok
+  std::vector<Method> methods = {};  ///< in double
   std::vector<Breakdown> breakdowns = {};
   int samples = 1;               ///< times of a motion; the value has the observables of one after the other
   std::vector<Norm> norms = {};  ///< of one time; none: the largest component
   /// The need in each of `units()`; empty: `need` in all of them.
   std::vector<double> needs = {};
+  std::vector<Method> methods_in_float = {};  ///< each has a like one in double: its model and knob
 
   /// The distinct units of the norms, in their order; without norms the quantity's.
   std::vector<std::string_view> units() const;
@@ -312,7 +324,7 @@ struct Quantity {
   /// The largest error in needs: up to 1 is enough.
   double in_needs(const std::vector<double>& errors) const;
 
-  Quantity& add(Method method);
+  Quantity& add(Method method);  ///< to those of its precision
   Quantity& add(Breakdown breakdown);
 };
 
@@ -329,6 +341,7 @@ struct Trial {
   double final_error;          ///< at the last time alone
   double in_needs;             ///< the error in needs, each unit by its own
   Outcome outcome;
+  Precision precision = Precision::in_double;
 };
 
 /// Runs and judges; an exception out of the method is the outcome `raised`.
@@ -390,5 +403,6 @@ struct Exercise {
 std::string_view name_of(Verdict);
 std::string_view name_of(Fault);  ///< empty for none
 std::string_view name_of(Outcome);
+std::string_view name_of(Precision);  ///< "float", "double"
 
 }  // namespace oddity

@@ -1,6 +1,7 @@
 // Choosing, on a made-up scene whose truth is a = x(t) for all t and whose methods err by known amounts.
 
 #include <cmath>
+#include <set>
 
 #include "reference/bad_input.hpp"
 #include "report/study/choose.hpp"
@@ -23,7 +24,8 @@ Method method(std::string model, std::string algorithm, Knob knob, double a, int
           }};
 }
 
-/// "coarse": off by a tenth of (a - 1). "stepping": off by its step. "rich": right, at a hundred evaluations.
+/// "coarse": off by a tenth of (a - 1). "stepping": off by its step, in float by 0.02 at least. "rich":
+/// right, at a hundred evaluations.
 Quantity place(const Parameters& p, const Horizon& horizon, const Reference&) {
   const double a = p["a"];
   const auto everywhere = static_cast<std::size_t>(horizon.count());
@@ -39,6 +41,11 @@ Quantity place(const Parameters& p, const Horizon& horizon, const Reference&) {
   q.add(method(
       "rich", "everything", tolerances(), a, horizon.count(), [](double e) { return e * 1e-4 + 1e-14; },
       [](double e) { return std::lround(-100 * std::log10(e)); }));
+  Method single = method(
+      "stepping", "explicit in float", halving("step", 1, 4), a, horizon.count(),
+      [](double h) { return std::max(h, 0.02); }, [=](double h) { return std::lround(horizon.end / h); });
+  single.precision = Precision::in_float;
+  q.add(std::move(single));
   q.add({"absent", "raises", no_knob(), [](double) -> Answer { throw std::runtime_error("not here"); }});
   return q;
 }
@@ -184,6 +191,42 @@ TEST_CASE("an error is shown in the unit asked in", "[choose]") {
   CHECK(choice_text(choice, false).find("place within 5 cm at every frame") != std::string::npos);
   CHECK(choice_json(choice).find("\"error\": 5.0") != std::string::npos);
   CHECK(choice_csv(choice).find("error [cm]") != std::string::npos);
+}
+
+TEST_CASE("a precision is asked for, and what is chosen in double is tried in float", "[choose]") {
+  Need need = asked(0.05, 10, 100);
+  need.only = {"stepping"};
+  const auto precisions = [](const Choice& choice) {
+    std::set<Precision> all;
+    for (const Tried& t : choice.tried) all.insert(t.precision);
+    return all;
+  };
+  const Choice in_double = choose_for(need);
+  REQUIRE(in_double.chosen);
+  CHECK(precisions(in_double) == std::set{Precision::in_double});
+  REQUIRE(in_double.in_float);
+  CHECK(in_double.in_float->algorithm == "explicit in float");
+  CHECK(in_double.in_float->setting == in_double.chosen->setting);
+  CHECK(in_double.in_float->holds());
+  CHECK(answer_text(in_double).find("in float: error 0.02 m, holds") != std::string::npos);
+  CHECK(choice_csv(in_double).find("stepping,explicit,double,") != std::string::npos);
+
+  need.in_float = true;
+  CHECK(precisions(choose_for(need)).size() == 2);
+  need.in_double = false;
+  const Choice in_float = choose_for(need);
+  REQUIRE(in_float.chosen);
+  CHECK(in_float.chosen->algorithm == "explicit in float");
+  CHECK(precisions(in_float) == std::set{Precision::in_float});
+  CHECK_FALSE(in_float.in_float);
+  CHECK(answer_text(in_float).find("in float:") == std::string::npos);
+  CHECK(choice_json(in_float).find("\"precision\": \"float\"") != std::string::npos);
+
+  need.in_double = true, need.in_float = false, need.error = 0.015;
+  CHECK(answer_text(choose_for(need)).find("in float: inaccurate, error 0.02 m at a = 1: fails") !=
+        std::string::npos);
+  need.only = {"rich"};
+  CHECK(answer_text(choose_for(need)).find("in double only") != std::string::npos);
 }
 
 TEST_CASE("an answer that takes too long is no answer", "[choose]") {

@@ -46,6 +46,7 @@ Choice choice_of(const Method& method) {
   choice.chosen = Tried{method.model, method.algorithm, method.knob.name};
   choice.chosen->setting = method.knob.name == "step" ? 1 / (frames_per_second * steps) : 0;
   choice.chosen->unseen_error = 0.5;
+  choice.chosen->precision = method.precision;
   return choice;
 }
 
@@ -80,7 +81,9 @@ std::vector<Case> all_cases() {
     const Task task = task_beside(entry);
     std::set<std::pair<std::string, std::string>> seen;
     const Quantity second = second_of(task);
-    for (const Method& method : second.methods) {
+    std::vector<Method> methods = second.methods;
+    methods.insert(methods.end(), second.methods_in_float.begin(), second.methods_in_float.end());
+    for (const Method& method : methods) {
       if (complaint_of(task, method) != "nothing" || !steps_equally(method)) continue;
       if (!seen.insert({method.model, method.algorithm}).second) continue;
       Case c{task, choice_of(method), {}};
@@ -169,6 +172,7 @@ TEST_CASE("the printed code has the program's numbers, for every scene, model an
   REQUIRE(compiled(file, "-O2") == "");
   const auto printed = observables(output_of(file.string() + ".out"));
   REQUIRE(printed.size() == cases.size());
+  long in_float = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     INFO(says(cases[i]));
     const Value& value = cases[i].value;
@@ -180,8 +184,11 @@ TEST_CASE("the printed code has the program's numbers, for every scene, model an
       size = std::max(size, std::abs(value[k]));
       worst = std::max(worst, std::abs(printed[i][k] - value[k]) / size);
     }
-    CHECK(worst <= 1e-12);
+    const bool single = cases[i].choice.chosen->precision == Precision::in_float;
+    CHECK(worst <= (single ? 0x1p-20 : 1e-12));
+    in_float += single;
   }
+  CHECK(in_float > 100);
 }
 
 TEST_CASE("headers that are printed need the standard library only", "[code]") {

@@ -67,6 +67,24 @@ bool independent_by_nature(const QuantityResult& q) {
   return q.reference.by.find("table ") != std::string::npos || q.reference_error == 0;
 }
 
+/// In float a method errs by what double does and by roundings, at every setting.
+void verify_in_float(const QuantityResult& q, const FloatResult& m) {
+  const std::vector<TimedTrial>& in_double = q.methods[m.in_double].trials;
+  for (std::size_t i = 0; i < m.trials.size(); ++i) {
+    INFO(m.model << ", " << m.algorithm << ", " << shown_knob(m.trials[i]) << ": error "
+                 << shown_error(m.trials[i].error) << ", in double " << shown_error(in_double[i].error)
+                 << ", roundings " << shown_error(m.trials[i].roundings) << "; " << m.trials[i].message);
+    CHECK(as_accurate_as_roundings_allow(m.trials[i], in_double[i]));
+  }
+}
+
+bool fails_in_float(const QuantityResult& q) {
+  const auto richest = std::ranges::find(q.in_float.rbegin(), q.in_float.rend(), in_float("Runge-Kutta 4"),
+                                         &FloatResult::algorithm);
+  return richest != q.in_float.rend() && richest->trials.back().outcome != Outcome::ok &&
+         q.methods[richest->in_double].trials.back().outcome == Outcome::ok;
+}
+
 void verify_quantity(const QuantityResult& q) {
   INFO("quantity " << q.name << ": " << q.says << "; reference: " << q.reference.by);
   CHECK(finite(q.reference.value));
@@ -79,6 +97,11 @@ void verify_quantity(const QuantityResult& q) {
     INFO("the reference is from: " << q.reference.by);
     CHECK((independent_by_nature(q) || !equals_reference(m, q)));
   }
+  for (const FloatResult& m : q.in_float) verify_in_float(q, m);
+  INFO("where the richest model fails in float by Runge-Kutta 4 and holds in double, that is a breakdown");
+  CHECK(fails_in_float(q) == std::ranges::any_of(q.breakdowns, [](const BreakdownResult& b) {
+          return b.broken.precision == Precision::in_float;
+        }));
   for (const BreakdownResult& b : q.breakdowns) {
     INFO(b.says);
     INFO("cured: error " << shown_error(b.cured.error) << ", " << name_of(b.cured.outcome));

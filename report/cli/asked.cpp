@@ -252,6 +252,10 @@ Need need_of(const Entry& entry, const AskedNeed& asked) {
   need.only = asked.only;
   need.exclude = asked.exclude;
   need.one_step = asked.one_step;
+  if (asked.precision != "float" && asked.precision != "double" && asked.precision != "any")
+    throw BadInput("--precision " + asked.precision + " is none: there are float, double and any");
+  need.in_double = asked.precision != "float";
+  need.in_float = asked.precision != "double";
   if (!asked.time_limit.empty()) need.time_limit = positive("--time-limit", asked.time_limit, "s");
   need.horizon = positive("--horizon", asked.horizon, time);
   need.frames_per_second = positive("--fps", asked.frames_per_second, "1/" + time);

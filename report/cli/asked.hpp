@@ -21,6 +21,7 @@ struct AskedNeed {
   std::string error = {}, digits = {}, horizon = "10", frames_per_second = "60", budget = {};
   std::string criterion = "path", time_limit = {};
   std::vector<std::string> only = {}, exclude = {};
+  std::string precision = "double";
   bool cheapest = false, one_step = false;
   bool measure = false;  ///< what earlier runs measured is measured anew
 };

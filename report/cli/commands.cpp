@@ -146,6 +146,12 @@ void add_choose(CLI::App& app, Session& s) {
       ->capture_default_str();
   choose->add_flag("--cheapest", s.need.cheapest, "take whatever is cheapest, however complicated");
   choose->add_flag("--one-step", s.need.one_step, "take no method that needs a history");
+  choose
+      ->add_option(
+          "--precision", s.need.precision,
+          "what it may compute in: float, double or any; in float there are closed forms and explicit "
+          "algorithms of fixed step")
+      ->capture_default_str();
   choose->add_option("--only", s.need.only, "only models and algorithms with these words in their names");
   choose->add_option("--exclude", s.need.exclude, "no models or algorithms with these words");
   choose->add_option("--time-limit", s.need.time_limit, "at most this long for the answer: 60s");

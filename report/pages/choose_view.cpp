@@ -108,6 +108,16 @@ std::string margin_text(const Choice& choice) {
          (unseen > 0 ? times_as(choice.margin()) + " better than asked.\n" : "exact.\n");
 }
 
+std::string in_float_text(const Choice& choice) {
+  if (choice.chosen->precision == Precision::in_float) return "";
+  if (!choice.in_float) return "  in float: oddity has this method in double only.\n";
+  const Tried& single = *choice.in_float;
+  if (single.holds()) return "  in float: error " + error_of(single, choice) + ", holds.\n";
+  return "  in float: " + std::string(name_of(single.outcome)) +
+         (std::isfinite(single.error) ? ", error " + error_of(single, choice) : "") + " at " + single.where +
+         ": fails.\n";
+}
+
 std::string ties_text(const Choice& choice) {
   std::string text;
   std::set<std::string> seen;
@@ -192,6 +202,7 @@ Json units_of(const Choice& choice) {
 Json from(const Tried& t, const Choice& choice) {
   return {{"model", t.model},
           {"algorithm", t.algorithm},
+          {"precision", name_of(t.precision)},
           {"setting", shown_setting(t, choice.need)},
           {t.knob.empty() ? "value" : t.knob, t.knob.empty() ? Json(nullptr) : Json(t.setting)},
           {"error", from(t.errors, choice)},
@@ -246,7 +257,7 @@ std::string answer_text(const Choice& choice) {
   std::string text = "Take " + described(best, choice.need) + ": " + cost_of(best);
   if (std::isfinite(choice.need.budget))
     text += ", " + percent(best.seconds_per_frame / choice.need.budget) + " of the budget";
-  text += ".\n" + margin_text(choice) + ties_text(choice);
+  text += ".\n" + margin_text(choice) + in_float_text(choice) + ties_text(choice);
   if (!choice.by_objective)
     text +=
         "  no one-step method of fixed step and no closed form holds with a margin of three: this is the "
@@ -288,6 +299,7 @@ std::string choice_json(const Choice& choice) {
     json["chosen"]["restart_evaluations"] = choice.restart;
     json["chosen"]["by_objective"] = choice.by_objective;
   }
+  json["in_float"] = choice.in_float ? from(*choice.in_float, choice) : Json(nullptr);
   json["ties"] = from(choice.ties, choice);
   json["candidates"] = from(choice.tried, choice);
   json["engine"] = from(choice.engine, choice);
@@ -299,11 +311,12 @@ std::string choice_json(const Choice& choice) {
 }
 
 std::string choice_csv(const Choice& choice) {
-  std::string text = "model,algorithm,setting";
+  std::string text = "model,algorithm,precision,setting";
   for (const std::string& unit : choice.units) text += ",error [" + shown_unit(unit, choice).symbol + "]";
   text += ",holds,outcome,evaluations per frame,seconds per frame,chosen\n";
   for (const Tried& t : choice.tried) {
-    text += csv_cell(t.model) + "," + csv_cell(t.algorithm) + "," + csv_cell(shown_setting(t, choice.need));
+    text += csv_cell(t.model) + "," + csv_cell(t.algorithm) + "," + std::string(name_of(t.precision)) + "," +
+            csv_cell(shown_setting(t, choice.need));
     for (std::size_t i = 0; i < t.errors.size(); ++i)
       text += "," + shortest(t.errors[i] / shown_unit(choice.units[i], choice).size);
     text += std::string(t.holds() ? ",1," : ",0,") + std::string(name_of(t.outcome)) + "," +

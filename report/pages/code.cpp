@@ -50,6 +50,18 @@ const std::string_view* find(const Pairs& pairs, std::string_view name) {
   return nullptr;
 }
 
+/// Without " in float".
+std::string in_double(const std::string& algorithm) {
+  const std::string_view suffix = " in float";
+  return algorithm.ends_with(suffix) ? algorithm.substr(0, algorithm.size() - suffix.size()) : algorithm;
+}
+
+std::string replaced(std::string text, std::string_view old, std::string_view by) {
+  for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + by.size()))
+    text.replace(at, old.size(), by);
+  return text;
+}
+
 Printed printed(const Listing& listing, const std::string& model, const std::string& algorithm) {
   if (const auto* own = find(listing.models, model + ", " + algorithm)) return {*own, nullptr};
   const Plain* found = std::ranges::find(plain_algorithms, algorithm, &Plain::algorithm);
@@ -123,15 +135,19 @@ std::string as_comment(const std::string& text) {
   return comment;
 }
 
+std::string literal(double x, const std::string& number) {
+  return number == "double" ? shortest(x) : number + "(" + shortest(x) + ")";
+}
+
 /// The parameters and the model that they make.
-std::string model_text(const Task& task, std::string_view expression) {
-  std::string text = "namespace oddity::asked {\n\n";
+std::string model_text(const Task& task, std::string_view expression, const std::string& number) {
+  std::string text = "namespace oddity::asked {\n\nusing Number = " + number + ";\n\n";
   for (const Parameter& p : task.entry->exercise.parameters)
     if (mentions(expression, p.name))
-      text += "double " + std::string(p.name) + " = " + shortest(task.parameters[p.name]) + ";  // " +
-              (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") + std::string(p.says) +
-              "\n";
-  return text + "\nauto model() { return " + std::string(expression) +
+      text += number + " " + std::string(p.name) + " = " + literal(task.parameters[p.name], number) +
+              ";  // " + (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") +
+              std::string(p.says) + "\n";
+  return text + "\nauto model() { return " + replaced(std::string(expression), "double", number) +
          "; }\n\n}  // namespace oddity::asked\n";
 }
 
@@ -159,7 +175,7 @@ int main() {
   std::printf("$names\n");
   for (int frame = 1; frame <= frames; ++frame) {
     const double t = frame / frames_per_second;
-    print_row(t, model.at(t));
+    print_row(t, model.at(oddity::asked::Number(t)));
   }
 }
 )";
@@ -167,6 +183,7 @@ constexpr std::string_view stepping_main = R"(
 int main() {
   constexpr int frames = $frames, steps_per_frame = $steps;
   constexpr double frames_per_second = $rate;
+  using oddity::asked::Number;
   auto model = oddity::asked::model();
   auto x = model.start();
   oddity::plain::$algorithm<decltype(model)> algorithm;
@@ -174,8 +191,8 @@ int main() {
   for (int frame = 1; frame <= frames; ++frame) {
     const double t0 = (frame - 1) / frames_per_second, t1 = frame / frames_per_second;
     const double h = (t1 - t0) / steps_per_frame;
-    for (int i = 0; i < steps_per_frame; ++i) algorithm.step(model, x, t0 + i * h, h);
-    print_row(t1, model.observe(x, t1));
+    for (int i = 0; i < steps_per_frame; ++i) algorithm.step(model, x, Number(t0 + i * h), Number(h));
+    print_row(t1, model.observe(x, Number(t1)));
   }
 }
 )";
@@ -207,7 +224,8 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
   if (!choice.chosen) throw BadInput("nothing here meets the need, and there is no code to print");
   const Exercise& exercise = task.entry->exercise;
   const Listing& listing = exercise.scene->listing;
-  const auto [model, algorithm] = printed(listing, choice.chosen->model, choice.chosen->algorithm);
+  const bool single = choice.chosen->precision == Precision::in_float;
+  const auto [model, algorithm] = printed(listing, choice.chosen->model, in_double(choice.chosen->algorithm));
   Joined headers;
   for (std::string_view header : listing.headers) headers.add(header);
   if (algorithm) headers.add(algorithm->header);
@@ -215,9 +233,11 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
   const std::string about =
       to_string(task.entry->number) + " " + std::string(exercise.title) + ": " + asked_text(choice) + "\n\n" +
       answer_text(choice) + "\nThe observables at every frame, by\n  " + command +
-      "\nCompiled by c++ -std=c++20 -O2 -ffp-contract=off it prints oddity's own numbers.";
-  return as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" + model_text(task, model) +
-         std::string(print_row) + main_text(task, choice.need, algorithm, choice.chosen->setting);
+      "\nCompiled by c++ -std=c++20 -O2 -ffp-contract=off it prints oddity's own numbers" +
+      (single ? ", but for the observables' roundings: oddity observes a motion in float in double." : ".");
+  return as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" +
+         model_text(task, model, single ? "float" : "double") + std::string(print_row) +
+         main_text(task, choice.need, algorithm, choice.chosen->setting);
 }
 
 }  // namespace oddity

@@ -17,22 +17,29 @@ std::string with_unit(const std::string& number, const std::string& unit) {
                                                                       : " (" + escaped(unit) + ")");
 }
 
-std::string error_of(const LeastModel& row, const Ledger& ledger) {
-  if (row.need.relative)
-    return with_powers(shown_error(row.least->error * row.need.error)) + " of the motion";
+std::string error_of(const Tried& tried, const Need& need, const Ledger& ledger) {
+  if (need.relative) return with_powers(shown_error(tried.error * need.error)) + " of the motion";
   std::string text;
-  for (double error : row.least->errors) text += (text.empty() ? "" : ", ") + with_powers(shown_error(error));
+  for (double error : tried.errors) text += (text.empty() ? "" : ", ") + with_powers(shown_error(error));
   return text + (ledger.unit == "1" ? "" : " " + escaped(ledger.unit));
 }
 
+/// What it errs by in float, and whether that holds.
+std::string in_float(const LeastModel& row, const Ledger& ledger) {
+  if (!row.in_float) return "in double only";
+  return error_of(*row.in_float, row.need, ledger) +
+         (row.in_float->holds() ? ", holds" : ", **" + std::string(name_of(row.in_float->outcome)) + "**");
+}
+
 std::vector<std::string> least_row(const LeastModel& row, const Ledger& ledger) {
-  if (!row.least) return {escaped(row.says), "*none here*", "", "", "", ""};
+  if (!row.least) return {escaped(row.says), "*none here*", "", "", "", "", ""};
   return {escaped(row.says),
           escaped(row.least->model),
           escaped(row.least->algorithm),
           with_powers(escaped(shown_setting(*row.least, row.need))),
-          error_of(row, ledger),
-          rounded(row.least->evaluations_per_frame, 3)};
+          error_of(*row.least, row.need, ledger),
+          rounded(row.least->evaluations_per_frame, 3),
+          in_float(row, ledger)};
 }
 
 /// "up to 0.21", "from 109 on", "between 3 and 4".
@@ -85,7 +92,8 @@ std::string section(const ExerciseResult& e) {
   for (const LeastModel& row : ledger.least) rows.push_back(least_row(row, ledger));
   std::string text =
       "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" +
-      table({"for", "model", "algorithm", "setting", "error", "evaluations per frame"}, rows, "5");
+      table({"for", "model", "algorithm", "setting", "error", "evaluations per frame", "in float"}, rows,
+            "5");
   for (const BreakEven& b : ledger.break_evens) text += break_even_text(b);
   return text + never_text(ledger.never) + "\n";
 }
@@ -96,7 +104,7 @@ std::string ledger_page(const Results& results) {
   std::string text =
       R"(# The cheapest sufficient model
 
-For each scene, the first of its models, from the simplest on, that holds at every frame over 10 s at 60 frames per second (over 10 years, where the scene's time is in years): to one centimetre and one degree, which is what a game asks, and to ten digits. Among the model's algorithms the one with the least counted work is shown; `oddity choose` adds times on your machine, starts of your own and a margin. The lines below each table say for which values of a parameter a model is enough for the game when it is solved exactly, of the parameter that makes the scene hard and of those of the start, from a sixteenth of their value to four times it. Each border is known to one in a thousand, with the truest model in place of the truth; the error on both of its sides by the reference stands in the results file.
+For each scene, the first of its models, from the simplest on, that holds at every frame over 10 s at 60 frames per second (over 10 years, where the scene's time is in years): to one centimetre and one degree, which is what a game asks, and to ten digits. Among the model's algorithms the one with the least counted work is shown, with what it errs by in float at the same setting, where it is in float; `oddity choose` adds times on your machine, starts of your own and a margin. The lines below each table say for which values of a parameter a model is enough for the game when it is solved exactly, of the parameter that makes the scene hard and of those of the start, from a sixteenth of their value to four times it. Each border is known to one in a thousand, with the truest model in place of the truth; the error on both of its sides by the reference stands in the results file.
 
 )";
   for (const ExerciseResult& e : results.exercises)

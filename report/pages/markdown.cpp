@@ -267,6 +267,63 @@ std::string breakdown_text(const BreakdownResult& b) {
                {row("breaks", b.broken), row("cure", b.cured)}, "45");
 }
 
+/// The trial in float with the least error of all that the model's algorithms have, and the like one in
+/// double.
+struct LeastInFloat {
+  const TimedTrial *in_float, *in_double;
+};
+
+std::vector<LeastInFloat> least_in_float(const QuantityResult& q) {
+  std::vector<LeastInFloat> least;
+  for (const FloatResult& m : q.in_float)
+    for (std::size_t i = 0; i < m.trials.size(); ++i) {
+      const TimedTrial& t = m.trials[i];
+      if (!std::isfinite(t.error)) continue;
+      if (least.empty() || least.back().in_float->model != t.model)
+        least.push_back({&t, &q.methods[m.in_double].trials[i]});
+      else if (t.error < least.back().in_float->error)
+        least.back() = {&t, &q.methods[m.in_double].trials[i]};
+    }
+  return least;
+}
+
+/// How many settings hold in double, and how many of these do not in float.
+std::string lost_in_float(const QuantityResult& q) {
+  int held = 0, lost = 0;
+  for (const FloatResult& m : q.in_float)
+    for (std::size_t i = 0; i < m.trials.size(); ++i) {
+      if (q.methods[m.in_double].trials[i].outcome != Outcome::ok) continue;
+      ++held;
+      lost += m.trials[i].outcome != Outcome::ok;
+    }
+  if (held == 0) return "None of these methods is within the need in double.";
+  const std::string all = plural(held, "setting", "settings") + " within the need in double";
+  return lost == 0 ? "Of " + all + ", none is outside it in float."
+                   : "Of " + all + ", " + std::to_string(lost) + (lost == 1 ? " is" : " are") +
+                         " outside it in float.";
+}
+
+/// Where float's floor lies.
+std::string in_float_text(const QuantityResult& q) {
+  if (q.in_float.empty()) return "";
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [single, like] : least_in_float(q)) {
+    const bool ok = single->outcome == Outcome::ok;
+    rows.push_back({escaped(single->model), escaped(like->algorithm), error_cell(single->error),
+                    knob_cell(*single), error_cell(like->error),
+                    ok ? "yes" : std::string(name_of(single->outcome)),
+                    !q.trajectory                          ? ""
+                    : single->error <= q.trajectory->close ? "yes"
+                                                           : "no"});
+  }
+  return "**In float**, as games compute, the least error that each model reaches, and what double errs by at "
+         "the same setting. " +
+         lost_in_float(q) + "\n\n" +
+         table({"model", "algorithm", "least error in float", "at", "error in double", "within the need",
+                "enough for a game"},
+               rows, "24");
+}
+
 std::string picture_file(const ExerciseResult& e, const QuantityResult& q, const std::string& kind) {
   return "charts/" + to_string(e.number) + "_" + file_name(q.name) + kind + ".svg";
 }
@@ -312,7 +369,7 @@ std::string quantity_head(const QuantityResult& q) {
 std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool charts) {
   std::string text = quantity_head(q);
   if (charts) text += trajectory_link(e, q) + chart_links(e, q, false) + series_link(e, q);
-  text += methods_table(q);
+  text += methods_table(q) + in_float_text(q);
   for (const BreakdownResult& b : q.breakdowns) text += breakdown_text(b);
   return text;
 }

@@ -48,6 +48,11 @@ std::string quantity_text(const QuantityResult& q) {
   for (const MethodResult& m : q.methods)
     for (const TimedTrial& t : m.trials) rows.push_back(trial_row(t));
   text += aligned(rows);
+  if (!q.in_float.empty()) text += "  in float\n";
+  rows.resize(1);
+  for (const FloatResult& m : q.in_float)
+    for (const TimedTrial& t : m.trials) rows.push_back(trial_row(t));
+  if (rows.size() > 1) text += aligned(rows);
   for (const BreakdownResult& b : q.breakdowns)
     text += "  " + std::string(b.as_expected() ? "breaks: " : "does not break so here: ") + b.says + "\n" +
             aligned({trial_row(b.broken), trial_row(b.cured)});

@@ -12,12 +12,14 @@ namespace oddity::plain {
 template <class Model>
 struct AdamsBashforth4 {
   using State = typename Model::State;
+  using Number = typename State::value_type;
   State f0{}, f1{}, f2{}, f3{};  ///< derivatives at the last states, the newest first
   int known = 0;                 ///< how many of them are
-  double last = 0;               ///< step
+  Number last = 0;               ///< step
 
-  void step(const Model& model, State& x, double t, double h) {
-    if (std::abs(h - last) > 1e-10 * std::abs(h)) known = 0;
+  void step(const Model& model, State& x, Number t, Number h) {
+    constexpr double rounding = sizeof(Number) == sizeof(float) ? 0x1p-22 : 1e-10;
+    if (std::abs(h - last) > rounding * std::abs(h)) known = 0;
     last = h;
     f3 = f2, f2 = f1, f1 = f0;
     model(x, f0, t);
@@ -25,7 +27,8 @@ struct AdamsBashforth4 {
       ++known;
       return RungeKutta4<Model>().step(model, x, f0, t, h);
     }
-    const double b0 = 55.0 / 24 * h, b1 = -59.0 / 24 * h, b2 = 37.0 / 24 * h, b3 = -3.0 / 8 * h;
+    const Number b0 = Number(55) / 24 * h, b1 = Number(-59) / 24 * h, b2 = Number(37) / 24 * h,
+                 b3 = Number(-3) / 8 * h;
     for (std::size_t i = 0; i < x.size(); ++i)
       x[i] = x[i] + b0 * f0[i] + b1 * f1[i] + b2 * f2[i] + b3 * f3[i];
   }

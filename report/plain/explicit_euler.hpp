@@ -8,8 +8,9 @@ namespace oddity::plain {
 template <class Model>
 struct ExplicitEuler {
   using State = typename Model::State;
+  using Number = typename State::value_type;
 
-  void step(const Model& model, State& x, double t, double h) {
+  void step(const Model& model, State& x, Number t, Number h) {
     State k{};
     model(x, k, t);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += h * k[i];

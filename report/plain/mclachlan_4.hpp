@@ -11,11 +11,12 @@ namespace oddity::plain {
 template <class Model>
 struct McLachlan4 {
   using State = typename Model::State;
+  using Number = typename State::value_type;
 
-  void step(const Model& model, State& x, double, double h) {
-    static const double z = std::sqrt(7.0 / 8) / 3;
-    static const double drifts[] = {1.0 / 2 - z, -1.0 / 3 + z, 2.0 / 3, -1.0 / 3 + z, 1.0 / 2 - z};
-    static constexpr double kicks[] = {1, -1.0 / 2, -1.0 / 2, 1};
+  void step(const Model& model, State& x, Number, Number h) {
+    static const Number half = Number(1) / 2, third = Number(1) / 3, z = std::sqrt(Number(7) / 8) / 3;
+    static const Number drifts[] = {half - z, -third + z, 2 * third, -third + z, half - z};
+    static const Number kicks[] = {1, -half, -half, 1};
     Halves<State> halves(x);
     auto& [q, v] = halves;
     typename Halves<State>::Half a{};

@@ -8,9 +8,10 @@ namespace oddity::plain {
 template <class Model>
 struct ModifiedMidpoint {
   using State = typename Model::State;
+  using Number = typename State::value_type;
 
-  void step(const Model& model, State& x, double t, double h) {
-    const double half = h / 2;
+  void step(const Model& model, State& x, Number t, Number h) {
+    const Number half = h / 2;
     State middle{}, end{}, k{};
     model(x, k, t);
     for (std::size_t i = 0; i < x.size(); ++i) middle[i] = x[i] + half * k[i];

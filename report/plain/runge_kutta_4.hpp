@@ -8,16 +8,17 @@ namespace oddity::plain {
 template <class Model>
 struct RungeKutta4 {
   using State = typename Model::State;
+  using Number = typename State::value_type;
 
-  void step(const Model& model, State& x, double t, double h) {
+  void step(const Model& model, State& x, Number t, Number h) {
     State k1{};
     model(x, k1, t);
     step(model, x, k1, t, h);
   }
 
   /// With the derivative k1 at x.
-  void step(const Model& model, State& x, const State& k1, double t, double h) {
-    const double half = h / 2, third = 1.0 / 3 * h, sixth = 1.0 / 6 * h;
+  void step(const Model& model, State& x, const State& k1, Number t, Number h) {
+    const Number half = h / 2, third = Number(1) / 3 * h, sixth = Number(1) / 6 * h;
     State y{}, k2{}, k3{}, k4{};
     for (std::size_t i = 0; i < x.size(); ++i) y[i] = x[i] + half * k1[i];
     model(y, k2, t + half);

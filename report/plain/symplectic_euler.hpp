@@ -8,8 +8,9 @@ namespace oddity::plain {
 template <class Model>
 struct SymplecticEuler {
   using State = typename Model::State;
+  using Number = typename State::value_type;
 
-  void step(const Model& model, State& x, double, double h) {
+  void step(const Model& model, State& x, Number, Number h) {
     Halves<State> halves(x);
     auto& [q, v] = halves;
     typename Halves<State>::Half a{};

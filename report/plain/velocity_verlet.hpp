@@ -9,15 +9,16 @@ namespace oddity::plain {
 template <class Model>
 struct VelocityVerlet {
   using State = typename Model::State;
+  using Number = typename State::value_type;
   typename Halves<State>::Half a{};  ///< acceleration at the last state
   bool started = false;
 
-  void step(const Model& model, State& x, double, double h) {
+  void step(const Model& model, State& x, Number, Number h) {
     Halves<State> halves(x);
     auto& [q, v] = halves;
     if (!started) model.acceleration(q, a);
     started = true;
-    const double half = h / 2;
+    const Number half = h / 2;
     for (std::size_t i = 0; i < q.size(); ++i) q[i] = q[i] + h * v[i] + half * h * a[i];
     const auto before = a;
     model.acceleration(q, a);

@@ -42,7 +42,9 @@ class Deadline {
 /// what is none of it, a closed form.
 std::size_t simplicity(std::string_view algorithm) {
   const auto all = ode::catalog();
-  const auto found = std::ranges::find(all, algorithm, &ode::CatalogEntry::name);
+  const auto found = std::ranges::find_if(all, [&](const ode::CatalogEntry& entry) {
+    return entry.name == algorithm || in_float(entry.name) == algorithm;
+  });
   return found == all.end() ? 0 : 1 + static_cast<std::size_t>(found - all.begin());
 }
 
@@ -62,6 +64,7 @@ bool named_by(const std::vector<std::string>& words, const Method& method) {
 }
 
 bool wanted(const Need& need, const Method& method) {
+  if (!(method.precision == Precision::in_float ? need.in_float : need.in_double)) return false;
   if (!need.only.empty() && !named_by(need.only, method)) return false;
   return !named_by(need.exclude, method) && !(need.one_step && is_multistep(method.algorithm));
 }
@@ -85,8 +88,10 @@ class Search {
     seen_.reserve(1 + seen_beside + rounds * unseen_starts);  // methods_ points into the first
     motions_.add();
     std::ranges::move(starts_.beside(seen_beside), std::back_inserter(seen_));
-    for (const Method& method : seen_.front().motion.methods)
-      if (wanted(need, method) && can_be_judged(method)) methods_.push_back(&method);
+    const Quantity& motion = seen_.front().motion;
+    for (const auto* methods : {&motion.methods, &motion.methods_in_float})
+      for (const Method& method : *methods)
+        if (wanted(need, method) && can_be_judged(method)) methods_.push_back(&method);
     if (methods_.empty()) throw BadInput("no method is left; this scene has " + names());
     if (need.criterion == Criterion::constraint && std::ranges::none_of(methods_, is_constrained))
       throw BadInput("no model " + std::string(need.only.empty() && need.exclude.empty() ? "here" : "left") +
@@ -282,6 +287,12 @@ class Search {
     return rows;
   }
 
+  std::optional<Tried> chosen_in_float(const Tried& chosen) const {
+    const Method* single = method_of(seen_.front().motion, chosen.model, oddity::in_float(chosen.algorithm));
+    if (!single) return {};
+    return oddity::attempt(seen_, *single, chosen.setting, need_);
+  }
+
   /// What the first frame of a run costs beside the steady evaluations.
   double restart(const Tried& chosen) const {
     const Quantity one_frame = starts_.one_frame();
@@ -346,6 +357,7 @@ class Search {
     }
     choice.ties = ties_;
     choice.restart = restart(*chosen);
+    choice.in_float = chosen_in_float(*chosen);
     for (const Tried& tried : all_)
       if (!tried.holds() && came_to_an_end(tried) && tried.seconds_per_frame < chosen->seconds_per_frame &&
           (!choice.next_cheaper || tried.seconds_per_frame > choice.next_cheaper->seconds_per_frame))

@@ -28,6 +28,7 @@ struct Choice {
   std::optional<Tried> next_richer;   ///< the cheapest other model that holds
   std::optional<Tried> nearest_miss;  ///< when nothing is chosen
   std::vector<Tried> engine;          ///< semi-implicit Euler at 60, 120 and 240 Hz, as engines have it
+  std::optional<Tried> in_float;      ///< the chosen one in float at its setting, unless it is in float
   double restart = 0;  ///< evaluations that a restart of the chosen one costs beside the steady ones
   std::optional<double>
       predictable;  ///< of a chaotic motion: until when a start known to 1e-9 tells the path

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 3;
+constexpr int format = 4;
 
 void require(bool holds, const char* otherwise) {
   if (!holds) throw std::runtime_error(otherwise);
@@ -34,6 +34,7 @@ constexpr std::array faults{Fault::none,           Fault::number, Fault::formula
                             Fault::counterexample, Fault::term,   Fault::listing, Fault::lost_typography};
 constexpr std::array outcomes{Outcome::ok,         Outcome::inaccurate, Outcome::drifted,  Outcome::diverged,
                               Outcome::non_finite, Outcome::stalled,    Outcome::deceived, Outcome::raised};
+constexpr std::array precisions{Precision::in_double, Precision::in_float};
 
 /// JSON has no infinities and no NaN: they are null, and read as NaN.
 Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
@@ -138,7 +139,9 @@ Json from(const TimedTrial& t) {
           {"seconds", from(t.time.seconds)},
           {"spread", from(t.time.spread)},
           {"outcome", name_of(t.outcome)},
-          {"message", t.message}};
+          {"message", t.message},
+          {"precision", name_of(t.precision)},
+          {"roundings", from(t.roundings)}};
 }
 TimedTrial trial(const Json& json) {
   TimedTrial t;
@@ -156,6 +159,27 @@ TimedTrial trial(const Json& json) {
   t.time.spread = number(json.at("spread"));
   t.outcome = named(json.at("outcome"), outcomes);
   t.message = json.at("message");
+  t.precision = named(json.at("precision"), precisions);
+  t.roundings = number(json.at("roundings"));
+  return t;
+}
+
+Json from(const Tried& t) {
+  return {{"model", t.model},
+          {"algorithm", t.algorithm},
+          {"knob", t.knob},
+          {"setting", from(t.setting)},
+          {"error_in_needs", from(t.error)},
+          {"errors", from(Value(t.errors))},
+          {"outcome", name_of(t.outcome)},
+          {"evaluations_per_frame", from(t.evaluations_per_frame)}};
+}
+Tried tried(const Json& json) {
+  Tried t{json.at("model"), json.at("algorithm"), json.at("knob"), number(json.at("setting")),
+          number(json.at("error_in_needs"))};
+  for (double error : value(json.at("errors"))) t.errors.push_back(error);
+  t.outcome = named(json.at("outcome"), outcomes);
+  t.evaluations_per_frame = number(json.at("evaluations_per_frame"));
   return t;
 }
 
@@ -165,14 +189,8 @@ Json from(const LeastModel& row) {
             {"relative", row.need.relative},
             {"horizon", from(row.need.horizon)},
             {"frames_per_second", from(row.need.frames_per_second)}};
-  if (const auto& t = row.least)
-    json["least"] = {{"model", t->model},
-                     {"algorithm", t->algorithm},
-                     {"knob", t->knob},
-                     {"setting", from(t->setting)},
-                     {"error_in_needs", from(t->error)},
-                     {"errors", from(Value(t->errors))},
-                     {"evaluations_per_frame", from(t->evaluations_per_frame)}};
+  if (row.least) json["least"] = from(*row.least);
+  if (row.in_float) json["in_float"] = from(*row.in_float);
   return json;
 }
 LeastModel least_model(const Json& json) {
@@ -180,12 +198,10 @@ LeastModel least_model(const Json& json) {
                  {number(json.at("error_asked")), json.at("relative"), number(json.at("horizon")),
                   number(json.at("frames_per_second"))},
                  {}};
-  if (json.contains("least")) {
-    const Json& least = json.at("least");
-    row.least = Tried{least.at("model"), least.at("algorithm"), least.at("knob"), number(least.at("setting")),
-                      number(least.at("error_in_needs"))};
-    for (double error : value(least.at("errors"))) row.least->errors.push_back(error);
-    row.least->evaluations_per_frame = number(least.at("evaluations_per_frame"));
+  if (json.contains("least")) row.least = tried(json.at("least"));
+  if (json.contains("in_float")) {
+    row.in_float = tried(json.at("in_float"));
+    row.in_float->precision = Precision::in_float;
   }
   return row;
 }
@@ -275,7 +291,7 @@ Trajectory trajectory(const Json& json) {
 
 /// The trials of a quantity stand in one list; the methods say how many of them in turn are theirs.
 Json from(const QuantityResult& q) {
-  Json methods = Json::array(), trials = Json::array(), breakdowns = Json::array();
+  Json methods = Json::array(), trials = Json::array(), breakdowns = Json::array(), in_float = Json::array();
   for (const MethodResult& m : q.methods) {
     methods.push_back({{"model", m.model},
                        {"algorithm", m.algorithm},
@@ -284,6 +300,12 @@ Json from(const QuantityResult& q) {
                        {"trials", m.trials.size()},
                        {"as_expected", m.as_expected()}});
     for (const TimedTrial& t : m.trials) trials.push_back(from(t));
+  }
+  for (const FloatResult& m : q.in_float) {
+    Json of_one = Json::array();
+    for (const TimedTrial& t : m.trials) of_one.push_back(from(t));
+    in_float.push_back(
+        {{"model", m.model}, {"algorithm", m.algorithm}, {"in_double", m.in_double}, {"trials", of_one}});
   }
   for (const BreakdownResult& b : q.breakdowns)
     breakdowns.push_back({{"says", b.says},
@@ -301,6 +323,7 @@ Json from(const QuantityResult& q) {
           {"samples", q.samples},
           {"methods", methods},
           {"trials", trials},
+          {"in_float", in_float},
           {"breakdowns", breakdowns},
           {"trajectory", q.trajectory ? from(*q.trajectory) : Json(nullptr)}};
 }
@@ -320,6 +343,14 @@ QuantityResult quantity(const Json& json) {
       method.trials.push_back(trial(json.at("trials").at(next++)));
     require(!method.trials.empty(), "a method has no trials");
     q.methods.push_back(std::move(method));
+  }
+  for (const Json& m : json.at("in_float")) {
+    FloatResult one{m.at("model"), m.at("algorithm"), m.at("in_double"), {}};
+    require(one.in_double < q.methods.size(), "a method in float has no like one in double");
+    for (const Json& t : m.at("trials")) one.trials.push_back(trial(t));
+    require(one.trials.size() == q.methods[one.in_double].trials.size(),
+            "a method in float has not the settings of the like one in double");
+    q.in_float.push_back(std::move(one));
   }
   for (const Json& b : json.at("breakdowns"))
     q.breakdowns.push_back(

@@ -54,12 +54,19 @@ std::optional<Tried> cheapest(const std::vector<Start>& start, const std::string
   return best;
 }
 
+std::optional<Tried> again_in_float(const std::vector<Start>& start, const Tried& found, const Need& need) {
+  const Method* single = method_of(start.front().motion, found.model, in_float(found.algorithm));
+  if (!single) return {};
+  return attempt(start, *single, found.setting, need);
+}
+
 LeastModel least_model(std::vector<Start>& start, const std::string& says, const Need& need) {
   Quantity& motion = start.front().motion;
   motion.needs = needs_of(need, motion);
   motion.need.allowed = *std::ranges::min_element(motion.needs);
   for (const std::string& model : models_of(motion))
-    if (auto found = cheapest(start, model, need)) return {says, need, found};
+    if (auto found = cheapest(start, model, need))
+      return {says, need, found, again_in_float(start, *found, need)};
   return {says, need, {}};
 }
 

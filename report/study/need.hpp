@@ -42,6 +42,7 @@ struct Need {
   Objective objective = Objective::cheapest;
   std::vector<std::string> only = {}, exclude = {};             ///< words of models and algorithms
   bool one_step = false;                                        ///< no method that needs a history
+  bool in_double = true, in_float = false;                      ///< the precisions that may be chosen
   double time_limit = std::numeric_limits<double>::infinity();  ///< s, for the answer
 
   double frames() const { return std::round(horizon * frames_per_second); }

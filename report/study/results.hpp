@@ -36,6 +36,8 @@ struct TimedTrial {
   Outcome outcome = Outcome::raised;
   std::string message;
   Time time = {};
+  Precision precision = Precision::in_double;
+  double roundings = 0;  ///< in float: what roundings may add to the error that the like trial in double has
 };
 
 /// A method's trials from coarse to fine, and how the finest is expected to end.
@@ -47,6 +49,17 @@ struct MethodResult {
 
   bool as_expected() const { return !trials.empty() && trials.back().outcome == expected; }
 };
+
+/// A method in float, its trials at the settings of the like one in double.
+struct FloatResult {
+  std::string model, algorithm;
+  std::size_t in_double = 0;  ///< the place of that one among the quantity's methods
+  std::vector<TimedTrial> trials;
+};
+
+/// Whether a trial in float errs by no more than twice the error of the like one in double and what roundings
+/// may add. Of a motion that double does not follow, nothing is asked.
+bool as_accurate_as_roundings_allow(const TimedTrial& in_float, const TimedTrial& in_double);
 
 /// A breakdown's two rows as they were run.
 struct BreakdownResult {
@@ -86,6 +99,7 @@ struct QuantityResult {
   std::vector<BreakdownResult> breakdowns;
   std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
   int samples = 1;                            ///< of a motion: the times at which it is judged
+  std::vector<FloatResult> in_float = {};
 };
 
 /// "judged at these 4 times alone" of a motion; empty for what is no motion.
@@ -104,6 +118,7 @@ struct Tried {
   double spread = 0;                                                    ///< of the seconds
   double unseen_error = std::numeric_limits<double>::quiet_NaN();  ///< over the starts it was not chosen on
   bool constrained = false;                                        ///< of a model in redundant coordinates
+  Precision precision = Precision::in_double;
 
   bool holds() const { return outcome == Outcome::ok; }
 };
@@ -113,7 +128,8 @@ struct Tried {
 struct LeastModel {
   std::string says;  ///< "1 degree", "10 digits"
   Need need;
-  std::optional<Tried> least;  ///< none: nothing here holds
+  std::optional<Tried> least;          ///< none: nothing here holds
+  std::optional<Tried> in_float = {};  ///< the same in float; none: it is in double only
 };
 
 /// Values of a parameter between which a model is enough.

@@ -39,9 +39,19 @@ Studied study(const Task& task, const Reference& truth) {
 }
 
 const Method& method_named(const Quantity& quantity, const std::string& name) {
-  for (const Method& method : quantity.methods)
-    if (method.model + ", " + method.algorithm == name) return method;
+  for (const auto* methods : {&quantity.methods, &quantity.methods_in_float})
+    for (const Method& method : *methods)
+      if (method.model + ", " + method.algorithm == name) return method;
   throw std::logic_error("quantity " + quantity.name + " has no method '" + name + "'");
+}
+
+std::size_t like_in_double(const Quantity& quantity, const Method& single) {
+  const auto found = std::ranges::find_if(quantity.methods, [&](const Method& m) {
+    return m.model == single.model && in_float(m.algorithm) == single.algorithm;
+  });
+  if (found == quantity.methods.end())
+    throw std::logic_error(single.model + ", " + single.algorithm + " has no like one in double");
+  return static_cast<std::size_t>(found - quantity.methods.begin());
 }
 
 /// The result's shape, its trials still empty but registered in `pending`.
@@ -59,12 +69,19 @@ QuantityResult shape(const Quantity& quantity, std::vector<Pending>& pending) {
   for (const Method& method : quantity.methods)
     result.methods.push_back({method.model, method.algorithm, method.expected, method.why,
                               std::vector<TimedTrial>(method.knob.settings.size())});
+  for (const Method& method : quantity.methods_in_float)
+    result.in_float.push_back({method.model, method.algorithm, like_in_double(quantity, method),
+                               std::vector<TimedTrial>(method.knob.settings.size())});
   for (const Breakdown& breakdown : quantity.breakdowns)
     result.breakdowns.push_back({breakdown.says, breakdown.outcome, {}, {}});
+  const auto all_of = [&](const Method& method, std::vector<TimedTrial>& trials) {
+    for (std::size_t s = 0; s < trials.size(); ++s)
+      pending.push_back({&quantity, &method, method.knob.settings[s], &trials[s]});
+  };
   for (std::size_t m = 0; m < quantity.methods.size(); ++m)
-    for (std::size_t s = 0; s < quantity.methods[m].knob.settings.size(); ++s)
-      pending.push_back({&quantity, &quantity.methods[m], quantity.methods[m].knob.settings[s],
-                         &result.methods[m].trials[s]});
+    all_of(quantity.methods[m], result.methods[m].trials);
+  for (std::size_t m = 0; m < quantity.methods_in_float.size(); ++m)
+    all_of(quantity.methods_in_float[m], result.in_float[m].trials);
   for (std::size_t b = 0; b < quantity.breakdowns.size(); ++b) {
     const Breakdown& breakdown = quantity.breakdowns[b];
     BreakdownResult& place = result.breakdowns[b];
@@ -108,26 +125,23 @@ void see_motion(const Task& task, ExerciseResult& result) {
 }  // namespace
 
 const Method* method_of(const Quantity& quantity, std::string_view model, std::string_view algorithm) {
-  const auto found = std::ranges::find_if(
-      quantity.methods, [&](const Method& m) { return m.model == model && m.algorithm == algorithm; });
-  return found == quantity.methods.end() ? nullptr : &*found;
+  for (const auto* methods : {&quantity.methods, &quantity.methods_in_float})
+    for (const Method& m : *methods)
+      if (m.model == model && m.algorithm == algorithm) return &m;
+  return nullptr;
 }
 
 TimedTrial as_result(const Trial& trial) {
   const Answer& answer = trial.answer;
-  return {trial.model,
-          trial.algorithm,
-          trial.knob,
-          trial.setting,
-          answer.value,
-          trial.error,
-          trial.final_error,
-          answer.error_estimate,
-          answer.drift,
-          answer.evaluations,
-          trial.outcome,
-          answer.message,
-          {}};
+  return {trial.model,  trial.algorithm,    trial.knob,        trial.setting,
+          answer.value, trial.error,        trial.final_error, answer.error_estimate,
+          answer.drift, answer.evaluations, trial.outcome,     answer.message,
+          {},           trial.precision};
+}
+
+bool as_accurate_as_roundings_allow(const TimedTrial& in_float, const TimedTrial& in_double) {
+  if (in_double.outcome != Outcome::ok && in_double.outcome != Outcome::inaccurate) return true;
+  return in_float.error <= 2 * in_double.error + in_float.roundings;
 }
 
 Results run(std::span<const Task> tasks, const Reference& truth, bool timed, const Progress& progress) {
@@ -148,6 +162,7 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
               pending.size() * (timed ? 2 : 1));
   parallel_for_each(pending, [&](const Pending& p) {
     *p.result = as_result(run(*p.quantity, *p.method, p.setting));
+    if (p.method->roundings) p.result->roundings = p.method->roundings(p.setting);
     tally.add();
   });
   std::vector<std::size_t> places(tasks.size());

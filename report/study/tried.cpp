@@ -94,6 +94,7 @@ std::vector<double> settings(const Method& method, const Need& need) {
 Tried attempt(const std::vector<Start>& starts, const Method& method, double setting, const Need& need) {
   Tried tried{method.model, method.algorithm, method.knob.name, setting};
   tried.constrained = static_cast<bool>(method.off_constraint);
+  tried.precision = method.precision;
   for (const Start& start : starts) {
     const Method* here = method_of(start.motion, method.model, method.algorithm);
     const Trial trial =

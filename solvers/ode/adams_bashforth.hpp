@@ -19,11 +19,12 @@ struct AdamsBashforth4 {
   template <class State>
   static auto stepper() {
     namespace odeint = boost::numeric::odeint;
+    using Number = typename State::value_type;
     using Algebra = typename odeint::algebra_dispatcher<State>::algebra_type;
     using Operations = typename odeint::operations_dispatcher<State>::operations_type;
-    return detail::Restarting<
-        odeint::adams_bashforth<order, State, double, State, double, Algebra, Operations,
-                                odeint::initially_resizer, odeint::runge_kutta4<State>>>();
+    return detail::Restarting<odeint::adams_bashforth<order, State, Number, State, Number, Algebra,
+                                                      Operations, odeint::initially_resizer,
+                                                      odeint::runge_kutta4<State, Number, State, Number>>>();
   }
   static Recurrence recurrence(std::complex<double> z) {
     Recurrence c;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <stdexcept>
 
@@ -9,26 +10,27 @@
 namespace oddity::ode {
 
 /// A system of n unknowns behind virtual calls: the one for which an algorithm can be compiled once and for
-/// all. What that costs, `oddity bench` shows.
-template <std::size_t n>
+/// all. What that costs, `oddity bench` shows. T is float or double.
+template <std::size_t n, class T = double>
 class AnySystem {
  public:
-  using State = std::array<double, n>;
-  using Half = std::array<double, n / 2>;
+  using State = std::array<T, n>;
+  using Half = std::array<T, n / 2>;
 
   virtual ~AnySystem() = default;
-  virtual void operator()(const State& x, State& dxdt, double t) const = 0;
+  virtual void operator()(const State& x, State& dxdt, T t) const = 0;
   /// Throws std::logic_error for a system that is not partitioned.
   virtual void acceleration(const Half& q, Half& a) const = 0;
   virtual bool differentiable() const = 0;
-  /// As ode::jacobian. Throws std::logic_error for a system that is not differentiable.
+  /// As ode::jacobian. Throws std::logic_error for a system that is not differentiable, or not in double.
   virtual long jacobian(const State& x, double* matrix, double* dfdt, double t) const = 0;
 };
 
 /// (q, v) with q' = v, and the forces depend on q alone.
 template <class System, class State>
 concept Partitioned = (std::tuple_size_v<State> % 2 == 0) &&
-                      requires(const System& system, std::array<double, std::tuple_size_v<State> / 2>& half) {
+                      requires(const System& system,
+                               std::array<typename State::value_type, std::tuple_size_v<State> / 2>& half) {
   system.acceleration(half, half);
 };
 
@@ -38,26 +40,29 @@ class Adapted : public Base {
  public:
   using typename Base::Half, typename Base::State;
   using System = std::remove_cvref_t<Kept>;
+  using T = typename State::value_type;
 
   explicit Adapted(const System& system) : system_(system) {}
   const System& system() const { return system_; }
 
-  void operator()(const State& x, State& dxdt, double t) const final { system_(x, dxdt, t); }
+  void operator()(const State& x, State& dxdt, T t) const final { system_(x, dxdt, t); }
   void acceleration(const Half& q, Half& a) const final {
     if constexpr (Partitioned<System, State>)
       system_.acceleration(q, a);
     else
       throw std::logic_error("the system has no forces of positions alone");
   }
-  bool differentiable() const final { return Differentiable<System, State>; }
+  bool differentiable() const final { return is_differentiable; }
   long jacobian(const State& x, double* matrix, double* dfdt, double t) const final {
-    if constexpr (Differentiable<System, State>)
+    if constexpr (is_differentiable)
       return ode::jacobian(system_, x, matrix, dfdt, t);
     else
       throw std::logic_error("the system is not generic in its number type");
   }
 
  private:
+  static constexpr bool is_differentiable = std::same_as<T, double> && Differentiable<System, State>;
+
   Kept system_;
 };
 

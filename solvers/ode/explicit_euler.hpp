@@ -15,7 +15,8 @@ struct ExplicitEuler {
   static constexpr int order = 1;
   template <class State>
   static auto stepper() {
-    return boost::numeric::odeint::euler<State>();
+    using Number = typename State::value_type;
+    return boost::numeric::odeint::euler<State, Number, State, Number>();
   }
 };
 

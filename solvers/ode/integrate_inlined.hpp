@@ -30,8 +30,14 @@ bool check_budget(long evaluations, Trajectory<State>& solved, double t) {
   return evaluations <= budget || fail(solved, Ending::stalled, "the budget of evaluations is spent", t);
 }
 
+/// What time is to a right-hand side: float where the state is.
+template <class State>
+using TimeOf = std::conditional_t<std::is_same_v<typename State::value_type, float>, float, double>;
+
 /// Steps of equal size from t0 to t1, no longer than `step`; false when the integration is over. The state is
-/// stepped in a local copy, which the compiler can keep in registers.
+/// stepped in a local copy, which the compiler can keep in registers. The steps are counted and their times
+/// computed in double, whatever the state is in: a state in float sees time and step rounded to float, and
+/// its time does not drift.
 template <class DoStep, class State, class OnStep>
 [[gnu::always_inline]] inline bool equal_steps(DoStep& do_step, State& x, double t0, double t1, double step,
                                                const long& evaluations, Trajectory<State>& solved,
@@ -40,16 +46,17 @@ template <class DoStep, class State, class OnStep>
   if (!(count <= static_cast<double>(budget)))
     return fail(solved, Ending::stalled, "the step would take more steps than the budget allows", t0);
   const auto n = static_cast<long>(count);
+  using Time = TimeOf<State>;
   const double h = (t1 - t0) / count;
   const auto time_of = [=](long i) { return i == n ? t1 : t0 + static_cast<double>(i) * h; };
   State now = x;
   for (long i = 0; i < n;) {
     for (const long end = std::min(i + 16, n); i < end; ++i) {
       if constexpr (std::is_same_v<OnStep, NeverStop>) {
-        do_step(now, t0 + static_cast<double>(i) * h, h);
+        do_step(now, static_cast<Time>(t0 + static_cast<double>(i) * h), static_cast<Time>(h));
       } else {
         const State before = now;
-        do_step(now, time_of(i), h);
+        do_step(now, static_cast<Time>(time_of(i)), static_cast<Time>(h));
         if (on_step(time_of(i), before, time_of(i + 1), now)) return x = now, false;
       }
     }
@@ -120,7 +127,7 @@ struct Counted {
   const System& system;
   long& evaluations;
 
-  void operator()(const State& x, State& dxdt, double t) const {
+  void operator()(const State& x, State& dxdt, TimeOf<State> t) const {
     ++evaluations;
     system(x, dxdt, t);
   }
@@ -153,7 +160,7 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
   const detail::Counted<System, State> counted{system, evaluations};
   if constexpr (Algorithm::kind == Kind::fixed) {
     auto stepper = Algorithm::template stepper<State>();
-    auto do_step = [&](State& x, double t, double h) { stepper.do_step(counted, x, t, h); };
+    auto do_step = [&](State& x, auto t, auto h) { stepper.do_step(counted, x, t, h); };
     detail::through(
         times, start, solved, [&](State & x, double t0, double t1) __attribute__((always_inline)) {
           return detail::equal_steps(do_step, x, t0, t1, setting, evaluations, solved, on_step);

@@ -17,7 +17,8 @@ struct McLachlan4 {
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {
     using Half = typename detail::Halves<State>::Half;
-    return [&system, &evaluations](State& x, double t, double h) {
+    using Number = typename Half::value_type;
+    return [&system, &evaluations](State& x, Number t, Number h) {
       int stage = 0;
       const auto force = [&](const Half& q, Half& a) {
         if (++stage == 5) return void(a = {});  // Odeint asks once more, and takes the answer times zero
@@ -25,7 +26,7 @@ struct McLachlan4 {
         system.acceleration(q, a);
       };
       detail::Halves<State> halves(x);
-      boost::numeric::odeint::symplectic_rkn_sb3a_m4_mclachlan<Half>().do_step(
+      boost::numeric::odeint::symplectic_rkn_sb3a_m4_mclachlan<Half, Half, Number>().do_step(
           force, std::pair(std::ref(halves.q), std::ref(halves.v)), t, h);
       halves.put(x);
     };

@@ -17,7 +17,8 @@ struct ModifiedMidpoint {
   static constexpr unsigned short substeps = 2;
   template <class State>
   static auto stepper() {
-    return boost::numeric::odeint::modified_midpoint<State>(substeps);
+    using Number = typename State::value_type;
+    return boost::numeric::odeint::modified_midpoint<State, Number, State, Number>(substeps);
   }
 };
 

@@ -12,7 +12,7 @@ namespace oddity::ode::detail {
 template <class State>
 struct Halves {
   static constexpr std::size_t size = std::tuple_size_v<State> / 2;
-  using Half = std::array<double, size>;
+  using Half = std::array<typename State::value_type, size>;
   Half q, v;
 
   explicit Halves(const State& x) {

@@ -15,7 +15,8 @@ struct RungeKutta4 {
   static constexpr int order = 4;
   template <class State>
   static auto stepper() {
-    return boost::numeric::odeint::runge_kutta4<State>();
+    using Number = typename State::value_type;
+    return boost::numeric::odeint::runge_kutta4<State, Number, State, Number>();
   }
 };
 

@@ -16,13 +16,14 @@ struct SymplecticEuler {
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {
     using Half = typename detail::Halves<State>::Half;
-    return [&system, &evaluations](State& x, double t, double h) {
+    using Number = typename Half::value_type;
+    return [&system, &evaluations](State& x, Number t, Number h) {
       const auto force = [&](const Half& q, Half& a) {
         ++evaluations;
         system.acceleration(q, a);
       };
       detail::Halves<State> halves(x);
-      boost::numeric::odeint::symplectic_euler<Half>().do_step(
+      boost::numeric::odeint::symplectic_euler<Half, Half, Number>().do_step(
           force, std::pair(std::ref(halves.q), std::ref(halves.v)), t, h);
       halves.put(x);
     };

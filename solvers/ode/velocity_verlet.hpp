@@ -17,9 +17,10 @@ struct VelocityVerlet {
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {
     using Half = typename detail::Halves<State>::Half;
-    const auto verlet = std::make_shared<boost::numeric::odeint::velocity_verlet<Half>>();
-    return [&system, &evaluations, verlet](State& x, double t, double h) {
-      const auto force = [&](const Half& q, const Half&, Half& a, double) {
+    using Number = typename Half::value_type;
+    const auto verlet = std::make_shared<boost::numeric::odeint::velocity_verlet<Half, Half, Number>>();
+    return [&system, &evaluations, verlet](State& x, Number t, Number h) {
+      const auto force = [&](const Half& q, const Half&, Half& a, Number) {
         ++evaluations;
         system.acceleration(q, a);
       };

@@ -1,6 +1,7 @@
 // The quantities of exercise 2.7: w at a time, and ways to carry an orientation along the curve's frame.
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
 #include "solvers/counted_calls.hpp"
@@ -161,7 +162,8 @@ Quantity orientation(const Parameters& p, const Horizon& horizon, const Referenc
          "its order is too low for this need at this step"});
   q.add({"rotation vector", "Magnus 4", steps,
          [=](double h) { return observe_exponentials(as_matrix, horizon, h, 4); }});
-  return q;
+  return with_float(std::move(q), horizon, Given<double>{pace},
+                    {"matrix, w of the printed listing", "frame", "matrix", "quaternion"});
 }
 
 Quantity orthogonality(const Quantity& orientation) {

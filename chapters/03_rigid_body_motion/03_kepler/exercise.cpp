@@ -6,6 +6,7 @@
 // Kepler's equation in universal variables and the Taylor series of the Cartesian equations, in 60 digits.
 
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "solvers/ode/events.hpp"
 #include "solvers/quadrature.hpp"
@@ -112,7 +113,9 @@ Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& tr
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
            {"linearly implicit Euler", Outcome::drifted,
             "of order 1, and it takes energy out: the planet spirals in"}});
-  return where;
+  return with_float(
+      std::move(where), horizon, s,
+      {"", "Kepler's equation, Newton from pi", "equation (7)", "equation (2)", "polar", "Cartesian"});
 }
 
 /// In years for seconds. From the aphelion the angle's rate sets the eccentricity: 0.1, 0.5, 0.9, 0.975,

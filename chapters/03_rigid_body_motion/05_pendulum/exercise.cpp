@@ -12,6 +12,7 @@
 
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/claims.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
 #include "solvers/quadrature.hpp"
@@ -131,7 +132,9 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
                 "reaches up the "
                 "imaginary axis; classical Runge-Kutta follows the swing at sixty-four steps a second.",
                 "one angle, explicit Euler", 0.125, Outcome::diverged, "one angle, Runge-Kutta 4", 0.015625});
-  return angle;
+  return with_float(std::move(angle), horizon, given,
+                    {"small angle", "amplitude-corrected", "Jacobi's function by its Fourier series",
+                     "one angle", "Cartesian with constraint"});
 }
 
 Scene scene() {

@@ -8,6 +8,7 @@
 // neither is so.
 
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
+#include "chapters/in_float.hpp"
 
 namespace oddity {
 
@@ -20,7 +21,9 @@ constexpr Parameter parameters[] = {
 };
 
 Quantity position(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return slide({p["q0"], p["g"]}, horizon, truth);
+  const bead_on_cubic::Given<double> bead{p["q0"], p["g"]};
+  return with_float(slide(bead, horizon, truth), horizon, bead,
+                    {"straight tangent", "", "energy in u", "one coordinate", "Cartesian with constraints"});
 }
 
 Scene scene() {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
+#include "chapters/in_float.hpp"
 
 namespace oddity {
 
@@ -25,7 +26,8 @@ constexpr Parameter parameters[] = {
 Ball asked(const Parameters& p) { return {p["m"], p["c"], p["a"], p["p1"], p["p2"], p["v1"], p["v2"]}; }
 
 Quantity position(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return path("path", "position at " + times_up_to(horizon), asked(p), horizon, truth);
+  return with_float(path("path", "position at " + times_up_to(horizon), asked(p), horizon, truth), horizon,
+                    asked(p), {"closed form, one for all regimes", "plane", "plane, with the work"});
 }
 
 Scene scene() {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
+#include "chapters/in_float.hpp"
 
 namespace oddity {
 
@@ -69,7 +70,9 @@ Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& tr
       .by_others(plane, in_plane(c),
                  {{"modified midpoint", Outcome::inaccurate, low_order},
                   {"linearly implicit Euler", Outcome::inaccurate, low_order}});
-  return position;
+  return with_float(std::move(position), horizon,
+                    Given<double>{p["a1"], p["a2"], p["g"], p["v1"], p["v2"], p["factor"]},
+                    {line, plane, "momenta", space});
 }
 
 Scene scene() {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
+#include "chapters/in_float.hpp"
 #include "reference/bad_input.hpp"
 
 namespace oddity {
@@ -29,7 +30,9 @@ Ball asked(const Parameters& p) {
 }
 
 Quantity swinging_ball(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return swing(asked(p), horizon, truth);
+  return with_float(swing(asked(p), horizon, truth), horizon, asked(p),
+                    {"center line", "small angle", "elliptic angle", "angle about the axis", "height field",
+                     "Cartesian with constraint"});
 }
 
 Scene scene() {

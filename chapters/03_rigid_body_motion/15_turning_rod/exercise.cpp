@@ -12,6 +12,7 @@
 #include <string>
 
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity {
@@ -60,7 +61,10 @@ Quantity slide(const Parameters& p, const Horizon& horizon, const Reference& tru
       .by_few("along the rod, with the work", AlongTheRodWithWork<double>{{rod}})
       .by_common("in the turning plane", InTheTurningPlane<double>{{rod}})
       .by_common("Cartesian with constraints", CartesianWithConstraints<double>{{rod}});
-  return place;
+  return with_float(std::move(place), horizon, rod,
+                    {"no spring", "spring's end on the axis", "rigid spring", "listing as printed",
+                     "listing with the other rest length", "along the rod", "along the rod, with the work",
+                     "in the turning plane", "Cartesian with constraints"});
 }
 
 /// The same rod with a stiff spring: a geometric motion and a tremor about it.

@@ -8,6 +8,7 @@
 // points.
 
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity {
@@ -35,7 +36,9 @@ Given<double> asked(const Parameters& p) {
 }
 
 Quantity swinging_bob(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return bob(asked(p), horizon, truth);
+  return with_float(
+      bob(asked(p), horizon, truth), horizon, asked(p),
+      {"averaged", "small angle", "two angles as published", "two angles", "Cartesian with constraint"});
 }
 
 /// The slower it starts about the vertical, the closer the bob passes the lowest point, where theta is no

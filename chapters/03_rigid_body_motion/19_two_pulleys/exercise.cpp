@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "solvers/linear.hpp"
 
@@ -124,7 +125,8 @@ Quantity swing(const Parameters& given, const Horizon& horizon, const Reference&
   y.add(Breakdown{"Explicit Euler gains energy at every step, the most in the faster mode.",
                   "two coordinates, explicit Euler", 0.125, Outcome::diverged,
                   "two coordinates, Runge-Kutta 4", 0.001953125});
-  return y;
+  return with_float(std::move(y), horizon, p,
+                    {published, "two coordinates", "four coordinates with tensions"});
 }
 
 /// The roots of a s^2 - b s + c by the formula of the textbooks, the smaller from the difference or, by

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <string>
 
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity {
@@ -116,8 +117,10 @@ Quantity upright(Given<double> disk, const Reference& truth) {
 }
 
 Quantity wind(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return under_force("wind", "center and spin at four times, under a horizontal force and friction", asked(p),
-                     horizon, truth, Tried::whole_catalog);
+  return with_float(
+      under_force("wind", "center and spin at four times, under a horizontal force and friction", asked(p),
+                  horizon, truth, Tried::whole_catalog),
+      horizon, asked(p), {constant, one, two, cartesian});
 }
 
 Scene scene() {

@@ -13,6 +13,7 @@
 #include <numbers>
 #include <string>
 
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "solvers/counted_calls.hpp"
 #include "solvers/differences.hpp"
@@ -59,7 +60,8 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
       .by_others("one angle", OneAngle<double>{bar},
                  {{"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
       .by_common("Cartesian with constraint", CartesianWithConstraint<double>{bar}, Outcome::drifted);
-  return mass;
+  return with_float(std::move(mass), horizon, bar,
+                    {"small oscillation", "one angle", "Cartesian with constraint"});
 }
 
 Quantity stiff_swing(const Given<double>& bar, const Reference& truth) {

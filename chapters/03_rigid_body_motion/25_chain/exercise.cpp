@@ -10,6 +10,7 @@
 // precision starts from the same state.
 
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity {
@@ -46,7 +47,7 @@ Triple asked(const Parameters& p) {
 }
 
 Quantity hanging_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return hanging(asked(p), horizon, truth);
+  return with_float(hanging(asked(p), horizon, truth), horizon, asked(p), {"dense mass matrix", "tensions"});
 }
 
 Scene scene() {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
 #include "solvers/ode/events.hpp"
@@ -164,7 +165,8 @@ Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& t
   Ladder(q, horizon, steps, tolerances(4, 12))
       .by_others("two bodies", BothBodies<double>{asked(p)},
                  {{"linearly implicit Euler", inaccurate, "of order 1, and the orbit shrinks"}});
-  return q;
+  return with_float(std::move(q), horizon, asked(p),
+                    {"Kepler's equation, Newton from pi", "(r, u, phi)", "two bodies"});
 }
 
 Scene scene() {

@@ -6,6 +6,7 @@
 // methods.cpp has the quantities, claims.cpp the claims.
 
 #include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity {
@@ -25,7 +26,8 @@ constexpr Parameter parameters[] = {
 Given asked(const Parameters& p) { return {p["q"], p["d"], p["u"], p["v"], p["w"], p["g"]}; }
 
 Quantity fall_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return fall(asked(p), horizon, truth);
+  return with_float(fall(asked(p), horizon, truth), horizon, asked(p),
+                    {"center alone", "free fall", "x, y, theta", "two particles and a rod"});
 }
 
 Scene scene() {

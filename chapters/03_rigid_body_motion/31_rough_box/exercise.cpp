@@ -7,6 +7,7 @@
 
 #include "chapters/03_rigid_body_motion/31_rough_box/rough_box.hpp"
 #include "chapters/claims.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity {
@@ -40,7 +41,10 @@ std::vector<Claim> claims() {
 Box asked(const Parameters& p) { return {{p["a"], p["b"]}, p["mu"], p["g"], p["u0"], p["v0"], p["w0"]}; }
 
 Quantity slide_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return slide(asked(p), horizon, truth);
+  return with_float(
+      slide(asked(p), horizon, truth), horizon, asked(p),
+      {"sliding and spinning apart", "friction regularized at 1 cm/s", "friction at full speed only", ""},
+      Outcome::ok);
 }
 
 Scene scene() {

@@ -5,6 +5,7 @@
 // methods.cpp has the quantities, claims.cpp the claims.
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity {
@@ -32,7 +33,9 @@ Top asked(const Parameters& p) {
 }
 
 Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return axis(asked(p), horizon, truth);
+  return with_float(axis(asked(p), horizon, truth), horizon, asked(p),
+                    {"mean precession of a fast top", "", "", "one angle, precession by quadrature",
+                     "Euler angles", "rigid body, quaternion", "axis and angular momentum"});
 }
 
 Scene scene() {

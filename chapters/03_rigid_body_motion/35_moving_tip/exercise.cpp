@@ -5,6 +5,7 @@
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
+#include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity {
@@ -34,7 +35,9 @@ Top asked(const Parameters& p) {
 }
 
 Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  return axis(asked(p), horizon, truth);
+  return with_float(axis(asked(p), horizon, truth), horizon, moving_tip::Given<double>{asked(p)},
+                    {"fixed tip, as proposed", "small tilt", "first order in A", "Euler angles",
+                     "rigid body, quaternion", "axis and angular momentum"});
 }
 
 Scene scene() {
