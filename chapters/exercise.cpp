@@ -232,6 +232,10 @@ Outcome judge(const Quantity& quantity, const Answer& answer, double error, doub
       return Outcome::stalled;
     case Ending::non_finite:
       return Outcome::non_finite;
+    case Ending::chattering:
+      return Outcome::chattering;
+    case Ending::grazing:
+      return Outcome::grazing;
     case Ending::reached:
       break;
   }
@@ -373,6 +377,10 @@ std::string_view name_of(Outcome outcome) {
       return "deceived";
     case Outcome::raised:
       return "raised";
+    case Outcome::chattering:
+      return "chattering";
+    case Outcome::grazing:
+      return "grazing";
   }
   return "?";
 }

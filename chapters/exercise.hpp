@@ -218,9 +218,11 @@ enum class Outcome {
   drifted,     ///< a conserved quantity changed by 1 % of what moves in it
   diverged,    ///< the error is ten times the true value's size
   non_finite,
-  stalled,   ///< out of steps, evaluations or iterations
-  deceived,  ///< the method's own error estimate is below its true error
-  raised,    ///< the library reported an error
+  stalled,     ///< out of steps, evaluations or iterations
+  deceived,    ///< the method's own error estimate is below its true error
+  raised,      ///< the library reported an error
+  chattering,  ///< events without end while the time does not move
+  grazing,     ///< whether an event happens is below the algorithm's error
 };
 
 using Answer = Solved<Value>;

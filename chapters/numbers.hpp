@@ -61,6 +61,14 @@ std::array<Conserved<T>, 1> energy_of(const T& kinetic, const T& potential) {
   return {{{kinetic + potential, kinetic}}};
 }
 
+/// What happens at an event: the motion goes on from `after`; or ends there; or passes, nothing being changed.
+/// Another law of motion from there on is a component of the state that nothing else changes.
+template <class State>
+struct Happening {
+  State after;
+  bool ends = false, passes = false;
+};
+
 /// The complete elliptic integral of the first kind of the modulus whose complement is given: pi/2 over the
 /// arithmetic-geometric mean of 1 and sqrt(1 - k^2) [DLMF 19.8.5]. Eight means are enough for double from
 /// 1e-16 on.

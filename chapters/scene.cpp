@@ -2,19 +2,26 @@
 
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/disturbed.hpp"
+#include "solvers/ode/events.hpp"
 
 namespace oddity {
 
 template <std::size_t n>
 Answer ModelOf<n>::run(std::string_view algorithm, const Horizon& horizon, double setting) const {
   const auto times = horizon.times();
-  return observed(times, ode::precompiled<n>(algorithm)(*this, start(), times, setting, {}));
+  return observed(times, moved(algorithm, times, setting));
+}
+
+template <std::size_t n>
+auto ModelOf<n>::moved(std::string_view algorithm, std::span<const double> times, double setting) const
+    -> ode::Trajectory<State> {
+  return ode::integrate_with_events<n>(algorithm, *this, start(), times, setting).trajectory;
 }
 
 template <std::size_t n>
 double ModelOf<n>::off_constraint(std::string_view algorithm, const Horizon& horizon, double setting) const {
   const auto times = horizon.times();
-  const auto motion = ode::precompiled<n>(algorithm)(*this, start(), times, setting, {}).value;
+  const auto motion = moved(algorithm, times, setting).value;
   double most = motion.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const double off = off_constraint_at(motion[i], times[i]);
@@ -67,8 +74,9 @@ template <std::size_t n>
 auto ModelOf<n>::accurate_motion(std::span<const double> times) const -> ode::Trajectory<State> {
   long steps = 0;  // a model that chatters about rest would take millions
   const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
-  return ode::integrate_precompiled<ode::DormandPrince54, n>(*this, start(), times, 1e-8,
-                                                             ode::Watch<n>(enough));
+  constexpr std::string_view algorithm = "Dormand-Prince 5(4)";
+  return ode::integrate_with_events<n>(algorithm, *this, start(), times, 1e-8, ode::Watch<n>(enough))
+      .trajectory;
 }
 
 template <std::size_t n>

@@ -30,7 +30,9 @@
 /// observables, and, where there are any,       conserved(x, t) -> array of Conserved;
 ///                                 acceleration(q, a), for x = (q, v) with forces of position alone;
 ///                                 off_constraint(x, t) -> m, how far redundant coordinates are off what
-///                                 holds them.
+///                                 holds them;
+///                                 guards(x, t) -> array, at_event(i, x, t) -> Happening: an event is where
+///                                 a guard falls through zero.
 namespace oddity {
 
 /// What a game asks of a position [m] and of an angle [rad].
@@ -141,6 +143,9 @@ class ModelOf : public AnyModel, public ode::AnySystem<n> {
  private:
   /// The eigenvalues at these states, which stand for the whole time evenly.
   ode::Spectrum spectrum_along(std::span<const double> times, std::span<const State> states) const;
+  /// Its motion with its events.
+  ode::Trajectory<State> moved(std::string_view algorithm, std::span<const double> times,
+                               double setting) const;
   /// The model's motion to eight digits, as far as it comes in 100,000 steps.
   ode::Trajectory<State> accurate_motion(std::span<const double> times) const;
   /// By how much the conserved quantities change along a motion, at most, each by what moves in it.

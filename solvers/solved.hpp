@@ -6,7 +6,14 @@
 namespace oddity {
 
 /// How a solver came to its end. Only `reached` may carry a result to be trusted.
-enum class Ending { reached, non_finite, stalled, raised };
+enum class Ending {
+  reached,
+  non_finite,
+  stalled,
+  raised,
+  chattering,  ///< events without end while the time does not move
+  grazing      ///< a guard touches zero: whether it crosses, the algorithm cannot tell
+};
 
 /// What every solver returns: a value, and the truth about how it was come by.
 template <class T>

@@ -44,7 +44,16 @@ std::array<T, n> moved(std::array<T, n> x, const T& h, const std::array<T, n>& d
   return x;
 }
 
-/// What the model observes at the end: a closed form at once, else by Runge-Kutta 4.
+template <class T, std::size_t... n>
+auto joined(const std::array<T, n>&... parts) {
+  std::array<T, (n + ...)> all{};
+  auto next = all.begin();
+  ((next = std::ranges::copy(parts, next).out), ...);
+  return all;
+}
+
+/// What the model observes at the end: a closed form at once, else by Runge-Kutta 4. Of one with events also
+/// its guards there, and what the first event would make of it.
 template <class T, class Model>
 auto at_end(const Model& model, double end, int steps = 8) {
   if constexpr (Integrable<Model>) {
@@ -59,7 +68,10 @@ auto at_end(const Model& model, double end, int steps = 8) {
       model(moved(x, h, c), d, T(t + h));
       for (std::size_t k = 0; k < x.size(); ++k) x[k] += h / T(6) * (a[k] + T(2) * (b[k] + c[k]) + d[k]);
     }
-    return model.observe(x, T(end));
+    if constexpr (requires { model.guards(x, T(end)); })
+      return joined(model.observe(x, T(end)), model.guards(x, T(end)), model.at_event(0, x, T(end)).after);
+    else
+      return model.observe(x, T(end));
   } else {
     return model.at(T(end));
   }

@@ -103,6 +103,8 @@ TEST_CASE("outcomes are computed from value, estimate, drift and ending", "[valu
   CHECK(outcome_of(ended(Ending::raised)) == Outcome::raised);
   CHECK(outcome_of(ended(Ending::stalled)) == Outcome::stalled);
   CHECK(outcome_of(ended(Ending::non_finite)) == Outcome::non_finite);
+  CHECK(outcome_of(ended(Ending::chattering)) == Outcome::chattering);
+  CHECK(outcome_of(ended(Ending::grazing)) == Outcome::grazing);
 }
 
 TEST_CASE("a method that throws has raised", "[values]") {

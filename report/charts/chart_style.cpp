@@ -102,8 +102,9 @@ class Neighbours {
 };
 
 /// In the order of the enumeration.
-constexpr std::array<std::string_view, 8> outcome_colours{"#009E73", "#F0E442", "#56B4E9", "#D55E00",
-                                                          "#000000", "#CCCCCC", "#0072B2", "#4D4D4D"};
+constexpr std::array<std::string_view, 10> outcome_colours{"#009E73", "#F0E442", "#56B4E9", "#D55E00",
+                                                           "#000000", "#CCCCCC", "#0072B2", "#4D4D4D",
+                                                           "#9900FF", "#000055"};
 
 }  // namespace
 
@@ -148,8 +149,9 @@ std::span<const std::string_view> model_colours() { return colours; }
 std::string_view colour_of(Outcome outcome) { return outcome_colours[static_cast<std::size_t>(outcome)]; }
 
 std::string_view colour_on(Outcome outcome) {
-  const bool dark =
-      outcome == Outcome::non_finite || outcome == Outcome::deceived || outcome == Outcome::raised;
+  const bool dark = outcome == Outcome::non_finite || outcome == Outcome::deceived ||
+                    outcome == Outcome::raised || outcome == Outcome::chattering ||
+                    outcome == Outcome::grazing;
   return dark ? "#FFFFFF" : "#000000";
 }
 

@@ -542,8 +542,9 @@ std::string legend() {
          "within the need; *inaccurate*, "
          "*drifted* (a conserved quantity changed), *diverged*, *non-finite*, *stalled* (out of steps), "
          "*deceived* (the method's own "
-         "error estimate is below its true error) or *raised* (the library reported an error) otherwise. A "
-         "motion is "
+         "error estimate is below its true error), *raised* (the library reported an error), *chattering* "
+         "(events without end while the time does not move, as the bounces of a ball that comes to rest) or "
+         "*grazing* (whether an event happens is below the algorithm's error) otherwise. A motion is "
          "judged at the few times that are named with it, and may err more between them; the cheapest "
          "models, and `oddity choose`, judge every frame.\n\n";
 }

@@ -187,7 +187,7 @@ std::string differences(const Results& results) {
 }  // namespace
 
 char letter_of(Outcome outcome) {
-  constexpr std::string_view letters_in_order = "oidXNSER";
+  constexpr std::string_view letters_in_order = "oidXNSERCG";
   return letters_in_order[static_cast<std::size_t>(std::ranges::find(outcomes_of_a_map, outcome) -
                                                    outcomes_of_a_map.begin())];
 }

@@ -225,7 +225,8 @@ class Search {
   /// What broke off has no cost to compare.
   static bool came_to_an_end(const Tried& tried) {
     return tried.outcome != Outcome::non_finite && tried.outcome != Outcome::stalled &&
-           tried.outcome != Outcome::raised;
+           tried.outcome != Outcome::raised && tried.outcome != Outcome::chattering &&
+           tried.outcome != Outcome::grazing;
   }
 
   bool eligible(const Tried& t, bool by_objective) const {

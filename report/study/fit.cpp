@@ -81,7 +81,8 @@ double error_floor(const QuantityResult& q) {
 
 bool usable(const TimedTrial& t) {
   const bool failed = t.outcome == Outcome::diverged || t.outcome == Outcome::non_finite ||
-                      t.outcome == Outcome::stalled || t.outcome == Outcome::raised;
+                      t.outcome == Outcome::stalled || t.outcome == Outcome::raised ||
+                      t.outcome == Outcome::chattering || t.outcome == Outcome::grazing;
   return !failed && std::isfinite(t.error);
 }
 

@@ -33,7 +33,8 @@ constexpr std::array verdicts{Verdict::confirmed, Verdict::misprint, Verdict::er
 constexpr std::array faults{Fault::none,           Fault::number, Fault::formula, Fault::left_out,
                             Fault::counterexample, Fault::term,   Fault::listing, Fault::lost_typography};
 constexpr std::array outcomes{Outcome::ok,         Outcome::inaccurate, Outcome::drifted,  Outcome::diverged,
-                              Outcome::non_finite, Outcome::stalled,    Outcome::deceived, Outcome::raised};
+                              Outcome::non_finite, Outcome::stalled,    Outcome::deceived, Outcome::raised,
+                              Outcome::chattering, Outcome::grazing};
 constexpr std::array precisions{Precision::in_double, Precision::in_float};
 
 /// JSON has no infinities and no NaN: they are null, and read as NaN.

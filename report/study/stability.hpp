@@ -32,9 +32,9 @@ Results with_stability(Results, std::span<const Task>, const Reference&, const P
 /// The reason of a limit that differs from theory's for none of the reasons that are computed.
 inline constexpr std::string_view not_explained = "not explained";
 /// The outcomes in the order of a map's legend.
-inline constexpr std::array outcomes_of_a_map{Outcome::ok,       Outcome::inaccurate, Outcome::drifted,
-                                              Outcome::diverged, Outcome::non_finite, Outcome::stalled,
-                                              Outcome::deceived, Outcome::raised};
+inline constexpr std::array outcomes_of_a_map{
+    Outcome::ok,      Outcome::inaccurate, Outcome::drifted, Outcome::diverged,   Outcome::non_finite,
+    Outcome::stalled, Outcome::deceived,   Outcome::raised,  Outcome::chattering, Outcome::grazing};
 /// An outcome's letter on a map.
 char letter_of(Outcome);
 /// The letters of a row's outcomes, from the coarsest step to the finest.

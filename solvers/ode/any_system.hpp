@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -24,6 +25,20 @@ class AnySystem {
   virtual bool differentiable() const = 0;
   /// As ode::jacobian. Throws std::logic_error for a system that is not differentiable, or not in double.
   virtual long jacobian(const State& x, double* matrix, double* dfdt, double t) const = 0;
+
+  // Its events (events.hpp); a system need not have any.
+  virtual std::size_t guard_count() const { return 0; }
+  virtual void guards(const State&, double, double*) const {}
+  /// What the event of guard i makes of x.
+  enum class Next { go_on, end, pass };
+  virtual Next happen(std::size_t, State&, double) const { return Next::pass; }
+};
+
+/// It has events: guards(x, t) -> array of numbers, and at_event(i, x, t) -> {after, ends, passes}.
+template <class System, class State>
+concept Eventful = requires(const System& system, const State& x) {
+  system.guards(x, 0.0);
+  system.at_event(std::size_t{}, x, 0.0).after;
 };
 
 /// (q, v) with q' = v, and the forces depend on q alone.
@@ -38,7 +53,7 @@ concept Partitioned = (std::tuple_size_v<State> % 2 == 0) &&
 template <class Base, class Kept>
 class Adapted : public Base {
  public:
-  using typename Base::Half, typename Base::State;
+  using typename Base::Half, typename Base::Next, typename Base::State;
   using System = std::remove_cvref_t<Kept>;
   using T = typename State::value_type;
 
@@ -58,6 +73,26 @@ class Adapted : public Base {
       return ode::jacobian(system_, x, matrix, dfdt, t);
     else
       throw std::logic_error("the system is not generic in its number type");
+  }
+  std::size_t guard_count() const final {
+    if constexpr (Eventful<System, State>)
+      return std::tuple_size_v<decltype(system_.guards(State(), 0.0))>;
+    else
+      return 0;
+  }
+  void guards([[maybe_unused]] const State& x, [[maybe_unused]] double t,
+              [[maybe_unused]] double* values) const final {
+    if constexpr (Eventful<System, State>) std::ranges::copy(system_.guards(x, t), values);
+  }
+  Next happen([[maybe_unused]] std::size_t i, [[maybe_unused]] State& x,
+              [[maybe_unused]] double t) const final {
+    if constexpr (Eventful<System, State>) {
+      const auto happening = system_.at_event(i, x, t);
+      x = happening.after;
+      return happening.ends ? Next::end : happening.passes ? Next::pass : Next::go_on;
+    } else {
+      return Next::pass;
+    }
   }
 
  private:

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solvers/ode/algorithms.hpp"
+#include "solvers/ode/events.hpp"
 #include "solvers/ode/integrate.hpp"
 
 namespace oddity::ode {
@@ -14,6 +15,7 @@ namespace oddity::ode {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::string_view judge = "Dormand-Prince 5(4)";
 constexpr double first_distance = 1e-6;  ///< of the two motions, in units of their size
 
 template <std::size_t n>
@@ -26,6 +28,23 @@ double distance(const std::array<double, n>& a, const std::array<double, n>& b,
 
 /// The step next to this one that divides the span.
 double dividing(double span, double step) { return span / std::ceil(span / step * (1 - 1e-12)); }
+
+/// In steps of h, which divides the span, watched at each. Events come between: the steps' ends are the same
+/// for two motions whose events are not.
+template <std::size_t n>
+Trajectory<std::array<double, n>> in_steps(std::string_view algorithm, const AnySystem<n>& system,
+                                           const std::array<double, n>& start, double t0, double t1, double h,
+                                           const Watch<n>& watch) {
+  if (system.guard_count() == 0)
+    return precompiled<n>(algorithm)(system, start, std::array{t0, t1}, h, watch);
+  const double count = std::round((t1 - t0) / h);
+  std::vector<double> times;
+  for (double i = 0; i <= count; ++i) times.push_back(i == count ? t1 : t0 + i * h);
+  auto motion = integrate_with_events<n>(algorithm, system, start, times, h).trajectory;
+  for (std::size_t i = 1; i < motion.value.size(); ++i)
+    if (watch(times[i - 1], motion.value[i - 1], times[i], motion.value[i])) break;
+  return motion;
+}
 
 /// A part of the disturbance in every component.
 template <std::size_t n>
@@ -51,13 +70,13 @@ Disturbed<n>::Disturbed(const AnySystem<n>& system, const State& start, double s
     return ++steps > 100'000;
   };
   const auto truth =
-      integrate_precompiled<DormandPrince54, n>(system, start, times_, tolerance, Watch<n>(enough));
+      integrate_with_events<n>(judge, system, start, times_, tolerance, Watch<n>(enough)).trajectory;
   const double least = std::ranges::max(sizes_) / 100;
   for (double& size : sizes_) size = std::max(size, least);
   times_.resize(
       std::min(times_.size(), truth.reached() && steps <= 100'000 ? times_.size() : truth.value.size() - 1));
   beside_ = disturbed(start, sizes_);
-  const auto next = integrate_precompiled<DormandPrince54, n>(system, beside_, times_, tolerance, {});
+  const auto next = integrate_with_events<n>(judge, system, beside_, times_, tolerance).trajectory;
   double most = 0;
   for (std::size_t i = 0; i < times_.size(); ++i) {
     if (i < next.value.size())
@@ -69,7 +88,6 @@ Disturbed<n>::Disturbed(const AnySystem<n>& system, const State& start, double s
 template <std::size_t n>
 Loss Disturbed<n>::lost(std::string_view algorithm, double step) const {
   const double h = dividing(span(), step);
-  const std::array ends{0.0, span()};
   std::vector<State> motion;
   Loss loss{infinity, {}};
   loss.outgrown.fill(infinity);
@@ -85,14 +103,14 @@ Loss Disturbed<n>::lost(std::string_view algorithm, double step) const {
         loss.outgrown[i] = t;
     return std::isfinite(loss.outgrown.back());
   };
-  precompiled<n>(algorithm)(system_, start_, ends, h, Watch<n>(keep));
+  in_steps<n>(algorithm, system_, start_, 0, span(), h, Watch<n>(keep));
   std::size_t i = 0;
   const auto compare = [&](double, const State&, double t, const State& x) {
     if (i == motion.size()) return true;
     if (!(std::log(distance(x, motion[i++], sizes_) / first_distance) <= allowed(t))) loss.parted = t;
     return std::isfinite(loss.parted);
   };
-  precompiled<n>(algorithm)(system_, beside_, ends, h, Watch<n>(compare));
+  in_steps<n>(algorithm, system_, beside_, 0, span(), h, Watch<n>(compare));
   return loss;
 }
 
@@ -170,7 +188,7 @@ template <std::size_t n>
 auto Disturbed<n>::truth(double apart) const -> std::vector<State> {
   std::vector<double> times;
   for (double i = 0; i * apart <= span() * (1 + 1e-12); ++i) times.push_back(i * apart);
-  return integrate_precompiled<DormandPrince54, n>(system_, start_, times, 1e-10, {}).value;
+  return integrate_with_events<n>(judge, system_, start_, times, 1e-10).trajectory.value;
 }
 
 template <std::size_t n>
@@ -193,8 +211,7 @@ double Disturbed<n>::lost_along_truth(std::string_view algorithm, double step) c
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const double t = static_cast<double>(i) * h;
     const auto stepped = [&](double part) {
-      return precompiled<n>(algorithm)(system_, added(motion[i], part, d), std::array{t, t + h}, h, {})
-          .value.back();
+      return in_steps<n>(algorithm, system_, added(motion[i], part, d), t, t + h, h, {}).value.back();
     };
     const State up = stepped(0.5), down = stepped(-0.5);
     d = added(up, -1, down);
@@ -227,7 +244,7 @@ auto Disturbed<n>::motion(std::string_view algorithm, double step, double until)
     if (t <= until) motion.push_back(x);
     return t >= until;
   };
-  precompiled<n>(algorithm)(system_, start_, std::array{0.0, span()}, dividing(span(), step), Watch<n>(keep));
+  in_steps<n>(algorithm, system_, start_, 0, span(), dividing(span(), step), Watch<n>(keep));
   return motion;
 }
 

@@ -1,7 +1,12 @@
 #include "solvers/ode/events.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
+#include "solvers/ode/all.hpp"
 #include "solvers/roots.hpp"
 
 namespace oddity::ode::detail {
@@ -99,3 +104,339 @@ Solved<Event<std::array<double, n>>> find_event(
 ODDITY_FOR_UNKNOWNS(ODDITY_FIND_EVENT, find_event)
 
 }  // namespace oddity::ode::detail
+
+namespace oddity::ode {
+
+namespace {
+
+/// What the search for events needs of an algorithm.
+template <std::size_t n>
+struct Stepping {
+  Integrate<n>* through = nullptr;
+  detail::Step<n>* once = nullptr;
+  bool has_tolerance = false;
+};
+
+template <std::size_t n>
+Stepping<n> stepping(std::string_view algorithm) {
+  Stepping<n> found{&precompiled<n>(algorithm)};
+  for_each_algorithm([&]<class Algorithm>() {
+    if (Algorithm::name != algorithm) return;
+    found.once = step_precompiled<Algorithm, n>;
+    found.has_tolerance = has_tolerance(Algorithm::kind);
+  });
+  return found;
+}
+
+/// The fraction of a step at which a cubic of these values and slopes (per step) at its ends is least, the
+/// first slope falling and the second rising.
+double least_at(double g0, double slope0, double g1, double slope1) {
+  const double a = 3 * (slope0 + slope1 - 2 * (g1 - g0)), b = 6 * (g1 - g0) - 4 * slope0 - 2 * slope1;
+  double low = 0, high = 1;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (low + high) / 2;
+    ((a * middle + b) * middle + slope0 < 0 ? low : high) = middle;
+  }
+  return high;
+}
+
+/// Looks for events in one step after the other, from the start of a motion or from an event on.
+template <std::size_t n>
+class Lookout {
+ public:
+  using State = std::array<double, n>;
+  enum class Seen { nothing, event, grazing, failure };
+
+  Lookout(const AnySystem<n>& system, const Stepping<n>& algorithm, double setting, double time_rounding)
+      : system_(system),
+        algorithm_(algorithm),
+        setting_(setting),
+        time_rounding_(time_rounding),
+        guards_(system.guard_count()),
+        above_(guards_),
+        on_(guards_) {}
+
+  Seen seen = Seen::nothing;
+  Happened<State> event;  ///< or the graze
+  long evaluations = 0;   ///< those inside steps
+
+  void start(const State& x, double t) {
+    const auto g = guards(x, t);
+    for (std::size_t i = 0; i < guards_; ++i) {
+      above_[i] = g[i] >= 0;
+      on_[i] = g[i] == 0;
+    }
+  }
+
+  /// Goes on after `event` happened. Another guard that was above zero and no longer is happens at once.
+  std::optional<std::size_t> go_on(bool passed) {
+    const auto before = guards(event.before, event.time), after = guards(event.after, event.time);
+    std::optional<std::size_t> next;
+    for (std::size_t i = 0; i < guards_; ++i) {
+      if (i == event.guard) {
+        above_[i] = on_[i] = !passed;
+        continue;
+      }
+      on_[i] = on_[i] && !(before[i] > 0);
+      above_[i] = above_[i] || before[i] > 0 || after[i] > 0;
+      if (above_[i] && !on_[i] && after[i] < 0 && !next) next = i;
+    }
+    seen = Seen::nothing;
+    return next;
+  }
+
+  /// After a step: true when there is something in it.
+  bool operator()(double t, const State& x, double t_next, const State& x_next) {
+    step_ = {t, t_next - t, x, x_next};
+    State d0{}, d1{};
+    derivative(x, d0, t);
+    derivative(x_next, d1, t_next);
+    sample(d0, d1);
+    double first = nowhere;
+    for (std::size_t i = 0; i < guards_; ++i) {
+      const std::optional<double> root = above_[i] ? fall(i, d0, d1) : climb_and_fall(i);
+      if (seen != Seen::nothing) return true;
+      if (!root || std::abs(*root) >= std::abs(first)) continue;
+      first = *root;
+      event.guard = i;
+    }
+    if (std::isinf(first)) {
+      for (std::size_t i = 0; i < guards_; ++i) {
+        above_[i] = samples_.back()[i] > 0;
+        on_[i] = false;
+      }
+      return false;
+    }
+    event.time = first == step_.h ? t_next : t + first;
+    event.before = state_after(first);
+    if (seen == Seen::nothing) seen = Seen::event;
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t pieces = 4;
+  static constexpr double nowhere = std::numeric_limits<double>::infinity();
+
+  std::vector<double> guards(const State& x, double t) const {
+    std::vector<double> values(guards_);
+    system_.guards(x, t, values.data());
+    return values;
+  }
+  void derivative(const State& x, State& dxdt, double t) {
+    ++evaluations;
+    system_(x, dxdt, t);
+  }
+  /// By the algorithm itself, from the step's start.
+  State state_after(double s) {
+    if (s == step_.h) return step_.x_next;
+    State x = step_.x;
+    if (s != 0 && !algorithm_.once(system_, x, step_.t, s, setting_, evaluations)) seen = Seen::failure;
+    return x;
+  }
+  double guard_after(std::size_t i, double s) {
+    return guards(state_after(s), s == step_.h ? step_.t + step_.h : step_.t + s)[i];
+  }
+  double part(std::size_t k) const { return static_cast<double>(k) / pieces * step_.h; }
+
+  void sample(const State& d0, const State& d1) {
+    samples_.front() = guards(step_.x, step_.t);
+    samples_.back() = guards(step_.x_next, step_.t + step_.h);
+    for (std::size_t k = 1; k < pieces; ++k)
+      samples_[k] = guards(detail::hermite(step_.x, d0, step_.x_next, d1, step_.h, part(k) / step_.h),
+                           step_.t + part(k));
+  }
+
+  /// When guard i, above zero at the step's start, first falls through it.
+  std::optional<double> fall(std::size_t i, const State& d0, const State& d1) {
+    const double low = !on_[i] ? least(i, d0, d1) : nowhere;
+    if (seen != Seen::nothing) return {};
+    for (std::size_t k = 1; k <= pieces; ++k) {
+      if (std::abs(low) <= std::abs(part(k))) return locate(i, 0, low);
+      if (!(samples_[k][i] <= 0)) continue;
+      if (const auto root = locate(i, part(k - 1), part(k))) return root;
+    }
+    return {};
+  }
+  /// The same of one that has to rise first.
+  std::optional<double> climb_and_fall(std::size_t i) {
+    bool above = false;
+    for (std::size_t k = 1; k <= pieces; ++k) {
+      if (above && samples_[k][i] <= 0)
+        if (const auto root = locate(i, part(k - 1), part(k))) return root;
+      above = above || samples_[k][i] > 0;
+    }
+    return {};
+  }
+
+  /// Where guard i has a least value inside the step, below zero. Ends all when nobody can say so.
+  double least(std::size_t i, const State& d0, const State& d1) {
+    const double t = step_.t, h = step_.h, g0 = samples_.front()[i], g1 = samples_.back()[i];
+    const double slope0 = slope(i, step_.x, d0, t), slope1 = slope(i, step_.x_next, d1, t + h);
+    if (!(slope0 < 0 && slope1 > 0)) return nowhere;
+    const double u = least_at(g0, slope0, g1, slope1), s = u * h;
+    constexpr double near = 0.125;  // of what it falls by: an error that large leaves no digit of the guard
+    const double cubic = g0 * (1 + 2 * u) * (1 - u) * (1 - u) + slope0 * u * (1 - u) * (1 - u) +
+                         g1 * u * u * (3 - 2 * u) - slope1 * u * u * (1 - u);
+    if (cubic > near * std::max(g0, g1)) return nowhere;
+    const double value = guard_after(i, s);
+    if (std::abs(value) <= error_of(i, s)) {
+      seen = Seen::grazing;
+      event = {i, t + s, state_after(s), state_after(s)};
+      return nowhere;
+    }
+    if (value > 0) return nowhere;
+    return s;
+  }
+  /// The guard's change along the motion, per step.
+  double slope(std::size_t i, const State& x, const State& dxdt, double t) const {
+    const double little = 1e-6 * step_.h;
+    State ahead = x, behind = x;
+    for (std::size_t c = 0; c < n; ++c) {
+      ahead[c] += little * dxdt[c];
+      behind[c] -= little * dxdt[c];
+    }
+    return (guards(ahead, t + little)[i] - guards(behind, t - little)[i]) / 2e-6;
+  }
+  /// How far guard i is off after s for what the step is off.
+  double error_of(std::size_t i, double s) {
+    State one = step_.x, two = step_.x;
+    const double t = step_.t, h = step_.h;
+    if (!algorithm_.has_tolerance) {
+      algorithm_.once(system_, one, t, h, setting_, evaluations);
+      algorithm_.once(system_, two, t, h / 2, setting_, evaluations);
+      algorithm_.once(system_, two, t + h / 2, h / 2, setting_, evaluations);
+    }
+    const State x = state_after(s);
+    const double g = guards(x, t + s)[i];
+    constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();
+    double error = 0;
+    for (std::size_t c = 0; c < n; ++c) {
+      State off = x;
+      off[c] += roundings * std::abs(x[c]) +
+                (algorithm_.has_tolerance ? setting_ * (1 + std::abs(x[c])) : std::abs(one[c] - two[c]));
+      error += std::abs(guards(off, t + s)[i] - g);
+    }
+    return error;
+  }
+
+  /// The root of guard i between `left` and `right`, after which it is no longer above zero; none when only
+  /// the cubic has seen it. On the guard itself the motion first has to leave it: 0 when it does not.
+  std::optional<double> locate(std::size_t i, double left, double right) {
+    const bool on_guard = on_[i];
+    if (left != 0 || !on_guard) {
+      if (const auto root = between(i, left, right, 4e-16 * (1 + std::abs(step_.t)))) return root;
+      if (left == 0) return {};
+      if (!on_guard) return between(i, 0, right, 4e-16 * (1 + std::abs(step_.t)));
+    }
+    if (!(guard_after(i, right) <= 0)) return {};
+    for (double high = right; std::abs(high) > time_rounding_; high /= 2)
+      if (guard_after(i, high / 2) > 0) return between(i, high / 2, high, 4e-16 * std::abs(high));
+    return 0;
+  }
+  std::optional<double> between(std::size_t i, double left, double right, double tolerance) {
+    const auto miss = [&](double s) { return guard_after(i, s); };
+    const Solved<double> root = brent(miss, left, right, tolerance);
+    if (root.ending == Ending::raised) return {};
+    return root.value;
+  }
+
+  const AnySystem<n>& system_;
+  Stepping<n> algorithm_;
+  double setting_, time_rounding_;
+  std::size_t guards_;
+  std::vector<bool> above_;  ///< it can fall
+  std::vector<bool> on_;     ///< it starts from there: what is above, or below, is rounding
+  struct {
+    double t, h;
+    State x, x_next;
+  } step_{};
+  std::array<std::vector<double>, pieces + 1> samples_;
+};
+
+/// Events in a row while the time does not move.
+template <class State>
+bool accumulate(const std::vector<Happened<State>>& events, std::size_t guards, double time_rounding) {
+  const std::size_t many = 16 * guards;
+  constexpr double roundings = 64;
+  return events.size() >= many &&
+         std::abs(events.back().time - events[events.size() - many].time) <= roundings * time_rounding;
+}
+
+}  // namespace
+
+template <std::size_t n>
+MotionWithEvents<std::array<double, n>> integrate_with_events(
+    std::string_view algorithm, const AnySystem<n>& system, const std::array<double, n>& start,
+    std::span<const double> times, double setting, const Watch<n>& watch, std::size_t most_events) {
+  using State = std::array<double, n>;
+  using Seen = typename Lookout<n>::Seen;
+  using Next = typename AnySystem<n>::Next;
+  if (system.guard_count() == 0) return {precompiled<n>(algorithm)(system, start, times, setting, watch), {}};
+
+  const Stepping<n> by = stepping<n>(algorithm);
+  double latest = 0;
+  for (double t : times) latest = std::max(latest, std::abs(t));
+  const double time_rounding = std::numeric_limits<double>::epsilon() * latest;
+  Lookout<n> lookout(system, by, setting, time_rounding);
+  Happened<State>& event = lookout.event;
+  bool stopped = false;  // by the watch
+  const auto on_step = [&](double t, const State& x, double t_next, const State& x_next) {
+    const bool seen = lookout(t, x, t_next, x_next);
+    stopped = seen ? watch(t, x, event.time, event.before) : watch(t, x, t_next, x_next);
+    return seen || stopped;
+  };
+
+  MotionWithEvents<State> all;
+  Trajectory<State>& whole = all.trajectory;
+  const auto end = [&](Ending ending, const char* what) {
+    detail::fail(whole, ending, what, event.time);
+    whole.value.push_back(ending == Ending::chattering ? event.after : event.before);
+    return all;
+  };
+  State x = start;
+  std::vector<double> left(times.begin(), times.end());  // where it is, and the times to come
+  if (!left.empty()) lookout.start(x, left[0]);
+  for (;;) {
+    const auto piece = by.through(system, x, left, setting, Watch<n>(on_step));
+    whole.evaluations += piece.evaluations + std::exchange(lookout.evaluations, 0);
+    const auto known = piece.value.end() - (lookout.seen == Seen::nothing ? 0 : 1);  // not the event's step
+    const auto first = piece.value.begin() + (whole.value.empty() ? 0 : 1);
+    if (first < known) whole.value.insert(whole.value.end(), first, known);
+    if (lookout.seen == Seen::nothing) {
+      whole.ending = piece.ending;
+      whole.message = piece.message;
+      return all;
+    }
+    if (lookout.seen == Seen::failure)
+      return end(Ending::stalled, "the algorithm did not reach a time inside a step");
+    if (lookout.seen == Seen::grazing) return end(Ending::grazing, "a guard touches zero");
+    if (whole.evaluations > budget) return end(Ending::stalled, "the budget of evaluations is spent");
+    left.erase(left.begin(), left.begin() + (known - piece.value.begin() - 1));
+    left[0] = event.time;
+
+    for (std::optional<std::size_t> guard = event.guard; guard;) {
+      if (*guard != event.guard) event.before = event.after;
+      event.guard = *guard;
+      event.after = event.before;
+      const auto next = system.happen(*guard, event.after, event.time);
+      all.events.push_back(event);
+      if (stopped || all.events.size() == most_events) return all;
+      if (next == Next::end) {
+        whole.value.insert(whole.value.end(), left.size() - 1, event.after);
+        return all;
+      }
+      if (accumulate(all.events, system.guard_count(), time_rounding))
+        return end(Ending::chattering, "events without end while the time does not move");
+      guard = lookout.go_on(next == Next::pass);
+    }
+    x = event.after;
+  }
+}
+
+#define ODDITY_WITH_EVENTS(n, name)                                                                         \
+  template MotionWithEvents<std::array<double, n>> name<n>(                                                 \
+      std::string_view, const AnySystem<n>&, const std::array<double, n>&, std::span<const double>, double, \
+      const Watch<n>&, std::size_t);
+ODDITY_FOR_UNKNOWNS(ODDITY_WITH_EVENTS, integrate_with_events)
+
+}  // namespace oddity::ode

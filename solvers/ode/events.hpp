@@ -2,6 +2,10 @@
 
 #include <array>
 #include <functional>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "solvers/ode/integrate.hpp"
 
@@ -39,6 +43,77 @@ Solved<Event<std::array<double, n>>> find_event(const System& system, const std:
   const Adapted<AnySystem<n>, const System&> any(system);
   return detail::find_event<n>(any, integrate_precompiled<Algorithm, n>, step_precompiled<Algorithm, n>,
                                start, t0, t1, setting, g);
+}
+
+// ---- a system's own events
+// -----------------------------------------------------------------------------------
+
+/// One of a system's guards has fallen through zero.
+template <class State>
+struct Happened {
+  std::size_t guard = 0;
+  double time = 0;
+  State before{}, after{};
+};
+
+constexpr std::size_t every_event = std::numeric_limits<std::size_t>::max();
+
+template <class State>
+struct MotionWithEvents {
+  Trajectory<State> trajectory;
+  std::vector<Happened<State>> events = {};
+};
+
+/// The states at `times`, which go forward, by the algorithm of this name. Where a guard falls through zero
+/// the system says what happens, and the algorithm starts anew, history and all; where the motion ends, its
+/// state stays at all later times. The event is found as find_event finds it. A guard that is zero at the
+/// start counts as above it; so does one whose event does not pass: if it then falls, it happens again at
+/// once. After an event that passes, the guard has to rise before it can fall again. A system without guards
+/// moves as by `integrate`. `watch` is called after each step, and for the part of a step that ends in an
+/// event.
+///
+/// `chattering`: 16 events for each guard in a row, in which the time moves by no more than 64 of its
+/// roundings. No number tells their times apart any more, and no step leads beyond them: the flights of a
+/// ball that comes to rest shrink in proportion, and what is left of their sum is of that size. The state and
+/// the last event are those of the end. Whoever puts the state back onto the guard exactly gets there by all
+/// digits; where the state is off by d, flights of height d are the last.
+///
+/// `grazing`: inside a step, the guard has a least value that is nearer to zero than the step's own error
+/// of it: the tolerance, or else the difference between one step and two of half the size. The algorithm
+/// cannot tell then whether the event happens, and what follows depends on it.
+template <std::size_t n>
+MotionWithEvents<std::array<double, n>> integrate_with_events(std::string_view algorithm,
+                                                              const AnySystem<n>& system,
+                                                              const std::array<double, n>& start,
+                                                              std::span<const double> times, double setting,
+                                                              const Watch<n>& watch = {},
+                                                              std::size_t most_events = every_event);
+
+template <class Algorithm, class System, std::size_t n>
+MotionWithEvents<std::array<double, n>> integrate_with_events(const System& system,
+                                                              const std::array<double, n>& start,
+                                                              std::span<const double> times, double setting,
+                                                              std::size_t most_events = every_event) {
+  const Adapted<AnySystem<n>, const System&> any(system);
+  return integrate_with_events<n>(brief<Algorithm>().name, any, start, times, setting, {}, most_events);
+}
+
+/// The first event after t0 and up to t1; `raised` when none happens, with t1 and the state there.
+template <class Algorithm, class System, std::size_t n>
+Solved<Happened<std::array<double, n>>> first_event(const System& system, const std::array<double, n>& start,
+                                                    double t0, double t1, double setting) {
+  const std::array times{t0, t1};
+  const auto motion = integrate_with_events<Algorithm>(system, start, times, setting, 1);
+  const auto& end = motion.trajectory;
+  Solved<Happened<std::array<double, n>>> first{{}, end.evaluations};
+  if (!motion.events.empty()) {
+    first.value = motion.events[0];
+  } else {
+    if (end.reached()) first.value = {0, t1, end.value.back(), end.value.back()};
+    first.ending = end.reached() ? Ending::raised : end.ending;
+    first.message = end.reached() ? "the event does not happen in the time given" : end.message;
+  }
+  return first;
 }
 
 }  // namespace oddity::ode

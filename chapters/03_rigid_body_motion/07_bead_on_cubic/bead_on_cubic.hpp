@@ -15,11 +15,11 @@ inline double latest(const bead_on_cubic::Given<double>& bead) {
   return 1.5 * std::sqrt(bead_on_cubic::metric(bead.q0) / (2 * bead.g * bead.q0));
 }
 
-/// The time at which a model's x changes its sign, and the state there.
+/// When and how a model comes to the origin.
 template <class Algorithm, class Model>
-Solved<ode::Event<typename Model::State>> event_of(const Model& model, double setting) {
-  const auto x = [&](const typename Model::State& s, double t) { return model.observe(s, t)[0]; };
-  return ode::find_event<Algorithm>(model, model.start(), 0, latest(model.p), setting, x);
+Solved<ode::Happened<typename Model::State>> event_of(const Model& model, double setting) {
+  return ode::first_event<Algorithm>(bead_on_cubic::ToTheOrigin<Model>{model}, model.start(), 0,
+                                     latest(model.p), setting);
 }
 
 // methods.cpp

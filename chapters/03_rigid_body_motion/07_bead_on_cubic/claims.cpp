@@ -299,7 +299,7 @@ void run_down(Claims& claims, const std::vector<State>& run) {
        .kind = Fault::counterexample,
        .root = "beyond the origin"});
 
-  const auto at_origin = event_of<ode::Fehlberg78>(OneCoordinate<double>{{1, 1}}, 1e-12).value.state;
+  const auto at_origin = event_of<ode::Fehlberg78>(OneCoordinate<double>{{1, 1}}, 1e-12).value.after;
   const auto turns_at = [&](double q) {
     return everywhere(R"($\dot q$ decreases, then increases)", [q](const Step& s) {
       return s.from[0] > q && s.to[0] < q ? true : (s.to[1] < s.from[1]) == (s.from[0] > q);
@@ -377,7 +377,7 @@ void arrivals(Claims& claims, const std::vector<State>& run, const Reference& tr
   claims.add(
       "at_the_origin", 1417, "the bead is at $(0,0,0)$ when $q=0$",
       {.printed = from_origin("at the event $q=0$",
-                              {"Cartesian, at its event", {event.state[0], event.state[1], event.state[2]}}),
+                              {"Cartesian, at its event", {event.after[0], event.after[1], event.after[2]}}),
        .near_misses = {
            from_origin("at $t=2.24$", {"table at 2.24", truth("03_07_slide", {1, 1, 2.24}).value})}});
 

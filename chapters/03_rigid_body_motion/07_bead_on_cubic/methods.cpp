@@ -13,9 +13,7 @@ template <class Algorithm, class Model>
 void add_event(Quantity& arrival, const std::string& name, const Model& model, Outcome expected = Outcome::ok,
                const std::string& why = {}) {
   const auto run = [model](double setting) {
-    Answer time = answer(event_of<Algorithm>(model, setting), [](const auto& event) { return event.time; });
-    time.error_estimate = std::numeric_limits<double>::quiet_NaN();  // it is the last bracket's alone
-    return time;
+    return answer(event_of<Algorithm>(model, setting), [](const auto& event) { return event.time; });
   };
   const Knob steps = halving("step", latest(model.p) / 32, 8);
   const ode::Brief algorithm = ode::brief<Algorithm>();

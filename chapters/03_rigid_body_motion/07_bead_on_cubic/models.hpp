@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <tuple>
 
@@ -123,11 +124,29 @@ struct CartesianWithConstraints {
   }
 };
 
+/// A model whose motion ends in the origin.
+template <class Model>
+struct ToTheOrigin : Model {
+  using typename Model::State;
+  template <class T>
+  auto guards(const State& x, const T& t) const {
+    return std::array{this->observe(x, t)[0]};
+  }
+  template <class T>
+  Happening<State> at_event(std::size_t, const State& x, const T&) const {
+    return {x, true};
+  }
+};
+
 /// From the least to the richest.
 template <class T>
 auto models(const Given<T>& p) {
-  return std::tuple{StraightTangent<T>{p}, EnergyInQ<T>{p}, EnergyInU<T>{p}, OneCoordinate<T>{p},
-                    CartesianWithConstraints<T>{p}};
+  return std::tuple{StraightTangent<T>{p},
+                    EnergyInQ<T>{p},
+                    EnergyInU<T>{p},
+                    OneCoordinate<T>{p},
+                    CartesianWithConstraints<T>{p},
+                    ToTheOrigin<CartesianWithConstraints<T>>{{p}}};
 }
 
 }  // namespace oddity::bead_on_cubic

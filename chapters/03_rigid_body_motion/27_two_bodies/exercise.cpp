@@ -42,7 +42,13 @@ constexpr Parameter parameters[] = {
 struct LeviCivita {
   using State = std::array<double, 5>;
   double half_energy;
+  double stop;  ///< the time at which the motion ends
 
+  std::array<double, 1> guards(const State& x, double) const { return {stop - x[4]}; }
+  Happening<State> at_event(std::size_t, State x, double) const {
+    x[4] = stop;
+    return {x, true};
+  }
   void operator()(const State& x, State& dxdt, double) const {
     dxdt = {x[2], x[3], half_energy * x[0], half_energy * x[1], x[0] * x[0] + x[1] * x[1]};
   }
@@ -68,47 +74,21 @@ Answer by_kepler(const kepler::Start& start, const Horizon& horizon) {
   return answer;
 }
 
-/// Equal steps of s up to each stop; the last part's length by Newton's method, dt/ds being r, kept inside
-/// the step that passes the stop.
+/// Equal steps of s up to each stop.
 Answer by_levi_civita(const kepler::Start& start, const Horizon& horizon, double step) {
-  const LeviCivita model{start.energy() / 2};
   const auto p = start.position(), v = start.velocity();
   const auto w = std::sqrt(std::complex(p[0], p[1])), rate = std::conj(w) * std::complex(v[0], v[1]) / 2.0;
   LeviCivita::State x{w.real(), w.imag(), rate.real(), rate.imag(), 0};
   Answer answer;
   std::vector<double> seen;
-  const auto advance = [&](double s) {
-    const auto part = ode::integrate<ode::RungeKutta4>(model, x, 0, s, s);
-    answer.evaluations += part.evaluations;
-    return part.value;
-  };
-  const auto fail = [&](Ending ending, const char* message) {
-    answer.ending = ending;
-    answer.message = message;
-    return false;
-  };
   const auto go_on = [&](double, double stop) {
-    auto next = advance(step);
-    while (next[4] < stop) {
-      if (answer.evaluations > ode::budget)
-        return fail(Ending::stalled, "the budget of evaluations is spent");
-      x = next;
-      next = advance(step);
-    }
-    if (!ode::finite(next)) return fail(Ending::non_finite, "the state is not finite");
-    double least = 0, most = step, s = step * (stop - x[4]) / (next[4] - x[4]);
-    for (int newton = 0; newton < 60; ++newton) {
-      next = advance(s);
-      const double late = next[4] - stop;
-      if (std::abs(late) <= 1e-15 * stop) {
-        x = next;
-        return true;
-      }
-      (late < 0 ? least : most) = s;
-      s -= late / (next[0] * next[0] + next[1] * next[1]);
-      if (!(s > least && s < most)) s = (least + most) / 2;
-    }
-    return fail(Ending::stalled, "the time of the stop is not met");
+    const LeviCivita model{start.energy() / 2, stop};
+    const auto found = ode::first_event<ode::RungeKutta4>(model, x, 0, 0x1p23 * step, step);
+    answer.evaluations += found.evaluations;
+    answer.ending = found.ending;
+    answer.message = found.message;
+    x = found.value.after;
+    return found.reached();
   };
   through_times(horizon, go_on, [&](double) {
     seen.push_back(x[0] * x[0] - x[1] * x[1]);
@@ -195,16 +175,10 @@ Quantity period(const Bodies& b) {
              {"Kepler's third law, 2 pi sqrt(a^3 / (G (m1 + m2)))", turn},
              1e-14 * turn,
              {1e-8 * turn, "eight digits"}};
-  const auto of = [=](const auto& model, const auto& angle, double tolerance) {
-    return answer(ode::find_event<ode::Fehlberg78>(model, model.start(), 0, 3 * turn, tolerance, angle),
-                  [](const auto& event) { return event.time; });
-  };
   q.add({"(r, u, phi)", "Fehlberg 7(8), event phi = phi0 + 2 pi", tolerances(6, 12), [=](double tolerance) {
-           Answer all = of(
-               Published<double>{b},
-               [=](const auto& x, double) { return x[2] - b.phi0 - 2 * std::numbers::pi; }, tolerance);
-           all.error_estimate = std::numeric_limits<double>::quiet_NaN();
-           return all;
+           const OneTurn<double> model{{b}};
+           return answer(ode::first_event<ode::Fehlberg78>(model, model.start(), 0, 3 * turn, tolerance),
+                         [](const auto& event) { return event.time; });
          }});
   q.add({"heavy first body at rest", "Kepler's third law with m1 alone", no_knob(),
          [=](double) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <numbers>
 #include <tuple>
 
@@ -49,6 +50,16 @@ struct Published {
   }
 };
 
+/// The same for one turn of phi.
+template <class T>
+struct OneTurn : Published<T> {
+  using typename Published<T>::State;
+  std::array<T, 1> guards(const State& x, const T&) const {
+    return {T(2 * std::numbers::pi) - (x[2] - this->p.phi0)};
+  }
+  Happening<State> at_event(std::size_t, const State& x, const T&) const { return {x, true}; }
+};
+
 /// (x1, y1, x2, y2 and their rates), the centre of mass at rest in the origin.
 template <class T>
 struct BothBodies {
@@ -85,7 +96,7 @@ struct BothBodies {
 /// From the least to the richest.
 template <class T>
 auto models(const Given<T>& p) {
-  return std::tuple{ByKeplersEquation<T>(p), Published<T>{p}, BothBodies<T>{p}};
+  return std::tuple{ByKeplersEquation<T>(p), Published<T>{p}, OneTurn<T>{{p}}, BothBodies<T>{p}};
 }
 
 }  // namespace oddity::two_bodies

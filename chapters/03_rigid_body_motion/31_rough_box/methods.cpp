@@ -26,24 +26,17 @@ Pose uncoupled(const Box& box) {
   return {std::max(slide, spin), box.u0 * slide / 2, box.v0 * slide / 2, box.w0 * spin / 2};
 }
 
-/// The state in which a box rests that is decelerated steadily from now on.
+/// The same when it is decelerated steadily from this time and state on.
 Pose coasted(const InTime<double>& box, double t, const InTime<double>::State& x) {
-  const auto f = box.p.friction(x[2], x[3], x[4], x[5]);
-  const double now = box.p.speed(x[3], x[4], x[5]);
-  const double left = now * now / -(x[3] * f[0] + x[4] * f[1] + box.p.J() * x[5] * f[2]);
-  return {t + left, x[0] + x[3] * left / 2, x[1] + x[4] * left / 2, x[2] + x[5] * left / 2};
+  const auto rest = box.coasted(x);
+  return {t + box.time_left(x), rest[0], rest[1], rest[2]};
 }
 
-/// In time until a two-thousandth of the speed is left, and from there at a steady deceleration.
 template <class Algorithm>
 Solved<Pose> stopped_by_event(const Box& b, double setting) {
-  const InTime<double> box{b};
-  const double least = 5e-4 * box.p.speed(box.p.u0, box.p.v0, box.p.w0);
-  const auto slow = [&](const InTime<double>::State& x, double) {
-    return box.p.speed(x[3], x[4], x[5]) - least;
-  };
-  const auto event = ode::find_event<Algorithm>(box, box.start(), 0, box.p.long_enough(), setting, slow);
-  Solved<Pose> rest{coasted(box, event.value.time, event.value.state), event.evaluations + 1};
+  const UntilRest<double> box{{b}};
+  const auto event = ode::first_event<Algorithm>(box, box.start(), 0, box.p.long_enough(), setting);
+  Solved<Pose> rest{coasted(box, event.value.time, event.value.before), event.evaluations + 1};
   rest.ending = event.ending;
   rest.message = event.message;
   return rest;
@@ -204,37 +197,6 @@ Answer slide_in_stretched_time(const Box& b, const Horizon& horizon, double sett
   return answer;
 }
 
-/// From stop to stop in time, and from a two-thousandth of the speed on at a steady deceleration.
-template <class Algorithm>
-Answer slide_until_event(const Box& b, const Horizon& horizon, double setting) {
-  const InTime<double> box{b};
-  const double least = 5e-4 * box.p.speed(box.p.u0, box.p.v0, box.p.w0);
-  const auto slow = [&](const InTime<double>::State& x, double) {
-    return box.p.speed(x[3], x[4], x[5]) - least;
-  };
-  InTime<double>::State x = box.start();
-  bool rests = false;
-  Answer answer;
-  std::vector<double> seen;
-  const auto go_on = [&](double from, double to) {
-    if (rests) return true;
-    const auto stop = ode::find_event<Algorithm>(box, x, from, to, setting, slow);
-    answer.evaluations += stop.evaluations;
-    x = stop.value.state;
-    if (stop.reached()) {
-      const Pose rest = coasted(box, stop.value.time, x);
-      std::copy(rest.begin() + 1, rest.end(), x.begin());
-      rests = true;
-    } else if (stop.value.time != to) {
-      return fail(answer, stop.ending, stop.message);
-    }
-    return true;
-  };
-  through_times(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
-  answer.value = Value(std::move(seen));
-  return answer;
-}
-
 /// By equal steps, none of which takes the box through its stop.
 Answer slide_with_stick_test(const Box& b, Stepping rule, const Horizon& horizon, double step) {
   const InTime<double> box{b};
@@ -304,12 +266,10 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
          inaccurate, order});
   q.add({sticks, midpoint, steps,
          [=](double h) { return slide_with_stick_test(box, Stepping::midpoint, horizon, h); }});
-  q.add({event, "Runge-Kutta 4", steps,
-         [=](double h) { return slide_until_event<ode::RungeKutta4>(box, horizon, h); }});
-  q.add({event, "Dormand-Prince 5(4)", tolerances(),
-         [=](double e) { return slide_until_event<ode::DormandPrince54>(box, horizon, e); }});
-  q.add({event, "Fehlberg 7(8)", tolerances(),
-         [=](double e) { return slide_until_event<ode::Fehlberg78>(box, horizon, e); }});
+  Ladder(q, horizon, steps, tolerances())
+      .by<ode::RungeKutta4>(event, UntilRest<double>{{box}})
+      .by<ode::DormandPrince54>(event, UntilRest<double>{{box}})
+      .by<ode::Fehlberg78>(event, UntilRest<double>{{box}});
   q.add({stretched, "Runge-Kutta 4", stretched_steps,
          [=](double h) { return slide_in_stretched_time<ode::RungeKutta4>(box, horizon, h); }});
   q.add({stretched, "Dormand-Prince 5(4)", tolerances(),

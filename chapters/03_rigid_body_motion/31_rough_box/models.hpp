@@ -156,6 +156,28 @@ struct InTime {
         [] { return X(1); });
     dxdt = {x[3], x[4], x[5], f[0] * share, f[1] * share, f[2] * share};
   }
+  T speed(const State& x) const { return p.speed(x[3], x[4], x[5]); }
+  /// How long it takes to rest when it is decelerated steadily from now on.
+  T time_left(const State& x) const {
+    const Three<T> f = p.friction(x[2], x[3], x[4], x[5]);
+    const T now = speed(x);
+    return now * now / -(x[3] * f[0] + x[4] * f[1] + p.J() * x[5] * f[2]);
+  }
+  /// At rest then.
+  State coasted(const State& x) const {
+    const T left = time_left(x);
+    return {x[0] + x[3] * left / 2, x[1] + x[4] * left / 2, x[2] + x[5] * left / 2, T(0), T(0), T(0)};
+  }
+};
+
+/// In time until a two-thousandth of the speed is left, and from there at a steady deceleration to rest.
+template <class T>
+struct UntilRest : InTime<T> {
+  using typename InTime<T>::State;
+  std::array<T, 1> guards(const State& x, const T&) const {
+    return {this->speed(x) - T(5e-4) * this->speed(this->start())};
+  }
+  Happening<State> at_event(std::size_t, const State& x, const T&) const { return {this->coasted(x), true}; }
 };
 
 /// (x, y, theta, u, v, w, t) in the stretched time s, dt = speed ds: rest is approached as exp(-mu g s).
@@ -179,7 +201,7 @@ struct Stretched {
 /// From the least to the richest.
 template <class T>
 auto models(const Given<T>& p) {
-  return std::tuple{Uncoupled<T>{p}, InTime<T>{p, T(0.01)}, InTime<T>{p}, Stretched<T>{p}};
+  return std::tuple{Uncoupled<T>{p}, InTime<T>{p, T(0.01)}, InTime<T>{p}, UntilRest<T>{{p}}, Stretched<T>{p}};
 }
 
 }  // namespace oddity::rough_box
