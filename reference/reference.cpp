@@ -80,7 +80,7 @@ Known without_table(std::string_view name) {
   const std::string table(name);
   return {{no_number},
           no_number,
-          "no table reference/" + table + ".csv: write reference/make/" + table +
+          "no table reference/tables/" + table + ".csv: write reference/make/" + table +
               ".cpp and run build/release/make_reference reference " + table};
 }
 
@@ -212,7 +212,7 @@ Reference::Reference(const fs::path& folder, fs::path cache)
   Tables tables;
   for (const truth::Entry& entry : truth::registry()) {
     const std::string name(entry.name);
-    const fs::path file = folder / (name + ".csv");
+    const fs::path file = folder / "tables" / (name + ".csv");
     if (!fs::exists(file))
       throw BadInput("cannot read " + file.string() + ": it is not there; build/release/make_reference " +
                      folder.string() + " " + name + " makes it");

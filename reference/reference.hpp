@@ -23,7 +23,7 @@ struct Known {
 /// tables.
 class Reference {
  public:
-  /// Reads every table in `folder`. Motions made on the spot are kept in `cache`, if it is named and can be
+  /// Reads every table in `folder`/tables. Motions made on the spot are kept in `cache`, if it is named and can be
   /// written. Throws BadInput naming file and line when a table is missing or broken.
   explicit Reference(const std::filesystem::path& folder, std::filesystem::path cache = {});
 

@@ -25,6 +25,7 @@ class ScratchFolder {
 
   /// The path of a file in the folder with this text.
   std::filesystem::path file(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name, std::ios::binary) << text;
     return path_ / name;
   }

@@ -38,9 +38,9 @@ bool says(const Ran& ran, const std::string& text) { return ran.output.find(text
 
 /// A copy of the reference tables to break.
 fs::path tables(const ScratchFolder& scratch) {
-  for (const auto& entry : fs::directory_iterator(fs::path(ODDITY_SOURCE) / "reference"))
-    if (entry.path().extension() == ".csv")
-      fs::copy(entry, scratch.path(), fs::copy_options::overwrite_existing);
+  for (const char* room : {"tables", "approved"})
+    fs::copy(fs::path(ODDITY_SOURCE) / "reference" / room, scratch.path() / room,
+             fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   return scratch.path();
 }
 
@@ -311,11 +311,11 @@ TEST_CASE("chart draws both charts of a quantity and writes their page", "[comma
 TEST_CASE("a broken table is named with its line and ends with 2", "[commands]") {
   const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
-  replace_in(folder / "03_05_quarter_period.csv", "1,I,2.3687", "1,I,x2.3687");
+  replace_in(folder / "tables/03_05_quarter_period.csv", "1,I,2.3687", "1,I,x2.3687");
   const Ran broken = run("--reference " + folder.string() + " verify '[3.5]'");
   CHECK(broken.status == 2);
   CHECK(says(broken, "03_05_quarter_period.csv:11: 'x2.3687"));
-  fs::remove(folder / "03_05_quarter_period.csv");
+  fs::remove(folder / "tables/03_05_quarter_period.csv");
   const Ran missing = run("--reference " + folder.string() + " verify '[3.5]'");
   CHECK(missing.status == 2);
   CHECK(says(missing, "03_05_quarter_period.csv"));
@@ -324,7 +324,7 @@ TEST_CASE("a broken table is named with its line and ends with 2", "[commands]")
 TEST_CASE("a verdict that differs from the one on record makes the suite red", "[commands]") {
   const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
-  replace_in(folder / "verdicts.csv", "3.5-value,erratum", "3.5-value,confirmed");
+  replace_in(folder / "approved/verdicts.csv", "3.5-value,erratum", "3.5-value,confirmed");
   const Ran red = run("--reference " + folder.string() + " verify '[3.5]'");
   CHECK(red.status == 1);
   CHECK(says(red, "3.5-value: erratum"));
@@ -339,7 +339,7 @@ TEST_CASE("a limit that moves, and a method that no longer breaks as on record, 
             {"3.5,one angle,velocity Verlet", "3.5,one angle,leapfrog"}}}) {
     const ScratchFolder scratch;
     const fs::path folder = tables(scratch);
-    replace_in(folder / "limits.csv", old, fresh);
+    replace_in(folder / "approved/limits.csv", old, fresh);
     const Ran red = run("--reference " + folder.string() + " verify '[3.5]'");
     CHECK(red.status == 1);
     CHECK(says(red, "3.5,one angle,velocity Verlet,0.676"));
@@ -349,14 +349,14 @@ TEST_CASE("a limit that moves, and a method that no longer breaks as on record, 
 TEST_CASE("a map that changes makes the suite red", "[commands]") {
   const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
-  replace_in(folder / "stability_maps.csv", "velocity Verlet,0.125,XX", "velocity Verlet,0.125,Xd");
+  replace_in(folder / "approved/stability_maps.csv", "velocity Verlet,0.125,XX", "velocity Verlet,0.125,Xd");
   CHECK(run("--reference " + folder.string() + " verify '[3.5]'").status == 1);
 }
 
 TEST_CASE("a true value that changes makes the suite red", "[commands]") {
   const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
-  replace_in(folder / "03_05_quarter_period.csv", "I,2.2601140", "I,2.2601240");
+  replace_in(folder / "tables/03_05_quarter_period.csv", "I,2.2601140", "I,2.2601240");
   CHECK(run("--reference " + folder.string() + " verify '[3.5]'").status == 1);
 }
 
@@ -373,12 +373,12 @@ TEST_CASE("the suite's Markdown, JUnit and results come out whole", "[commands]"
 
 TEST_CASE("nothing of a table runs or breaks out", "[commands]") {
   const std::array<std::array<std::string, 3>, 6> places{
-      {{"limits.csv", ",not explained", ",HOSTILE"},
-       {"limits.csv", "3.5,one angle,Runge-Kutta 4", "3.5,HOSTILE,Runge-Kutta 4"},
-       {"verdicts.csv", "3.5-value,erratum", "3.5-value,HOSTILE"},
-       {"verdicts.csv", "3.5-value,", "HOSTILE,"},
-       {"stability_maps.csv", "3.5,one angle,velocity Verlet", "3.5,one angle,HOSTILE"},
-       {"03_05_quarter_period.csv", "1,I,2.3687", "1,HOSTILE,2.3687"}}};
+      {{"approved/limits.csv", ",not explained", ",HOSTILE"},
+       {"approved/limits.csv", "3.5,one angle,Runge-Kutta 4", "3.5,HOSTILE,Runge-Kutta 4"},
+       {"approved/verdicts.csv", "3.5-value,erratum", "3.5-value,HOSTILE"},
+       {"approved/verdicts.csv", "3.5-value,", "HOSTILE,"},
+       {"approved/stability_maps.csv", "3.5,one angle,velocity Verlet", "3.5,one angle,HOSTILE"},
+       {"tables/03_05_quarter_period.csv", "1,I,2.3687", "1,HOSTILE,2.3687"}}};
   for (const auto& [table, old, fresh] : places)
     for (const std::string hostile :
          {"`touch canary`$(touch canary)|'; <script> $x", "\x1b[31mred", "\xff"}) {

@@ -26,12 +26,13 @@ const Reference& truth() {
 /// What reading the tables complains of when one of them has this text instead.
 std::string complaint_of(const std::string& table, const std::string& text) {
   const ScratchFolder folder;
-  fs::copy(tables, folder.path());
-  const fs::path file = folder.file(table + ".csv", text);
+  fs::copy(tables, folder.path(), fs::copy_options::recursive);
+  const fs::path file = folder.file("tables/" + table + ".csv", text);
   const std::string all = complaint([&] { Reference read(folder.path()); });
   const std::size_t at = all.find(file.string());
-  return at == std::string::npos ? all
-                                 : all.substr(0, at) + all.substr(at + folder.path().string().size() + 1);
+  return at == std::string::npos
+             ? all
+             : all.substr(0, at) + all.substr(at + (folder.path() / "tables").string().size() + 1);
 }
 
 constexpr const char* quarter = "03_05_quarter_period";
@@ -43,8 +44,8 @@ const std::string header = "# a comment\n\na,component,value,error,unit\n";
 
 TEST_CASE("a table is read around its comments and empty lines", "[reference]") {
   const ScratchFolder folder;
-  fs::copy(tables, folder.path());
-  folder.file(std::string(quarter) + ".csv",
+  fs::copy(tables, folder.path(), fs::copy_options::recursive);
+  folder.file("tables/" + std::string(quarter) + ".csv",
               header + "0.5,I,2.25,1e-20,1\n# in between\n\n0.75,I,+2.5,1e-20,1\n");
   const Reference read(folder.path());
   CHECK(read(quarter, {0.5}).value == std::vector{2.25});
@@ -94,7 +95,7 @@ TEST_CASE("a table without rows says so", "[reference]") {
 }
 
 TEST_CASE("a row with a component missing says which", "[reference]") {
-  std::ifstream in(tables / "03_03_orbit.csv");
+  std::ifstream in(tables / "tables/03_03_orbit.csv");
   std::string text, line;
   for (int rows = 0; std::getline(in, line); text += line + "\n")
     if (!line.empty() && line[0] != '#' && ++rows == 5) break;  // header, x, y, x, and no y
@@ -104,7 +105,7 @@ TEST_CASE("a row with a component missing says which", "[reference]") {
 
 TEST_CASE("the repository's own tables and verdicts are read", "[reference]") {
   CHECK_NOTHROW(truth());
-  CHECK_NOTHROW(read_verdicts(tables));
+  CHECK_NOTHROW(read_verdicts(tables / "approved"));
 }
 
 // ---- looking up -------------------------------------------------------------------------------------------
@@ -146,7 +147,7 @@ TEST_CASE("an unknown table is named", "[reference]") {
   CHECK(std::isnan(nothing.value[0]));
   CHECK(std::isnan(nothing.error));
   CHECK(nothing.source ==
-        "no table reference/03_05_nothing.csv: write reference/make/03_05_nothing.cpp and run "
+        "no table reference/tables/03_05_nothing.csv: write reference/make/03_05_nothing.cpp and run "
         "build/release/make_reference reference 03_05_nothing");
 }
 

@@ -189,7 +189,7 @@ TEST_CASE("explicit Euler has no stable step on an undamped pendulum", "[stabili
 }
 
 TEST_CASE("every step is on record only for implicit Euler, and where nothing can grow", "[stability]") {
-  for (const ApprovedLimit& a : read_limits(reference_folder)) {
+  for (const ApprovedLimit& a : read_limits(reference_folder / "approved")) {
     INFO(a.place);
     const bool free_fall = a.exercise == "3.29" && a.model == "x, y, theta";  // no mode at all
     if (std::isinf(a.step)) CHECK((a.algorithm == "linearly implicit Euler" || free_fall));
@@ -200,7 +200,7 @@ TEST_CASE("every step is on record only for implicit Euler, and where nothing ca
 
 TEST_CASE("the page calls explicit Euler unconditionally unstable where its row has no stable step",
           "[stability]") {
-  const Limits all = read_limits(reference_folder);
+  const Limits all = read_limits(reference_folder / "approved");
   const auto row = std::ranges::find_if(all, [](const ApprovedLimit& a) {
     return a.exercise == "3.5" && a.model == "one angle" && a.algorithm == "explicit Euler";
   });

@@ -40,10 +40,13 @@ std::string text_of(const fs::path& file) {
 
 /// The tables and records, without what is of 4.1, should somebody have taken the walk.
 void copy_tables(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(fs::path(ODDITY_SOURCE) / "reference")) {
+  const fs::path source = fs::path(ODDITY_SOURCE) / "reference";
+  for (const auto& entry : fs::recursive_directory_iterator(source)) {
     if (entry.path().extension() != ".csv" || entry.path().stem() == "04_01_spring") continue;
+    const fs::path copy = folder / fs::relative(entry.path(), source);
+    fs::create_directories(copy.parent_path());
     std::ifstream in(entry.path());
-    std::ofstream out(folder / entry.path().filename());
+    std::ofstream out(copy);
     for (std::string line; std::getline(in, line);)
       if (!line.starts_with("4.1,") && !line.starts_with("4.1-")) out << line << "\n";
   }
@@ -70,20 +73,20 @@ TEST_CASE("the walk of CONTRIBUTING.md ends green", "[walk]") {
   CHECK(says(oddity("list"), "4.1  Mass on a spring (scene) (own)\n"));
   CHECK(oddity("solve 4.1 c=41").status == 0);
 
-  const std::string others = rows("verdicts.csv");
+  const std::string others = rows("approved/verdicts.csv");
   const Ran red = oddity("verify '[4.1]'");
   CHECK(red.status == 1);
   CHECK(says(red, "\n+ 4.1-period,confirmed\n"));
   CHECK(says(red, "\n+ 4.1,mass on a spring,Runge-Kutta 4,"));
   CHECK_FALSE(says(red, "raised"));
-  CHECK(rows("verdicts.csv") == others);
+  CHECK(rows("approved/verdicts.csv") == others);
 
   const Ran approved = oddity("verify --approve '[4.1]'");
   INFO(approved.output);
   CHECK(approved.status == 0);
   CHECK(says(approved, "\n+ 4.1-period,confirmed\n"));
   CHECK(says(approved, "Look at the differences"));
-  const std::string now = rows("verdicts.csv");
+  const std::string now = rows("approved/verdicts.csv");
   const auto added = now.find("4.1-period,confirmed\n");
   REQUIRE(added != std::string::npos);
   CHECK(now.find("\n5.1-") > added);

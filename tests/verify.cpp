@@ -232,7 +232,8 @@ CATCH_REGISTER_REPORTER("markdown", MarkdownReporter)
 namespace {
 
 Judged on_record(const fs::path& folder) {
-  return {{}, read_verdicts(folder), read_limits(folder), read_maps(folder)};
+  const fs::path approved = folder / "approved";
+  return {{}, read_verdicts(approved), read_limits(approved), read_maps(approved)};
 }
 
 /// Writes what agrees with the results into the three files of records, and says what that changed.

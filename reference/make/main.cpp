@@ -25,12 +25,13 @@ bool registered(const std::string& name) {
 
 }  // namespace
 
-/// make_reference FOLDER [TABLE...]: makes the named tables, or all of them, in FOLDER.
+/// make_reference FOLDER [TABLE...]: makes the named tables, or all of them, in FOLDER/tables.
 int main(int argc, char** argv) {
   oddity::tidy_when_interrupted();
   if (argc < 2) return bad_input("no folder is named");
   const fs::path folder = argv[1];
-  if (!fs::is_directory(folder)) return bad_input(folder.string() + " is not a folder");
+  if (!fs::is_directory(folder / "tables"))
+    return bad_input((folder / "tables").string() + " is not a folder");
   const std::vector<std::string> wanted(argv + 2, argv + argc);
   for (const std::string& name : wanted)
     if (!registered(name))
@@ -38,7 +39,7 @@ int main(int argc, char** argv) {
   for (const Entry& entry : registry()) {
     const std::string name(entry.name);
     if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) continue;
-    const fs::path file = folder / (name + ".csv");
+    const fs::path file = folder / "tables" / (name + ".csv");
     try {
       oddity::write_whole(file, table(name, entry.make()));
     } catch (const oddity::BadInput& error) {

@@ -31,7 +31,7 @@ bool older(const fs::path& file, const fs::path& than) {
 /// Older than the program or than a table.
 bool stale(const fs::path& results, const fs::path& folder) {
   if (older(results, fs::read_symlink("/proc/self/exe"))) return true;
-  for (const auto& table : fs::directory_iterator(folder))
+  for (const auto& table : fs::recursive_directory_iterator(folder))
     if (table.path().extension() == ".csv" && older(results, table)) return true;
   return false;
 }

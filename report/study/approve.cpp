@@ -84,7 +84,7 @@ std::vector<Approval> approvals(const Results& results, const std::filesystem::p
       {"stability_maps.csv", of_stability(map_rows)}};
   std::vector<Approval> all;
   for (const auto& [name, rows_of] : files) {
-    Approval approval{folder / name, {}, {}, {}};
+    Approval approval{folder / "approved" / name, {}, {}, {}};
     Record record = read_record(approval.file);
     const std::string before = text_of(record);
     for (const ExerciseResult& e : results.exercises) {
