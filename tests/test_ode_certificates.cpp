@@ -1,6 +1,6 @@
 // Every algorithm's certificate: its order measured, from both sides, on problems with and without explicit
 // time, forward and backward; where it controls its step, the error in proportion to the tolerance, and the
-// cost of a stiff problem. A new algorithm in solvers/ode/all.hpp is certified without a line here.
+// cost of a stiff problem. A new algorithm in solvers/ode/algorithms.hpp is certified without a line here.
 
 #include "report/study/fit.hpp"
 #include "tests/catch.hpp"

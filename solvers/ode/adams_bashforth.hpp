@@ -4,6 +4,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <string_view>
 
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/integrate.hpp"
 #include "solvers/ode/multistep.hpp"
 
@@ -16,6 +17,11 @@ struct AdamsBashforth4 {
   static constexpr std::string_view name = "Adams-Bashforth 4";
   static constexpr Kind kind = Kind::fixed;
   static constexpr int order = 4;
+  static constexpr Facts facts{.library = "Boost.Odeint",
+                               .evaluations = 1,
+                               .real_limit = 0.3,
+                               .imaginary_limit = 0.429987,
+                               .theory = "largest root of the characteristic polynomial"};
   template <class State>
   static auto stepper() {
     namespace odeint = boost::numeric::odeint;

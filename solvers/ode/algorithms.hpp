@@ -2,33 +2,46 @@
 
 #include <string_view>
 
-/// The algorithms of this folder by their types, each declared in the header of its name.
+/// The algorithms of this folder: each is the struct of the header named beside it, which has all that is
+/// known of it. From these lists CMake makes all.hpp and compiles each algorithm once for every number of
+/// unknowns.
+///
+/// The explicit algorithms that engines use, from the plainest on.
+#define ODDITY_COMMON_ALGORITHMS(F)     \
+  F(ExplicitEuler, explicit_euler)      \
+  F(SymplecticEuler, symplectic_euler)  \
+  F(VelocityVerlet, velocity_verlet)    \
+  F(RungeKutta4, runge_kutta_4)         \
+  F(CashKarp54, cash_karp_54)           \
+  F(DormandPrince54, dormand_prince_54) \
+  F(Fehlberg78, fehlberg_78)            \
+  F(BulirschStoer, bulirsch_stoer)
+/// The rest of the catalog.
+#define ODDITY_OTHER_ALGORITHMS(F)                   \
+  F(ModifiedMidpoint, modified_midpoint)             \
+  F(McLachlan4, mclachlan_4)                         \
+  F(AdamsBashforth4, adams_bashforth)                \
+  F(AdamsBashforthMoulton6, adams_bashforth_moulton) \
+  F(ImplicitEuler, implicit_euler)                   \
+  F(Rosenbrock4, rosenbrock_4)                       \
+  F(Rk8pd, rk8pd)                                    \
+  F(Msadams, msadams)                                \
+  F(Msbdf, msbdf)                                    \
+  F(Bsimp, bsimp)
+/// Those that are there only where CMake has found SUNDIALS.
+#define ODDITY_SUNDIALS_ALGORITHMS(F)       \
+  F(CvodeAdams, cvode_adams)                \
+  F(CvodeBdf, cvode_bdf)                    \
+  F(ArkodeZonneveld43, arkode_zonneveld_43) \
+  F(ArkodeVerner65, arkode_verner_65)
+
 namespace oddity::ode {
 
-struct ExplicitEuler;
-struct SymplecticEuler;
-struct VelocityVerlet;
-struct RungeKutta4;
-struct CashKarp54;
-struct DormandPrince54;
-struct Fehlberg78;
-struct BulirschStoer;
-struct ModifiedMidpoint;
-struct McLachlan4;
-struct AdamsBashforth4;
-struct AdamsBashforthMoulton6;
-struct ImplicitEuler;
-struct Rosenbrock4;
-struct Rk8pd;
-struct Msadams;
-struct Msbdf;
-struct Bsimp;
-#ifdef ODDITY_SUNDIALS
-struct CvodeAdams;
-struct CvodeBdf;
-struct ArkodeZonneveld43;
-struct ArkodeVerner65;
-#endif
+#define ODDITY_DECLARE(Algorithm, header) struct Algorithm;
+ODDITY_COMMON_ALGORITHMS(ODDITY_DECLARE)
+ODDITY_OTHER_ALGORITHMS(ODDITY_DECLARE)
+ODDITY_SUNDIALS_ALGORITHMS(ODDITY_DECLARE)
+#undef ODDITY_DECLARE
 
 #ifdef ODDITY_SUNDIALS
 inline constexpr bool has_sundials = true;
@@ -36,44 +49,26 @@ inline constexpr bool has_sundials = true;
 inline constexpr bool has_sundials = false;
 #endif
 
-/// Those that are in the catalog only where CMake found SUNDIALS.
+/// The names of ODDITY_SUNDIALS_ALGORITHMS, where the build does without these.
 inline constexpr std::string_view optional_algorithms[] = {"CVODE Adams", "CVODE BDF",
                                                            "ARKODE Zonneveld 4(3)", "ARKODE Verner 6(5)"};
 
-/// Calls f.template operator()<Algorithm>() for each of the explicit algorithms that engines use, from the
-/// plainest on.
+#define ODDITY_CALL(Algorithm, header) f.template operator()<Algorithm>();
+/// Calls f.template operator()<Algorithm>() for each of ODDITY_COMMON_ALGORITHMS.
 template <class F>
 void for_each_common_algorithm(const F& f) {
-  f.template operator()<ExplicitEuler>();
-  f.template operator()<SymplecticEuler>();
-  f.template operator()<VelocityVerlet>();
-  f.template operator()<RungeKutta4>();
-  f.template operator()<CashKarp54>();
-  f.template operator()<DormandPrince54>();
-  f.template operator()<Fehlberg78>();
-  f.template operator()<BulirschStoer>();
+  ODDITY_COMMON_ALGORITHMS(ODDITY_CALL)
 }
 
-/// The rest of the catalog: first the templates, then those behind the seam.
+/// For each of the rest that this build has.
 template <class F>
 void for_each_other_algorithm(const F& f) {
-  f.template operator()<ModifiedMidpoint>();
-  f.template operator()<McLachlan4>();
-  f.template operator()<AdamsBashforth4>();
-  f.template operator()<AdamsBashforthMoulton6>();
-  f.template operator()<ImplicitEuler>();
-  f.template operator()<Rosenbrock4>();
-  f.template operator()<Rk8pd>();
-  f.template operator()<Msadams>();
-  f.template operator()<Msbdf>();
-  f.template operator()<Bsimp>();
+  ODDITY_OTHER_ALGORITHMS(ODDITY_CALL)
 #ifdef ODDITY_SUNDIALS
-  f.template operator()<CvodeAdams>();
-  f.template operator()<CvodeBdf>();
-  f.template operator()<ArkodeZonneveld43>();
-  f.template operator()<ArkodeVerner65>();
+  ODDITY_SUNDIALS_ALGORITHMS(ODDITY_CALL)
 #endif
 }
+#undef ODDITY_CALL
 
 template <class F>
 void for_each_algorithm(const F& f) {

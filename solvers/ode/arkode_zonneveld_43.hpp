@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/sundials_driver.hpp"
 
 namespace oddity::ode {
@@ -12,6 +13,11 @@ namespace oddity::ode {
 struct ArkodeZonneveld43 : detail::Sundials<detail::SundialsMethod::zonneveld> {
   static constexpr std::string_view name = "ARKODE Zonneveld 4(3)";
   static constexpr int order = 4;
+  static constexpr Facts facts{.library = "SUNDIALS",
+                               .evaluations = 5,
+                               .real_limit = 2.785294,
+                               .imaginary_limit = 2.828427,
+                               .theory = "roots of |R(z)| = 1, R the stability polynomial of the tableau"};
   /// The method without its step control.
   template <class State>
   using Plain = detail::PlainSundials<State, detail::SundialsMethod::zonneveld>;

@@ -1,6 +1,5 @@
 #include "solvers/ode/catalog.hpp"
 
-#include <limits>
 #include <vector>
 
 #include "solvers/ode/all.hpp"
@@ -9,74 +8,7 @@ namespace oddity::ode {
 
 namespace {
 
-constexpr double all = std::numeric_limits<double>::infinity();
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view odeint = "Boost.Odeint", gsl = "GSL", sundials = "SUNDIALS";
-constexpr std::string_view no_fixed_step = "no fixed step";
-constexpr std::string_view polynomial = "roots of |R(z)| = 1, R the stability polynomial of the tableau";
-constexpr std::string_view two_substeps = "R(z) = 1 + z + z^2/2 + z^3/8, of two substeps";
-constexpr std::string_view trace = "half the trace of the step's matrix is -1";
-constexpr std::string_view characteristic = "largest root of the characteristic polynomial";
-
-/// What an algorithm's type does not say. There is none for an algorithm that has no line below.
-struct Facts {
-  std::string_view library;
-  int evaluations;
-  bool jacobian;
-  double real_limit, imaginary_limit;
-  std::string_view theory;
-};
-
-template <class Algorithm>
-extern const Facts facts;
-
-template <>
-constexpr Facts facts<ExplicitEuler>{odeint, 1, false, 2, 0, "R(z) = 1 + z"};
-template <>
-constexpr Facts facts<SymplecticEuler>{odeint, 1, false, none, 2, trace};
-template <>
-constexpr Facts facts<VelocityVerlet>{odeint, 1, false, none, 2, trace};
-template <>
-constexpr Facts facts<RungeKutta4>{odeint, 4, false, 2.785294, 2.828427, polynomial};
-template <>
-constexpr Facts facts<CashKarp54>{odeint, 6, false, 3.734360, 0, polynomial};
-template <>
-constexpr Facts facts<DormandPrince54>{odeint, 6, false, 3.306568, 0.997189, polynomial};
-template <>
-constexpr Facts facts<Fehlberg78>{odeint, 13, false, 5.007589, 2.365158, polynomial};
-template <>
-constexpr Facts facts<BulirschStoer>{odeint, 0, false, none, none, no_fixed_step};
-template <>
-constexpr Facts facts<ModifiedMidpoint>{odeint, 3, false, 3.087378, 0, two_substeps};
-template <>
-constexpr Facts facts<McLachlan4>{odeint, 4, false, none, 2.967808, trace};
-template <>
-constexpr Facts facts<AdamsBashforth4>{odeint, 1, false, 0.3, 0.429987, characteristic};
-template <>
-constexpr Facts facts<AdamsBashforthMoulton6>{odeint, 2, false, 0.698003, 0.526717, characteristic};
-template <>
-constexpr Facts facts<ImplicitEuler>{odeint, 1, true, all, all, "R(z) = 1 / (1 - z)"};
-template <>
-constexpr Facts facts<Rosenbrock4>{odeint, 6, true, none, none, no_fixed_step};
-template <>
-constexpr Facts facts<Rk8pd>{gsl, 13, false, 5.166634, 0, polynomial};
-template <>
-constexpr Facts facts<Msadams>{gsl, 0, false, none, none, no_fixed_step};
-template <>
-constexpr Facts facts<Msbdf>{gsl, 0, true, none, none, no_fixed_step};
-template <>
-constexpr Facts facts<Bsimp>{gsl, 0, true, none, none, no_fixed_step};
-#ifdef ODDITY_SUNDIALS
-template <>
-constexpr Facts facts<CvodeAdams>{sundials, 0, false, none, none, no_fixed_step};
-template <>
-constexpr Facts facts<CvodeBdf>{sundials, 0, true, none, none, no_fixed_step};
-template <>
-constexpr Facts facts<ArkodeZonneveld43>{sundials, 5, false, 2.785294, 2.828427, polynomial};
-template <>
-constexpr Facts facts<ArkodeVerner65>{sundials, 8, false, 4.064777, 1.306765, polynomial};
-#endif
-
 constexpr std::string_view boost_1_74 = "1.74", gsl_2_7 = "2.7.1", sundials_6_4 = "6.4.1";
 constexpr std::string_view judged = "nothing: trials are judged by their true errors";
 constexpr std::string_view history_anew = "the history starts anew whenever the step changes";
@@ -178,9 +110,7 @@ std::span<const CatalogEntry> catalog() {
   static const std::vector<CatalogEntry> entries = [] {
     std::vector<CatalogEntry> list;
     for_each_algorithm([&]<class Algorithm>() {
-      const Facts& f = facts<Algorithm>;
-      list.push_back({Algorithm::name, Algorithm::kind, order_of<Algorithm>(), f.library, f.evaluations,
-                      f.jacobian, f.real_limit, f.imaginary_limit, f.theory});
+      list.push_back({Algorithm::facts, Algorithm::name, Algorithm::kind, order_of<Algorithm>()});
     });
     return list;
   }();

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/sundials_driver.hpp"
 
 namespace oddity::ode {
@@ -10,6 +11,7 @@ namespace oddity::ode {
 /// functional iteration: for smooth problems that are not stiff and dear to evaluate.
 struct CvodeAdams : detail::Sundials<detail::SundialsMethod::adams> {
   static constexpr std::string_view name = "CVODE Adams";
+  static constexpr Facts facts{.library = "SUNDIALS"};
 };
 
 }  // namespace oddity::ode

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/sundials_driver.hpp"
 
 namespace oddity::ode {
@@ -11,6 +12,7 @@ namespace oddity::ode {
 /// the system is Differentiable, else by central differences (2 n).
 struct CvodeBdf : detail::Sundials<detail::SundialsMethod::bdf> {
   static constexpr std::string_view name = "CVODE BDF";
+  static constexpr Facts facts{.library = "SUNDIALS", .jacobian = true};
 };
 
 }  // namespace oddity::ode

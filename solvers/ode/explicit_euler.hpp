@@ -3,6 +3,7 @@
 #include <boost/numeric/odeint/stepper/euler.hpp>
 #include <string_view>
 
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/integrate_inlined.hpp"
 
 namespace oddity::ode {
@@ -13,6 +14,11 @@ struct ExplicitEuler {
   static constexpr std::string_view name = "explicit Euler";
   static constexpr Kind kind = Kind::fixed;
   static constexpr int order = 1;
+  static constexpr Facts facts{.library = "Boost.Odeint",
+                               .evaluations = 1,
+                               .real_limit = 2,
+                               .imaginary_limit = 0,
+                               .theory = "R(z) = 1 + z"};
   template <class State>
   static auto stepper() {
     using Number = typename State::value_type;

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solvers/ode/counted_problem.hpp"
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/implicit.hpp"
 
 namespace oddity::ode {
@@ -14,6 +15,12 @@ struct ImplicitEuler {
   static constexpr std::string_view name = "linearly implicit Euler";
   static constexpr Kind kind = Kind::implicit_fixed;
   static constexpr int order = 1;
+  static constexpr Facts facts{.library = "Boost.Odeint",
+                               .evaluations = 1,
+                               .jacobian = true,
+                               .real_limit = Facts::everywhere,
+                               .imaginary_limit = Facts::everywhere,
+                               .theory = "R(z) = 1 / (1 - z)"};
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {
     return [problem = detail::CountedProblem<System, State>{system, evaluations}](

@@ -4,6 +4,7 @@
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 #include <string_view>
 
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/partitioned.hpp"
 
 namespace oddity::ode {
@@ -14,6 +15,10 @@ struct McLachlan4 {
   static constexpr std::string_view name = "McLachlan 4";
   static constexpr Kind kind = Kind::partitioned;
   static constexpr int order = 4;
+  static constexpr Facts facts{.library = "Boost.Odeint",
+                               .evaluations = 4,
+                               .imaginary_limit = 2.967808,
+                               .theory = "half the trace of the step's matrix is -1"};
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {
     using Half = typename detail::Halves<State>::Half;

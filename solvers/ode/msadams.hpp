@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/gsl_driver.hpp"
 
 namespace oddity::ode {
@@ -11,6 +12,7 @@ namespace oddity::ode {
 /// evaluations per step.
 struct Msadams : detail::Gsl<detail::GslStep::msadams> {
   static constexpr std::string_view name = "GSL msadams";
+  static constexpr Facts facts{.library = "GSL"};
 };
 
 }  // namespace oddity::ode

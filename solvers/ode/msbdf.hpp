@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/gsl_driver.hpp"
 
 namespace oddity::ode {
@@ -12,6 +13,7 @@ namespace oddity::ode {
 /// central differences (2 n + 2).
 struct Msbdf : detail::Gsl<detail::GslStep::msbdf> {
   static constexpr std::string_view name = "GSL msbdf";
+  static constexpr Facts facts{.library = "GSL", .jacobian = true};
 };
 
 }  // namespace oddity::ode

@@ -3,6 +3,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <string_view>
 
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/integrate_inlined.hpp"
 
 namespace oddity::ode {
@@ -13,6 +14,11 @@ struct RungeKutta4 {
   static constexpr std::string_view name = "Runge-Kutta 4";
   static constexpr Kind kind = Kind::fixed;
   static constexpr int order = 4;
+  static constexpr Facts facts{.library = "Boost.Odeint",
+                               .evaluations = 4,
+                               .real_limit = 2.785294,
+                               .imaginary_limit = 2.828427,
+                               .theory = "roots of |R(z)| = 1, R the stability polynomial of the tableau"};
   template <class State>
   static auto stepper() {
     using Number = typename State::value_type;

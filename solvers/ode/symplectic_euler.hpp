@@ -3,6 +3,7 @@
 #include <boost/numeric/odeint/stepper/symplectic_euler.hpp>
 #include <string_view>
 
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/partitioned.hpp"
 
 namespace oddity::ode {
@@ -13,6 +14,10 @@ struct SymplecticEuler {
   static constexpr std::string_view name = "symplectic Euler";
   static constexpr Kind kind = Kind::partitioned;
   static constexpr int order = 1;
+  static constexpr Facts facts{.library = "Boost.Odeint",
+                               .evaluations = 1,
+                               .imaginary_limit = 2,
+                               .theory = "half the trace of the step's matrix is -1"};
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {
     using Half = typename detail::Halves<State>::Half;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string_view>
 
+#include "solvers/ode/facts.hpp"
 #include "solvers/ode/partitioned.hpp"
 
 namespace oddity::ode {
@@ -14,6 +15,10 @@ struct VelocityVerlet {
   static constexpr std::string_view name = "velocity Verlet";
   static constexpr Kind kind = Kind::partitioned;
   static constexpr int order = 2;
+  static constexpr Facts facts{.library = "Boost.Odeint",
+                               .evaluations = 1,
+                               .imaginary_limit = 2,
+                               .theory = "half the trace of the step's matrix is -1"};
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {
     using Half = typename detail::Halves<State>::Half;

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+namespace oddity::ode {
+
+/// What an algorithm's type does not say by itself. The tests measure its order, its evaluations and its
+/// limits.
+struct Facts {
+  static constexpr double everywhere = std::numeric_limits<double>::infinity();
+  static constexpr double not_applicable = std::numeric_limits<double>::quiet_NaN();
+
+  std::string_view library;
+  int evaluations = 0;    ///< of the right-hand side, or of the forces, a step; 0: it depends
+  bool jacobian = false;  ///< and a Jacobian, in each step or now and then
+  /// The largest h |lambda| at which y' = lambda y does not grow, on the negative real and on the imaginary
+  /// axis, by theory: 0: none. It does not apply without a fixed step, or, partitioned, to damping.
+  double real_limit = not_applicable, imaginary_limit = not_applicable;
+  std::string_view theory = "no fixed step";  ///< where the limits come from
+};
+
+}  // namespace oddity::ode
