@@ -7,7 +7,7 @@
 #include "chapters/02_basic_concepts/17_work_on_circle/work_on_circle.hpp"
 #include "solvers/roots.hpp"
 
-namespace oddity::circle {
+namespace oddity::work_on_circle {
 
 namespace {
 
@@ -24,11 +24,10 @@ struct Sample : Motion {
 using Form = Formula<Sample>;
 using OfMotion = std::function<Value(M)>;
 
-/// A moment of a motion, or one of its times that are counted by k.
+/// A motion, and which of its times.
 struct Case : Sample {
   int k;
 };
-using Holds = std::function<bool(M, int k)>;
 
 /// Motions with x = omega T up to 12: with r and omega of either sign, and with both positive and omega away
 /// from 1; of these, cases with k = 0, ..., 11.
@@ -48,7 +47,7 @@ struct Samples {
   }
 };
 
-Statement<Case> all(const std::string& text, const Holds& holds) {
+Statement<Case> all(const std::string& text, const std::function<bool(M, int k)>& holds) {
   return {text, [=](const Case& c) { return holds(c, c.k); }};
 }
 Check in_cases(const Statement<Case>& statement, const Samples& samples) {
@@ -77,19 +76,15 @@ OfMotion slope(Force force) {
   };
 }
 
+/// x + y on the path.
+double height(M m, double t) { return m.position(t)[0] + m.position(t)[1]; }
+
 const Form velocity{"(r cos wt, r sin wt, 0)' by dual numbers", [](M m) { return Value(m.velocity(m.T)); }};
-const Form gain{"gain of x + y along the path",
-                [](M m) {
-                  const Vector moved = m.position(m.T) - m.position(0.0);
-                  return moved[0] + moved[1];
-                },
-                of_work};
-const Form gain_t{"T times the end's x + y, less its integral over time",
-                  [](M m) {
-                    const auto height = [&](double t) { return m.position(t)[0] + m.position(t)[1]; };
-                    return m.T * height(m.T) - integral(height, 0, m.T);
-                  },
-                  of_growing_work};
+const Form gain{"gain of x + y along the path", [](M m) { return height(m, m.T) - height(m, 0); }, of_work};
+const Form gain_t{
+    "T times the end's x + y, less its integral over time",
+    [](M m) { return m.T * height(m, m.T) - integral([&](double t) { return height(m, t); }, 0, m.T); },
+    of_growing_work};
 const Form power_1{"(1, 1, 1) . v by dual numbers", [](M m) { return power(Force::constant, m, m.T); }};
 const Form power_t{"(t, t, 1) . v by dual numbers", [](M m) { return power(Force::growing, m, m.T); }};
 const Form work_1{"quadrature of F . v", [](M m) { return work_of(Force::constant, m); }, of_work};
@@ -254,7 +249,7 @@ void conservation(Claims& claims, const Samples& samples) {
 // ---- maxima and minima ------------------------------------------------------------------------------------
 
 /// Whether W is larger at T than a little before and after; with `sign` -1, smaller.
-bool is_peak(Force force, M m, double T, double sign = 1) {
+bool is_peak(Force force, M m, double T, int sign = 1) {
   const double h = 0.01 / m.w;
   return sign * work_of(force, m.at(T), T - h) > 0 && sign * work_of(force, m.at(T + h), T) < 0;
 }
@@ -328,31 +323,30 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
 
 void extrema(Claims& claims, const Samples& samples) {
   const auto constant = Force::constant;
+  // At the stationary times `first` + `step` k; the last two: 1 for maxima, -1 for minima.
+  const auto peaks = [](const std::string& text, Force force, int first, int step, int even, int odd) {
+    return all(text, [=](M m, int k) {
+      return is_peak(force, m, stationary(m, first + step * k), k % 2 == 0 ? even : odd);
+    });
+  };
   claims.statement<Case>(
       "maximum_where_stationary", 819, "the net work is a maximum when W' = 0", samples.cases,
-      {.printed = all("where W' = 0 there is a maximum",
-                      [](M m, int k) { return is_peak(constant, m, stationary(m, k)); }),
+      {.printed = peaks("where W' = 0 there is a maximum", constant, 0, 1, 1, 1),
        .corrected = all("where there is a maximum W' = 0",
                         [](M m, int k) {
                           const double T = m.T + 0.5 * k / m.w;
                           return abs(power(constant, m, T)) <= 0.1 * m.r * m.w || !is_peak(constant, m, T);
                         }),
-       .near_misses = {all("where W' = 0 there is a minimum",
-                           [](M m, int k) { return is_peak(constant, m, stationary(m, k), -1); })},
+       .near_misses = {peaks("where W' = 0 there is a minimum", constant, 0, 1, -1, -1)},
        .kind = Fault::counterexample,
        .root = "stationary for maximal",
        .why = "$W'=0$ is necessary and not sufficient: every other such time, $\\omega T=5\\pi/4, "
               "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)$, as the text itself says two sentences "
               "on."});
-  const auto alternate = [](const std::string& text, int even) {
-    return all(text, [=](M m, int k) {
-      return is_peak(constant, m, stationary(m, k - 6), k % 2 == 0 ? even : -even);
-    });
-  };
   claims.statement<Case>("halves", 823, "half of these times are minima, the other half maxima",
                          samples.cases,
-                         {.printed = alternate("even k: maximum, odd k: minimum", 1),
-                          .near_misses = {alternate("odd k: maximum, even k: minimum", -1)}});
+                         {.printed = peaks("even k: maximum, odd k: minimum", constant, -6, 1, 1, -1),
+                          .near_misses = {peaks("odd k: maximum, even k: minimum", constant, -6, 1, -1, 1)}});
   const auto highest = [&](const std::string& text, const OfMotion& of) {
     const Form first{"quadrature of F . v", [](M m) { return work_of(constant, m.at(stationary(m, 0))); }};
     return Reading{text, {compare("W(pi/(4 w))", {text, of}, first, samples.forward)}};
@@ -369,12 +363,9 @@ void extrema(Claims& claims, const Samples& samples) {
              {.printed = first,
               .near_misses = {highest("r sqrt 2", [](M m) { return m.r * sqrt2; }),
                               highest("r/w (sqrt 2 - 1)", [](M m) { return m.r / m.w * (sqrt2 - 1); })}});
-  const auto peaks = [](const std::string& text, int odd) {
-    return all(text, [=](M m, int n) { return is_peak(Force::growing, m, stationary(m, 2 * n + odd)); });
-  };
-  claims.statement<Case>(
-      "local_maxima", 843, "those with even k are local maxima (k >= 0)", samples.cases,
-      {.printed = peaks("even k: maximum", 0), .near_misses = {peaks("odd k: maximum", 1)}});
+  claims.statement<Case>("local_maxima", 843, "those with even k are local maxima (k >= 0)", samples.cases,
+                         {.printed = peaks("even k: maximum", Force::growing, 0, 2, 1, 1),
+                          .near_misses = {peaks("odd k: maximum", Force::growing, 1, 2, 1, 1)}});
 }
 
 /// When a value of x is reached: at the time x as printed, or where w T is x.
@@ -480,4 +471,4 @@ std::vector<Root> roots() {
        R"(work that the force does.)"}};
 }
 
-}  // namespace oddity::circle
+}  // namespace oddity::work_on_circle

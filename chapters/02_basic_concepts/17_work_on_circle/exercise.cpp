@@ -10,7 +10,7 @@ namespace oddity {
 
 namespace ex02_17 {
 
-using namespace circle;
+using namespace work_on_circle;
 
 constexpr Parameter parameters[] = {
     {"r", 1, "m", "radius", 1e-3, 1e3},

@@ -5,7 +5,7 @@
 #include "solvers/counted_calls.hpp"
 #include "solvers/roots.hpp"
 
-namespace oddity::circle {
+namespace oddity::work_on_circle {
 
 namespace {
 
@@ -198,4 +198,4 @@ Quantity maximum(const Motion& m, double turn, const Reference& truth) {
   return q;
 }
 
-}  // namespace oddity::circle
+}  // namespace oddity::work_on_circle

@@ -8,7 +8,7 @@
 
 /// Exercise 2.17: a particle at (r cos wt, r sin wt, 0), the power of the forces (1, 1, 1) and (t, t, 1) on
 /// it, and what the files of the exercise share.
-namespace oddity::circle {
+namespace oddity::work_on_circle {
 
 using namespace bodies;
 
@@ -49,4 +49,4 @@ Quantity maximum(const Motion&, double turn, const Reference&);
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();
 
-}  // namespace oddity::circle
+}  // namespace oddity::work_on_circle
