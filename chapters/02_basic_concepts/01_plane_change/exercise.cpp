@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "chapters/02_basic_concepts/shared/sides.hpp"
+#include "chapters/02_basic_concepts/shared/limits.hpp"
 #include "chapters/02_basic_concepts/shared/space.hpp"
 #include "chapters/claims.hpp"
 
@@ -18,7 +18,7 @@ namespace oddity {
 namespace ex02_01 {
 
 using namespace space;
-using identities::joined, identities::limit, identities::limit_at_zero, std::numbers::sqrt2;
+using limits::joined, limits::limit, limits::limit_at_zero, std::numbers::sqrt2;
 
 constexpr Parameter parameters[] = {
     {"h", 0.25, "1", "distance from t = 0 at which a numerical limit starts", 1e-3, 0.5},

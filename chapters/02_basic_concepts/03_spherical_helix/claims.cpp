@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "chapters/02_basic_concepts/03_spherical_helix/spherical_helix.hpp"
-#include "chapters/02_basic_concepts/shared/sides.hpp"
+#include "chapters/02_basic_concepts/shared/limits.hpp"
 
 namespace oddity::spherical_helix {
 
@@ -311,7 +311,7 @@ std::vector<Check> spiral(const std::string& what, double turned, const F& size)
 
 template <class F>
 Reading at_end(const std::string& text, const std::string& what, double sign, double said, const F& f) {
-  return {text, {identities::limit(what, said, 0.5, [=](double s) { return f(Vector3(helix(sign / s))); })}};
+  return {text, {limits::limit(what, said, 0.5, [=](double s) { return f(Vector3(helix(sign / s))); })}};
 }
 
 void ends(Claims& claims, const std::vector<Sample>& all, const std::vector<Sample>& later,

@@ -1,7 +1,7 @@
 // The quantities of exercise 2.3: the motion by several routes, the colatitude and the helix's ends.
 
 #include "chapters/02_basic_concepts/03_spherical_helix/spherical_helix.hpp"
-#include "chapters/02_basic_concepts/shared/sides.hpp"
+#include "chapters/02_basic_concepts/shared/limits.hpp"
 #include "reference/reference.hpp"
 #include "solvers/counted_calls.hpp"
 
@@ -9,7 +9,7 @@ namespace oddity::spherical_helix {
 
 namespace {
 
-using std::sqrt, std::pow, std::numbers::pi, identities::joined, identities::limit_at_zero;
+using std::sqrt, std::pow, std::numbers::pi, limits::joined, limits::limit_at_zero;
 
 /// v and a of the text; `corrected`: with the components along Q as they are.
 Answer by_the_text(double t, bool corrected) {

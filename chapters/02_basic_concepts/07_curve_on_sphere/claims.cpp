@@ -8,14 +8,14 @@
 #include <type_traits>
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
-#include "chapters/02_basic_concepts/shared/sides.hpp"
+#include "chapters/02_basic_concepts/shared/limits.hpp"
 #include "solvers/roots.hpp"
 
 namespace oddity::curve_on_sphere {
 
 namespace {
 
-using space::Vector3, space::Matrix3, space::identity, identities::joined;
+using space::Vector3, space::Matrix3, space::identity, limits::joined;
 
 struct Sample {
   double t;

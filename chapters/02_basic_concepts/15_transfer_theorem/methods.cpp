@@ -1,23 +1,19 @@
-#pragma once
+// The quantities of exercise 2.15: the inertia of a solid tetrahedron about the origin, and about its center
+// of mass far from the origin.
 
-#include "chapters/02_basic_concepts/shared/bodies.hpp"
+#include "chapters/02_basic_concepts/15_transfer_theorem/transfer_theorem.hpp"
 #include "reference/reference.hpp"
 
-/// Particles and a solid tetrahedron: inertia about the origin, and about the center of mass far from it.
-namespace oddity::solid {
+namespace oddity::transfer_theorem {
 
-using namespace bodies;
-
-struct Particle {
-  double m;
-  Vector r;
-};
-using System = std::vector<Particle>;
+namespace {
 
 struct Tetrahedron {
   Vector legs, corner;
   double rho;
 
+  explicit Tetrahedron(const Parameters& p)
+      : legs{p["a"], p["b"], p["c"]}, corner{p["x"], p["y"], p["z"]}, rho(p["rho"]) {}
   double mass() const { return rho * legs[0] * legs[1] * legs[2] / 6; }
   Vector center() const { return corner + 0.25 * legs; }
   /// Five particles with the solid's mass, center and inertia.
@@ -46,29 +42,46 @@ struct Tetrahedron {
   }
 };
 
-inline double mass_of(const System& system) {
-  double mass = 0;
-  for (const Particle& p : system) mass += p.m;
-  return mass;
-}
-inline Vector center_of(const System& system) {
-  Vector moment{};
-  for (const Particle& p : system) moment = moment + p.m * p.r;
-  return 1 / mass_of(system) * moment;
-}
-inline Six inertia_about(const System& system, const Vector& point) {
-  Six sum{};
-  for (const Particle& p : system) sum = sum + inertia_of(p.m, p.r - point);
-  return sum;
-}
-
-inline Known tetrahedron_truth(const Tetrahedron& t, const Reference& truth) {
+Known tetrahedron_truth(const Tetrahedron& t, const Reference& truth) {
   const auto [a, b, c] = t.legs;
   const auto [x, y, z] = t.corner;
   return truth("02_15_tetrahedron", {a, b, c, x, y, z, t.rho});
 }
 
-inline Quantity about_origin(const Tetrahedron& t, double seed, const Reference& truth) {
+/// Sums about the origin with the rounding of each addition carried on (Neumaier).
+Six compensated_about_origin(const System& system) {
+  Six sum{}, lost{};
+  for (const Particle& p : system) {
+    const Six term = inertia_of(p.m, p.r);
+    for (std::size_t k = 0; k < 6; ++k) {
+      const double next = sum[k] + term[k];
+      lost[k] +=
+          std::abs(sum[k]) >= std::abs(term[k]) ? (sum[k] - next) + term[k] : (term[k] - next) + sum[k];
+      sum[k] = next;
+    }
+  }
+  return sum + lost;
+}
+
+/// One pass: mass, center and inertia about it, brought up to date by each particle's transfer.
+Six running(const System& system) {
+  double mass = 0;
+  Vector center{};
+  Six central{};
+  for (const Particle& p : system) {
+    const Vector step = p.r - center;
+    const double next = mass + p.m;
+    central = central + inertia_of(mass * p.m / next, step);
+    center = center + p.m / next * step;
+    mass = next;
+  }
+  return central;
+}
+
+}  // namespace
+
+Quantity about_origin(const Parameters& p, const Reference& truth) {
+  const Tetrahedron t(p);
   const Known known = tetrahedron_truth(t, truth);
   Quantity q = quantity("about_origin", "kg m^2", "six components of the tetrahedron about the origin", known,
                         {1e-12 * (t.mass() + size_of(known.value)), "twelve digits of the largest"});
@@ -100,7 +113,7 @@ inline Quantity about_origin(const Tetrahedron& t, double seed, const Reference&
   add("Gauss-Legendre", doubling("points", 1, 4), gauss_rule);
   q.add({solid, "Simpson", doubling("panels", 2, 5), [=](double n) { return t.integrated(simpson_rule(n)); },
          Outcome::inaccurate, "its error shrinks as h^4: too slow for twelve digits at 32 panels"});
-  add_box_methods<3>(q, {512, 4096, 32768}, seed, [t](const Vector& u) {
+  add_box_methods<3>(q, {512, 4096, 32768}, p["seed"], [t](const Vector& u) {
     const double box = t.legs[0] * t.legs[1] * t.legs[2];
     if (u[0] + u[1] + u[2] > 1) return Six{};
     return inertia_of(t.rho * box, {t.corner[0] + t.legs[0] * u[0], t.corner[1] + t.legs[1] * u[1],
@@ -109,41 +122,10 @@ inline Quantity about_origin(const Tetrahedron& t, double seed, const Reference&
   return q;
 }
 
-// ---- far from the origin ----------------------------------------------------------------------------------
-
-/// Sums about the origin with the rounding of each addition carried on (Neumaier).
-inline Six compensated_about_origin(const System& system) {
-  Six sum{}, lost{};
-  for (const Particle& p : system) {
-    const Six term = inertia_of(p.m, p.r);
-    for (std::size_t k = 0; k < 6; ++k) {
-      const double next = sum[k] + term[k];
-      lost[k] +=
-          std::abs(sum[k]) >= std::abs(term[k]) ? (sum[k] - next) + term[k] : (term[k] - next) + sum[k];
-      sum[k] = next;
-    }
-  }
-  return sum + lost;
-}
-
-/// One pass: mass, center and inertia about it, brought up to date by each particle's transfer.
-inline Six running(const System& system) {
-  double mass = 0;
-  Vector center{};
-  Six central{};
-  for (const Particle& p : system) {
-    const Vector step = p.r - center;
-    const double next = mass + p.m;
-    central = central + inertia_of(mass * p.m / next, step);
-    center = center + p.m / next * step;
-    mass = next;
-  }
-  return central;
-}
-
-inline Quantity about_center(const Tetrahedron& near, double far, const Reference& truth) {
-  Tetrahedron centered = near, t = near;
-  centered.corner = -0.25 * near.legs;
+Quantity about_center(const Parameters& p, const Reference& truth) {
+  const double far = p["far"];
+  Tetrahedron centered(p), t = centered;
+  centered.corner = -0.25 * t.legs;
   t.corner = {far, 2 * far, -far};
   const Known known = tetrahedron_truth(centered, truth);
   Quantity q = quantity("about_center", "kg m^2",
@@ -181,7 +163,7 @@ inline Quantity about_center(const Tetrahedron& near, double far, const Referenc
   q.add({"about a particle, transferred back", "five particles", no_knob(), [t](double) {
            System all = t.particles();
            const Vector first = all[0].r;
-           for (Particle& p : all) p.r = p.r - first;
+           for (Particle& each : all) each.r = each.r - first;
            return Answer{inertia_about(all, {}) - inertia_of(mass_of(all), center_of(all)),
                          static_cast<long>(all.size())};
          }});
@@ -201,4 +183,4 @@ inline Quantity about_center(const Tetrahedron& near, double far, const Referenc
   return q;
 }
 
-}  // namespace oddity::solid
+}  // namespace oddity::transfer_theorem

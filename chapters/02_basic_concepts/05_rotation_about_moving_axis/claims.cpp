@@ -1,0 +1,437 @@
+// The claims of exercise 2.5: every line of the proof against the quaternion and dual numbers, at moments
+// with |D'| = 1, which the proof takes for granted, and with any |D'|.
+//   U1 = D, U2 = D', U3 = D x D', S = Skew(D), sigma = sin(theta), gamma = cos(theta), lambda = |D'|, W = R'
+//   R^T
+
+#include "chapters/claims.hpp"
+
+#include "chapters/02_basic_concepts/05_rotation_about_moving_axis/rotating_axis.hpp"
+#include "chapters/02_basic_concepts/shared/limits.hpp"
+#include "chapters/02_basic_concepts/shared/rotation_matrices.hpp"
+
+namespace oddity::rotating_axis {
+
+namespace {
+
+using namespace space;
+using limits::joined;
+
+// ---- moments of motions -----------------------------------------------------------------------------------
+
+/// Axis and angle as functions of time.
+struct Turning {
+  Vector3 p, q, r;  ///< D is along p + q sin(t) + r t^2
+  double a, b, c;   ///< theta = a + b t + c cos(t)
+
+  template <class T>
+  Vector<T> axis(const T& t) const {
+    using std::sin;
+    const auto along = [&](std::size_t i) { return T(p[i]) + T(q[i]) * sin(t) + T(r[i]) * t * t; };
+    return unit(Vector<T>{along(0), along(1), along(2)});
+  }
+  template <class T>
+  T angle(const T& t) const {
+    using std::cos;
+    return T(a) + T(b) * t + T(c) * cos(t);
+  }
+};
+
+/// A moment of such a motion, in the letters of the text.
+struct Moment {
+  double t, theta, theta_dot, sigma, gamma, lambda;
+  Vector3 U1, U2, U3, w;
+  Matrix3 U, S, S_dot, S2_dot, R, R_dot, W;  ///< R of the quaternion; derivatives by dual numbers
+  Solved<Value> S_slope;                     ///< S' by differences, extrapolated
+  double size;                               ///< of the terms in R' R^T, on unit vectors
+  double frame_size;                         ///< of the same on the vectors U
+
+  /// At t, the clock running `rate` times as fast.
+  Moment(const Turning& turning_axis, double at, double rate) : t(at) {
+    using D1 = Dual<double>;
+    const D1 now(t, rate);
+    const Vector<D1> axis = turning_axis.axis(now);
+    const D1 angle = turning_axis.angle(now);
+    const Quaternion<D1> q = quaternion(axis, angle);
+    const Matrix<D1> skew_axis = skew(axis), turned = matrix(q);
+    theta = angle.value, theta_dot = angle.slope, sigma = std::sin(theta), gamma = std::cos(theta);
+    U1 = value_of(axis), U2 = slope_of(axis), U3 = cross(U1, U2), lambda = length(U2), w = turning(q);
+    U = Matrix3::columns(U1, U2, U3);
+    S = value_of(skew_axis), S_dot = slope_of(skew_axis), S2_dot = slope_of(skew_axis * skew_axis);
+    R = value_of(turned), R_dot = slope_of(turned), W = R_dot * transpose(R);
+    size = (1 + std::abs(theta)) * (1 + lambda + std::abs(theta_dot));
+    frame_size = (1 + lambda * lambda) * size;
+    const double step = 0.25 / (1 + std::abs(rate));
+    const auto difference = [&](double h) {
+      const auto then = [&](double s) { return skew(turning_axis.axis(t + rate * s)); };
+      return Value(0.5 / h * (then(h) - then(-h)));
+    };
+    S_slope = limits::limit_at_zero(difference, step, 8);
+    S_slope.error_estimate += 0x1p-48 * std::ldexp(1 / step, 8);
+  }
+  /// None: the sizes of terms are given.
+  std::array<double*, 0> letters() { return {}; }
+  std::string where() const {
+    return "t = " + shortest(t) + ", theta = " + rounded(theta, 4) + ", |D'| = " + rounded(lambda, 4);
+  }
+};
+using M = const Moment&;
+
+/// The same, its numbers no better than the differences.
+struct Differenced : Moment {
+  Tolerance tolerance(double) const { return {S_slope.error_estimate, "the extrapolation's error estimate"}; }
+};
+
+/// Moments of random motions: with any |D'|, with the clock set for |D'| = 1, both of these, and all with
+/// those about a fixed axis.
+struct Moments {
+  std::vector<Moment> any, unit_speed, moving, all;
+  explicit Moments(double seed) {
+    Random random(seed);
+    const auto vector = [](const std::array<double, 3>& x) { return Vector3{x[0], x[1], x[2]}; };
+    for (int i = 0; i < 200; ++i) {
+      Turning motion{3.0 * vector(random.direction()), vector(random.point(0.8)),
+                     vector(random.point(0.8)),        random.between(-7, 7),
+                     random.magnitude(0.01, 10),       random.between(-1, 1)};
+      const double t = random.between(-1, 1);
+      if (i % 20 == 9) motion.a += 0.01 - motion.angle(t);
+      any.emplace_back(motion, t, random.magnitude(0.1, 10));
+      unit_speed.emplace_back(motion, t, 1 / Moment(motion, t, 1).lambda);
+      motion.q = motion.r = {0, 0, 0};
+      if (i % 20 == 19) all.emplace_back(motion, t, 1);
+    }
+    moving = any;
+    moving.insert(moving.end(), unit_speed.begin(), unit_speed.end());
+    all.insert(all.begin(), moving.begin(), moving.end());
+  }
+};
+
+// ---- lines of the proof -----------------------------------------------------------------------------------
+
+using Form = Formula<Moment>;
+using Size = std::function<double(M)>;
+double of_turn(M m) { return 1 + std::abs(m.theta); }
+double of_squares(M m) { return m.size * m.size; }
+
+/// A line with a number k in it, which is 1 as printed.
+struct Line {
+  std::string_view slug;
+  int number;
+  std::string says, quantity;
+  std::function<Value(M)> truth;
+  std::function<Value(M, double k)> text;
+  Size size = &Moment::frame_size;
+  std::string by = "quaternion and dual numbers";
+  double near = -1;
+};
+
+Reading reading(const Line& line, const std::string& text, double k, const std::vector<Moment>& moments) {
+  const Form with_k{text, [&](M m) { return line.text(m, k); }, line.size};
+  return {text, {compare(line.quantity, with_k, {line.by, line.truth}, moments)}};
+}
+
+/// Lines that hold at all these moments.
+void lines(Claims& claims, const std::vector<Moment>& moments, const std::vector<Line>& all) {
+  for (const Line& line : all) {
+    const std::string miss = line.near == -1  ? "a sign flipped"
+                             : line.near == 0 ? "a term dropped"
+                                              : shortest(line.near) + " in the place of 1";
+    claims.add(line.slug, line.number, line.says,
+               {.printed = reading(line, "as printed", 1, moments),
+                .near_misses = {reading(line, miss, line.near, moments)}});
+  }
+}
+/// Lines that need |D'| = 1.
+void unit_lines(Claims& claims, const Moments& moments, const std::vector<Line>& all) {
+  for (const Line& line : all)
+    claims.add(line.slug, line.number, line.says + " (|D'| = 1)",
+               {.printed = reading(line, "where |D'| = 1", 1, moments.unit_speed),
+                .near_misses = {reading(line, "where |D'| = 1, a sign flipped", -1, moments.unit_speed),
+                                reading(line, "for any |D'|", 1, moments.any)}});
+}
+
+Value twice(const Vector3& x) { return joined(x, x); }
+Vector3 back(M m, const Vector3& x) { return transpose(m.R) * x; }
+
+void rotation_and_derivative(Claims& claims, const Moments& moments) {
+  const Size size = &Moment::size;
+  claims.formula<Moment>(
+      "skew_of_w", 317, "Skew(w) = R' R^T", moments.all,
+      {.truth = {"Skew(w), w = 2 q' q* in dual numbers", [](M m) { return skew(m.w); }, size},
+       .printed = {"R' R^T", [](M m) { return m.W; }},
+       .near_misses = {
+           {"R^T R', which has w in the body's frame", [](M m) { return transpose(m.R) * m.R_dot; }}}});
+  lines(
+      claims, moments.all,
+      {{"rotation_matrix", 319, "R = I + sigma S + (1 - gamma) S^2", "R", [](M m) { return m.R; },
+        [](M m, double k) { return identity() + k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S); }, of_turn},
+       {"transpose", 319, "R^T = I - sigma S + (1 - gamma) S^2", "R^T", [](M m) { return transpose(m.R); },
+        [](M m, double k) { return identity() - k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S); },
+        of_turn}});
+  std::vector<Differenced> differenced;
+  for (M m : moments.moving) differenced.push_back({m});
+  const auto skew_of = [](const std::string& text, double k) {
+    return Formula<Differenced>{text, [=](M m) { return skew(k * m.U2); }};
+  };
+  claims.formula<Differenced>(
+      "derivative_of_s", 321, "S' = Skew(D')", differenced,
+      {.quantity = "S'",
+       .truth = {"differences of Skew(D(t)), extrapolated", [](M m) { return m.S_slope.value; }},
+       .printed = skew_of("Skew(D')", 1),
+       .near_misses = {skew_of("- Skew(D')", -1)}});
+  lines(claims, moments.moving,
+        {{"derivative_of_r", 323,
+          "R' = sigma S' + theta' gamma S + (1 - gamma)(S S' + S' S) + theta' sigma S^2", "R'",
+          [](M m) { return m.R_dot; },
+          [](M m, double k) {
+            return m.sigma * m.S_dot + m.theta_dot * m.gamma * m.S +
+                   (1 - m.gamma) * (m.S * m.S_dot + m.S_dot * m.S) + k * m.theta_dot * m.sigma * (m.S * m.S);
+          },
+          size},
+         {"no_power_rule", 325, "the derivative of S^2 is S S' + S' S, not 2 S S'", "(S^2)'",
+          [](M m) { return m.S2_dot; },
+          [](M m, double k) { return (2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S); }, size, "dual numbers",
+          0}});
+}
+
+void matrices_by_images(Claims& claims, const Moments& moments) {
+  const std::string itself = "the matrix itself";
+  lines(claims, moments.unit_speed,
+        {{"determined_by_images", 327,
+          "three independent vectors and their images determine an invertible matrix (and any other)", "M",
+          [](M m) { return m.R_dot + 2.0 * identity(); },
+          [](M m, double k) {
+            const Matrix3 matrix = m.R_dot + 2.0 * identity();
+            const Vector3 a = m.U1 + m.U2, b = m.U2 + 2.0 * m.U3, c = m.U3 - m.U1;
+            return 1 / dot(a, cross(b, c)) *
+                   (outer(matrix * a, cross(b, c)) + outer(matrix * b, cross(c, a)) +
+                    k * outer(matrix * c, cross(a, b)));
+          },
+          [](M m) { return 10 * m.size; }, itself, 0},
+         {"frame_is_a_rotation", 331, "U is a rotation matrix, its inverse its transpose", "U^T U, det U",
+          [](M) { return joined(identity(), 1); },
+          [](M m, double k) {
+            const Matrix3 U = Matrix3::columns(m.U1, m.U2, k * m.U3);
+            return joined(transpose(U) * U, determinant(U));
+          },
+          [](M) { return 4.0; }, "a rotation"},
+         {"matrix_from_images", 333, "M = A U^T", "M", [](M m) { return m.R_dot; },
+          [](M m, double k) { return m.R_dot * m.U * (k == 1 ? transpose(m.U) : m.U); }, &Moment::size,
+          itself, 0}});
+  const auto determinants = [&](const std::string& text, double unit, const Form& truth) {
+    const Form shifted{"the determinant", [=](M m) { return determinant(m.W + unit * identity()); },
+                       [](M m) { return std::pow(m.size, 3); }};
+    return compare(text, shifted, truth, moments.all);
+  };
+  const Form from_images{"A U^T", [](M m) { return m.W * m.U * transpose(m.U); }, &Moment::frame_size};
+  claims.add(
+      "applied_to_singular", 335, "what is said of an invertible matrix (line 327) is applied to R' R^T",
+      {.printed = {"R' R^T is invertible",
+                   {in_all<Moment>(
+                       "R' R^T is regular", moments.all,
+                       [](M m) { return std::abs(determinant(m.W)) > 1e-9 * std::pow(length(m.w), 3); })}},
+       .corrected = {"R' R^T is singular, and determined by its images all the same",
+                     {determinants("det R' R^T", 0, {"0", [](M) { return 0.0; }}),
+                      compare("R' R^T from its images, A U^T", from_images,
+                              {"R' R^T", [](M m) { return m.W; }}, moments.unit_speed)}},
+       .near_misses = {{"so is R' R^T + I",
+                        {determinants("det (R' R^T + I)", 1, {"0", [](M) { return 0.0; }})}}},
+       .why =
+           "A skew $3\\times3$ matrix is never invertible, since $\\det S=\\det S^T=-\\det S$: $\\dot RR^T$ "
+           "has the eigenvalues $0,\\pm i|\\mathbf w|$ and the determinant 0 at every moment. The conclusion "
+           "stands, for $M=AU^T$ follows from $MU=A$ for every matrix $M$: it is $U$ that has to be "
+           "invertible.",
+       .kind = Fault::counterexample,
+       .root = "a singular matrix"});
+}
+
+void frame(Claims& claims, const Moments& moments) {
+  const auto gram = [](const std::string& text, bool second, bool third) {
+    const auto frame = [=](M m) {
+      return Matrix3::columns(m.U1, m.U2 / (second ? m.lambda : 1), m.U3 / (third ? m.lambda : 1));
+    };
+    return Form{text, [=](M m) { return transpose(frame(m)) * frame(m); },
+                [=](M m) { return 1 + size_of(frame(m)) * size_of(frame(m)); }};
+  };
+  claims.formula<Moment>(
+      "orthonormal_frame", 337, "D, D' and D x D' are unit vectors at right angles", moments.any,
+      {.quantity = "U^T U",
+       .truth = {"the unit matrix", [](M) { return identity(); }},
+       .printed = gram("U2 = D', U3 = D x D'", false, false),
+       .corrected = gram("U2 = D'/|D'|, U3 = D x U2", true, true),
+       .near_misses = {gram("U2 = D'/|D'|, U3 = D x D'", true, false)},
+       .kind = Fault::left_out,
+       .root = "length of the axis' rate",
+       .why =
+           "$\\dot{\\mathbf D}$ is perpendicular to $\\mathbf D$, but its length $\\lambda=|\\dot{\\mathbf "
+           "D}|$ is $1$ only when the axis moves so; it is $0$ when the axis is fixed, and then there is no "
+           "such frame at all. With the printed vectors $\\mathbf U_2\\times\\mathbf U_3$ and $\\dot "
+           "S\\mathbf U_3$ are $\\lambda^2\\mathbf U_1$, and the lines that use them fail for "
+           "$\\lambda\\ne1$. With $\\mathbf U_2=\\dot{\\mathbf D}/\\lambda$ every $\\sigma$ and every "
+           "$1-\\gamma$ of the last steps gets a factor $\\lambda$, which $\\lambda\\mathbf "
+           "U_2=\\dot{\\mathbf D}$ takes up again: the result holds for every $\\lambda$, zero included."});
+  unit_lines(
+      claims, moments,
+      {{"cross_products", 341, "U1 = U2 x U3, U2 = U3 x U1, U3 = U1 x U2", "U1, U2, U3",
+        [](M m) { return joined(m.U1, m.U2, m.U3); },
+        [](M m, double k) { return joined(k * cross(m.U2, m.U3), cross(m.U3, m.U1), cross(m.U1, m.U2)); },
+        &Moment::frame_size, "D and D' by dual numbers"},
+       {"images_under_s_dot", 345, "S' U1 = -U3, S' U2 = 0, S' U3 = U1", "S' U1, S' U2, S' U3",
+        [](M m) { return joined(m.S_dot * m.U1, m.S_dot * m.U2, m.S_dot * m.U3); },
+        [](M m, double k) { return joined(-m.U3, Vector3{}, k * m.U1); }, &Moment::frame_size,
+        "products with the matrix S' by dual numbers"}});
+  lines(claims, moments.moving,
+        {{"images_under_s", 343, "S U1 = 0, S U2 = U3, S U3 = -U2", "S U1, S U2, S U3",
+          [](M m) { return joined(m.S * m.U1, m.S * m.U2, m.S * m.U3); },
+          [](M m, double k) { return joined(Vector3{}, m.U3, -k * m.U2); }, &Moment::frame_size,
+          "products with the matrix S"}});
+}
+
+void images_of_the_frame(Claims& claims, const Moments& moments) {
+  lines(claims, moments.moving,
+        {{"rt_u1", 349, "R^T U1 = U1 - sigma S U1 + (1 - gamma) S^2 U1 = U1", "R^T U1",
+          [](M m) { return twice(back(m, m.U1)); },
+          [](M m, double k) {
+            return joined(m.U1 - m.sigma * (m.S * m.U1) + (1 - m.gamma) * (m.S * (m.S * m.U1)), k * m.U1);
+          }},
+         {"rt_u2",
+          351,
+          "R^T U2 = U2 - sigma U3 - (1 - gamma) U2 = gamma U2 - sigma U3",
+          "R^T U2",
+          [](M m) { return twice(back(m, m.U2)); },
+          [](M m, double k) {
+            return joined(m.U2 - m.sigma * m.U3 - (1 - m.gamma) * m.U2, m.gamma * m.U2 - k * m.sigma * m.U3);
+          },
+          {}},
+         {"rt_u3",
+          353,
+          "R^T U3 = U3 + sigma U2 - (1 - gamma) U3 = sigma U2 + gamma U3",
+          "R^T U3",
+          [](M m) { return twice(back(m, m.U3)); },
+          [](M m, double k) {
+            return joined(m.U3 + m.sigma * m.U2 - (1 - m.gamma) * m.U3, k * m.sigma * m.U2 + m.gamma * m.U3);
+          },
+          {}},
+         {"r_dot_u1", 357, "R' U1 = (1 - gamma) U2 - sigma U3", "R' U1", [](M m) { return m.R_dot * m.U1; },
+          [](M m, double k) { return (1 - m.gamma) * m.U2 - k * m.sigma * m.U3; }},
+         {"composed_u1", 367, "R' R^T U1 = R' U1 = (1 - gamma) U2 - sigma U3", "R' R^T U1",
+          [](M m) { return twice(m.R_dot * back(m, m.U1)); },
+          [](M m, double k) { return joined(m.R_dot * m.U1, (1 - m.gamma) * m.U2 - k * m.sigma * m.U3); }}});
+  unit_lines(
+      claims, moments,
+      {{"r_dot_u2", 359, "R' U2 = (1 - gamma) U1 - theta' sigma U2 + theta' gamma U3", "R' U2",
+        [](M m) { return m.R_dot * m.U2; },
+        [](M m, double k) {
+          return (1 - m.gamma) * m.U1 + m.theta_dot * (m.gamma * m.U3 - k * m.sigma * m.U2);
+        }},
+       {"r_dot_u3", 361, "R' U3 = sigma U1 - theta' gamma U2 - theta' sigma U3", "R' U3",
+        [](M m) { return m.R_dot * m.U3; },
+        [](M m, double k) { return m.sigma * m.U1 - m.theta_dot * (m.gamma * m.U2 + k * m.sigma * m.U3); }},
+       {"composed_u2", 369, "R' R^T U2 = R'(gamma U2 - sigma U3) = -(1 - gamma) U1 + theta' U3", "R' R^T U2",
+        [](M m) { return twice(m.R_dot * back(m, m.U2)); },
+        [](M m, double k) {
+          return joined(m.R_dot * (m.gamma * m.U2 - m.sigma * m.U3),
+                        -(1 - m.gamma) * m.U1 + k * m.theta_dot * m.U3);
+        }},
+       {"composed_u3", 371, "R' R^T U3 = R'(sigma U2 + gamma U3) = sigma U1 - theta' U2", "R' R^T U3",
+        [](M m) { return twice(m.R_dot * back(m, m.U3)); },
+        [](M m, double k) {
+          return joined(m.R_dot * (m.sigma * m.U2 + m.gamma * m.U3), m.sigma * m.U1 - k * m.theta_dot * m.U2);
+        }}});
+}
+
+/// R' R^T U by the text, columns.
+Matrix3 columns_of_the_text(M m, double k) {
+  const double g = 1 - m.gamma, s = m.sigma, w = m.theta_dot;
+  return Matrix3::columns(g * m.U2 - s * m.U3, -g * m.U1 + k * w * m.U3, s * m.U1 - w * m.U2);
+}
+/// Two vectors A and B.
+Vector3 first(M m) { return m.w; }
+Vector3 second(M m) { return m.R.column(0) + m.U2; }
+Vector3 product(M m) { return cross(first(m), second(m)); }
+Matrix3 difference(M m) { return outer(second(m), first(m)) - outer(first(m), second(m)); }
+
+void skew_matrices(Claims& claims, const Moments& moments) {
+  unit_lines(
+      claims, moments,
+      {{"columns", 375, "R' R^T U has the three images as columns", "R' R^T U", [](M m) { return m.W * m.U; },
+        columns_of_the_text},
+       {"inverted", 379, "R' R^T is the matrix of columns times U^T", "R' R^T", [](M m) { return m.W; },
+        [](M m, double k) { return columns_of_the_text(m, k) * transpose(m.U); }},
+       {"outer_products", 389,
+        "R' R^T = theta'(U3 U2^T - U2 U3^T) + sigma(U1 U3^T - U3 U1^T) + (1 - gamma)(U2 U1^T - U1 U2^T)",
+        "R' R^T", [](M m) { return m.W; },
+        [](M m, double k) {
+          return m.theta_dot * (outer(m.U3, m.U2) - outer(m.U2, m.U3)) +
+                 m.sigma * (outer(m.U1, m.U3) - outer(m.U3, m.U1)) +
+                 k * (1 - m.gamma) * (outer(m.U2, m.U1) - outer(m.U1, m.U2));
+        }},
+       {"sum_of_cross_products", 465,
+        "Skew(w) = theta' Skew(U2 x U3) + sigma Skew(U3 x U1) + (1 - gamma) Skew(U1 x U2)", "Skew(w)",
+        [](M m) { return m.W; },
+        [](M m, double k) {
+          return m.theta_dot * skew(cross(m.U2, m.U3)) + k * m.sigma * skew(cross(m.U3, m.U1)) +
+                 (1 - m.gamma) * skew(cross(m.U1, m.U2));
+        }}});
+  lines(claims, moments.moving,
+        {{"skew_entries", 453, "B A^T - A B^T has the entries of A x B, arranged as printed", "B A^T - A B^T",
+          difference,
+          [](M m, double k) {
+            const auto [x, y, z] = product(m).e;
+            return Matrix3{0, -z, k * y, z, 0, -x, -k * y, x, 0};
+          },
+          of_squares, "outer products"},
+         {"skew_identity", 459, "B A^T - A B^T = Skew(A x B)", "B A^T - A B^T",
+          [](M m) { return skew(product(m)); }, [](M m, double k) { return k * difference(m); }, of_squares,
+          "Skew(A x B)"},
+         {"skew_is_one_to_one", 473,
+          "Skew(A) = Skew(B) implies A = B: the squares of the entries' differences add up to 2 |A - B|^2",
+          "2 |A - B|^2",
+          [](M m) {
+            double squares = 0;
+            for (double entry : skew(first(m)) - skew(second(m))) squares += entry * entry;
+            return squares;
+          },
+          [](M m, double k) { return 2 * k * dot(first(m) - second(m), first(m) - second(m)); }, of_squares,
+          "squared entries of Skew(A) - Skew(B)", 0.5}});
+}
+
+/// The text's w.
+Vector3 result(M m, double k) {
+  return m.theta_dot * m.U1 + m.sigma * m.U2 + k * (1 - m.gamma) * cross(m.U1, m.U2);
+}
+
+void angular_velocities(Claims& claims, const Moments& moments) {
+  lines(
+      claims, moments.all,
+      {{"sum_of_frame", 467, "Skew(w) = theta' Skew(U1) + sigma Skew(U2) + (1 - gamma) Skew(U3)", "Skew(w)",
+        [](M m) { return m.W; },
+        [](M m, double k) {
+          return m.theta_dot * skew(m.U1) + k * m.sigma * skew(m.U2) + (1 - m.gamma) * skew(m.U3);
+        }},
+       {"sum_of_axis", 469, "Skew(w) = theta' Skew(D) + sin(theta) Skew(D') + (1 - cos(theta)) Skew(D x D')",
+        "Skew(w)", [](M m) { return m.W; }, [](M m, double k) { return skew(result(m, k)); }},
+       {"angular_velocity", 475, "w = theta' D + sin(theta) D' + (1 - cos(theta)) D x D', whatever |D'| is",
+        "w", [](M m) { return m.w; }, result, &Moment::size}});
+}
+
+}  // namespace
+
+std::vector<Claim> claims(double seed) {
+  const Moments moments(seed);
+  Claims claims("2.5");
+  for (auto* section : {rotation_and_derivative, matrices_by_images, frame, images_of_the_frame,
+                        skew_matrices, angular_velocities})
+    section(claims, moments);
+  return claims.in_order();
+}
+
+std::vector<Root> roots() {
+  return {
+      {"length of the axis' rate",
+       R"(An axis that moves at half a radian per second has $|\dot{\mathbf D}|=0.5$: the determinant of the )"
+       R"(printed frame is 0.25, and a body that is drawn in it loses three quarters of its volume.)"},
+      {"a singular matrix",
+       R"(A program that inverts $\dot RR^T$ divides by its determinant, which is 0 at every moment.)"}};
+}
+
+}  // namespace oddity::rotating_axis

@@ -1,0 +1,247 @@
+// The claims of exercise 2.15, on random systems of particles: the text's sums against the definition. The
+// lines up to the last are algebra about any point: there they are checked about a random one, where no term
+// is zero.
+
+#include "chapters/claims.hpp"
+
+#include "chapters/02_basic_concepts/15_transfer_theorem/transfer_theorem.hpp"
+
+namespace oddity::transfer_theorem {
+
+namespace {
+
+/// Particles, and a point A in the place of their center of mass.
+struct Sample {
+  System system;
+  Vector A;
+
+  /// As seen from A.
+  System relative() const {
+    System moved = system;
+    for (Particle& p : moved) p.r = p.r - A;
+    return moved;
+  }
+  std::vector<double*> letters() {
+    std::vector<double*> all{&A[0], &A[1], &A[2]};
+    for (Particle& p : system) all.insert(all.end(), {&p.m, &p.r[0], &p.r[1], &p.r[2]});
+    return all;
+  }
+  std::string where() const { return std::to_string(system.size()) + " particles, A = " + shown(A); }
+};
+using Sum = Formula<Sample>;
+
+/// Systems with A in their center, and with A anywhere.
+struct Samples {
+  std::vector<Sample> center, any_point;
+
+  explicit Samples(double seed) {
+    Random random(seed);
+    for (int i = 0; i < 60; ++i) {
+      System system;
+      const Vector offset = random.point(20);
+      for (int n = 2 + random.below(10); n > 0; --n)
+        system.push_back({std::abs(random.magnitude(0.05, 20)), offset + random.point(5)});
+      center.push_back({system, center_of(system)});
+      any_point.push_back({system, center.back().A + random.point(10)});
+    }
+  }
+};
+
+/// A value of the system as it is seen from A.
+using S = const System&;
+using V = const Vector&;
+using Of = std::function<Value(S relative, V A)>;
+Sum seen(const std::string& text, const Of& of) {
+  return {text, [=](const Sample& s) { return of(s.relative(), s.A); }};
+}
+
+template <class F>
+double sum(S system, const F& f) {
+  double all = 0;
+  for (const Particle& p : system) all += p.m * f(p.r[0], p.r[1], p.r[2]);
+  return all;
+}
+const auto x_of = [](double x, double, double) { return x; };
+const auto y_of = [](double, double y, double) { return y; };
+const auto z_of = [](double, double, double z) { return z; };
+const auto xy_of = [](double x, double y, double) { return x * y; };
+const auto yz_squared = [](double, double y, double z) { return y * y + z * z; };
+
+/// Components about the origin.
+Sum definition(const std::vector<std::size_t>& which) {
+  return {"sum of m r x (w x r)", [=](const Sample& s) {
+            std::vector<double> all(which.size());
+            for (std::size_t k = 0; k < which.size(); ++k)
+              for (const Particle& p : s.system) all[k] += p.m * inertia_by_definition(which[k], p.r);
+            return all;
+          }};
+}
+Sum zero(std::size_t n) {
+  return {"zero", [=](const Sample&) { return Value(std::vector<double>(n)); }};
+}
+
+/// Lines of one quantity, each of which says its formula.
+struct Lines {
+  Claims& claims;
+  std::string quantity;
+  Sum truth;
+
+  void line(std::string_view slug, int number, const std::vector<Sample>& samples, const Sum& printed,
+            const Sum& near) const {
+    claims.formula(slug, number, printed.text, samples,
+                   {.quantity = quantity, .truth = truth, .printed = printed, .near_misses = {near}});
+  }
+};
+
+void moments_of_inertia(Claims& claims, const Samples& samples) {
+  const auto direct = [](const auto& f) {
+    return [=](S s, V A) {
+      return sum(s, [&](double x, double y, double z) { return f(x + A[0], y + A[1], z + A[2]); });
+    };
+  };
+  const auto shifted = [](double sign) {
+    return [=](S s, V A) {
+      return sum(s, [&](double, double y, double z) {
+        return std::pow(y + sign * A[1], 2) + std::pow(z + sign * A[2], 2);
+      });
+    };
+  };
+  const auto split = [](double two) {
+    return [=](S s, V A) {
+      return sum(s, yz_squared) + sum(s, [&](double, double y, double z) {
+               return two * y * A[1] + A[1] * A[1] + two * z * A[2] + A[2] * A[2];
+             });
+    };
+  };
+  const auto collected = [](double sign) {
+    return [=](S s, V A) {
+      return sum(s, yz_squared) + sign * 2 * A[1] * sum(s, y_of) + 2 * A[2] * sum(s, z_of) +
+             (A[1] * A[1] + A[2] * A[2]) * mass_of(s);
+    };
+  };
+  const auto transfer = [](double sign) {
+    return [=](S s, V A) { return sum(s, yz_squared) + sign * mass_of(s) * (A[1] * A[1] + A[2] * A[2]); };
+  };
+  const Lines ixx{claims, "Ixx", definition({0})};
+  ixx.line("ixx", 747, samples.any_point, seen("Ixx = sum of m (y^2 + z^2)", direct(yz_squared)),
+           seen("sum of m x y", direct(xy_of)));
+  ixx.line("ixx_shifted", 751, samples.any_point, seen("= sum of m ((y' + cy)^2 + (z' + cz)^2)", shifted(1)),
+           seen("sum of m ((y' - cy)^2 + (z' - cz)^2)", shifted(-1)));
+  ixx.line("ixx_split", 753, samples.any_point,
+           seen("= sum of m (y'^2 + z'^2) + sum of m (2 y' cy + cy^2 + 2 z' cz + cz^2)", split(2)),
+           seen("without the factors 2", split(1)));
+  ixx.line("ixx_collected", 759, samples.any_point,
+           seen("= Ixx' + 2 cy sum of m y' + 2 cz sum of m z' + (cy^2 + cz^2) sum of m", collected(1)),
+           seen("- 2 cy sum of m y'", collected(-1)));
+  ixx.line("ixx_transfer", 769, samples.center, seen("= Ixx' + m (cy^2 + cz^2)", transfer(1)),
+           seen("Ixx' - m (cy^2 + cz^2)", transfer(-1)));
+}
+
+void products_of_inertia(Claims& claims, const Samples& samples) {
+  const auto shifted = [](double sign, double of_all = 1) {
+    return [=](S s, V A) {
+      return of_all * sum(s, [&](double x, double y, double) { return (x + sign * A[0]) * (y + A[1]); });
+    };
+  };
+  const auto first = [](S s, bool massless) {
+    double all = 0;
+    for (const Particle& p : s) all += (massless ? 1 : p.m) * p.r[0] * p.r[1];
+    return all;
+  };
+  const auto split = [=](bool massless, double sign = 1) {
+    return [=](S s, V A) {
+      return first(s, massless) +
+             sum(s, [&](double x, double y, double) { return A[0] * y + sign * A[1] * x + A[0] * A[1]; });
+    };
+  };
+  const auto collected = [=](bool massless, double sign = 1) {
+    return [=](S s, V A) {
+      return first(s, massless) + A[0] * sum(s, y_of) + sign * A[1] * sum(s, x_of) + A[0] * A[1] * mass_of(s);
+    };
+  };
+  const auto transfer = [](double sign) {
+    return [=](S s, V A) { return sum(s, xy_of) + sign * mass_of(s) * A[0] * A[1]; };
+  };
+  const Lines ixy{claims, "Ixy", definition({3})};
+  ixy.line("ixy", 779, samples.any_point,
+           seen("Ixy = sum of m x y, the tensor's component with its sign changed", shifted(1)),
+           seen("Ixy = - sum of m x y", shifted(1, -1)));
+  ixy.line("ixy_shifted", 781, samples.any_point, seen("= sum of m (x' + cx)(y' + cy)", shifted(1)),
+           seen("sum of m (x' - cx)(y' + cy)", shifted(-1)));
+  const auto without_mass = [&](std::string_view slug, int number, const std::string& rest,
+                                const std::string& near, const auto& of) {
+    claims.formula(
+        slug, number, "= sum of x' y'" + rest, samples.any_point,
+        {.quantity = ixy.quantity,
+         .truth = ixy.truth,
+         .printed = seen("= sum of x' y'" + rest, of(true, 1)),
+         .meant = seen("sum of m x' y'" + rest, of(false, 1)),
+         .near_misses = {seen("with m, and " + near, of(false, -1))},
+         .kind = Fault::formula,
+         .why = "The mass $m_i$ is left out of the first sum, $\\sum m_i\\,x'_iy'_i$, of lines 783 and 787; "
+                "the lines around the two, 781 and 795, have it. As it stands the sum has another unit, and "
+                "is right only when every mass is 1: for two masses of 2 kg at $\\pm(1,1)$ m it is 2, where "
+                "$I_{xy}$ is 4 kg m$^2$."});
+  };
+  without_mass("ixy_split", 783, " + sum of m (cx y' + cy x' + cx cy)", "- cy x'", split);
+  without_mass("ixy_collected", 787, " + cx sum of m y' + cy sum of m x' + cx cy sum of m",
+               "- cy sum of m x'", collected);
+  ixy.line("ixy_transfer", 795, samples.center, seen("= Ixy' + m cx cy", transfer(1)),
+           seen("Ixy' - m cx cy", transfer(-1)));
+}
+
+void statements(Claims& claims, const Samples& samples) {
+  const auto positions = [](double sign) {
+    return [=](S s, V A) {
+      const Vector moved{3, -5, 7};
+      return s[0].m * ((s[0].r + A + moved) - sign * (A + moved));
+    };
+  };
+  const Lines relative{claims, "m (x', y', z') of a particle",
+                       seen("from the center, whatever the origin", [](S s, V) { return s[0].m * s[0].r; })};
+  relative.line("relative_position", 743, samples.center,
+                seen("(x', y', z') = (x, y, z) - (cx, cy, cz)", positions(1)),
+                seen("(x, y, z) + (cx, cy, cz)", positions(-1)));
+
+  const auto vanish = [&](std::string_view slug, int number, const std::string& says,
+                          const std::string& quantity, std::size_t count, const Of& of) {
+    const auto about = [&](const std::string& text, const std::vector<Sample>& all) {
+      return Reading{text, {compare(quantity, seen(text, of), zero(count), all)}};
+    };
+    claims.add(slug, number, says,
+               {.printed = about(says, samples.center),
+                .near_misses = {about("about another point", samples.any_point)}});
+  };
+  vanish("first_moments", 771, "the first moments about the center of mass are zero", "first moments", 3,
+         [](S s, V) {
+           return Value{sum(s, x_of), sum(s, y_of), sum(s, z_of)};
+         });
+  vanish("middle_terms", 797, "the middle terms are zero because of these moments",
+         "middle terms of Ixx and Ixy", 4, [](S s, V A) {
+           return Value{2 * A[1] * sum(s, y_of), 2 * A[2] * sum(s, z_of), A[0] * sum(s, y_of),
+                        A[1] * sum(s, x_of)};
+         });
+
+  const auto transfer = [](double sign) {
+    return [=](S s, V A) {
+      const Six central = inertia_about(s, {}), moved = inertia_of(mass_of(s), A);
+      const auto both = [&](std::size_t k) { return central[k] + (k < 3 ? 1 : sign) * moved[k]; };
+      return Value{both(1), both(2), both(4), both(5)};
+    };
+  };
+  const Lines others{claims, "Iyy, Izz, Ixz, Iyz", definition({1, 2, 4, 5})};
+  others.line("others", 799, samples.center,
+              seen("the other components transfer in the same manner", transfer(1)),
+              seen("the products with - m cx cz", transfer(-1)));
+}
+
+}  // namespace
+
+std::vector<Claim> claims(double seed) {
+  const Samples samples(seed);
+  Claims claims("2.15");
+  for (auto* section : {statements, moments_of_inertia, products_of_inertia}) section(claims, samples);
+  return claims.in_order();
+}
+
+}  // namespace oddity::transfer_theorem

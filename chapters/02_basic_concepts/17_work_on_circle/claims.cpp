@@ -1,0 +1,474 @@
+// The claims of exercise 2.17, at random r and w of either sign or away from 1, so that no factor of w can
+// hide: the text's formulas against quadrature of F . v and dual numbers, which know the path alone; its
+// maxima and minima against a scan of the power, or works compared.
+
+#include "chapters/claims.hpp"
+
+#include "chapters/02_basic_concepts/17_work_on_circle/work_on_circle.hpp"
+#include "solvers/roots.hpp"
+
+namespace oddity::work_on_circle {
+
+namespace {
+
+using std::numbers::sqrt2;
+using M = const Motion&;
+
+struct Sample : Motion {
+  std::array<double*, 3> letters() { return {&r, &w, &T}; }
+  double size() const { return abs(r) * (10 + abs(x())); }  // of the work of a turn
+  std::string where() const {
+    return "r = " + shortest(r) + ", omega = " + shortest(w) + ", T = " + shortest(T);
+  }
+};
+using Form = Formula<Sample>;
+using OfMotion = std::function<Value(M)>;
+
+/// A motion, and which of its times.
+struct Case : Sample {
+  int k;
+};
+
+/// Motions with x = omega T up to 12: with r and omega of either sign, and with both positive and omega away
+/// from 1; of these, cases with k = 0, ..., 11.
+struct Samples {
+  std::vector<Sample> any, forward;
+  std::vector<Case> cases;
+
+  explicit Samples(double seed) {
+    Random random(seed);
+    for (int i = 0; i < 50; ++i) {
+      const double r = random.magnitude(0.2, 5), w = random.magnitude(0.2, 5), x = random.between(-12, 12);
+      any.push_back({{r, w, x / w}});
+      const double away = random.unit() < 0.5 ? random.between(0.2, 0.8) : random.between(1.25, 4);
+      forward.push_back({{abs(r), away, abs(x) / away}});
+      for (int k = 0; k < 12; ++k) cases.push_back({forward.back(), k});
+    }
+  }
+};
+
+Statement<Case> all(const std::string& text, const std::function<bool(M, int k)>& holds) {
+  return {text, [=](const Case& c) { return holds(c, c.k); }};
+}
+Check in_cases(const Statement<Case>& statement, const Samples& samples) {
+  return in_all(statement.text, samples.cases, statement.holds);
+}
+
+// ---- works by quadrature ----------------------------------------------------------------------------------
+
+double integral(FunctionOfOne f, double start, double end) { return gauss_legendre(f, start, end, 64).value; }
+
+/// The work from `start` to T.
+double work_of(Force force, M m, double start = 0) {
+  return integral([&](double t) { return power(force, m, t); }, start, m.T);
+}
+/// The size of the terms that cancel in it when T is small.
+double of_work(const Sample& m) { return abs(m.r); }
+double of_growing_work(const Sample& m) { return abs(m.r) * (abs(m.T) + 1 / abs(m.w)); }
+
+/// dW/dT, through W = int_0^1 T P(T u) du.
+OfMotion slope(Force force) {
+  return [=](M m) {
+    const auto rate = [&](double u) {
+      return derivative([&](const auto& T) { return T * power(force, m, T * u); }, m.T);
+    };
+    return integral(rate, 0, 1);
+  };
+}
+
+/// x + y on the path.
+double height(M m, double t) { return m.position(t)[0] + m.position(t)[1]; }
+
+const Form velocity{"(r cos wt, r sin wt, 0)' by dual numbers", [](M m) { return Value(m.velocity(m.T)); }};
+const Form gain{"gain of x + y along the path", [](M m) { return height(m, m.T) - height(m, 0); }, of_work};
+const Form gain_t{
+    "T times the end's x + y, less its integral over time",
+    [](M m) { return m.T * height(m, m.T) - integral([&](double t) { return height(m, t); }, 0, m.T); },
+    of_growing_work};
+const Form power_1{"(1, 1, 1) . v by dual numbers", [](M m) { return power(Force::constant, m, m.T); }};
+const Form power_t{"(t, t, 1) . v by dual numbers", [](M m) { return power(Force::growing, m, m.T); }};
+const Form work_1{"quadrature of F . v", [](M m) { return work_of(Force::constant, m); }, of_work};
+const Form work_t{"quadrature of F . v", [](M m) { return work_of(Force::growing, m); }, of_growing_work};
+const Form slope_1{"dW/dT of the quadrature", slope(Force::constant)};
+const Form slope_t{"dW/dT of the quadrature", slope(Force::growing)};
+const Form force_t{"length of (T, T, 1)", [](M m) { return std::hypot(m.T, m.T, 1); }};
+const Form zero{"zero", [](M) { return 0.0; }};
+
+// ---- formulas ---------------------------------------------------------------------------------------------
+
+double c(M m) { return cos(m.x()); }
+double s(M m) { return sin(m.x()); }
+
+/// r w^i T^j (a cos + b sin + d).
+OfMotion wave(int i, int j, double a, double b, double d = 0) {
+  return [=](M m) { return m.r * std::pow(m.w, i) * std::pow(m.T, j) * (a * c(m) + b * s(m) + d); };
+}
+/// A velocity (r w^i a sin, r w^i cos, 0).
+OfMotion circling(int i, double a) {
+  return [=](M m) {
+    const double speed = m.r * std::pow(m.w, i);
+    return Value{speed * a * s(m), speed * c(m), 0};
+  };
+}
+/// The derivative of r (cos + sign sin).
+OfMotion primitive(double sign) {
+  return [=](M m) {
+    return derivative([&](const auto& t) { return m.r * (cos(m.w * t) + sign * sin(m.w * t)); }, m.T);
+  };
+}
+OfMotion by_parts(double sign) {
+  return [=](M m) {
+    const auto f = [&](double t) { return m.r * (cos(m.w * t) + sin(m.w * t)); };
+    return m.T * f(m.T) + sign * integral(f, 0, m.T);
+  };
+}
+/// The integral of the printed power.
+OfMotion of_printed(double sign, Force force) {
+  return [=](M m) {
+    const auto f = [&](double t) {
+      return (force == Force::constant ? 1 : t) * m.r * m.w * (cos(m.w * t) - sin(m.w * t));
+    };
+    return sign * integral(f, 0, m.T);
+  };
+}
+/// r w^power (-1 + cos - sin + T w (cos + sin)), or with the factor before the first part alone.
+OfMotion growing(double power, bool whole) {
+  return [=](M m) {
+    const double factor = m.r * std::pow(m.w, power);
+    return factor * (-1 + c(m) - s(m)) + (whole ? factor : 1) * m.x() * (c(m) + s(m));
+  };
+}
+
+void formulas(Claims& claims, const Samples& samples) {
+  const auto line = [&](std::string_view slug, int number, const Form& printed, const Form& truth,
+                        const std::vector<Form>& near) {
+    claims.formula(slug, number, printed.text, samples.any,
+                   {.quantity = "the formula", .truth = truth, .printed = printed, .near_misses = near});
+  };
+  line("velocity", 805, {"v = (-r w sin, r w cos, 0)", circling(1, -1)}, velocity,
+       {{"(r w sin, r w cos, 0)", circling(1, 1)}, {"(-r sin, r cos, 0)", circling(0, -1)}});
+  line("work_integral", 809,
+       {"W = int (1, 1, 1) . (-r w sin, r w cos, 0) dt", of_printed(1, Force::constant)}, gain,
+       {{"- int", of_printed(-1, Force::constant)}});
+  line("power", 813, {"(1, 1, 1) . v = r w (cos - sin)", wave(1, 0, 1, -1)}, power_1,
+       {{"r w (cos + sin)", wave(1, 0, 1, 1)}, {"r (cos - sin)", wave(0, 0, 1, -1)}});
+  line("antiderivative", 815, {"r (cos + sin) has the derivative F . v", primitive(1)}, power_1,
+       {{"r (cos - sin)", primitive(-1)}});
+  line("work", 815, {"W(T) = r (cos + sin - 1)", wave(0, 0, 1, 1, -1)}, work_1,
+       {{"r (cos + sin)", wave(0, 0, 1, 1)}, {"r w (cos + sin - 1)", wave(1, 0, 1, 1, -1)}});
+  line("growing_integral", 829,
+       {"W = int (t, t, 1) . (-r w sin, r w cos, 0) dt", of_printed(1, Force::growing)}, gain_t,
+       {{"- int", of_printed(-1, Force::growing)}, {"int (1, 1, 1) . v dt", of_printed(1, Force::constant)}});
+  line("growing_power", 835, {"(t, t, 1) . v = r w t (cos - sin)", wave(1, 1, 1, -1)}, power_t,
+       {{"r w (cos - sin)", wave(1, 0, 1, -1)}, {"r w t (cos + sin)", wave(1, 1, 1, 1)}});
+  line("by_parts", 839, {"W = T r (cos + sin) - int r (cos + sin) dt, by parts", by_parts(-1)}, work_t,
+       {{"+ int", by_parts(1)}});
+  line("growing_derivative", 841, {"W'(T) = r w T (cos - sin) for (t, t, 1)", wave(1, 1, 1, -1)}, slope_t,
+       {{"r T (cos - sin)", wave(0, 1, 1, -1)}});
+  line("magnitude", 849, {"|(t, t, 1)| = sqrt(2 t^2 + 1)", [](M m) { return sqrt(2 * m.T * m.T + 1); }},
+       force_t, {{"sqrt(t^2 + 1)", [](M m) { return sqrt(m.T * m.T + 1); }}});
+}
+
+void misprints(Claims& claims, const Samples& samples) {
+  claims.formula("derivative", 821, "W'(T) for (1, 1, 1)", samples.any,
+                 {.truth = slope_1,
+                  .printed = {"r w (-sin wT + cos wt), t = T + 1",
+                              [](M m) { return m.r * m.w * (-s(m) + cos(m.w * (m.T + 1))); }},
+                  .meant = {"r w (-sin wT + cos wT)", wave(1, 0, 1, -1)},
+                  .near_misses = {{"r w (sin wT + cos wT)", wave(1, 0, 1, 1)}},
+                  .kind = Fault::formula,
+                  .why = "The cosine keeps the variable of integration $t$, which has no value once the "
+                         "integral is done; both times are $T$, as the next line takes them. (The check puts "
+                         "$t=T+1$.)"});
+  claims.formula(
+      "growing_work", 837, "W(T) for (t, t, 1)", samples.any,
+      {.truth = work_t,
+       .printed = {"r w ((-1 + cos - sin) + T w (cos + sin))", growing(1, true)},
+       .meant = {"r/w ((-1 + cos - sin) + T w (cos + sin))", growing(-1, true)},
+       .near_misses = {{"r w (-1 + cos - sin) + T w (cos + sin)", growing(1, false)},
+                       {"r (-1 + cos - sin + T w (cos + sin))", growing(0, true)}},
+       .kind = Fault::lost_typography,
+       .why = "A fraction bar and a parenthesis are lost: the factor is $r/\\omega$, not $r\\omega$, and "
+              "stands before the whole. The two differ by $\\omega^2$ and agree at $\\omega=1$ alone."});
+  const auto until = [](const std::string& text, double (*T)(double)) {
+    return Form{text, [T](M m) { return work_of(Force::constant, m.at(T(m.w))); }};
+  };
+  claims.formula("full_turn", 817, "after one turn the work is zero", samples.forward,
+                 {.quantity = "work of (1, 1, 1)",
+                  .truth = zero,
+                  .printed = until("W(2 pi omega) = 0", [](double w) { return 2 * pi * w; }),
+                  .meant = until("W(2 pi / omega) = 0", [](double w) { return 2 * pi / w; }),
+                  .near_misses = {until("W(pi / omega) = 0", [](double w) { return pi / w; })},
+                  .kind = Fault::lost_typography,
+                  .why = "The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the "
+                         "particle has turned by $2\\pi\\omega^2$ and the work is zero by chance only, as "
+                         "for $\\omega=1$; for $\\omega=1/\\sqrt2$ it is $-2r$."});
+}
+
+// ---- conservation -----------------------------------------------------------------------------------------
+
+/// The work of a field of positions from the path's start to its end; `detour` leaves the circle by a loop.
+template <class Field>
+Form along(const std::string& text, double detour, const Field& field) {
+  const auto rate = [=](M m, double u) {
+    const auto curve = [&](const auto& v) {
+      auto at = m.position(m.T * v);
+      const auto loop = detour * sin(2 * pi * v);
+      return std::array{at[0] + loop, at[1] - 2.0 * loop * v, at[2] + m.w * loop};
+    };
+    const auto moved = curve(Dual<double>(u, 1));
+    return dot(field(curve(u)), {moved[0].slope, moved[1].slope, moved[2].slope});
+  };
+  return {text, [=](M m) { return integral([&](double u) { return rate(m, u); }, 0, 1); },
+          [=](const Sample& m) { return of_work(m) + 20 * detour * (1 + abs(m.w)); }};
+}
+
+void conservation(Claims& claims, const Samples& samples) {
+  const auto one = [](const Vector&) { return Vector{1, 1, 1}; };
+  const auto swirl = [](const Vector& at) { return Vector{1 - at[1], 1 + at[0], 1}; };
+  const auto both_ways = [&](const std::string& of, const std::string& in, const auto& field) {
+    return Reading{"along a detour" + in,
+                   {compare("work" + of + " between the same ends", along("along a detour" + in, 1, field),
+                            along("along the circle", 0, field), samples.any)}};
+  };
+  claims.add(
+      "conservative", 817, "the field (1, 1, 1) is conservative",
+      {.printed = both_ways("", "", one),
+       .near_misses = {both_ways(" of (1 - y, 1 + x, 1)", ", in the field (1 - y, 1 + x, 1)", swirl)}});
+  const auto turn = [](const std::string& text, Force force) {
+    return Form{text, [force](M m) { return work_of(force, m.at(m.T + 2 * pi / m.w), m.T); }};
+  };
+  claims.formula("round_trip", 817, "so once around the circle, from any start, the net work is zero",
+                 samples.forward,
+                 {.quantity = "work of a turn from a random start",
+                  .truth = zero,
+                  .printed = turn("(1, 1, 1)", Force::constant),
+                  .near_misses = {turn("(t, t, 1)", Force::growing)}});
+}
+
+// ---- maxima and minima ------------------------------------------------------------------------------------
+
+/// Whether W is larger at T than a little before and after; with `sign` -1, smaller.
+bool is_peak(Force force, M m, double T, int sign = 1) {
+  const double h = 0.01 / m.w;
+  return sign * work_of(force, m.at(T), T - h) > 0 && sign * work_of(force, m.at(T + h), T) < 0;
+}
+double stationary(M m, int k) { return (pi / 4 + k * pi) / m.w; }
+
+/// All zeros of the power with |x| < 12.5.
+std::vector<double> zeros(Force force, M m) {
+  std::vector<double> found;
+  for (double x = -12.45; x < 12.5; x += 0.1)
+    if (const auto root =
+            brent([&](double t) { return power(force, m, t); }, x / m.w, (x + 0.1) / m.w, 1e-15);
+        root.reached())
+      found.push_back(m.w * root.value);
+  return found;
+}
+Form zeros_of(Force force) {
+  return {"Brent's method over a scan", [=](M m) { return zeros(force, m); }};
+}
+Form list(const std::string& text, const std::vector<double>& numbers) {
+  return {text, [=](M) { return Value(numbers); }};
+}
+std::vector<double> spaced(double first, double step) {
+  std::vector<double> all;
+  for (double x = first - 4 * pi; x < 12.5; x += step) all.push_back(x);
+  return all;
+}
+std::vector<double> and_zero(std::vector<double> all) {
+  all.insert(std::ranges::lower_bound(all, 0.0), 0.0);
+  return all;
+}
+/// The first three from x = -3 on, so that lists of different lengths can be compared.
+std::vector<double> three(const std::vector<double>& all) {
+  const auto first = std::ranges::upper_bound(all, -3.0);
+  return {first, first + 3};
+}
+
+void zeros_of_the_power(Claims& claims, const Samples& samples) {
+  const double first = pi / 4;
+  const std::string at = "pi/4 + k pi";
+  const auto roots = [&](Force force, const Form& form) {
+    return Reading{form.text, {compare("all zeros of W', as wT", form, zeros_of(force), samples.forward)}};
+  };
+  const Form tangents{"tan wT at the zeros",
+                      [](M m) {
+                        Value all = zeros(Force::constant, m);
+                        for (std::size_t k = 0; k < all.size(); ++k) all[k] = std::tan(all[k]);
+                        return all;
+                      },
+                      [](const Sample&) { return 2 * 12.5; }};
+  Reading printed = roots(Force::constant, list(at, spaced(first, pi)));
+  printed.checks.push_back(
+      compare("tan wT at the zeros", list("1", std::vector<double>(8, 1)), tangents, samples.forward));
+  claims.add("zeros", 823, "W' = 0 where tan wT = 1: at wT = pi/4 + k pi, k any integer",
+             {.printed = printed,
+              .near_misses = {roots(Force::constant, list("pi/4 + 2 k pi", spaced(first, 2 * pi))),
+                              roots(Force::constant, list("3 pi/4 + k pi", spaced(3 * first, pi)))}});
+  const Form nearest{"Brent's method over a scan", [](M m) { return three(zeros(Force::growing, m)); }};
+  claims.add(
+      "growing_zeros", 843, "for (t, t, 1), W' = 0 at wT = pi/4 + k pi",
+      {.printed = {at,
+                   {compare("the first three zeros of W' from wT = -3 on", list(at, three(spaced(first, pi))),
+                            nearest, samples.forward)}},
+       .corrected = roots(Force::growing, list(at + ", and 0", and_zero(spaced(first, pi)))),
+       .near_misses = {roots(Force::growing, list("3 pi/4 + k pi, and 0", and_zero(spaced(3 * first, pi))))},
+       .why = "$W'=r\\omega T(\\cos\\omega T-\\sin\\omega T)$ has the factor $T$: it is zero at $T=0$ as "
+              "well, a minimum, $W\\approx r\\omega T^2/2$, and no $\\pi/4+k\\pi$. A search for the first "
+              "maximum that starts at $T=0$ ends there, with $W=0$ for $0.1107$ ($r=\\omega=1$).",
+       .kind = Fault::left_out,
+       .root = "the start is stationary too"});
+}
+
+void extrema(Claims& claims, const Samples& samples) {
+  const auto constant = Force::constant;
+  // At the stationary times `first` + `step` k; the last two: 1 for maxima, -1 for minima.
+  const auto peaks = [](const std::string& text, Force force, int first, int step, int even, int odd) {
+    return all(text, [=](M m, int k) {
+      return is_peak(force, m, stationary(m, first + step * k), k % 2 == 0 ? even : odd);
+    });
+  };
+  claims.statement<Case>(
+      "maximum_where_stationary", 819, "the net work is a maximum when W' = 0", samples.cases,
+      {.printed = peaks("where W' = 0 there is a maximum", constant, 0, 1, 1, 1),
+       .corrected = all("where there is a maximum W' = 0",
+                        [](M m, int k) {
+                          const double T = m.T + 0.5 * k / m.w;
+                          return abs(power(constant, m, T)) <= 0.1 * m.r * m.w || !is_peak(constant, m, T);
+                        }),
+       .near_misses = {peaks("where W' = 0 there is a minimum", constant, 0, 1, -1, -1)},
+       .kind = Fault::counterexample,
+       .root = "stationary for maximal",
+       .why = "$W'=0$ is necessary and not sufficient: every other such time, $\\omega T=5\\pi/4, "
+              "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)$, as the text itself says two sentences "
+              "on."});
+  claims.statement<Case>("halves", 823, "half of these times are minima, the other half maxima",
+                         samples.cases,
+                         {.printed = peaks("even k: maximum, odd k: minimum", constant, -6, 1, 1, -1),
+                          .near_misses = {peaks("odd k: maximum, even k: minimum", constant, -6, 1, -1, 1)}});
+  const auto highest = [&](const std::string& text, const OfMotion& of) {
+    const Form first{"quadrature of F . v", [](M m) { return work_of(constant, m.at(stationary(m, 0))); }};
+    return Reading{text, {compare("W(pi/(4 w))", {text, of}, first, samples.forward)}};
+  };
+  Reading first = highest("r (sqrt 2 - 1)", [](M m) { return m.r * (sqrt2 - 1); });
+  first.checks.push_back(in_cases(all("W is nowhere larger",
+                                      [](M m, int k) {
+                                        const double rounds = 1e-12 * m.r;
+                                        return work_of(constant, m.at(m.T + k / m.w)) <=
+                                               m.r * (sqrt2 - 1) + rounds;
+                                      }),
+                                  samples));
+  claims.add("first_maximum", 825, "at T = pi/(4 w) W has its maximum, r (sqrt 2 - 1)",
+             {.printed = first,
+              .near_misses = {highest("r sqrt 2", [](M m) { return m.r * sqrt2; }),
+                              highest("r/w (sqrt 2 - 1)", [](M m) { return m.r / m.w * (sqrt2 - 1); })}});
+  claims.statement<Case>("local_maxima", 843, "those with even k are local maxima (k >= 0)", samples.cases,
+                         {.printed = peaks("even k: maximum", Force::growing, 0, 2, 1, 1),
+                          .near_misses = {peaks("odd k: maximum", Force::growing, 1, 2, 1, 1)}});
+}
+
+/// When a value of x is reached: at the time x as printed, or where w T is x.
+using When = double (*)(M, double x);
+double as_time(M, double x) { return x; }
+double as_angle(M m, double x) { return x / m.w; }
+
+/// f(x) at x = pi/4 + 2 n pi, n = 0, ..., 3.
+template <class F>
+Form at_maxima(const std::string& text, const F& f) {
+  return {text, [=](M m) {
+            Value all{0, 0, 0, 0};
+            for (std::size_t n = 0; n < 4; ++n) all[n] = f(m, pi / 4 + 2 * static_cast<double>(n) * pi);
+            return all;
+          }};
+}
+
+void values_at_maxima(Claims& claims, const Samples& samples) {
+  const auto of = [&](const std::string& at, When when, const std::string& text, const auto& f) {
+    const auto W = [=](M m, double x) { return work_of(Force::growing, m.at(when(m, x))); };
+    return Reading{text,
+                   {compare("W at x = pi/4 + 2 n pi", at_maxima(text, f),
+                            at_maxima("W at " + at + " = x by quadrature", W), samples.forward)}};
+  };
+  const auto less = [](double d) { return [=](M m, double x) { return m.r / m.w * (x * sqrt2 - d); }; };
+  claims.add("maxima_value", 845, "the work of (t, t, 1) at its local maxima",
+             {.printed = of("T", as_time, "W(x) = r w x sqrt 2",
+                            [](M m, double x) { return m.r * m.w * x * sqrt2; }),
+              .meant = of("w T", as_angle, "W(x/w) = r/w x sqrt 2", less(0)),
+              .corrected = of("w T", as_angle, "W(x/w) = r/w (x sqrt 2 - 1)", less(1)),
+              .near_misses = {of("w T", as_angle, "W(x/w) = r/w (x sqrt 2 + 1)", less(-1))},
+              .why = "The $-1$ of the closed form is dropped: with $x=\\pi/4+2n\\pi$ the work is $\\frac "
+                     "r\\omega(\\sqrt2\\,x-1)$ at $T=x/\\omega$. For $r=\\omega=1$ the first maximum is "
+                     "$0.1107$, not $1.1107$. Besides, the argument should be a time, $x/\\omega$, and the "
+                     "factor is $r/\\omega$.",
+              .kind = Fault::formula,
+              .root = "a term dropped at the maxima"});
+}
+
+void growth(Claims& claims, const Samples& samples) {
+  const auto steps = [](const std::string& text, double sign, When T, double first) {
+    return all(text, [=](M m, int k) {
+      const double x = first + 2 * (k % 4) * pi;
+      return sign * work_of(Force::growing, m.at(T(m, x + 2 * pi)), T(m, x)) > 0;
+    });
+  };
+  const double maxima = pi / 4, minima = 5 * pi / 4;
+  claims.statement<Case>(
+      "maxima_grow", 849, "as n grows, so does the net work at the maxima", samples.cases,
+      {.printed = steps("W(pi/4 + 2 n pi) grows", 1, as_time, maxima),
+       .meant = steps("W at w T = pi/4 + 2 n pi grows", 1, as_angle, maxima),
+       .near_misses = {steps("W at w T = 5 pi/4 + 2 n pi grows", 1, as_angle, minima)},
+       .kind = Fault::lost_typography,
+       .why = "The maxima are at $\\omega T=\\pi/4+2n\\pi$, where $W$ grows by $2\\sqrt2\\,\\pi r/\\omega$ "
+              "each time. At $T=\\pi/4+2n\\pi$, as printed, and $\\omega\\ne1$ it goes up and down."});
+  const auto lengths = [](const std::string& text, double sign) {
+    return all(text, [=](M m, int k) {
+      const double later = m.T + std::pow(2.0, -k);
+      return sign * (length({later, later, 1}) - length({m.T, m.T, 1})) > 0;
+    });
+  };
+  claims.statement<Case>("magnitude_grows", 851, "the force's magnitude always grows with time",
+                         samples.cases,
+                         {.printed = lengths("|F(t + h)| > |F(t)| for t > 0", 1),
+                          .near_misses = {lengths("|F(t + h)| < |F(t)| for t > 0", -1)}});
+  const auto reading = [&](const Statement<Case>& statement) {
+    return Reading{statement.text, {in_cases(statement, samples)}};
+  };
+  Reading grow = reading(steps("the maxima grow", 1, as_angle, maxima));
+  grow.checks.push_back(in_cases(steps("the minima sink", -1, as_angle, minima), samples));
+  const auto always = all("W grows all the time", [](M m, int k) {
+    const double start = m.T + 0.5 * k / m.w;
+    return work_of(Force::growing, m.at(start + 0.1 / m.w), start) > 0;
+  });
+  claims.add("work_keeps_growing", 851,
+             "as the force gets stronger the net work, that is its maxima of which the paragraph speaks, "
+             "keeps growing (between them it falls, and deeper every time)",
+             {.printed = grow,
+              .near_misses = {reading(steps("the minima grow", 1, as_angle, minima)), reading(always)}});
+}
+
+}  // namespace
+
+std::vector<Claim> claims(double seed) {
+  const Samples samples(seed);
+  Claims claims("2.17");
+  for (auto* section :
+       {formulas, misprints, conservation, zeros_of_the_power, extrema, values_at_maxima, growth})
+    section(claims, samples);
+  return claims.in_order();
+}
+
+std::vector<Root> roots() {
+  return {
+      {"stationary for maximal",
+       R"(With $r=\omega=1$ the work at $T=5\pi/4$ is $-2.414$, stationary and the least there is, where the )"
+       R"(first maximum has 0.414.)"},
+      {"the start is stationary too",
+       R"(A search for the first maximum that starts at $T=0$ ends there, with no work for 0.1107 )"
+       R"(($r=\omega=1$).)"},
+      {"a term dropped at the maxima",
+       R"(With $r=\omega=1$ the first maximum is 0.1107 and the printed formula says 1.1107: ten times the )"
+       R"(work that the force does.)"}};
+}
+
+}  // namespace oddity::work_on_circle

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "chapters/exercise.hpp"
+
+/// A limit at zero, and numbers in a row.
+namespace oddity::limits {
+
+/// All numbers in a row.
+template <class... Parts>
+Value joined(const Parts&... parts) {
+  std::vector<double> all;
+  const auto append = [&](const Value& part) { all.insert(all.end(), part.begin(), part.end()); };
+  (append(Value(parts)), ...);
+  return Value(std::move(all));
+}
+
+/// The limit of f(h), h -> 0, from f(h), f(h/2), ..., by Richardson's extrapolation in all powers of h.
+/// `error_estimate` is the last change, and the roundings that the extrapolation's weights (sum of sizes
+/// below 9) let through.
+template <class F>
+Solved<Value> limit_at_zero(const F& f, double h, int halvings) {
+  Solved<Value> limit;
+  std::vector<Value> row;
+  for (int k = 0; k <= halvings; ++k) {
+    std::vector<Value> next{f(std::ldexp(h, -k))};
+    ++limit.evaluations;
+    for (int j = 1; j <= k; ++j) {
+      Value better = next.back();
+      for (std::size_t i = 0; i < better.size(); ++i)
+        better[i] += (better[i] - row[static_cast<std::size_t>(j - 1)][i]) / (std::ldexp(1.0, j) - 1);
+      next.push_back(std::move(better));
+    }
+    if (k > 0)
+      limit.error_estimate = distance(next.back(), row.back()) + 9 * 8 * 0x1p-52 * size_of(next.front());
+    row = std::move(next);
+  }
+  limit.value = row.back();
+  return limit;
+}
+
+/// What the text says is the limit of f(h), h -> 0, against Richardson's extrapolation from the distance h.
+template <class F>
+Check limit(std::string what, const Value& said, double h, const F& f) {
+  const auto found = limit_at_zero([&](double x) { return Value(f(x)); }, h, 10);
+  return {std::move(what),
+          {"Richardson's extrapolation", found.value},
+          {"the text", said},
+          {found.error_estimate + 1e-15, "the extrapolation's error estimate, and one rounding"},
+          1};
+}
+
+}  // namespace oddity::limits
