@@ -61,8 +61,8 @@ std::array<Conserved<T>, 1> energy_of(const T& kinetic, const T& potential) {
   return {{{kinetic + potential, kinetic}}};
 }
 
-/// What happens at an event: the motion goes on from `after`; or ends there; or passes, nothing being changed.
-/// Another law of motion from there on is a component of the state that nothing else changes.
+/// What happens at an event: the motion goes on from `after`; or ends there; or passes, nothing being
+/// changed. Another law of motion from there on is a component of the state that nothing else changes.
 template <class State>
 struct Happening {
   State after;

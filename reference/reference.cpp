@@ -104,7 +104,9 @@ std::string exercise_of(std::string_view table) {
 
 /// Whose values are made on the spot where there is no table.
 bool of_ones_own(std::string_view table) {
-  const auto number = [&](std::size_t at) { return static_cast<int>(number_in(table.substr(at, 2)).value()); };
+  const auto number = [&](std::size_t at) {
+    return static_cast<int>(number_in(table.substr(at, 2)).value());
+  };
   return !is_published(number(0), number(3));
 }
 

@@ -23,8 +23,8 @@ struct Known {
 /// tables.
 class Reference {
  public:
-  /// Reads every table in `folder`/tables. Motions made on the spot are kept in `cache`, if it is named and can be
-  /// written. Throws BadInput naming file and line when a table is missing or broken.
+  /// Reads every table in `folder`/tables. Motions made on the spot are kept in `cache`, if it is named and
+  /// can be written. Throws BadInput naming file and line when a table is missing or broken.
   explicit Reference(const std::filesystem::path& folder, std::filesystem::path cache = {});
 
   /// Knows nothing: every value is NaN, so that nothing judged by it is ok. For motions that are only looked

@@ -16,10 +16,10 @@ struct Approval {
   std::vector<std::string> added, removed;
 };
 
-/// One for each of the three files that would change; exercises from outside the tree have files of their own,
-/// which need not be there yet. The rows of the run's exercises are replaced, all others stay; exercises are
-/// in the order of their numbers. An exercise that raised, or a quantity of which has no reference, keeps its
-/// rows; an unsettled claim gets none. Throws BadInput when a file of the tree cannot be read.
+/// One for each of the three files that would change; exercises from outside the tree have files of their
+/// own, which need not be there yet. The rows of the run's exercises are replaced, all others stay; exercises
+/// are in the order of their numbers. An exercise that raised, or a quantity of which has no reference, keeps
+/// its rows; an unsettled claim gets none. Throws BadInput when a file of the tree cannot be read.
 std::vector<Approval> approvals(const Results&, const std::filesystem::path& folder);
 
 /// "+ row" for each row added and "- row" for each row removed, under the name of their file.
