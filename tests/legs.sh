@@ -13,6 +13,9 @@ build() {
   cmake --build "build/$1" --parallel "$jobs" --target "${@:2}"
 }
 
+# Where a tool of one leg cannot be had, as without a net, that leg is not run, and says so.
+tools() { ./oddity packages "$@" || { echo "not run: $* cannot be installed"; exit 77; }; }
+
 sources() { git ls-files -- "$@"; }
 
 # ---- legs -------------------------------------------------------------------------------------------------
@@ -26,7 +29,7 @@ leg_report() {  # g++: everything verified, and the report written
 }
 
 leg_format() {  # clang-format: every source is as .clang-format has it
-  ./oddity packages clang-format
+  tools clang-format
   sources '*.cpp' '*.hpp' | xargs -d '\n' clang-format --dry-run -Werror
 }
 
@@ -42,7 +45,7 @@ leg_syntax() {  # g++: every source alone, without precompiled headers; compile_
 }
 
 leg_tidy() {  # clang-tidy: the solvers and the tables are clean; TIDY='files' asks for others
-  ./oddity packages clang-tidy
+  tools clang-tidy
   cmake --preset developer >/dev/null
   # g++'s flags that clang does not know
   sources ${TIDY:-'solvers/*.cpp' 'reference/*.cpp' ':!reference/make/*'} |
@@ -51,7 +54,7 @@ leg_tidy() {  # clang-tidy: the solvers and the tables are clean; TIDY='files' a
 }
 
 leg_libcxx() {  # clang with libc++, without exceptions: every scene's models
-  ./oddity packages clang libc++-dev libc++abi-dev
+  tools clang libc++-dev libc++abi-dev
   tests/models_with_libcxx.sh
 }
 
@@ -62,7 +65,7 @@ leg_install() {  # what is installed works, and a program of another project fin
 }
 
 leg_clang() {  # clang: all but the tables made again
-  ./oddity packages clang
+  tools clang
   build clang all
   ctest --test-dir build/clang --output-on-failure --parallel "$jobs" --exclude-regex tables_made_again
 }
@@ -99,8 +102,14 @@ for name in "$@"; do
   echo "== $name"
   start=$SECONDS
   # In a shell of its own, so that its first failure ends the leg.
-  if JOBS=$jobs bash -c 'set -euo pipefail; '"$(declare -p jobs; declare -f)"'; leg_'"$name"; then verdict=green; else verdict=RED status=1; fi
-  took+=("$(printf '%-10s %-6s %4d s' "$name" "$verdict" $((SECONDS - start)))")
+  ended=0
+  JOBS=$jobs bash -c 'set -euo pipefail; '"$(declare -p jobs; declare -f)"'; leg_'"$name" || ended=$?
+  case $ended in
+    0) verdict=green ;;
+    77) verdict='not run' ;;
+    *) verdict=RED status=1 ;;
+  esac
+  took+=("$(printf '%-10s %-7s %4d s' "$name" "$verdict" $((SECONDS - start)))")
 done
 printf '%s\n' "== legs" "${took[@]}"
 exit $status
