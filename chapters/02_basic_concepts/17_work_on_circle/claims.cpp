@@ -50,8 +50,10 @@ struct Samples {
 Statement<Case> all(const std::string& text, const std::function<bool(M, int k)>& holds) {
   return {text, [=](const Case& c) { return holds(c, c.k); }};
 }
-Check in_cases(const Statement<Case>& statement, const Samples& samples) {
-  return in_all(statement.text, samples.cases, statement.holds);
+Reading in_cases(const Samples& samples, const std::vector<Statement<Case>>& statements) {
+  Reading reading{statements[0].text, {}};
+  for (const auto& each : statements) reading.checks.push_back(in_all(each.text, samples.cases, each.holds));
+  return reading;
 }
 
 // ---- works by quadrature ----------------------------------------------------------------------------------
@@ -100,7 +102,7 @@ double c(M m) { return cos(m.x()); }
 double s(M m) { return sin(m.x()); }
 
 /// r w^i T^j (a cos + b sin + d).
-OfMotion wave(int i, int j, double a, double b, double d = 0) {
+auto wave(int i, int j, double a, double b, double d = 0) {
   return [=](M m) { return m.r * std::pow(m.w, i) * std::pow(m.T, j) * (a * c(m) + b * s(m) + d); };
 }
 /// A velocity (r w^i a sin, r w^i cos, 0).
@@ -117,19 +119,13 @@ OfMotion primitive(double sign) {
   };
 }
 OfMotion by_parts(double sign) {
-  return [=](M m) {
-    const auto f = [&](double t) { return m.r * (cos(m.w * t) + sin(m.w * t)); };
-    return m.T * f(m.T) + sign * integral(f, 0, m.T);
-  };
+  const auto f = wave(0, 0, 1, 1);
+  return [=](M m) { return m.T * f(m) + sign * integral([&](double t) { return f(m.at(t)); }, 0, m.T); };
 }
-/// The integral of the printed power.
+/// The integral of the printed power, r w (cos - sin) or t times that.
 OfMotion of_printed(double sign, Force force) {
-  return [=](M m) {
-    const auto f = [&](double t) {
-      return (force == Force::constant ? 1 : t) * m.r * m.w * (cos(m.w * t) - sin(m.w * t));
-    };
-    return sign * integral(f, 0, m.T);
-  };
+  const auto P = wave(1, force == Force::growing, 1, -1);
+  return [=](M m) { return sign * integral([&](double t) { return P(m.at(t)); }, 0, m.T); };
 }
 /// r w^power (-1 + cos - sin + T w (cos + sin)), or with the factor before the first part alone.
 OfMotion growing(double power, bool whole) {
@@ -294,8 +290,8 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
   };
   const Form tangents{"tan wT at the zeros",
                       [](M m) {
-                        Value all = zeros(Force::constant, m);
-                        for (std::size_t k = 0; k < all.size(); ++k) all[k] = std::tan(all[k]);
+                        std::vector<double> all = zeros(Force::constant, m);
+                        for (double& x : all) x = std::tan(x);
                         return all;
                       },
                       [](const Sample&) { return 2 * 12.5; }};
@@ -352,13 +348,10 @@ void extrema(Claims& claims, const Samples& samples) {
     return Reading{text, {compare("W(pi/(4 w))", {text, of}, first, samples.forward)}};
   };
   Reading first = highest("r (sqrt 2 - 1)", [](M m) { return m.r * (sqrt2 - 1); });
-  first.checks.push_back(in_cases(all("W is nowhere larger",
-                                      [](M m, int k) {
-                                        const double rounds = 1e-12 * m.r;
-                                        return work_of(constant, m.at(m.T + k / m.w)) <=
-                                               m.r * (sqrt2 - 1) + rounds;
-                                      }),
-                                  samples));
+  const auto nowhere_larger = all("W is nowhere larger", [](M m, int k) {
+    return work_of(constant, m.at(m.T + k / m.w)) <= m.r * (sqrt2 - 1) + 1e-12 * m.r;
+  });
+  first.checks.push_back(in_cases(samples, {nowhere_larger}).checks[0]);
   claims.add("first_maximum", 825, "at T = pi/(4 w) W has its maximum, r (sqrt 2 - 1)",
              {.printed = first,
               .near_misses = {highest("r sqrt 2", [](M m) { return m.r * sqrt2; }),
@@ -431,11 +424,6 @@ void growth(Claims& claims, const Samples& samples) {
                          samples.cases,
                          {.printed = lengths("|F(t + h)| > |F(t)| for t > 0", 1),
                           .near_misses = {lengths("|F(t + h)| < |F(t)| for t > 0", -1)}});
-  const auto reading = [&](const Statement<Case>& statement) {
-    return Reading{statement.text, {in_cases(statement, samples)}};
-  };
-  Reading grow = reading(steps("the maxima grow", 1, as_angle, maxima));
-  grow.checks.push_back(in_cases(steps("the minima sink", -1, as_angle, minima), samples));
   const auto always = all("W grows all the time", [](M m, int k) {
     const double start = m.T + 0.5 * k / m.w;
     return work_of(Force::growing, m.at(start + 0.1 / m.w), start) > 0;
@@ -443,8 +431,10 @@ void growth(Claims& claims, const Samples& samples) {
   claims.add("work_keeps_growing", 851,
              "as the force gets stronger the net work, that is its maxima of which the paragraph speaks, "
              "keeps growing (between them it falls, and deeper every time)",
-             {.printed = grow,
-              .near_misses = {reading(steps("the minima grow", 1, as_angle, minima)), reading(always)}});
+             {.printed = in_cases(samples, {steps("the maxima grow", 1, as_angle, maxima),
+                                            steps("the minima sink", -1, as_angle, minima)}),
+              .near_misses = {in_cases(samples, {steps("the minima grow", 1, as_angle, minima)}),
+                              in_cases(samples, {always})}});
 }
 
 }  // namespace
