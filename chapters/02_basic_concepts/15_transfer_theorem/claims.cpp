@@ -61,11 +61,14 @@ double sum(S system, const F& f) {
   for (const Particle& p : system) all += p.m * f(p.r[0], p.r[1], p.r[2]);
   return all;
 }
-const auto x_of = [](double x, double, double) { return x; };
-const auto y_of = [](double, double y, double) { return y; };
-const auto z_of = [](double, double, double z) { return z; };
 const auto xy_of = [](double x, double y, double) { return x * y; };
 const auto yz_squared = [](double, double y, double z) { return y * y + z * z; };
+
+Vector first_moments(S system) {
+  Vector all{};
+  for (const Particle& p : system) all = all + p.m * p.r;
+  return all;
+}
 
 /// Components about the origin.
 Sum definition(const std::vector<std::size_t>& which) {
@@ -98,9 +101,8 @@ auto lines(Claims& claims, const std::string& quantity, const Sum& truth) {
 void moments_of_inertia(Claims& claims, const Samples& samples) {
   const auto shifted = [](double sign) {
     return [=](S s, V A) {
-      return sum(s, [&](double, double y, double z) {
-        return std::pow(y + sign * A[1], 2) + std::pow(z + sign * A[2], 2);
-      });
+      return sum(
+          s, [&](double x, double y, double z) { return yz_squared(x, y + sign * A[1], z + sign * A[2]); });
     };
   };
   const auto split = [](double two) {
@@ -112,7 +114,7 @@ void moments_of_inertia(Claims& claims, const Samples& samples) {
   };
   const auto collected = [](double sign) {
     return [=](S s, V A) {
-      return sum(s, yz_squared) + sign * 2 * A[1] * sum(s, y_of) + 2 * A[2] * sum(s, z_of) +
+      return sum(s, yz_squared) + sign * 2 * A[1] * first_moments(s)[1] + 2 * A[2] * first_moments(s)[2] +
              (A[1] * A[1] + A[2] * A[2]) * mass_of(s);
     };
   };
@@ -153,7 +155,8 @@ void products_of_inertia(Claims& claims, const Samples& samples) {
   };
   const auto collected = [=](bool massless, double sign = 1) {
     return [=](S s, V A) {
-      return first(s, massless) + A[0] * sum(s, y_of) + sign * A[1] * sum(s, x_of) + A[0] * A[1] * mass_of(s);
+      const Vector moment = first_moments(s);
+      return first(s, massless) + A[0] * moment[1] + sign * A[1] * moment[0] + A[0] * A[1] * mass_of(s);
     };
   };
   const auto transfer = [](double sign) {
@@ -197,7 +200,6 @@ void statements(Claims& claims, const Samples& samples) {
   };
   const Sum from_center =
       seen("from the center, whatever the origin", [](S s, V) { return s[0].m * s[0].r; });
-
   lines(claims, "m (x', y', z') of a particle", from_center)(
       "relative_position", 743, samples.center, seen("(x', y', z') = (x, y, z) - (cx, cy, cz)", positions(1)),
       seen("(x, y, z) + (cx, cy, cz)", positions(-1)));
@@ -212,13 +214,11 @@ void statements(Claims& claims, const Samples& samples) {
                 .near_misses = {about("about another point", samples.any_point)}});
   };
   vanish("first_moments", 771, "the first moments about the center of mass are zero", "first moments", 3,
-         [](S s, V) {
-           return Value{sum(s, x_of), sum(s, y_of), sum(s, z_of)};
-         });
+         [](S s, V) { return first_moments(s); });
   vanish("middle_terms", 797, "the middle terms are zero because of these moments",
          "middle terms of Ixx and Ixy", 4, [](S s, V A) {
-           return Value{2 * A[1] * sum(s, y_of), 2 * A[2] * sum(s, z_of), A[0] * sum(s, y_of),
-                        A[1] * sum(s, x_of)};
+           const Vector moment = first_moments(s);
+           return Value{2 * A[1] * moment[1], 2 * A[2] * moment[2], A[0] * moment[1], A[1] * moment[0]};
          });
 
   const auto transfer = [](double sign) {
