@@ -14,7 +14,9 @@ namespace {
 using std::numbers::sqrt2;
 using M = const Motion&;
 
+/// A motion, and which of its times.
 struct Sample : Motion {
+  int k = 0;
   std::array<double*, 3> letters() { return {&r, &w, &T}; }
   double size() const { return abs(r) * (10 + abs(x())); }  // of the work of a turn
   std::string where() const {
@@ -24,16 +26,10 @@ struct Sample : Motion {
 using Form = Formula<Sample>;
 using OfMotion = std::function<Value(M)>;
 
-/// A motion, and which of its times.
-struct Case : Sample {
-  int k;
-};
-
 /// Motions with x = omega T up to 12: with r and omega of either sign, and with both positive and omega away
 /// from 1; of these, cases with k = 0, ..., 11.
 struct Samples {
-  std::vector<Sample> any, forward;
-  std::vector<Case> cases;
+  std::vector<Sample> any, forward, cases;
 
   explicit Samples(double seed) {
     Random random(seed);
@@ -42,15 +38,15 @@ struct Samples {
       any.push_back({{r, w, x / w}});
       const double away = random.unit() < 0.5 ? random.between(0.2, 0.8) : random.between(1.25, 4);
       forward.push_back({{abs(r), away, abs(x) / away}});
-      for (int k = 0; k < 12; ++k) cases.push_back({forward.back(), k});
+      for (int k = 0; k < 12; ++k) cases.push_back({{forward.back()}, k});
     }
   }
 };
 
-Statement<Case> all(const std::string& text, const std::function<bool(M, int k)>& holds) {
-  return {text, [=](const Case& c) { return holds(c, c.k); }};
+Statement<Sample> all(const std::string& text, const std::function<bool(M, int k)>& holds) {
+  return {text, [=](const Sample& m) { return holds(m, m.k); }};
 }
-Reading in_cases(const Samples& samples, const std::vector<Statement<Case>>& statements) {
+Reading in_cases(const Samples& samples, const std::vector<Statement<Sample>>& statements) {
   Reading reading{statements[0].text, {}};
   for (const auto& each : statements) reading.checks.push_back(in_all(each.text, samples.cases, each.holds));
   return reading;
@@ -325,7 +321,7 @@ void extrema(Claims& claims, const Samples& samples) {
       return is_peak(force, m, stationary(m, first + step * k), k % 2 == 0 ? even : odd);
     });
   };
-  claims.statement<Case>(
+  claims.statement<Sample>(
       "maximum_where_stationary", 819, "the net work is a maximum when W' = 0", samples.cases,
       {.printed = peaks("where W' = 0 there is a maximum", constant, 0, 1, 1, 1),
        .corrected = all("where there is a maximum W' = 0",
@@ -339,10 +335,10 @@ void extrema(Claims& claims, const Samples& samples) {
        .why = "$W'=0$ is necessary and not sufficient: every other such time, $\\omega T=5\\pi/4, "
               "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)$, as the text itself says two sentences "
               "on."});
-  claims.statement<Case>("halves", 823, "half of these times are minima, the other half maxima",
-                         samples.cases,
-                         {.printed = peaks("even k: maximum, odd k: minimum", constant, -6, 1, 1, -1),
-                          .near_misses = {peaks("odd k: maximum, even k: minimum", constant, -6, 1, -1, 1)}});
+  claims.statement<Sample>(
+      "halves", 823, "half of these times are minima, the other half maxima", samples.cases,
+      {.printed = peaks("even k: maximum, odd k: minimum", constant, -6, 1, 1, -1),
+       .near_misses = {peaks("odd k: maximum, even k: minimum", constant, -6, 1, -1, 1)}});
   const auto highest = [&](const std::string& text, const OfMotion& of) {
     const Form first{"quadrature of F . v", [](M m) { return work_of(constant, m.at(stationary(m, 0))); }};
     return Reading{text, {compare("W(pi/(4 w))", {text, of}, first, samples.forward)}};
@@ -356,9 +352,9 @@ void extrema(Claims& claims, const Samples& samples) {
              {.printed = first,
               .near_misses = {highest("r sqrt 2", [](M m) { return m.r * sqrt2; }),
                               highest("r/w (sqrt 2 - 1)", [](M m) { return m.r / m.w * (sqrt2 - 1); })}});
-  claims.statement<Case>("local_maxima", 843, "those with even k are local maxima (k >= 0)", samples.cases,
-                         {.printed = peaks("even k: maximum", Force::growing, 0, 2, 1, 1),
-                          .near_misses = {peaks("odd k: maximum", Force::growing, 1, 2, 1, 1)}});
+  claims.statement<Sample>("local_maxima", 843, "those with even k are local maxima (k >= 0)", samples.cases,
+                           {.printed = peaks("even k: maximum", Force::growing, 0, 2, 1, 1),
+                            .near_misses = {peaks("odd k: maximum", Force::growing, 1, 2, 1, 1)}});
 }
 
 /// When a value of x is reached: at the time x as printed, or where w T is x.
@@ -370,9 +366,8 @@ double as_angle(M m, double x) { return x / m.w; }
 template <class F>
 Form at_maxima(const std::string& text, const F& f) {
   return {text, [=](M m) {
-            Value all{0, 0, 0, 0};
-            for (std::size_t n = 0; n < 4; ++n) all[n] = f(m, pi / 4 + 2 * static_cast<double>(n) * pi);
-            return all;
+            const auto at = [&](int n) { return f(m, pi / 4 + 2 * n * pi); };
+            return Value{at(0), at(1), at(2), at(3)};
           }};
 }
 
@@ -406,7 +401,7 @@ void growth(Claims& claims, const Samples& samples) {
     });
   };
   const double maxima = pi / 4, minima = 5 * pi / 4;
-  claims.statement<Case>(
+  claims.statement<Sample>(
       "maxima_grow", 849, "as n grows, so does the net work at the maxima", samples.cases,
       {.printed = steps("W(pi/4 + 2 n pi) grows", 1, as_time, maxima),
        .meant = steps("W at w T = pi/4 + 2 n pi grows", 1, as_angle, maxima),
@@ -420,10 +415,10 @@ void growth(Claims& claims, const Samples& samples) {
       return sign * (length({later, later, 1}) - length({m.T, m.T, 1})) > 0;
     });
   };
-  claims.statement<Case>("magnitude_grows", 851, "the force's magnitude always grows with time",
-                         samples.cases,
-                         {.printed = lengths("|F(t + h)| > |F(t)| for t > 0", 1),
-                          .near_misses = {lengths("|F(t + h)| < |F(t)| for t > 0", -1)}});
+  claims.statement<Sample>("magnitude_grows", 851, "the force's magnitude always grows with time",
+                           samples.cases,
+                           {.printed = lengths("|F(t + h)| > |F(t)| for t > 0", 1),
+                            .near_misses = {lengths("|F(t + h)| < |F(t)| for t > 0", -1)}});
   const auto always = all("W grows all the time", [](M m, int k) {
     const double start = m.T + 0.5 * k / m.w;
     return work_of(Force::growing, m.at(start + 0.1 / m.w), start) > 0;
