@@ -108,7 +108,6 @@ struct Moments {
 // ---- lines of the proof -----------------------------------------------------------------------------------
 
 using Form = Formula<Moment>;
-using Size = std::function<double(M)>;
 double of_turn(M m) { return 1 + std::abs(m.theta); }
 double of_squares(M m) { return m.size * m.size; }
 
@@ -119,7 +118,7 @@ struct Line {
   std::string says, quantity;
   std::function<Value(M)> truth;
   std::function<Value(M, double k)> text;
-  Size size = &Moment::frame_size;
+  std::function<double(M)> size = &Moment::frame_size;
   std::string by = "quaternion and dual numbers";
   double near = -1;
 };
@@ -153,16 +152,15 @@ Value twice(const Vector3& x) { return joined(x, x); }
 Vector3 back(M m, const Vector3& x) { return transpose(m.R) * x; }
 
 void rotation_and_derivative(Claims& claims, const Moments& moments) {
-  const Size size = &Moment::size;
   claims.formula<Moment>(
       "skew_of_w", 317, "Skew(w) = R' R^T", moments.all,
-      {.truth = {"Skew(w), w = 2 q' q* in dual numbers", [](M m) { return skew(m.w); }, size},
-       .printed = {"R' R^T", [](M m) { return m.W; }},
+      {.truth = {"Skew(w), w = 2 q' q* in dual numbers", [](M m) { return skew(m.w); }, &Moment::size},
+       .printed = {"R' R^T", &Moment::W},
        .near_misses = {
            {"R^T R', which has w in the body's frame", [](M m) { return transpose(m.R) * m.R_dot; }}}});
   lines(
       claims, moments.all,
-      {{"rotation_matrix", 319, "R = I + sigma S + (1 - gamma) S^2", "R", [](M m) { return m.R; },
+      {{"rotation_matrix", 319, "R = I + sigma S + (1 - gamma) S^2", "R", &Moment::R,
         [](M m, double k) { return identity() + k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S); }, of_turn},
        {"transpose", 319, "R^T = I - sigma S + (1 - gamma) S^2", "R^T", [](M m) { return transpose(m.R); },
         [](M m, double k) { return identity() - k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S); },
@@ -178,19 +176,18 @@ void rotation_and_derivative(Claims& claims, const Moments& moments) {
        .truth = {"differences of Skew(D(t)), extrapolated", [](M m) { return m.S_slope.value; }},
        .printed = skew_of("Skew(D')", 1),
        .near_misses = {skew_of("- Skew(D')", -1)}});
-  lines(claims, moments.moving,
-        {{"derivative_of_r", 323,
-          "R' = sigma S' + theta' gamma S + (1 - gamma)(S S' + S' S) + theta' sigma S^2", "R'",
-          [](M m) { return m.R_dot; },
-          [](M m, double k) {
-            return m.sigma * m.S_dot + m.theta_dot * m.gamma * m.S +
-                   (1 - m.gamma) * (m.S * m.S_dot + m.S_dot * m.S) + k * m.theta_dot * m.sigma * (m.S * m.S);
-          },
-          size},
-         {"no_power_rule", 325, "the derivative of S^2 is S S' + S' S, not 2 S S'", "(S^2)'",
-          [](M m) { return m.S2_dot; },
-          [](M m, double k) { return (2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S); }, size, "dual numbers",
-          0}});
+  lines(
+      claims, moments.moving,
+      {{"derivative_of_r", 323,
+        "R' = sigma S' + theta' gamma S + (1 - gamma)(S S' + S' S) + theta' sigma S^2", "R'", &Moment::R_dot,
+        [](M m, double k) {
+          return m.sigma * m.S_dot + m.theta_dot * m.gamma * m.S +
+                 (1 - m.gamma) * (m.S * m.S_dot + m.S_dot * m.S) + k * m.theta_dot * m.sigma * (m.S * m.S);
+        },
+        &Moment::size},
+       {"no_power_rule", 325, "the derivative of S^2 is S S' + S' S, not 2 S S'", "(S^2)'", &Moment::S2_dot,
+        [](M m, double k) { return (2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S); }, &Moment::size,
+        "dual numbers", 0}});
 }
 
 void matrices_by_images(Claims& claims, const Moments& moments) {
@@ -214,13 +211,13 @@ void matrices_by_images(Claims& claims, const Moments& moments) {
             return joined(transpose(U) * U, determinant(U));
           },
           [](M) { return 4.0; }, "a rotation"},
-         {"matrix_from_images", 333, "M = A U^T", "M", [](M m) { return m.R_dot; },
+         {"matrix_from_images", 333, "M = A U^T", "M", &Moment::R_dot,
           [](M m, double k) { return m.R_dot * m.U * (k == 1 ? transpose(m.U) : m.U); }, &Moment::size,
           itself, 0}});
-  const auto determinants = [&](const std::string& text, double unit, const Form& truth) {
+  const auto determinants = [&](const std::string& text, double unit) {
     const Form shifted{"the determinant", [=](M m) { return determinant(m.W + unit * identity()); },
                        [](M m) { return std::pow(m.size, 3); }};
-    return compare(text, shifted, truth, moments.all);
+    return compare(text, shifted, {"0", [](M) { return 0.0; }}, moments.all);
   };
   const Form from_images{"A U^T", [](M m) { return m.W * m.U * transpose(m.U); }, &Moment::frame_size};
   claims.add(
@@ -230,11 +227,9 @@ void matrices_by_images(Claims& claims, const Moments& moments) {
                        "R' R^T is regular", moments.all,
                        [](M m) { return std::abs(determinant(m.W)) > 1e-9 * std::pow(length(m.w), 3); })}},
        .corrected = {"R' R^T is singular, and determined by its images all the same",
-                     {determinants("det R' R^T", 0, {"0", [](M) { return 0.0; }}),
-                      compare("R' R^T from its images, A U^T", from_images,
-                              {"R' R^T", [](M m) { return m.W; }}, moments.unit_speed)}},
-       .near_misses = {{"so is R' R^T + I",
-                        {determinants("det (R' R^T + I)", 1, {"0", [](M) { return 0.0; }})}}},
+                     {determinants("det R' R^T", 0), compare("R' R^T from its images, A U^T", from_images,
+                                                             {"R' R^T", &Moment::W}, moments.unit_speed)}},
+       .near_misses = {{"so is R' R^T + I", {determinants("det (R' R^T + I)", 1)}}},
        .why =
            "A skew $3\\times3$ matrix is never invertible, since $\\det S=\\det S^T=-\\det S$: $\\dot RR^T$ "
            "has the eigenvalues $0,\\pm i|\\mathbf w|$ and the determinant 0 at every moment. The conclusion "
@@ -355,11 +350,11 @@ void skew_matrices(Claims& claims, const Moments& moments) {
       claims, moments,
       {{"columns", 375, "R' R^T U has the three images as columns", "R' R^T U", [](M m) { return m.W * m.U; },
         columns_of_the_text},
-       {"inverted", 379, "R' R^T is the matrix of columns times U^T", "R' R^T", [](M m) { return m.W; },
+       {"inverted", 379, "R' R^T is the matrix of columns times U^T", "R' R^T", &Moment::W,
         [](M m, double k) { return columns_of_the_text(m, k) * transpose(m.U); }},
        {"outer_products", 389,
         "R' R^T = theta'(U3 U2^T - U2 U3^T) + sigma(U1 U3^T - U3 U1^T) + (1 - gamma)(U2 U1^T - U1 U2^T)",
-        "R' R^T", [](M m) { return m.W; },
+        "R' R^T", &Moment::W,
         [](M m, double k) {
           return m.theta_dot * (outer(m.U3, m.U2) - outer(m.U2, m.U3)) +
                  m.sigma * (outer(m.U1, m.U3) - outer(m.U3, m.U1)) +
@@ -367,8 +362,7 @@ void skew_matrices(Claims& claims, const Moments& moments) {
         }},
        {"sum_of_cross_products", 465,
         "Skew(w) = theta' Skew(U2 x U3) + sigma Skew(U3 x U1) + (1 - gamma) Skew(U1 x U2)", "Skew(w)",
-        [](M m) { return m.W; },
-        [](M m, double k) {
+        &Moment::W, [](M m, double k) {
           return m.theta_dot * skew(cross(m.U2, m.U3)) + k * m.sigma * skew(cross(m.U3, m.U1)) +
                  (1 - m.gamma) * skew(cross(m.U1, m.U2));
         }}});
@@ -404,14 +398,14 @@ void angular_velocities(Claims& claims, const Moments& moments) {
   lines(
       claims, moments.all,
       {{"sum_of_frame", 467, "Skew(w) = theta' Skew(U1) + sigma Skew(U2) + (1 - gamma) Skew(U3)", "Skew(w)",
-        [](M m) { return m.W; },
+        &Moment::W,
         [](M m, double k) {
           return m.theta_dot * skew(m.U1) + k * m.sigma * skew(m.U2) + (1 - m.gamma) * skew(m.U3);
         }},
        {"sum_of_axis", 469, "Skew(w) = theta' Skew(D) + sin(theta) Skew(D') + (1 - cos(theta)) Skew(D x D')",
-        "Skew(w)", [](M m) { return m.W; }, [](M m, double k) { return skew(result(m, k)); }},
+        "Skew(w)", &Moment::W, [](M m, double k) { return skew(result(m, k)); }},
        {"angular_velocity", 475, "w = theta' D + sin(theta) D' + (1 - cos(theta)) D x D', whatever |D'| is",
-        "w", [](M m) { return m.w; }, result, &Moment::size}});
+        "w", &Moment::w, result, &Moment::size}});
 }
 
 }  // namespace

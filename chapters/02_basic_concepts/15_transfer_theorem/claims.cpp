@@ -61,11 +61,14 @@ double sum(S system, const F& f) {
   for (const Particle& p : system) all += p.m * f(p.r[0], p.r[1], p.r[2]);
   return all;
 }
-const auto x_of = [](double x, double, double) { return x; };
-const auto y_of = [](double, double y, double) { return y; };
-const auto z_of = [](double, double, double z) { return z; };
 const auto xy_of = [](double x, double y, double) { return x * y; };
 const auto yz_squared = [](double, double y, double z) { return y * y + z * z; };
+
+Vector first_moments(S system) {
+  Vector all{};
+  for (const Particle& p : system) all = all + p.m * p.r;
+  return all;
+}
 
 /// Components about the origin.
 Sum definition(const std::vector<std::size_t>& which) {
@@ -80,30 +83,26 @@ Sum zero(std::size_t n) {
   return {"zero", [=](const Sample&) { return Value(std::vector<double>(n)); }};
 }
 
-/// Lines of one quantity, each of which says its formula.
-struct Lines {
-  Claims& claims;
-  std::string quantity;
-  Sum truth;
+/// A sum over the positions themselves.
+template <class F>
+Sum direct(const std::string& text, const F& f) {
+  return {text, [=](const Sample& s) { return sum(s.system, f); }};
+}
 
-  void line(std::string_view slug, int number, const std::vector<Sample>& samples, const Sum& printed,
-            const Sum& near) const {
-    claims.formula(slug, number, printed.text, samples,
+/// Lines of one quantity, each of which says its formula.
+auto lines(Claims& claims, const std::string& quantity, const Sum& truth) {
+  return [&claims, quantity, truth](std::string_view slug, int line, const std::vector<Sample>& samples,
+                                    const Sum& printed, const Sum& near) {
+    claims.formula(slug, line, printed.text, samples,
                    {.quantity = quantity, .truth = truth, .printed = printed, .near_misses = {near}});
-  }
-};
+  };
+}
 
 void moments_of_inertia(Claims& claims, const Samples& samples) {
-  const auto direct = [](const auto& f) {
-    return [=](S s, V A) {
-      return sum(s, [&](double x, double y, double z) { return f(x + A[0], y + A[1], z + A[2]); });
-    };
-  };
   const auto shifted = [](double sign) {
     return [=](S s, V A) {
-      return sum(s, [&](double, double y, double z) {
-        return std::pow(y + sign * A[1], 2) + std::pow(z + sign * A[2], 2);
-      });
+      return sum(
+          s, [&](double x, double y, double z) { return yz_squared(x, y + sign * A[1], z + sign * A[2]); });
     };
   };
   const auto split = [](double two) {
@@ -115,32 +114,32 @@ void moments_of_inertia(Claims& claims, const Samples& samples) {
   };
   const auto collected = [](double sign) {
     return [=](S s, V A) {
-      return sum(s, yz_squared) + sign * 2 * A[1] * sum(s, y_of) + 2 * A[2] * sum(s, z_of) +
+      return sum(s, yz_squared) + sign * 2 * A[1] * first_moments(s)[1] + 2 * A[2] * first_moments(s)[2] +
              (A[1] * A[1] + A[2] * A[2]) * mass_of(s);
     };
   };
   const auto transfer = [](double sign) {
     return [=](S s, V A) { return sum(s, yz_squared) + sign * mass_of(s) * (A[1] * A[1] + A[2] * A[2]); };
   };
-  const Lines ixx{claims, "Ixx", definition({0})};
-  ixx.line("ixx", 747, samples.any_point, seen("Ixx = sum of m (y^2 + z^2)", direct(yz_squared)),
-           seen("sum of m x y", direct(xy_of)));
-  ixx.line("ixx_shifted", 751, samples.any_point, seen("= sum of m ((y' + cy)^2 + (z' + cz)^2)", shifted(1)),
-           seen("sum of m ((y' - cy)^2 + (z' - cz)^2)", shifted(-1)));
-  ixx.line("ixx_split", 753, samples.any_point,
-           seen("= sum of m (y'^2 + z'^2) + sum of m (2 y' cy + cy^2 + 2 z' cz + cz^2)", split(2)),
-           seen("without the factors 2", split(1)));
-  ixx.line("ixx_collected", 759, samples.any_point,
-           seen("= Ixx' + 2 cy sum of m y' + 2 cz sum of m z' + (cy^2 + cz^2) sum of m", collected(1)),
-           seen("- 2 cy sum of m y'", collected(-1)));
-  ixx.line("ixx_transfer", 769, samples.center, seen("= Ixx' + m (cy^2 + cz^2)", transfer(1)),
-           seen("Ixx' - m (cy^2 + cz^2)", transfer(-1)));
+  const auto ixx = lines(claims, "Ixx", definition({0}));
+  ixx("ixx", 747, samples.any_point, direct("Ixx = sum of m (y^2 + z^2)", yz_squared),
+      direct("sum of m x y", xy_of));
+  ixx("ixx_shifted", 751, samples.any_point, seen("= sum of m ((y' + cy)^2 + (z' + cz)^2)", shifted(1)),
+      seen("sum of m ((y' - cy)^2 + (z' - cz)^2)", shifted(-1)));
+  ixx("ixx_split", 753, samples.any_point,
+      seen("= sum of m (y'^2 + z'^2) + sum of m (2 y' cy + cy^2 + 2 z' cz + cz^2)", split(2)),
+      seen("without the factors 2", split(1)));
+  ixx("ixx_collected", 759, samples.any_point,
+      seen("= Ixx' + 2 cy sum of m y' + 2 cz sum of m z' + (cy^2 + cz^2) sum of m", collected(1)),
+      seen("- 2 cy sum of m y'", collected(-1)));
+  ixx("ixx_transfer", 769, samples.center, seen("= Ixx' + m (cy^2 + cz^2)", transfer(1)),
+      seen("Ixx' - m (cy^2 + cz^2)", transfer(-1)));
 }
 
 void products_of_inertia(Claims& claims, const Samples& samples) {
-  const auto shifted = [](double sign, double of_all = 1) {
+  const auto shifted = [](double sign) {
     return [=](S s, V A) {
-      return of_all * sum(s, [&](double x, double y, double) { return (x + sign * A[0]) * (y + A[1]); });
+      return sum(s, [&](double x, double y, double) { return (x + sign * A[0]) * (y + A[1]); });
     };
   };
   const auto first = [](S s, bool massless) {
@@ -156,24 +155,26 @@ void products_of_inertia(Claims& claims, const Samples& samples) {
   };
   const auto collected = [=](bool massless, double sign = 1) {
     return [=](S s, V A) {
-      return first(s, massless) + A[0] * sum(s, y_of) + sign * A[1] * sum(s, x_of) + A[0] * A[1] * mass_of(s);
+      const Vector moment = first_moments(s);
+      return first(s, massless) + A[0] * moment[1] + sign * A[1] * moment[0] + A[0] * A[1] * mass_of(s);
     };
   };
   const auto transfer = [](double sign) {
     return [=](S s, V A) { return sum(s, xy_of) + sign * mass_of(s) * A[0] * A[1]; };
   };
-  const Lines ixy{claims, "Ixy", definition({3})};
-  ixy.line("ixy", 779, samples.any_point,
-           seen("Ixy = sum of m x y, the tensor's component with its sign changed", shifted(1)),
-           seen("Ixy = - sum of m x y", shifted(1, -1)));
-  ixy.line("ixy_shifted", 781, samples.any_point, seen("= sum of m (x' + cx)(y' + cy)", shifted(1)),
-           seen("sum of m (x' - cx)(y' + cy)", shifted(-1)));
+  const Sum truth = definition({3});
+  const auto ixy = lines(claims, "Ixy", truth);
+  ixy("ixy", 779, samples.any_point,
+      direct("Ixy = sum of m x y, the tensor's component with its sign changed", xy_of),
+      direct("Ixy = - sum of m x y", [](double x, double y, double) { return -x * y; }));
+  ixy("ixy_shifted", 781, samples.any_point, seen("= sum of m (x' + cx)(y' + cy)", shifted(1)),
+      seen("sum of m (x' - cx)(y' + cy)", shifted(-1)));
   const auto without_mass = [&](std::string_view slug, int number, const std::string& rest,
                                 const std::string& near, const auto& of) {
     claims.formula(
         slug, number, "= sum of x' y'" + rest, samples.any_point,
-        {.quantity = ixy.quantity,
-         .truth = ixy.truth,
+        {.quantity = "Ixy",
+         .truth = truth,
          .printed = seen("= sum of x' y'" + rest, of(true, 1)),
          .meant = seen("sum of m x' y'" + rest, of(false, 1)),
          .near_misses = {seen("with m, and " + near, of(false, -1))},
@@ -186,8 +187,8 @@ void products_of_inertia(Claims& claims, const Samples& samples) {
   without_mass("ixy_split", 783, " + sum of m (cx y' + cy x' + cx cy)", "- cy x'", split);
   without_mass("ixy_collected", 787, " + cx sum of m y' + cy sum of m x' + cx cy sum of m",
                "- cy sum of m x'", collected);
-  ixy.line("ixy_transfer", 795, samples.center, seen("= Ixy' + m cx cy", transfer(1)),
-           seen("Ixy' - m cx cy", transfer(-1)));
+  ixy("ixy_transfer", 795, samples.center, seen("= Ixy' + m cx cy", transfer(1)),
+      seen("Ixy' - m cx cy", transfer(-1)));
 }
 
 void statements(Claims& claims, const Samples& samples) {
@@ -197,11 +198,11 @@ void statements(Claims& claims, const Samples& samples) {
       return s[0].m * ((s[0].r + A + moved) - sign * (A + moved));
     };
   };
-  const Lines relative{claims, "m (x', y', z') of a particle",
-                       seen("from the center, whatever the origin", [](S s, V) { return s[0].m * s[0].r; })};
-  relative.line("relative_position", 743, samples.center,
-                seen("(x', y', z') = (x, y, z) - (cx, cy, cz)", positions(1)),
-                seen("(x, y, z) + (cx, cy, cz)", positions(-1)));
+  const Sum from_center =
+      seen("from the center, whatever the origin", [](S s, V) { return s[0].m * s[0].r; });
+  lines(claims, "m (x', y', z') of a particle", from_center)(
+      "relative_position", 743, samples.center, seen("(x', y', z') = (x, y, z) - (cx, cy, cz)", positions(1)),
+      seen("(x, y, z) + (cx, cy, cz)", positions(-1)));
 
   const auto vanish = [&](std::string_view slug, int number, const std::string& says,
                           const std::string& quantity, std::size_t count, const Of& of) {
@@ -213,13 +214,11 @@ void statements(Claims& claims, const Samples& samples) {
                 .near_misses = {about("about another point", samples.any_point)}});
   };
   vanish("first_moments", 771, "the first moments about the center of mass are zero", "first moments", 3,
-         [](S s, V) {
-           return Value{sum(s, x_of), sum(s, y_of), sum(s, z_of)};
-         });
+         [](S s, V) { return first_moments(s); });
   vanish("middle_terms", 797, "the middle terms are zero because of these moments",
          "middle terms of Ixx and Ixy", 4, [](S s, V A) {
-           return Value{2 * A[1] * sum(s, y_of), 2 * A[2] * sum(s, z_of), A[0] * sum(s, y_of),
-                        A[1] * sum(s, x_of)};
+           const Vector moment = first_moments(s);
+           return Value{2 * A[1] * moment[1], 2 * A[2] * moment[2], A[0] * moment[1], A[1] * moment[0]};
          });
 
   const auto transfer = [](double sign) {
@@ -229,10 +228,9 @@ void statements(Claims& claims, const Samples& samples) {
       return Value{both(1), both(2), both(4), both(5)};
     };
   };
-  const Lines others{claims, "Iyy, Izz, Ixz, Iyz", definition({1, 2, 4, 5})};
-  others.line("others", 799, samples.center,
-              seen("the other components transfer in the same manner", transfer(1)),
-              seen("the products with - m cx cz", transfer(-1)));
+  lines(claims, "Iyy, Izz, Ixz, Iyz", definition({1, 2, 4, 5}))(
+      "others", 799, samples.center, seen("the other components transfer in the same manner", transfer(1)),
+      seen("the products with - m cx cz", transfer(-1)));
 }
 
 }  // namespace

@@ -14,7 +14,9 @@ namespace {
 using std::numbers::sqrt2;
 using M = const Motion&;
 
+/// A motion, and which of its times.
 struct Sample : Motion {
+  int k = 0;
   std::array<double*, 3> letters() { return {&r, &w, &T}; }
   double size() const { return abs(r) * (10 + abs(x())); }  // of the work of a turn
   std::string where() const {
@@ -24,16 +26,10 @@ struct Sample : Motion {
 using Form = Formula<Sample>;
 using OfMotion = std::function<Value(M)>;
 
-/// A motion, and which of its times.
-struct Case : Sample {
-  int k;
-};
-
 /// Motions with x = omega T up to 12: with r and omega of either sign, and with both positive and omega away
 /// from 1; of these, cases with k = 0, ..., 11.
 struct Samples {
-  std::vector<Sample> any, forward;
-  std::vector<Case> cases;
+  std::vector<Sample> any, forward, cases;
 
   explicit Samples(double seed) {
     Random random(seed);
@@ -42,16 +38,18 @@ struct Samples {
       any.push_back({{r, w, x / w}});
       const double away = random.unit() < 0.5 ? random.between(0.2, 0.8) : random.between(1.25, 4);
       forward.push_back({{abs(r), away, abs(x) / away}});
-      for (int k = 0; k < 12; ++k) cases.push_back({forward.back(), k});
+      for (int k = 0; k < 12; ++k) cases.push_back({{forward.back()}, k});
     }
   }
 };
 
-Statement<Case> all(const std::string& text, const std::function<bool(M, int k)>& holds) {
-  return {text, [=](const Case& c) { return holds(c, c.k); }};
+Statement<Sample> all(const std::string& text, const std::function<bool(M, int k)>& holds) {
+  return {text, [=](const Sample& m) { return holds(m, m.k); }};
 }
-Check in_cases(const Statement<Case>& statement, const Samples& samples) {
-  return in_all(statement.text, samples.cases, statement.holds);
+Reading in_cases(const Samples& samples, const std::vector<Statement<Sample>>& statements) {
+  Reading reading{statements[0].text, {}};
+  for (const auto& each : statements) reading.checks.push_back(in_all(each.text, samples.cases, each.holds));
+  return reading;
 }
 
 // ---- works by quadrature ----------------------------------------------------------------------------------
@@ -100,7 +98,7 @@ double c(M m) { return cos(m.x()); }
 double s(M m) { return sin(m.x()); }
 
 /// r w^i T^j (a cos + b sin + d).
-OfMotion wave(int i, int j, double a, double b, double d = 0) {
+auto wave(int i, int j, double a, double b, double d = 0) {
   return [=](M m) { return m.r * std::pow(m.w, i) * std::pow(m.T, j) * (a * c(m) + b * s(m) + d); };
 }
 /// A velocity (r w^i a sin, r w^i cos, 0).
@@ -117,19 +115,13 @@ OfMotion primitive(double sign) {
   };
 }
 OfMotion by_parts(double sign) {
-  return [=](M m) {
-    const auto f = [&](double t) { return m.r * (cos(m.w * t) + sin(m.w * t)); };
-    return m.T * f(m.T) + sign * integral(f, 0, m.T);
-  };
+  const auto f = wave(0, 0, 1, 1);
+  return [=](M m) { return m.T * f(m) + sign * integral([&](double t) { return f(m.at(t)); }, 0, m.T); };
 }
-/// The integral of the printed power.
+/// The integral of the printed power, r w (cos - sin) or t times that.
 OfMotion of_printed(double sign, Force force) {
-  return [=](M m) {
-    const auto f = [&](double t) {
-      return (force == Force::constant ? 1 : t) * m.r * m.w * (cos(m.w * t) - sin(m.w * t));
-    };
-    return sign * integral(f, 0, m.T);
-  };
+  const auto P = wave(1, force == Force::growing, 1, -1);
+  return [=](M m) { return sign * integral([&](double t) { return P(m.at(t)); }, 0, m.T); };
 }
 /// r w^power (-1 + cos - sin + T w (cos + sin)), or with the factor before the first part alone.
 OfMotion growing(double power, bool whole) {
@@ -294,8 +286,8 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
   };
   const Form tangents{"tan wT at the zeros",
                       [](M m) {
-                        Value all = zeros(Force::constant, m);
-                        for (std::size_t k = 0; k < all.size(); ++k) all[k] = std::tan(all[k]);
+                        std::vector<double> all = zeros(Force::constant, m);
+                        for (double& x : all) x = std::tan(x);
                         return all;
                       },
                       [](const Sample&) { return 2 * 12.5; }};
@@ -329,7 +321,7 @@ void extrema(Claims& claims, const Samples& samples) {
       return is_peak(force, m, stationary(m, first + step * k), k % 2 == 0 ? even : odd);
     });
   };
-  claims.statement<Case>(
+  claims.statement<Sample>(
       "maximum_where_stationary", 819, "the net work is a maximum when W' = 0", samples.cases,
       {.printed = peaks("where W' = 0 there is a maximum", constant, 0, 1, 1, 1),
        .corrected = all("where there is a maximum W' = 0",
@@ -343,29 +335,26 @@ void extrema(Claims& claims, const Samples& samples) {
        .why = "$W'=0$ is necessary and not sufficient: every other such time, $\\omega T=5\\pi/4, "
               "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)$, as the text itself says two sentences "
               "on."});
-  claims.statement<Case>("halves", 823, "half of these times are minima, the other half maxima",
-                         samples.cases,
-                         {.printed = peaks("even k: maximum, odd k: minimum", constant, -6, 1, 1, -1),
-                          .near_misses = {peaks("odd k: maximum, even k: minimum", constant, -6, 1, -1, 1)}});
+  claims.statement<Sample>(
+      "halves", 823, "half of these times are minima, the other half maxima", samples.cases,
+      {.printed = peaks("even k: maximum, odd k: minimum", constant, -6, 1, 1, -1),
+       .near_misses = {peaks("odd k: maximum, even k: minimum", constant, -6, 1, -1, 1)}});
   const auto highest = [&](const std::string& text, const OfMotion& of) {
     const Form first{"quadrature of F . v", [](M m) { return work_of(constant, m.at(stationary(m, 0))); }};
     return Reading{text, {compare("W(pi/(4 w))", {text, of}, first, samples.forward)}};
   };
   Reading first = highest("r (sqrt 2 - 1)", [](M m) { return m.r * (sqrt2 - 1); });
-  first.checks.push_back(in_cases(all("W is nowhere larger",
-                                      [](M m, int k) {
-                                        const double rounds = 1e-12 * m.r;
-                                        return work_of(constant, m.at(m.T + k / m.w)) <=
-                                               m.r * (sqrt2 - 1) + rounds;
-                                      }),
-                                  samples));
+  const auto nowhere_larger = all("W is nowhere larger", [](M m, int k) {
+    return work_of(constant, m.at(m.T + k / m.w)) <= m.r * (sqrt2 - 1) + 1e-12 * m.r;
+  });
+  first.checks.push_back(in_cases(samples, {nowhere_larger}).checks[0]);
   claims.add("first_maximum", 825, "at T = pi/(4 w) W has its maximum, r (sqrt 2 - 1)",
              {.printed = first,
               .near_misses = {highest("r sqrt 2", [](M m) { return m.r * sqrt2; }),
                               highest("r/w (sqrt 2 - 1)", [](M m) { return m.r / m.w * (sqrt2 - 1); })}});
-  claims.statement<Case>("local_maxima", 843, "those with even k are local maxima (k >= 0)", samples.cases,
-                         {.printed = peaks("even k: maximum", Force::growing, 0, 2, 1, 1),
-                          .near_misses = {peaks("odd k: maximum", Force::growing, 1, 2, 1, 1)}});
+  claims.statement<Sample>("local_maxima", 843, "those with even k are local maxima (k >= 0)", samples.cases,
+                           {.printed = peaks("even k: maximum", Force::growing, 0, 2, 1, 1),
+                            .near_misses = {peaks("odd k: maximum", Force::growing, 1, 2, 1, 1)}});
 }
 
 /// When a value of x is reached: at the time x as printed, or where w T is x.
@@ -377,9 +366,8 @@ double as_angle(M m, double x) { return x / m.w; }
 template <class F>
 Form at_maxima(const std::string& text, const F& f) {
   return {text, [=](M m) {
-            Value all{0, 0, 0, 0};
-            for (std::size_t n = 0; n < 4; ++n) all[n] = f(m, pi / 4 + 2 * static_cast<double>(n) * pi);
-            return all;
+            const auto at = [&](int n) { return f(m, pi / 4 + 2 * n * pi); };
+            return Value{at(0), at(1), at(2), at(3)};
           }};
 }
 
@@ -413,7 +401,7 @@ void growth(Claims& claims, const Samples& samples) {
     });
   };
   const double maxima = pi / 4, minima = 5 * pi / 4;
-  claims.statement<Case>(
+  claims.statement<Sample>(
       "maxima_grow", 849, "as n grows, so does the net work at the maxima", samples.cases,
       {.printed = steps("W(pi/4 + 2 n pi) grows", 1, as_time, maxima),
        .meant = steps("W at w T = pi/4 + 2 n pi grows", 1, as_angle, maxima),
@@ -427,15 +415,10 @@ void growth(Claims& claims, const Samples& samples) {
       return sign * (length({later, later, 1}) - length({m.T, m.T, 1})) > 0;
     });
   };
-  claims.statement<Case>("magnitude_grows", 851, "the force's magnitude always grows with time",
-                         samples.cases,
-                         {.printed = lengths("|F(t + h)| > |F(t)| for t > 0", 1),
-                          .near_misses = {lengths("|F(t + h)| < |F(t)| for t > 0", -1)}});
-  const auto reading = [&](const Statement<Case>& statement) {
-    return Reading{statement.text, {in_cases(statement, samples)}};
-  };
-  Reading grow = reading(steps("the maxima grow", 1, as_angle, maxima));
-  grow.checks.push_back(in_cases(steps("the minima sink", -1, as_angle, minima), samples));
+  claims.statement<Sample>("magnitude_grows", 851, "the force's magnitude always grows with time",
+                           samples.cases,
+                           {.printed = lengths("|F(t + h)| > |F(t)| for t > 0", 1),
+                            .near_misses = {lengths("|F(t + h)| < |F(t)| for t > 0", -1)}});
   const auto always = all("W grows all the time", [](M m, int k) {
     const double start = m.T + 0.5 * k / m.w;
     return work_of(Force::growing, m.at(start + 0.1 / m.w), start) > 0;
@@ -443,8 +426,10 @@ void growth(Claims& claims, const Samples& samples) {
   claims.add("work_keeps_growing", 851,
              "as the force gets stronger the net work, that is its maxima of which the paragraph speaks, "
              "keeps growing (between them it falls, and deeper every time)",
-             {.printed = grow,
-              .near_misses = {reading(steps("the minima grow", 1, as_angle, minima)), reading(always)}});
+             {.printed = in_cases(samples, {steps("the maxima grow", 1, as_angle, maxima),
+                                            steps("the minima sink", -1, as_angle, minima)}),
+              .near_misses = {in_cases(samples, {steps("the minima grow", 1, as_angle, minima)}),
+                              in_cases(samples, {always})}});
 }
 
 }  // namespace
