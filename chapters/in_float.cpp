@@ -42,7 +42,7 @@ double apart(const ModelOf<n>& model, const Motion<n>& a, const Motion<n>& b, st
 
 template <std::size_t n>
 bool IntegratedInFloat<n>::has(std::string_view algorithm) const {
-  return ode::in_float<n>(algorithm) != nullptr;
+  return exact_->guard_count() == 0 && ode::in_float<n>(algorithm) != nullptr;
 }
 
 template <std::size_t n>

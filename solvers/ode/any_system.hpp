@@ -37,8 +37,8 @@ class AnySystem {
 /// It has events: guards(x, t) -> array of numbers, and at_event(i, x, t) -> {after, ends, passes}.
 template <class System, class State>
 concept Eventful = requires(const System& system, const State& x) {
-  system.guards(x, 0.0);
-  system.at_event(std::size_t{}, x, 0.0).after;
+  system.guards(x, typename State::value_type{});
+  system.at_event(std::size_t{}, x, typename State::value_type{}).after;
 };
 
 /// (q, v) with q' = v, and the forces depend on q alone.
@@ -76,18 +76,18 @@ class Adapted : public Base {
   }
   std::size_t guard_count() const final {
     if constexpr (Eventful<System, State>)
-      return std::tuple_size_v<decltype(system_.guards(State(), 0.0))>;
+      return std::tuple_size_v<decltype(system_.guards(State(), T{}))>;
     else
       return 0;
   }
   void guards([[maybe_unused]] const State& x, [[maybe_unused]] double t,
               [[maybe_unused]] double* values) const final {
-    if constexpr (Eventful<System, State>) std::ranges::copy(system_.guards(x, t), values);
+    if constexpr (Eventful<System, State>) std::ranges::copy(system_.guards(x, static_cast<T>(t)), values);
   }
   Next happen([[maybe_unused]] std::size_t i, [[maybe_unused]] State& x,
               [[maybe_unused]] double t) const final {
     if constexpr (Eventful<System, State>) {
-      const auto happening = system_.at_event(i, x, t);
+      const auto happening = system_.at_event(i, x, static_cast<T>(t));
       x = happening.after;
       return happening.ends ? Next::end : happening.passes ? Next::pass : Next::go_on;
     } else {

@@ -22,8 +22,9 @@ constexpr Parameter parameters[] = {
 
 Quantity position(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   const bead_on_cubic::Given<double> bead{p["q0"], p["g"]};
-  return with_float(slide(bead, horizon, truth), horizon, bead,
-                    {"straight tangent", "", "energy in u", "one coordinate", "Cartesian with constraints"});
+  return with_float(
+      slide(bead, horizon, truth), horizon, bead,
+      {"straight tangent", "", "energy in u", "one coordinate", "Cartesian with constraints", ""});
 }
 
 Scene scene() {

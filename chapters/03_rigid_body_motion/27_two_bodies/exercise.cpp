@@ -146,7 +146,7 @@ Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& t
       .by_others("two bodies", BothBodies<double>{asked(p)},
                  {{"linearly implicit Euler", inaccurate, "of order 1, and the orbit shrinks"}});
   return with_float(std::move(q), horizon, asked(p),
-                    {"Kepler's equation, Newton from pi", "(r, u, phi)", "two bodies"});
+                    {"Kepler's equation, Newton from pi", "(r, u, phi)", "", "two bodies"});
 }
 
 Scene scene() {

@@ -43,7 +43,7 @@ Box asked(const Parameters& p) { return {{p["a"], p["b"]}, p["mu"], p["g"], p["u
 Quantity slide_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   return with_float(
       slide(asked(p), horizon, truth), horizon, asked(p),
-      {"sliding and spinning apart", "friction regularized at 1 cm/s", "friction at full speed only", ""},
+      {"sliding and spinning apart", "friction regularized at 1 cm/s", "friction at full speed only", "", ""},
       Outcome::ok);
 }
 
