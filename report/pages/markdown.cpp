@@ -606,11 +606,11 @@ std::string bit_equal_text(const Results& results, bool links) {
   int count = 0;
   for (const ExerciseResult& e : results.exercises)
     for (const JudgedClaim& c : e.claims)
-      if (c.verdict != Verdict::not_checkable && bit_equal(c))
+      if (c.verdict == Verdict::confirmed && bit_equal(c))
         list += (count++ == 0 ? "" : ", ") + link_to(e, c.claim, links);
   if (count == 0) return "";
   return "## Equal to the last bit (" + std::to_string(count) +
-         ")\n\nThe two routes of these claims never differ, though their tolerance leaves room for roundings: "
+         ")\n\nThe two routes of these confirmed claims never differ, though their tolerance leaves room for roundings: "
          "they do the same arithmetic in the end, or their numbers are short. Their near misses fail like all "
          "others.\n\n" +
          list + "\n\n";

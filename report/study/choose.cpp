@@ -288,7 +288,9 @@ class Search {
     return rows;
   }
 
+  /// Nothing where the method is in double only, or what is asked, as the distance from a constraint, is.
   std::optional<Tried> chosen_in_float(const Tried& chosen) const {
+    if (need_.criterion == Criterion::constraint) return {};
     const Method* single = method_of(seen_.front().motion, chosen.model, oddity::in_float(chosen.algorithm));
     if (!single) return {};
     return oddity::attempt(seen_, *single, chosen.setting, need_);
