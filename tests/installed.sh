@@ -65,7 +65,7 @@ check "list" has "$("$oddity" list)" "3.5  Pendulum from 30 degrees"
 check "solve, from its tables" has "$("$oddity" solve 3.5)" "(table 03_05_quarter_period.csv)"
 cp -r "$prefix/share/oddity/reference" "$place/others"
 find "$place/others" -name 03_05_quarter_period.csv -delete
-check "it asks others for theirs" has "$("$oddity" --reference "$place/others" solve 3.5 2>&1)" "$place/others/03_05_quarter"
+check "it asks others for theirs" has "$("$oddity" --reference "$place/others" solve 3.5 2>&1)" "$place/others/tables/03_05_quarter"
 check "what it keeps is the user's" has "$("$oddity" chart --help)" "$HOME/.cache/oddity"
 
 # ---- its manual and its completion ------------------------------------------------------------------------
