@@ -109,8 +109,9 @@ std::string margin_text(const Choice& choice) {
 }
 
 std::string in_float_text(const Choice& choice) {
-  if (choice.chosen->precision == Precision::in_float) return "";
-  if (!choice.in_float) return "  in float: not computed here.\n";
+  if (choice.chosen->precision == Precision::in_float || choice.need.criterion == Criterion::constraint)
+    return "";
+  if (!choice.in_float) return "  in float: oddity has this method in double only.\n";
   const Tried& single = *choice.in_float;
   if (single.holds()) return "  in float: error " + error_of(single, choice) + ", holds.\n";
   return "  in float: " + std::string(name_of(single.outcome)) +
