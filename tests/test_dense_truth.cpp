@@ -449,8 +449,8 @@ TEST_CASE("the fingerprint covers whatever makes a motion", "[truth]") {
     for (const auto& file : fs::directory_iterator(tables / folder))
       if (file.is_regular_file()) fs::copy(file, room / folder / file.path().filename());
   const auto printed = [&] {
-    const std::string command = "cmake -DFOLDERS='" + room.string() + "' -DOUT='" + print.string() + "' -P '" +
-                                (tables / "fingerprint.cmake").string() + "'";
+    const std::string command = "cmake -DFOLDERS='" + room.string() + "' -DOUT='" + print.string() +
+                                "' -P '" + (tables / "fingerprint.cmake").string() + "'";
     REQUIRE(std::system(command.c_str()) == 0);
     return text_of(print);
   };
