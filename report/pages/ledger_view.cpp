@@ -67,6 +67,7 @@ std::string reservations(const BreakEven& b) {
     missing += std::isnan(error);
     if (error < 1 - roundings) disagree("should fail", error);
   }
+  if (b.coarse) text += " An end is known less exactly: no algorithm here solves the models near it.";
   if (missing > 0) text += " The reference takes too long to be made at these ends.";
   return text;
 }

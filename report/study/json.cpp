@@ -225,7 +225,8 @@ Json from(const BreakEven& b) {
           {"looked", from(b.looked)},
           {"enough", enough},
           {"holding", from(Value(b.holding))},
-          {"failing", from(Value(b.failing))}};
+          {"failing", from(Value(b.failing))},
+          {"coarse", b.coarse}};
 }
 BreakEven break_even(const Json& json) {
   BreakEven b{
@@ -233,6 +234,7 @@ BreakEven break_even(const Json& json) {
   for (const Json& i : json.at("enough")) b.enough.push_back(interval(i));
   b.holding = numbers(json.at("holding"));
   b.failing = numbers(json.at("failing"));
+  b.coarse = json.at("coarse").get<bool>();
   return b;
 }
 

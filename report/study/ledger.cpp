@@ -110,9 +110,8 @@ std::optional<Solved> solved(const Quantity& motion, const Method& method) {
   const auto& settings = method.knob.settings;
   const Answer fine = run(motion, method, settings.back()).answer;
   if (!fine.reached() || !finite(fine.value)) return {};
+  if (settings.size() == 1) return Solved{method.algorithm, fine.value, 0};
   Solved found{method.algorithm, fine.value};
-  if (settings.size() == 1) found.change = 0;
-  if (settings.size() == 1) return found;
   const Answer coarser = run(motion, method, settings[settings.size() - 2]).answer;
   if (coarser.reached() && finite(coarser.value))
     found.change = motion.in_needs(motion.errors(coarser.value, fine.value));
@@ -197,6 +196,7 @@ class Along {
 
   struct Border {
     double holds, fails;  ///< the parameter on its two sides
+    bool known;           ///< to one in a thousand
   };
 
   /// Over the values about the task's own between which the models' motions are known exactly enough.
@@ -233,6 +233,7 @@ class Along {
         found.enough.back().to = crossing(model, p, looks[i], looks[i - 1], borders);
     }
     if (borders.empty()) return {};  // enough everywhere, or nowhere
+    found.coarse = !std::ranges::all_of(borders, &Border::known);
     found.holding.resize(borders.size());
     found.failing.resize(borders.size());
     in_parallel(2 * borders.size(), [&](std::size_t i) {  // a true motion takes a while
@@ -257,15 +258,17 @@ class Along {
     refine(model, p, looks, next, depth - 1);
   }
 
-  /// The value on the side that holds, to one in a thousand; both sides are added to the borders.
+  /// The value on the side that holds, to one in a thousand, or as near as the motions are known; both sides
+  /// are added to the borders.
   double crossing(const std::string& model, const Parameter& p, Look fails, Look holds,
                   std::vector<Border>& borders) const {
-    while (std::abs(fails.at - holds.at) > 1e-3 * std::abs(holds.at)) {
+    bool known = true;
+    while (known && std::abs(fails.at - holds.at) > 1e-3 * std::abs(holds.at)) {
       const Look middle = look(model, p, (fails.at + holds.at) / 2);
-      if (!middle.known()) break;
-      (middle.enough() ? holds : fails) = middle;
+      known = middle.known();
+      if (known) (middle.enough() ? holds : fails) = middle;
     }
-    borders.push_back({holds.at, fails.at});
+    borders.push_back({holds.at, fails.at, known});
     return holds.at;
   }
 

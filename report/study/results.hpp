@@ -145,6 +145,7 @@ struct BreakEven {
   /// The model's error in needs at the ends inside, on the side that holds and on the one that fails, by the
   /// reference; not a number where that could not be had.
   std::vector<double> holding = {}, failing = {};
+  bool coarse = false;  ///< an end is not known to one in a thousand, as no motion is known near it
 };
 
 struct Ledger {

@@ -17,11 +17,12 @@ struct AdamsBashforth4 {
   static constexpr std::string_view name = "Adams-Bashforth 4";
   static constexpr Kind kind = Kind::fixed;
   static constexpr int order = 4;
-  static constexpr Facts facts{.library = "Boost.Odeint",
+  static constexpr Facts facts{.library = Facts::odeint,
+                               .in_float = true,
                                .evaluations = 1,
                                .real_limit = 0.3,
                                .imaginary_limit = 0.429987,
-                               .theory = "largest root of the characteristic polynomial"};
+                               .theory = Facts::characteristic};
   template <class State>
   static auto stepper() {
     namespace odeint = boost::numeric::odeint;

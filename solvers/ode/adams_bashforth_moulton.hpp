@@ -44,11 +44,11 @@ struct AdamsBashforthMoulton {
 /// to h |lambda| = 0.698 on the negative real axis and 0.526 on the imaginary axis.
 struct AdamsBashforthMoulton6 : detail::AdamsBashforthMoulton<6> {
   static constexpr std::string_view name = "Adams-Bashforth-Moulton 6";
-  static constexpr Facts facts{.library = "Boost.Odeint",
+  static constexpr Facts facts{.library = Facts::odeint,
                                .evaluations = 2,
                                .real_limit = 0.698003,
                                .imaginary_limit = 0.526717,
-                               .theory = "largest root of the characteristic polynomial"};
+                               .theory = Facts::characteristic};
 };
 
 }  // namespace oddity::ode

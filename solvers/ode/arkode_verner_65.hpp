@@ -13,11 +13,11 @@ namespace oddity::ode {
 struct ArkodeVerner65 : detail::Sundials<detail::SundialsMethod::verner> {
   static constexpr std::string_view name = "ARKODE Verner 6(5)";
   static constexpr int order = 6;
-  static constexpr Facts facts{.library = "SUNDIALS",
+  static constexpr Facts facts{.library = Facts::sundials,
                                .evaluations = 8,
                                .real_limit = 4.064777,
                                .imaginary_limit = 1.306765,
-                               .theory = "roots of |R(z)| = 1, R the stability polynomial of the tableau"};
+                               .theory = Facts::polynomial};
   /// The method without its step control.
   template <class State>
   using Plain = detail::PlainSundials<State, detail::SundialsMethod::verner>;

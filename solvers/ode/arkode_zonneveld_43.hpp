@@ -13,11 +13,11 @@ namespace oddity::ode {
 struct ArkodeZonneveld43 : detail::Sundials<detail::SundialsMethod::zonneveld> {
   static constexpr std::string_view name = "ARKODE Zonneveld 4(3)";
   static constexpr int order = 4;
-  static constexpr Facts facts{.library = "SUNDIALS",
+  static constexpr Facts facts{.library = Facts::sundials,
                                .evaluations = 5,
                                .real_limit = 2.785294,
                                .imaginary_limit = 2.828427,
-                               .theory = "roots of |R(z)| = 1, R the stability polynomial of the tableau"};
+                               .theory = Facts::polynomial};
   /// The method without its step control.
   template <class State>
   using Plain = detail::PlainSundials<State, detail::SundialsMethod::zonneveld>;

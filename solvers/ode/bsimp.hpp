@@ -13,7 +13,7 @@ namespace oddity::ode {
 struct Bsimp : detail::Gsl<detail::GslStep::bsimp> {
   static constexpr std::string_view name = "GSL bsimp";
   static constexpr int order = 12;
-  static constexpr Facts facts{.library = "GSL", .jacobian = true};
+  static constexpr Facts facts{.library = Facts::gsl, .jacobian = true};
   /// The method without its step control.
   template <class State>
   using Plain = detail::PlainGsl<State, detail::GslStep::bsimp>;

@@ -15,11 +15,11 @@ struct DormandPrince54 {
   static constexpr std::string_view name = "Dormand-Prince 5(4)";
   static constexpr Kind kind = Kind::controlled;
   static constexpr int order = 5;
-  static constexpr Facts facts{.library = "Boost.Odeint",
+  static constexpr Facts facts{.library = Facts::odeint,
                                .evaluations = 6,
                                .real_limit = 3.306568,
                                .imaginary_limit = 0.997189,
-                               .theory = "roots of |R(z)| = 1, R the stability polynomial of the tableau"};
+                               .theory = Facts::polynomial};
   static constexpr double first_step = 1e-3;  ///< of the whole span
   static constexpr auto success = boost::numeric::odeint::success;
   /// The method without its step control.

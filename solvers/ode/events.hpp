@@ -46,7 +46,7 @@ Solved<Event<std::array<double, n>>> find_event(const System& system, const std:
 }
 
 // ---- a system's own events
-// -----------------------------------------------------------------------------------
+// ---------------------------------------------------------------------------------
 
 /// One of a system's guards has fallen through zero.
 template <class State>

@@ -14,7 +14,8 @@ struct ExplicitEuler {
   static constexpr std::string_view name = "explicit Euler";
   static constexpr Kind kind = Kind::fixed;
   static constexpr int order = 1;
-  static constexpr Facts facts{.library = "Boost.Odeint",
+  static constexpr Facts facts{.library = Facts::odeint,
+                               .in_float = true,
                                .evaluations = 1,
                                .real_limit = 2,
                                .imaginary_limit = 0,

@@ -10,8 +10,14 @@ namespace oddity::ode {
 struct Facts {
   static constexpr double everywhere = std::numeric_limits<double>::infinity();
   static constexpr double not_applicable = std::numeric_limits<double>::quiet_NaN();
+  static constexpr std::string_view odeint = "Boost.Odeint", gsl = "GSL", sundials = "SUNDIALS";
+  static constexpr std::string_view polynomial =
+      "roots of |R(z)| = 1, R the stability polynomial of the tableau";
+  static constexpr std::string_view trace = "half the trace of the step's matrix is -1";
+  static constexpr std::string_view characteristic = "largest root of the characteristic polynomial";
 
   std::string_view library;
+  bool in_float = false;  ///< compiled for states of float too
   int evaluations = 0;    ///< of the right-hand side, or of the forces, a step; 0: it depends
   bool jacobian = false;  ///< and a Jacobian, in each step or now and then
   /// The largest h |lambda| at which y' = lambda y does not grow, on the negative real and on the imaginary

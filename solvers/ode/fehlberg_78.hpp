@@ -15,11 +15,11 @@ struct Fehlberg78 {
   static constexpr std::string_view name = "Fehlberg 7(8)";
   static constexpr Kind kind = Kind::controlled;
   static constexpr int order = 8;
-  static constexpr Facts facts{.library = "Boost.Odeint",
+  static constexpr Facts facts{.library = Facts::odeint,
                                .evaluations = 13,
                                .real_limit = 5.007589,
                                .imaginary_limit = 2.365158,
-                               .theory = "roots of |R(z)| = 1, R the stability polynomial of the tableau"};
+                               .theory = Facts::polynomial};
   static constexpr double first_step = 1e-3;  ///< of the whole span
   static constexpr auto success = boost::numeric::odeint::success;
   /// The method without its step control.

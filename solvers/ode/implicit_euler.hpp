@@ -15,7 +15,7 @@ struct ImplicitEuler {
   static constexpr std::string_view name = "linearly implicit Euler";
   static constexpr Kind kind = Kind::implicit_fixed;
   static constexpr int order = 1;
-  static constexpr Facts facts{.library = "Boost.Odeint",
+  static constexpr Facts facts{.library = Facts::odeint,
                                .evaluations = 1,
                                .jacobian = true,
                                .real_limit = Facts::everywhere,

@@ -2,13 +2,8 @@
 
 #include <stdexcept>
 
-#include "solvers/ode/adams_bashforth.hpp"
-#include "solvers/ode/explicit_euler.hpp"
-#include "solvers/ode/mclachlan_4.hpp"
-#include "solvers/ode/modified_midpoint.hpp"
-#include "solvers/ode/runge_kutta_4.hpp"
-#include "solvers/ode/symplectic_euler.hpp"
-#include "solvers/ode/velocity_verlet.hpp"
+#include "solvers/ode/all.hpp"
+#include "solvers/ode/integrate_inlined.hpp"
 
 namespace oddity::ode {
 
@@ -24,19 +19,16 @@ Trajectory<std::array<float, n>> integrate_in_float(const AnySystem<n, float>& s
     return integrate_inlined<Algorithm>(system, start, times, step);
 }
 
-template <std::size_t n, class... Algorithms>
-IntegrateInFloat<n>* one_of(std::string_view algorithm) {
-  IntegrateInFloat<n>* found = nullptr;
-  ((Algorithms::name == algorithm ? void(found = &integrate_in_float<Algorithms, n>) : void()), ...);
-  return found;
-}
-
 }  // namespace
 
 template <std::size_t n>
 IntegrateInFloat<n>* in_float(std::string_view algorithm) {
-  return one_of<n, ExplicitEuler, SymplecticEuler, VelocityVerlet, RungeKutta4, ModifiedMidpoint, McLachlan4,
-                AdamsBashforth4>(algorithm);
+  IntegrateInFloat<n>* found = nullptr;
+  for_each_algorithm([&]<class Algorithm>() {
+    if constexpr (Algorithm::facts.in_float)
+      if (Algorithm::name == algorithm) found = &integrate_in_float<Algorithm, n>;
+  });
+  return found;
 }
 
 #define ODDITY_IN_FLOAT(n, type) template type<n>* in_float<n>(std::string_view);

@@ -15,10 +15,11 @@ struct McLachlan4 {
   static constexpr std::string_view name = "McLachlan 4";
   static constexpr Kind kind = Kind::partitioned;
   static constexpr int order = 4;
-  static constexpr Facts facts{.library = "Boost.Odeint",
+  static constexpr Facts facts{.library = Facts::odeint,
+                               .in_float = true,
                                .evaluations = 4,
                                .imaginary_limit = 2.967808,
-                               .theory = "half the trace of the step's matrix is -1"};
+                               .theory = Facts::trace};
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {
     using Half = typename detail::Halves<State>::Half;

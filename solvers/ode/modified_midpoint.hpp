@@ -15,7 +15,8 @@ struct ModifiedMidpoint {
   static constexpr std::string_view name = "modified midpoint";
   static constexpr Kind kind = Kind::fixed;
   static constexpr int order = 2;
-  static constexpr Facts facts{.library = "Boost.Odeint",
+  static constexpr Facts facts{.library = Facts::odeint,
+                               .in_float = true,
                                .evaluations = 3,
                                .real_limit = 3.087378,
                                .imaginary_limit = 0,

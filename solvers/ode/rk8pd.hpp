@@ -13,11 +13,11 @@ namespace oddity::ode {
 struct Rk8pd : detail::Gsl<detail::GslStep::rk8pd> {
   static constexpr std::string_view name = "GSL rk8pd";
   static constexpr int order = 8;
-  static constexpr Facts facts{.library = "GSL",
+  static constexpr Facts facts{.library = Facts::gsl,
                                .evaluations = 13,
                                .real_limit = 5.166634,
                                .imaginary_limit = 0,
-                               .theory = "roots of |R(z)| = 1, R the stability polynomial of the tableau"};
+                               .theory = Facts::polynomial};
   /// The method without its step control.
   template <class State>
   using Plain = detail::PlainGsl<State, detail::GslStep::rk8pd>;

@@ -15,7 +15,7 @@ struct Rosenbrock4 {
   static constexpr std::string_view name = "Rosenbrock 4";
   static constexpr Kind kind = Kind::implicit_controlled;
   static constexpr int order = 4;
-  static constexpr Facts facts{.library = "Boost.Odeint", .evaluations = 6, .jacobian = true};
+  static constexpr Facts facts{.library = Facts::odeint, .evaluations = 6, .jacobian = true};
   static constexpr double first_step = 1e-3;  ///< of the whole span
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations, double tolerance) {

@@ -14,11 +14,12 @@ struct RungeKutta4 {
   static constexpr std::string_view name = "Runge-Kutta 4";
   static constexpr Kind kind = Kind::fixed;
   static constexpr int order = 4;
-  static constexpr Facts facts{.library = "Boost.Odeint",
+  static constexpr Facts facts{.library = Facts::odeint,
+                               .in_float = true,
                                .evaluations = 4,
                                .real_limit = 2.785294,
                                .imaginary_limit = 2.828427,
-                               .theory = "roots of |R(z)| = 1, R the stability polynomial of the tableau"};
+                               .theory = Facts::polynomial};
   template <class State>
   static auto stepper() {
     using Number = typename State::value_type;

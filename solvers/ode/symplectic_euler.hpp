@@ -14,10 +14,11 @@ struct SymplecticEuler {
   static constexpr std::string_view name = "symplectic Euler";
   static constexpr Kind kind = Kind::partitioned;
   static constexpr int order = 1;
-  static constexpr Facts facts{.library = "Boost.Odeint",
+  static constexpr Facts facts{.library = Facts::odeint,
+                               .in_float = true,
                                .evaluations = 1,
                                .imaginary_limit = 2,
-                               .theory = "half the trace of the step's matrix is -1"};
+                               .theory = Facts::trace};
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations) {
     using Half = typename detail::Halves<State>::Half;
