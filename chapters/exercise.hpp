@@ -20,6 +20,7 @@
 /// computed (quantity, method, knob, trial, outcome).
 namespace oddity {
 
+class Drawing;
 class Reference;
 struct Known;
 
@@ -392,6 +393,8 @@ struct Scene {
   std::vector<std::string_view> starts;  ///< parameters that differ from start to start
   Axes axes = {};
   Listing listing = {};
+  /// How it looks where these are the observables at the time t (chapters/drawing.hpp).
+  void (*draw)(const Parameters&, double t, std::span<const double> observed, Drawing&) = nullptr;
 };
 
 struct Exercise {

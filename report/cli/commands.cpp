@@ -27,7 +27,7 @@ struct Session {
   std::vector<std::string> exercises = {}, overrides = {};
   std::string results = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
-              maps_out = report_folder().string();
+              maps_out = report_folder().string(), site_out = site_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false;
   AskedNeed need = {};
   NewExercise begun = {};
@@ -170,6 +170,12 @@ void add_report(CLI::App& app, Session& s) {
                       [&] { verbs::report(s.folder, s.chapter, s.report_out); });
   report->add_option("--chapter", s.chapter, "one chapter only");
   add_path(*report, "--out", s.report_out, "folder to write to");
+}
+
+void add_site(CLI::App& app, Session& s) {
+  auto* site = verb(app, "site", "write the report that runs: one folder, opened by double click",
+                    "Example: oddity site --out /tmp/site", [&] { verbs::site(s.folder, s.site_out); });
+  add_path(*site, "--out", s.site_out, "folder to write to");
 }
 
 void add_chart(CLI::App& app, Session& s) {
@@ -360,6 +366,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
        "Example: oddity bench",
        [&] { session.status = verbs::bench(session.folder); });
   add_report(app, session);
+  add_site(app, session);
   add_new(app, session);
   verb(app, "help", "show this help, or that of a verb", "Example: oddity help choose", [] {});
   session.command = typed(words_of(argc, argv));

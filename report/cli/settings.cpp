@@ -37,6 +37,7 @@ fs::path reference_folder() {
 }
 fs::path results_file() { return kept() / "results.json"; }
 fs::path report_folder() { return kept() / "report"; }
+fs::path site_folder() { return kept() / "site"; }
 fs::path chart_folder() { return kept() / "charts"; }
 fs::path motions_folder() { return kept() / "motions"; }
 fs::path prices_folder() { return kept() / "prices"; }

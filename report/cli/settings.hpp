@@ -10,6 +10,7 @@ std::filesystem::path source_folder();     ///< the tree
 std::filesystem::path reference_folder();  ///< the tables
 std::filesystem::path results_file();      ///< the last run's results
 std::filesystem::path report_folder();     ///< the last report
+std::filesystem::path site_folder();       ///< the last report that runs
 std::filesystem::path chart_folder();      ///< the last charts
 std::filesystem::path motions_folder();    ///< true motions made on the spot, kept
 std::filesystem::path prices_folder();     ///< what methods cost on this machine, kept

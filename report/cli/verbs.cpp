@@ -16,6 +16,7 @@
 #include "report/pages/table_text.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/pages/write_report.hpp"
+#include "report/site/site.hpp"
 #include "report/study/choose.hpp"
 #include "report/study/ledger.hpp"
 #include "report/study/prices.hpp"
@@ -182,6 +183,14 @@ void report(const fs::path& folder, const std::string& chapter, const fs::path& 
   require_writable(results_file());
   const fs::path page = write_report(last_results(folder, number == 0), number, out);
   std::cout << "the report is in " << page.string() << "\n";
+}
+
+void site(const fs::path& folder, const fs::path& out) {
+  require_writable_folder(out);
+  require_writable(results_file());
+  const Results results = last_results(folder, true);
+  const fs::path page = write_site(results, Reference(folder, motions_folder()), out);
+  std::cout << "the report that runs is in " << page.string() << "\n";
 }
 
 void chart(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out) {

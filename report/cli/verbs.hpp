@@ -26,6 +26,8 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
            const AskedNeed&, Format, bool all_rows, const std::string& command);
 /// Of all chapters when the text is empty.
 void report(const fs::path& folder, const std::string& chapter, const fs::path& out);
+/// The report that runs, of all exercises.
+void site(const fs::path& folder, const fs::path& out);
 /// Of all exercises when there are none.
 void chart(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out);
 /// Of all scenes when there are none: as text, with the maps drawn.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "chapters/03_rigid_body_motion/05_pendulum/drawing.hpp"
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/claims.hpp"
 #include "chapters/in_float.hpp"
@@ -150,7 +151,8 @@ Scene scene() {
             {"amplitude-corrected", "pendulum::AmplitudeCorrected<double>{{a, L, g}}"},
             {"Jacobi's function by its Fourier series", "pendulum::FourierSeries<double>({a, L, g})"},
             {"one angle", "pendulum::OneAngle<double>{{a, L, g}}"},
-            {"Cartesian with constraint", "pendulum::CartesianWithConstraint<double>{{a, L, g}}"}}}};
+            {"Cartesian with constraint", "pendulum::CartesianWithConstraint<double>{{a, L, g}}"}}},
+          pendulum::draw<Parameters>};
 }
 
 // ---- the claims -------------------------------------------------------------------------------------------

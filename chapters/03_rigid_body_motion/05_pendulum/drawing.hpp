@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cmath>
+#include <span>
+
+#include "chapters/drawing.hpp"
+
+namespace oddity::pendulum {
+
+/// How the pendulum looks: `observed` is the angle [rad].
+template <class Parameters>
+void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
+  const double L = p["L"];
+  const auto at = [L](double angle) { return Place{L * std::sin(angle), -L * std::cos(angle)}; };
+  const Place bob = at(observed[0]), lowest = at(0);
+  drawing.support({});
+  drawing.rod({}, bob);
+  drawing.body_with_trail(bob, L / 14, "m");
+  drawing.angle({}, lowest, bob, "θ");
+  drawing.length({}, bob, "L");
+}
+
+}  // namespace oddity::pendulum

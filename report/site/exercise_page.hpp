@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "report/study/results.hpp"
+
+namespace oddity {
+
+/// 3.5.html: the question, the set-up, the player, the findings, the claims, the quantities.
+std::string exercise_page(const ExerciseResult&);
+
+}  // namespace oddity

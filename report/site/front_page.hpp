@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "report/study/results.hpp"
+
+namespace oddity {
+
+/// index.html: what is wrong in the book, by root; what it means for games, a row a scene; the exercises.
+std::string front_page(const Results&);
+
+}  // namespace oddity
