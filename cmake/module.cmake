@@ -8,8 +8,8 @@ find_program(WASM_CXX NAMES clang++ clang++-14 clang++-16 clang++-18 clang++-19)
 find_program(GZIP gzip)
 find_program(BASE64 base64)
 set(module ${PROJECT_BINARY_DIR}/module)
-set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fignore-exceptions -fvisibility=hidden -O3
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-braces)
+set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fignore-exceptions -fvisibility=hidden -mmutable-globals -O3
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-braces -Wno-implicit-float-conversion)
 if(WASM_CXX AND GZIP AND BASE64)
   # With the linker, the standard library and the runtime.
   file(CONFIGURE OUTPUT ${module}/tried.cpp CONTENT "#include <string>\nstd::string tried() { return {}; }\n")
@@ -32,7 +32,9 @@ file(MAKE_DIRECTORY ${module}/include)
 get_target_property(boost Boost::headers INTERFACE_INCLUDE_DIRECTORIES)
 file(CREATE_LINK ${boost}/boost ${module}/include/boost SYMBOLIC)
 # and a register of Odeint's algorithms.
-file(STRINGS solvers/ode/algorithms.hpp entries REGEX "^  F[(][A-Za-z0-9]+, [a-z0-9_]+[)]")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS solvers/ode/algorithms.hpp)
+file(READ solvers/ode/algorithms.hpp entries)
+string(REGEX MATCHALL "F[(][A-Za-z0-9]+, [a-z0-9_]+[)]" entries "${entries}")
 set(includes "")
 set(calls "")
 set(algorithms "")
@@ -72,10 +74,9 @@ function(compile_for_module source standard)
   set(module_objects ${module_objects} ${object} PARENT_SCOPE)
 endfunction()
 
-foreach(file events in_float integrate precompiled raw_problem)
+foreach(file in_float integrate precompiled raw_problem)
   compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/${file}.cpp c++20)
 endforeach()
-compile_for_module(${PROJECT_SOURCE_DIR}/solvers/roots.cpp c++20)
 compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/implicit.cpp c++17)  # as in the program
 foreach(entry IN LISTS algorithms)
   string(REGEX MATCH "^(.*)[|](.*)$" entry "${entry}")
@@ -105,7 +106,7 @@ foreach(file IN LISTS player_files)
 endforeach()
 
 add_custom_command(OUTPUT ${module}/models.wasm
-  COMMAND ${WASM_CXX} ${wasm_flags} -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,-z,stack-size=1048576
+  COMMAND ${WASM_CXX} ${wasm_flags} -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--export=malloc -Wl,--export=free -Wl,--export=__stack_pointer -Wl,-z,stack-size=1048576
     ${module_objects} -o ${module}/models.wasm
   DEPENDS ${module_objects} VERBATIM)
 add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/models.js

@@ -14,7 +14,7 @@ namespace oddity {
 
 namespace {
 
-std::string quoted(std::string_view text) { return "R\"oddity(" + std::string(text) + ")oddity\""; }
+std::string literal_of(std::string_view text) { return "R\"oddity(" + std::string(text) + ")oddity\""; }
 
 /// The model in a number type, of `values`.
 std::string in_numbers(std::span<const Parameter> parameters, std::string_view expression,
@@ -72,16 +72,17 @@ std::string scene_text(const Entry& entry) {
   const Quantity moving = motion(scene, Parameters(entry.exercise.parameters), Reference::nothing());
   std::string letters, models;
   for (const Parameter& p : entry.exercise.parameters)
-    letters += "{" + quoted(p.name) + ", " + shortest(p.value) + "}, ";
+    letters += "{" + literal_of(p.name) + ", " + shortest(p.value) + "}, ";
   for (std::size_t i = 0; i < scene.listing.models.size(); ++i) {
     const auto [model, algorithm] = model_and_algorithm(moving, scene.listing.models[i].first);
-    models +=
-        "\n       {" + quoted(model) + ", " + quoted(algorithm) + ", " + function_of(entry.number, i) + "},";
+    models += "\n       {" + literal_of(model) + ", " + literal_of(algorithm) + ", " +
+              function_of(entry.number, i) + "},";
   }
   const std::string draw =
       scene.draw ? namespace_of(scene.listing) + "::draw<module::Parameters>" : std::string("nullptr");
-  return "      {" + quoted(to_string(entry.number)) + ", " + std::to_string(scene.axes.observables.size()) +
-         ",\n       {" + letters + "},\n      {" + models + "},\n       " + draw + "},\n";
+  return "      {" + literal_of(to_string(entry.number)) + ", " +
+         std::to_string(scene.axes.observables.size()) + ",\n       {" + letters + "},\n      {" + models +
+         "},\n       " + draw + "},\n";
 }
 
 bool has_models(const Entry& entry) {
