@@ -8,8 +8,8 @@
 
 namespace oddity::tilted_chute {
 
-/// How the ball in its chute looks: `observed` is its place [m]. The picture runs along with a ball on the
-/// center line.
+/// How the ball in its chute looks: `observed` is its place [m]. The picture runs along with the
+/// ball down the axis.
 template <class Parameters>
 void draw(const Parameters& p, double t, std::span<const double> observed, Drawing& drawing) {
   const double R = p["R"], L = p["L"], H = p["H"];
