@@ -29,7 +29,7 @@ std::vector<Place> sampled(double from, double to, std::size_t n, const At& at) 
 }
 /// Level.
 inline std::vector<Place> circle(const Place& center, double radius) {
-  return sampled(0, 2 * std::numbers::pi, 72, [&](double u) {
+  return sampled(0, 2 * std::numbers::pi, 48, [&](double u) {
     return center + radius * Place{std::cos(u), std::sin(u), 0};
   });
 }

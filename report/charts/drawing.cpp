@@ -17,7 +17,7 @@ constexpr std::string_view style = R"(<style>
 .drawing path,.drawing circle{fill:none;stroke:currentColor;stroke-linecap:round;stroke-linejoin:round}
 .drawing text{font:italic 18px "STIX Two Text","Latin Modern Roman","Times New Roman",Times,"Liberation Serif",serif;fill:currentColor;text-anchor:middle}
 .drawing .n{font-style:normal}.drawing tspan{font-size:12px;font-style:normal}
-.drawing .t{stroke-width:1.2;stroke-opacity:.6}.drawing .g{stroke-width:1;stroke-dasharray:4 4;stroke-opacity:.55}
+.drawing .t{stroke-width:1.4;stroke-opacity:.75}.drawing .g{stroke-width:1;stroke-dasharray:4 4;stroke-opacity:.55}
 .drawing .a{stroke-width:1;stroke-opacity:.75}.drawing .l{stroke-width:3}.drawing .z,.drawing .r{stroke-width:1.5}
 .drawing .s{stroke-opacity:.35;fill:currentColor;fill-opacity:.05}
 .drawing .d{stroke-width:1.5;fill:currentColor;fill-opacity:.16}
@@ -138,7 +138,7 @@ std::string frames_svg(const Entry& e, const Trajectory& t) {
     const double left = k * (width + gap);
     elements += "<svg x=\"" + pixels(left) + "\" y=\"0\" " + view_box(window) + ">\n" + sketch.elements() +
                 "</svg>\n<text class=\"n\" x=\"" + pixels(left + width / 2) + "\" y=\"" + pixels(high + 19) +
-                "\">" + rounded(times[now], 4) + " " + escaped(t.time_unit) + "</text>\n";
+                "\">" + rounded(times[now], 3) + " " + escaped(t.time_unit) + "</text>\n";
   }
   return svg({0, 0, frames * (width + gap) - gap, high + below}, title_of(e, "the motion"), elements);
 }

@@ -190,8 +190,9 @@ void Sketch::ball(int layer, const Spot& x, double radius, std::string_view styl
   put(layer, near,
       "<circle class=\"" + std::string(style) + "\" cx=\"" + number(x.x) + "\" cy=\"" + number(x.y) +
           "\" r=\"" + number(radius) + "\"/>");
-  for (double r = radius; r > 0; r -= 3)
-    for (int k = 0; k < 16; ++k) inked_.push_back(x + r * Spot{std::cos(pi * k / 8), std::sin(pi * k / 8)});
+  const int n = std::max(8, static_cast<int>(2 * radius));
+  for (int k = 0; k < n; ++k)
+    inked_.push_back(x + radius * Spot{std::cos(2 * pi * k / n), std::sin(2 * pi * k / n)});
   extent_.add(x, radius + 1);
 }
 
@@ -349,27 +350,27 @@ void Sketch::letters(const Drawing& drawing) {
       case Kind::axis:
       case Kind::arrow:
       case Kind::direction:
-        letter(p.letter, {last}, unit(last - first), 11);
+        letter(p.letter, {last}, unit(last - first), 4);
         break;
       case Kind::body:
-        letter(p.letter, {first}, {0.8, 0.6}, std::max(3.0, p.size * scale_) + 11);
+        letter(p.letter, {first}, {0.8, 0.6}, std::max(3.0, p.size * scale_) + 4);
         break;
       case Kind::disc:
-        letter(p.letter, {first}, {0.8, -0.6}, p.size * scale_ + 11);
+        letter(p.letter, {first}, {0.8, -0.6}, p.size * scale_ + 3);
         break;
       case Kind::plate: {
         Spot center;
         for (const Place& x : p.points) center = center + 1.0 / static_cast<double>(p.points.size()) * at(x);
-        letter(p.letter, {center}, {1, 0}, 16);
+        letter(p.letter, {center}, {1, 0}, 8);
         break;
       }
       case Kind::spring: {
         const Spot way = last - first;
-        letter(p.letter, {first + 0.5 * way, first + 0.35 * way, first + 0.65 * way}, left_of(unit(way)), 18);
+        letter(p.letter, {first + 0.5 * way, first + 0.35 * way, first + 0.65 * way}, left_of(unit(way)), 11);
         break;
       }
       case Kind::label:
-        letter(p.letter, {first}, {-0.7, 0.7}, 11);
+        letter(p.letter, {first}, {-0.7, 0.7}, 5);
         break;
       default:
         break;
@@ -391,7 +392,7 @@ void Sketch::angle(const Primitive& p) {
   stroke(writing, {at(p.points[0]), at(p.points[1])}, "g");
   stroke(writing, at(sampled(0, 1, 24, along)), "c");
   const Spot arc = at(along(0.5));
-  letter(p.letter, {arc}, unit(arc - at(p.points[0])), 11);
+  letter(p.letter, {arc}, unit(arc - at(p.points[0])), 3);
 }
 
 /// Where a line of the drawing is as long, the letter beside it is enough.
@@ -417,7 +418,7 @@ void Sketch::measure(const Primitive& p, const Drawing& drawing) {
     head(writing, b, along, "c h", 0, size);
   }
   const Spot start = from + off * aside;
-  letter(p.letter, {start + 0.5 * way, start + 0.38 * way, start + 0.62 * way}, aside, 12);
+  letter(p.letter, {start + 0.5 * way, start + 0.38 * way, start + 0.62 * way}, aside, 4);
 }
 
 double Sketch::hidden(const Box& box) const {
@@ -439,7 +440,7 @@ void Sketch::letter(std::string_view text, const std::vector<Spot>& about, Spot 
       for (int turn : {0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6}) {
         const double angle = std::atan2(toward.y, toward.x) + turn * pi / 6;
         const Spot way{std::cos(angle), std::sin(angle)};
-        const Spot x = about[i] + (off + more + std::max(0.0, half - 6) * std::abs(way.x)) * way;
+        const Spot x = about[i] + (off + more + half * std::abs(way.x) + high * std::abs(way.y)) * way;
         const Box box{x.x - half - 2, x.y - high - 2, x.x + half + 2, x.y + high + 3};
         const double cost = 8 * hidden(box) + 0.4 * more + 1.2 * std::abs(turn) + 2 * static_cast<double>(i);
         if (cost < least) {

@@ -12,7 +12,7 @@ template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double q0 = p["q0"];
   drawing.in_space();
-  drawing.axis({}, {1.3 * q0, 0, 0}, "x");
+  drawing.axis({}, {1.7 * q0, 0, 0}, "x");
   drawing.axis({}, {0, 1.3 * q0 * q0, 0}, "y");
   drawing.axis({}, {0, 0, 1.3 * q0 * q0 * q0}, "z");
   drawing.track(sampled(-1.35 * q0, 1.15 * q0, 96, [](double q) { return Place{q, q * q, q * q * q}; }));
@@ -21,7 +21,7 @@ void draw(const Parameters& p, double, std::span<const double> observed, Drawing
   drawing.body_with_trail({observed[0], observed[1], observed[2]},
                           std::hypot(first.x, first.y, first.z) / 25);
   drawing.label({q0, 0, 0}, "q0");
-  drawing.direction(1.3 * first, 1.3 * first - Place{0, 0, 0.5 * first.z}, "g");
+  drawing.direction({0, 1.3 * foot.y, first.z}, {0, 1.3 * foot.y, 0.4 * first.z}, "g");
 }
 
 }  // namespace oddity::bead_on_cubic

@@ -12,8 +12,8 @@ template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const Place ball{observed[0], observed[1]}, first{p["p1"], p["p2"]}, velocity{p["v1"], p["v2"]};
   const double size = std::fmax(std::hypot(first.x, first.y), 0.5 * std::hypot(velocity.x, velocity.y));
-  drawing.axis({-1.1 * size, 0}, {1.3 * size, 0}, "x");
-  drawing.axis({0, -1.1 * size}, {0, 1.3 * size}, "y");
+  drawing.axis({-0.7 * size, 0}, {1.3 * size, 0}, "x");
+  drawing.axis({0, -0.7 * size}, {0, 1.3 * size}, "y");
   drawing.spring({}, ball, size / 9, "c");
   drawing.support({});
   drawing.body_with_trail(ball, size / 18, "m");

@@ -36,10 +36,10 @@ void draw(const Parameters& p, double t, std::span<const double> observed, Drawi
   drawing.guide({above, ball});
   drawing.angle(above, at(now, 0), ball, "φ");
   drawing.length(above, at(now, -half), "R");
-  const Place high = at(top, -half), low = at(end, -half);
-  drawing.length(high, low, "L");
-  drawing.guide({high, {high.x, high.y, low.z}, low});
-  drawing.length({high.x, high.y, low.z}, high, "H");
+  drawing.length(at(end, -half), at(top, -half), "L");
+  const Place high = at(top, half), low = at(end, half), corner{high.x, high.y, low.z};
+  drawing.guide({high, corner, low});
+  drawing.length(corner, high, "H");
 }
 
 }  // namespace oddity::tilted_chute

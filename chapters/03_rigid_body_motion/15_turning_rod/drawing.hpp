@@ -24,8 +24,8 @@ void draw(const Parameters& p, double t, std::span<const double> observed, Drawi
   drawing.support(foot);
   drawing.rod({}, at(end));
   drawing.body_with_trail(mass, s / 24, "m");
-  drawing.length({}, at(s), "s");
-  drawing.length(foot, {}, "c");
+  drawing.length(at(s), {}, "s");
+  drawing.length({}, foot, "c");
   drawing.angle({}, at(1), {0, 0, 1}, "45°");
 }
 

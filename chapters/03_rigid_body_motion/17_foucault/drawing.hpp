@@ -27,7 +27,7 @@ void draw(const Parameters& p, double, std::span<const double> observed, Drawing
   drawing.body_with_trail(bob, L / 28);
   drawing.angle({}, at(0, 0, -0.5 * L), bob, "φ");
   drawing.angle(center, at(reach, 0, floor), below, "θ");
-  drawing.length(bob, {}, "L");
+  drawing.length({}, bob, "L");
 }
 
 }  // namespace oddity::foucault

@@ -22,11 +22,12 @@ void draw(const Parameters& p, double t, std::span<const double> observed, Drawi
   const double C = std::cos(turned), S = std::sin(turned);
   const auto at = [&](double x, double y) { return mark + Place{C * x - S * y, S * x + C * y}; };
   const Place center = at(-b[0], -b[1]);
-  drawing.guide(sampled(0, std::fmax(2, t), 48, flight));
+  drawing.guide(sampled(0, 2 * q / std::fmax(std::hypot(u, v), 0.1 * q), 32, flight));
   const auto wire = sampled(0, q, 32, [&](double x) { return at(x, x * x); });
   for (std::size_t i = 0; i + 1 < wire.size(); ++i) drawing.rod(wire[i], wire[i + 1]);
   drawing.disc(center, q / 30);
   drawing.body_with_trail(mark, q / 18);
+  drawing.length(at(q, 0), at(0, 0), "q");
   drawing.direction(center, center + Place{0.2 * u, 0}, "u");
   drawing.direction(center, center + Place{0, 0.2 * v}, "v");
 }

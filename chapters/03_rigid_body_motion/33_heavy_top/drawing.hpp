@@ -17,6 +17,7 @@ void draw_top(const Parameters& p, const Place& tip, const Place& axis, Drawing&
   drawing.sphere(tip, end);
   drawing.guide(circle(tip + Place{0, 0, end * std::cos(phi)}, end * std::sin(phi)));
   drawing.axis(tip, tip + Place{0, 0, 1.25 * end}, "z");
+  drawing.guide({tip, tip + end * nodes});
   drawing.rod(tip, at(end));
   drawing.disc(at(l), rim, "m", axis);
   drawing.body(at(l), l / 30);
@@ -24,7 +25,7 @@ void draw_top(const Parameters& p, const Place& tip, const Place& axis, Drawing&
   drawing.support(tip);
   drawing.angle(tip, tip + Place{0, 0, end}, at(end), "φ");
   drawing.angle(tip, tip + Place{end, 0, 0}, tip + end * nodes, "θ");
-  drawing.length(at(l), tip, "l");
+  drawing.length(at(l), tip, "ℓ");
 }
 
 /// How the top looks: `observed` is the direction of its axis.
