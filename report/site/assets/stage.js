@@ -83,7 +83,7 @@
       this.measureDepth(layers[0].drawing);
       this.background(layers[0].drawing);
       layers.forEach((layer) => this.trails(layer));
-      layers.forEach((layer) => this.layer(layer));
+      layers.forEach((layer, i) => this.layer(layer, layers.length - 1 - i));
     }
 
     turn(azimuth, elevation) {
@@ -309,8 +309,10 @@
       }
     }
 
-    layer({ drawing, colour, ghost }) {
+    /** Broader than the layers above it, so that it is seen below them where they agree. */
+    layer({ drawing, colour, ghost }, above) {
       const { pen } = this;
+      this.broader = ghost ? 0 : 1.5 * above;
       pen.strokeStyle = pen.fillStyle = colour;
       this.full = ghost ? 0.6 : 1;
       pen.setLineDash(ghost ? [6, 4] : []);
@@ -337,9 +339,9 @@
         .map((points) => ({ ...p, points, order: depth(points) }));
     }
 
-    rod(p) { this.line(p.points.map((x) => this.at(x)), 3); }
+    rod(p) { this.line(p.points.map((x) => this.at(x)), 2.5 + this.broader); }
 
-    rope(p) { this.line(p.points.map((x) => this.at(x)), 1.5); }
+    rope(p) { this.line(p.points.map((x) => this.at(x)), 1.5 + this.broader / 2); }
 
     spring(p) {
       const [from, to] = p.points.map((x) => this.at(x));
@@ -393,7 +395,7 @@
     /** A ghost is a ring. */
     body(p, ghost) {
       const { pen } = this;
-      this.ball(this.at(p.points[0]), Math.max(ghost ? 3.5 : 3, p.size * this.place.scale));
+      this.ball(this.at(p.points[0]), Math.max(ghost ? 3.5 : 3, p.size * this.place.scale) + this.broader);
       pen.globalAlpha = ghost ? 0.25 : 0.9;
       pen.fill();
       pen.globalAlpha = this.full;
