@@ -135,6 +135,9 @@
       return [this.place.x + this.place.scale * dot(x, this.view.right), this.place.y - this.place.scale * dot(x, this.view.up)];
     }
 
+    /** Whether it can be drawn: what has exploded is not. */
+    inReach(point) { return this.at(point).every((x) => Math.abs(x) < 1e5); }
+
     near(point) { return dot(minus(point, this.anchor), this.view.toward); }
 
     measureDepth(drawing) {
@@ -299,7 +302,7 @@
 
     /** What is older is paler. */
     trail(way, ghost) {
-      const spots = way.map((x) => this.at(x)).filter((x) => x.every(Number.isFinite));
+      const spots = way.filter((x) => this.inReach(x)).map((x) => this.at(x));
       const parts = Math.min(12, spots.length - 1);
       for (let k = 0; k < parts; k += 1) {
         const from = Math.floor(k * (spots.length - 1) / parts);
@@ -328,7 +331,7 @@
 
     /** In space a rod may be before a thing in part and behind it in part. */
     parts(p) {
-      if (!p.points.every((x) => x.every(Number.isFinite))) return [];
+      if (!p.points.every((x) => this.inReach(x))) return [];
       if (!this.space) return [{ ...p, order: things.indexOf(p.kind) }];
       const depth = (points) => points.reduce((sum, x) => sum + this.near(x), 0) / points.length;
       if (p.kind !== 'rod') return [{ ...p, order: depth(isRound(p) ? p.points.slice(0, 1) : p.points) }];
