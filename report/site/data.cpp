@@ -9,19 +9,20 @@
 //                methods}]; no error means anything below `floor`; `size` is the true value's; `charts` are
 //                what its error is drawn against: "evaluations", "setting", "time". A method is
 //                {model, algorithm, precision: "double"|"float", knob: "step"|"tolerance"|...|"",
-//                trials: [[setting, error, evaluations, seconds, spread, outcome], ...]}, and has where it is
-//                expected to fail also {expected: name, why}
+//                trials: [[setting, error, evaluations, ns, spread, outcome], ...]}, the time and its spread
+//                in nanoseconds, and has where it is expected to fail also {expected: name, why}
 //   scene        null, or {quantity: its index, horizon, time_unit, close: {unit: error}, observables:
 //   [name],
 //                norms: [{unit, components}], varied, over: [value], truth, paths}
 //     truth      {end, frames, values}: the true observables at frame 0, 1, ..., frames, one time after the
 //                other, by the reference; values are floats, least byte first, in base64
-//     paths      [{model, algorithm, knob, setting, error, outcome, frames, values}]: recorded motions, from
-//                frame 1 on
+//     paths      [{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]: recorded
+//                motions, from frame 1 on as far as they come; values are whole numbers of 16 bits, least
+//                byte first, in base64, from 0 for the observable's `least` to 65535 for its `most`
 //   stability    null, or {limits: [{model, algorithm, shown, stable, unstable, theory, within, tongues:
-//                [[from, to]]}], parameter, unit, steps: [step], map: [{model, algorithm, value, theory,
-//                outcomes}]}; `shown` is the largest stable step in words; a theory of null has every step
-//                stable; outcomes are the letters of the steps
+//                [[from, to]]}], parameter, unit, steps: [step], map: [{model, algorithm, rows: [[value,
+//                theory, outcomes], ...]}]}; `shown` is the largest stable step in words; a theory of null
+//                has every step stable; outcomes are the letters of the steps
 //   least        null, or [{says, horizon, fps, unit, model, algorithm, knob, setting, errors, evaluations}]
 //
 // And of all scenes, as oddity.scenes([{number, title, parameters, horizon, time_unit, close, observables,
@@ -47,13 +48,17 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-Json brief(double x, int digits = 4) {
-  return std::isfinite(x) ? Json(std::stod(rounded(x, digits))) : Json(nullptr);
+/// A whole number without a point.
+Json from(double x) {
+  if (!std::isfinite(x)) return nullptr;
+  return std::abs(x) < 1e9 && x == std::round(x) ? Json(std::lround(x)) : Json(x);
 }
-Json brief_all(const std::vector<double>& numbers) {
+Json brief(double x, int digits = 4) {
+  return std::isfinite(x) ? from(std::stod(rounded(x, digits))) : Json(nullptr);
+}
+Json brief_all(const std::vector<double>& numbers, int digits = 4) {
   Json all = Json::array();
-  for (double x : numbers) all.push_back(brief(x));
+  for (double x : numbers) all.push_back(brief(x, digits));
   return all;
 }
 std::string letter(Outcome outcome) { return {letter_of(outcome)}; }
@@ -75,13 +80,14 @@ std::string in_base64(const std::string& bytes) {
   return text.append((4 - text.size() % 4) % 4, '=');
 }
 
-template <class Range>
-Json as_floats(const Range& numbers) {
+/// The lowest `count` bytes, least first.
+void append(std::string& bytes, std::uint32_t bits, int count) {
+  for (int byte = 0; byte < count; ++byte) bytes += static_cast<char>(bits >> 8 * byte & 0xff);
+}
+
+Json as_floats(const std::vector<double>& numbers) {
   std::string bytes;
-  for (double x : numbers) {
-    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(x));
-    for (int byte = 0; byte < 4; ++byte) bytes += static_cast<char>(bits >> 8 * byte & 0xff);
-  }
+  for (double x : numbers) append(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(x)), 4);
   return in_base64(bytes);
 }
 
@@ -106,8 +112,8 @@ Json outcomes() {
 
 /// Settings that are halves of halves keep all their digits, as they are asked for again.
 Json from(const TimedTrial& t) {
-  return Json::array({t.setting, brief(t.error, 3), t.evaluations, brief(t.time.seconds, 3),
-                      brief(t.time.spread, 2), letter(t.outcome)});
+  return Json::array({from(t.setting), brief(t.error, 3), t.evaluations, brief(1e9 * t.time.seconds, 3),
+                      brief(1e9 * t.time.spread, 2), letter(t.outcome)});
 }
 
 Json method(const std::string& model, const std::string& algorithm, Precision precision,
@@ -173,7 +179,7 @@ Horizon frames_of(const Scene& scene) {
 /// Where the motion starts, by the method that is closest to the truth: what it has come to at a time so
 /// short that no float can show what has moved.
 Value start_of(const Scene& scene, const Parameters& parameters, const Path& truest) {
-  const Quantity seen = scene.motion(parameters, {scene.horizon * 1e-12, 1}, Reference::nothing());
+  const Quantity seen = scene.motion(parameters, {scene.horizon * 1e-30, 1}, Reference::nothing());
   for (const Method& m : seen.methods)
     if (m.model == truest.model && m.algorithm == truest.algorithm) return m.run(truest.setting).value;
   throw std::logic_error("the motion has no method '" + truest.model + ", " + truest.algorithm + "'");
@@ -187,10 +193,23 @@ Json truth_of(const Scene& scene, const Parameters& parameters, const Path& true
   return {{"end", scene.horizon}, {"frames", all.size() / start.size() - 1}, {"values", as_floats(all)}};
 }
 
-Json from(const Path& path, std::size_t frames) {
-  return {{"model", path.model},     {"algorithm", path.algorithm},    {"knob", path.knob},
-          {"setting", path.setting}, {"error", brief(path.error)},     {"outcome", letter(path.outcome)},
-          {"frames", frames},        {"values", as_floats(path.value)}};
+/// A recorded motion, for the eye.
+Json from(const Path& path, std::size_t observables, std::size_t frames) {
+  std::vector<double> least(observables, INFINITY), most(observables, -INFINITY);
+  for (std::size_t i = 0; i < path.value.size(); ++i) {
+    least[i % observables] = std::min(least[i % observables], path.value[i]);
+    most[i % observables] = std::max(most[i % observables], path.value[i]);
+  }
+  std::string bytes;
+  for (std::size_t i = 0; i < path.value.size(); ++i) {
+    const double from = least[i % observables], over = most[i % observables] - from;
+    append(bytes,
+           over > 0 ? static_cast<std::uint32_t>(std::lround(65535 * (path.value[i] - from) / over)) : 0, 2);
+  }
+  return {{"model", path.model},       {"algorithm", path.algorithm},  {"knob", path.knob},
+          {"setting", path.setting},   {"error", brief(path.error)},   {"outcome", letter(path.outcome)},
+          {"frames", frames},          {"least", brief_all(least, 6)}, {"most", brief_all(most, 6)},
+          {"values", in_base64(bytes)}};
 }
 
 Json close_of(const Scene& scene) {
@@ -231,7 +250,8 @@ Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& trut
   const Scene& scene = *entry.exercise.scene;
   const Trajectory& shown = *moving->trajectory;
   Json paths = Json::array();
-  for (const Path& path : shown.paths) paths.push_back(from(path, shown.times.size()));
+  for (const Path& path : shown.paths)
+    paths.push_back(from(path, scene.axes.observables.size(), shown.times.size()));
   return {{"quantity", moving - e.quantities.begin()},
           {"horizon", scene.horizon},
           {"time_unit", scene.axes.time},
@@ -262,11 +282,9 @@ Json from(const std::optional<Stability>& stability) {
   Json limits = Json::array(), map = Json::array();
   for (const Limit& limit : stability->limits) limits.push_back(from(limit));
   for (const MapRow& row : stability->map) {
-    map.push_back({{"model", row.model},
-                   {"algorithm", row.algorithm},
-                   {"value", row.value},
-                   {"theory", brief(row.theory)},
-                   {"outcomes", letters(row)}});
+    if (map.empty() || map.back()["model"] != row.model || map.back()["algorithm"] != row.algorithm)
+      map.push_back({{"model", row.model}, {"algorithm", row.algorithm}, {"rows", Json::array()}});
+    map.back()["rows"].push_back({row.value, brief(row.theory), letters(row)});
   }
   return {{"limits", limits},
           {"parameter", stability->parameter},
