@@ -25,8 +25,9 @@
 //                has every step stable; outcomes are the letters of the steps
 //   least        null, or [{says, horizon, fps, unit, model, algorithm, knob, setting, errors, evaluations}]
 //
-// And of all scenes, as oddity.scenes([{number, title, parameters, horizon, time_unit, close, observables,
-// norms, knobs: {knob: [setting]}}, ...]).
+// And of all scenes, as oddity.scenes([{number, title, parameters, styles, horizon, time_unit, close,
+// observables, norms, exact, knobs: {knob: [setting]}}, ...]); `exact` are the models whose motion is ok in
+// the book's case, the truest first.
 
 #include "report/site/data.hpp"
 
@@ -159,9 +160,9 @@ Json from(const QuantityResult& q) {
           {"methods", methods_of(q)}};
 }
 
-Json styles_of(const ExerciseResult& e, const Styles& styles) {
+Json styles_of(std::span<const QuantityResult> quantities, const Styles& styles) {
   Json colours = Json::object(), marks = Json::object(), families = Json::object();
-  for (const QuantityResult& q : e.quantities)
+  for (const QuantityResult& q : quantities)
     for (const MethodResult& m : q.methods) {
       colours[m.model] = styles.colour_place(m.model);
       marks[m.algorithm] = styles.mark_place(m.algorithm);
@@ -244,6 +245,16 @@ Json knobs_of(const QuantityResult& q) {
   return knobs;
 }
 
+Json exact_models(const Trajectory& shown) {
+  std::vector<const Path*> exact;
+  for (const Path& path : shown.paths)
+    if (path.outcome == Outcome::ok) exact.push_back(&path);
+  std::ranges::stable_sort(exact, {}, &Path::error);
+  Json names = Json::array();
+  for (const Path* path : exact) names.push_back(path->model);
+  return names;
+}
+
 Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& truth) {
   const auto moving = motion_of(e);
   if (!entry.exercise.scene || moving == e.quantities.end()) return nullptr;
@@ -322,14 +333,14 @@ std::string exercise_data(const ExerciseResult& e, const Reference& truth, const
                            {"title", e.title},
                            {"outcomes", outcomes()},
                            {"parameters", parameters_of(*entry)},
-                           {"styles", styles_of(e, styles)},
+                           {"styles", styles_of(e.quantities, styles)},
                            {"quantities", quantities},
                            {"scene", scene_of(e, *entry, truth)},
                            {"stability", from(e.stability)},
                            {"least", from(e.ledger)}});
 }
 
-std::string scenes_data(const Results& results) {
+std::string scenes_data(const Results& results, const Styles& styles) {
   Json scenes = Json::array();
   for (const ExerciseResult& e : results.exercises) {
     const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
@@ -339,11 +350,13 @@ std::string scenes_data(const Results& results) {
     scenes.push_back({{"number", to_string(e.number)},
                       {"title", e.title},
                       {"parameters", parameters_of(*entry)},
+                      {"styles", styles_of(std::span(&*moving, 1), styles)},
                       {"horizon", scene.horizon},
                       {"time_unit", scene.axes.time},
                       {"close", close_of(scene)},
                       {"observables", scene.axes.observables},
                       {"norms", norms_of(scene)},
+                      {"exact", exact_models(*moving->trajectory)},
                       {"knobs", knobs_of(*moving)}});
   }
   return call("scenes", scenes);

@@ -14,6 +14,6 @@ namespace oddity {
 std::string exercise_data(const ExerciseResult&, const Reference&, const Styles&);
 
 /// data/scenes.js: oddity.scenes([...]), what the chooser has to know of all scenes.
-std::string scenes_data(const Results&);
+std::string scenes_data(const Results&, const Styles&);
 
 }  // namespace oddity

@@ -200,8 +200,8 @@
 
   /** Of a motion, at what a game asks: "velocity Verlet needs 80 evaluations, 32 times fewer than explicit Euler". */
   function findingOfMotion(methods, axis, game) {
-    const several = new Set(methods.map((m) => m.model)).size > 1;
     const integrators = methods.filter(integrates), closed = methods.filter((m) => !integrates(m));
+    const several = new Set(integrators.map((m) => m.model)).size > 1;
     const within = 'Within ' + game.says + ', ';
     const least = cheapest(integrators, axis, game.error), exact = cheapest(closed, axis, game.error);
     const known = exact ? called(exact.method, false) + ' in closed form needs ' + work(exact, axis) : '';
@@ -455,7 +455,7 @@
     const all = methodsOf(quantity, context.styles);
     const shown = filter();
     context.font = () => getComputedStyle(plot).fontFamily;
-    if (!all.some((m) => m.precision === 'double')) shown.off.precision.clear();
+    if (context.floats || !all.some((m) => m.precision === 'double')) shown.off.precision.clear();
     const families = new Set(all.map((m) => context.styles.families[m.algorithm]).filter(Boolean));
     const view = { axis: quantity.charts[0] || null, every: false, picked: null, by: families.size > 2 ? 'family' : 'model' };
     const title = element('strong', { class: 'finding' });
@@ -557,7 +557,8 @@
       } else return;
       event.preventDefault();
     });
-    document.addEventListener('oddity:point', (event) => {
+    document.addEventListener('oddity:point', function heard(event) {
+      if (!plot.isConnected) document.removeEventListener('oddity:point', heard);
       if (!event.detail || event.detail.quantity !== quantity.name || event.detail.parameters) return;
       view.picked = event.detail;
       light(event.detail);
