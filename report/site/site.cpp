@@ -19,8 +19,10 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
   for (const ExerciseResult& e : results.exercises) pages[to_string(e.number) + ".html"] = exercise_page(e);
   html::typeset(pages);
   for (const auto& [name, text] : pages) write_whole(folder / name, text);
+  const Styles styles(results);
   for (const ExerciseResult& e : results.exercises)
-    write_whole(folder / "data" / (to_string(e.number) + ".js"), exercise_data(e, truth));
+    write_whole(folder / "data" / (to_string(e.number) + ".js"), exercise_data(e, truth, styles));
+  write_whole(folder / "data" / "scenes.js", scenes_data(results, styles));
   for (const EmbeddedFile& asset : embedded_assets())
     write_whole(folder / "assets" / asset.path, std::string(asset.text));
   if (const auto models = module_script()) write_whole(folder / "assets" / "models.js", *models);
