@@ -25,6 +25,7 @@
 #include <nlohmann/json.hpp>
 
 #include "chapters/scene.hpp"
+#include "report/site/script.hpp"
 #include "report/study/starts.hpp"
 
 namespace oddity {
@@ -213,7 +214,7 @@ std::string exercise_data(const ExerciseResult& e, const Reference& truth) {
                   {"scene", scene_of(e, *entry, truth)},
                   {"stability", from(e.stability)},
                   {"least", from(e.ledger)}};
-  return "oddity.exercise(" + json.dump() + ");\n";
+  return "oddity.exercise(" + as_script(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + ");\n";
 }
 
 }  // namespace oddity
