@@ -1,6 +1,8 @@
 #include "report/site/claims_section.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "reference/text.hpp"
 #include "report/pages/markup.hpp"
@@ -23,58 +25,71 @@ std::string words(const std::string& text) { return html::text(with_powers(with_
 
 std::string class_of(Verdict verdict) { return html::anchor(name_of(verdict)); }
 
-std::string badge(Verdict verdict) {
-  return element("span", " class=\"badge " + class_of(verdict) + "\"", name_of(verdict));
-}
-
-/// "3 of 200 samples are against it".
-std::string violations_text(const Check& c) {
-  const std::string of = c.left.by.substr(std::string("violations in ").size());
-  return c.left.value[0] == 0 ? "none of " + of + " is against it"
-                              : rounded(c.left.value[0], 12) + " of " + of +
-                                    (c.left.value[0] == 1 ? " is against it" : " are against it");
-}
-
 bool is_count(const Check& c) { return c.right.by == "none" && c.left.by.starts_with("violations in "); }
+
+/// "none of 200 samples is against it".
+std::string count_text(const Check& c) {
+  const std::string of = c.left.by.substr(std::string("violations in ").size());
+  const std::string n = c.left.value[0] == 0 ? "none" : rounded(c.left.value[0], 12);
+  return html::escaped(n + " of " + of + (n == "none" || n == "1" ? " is" : " are") + " against it");
+}
+
+/// How much of its tolerance a check uses up; one that fails comes before all that hold.
+double use_of(const Check& c) {
+  const double used = c.tolerance.allowed > 0 ? c.difference() / c.tolerance.allowed
+                      : c.difference() == 0   ? 0
+                                              : INFINITY;
+  return std::isnan(used) ? INFINITY : used;
+}
+
+const Check& hardest(const Reading& reading) { return *std::ranges::max_element(reading.checks, {}, use_of); }
 
 std::string difference_text(const Check& c) {
   const double difference = c.difference();
-  if (!std::isfinite(difference)) return "they cannot be compared";
-  if (difference == 0) return "they are equal";
-  return "they differ by " + number_text(difference, 2) +
-         (c.tolerance.allowed == 0 ? ", and must not"
-                                   : ", and may by " + number_text(c.tolerance.allowed, 2) + " (" +
-                                         words(c.tolerance.reason) + ")");
+  if (difference == 0) return "equal";
+  if (!std::isfinite(difference)) return "not to be compared";
+  return "off by " + number_text(difference, 2) +
+         (c.tolerance.allowed == 0 ? " where nothing is allowed"
+                                   : ", allowed " + number_text(c.tolerance.allowed, 2));
 }
 
-/// What was compared with what, and how it came out.
-std::string check_text(const Check& c, const std::string& told, const std::string& reading) {
-  const std::string mark = c.holds() ? "<b class=\"holds\">holds</b> " : "<b class=\"fails\">fails</b> ";
-  const std::string what = c.quantity == told ? "" : words(c.quantity) + ": ";
-  const std::string where = c.where.empty() ? "" : " <small>" + words(c.where) + "</small>";
-  if (is_count(c)) return element("li", "", mark + what + html::escaped(violations_text(c)) + where);
-  const std::string left = c.left.by == reading ? "so" : words(c.left.by);
-  return element("li", "",
-                 mark + what + left + ", <b>" + value_text(c.left.value) + "</b>; " + words(c.right.by) +
-                     ", <b>" + value_text(c.right.value) + "</b>; " + difference_text(c) + "." + where);
+/// What a reading was compared with, and how it came out: of its checks the hardest.
+std::string comparison_of(const Reading& reading, bool with_values) {
+  const Check& c = hardest(reading);
+  if (is_count(c)) return count_text(c);
+  const std::string of = c.where.starts_with("worst of ") ? ", " + c.where.substr(0, c.where.find(':')) : "";
+  return (with_values ? element("b", "", value_text(c.left.value)) + " against " +
+                            element("b", "", value_text(c.right.value)) + ", " + words(c.right.by)
+                      : "against " + words(c.right.by)) +
+         ": " + difference_text(c) + html::escaped(of) +
+         (reading.checks.size() > 1 ? "; hardest of " + std::to_string(reading.checks.size()) + " checks"
+                                    : "");
 }
 
-std::string reading_text(const std::string& name, const Reading& reading, const std::string& told) {
-  if (reading.checks.empty()) return "";
-  std::string checks;
-  for (const Check& c : reading.checks) checks += check_text(c, told, reading.text);
-  return element("p", "", name + ": " + words(reading.text)) + element("ul", "", checks);
+std::string near_misses_of(const Claim& claim) {
+  const auto n = static_cast<long>(claim.near_misses.size());
+  return n == 0 ? "" : " " + counted(n, "near miss fails.", "near misses fail.");
 }
 
-std::string evidence_of(const Claim& claim) {
-  if (!claim.not_checkable.empty()) return element("p", "", html::text(claim.not_checkable));
-  std::string text = reading_text("As printed", claim.printed, claim.says) +
-                     reading_text("As meant", claim.meant, claim.says) +
-                     reading_text("Corrected", claim.corrected, claim.says);
-  std::string near;
-  for (const Reading& reading : claim.near_misses) near += (near.empty() ? "" : "; ") + words(reading.text);
-  if (!near.empty()) text += element("p", " class=\"near\"", "The same comparison refuses: " + near + ".");
-  return text;
+std::string sentence(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text + ".";
+}
+
+/// What speaks for a verdict.
+std::string evidence_of(const JudgedClaim& judged) {
+  const Claim& claim = judged.claim;
+  if (!claim.not_checkable.empty()) return html::text(claim.not_checkable);
+  std::string text;
+  if (judged.verdict == Verdict::confirmed && !claim.printed.checks.empty())
+    text = sentence(comparison_of(claim.printed, false));
+  else
+    for (const auto& [name, reading] :
+         {std::pair{"Printed", &claim.printed}, {"Meant", &claim.meant}, {"Right", &claim.corrected}})
+      if (!reading->checks.empty())
+        text += (text.empty() ? "" : " ") + std::string(name) + ": " + comparison_of(*reading, true) + ".";
+  return text + near_misses_of(claim);
 }
 
 std::string id_attribute(const Claim& claim) { return " id=\"" + claim_anchor_of(claim) + "\""; }
@@ -92,13 +107,14 @@ std::string sides(const JudgedClaim& judged) {
 
 std::string finding_text(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
-  const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
-  return element("article", id_attribute(claim) + " class=\"finding " + class_of(judged.verdict) + "\"",
-                 "<p class=\"meta\">" + badge(judged.verdict) + " " + kind + "line " +
+  const std::string kind = name_of(claim.kind).empty() ? "" : html::escaped(name_of(claim.kind)) + ", ";
+  return element("article", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
+                 "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind + "line " +
                      std::to_string(claim.line) + " " +
                      html::link("#" + claim_anchor_of(claim), html::escaped(claim.id)) + "</p>" +
-                     element("p", " class=\"says\"", "The solution says: " + html::text(claim.says) + ".") +
-                     sides(judged) + element("p", "", html::prose(claim.why))) +
+                     element("p", "", "The solution says: " + html::text(claim.says) + ".") + sides(judged) +
+                     element("p", "", html::prose(claim.why)) +
+                     html::folded("Evidence", element("p", "", evidence_of(judged)))) +
          "\n";
 }
 
@@ -116,22 +132,16 @@ std::string others_text(const ExerciseResult& e, Verdict verdict, const std::str
                       : element("section", " class=\"root\"", element("h3", "", title) + "\n" + text) + "\n";
 }
 
-bool has_finding(Verdict verdict) {
+bool is_finding(Verdict verdict) {
   return verdict == Verdict::erratum || verdict == Verdict::misprint || verdict == Verdict::unsettled;
 }
 
 std::string claim_text(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
-  const bool above = has_finding(judged.verdict);
-  const std::string attributes =
-      (above ? std::string() : id_attribute(claim)) + " class=\"claim\" data-verdict=\"" +
-      class_of(judged.verdict) + "\"" +
-      (claim.kind == Fault::none ? "" : " data-kind=\"" + std::string(name_of(claim.kind)) + "\"");
-  const std::string summary = badge(judged.verdict) + "<span>" + html::text(claim.says) +
-                              "</span><small>line " + std::to_string(claim.line) + "</small>";
-  const std::string finding =
-      above ? element("p", "", html::link("#" + claim_anchor_of(claim), "What is wrong with it")) : "";
-  return element("details", attributes, element("summary", "", summary) + finding + evidence_of(claim)) +
+  return element("details", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
+                 element("summary", "",
+                         html::text(claim.says) + " <small>" + std::to_string(claim.line) + "</small>") +
+                     element("p", "", evidence_of(judged))) +
          "\n";
 }
 
@@ -144,18 +154,23 @@ std::string findings_section(const ExerciseResult& e) {
   for (const Finding& finding : findings_of(e)) text += root_text(finding);
   text += others_text(e, Verdict::misprint, "Misprints") + others_text(e, Verdict::unsettled, "Unsettled");
   if (text.empty()) return "";
-  return "<section id=\"findings\">\n<h2>What is wrong</h2>\n" + text + "</section>\n";
+  return "<section id=\"findings\">\n<h2>What is wrong</h2>\n<div class=\"filter\"></div>\n" + text +
+         "</section>\n";
 }
 
 std::string claims_section(const ExerciseResult& e) {
-  if (e.claims.empty()) return "";
   std::string text;
-  for (const JudgedClaim& c : e.claims) text += claim_text(c);
-  return "<section id=\"claims\">\n<h2>What the solution says</h2>\n<p>" +
-         counted(static_cast<long>(e.claims.size()), "claim", "claims") +
-         ", in the order of the solution’s lines. Each opens to what was compared with what.</p>\n"
-         "<div class=\"filter\" data-of=\"claim\"></div>\n<div class=\"claims\">\n" +
-         text + "</div>\n</section>\n";
+  long confirmed = 0;
+  for (const JudgedClaim& c : e.claims)
+    if (!is_finding(c.verdict)) text += claim_text(c), confirmed += c.verdict == Verdict::confirmed;
+  if (text.empty()) return "";
+  return "<section id=\"claims\">\n<h2>" +
+         std::string(confirmed == 0 ? "What cannot be checked" : "What is confirmed") + "</h2>\n<p>" +
+         (confirmed == 0
+              ? std::string("Each claim opens to the reason.")
+              : counted(confirmed, "claim", "claims") +
+                    " of the solution, each with its line; it opens to what it was compared with.") +
+         "</p>\n<div class=\"claims\">\n" + text + "</div>\n</section>\n";
 }
 
 }  // namespace oddity

@@ -39,41 +39,55 @@ void add_under(Named& all, const std::string& reason, const std::string& name) {
     same->second += "; " + name;
 }
 
-std::string no_script(const std::string& quantity, const ExerciseResult& e) {
-  return "<noscript><p>The chart and the table of all trials need scripts. As text: <code>oddity solve " +
-         to_string(e.number) + "</code> (" + html::escaped(quantity) + ").</p></noscript>";
+/// A button that plays this trial; its method by its place among the data's.
+std::string play_button(const QuantityResult& q, const TimedTrial& t) {
+  const auto method = std::ranges::find_if(
+      q.methods, [&](const MethodResult& m) { return m.model == t.model && m.algorithm == t.algorithm; });
+  if (!q.trajectory || method == q.methods.end()) return "";
+  return " <button type=\"button\" hidden data-play=\"" + std::to_string(method - q.methods.begin()) + " " +
+         shortest(t.setting) + "\">play</button>";
 }
 
-std::string trial_text(const std::string& what, const TimedTrial& t) {
-  const std::string play = "<button type=\"button\" class=\"play\" hidden data-model=\"" +
-                           html::escaped(t.model) + "\" data-algorithm=\"" + html::escaped(t.algorithm) +
-                           "\" data-setting=\"" + html::escaped(shortest(t.setting)) +
-                           "\" data-precision=\"" + std::string(name_of(t.precision)) + "\">play</button>";
-  return html::row(
-      {what, html::escaped(t.model + ", " + t.algorithm) + setting_text(t) + " " + play,
-       html::escaped(with_powers(shown(t.value, 7))), short_error(t.error), std::to_string(t.evaluations),
-       "<span class=\"outcome " + html::anchor(name_of(t.outcome)) + "\">" + std::string(name_of(t.outcome)) +
-           "</span>"},
-      "34");
+std::string trial_text(const std::string& what, const QuantityResult& q, const TimedTrial& t) {
+  return element("li", "",
+                 "<b>" + what + "</b> " + html::escaped(t.model + ", " + t.algorithm) + setting_text(t) +
+                     ": <b class=\"outcome " + html::anchor(name_of(t.outcome)) + "\">" +
+                     std::string(name_of(t.outcome)) + "</b>, error " + short_error(t.error) + ", " +
+                     counted(t.evaluations, "evaluation", "evaluations") + play_button(q, t));
 }
 
-std::string breakdown_text_of(const BreakdownResult& b) {
-  return "<div class=\"breakdown\">" +
-         element("p", "", "<strong>Where it breaks.</strong> " + html::prose(b.says)) +
-         html::table({"What breaks, and what cures it",
-                      {"", "method", "value", "error", "evaluations", "outcome"},
-                      {trial_text("breaks", b.broken), trial_text("cure", b.cured)}}) +
-         "</div>\n";
+std::string breakdown_text_of(const QuantityResult& q, const BreakdownResult& b) {
+  return "<div class=\"breakdown\">" + element("p", "", html::prose(b.says)) +
+         element("ul", "", trial_text("breaks", q, b.broken) + trial_text("cure", q, b.cured)) + "</div>\n";
+}
+
+/// "one angle: explicit Euler, velocity Verlet; Cartesian: explicit Euler".
+std::string methods_text(const std::vector<const MethodResult*>& methods) {
+  std::string text;
+  const MethodResult* last = nullptr;
+  for (const MethodResult* m : methods) {
+    const bool same = last && last->model == m->model;
+    text += (!last ? "" : same ? ", " : "; ") + (same ? m->algorithm : m->model + ": " + m->algorithm);
+    last = m;
+  }
+  return html::escaped(text);
 }
 
 std::string failures_text(const QuantityResult& q) {
-  Named reasons;
-  for (const MethodResult& m : q.methods)
-    if (!m.why.empty() && m.expected != Outcome::ok)
-      add_under(reasons, "<em>" + std::string(name_of(m.expected)) + "</em>: " + html::text(m.why),
-                html::escaped(m.model + ", " + m.algorithm));
+  std::vector<std::pair<std::string, std::vector<const MethodResult*>>> reasons;
+  for (const MethodResult& m : q.methods) {
+    if (m.why.empty() || m.expected == Outcome::ok) continue;
+    const std::string reason = "<em>" + std::string(name_of(m.expected)) + "</em>, " + html::text(m.why);
+    const auto same =
+        std::ranges::find(reasons, reason, &std::pair<std::string, std::vector<const MethodResult*>>::first);
+    if (same == reasons.end())
+      reasons.emplace_back(reason, std::vector{&m});
+    else
+      same->second.push_back(&m);
+  }
   std::string items;
-  for (const auto& [reason, names] : reasons) items += element("li", "", names + ": " + reason + ".");
+  for (const auto& [reason, methods] : reasons)
+    items += element("li", "", methods_text(methods) + ": " + reason + ".");
   return items.empty() ? ""
                        : html::folded("Expected to fail at the finest setting", element("ul", "", items));
 }
@@ -87,47 +101,44 @@ std::string reference_of(const QuantityResult& q) {
          (q.samples > 1 ? "; " + instants(q) : "") + ".";
 }
 
-std::string quantity_text_of(const ExerciseResult& e, const QuantityResult& q) {
+std::string quantity_text_of(const QuantityResult& q) {
   const std::string name = html::escaped(q.name);
   std::string text = "<section class=\"quantity\" id=\"q-" + html::anchor(q.name) + "\">\n" +
                      element("h3", "", "<code>" + name + "</code> " + html::text(q.says)) + "\n" +
                      element("p", "", reference_of(q)) + "\n<figure class=\"chart\" data-quantity=\"" + name +
-                     "\">" + no_script(q.name, e) + "</figure>\n<div class=\"trials\" data-quantity=\"" +
-                     name + "\"></div>\n";
-  for (const BreakdownResult& b : q.breakdowns) text += breakdown_text_of(b);
+                     "\"></figure>\n<div class=\"trials\" data-quantity=\"" + name + "\"></div>\n";
+  for (const BreakdownResult& b : q.breakdowns) text += breakdown_text_of(q, b);
   return text + failures_text(q) + "</section>\n";
 }
 
-std::string limit_row_of(const Limit& l, const Stability& s) {
-  const auto theory = l.theory();
+std::string limit_row_of(const Limit& l) {
+  const double theory = l.theory();
   return html::row(
       {html::escaped(l.algorithm), html::escaped(shown_step(l)),
        std::isinf(theory) ? "every step"
        : theory == 0      ? "none"
                           : rounded(theory, 3),
-       l.within ? rounded(l.within->setting, 3) : "none found",
-       l.broken ? "<span class=\"outcome " + html::anchor(beyond(l)) + "\">" + beyond(l) + "</span>"
-                : "stable",
-       html::escaped(with_powers(shown_cure(l, s.unit)))},
+       l.within ? rounded(l.within->setting, 3) : "none found", beyond(l),
+       !l.cure ? ""
+               : html::escaped((l.cure->model == l.model ? "" : l.cure->model + ", ") + l.cure->algorithm)},
       "123");
 }
 
 /// The limits of one model after the other.
 std::string limits_text_of(const Stability& s) {
-  std::string text;
   const std::string unit = s.time_unit.empty() ? "" : " [" + html::escaped(s.time_unit) + "]";
-  for (std::size_t i = 0; i < s.limits.size();) {
-    const std::string& model = s.limits[i].model;
-    html::Table table{
-        "Limits of " + model,
-        {"algorithm", "stable to" + unit, "theory" + unit, "needed to" + unit, "beyond", "cure there"}};
-    for (; i < s.limits.size() && s.limits[i].model == model; ++i)
-      table.rows.push_back(limit_row_of(s.limits[i], s));
-    text += html::folded(
-        html::escaped(model) + ": " + counted(static_cast<long>(table.rows.size()), "method", "methods"),
-        html::table(table));
+  html::Table table{
+      "The largest steps",
+      {"algorithm", "stable to" + unit, "theory" + unit, "needed to" + unit, "beyond", "cure there"}};
+  const std::string* model = nullptr;
+  for (const Limit& l : s.limits) {
+    if (!model || *model != l.model)
+      table.rows.push_back("<tr><th colspan=\"6\" scope=\"rowgroup\">" + html::escaped(l.model) +
+                           "</th></tr>\n");
+    model = &l.model;
+    table.rows.push_back(limit_row_of(l));
   }
-  return text;
+  return html::folded("The limits of all methods", html::table(table));
 }
 
 /// Which methods hold longest and which never: the scene's limits in a sentence or two.
@@ -170,8 +181,10 @@ std::string reasons_text(const Stability& s) {
 std::string quantities_section(const ExerciseResult& e) {
   if (e.quantities.empty()) return "";
   std::string text;
-  for (const QuantityResult& q : e.quantities) text += quantity_text_of(e, q);
-  return "<section id=\"quantities\">\n<h2>How to compute it</h2>\n" + text + "</section>\n";
+  for (const QuantityResult& q : e.quantities) text += quantity_text_of(q);
+  return "<section id=\"quantities\">\n<h2>How to compute it</h2>\n<noscript><p>Charts and tables of trials need "
+         "scripts. The table as text: <code>oddity solve " +
+         to_string(e.number) + "</code>.</p></noscript>\n" + text + "</section>\n";
 }
 
 std::string stability_section(const ExerciseResult& e) {
