@@ -6,6 +6,7 @@
 // alone. The scene carries the orientation along R' = Skew(w) R and compares with the frame.
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
+#include "chapters/02_basic_concepts/07_curve_on_sphere/drawing.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity {
@@ -37,7 +38,8 @@ Scene scene() {
             {"quaternion", "curve_on_sphere::AsQuaternion<double>{{{pace}}}"},
             {"matrix, w of the printed listing", "curve_on_sphere::AsMatrix<double>{{{pace}, true}}"}},
            {{"matrix, orthonormalized", "which repairs the orientation after each step"},
-            {"quaternion, normalized", "which repairs the orientation after each step"}}}};
+            {"quaternion, normalized", "which repairs the orientation after each step"}}},
+          curve_on_sphere::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -5,6 +5,7 @@
 // claims.cpp judges the derivation against Newton's law, models.hpp has the models. The reference is
 // Kepler's equation in universal variables and the Taylor series of the Cartesian equations, in 60 digits.
 
+#include "chapters/03_rigid_body_motion/03_kepler/drawing.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -136,7 +137,8 @@ Scene scene() {
             {"equation (7)", "kepler::OneAngle<double>({G, M, r0, r0_dot, theta0, theta0_dot})"},
             {"equation (2)", "kepler::Distance<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
             {"polar", "kepler::Polar<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
-            {"Cartesian", "kepler::Cartesian<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"}}}};
+            {"Cartesian", "kepler::Cartesian<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"}}},
+          kepler::draw<Parameters>};
 }
 
 std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "chapters/03_rigid_body_motion/13_tilted_chute/drawing.hpp"
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
 #include "chapters/in_float.hpp"
 #include "reference/bad_input.hpp"
@@ -49,7 +50,8 @@ Scene scene() {
             {"elliptic angle", "tilted_chute::EllipticAngle<double>({R, L, H, g, phi, u})"},
             {"angle about the axis", "tilted_chute::Angle<double>{{R, L, H, g, phi, u}}"},
             {"height field", "tilted_chute::in_plane<double>({R, L, H, g, phi, u})"},
-            {"Cartesian with constraint", "tilted_chute::InSpace<double>{{R, L, H, g, phi, u}}"}}}};
+            {"Cartesian with constraint", "tilted_chute::InSpace<double>{{R, L, H, g, phi, u}}"}}},
+          tilted_chute::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <string>
 
+#include "chapters/03_rigid_body_motion/15_turning_rod/drawing.hpp"
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -141,7 +142,8 @@ Scene scene() {
         {"along the rod", "turning_rod::AlongTheRod<double>{{{m, c, K, w, s}}}"},
         {"along the rod, with the work", "turning_rod::AlongTheRodWithWork<double>{{{m, c, K, w, s}}}"},
         {"in the turning plane", "turning_rod::InTheTurningPlane<double>{{{m, c, K, w, s}}}"},
-        {"Cartesian with constraints", "turning_rod::CartesianWithConstraints<double>{{{m, c, K, w, s}}}"}}}};
+        {"Cartesian with constraints", "turning_rod::CartesianWithConstraints<double>{{{m, c, K, w, s}}}"}}},
+      turning_rod::draw<Parameters>};
 }
 
 Findings study(const Parameters& given, const Reference& truth) {

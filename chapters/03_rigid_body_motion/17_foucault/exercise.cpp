@@ -7,6 +7,7 @@
 // difference of two Earths that turn the opposite ways. The cone's integrals are taken by quadrature over its
 // points.
 
+#include "chapters/03_rigid_body_motion/17_foucault/drawing.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -61,7 +62,8 @@ Scene scene() {
          "foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0}"},
         {"two angles", "foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
         {"Cartesian with constraint",
-         "foucault::Cartesian<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}}};
+         "foucault::Cartesian<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}},
+      foucault::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "chapters/03_rigid_body_motion/19_two_pulleys/drawing.hpp"
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -176,7 +177,8 @@ Scene scene() {
          "two_pulleys::TwoCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, "
          "v2, v3}, 0}"}},
        {{"normal modes", "which needs GSL's eigenvalues"},
-        {"normal modes, pulleys without inertia", "which needs GSL's eigenvalues"}}}};
+        {"normal modes, pulleys without inertia", "which needs GSL's eigenvalues"}}},
+      two_pulleys::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

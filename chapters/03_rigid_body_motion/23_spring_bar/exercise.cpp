@@ -7,6 +7,7 @@
 // differentiated by dual numbers, and with the moments of the forces. Small oscillations have the frequency
 // (s/r) sqrt(c/m), in which neither gravity nor the spring's length appears.
 
+#include "chapters/03_rigid_body_motion/23_spring_bar/drawing.hpp"
 #include "chapters/03_rigid_body_motion/23_spring_bar/spring_bar.hpp"
 
 #include <cmath>
@@ -139,7 +140,8 @@ Scene scene() {
        {{"small oscillation", "spring_bar::SmallOscillation<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
         {"one angle", "spring_bar::OneAngle<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
         {"Cartesian with constraint",
-         "spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}}"}}}};
+         "spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}}"}}},
+      spring_bar::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
+#include "chapters/03_rigid_body_motion/27_two_bodies/drawing.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
@@ -162,7 +163,8 @@ Scene scene() {
              "two_bodies::ByKeplersEquation<double>({G, m1, m2, r0, r0_dot, phi0, phi0_dot})"},
             {"(r, u, phi)", "two_bodies::Published<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"},
             {"two bodies", "two_bodies::BothBodies<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"}},
-           {{"Levi-Civita's coordinates", "which needs Newton's method for the time of every frame"}}}};
+           {{"Levi-Civita's coordinates", "which needs Newton's method for the time of every frame"}}},
+          two_bodies::draw<Parameters>};
 }
 
 /// The time of a turn of phi, against Kepler's third law with the sum of the masses.

@@ -4,6 +4,7 @@
 // methods.cpp has the quantities, claims.cpp the claims.
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
+#include "chapters/03_rigid_body_motion/35_moving_tip/drawing.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -62,7 +63,8 @@ Scene scene() {
         {"rigid body, quaternion",
          "moving_tip::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
         {"axis and angular momentum",
-         "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}}};
+         "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}},
+      moving_tip::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
