@@ -32,7 +32,6 @@
 #include "report/site/data.hpp"
 
 #include <bit>
-#include <boost/algorithm/string/replace.hpp>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
@@ -40,6 +39,7 @@
 
 #include "chapters/scene.hpp"
 #include "report/charts/chart.hpp"
+#include "report/site/script.hpp"
 #include "report/study/stability.hpp"
 #include "report/study/starts.hpp"
 
@@ -64,14 +64,9 @@ Json brief_all(const std::vector<double>& numbers, int digits = 4) {
 }
 std::string letter(Outcome outcome) { return {letter_of(outcome)}; }
 
-/// A call that can stand in a script whatever its strings hold: nothing in it ends the script or a line.
 std::string call(const std::string& function, const Json& argument) {
-  std::string text = argument.dump();
-  boost::replace_all(text, "</", "<\\/");
-  boost::replace_all(text, "<!--", "<\\u0021--");
-  boost::replace_all(text, "\u2028", "\\u2028");
-  boost::replace_all(text, "\u2029", "\\u2029");
-  return "oddity." + function + "(" + text + ");\n";
+  const std::string text = argument.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return "oddity." + function + "(" + as_script(text) + ");\n";
 }
 
 std::string in_base64(const std::string& bytes) {

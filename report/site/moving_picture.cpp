@@ -1,0 +1,203 @@
+#include "report/site/moving_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "chapters/contents.hpp"
+#include "chapters/drawing.hpp"
+#include "reference/text.hpp"
+#include "report/site/findings.hpp"
+#include "report/site/page.hpp"
+
+namespace oddity {
+
+namespace {
+
+using Kind = Drawing::Kind;
+using html::element;
+
+struct Spot {
+  double x, y;
+};
+
+/// As seen from the right, and from a little above.
+Spot seen(const Place& p, bool in_space) {
+  constexpr double azimuth = 0.6, elevation = 0.35;
+  if (!in_space) return {p.x, p.y};
+  const double across = std::cos(azimuth) * p.y - std::sin(azimuth) * p.x,
+               toward = std::cos(azimuth) * p.x + std::sin(azimuth) * p.y;
+  return {across, std::cos(elevation) * p.z - std::sin(elevation) * toward};
+}
+
+/// A motion as drawings at evenly spaced times, as far as it goes.
+using Film = std::vector<Drawing>;
+
+Film film_of(const Path& path, const Trajectory& t, const Entry& entry, std::size_t frames) {
+  const std::size_t count = t.observables.size();
+  const Parameters parameters(entry.exercise.parameters);
+  Film film;
+  for (std::size_t k = 0; k < frames; ++k) {
+    const std::size_t at = k * (t.times.size() - 1) / (frames - 1);
+    if ((at + 1) * count > path.value.size()) break;
+    const std::vector<double> observed(path.value.begin() + static_cast<long>(at * count),
+                                       path.value.begin() + static_cast<long>((at + 1) * count));
+    if (!std::ranges::all_of(observed, [](double x) { return std::isfinite(x); })) break;
+    film.emplace_back();
+    entry.exercise.scene->draw(parameters, t.times[at], observed, film.back());
+  }
+  return film;
+}
+
+bool is_shown(Kind kind) {
+  return kind == Kind::body || kind == Kind::rod || kind == Kind::rope || kind == Kind::spring ||
+         kind == Kind::track || kind == Kind::disc || kind == Kind::plate || kind == Kind::support;
+}
+
+/// The part of the plane that a motion takes.
+struct Frame {
+  double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
+
+  void see(const Film& film) {
+    for (const Drawing& drawing : film)
+      for (const auto& primitive : drawing.primitives())
+        if (is_shown(primitive.kind))
+          for (std::size_t i = 0; i < points_of(primitive); ++i)
+            see(seen(primitive.points[i], drawing.is_in_space()),
+                primitive.kind == Kind::body || primitive.kind == Kind::disc ? primitive.size : 0);
+  }
+  static std::size_t points_of(const Drawing::Primitive& p) {
+    return p.kind == Kind::disc ? std::min<std::size_t>(1, p.points.size()) : p.points.size();
+  }
+
+ private:
+  void see(Spot s, double radius) {
+    left = std::min(left, s.x - radius), right = std::max(right, s.x + radius);
+    low = std::min(low, s.y - radius), high = std::max(high, s.y + radius);
+  }
+};
+
+constexpr double side = 160, margin = 8;
+
+/// From the scene's lengths to the picture's.
+struct View {
+  double scale, x, y;
+
+  explicit View(const Frame& f) {
+    const double size = std::max({f.right - f.left, f.high - f.low, 1e-12});
+    scale = (side - 2 * margin) / size;
+    x = side / 2 - scale * (f.left + f.right) / 2;
+    y = side / 2 + scale * (f.low + f.high) / 2;
+  }
+  Spot operator()(const Place& p, bool in_space) const {
+    const Spot s = seen(p, in_space);
+    return {x + scale * s.x, y - scale * s.y};
+  }
+};
+
+std::string tenth(double x) { return rounded(std::round(std::clamp(x, -999.0, 999.0) * 10) / 10, 5); }
+std::string pair(Spot s) { return tenth(s.x) + "," + tenth(s.y); }
+
+std::string points_text(const Drawing::Primitive& p, const View& view, bool in_space) {
+  std::string text;
+  for (const Place& place : p.points) text += (text.empty() ? "" : " ") + pair(view(place, in_space));
+  return text;
+}
+
+/// An attribute as it is at first, and as it changes.
+struct Moving {
+  std::string name;
+  std::vector<std::string> values = {};
+};
+
+std::string shape(const std::string& tag, const std::string& still, std::vector<Moving> attributes,
+                  double seconds) {
+  std::string text = "<" + tag + still, changes;
+  for (const Moving& attribute : attributes) {
+    text += " " + attribute.name + "=\"" + attribute.values.front() + "\"";
+    if (std::ranges::all_of(attribute.values, [&](const auto& v) { return v == attribute.values.front(); }))
+      continue;
+    changes += "<animate attributeName=\"" + attribute.name + "\" dur=\"" + rounded(seconds, 3) +
+               "s\" begin=\"indefinite\" repeatCount=\"indefinite\" values=\"";
+    for (const std::string& value : attribute.values) changes += value + ";";
+    changes.back() = '"';
+    changes += "/>";
+  }
+  return text + ">" + changes + "</" + tag + ">";
+}
+
+/// One primitive through the film.
+std::string primitive_text(const Film& film, std::size_t which, const View& view, double seconds) {
+  const auto& first = film.front().primitives()[which];
+  const auto still = [](const std::string& name) { return " class=\"" + name + "\""; };
+  if (first.kind == Kind::body || first.kind == Kind::disc || first.kind == Kind::support) {
+    Moving x{"cx"}, y{"cy"};
+    for (const Drawing& drawing : film) {
+      const Spot s = view(drawing.primitives()[which].points.front(), drawing.is_in_space());
+      x.values.push_back(tenth(s.x)), y.values.push_back(tenth(s.y));
+    }
+    const double radius = first.kind == Kind::disc      ? view.scale * first.size
+                          : first.kind == Kind::support ? 2.5
+                                                        : std::clamp(view.scale * first.size, 3.0, 9.0);
+    const std::string name = first.kind == Kind::body   ? "body"
+                             : first.kind == Kind::disc ? "disc"
+                                                        : "support";
+    return shape("circle", still(name) + " r=\"" + tenth(radius) + "\"", {x, y}, seconds);
+  }
+  Moving points{"points"};
+  for (const Drawing& drawing : film)
+    points.values.push_back(points_text(drawing.primitives()[which], view, drawing.is_in_space()));
+  const std::string name = first.kind == Kind::track    ? "track"
+                           : first.kind == Kind::spring ? "spring"
+                           : first.kind == Kind::plate  ? "plate"
+                                                        : "rod";
+  return shape(first.kind == Kind::plate ? "polygon" : "polyline", still(name), {points}, seconds);
+}
+
+/// What moves of a film, or what stands still.
+std::string layer_text(const Film& film, const View& view, double seconds, bool background) {
+  std::string text;
+  for (std::size_t i = 0; i < film.front().primitives().size(); ++i) {
+    const Kind kind = film.front().primitives()[i].kind;
+    const bool stands = kind == Kind::track || kind == Kind::support;
+    const bool always = std::ranges::all_of(film, [&](const Drawing& drawing) {
+      return i < drawing.primitives().size() && drawing.primitives()[i].kind == kind;
+    });
+    if (is_shown(kind) && stands == background && always) text += primitive_text(film, i, view, seconds);
+  }
+  return text;
+}
+
+/// A film that ends early stays at its end.
+void prolong(Film& film, std::size_t frames) {
+  while (!film.empty() && film.size() < frames) film.push_back(film.back());
+}
+
+}  // namespace
+
+std::string moving_picture(const ExerciseResult& e) {
+  constexpr std::size_t frames = 48;
+  const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
+  const Path* published = published_path(e);
+  if (!published || entry == registry().end() || !entry->exercise.scene || !entry->exercise.scene->draw)
+    return "";
+  const Trajectory& t = *trajectory_of(e);
+  if (t.times.size() < frames || t.observables.empty() || published->error <= t.close) return "";
+  Film truth = film_of(true_path(t), t, *entry, frames), wrong = film_of(*published, t, *entry, frames);
+  if (truth.empty() || wrong.empty() || truth.front().primitives().empty()) return "";
+  Frame frame;
+  frame.see(truth);
+  prolong(truth, frames), prolong(wrong, frames);
+  const View view(frame);
+  const double seconds = std::clamp(t.times.back(), 4.0, 10.0);
+  return "<figure class=\"thumb\"><svg viewBox=\"0 0 160 160\" role=\"img\" aria-label=\"" +
+         html::escaped("The motion of the published version, " + published->model + ", beside the true one") +
+         "\">" + element("g", " class=\"still\"", layer_text(truth, view, seconds, true)) +
+         element("g", " class=\"truth\"", layer_text(truth, view, seconds, false)) +
+         element("g", " class=\"published\"", layer_text(wrong, view, seconds, false)) +
+         "</svg><figcaption><span class=\"truth\">true</span> <span class=\"published\">published</span></figcaption></figure>\n";
+}
+
+}  // namespace oddity
