@@ -1,0 +1,638 @@
+// A scene that plays: the truth as a ghost, up to four methods beside it, what they err and what they conserve.
+
+(function (oddity) {
+  'use strict';
+
+  const most = 4;
+  const speeds = [0.25, 1, 4];
+  const shortly = 10;            // s, for a motion whose time is not in seconds
+  const patience = 0.1;          // s, the longest that a frame may count
+  const { make, icon } = oddity;
+
+  const shapes = {
+    play: ['M4 2 L13.5 8 L4 14 Z'],
+    pause: ['M3.5 2 H6.8 V14 H3.5 Z M9.2 2 H12.5 V14 H9.2 Z'],
+    back: ['M10.5 2.5 L4.5 8 L10.5 13.5 Z', 'M12 2.5 H13.5 V13.5 H12 Z'],
+    forward: ['M5.5 2.5 L11.5 8 L5.5 13.5 Z', 'M2.5 2.5 H4 V13.5 H2.5 Z'],
+    reset: ['M8 2.2 A5.8 5.8 0 1 1 2.6 6 L4.2 6.6 A4.1 4.1 0 1 0 8 3.9 V6.4 L3.8 3.2 L8 0 Z'],
+  };
+
+  const calm = () => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+
+  const button = (label, click, ...children) => make('button', { type: 'button', 'aria-label': label, title: label, click }, ...children);
+  const worded = (text, title, click) => make('button', { type: 'button', title, click }, text);
+
+  /** The words of a command, in quotes where the shell asks for them. */
+  const quoted = (text) => (/^[\w.,:=/+-]+$/.test(text) ? text : `'${text.replace(/'/g, `'\\''`)}'`);
+
+  oddity.commands = function ({ number, parameters, changed, close, horizon, frame }) {
+    const values = parameters.filter((p) => p.name in changed).map((p) => `${p.name}=${changed[p.name]}`);
+    const errors = Object.entries(close).map(([unit, x]) =>
+      (oddity.nameOfNeed(unit, x) === '1 cm' ? '1cm' : oddity.nameOfNeed(unit, x) === '1\u00b0' ? '1deg' : String(x)));
+    const of = [number, ...values].map(quoted).join(' ');
+    return {
+      solve: `./oddity solve ${of}`,
+      choose: `./oddity choose ${of} --error ${errors.join(',')} --horizon ${horizon} --fps ${Math.round(1 / frame)}`,
+    };
+  };
+
+  /** The frames that the stage has to hold: the truth's, and the methods' as long as they are not far off. */
+  function toFit(truth, others) {
+    const points = (drawing) => drawing.primitives.flatMap((p) => p.points);
+    const low = [Infinity, Infinity, Infinity];
+    const high = [-Infinity, -Infinity, -Infinity];
+    for (const drawing of truth)
+      for (const p of points(drawing))
+        for (let k = 0; k < 3; k += 1) {
+          if (p[k] < low[k]) low[k] = p[k];
+          if (p[k] > high[k]) high[k] = p[k];
+        }
+    const size = Math.hypot(...high.map((x, k) => x - low[k]));
+    const near = (p) => p.every((x, k) => x >= low[k] - 0.4 * size && x <= high[k] + 0.4 * size);
+    return [...truth, ...others.filter((drawing) => points(drawing).every(near))];
+  }
+
+  class Player {
+    constructor(element, data, engine) {
+      this.element = element;
+      this.motions = oddity.motions(data, engine);
+      this.scene = this.motions.scene;
+      this.rate = this.scene.time_unit === 's' ? 1 : this.scene.horizon / shortly;
+      this.playing = false;
+      this.wanted = !calm();     // plays as soon as it is seen
+      this.rows = [];
+      this.build();
+      this.stage = oddity.stage(this.canvas, { space: this.motions.space });
+      this.look();
+      this.restart(this.fromLink() || this.usual());
+      this.follow();
+    }
+
+    // ---- state --------------------------------------------------------------------------------------------
+
+    usual() {
+      return { parameters: {}, rows: this.motions.opening(), time: 0, speed: 1 };
+    }
+
+    /** What a link may name. */
+    known() {
+      return { parameters: this.motions.recordedOnly ? [] : this.sliding(), methods: this.motions.methods,
+        horizon: this.scene.horizon, speeds };
+    }
+
+    fromLink() {
+      const read = oddity.permalink.parse(window.location.hash, this.known());
+      if (!read) return null;
+      if (read.problem) {
+        this.say(`${read.problem} This is the player as it opens.`, true);
+        return null;
+      }
+      const { state } = read;
+      if (state.time > 0) this.wanted = false;
+      return state.rows.length ? state : { ...state, rows: this.motions.opening() };
+    }
+
+    restart({ parameters, rows, time, speed }) {
+      this.parameters = { ...this.motions.defaults, ...parameters };
+      this.time = time;
+      this.setSpeed(speed);
+      this.rows = [];
+      this.rowsPlace.replaceChildren();
+      rows.slice(0, most).forEach((row) => this.addRow(row));
+      for (const [name, slider] of this.sliders) slider.show(this.parameters[name]);
+      this.compute();
+    }
+
+    addRow(method) {
+      const taken = this.rows.map((r) => r.shape);
+      const shape = [0, 1, 2, 3].find((s) => !taken.includes(s));
+      const row = { shape, method: { trial: null, ...method } };
+      row.view = oddity.methodRow({
+        motions: this.motions, row: row.method, shape,
+        changed: (next) => this.change(row, next),
+        removed: () => this.removeRow(row),
+        refused: (text) => this.say(text, true),
+      });
+      row.view.element.style.setProperty('--method', `var(--series-${shape + 1})`);
+      row.view.paint(this.colours[shape]);
+      this.rows.push(row);
+      this.rowsPlace.append(row.view.element);
+      return row;
+    }
+
+    removeRow(row) {
+      const place = this.rows.indexOf(row);
+      this.rows.splice(place, 1);
+      row.view.element.remove();
+      this.say(`${row.method.algorithm} on ${row.method.model} is removed.`);
+      const next = this.rows[Math.min(place, this.rows.length - 1)];
+      (next ? next.view : { focus: () => this.addButton.focus() }).focus();
+      this.compute();
+    }
+
+    /** A row's method or setting has been changed by hand. */
+    change(row, next) {
+      const other = ['model', 'algorithm', 'precision'].some((name) => row.method[name] !== next[name]);
+      row.method = next;
+      this.later(() => {
+        this.point(next);
+        if (other) this.ended();
+        this.sayRow(row);
+      });
+    }
+
+    sayRow({ method, result }) {
+      if (!result.motion) return;
+      clearTimeout(this.saying);
+      this.saying = setTimeout(() =>
+        this.say(`${method.algorithm} on ${method.model}: ${oddity.seen(this.motions, this.parameters, method)}`, false, true), 400);
+    }
+
+    /** At the end one starts again from the beginning. */
+    ended() {
+      if (this.time >= this.scene.horizon) this.seek(0);
+    }
+
+    point(method) {
+      const { model, algorithm, precision, setting } = method;
+      document.dispatchEvent(new CustomEvent('oddity:point',
+        { detail: { quantity: this.motions.quantity.name, model, algorithm, precision, setting } }));
+    }
+
+    // ---- computing ----------------------------------------------------------------------------------------
+
+    /** Once a frame, however often a slider reports. */
+    later(then = () => {}) {
+      this.then = [...(this.then || []), then];
+      if (this.pending) return;
+      this.pending = requestAnimationFrame(() => {
+        this.pending = 0;
+        const all = this.then;
+        this.then = [];
+        this.compute();
+        all.forEach((f) => f());
+      });
+    }
+
+    compute() {
+      const { motions, scene, parameters } = this;
+      const started = performance.now();
+      this.truth = motions.truth(parameters);
+      const units = Object.keys(scene.close);
+      const sizes = oddity.sizes(this.truth, scene.norms, units);
+      const known = this.truth === motions.reference ? 1.2e-7 : 1e-11;
+      const floors = sizes.map((x) => known * x);
+      for (const row of this.rows) {
+        const motion = motions.run(parameters, row.method);
+        row.result = { row: row.method, motion, judged: motion && motions.judge(motion, parameters), floors };
+        row.trail = { frames: [], until: -1 };
+        row.view.show(row.result);
+      }
+      this.ghostTrail = { frames: [], until: -1 };
+      this.fit();
+      this.plot(sizes, floors);
+      this.tellTruth();
+      this.offerRows();
+      this.element.dataset.computed = (performance.now() - started).toFixed(1);
+      this.paint();
+    }
+
+    draw(motion, t) {
+      const observed = motion === this.truth ? oddity.throughSix(motion, t) : oddity.between(motion, t);
+      if (!observed.every(Number.isFinite)) return null;
+      return this.motions.drawing(this.parameters, t, observed);
+    }
+
+    fit() {
+      const times = Array.from({ length: 41 }, (_, i) => this.scene.horizon * i / 40);
+      const all = (motion) => times.map((t) => this.draw(motion, t)).filter((d) => d);
+      const others = this.rows.filter((r) => r.result.motion).flatMap((r) => all(r.result.motion));
+      this.stage.fit(toFit(all(this.truth), others));
+    }
+
+    plot(sizes, floors) {
+      const { scene } = this;
+      const units = Object.keys(scene.close);
+      const one = units.length === 1;
+      const shown = this.rows.filter((r) => r.result.motion);
+      const common = { end: scene.horizon, ticks: this.ticks(), timeUnit: scene.time_unit };
+      this.errorName.textContent = one ? `error [${units[0]}]` : `error, in parts of ${oddity.needName(scene.close)}`;
+      this.errorLines.set({ ...common, need: one ? scene.close[units[0]] : 1, needName: oddity.needName(scene.close),
+        floor: one ? floors[0] : Math.max(...floors.map((x, u) => x / scene.close[units[u]])),
+        ceiling: 1e4 * Math.max(...sizes.map((x, u) => (one ? x : x / scene.close[units[u]]))),
+        series: shown.map((r) => ({ times: r.result.motion.times, shape: r.shape, colour: this.colours[r.shape],
+          values: one ? r.result.judged.errors[0] : r.result.judged.needs })) });
+      const conserving = shown.filter((r) => r.result.motion.drift.length);
+      this.driftFigure.hidden = !conserving.length;
+      this.driftLines.set({ ...common, need: 0, floor: 1e-16, ceiling: 1e4,
+        series: conserving.map((r) => ({ times: r.result.motion.times, values: r.result.motion.drift, shape: r.shape,
+          colour: this.colours[r.shape] })) });
+    }
+
+    ticks() {
+      const { horizon } = this.scene;
+      const every = [0.25, 0.5, 1, 2, 2.5, 5].find((x) => horizon / x <= 6) || horizon / 4;
+      const all = [];
+      for (let t = 0; t < horizon - 0.4 * every; t += every) all.push(t);
+      return [...all, horizon];
+    }
+
+    tellTruth() {
+      const { motions } = this;
+      const units = Object.keys(this.scene.close);
+      const { richest } = motions;
+      const by = richest && `${richest.algorithm} on ${richest.model}` + (motions.find(richest.model, richest.algorithm).knob
+        ? ` at a ${motions.find(richest.model, richest.algorithm).knob} of ${oddity.written(richest.setting)}` : '');
+      const apart = richest && oddity.amounts(motions.apart(), units);
+      this.truthNote.textContent = this.truth === motions.reference
+        ? 'The ghost is the true motion: the reference, kept to seven digits.'
+          + (richest ? ` With other parameters it is ${by}, which here is ${apart} from it at most.` : '')
+        : `The ghost is ${by}. At the book\u2019s parameters that is ${apart} from the true motion at most.`;
+    }
+
+    // ---- the page -----------------------------------------------------------------------------------------
+
+    build() {
+      const { data } = this.motions;
+      this.element.setAttribute('role', 'group');
+      this.element.setAttribute('aria-label', `Player: ${data.title}`);
+      this.element.replaceChildren(
+        make('div', { class: 'player-figure' }, this.buildStage(), this.buildCurves()),
+        this.buildTransport(),
+        this.truthNote = make('p', { class: 'player-truth' }),
+        this.rowsPlace = make('div', { class: 'player-rows' }),
+        this.buildActions(),
+        this.said = make('p', { class: 'player-says', role: 'status', 'aria-live': 'polite' }),
+        this.buildParameters());
+      this.element.addEventListener('keydown', (event) => this.key(event));
+    }
+
+    buildStage() {
+      this.canvas = make('canvas', { class: 'player-canvas', role: 'img', tabindex: 0, 'aria-label': this.scenePicture() });
+      this.clock = make('span', { class: 'player-clock' });
+      return make('div', { class: 'player-stage' }, this.canvas, this.clock);
+    }
+
+    scenePicture() {
+      return `${this.motions.data.title}: the true motion as a ghost, and each method in its colour.`
+        + (this.motions.space ? ' Drag to turn it, or Shift and arrows.' : '');
+    }
+
+    buildCurves() {
+      const chart = (label) => make('canvas', { class: 'player-lines', role: 'img', 'aria-label': label });
+      const error = chart('Error of each method over time; the rows below have the numbers.');
+      const drift = chart('Change of what is conserved over time; the rows below have the numbers.');
+      this.errorLines = oddity.lines(error);
+      this.driftLines = oddity.lines(drift);
+      this.errorName = make('figcaption', {});
+      this.driftFigure = make('figure', {}, make('figcaption', {}, 'change of energy and whatever else is conserved, as a part'), drift);
+      return make('div', { class: 'player-curves' }, make('figure', {}, this.errorName, error), this.driftFigure);
+    }
+
+    buildTransport() {
+      const { horizon, time_unit: unit } = this.scene;
+      this.playButton = button('play', () => this.toggle(), icon(...shapes.play));
+      this.playButton.classList.add('player-play');
+      this.scrub = make('input', { type: 'range', class: 'player-scrub', min: 0, max: this.scene.truth.frames, step: 1, value: 0,
+        'aria-label': 'time', input: () => this.hold(horizon * this.scrub.value / this.scene.truth.frames) });
+      this.speedButtons = speeds.map((speed) => make('button', { type: 'button', 'aria-pressed': 'false',
+        'aria-label': `speed ${speed}`, click: () => this.setSpeed(speed) }, speed === 0.25 ? '\u00bc' : `${speed}`));
+      this.timeUnit = unit;
+      return make('div', { class: 'player-transport' },
+        button('back to the start', () => this.hold(0), icon(...shapes.reset)),
+        button('one frame back', () => this.hold(this.time - this.motions.frame), icon(...shapes.back)),
+        this.playButton,
+        button('one frame forward', () => this.hold(this.time + this.motions.frame), icon(...shapes.forward)),
+        this.scrub,
+        make('div', { class: 'player-speeds', role: 'group', 'aria-label': 'speed' }, ...this.speedButtons));
+    }
+
+    buildActions() {
+      const { motions } = this;
+      this.addButton = worded('add a method', 'one more beside the truth, up to four', () => this.add());
+      const published = motions.asPublished();
+      const all = [this.addButton];
+      if (published) all.push(worded('as published', 'the published version beside the right one',
+        () => this.preset(published, 'The published version is beside the right one')));
+      all.push(worded('as it opened', 'parameters and methods as the page has them first', () => this.preset(motions.opening(), 'As it opened')));
+      if (!motions.recordedOnly) all.push(worded('break it', 'the smallest step with which the first method breaks', () => this.breakIt()));
+      all.push(worded('copy link', 'an address that opens the player as it is now', () => this.link()));
+      for (const verb of ['solve', 'choose'])
+        all.push(worded(`copy oddity ${verb}`, verb === 'solve' ? 'the command that runs every method at these parameters'
+          : 'the command that chooses a method for these parameters', () => this.command(verb)));
+      return make('div', { class: 'player-actions' }, ...all);
+    }
+
+    /** The parameters with a part in the motion: seeds are of random samples. */
+    sliding() {
+      const { varied } = this.scene;
+      const all = this.motions.data.parameters.filter((p) => p.name !== 'seed');
+      return [...all.filter((p) => p.name === varied), ...all.filter((p) => p.name !== varied)];
+    }
+
+    buildParameters() {
+      this.sliders = new Map(this.sliding().map((p) => [p.name, oddity.slider({ name: p.name, says: p.says,
+        unit: p.unit === '1' ? '' : p.unit, scale: oddity.scaleOf(p), value: p.value,
+        checked: (x) => this.problemOf(p, x), changed: (x) => this.setParameter(p, x), refused: (text) => this.say(text, true) })]));
+      const place = make('div', { class: 'player-parameters' }, ...[...this.sliders.values()].map((s) => s.element));
+      if (!this.motions.recordedOnly) return place;
+      for (const slider of this.sliders.values()) slider.enable(false);
+      return make('div', {}, make('p', { class: 'player-note' },
+        'The models are not in this copy of the page, so it plays what is recorded. ', make('code', {}, './oddity site'),
+        ' makes one in which they run.'), place);
+    }
+
+    problemOf(p, x) {
+      if (p.whole && !Number.isInteger(x)) return `${p.name} has to be a whole number.`;
+      if (x < p.least || x > p.most) return `${p.name} goes from ${oddity.inField(p.least)} to ${oddity.inField(p.most)} ${p.unit}.`;
+      return '';
+    }
+
+    setParameter(p, value) {
+      this.parameters = { ...this.parameters, [p.name]: value };
+      this.rows.forEach((row) => { row.method = { ...row.method, trial: null }; });
+      this.sliders.get(p.name).show(value);
+      this.later(() => {
+        this.ended();
+        if (this.rows.length) this.sayRow(this.rows[0]);
+      });
+    }
+
+    offerRows() {
+      this.addButton.disabled = this.rows.length >= most;
+    }
+
+    /** What a screen reader hears, too; `unseen` is for it alone, as the page shows it elsewhere. */
+    say(text, problem = false, unseen = false) {
+      this.said.textContent = text;
+      this.said.classList.toggle('player-problem', problem);
+      this.said.classList.toggle('unseen', unseen);
+    }
+
+    // ---- time ---------------------------------------------------------------------------------------------
+
+    setSpeed(speed) {
+      this.speed = speed;
+      this.speedButtons.forEach((b, i) => b.setAttribute('aria-pressed', String(speeds[i] === speed)));
+    }
+
+    toggle() {
+      this.wanted = false;
+      if (this.playing) return this.pause();
+      if (this.time >= this.scene.horizon) this.seek(0);
+      this.play();
+    }
+
+    play() {
+      if (this.playing) return;
+      this.playing = true;
+      this.showPlaying();
+      let before = performance.now();
+      const frame = (now) => {
+        if (!this.playing) return;
+        const passed = Math.min(patience, Math.max(0, now - before) / 1000);
+        before = now;
+        this.seek(this.time + passed * this.speed * this.rate);
+        if (this.time >= this.scene.horizon) this.pause();
+        else requestAnimationFrame(frame);
+      };
+      requestAnimationFrame(frame);
+    }
+
+    pause() {
+      this.playing = false;
+      this.showPlaying();
+    }
+
+    showPlaying() {
+      const name = this.playing ? 'pause' : 'play';
+      this.playButton.replaceChildren(icon(...shapes[name]));
+      this.playButton.setAttribute('aria-label', name);
+      this.playButton.title = name;
+    }
+
+    /** To a time, and stays there. */
+    hold(t) {
+      this.wanted = false;
+      this.pause();
+      this.seek(t);
+    }
+
+    seek(t) {
+      this.time = Math.min(this.scene.horizon, Math.max(0, t));
+      this.paint();
+    }
+
+    // ---- what it does -------------------------------------------------------------------------------------
+
+    add() {
+      if (this.rows.length >= most) return;
+      const has = (m) => this.rows.some((r) => r.method.model === m.model && r.method.algorithm === m.algorithm);
+      const { motions } = this;
+      const next = [...motions.opening(), ...['Runge-Kutta 4', 'velocity Verlet', 'closed form'].flatMap((name) =>
+        motions.methods.filter((m) => m.algorithm === name)), ...motions.methods].find((m) => !has(m)) || motions.methods[0];
+      const method = motions.find(next.model, next.algorithm);
+      const row = this.addRow({ model: method.model, algorithm: method.algorithm, precision: method.precisions[0],
+        setting: next.setting === undefined ? motions.usual(method) : next.setting });
+      this.compute();
+      this.point(row.method);
+      row.view.focus();
+      this.sayRow(row);
+    }
+
+    preset(rows, text) {
+      this.restart({ parameters: {}, rows, time: 0, speed: this.speed });
+      this.say(`${text}, from the start.`);
+      this.play();
+    }
+
+    breakIt() {
+      const found = oddity.breaking(this.motions, this.parameters, this.rows.map((r) => r.method));
+      if (found.problem) return this.say(found.problem);
+      const row = this.rows.find((r) => r.method === found.was);
+      row.method = { ...found.row, trial: null };
+      this.compute();
+      this.seek(0);
+      this.point(row.method);
+      this.say(found.text);
+      this.play();
+    }
+
+    state() {
+      const { defaults } = this.motions;
+      const changed = Object.fromEntries(Object.entries(this.parameters).filter(([name, x]) => x !== defaults[name]));
+      return { parameters: changed, rows: this.rows.map((r) => r.method), time: this.time, speed: this.speed };
+    }
+
+    async copy(text, done) {
+      try {
+        await navigator.clipboard.writeText(text);
+        this.say(`${done}: ${text}`);
+      } catch (error) {
+        this.say(text);
+      }
+    }
+
+    link() {
+      this.linked = oddity.permalink.format(this.state());
+      window.location.hash = this.linked;
+      this.copy(window.location.href, 'Copied');
+    }
+
+    command(verb) {
+      const { data, frame } = this.motions;
+      const all = oddity.commands({ number: data.number, parameters: data.parameters, changed: this.state().parameters,
+        close: this.scene.close, horizon: this.scene.horizon, frame });
+      this.copy(all[verb], 'Copied');
+    }
+
+    /** A trial of a chart: at the book's parameters, beside what is there. */
+    trial({ model, algorithm: named, precision = 'double', setting }) {
+      const { motions } = this;
+      const algorithm = String(named).replace(/ in float$/, '');
+      const method = motions.find(model, algorithm);
+      this.element.scrollIntoView({ behavior: calm() ? 'auto' : 'smooth', block: 'nearest' });
+      if (!method || !method.precisions.includes(precision))
+        return this.say(`${algorithm} on ${model}${precision === 'float' ? ' in float' : ''} does not run in the page.`, true);
+      if (method.path && method.path.setting !== setting)
+        this.say(`${algorithm} on ${model} is recorded at ${oddity.written(method.path.setting)} only, which is what is shown.`);
+      this.parameters = { ...motions.defaults };
+      for (const [name, slider] of this.sliders) slider.show(this.parameters[name]);
+      const next = { model, algorithm, precision, setting: method.path ? method.path.setting : setting,
+        trial: this.tabled(model, algorithm, precision, setting) };
+      const same = this.rows.find((r) => ['model', 'algorithm', 'precision'].every((k) => r.method[k] === next[k]));
+      if (same) same.method = next;
+      else {
+        if (this.rows.length >= most) this.rows.pop().view.element.remove();
+        this.addRow(next);
+      }
+      this.compute();
+      this.seek(0);
+      this.play();
+    }
+
+    /** What the table of trials has of it. */
+    tabled(model, algorithm, precision, setting) {
+      const found = this.motions.quantity.methods.find((m) => m.model === model && m.precision === precision
+        && m.algorithm.replace(/ in float$/, '') === algorithm);
+      const trial = found && found.trials.find((t) => t[0] === setting);
+      if (!trial) return null;
+      const error = trial[1] === null ? 'no error' : `an error of ${oddity.written(trial[1])}`;
+      const stops = found.knob === 'tolerance' ? '; here it stops at every frame' : '';
+      return `The table has ${error} at its ${this.motions.looks} times, ${trial[5]}${stops}.`;
+    }
+
+    key(event) {
+      const typing = event.target.matches('input[type=text], select');
+      const pressing = event.target.matches('button, input[type=range]');
+      if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.key === ' ' && !event.target.matches('button')) {
+        event.preventDefault();
+        this.toggle();
+      } else if (!pressing && /^Arrow/.test(event.key)) {
+        this.arrow(event);
+      } else if (event.target.matches('button') && /^Arrow(Left|Right)$/.test(event.key)) {
+        this.arrow(event);
+      }
+    }
+
+    arrow(event) {
+      const sideways = { ArrowLeft: -1, ArrowRight: 1 }[event.key] || 0;
+      const upward = { ArrowDown: -1, ArrowUp: 1 }[event.key] || 0;
+      if (event.shiftKey && this.motions.space) {
+        event.preventDefault();
+        this.stage.turn(sideways * 0.1, upward * 0.1);
+        this.paint();
+      } else if (sideways && !event.shiftKey) {
+        event.preventDefault();
+        this.hold(this.time + sideways * this.motions.frame);
+      }
+    }
+
+    // ---- painting -----------------------------------------------------------------------------------------
+
+    /** The way that a body with a trail has come, up to t. */
+    trailOf(motion, trail, t) {
+      const { times } = motion;
+      const last = oddity.placeOf(times, t);
+      for (let i = trail.frames.length; i <= last; i += 1) {
+        const drawing = this.draw(motion, times[i]);
+        trail.frames.push(drawing ? drawing.primitives.filter((p) => p.trail).map((p) => p.points[0]) : null);
+      }
+      return trail.frames.slice(0, last + 1).filter((f) => f && f.length);
+    }
+
+    layer(motion, trail, colour, ghost) {
+      const drawing = this.draw(motion, this.time);
+      if (!drawing) return null;
+      const frames = this.trailOf(motion, trail, this.time);
+      const here = drawing.primitives.filter((p) => p.trail).map((p) => p.points[0]);
+      const trails = here.map((now, k) => [...frames.map((f) => f[k]).filter((p) => p), now]);
+      return { drawing, colour, ghost, trail: trails[0] || [], trails };
+    }
+
+    paint() {
+      this.clock.textContent = `t = ${this.time.toFixed(2)} ${this.timeUnit}`;
+      this.scrub.value = Math.round(this.time / this.scene.horizon * this.scene.truth.frames);
+      this.scrub.setAttribute('aria-valuetext', `${this.time.toFixed(2)} ${this.timeUnit}`);
+      for (const row of this.rows) row.view.now(this.time);
+      const layers = [this.layer(this.truth, this.ghostTrail, this.ghostColour, true)];
+      for (const row of this.rows)
+        if (row.result.motion) layers.push(this.layer(row.result.motion, row.trail, this.colours[row.shape], false));
+      this.stage.paint(layers.filter((l) => l));
+      this.errorLines.paint(this.time);
+      this.driftLines.paint(this.time);
+    }
+
+    /** Sizes and colours, as the page has them now. */
+    look() {
+      this.stage.resize();
+      const style = getComputedStyle(this.element);
+      const colour = (name, other) => style.getPropertyValue(name).trim() || other;
+      this.colours = ['#0072b2', '#c95600', '#00805e', '#a8437f'].map((other, i) => colour(`--series-${i + 1}`, other));
+      this.ghostColour = colour('--ghost', '#9d968a');
+      this.rows.forEach((row) => row.view.paint(this.colours[row.shape]));
+      this.errorLines.resize();
+      this.driftLines.resize();
+    }
+
+    /** What happens outside: sizes and colours, links, trials of charts, and whether it is seen. */
+    follow() {
+      const again = () => {
+        this.look();
+        this.compute();
+      };
+      new ResizeObserver(again).observe(this.canvas);
+      window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again);
+      window.addEventListener('hashchange', () => {
+        if (window.location.hash === this.linked) return;
+        const state = this.fromLink();
+        if (!state) return;
+        this.restart(state);
+        this.say('The player is as the link has it.');
+      });
+      document.addEventListener('oddity:play', (event) => this.trial(event.detail || {}));
+      new IntersectionObserver((entries) => this.seen(entries[entries.length - 1].isIntersecting), { threshold: 0.3 })
+        .observe(this.canvas);
+    }
+
+    seen(visible) {
+      if (visible && this.wanted) this.play();
+      else if (!visible && this.playing) {
+        this.pause();
+        this.wanted = true;
+      }
+    }
+  }
+
+  oddity.player = async function (element) {
+    const running = oddity.engine && (await oddity.engine.ready);
+    return new Player(element, oddity.data, running ? oddity.engine : null);
+  };
+
+  if (typeof document !== 'undefined')
+    document.addEventListener('DOMContentLoaded', () => {
+      if (!oddity.data || !oddity.data.scene) return;
+      document.querySelectorAll('.player').forEach((element) => { oddity.player(element); });
+    });
+})(window.oddity = window.oddity || {});
