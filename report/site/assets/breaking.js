@@ -50,14 +50,16 @@
     return parts.join('; ') + '.';
   };
 
-  /** {row, text} for the first row that has a step; {problem} where nothing breaks. */
+  oddity.sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
+  /** {was, row, text} for the first row that has a step; {problem} where nothing breaks. */
   oddity.breaking = function (motions, parameters, rows) {
     const row = rows.find((r) => motions.find(r.model, r.algorithm).knob && !motions.find(r.model, r.algorithm).path);
     if (!row) return { problem: 'None of these methods has a step that could be too long. Add one that has.' };
     const { knob } = motions.find(row.model, row.algorithm);
     const limit = knob === 'step' ? known(motions, parameters, row) : null;
     const found = limit || searched(motions, parameters, row, knob);
-    const name = `${row.algorithm} on ${row.model}`;
+    const name = oddity.sentence(`${row.algorithm} on ${row.model}`);
     if (!found) return { problem: `${name} does not break at any ${knob} that fits into the motion.` };
     const next = { ...row, setting: found.setting };
     const unit = knob === 'step' ? ` ${motions.scene.time_unit}` : '';

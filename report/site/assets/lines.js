@@ -5,6 +5,7 @@
 
   const margin = { left: 46, right: 12, top: 8, bottom: 20 };
   const most = 9;    // decades shown
+  const few = 90;    // steps, which are shown one by one
   const dashes = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
 
   /** The marks of the methods, by their places: told apart without colour. */
@@ -132,6 +133,8 @@
       context.stroke();
       context.setLineDash([]);
       if (last < 0) return;
+      if (times.length < few)
+        for (let i = 1; i < last; i += 1) oddity.mark(context, shape, x(times[i]), y(Math.max(values[i], 1e-300)), 2.5);
       oddity.mark(context, shape, x(times[last]), y(Math.max(values[last], 1e-300)), 4);
       if (last + 1 < times.length && times[last + 1] <= now && !Number.isFinite(values[last + 1]))
         cross(x(times[last]), margin.top + 5);

@@ -124,7 +124,7 @@
       const place = this.rows.indexOf(row);
       this.rows.splice(place, 1);
       row.view.element.remove();
-      this.say(`${row.method.algorithm} on ${row.method.model} is removed.`);
+      this.say(`${oddity.sentence(row.method.algorithm)} on ${row.method.model} is removed.`);
       const next = this.rows[Math.min(place, this.rows.length - 1)];
       (next ? next.view : { focus: () => this.addButton.focus() }).focus();
       this.compute();
@@ -145,7 +145,7 @@
       if (!result.motion) return;
       clearTimeout(this.saying);
       this.saying = setTimeout(() =>
-        this.say(`${method.algorithm} on ${method.model}: ${oddity.seen(this.motions, this.parameters, method)}`, false, true), 400);
+        this.say(`${oddity.sentence(method.algorithm)} on ${method.model}: ${oddity.seen(this.motions, this.parameters, method)}`, false, true), 400);
     }
 
     /** At the end one starts again from the beginning. */
@@ -280,7 +280,7 @@
 
     buildCurves() {
       const chart = (label) => make('canvas', { class: 'player-lines', role: 'img', 'aria-label': label });
-      const error = chart('Error of each method over time; the rows below have the numbers.');
+      const error = this.errorCanvas = chart('Error of each method over time; the rows below have the numbers.');
       const drift = chart('Change of what is conserved over time; the rows below have the numbers.');
       this.errorLines = oddity.lines(error);
       this.driftLines = oddity.lines(drift);
@@ -311,16 +311,16 @@
       const { motions } = this;
       this.addButton = worded('add a method', 'one more beside the truth, up to four', () => this.add());
       const published = motions.asPublished();
-      const all = [this.addButton];
-      if (published) all.push(worded('as published', 'the published version beside the right one',
+      const doing = [this.addButton];
+      if (published) doing.push(worded('as published', 'the published version beside the right one',
         () => this.preset(published, 'The published version is beside the right one')));
-      all.push(worded('as it opened', 'parameters and methods as the page has them first', () => this.preset(motions.opening(), 'As it opened')));
-      if (!motions.recordedOnly) all.push(worded('break it', 'the smallest step with which the first method breaks', () => this.breakIt()));
-      all.push(worded('copy link', 'an address that opens the player as it is now', () => this.link()));
+      doing.push(worded('as it opened', 'parameters and methods as the page has them first', () => this.preset(motions.opening(), 'As it opened')));
+      if (!motions.recordedOnly) doing.push(worded('break it', 'the smallest step with which the first method breaks', () => this.breakIt()));
+      const copying = [worded('copy link', 'an address that opens the player as it is now', () => this.link())];
       for (const verb of ['solve', 'choose'])
-        all.push(worded(`copy oddity ${verb}`, verb === 'solve' ? 'the command that runs every method at these parameters'
+        copying.push(worded(`copy oddity ${verb}`, verb === 'solve' ? 'the command that runs every method at these parameters'
           : 'the command that chooses a method for these parameters', () => this.command(verb)));
-      return make('div', { class: 'player-actions' }, ...all);
+      return make('div', { class: 'player-actions' }, make('div', {}, ...doing), make('div', {}, ...copying));
     }
 
     /** The parameters with a part in the motion: seeds are of random samples. */
@@ -332,14 +332,24 @@
 
     buildParameters() {
       this.sliders = new Map(this.sliding().map((p) => [p.name, oddity.slider({ name: p.name, says: p.says,
-        unit: p.unit === '1' ? '' : p.unit, scale: oddity.scaleOf(p), value: p.value,
+        unit: p.unit, scale: oddity.scaleOf(p), value: p.value,
         checked: (x) => this.problemOf(p, x), changed: (x) => this.setParameter(p, x), refused: (text) => this.say(text, true) })]));
-      const place = make('div', { class: 'player-parameters' }, ...[...this.sliders.values()].map((s) => s.element));
-      if (!this.motions.recordedOnly) return place;
+      const all = [...this.sliders.values()].map((s) => s.element);
+      const grid = (some) => make('div', { class: 'player-parameters' }, ...some);
+      const shown = all.length > 9 ? 6 : all.length;
+      const place = make('div', {}, grid(all.slice(0, shown)));
+      if (shown < all.length)
+        place.append(make('details', { class: 'player-more' },
+          make('summary', {}, `${all.length - shown} more parameters`), grid(all.slice(shown))));
+      if (this.motions.recordedOnly) this.tellRecorded(place);
+      return place;
+    }
+
+    tellRecorded(place) {
       for (const slider of this.sliders.values()) slider.enable(false);
-      return make('div', {}, make('p', { class: 'player-note' },
+      place.prepend(make('p', { class: 'player-note' },
         'The models are not in this copy of the page, so it plays what is recorded. ', make('code', {}, './oddity site'),
-        ' makes one in which they run.'), place);
+        ' makes one in which they run.'));
     }
 
     problemOf(p, x) {
@@ -364,6 +374,7 @@
 
     /** What a screen reader hears, too; `unseen` is for it alone, as the page shows it elsewhere. */
     say(text, problem = false, unseen = false) {
+      clearTimeout(this.saying);
       this.said.textContent = text;
       this.said.classList.toggle('player-problem', problem);
       this.said.classList.toggle('unseen', unseen);
@@ -474,8 +485,8 @@
     }
 
     link() {
-      this.linked = oddity.permalink.format(this.state());
-      window.location.hash = this.linked;
+      window.location.hash = oddity.permalink.format(this.state());
+      this.linked = window.location.hash;
       this.copy(window.location.href, 'Copied');
     }
 
@@ -493,9 +504,9 @@
       const method = motions.find(model, algorithm);
       this.element.scrollIntoView({ behavior: calm() ? 'auto' : 'smooth', block: 'nearest' });
       if (!method || !method.precisions.includes(precision))
-        return this.say(`${algorithm} on ${model}${precision === 'float' ? ' in float' : ''} does not run in the page.`, true);
+        return this.say(`${oddity.sentence(algorithm)} on ${model}${precision === 'float' ? ' in float' : ''} does not run in the page.`, true);
       if (method.path && method.path.setting !== setting)
-        this.say(`${algorithm} on ${model} is recorded at ${oddity.written(method.path.setting)} only, which is what is shown.`);
+        this.say(`${oddity.sentence(algorithm)} on ${model} is recorded at ${oddity.written(method.path.setting)} only, which is what is shown.`);
       this.parameters = { ...motions.defaults };
       for (const [name, slider] of this.sliders) slider.show(this.parameters[name]);
       const next = { model, algorithm, precision, setting: method.path ? method.path.setting : setting,
@@ -602,14 +613,15 @@
         this.look();
         this.compute();
       };
-      new ResizeObserver(again).observe(this.canvas);
+      const sizes = new ResizeObserver(again);
+      [this.canvas, this.errorCanvas].forEach((canvas) => sizes.observe(canvas));
       window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again);
       window.addEventListener('hashchange', () => {
-        if (window.location.hash === this.linked) return;
+        if (window.location.hash === this.linked || !/^#play(&|$)/.test(window.location.hash)) return;
+        this.pause();
         const state = this.fromLink();
-        if (!state) return;
-        this.restart(state);
-        this.say('The player is as the link has it.');
+        this.restart(state || this.usual());
+        if (state) this.say('The player is as the link has it.');
       });
       document.addEventListener('oddity:play', (event) => this.trial(event.detail || {}));
       new IntersectionObserver((entries) => this.seen(entries[entries.length - 1].isIntersecting), { threshold: 0.3 })

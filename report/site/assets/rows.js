@@ -84,7 +84,8 @@
     const remove = oddity.make('button', { type: 'button', class: 'row-remove', 'aria-label': 'remove this method', click: removed },
       oddity.icon({ d: 'M4 4 L12 12 M12 4 L4 12', fill: 'none', stroke: 'currentColor', 'stroke-width': 1.6 }));
     const element = oddity.make('div', { class: 'row', role: 'group' },
-      oddity.make('div', { class: 'row-what' }, mark.canvas, model.select, algorithm.select, precision.select, knobPlace, remove),
+      oddity.make('div', { class: 'row-what' }, mark.canvas, model.select,
+        oddity.make('div', { class: 'row-by' }, algorithm.select, precision.select), knobPlace, remove),
       oddity.make('div', { class: 'row-how' },
         oddity.make('dl', {}, errorNow.element, worst.element, drift.element), ending));
     let result = null;
@@ -133,6 +134,7 @@
       const { motion, judged, floors } = result;
       const low = judged.worst.every((x, u) => x <= floors[u]);
       worst.value.textContent = low ? `below ${oddity.amounts(floors, judged.units, 1)}` : oddity.amounts(judged.worst, judged.units);
+      drift.element.hidden = !motion.drift.length;
       drift.value.textContent = motion.drift.length ? `\u00b1${oddity.part(oddity.largestDrift(motion))}` : '\u2013';
       const { holds, text } = oddity.endingOf(motion, judged, scene);
       ending.textContent = row.trial ? `${text}. ${row.trial}` : text;

@@ -101,6 +101,20 @@
     return oddity.written(100 * x, 2) + ' %';
   };
 
+  const greek = { alpha: '\u03b1', theta: '\u03b8', lambda: '\u03bb', mu: '\u03bc', phi: '\u03c6', psi: '\u03c8', omega: '\u03c9' };
+  const digits = (text, zero) => text.replace(/\d/g, (d) => zero[d]);
+
+  /** A parameter's name as it is printed: theta0_dot is a theta with a dot and a subscript. */
+  oddity.letter = function (name) {
+    const parts = /^(d?)(alpha|theta|lambda|mu|phi|psi|omega|[A-Za-z])(\d*)(_dot)?$/.exec(name);
+    if (!parts) return name;
+    const [, d, base, index, dot] = parts;
+    return d + (greek[base] || base) + (dot ? '\u0307' : '') + digits(index, '\u2080\u2081\u2082\u2083\u2084\u2085\u2086\u2087\u2088\u2089');
+  };
+
+  /** m/s\u00b2 for m/s^2. */
+  oddity.unitName = (unit) => (unit === '1' ? '' : unit.replace(/\^(\d)/g, (_, d) => '\u2070\u00b9\u00b2\u00b3\u2074'[d]));
+
   /** 1 cm and 1 degree by their names. */
   oddity.nameOfNeed = function (unit, allowed) {
     if (unit === 'm' && Math.abs(allowed - 0.01) < 1e-12) return '1 cm';

@@ -43,10 +43,11 @@
     const range = oddity.make('input', { type: 'range', id, min: 0, max: places, step: 1, 'aria-label': label });
     const field = oddity.make('input', { type: 'text', inputmode: 'decimal', class: 'slider-value', autocomplete: 'off',
       spellcheck: 'false', 'aria-label': `${label}, typed` });
+    const words = [oddity.make('span', { class: 'slider-name' }, says ? oddity.letter(name) : name)];
+    if (says) words.push(oddity.make('span', { class: 'slider-says', title: says }, says));
     const element = oddity.make('div', { class: 'slider' },
-      oddity.make('label', { for: id }, oddity.make('span', { class: 'slider-name' }, name),
-        ...(says ? [oddity.make('span', { class: 'slider-says' }, says)] : [])),
-      range, oddity.make('span', { class: 'slider-typed' }, field, oddity.make('span', { class: 'slider-unit' }, unit)));
+      oddity.make('label', { for: id }, ...words), oddity.make('span', { class: 'slider-unit' }, oddity.unitName(unit)),
+      range, field);
 
     let now = value;
     function show(x) {
