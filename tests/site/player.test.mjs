@@ -52,7 +52,7 @@ test('numbers are read as people write them', () => {
   assert.equal(oddity.typed('1/60'), 1 / 60);
   for (const x of [1 / 60, 1 / 4096, 0.25, 7, 1e-9]) near(oddity.typed(oddity.inField(x)), x, 1e-15);
   assert.equal(oddity.inField(1 / 60), '1/60');
-  assert.equal(oddity.inField(Math.PI / 6), '0.5235988');
+  assert.equal(oddity.inField(Math.PI / 6), '0.523599');
   for (const bad of ['', 'x', '1/0', '1/2/3', '/2', '1..2', '0x10', 'Infinity', '1 2', '<b>']) assert.equal(oddity.typed(bad), null);
 });
 
@@ -120,7 +120,11 @@ test('a motion is judged at all its times', () => {
   near(judged.since, 0.5, 1e-15);
   near(judged.broken, 0.8, 1e-15);
   truth.observed[0] = NaN;
-  assert.equal(oddity.judged(truth, truth, [{ unit: 'm', components: [0] }], { m: 1 }).since, null);
+  const itself = oddity.judged(truth, truth, [{ unit: 'm', components: [0] }], { m: 1 });
+  assert.deepEqual([itself.since, itself.broken, itself.count], [null, null, 10]);
+  truth.observed.fill(NaN);
+  const unjudged = oddity.judged({ ...motion, observed: times }, truth, [{ unit: 'm', components: [0] }], { m: 1 });
+  assert.deepEqual([unjudged.since, unjudged.broken, unjudged.count], [null, null, 0]);
 });
 
 const known = {

@@ -90,30 +90,33 @@
     return far;
   };
 
-  /** A motion judged against the truth: at each of its times the distance in each unit and in needs, the
-      worst of each, and from when on it does not hold. `close` says by unit what still counts. */
+  /** A motion judged against the truth: at each of its times the distance in each unit and in needs, NaN
+      where one of the two is not known; the worst of each; from when on it does not hold; when it breaks off;
+      and at how many times it was judged. `close` says by unit what still counts. */
   oddity.judged = function (motion, truth, norms, close) {
     const units = Object.keys(close);
     const n = motion.times.length;
-    const errors = units.map(() => new Float64Array(n));
-    const needs = new Float64Array(n);
-    const worst = units.map(() => 0);
-    let since = null;
-    let broken = null;
+    const all = { units, errors: units.map(() => new Float64Array(n).fill(NaN)), needs: new Float64Array(n).fill(NaN),
+      worst: units.map(() => 0), since: null, broken: null, count: 0 };
     for (let i = 0; i < n; i += 1) {
-      const there = oddity.throughSix(truth, motion.times[i]);
-      const far = oddity.distances(seenAt(motion, i), there, norms, units);
-      far.forEach((x, u) => { errors[u][i] = x; });
-      needs[i] = Math.max(...far.map((x, u) => x / close[units[u]]));
-      if (i === 0 && !known(there)) continue;
-      if (Number.isNaN(needs[i])) {
-        if (broken === null) broken = motion.times[i];
-      } else if (broken === null) {
-        far.forEach((x, u) => { worst[u] = Math.max(worst[u], x); });
+      const here = seenAt(motion, i);
+      if (!known(here)) {
+        if (i === 0) continue;
+        all.broken = motion.times[i];
+        if (all.since === null) all.since = all.broken;
+        break;
       }
-      if (since === null && !(needs[i] <= 1)) since = motion.times[i];
+      const far = oddity.distances(here, oddity.throughSix(truth, motion.times[i]), norms, units);
+      if (far.some(Number.isNaN)) continue;
+      all.count += 1;
+      all.needs[i] = Math.max(...far.map((x, u) => x / close[units[u]]));
+      far.forEach((x, u) => {
+        all.errors[u][i] = x;
+        if (x > all.worst[u]) all.worst[u] = x;
+      });
+      if (all.since === null && all.needs[i] > 1) all.since = motion.times[i];
     }
-    return { units, errors, needs, worst, since, broken };
+    return all;
   };
 
   /** The largest distance of a motion from its zero, in each unit. */

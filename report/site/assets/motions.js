@@ -75,9 +75,18 @@
       const { knob } = find(model, algorithm);
       const steps = knob === 'step' ? oddity.stepTimes(scene.horizon, looks, frame, setting) : null;
       const times = steps ? steps.times : oddity.frameTimes(scene.horizon, scene.truth.frames);
-      const run = engine.run({ scene: data.number, parameters, model, algorithm, precision,
-        setting: steps ? steps.step : setting, times });
-      return { times, count, ...run };
+      return computedAt(times, { parameters, model, algorithm, precision, setting: steps ? steps.step : setting });
+    }
+
+    /** Parameters that do not go together end in a motion that is nowhere. */
+    function computedAt(times, asked) {
+      try {
+        return { times, count, ...engine.run({ scene: data.number, ...asked, times }) };
+      } catch (error) {
+        const nothing = new Float64Array(0);
+        return { times, count, observed: new Float64Array(times.length * count).fill(NaN), drift: nothing, off: nothing,
+          ending: 'raised', message: 'with these parameters it cannot start' };
+      }
     }
 
     function replay(path) {
@@ -110,10 +119,7 @@
 
     const frames = (parameters) => {
       const key = JSON.stringify(['truth', parameters]);
-      return cached(key, () => {
-        const times = oddity.frameTimes(scene.horizon, scene.truth.frames);
-        return { times, count, ...engine.run({ scene: data.number, parameters, ...richest, times }) };
-      });
+      return cached(key, () => computedAt(oddity.frameTimes(scene.horizon, scene.truth.frames), { parameters, ...richest }));
     };
 
     const truth = (parameters) => (isDefault(parameters) || !richest ? reference : frames(parameters));

@@ -237,17 +237,24 @@
       return [...all, horizon];
     }
 
+    /** What the ghost is, and how far its two makers differ. */
     tellTruth() {
       const { motions } = this;
-      const units = Object.keys(this.scene.close);
       const { richest } = motions;
-      const by = richest && `${richest.algorithm} on ${richest.model}` + (motions.find(richest.model, richest.algorithm).knob
-        ? ` at a ${motions.find(richest.model, richest.algorithm).knob} of ${oddity.written(richest.setting)}` : '');
-      const apart = richest && oddity.amounts(motions.apart(), units);
-      this.truthNote.textContent = this.truth === motions.reference
-        ? 'The ghost is the true motion: the reference, kept to seven digits.'
-          + (richest ? ` With other parameters it is ${by}, which here is ${apart} from it at most.` : '')
-        : `The ghost is ${by}. At the book\u2019s parameters that is ${apart} from the true motion at most.`;
+      if (this.truth === motions.reference && !richest) return this.tell('The ghost is the true motion: the reference, kept to seven digits.');
+      const { knob } = motions.find(richest.model, richest.algorithm);
+      const by = `${richest.algorithm} on ${richest.model}` + (knob ? ` at a ${knob} of ${oddity.written(richest.setting)}` : '');
+      const apart = oddity.amounts(motions.apart(), Object.keys(this.scene.close));
+      if (this.truth === motions.reference)
+        this.tell(`The ghost is the true motion: the reference, kept to seven digits. With other parameters it is ${by}, which here is ${apart} from it at most.`);
+      else if (this.truth.ending !== 'reached')
+        this.tell(`With these parameters the true motion is not known to the end: ${this.truth.message}.`);
+      else
+        this.tell(`The ghost is ${by}. At the book\u2019s parameters that is ${apart} from the true motion at most.`);
+    }
+
+    tell(text) {
+      this.truthNote.textContent = text;
     }
 
     // ---- the page -----------------------------------------------------------------------------------------
@@ -275,7 +282,7 @@
 
     scenePicture() {
       return `${this.motions.data.title}: the true motion as a ghost, and each method in its colour.`
-        + (this.motions.space ? ' Drag to turn it, or Shift and arrows.' : '');
+        + (this.motions.space ? ' Drag or arrow keys turn it.' : '');
     }
 
     buildCurves() {
@@ -533,31 +540,15 @@
       return `The table has ${error} at its ${this.motions.looks} times, ${trial[5]}${stops}.`;
     }
 
+    /** Space plays, arrows go frame by frame; where arrows do something of their own, Shift and arrows do. */
     key(event) {
-      const typing = event.target.matches('input[type=text], select');
-      const pressing = event.target.matches('button, input[type=range]');
-      if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
-      if (event.key === ' ' && !event.target.matches('button')) {
-        event.preventDefault();
-        this.toggle();
-      } else if (!pressing && /^Arrow/.test(event.key)) {
-        this.arrow(event);
-      } else if (event.target.matches('button') && /^Arrow(Left|Right)$/.test(event.key)) {
-        this.arrow(event);
-      }
-    }
-
-    arrow(event) {
-      const sideways = { ArrowLeft: -1, ArrowRight: 1 }[event.key] || 0;
-      const upward = { ArrowDown: -1, ArrowUp: 1 }[event.key] || 0;
-      if (event.shiftKey && this.motions.space) {
-        event.preventDefault();
-        this.stage.turn(sideways * 0.1, upward * 0.1);
-        this.paint();
-      } else if (sideways && !event.shiftKey) {
-        event.preventDefault();
-        this.hold(this.time + sideways * this.motions.frame);
-      }
+      const { target, key, shiftKey } = event;
+      if (target.matches('input[type=text], select') || event.ctrlKey || event.metaKey || event.altKey) return;
+      const step = { ArrowLeft: -1, ArrowRight: 1 }[key];
+      if (key === ' ' && !target.matches('button, summary')) this.toggle();
+      else if (step && (shiftKey || !target.matches('input'))) this.hold(this.time + step * this.motions.frame);
+      else return;
+      event.preventDefault();
     }
 
     // ---- painting -----------------------------------------------------------------------------------------

@@ -15,7 +15,6 @@
     stalled: 'it is stuck',
     chattering: 'events without end',
     grazing: 'whether an event happens is below its error',
-    raised: 'it gives up',
   };
 
   /** How it ended, in a few words. */
@@ -26,6 +25,7 @@
       const why = fails[motion.ending] || motion.message || 'it ends';
       return { holds: false, text: judged.broken === null ? why : `breaks off at ${at(judged.broken)}: ${why}` };
     }
+    if (!judged.count) return { holds: false, text: 'the truth is not known here' };
     if (judged.since === null) return { holds: true, text: `holds ${name}` };
     const start = judged.since <= motion.times[1];
     return { holds: false, text: start ? `not within ${name} at all` : `not within ${name} from ${at(judged.since)} on` };
@@ -162,8 +162,9 @@
         const { motion, judged, floors } = result;
         const i = oddity.placeOf(motion.times, t);
         const here = judged.errors.map((e) => e[i]);
-        const text = Number.isNaN(here[0]) ? 'broken off'
-          : here.every((x, u) => x <= floors[u]) ? `below ${oddity.amounts(floors, judged.units, 1)}`
+        const text = judged.broken !== null && t >= judged.broken ? 'broken off'
+          : here.some(Number.isNaN) ? '\u2013'
+            here.every((x, u) => x <= floors[u]) ? `below ${oddity.amounts(floors, judged.units, 1)}`
             : oddity.amounts(here, judged.units);
         if (errorNow.value.textContent !== text) errorNow.value.textContent = text;
       },

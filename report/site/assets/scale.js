@@ -79,7 +79,7 @@
     const inverse = 1 / x;
     const whole = Math.abs(inverse - Math.round(inverse)) <= 1e-12 * inverse;
     if (x > 0 && inverse <= 1e5 && whole && String(x).length > 6) return `1/${Math.round(inverse)}`;
-    return String(Number(x.toPrecision(7)));
+    return String(Number(x.toPrecision(6)));
   };
 
   /** With that many digits: 0.0175, 1.2e-7, 1234. */
