@@ -54,19 +54,21 @@
     let now = 0;
     let colours = {};
 
-    const width = () => canvas.clientWidth;
-    const height = () => canvas.clientHeight;
-    const x = (t) => margin.left + (width() - margin.left - margin.right) * t / shown.end;
+    let width = 0;     // asked of the page only when they change: asking lays the page out
+    let height = 0;
+    const x = (t) => margin.left + (width - margin.left - margin.right) * t / shown.end;
     function y(value) {
       const { from, to } = shown.decades;
       const place = (Math.log10(value) - from) / (to - from);
-      return height() - margin.bottom - (height() - margin.top - margin.bottom) * Math.min(1, Math.max(0, place));
+      return height - margin.bottom - (height - margin.top - margin.bottom) * Math.min(1, Math.max(0, place));
     }
 
     function resize() {
       const ratio = window.devicePixelRatio || 1;
-      canvas.width = Math.round(width() * ratio);
-      canvas.height = Math.round(height() * ratio);
+      width = canvas.clientWidth;
+      height = canvas.clientHeight;
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
       context.setTransform(ratio, 0, 0, ratio, 0, 0);
       const style = getComputedStyle(canvas);
       const colour = (name, other) => style.getPropertyValue(name).trim() || other;
@@ -87,8 +89,8 @@
 
     function axes() {
       const { from, to } = shown.decades;
-      const right = width() - margin.right;
-      const every = Math.ceil((to - from) / Math.max(2, Math.floor((height() - 28) / 22)));
+      const right = width - margin.right;
+      const every = Math.ceil((to - from) / Math.max(2, Math.floor((height - 28) / 22)));
       context.font = colours.font;
       context.fillStyle = colours.quiet;
       context.textAlign = 'right';
@@ -103,14 +105,14 @@
       ticks.forEach((t, i) => {
         context.textAlign = i === ticks.length - 1 ? 'right' : i ? 'center' : 'left';
         const text = i === ticks.length - 1 ? `${oddity.written(t)} ${shown.timeUnit}` : oddity.written(t);
-        context.fillText(text, i === ticks.length - 1 ? right : x(t), height() - margin.bottom + 5);
+        context.fillText(text, i === ticks.length - 1 ? right : x(t), height - margin.bottom + 5);
       });
     }
 
     function need() {
       if (!shown.need) return;
       const at = Math.round(y(shown.need)) + 0.5;
-      straight(margin.left, at, width() - margin.right, at, colours.need, [3, 3]);
+      straight(margin.left, at, width - margin.right, at, colours.need, [3, 3]);
       context.fillStyle = colours.need;
       context.textAlign = 'left';
       context.textBaseline = 'bottom';
@@ -152,11 +154,11 @@
 
     function paint(t) {
       now = t;
-      if (!shown || !width()) return;
-      context.clearRect(0, 0, width(), height());
+      if (!shown || !width) return;
+      context.clearRect(0, 0, width, height);
       axes();
       need();
-      straight(Math.round(x(t)) + 0.5, margin.top, Math.round(x(t)) + 0.5, height() - margin.bottom, colours.quiet);
+      straight(Math.round(x(t)) + 0.5, margin.top, Math.round(x(t)) + 0.5, height - margin.bottom, colours.quiet);
       shown.series.forEach(line);
     }
 

@@ -4,22 +4,8 @@
   'use strict';
 
   const most = 4;
-  const speeds = [0.25, 1, 4];
-  const shortly = 10;            // s, for a motion whose time is not in seconds
-  const patience = 0.1;          // s, the longest that a frame may count
-  const { make, icon } = oddity;
+  const { make, sentence } = oddity;
 
-  const shapes = {
-    play: ['M4 2 L13.5 8 L4 14 Z'],
-    pause: ['M3.5 2 H6.8 V14 H3.5 Z M9.2 2 H12.5 V14 H9.2 Z'],
-    back: ['M10.5 2.5 L4.5 8 L10.5 13.5 Z', 'M12 2.5 H13.5 V13.5 H12 Z'],
-    forward: ['M5.5 2.5 L11.5 8 L5.5 13.5 Z', 'M2.5 2.5 H4 V13.5 H2.5 Z'],
-    reset: ['M8 2.2 A5.8 5.8 0 1 1 2.6 6 L4.2 6.6 A4.1 4.1 0 1 0 8 3.9 V6.4 L3.8 3.2 L8 0 Z'],
-  };
-
-  const calm = () => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-
-  const button = (label, click, ...children) => make('button', { type: 'button', 'aria-label': label, title: label, click }, ...children);
   const worded = (text, title, click) => make('button', { type: 'button', title, click }, text);
 
   /** The words of a command, in quotes where the shell asks for them. */
@@ -36,33 +22,15 @@
     };
   };
 
-  /** The frames that the stage has to hold: the truth's, and the methods' as long as they are not far off. */
-  function toFit(truth, others) {
-    const points = (drawing) => drawing.primitives.flatMap((p) => p.points);
-    const low = [Infinity, Infinity, Infinity];
-    const high = [-Infinity, -Infinity, -Infinity];
-    for (const drawing of truth)
-      for (const p of points(drawing))
-        for (let k = 0; k < 3; k += 1) {
-          if (p[k] < low[k]) low[k] = p[k];
-          if (p[k] > high[k]) high[k] = p[k];
-        }
-    const size = Math.hypot(...high.map((x, k) => x - low[k]));
-    const near = (p) => p.every((x, k) => x >= low[k] - 0.4 * size && x <= high[k] + 0.4 * size);
-    return [...truth, ...others.filter((drawing) => points(drawing).every(near))];
-  }
-
   class Player {
     constructor(element, data, engine) {
       this.element = element;
       this.motions = oddity.motions(data, engine);
       this.scene = this.motions.scene;
-      this.rate = this.scene.time_unit === 's' ? 1 : this.scene.horizon / shortly;
-      this.playing = false;
-      this.wanted = !calm();     // plays as soon as it is seen
       this.rows = [];
+      this.clock = oddity.clock({ scene: this.scene, frame: this.motions.frame, show: () => this.paint() });
       this.build();
-      this.stage = oddity.stage(this.canvas, { space: this.motions.space });
+      this.picture = oddity.picture(this.canvas, this.motions);
       this.look();
       this.restart(this.fromLink() || this.usual());
       this.follow();
@@ -77,7 +45,7 @@
     /** What a link may name. */
     known() {
       return { parameters: this.motions.recordedOnly ? [] : this.sliding(), methods: this.motions.methods,
-        horizon: this.scene.horizon, speeds };
+        horizon: this.scene.horizon, speeds: oddity.speeds };
     }
 
     fromLink() {
@@ -88,19 +56,19 @@
         return null;
       }
       const { state } = read;
-      if (state.time > 0) this.wanted = false;
+      if (state.time > 0) this.clock.wanted = false;
       return state.rows.length ? state : { ...state, rows: this.motions.opening() };
     }
 
     restart({ parameters, rows, time, speed }) {
       this.parameters = { ...this.motions.defaults, ...parameters };
-      this.time = time;
-      this.setSpeed(speed);
+      this.clock.setSpeed(speed);
       this.rows = [];
       this.rowsPlace.replaceChildren();
       rows.slice(0, most).forEach((row) => this.addRow(row));
       for (const [name, slider] of this.sliders) slider.show(this.parameters[name]);
       this.compute();
+      this.clock.seek(time);
     }
 
     addRow(method) {
@@ -124,7 +92,7 @@
       const place = this.rows.indexOf(row);
       this.rows.splice(place, 1);
       row.view.element.remove();
-      this.say(`${oddity.sentence(row.method.algorithm)} on ${row.method.model} is removed.`);
+      this.say(`${sentence(row.method.algorithm)} on ${row.method.model} is removed.`);
       const next = this.rows[Math.min(place, this.rows.length - 1)];
       (next ? next.view : { focus: () => this.addButton.focus() }).focus();
       this.compute();
@@ -145,12 +113,12 @@
       if (!result.motion) return;
       clearTimeout(this.saying);
       this.saying = setTimeout(() =>
-        this.say(`${oddity.sentence(method.algorithm)} on ${method.model}: ${oddity.seen(this.motions, this.parameters, method)}`, false, true), 400);
+        this.say(`${sentence(method.algorithm)} on ${method.model}: ${oddity.seen(this.motions, this.parameters, method)}`, false, true), 400);
     }
 
     /** At the end one starts again from the beginning. */
     ended() {
-      if (this.time >= this.scene.horizon) this.seek(0);
+      if (this.clock.time >= this.scene.horizon) this.clock.seek(0);
     }
 
     point(method) {
@@ -185,11 +153,10 @@
       for (const row of this.rows) {
         const motion = motions.run(parameters, row.method);
         row.result = { row: row.method, motion, judged: motion && motions.judge(motion, parameters), floors };
-        row.trail = { frames: [], until: -1 };
         row.view.show(row.result);
       }
-      this.ghostTrail = { frames: [], until: -1 };
-      this.fit();
+      this.picture.show(parameters, this.truth, this.ghostColour, this.shown().map((row) =>
+        ({ motion: row.result.motion, colour: this.colours[row.shape] })));
       this.plot(sizes, floors);
       this.tellTruth();
       this.offerRows();
@@ -197,24 +164,14 @@
       this.paint();
     }
 
-    draw(motion, t) {
-      const observed = motion === this.truth ? oddity.throughSix(motion, t) : oddity.between(motion, t);
-      if (!observed.every(Number.isFinite)) return null;
-      return this.motions.drawing(this.parameters, t, observed);
-    }
-
-    fit() {
-      const times = Array.from({ length: 41 }, (_, i) => this.scene.horizon * i / 40);
-      const all = (motion) => times.map((t) => this.draw(motion, t)).filter((d) => d);
-      const others = this.rows.filter((r) => r.result.motion).flatMap((r) => all(r.result.motion));
-      this.stage.fit(toFit(all(this.truth), others));
-    }
+    /** The rows that have a motion. */
+    shown() { return this.rows.filter((row) => row.result.motion); }
 
     plot(sizes, floors) {
       const { scene } = this;
       const units = Object.keys(scene.close);
       const one = units.length === 1;
-      const shown = this.rows.filter((r) => r.result.motion);
+      const shown = this.shown();
       const common = { end: scene.horizon, ticks: this.ticks(), timeUnit: scene.time_unit };
       this.errorName.textContent = one ? `error [${units[0]}]` : `error, in parts of ${oddity.needName(scene.close)}`;
       this.errorLines.set({ ...common, need: one ? scene.close[units[0]] : 1, needName: oddity.needName(scene.close),
@@ -265,7 +222,7 @@
       this.element.setAttribute('aria-label', `Player: ${data.title}`);
       this.element.replaceChildren(
         make('div', { class: 'player-figure' }, this.buildStage(), this.buildCurves()),
-        this.buildTransport(),
+        this.clock.element,
         this.truthNote = make('p', { class: 'player-truth' }),
         this.rowsPlace = make('div', { class: 'player-rows' }),
         this.buildActions(),
@@ -276,8 +233,8 @@
 
     buildStage() {
       this.canvas = make('canvas', { class: 'player-canvas', role: 'img', tabindex: 0, 'aria-label': this.scenePicture() });
-      this.clock = make('span', { class: 'player-clock' });
-      return make('div', { class: 'player-stage' }, this.canvas, this.clock);
+      this.clockText = make('span', { class: 'player-clock' });
+      return make('div', { class: 'player-stage' }, this.canvas, this.clockText);
     }
 
     scenePicture() {
@@ -294,24 +251,6 @@
       this.errorName = make('figcaption', {});
       this.driftFigure = make('figure', {}, make('figcaption', {}, 'change of energy and whatever else is conserved, as a part'), drift);
       return make('div', { class: 'player-curves' }, make('figure', {}, this.errorName, error), this.driftFigure);
-    }
-
-    buildTransport() {
-      const { horizon, time_unit: unit } = this.scene;
-      this.playButton = button('play', () => this.toggle(), icon(...shapes.play));
-      this.playButton.classList.add('player-play');
-      this.scrub = make('input', { type: 'range', class: 'player-scrub', min: 0, max: this.scene.truth.frames, step: 1, value: 0,
-        'aria-label': 'time', input: () => this.hold(horizon * this.scrub.value / this.scene.truth.frames) });
-      this.speedButtons = speeds.map((speed) => make('button', { type: 'button', 'aria-pressed': 'false',
-        'aria-label': `speed ${speed}`, click: () => this.setSpeed(speed) }, speed === 0.25 ? '\u00bc' : `${speed}`));
-      this.timeUnit = unit;
-      return make('div', { class: 'player-transport' },
-        button('back to the start', () => this.hold(0), icon(...shapes.reset)),
-        button('one frame back', () => this.hold(this.time - this.motions.frame), icon(...shapes.back)),
-        this.playButton,
-        button('one frame forward', () => this.hold(this.time + this.motions.frame), icon(...shapes.forward)),
-        this.scrub,
-        make('div', { class: 'player-speeds', role: 'group', 'aria-label': 'speed' }, ...this.speedButtons));
     }
 
     buildActions() {
@@ -387,60 +326,6 @@
       this.said.classList.toggle('unseen', unseen);
     }
 
-    // ---- time ---------------------------------------------------------------------------------------------
-
-    setSpeed(speed) {
-      this.speed = speed;
-      this.speedButtons.forEach((b, i) => b.setAttribute('aria-pressed', String(speeds[i] === speed)));
-    }
-
-    toggle() {
-      this.wanted = false;
-      if (this.playing) return this.pause();
-      if (this.time >= this.scene.horizon) this.seek(0);
-      this.play();
-    }
-
-    play() {
-      if (this.playing) return;
-      this.playing = true;
-      this.showPlaying();
-      let before = performance.now();
-      const frame = (now) => {
-        if (!this.playing) return;
-        const passed = Math.min(patience, Math.max(0, now - before) / 1000);
-        before = now;
-        this.seek(this.time + passed * this.speed * this.rate);
-        if (this.time >= this.scene.horizon) this.pause();
-        else requestAnimationFrame(frame);
-      };
-      requestAnimationFrame(frame);
-    }
-
-    pause() {
-      this.playing = false;
-      this.showPlaying();
-    }
-
-    showPlaying() {
-      const name = this.playing ? 'pause' : 'play';
-      this.playButton.replaceChildren(icon(...shapes[name]));
-      this.playButton.setAttribute('aria-label', name);
-      this.playButton.title = name;
-    }
-
-    /** To a time, and stays there. */
-    hold(t) {
-      this.wanted = false;
-      this.pause();
-      this.seek(t);
-    }
-
-    seek(t) {
-      this.time = Math.min(this.scene.horizon, Math.max(0, t));
-      this.paint();
-    }
-
     // ---- what it does -------------------------------------------------------------------------------------
 
     add() {
@@ -459,9 +344,9 @@
     }
 
     preset(rows, text) {
-      this.restart({ parameters: {}, rows, time: 0, speed: this.speed });
+      this.restart({ parameters: {}, rows, time: 0, speed: this.clock.speed });
       this.say(`${text}, from the start.`);
-      this.play();
+      this.clock.play();
     }
 
     breakIt() {
@@ -470,16 +355,16 @@
       const row = this.rows.find((r) => r.method === found.was);
       row.method = { ...found.row, trial: null };
       this.compute();
-      this.seek(0);
+      this.clock.seek(0);
       this.point(row.method);
       this.say(found.text);
-      this.play();
+      this.clock.play();
     }
 
     state() {
       const { defaults } = this.motions;
       const changed = Object.fromEntries(Object.entries(this.parameters).filter(([name, x]) => x !== defaults[name]));
-      return { parameters: changed, rows: this.rows.map((r) => r.method), time: this.time, speed: this.speed };
+      return { parameters: changed, rows: this.rows.map((r) => r.method), time: this.clock.time, speed: this.clock.speed };
     }
 
     async copy(text, done) {
@@ -509,11 +394,11 @@
       const { motions } = this;
       const algorithm = String(named).replace(/ in float$/, '');
       const method = motions.find(model, algorithm);
-      this.element.scrollIntoView({ behavior: calm() ? 'auto' : 'smooth', block: 'nearest' });
+      this.element.scrollIntoView({ behavior: oddity.calm() ? 'auto' : 'smooth', block: 'nearest' });
       if (!method || !method.precisions.includes(precision))
-        return this.say(`${oddity.sentence(algorithm)} on ${model}${precision === 'float' ? ' in float' : ''} does not run in the page.`, true);
+        return this.say(`${sentence(algorithm)} on ${model}${precision === 'float' ? ' in float' : ''} does not run in the page.`, true);
       if (method.path && method.path.setting !== setting)
-        this.say(`${oddity.sentence(algorithm)} on ${model} is recorded at ${oddity.written(method.path.setting)} only, which is what is shown.`);
+        this.say(`${sentence(algorithm)} on ${model} is recorded at ${oddity.written(method.path.setting)} only, which is what is shown.`);
       this.parameters = { ...motions.defaults };
       for (const [name, slider] of this.sliders) slider.show(this.parameters[name]);
       const next = { model, algorithm, precision, setting: method.path ? method.path.setting : setting,
@@ -525,8 +410,8 @@
         this.addRow(next);
       }
       this.compute();
-      this.seek(0);
-      this.play();
+      this.clock.seek(0);
+      this.clock.play();
     }
 
     /** What the table of trials has of it. */
@@ -545,50 +430,26 @@
       const { target, key, shiftKey } = event;
       if (target.matches('input[type=text], select') || event.ctrlKey || event.metaKey || event.altKey) return;
       const step = { ArrowLeft: -1, ArrowRight: 1 }[key];
-      if (key === ' ' && !target.matches('button, summary')) this.toggle();
-      else if (step && (shiftKey || !target.matches('input'))) this.hold(this.time + step * this.motions.frame);
+      if (key === ' ' && !target.matches('button, summary')) this.clock.toggle();
+      else if (step && (shiftKey || !target.matches('input'))) this.clock.step(step);
       else return;
       event.preventDefault();
     }
 
     // ---- painting -----------------------------------------------------------------------------------------
 
-    /** The way that a body with a trail has come, up to t. */
-    trailOf(motion, trail, t) {
-      const { times } = motion;
-      const last = oddity.placeOf(times, t);
-      for (let i = trail.frames.length; i <= last; i += 1) {
-        const drawing = this.draw(motion, times[i]);
-        trail.frames.push(drawing ? drawing.primitives.filter((p) => p.trail).map((p) => p.points[0]) : null);
-      }
-      return trail.frames.slice(0, last + 1).filter((f) => f && f.length);
-    }
-
-    layer(motion, trail, colour, ghost) {
-      const drawing = this.draw(motion, this.time);
-      if (!drawing) return null;
-      const frames = this.trailOf(motion, trail, this.time);
-      const here = drawing.primitives.filter((p) => p.trail).map((p) => p.points[0]);
-      const trails = here.map((now, k) => [...frames.map((f) => f[k]).filter((p) => p), now]);
-      return { drawing, colour, ghost, trail: trails[0] || [], trails };
-    }
-
     paint() {
-      this.clock.textContent = `t = ${this.time.toFixed(2)} ${this.timeUnit}`;
-      this.scrub.value = Math.round(this.time / this.scene.horizon * this.scene.truth.frames);
-      this.scrub.setAttribute('aria-valuetext', `${this.time.toFixed(2)} ${this.timeUnit}`);
-      for (const row of this.rows) row.view.now(this.time);
-      const layers = [this.layer(this.truth, this.ghostTrail, this.ghostColour, true)];
-      for (const row of this.rows)
-        if (row.result.motion) layers.push(this.layer(row.result.motion, row.trail, this.colours[row.shape], false));
-      this.stage.paint(layers.filter((l) => l));
-      this.errorLines.paint(this.time);
-      this.driftLines.paint(this.time);
+      const { time } = this.clock;
+      this.clockText.textContent = `t = ${this.clock.text()}`;
+      for (const row of this.rows) row.view.now(time);
+      this.picture.paint(time);
+      this.errorLines.paint(time);
+      this.driftLines.paint(time);
     }
 
     /** Sizes and colours, as the page has them now. */
     look() {
-      this.stage.resize();
+      this.picture.resize();
       const style = getComputedStyle(this.element);
       const colour = (name, other) => style.getPropertyValue(name).trim() || other;
       this.colours = ['#0072b2', '#c95600', '#00805e', '#a8437f'].map((other, i) => colour(`--series-${i + 1}`, other));
@@ -609,22 +470,14 @@
       window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again);
       window.addEventListener('hashchange', () => {
         if (window.location.hash === this.linked || !/^#play(&|$)/.test(window.location.hash)) return;
-        this.pause();
+        this.clock.pause();
         const state = this.fromLink();
         this.restart(state || this.usual());
         if (state) this.say('The player is as the link has it.');
       });
       document.addEventListener('oddity:play', (event) => this.trial(event.detail || {}));
-      new IntersectionObserver((entries) => this.seen(entries[entries.length - 1].isIntersecting), { threshold: 0.3 })
+      new IntersectionObserver((entries) => this.clock.seen(entries[entries.length - 1].isIntersecting), { threshold: 0.3 })
         .observe(this.canvas);
-    }
-
-    seen(visible) {
-      if (visible && this.wanted) this.play();
-      else if (!visible && this.playing) {
-        this.pause();
-        this.wanted = true;
-      }
     }
   }
 

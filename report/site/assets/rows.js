@@ -162,10 +162,10 @@
         const { motion, judged, floors } = result;
         const i = oddity.placeOf(motion.times, t);
         const here = judged.errors.map((e) => e[i]);
-        const text = judged.broken !== null && t >= judged.broken ? 'broken off'
-          : here.some(Number.isNaN) ? '\u2013'
-            here.every((x, u) => x <= floors[u]) ? `below ${oddity.amounts(floors, judged.units, 1)}`
-            : oddity.amounts(here, judged.units);
+        let text = oddity.amounts(here, judged.units);
+        if (here.every((x, u) => x <= floors[u])) text = `below ${oddity.amounts(floors, judged.units, 1)}`;
+        if (here.some(Number.isNaN)) text = '\u2013';
+        if (judged.broken !== null && t >= judged.broken) text = 'broken off';
         if (errorNow.value.textContent !== text) errorNow.value.textContent = text;
       },
       paint: mark.paint,
