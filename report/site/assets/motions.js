@@ -1,0 +1,209 @@
+// The motions of a scene: computed by the models where the module runs, else those that are recorded.
+
+(function (oddity) {
+  'use strict';
+
+  const kept = 60;          // motions in the cache
+  const published = /as (printed|published)|^published|of the printed listing/;
+  const finest = 'Fehlberg 7(8)';
+
+  const plain = (algorithm) => algorithm.replace(/ in float$/, '');
+
+  /** Recorded frames, the earliest of which is frame `first`; those that are not there are NaN. */
+  function recorded({ values, frames }, first, count, end) {
+    const observed = new Float64Array((frames + 1) * count).fill(NaN);
+    observed.set(oddity.floats(values), first * count);
+    return { times: oddity.frameTimes(end, frames), observed, count };
+  }
+
+  /** All that the page knows of the scene's methods, by "model, algorithm". */
+  function methodsOf(quantity) {
+    const all = new Map();
+    for (const m of quantity.methods) {
+      const name = `${m.model}, ${plain(m.algorithm)}`;
+      const known = all.get(name) || { model: m.model, algorithm: plain(m.algorithm), knob: m.knob, trials: [] };
+      if (m.precision === 'double') Object.assign(known, { knob: m.knob, trials: m.trials });
+      all.set(name, known);
+    }
+    return [...all.values()];
+  }
+
+  const bestTrial = (method) => method.trials.reduce((best, t) => (t[1] !== null && t[5] === 'ok' && !(best && best[1] <= t[1]) ? t : best), null);
+
+  /** By the module. */
+  function computable(data, engine) {
+    const own = engine.scene(data.number);
+    if (!own) return [];
+    const facts = new Map(engine.algorithms.map((a) => [a.name, a]));
+    return own.models.flatMap(({ name, algorithms }) => algorithms.map((algorithm) => {
+      const fact = facts.get(algorithm) || { knob: '', inFloat: false };
+      return { model: name, algorithm, knob: fact.knob, precisions: fact.inFloat ? ['double', 'float'] : ['double'] };
+    }));
+  }
+
+  /** Recorded ones at their one setting, of what the module does not have. */
+  function recordedMethods(paths, others) {
+    return paths
+      .filter((p) => !others.some((m) => m.model === p.model && m.algorithm === p.algorithm))
+      .map((p) => ({ model: p.model, algorithm: p.algorithm, knob: p.knob, precisions: ['double'], path: p }));
+  }
+
+  oddity.motions = function (data, engine) {
+    const { scene } = data;
+    const quantity = data.quantities[scene.quantity];
+    const frame = scene.truth.end / scene.truth.frames;
+    const looks = quantity.samples;
+    const count = scene.observables.length;
+    const defaults = Object.fromEntries(data.parameters.map((p) => [p.name, p.value]));
+    const tried = methodsOf(quantity);
+    const computed = engine ? computable(data, engine) : [];
+    const methods = [...computed, ...recordedMethods(scene.paths, computed)];
+    const cache = new Map();
+    const isDefault = (parameters) => data.parameters.every((p) => parameters[p.name] === p.value);
+    const find = (model, algorithm) => methods.find((m) => m.model === model && m.algorithm === algorithm);
+    const triedLike = (m) => tried.find((t) => t.model === m.model && t.algorithm === m.algorithm);
+
+    function cached(key, make) {
+      if (!cache.has(key)) {
+        if (cache.size >= kept) cache.delete(cache.keys().next().value);
+        cache.set(key, make());
+      }
+      return cache.get(key);
+    }
+
+    function compute(parameters, { model, algorithm, precision, setting }) {
+      const { knob } = find(model, algorithm);
+      const steps = knob === 'step' ? oddity.stepTimes(scene.horizon, looks, frame, setting) : null;
+      const times = steps ? steps.times : oddity.frameTimes(scene.horizon, scene.truth.frames);
+      return computedAt(times, { parameters, model, algorithm, precision, setting: steps ? steps.step : setting });
+    }
+
+    /** Parameters that do not go together end in a motion that is nowhere. */
+    function computedAt(times, asked) {
+      try {
+        return { times, count, ...engine.run({ scene: data.number, ...asked, times }) };
+      } catch (error) {
+        const nothing = new Float64Array(0);
+        return { times, count, observed: new Float64Array(times.length * count).fill(NaN), drift: nothing, off: nothing,
+          ending: 'raised', message: 'with these parameters it cannot start' };
+      }
+    }
+
+    function replay(path) {
+      return { ...recorded(path, 1, count, scene.horizon), drift: new Float64Array(0), off: new Float64Array(0),
+        ending: path.outcome === 'non-finite' ? 'non-finite' : 'reached', message: '', recorded: true };
+    }
+
+    /** Null where it is only recorded and the parameters are others. */
+    function run(parameters, method) {
+      const { path } = find(method.model, method.algorithm);
+      if (path) return isDefault(parameters) ? cached(path, () => replay(path)) : null;
+      const key = JSON.stringify([parameters, method.model, method.algorithm, method.precision, method.setting]);
+      return cached(key, () => compute(parameters, method));
+    }
+
+    /** What stands for the truth where none is recorded: an integrated model that has all of it, at its finest. */
+    function finestMethod() {
+      const candidates = computed.filter((m) => triedLike(m) && bestTrial(triedLike(m)));
+      const error = (m) => bestTrial(triedLike(m))[1];
+      const best = (some) => some.reduce((a, b) => (a && error(a) <= error(b) ? a : b), null);
+      const method = best(candidates.filter((m) => m.algorithm === finest)) || best(candidates);
+      return method && { model: method.model, algorithm: method.algorithm, precision: 'double',
+        setting: method.knob === 'tolerance' ? 1e-12 : bestTrial(triedLike(method))[0] };
+    }
+    const richest = engine ? finestMethod() : null;
+
+    /** The recorded truth; its frame 0, where there is a module, is where the finest method starts. */
+    const reference = recorded(scene.truth, 0, count, scene.truth.end);
+    if (richest) reference.observed.set(run(defaults, richest).observed.subarray(0, count));
+
+    const frames = (parameters) => {
+      const key = JSON.stringify(['truth', parameters]);
+      return cached(key, () => computedAt(oddity.frameTimes(scene.horizon, scene.truth.frames), { parameters, ...richest }));
+    };
+
+    const truth = (parameters) => (isDefault(parameters) || !richest ? reference : frames(parameters));
+
+    const judge = (motion, parameters) => oddity.judged(motion, truth(parameters), scene.norms, scene.close);
+
+    /** How far the finest method is from the recorded truth, in each unit. */
+    const apart = () => richest && oddity.judged(frames(defaults), reference, scene.norms, scene.close).worst;
+
+    const asRow = ({ model, algorithm, precisions, knob, path }, setting) => ({ model, algorithm, precision: precisions[0],
+      setting: path ? path.setting : knob ? setting : 0 });
+
+    /** A setting for a method that has just been chosen. */
+    function usual(method) {
+      if (method.path) return method.path.setting;
+      if (method.knob === 'step') return frame;
+      if (method.knob === 'tolerance') return 1e-6;
+      const known = triedLike(method);
+      return known && known.trials.length ? known.trials[known.trials.length >> 1][0] : 0;
+    }
+
+    const models = [...new Set(methods.map((m) => m.model))];
+    const algorithmsOf = (model) => methods.filter((m) => m.model === model);
+
+    /** The model that meets the most algorithms: what an engine would take. */
+    const engines = () => models.filter((m) => !published.test(m) && find(m, 'explicit Euler'))
+      .sort((a, b) => algorithmsOf(b).length - algorithmsOf(a).length)[0];
+
+    /** What is enough for a game at the least, and what an engine does today. */
+    function opening() {
+      const rows = [];
+      const least = (data.least || [])[0];
+      const enough = least && find(least.model, least.algorithm);
+      if (enough) rows.push(asRow(enough, least.setting));
+      const model = engines();
+      for (const algorithm of ['symplectic Euler', 'explicit Euler'])
+        if (model && find(model, algorithm) && !find(model, algorithm).path)
+          rows.push(asRow(find(model, algorithm), frame));
+      for (const m of methods)
+        if (rows.length < 2 && m.path && !rows.some((r) => r.model === m.model)) rows.push(asRow(m));
+      return rows;
+    }
+
+    /** As published beside right: the published model by its finest algorithm, and the finest method. */
+    function asPublished() {
+      const finestOf = (model) => {
+        const all = algorithmsOf(model);
+        const method = all.find((m) => m.algorithm === finest) || all.find((m) => m.algorithm === 'Runge-Kutta 4') || all[0];
+        return asRow(method, method.knob === 'tolerance' ? 1e-9 : frame / 4);
+      };
+      const right = richest || null;
+      const printed = models.filter((m) => published.test(m)).map(finestOf);
+      if (!printed.length) return null;
+      return right ? [asRow(find(right.model, right.algorithm), 1e-9), ...printed].slice(0, 4) : printed.slice(0, 4);
+    }
+
+    return { data, scene, quantity, frame, looks, defaults, models, methods, tried, find, algorithmsOf, usual, run, truth,
+      judge, richest, reference, apart, isDefault, opening, asPublished, recordedOnly: !computed.length,
+      space: !!(engine && engine.scene(data.number) && engine.scene(data.number).space),
+      drawing: oddity.drawer(data, computed.length ? engine : null) };
+  };
+
+  /** How a scene looks: by its own drawing, or where there is none its observables as points, as far as their
+      names say points; else over time. */
+  oddity.drawer = function (data, engine) {
+    if (engine) return (parameters, t, observed) => engine.draw(data.number, parameters, t, observed);
+    const { observables, horizon, truth } = data.scene;
+    const values = oddity.floats(truth.values);
+    let reach = 0;
+    for (const x of values) if (Math.abs(x) > reach) reach = Math.abs(x);
+    const size = reach / 40;
+    const ball = (points, space) => ({ space, primitives: points.map((p) =>
+      ({ kind: 'body', points: [p], size, letter: '', trail: true })) });
+    const names = observables.join();
+    if (/^x1?,(y|x2)1?(,(z|x3|psi|theta))?$/.test(names) || /^x1,y1/.test(names)) {
+      const space = /z$|x3$/.test(names);
+      const each = space ? 3 : 2;
+      const flat = /psi|theta/.test(names) ? 2 : observables.length;
+      return (parameters, t, o) => {
+        const points = [];
+        for (let k = 0; k + each <= flat; k += each) points.push([o[k], o[k + 1], space ? o[k + 2] : 0]);
+        return ball(points, space);
+      };
+    }
+    return (parameters, t, o) => ball([...o].map((x) => [t / horizon * 4 * reach, x, 0]), false);
+  };
+})(window.oddity = window.oddity || {});
