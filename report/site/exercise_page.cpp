@@ -4,6 +4,7 @@
 
 #include "chapters/contents.hpp"
 #include "reference/text.hpp"
+#include "report/charts/drawing.hpp"
 #include "report/site/claims_section.hpp"
 #include "report/site/findings.hpp"
 #include "report/site/page.hpp"
@@ -17,7 +18,10 @@ using html::element;
 
 std::string page_of(const ExerciseResult& e) { return to_string(e.number) + ".html"; }
 
-std::string setup_drawing(const ExerciseResult&) { return ""; }
+std::string setup_drawing(const ExerciseResult& e) {
+  const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
+  return entry == registry().end() ? "" : setup_svg(*entry);
+}
 
 std::string chapter_line(const ExerciseResult& e) {
   for (const Chapter& chapter : chapters())
