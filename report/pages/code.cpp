@@ -56,12 +56,6 @@ std::string in_double(const std::string& algorithm) {
   return algorithm.ends_with(suffix) ? algorithm.substr(0, algorithm.size() - suffix.size()) : algorithm;
 }
 
-std::string replaced(std::string text, std::string_view old, std::string_view by) {
-  for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + by.size()))
-    text.replace(at, old.size(), by);
-  return text;
-}
-
 Printed printed(const Listing& listing, const std::string& model, const std::string& algorithm) {
   if (const auto* own = find(listing.models, model + ", " + algorithm)) return {*own, nullptr};
   const Plain* found = std::ranges::find(plain_algorithms, algorithm, &Plain::algorithm);
@@ -117,17 +111,6 @@ class Joined {
   std::string text_;
 };
 
-/// A name of C++ that the expression has as a word.
-bool mentions(std::string_view expression, std::string_view name) {
-  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-  for (auto at = expression.find(name); at != std::string_view::npos; at = expression.find(name, at + 1)) {
-    const auto end = at + name.size();
-    if ((at == 0 || !in_word(expression[at - 1])) && (end == expression.size() || !in_word(expression[end])))
-      return true;
-  }
-  return false;
-}
-
 std::string as_comment(const std::string& text) {
   std::string comment;
   std::istringstream lines(text);
@@ -147,7 +130,7 @@ std::string model_text(const Task& task, std::string_view expression, const std:
       text += number + " " + std::string(p.name) + " = " + literal(task.parameters[p.name], number) +
               ";  // " + (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") +
               std::string(p.says) + "\n";
-  return text + "\nauto model() { return " + replaced(std::string(expression), "double", number) +
+  return text + "\nauto model() { return " + in_number_type(expression, number) +
          "; }\n\n}  // namespace oddity::asked\n";
 }
 
@@ -213,6 +196,24 @@ std::string main_text(const Task& task, const Need& need, const Plain* algorithm
 }
 
 }  // namespace
+
+bool mentions(std::string_view expression, std::string_view name) {
+  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (auto at = expression.find(name); at != std::string_view::npos; at = expression.find(name, at + 1)) {
+    const auto end = at + name.size();
+    if ((at == 0 || !in_word(expression[at - 1])) && (end == expression.size() || !in_word(expression[end])))
+      return true;
+  }
+  return false;
+}
+
+std::string in_number_type(std::string_view expression, std::string_view number) {
+  constexpr std::string_view old = "double";
+  std::string text(expression);
+  for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + number.size()))
+    text.replace(at, old.size(), number);
+  return text;
+}
 
 std::vector<std::string_view> printable_algorithms() {
   std::vector<std::string_view> all{closed_form};

@@ -38,7 +38,7 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
   write_whole(folder / "data" / "search.js", search_index(results));
   for (const EmbeddedFile& asset : embedded_assets())
     write_whole(folder / "assets" / asset.path, std::string(asset.text));
-  if (const auto models = module_script()) write_whole(folder / "assets" / "models.js", *models);
+  write_whole(folder / "assets" / "models.js", module_script());
   return folder / "index.html";
 }
 
