@@ -232,8 +232,8 @@ TEST_CASE("What is rigid has the same length at every time", "[drawing]") {
   };
   const auto Approximately = [](double x) { return Approx(x).epsilon(1e-5); };
   const std::vector<Rigid> all{
-      {"3.5", Kind::rod, {1}},   {"3.17", Kind::rope, {1}},           {"3.21", Kind::rod, {2}},
-      {"3.23", Kind::rod, {1}},  {"3.25", Kind::rod, {1, 0.75, 0.5}}, {"3.33", Kind::rod, {0.5}},
+      {"3.5", Kind::rod, {1}},         {"3.17", Kind::rope, {1}},           {"3.21", Kind::rod, {2}},
+      {"3.23", Kind::rod, {0.5, 0.5}}, {"3.25", Kind::rod, {1, 0.75, 0.5}}, {"3.33", Kind::rod, {0.5}},
       {"3.35", Kind::rod, {0.5}}};
   for (const auto& [number, kind, lengths] : all) {
     INFO(number);

@@ -24,7 +24,8 @@ void draw(const Parameters& p, double, std::span<const double> observed, Drawing
   }));
   drawing.guide({{}, planet});
   drawing.sphere({}, r0 / 12);
-  drawing.label(Place{0.06 * r0, -0.06 * r0}, "M");
+  drawing.support({});
+  drawing.label({0.07 * r0, -0.07 * r0}, "M");
   drawing.body_with_trail(planet, r0 / 28);
   drawing.angle({}, {0.5 * r0, 0}, first, "θ0");
   drawing.length({}, first, "r0");
