@@ -712,7 +712,7 @@
       if (!pale && mine.length) curves.push({ method: m, spots: inside.length ? inside : mine, way: way(inside) });
     }
     if (view.axis !== 'setting') middle.append(frontLine(methods, view.axis, quantity.floor, spots, box));
-    picture.append(back, middle, fore, labels(curves, obstacles, view, context, width, height, narrow));
+    picture.append(back, middle, fore, labels(curves, obstacles, view, context, { left: narrow ? 2 : box.left + 2, right: width - 2, top: 4, bottom: box.bottom - 2 }, narrow));
     const first = front(methods.flatMap((m) => m.points), view.axis, quantity.floor)[0];
     const start = spots.find((s) => s.point === first);
     if (start) start.first = true;
@@ -772,7 +772,7 @@
     return group;
   }
 
-  function labels(curves, obstacles, view, context, width, height, narrow) {
+  function labels(curves, obstacles, view, context, bounds, narrow) {
     const group = svg('g', { class: 'labels', 'aria-hidden': 'true' });
     if (view.every && curves.length > mostCurves) return group;
     const names = namesOf(curves.map((c) => c.method));
@@ -781,7 +781,7 @@
       c.name = narrow ? shortened(names[i], 24) : names[i];
       c.width = widthOf(c.name, font);
     });
-    for (const label of placeLabels(curves, { left: 2, right: width - 2, top: 4, bottom: height - 48 }, obstacles)) {
+    for (const label of placeLabels(curves, bounds, obstacles)) {
       const { spot } = label, left = label.left > spot.x;
       const far = label.bottom < spot.y - 12 || label.top > spot.y + 12;
       if (far) group.append(svg('path', { class: 'leader', style: '--c: ' + colourOf(label.curve.method, view.by),
