@@ -184,7 +184,9 @@ test('a simple method with a margin is taken before what is cheapest, and of nea
 
 // A pendulum's small angle as an engine, exact and by two steppers.
 const engine = {
-  algorithms: [{ name: 'explicit Euler', knob: 'step', inFloat: true }, { name: 'velocity Verlet', knob: 'step', inFloat: true }],
+  algorithms: [{ name: 'closed form', kind: 'closed form', order: 0, knob: '', inFloat: true },
+    { name: 'explicit Euler', kind: 'fixed', order: 1, knob: 'step', inFloat: true },
+    { name: 'velocity Verlet', kind: 'partitioned', order: 2, knob: 'step', inFloat: true }],
   scene: () => ({ parameters: ['a'], models: [{ name: 'one angle', algorithms: ['closed form', 'explicit Euler', 'velocity Verlet'] }] }),
   run({ parameters: { a }, algorithm, setting, times }) {
     if (algorithm === 'closed form')
@@ -207,6 +209,8 @@ test('the search judges by the finest run and finds what holds', () => {
   const state = choosing.usual(pendulum), found = { rows: [], tried: 0, all: 0, truth: null };
   for (const step of choosing.search(state, engine, found)) assert.equal(step, undefined);
   assert.equal(found.truth.algorithm, 'closed form');
+  assert.equal(found.truth.beside.algorithm, 'velocity Verlet');
+  assert.equal(found.truth.errors.rad < 1e-5, true);
   assert.equal(found.tried, 3);
   const verlet = found.rows.find((r) => r.algorithm === 'velocity Verlet');
   assert.equal(verlet.holds, true);

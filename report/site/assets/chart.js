@@ -125,7 +125,9 @@
   /** The ranges of both axes, as exponents of ten where they are logarithmic, and where each point belongs. */
   function frame(quantity, methods, axis) {
     const knob = mainKnob(methods);
-    const abscissa = (p) => axis !== 'setting' ? cost(p, axis) : p.method.knob === knob ? p.setting : NaN;
+    const isLine = (m) => axis === 'setting' && !m.knob;
+    const abscissa = (p) => axis !== 'setting' ? cost(p, axis) : p.method.knob === knob ? p.setting : isLine(p.method) ? edge : NaN;
+    let edge = 1;  // where a method without a knob has its point, its line running from there
     const top = Math.max(1e3 * quantity.size, 10 * quantity.need) || 1;
     const points = methods.flatMap((m) => m.points);
     const errors = points.map((p) => p.error).filter((e) => e > 0 && e <= top);
@@ -135,11 +137,12 @@
     const within = (p) => p.error !== null && p.error <= top;
     const shown = points.filter((p) => abscissa(p) > 0);
     const seen = shown.filter(within).map((p) => Math.max(p.error, least));
-    const xs = shown.map(abscissa);
+    const xs = shown.filter((p) => !isLine(p.method)).map(abscissa);
     const few = axis === 'setting' && Math.min(...xs) >= 1 && Math.max(...xs) < 100;
+    const x = few ? { low: Math.min(...xs) - 1, high: Math.max(...xs) + 1, log: false } : decades(xs);
+    edge = few ? x.low : Math.pow(10, x.low);
     return {
-      axis, knob, abscissa, within,
-      x: few ? { low: Math.min(...xs) - 1, high: Math.max(...xs) + 1, log: false } : decades(xs),
+      axis, knob, abscissa, within, isLine, x,
       y: decades(seen.concat(quantity.need > 0 ? [quantity.need] : [])),
       ordinate: (p) => Math.max(p.error, least),
       strip: shown.some((p) => !within(p)),
@@ -204,7 +207,8 @@
     const several = new Set(integrators.map((m) => m.model)).size > 1;
     const within = 'Within ' + game.says + ', ';
     const least = cheapest(integrators, axis, game.error), exact = cheapest(closed, axis, game.error);
-    const known = exact ? called(exact.method, false) + ' in closed form needs ' + work(exact, axis) : '';
+    const known = !exact ? '' : exact.method.model + (exact.method.algorithm === 'closed form' ? ' in closed form' : ' by ' + exact.method.algorithm) +
+      ' needs ' + work(exact, axis);
     if (!least) return { says: exact ? within + known + '; no integrator comes there.' : 'No method stays within ' + game.says + '.',
       of: exact ? [exact.method] : [] };
     const plain = cheapest(integrators.filter((m) => m.algorithm === 'explicit Euler'), axis, game.error);
@@ -222,8 +226,9 @@
   function findingOfRows(quantity, methods) {
     const right = methods.filter((m) => m.points[m.points.length - 1].outcome === 'o');
     const all = count(methods.length);
+    const finest = right.some((m) => m.points.some((p) => p.outcome !== 'o')) ? ' at their finest setting.' : '.';
     if (!right.length) return 'None of ' + all + ' methods is as exact as needed.';
-    if (right.length === methods.length) return 'All ' + all + ' methods are as exact as needed.';
+    if (right.length === methods.length) return 'All ' + all + ' methods are as exact as needed' + finest;
     const wrong = methods.filter((m) => !right.includes(m));
     const few = (list) => list.length <= 2 ? list.map(named).join(' and ') : count(list.length);
     return right.length <= wrong.length ? 'Only ' + few(right) + ' of ' + all + ' methods ' +
@@ -361,6 +366,8 @@
       box(spot.x + 6, spot.y - height - 5), box(spot.x + 6, spot.y + 5),
       box(spot.x - 6 - width, spot.y - height - 5), box(spot.x - 6 - width, spot.y + 5),
       box(spot.x - width / 2, spot.y - height - 8), box(spot.x - width / 2, spot.y + 8),
+      ...[24, 40, 56].flatMap((away) => [box(spot.x + 12, spot.y - height - away), box(spot.x - 12 - width, spot.y - height - away),
+        box(spot.x + 12, spot.y + away), box(spot.x - 12 - width, spot.y + away)]),
     ];
   }
 
@@ -376,7 +383,7 @@
           const outside = box.left < bounds.left || box.right > bounds.right || box.top < bounds.top || box.bottom > bounds.bottom;
           const covered = dots.filter((d) => d.x > box.left - 3 && d.x < box.right + 3 && d.y > box.top - 2 && d.y < box.bottom + 2);
           const price = (outside ? 1e4 : 0) + 20 * placed.reduce((sum, other) => sum + overlap(box, other), 0) +
-            6 * covered.length + away + 0.3 * k;
+            6 * covered.length + away + (k < 8 ? 0.3 * k : k);
           if (price < least) [least, found] = [price, { ...box, curve, spot }];
         }
       });
@@ -690,7 +697,8 @@
       curve.style.setProperty('--c', colourOf(m, view.by));
       const mine = points(m).map(spotOf);
       const inside = mine.filter((s) => at.within(s.point));
-      curve.append(svg('path', { class: 'line', d: inside.map((s, i) => (i ? 'L' : 'M') + s.x.toFixed(1) + ',' + s.y.toFixed(1)).join('') }));
+      curve.append(svg('path', { class: 'line', d: inside.map((s, i) => (i ? 'L' : 'M') + s.x.toFixed(1) + ',' + s.y.toFixed(1)).join('') +
+        (at.isLine(m) && inside.length ? 'H' + box.right : '') }));
       for (const s of mine) {
         s.node = nodeOf(s.point, quantity, context, pale, !at.within(s.point));
         s.node.setAttribute('transform', `translate(${s.x.toFixed(1)},${s.y.toFixed(1)})`);
@@ -704,7 +712,7 @@
       if (!pale && mine.length) curves.push({ method: m, spots: inside.length ? inside : mine, way: way(inside) });
     }
     if (view.axis !== 'setting') middle.append(frontLine(methods, view.axis, quantity.floor, spots, box));
-    picture.append(back, middle, fore, labels(curves, obstacles, view, context, width, height, narrow));
+    picture.append(back, middle, fore, labels(curves, obstacles, view, context, { left: narrow ? 2 : box.left + 2, right: width - 2, top: 4, bottom: box.bottom - 2 }, narrow));
     const first = front(methods.flatMap((m) => m.points), view.axis, quantity.floor)[0];
     const start = spots.find((s) => s.point === first);
     if (start) start.first = true;
@@ -764,7 +772,7 @@
     return group;
   }
 
-  function labels(curves, obstacles, view, context, width, height, narrow) {
+  function labels(curves, obstacles, view, context, bounds, narrow) {
     const group = svg('g', { class: 'labels', 'aria-hidden': 'true' });
     if (view.every && curves.length > mostCurves) return group;
     const names = namesOf(curves.map((c) => c.method));
@@ -773,9 +781,14 @@
       c.name = narrow ? shortened(names[i], 24) : names[i];
       c.width = widthOf(c.name, font);
     });
-    for (const label of placeLabels(curves, { left: 2, right: width - 2, top: 4, bottom: height - 48 }, obstacles))
+    for (const label of placeLabels(curves, bounds, obstacles)) {
+      const { spot } = label, left = label.left > spot.x;
+      const far = label.bottom < spot.y - 12 || label.top > spot.y + 12;
+      if (far) group.append(svg('path', { class: 'leader', style: '--c: ' + colourOf(label.curve.method, view.by),
+        d: `M${spot.x.toFixed(1)},${spot.y.toFixed(1)}L${(left ? label.left : label.right).toFixed(1)},${(label.top + 8).toFixed(1)}` }));
       group.append(svg('text', { x: label.left.toFixed(1), y: (label.bottom - 4).toFixed(1),
         style: '--c: ' + colourOf(label.curve.method, view.by) }, label.curve.name));
+    }
     return group;
   }
 
@@ -788,7 +801,7 @@
     const points = methods.flatMap((m) => m.points);
     const errors = points.map((p) => p.error).filter((e) => e > 0).concat(quantity.need > 0 ? [quantity.need] : []);
     const range = decades(errors.length ? errors : [1]);
-    const box = { left: edge + 84, right: width - 64, top: 26, bottom: 30 + tall * methods.length };
+    const box = { left: edge + 84, right: width - 64, top: narrow ? 34 : 26, bottom: (narrow ? 38 : 30) + tall * methods.length };
     const x = (error) => error === null ? width - 26 : error === 0 ? edge + 24
       : box.left + (box.right - box.left) * part(range, error);
     const height = box.bottom + 42;

@@ -158,20 +158,19 @@
   /** The largest error in parts of what is asked. */
   const inNeeds = (errors, state) => Math.max(...Object.entries(errors).map(([unit, e]) => Number.isNaN(e) ? Infinity : e / state.errors[unit].value));
 
-  const finest = [['Fehlberg 7(8)', 1e-13], ['Dormand-Prince 5(4)', 1e-13], ['Bulirsch-Stoer', 1e-13], ['McLachlan 4', 0], ['Runge-Kutta 4', 0]];
+  /** The algorithms of a model that come nearest to the truth, the best first, each at its finest setting. */
+  function finest(state, engine, model) {
+    const steps = state.horizon * state.fps > 3000 ? 64 : 256;
+    return engine.algorithms.filter((a) => model.algorithms.includes(a.name) && !a.kind.startsWith('implicit'))
+      .sort((a, b) => (a.knob !== '') - (b.knob !== '') || b.order - a.order).slice(0, 4)
+      .map(({ name, knob }) => ({ model: model.name, algorithm: name, setting: knob === 'tolerance' ? 1e-13 : knob === 'step' ? 1 / (steps * state.fps) : 0 }));
+  }
 
   /** The runs that may stand for the truth, the best first. */
   function truths(state, engine) {
-    const known = engine.scene(state.scene.number).models, all = [];
-    for (const name of state.scene.exact) {
-      const model = known.find((m) => m.name === name);
-      if (!model) continue;
-      const closed = model.algorithms.find((algorithm) => !knobOf(engine, algorithm));
-      if (closed) all.push({ model: name, algorithm: closed, setting: 0 });
-      for (const [algorithm, tolerance] of finest)
-        if (model.algorithms.includes(algorithm)) all.push({ model: name, algorithm, setting: tolerance || 1 / (256 * state.fps) });
-    }
-    return all;
+    const known = engine.scene(state.scene.number).models;
+    return state.scene.exact.map((name) => known.find((m) => m.name === name)).filter(Boolean)
+      .flatMap((model) => finest(state, engine, model));
   }
 
   function trial(state, engine, times, { model, algorithm, precision = 'double', setting }) {
@@ -320,6 +319,9 @@
       ' and ' + duration(1e9 * row.seconds) + ' a frame in this page.'];
     lines.push('Its error is ' + errorIn(row.errors, state) + ' at most, ' + (row.error > 0 ? number(1 / row.error, 2) + ' times better than asked'
       : 'nothing that can be seen') + (simple ? '.' : '; nothing simpler holds with a margin of ' + margin + '.'));
+    const { truth } = found;
+    if (row.model === truth.model && row.algorithm === truth.algorithm && row.precision === 'double')
+      lines[1] = 'It is what this page takes for the truth' + (truth.errors ? ', which is known to ' + errorIn(truth.errors, state) : '') + '.';
     if (state.budget) lines.push('That is ' + number(100 * row.seconds / state.budget.value, 2) + ' % of the budget.');
     const other = [...new Set(ties.map(methodText))].slice(0, 3);
     if (other.length) lines.push('It costs about the same as ' + other.join('; ') + '.');
