@@ -56,6 +56,7 @@ double scale_to(const Box& content, double width, double height) {
 
 /// At least so wide, about its middle, and with a margin.
 Box framed(const Box& box, double least_width, double margin) {
+  if (!(box.width() >= 0)) return {0, 0, least_width, 2 * margin};  // of nothing
   const double beside = margin + std::max(0.0, (least_width - box.width()) / 2 - margin);
   return {box.left - beside, box.top - margin, box.right + beside, box.bottom + margin};
 }

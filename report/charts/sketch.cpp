@@ -356,7 +356,7 @@ void Sketch::letters(const Drawing& drawing) {
         letter(p.letter, {first}, {0.8, 0.6}, std::max(3.0, p.size * scale_) + 4);
         break;
       case Kind::disc:
-        letter(p.letter, {first}, {0.8, -0.6}, p.size * scale_ + 3);
+        letter(p.letter, {first}, {0.8, -0.6}, (in_space_ ? 0.6 : 1) * p.size * scale_ + 3);
         break;
       case Kind::plate: {
         Spot center;

@@ -23,7 +23,9 @@ void draw(const Parameters& p, double, std::span<const double> observed, Drawing
     return Place{r * std::cos(angle), r * std::sin(angle)};
   }));
   drawing.guide({{}, planet});
-  drawing.disc({}, r0 / 12, "M");
+  drawing.sphere({}, r0 / 12);
+  drawing.support({});
+  drawing.label({0.07 * r0, -0.07 * r0}, "M");
   drawing.body_with_trail(planet, r0 / 28);
   drawing.angle({}, {0.5 * r0, 0}, first, "θ0");
   drawing.length({}, first, "r0");

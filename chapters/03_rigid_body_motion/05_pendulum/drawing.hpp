@@ -15,7 +15,7 @@ void draw(const Parameters& p, double, std::span<const double> observed, Drawing
   const Place bob = at(observed[0]);
   drawing.support({});
   drawing.rod({}, bob);
-  drawing.body_with_trail(bob, L / 14, "m");
+  drawing.body_with_trail(bob, L / 16);
   drawing.angle({}, at(0), bob, "a");
   drawing.length({}, bob, "L");
   drawing.direction({-0.5 * L, -0.3 * L}, {-0.5 * L, -0.55 * L}, "g");

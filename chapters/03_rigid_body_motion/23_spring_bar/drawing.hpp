@@ -17,7 +17,8 @@ void draw(const Parameters& p, double, std::span<const double> observed, Drawing
   drawing.support(foot - Place{0.3 * size, 0}, foot + Place{0.3 * size, 0});
   drawing.guide({{}, {1.15 * size, 0}});
   drawing.spring(foot, at(s), size / 12, "c");
-  drawing.rod({}, at(size));
+  drawing.rod({}, at(s));
+  drawing.rod(at(s), at(size));
   drawing.support({});
   drawing.body_with_trail({observed[0], observed[1]}, size / 18, "m");
   drawing.angle({}, {0.6 * size, 0}, at(1), "θ0");

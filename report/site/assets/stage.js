@@ -83,7 +83,7 @@
       this.measureDepth(layers[0].drawing);
       this.background(layers[0].drawing);
       layers.forEach((layer) => this.trails(layer));
-      layers.forEach((layer) => this.layer(layer));
+      layers.forEach((layer, i) => this.layer(layer, layers.length - 1 - i));
     }
 
     turn(azimuth, elevation) {
@@ -134,6 +134,9 @@
       const x = minus(point, this.anchor);
       return [this.place.x + this.place.scale * dot(x, this.view.right), this.place.y - this.place.scale * dot(x, this.view.up)];
     }
+
+    /** Whether it can be drawn: what has exploded is not. */
+    inReach(point) { return this.at(point).every((x) => Math.abs(x) < 1e5); }
 
     near(point) { return dot(minus(point, this.anchor), this.view.toward); }
 
@@ -299,7 +302,7 @@
 
     /** What is older is paler. */
     trail(way, ghost) {
-      const spots = way.map((x) => this.at(x)).filter((x) => x.every(Number.isFinite));
+      const spots = way.filter((x) => this.inReach(x)).map((x) => this.at(x));
       const parts = Math.min(12, spots.length - 1);
       for (let k = 0; k < parts; k += 1) {
         const from = Math.floor(k * (spots.length - 1) / parts);
@@ -309,8 +312,10 @@
       }
     }
 
-    layer({ drawing, colour, ghost }) {
+    /** Broader than the layers above it, so that it is seen below them where they agree. */
+    layer({ drawing, colour, ghost }, above) {
       const { pen } = this;
+      this.broader = ghost ? 0 : 1.5 * above;
       pen.strokeStyle = pen.fillStyle = colour;
       this.full = ghost ? 0.6 : 1;
       pen.setLineDash(ghost ? [6, 4] : []);
@@ -326,7 +331,7 @@
 
     /** In space a rod may be before a thing in part and behind it in part. */
     parts(p) {
-      if (!p.points.every((x) => x.every(Number.isFinite))) return [];
+      if (!p.points.every((x) => this.inReach(x))) return [];
       if (!this.space) return [{ ...p, order: things.indexOf(p.kind) }];
       const depth = (points) => points.reduce((sum, x) => sum + this.near(x), 0) / points.length;
       if (p.kind !== 'rod') return [{ ...p, order: depth(isRound(p) ? p.points.slice(0, 1) : p.points) }];
@@ -337,9 +342,9 @@
         .map((points) => ({ ...p, points, order: depth(points) }));
     }
 
-    rod(p) { this.line(p.points.map((x) => this.at(x)), 3); }
+    rod(p) { this.line(p.points.map((x) => this.at(x)), 2.5 + this.broader); }
 
-    rope(p) { this.line(p.points.map((x) => this.at(x)), 1.5); }
+    rope(p) { this.line(p.points.map((x) => this.at(x)), 1.5 + this.broader / 2); }
 
     spring(p) {
       const [from, to] = p.points.map((x) => this.at(x));
@@ -393,7 +398,7 @@
     /** A ghost is a ring. */
     body(p, ghost) {
       const { pen } = this;
-      this.ball(this.at(p.points[0]), Math.max(ghost ? 3.5 : 3, p.size * this.place.scale));
+      this.ball(this.at(p.points[0]), Math.max(ghost ? 3.5 : 3, p.size * this.place.scale) + this.broader);
       pen.globalAlpha = ghost ? 0.25 : 0.9;
       pen.fill();
       pen.globalAlpha = this.full;
