@@ -1,6 +1,7 @@
 #include "report/site/exercise_page.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "chapters/contents.hpp"
 #include "reference/text.hpp"
@@ -20,7 +21,15 @@ std::string page_of(const ExerciseResult& e) { return to_string(e.number) + ".ht
 
 std::string setup_drawing(const ExerciseResult& e) {
   const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
-  return entry == registry().end() ? "" : setup_svg(*entry);
+  const std::string svg = entry == registry().end() ? "" : setup_svg(*entry);
+  return svg.empty() ? "" : element("figure", " class=\"setup\"", svg.substr(svg.find("<svg"))) + "\n";
+}
+
+/// "kg m^2" as "kg m²".
+std::string unit_text(std::string unit) {
+  for (const auto& [power, raised] : {std::pair{"^2", "²"}, {"^3", "³"}})
+    for (std::size_t at; (at = unit.find(power)) != std::string::npos;) unit.replace(at, 2, raised);
+  return html::escaped(unit);
 }
 
 std::string chapter_line(const ExerciseResult& e) {
@@ -67,7 +76,7 @@ std::string letters_of(const ExerciseResult& e) {
   std::string text;
   for (const ParameterValue& p : e.parameters)
     text += "<div><dt><var>" + html::escaped(p.name) + "</var> = " + rounded(p.value, 6) +
-            (p.unit.empty() || p.unit == "1" ? "" : " " + html::escaped(p.unit)) + "</dt>" +
+            (p.unit.empty() || p.unit == "1" ? "" : " " + unit_text(p.unit)) + "</dt>" +
             element("dd", "", html::text(p.says)) + "</div>";
   return element("dl", " class=\"letters\"", text) + "\n";
 }
@@ -103,9 +112,11 @@ std::string exercise_page(const Results& results, const ExerciseResult& e) {
                      element("p", " class=\"asks\"", html::prose(e.asks)) + "\n";
   if (!e.failure.empty())
     head += element("p", " class=\"failure\"", "The study failed: " + html::escaped(e.failure));
-  if (!drawing.empty()) head += element("figure", " class=\"setup\"", drawing) + "\n";
   return html::whole({number + " " + e.title + " - oddity",
-                      neighbours(results, e) + element("header", " class=\"title\"", head + letters_of(e)) +
+                      neighbours(results, e) +
+                          element("header", " class=\"title\"",
+                                  "<div>" + head + "</div>\n" + "<div class=\"given\">" + drawing +
+                                      letters_of(e) + "</div>") +
                           "\n" + sections_of(sections) + sections + neighbours(results, e),
                       {"data/" + number + ".js", "assets/engine.js", "assets/stage.js", "assets/player.js",
                        "assets/chart.js", "assets/map.js"},

@@ -2,10 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <functional>
 
 namespace oddity {
 
-std::string Finding::title() const { return root ? root->name : claims.front()->claim.says; }
+std::string Finding::title() const {
+  std::string text = root ? root->name : claims.front()->claim.says;
+  if (text.size() > 1 && std::islower(static_cast<unsigned char>(text[0])) != 0)
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
 std::string Finding::shows() const { return root ? root->shows : ""; }
 
 std::vector<Finding> findings_of(const ExerciseResult& e) {
@@ -19,6 +26,10 @@ std::vector<Finding> findings_of(const ExerciseResult& e) {
     else
       all.push_back({&e, of, {c}});
   }
+  std::ranges::stable_sort(all, [&](const Finding& a, const Finding& b) {
+    const Root* end = e.roots.data() + e.roots.size();
+    return std::less<>()(a.root ? a.root : end, b.root ? b.root : end);
+  });
   return all;
 }
 

@@ -14,11 +14,11 @@ struct Finding {
   const Root* root;  ///< null: the results name none
   std::vector<const JudgedClaim*> claims;
 
-  std::string title() const;  ///< the root's name
+  std::string title() const;  ///< the root's name, as a title
   std::string shows() const;  ///< what one would see of it; empty: nothing is said
 };
 
-/// An exercise's errata by root, in the order of their lines.
+/// An exercise's errata by root, in the order of its roots.
 std::vector<Finding> findings_of(const ExerciseResult&);
 /// Its claims of one verdict.
 std::vector<const JudgedClaim*> claims_of(const ExerciseResult&, Verdict);

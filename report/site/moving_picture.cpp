@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "chapters/contents.hpp"
 #include "chapters/drawing.hpp"
 #include "reference/text.hpp"
+#include "report/charts/drawing.hpp"
+#include "report/charts/sketch.hpp"
 #include "report/site/findings.hpp"
 #include "report/site/page.hpp"
 
@@ -18,19 +18,6 @@ namespace {
 
 using Kind = Drawing::Kind;
 using html::element;
-
-struct Spot {
-  double x, y;
-};
-
-/// As seen from the right, and from a little above.
-Spot seen(const Place& p, bool in_space) {
-  constexpr double azimuth = 0.6, elevation = 0.35;
-  if (!in_space) return {p.x, p.y};
-  const double across = std::cos(azimuth) * p.y - std::sin(azimuth) * p.x,
-               toward = std::cos(azimuth) * p.x + std::sin(azimuth) * p.y;
-  return {across, std::cos(elevation) * p.z - std::sin(elevation) * toward};
-}
 
 /// A motion as drawings at evenly spaced times, as far as it goes.
 using Film = std::vector<Drawing>;
@@ -56,53 +43,35 @@ bool is_shown(Kind kind) {
          kind == Kind::track || kind == Kind::disc || kind == Kind::plate || kind == Kind::support;
 }
 
-/// The part of the plane that a motion takes.
-struct Frame {
-  double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
+/// From the scene's lengths to the picture's.
+class View {
+ public:
+  static constexpr double side = 160, margin = 8;
 
-  void see(const Film& film) {
-    for (const Drawing& drawing : film)
-      for (const auto& primitive : drawing.primitives())
-        if (is_shown(primitive.kind))
-          for (std::size_t i = 0; i < points_of(primitive); ++i)
-            see(seen(primitive.points[i], drawing.is_in_space()),
-                primitive.kind == Kind::body || primitive.kind == Kind::disc ? primitive.size : 0);
+  explicit View(const Film& film) : camera_(film.front().is_in_space()) {
+    for (const Drawing& drawing : film) box_.add(camera_.extent(drawing));
+    scale_ = (side - 2 * margin) / std::max({box_.width(), box_.height(), 1e-12});
   }
-  static std::size_t points_of(const Drawing::Primitive& p) {
-    return p.kind == Kind::disc ? std::min<std::size_t>(1, p.points.size()) : p.points.size();
+
+  double scale() const { return scale_; }
+  Spot operator()(const Place& p, const Drawing& drawing) const {
+    const Spot s = camera_.at(p - anchor_of(drawing));
+    return {side / 2 + scale_ * (s.x - (box_.left + box_.right) / 2),
+            side / 2 + scale_ * (s.y - (box_.top + box_.bottom) / 2)};
   }
 
  private:
-  void see(Spot s, double radius) {
-    left = std::min(left, s.x - radius), right = std::max(right, s.x + radius);
-    low = std::min(low, s.y - radius), high = std::max(high, s.y + radius);
-  }
-};
-
-constexpr double side = 160, margin = 8;
-
-/// From the scene's lengths to the picture's.
-struct View {
-  double scale, x, y;
-
-  explicit View(const Frame& f) {
-    const double size = std::max({f.right - f.left, f.high - f.low, 1e-12});
-    scale = (side - 2 * margin) / size;
-    x = side / 2 - scale * (f.left + f.right) / 2;
-    y = side / 2 + scale * (f.low + f.high) / 2;
-  }
-  Spot operator()(const Place& p, bool in_space) const {
-    const Spot s = seen(p, in_space);
-    return {x + scale * s.x, y - scale * s.y};
-  }
+  Camera camera_;
+  Box box_;
+  double scale_ = 1;
 };
 
 std::string tenth(double x) { return rounded(std::round(std::clamp(x, -999.0, 999.0) * 10) / 10, 5); }
 std::string pair(Spot s) { return tenth(s.x) + "," + tenth(s.y); }
 
-std::string points_text(const Drawing::Primitive& p, const View& view, bool in_space) {
+std::string points_text(const Drawing::Primitive& p, const View& view, const Drawing& drawing) {
   std::string text;
-  for (const Place& place : p.points) text += (text.empty() ? "" : " ") + pair(view(place, in_space));
+  for (const Place& place : p.points) text += (text.empty() ? "" : " ") + pair(view(place, drawing));
   return text;
 }
 
@@ -135,12 +104,12 @@ std::string primitive_text(const Film& film, std::size_t which, const View& view
   if (first.kind == Kind::body || first.kind == Kind::disc || first.kind == Kind::support) {
     Moving x{"cx"}, y{"cy"};
     for (const Drawing& drawing : film) {
-      const Spot s = view(drawing.primitives()[which].points.front(), drawing.is_in_space());
+      const Spot s = view(drawing.primitives()[which].points.front(), drawing);
       x.values.push_back(tenth(s.x)), y.values.push_back(tenth(s.y));
     }
-    const double radius = first.kind == Kind::disc      ? view.scale * first.size
+    const double radius = first.kind == Kind::disc      ? view.scale() * first.size
                           : first.kind == Kind::support ? 2.5
-                                                        : std::clamp(view.scale * first.size, 3.0, 9.0);
+                                                        : std::clamp(view.scale() * first.size, 3.0, 9.0);
     const std::string name = first.kind == Kind::body   ? "body"
                              : first.kind == Kind::disc ? "disc"
                                                         : "support";
@@ -148,7 +117,7 @@ std::string primitive_text(const Film& film, std::size_t which, const View& view
   }
   Moving points{"points"};
   for (const Drawing& drawing : film)
-    points.values.push_back(points_text(drawing.primitives()[which], view, drawing.is_in_space()));
+    points.values.push_back(points_text(drawing.primitives()[which], view, drawing));
   const std::string name = first.kind == Kind::track    ? "track"
                            : first.kind == Kind::spring ? "spring"
                            : first.kind == Kind::plate  ? "plate"
@@ -187,10 +156,8 @@ std::string moving_picture(const ExerciseResult& e) {
   if (t.times.size() < frames || t.observables.empty() || published->error <= t.close) return "";
   Film truth = film_of(true_path(t), t, *entry, frames), wrong = film_of(*published, t, *entry, frames);
   if (truth.empty() || wrong.empty() || truth.front().primitives().empty()) return "";
-  Frame frame;
-  frame.see(truth);
+  const View view(truth);
   prolong(truth, frames), prolong(wrong, frames);
-  const View view(frame);
   const double seconds = std::clamp(t.times.back(), 4.0, 10.0);
   return "<figure class=\"thumb\"><svg viewBox=\"0 0 160 160\" role=\"img\" aria-label=\"" +
          html::escaped("The motion of the published version, " + published->model + ", beside the true one") +
