@@ -176,16 +176,18 @@
       return right ? [asRow(find(right.model, right.algorithm), 1e-9), ...printed].slice(0, 4) : printed.slice(0, 4);
     }
 
-    return { data, scene, quantity, frame, looks, defaults, models, methods, tried, find, algorithmsOf, usual, run, truth,
-      judge, richest, reference, apart, isDefault, opening, asPublished, recordedOnly: !computed.length,
-      space: !!(engine && engine.scene(data.number) && engine.scene(data.number).space),
-      drawing: oddity.drawer(data, computed.length ? engine : null) };
+    const own = engine && engine.scene(data.number);
+    const drawing = own && own.drawn
+      ? (parameters, t, observed) => engine.draw(data.number, parameters, t, observed) : oddity.asPoints(data);
+
+    return { data, scene, quantity, frame, looks, defaults, models, methods, find, algorithmsOf, usual, run, truth, judge, richest,
+      reference, apart, isDefault, opening, asPublished, drawing, recordedOnly: !computed.length,
+      space: drawing(defaults, 0, reference.observed.slice(count, 2 * count)).space };
   };
 
-  /** How a scene looks: by its own drawing, or where there is none its observables as points, as far as their
-      names say points; else over time. */
-  oddity.drawer = function (data, engine) {
-    if (engine) return (parameters, t, observed) => engine.draw(data.number, parameters, t, observed);
+  /** How a scene looks that does not say so: its observables as points, as far as their names say points; else
+      over time. */
+  oddity.asPoints = function (data) {
     const { observables, horizon, truth } = data.scene;
     const values = oddity.floats(truth.values);
     let reach = 0;

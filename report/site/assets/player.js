@@ -51,6 +51,7 @@
     fromLink() {
       const read = oddity.permalink.parse(window.location.hash, this.known());
       if (!read) return null;
+      requestAnimationFrame(() => this.element.scrollIntoView({ block: 'start' }));
       if (read.problem) {
         this.say(`${read.problem} This is the player as it opens.`, true);
         return null;
@@ -469,7 +470,7 @@
       [this.canvas, this.errorCanvas].forEach((canvas) => sizes.observe(canvas));
       window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again);
       window.addEventListener('hashchange', () => {
-        if (window.location.hash === this.linked || !/^#play(&|$)/.test(window.location.hash)) return;
+        if (window.location.hash === this.linked || !window.location.hash.startsWith('#play&')) return;
         this.clock.pause();
         const state = this.fromLink();
         this.restart(state || this.usual());
