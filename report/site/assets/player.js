@@ -149,8 +149,7 @@
       this.truth = motions.truth(parameters);
       const units = Object.keys(scene.close);
       const sizes = oddity.sizes(this.truth, scene.norms, units);
-      const known = this.truth === motions.reference ? 1.2e-7 : 1e-11;
-      const floors = sizes.map((x) => known * x);
+      const floors = motions.floors(parameters, sizes);
       for (const row of this.rows) {
         const motion = motions.run(parameters, row.method);
         row.result = { row: row.method, motion, judged: motion && motions.judge(motion, parameters), floors };
