@@ -162,7 +162,8 @@ test('a bad permalink is a sentence, and other anchors are none', () => {
     const read = oddity.permalink.parse(hash, known);
     assert.ok(read.problem && /^The link .*\.$/s.test(read.problem), hash);
   }
-  for (const hash of ['', '#', '#claims', '#player']) assert.equal(oddity.permalink.parse(hash, known), null);
-  assert.deepEqual(oddity.permalink.parse('#play', known),
+  for (const hash of ['', '#', '#claims', '#player', '#play'])
+    assert.equal(oddity.permalink.parse(hash, known), null);
+  assert.deepEqual(oddity.permalink.parse('#play&at=0', known),
     { state: { parameters: {}, rows: [], time: 0, speed: 1 } });
 });

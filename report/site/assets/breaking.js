@@ -25,10 +25,15 @@
     return steps > 0 ? { setting: interval / steps, limit } : null;
   }
 
-  function searched(motions, parameters, row, knob) {
-    const [from, to] = knob === 'step' ? [motions.frame / 16, motions.scene.horizon / motions.looks] : [1e-12, 1];
+  /** Not close enough at some time. */
+  function off(motions, parameters, row) {
+    return motions.judge(motions.run(parameters, row), parameters).since !== null;
+  }
+
+  function searched(motions, parameters, row, knob, fails) {
+    const [from, to] = knob === 'step' ? [motions.frame / 128, motions.scene.horizon / motions.looks] : [1e-12, 1];
     for (let setting = from; setting <= to * 1.001; setting *= knob === 'step' ? finer : 10)
-      if (broken(motions, parameters, { ...row, setting })) return { setting };
+      if (fails(motions, parameters, { ...row, setting })) return { setting };
     return null;
   }
 
@@ -46,7 +51,7 @@
     const parts = [text];
     if (judged.broken === null) parts.push(`${oddity.amounts(judged.worst, judged.units)} off at worst`);
     const drift = oddity.largestDrift(motion);
-    if (drift > 0.01) parts.push(`what is conserved changes by ${oddity.part(drift)} of what moves in it`);
+    if (drift > 0.01) parts.push(`what is conserved changes by ${oddity.part(drift)} ${drift >= 10 ? '' : 'of '}what moves in it`);
     return parts.join('; ') + '.';
   };
 
@@ -58,12 +63,14 @@
     if (!row) return { problem: 'None of these methods has a step that could be too long. Add one that has.' };
     const { knob } = motions.find(row.model, row.algorithm);
     const limit = knob === 'step' ? known(motions, parameters, row) : null;
-    const found = limit || searched(motions, parameters, row, knob);
+    const broke = limit || searched(motions, parameters, row, knob, broken);
+    const found = broke || searched(motions, parameters, row, knob, off);
     const name = oddity.sentence(`${row.algorithm} on ${row.model}`);
-    if (!found) return { problem: `${name} does not break at any ${knob} that fits into the motion.` };
+    if (!found) return { problem: `${name} stays close at every ${knob} that fits into the motion.` };
     const next = { ...row, setting: found.setting };
     const unit = knob === 'step' ? ` ${motions.scene.time_unit}` : '';
-    const first = `${name} at a ${knob} of ${written(found.setting)}${unit}: `;
-    return { was: row, row: next, text: (limit ? turns(motions, found.limit) : '') + first + oddity.seen(motions, parameters, next) };
+    const first = (limit ? turns(motions, found.limit) : broke ? '' : `No ${knob} that fits into the motion breaks it. `)
+      + `${name} at a ${knob} of ${written(found.setting)}${unit}: `;
+    return { was: row, row: next, text: first + oddity.seen(motions, parameters, next) };
   };
 })(window.oddity = window.oddity || {});

@@ -118,6 +118,5 @@
   }
 
   oddity.speeds = speeds;
-  oddity.calm = () => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
   oddity.clock = (options) => new Clock(options);
 })(window.oddity = window.oddity || {});

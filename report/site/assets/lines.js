@@ -49,7 +49,9 @@
   }
 
   oddity.lines = function (canvas) {
-    const context = canvas.getContext('2d');
+    const behind = document.createElement('canvas');     // the axes, which do not change from frame to frame
+    const pens = [canvas.getContext('2d'), behind.getContext('2d')];
+    let [context] = pens;
     let shown = null;
     let now = 0;
     let colours = {};
@@ -67,9 +69,11 @@
       const ratio = window.devicePixelRatio || 1;
       width = canvas.clientWidth;
       height = canvas.clientHeight;
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
-      context.setTransform(ratio, 0, 0, ratio, 0, 0);
+      for (const pen of pens) {
+        pen.canvas.width = Math.round(width * ratio);
+        pen.canvas.height = Math.round(height * ratio);
+        pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+      }
       const style = getComputedStyle(canvas);
       const colour = (name, other) => style.getPropertyValue(name).trim() || other;
       colours = { ink: colour('--ink', '#222'), quiet: colour('--quiet', '#666'), line: colour('--line', '#ccc'),
@@ -152,12 +156,20 @@
       context.stroke();
     }
 
+    function ground() {
+      if (!shown || !width) return;
+      context = pens[1];
+      context.clearRect(0, 0, width, height);
+      axes();
+      need();
+      context = pens[0];
+    }
+
     function paint(t) {
       now = t;
       if (!shown || !width) return;
       context.clearRect(0, 0, width, height);
-      axes();
-      need();
+      context.drawImage(behind, 0, 0, width, height);
       straight(Math.round(x(t)) + 0.5, margin.top, Math.round(x(t)) + 0.5, height - margin.bottom, colours.quiet);
       shown.series.forEach(line);
     }
@@ -166,10 +178,12 @@
       /** {series: [{times, values, colour, shape}], need, needName, floor, ceiling, end, ticks, timeUnit}. */
       set(next) {
         shown = { ...next, decades: decadesOf(next) };
+        ground();
       },
       paint,
       resize() {
         resize();
+        ground();
         paint(now);
       },
     };

@@ -6,6 +6,8 @@
   const kept = 60;          // motions in the cache
   const published = /as (printed|published)|^published|of the printed listing/;
   const finest = 'Fehlberg 7(8)';
+  const sevenDigits = 1.2e-7;
+  const doubles = 1e-11;      // of the size, what a tolerance of 1e-12 leaves
 
   const plain = (algorithm) => algorithm.replace(/ in float$/, '');
 
@@ -127,7 +129,15 @@
     const judge = (motion, parameters) => oddity.judged(motion, truth(parameters), scene.norms, scene.close);
 
     /** How far the finest method is from the recorded truth, in each unit. */
-    const apart = () => richest && oddity.judged(frames(defaults), reference, scene.norms, scene.close).worst;
+    const apart = () => cached('apart', () => oddity.judged(frames(defaults), reference, scene.norms, scene.close).worst);
+
+    /** Below what an error is not seen, in each unit: the truth has seven digits where it is recorded; else it is
+        as good as the finest method, whose error shows where it is larger than those digits. */
+    function floors(parameters, sizes) {
+      const digits = sizes.map((x) => sevenDigits * x);
+      if (truth(parameters) === reference) return digits;
+      return apart().map((x, u) => (x > 2 * digits[u] ? x : doubles * sizes[u]));
+    }
 
     const asRow = ({ model, algorithm, precisions, knob, path }, setting) => ({ model, algorithm, precision: precisions[0],
       setting: path ? path.setting : knob ? setting : 0 });
@@ -144,9 +154,11 @@
     const models = [...new Set(methods.map((m) => m.model))];
     const algorithmsOf = (model) => methods.filter((m) => m.model === model);
 
-    /** The model that meets the most algorithms: what an engine would take. */
-    const engines = () => models.filter((m) => !published.test(m) && find(m, 'explicit Euler'))
-      .sort((a, b) => algorithmsOf(b).length - algorithmsOf(a).length)[0];
+    /** The model that the study solves by the most algorithms: what an engine would take. */
+    function engines() {
+      const count = (model) => tried.filter((t) => t.model === model).length;
+      return models.filter((m) => !published.test(m) && find(m, 'explicit Euler')).sort((a, b) => count(b) - count(a))[0];
+    }
 
     /** What is enough for a game at the least, and what an engine does today. */
     function opening() {
@@ -176,16 +188,18 @@
       return right ? [asRow(find(right.model, right.algorithm), 1e-9), ...printed].slice(0, 4) : printed.slice(0, 4);
     }
 
-    return { data, scene, quantity, frame, looks, defaults, models, methods, tried, find, algorithmsOf, usual, run, truth,
-      judge, richest, reference, apart, isDefault, opening, asPublished, recordedOnly: !computed.length,
-      space: !!(engine && engine.scene(data.number) && engine.scene(data.number).space),
-      drawing: oddity.drawer(data, computed.length ? engine : null) };
+    const own = engine && engine.scene(data.number);
+    const drawing = own && own.drawn
+      ? (parameters, t, observed) => engine.draw(data.number, parameters, t, observed) : oddity.asPoints(data);
+
+    return { data, scene, quantity, frame, looks, defaults, models, methods, find, algorithmsOf, usual, run, truth, judge, floors, richest,
+      reference, apart, isDefault, opening, asPublished, drawing, recordedOnly: !computed.length,
+      space: drawing(defaults, 0, reference.observed.slice(count, 2 * count)).space };
   };
 
-  /** How a scene looks: by its own drawing, or where there is none its observables as points, as far as their
-      names say points; else over time. */
-  oddity.drawer = function (data, engine) {
-    if (engine) return (parameters, t, observed) => engine.draw(data.number, parameters, t, observed);
+  /** How a scene looks that does not say so: its observables as points, as far as their names say points; else
+      over time. */
+  oddity.asPoints = function (data) {
     const { observables, horizon, truth } = data.scene;
     const values = oddity.floats(truth.values);
     let reach = 0;

@@ -85,7 +85,7 @@
         [{model, algorithm, precisions, knob}], horizon, speeds}. */
     parse(hash, known) {
       const [first, ...parts] = hash.split('&');
-      if (first !== '#play') return null;
+      if (first !== '#play' || !parts.length) return null;     // #play is the player's own place in the page
       try {
         return { state: state(parts, known) };
       } catch (error) {

@@ -51,6 +51,7 @@
     fromLink() {
       const read = oddity.permalink.parse(window.location.hash, this.known());
       if (!read) return null;
+      requestAnimationFrame(() => this.element.scrollIntoView({ block: 'start' }));
       if (read.problem) {
         this.say(`${read.problem} This is the player as it opens.`, true);
         return null;
@@ -148,8 +149,7 @@
       this.truth = motions.truth(parameters);
       const units = Object.keys(scene.close);
       const sizes = oddity.sizes(this.truth, scene.norms, units);
-      const known = this.truth === motions.reference ? 1.2e-7 : 1e-11;
-      const floors = sizes.map((x) => known * x);
+      const floors = motions.floors(parameters, sizes);
       for (const row of this.rows) {
         const motion = motions.run(parameters, row.method);
         row.result = { row: row.method, motion, judged: motion && motions.judge(motion, parameters), floors };
@@ -469,7 +469,7 @@
       [this.canvas, this.errorCanvas].forEach((canvas) => sizes.observe(canvas));
       window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again);
       window.addEventListener('hashchange', () => {
-        if (window.location.hash === this.linked || !/^#play(&|$)/.test(window.location.hash)) return;
+        if (window.location.hash === this.linked || !window.location.hash.startsWith('#play&')) return;
         this.clock.pause();
         const state = this.fromLink();
         this.restart(state || this.usual());
