@@ -11,6 +11,7 @@
 #include "reference/verdicts.hpp"
 #include "report/cli/settings.hpp"
 #include "report/pages/markdown.hpp"
+#include "report/pages/readable.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/approve.hpp"
 #include "report/study/perturb_results.hpp"
@@ -86,7 +87,7 @@ bool fails_in_float(const QuantityResult& q) {
 }
 
 void verify_quantity(const QuantityResult& q) {
-  INFO("quantity " << q.name << ": " << q.says << "; reference: " << q.reference.by);
+  INFO("quantity " << q.name << ": " << readable(q.says) << "; reference: " << readable(q.reference.by));
   CHECK(finite(q.reference.value));
   CHECK(q.reference_error <= q.need.allowed / 2);
   for (const MethodResult& m : q.methods) {
@@ -94,7 +95,7 @@ void verify_quantity(const QuantityResult& q) {
                  << shown_error(m.trials.back().error) << ", needed " << shown_error(q.need.allowed) << "; "
                  << m.trials.back().message);
     CHECK(name_of(m.trials.back().outcome) == name_of(m.expected));
-    INFO("the reference is from: " << q.reference.by);
+    INFO("the reference is from: " << readable(q.reference.by));
     CHECK((independent_by_nature(q) || !equals_reference(m, q)));
   }
   for (const FloatResult& m : q.in_float) verify_in_float(q, m);
@@ -103,7 +104,7 @@ void verify_quantity(const QuantityResult& q) {
           return b.broken.precision == Precision::in_float;
         }));
   for (const BreakdownResult& b : q.breakdowns) {
-    INFO(b.says);
+    INFO(readable(b.says));
     INFO("cured: error " << shown_error(b.cured.error) << ", " << name_of(b.cured.outcome));
     CHECK(name_of(b.broken.outcome) == name_of(b.expected));
     CHECK(b.cured.outcome == Outcome::ok);

@@ -14,6 +14,7 @@
 #include "reference/reference.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
+#include "report/pages/readable.hpp"
 
 namespace oddity {
 
@@ -84,7 +85,7 @@ const Parameter& parameter_of(const Task& task, const std::string& name) {
   const auto near = similar(name, names);
   for (const Parameter& p : declared)
     if (std::ranges::find(near, p.name) != near.end() || mentions(p.says, name))
-      meant.push_back(std::string(p.name) + " (" + std::string(p.says) + ")");
+      meant.push_back(std::string(p.name) + " (" + readable(std::string(p.says)) + ")");
   throw BadInput("no parameter '" + name +
                  "'; the parameters are: " + (names.empty() ? "none" : joined(names)) + suggested(meant));
 }

@@ -13,6 +13,7 @@
 #include "report/cli/bench.hpp"
 #include "report/cli/settings.hpp"
 #include "report/pages/code.hpp"
+#include "report/pages/readable.hpp"
 #include "report/pages/table_text.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/pages/write_report.hpp"
@@ -78,8 +79,8 @@ std::string in_list(const Entry& entry) {
   for (const Parameter& p : entry.exercise.parameters) {
     const std::string range = range_of(p);
     text += "      " + std::string(p.name) + " = " + shortest(p.value) +
-            (p.unit.empty() || p.unit == "1" ? "" : " " + std::string(p.unit)) + "  " + std::string(p.says) +
-            (range.empty() ? "" : " (" + range + ")") + "\n";
+            (p.unit.empty() || p.unit == "1" ? "" : " " + std::string(p.unit)) + "  " +
+            readable(std::string(p.says)) + (range.empty() ? "" : " (" + range + ")") + "\n";
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #include <regex>
 
 #include "reference/text.hpp"
+#include "report/pages/readable.hpp"
 
 namespace oddity {
 
@@ -17,7 +18,7 @@ std::size_t columns_of(const std::string& text) {
 std::string claim_lines(const ExerciseResult& e) {
   std::vector<std::vector<std::string>> rows;
   for (const JudgedClaim& c : e.claims)
-    rows.push_back({c.claim.id, std::string(name_of(c.verdict)), c.claim.says});
+    rows.push_back({c.claim.id, std::string(name_of(c.verdict)), readable(c.claim.says)});
   return rows.empty() ? "" : "\nclaims\n" + aligned(rows);
 }
 
@@ -34,14 +35,15 @@ std::vector<std::string> trial_row(const TimedTrial& t) {
 
 std::string reference_text(const QuantityResult& q) {
   if (!finite(q.reference.value))
-    return "none: " + q.reference.by + "\n  so no error is known, and no outcome below means anything";
+    return "none: " + readable(q.reference.by) +
+           "\n  so no error is known, and no outcome below means anything";
   return shown(q.reference.value, 17) + " " + q.unit + " +- " + shown_error(q.reference_error) + " (" +
-         q.reference.by + ")";
+         readable(q.reference.by) + ")";
 }
 
 std::string quantity_text(const QuantityResult& q) {
-  std::string text = "\n" + q.name + ": " + q.says + "\n  reference " + reference_text(q) + "\n  needed to " +
-                     shown_error(q.need.allowed) + " (" + q.need.reason + ")" +
+  std::string text = "\n" + q.name + ": " + readable(q.says) + "\n  reference " + reference_text(q) +
+                     "\n  needed to " + shown_error(q.need.allowed) + " (" + readable(q.need.reason) + ")" +
                      (q.samples > 1 ? ", " + instants(q) : "") + "\n";
   std::vector<std::vector<std::string>> rows{
       {"model", "algorithm", "knob", "value", "error", "evals", "time", "outcome"}};
@@ -54,8 +56,8 @@ std::string quantity_text(const QuantityResult& q) {
     for (const TimedTrial& t : m.trials) rows.push_back(trial_row(t));
   if (rows.size() > 1) text += aligned(rows);
   for (const BreakdownResult& b : q.breakdowns)
-    text += "  " + std::string(b.as_expected() ? "breaks: " : "does not break so here: ") + b.says + "\n" +
-            aligned({trial_row(b.broken), trial_row(b.cured)});
+    text += "  " + std::string(b.as_expected() ? "breaks: " : "does not break so here: ") + readable(b.says) +
+            "\n" + aligned({trial_row(b.broken), trial_row(b.cured)});
   return text;
 }
 
@@ -122,8 +124,8 @@ std::string shown_knob(const TimedTrial& t) {
 std::string text_view(const ExerciseResult& e) {
   std::string text = "Exercise " + to_string(e.number) + ": " + e.title + "\n";
   for (const ParameterValue& p : e.parameters)
-    text += "  " + p.name + " = " + shortest(p.value) + (p.unit.empty() ? "" : " " + p.unit) + "  " + p.says +
-            "\n";
+    text += "  " + p.name + " = " + shortest(p.value) + (p.unit.empty() ? "" : " " + p.unit) + "  " +
+            readable(p.says) + "\n";
   if (!e.failure.empty()) text += "  FAILED: " + e.failure + "\n";
   text += claim_lines(e);
   for (const QuantityResult& q : e.quantities) text += quantity_text(q);

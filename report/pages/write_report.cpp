@@ -5,6 +5,7 @@
 #include "report/charts/gnuplot.hpp"
 #include "report/pages/catalog_page.hpp"
 #include "report/pages/markdown.hpp"
+#include "report/pages/readable.hpp"
 #include "report/study/ledger.hpp"
 #include "report/study/stability.hpp"
 
@@ -25,7 +26,7 @@ void draw_charts(const Results& results, int chapter, const fs::path& folder) {
                           [&e](const fs::path& into) { return map_script(e, into.string()); }, map_title(e)});
     if (chapter != 0 && e.number.chapter != chapter) continue;
     for (const QuantityResult& q : e.quantities) {
-      const std::string title = exercise + q.says + (q.samples > 1 ? " (" + instants(q) + ")" : "");
+      const std::string title = exercise + readable(q.says) + (q.samples > 1 ? " (" + instants(q) + ")" : "");
       if (q.trajectory)
         pictures.push_back(
             {folder / trajectory_file(e, q),

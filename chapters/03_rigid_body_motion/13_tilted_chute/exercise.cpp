@@ -18,7 +18,7 @@ namespace ex03_13 {
 constexpr Parameter parameters[] = {
     {"R", 1, "m", "radius", 0.2, 10},
     {"L", 5, "m", "length of the chute", 1, 100},
-    {"H", 3, "m", "fall over the length, less than L", 0.01, 99},
+    {"H", 3, "m", "fall over the length, less than $L$", 0.01, 99},
     {"g", 9.81, "m/s^2", "gravity", 0.1, 100},
     {"phi", 1, "rad", "start: the angle about the axis, from the lowest line", 0.05, 1.5},
     {"u", -1, "m/s", "start: the speed down the chute", -20, 20},

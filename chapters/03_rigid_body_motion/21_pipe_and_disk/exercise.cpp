@@ -106,7 +106,7 @@ Quantity upright(Given<double> disk, const Reference& truth) {
       "upright", "m", "mark on the disk's rim at four times, with the pipe upright",
       trajectory(truth, "03_21_upright", {disk.r, disk.theta, disk.theta_dot, disk.psi_dot}, horizon), {});
   motion.need = {1e-8 * disk.r, "a hundred-millionth of the radius"};
-  const std::string why = "0/0: nothing resists the angle of an upright pipe";
+  const std::string why = "$0/0$: nothing resists the angle of an upright pipe";
   Ladder(motion, horizon, halving("step", 0.125, 4), tolerances(3, 11))
       .closed_form(constant, RimMark<ConstantSpeeds<double>>{{disk}})
       .by<ode::RungeKutta4>(two, RimMark<TwoAngles<double>>{{disk}}, Outcome::non_finite, why)

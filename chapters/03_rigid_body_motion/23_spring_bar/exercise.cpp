@@ -103,7 +103,7 @@ Answer frequency_by_events(Given<double> bar, double amplitude) {
 }
 
 Quantity small_frequency(const Given<double>& bar, const Reference& truth) {
-  Quantity w = quantity("frequency", "rad/s", "angular frequency of small oscillations about theta = 0",
+  Quantity w = quantity("frequency", "rad/s", R"(angular frequency of small oscillations about $\theta=0$)",
                         truth("03_23_frequency", {bar.m, bar.r, bar.s, bar.c, bar.h, bar.g, bar.ell}),
                         {1e-6 * bar.frequency(), "a millionth of it"});
   const auto of = [bar](double curvature) { return std::sqrt(curvature / (bar.m * bar.r * bar.r)); };

@@ -96,7 +96,7 @@ Quantity inertia(const std::string& name, const Wire& w, const Reference& truth)
         return Point{x, std::sqrt(w.q * w.q - x * x)};
       },
       [w](double x) { return w.q / std::sqrt(w.q * w.q - x * x); },
-      {Outcome::non_finite, Outcome::inaccurate, ok}, "ds/dx is infinite at both ends");
+      {Outcome::non_finite, Outcome::inaccurate, ok}, "$ds/dx$ is infinite at both ends");
   return quantity;
 }
 
@@ -105,9 +105,9 @@ Quantity inertia(const std::string& name, const Wire& w, const Reference& truth)
 std::vector<Quantity> inertias(const Given& given, const Reference& truth) {
   Quantity semicircle = inertia("semicircle", {Shape::semicircle, given.q, given.d, 0}, truth);
   semicircle.add(Breakdown{
-      "As a graph over x the half circle has vertical ends, where ds/dx is infinite: a "
-      "rule that takes the ends fails, Gauss and Legendre's gains one digit for ten times "
-      "the points. By the angle the integrands are smooth.",
+      "As a graph over $x$ the half circle has vertical ends, where $ds/dx$ is infinite: a rule that takes "
+      "the ends fails, Gauss and Legendre's gains one digit for ten times the points. By the angle the "
+      "integrands are smooth.",
       "as a graph over x, Gauss-Legendre", 64, Outcome::inaccurate, "by the angle, Gauss-Legendre", 16});
   return {inertia("straight wire", {Shape::straight, given.q, given.d, 0}, truth), semicircle,
           inertia("parabola", {Shape::parabola, given.q, given.d, 0}, truth)};

@@ -25,7 +25,7 @@ constexpr Parameter parameters[] = {
     {"dtheta", 0.5, "rad/s", "its rate", -10, 10},
     {"dphi", 0.25, "rad/s", "its rate", -10, 10},
     {"dpsi", 30, "rad/s", "its rate", 1, 100},
-    {"A", 0.0625, "m", "amplitude of the tip, the book's alpha", 1e-4, 1},
+    {"A", 0.0625, "m", R"(amplitude of the tip, the book's $\alpha$)", 1e-4, 1},
     {"lambda", 3, "rad/s", "its frequency", 0.1, 30},
     {"seed", 335, "", "seed of the random samples", 0, 1e9, whole_number},
 };
