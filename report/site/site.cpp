@@ -13,14 +13,18 @@ namespace oddity {
 
 namespace fs = std::filesystem;
 
-fs::path write_site(const Results& results, const Reference& truth, const fs::path& folder) {
+fs::path write_site(const Results& results, const Reference& truth, const fs::path& folder,
+                    const Progress& progress) {
   for (const char* room : {"", "assets", "data"}) require_writable_folder(folder / room);
   std::map<std::string, std::string> pages{{"index.html", front_page(results)}};
   for (const ExerciseResult& e : results.exercises) pages[to_string(e.number) + ".html"] = exercise_page(e);
   html::typeset(pages);
   for (const auto& [name, text] : pages) write_whole(folder / name, text);
-  for (const ExerciseResult& e : results.exercises)
+  std::size_t written = 0;
+  for (const ExerciseResult& e : results.exercises) {
+    if (progress) progress("writing the site", written++, results.exercises.size());
     write_whole(folder / "data" / (to_string(e.number) + ".js"), exercise_data(e, truth));
+  }
   for (const EmbeddedFile& asset : embedded_assets())
     write_whole(folder / "assets" / asset.path, std::string(asset.text));
   if (const auto models = module_script()) write_whole(folder / "assets" / "models.js", *models);
