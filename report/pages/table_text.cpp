@@ -1,5 +1,6 @@
 #include "report/pages/table_text.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "reference/text.hpp"
@@ -25,7 +26,92 @@ std::string csv_line(const auto& cells, const auto& shown) {
   return line + "\n";
 }
 
+using Rows = std::vector<std::vector<std::string>>;
+
+constexpr std::size_t indent = 2, between = 2;
+
+std::vector<std::size_t> widths_of(const Rows& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (widths.size() <= i) widths.push_back(0);
+      widths[i] = std::max(widths[i], columns_of(row[i]));
+    }
+  return widths;
+}
+
+/// A column that is shortened keeps so much: enough of a name, and of a sentence its beginning.
+std::size_t least_of(std::size_t width) { return std::max<std::size_t>(10, width / 4); }
+
+std::size_t total(const std::vector<std::size_t>& widths) {
+  std::size_t sum = indent;
+  for (std::size_t width : widths) sum += width + between;
+  return widths.empty() ? 0 : sum - between;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// Widths that the screen has, from which only columns to be shortened may differ: the widest of them gives
+/// way first.
+std::vector<std::size_t> fitted(const std::vector<std::size_t>& natural, const Rows& rows,
+                                const Screen& screen, const Fitting& fit) {
+  std::vector<std::size_t> widths = natural;
+  while (total(widths) > screen.width) {
+    std::size_t* widest = nullptr;
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      if (contains(fit.shorten, rows.front()[i]) && widths[i] > least_of(natural[i]) &&
+          (!widest || widths[i] > *widest))
+        widest = &widths[i];
+    if (!widest) break;
+    --*widest;
+  }
+  return widths;
+}
+
+void remove_column(Rows& rows, std::size_t column) {
+  for (auto& row : rows)
+    if (column < row.size()) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+}
+
+/// Leaves columns out until the others fit, and returns their names.
+std::string leave_out(Rows& rows, const Screen& screen, const Fitting& fit) {
+  std::string names;
+  for (const std::string& name : fit.leave_out) {
+    if (total(fitted(widths_of(rows), rows, screen, fit)) <= screen.width) break;
+    const auto column = std::ranges::find(rows.front(), name);
+    if (column == rows.front().end()) continue;
+    remove_column(rows, static_cast<std::size_t>(column - rows.front().begin()));
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
 }  // namespace
+
+std::string aligned(Rows rows, const Screen& screen, const Fitting& fit) {
+  if (rows.empty()) return "";
+  const bool fits = screen.width == 0 || (fit.shorten.empty() && fit.leave_out.empty());
+  const std::string without = fits ? "" : leave_out(rows, screen, fit);
+  const auto widths = fits ? widths_of(rows) : fitted(widths_of(rows), rows, screen, fit);
+  const bool heading = !fit.shorten.empty() || !fit.leave_out.empty();
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const bool alone = row.size() == 1;  // a heading between rows
+      const std::string cell = cut(row[i], alone ? screen.at_most(columns_of(row[i])) : widths[i]);
+      line += cell;
+      if (i + 1 < row.size()) line += std::string(widths[i] - columns_of(cell) + between, ' ');
+    }
+    line.resize(line.find_last_not_of(' ') + 1);
+    text += std::string(indent, ' ') +
+            (heading && &row == &rows.front() ? screen.styled(Style::heading, line) : line) + "\n";
+  }
+  if (!without.empty()) text += wrapped("  (too wide for this screen: " + without + ")\n", screen, indent);
+  return text;
+}
 
 std::string to_csv(const Table& table) {
   std::string text = csv_line(table.columns, CsvCell());

@@ -26,14 +26,18 @@ std::map<std::string, std::string> site_pages(const Results& results) {
   return pages;
 }
 
-fs::path write_site(const Results& results, const Reference& truth, const fs::path& folder) {
+fs::path write_site(const Results& results, const Reference& truth, const fs::path& folder,
+                    const Progress& progress) {
   for (const char* room : {"", "assets", "data"}) require_writable_folder(folder / room);
   for (const auto& [name, text] : site_pages(results)) write_whole(folder / name, text);
   write_whole(folder / "errata.json", errata_json(results));
   write_whole(folder / "errata.schema.json", errata_schema());
   const Styles styles(results);
-  for (const ExerciseResult& e : results.exercises)
+  std::size_t written = 0;
+  for (const ExerciseResult& e : results.exercises) {
+    if (progress) progress("writing the site", written++, results.exercises.size());
     write_whole(folder / "data" / (to_string(e.number) + ".js"), exercise_data(e, truth, styles));
+  }
   write_whole(folder / "data" / "scenes.js", scenes_data(results, styles));
   write_whole(folder / "data" / "search.js", search_index(results));
   for (const EmbeddedFile& asset : embedded_assets())

@@ -8,7 +8,7 @@
 
 #include "reference/reference.hpp"
 #include "report/pages/code.hpp"
-#include "report/study/results.hpp"
+#include "report/study/run.hpp"
 
 /// The report that runs: one folder, opened by double click, which asks nothing of the net. Pages, scripts
 /// and data are files beside one another; scripts are classic ones and data are scripts too, as a browser
@@ -29,6 +29,7 @@ std::map<std::string, std::string> site_pages(const Results&);
 
 /// Writes the site into `folder` and returns the page to open first. Each file is whole or not there. Throws
 /// BadInput when the folder cannot be written.
-std::filesystem::path write_site(const Results&, const Reference&, const std::filesystem::path& folder);
+std::filesystem::path write_site(const Results&, const Reference&, const std::filesystem::path& folder,
+                                 const Progress& progress = {});
 
 }  // namespace oddity
