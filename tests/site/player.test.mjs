@@ -61,6 +61,9 @@ test('numbers are written with the digits asked', () => {
   assert.equal(oddity.written(1.2345e-7), '1.23e\u22127');
   assert.equal(oddity.written(12345), '12345');
   assert.equal(oddity.written(-2), '\u22122');
+  assert.equal(oddity.written(Infinity), '\u221e');
+  assert.equal(oddity.letter('theta0_dot'), '\u03b8\u0307\u2080');
+  assert.equal(oddity.letter('stiff'), 'stiff');
   assert.equal(oddity.written(NaN), '\u2013');
   assert.equal(oddity.nameOfNeed('rad', Math.PI / 180), '1\u00b0');
   assert.equal(oddity.nameOfNeed('m', 0.01), '1 cm');
@@ -135,6 +138,7 @@ const known = {
   ],
   horizon: 10,
   speeds: [0.25, 1, 4],
+  missing: 'this scene does not have',
 };
 
 test('a permalink holds everything, and comes back the same', () => {

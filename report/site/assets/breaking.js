@@ -51,7 +51,7 @@
     const parts = [text];
     if (judged.broken === null) parts.push(`${oddity.amounts(judged.worst, judged.units)} off at worst`);
     const drift = oddity.largestDrift(motion);
-    if (drift > 0.01) parts.push(`what is conserved changes by ${oddity.part(drift)} ${drift >= 10 ? '' : 'of '}what moves in it`);
+    if (drift > 0.01 && judged.broken === null) parts.push(`what is conserved changes by ${oddity.part(drift)} ${drift >= 10 ? '' : 'of '}what moves in it`);
     return parts.join('; ') + '.';
   };
 

@@ -45,7 +45,8 @@
     /** What a link may name. */
     known() {
       return { parameters: this.motions.recordedOnly ? [] : this.sliding(), methods: this.motions.methods,
-        horizon: this.scene.horizon, speeds: oddity.speeds };
+        horizon: this.scene.horizon, speeds: oddity.speeds,
+        missing: this.motions.recordedOnly ? 'is not recorded, and the models are not in this copy of the page' : 'this scene does not have' };
     }
 
     fromLink() {
@@ -390,8 +391,9 @@
     }
 
     /** A trial of a chart: at the book's parameters, beside what is there. */
-    trial({ model, algorithm: named, precision = 'double', setting }) {
+    trial({ quantity, model, algorithm: named, precision = 'double', setting }) {
       const { motions } = this;
+      if (quantity && quantity !== motions.quantity.name) return;
       const algorithm = String(named).replace(/ in float$/, '');
       const method = motions.find(model, algorithm);
       this.element.scrollIntoView({ behavior: oddity.calm() ? 'auto' : 'smooth', block: 'nearest' });
@@ -420,7 +422,9 @@
         && m.algorithm.replace(/ in float$/, '') === algorithm);
       const trial = found && found.trials.find((t) => t[0] === setting);
       if (!trial) return null;
-      const error = trial[1] === null ? 'no error' : `an error of ${oddity.written(trial[1])}`;
+      const units = Object.keys(this.scene.close);
+      const unit = units.length === 1 ? ` ${units[0]}` : '';
+      const error = trial[1] === null ? 'no error' : `an error of ${oddity.written(trial[1])}${unit}`;
       const stops = found.knob === 'tolerance' ? '; here it stops at every frame' : '';
       return `The table has ${error} at its ${this.motions.looks} times, ${trial[5]}${stops}.`;
     }
