@@ -72,6 +72,8 @@ test('numbers are written with the digits asked', () => {
 test('floats come out of base64', () => {
   const bytes = Buffer.from(new Float32Array([1.5, -2, NaN]).buffer);
   assert.deepEqual([...oddity.floats(bytes.toString('base64'))], [1.5, -2, NaN]);
+  const wholes = Buffer.from(new Uint16Array([0, 1, 65535]).buffer);
+  assert.deepEqual([...oddity.wholes(wholes.toString('base64'))], [0, 1, 65535]);
 });
 
 test('steps divide the intervals of a trial evenly and are seen at least once a frame', () => {
