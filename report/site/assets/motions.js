@@ -194,9 +194,16 @@
       for (const algorithm of ['symplectic Euler', 'explicit Euler'])
         if (model && find(model, algorithm) && !find(model, algorithm).path)
           rows.push(asRow(find(model, algorithm), frame));
-      for (const m of methods)
-        if (rows.length < 2 && m.path && !rows.some((r) => r.model === m.model)) rows.push(asRow(m));
-      return rows;
+      return rows.length > 1 ? rows : [...rows, ...fromRecorded(rows)].slice(0, 2);
+    }
+
+    /** A recorded motion that is right, and then one that is not. */
+    function fromRecorded(rows) {
+      const others = methods.filter((m) => m.path && !rows.some((r) => r.model === m.model));
+      const right = others.filter((m) => isOk(m.path.outcome));
+      const wrong = others.filter((m) => !isOk(m.path.outcome))
+        .sort((a, b) => published.test(b.model) - published.test(a.model));
+      return (rows.length ? [...wrong, ...right] : [...right.slice(0, 1), ...wrong, ...right.slice(1)]).map((m) => asRow(m));
     }
 
     /** As published beside right: the published model by its finest algorithm, and the finest method. */

@@ -410,7 +410,7 @@
         if (Number.isFinite(parameters[p.name]) && !this.problemOf(p, parameters[p.name])) this.parameters[p.name] = parameters[p.name];
       for (const [name, slider] of this.sliders) slider.show(this.parameters[name]);
       const next = { model, algorithm, precision, setting: method.path ? method.path.setting : setting,
-        trial: motions.isDefault(this.parameters) ? this.tabled(model, algorithm, precision, setting) : null };
+        trial: motions.isDefault(this.parameters) ? this.tabled(method, precision, method.path ? method.path.setting : setting) : null };
       const same = this.rows.find((r) => ['model', 'algorithm', 'precision'].every((k) => r.method[k] === next[k]));
       if (same) same.method = next;
       else {
@@ -423,7 +423,7 @@
     }
 
     /** What the table of trials has of it. */
-    tabled(model, algorithm, precision, setting) {
+    tabled({ model, algorithm, path }, precision, setting) {
       const found = this.motions.quantity.methods.find((m) => m.model === model && m.precision === precision
         && m.algorithm.replace(/ in float$/, '') === algorithm);
       const trial = found && found.trials.find((t) => t[0] === setting);
@@ -431,7 +431,7 @@
       const units = Object.keys(this.scene.close);
       const unit = units.length === 1 ? ` ${units[0]}` : '';
       const error = trial[1] === null ? 'no error' : `an error of ${oddity.written(trial[1])}${unit}`;
-      const stops = found.knob === 'tolerance' ? '; here it stops at every frame' : '';
+      const stops = found.knob === 'tolerance' && !path ? '; here it stops at every frame' : '';
       return `The table has ${error} at its ${this.motions.looks} times, ${oddity.outcomeName(this.motions.data, trial[5])}${stops}.`;
     }
 
