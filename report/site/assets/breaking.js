@@ -32,8 +32,10 @@
 
   function searched(motions, parameters, row, knob, fails) {
     const [from, to] = knob === 'step' ? [motions.frame / 128, motions.scene.horizon / motions.looks] : [1e-12, 1];
-    for (let setting = from; setting <= to * 1.001; setting *= knob === 'step' ? finer : 10)
+    for (let tried = from; tried <= to * 1.001; tried *= knob === 'step' ? finer : 10) {
+      const setting = Number(tried.toPrecision(3));
       if (fails(motions, parameters, { ...row, setting })) return { setting };
+    }
     return null;
   }
 
