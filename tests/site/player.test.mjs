@@ -61,6 +61,9 @@ test('numbers are written with the digits asked', () => {
   assert.equal(oddity.written(1.2345e-7), '1.23e\u22127');
   assert.equal(oddity.written(12345), '12345');
   assert.equal(oddity.written(-2), '\u22122');
+  assert.equal(oddity.written(Infinity), '\u221e');
+  assert.equal(oddity.letter('theta0_dot'), '\u03b8\u0307\u2080');
+  assert.equal(oddity.letter('stiff'), 'stiff');
   assert.equal(oddity.written(NaN), '\u2013');
   assert.equal(oddity.nameOfNeed('rad', Math.PI / 180), '1\u00b0');
   assert.equal(oddity.nameOfNeed('m', 0.01), '1 cm');
@@ -69,6 +72,8 @@ test('numbers are written with the digits asked', () => {
 test('floats come out of base64', () => {
   const bytes = Buffer.from(new Float32Array([1.5, -2, NaN]).buffer);
   assert.deepEqual([...oddity.floats(bytes.toString('base64'))], [1.5, -2, NaN]);
+  const wholes = Buffer.from(new Uint16Array([0, 1, 65535]).buffer);
+  assert.deepEqual([...oddity.wholes(wholes.toString('base64'))], [0, 1, 65535]);
 });
 
 test('steps divide the intervals of a trial evenly and are seen at least once a frame', () => {
@@ -135,6 +140,7 @@ const known = {
   ],
   horizon: 10,
   speeds: [0.25, 1, 4],
+  missing: 'this scene does not have',
 };
 
 test('a permalink holds everything, and comes back the same', () => {

@@ -32,8 +32,10 @@
 
   function searched(motions, parameters, row, knob, fails) {
     const [from, to] = knob === 'step' ? [motions.frame / 128, motions.scene.horizon / motions.looks] : [1e-12, 1];
-    for (let setting = from; setting <= to * 1.001; setting *= knob === 'step' ? finer : 10)
+    for (let tried = from; tried <= to * 1.001; tried *= knob === 'step' ? finer : 10) {
+      const setting = Number(tried.toPrecision(3));
       if (fails(motions, parameters, { ...row, setting })) return { setting };
+    }
     return null;
   }
 
@@ -51,7 +53,7 @@
     const parts = [text];
     if (judged.broken === null) parts.push(`${oddity.amounts(judged.worst, judged.units)} off at worst`);
     const drift = oddity.largestDrift(motion);
-    if (drift > 0.01) parts.push(`what is conserved changes by ${oddity.part(drift)} ${drift >= 10 ? '' : 'of '}what moves in it`);
+    if (drift > 0.01 && judged.broken === null) parts.push(`what is conserved changes by ${oddity.part(drift)} ${drift >= 10 ? '' : 'of '}what moves in it`);
     return parts.join('; ') + '.';
   };
 

@@ -3,11 +3,18 @@
 (function (oddity) {
   'use strict';
 
+  const viewOf = (base64) => new DataView(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer);
+
   /** Floats, least byte first, in base64. */
   oddity.floats = function (base64) {
-    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-    const view = new DataView(bytes.buffer);
-    return Float64Array.from({ length: bytes.length / 4 }, (_, i) => view.getFloat32(4 * i, true));
+    const view = viewOf(base64);
+    return Float64Array.from({ length: view.byteLength / 4 }, (_, i) => view.getFloat32(4 * i, true));
+  };
+
+  /** Whole numbers of 16 bits, least byte first, in base64. */
+  oddity.wholes = function (base64) {
+    const view = viewOf(base64);
+    return Float64Array.from({ length: view.byteLength / 2 }, (_, i) => view.getUint16(2 * i, true));
   };
 
   /** 0, frame, 2 frame, ..., horizon. */

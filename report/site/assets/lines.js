@@ -5,7 +5,7 @@
 
   const margin = { left: 46, right: 12, top: 8, bottom: 20 };
   const most = 9;    // decades shown
-  const few = 90;    // steps, which are shown one by one
+  const few = 45;    // steps, which are shown one by one
   const dashes = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
 
   /** The marks of the methods, by their places: told apart without colour. */

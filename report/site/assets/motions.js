@@ -9,13 +9,26 @@
   const sevenDigits = 1.2e-7;
   const doubles = 1e-11;      // of the size, what a tolerance of 1e-12 leaves
 
+  const isOk = (outcome) => outcome === 'ok' || outcome === 'o';
   const plain = (algorithm) => algorithm.replace(/ in float$/, '');
 
-  /** Recorded frames, the earliest of which is frame `first`; those that are not there are NaN. */
-  function recorded({ values, frames }, first, count, end) {
+  /** The true observables, frame by frame. */
+  function recordedTruth({ values, frames, end }, count) {
+    return { times: oddity.frameTimes(end, frames), observed: oddity.floats(values), count };
+  }
+
+  /** A recorded motion, from frame 1 on as far as it comes; `resolution` is what each observable is kept to. */
+  function recordedPath(path, count, end) {
+    const { frames, least, most } = path;
     const observed = new Float64Array((frames + 1) * count).fill(NaN);
-    observed.set(oddity.floats(values), first * count);
-    return { times: oddity.frameTimes(end, frames), observed, count };
+    const resolution = new Float64Array(count);
+    if (least) {
+      for (let k = 0; k < count; k += 1) resolution[k] = (most[k] - least[k]) / 65535;
+      oddity.wholes(path.values).forEach((x, i) => { observed[count + i] = least[i % count] + x * resolution[i % count]; });
+    } else {
+      observed.set(oddity.floats(path.values), count);
+    }
+    return { times: oddity.frameTimes(end, frames), observed, count, resolution };
   }
 
   /** All that the page knows of the scene's methods, by "model, algorithm". */
@@ -30,7 +43,7 @@
     return [...all.values()];
   }
 
-  const bestTrial = (method) => method.trials.reduce((best, t) => (t[1] !== null && t[5] === 'ok' && !(best && best[1] <= t[1]) ? t : best), null);
+  const bestTrial = (method) => method.trials.reduce((best, t) => (t[1] !== null && isOk(t[5]) && !(best && best[1] <= t[1]) ? t : best), null);
 
   /** By the module. */
   function computable(data, engine) {
@@ -49,6 +62,9 @@
       .filter((p) => !others.some((m) => m.model === p.model && m.algorithm === p.algorithm))
       .map((p) => ({ model: p.model, algorithm: p.algorithm, knob: p.knob, precisions: ['double'], path: p }));
   }
+
+  /** An outcome's name, by the letter that stands for it. */
+  oddity.outcomeName = (data, outcome) => (data.outcomes && data.outcomes[outcome]) || outcome;
 
   oddity.motions = function (data, engine) {
     const { scene } = data;
@@ -92,8 +108,8 @@
     }
 
     function replay(path) {
-      return { ...recorded(path, 1, count, scene.horizon), drift: new Float64Array(0), off: new Float64Array(0),
-        ending: path.outcome === 'non-finite' ? 'non-finite' : 'reached', message: '', recorded: true };
+      return { ...recordedPath(path, count, scene.horizon), drift: new Float64Array(0), off: new Float64Array(0),
+        ending: oddity.outcomeName(data, path.outcome) === 'non-finite' ? 'non-finite' : 'reached', message: '' };
     }
 
     /** Null where it is only recorded and the parameters are others. */
@@ -115,9 +131,9 @@
     }
     const richest = engine ? finestMethod() : null;
 
-    /** The recorded truth; its frame 0, where there is a module, is where the finest method starts. */
-    const reference = recorded(scene.truth, 0, count, scene.truth.end);
-    if (richest) reference.observed.set(run(defaults, richest).observed.subarray(0, count));
+    /** The recorded truth; a frame 0 that is not there is where the finest method starts. */
+    const reference = recordedTruth(scene.truth, count);
+    if (richest && !Number.isFinite(reference.observed[0])) reference.observed.set(run(defaults, richest).observed.subarray(0, count));
 
     const frames = (parameters) => {
       const key = JSON.stringify(['truth', parameters]);
@@ -137,6 +153,14 @@
       const digits = sizes.map((x) => sevenDigits * x);
       if (truth(parameters) === reference) return digits;
       return apart().map((x, u) => (x > 2 * digits[u] ? x : doubles * sizes[u]));
+    }
+
+    /** The same of a motion that may be recorded. */
+    function floorsOf(motion, floor) {
+      if (!motion || !motion.resolution) return floor;
+      const units = Object.keys(scene.close);
+      const zero = new Float64Array(count);
+      return oddity.distances(motion.resolution, zero, scene.norms, units).map((x, u) => Math.max(x, floor[u]));
     }
 
     const asRow = ({ model, algorithm, precisions, knob, path }, setting) => ({ model, algorithm, precision: precisions[0],
@@ -170,9 +194,16 @@
       for (const algorithm of ['symplectic Euler', 'explicit Euler'])
         if (model && find(model, algorithm) && !find(model, algorithm).path)
           rows.push(asRow(find(model, algorithm), frame));
-      for (const m of methods)
-        if (rows.length < 2 && m.path && !rows.some((r) => r.model === m.model)) rows.push(asRow(m));
-      return rows;
+      return rows.length > 1 ? rows : [...rows, ...fromRecorded(rows)].slice(0, 2);
+    }
+
+    /** A recorded motion that is right, and then one that is not. */
+    function fromRecorded(rows) {
+      const others = methods.filter((m) => m.path && !rows.some((r) => r.model === m.model));
+      const right = others.filter((m) => isOk(m.path.outcome));
+      const wrong = others.filter((m) => !isOk(m.path.outcome))
+        .sort((a, b) => published.test(b.model) - published.test(a.model));
+      return (rows.length ? [...wrong, ...right] : [...right.slice(0, 1), ...wrong, ...right.slice(1)]).map((m) => asRow(m));
     }
 
     /** As published beside right: the published model by its finest algorithm, and the finest method. */
@@ -192,7 +223,7 @@
     const drawing = own && own.drawn
       ? (parameters, t, observed) => engine.draw(data.number, parameters, t, observed) : oddity.asPoints(data);
 
-    return { data, scene, quantity, frame, looks, defaults, models, methods, find, algorithmsOf, usual, run, truth, judge, floors, richest,
+    return { data, scene, quantity, frame, looks, defaults, models, methods, find, algorithmsOf, usual, run, truth, judge, floors, floorsOf, richest,
       reference, apart, isDefault, opening, asPublished, drawing, recordedOnly: !computed.length,
       space: drawing(defaults, 0, reference.observed.slice(count, 2 * count)).space };
   };

@@ -26,7 +26,7 @@
 
   function parameter(name, text, known) {
     const found = known.parameters.find((p) => p.name === name);
-    if (!found) throw new Unreadable(`The link sets \u201c${name}\u201d, which this scene does not have.`);
+    if (!found) throw new Unreadable(`The link sets \u201c${name}\u201d, which ${known.missing}.`);
     const x = number(text, name);
     const low = Number.isFinite(found.least) && x < found.least;
     const high = Number.isFinite(found.most) && x > found.most;
@@ -39,7 +39,7 @@
     const [model, algorithm, precision, setting] = text.split('/').map(readable);
     if (setting === undefined) throw new Unreadable('The link names a method that is not whole.');
     const found = known.methods.find((m) => m.model === model && m.algorithm === algorithm);
-    if (!found) throw new Unreadable(`The link asks for \u201c${model}, ${algorithm}\u201d, which this scene does not have.`);
+    if (!found) throw new Unreadable(`The link asks for \u201c${model}, ${algorithm}\u201d, which ${known.missing}.`);
     if (!found.precisions.includes(precision))
       throw new Unreadable(`The link asks for ${algorithm} in \u201c${precision}\u201d, which it cannot do.`);
     const x = number(setting, found.knob || 'a setting');
@@ -82,7 +82,7 @@
     },
 
     /** {state}, or {problem: a sentence}; null when it is no link to a player. `known` is {parameters, methods:
-        [{model, algorithm, precisions, knob}], horizon, speeds}. */
+        [{model, algorithm, precisions, knob}], horizon, speeds, missing: what is said of what is not there}. */
     parse(hash, known) {
       const [first, ...parts] = hash.split('&');
       if (first !== '#play' || !parts.length) return null;     // #play is the player's own place in the page

@@ -45,7 +45,8 @@
     /** What a link may name. */
     known() {
       return { parameters: this.motions.recordedOnly ? [] : this.sliding(), methods: this.motions.methods,
-        horizon: this.scene.horizon, speeds: oddity.speeds };
+        horizon: this.scene.horizon, speeds: oddity.speeds,
+        missing: this.motions.recordedOnly ? 'is not recorded, and the models are not in this copy of the page' : 'this scene does not have' };
     }
 
     fromLink() {
@@ -122,10 +123,12 @@
       if (this.clock.time >= this.scene.horizon) this.clock.seek(0);
     }
 
-    point(method) {
-      const { model, algorithm, precision, setting } = method;
-      document.dispatchEvent(new CustomEvent('oddity:point',
-        { detail: { quantity: this.motions.quantity.name, model, algorithm, precision, setting } }));
+    /** Charts, tables and maps show where a method stands; `parameters` only where they are not the book's. */
+    point({ model, algorithm, precision, setting }) {
+      const detail = { quantity: this.motions.quantity.name, model, algorithm, precision, setting };
+      const { parameters } = this.state();
+      if (Object.keys(parameters).length) detail.parameters = this.parameters;
+      document.dispatchEvent(new CustomEvent('oddity:point', { detail }));
     }
 
     // ---- computing ----------------------------------------------------------------------------------------
@@ -152,7 +155,8 @@
       const floors = motions.floors(parameters, sizes);
       for (const row of this.rows) {
         const motion = motions.run(parameters, row.method);
-        row.result = { row: row.method, motion, judged: motion && motions.judge(motion, parameters), floors };
+        row.result = { row: row.method, motion, judged: motion && motions.judge(motion, parameters),
+          floors: motions.floorsOf(motion, floors) };
         row.view.show(row.result);
       }
       this.picture.show(parameters, this.truth, this.ghostColour, this.shown().map((row) =>
@@ -300,7 +304,8 @@
 
     problemOf(p, x) {
       if (p.whole && !Number.isInteger(x)) return `${p.name} has to be a whole number.`;
-      if (x < p.least || x > p.most) return `${p.name} goes from ${oddity.inField(p.least)} to ${oddity.inField(p.most)} ${p.unit}.`;
+      if ((Number.isFinite(p.least) && x < p.least) || (Number.isFinite(p.most) && x > p.most))
+        return `${p.name} goes from ${oddity.inField(p.least)} to ${oddity.inField(p.most)} ${oddity.unitName(p.unit)}.`;
       return '';
     }
 
@@ -389,9 +394,10 @@
       this.copy(all[verb], 'Copied');
     }
 
-    /** A trial of a chart: at the book's parameters, beside what is there. */
-    trial({ model, algorithm: named, precision = 'double', setting }) {
+    /** A trial of a chart or a map, at the book's parameters but for those given, beside what is there. */
+    trial({ quantity, model, algorithm: named, precision = 'double', setting, parameters = {} }) {
       const { motions } = this;
+      if (quantity && quantity !== motions.quantity.name) return;
       const algorithm = String(named).replace(/ in float$/, '');
       const method = motions.find(model, algorithm);
       this.element.scrollIntoView({ behavior: oddity.calm() ? 'auto' : 'smooth', block: 'nearest' });
@@ -400,9 +406,11 @@
       if (method.path && method.path.setting !== setting)
         this.say(`${sentence(algorithm)} on ${model} is recorded at ${oddity.written(method.path.setting)} only, which is what is shown.`);
       this.parameters = { ...motions.defaults };
+      for (const p of this.sliding())
+        if (Number.isFinite(parameters[p.name]) && !this.problemOf(p, parameters[p.name])) this.parameters[p.name] = parameters[p.name];
       for (const [name, slider] of this.sliders) slider.show(this.parameters[name]);
       const next = { model, algorithm, precision, setting: method.path ? method.path.setting : setting,
-        trial: this.tabled(model, algorithm, precision, setting) };
+        trial: motions.isDefault(this.parameters) ? this.tabled(method, precision, method.path ? method.path.setting : setting) : null };
       const same = this.rows.find((r) => ['model', 'algorithm', 'precision'].every((k) => r.method[k] === next[k]));
       if (same) same.method = next;
       else {
@@ -415,14 +423,16 @@
     }
 
     /** What the table of trials has of it. */
-    tabled(model, algorithm, precision, setting) {
+    tabled({ model, algorithm, path }, precision, setting) {
       const found = this.motions.quantity.methods.find((m) => m.model === model && m.precision === precision
         && m.algorithm.replace(/ in float$/, '') === algorithm);
       const trial = found && found.trials.find((t) => t[0] === setting);
       if (!trial) return null;
-      const error = trial[1] === null ? 'no error' : `an error of ${oddity.written(trial[1])}`;
-      const stops = found.knob === 'tolerance' ? '; here it stops at every frame' : '';
-      return `The table has ${error} at its ${this.motions.looks} times, ${trial[5]}${stops}.`;
+      const units = Object.keys(this.scene.close);
+      const unit = units.length === 1 ? ` ${units[0]}` : '';
+      const error = trial[1] === null ? 'no error' : `an error of ${oddity.written(trial[1])}${unit}`;
+      const stops = found.knob === 'tolerance' && !path ? '; here it stops at every frame' : '';
+      return `The table has ${error} at its ${this.motions.looks} times, ${oddity.outcomeName(this.motions.data, trial[5])}${stops}.`;
     }
 
     /** Space plays, arrows go frame by frame; where arrows do something of their own, Shift and arrows do. */

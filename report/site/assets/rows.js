@@ -8,7 +8,7 @@
   /** 0.12 rad; 0.003 m, 0.12 rad. */
   oddity.amounts = (values, units, digits = 2) => units.map((unit, u) => `${written(values[u], digits)} ${unit}`).join(', ');
 
-  oddity.needName = (close) => Object.entries(close).map(([unit, x]) => oddity.nameOfNeed(unit, x)).join(' and ');
+  oddity.needName = (close, joined = ' and ') => Object.entries(close).map(([unit, x]) => oddity.nameOfNeed(unit, x)).join(joined);
 
   const fails = {
     'non-finite': 'the state is not finite',
@@ -19,16 +19,14 @@
 
   /** How it ended, in a few words. */
   oddity.endingOf = function (motion, judged, { close, time_unit: unit }) {
-    const name = oddity.needName(close);
     const at = (t) => `${written(t, 3)} ${unit}`;
     if (judged.broken !== null || motion.ending !== 'reached') {
       const why = fails[motion.ending] || motion.message || 'it ends';
       return { holds: false, text: judged.broken === null ? why : `breaks off at ${at(judged.broken)}: ${why}` };
     }
     if (!judged.count) return { holds: false, text: 'the truth is not known here' };
-    if (judged.since === null) return { holds: true, text: `holds ${name}` };
-    const start = judged.since <= motion.times[1];
-    return { holds: false, text: start ? `not within ${name} at all` : `not within ${name} from ${at(judged.since)} on` };
+    if (judged.since === null) return { holds: true, text: `holds ${oddity.needName(close)}` };
+    return { holds: false, text: `more than ${oddity.needName(close, ' or ')} off, first at ${at(judged.since)}` };
   };
 
   oddity.largestDrift = (motion) => motion.drift.reduce((most, x) => (x > most ? x : most), 0);

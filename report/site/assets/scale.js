@@ -85,7 +85,7 @@
   /** With that many digits: 0.0175, 1.2e-7, 1234. */
   oddity.written = function (x, digits = 3) {
     if (Number.isNaN(x)) return '\u2013';
-    if (!Number.isFinite(x)) return x > 0 ? 'infinite' : '\u2212infinite';
+    if (!Number.isFinite(x)) return x > 0 ? '\u221e' : '\u2212\u221e';
     if (x === 0) return '0';
     const size = Math.abs(x);
     const text = size >= 1e-4 && size < 1e5
