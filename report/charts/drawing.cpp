@@ -30,12 +30,6 @@ constexpr std::string_view style = R"(<style>
 </style>
 )";
 
-std::string as_xml(std::string_view text) {
-  std::string safe;
-  for (char c : text) safe += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  return safe;
-}
-
 std::string pixels(double x) { return shortest(std::round(10 * x) / 10); }
 
 std::string view_box(const Box& box) {
@@ -46,7 +40,7 @@ std::string view_box(const Box& box) {
 
 std::string svg(const Box& box, std::string_view title, const std::string& elements) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" role=\"img\" " + view_box(box) +
-         ">\n<title>" + as_xml(title) + "</title>\n" + std::string(style) + elements + "</svg>\n";
+         ">\n<title>" + text_in_svg(title) + "</title>\n" + std::string(style) + elements + "</svg>\n";
 }
 
 double scale_to(const Box& content, double width, double height) {
@@ -139,7 +133,7 @@ std::string frames_svg(const Entry& e, const Trajectory& t) {
     const double left = k * (width + gap);
     elements += "<svg x=\"" + pixels(left) + "\" y=\"0\" " + view_box(window) + ">\n" + sketch.elements() +
                 "</svg>\n<text class=\"n\" x=\"" + pixels(left + width / 2) + "\" y=\"" + pixels(high + 19) +
-                "\">" + rounded(times[now], 3) + " " + as_xml(t.time_unit) + "</text>\n";
+                "\">" + rounded(times[now], 3) + " " + text_in_svg(t.time_unit) + "</text>\n";
   }
   return svg({0, 0, frames * (width + gap) - gap, high + below}, title_of(e, "the motion"), elements);
 }

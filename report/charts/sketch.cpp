@@ -47,24 +47,6 @@ std::string path(const std::vector<Spot>& line) {
 
 std::string faded(double opacity) { return opacity < 1 ? " opacity=\"" + number(opacity) + "\"" : ""; }
 
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (char c : text) switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      default:
-        safe += c;
-    }
-  return safe;
-}
-
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// A letter and its index; a text that begins with a digit is a number.
@@ -83,7 +65,7 @@ struct Written {
   }
   std::string element(const Spot& center) const {
     std::string text = "<text" + std::string(upright ? " class=\"n\"" : "") + " x=\"" + number(center.x) +
-                       "\" y=\"" + number(center.y + 0.3 * font_size) + "\">" + escaped(base);
+                       "\" y=\"" + number(center.y + 0.3 * font_size) + "\">" + text_in_svg(base);
     if (!index.empty()) text += "<tspan dy=\"4\">" + std::string(index) + "</tspan>";
     return text + "</text>";
   }
@@ -103,6 +85,24 @@ int order_of(Kind kind) {
 enum Layer { behind, thing, writing };
 
 }  // namespace
+
+std::string text_in_svg(std::string_view text) {
+  std::string safe;
+  for (char c : text) switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      default:
+        safe += c;
+    }
+  return safe;
+}
 
 // ---- the camera -------------------------------------------------------------------------------------------
 
