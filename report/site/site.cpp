@@ -3,6 +3,7 @@
 #include <map>
 
 #include "reference/files.hpp"
+#include "report/charts/drawing.hpp"
 #include "report/site/data.hpp"
 #include "report/site/errata.hpp"
 #include "report/site/exercise_page.hpp"
@@ -36,6 +37,7 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
   write_whole(folder / "data" / "search.js", search_index(results));
   for (const EmbeddedFile& asset : embedded_assets())
     write_whole(folder / "assets" / asset.path, std::string(asset.text));
+  write_whole(folder / "assets" / "drawing.css", std::string(drawing_style()));
   if (const auto models = module_script()) write_whole(folder / "assets" / "models.js", *models);
   return folder / "index.html";
 }
