@@ -83,7 +83,8 @@ std::vector<std::string> foreign(const Parsed& page) {
       "circle",  "path",    "text",    "tspan",    "animate", "polygon",  "polyline",   "figcaption",
       "math",    "mi",      "mo",      "mn",       "mtext",   "mrow",     "msub",       "msup",
       "msubsup", "mfrac",   "msqrt",   "mroot",    "mover",   "munder",   "munderover", "mtable",
-      "mtr",     "mtd",     "mspace",  "menclose", "mpadded", "merror",   "mstyle",     "mphantom"};
+      "mtr",     "mtd",     "mspace",  "menclose", "mpadded", "merror",   "mstyle",     "mphantom",
+      "i"};
   std::vector<std::string> all;
   for (const Tag& tag : page.tags) {
     if (!known.contains(tag.name)) all.push_back("<" + tag.name + ">");

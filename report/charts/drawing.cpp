@@ -11,8 +11,7 @@ namespace oddity {
 
 namespace {
 
-constexpr std::string_view style = R"(<style>
-.drawing{--ink:#1f2328;--thing:#0072b2;--given:#c4560a;color:var(--ink)}
+constexpr std::string_view style = R"(.drawing{--ink:#1f2328;--thing:#0072b2;--given:#c4560a;color:var(--ink)}
 @media(prefers-color-scheme:dark){.drawing{--ink:#e6edf3;--thing:#56b4e9;--given:#f0913f}}
 .drawing path,.drawing circle{fill:none;stroke:currentColor;stroke-linecap:round;stroke-linejoin:round}
 .drawing text{font:italic 18px "STIX Two Text","Latin Modern Roman","Times New Roman",Times,"Liberation Serif",serif;fill:currentColor;text-anchor:middle}
@@ -27,7 +26,6 @@ constexpr std::string_view style = R"(<style>
 .drawing .v{stroke:var(--thing);stroke-width:2.2}.drawing .q{stroke:var(--given);stroke-width:2}
 .drawing .c{stroke-width:1}.drawing .e{stroke-width:.8;stroke-opacity:.5}
 .drawing .h{stroke:none;fill:currentColor}.drawing .v.h{fill:var(--thing)}.drawing .q.h{fill:var(--given)}
-</style>
 )";
 
 std::string pixels(double x) { return shortest(std::round(10 * x) / 10); }
@@ -40,7 +38,8 @@ std::string view_box(const Box& box) {
 
 std::string svg(const Box& box, std::string_view title, const std::string& elements) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" role=\"img\" " + view_box(box) +
-         ">\n<title>" + text_in_svg(title) + "</title>\n" + std::string(style) + elements + "</svg>\n";
+         ">\n<title>" + text_in_svg(title) + "</title>\n<style>\n" + std::string(style) + "</style>\n" +
+         elements + "</svg>\n";
 }
 
 double scale_to(const Box& content, double width, double height) {
@@ -78,6 +77,8 @@ std::vector<double> observed_at_start(const Scene& scene, const Parameters& para
   }
   return start;
 }
+
+std::string_view drawing_style() { return style; }
 
 std::string setup_svg(const Drawing& drawing, std::string_view title) {
   const Camera camera(drawing.is_in_space());

@@ -14,6 +14,9 @@ namespace oddity {
 /// What a scene shows at its start.
 std::vector<double> observed_at_start(const Scene&, const Parameters&);
 
+/// The style that each picture brings, for a page that has several.
+std::string_view drawing_style();
+
 /// The set-up at the start with its letters; empty where the exercise has no drawing.
 std::string setup_svg(const Entry&);
 std::string setup_svg(const Drawing&, std::string_view title);

@@ -54,9 +54,12 @@ std::string difference_text(const Check& c) {
 }
 
 /// What a reading was compared with, and how it came out: of its checks the hardest.
-std::string comparison_of(const Reading& reading, bool with_values) {
+/// Beside the check before it only what is new.
+std::string comparison_of(const Reading& reading, bool with_values, const Check* before = nullptr) {
   const Check& c = hardest(reading);
   if (is_count(c)) return count_text(c);
+  if (before && before->right.by == c.right.by)
+    return element("b", "", value_text(c.left.value)) + ": " + difference_text(c);
   const std::string of = c.where.starts_with("worst of ") ? ", " + c.where.substr(0, c.where.find(':')) : "";
   return (with_values ? element("b", "", value_text(c.left.value)) + " against " +
                             element("b", "", value_text(c.right.value)) + ", " + words(c.right.by)
@@ -82,22 +85,31 @@ std::string evidence_of(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
   if (!claim.not_checkable.empty()) return html::text(claim.not_checkable);
   std::string text;
+  const Check* before = nullptr;
   if (judged.verdict == Verdict::confirmed && !claim.printed.checks.empty())
     text = sentence(comparison_of(claim.printed, false));
   else
     for (const auto& [name, reading] :
          {std::pair{"Printed", &claim.printed}, {"Meant", &claim.meant}, {"Right", &claim.corrected}})
-      if (!reading->checks.empty())
-        text += (text.empty() ? "" : " ") + std::string(name) + ": " + comparison_of(*reading, true) + ".";
+      if (!reading->checks.empty()) {
+        text += (text.empty() ? "" : " ") + std::string(name) + ": " + comparison_of(*reading, true, before) +
+                ".";
+        before = &hardest(*reading);
+      }
   return text + near_misses_of(claim);
 }
 
 std::string id_attribute(const Claim& claim) { return " id=\"" + claim_anchor_of(claim) + "\""; }
 
+/// The claim holds what is printed word for word.
+bool is_told(const Claim& claim) { return claim.says.find(claim.printed.text) != std::string::npos; }
+
 std::string sides(const JudgedClaim& judged) {
   const Reading& right = right_reading(judged);
-  std::string text = element("div", " class=\"printed\"",
-                             "<dt>printed</dt>" + element("dd", "", html::text(judged.claim.printed.text)));
+  const Claim& claim = judged.claim;
+  std::string text = element(
+      "div", " class=\"printed\"",
+      "<dt>printed</dt>" + element("dd", "", html::text(is_told(claim) ? claim.says : claim.printed.text)));
   if (&right != &judged.claim.printed)
     text += element("div", " class=\"corrected\"",
                     std::string(judged.verdict == Verdict::misprint ? "<dt>meant</dt>" : "<dt>right</dt>") +
@@ -108,13 +120,15 @@ std::string sides(const JudgedClaim& judged) {
 std::string finding_text(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
   const std::string kind = name_of(claim.kind).empty() ? "" : html::escaped(name_of(claim.kind)) + ", ";
-  return element("article", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
-                 "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind + "line " +
-                     std::to_string(claim.line) + " " +
-                     html::link("#" + claim_anchor_of(claim), html::escaped(claim.id)) + "</p>" +
-                     element("p", "", "The solution says: " + html::text(claim.says) + ".") + sides(judged) +
-                     element("p", "", html::prose(claim.why)) +
-                     html::folded("Evidence", element("p", "", evidence_of(judged)))) +
+  return element(
+             "article", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
+             "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind + "line " +
+                 std::to_string(claim.line) + " " +
+                 html::link("#" + claim_anchor_of(claim), html::escaped(claim.id)) + "</p>" +
+                 (is_told(claim) ? ""
+                                 : element("p", "", "The solution says: " + html::text(claim.says) + ".")) +
+                 sides(judged) + element("p", "", html::prose(claim.why)) +
+                 html::folded("Evidence", element("p", "", evidence_of(judged)))) +
          "\n";
 }
 
@@ -138,10 +152,13 @@ bool is_finding(Verdict verdict) {
 
 std::string claim_text(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
-  return element("details", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
-                 element("summary", "",
-                         html::text(claim.says) + " <small>" + std::to_string(claim.line) + "</small>") +
-                     element("p", "", evidence_of(judged))) +
+  return element(
+             "details",
+             id_attribute(claim) +
+                 (judged.verdict == Verdict::confirmed ? "" : " class=\"" + class_of(judged.verdict) + "\""),
+             element("summary", "",
+                     html::text(claim.says) + " <small>" + std::to_string(claim.line) + "</small>") +
+                 element("p", "", evidence_of(judged))) +
          "\n";
 }
 

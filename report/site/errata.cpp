@@ -57,12 +57,17 @@ bool is_listed(const JudgedClaim& c) {
   return c.verdict == Verdict::erratum || c.verdict == Verdict::misprint;
 }
 
+/// What the solution says, and what of it is wrong as printed where that is not plain.
+std::string printed_text(const Claim& claim) {
+  const bool told = claim.says.find(claim.printed.text) != std::string::npos;
+  return html::text(claim.says) + (told ? "" : " <b>" + html::text(claim.printed.text) + "</b>");
+}
+
 std::string sheet_row(const JudgedClaim& judged, const ExerciseResult& e) {
   const std::string to = to_string(e.number) + ".html#" + claim_anchor_of(judged.claim);
   return "<tr class=\"" + std::string(name_of(judged.verdict)) + "\">" +
          element("th", " scope=\"row\"", html::link(to, std::to_string(judged.claim.line))) +
-         element("td", "", html::text(judged.claim.says)) +
-         element("td", "", html::text(judged.claim.printed.text)) +
+         element("td", "", printed_text(judged.claim)) +
          element("td", "", html::text(right_reading(judged).text)) + "</tr>\n";
 }
 
@@ -71,7 +76,7 @@ std::string sheet_of(const ExerciseResult& e) {
   for (const JudgedClaim& c : e.claims)
     if (is_listed(c)) rows += sheet_row(c, e);
   if (rows.empty()) return "";
-  return "<tbody>\n<tr class=\"exercise\"><th colspan=\"4\" scope=\"rowgroup\">" + to_string(e.number) + " " +
+  return "<tbody>\n<tr class=\"exercise\"><th colspan=\"3\" scope=\"rowgroup\">" + to_string(e.number) + " " +
          html::escaped(e.title) + "</th></tr>\n" + rows + "</tbody>\n";
 }
 
@@ -154,12 +159,12 @@ std::string errata_page(const Results& results) {
       if (e.number.chapter == chapter.number) groups += sheet_of(e);
     if (groups.empty()) continue;
     const std::string title = std::to_string(chapter.number) + ". " + html::escaped(chapter.title);
-    chapters_text += "<section>\n" + element("h2", "", title) +
-                     "\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + title +
-                     "\"><table class=\"sheet\">" + element("caption", "", title) +
-                     "<thead><tr><th scope=\"col\">line</th><th scope=\"col\">the solution says</th><th "
-                     "scope=\"col\">printed</th><th scope=\"col\">right</th></tr></thead>\n" +
-                     groups + "</table></div>\n</section>\n";
+    chapters_text +=
+        "<section>\n" + element("h2", "", title) +
+        "\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + title +
+        "\"><table class=\"sheet\">" + element("caption", "", title) +
+        "<thead><tr><th scope=\"col\">line</th><th scope=\"col\">the solution says</th><th scope=\"col\">right</th></tr></thead>\n" +
+        groups + "</table></div>\n</section>\n";
   }
   return html::whole(
       {"Errata sheet - oddity",

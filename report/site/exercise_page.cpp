@@ -21,7 +21,9 @@ std::string page_of(const ExerciseResult& e) { return to_string(e.number) + ".ht
 
 std::string setup_drawing(const ExerciseResult& e) {
   const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
-  const std::string svg = entry == registry().end() ? "" : setup_svg(*entry);
+  std::string svg = entry == registry().end() ? "" : setup_svg(*entry);
+  const std::size_t style = svg.find("<style>"), end = svg.find("</style>");
+  if (end != std::string::npos) svg.erase(style, end + 9 - style);  // the page has it
   return svg.empty() ? "" : element("figure", " class=\"setup\"", svg.substr(svg.find("<svg"))) + "\n";
 }
 
@@ -112,15 +114,14 @@ std::string exercise_page(const Results& results, const ExerciseResult& e) {
                      element("p", " class=\"asks\"", html::prose(e.asks)) + "\n";
   if (!e.failure.empty())
     head += element("p", " class=\"failure\"", "The study failed: " + html::escaped(e.failure));
-  return html::whole({number + " " + e.title + " - oddity",
-                      neighbours(results, e) +
-                          element("header", " class=\"title\"",
-                                  "<div>" + head + "</div>\n" + "<div class=\"given\">" + drawing +
-                                      letters_of(e) + "</div>") +
-                          "\n" + sections_of(sections) + sections + neighbours(results, e),
-                      {"data/" + number + ".js", "assets/engine.js", "assets/stage.js", "assets/player.js",
-                       "assets/chart.js", "assets/map.js"},
-                      "exercise"});
+  return html::whole(
+      {number + " " + e.title + " - oddity",
+       neighbours(results, e) +
+           element("header", " class=\"title\"", "<div>" + head + letters_of(e) + "</div>\n" + drawing) +
+           "\n" + sections_of(sections) + sections + neighbours(results, e),
+       {"data/" + number + ".js", "assets/engine.js", "assets/stage.js", "assets/player.js",
+        "assets/chart.js", "assets/map.js"},
+       "exercise"});
 }
 
 }  // namespace oddity

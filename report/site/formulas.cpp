@@ -67,6 +67,7 @@ function plain(node) {
       delete attributes.mathvariant;
     }
     if (variant === 'normal' && !/^[A-Za-zΑ-Ωα-ω∂∇ℓ]$/.test(text)) delete attributes.mathvariant;
+    if (attributes.mathvariant === 'normal') return { tag: 'mtext', attributes: {}, text };
     delete attributes.separator;
     if (node.type === 'mo' && String(attributes.stretchy) === 'false' && Object.keys(attributes).length === 1)
       return { tag: 'mi', attributes: {}, text };
@@ -94,9 +95,22 @@ function operators(nodes) {
   return children;
 }
 
+// What stands upright without a space about it; neighbours are one.
+const upright = (node) => node.tag === 'mtext' || (node.tag === 'mi' && /^[()[\]\/|‖!′⟨⟩]+$/.test(node.text));
+function joined(nodes) {
+  const all = [];
+  for (const node of nodes) {
+    const last = all[all.length - 1];
+    if (last && upright(last) && upright(node)) all[all.length - 1] = { tag: 'mtext', attributes: {}, text: last.text + node.text };
+    else all.push(node);
+  }
+  return all;
+}
+
 function written(node) {
   const attributes = Object.entries(node.attributes).map(([name, value]) => ` ${name}="${safe(String(value))}"`).join('');
-  const inside = node.children ? node.children.map(written).join('') : safe(node.text);
+  const children = node.tag === 'mrow' || node.tag === 'msqrt' ? joined(node.children) : node.children;
+  const inside = children ? children.map(written).join('') : safe(node.text);
   return `<${node.tag}${attributes}>${inside}</${node.tag}>`;
 }
 
@@ -132,7 +146,7 @@ function typeset(tex) {
   const root = plain({ type: 'mrow', children: math.children });
   const nodes = root.tag === 'mrow' ? operators(root.children) : [root];
   const parts = width(root) > 16 ? pieces(nodes, 12) : [nodes];
-  return parts.map((part) => '<math>' + part.map(written).join('') + '</math>').join('');
+  return parts.map((part) => '<math>' + joined(part).map(written).join('') + '</math>').join('');
 }
 
 const all = JSON.parse(fs.readFileSync(0, 'utf8')).map((tex) => {

@@ -131,8 +131,8 @@ std::string what_is_wrong(const Results& results) {
   }
   if (cards.empty()) return "";
   std::ranges::stable_sort(cards, std::ranges::greater(), &Card::broken);
-  std::string text;
-  for (const Card& card : cards) text += card.text;
+  std::string breaking, others;
+  for (const Card& card : cards) (card.broken > 0 ? breaking : others) += card.text;
   const Tally all = tally_of(results);
   return "<section id=\"wrong\">\n<h2>What is wrong in the book</h2>\n<p>" +
          counted(all.errata, "erratum", "errata") + " from " + counted(roots, "root", "roots") +
@@ -141,7 +141,7 @@ std::string what_is_wrong(const Results& results) {
          " with its exercise, and all are on the <a href=\"errata.html\">errata sheet</a>, to print and lay into the "
          "book; for programs there is <a href=\"errata.json\">errata.json</a>.</p>\n"
          "<p class=\"stop\"><button type=\"button\" hidden>Stop the pictures</button></p>\n<div class=\"cards\">\n" +
-         text + "</div>\n</section>\n";
+         breaking + "</div>\n<div class=\"cards\">\n" + others + "</div>\n</section>\n";
 }
 
 // ---- what it means for games

@@ -40,13 +40,13 @@ Film film_of(const Path& path, const Trajectory& t, const Entry& entry, std::siz
 
 bool is_shown(Kind kind) {
   return kind == Kind::body || kind == Kind::rod || kind == Kind::rope || kind == Kind::spring ||
-         kind == Kind::track || kind == Kind::disc || kind == Kind::plate || kind == Kind::support;
+         kind == Kind::track || kind == Kind::disc || kind == Kind::plate;
 }
 
 /// From the scene's lengths to the picture's.
 class View {
  public:
-  static constexpr double side = 160, margin = 8;
+  static constexpr double side = 320, margin = 16;
 
   explicit View(const Film& film) : camera_(film.front().is_in_space()) {
     for (const Drawing& drawing : film) box_.add(camera_.extent(drawing));
@@ -66,12 +66,15 @@ class View {
   double scale_ = 1;
 };
 
-std::string tenth(double x) { return rounded(std::round(std::clamp(x, -999.0, 999.0) * 10) / 10, 5); }
-std::string pair(Spot s) { return tenth(s.x) + "," + tenth(s.y); }
+std::string pixels(double x) { return rounded(std::round(std::clamp(x, -999.0, 999.0)), 3); }
+std::string pair(Spot s) { return pixels(s.x) + "," + pixels(s.y); }
 
 std::string points_text(const Drawing::Primitive& p, const View& view, const Drawing& drawing) {
   std::string text;
-  for (const Place& place : p.points) text += (text.empty() ? "" : " ") + pair(view(place, drawing));
+  constexpr std::size_t most = 12;  // of a rope or a curve
+  const std::size_t last = p.points.size() - 1, count = std::min(most, last);
+  for (std::size_t i = 0; i <= count; ++i)
+    text += (i == 0 ? "" : " ") + pair(view(p.points[count == 0 ? 0 : i * last / count], drawing));
   return text;
 }
 
@@ -101,19 +104,18 @@ std::string shape(const std::string& tag, const std::string& still, std::vector<
 std::string primitive_text(const Film& film, std::size_t which, const View& view, double seconds) {
   const auto& first = film.front().primitives()[which];
   const auto still = [](const std::string& name) { return " class=\"" + name + "\""; };
-  if (first.kind == Kind::body || first.kind == Kind::disc || first.kind == Kind::support) {
+  if (first.kind == Kind::body || first.kind == Kind::disc) {
     Moving x{"cx"}, y{"cy"};
     for (const Drawing& drawing : film) {
       const Spot s = view(drawing.primitives()[which].points.front(), drawing);
-      x.values.push_back(tenth(s.x)), y.values.push_back(tenth(s.y));
+      x.values.push_back(pixels(s.x)), y.values.push_back(pixels(s.y));
     }
-    const double radius = first.kind == Kind::disc      ? view.scale() * first.size
-                          : first.kind == Kind::support ? 2.5
-                                                        : std::clamp(view.scale() * first.size, 3.0, 9.0);
+    const double size = view.scale() * first.size,
+                 radius = first.kind == Kind::disc ? size : std::clamp(size, 7.0, 18.0);
     const std::string name = first.kind == Kind::body   ? "body"
                              : first.kind == Kind::disc ? "disc"
                                                         : "support";
-    return shape("circle", still(name) + " r=\"" + tenth(radius) + "\"", {x, y}, seconds);
+    return shape("circle", still(name) + " r=\"" + pixels(radius) + "\"", {x, y}, seconds);
   }
   Moving points{"points"};
   for (const Drawing& drawing : film)
@@ -130,7 +132,7 @@ std::string layer_text(const Film& film, const View& view, double seconds, bool 
   std::string text;
   for (std::size_t i = 0; i < film.front().primitives().size(); ++i) {
     const Kind kind = film.front().primitives()[i].kind;
-    const bool stands = kind == Kind::track || kind == Kind::support;
+    const bool stands = kind == Kind::track;
     const bool always = std::ranges::all_of(film, [&](const Drawing& drawing) {
       return i < drawing.primitives().size() && drawing.primitives()[i].kind == kind;
     });
@@ -147,7 +149,7 @@ void prolong(Film& film, std::size_t frames) {
 }  // namespace
 
 std::string moving_picture(const ExerciseResult& e) {
-  constexpr std::size_t frames = 48;
+  constexpr std::size_t frames = 40;
   const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
   const Path* published = published_path(e);
   if (!published || entry == registry().end() || !entry->exercise.scene || !entry->exercise.scene->draw)
@@ -159,12 +161,13 @@ std::string moving_picture(const ExerciseResult& e) {
   const View view(truth);
   prolong(truth, frames), prolong(wrong, frames);
   const double seconds = std::clamp(t.times.back(), 4.0, 10.0);
-  return "<figure class=\"thumb\"><svg viewBox=\"0 0 160 160\" role=\"img\" aria-label=\"" +
+  return "<figure class=\"thumb\"><svg viewBox=\"0 0 320 320\" role=\"img\" aria-label=\"" +
          html::escaped("The motion of the published version, " + published->model + ", beside the true one") +
          "\">" + element("g", " class=\"still\"", layer_text(truth, view, seconds, true)) +
          element("g", " class=\"truth\"", layer_text(truth, view, seconds, false)) +
          element("g", " class=\"published\"", layer_text(wrong, view, seconds, false)) +
-         "</svg><figcaption><span class=\"truth\">true</span> <span class=\"published\">published</span></figcaption></figure>\n";
+         "</svg><figcaption><span class=\"truth\">true</span> <span class=\"published\">" +
+         html::escaped(published->model) + "</span></figcaption></figure>\n";
 }
 
 }  // namespace oddity

@@ -45,7 +45,7 @@ std::string head_of(const Page& page) {
   for (const EmbeddedFile& file : embedded_assets())
     if (file.path.ends_with(".css"))
       head += "<link rel=\"stylesheet\" href=\"assets/" + std::string(file.path) + "\">\n";
-  return head + "</head>\n";
+  return head + "<link rel=\"stylesheet\" href=\"assets/drawing.css\">\n</head>\n";
 }
 
 constexpr std::string_view banner =

@@ -51,9 +51,8 @@ std::string play_button(const QuantityResult& q, const TimedTrial& t) {
 std::string trial_text(const std::string& what, const QuantityResult& q, const TimedTrial& t) {
   return element("li", "",
                  "<b>" + what + "</b> " + html::escaped(t.model + ", " + t.algorithm) + setting_text(t) +
-                     ": <b class=\"outcome " + html::anchor(name_of(t.outcome)) + "\">" +
-                     std::string(name_of(t.outcome)) + "</b>, error " + short_error(t.error) + ", " +
-                     counted(t.evaluations, "evaluation", "evaluations") + play_button(q, t));
+                     ": <i>" + std::string(name_of(t.outcome)) + "</i>, error " + short_error(t.error) +
+                     ", " + counted(t.evaluations, "evaluation", "evaluations") + play_button(q, t));
 }
 
 std::string breakdown_text_of(const QuantityResult& q, const BreakdownResult& b) {

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "reference/files.hpp"
+#include "report/charts/drawing.hpp"
 #include "report/site/data.hpp"
 #include "report/site/errata.hpp"
 #include "report/site/exercise_page.hpp"
@@ -42,6 +43,7 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
   write_whole(folder / "data" / "search.js", search_index(results));
   for (const EmbeddedFile& asset : embedded_assets())
     write_whole(folder / "assets" / asset.path, std::string(asset.text));
+  write_whole(folder / "assets" / "drawing.css", std::string(drawing_style()));
   write_whole(folder / "assets" / "models.js", module_script());
   return folder / "index.html";
 }
