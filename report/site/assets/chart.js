@@ -255,7 +255,7 @@
   }
 
   function findingOfWork(quantity, methods, axis) {
-    const needed = inUnit(quantity.need, quantity.unit);
+    const needed = quantity.asked || inUnit(quantity.need, quantity.unit);
     const least = cheapest(methods, axis, quantity.need);
     if (!least) {
       const points = methods.flatMap((m) => m.points).filter(usable);
@@ -457,7 +457,9 @@
       : steps ? ' of the right-hand side' : nodes ? ' of the integrand' : '');
   }
 
-  /** A chart in a figure. `context`: styles, outcomes, timeUnit, game: {error, says} or null, plays: clicks play. */
+  /** A chart in a figure. `context`: styles, outcomes, timeUnit, close: [{error, says}], what a
+   *  game asks in each unit, game: the same in one or null, plays: clicks play, floats: those in float are on,
+   *  chosen: a method that is always in colour. */
   function chart(figure, quantity, context) {
     const all = methodsOf(quantity, context.styles);
     const shown = filter();
@@ -475,7 +477,8 @@
       const methods = left(all, shown);
       const found = finding(quantity, methods, view.axis, context.game);
       title.textContent = found.says;
-      const drawing = view.axis ? workPrecision(quantity, methods, found.of, view, context, plot.clientWidth)
+      const chosen = methods.filter((m) => context.chosen && isOf(m.points[0], context.chosen));
+      const drawing = view.axis ? workPrecision(quantity, methods, chosen.concat(found.of), view, context, plot.clientWidth)
         : rows(quantity, methods, view, context, plot.clientWidth);
 
       spots = drawing.spots;
@@ -766,7 +769,8 @@
         : { left: box.right + 6, right: box.right + 6 + wide, top: height - 7, bottom: height + 7 });
     };
     if (quantity.need > 0)
-      across(quantity.need, 'need', 'needed: ' + inUnit(quantity.need, quantity.unit.length > 6 ? '' : quantity.unit));
+      across(quantity.need, 'need', quantity.asked ? 'asked: ' + quantity.asked
+        : 'needed: ' + inUnit(quantity.need, quantity.unit.length > 6 ? '' : quantity.unit));
     for (const { error, says } of context.close || []) across(error, 'close', 'for a game: ' + says);
     if (at.floored) across(quantity.floor, 'floor', narrow ? 'truth known to here' : 'truth known');
     return group;
