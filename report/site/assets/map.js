@@ -3,7 +3,7 @@
 (function (oddity) {
   'use strict';
 
-  const { number, element, svg, inUnit, play, said, needOfGame } = oddity.charts;
+  const { number, element, svg, inUnit, play, said, needOfGame, whenNear } = oddity.charts;
 
   /** How far down a panel theory's limit lies, in rows from the top: steps fall by a constant factor. */
   function border(theory, steps) {
@@ -179,7 +179,7 @@
 
   function start() {
     if (!oddity.data || !oddity.data.stability || !oddity.data.scene) return;
-    for (const figure of document.querySelectorAll('figure.map')) show(figure, oddity.data);
+    for (const figure of document.querySelectorAll('figure.map')) whenNear(figure, () => show(figure, oddity.data));
   }
 
   oddity.map = { border, borderPath, longestOk, finding };
