@@ -47,6 +47,7 @@
 
   /** Of algorithms that integrate a motion, in the order of their colours. */
   const families = ['closed form', 'explicit steps', 'partitioned', 'step control', 'extrapolation', 'multistep', 'implicit'];
+  const familyOf = (name) => (families.includes(name) ? families.indexOf(name) : families.length);
   const colourOf = (m, by) => `var(--${by}-${m.colours[by]})`;
 
   const failures = new Set(['X', 'N', 'S', 'R', 'C', 'G']);
@@ -59,7 +60,7 @@
       const method = {
         model: m.model, algorithm: m.algorithm, precision: m.precision, knob: m.knob, index,
         family: styles.families[m.algorithm] || m.algorithm,
-        colours: { model: (styles.colours[m.model] || 0) % 11, family: Math.max(0, families.indexOf(styles.families[m.algorithm])) },
+        colours: { model: (styles.colours[m.model] || 0) % 11, family: familyOf(styles.families[m.algorithm]) },
         mark: styles.marks[m.algorithm] || 0,
       };
       method.points = m.trials.map(([setting, error, evaluations, ns, spread, outcome], place) =>
@@ -770,16 +771,18 @@
       const height = y(value);
       if (!(height >= box.top && height <= box.bottom)) return;
       line({ class: 'level ' + kind }, `M${box.left},${height.toFixed(1)}H${box.right}`);
-      text(says, narrow ? { x: box.right - 3, y: height - 4, 'text-anchor': 'end', class: 'level-name' }
-        : { x: box.right + 6, y: height + 4, class: 'level-name' });
       const wide = widthOf(says, '11px ' + context.font());
-      obstacles.push(narrow ? { left: box.right - 3 - wide, right: box.right, top: height - 16, bottom: height }
-        : { left: box.right + 6, right: box.right + 6 + wide, top: height - 7, bottom: height + 7 });
+      const name = narrow ? { left: box.right - 3 - wide, right: box.right - 3, top: height - 15, bottom: height - 1 }
+        : { left: box.right + 6, right: box.right + 6 + wide, top: height - 7, bottom: height + 7 };
+      for (const other of obstacles)
+        if (overlap(name, other)) [name.top, name.bottom] = [other.bottom, other.bottom + 14];
+      text(says, { x: name.left, y: name.bottom - 3, class: 'level-name' });
+      obstacles.push(name);
     };
     if (quantity.need > 0)
       across(quantity.need, 'need', quantity.asked ? 'asked: ' + quantity.asked
         : 'needed: ' + inUnit(quantity.need, quantity.unit.length > 6 ? '' : quantity.unit));
-    for (const { error, says } of context.close || []) across(error, 'close', 'for a game: ' + says);
+    for (const { error, says } of [...(context.close || [])].sort((a, b) => b.error - a.error)) across(error, 'close', 'for a game: ' + says);
     if (at.floored) across(quantity.floor, 'floor', narrow ? 'truth known to here' : 'truth known');
     return group;
   }
@@ -830,7 +833,8 @@
       { x: (box.left + box.right) / 2, y: box.bottom + 36, 'text-anchor': 'middle', class: 'name' });
     if (quantity.need > 0) {
       back.append(svg('path', { class: 'level need', d: `M${x(quantity.need).toFixed(1)},${box.top - 6}V${box.bottom}` }));
-      text('needed: ' + inUnit(quantity.need, quantity.unit), { x: x(quantity.need), y: box.top - 10, 'text-anchor': 'middle', class: 'level-name' });
+      const says = 'needed: ' + inUnit(quantity.need, quantity.unit), half = widthOf(says, '11px ' + context.font()) / 2;
+      text(says, { x: Math.min(x(quantity.need), width - half - 2), y: box.top - 10, 'text-anchor': 'middle', class: 'level-name' });
     }
     picture.append(back);
     const spots = [];
