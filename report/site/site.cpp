@@ -20,12 +20,13 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
   html::typeset(pages);
   for (const auto& [name, text] : pages) write_whole(folder / name, text);
   const Styles styles(results);
+  const auto models = module_script();
   for (const ExerciseResult& e : results.exercises)
-    write_whole(folder / "data" / (to_string(e.number) + ".js"), exercise_data(e, truth, styles));
+    write_whole(folder / "data" / (to_string(e.number) + ".js"), exercise_data(e, truth, styles, !models));
   write_whole(folder / "data" / "scenes.js", scenes_data(results, styles));
   for (const EmbeddedFile& asset : embedded_assets())
     write_whole(folder / "assets" / asset.path, std::string(asset.text));
-  if (const auto models = module_script()) write_whole(folder / "assets" / "models.js", *models);
+  if (models) write_whole(folder / "assets" / "models.js", *models);
   return folder / "index.html";
 }
 
