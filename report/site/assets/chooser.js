@@ -371,7 +371,7 @@
       if (better && mine !== chosen) methods.set(key, row);
     }
     const rows = [...methods.values()].sort((a, b) => (b.holds - a.holds) || (a.holds ? a.seconds - b.seconds : a.error - b.error));
-    const head = ['model', 'algorithm', 'setting', 'error', 'evaluations a frame', 'time a frame', ''];
+    const head = ['model', 'algorithm', 'setting', 'error', 'evaluations a frame', 'time a frame', 'outcome'];
     const body = element('tbody', {}, ...rows.map((r) => element('tr', { class: r === chosen ? 'lit' : undefined },
       element('th', { scope: 'row' }, r.model), element('td', {}, r.algorithm + (r.precision === 'float' ? ' in float' : '')),
       element('td', {}, settingOf(r, state.fps)), element('td', { class: 'number' }, errorIn(r.errors, state)),
