@@ -48,7 +48,7 @@ Json argument(const std::string& function, const std::string& script) {
 }
 
 Json written(const ExerciseResult& e) {
-  return argument("exercise", exercise_data(e, known(), Styles(results())));
+  return argument("exercise", exercise_data(e, known(), Styles(results()), true));
 }
 
 std::string bytes_of(std::string text) {
@@ -147,6 +147,32 @@ TEST_CASE("A recorded motion is the one that was run, to one part in 65535 of it
   }
 }
 
+TEST_CASE("Without models the motions are drawn: the bob is where its angle says", "[site]") {
+  const Json drawn = written(pendulum())["scene"]["drawn"];
+  CHECK(drawn["space"] == false);
+  std::size_t at = 0;  // the first coordinate of the bob
+  for (const Json& thing : drawn["things"]) {
+    if (thing["kind"] == "body") break;
+    at += 2 * thing["points"].get<std::size_t>();
+  }
+  const std::vector<std::size_t> moving = drawn["moving"];
+  const auto x = static_cast<std::size_t>(std::ranges::find(moving, at) - moving.begin());
+  REQUIRE(x + 1 < moving.size());
+  const double least = drawn["least"], most = drawn["most"];
+  const std::string bytes = bytes_of(drawn["truth"]);
+  const std::vector<float> angles = floats(written(pendulum())["scene"]["truth"]["values"]);
+  REQUIRE(bytes.size() == 2 * moving.size() * angles.size());
+  for (std::size_t frame = 0; frame < angles.size(); ++frame) {
+    const auto coordinate = [&](std::size_t i) {
+      return least + (most - least) * number_at(bytes, 2 * (frame * moving.size() + i), 2) / 65535;
+    };
+    CHECK(std::abs(coordinate(x) - std::sin(angles[frame])) < (most - least) / 60000);
+    CHECK(std::abs(coordinate(x + 1) + std::cos(angles[frame])) < (most - least) / 60000);
+  }
+  CHECK(!argument("exercise", exercise_data(pendulum(), known(), Styles(results()), false))["scene"].contains(
+      "drawn"));
+}
+
 TEST_CASE("A map has a list of letters for each value of the parameter", "[site]") {
   const Json stability = written(pendulum())["stability"];
   const Stability& s = *pendulum().stability;
@@ -165,7 +191,7 @@ TEST_CASE("A map has a list of letters for each value of the parameter", "[site]
 TEST_CASE("No text ends the script that it stands in", "[site]") {
   ExerciseResult e = results().exercises.back();
   e.title = "</script><script>alert(1)</script><!--<script>\u2028\u2029\"'\\\n";
-  const std::string script = exercise_data(e, known(), Styles(results()));
+  const std::string script = exercise_data(e, known(), Styles(results()), true);
   for (const char* wrong : {"</", "<!--", "\u2028", "\u2029"}) CHECK(script.find(wrong) == std::string::npos);
   CHECK(std::ranges::count(script, '\n') == 1);
   const Json data = argument("exercise", script);

@@ -19,6 +19,12 @@
 //     paths      [{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]: recorded
 //                motions, from frame 1 on as far as they come; values are whole numbers of 16 bits, least
 //                byte first, in base64, from 0 for the observable's `least` to 65535 for its `most`
+//     drawn      where the page has no models to draw by, of a scene that says how it looks: {space, things:
+//     [{kind,
+//                size, letter, trail, points: how many}], still, moving, least, most, truth, paths}; the
+//                places of the things' points, one after the other, x, y and in space z, are `still` but for
+//                those at the indices `moving`; these are in `truth` from frame 0 on and in each of `paths`,
+//                written as values of paths are, between `least` and `most`
 //   stability    null, or {limits: [{model, algorithm, shown, stable, unstable, theory, within, tongues:
 //                [[from, to]]}], parameter, unit, steps: [step], map: [{model, algorithm, rows: [[value,
 //                theory, outcomes], ...]}]}; `shown` is the largest stable step in words; a theory of null
@@ -36,7 +42,9 @@
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "chapters/drawing.hpp"
 #include "chapters/scene.hpp"
 #include "report/charts/chart.hpp"
 #include "report/site/script.hpp"
@@ -181,12 +189,19 @@ Value start_of(const Scene& scene, const Parameters& parameters, const Path& tru
   throw std::logic_error("the motion has no method '" + truest.model + ", " + truest.algorithm + "'");
 }
 
-Json truth_of(const Scene& scene, const Parameters& parameters, const Path& truest, const Reference& truth) {
+/// The true observables at frame 0, 1, ..., one time after the other.
+std::vector<double> true_motion(const Scene& scene, const Parameters& parameters, const Path& truest,
+                                const Reference& truth) {
   const Quantity seen = motion(scene, parameters, frames_of(scene), truth.to_digits(14));
   const Value start = start_of(scene, parameters, truest);
   std::vector<double> all(start.begin(), start.end());
   all.insert(all.end(), seen.reference.value.begin(), seen.reference.value.end());
-  return {{"end", scene.horizon}, {"frames", all.size() / start.size() - 1}, {"values", as_floats(all)}};
+  return all;
+}
+
+/// From 0 for the least to 65535 for the most.
+std::uint32_t quantized(double x, double least, double most) {
+  return most > least ? static_cast<std::uint32_t>(std::lround(65535 * (x - least) / (most - least))) : 0;
 }
 
 /// A recorded motion, for the eye.
@@ -197,16 +212,130 @@ Json from(const Path& path, std::size_t observables, std::size_t frames) {
     most[i % observables] = std::max(most[i % observables], path.value[i]);
   }
   std::string bytes;
-  for (std::size_t i = 0; i < path.value.size(); ++i) {
-    const double from = least[i % observables], over = most[i % observables] - from;
-    append(bytes,
-           over > 0 ? static_cast<std::uint32_t>(std::lround(65535 * (path.value[i] - from) / over)) : 0, 2);
-  }
+  for (std::size_t i = 0; i < path.value.size(); ++i)
+    append(bytes, quantized(path.value[i], least[i % observables], most[i % observables]), 2);
   return {{"model", path.model},       {"algorithm", path.algorithm},  {"knob", path.knob},
           {"setting", path.setting},   {"error", brief(path.error)},   {"outcome", letter(path.outcome)},
           {"frames", frames},          {"least", brief_all(least, 6)}, {"most", brief_all(most, 6)},
           {"values", in_base64(bytes)}};
 }
+
+// ---- how it looks -----------------------------------------------------------------------------------------
+
+std::string_view name_of(Drawing::Kind kind) {
+  using enum Drawing::Kind;
+  switch (kind) {
+    case body:
+      return "body";
+    case rod:
+      return "rod";
+    case spring:
+      return "spring";
+    case rope:
+      return "rope";
+    case track:
+      return "track";
+    case disc:
+      return "disc";
+    case plate:
+      return "plate";
+    case support:
+      return "support";
+    case axis:
+      return "axis";
+    case arrow:
+      return "arrow";
+    case angle:
+      return "angle";
+    case length:
+      return "length";
+    case label:
+      return "label";
+  }
+  return "";
+}
+
+Json things_of(const Drawing& drawing) {
+  Json things = Json::array();
+  for (const Drawing::Primitive& p : drawing.primitives())
+    things.push_back({{"kind", name_of(p.kind)},
+                      {"size", brief(p.size)},
+                      {"letter", p.letter},
+                      {"trail", p.leaves_trail},
+                      {"points", p.points.size()}});
+  return things;
+}
+
+std::vector<double> coordinates_of(const Drawing& drawing) {
+  std::vector<double> all;
+  for (const Drawing::Primitive& p : drawing.primitives())
+    for (const Place& place : p.points) {
+      all.insert(all.end(), {place.x, place.y});
+      if (drawing.is_in_space()) all.push_back(place.z);
+    }
+  return all;
+}
+
+/// A motion's coordinates, frame by frame.
+using Frames = std::vector<std::vector<double>>;
+
+Frames frames_of(const Scene& scene, const Parameters& parameters, std::span<const double> motion,
+                 double first_time, double frame) {
+  const std::size_t parts = scene.axes.observables.size();
+  Frames frames;
+  for (std::size_t at = 0; at + parts <= motion.size(); at += parts) {
+    Drawing drawing;
+    const double t = first_time + static_cast<double>(at / parts) * frame;
+    scene.draw(parameters, t, motion.subspan(at, parts), drawing);
+    frames.push_back(coordinates_of(drawing));
+  }
+  return frames;
+}
+
+/// None where the scene does not say how it looks, or looks otherwise from frame to frame.
+Json drawn_of(const Scene& scene, const Parameters& parameters, const Trajectory& shown,
+              const std::vector<double>& truth) {
+  if (!scene.draw) return nullptr;
+  const std::size_t parts = scene.axes.observables.size();
+  const auto each = [&](std::size_t count) { return scene.horizon / static_cast<double>(count); };
+  std::vector<Frames> motions{frames_of(scene, parameters, truth, 0, each(truth.size() / parts - 1))};
+  for (const Path& path : shown.paths) {
+    const std::vector<double> values(path.value.begin(), path.value.end());
+    const double frame = each(shown.times.size());
+    motions.push_back(frames_of(scene, parameters, values, frame, frame));
+  }
+  const std::vector<double>& still = motions[0][0];
+  std::set<std::size_t> moving;
+  double least = INFINITY, most = -INFINITY;
+  for (const Frames& motion : motions)
+    for (const std::vector<double>& frame : motion) {
+      if (frame.size() != still.size()) return nullptr;
+      for (std::size_t i = 0; i < frame.size(); ++i)
+        if (frame[i] != still[i]) moving.insert(i);
+    }
+  for (const std::vector<double>& frame : motions[0])
+    for (std::size_t i : moving) least = std::min(least, frame[i]), most = std::max(most, frame[i]);
+  const double beyond = most - least;  // where a path leaves the picture it stays at the edge
+  least -= beyond, most += beyond;
+  std::vector<std::string> written;
+  for (const Frames& motion : motions) {
+    std::string bytes;
+    for (const std::vector<double>& frame : motion)
+      for (std::size_t i : moving)
+        append(bytes,
+               quantized(std::isfinite(frame[i]) ? std::clamp(frame[i], least, most) : least, least, most),
+               2);
+    written.push_back(in_base64(bytes));
+  }
+  Drawing first;
+  scene.draw(parameters, 0, std::span(truth).first(parts), first);
+  return {{"space", first.is_in_space()}, {"things", things_of(first)},
+          {"still", brief_all(still, 6)}, {"moving", moving},
+          {"least", brief(least, 6)},     {"most", brief(most, 6)},
+          {"truth", written.front()},     {"paths", std::vector(written.begin() + 1, written.end())}};
+}
+
+// ---- a scene ----------------------------------------------------------------------------------------------
 
 Json close_of(const Scene& scene) {
   Json close = Json::object();
@@ -250,24 +379,31 @@ Json exact_models(const Trajectory& shown) {
   return names;
 }
 
-Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& truth) {
+Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& truth, bool drawn) {
   const auto moving = motion_of(e);
   if (!entry.exercise.scene || moving == e.quantities.end()) return nullptr;
   const Scene& scene = *entry.exercise.scene;
   const Trajectory& shown = *moving->trajectory;
+  const Parameters parameters(entry.exercise.parameters);
+  const std::vector<double> moved = true_motion(scene, parameters, shown.paths[shown.truest], truth);
   Json paths = Json::array();
   for (const Path& path : shown.paths)
     paths.push_back(from(path, scene.axes.observables.size(), shown.times.size()));
-  return {{"quantity", moving - e.quantities.begin()},
-          {"horizon", scene.horizon},
-          {"time_unit", scene.axes.time},
-          {"close", close_of(scene)},
-          {"observables", scene.axes.observables},
-          {"norms", norms_of(scene)},
-          {"varied", scene.varied},
-          {"over", scene.over},
-          {"truth", truth_of(scene, Parameters(entry.exercise.parameters), shown.paths[shown.truest], truth)},
-          {"paths", paths}};
+  Json json{{"quantity", moving - e.quantities.begin()},
+            {"horizon", scene.horizon},
+            {"time_unit", scene.axes.time},
+            {"close", close_of(scene)},
+            {"observables", scene.axes.observables},
+            {"norms", norms_of(scene)},
+            {"varied", scene.varied},
+            {"over", scene.over},
+            {"truth",
+             {{"end", scene.horizon},
+              {"frames", moved.size() / scene.axes.observables.size() - 1},
+              {"values", as_floats(moved)}}},
+            {"paths", paths}};
+  if (drawn) json["drawn"] = drawn_of(scene, parameters, shown, moved);
+  return json;
 }
 
 Json from(const Limit& limit) {
@@ -320,7 +456,7 @@ Json from(const std::optional<Ledger>& ledger) {
 
 }  // namespace
 
-std::string exercise_data(const ExerciseResult& e, const Reference& truth, const Styles& styles) {
+std::string exercise_data(const ExerciseResult& e, const Reference& truth, const Styles& styles, bool drawn) {
   const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
   Json quantities = Json::array();
   for (const QuantityResult& q : e.quantities) quantities.push_back(from(q));
@@ -330,7 +466,7 @@ std::string exercise_data(const ExerciseResult& e, const Reference& truth, const
                            {"parameters", parameters_of(*entry)},
                            {"styles", styles_of(e.quantities, styles)},
                            {"quantities", quantities},
-                           {"scene", scene_of(e, *entry, truth)},
+                           {"scene", scene_of(e, *entry, truth, drawn)},
                            {"stability", from(e.stability)},
                            {"least", from(e.ledger)}});
 }

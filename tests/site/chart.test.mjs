@@ -5,13 +5,13 @@ import { test } from 'node:test';
 import { createContext, runInContext } from 'node:vm';
 
 function loaded(...files) {
-  const context = createContext({ window: {}, URLSearchParams, performance, console });
+  const context = createContext({ window: {}, URLSearchParams, performance, console, atob });
   for (const file of files)
     runInContext(readFileSync(new URL('../../report/site/assets/' + file, import.meta.url), 'utf8'), context);
   return context.window.oddity;
 }
 
-const { charts, trials, map, choosing } = loaded('chart.js', 'trials.js', 'map.js', 'chooser.js');
+const { charts, trials, map, choosing, drawn } = loaded('chart.js', 'trials.js', 'map.js', 'chooser.js', 'drawn.js');
 const plain = (x) => JSON.parse(JSON.stringify(x));
 
 const styles = { colours: { exact: 0, simple: 1 }, marks: {}, families: { 'explicit Euler': 'explicit steps', 'velocity Verlet': 'partitioned',
@@ -220,4 +220,15 @@ test('the search judges by the finest run and finds what holds', () => {
   const euler = found.rows.filter((r) => r.algorithm === 'explicit Euler');
   assert.equal(euler[0].holds, false);
   assert.equal(euler[euler.length - 1].error <= 1 / 3, true);
+});
+
+test('recorded drawings move what moves and leave what stands', () => {
+  const things = [{ kind: 'support', size: 0, letter: '', trail: false, points: 1 }, { kind: 'body', size: 0.1, letter: 'm', trail: true, points: 1 }];
+  const path = Buffer.from([0, 0, 0xff, 0xff, 0xff, 0xff, 0, 0]).toString('base64');
+  const scene = { drawn: { space: false, things, still: [5, 6, 0, 0], moving: [2, 3], least: -1, most: 1, truth: path, paths: [path] } };
+  const { truth, paths } = drawn(scene);
+  assert.equal(truth.frames, 2);
+  assert.deepEqual(plain(truth.at(0).primitives.map((p) => p.points)), [[[5, 6, 0]], [[-1, 1, 0]]]);
+  assert.deepEqual(plain(paths[0].at(7).primitives[1]), { kind: 'body', size: 0.1, letter: 'm', trail: true, points: [[1, -1, 0]] });
+  assert.equal(drawn({}), undefined);
 });

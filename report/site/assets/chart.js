@@ -47,6 +47,7 @@
 
   /** Of algorithms that integrate a motion, in the order of their colours. */
   const families = ['closed form', 'explicit steps', 'partitioned', 'step control', 'extrapolation', 'multistep', 'implicit'];
+  const familyOf = (name) => (families.includes(name) ? families.indexOf(name) : families.length);
   const colourOf = (m, by) => `var(--${by}-${m.colours[by]})`;
 
   const failures = new Set(['X', 'N', 'S', 'R', 'C', 'G']);
@@ -59,7 +60,7 @@
       const method = {
         model: m.model, algorithm: m.algorithm, precision: m.precision, knob: m.knob, index,
         family: styles.families[m.algorithm] || m.algorithm,
-        colours: { model: (styles.colours[m.model] || 0) % 11, family: Math.max(0, families.indexOf(styles.families[m.algorithm])) },
+        colours: { model: (styles.colours[m.model] || 0) % 11, family: familyOf(styles.families[m.algorithm]) },
         mark: styles.marks[m.algorithm] || 0,
       };
       method.points = m.trials.map(([setting, error, evaluations, ns, spread, outcome], place) =>
@@ -72,7 +73,12 @@
   const cost = (p, axis) => axis === 'time' ? p.ns : Math.max(p.evaluations, 1);
   const named = (m) => m.algorithm + (m.precision === 'float' ? ' in float' : '') + ' (' + m.model + ')';
 
-  /** A method in a sentence; a closed form goes by its model. */
+  /** The same in a sentence. */
+  const spoken = (m) => m.algorithm === 'closed form' ? m.model + ' in closed form' + (m.precision === 'float' ? ' in float' : '') : named(m);
+  /** A sentence begins with a capital, but for letters and names of functions. */
+  const sentence = (text) => /^[a-z]{2,}[ ,-]/.test(text) ? text[0].toUpperCase() + text.slice(1) : text;
+
+  /** Shorter: the algorithm, or the model of a closed form. */
   function called(m, withModel) {
     const name = m.algorithm === 'closed form' ? m.model : m.algorithm;
     return name + (m.precision === 'float' ? ' in float' : '') +
@@ -223,12 +229,13 @@
   }
 
   /** Of answers that are right or wrong, or of one point a method. */
-  function findingOfRows(quantity, methods) {
+  function findingOfRows(methods) {
     const right = methods.filter((m) => m.points[m.points.length - 1].outcome === 'o');
     const all = count(methods.length);
     const finest = right.some((m) => m.points.some((p) => p.outcome !== 'o')) ? ' at their finest setting.' : '.';
+    if (methods.length === 1) return named(methods[0]) + ' is ' + (right.length ? '' : 'not ') + 'as exact as needed' + finest;
     if (!right.length) return 'None of ' + all + ' methods is as exact as needed.';
-    if (right.length === methods.length) return 'All ' + all + ' methods are as exact as needed' + finest;
+    if (right.length === methods.length) return (right.length === 2 ? 'Both' : 'All ' + all) + ' methods are as exact as needed' + finest;
     const wrong = methods.filter((m) => !right.includes(m));
     const few = (list) => list.length <= 2 ? list.map(named).join(' and ') : count(list.length);
     return right.length <= wrong.length ? 'Only ' + few(right) + ' of ' + all + ' methods ' +
@@ -239,36 +246,36 @@
   /** What a chart says, and of which methods: {says, of}. */
   function finding(quantity, methods, axis, game) {
     if (!methods.length) return { says: 'Nothing is shown.', of: [] };
-    if (!axis) return { says: findingOfRows(quantity, methods), of: [] };
+    if (!axis) return { says: findingOfRows(methods), of: [] };
     if (axis === 'setting') return findingOfSettings(quantity, methods);
     if (game) return findingOfMotion(methods, axis, game);
     return findingOfWork(quantity, methods, axis);
   }
 
   function findingOfSettings(quantity, methods) {
-    const knob = mainKnob(methods);
+    const knob = mainKnob(methods), setting = /^(step|tolerance|distance|pulse|softness|amplitude)$/.test(knob) ? 'a ' + knob : 'the setting "' + knob + '"';
     const points = methods.filter((m) => m.knob === knob).flatMap((m) => m.points).filter(usable);
-    if (!points.length) return { says: 'No method with a ' + knob + ' comes to its end.', of: [] };
+    if (!points.length) return { says: 'No method with ' + setting + ' comes to its end.', of: [] };
     const least = points.reduce((a, b) => (b.error < a.error ? b : a));
-    return { says: 'Of the methods with a ' + knob + ', ' + named(least.method) + ' is the most accurate: ' +
+    return { says: 'Of the methods with ' + setting + ', ' + spoken(least.method) + ' is the most accurate: ' +
       inUnit(least.error, quantity.unit) + ' at ' + number(least.setting, 3) + '.', of: [least.method] };
   }
 
   function findingOfWork(quantity, methods, axis) {
-    const needed = inUnit(quantity.need, quantity.unit);
+    const needed = quantity.asked || inUnit(quantity.need, quantity.unit);
     const least = cheapest(methods, axis, quantity.need);
     if (!least) {
       const points = methods.flatMap((m) => m.points).filter(usable);
       if (!points.length) return { says: 'No method comes to an end.', of: [] };
       const nearest = points.reduce((a, b) => (b.error < a.error ? b : a));
-      return { says: 'No method reaches ' + needed + '; the closest is ' + named(nearest.method) + ': ' +
+      return { says: 'No method reaches ' + needed + '; the closest is ' + spoken(nearest.method) + ': ' +
         inUnit(nearest.error, quantity.unit) + '.', of: [nearest.method] };
     }
     const others = methods.filter((m) => m.family !== least.method.family || m.model !== least.method.model);
     const next = cheapest(others, axis, quantity.need);
     const many = next ? cost(next, axis) / cost(least, axis) : 0;
-    return { says: named(least.method) + ' reaches ' + needed + ' with the least work: ' + work(least, axis) +
-      (many >= 1.5 ? '; ' + named(next.method) + ' needs ' + number(many) + ' times as much' : '') + '.',
+    return { says: spoken(least.method) + ' reaches ' + needed + ' with the least work: ' + work(least, axis) +
+      (many >= 1.5 ? '; ' + spoken(next.method) + ' needs ' + number(many) + ' times as much' : '') + '.',
     of: many >= 1.5 ? [least.method, next.method] : [least.method] };
   }
 
@@ -415,6 +422,8 @@
 
   // ---- the chart -------------------------------------------------------------------------------------------
 
+  let last = null;  // the point that was named last, on whatever it was
+  if (typeof document !== 'undefined') document.addEventListener('oddity:point', (event) => { last = event.detail; });
   const said = (detail) => document.dispatchEvent(new CustomEvent('oddity:point', { detail }));
   const play = (detail) => document.dispatchEvent(new CustomEvent('oddity:play', { detail }));
 
@@ -457,14 +466,16 @@
       : steps ? ' of the right-hand side' : nodes ? ' of the integrand' : '');
   }
 
-  /** A chart in a figure. `context`: styles, outcomes, timeUnit, game: {error, says} or null, plays: clicks play. */
+  /** A chart in a figure. `context`: styles, outcomes, timeUnit, close: [{error, says}], what a
+   *  game asks in each unit, game: the same in one or null, plays: clicks play, floats: those in float are on,
+   *  chosen: a method that is always in colour. */
   function chart(figure, quantity, context) {
     const all = methodsOf(quantity, context.styles);
     const shown = filter();
     context.font = () => getComputedStyle(plot).fontFamily;
     if (context.floats || !all.some((m) => m.precision === 'double')) shown.off.precision.clear();
     const families = new Set(all.map((m) => context.styles.families[m.algorithm]).filter(Boolean));
-    const view = { axis: quantity.charts[0] || null, every: false, picked: null, by: families.size > 2 ? 'family' : 'model' };
+    const view = { axis: quantity.charts[0] || null, every: false, picked: last && last.quantity === quantity.name ? last : null, by: families.size > 2 ? 'family' : 'model' };
     const title = element('strong', { class: 'finding' });
     const subtitle = element('span', { class: 'says' });
     const plot = element('div', { class: 'plot' });
@@ -474,8 +485,9 @@
     function draw() {
       const methods = left(all, shown);
       const found = finding(quantity, methods, view.axis, context.game);
-      title.textContent = found.says;
-      const drawing = view.axis ? workPrecision(quantity, methods, found.of, view, context, plot.clientWidth)
+      title.textContent = sentence(found.says);
+      const chosen = methods.filter((m) => context.chosen && isOf(m.points[0], context.chosen));
+      const drawing = view.axis ? workPrecision(quantity, methods, chosen.concat(found.of), view, context, plot.clientWidth)
         : rows(quantity, methods, view, context, plot.clientWidth);
 
       spots = drawing.spots;
@@ -759,15 +771,18 @@
       const height = y(value);
       if (!(height >= box.top && height <= box.bottom)) return;
       line({ class: 'level ' + kind }, `M${box.left},${height.toFixed(1)}H${box.right}`);
-      text(says, narrow ? { x: box.right - 3, y: height - 4, 'text-anchor': 'end', class: 'level-name' }
-        : { x: box.right + 6, y: height + 4, class: 'level-name' });
       const wide = widthOf(says, '11px ' + context.font());
-      obstacles.push(narrow ? { left: box.right - 3 - wide, right: box.right, top: height - 16, bottom: height }
-        : { left: box.right + 6, right: box.right + 6 + wide, top: height - 7, bottom: height + 7 });
+      const name = narrow ? { left: box.right - 3 - wide, right: box.right - 3, top: height - 15, bottom: height - 1 }
+        : { left: box.right + 6, right: box.right + 6 + wide, top: height - 7, bottom: height + 7 };
+      for (const other of obstacles)
+        if (overlap(name, other)) [name.top, name.bottom] = [other.bottom, other.bottom + 14];
+      text(says, { x: name.left, y: name.bottom - 3, class: 'level-name' });
+      obstacles.push(name);
     };
     if (quantity.need > 0)
-      across(quantity.need, 'need', 'needed: ' + inUnit(quantity.need, quantity.unit.length > 6 ? '' : quantity.unit));
-    for (const { error, says } of context.close || []) across(error, 'close', 'for a game: ' + says);
+      across(quantity.need, 'need', quantity.asked ? 'asked: ' + quantity.asked
+        : 'needed: ' + inUnit(quantity.need, quantity.unit.length > 6 ? '' : quantity.unit));
+    for (const { error, says } of [...(context.close || [])].sort((a, b) => b.error - a.error)) across(error, 'close', 'for a game: ' + says);
     if (at.floored) across(quantity.floor, 'floor', narrow ? 'truth known to here' : 'truth known');
     return group;
   }
@@ -818,7 +833,8 @@
       { x: (box.left + box.right) / 2, y: box.bottom + 36, 'text-anchor': 'middle', class: 'name' });
     if (quantity.need > 0) {
       back.append(svg('path', { class: 'level need', d: `M${x(quantity.need).toFixed(1)},${box.top - 6}V${box.bottom}` }));
-      text('needed: ' + inUnit(quantity.need, quantity.unit), { x: x(quantity.need), y: box.top - 10, 'text-anchor': 'middle', class: 'level-name' });
+      const says = 'needed: ' + inUnit(quantity.need, quantity.unit), half = widthOf(says, '11px ' + context.font()) / 2;
+      text(says, { x: Math.min(x(quantity.need), width - half - 2), y: box.top - 10, 'text-anchor': 'middle', class: 'level-name' });
     }
     picture.append(back);
     const spots = [];
@@ -852,13 +868,23 @@
     };
   }
 
+  /** Acts when the element is about to be seen, so that a page of many charts is there at once. */
+  function whenNear(place, act) {
+    const observer = new IntersectionObserver((entries) => {
+      if (!entries.some((entry) => entry.isIntersecting)) return;
+      observer.disconnect();
+      act();
+    }, { rootMargin: '800px' });
+    observer.observe(place);
+  }
+
   const quantityNamed = (name) => oddity.data.quantities.find((q) => q.name === name);
 
   function start() {
     if (!oddity.data) return;
     for (const figure of document.querySelectorAll('figure.chart[data-quantity]')) {
       const quantity = quantityNamed(figure.dataset.quantity);
-      if (quantity) chart(figure, quantity, contextOf(oddity.data, quantity));
+      if (quantity) whenNear(figure, () => chart(figure, quantity, contextOf(oddity.data, quantity)));
     }
   }
 
@@ -867,6 +893,7 @@
     families, colourOf, methodsOf, front, highlighted, frame, ticks, part, finding, findingOfRows, description, settingOf, mainKnob,
     placeLabels, way, namesOf, named, called, cost, usable, lettered, shortened,
     element, svg, mark, swatch, choice, chart, contextOf, quantityNamed, said, play, detailOf, isPoint, isOf,
+    whenNear,
     whenReady(run) {
       if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', run);
       else run();

@@ -242,6 +242,7 @@
     found.all = methods.length;
     const known = found.truth.errors || {};
     for (const method of methods) {
+      let spent = 0;
       for (const setting of settings(method.knob, state.fps)) {
         const run = trial(state, engine, times, { ...method, setting });
         const errors = errorsOf(run.observed, found.truth.observed, state.scene);
@@ -252,7 +253,8 @@
           holds: error <= 1, outcome: error <= 1 ? 'o' : letters[run.ending] || 'R' };
         found.rows.push(row);
         yield;
-        if (error <= 1 / margin || run.seconds > 0.5 || row.evaluationsPerFrame > 1e5 || row.outcome === 'R') break;
+        spent += run.seconds;
+        if (error <= 1 / margin || spent > 0.6 || row.evaluationsPerFrame > 1e5 || row.outcome === 'R') break;
       }
       found.tried += 1;
     }
@@ -357,7 +359,7 @@
     return {
       name: 'choice', unit: single ? units[0] : '', need, floor: Math.max(truth, need * 1e-14), size: need, samples: 1,
       says: single ? 'error over all frames, judged by the finest run' : 'error over all frames in parts of what is asked, judged by the finest run',
-      charts: ['evaluations', 'time'], methods: [...methods.values()],
+      asked: errorText(state).replace(',', ' and ').replace(/deg/g, '°'), charts: ['evaluations', 'time'], methods: [...methods.values()],
     };
   }
 
@@ -369,7 +371,7 @@
       if (better && mine !== chosen) methods.set(key, row);
     }
     const rows = [...methods.values()].sort((a, b) => (b.holds - a.holds) || (a.holds ? a.seconds - b.seconds : a.error - b.error));
-    const head = ['model', 'algorithm', 'setting', 'error', 'evaluations a frame', 'time a frame', ''];
+    const head = ['model', 'algorithm', 'setting', 'error', 'evaluations a frame', 'time a frame', 'outcome'];
     const body = element('tbody', {}, ...rows.map((r) => element('tr', { class: r === chosen ? 'lit' : undefined },
       element('th', { scope: 'row' }, r.model), element('td', {}, r.algorithm + (r.precision === 'float' ? ' in float' : '')),
       element('td', {}, settingOf(r, state.fps)), element('td', { class: 'number' }, errorIn(r.errors, state)),
@@ -401,7 +403,7 @@
     const copy = element('button', { type: 'button' }, 'copy');
     const commandLine = element('p', { class: 'command' }, code, ' ', copy);
     const truth = element('p', { class: 'says' });
-    place.replaceChildren(message, form, result, commandLine, truth, figure,
+    place.replaceChildren(message, form, result, truth, commandLine, figure,
       element('details', {}, element('summary', {}, 'Every method as a table'), table));
     form.addEventListener('submit', (event) => event.preventDefault());
     copy.addEventListener('click', () => {
@@ -469,7 +471,7 @@
       if (pressed) axis = pressed.textContent === 'time' ? 'time' : 'evaluations';
       if (axis === 'time') quantity.charts.reverse();
       chart(figure, quantity, { styles: state.scene.styles, outcomes, timeUnit: state.scene.time_unit, game: null, close: [],
-        plays: false, floats: state.precision !== 'double' });
+        plays: false, floats: state.precision !== 'double', chosen: chosen && chosen.row });
       if (!last) return;
       table.replaceChildren(resultTable(state, found, chosen && chosen.row));
       if (chosen) said({ quantity: 'choice', ...chosen.row });

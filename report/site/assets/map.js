@@ -3,7 +3,7 @@
 (function (oddity) {
   'use strict';
 
-  const { number, element, svg, inUnit, play, said, needOfGame } = oddity.charts;
+  const { number, element, svg, inUnit, play, said, needOfGame, whenNear } = oddity.charts;
 
   /** How far down a panel theory's limit lies, in rows from the top: steps fall by a constant factor. */
   function border(theory, steps) {
@@ -49,7 +49,7 @@
     for (const [value] of method.rows) head.append(element('th', { scope: 'col' }, number(value, 3)));
     const body = element('tbody');
     steps.forEach((step, k) => {
-      const row = element('tr', {}, element('th', { scope: 'row' }, number(step, 2)));
+      const row = element('tr', {}, element('th', { scope: 'row' }, String(Number(step.toPrecision(2)))));
       for (const [value, , outcomes] of method.rows) {
         const cell = { method, value, step, letter: outcomes[k], panel: body, node: element('td', { tabindex: '-1', class: 'cell cell-' + outcomes[k] }, outcomes[k]) };
         cell.node.setAttribute('aria-label', context.outcomes[cell.letter]);
@@ -61,8 +61,8 @@
     const over = svg('svg', { class: 'border', viewBox: `0 0 ${method.rows.length} ${steps.length}`, preserveAspectRatio: 'none', 'aria-hidden': 'true' });
     const d = borderPath(method.rows, steps);
     over.append(svg('path', { class: 'under', d }), svg('path', { d }));
-    const made = element('div', { class: 'panel' }, element('table', {}, element('caption', {}, method.algorithm),
-      element('thead', {}, head), body), over);
+    const made = element('div', { class: 'panel' }, element('p', { 'aria-hidden': 'true' }, method.algorithm),
+      element('table', { 'aria-label': method.algorithm + ', ' + method.model }, element('thead', {}, head), body), over);
     made.style.setProperty('--columns', method.rows.length);
     made.style.setProperty('--rows', steps.length);
     return made;
@@ -179,7 +179,7 @@
 
   function start() {
     if (!oddity.data || !oddity.data.stability || !oddity.data.scene) return;
-    for (const figure of document.querySelectorAll('figure.map')) show(figure, oddity.data);
+    for (const figure of document.querySelectorAll('figure.map')) whenNear(figure, () => show(figure, oddity.data));
   }
 
   oddity.map = { border, borderPath, longestOk, finding };

@@ -3,7 +3,7 @@
 (function (oddity) {
   'use strict';
 
-  const { number, count, duration, element, methodsOf, contextOf, quantityNamed, detailOf, isPoint, isOf, said, play } = oddity.charts;
+  const { number, count, duration, element, methodsOf, contextOf, quantityNamed, detailOf, isPoint, said, play } = oddity.charts;
 
   /** Two values of a column: numbers by size, those that are none last; words by the alphabet. */
   function compared(a, b) {
