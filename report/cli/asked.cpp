@@ -223,8 +223,7 @@ MethodNames method_names(const Task& task) {
   const auto add = [](std::vector<std::string>& to, const std::string& name) {
     if (std::ranges::find(to, name) == to.end()) to.push_back(name);
   };
-  for (const auto* methods : {&seen.methods, &seen.methods_in_float})
-    for (const Method& m : *methods) add(names.models, m.model), add(names.algorithms, m.algorithm);
+  for (const Method& m : seen.methods) add(names.models, m.model), add(names.algorithms, m.algorithm);
   return names;
 }
 
@@ -257,13 +256,17 @@ void require_known_words(const Task& task, const AskedNeed& asked) {
   const auto require = [&](const std::string& option, const std::vector<std::string>& words, bool anywhere) {
     for (const std::string& word : words) {
       const bool known = is_in_one(word, names.models) || is_in_one(word, names.algorithms) ||
+                         std::string_view("in float").find(word) != std::string_view::npos ||
                          (anywhere && std::ranges::any_of(ode::catalog(), [&](const auto& algorithm) {
                             return algorithm.name.find(word) != std::string::npos;
                           }));
-      if (!known)
-        throw BadInput(option + ": no model or algorithm of " + to_string(task.entry->number) + " has '" +
-                       word + "' in its name; the models are: " + joined(names.models, "; ") +
-                       "; the algorithms: " + joined(names.algorithms, "; ") + similar_names(word, names));
+      if (known) continue;
+      const std::string meant = similar_names(word, names);
+      throw BadInput(option + ": no model and no algorithm of " + to_string(task.entry->number) + " has '" +
+                     word + "' in its name" +
+                     (meant.empty() ? "; the models are: " + joined(names.models, "; ") +
+                                          "; the algorithms: " + joined(names.algorithms, "; ")
+                                    : meant));
     }
   };
   require("--only", asked.only, false);

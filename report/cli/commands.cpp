@@ -418,6 +418,10 @@ bool output_arrived() {
   return false;
 }
 
+void complain(const std::string& what) {
+  std::cerr << wrapped("oddity: " + what + "\n", screen_of(STDERR_FILENO), 2);
+}
+
 int answer(CLI::App& app, Session& session, const std::vector<std::string>& words) {
   try {
     require_a_verb(app, words);
@@ -426,16 +430,16 @@ int answer(CLI::App& app, Session& session, const std::vector<std::string>& word
     return app.get_subcommands().empty() ? all_of_it(session) : session.status;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << "oddity: " << complaint_of(app, error) << "\n";
+    complain(complaint_of(app, error));
     return 2;
   } catch (const BadInput& error) {
-    std::cerr << "oddity: " << error.what() << "\n";
+    complain(error.what());
     return 2;
   } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << "oddity: " << error.path1().string() << ": " << error.code().message() << "\n";
+    complain(error.path1().string() + ": " + error.code().message());
     return 2;
   } catch (const std::exception& error) {
-    std::cerr << "oddity: internal error: " << error.what() << "\n";
+    complain("internal error: " + std::string(error.what()));
     return 1;
   }
 }

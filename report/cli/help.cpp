@@ -18,6 +18,9 @@ class Help : public CLI::Formatter {
   std::string make_description(const CLI::App* app) const override {
     return wrapped(app->get_description(), screen_) + "\n";
   }
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    return wrapped(CLI::Formatter::make_usage(app, std::move(name)), screen_, 2);
+  }
   std::string make_footer(const CLI::App* app) const override {
     return wrapped(app->get_footer(), screen_, 2) + "\n";
   }

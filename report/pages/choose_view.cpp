@@ -290,9 +290,12 @@ std::string choice_text(const Choice& choice, bool all_rows, const Screen& scree
   const std::string grounds = engine_text(choice) + "\nchosen on: " + listed(choice.seen) +
                               (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) +
                               (choice.prices_are.empty() ? "" : "\ntimes: " + choice.prices_are) + "\n";
-  return wrapped(asked_text(choice) + "\n\n" + answer + chaos_text(choice), screen, 4) +
-         "\nEach method at its cheapest setting that holds, or else at its best:\n" +
-         aligned(rows, screen, {{"model", "algorithm", ""}, {"evaluations per frame", "setting", "error"}}) +
+  return wrapped(asked_text(choice) + "\n\n" + answer + chaos_text(choice) +
+                     "\nEach method at its cheapest setting that holds, or else at its best:\n",
+                 screen, 4) +
+         aligned(
+             rows, screen,
+             {{"model", "algorithm", ""}, {"evaluations per frame", "setting", "error", "time per frame"}}) +
          (hidden > 0 ? "  and " + std::to_string(hidden) + " more: --all\n" : "") + "\n" +
          wrapped(grounds, screen, 4);
 }

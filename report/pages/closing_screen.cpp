@@ -14,7 +14,7 @@ namespace oddity {
 
 namespace {
 
-constexpr std::size_t widest_screen = 100, worst_findings = 10;
+constexpr std::size_t widest_screen = 120, width_in_a_pipe = 100, worst_findings = 10;
 
 std::string several(long n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
@@ -140,7 +140,7 @@ std::string what_is_wrong(const Results& results, const Screen& screen) {
             cut_at_word(readable(w.root->shows), screen.width - std::min(screen.width, number.size())) + "\n";
   }
   const long others = roots - std::ssize(worst);
-  return text + (others > 0 ? "  and " + several(others, "other", "others") + "\n" : "");
+  return text + (others > 0 ? "  and " + several(others, "other", "others") + " in the report\n" : "");
 }
 
 std::string failures(const Results& results, const Screen& screen) {
@@ -173,14 +173,16 @@ std::string what_a_game_may_use(const Results& results, const Screen& screen) {
 }
 
 std::string what_to_open(const Closing& closing, const Screen& screen) {
-  return "\n" + screen.styled(Style::heading, "Open") + "\n  " + closing.site.string() +
-         "  in a browser: every scene in motion\n  " + closing.report.string() + "  the report as text\n";
+  return "\n" + screen.styled(Style::heading, "Open") + "\n" +
+         aligned({{closing.site.string(), "in a browser: every scene in motion"},
+                  {closing.report.string(), "the report as text"}});
 }
 
 }  // namespace
 
 std::string closing_screen(const Results& results, const Closing& closing, const Screen& terminal) {
-  const Screen screen{terminal.at_most(widest_screen), terminal.colour};
+  const Screen screen{terminal.at_most(terminal.width == 0 ? width_in_a_pipe : widest_screen),
+                      terminal.colour};
   const Tallied found = verdicts_in(results);
   const std::string verdict =
       closing.as_on_record ? screen.styled(Style::good, "All as on record")

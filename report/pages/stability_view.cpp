@@ -115,13 +115,12 @@ std::string letters_and_theory(const MapRow& row, const std::vector<double>& ste
 }
 
 std::string map_text(const Stability& s, const Screen& screen) {
-  std::string text = "\nmap: each letter a step, " + rounded(s.steps.front(), 3) + " " + s.time_unit +
-                     " and its halves to " + rounded(s.steps.back(), 3) + " " + s.time_unit +
+  std::string text = "\nmap: each letter a step, from " + rounded(s.steps.front(), 3) + " " + s.time_unit +
+                     ", halved and halved again, to " + rounded(s.steps.back(), 3) + " " + s.time_unit +
                      "; the bar is theory's limit\n ";
   for (Outcome outcome : outcomes_of_a_map)
     text += " " + std::string(1, letter_of(outcome)) + " " + std::string(name_of(outcome));
-  std::vector<std::vector<std::string>> rows{
-      {"model", "algorithm", s.parameter, "steps from coarse to fine"}};
+  std::vector<std::vector<std::string>> rows{{"model", "algorithm", s.parameter, "steps"}};
   const MapRow* last = nullptr;
   for (const MapRow& row : s.map) {
     const bool first = !last || last->model != row.model || last->algorithm != row.algorithm;
@@ -129,7 +128,7 @@ std::string map_text(const Stability& s, const Screen& screen) {
     rows.push_back({first ? row.model : "", first ? row.algorithm : "",
                     in_unit(rounded(row.value, 4), s.parameter_unit), letters_and_theory(row, s.steps)});
   }
-  return wrapped(text + "\n", screen, 4) + aligned(rows, screen, {{"model", "algorithm"}, {}});
+  return wrapped(text + "\n", screen, 4) + aligned(rows, screen, {{"model", "algorithm"}, {}, true});
 }
 
 /// A cell of a CSV file, quoted where it has to be.
@@ -251,10 +250,9 @@ std::string stability_text(const ExerciseResult& e, const Screen& screen) {
   std::string notes;
   for (const auto& [reason, names] : reasons(s)) notes += "\n  " + names + ": " + reason + "\n";
   for (const std::string& line : reservations(s)) notes += "\n  " + line + "\n";
-  return screen.styled(Style::heading, "Exercise " + to_string(e.number) + ": " + e.title) + "\n" +
-         s.quantity + " over " + rounded(s.horizon, 4) + " " + s.time_unit + "; needed to " +
-         in_unit(rounded(s.close, 3), s.unit) + "\n\n" + limits_text(s, screen) + wrapped(notes, screen, 4) +
-         map_text(s, screen);
+  return heading_of(e, screen) + s.quantity + " over " + rounded(s.horizon, 4) + " " + s.time_unit +
+         "; needed to " + in_unit(rounded(s.close, 3), s.unit) + "\n\n" + limits_text(s, screen) +
+         wrapped(notes, screen, 4) + map_text(s, screen);
 }
 
 std::string limit_row(const ExerciseResult& e, const Limit& l) {

@@ -30,10 +30,11 @@ using Rows = std::vector<std::vector<std::string>>;
 
 constexpr std::size_t indent = 2, between = 2;
 
+/// Of the columns; what stands alone in its row is in none.
 std::vector<std::size_t> widths_of(const Rows& rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) {
+    for (std::size_t i = 0; row.size() > 1 && i < row.size(); ++i) {
       if (widths.size() <= i) widths.push_back(0);
       widths[i] = std::max(widths[i], columns_of(row[i]));
     }
@@ -41,7 +42,7 @@ std::vector<std::size_t> widths_of(const Rows& rows) {
 }
 
 /// A column that is shortened keeps so much: enough of a name, and of a sentence its beginning.
-std::size_t least_of(std::size_t width) { return std::max<std::size_t>(10, width / 4); }
+std::size_t least_of(std::size_t width) { return std::clamp<std::size_t>(width / 4, 14, 20); }
 
 std::size_t total(const std::vector<std::size_t>& widths) {
   std::size_t sum = indent;
@@ -75,6 +76,23 @@ void remove_column(Rows& rows, std::size_t column) {
     if (column < row.size()) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
 }
 
+/// The first column's values as lines of their own, each above the rows that have it.
+void set_first_above(Rows& rows, const Screen& screen) {
+  Rows all;
+  std::string above;
+  for (auto& row : rows) {
+    const std::string first = row.front();
+    row.erase(row.begin());
+    const bool heading = &row == &rows.front();
+    if (!heading && !first.empty() && first != above)
+      all.push_back({screen.styled(Style::heading, first) + ":"});
+    if (!heading) row.front().insert(0, "  ");
+    if (!first.empty()) above = first;
+    all.push_back(std::move(row));
+  }
+  rows = std::move(all);
+}
+
 /// Leaves columns out until the others fit, and returns their names.
 std::string leave_out(Rows& rows, const Screen& screen, const Fitting& fit) {
   std::string names;
@@ -88,24 +106,30 @@ std::string leave_out(Rows& rows, const Screen& screen, const Fitting& fit) {
   return names;
 }
 
+std::string line_of(const std::vector<std::string>& row, const std::vector<std::size_t>& widths,
+                    const Screen& screen) {
+  if (row.size() == 1) return cut(row.front(), screen.at_most(indent + columns_of(row.front())) - indent);
+  std::string line;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::string cell = cut(row[i], widths[i]);
+    line += cell + std::string(widths[i] - columns_of(cell) + between, ' ');
+  }
+  line.resize(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
 }  // namespace
 
 std::string aligned(Rows rows, const Screen& screen, const Fitting& fit) {
   if (rows.empty()) return "";
-  const bool fits = screen.width == 0 || (fit.shorten.empty() && fit.leave_out.empty());
+  const bool heading = !fit.shorten.empty() || !fit.leave_out.empty();
+  const bool fits = !heading || screen.width == 0 || total(widths_of(rows)) <= screen.width;
+  if (!fits && fit.first_above) set_first_above(rows, screen);
   const std::string without = fits ? "" : leave_out(rows, screen, fit);
   const auto widths = fits ? widths_of(rows) : fitted(widths_of(rows), rows, screen, fit);
-  const bool heading = !fit.shorten.empty() || !fit.leave_out.empty();
   std::string text;
   for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const bool alone = row.size() == 1;  // a heading between rows
-      const std::string cell = cut(row[i], alone ? screen.at_most(columns_of(row[i])) : widths[i]);
-      line += cell;
-      if (i + 1 < row.size()) line += std::string(widths[i] - columns_of(cell) + between, ' ');
-    }
-    line.resize(line.find_last_not_of(' ') + 1);
+    const std::string line = line_of(row, widths, screen);
     text += std::string(indent, ' ') +
             (heading && &row == &rows.front() ? screen.styled(Style::heading, line) : line) + "\n";
   }

@@ -26,10 +26,12 @@ std::string to_json(const Table&);
 struct Fitting {
   std::vector<std::string> shorten = {};    ///< columns of which ends of words are enough
   std::vector<std::string> leave_out = {};  ///< columns that go where that does not do, the first one first
+  bool first_above =
+      false;  ///< before all that the first column's values, where not empty, stand above their rows
 };
 
-/// Rows as aligned columns, two spaces apart and indented by two. With a Fitting the first row is a heading, the
-/// columns fit the screen, and a last line names those that are left out.
+/// Rows as aligned columns, two spaces apart and indented by two. With a Fitting the first row is a heading,
+/// the columns fit the screen, and a last line names those that are left out.
 std::string aligned(std::vector<std::vector<std::string>> rows, const Screen& = {}, const Fitting& = {});
 
 }  // namespace oddity

@@ -29,12 +29,12 @@ std::string claims_text(const ExerciseResult& e, const Screen& screen) {
   for (const JudgedClaim& c : e.claims)
     rows.push_back({c.claim.id, screen.styled(style_of(c.verdict), std::string(name_of(c.verdict))),
                     readable(c.claim.says)});
-  return rows.size() == 1 ? "" : "\n" + aligned(rows, screen, {{"the solution says"}, {}});
+  return rows.size() == 1 ? "" : "\n" + aligned(rows, screen, {{"the solution says", "claim"}, {}});
 }
 
 const std::vector<std::string> trial_columns{"model", "algorithm", "knob", "value",
                                              "error", "evals",     "time", "outcome"};
-const Fitting trial_fit{{"model", "algorithm", "outcome"}, {"value", "evals", "time", "knob"}};
+const Fitting trial_fit{{"model", "algorithm", "outcome"}, {"value", "evals", "time", "knob"}, true};
 
 std::vector<std::string> trial_row(const TimedTrial& t, const Screen& screen) {
   return {t.model,
@@ -131,8 +131,13 @@ std::string shown(Outcome outcome, const Screen& screen) {
   return screen.styled(style, std::string(name_of(outcome)));
 }
 
+std::string heading_of(const ExerciseResult& e, const Screen& screen) {
+  return wrapped(screen.styled(Style::heading, "Exercise " + to_string(e.number) + ": " + e.title) + "\n",
+                 screen, 2);
+}
+
 std::string text_view(const ExerciseResult& e, const Screen& screen) {
-  std::string text = screen.styled(Style::heading, "Exercise " + to_string(e.number) + ": " + e.title) + "\n";
+  std::string text = heading_of(e, screen);
   for (const ParameterValue& p : e.parameters)
     text += wrapped("  " + p.name + " = " + shortest(p.value) + (p.unit.empty() ? "" : " " + p.unit) + "  " +
                         p.says + "\n",

@@ -9,6 +9,8 @@ namespace oddity {
 
 /// An exercise's results as text for a terminal: claims with verdicts, then every trial of every quantity.
 std::string text_view(const ExerciseResult&, const Screen& = {});
+/// "Exercise 3.5: Pendulum from 30 degrees", as a heading.
+std::string heading_of(const ExerciseResult&, const Screen&);
 /// The outcome's name, in the colour of how good it is.
 std::string shown(Outcome, const Screen&);
 
