@@ -79,8 +79,8 @@ Quantity inertia(std::string name, std::string says, const Lamina& l, double see
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  Quantity whole =
-      inertia("inertia", "Ixx, Iyy, Izz, Ixy, Ixz, Iyz", {p["left"], p["z"], p["rho"]}, p["seed"], truth);
+  Quantity whole = inertia("inertia", "$I_{xx}$, $I_{yy}$, $I_{zz}$, $I_{xy}$, $I_{xz}$, $I_{yz}$",
+                           {p["left"], p["z"], p["rho"]}, p["seed"], truth);
   Quantity cut = inertia("cut_inertia", "the same of the lamina cut off at $x=-0.625$, at $z=1.5$",
                          {-0.625, 1.5, 1}, p["seed"], truth);
   cut.add(Breakdown{

@@ -201,7 +201,7 @@ Quantity inertia(const Cone& cone) {
   const Value exact{r2h * (2 * h * h + 3 * r * r) / 60, r2h * r * r / 10};
   Quantity q{"inertia",
              "m^5",
-             "Ixx and Izz of the cone about its base's center, its density one",
+             "$I_{xx}$ and $I_{zz}$ of the cone about its base's center, its density one",
              {"closed form", exact},
              4e-16 * size_of(exact),
              {1e-10 * size_of(exact), "ten digits of the larger"}};

@@ -78,7 +78,7 @@ void add_rules(Quantity& quantity, const std::string& name, double a, double b, 
 /// mu0, the center of mass and mu2 of a uniform wire.
 Quantity inertia(const std::string& name, const Wire& w, const Reference& truth) {
   Quantity quantity =
-      oddity::quantity(name, "kg, m, m, kg m^2", "mu0, the center of mass and mu2 of the " + name,
+      oddity::quantity(name, "kg, m, m, kg m^2", R"($\mu_0$, the center of mass and $\mu_2$ of the )" + name,
                        truth("03_29_inertia", {static_cast<double>(w.shape), w.q, w.d0}), {});
   quantity.need = {1e-10 * size_of(quantity.reference.value), "ten digits of the largest"};
   const std::string by_x = "as a graph over x";

@@ -180,7 +180,7 @@ Findings study(const Parameters& chosen, const Reference& truth) {
                 "triple products, Cramer", 53, Outcome::inaccurate, "triple products, Cramer", 106});
   nearly.add(Breakdown{
       "A factorization loses the same digits, though what it leaves of $p$ is as small as rounding allows "
-      "(see left_over): a small remainder proves nothing. Corrected by that remainder, in twice the digits, "
+      "(see `left_over`): a small remainder proves nothing. Corrected by that remainder, in twice the digits, "
       "it gets them back.",
       "factorization, LU, rows exchanged", 0, Outcome::inaccurate, "factorization, LU, refined", 3});
   return {claims(Random(chosen["seed"])),

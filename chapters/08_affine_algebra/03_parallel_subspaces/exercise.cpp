@@ -215,15 +215,15 @@ std::vector<Claim> claims(double seed) {
   Claims claims("8.3");
   claims.statement<Carrier>(
       "directions", 3999,
-      "the vectors of $A_1$ are those on the x-axis, the vectors of $A_2$ those on the y-axis ($A_1$ and "
+      "the vectors of $A_1$ are those on the $x$-axis, the vectors of $A_2$ those on the $y$-axis ($A_1$ and "
       "$A_2$ themselves are not in the solutions: any lines in these directions)",
       draw<Carrier>(400, seed),
       {.printed =
-           {"a vector keeps points on $A_1$ just when it is on the x-axis, on $A_2$ when on the y-axis",
+           {"a vector keeps points on $A_1$ just when it is on the $x$-axis, on $A_2$ when on the $y$-axis",
             [](const Carrier& c) {
               return c.stays_along(axes.first, axes.second) && c.stays_along(axes.second, axes.first);
             }},
-       .near_misses = {{"a vector keeps points on $A_1$ just when it is on the y-axis",
+       .near_misses = {{"a vector keeps points on $A_1$ just when it is on the $y$-axis",
                         [](const Carrier& c) { return c.stays_along(axes.second, axes.second); }}}});
   claims.add(
       "neither", 3999, "neither $V_1$ is in $V_2$ nor $V_2$ in $V_1$",
