@@ -8,7 +8,7 @@ find_program(WASM_CXX NAMES clang++ clang++-14 clang++-16 clang++-18 clang++-19)
 find_program(GZIP gzip)
 find_program(BASE64 base64)
 set(module ${PROJECT_BINARY_DIR}/module)
-set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fignore-exceptions -fvisibility=hidden -mmutable-globals -O3
+set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fignore-exceptions -fvisibility=hidden -mmutable-globals
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-braces -Wno-implicit-float-conversion)
 if(WASM_CXX AND GZIP AND BASE64)
   # With the linker, the standard library and the runtime.
@@ -64,20 +64,20 @@ void for_each_algorithm(const F& f) {
 
 set(module_objects "")
 # Compiles a source to an object of the module.
-function(compile_for_module source standard)
+function(compile_for_module source level standard)
   cmake_path(GET source STEM name)
   set(object ${module}/${name}.o)
   add_custom_command(OUTPUT ${object}
-    COMMAND ${WASM_CXX} ${wasm_flags} -std=${standard} -I${PROJECT_SOURCE_DIR}
+    COMMAND ${WASM_CXX} ${wasm_flags} ${level} -std=${standard} -I${PROJECT_SOURCE_DIR}
       -isystem ${module}/include -MD -MF ${object}.d -c ${source} -o ${object}
     DEPENDS ${source} ${ARGN} DEPFILE ${object}.d VERBATIM)
   set(module_objects ${module_objects} ${object} PARENT_SCOPE)
 endfunction()
 
 foreach(file in_float integrate precompiled raw_problem)
-  compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/${file}.cpp c++20)
+  compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/${file}.cpp -Os c++20)
 endforeach()
-compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/implicit.cpp c++17)  # as in the program
+compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/implicit.cpp -Os c++17)  # as in the program
 foreach(entry IN LISTS algorithms)
   string(REGEX MATCH "^(.*)[|](.*)$" entry "${entry}")
   set(file ${module}/${CMAKE_MATCH_1}.cpp)
@@ -88,12 +88,13 @@ namespace oddity::ode {
 ODDITY_PRECOMPILE(${CMAKE_MATCH_1})
 }  // namespace oddity::ode
 " @ONLY)
-  compile_for_module(${file} c++20)
+  compile_for_module(${file} -Os c++20)
 endforeach()
-compile_for_module(${PROJECT_SOURCE_DIR}/report/site/module/scene.cpp c++20)
-compile_for_module(${PROJECT_SOURCE_DIR}/report/site/module/exports.cpp c++20)
+foreach(file at_time exports scene)
+  compile_for_module(${PROJECT_SOURCE_DIR}/report/site/module/${file}.cpp -Os c++20)
+endforeach()
 
-# The models themselves, in as many files as compile well side by side.
+# The models themselves, for speed, in as many files as compile well side by side.
 add_executable(write_players report/site/module/write.cpp)
 target_link_libraries(write_players PRIVATE oddity_report)
 set(player_files "")
@@ -102,7 +103,7 @@ foreach(nth RANGE 5)
 endforeach()
 add_custom_command(OUTPUT ${player_files} COMMAND write_players ${player_files} VERBATIM)
 foreach(file IN LISTS player_files)
-  compile_for_module(${file} c++20)
+  compile_for_module(${file} -O3 c++20)
 endforeach()
 
 add_custom_command(OUTPUT ${module}/models.wasm

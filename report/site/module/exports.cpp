@@ -82,23 +82,36 @@ int order_of() {
     return 0;
 }
 
-std::string algorithms_text() {
-  std::string all;
-  ode::for_each_algorithm([&]<class Algorithm>() {
-    all += std::string(all.empty() ? "" : ",") + "{\"name\":" + quoted(Algorithm::name) +
-           ",\"kind\":" + quoted(name_of(Algorithm::kind)) +
-           ",\"order\":" + std::to_string(order_of<Algorithm>()) +
-           ",\"knob\":" + (ode::has_tolerance(Algorithm::kind) ? "\"tolerance\"" : "\"step\"") +
-           ",\"inFloat\":" + (Algorithm::facts.in_float ? "true" : "false") + "}";
+struct Algorithm {
+  std::string_view name;
+  ode::Kind kind;
+  int order;
+  bool in_float;
+};
+
+std::vector<Algorithm> algorithms() {
+  std::vector<Algorithm> all;
+  ode::for_each_algorithm([&]<class A>() {
+    all.push_back({A::name, A::kind, order_of<A>(), A::facts.in_float});
   });
-  return '[' + all + ']';
+  return all;
+}
+
+std::string text_of(bool yes) { return yes ? "true" : "false"; }
+
+std::string text_of(const Algorithm& a) {
+  return "{\"name\":" + quoted(a.name) + ",\"kind\":" + quoted(name_of(a.kind)) +
+         ",\"order\":" + std::to_string(a.order) +
+         ",\"knob\":" + quoted(ode::has_tolerance(a.kind) ? "tolerance" : "step") +
+         ",\"inFloat\":" + text_of(a.in_float) + "}";
 }
 
 std::string text_of(const Listed& listed, const Model& model) {
-  const auto flag = [](bool yes) { return yes ? "true" : "false"; };
   return "{\"name\":" + quoted(listed.name) + ",\"algorithm\":" + quoted(listed.algorithm) +
-         ",\"closedForm\":" + flag(model.closed_form()) + ",\"partitioned\":" + flag(model.partitioned()) +
-         ",\"constrained\":" + flag(model.constrained()) + ",\"events\":" + flag(model.has_events()) + "}";
+         ",\"closedForm\":" + text_of(model.closed_form()) +
+         ",\"partitioned\":" + text_of(model.partitioned()) +
+         ",\"constrained\":" + text_of(model.constrained()) + ",\"events\":" + text_of(model.has_events()) +
+         "}";
 }
 
 std::string text_of(std::size_t index) {
@@ -108,7 +121,7 @@ std::string text_of(std::size_t index) {
   for (std::size_t i = 0; i < scene.models.size(); ++i)
     models += (i ? "," : "") + text_of(scene.models[i], made(index, i, parameters));
   return "{\"number\":" + quoted(scene.number) + ",\"observables\":" + std::to_string(scene.observables) +
-         ",\"drawn\":" + (scene.draw ? "true" : "false") +
+         ",\"drawn\":" + text_of(scene.draw != nullptr) +
          ",\"parameters\":" + listed(scene.letters, [](const Letter& l) { return quoted(l.name); }) +
          ",\"models\":[" + models + "]}";
 }
@@ -119,7 +132,8 @@ ODDITY_EXPORT(describe) const char* describe() {
   static const std::string text = [] {
     std::string all;
     for (std::size_t i = 0; i < scenes().size(); ++i) all += (i ? "," : "") + text_of(i);
-    return "{\"algorithms\":" + algorithms_text() + ",\"scenes\":[" + all + "]}";
+    return "{\"algorithms\":" + listed(algorithms(), [](const Algorithm& a) { return text_of(a); }) +
+           ",\"scenes\":[" + all + "]}";
   }();
   return text.c_str();
 }
