@@ -113,6 +113,13 @@ Family family_of(std::string_view algorithm) {
   return own ? own->family : Family::none;
 }
 
+std::string_view name_of(Family family) {
+  constexpr std::array<std::string_view, 8> names{
+      "",          "closed form", "explicit steps", "partitioned", "step control", "extrapolation",
+      "multistep", "implicit"};
+  return names[static_cast<std::size_t>(family)];
+}
+
 Styles::Styles(const Results& results) {
   Neighbours models, algorithms;
   for (const ExerciseResult& e : results.exercises)

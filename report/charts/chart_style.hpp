@@ -22,6 +22,8 @@ enum class Family {
   implicit
 };
 Family family_of(std::string_view algorithm);
+/// "step control"; empty for none.
+std::string_view name_of(Family);
 
 /// A colour for each model and a mark for each algorithm, the same in all charts of the results. Common
 /// algorithms have marks of their own; every other name gets the first that no curve beside it has.
@@ -33,6 +35,10 @@ class Styles {
   std::string colour(const std::string& model) const;
   /// "pt 7", "pt 7 dt 2".
   std::string mark(const std::string& algorithm) const;
+  /// The same as places: of the colour among `model_colours()`, and of the mark among twelve, the dashes by
+  /// twelves. For who draws without gnuplot.
+  std::size_t colour_place(const std::string& model) const { return colours_.at(model); }
+  std::size_t mark_place(const std::string& algorithm) const { return marks_.at(algorithm); }
 
  private:
   std::map<std::string, std::size_t> colours_, marks_;

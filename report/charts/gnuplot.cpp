@@ -93,7 +93,10 @@ std::string plain(const std::string& text) {
 std::string bold(const std::string& text) { return "{/:Bold " + plain(text) + "}"; }
 
 std::string shortened(const std::string& text, std::size_t most) {
-  return text.size() <= most ? text : text.substr(0, most - 3) + "...";
+  if (text.size() <= most) return text;
+  std::size_t end = most - 3;
+  while (end > 0 && (text[end] & 0xC0) == 0x80) --end;  // within a letter of several bytes
+  return text.substr(0, end) + "...";
 }
 
 std::string in_xml(const std::string& text) {

@@ -9,6 +9,7 @@
 
 #include "reference/text.hpp"
 #include "report/pages/markup.hpp"
+#include "report/pages/readable.hpp"
 #include "report/pages/text_view.hpp"
 
 namespace oddity {
@@ -679,7 +680,7 @@ std::string claims_evidence(const JudgedClaim& judged) {
   add("meant", judged.claim.meant);
   add("corrected", judged.claim.corrected);
   for (const Reading& near : judged.claim.near_misses) add("near miss '" + near.text + "'", near);
-  return text;
+  return readable(text);
 }
 
 std::string index_page(const Results& results) { return index_text(results, true); }

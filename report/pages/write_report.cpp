@@ -5,6 +5,7 @@
 #include "report/charts/gnuplot.hpp"
 #include "report/pages/catalog_page.hpp"
 #include "report/pages/markdown.hpp"
+#include "report/pages/readable.hpp"
 #include "report/study/ledger.hpp"
 #include "report/study/stability.hpp"
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The pictures of one chapter, or of all (0) and then by time too.
-void draw_charts(const Results& results, int chapter, const fs::path& folder) {
+void draw_charts(const Results& results, int chapter, const fs::path& folder, const Progress& progress) {
   const Styles styles(results);
   std::vector<Picture> pictures;
   for (const ExerciseResult& e : results.exercises) {
@@ -25,7 +26,7 @@ void draw_charts(const Results& results, int chapter, const fs::path& folder) {
                           [&e](const fs::path& into) { return map_script(e, into.string()); }, map_title(e)});
     if (chapter != 0 && e.number.chapter != chapter) continue;
     for (const QuantityResult& q : e.quantities) {
-      const std::string title = exercise + q.says + (q.samples > 1 ? " (" + instants(q) + ")" : "");
+      const std::string title = exercise + readable(q.says) + (q.samples > 1 ? " (" + instants(q) + ")" : "");
       if (q.trajectory)
         pictures.push_back(
             {folder / trajectory_file(e, q),
@@ -46,7 +47,13 @@ void draw_charts(const Results& results, int chapter, const fs::path& folder) {
                           },
                           exercise + "work over size"});
   }
-  draw(pictures);
+  constexpr std::size_t at_once = 40;
+  for (std::size_t done = 0; done < pictures.size(); done += at_once) {
+    if (progress) progress("drawing the charts", done, pictures.size());
+    const std::size_t end = std::min(done + at_once, pictures.size());
+    draw({pictures.begin() + static_cast<std::ptrdiff_t>(done),
+          pictures.begin() + static_cast<std::ptrdiff_t>(end)});
+  }
 }
 
 }  // namespace
@@ -56,13 +63,13 @@ void make_folder(const fs::path& folder) {
   require_writable_folder(folder / "charts");
 }
 
-fs::path write_report(const Results& results, int chapter, const fs::path& folder) {
+fs::path write_report(const Results& results, int chapter, const fs::path& folder, const Progress& progress) {
   make_folder(folder);
   const auto write = [&](const std::string& name, const std::string& text) {
     write_whole(folder / name, text);
     return folder / name;
   };
-  draw_charts(results, chapter, folder);
+  draw_charts(results, chapter, folder, progress);
   if (chapter != 0) return write(chapter_file(chapter), chapter_page(results, chapter));
   for (const Chapter& c : chapters())
     if (c.last_odd > 0 || std::ranges::any_of(results.exercises, [&](const ExerciseResult& e) {
@@ -76,9 +83,9 @@ fs::path write_report(const Results& results, int chapter, const fs::path& folde
   return write("README.md", index_page(results));
 }
 
-std::vector<fs::path> write_charts(const Results& results, const fs::path& folder) {
+std::vector<fs::path> write_charts(const Results& results, const fs::path& folder, const Progress& progress) {
   make_folder(folder);
-  draw_charts(results, 0, folder);
+  draw_charts(results, 0, folder, progress);
   std::vector<fs::path> pages;
   for (const ExerciseResult& e : results.exercises) {
     pages.push_back(folder / (to_string(e.number) + ".md"));

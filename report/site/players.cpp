@@ -128,11 +128,13 @@ std::vector<std::string> module_source(std::size_t files) {
   return texts;
 }
 
+bool has_module() { return std::filesystem::exists(module_file()); }
+
 std::string module_script() {
-  std::ifstream file(module_file());
+  if (!has_module()) return "oddity.module(null);\n";
   std::ostringstream text;
-  if (file) text << file.rdbuf();
-  return text.str().empty() ? "oddity.module(null);\n" : text.str();
+  text << std::ifstream(module_file()).rdbuf();
+  return text.str();
 }
 
 }  // namespace oddity
