@@ -8,7 +8,7 @@ find_program(WASM_CXX NAMES clang++ clang++-14 clang++-16 clang++-18 clang++-19)
 find_program(GZIP gzip)
 find_program(BASE64 base64)
 set(module ${PROJECT_BINARY_DIR}/module)
-set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fignore-exceptions -fvisibility=hidden -mmutable-globals
+set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fignore-exceptions -fno-rtti -fvisibility=hidden -mmutable-globals
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-braces -Wno-implicit-float-conversion)
 if(WASM_CXX AND GZIP AND BASE64)
   # With the linker, the standard library and the runtime.
