@@ -152,15 +152,14 @@
   }
 
   function collected(scene, states, times, seconds) {
-    const ending = endings[wasm.ending()];
-    const whole = ending === 'reached' ? states : Math.max(0, states - 1);
+    const whole = wasm.whole();
     const observed = filled(wasm.observed(), whole, scene.observables, times);
     const last = whole === states ? null
       : numbers(wasm.observed() + 8 * whole * scene.observables, scene.observables);
     const optional = address => (address ? filled(address, whole, 1, times) : new Float64Array(0));
     return {
-      observed, drift: optional(wasm.drift()), off: optional(wasm.off()), evaluations: wasm.evaluations(), ending,
-      message: text(wasm.message()), seconds, last
+      observed, drift: optional(wasm.drift()), off: optional(wasm.off()), evaluations: wasm.evaluations(),
+      ending: endings[wasm.ending()], message: text(wasm.message()), seconds, last
     };
   }
 

@@ -160,6 +160,7 @@ std::size_t run(std::size_t scene, std::size_t model, const char* algorithm, boo
                     numbers.subspan(count));
   return motion.states;
 }
+ODDITY_EXPORT(whole) std::size_t whole() { return motion.whole; }
 ODDITY_EXPORT(observed) const double* observed() { return motion.observed.data(); }
 ODDITY_EXPORT(drift) const double* drift() { return motion.drift.empty() ? nullptr : motion.drift.data(); }
 ODDITY_EXPORT(off) const double* off() { return motion.off.empty() ? nullptr : motion.off.data(); }
