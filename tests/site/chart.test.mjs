@@ -12,6 +12,9 @@ function loaded(...files) {
 }
 
 const { charts, trials, map, choosing, drawn } = loaded(
+  'findings.js',
+  'marks.js',
+  'diagrams.js',
   'chart.js',
   'trials.js',
   'map.js',

@@ -271,6 +271,8 @@
   }
 
   const isMultistep = (name) => /^(Adams-|ms|CVODE)/.test(name);
+  /** Models that have the book's errors in them are tried, and not advised. */
+  const isPublished = (row) => /as published|printed listing/.test(row.model);
   const isSimple = (row) =>
     row.knob !== 'tolerance' && !isMultistep(row.algorithm) && !row.algorithm.startsWith('linearly implicit');
 
@@ -342,7 +344,7 @@
   /** As `oddity choose` picks: a simple method that holds with the margin, else what holds; of those the
    *  cheapest, of near ties the most accurate. {row, ties, simple} or null. */
   function pick(rows, budget) {
-    const within = rows.filter((r) => r.holds && (budget === null || r.seconds <= budget));
+    const within = rows.filter((r) => r.holds && !isPublished(r) && (budget === null || r.seconds <= budget));
     for (const simple of [true, false]) {
       const able = simple ? within.filter((r) => isSimple(r) && r.error <= 1 / margin) : within;
       if (!able.length) continue;
