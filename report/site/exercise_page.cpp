@@ -103,6 +103,20 @@ std::string player_section(const ExerciseResult& e) {
          to_string(e.number) + "</code>.</p></noscript></section>\n";
 }
 
+/// In the order in which they need one another.
+std::vector<std::string> scripts_of(const ExerciseResult& e) {
+  std::vector<std::string> scripts{"data/" + to_string(e.number) + ".js"};
+  const auto add = [&](std::initializer_list<std::string_view> names) {
+    for (std::string_view name : names) scripts.push_back("assets/" + std::string(name) + ".js");
+  };
+  if (e.scene)
+    add({"engine", "models", "stage", "drawn", "scale", "frames", "permalink", "motions", "slider", "lines",
+         "rows", "breaking", "clock", "picture", "player"});
+  if (!e.quantities.empty()) add({"findings", "marks", "diagrams", "chart", "trials"});
+  if (e.stability) add({"map"});
+  return scripts;
+}
+
 }  // namespace
 
 std::string exercise_page(const Results& results, const ExerciseResult& e) {
@@ -119,9 +133,7 @@ std::string exercise_page(const Results& results, const ExerciseResult& e) {
        neighbours(results, e, "The exercises before and after") +
            element("header", " class=\"title\"", "<div>" + head + letters_of(e) + "</div>\n" + drawing) +
            "\n" + sections_of(sections) + sections + neighbours(results, e, "Go on"),
-       {"data/" + number + ".js", "assets/engine.js", "assets/stage.js", "assets/player.js",
-        "assets/chart.js", "assets/map.js"},
-       "exercise"});
+       scripts_of(e), "exercise"});
 }
 
 }  // namespace oddity

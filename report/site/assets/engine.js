@@ -18,12 +18,11 @@
   'use strict';
 
   const endings = ['reached', 'non-finite', 'stalled', 'raised', 'chattering', 'grazing'];
-  const kinds = ['body', 'rod', 'spring', 'rope', 'track', 'disc', 'plate', 'support', 'axis', 'arrow', 'angle',
-    'length', 'label'];
   const closedForm = {name: 'closed form', kind: 'closed form', order: 0, knob: '', inFloat: true};
 
   let wasm = null;        // the module's exports
   let scenes = new Map();
+  let kinds = [];         // of primitives, by name
   let answer;
   const ready = new Promise(resolve => { answer = resolve; });
 
@@ -65,6 +64,7 @@
 
   function describe(all) {
     engine.algorithms = all.algorithms.concat([closedForm]);
+    kinds = all.kinds;
     all.scenes.forEach((scene, index) => scenes.set(scene.number, known(scene, index)));
   }
 

@@ -133,6 +133,7 @@ ODDITY_EXPORT(describe) const char* describe() {
     std::string all;
     for (std::size_t i = 0; i < scenes().size(); ++i) all += (i ? "," : "") + text_of(i);
     return "{\"algorithms\":" + listed(algorithms(), [](const Algorithm& a) { return text_of(a); }) +
+           ",\"kinds\":" + listed(Drawing::kind_names, [](std::string_view name) { return quoted(name); }) +
            ",\"scenes\":[" + all + "]}";
   }();
   return text.c_str();
