@@ -1,16 +1,13 @@
 #pragma once
 
-#include <map>
-#include <span>
-#include <string>
 #include <string_view>
 
-#include "report/study/results.hpp"
+#include "chapters/exercise.hpp"
 
-/// How models, algorithms and outcomes look in charts and maps.
+/// How algorithms and outcomes look in charts and maps.
 namespace oddity {
 
-/// Of algorithms that integrate a motion; in a crowded chart the best of each is drawn in colour.
+/// Of algorithms that integrate a motion; a chart shows the best of each.
 enum class Family {
   none,
   closed_form,
@@ -23,23 +20,6 @@ enum class Family {
 };
 Family family_of(std::string_view algorithm);
 
-/// A colour for each model and a mark for each algorithm, the same in all charts of the results. Common
-/// algorithms have marks of their own; every other name gets the first that no curve beside it has.
-class Styles {
- public:
-  explicit Styles(const Results&);
-
-  /// "lc rgb '#0072B2'".
-  std::string colour(const std::string& model) const;
-  /// "pt 7", "pt 7 dt 2".
-  std::string mark(const std::string& algorithm) const;
-
- private:
-  std::map<std::string, std::size_t> colours_, marks_;
-};
-
-/// From Okabe and Ito's palette, without the yellow that a white page swallows, and four of Tol's.
-std::span<const std::string_view> model_colours();
 /// The cells of a map: "#009E73". Colour-blind readers can tell any two apart.
 std::string_view colour_of(Outcome);
 /// Black or white, whichever is legible on the outcome's colour.

@@ -28,7 +28,7 @@ struct Session {
   std::string results = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string();
-  bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false;
+  bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
   AskedNeed need = {};
   NewExercise begun = {};
   std::string outside = {};
@@ -165,10 +165,12 @@ void add_choose(CLI::App& app, Session& s) {
 }
 
 void add_report(CLI::App& app, Session& s) {
-  auto* report = verb(app, "report", "write the Markdown report, from the last results if they are fresh",
-                      "Example: oddity report --chapter 3 --out /tmp/report",
-                      [&] { verbs::report(s.folder, s.chapter, s.report_out); });
-  report->add_option("--chapter", s.chapter, "one chapter only");
+  auto* report = verb(
+      app, "report", "write the Markdown report, from the last results if they are fresh",
+      "Example: oddity report --chapter 3 --out /tmp/report",
+      [&] { verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole, s.report_out); });
+  report->add_option("--chapter", s.chapter, "the exercises of one chapter only");
+  report->add_flag("--book", s.book, "without times: what stands in report/book of the sources");
   add_path(*report, "--out", s.report_out, "folder to write to");
 }
 
@@ -179,9 +181,11 @@ void add_site(CLI::App& app, Session& s) {
 }
 
 void add_chart(CLI::App& app, Session& s) {
-  auto* chart = verb(app, "chart", "draw error against work and against time, with the tables",
-                     "Example: oddity chart 3.5 2.13 --out /tmp/charts",
-                     [&] { verbs::chart(s.folder, s.exercises, s.chart_out); });
+  auto* chart =
+      verb(app, "chart", "draw error against work and against time, with the tables",
+           "Example: oddity chart 3.5 2.13 --out /tmp/charts",
+           [&] { verbs::chart(s.folder, s.exercises, s.all_rows ? Curves::all : Curves::few, s.chart_out); });
+  chart->add_flag("--all", s.all_rows, "every method's curve, not eight at most");
   chart->add_option("exercises", s.exercises, "their numbers, such as 3.5; none: all");
   add_path(*chart, "--out", s.chart_out, "folder to write to");
 }
@@ -268,7 +272,7 @@ std::string typed(const std::vector<std::string>& words) {
 /// The main job: verify everything and write the report.
 int all_of_it(const Session& s) {
   const int verdict = s.suite({{}, s.folder, results_file()});
-  verbs::report(s.folder, "", s.report_out);
+  verbs::report(s.folder, "", Edition::whole, s.report_out);
   return verdict;
 }
 

@@ -41,7 +41,6 @@ fs::path site_folder() { return kept() / "site"; }
 fs::path chart_folder() { return kept() / "charts"; }
 fs::path motions_folder() { return kept() / "motions"; }
 fs::path prices_folder() { return kept() / "prices"; }
-std::string gnuplot() { return ODDITY_GNUPLOT; }
 std::string version() { return ODDITY_VERSION; }
 
 }  // namespace oddity

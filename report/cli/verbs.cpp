@@ -8,11 +8,11 @@
 #include "reference/files.hpp"
 #include "reference/text.hpp"
 #include "reference/to_write.hpp"
-#include "report/charts/gnuplot.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/bench.hpp"
 #include "report/cli/settings.hpp"
 #include "report/pages/code.hpp"
+#include "report/pages/pictures.hpp"
 #include "report/pages/table_text.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/pages/write_report.hpp"
@@ -23,6 +23,7 @@
 #include "report/study/progress.hpp"
 #include "report/study/run.hpp"
 #include "report/study/stability.hpp"
+#include "solvers/ode/catalog.hpp"
 
 namespace oddity::verbs {
 
@@ -128,6 +129,12 @@ Results stability_of(const fs::path& folder, const std::vector<std::string>& exe
   return with_stability(blank, tasks, Reference(folder, motions_folder()), bar.callback());
 }
 
+/// The book is the same whatever is installed.
+void require_common_algorithms() {
+  if (ode::not_in_catalog().empty())
+    throw BadInput("the book has no algorithms of SUNDIALS: build it with -DODDITY_SUNDIALS=OFF");
+}
+
 /// Nothing can be chosen where nothing is true yet.
 void require_truth(const Task& task, const Reference& truth) {
   const Quantity seen = motion(*task.entry->exercise.scene, task.parameters, truth);
@@ -177,11 +184,15 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   return choice.chosen ? 0 : 1;
 }
 
-void report(const fs::path& folder, const std::string& chapter, const fs::path& out) {
+void report(const fs::path& folder, const std::string& chapter, Edition edition, const fs::path& out) {
   const int number = chapter.empty() ? 0 : chapter_of(chapter);
+  if (edition == Edition::book) require_common_algorithms();
   make_folder(out);
   require_writable(results_file());
-  const fs::path page = write_report(last_results(folder, number == 0), number, out);
+  Results results = last_results(folder, number == 0);
+  if (number != 0)
+    std::erase_if(results.exercises, [&](const ExerciseResult& e) { return e.number.chapter != number; });
+  const fs::path page = write_report(results, edition, out);
   std::cout << "the report is in " << page.string() << "\n";
 }
 
@@ -193,12 +204,13 @@ void site(const fs::path& folder, const fs::path& out) {
   std::cout << "the report that runs is in " << page.string() << "\n";
 }
 
-void chart(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out) {
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, Curves curves,
+           const fs::path& out) {
   const std::vector<Task> tasks = tasks_of(exercises);
   make_folder(out);
   ProgressBar bar;
   for (const fs::path& page :
-       write_charts(run(tasks, Reference(folder, motions_folder()), true, bar.callback()), out))
+       write_charts(run(tasks, Reference(folder, motions_folder()), true, bar.callback()), curves, out))
     std::cout << page.string() << "\n";
 }
 
@@ -206,13 +218,10 @@ void stability(const fs::path& folder, const std::vector<std::string>& exercises
   tasks_of(exercises, true);
   make_folder(out);
   const Results results = stability_of(folder, exercises);
-  std::vector<Picture> pictures;
   for (const ExerciseResult& e : results.exercises) {
     std::cout << stability_text(e) << "\n";
-    pictures.push_back(
-        {out / map_file(e), [&e](const fs::path& into) { return map_script(e, into.string()); }});
+    draw_map(e, out);
   }
-  draw(pictures);
   std::cout << "the maps are in " << (out / "charts").string() << "\n";
 }
 

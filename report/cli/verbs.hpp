@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "report/charts/chart.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/new_exercise.hpp"
+#include "report/pages/markdown.hpp"
 
 /// What the program's verbs do. Each takes the folder of the reference tables, prints what is asked on
 /// standard output, and throws BadInput.
@@ -25,11 +27,11 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed&, Format, bool all_rows, const std::string& command);
 /// Of all chapters when the text is empty.
-void report(const fs::path& folder, const std::string& chapter, const fs::path& out);
+void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out);
 /// The report that runs, of all exercises.
 void site(const fs::path& folder, const fs::path& out);
 /// Of all exercises when there are none.
-void chart(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out);
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, Curves, const fs::path& out);
 /// Of all scenes when there are none: as text, with the maps drawn.
 void stability(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out);
 /// The same as a table of limits, with nothing drawn.

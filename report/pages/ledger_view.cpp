@@ -110,7 +110,7 @@ For each scene, the first of its models, from the simplest on, that holds at eve
 )";
   for (const ExerciseResult& e : results.exercises)
     if (e.ledger) text += section(e);
-  return text + "[All chapters](README.md)\n";
+  return text + "[All exercises](README.md)\n";
 }
 
 }  // namespace oddity

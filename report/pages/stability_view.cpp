@@ -320,7 +320,7 @@ std::string stability_page(const Results& results) {
   text += differences(results);
   for (const ExerciseResult& e : results.exercises)
     if (e.stability) text += stability_of_scene(e);
-  return text + "[All chapters](README.md)\n";
+  return text + "[All exercises](README.md)\n";
 }
 
 std::string map_file(const ExerciseResult& e) { return "charts/" + to_string(e.number) + "_stability.svg"; }

@@ -1,0 +1,358 @@
+#include "report/pages/findings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+#include <tuple>
+
+#include "reference/text.hpp"
+#include "report/pages/markdown.hpp"
+#include "report/pages/markup.hpp"
+#include "report/pages/text_view.hpp"
+
+namespace oddity {
+
+namespace {
+
+// ---- evidence ---------------------------------------------------------------------------------------------
+
+const Reading& deciding(const JudgedClaim& judged) {
+  switch (judged.verdict) {
+    case Verdict::misprint:
+      return judged.claim.meant;
+    case Verdict::erratum:
+      return judged.claim.corrected;
+    default:
+      return judged.claim.printed;
+  }
+}
+
+/// Of a claim that holds for every sample or fails: `left` counts the samples that violate it.
+bool counts_violations(const Check& c) {
+  return c.right.by == "none" && c.left.by.starts_with("violations in ");
+}
+
+double scale_of(const Check& c) {
+  return c.scale > 0 ? c.scale : std::max(size_of(c.left.value), size_of(c.right.value));
+}
+
+std::string difference_of(const Check& c) {
+  const double difference = c.difference();
+  if (c.tolerance.allowed == 0) return difference == 0 ? "equal" : "differ by " + shown_error(difference);
+  const std::string scale = scale_of(c) > 0 ? " at a scale of " + rounded(scale_of(c), 3) : "";
+  return (std::isfinite(difference) ? "differ by " + shown_error(difference) + scale : "cannot be compared") +
+         ", allowed " + shown_error(c.tolerance.allowed);
+}
+
+/// "no violations in 200 samples", "1 violation in 200 samples".
+std::string violations(const Check& c) {
+  const std::string n = c.left.value[0] == 0 ? "no" : rounded(c.left.value[0], 12);
+  return n + (n == "1" ? " violation" : " violations") + c.left.by.substr(std::string("violations").size());
+}
+
+/// How much of its tolerance a check uses up; one that fails comes before all that hold.
+double tightness(const Check& c) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double used = c.tolerance.allowed > 0 ? c.difference() / c.tolerance.allowed : 0;
+  return c.holds() ? std::min(used, 1.0) : std::isfinite(used) && used > 1 ? used : infinity;
+}
+
+const Check& tightest(const Reading& reading) {
+  return *std::ranges::max_element(reading.checks, {}, tightness);
+}
+
+std::string in_words(const std::string& text) {
+  return with_powers(escaped(with_short_numbers(text), false));
+}
+
+/// "2.912363", or nothing of what has several components.
+std::string number_of(const Check& c) {
+  return c.left.value.size() == 1 ? with_powers(shown(c.left.value, 7)) + ", " : "";
+}
+
+/// "off by 0.65", "equal".
+std::string deviation(const Check& c) {
+  const double difference = c.difference();
+  if (difference == 0) return "equal";
+  return std::isfinite(difference) ? "off by " + error_cell(difference) : "not to be compared";
+}
+
+/// What a reading makes of what was compared.
+std::string outcome_of(const Check& c) {
+  return counts_violations(c) ? violations(c) : number_of(c) + deviation(c);
+}
+
+/// "Compared: the period, with √2 K by ...: as printed 0.8, off by 1.5; corrected 2.26, off by 1e-7, where
+/// 5e-7 is allowed (half a unit of the last decimal)."
+std::string numbers_of(const JudgedClaim& judged) {
+  const Claim& claim = judged.claim;
+  std::string text;
+  const Check* last = nullptr;
+  const auto add = [&](const std::string& name, const Reading& reading) {
+    if (reading.checks.empty()) return;
+    const Check& c = tightest(reading);
+    const std::string same =
+        last && last->right.by != c.right.by && !counts_violations(c) ? " from " + in_words(c.right.by) : "";
+    if (last)
+      text += "; ";
+    else if (!counts_violations(c))
+      text += "With " + in_words(c.right.by) +
+              (c.right.value.size() == 1 ? " (" + value_cell(c.right.value, 7) + ")" : "") + ": ";
+    text += name + " " + outcome_of(c) + same;
+    last = &c;
+  };
+  add("as printed", claim.printed);
+  add("as meant", claim.meant);
+  add("corrected", claim.corrected);
+  if (!last) return "";
+  if (last->tolerance.allowed > 0) text += ", where " + error_cell(last->tolerance.allowed) + " is allowed";
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".\n\n";
+}
+
+// ---- claims -----------------------------------------------------------------------------------------------
+
+/// Where the links to a claim lead: its id, but for what an anchor cannot hold.
+std::string anchor_of(const Claim& claim) {
+  std::string anchor;
+  for (char c : claim.id)
+    anchor += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '_' ? c : '-';
+  return anchor;
+}
+
+std::string title_of(Verdict verdict) {
+  std::string name(name_of(verdict));
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
+}
+
+/// What is wrong, what is right, and how it shows.
+std::string in_full(const JudgedClaim& judged) {
+  const Claim& claim = judged.claim;
+  const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
+  return "<a id=\"" + anchor_of(claim) + "\"></a>\n\n**" + title_of(judged.verdict) + " " + code(claim.id) +
+         "** (" + kind + "line " + std::to_string(claim.line) + "): " + escaped(claim.says, false) + ".\n\n" +
+         prose(claim.why) + "\n\n" + numbers_of(judged);
+}
+
+/// "`simpson` (line 1307): the listing integrates by Simpson's rule. *With* the sum."
+std::string confirmed_line(const JudgedClaim& judged) {
+  const Claim& claim = judged.claim;
+  const Reading& reading = deciding(judged);
+  std::string compared;
+  if (!reading.checks.empty()) {
+    const Check& c = tightest(reading);
+    compared = counts_violations(c) ? violations(c) : "against " + c.right.by;
+  }
+  const std::string id = claim.id.substr(std::min(claim.id.find('-') + 1, claim.id.size()));
+  return "- " + code(id) + " (" + std::to_string(claim.line) + "): " + escaped(claim.says, false) +
+         (compared.empty() ? "" : "; *" + in_words(compared) + "*") + ".\n";
+}
+
+std::string folded(const std::string& summary, const std::string& text) {
+  return "<details><summary>" + summary + "</summary>\n\n" + text + "\n</details>\n\n";
+}
+
+/// The routes of all its checks give the same doubles in every sample, though roundings are allowed.
+bool bit_equal(const JudgedClaim& judged) {
+  const auto& checks = deciding(judged).checks;
+  return !checks.empty() && std::ranges::all_of(checks, [](const Check& c) {
+    return c.tolerance.allowed > 0 && c.difference() == 0;
+  });
+}
+
+int weight_of(Fault kind) {
+  switch (kind) {
+    case Fault::listing:
+    case Fault::formula:
+    case Fault::number:
+      return 0;
+    case Fault::counterexample:
+      return 1;
+    case Fault::term:
+      return 2;
+    default:
+      return 3;
+  }
+}
+
+/// The claims of one verdict, each beside what is right.
+std::string list_of(const Results& results, Verdict verdict, Links links) {
+  std::vector<std::vector<std::string>> rows;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims) {
+      if (c.verdict != verdict) continue;
+      const Claim& claim = c.claim;
+      const Reading& right = verdict == Verdict::misprint ? claim.meant : claim.corrected;
+      rows.push_back({link_to(e, claim, links), std::to_string(claim.line), std::string(name_of(claim.kind)),
+                      escaped(claim.printed.text), escaped(right.text)});
+    }
+  return table({"claim", "line", "kind", "as printed",
+                verdict == Verdict::misprint ? "what is meant" : "what is right"},
+               rows, "1");
+}
+
+}  // namespace
+
+Counts counts_of(const ExerciseResult& e) {
+  Counts counts;
+  for (const JudgedClaim& c : e.claims) ++counts[c.verdict];
+  return counts;
+}
+
+Counts counts_of(const Results& results) {
+  Counts counts;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims) ++counts[c.verdict];
+  return counts;
+}
+
+std::string plural(int n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+std::string sentence(const Counts& counts) {
+  std::string text;
+  const auto add = [&](Verdict verdict, const std::string& one, const std::string& many) {
+    const auto found = counts.find(verdict);
+    if (found != counts.end() && found->second > 0)
+      text += (text.empty() ? "" : ", ") + plural(found->second, one, many);
+  };
+  add(Verdict::erratum, "erratum", "errata");
+  add(Verdict::misprint, "misprint", "misprints");
+  add(Verdict::unsettled, "unsettled", "unsettled");
+  add(Verdict::not_checkable, "not checkable", "not checkable");
+  add(Verdict::confirmed, "confirmed", "confirmed");
+  return text.empty() ? "no claims" : text;
+}
+
+std::string Finding::name() const { return first().root.empty() ? first().says : first().root; }
+
+std::string Finding::shows() const {
+  const auto root = std::ranges::find(exercise->roots, first().root, &Root::name);
+  return root == exercise->roots.end() ? "" : root->shows;
+}
+
+std::vector<Finding> errata_of(const ExerciseResult& e) {
+  std::vector<Finding> found;
+  for (const JudgedClaim& c : e.claims) {
+    if (c.verdict != Verdict::erratum) continue;
+    const auto same = std::ranges::find_if(
+        found, [&](const Finding& f) { return !c.claim.root.empty() && f.first().root == c.claim.root; });
+    if (same == found.end())
+      found.push_back({&e, {&c}});
+    else
+      same->claims.push_back(&c);
+  }
+  return found;
+}
+
+std::vector<Finding> errata_worst_first(const Results& results) {
+  std::vector<Finding> all;
+  for (const ExerciseResult& e : results.exercises)
+    for (Finding& f : errata_of(e)) all.push_back(std::move(f));
+  std::ranges::stable_sort(all, {}, [](const Finding& f) {
+    int weight = 3;
+    for (const JudgedClaim* c : f.claims) weight = std::min(weight, weight_of(c->claim.kind));
+    return std::tuple(!f.exercise->scene, weight, -static_cast<int>(f.claims.size()));
+  });
+  return all;
+}
+
+std::string address_of(const ExerciseResult& e, const Claim& claim, Links links) {
+  return (links == Links::apart ? exercise_file(e.number) : "") + "#" + anchor_of(claim);
+}
+
+std::string link_to(const ExerciseResult& e, const Claim& claim, Links links) {
+  return "[" + escaped(claim.id) + "](" + address_of(e, claim, links) + ")";
+}
+
+std::string answer(const ExerciseResult& e) {
+  std::string text = "**" + sentence(counts_of(e)) + ".**";
+  const std::vector<Finding> errata = errata_of(e);
+  if (errata.empty()) return text + "\n\n";
+  std::vector<std::vector<std::string>> rows;
+  for (const Finding& f : errata)
+    rows.push_back({"[" + escaped(f.name()) + "](" + address_of(e, f.first(), Links::within) + ")",
+                    escaped(f.first().printed.text), escaped(f.first().corrected.text), escaped(f.shows())});
+  return text + "\n\n" + table({"what is wrong", "as printed", "right", "what one would see"}, rows);
+}
+
+std::string wrong_claims(const ExerciseResult& e) {
+  std::string text;
+  for (Verdict verdict : {Verdict::erratum, Verdict::misprint, Verdict::unsettled})
+    for (const JudgedClaim& c : e.claims)
+      if (c.verdict == verdict) text += in_full(c);
+  return text;
+}
+
+std::string other_claims(const ExerciseResult& e) {
+  std::string open, lines;
+  int confirmed = 0;
+  for (const JudgedClaim& c : e.claims) {
+    if (c.verdict == Verdict::not_checkable)
+      open += "Not checkable, " + code(c.claim.id) + " (line " + std::to_string(c.claim.line) +
+              "): " + escaped(c.claim.says, false) + ": " + escaped(c.claim.not_checkable, false) + ".\n\n";
+    if (c.verdict != Verdict::confirmed) continue;
+    ++confirmed;
+    lines += confirmed_line(c);
+  }
+  if (confirmed == 0) return open;
+  return open + folded(plural(confirmed, "confirmed claim", "confirmed claims"), lines);
+}
+
+std::string errata_table(const Results& results, Links links) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Finding& f : errata_worst_first(results)) {
+    std::string claims;
+    for (const JudgedClaim* c : f.claims)
+      claims += (claims.empty() ? "" : ", ") + link_to(*f.exercise, c->claim, links);
+    rows.push_back({claims, std::string(name_of(f.first().kind)), escaped(f.first().printed.text),
+                    escaped(f.first().corrected.text), escaped(f.shows())});
+  }
+  return table({"claims", "kind", "as printed", "right", "what one would see"}, rows);
+}
+
+std::string misprints_table(const Results& results, Links links) {
+  return list_of(results, Verdict::misprint, links);
+}
+
+std::string unsettled_table(const Results& results, Links links) {
+  return list_of(results, Verdict::unsettled, links);
+}
+
+std::string bit_equal_text(const Results& results) {
+  std::string list;
+  int count = 0;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims)
+      if (c.verdict == Verdict::confirmed && bit_equal(c))
+        list += (count++ == 0 ? "" : ", ") + code(c.claim.id);
+  if (count == 0) return "";
+  return folded(
+      plural(count, "claim equal to the last bit", "claims equal to the last bit"),
+      "The two routes of these confirmed claims never differ, though their tolerance leaves room for "
+      "roundings: they do the same arithmetic in the end, or their numbers are short. Their near misses "
+      "fail like all others.\n\n" +
+          list + "\n");
+}
+
+std::string claims_evidence(const JudgedClaim& judged) {
+  std::string text =
+      judged.claim.id + " (line " + std::to_string(judged.claim.line) + "): " + judged.claim.says + "\n";
+  const auto add = [&](const std::string& name, const Reading& reading) {
+    for (const Check& c : reading.checks)
+      text += "  " + name + (c.holds() ? " holds: " : " FAILS: ") + c.quantity + ": " +
+              shown(c.left.value, 17) + " (" + c.left.by + ") against " + shown(c.right.value, 17) + " (" +
+              c.right.by + "), " + difference_of(c) + " (" + c.tolerance.reason + ")" +
+              (c.where.empty() ? "" : ", " + c.where) + "\n";
+  };
+  add("printed", judged.claim.printed);
+  add("meant", judged.claim.meant);
+  add("corrected", judged.claim.corrected);
+  for (const Reading& near : judged.claim.near_misses) add("near miss '" + near.text + "'", near);
+  return text;
+}
+
+}  // namespace oddity
