@@ -34,7 +34,7 @@ std::vector<double> evenly(const Scale& s, int about) {
     if (part * decade >= rough) step = part * decade;
   std::vector<double> found;
   for (double i = std::ceil(s.low / step - 1e-9); i * step <= s.high + 1e-9 * step; ++i)
-    found.push_back(i * step);
+    found.push_back(i == 0 ? 0 : i * step);
   return found;
 }
 

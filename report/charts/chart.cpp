@@ -204,8 +204,8 @@ std::vector<Curve> curves_of(const QuantityResult& q, const Frame& frame,
 }
 
 // Pixels.
-constexpr double chart_width = 900, plot_left = 70, plot_right = 550, label_left = 576, label_height = 17;
-constexpr double least_plot_height = 300, below_plot = 52;
+constexpr double chart_width = 900, plot_left = 70, plot_right = 540, label_left = 566, label_height = 17;
+constexpr double least_plot_height = 300, below_plot = 56;
 
 Plot plot_of(const Frame& frame, double top, double height) {
   const bool log_x = !frame.linear;
@@ -288,7 +288,7 @@ struct Label {
 };
 
 void add_labels(Svg& svg, const std::vector<Label>& labels, double top, double bottom) {
-  constexpr std::size_t widest = 52;  // letters
+  constexpr std::size_t widest = 48;  // letters
   std::vector<double> wanted;
   for (const Label& label : labels) wanted.push_back(label.end.y);
   const std::vector<double> heights = spread(wanted, label_height, top + 6, bottom - 4);
@@ -501,10 +501,10 @@ std::string chart_svg(const QuantityResult& q, const std::string& title, Across 
             "needed b");
   if (q.trajectory)
     add_level(svg, plot, q.trajectory->close,
-              "enough for a game: " + in_unit(shown_error(q.trajectory->close), q), "game", "dim");
+              "enough for a game: " + in_unit(shown_error(q.trajectory->close), q), "game", "dim halo");
   if (frame.floored)
     add_level(svg, plot, frame.floor, "truth known to " + in_unit(shown_error(frame.floor), q), "floor",
-              "dim");
+              "dim halo");
   for (const Curve& curve : curves) {
     add_curve(svg, frame, plot, curve);
     std::vector<Pixel> ends = places(frame, plot, *curve.method, true);
@@ -513,7 +513,8 @@ std::string chart_svg(const QuantityResult& q, const std::string& title, Across 
       labels.push_back({*std::ranges::max_element(ends, {}, &Pixel::x), curve.label, curve.slot});
   }
   add_labels(svg, labels, top, bottom);
-  svg.text({label_left, bottom + 36}, key_of(curves, shown - std::min(shown, curves.size())), "dim small");
+  svg.text({chart_width - 12, bottom + 46}, key_of(curves, shown - std::min(shown, curves.size())),
+           "dim small", Svg::Anchor::end);
   return svg.str();
 }
 

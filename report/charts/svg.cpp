@@ -14,6 +14,7 @@ namespace {
 /// A page's background comes with the picture, so that it can be read on any other.
 constexpr std::string_view style =
     R"(.paper{fill:#fff}.t{fill:#24292f}.dim{fill:#57606a}.b{font-weight:bold}.big{font-size:15px}.small{font-size:11px}
+.halo{paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}
 .grid,.axis,.lead,.need,.game,.floor,.theory,.rim{fill:none;stroke:#d8dee4}.axis{stroke:#57606a}
 .lead{stroke:#8c959f;stroke-width:.6;stroke-dasharray:1 2}.need{stroke:#1a7f37;stroke-width:1.4}
 .game{stroke:#57606a;stroke-dasharray:6 4}.floor{stroke:#57606a;stroke-dasharray:1 3}
@@ -26,7 +27,7 @@ constexpr std::string_view style =
 .c0{color:#0072b2}.c1{color:#d55e00}.c2{color:#00805f}.c3{color:#b5449b}
 .c4{color:#2f93d0}.c5{color:#a87400}.c6{color:#7a1f52}.c7{color:#50565d}
 @media(prefers-color-scheme:dark){.paper,.hollow{fill:#0d1117}.t{fill:#e6edf3}.dim{fill:#9198a1}
-.grid{stroke:#30363d}.axis,.game,.floor{stroke:#9198a1}.need{stroke:#3fb950}.needed{fill:#3fb950}.known{stroke:#e6edf3}
+.halo{stroke:#0d1117}.grid{stroke:#30363d}.axis,.game,.floor{stroke:#9198a1}.need{stroke:#3fb950}.needed{fill:#3fb950}.known{stroke:#e6edf3}
 .c0{color:#58a6ff}.c1{color:#ff8f4f}.c2{color:#2ec49a}.c3{color:#e58bd2}
 .c4{color:#9bd4ff}.c5{color:#e3b341}.c6{color:#ff7096}.c7{color:#c9d1d9}})";
 

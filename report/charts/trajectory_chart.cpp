@@ -161,8 +161,8 @@ struct Frames {
       const bool truth = place == 0;
       svg.line({legend_left, top + 8}, {legend_left + 18, top + 8},
                truth ? "truth" : "curve " + colour_class(slot_of(place)));
-      svg.text({legend_left + 25, top + 12}, shortened(t.paths[order[place]].model, 44), "t b");
-      svg.text({legend_left + 25, top + 27}, shortened(said_of(t, order, place, spans), 50), "dim small");
+      svg.text({legend_left + 25, top + 12}, shortened(t.paths[order[place]].model, 36), "t b");
+      svg.text({legend_left + 25, top + 27}, shortened(said_of(t, order, place, spans), 46), "dim small");
     }
     svg.path("M" + px(legend_left + 5) + " " + px(top + 8) + "a4 4 0 108 0a4 4 0 10-8 0z", "known");
     svg.text({legend_left + 25, top + 12}, "the reference", "t");
@@ -252,7 +252,7 @@ std::string distance_svg(const Frames& f, const std::string& title) {
   if (f.t.close > least) {
     svg.line({plot.x.from, plot.y(f.t.close)}, {plot.x.to, plot.y(f.t.close)}, "game");
     svg.text({plot.x.from + 5, plot.y(f.t.close) - 4},
-             "enough for a game: " + with_powers(shown_error(f.t.close)) + unit_of(f.q), "dim");
+             "enough for a game: " + with_powers(shown_error(f.t.close)) + unit_of(f.q), "dim halo");
   }
   f.add_legend(svg, top);
   return svg.str();

@@ -66,48 +66,31 @@ std::string in_words(const std::string& text) {
   return with_powers(escaped(with_short_numbers(text), false));
 }
 
-/// "2.912363", or nothing of what has several components.
-std::string number_of(const Check& c) {
-  return c.left.value.size() == 1 ? with_powers(shown(c.left.value, 7)) + ", " : "";
-}
-
-/// "off by 0.65", "equal".
-std::string deviation(const Check& c) {
-  const double difference = c.difference();
-  if (difference == 0) return "equal";
-  return std::isfinite(difference) ? "off by " + error_cell(difference) : "not to be compared";
-}
-
-/// What a reading makes of what was compared.
+/// "0.800275, off by 1.5", "equal", "49 violations in 200 samples". The value is shown of a single sample.
 std::string outcome_of(const Check& c) {
-  return counts_violations(c) ? violations(c) : number_of(c) + deviation(c);
+  if (counts_violations(c)) return violations(c);
+  const double difference = c.difference();
+  const std::string value =
+      c.where.empty() && c.left.value.size() == 1 ? value_cell(c.left.value, 7) + ", " : "";
+  return value + (difference == 0             ? "equal"
+                  : std::isfinite(difference) ? "off by " + error_cell(difference)
+                                              : "no number");
 }
 
-/// "Compared: the period, with √2 K by ...: as printed 0.8, off by 1.5; corrected 2.26, off by 1e-7, where
-/// 5e-7 is allowed (half a unit of the last decimal)."
+/// "Against √2 K by the arithmetic-geometric mean: printed 0.800275, off by 1.5; corrected 2.260114, off by
+/// 9.4×10⁻⁸." Lost typography needs no numbers.
 std::string numbers_of(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
-  std::string text;
-  const Check* last = nullptr;
-  const auto add = [&](const std::string& name, const Reading& reading) {
-    if (reading.checks.empty()) return;
-    const Check& c = tightest(reading);
-    const std::string same =
-        last && last->right.by != c.right.by && !counts_violations(c) ? " from " + in_words(c.right.by) : "";
-    if (last)
-      text += "; ";
-    else if (!counts_violations(c))
-      text += "With " + in_words(c.right.by) +
-              (c.right.value.size() == 1 ? " (" + value_cell(c.right.value, 7) + ")" : "") + ": ";
-    text += name + " " + outcome_of(c) + same;
-    last = &c;
-  };
-  add("as printed", claim.printed);
-  add("as meant", claim.meant);
-  add("corrected", claim.corrected);
-  if (!last) return "";
-  if (last->tolerance.allowed > 0) text += ", where " + error_cell(last->tolerance.allowed) + " is allowed";
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  if (claim.printed.checks.empty() || claim.kind == Fault::lost_typography) return "";
+  const Check& printed = tightest(claim.printed);
+  if (counts_violations(printed)) return "Counted: " + violations(printed) + ".\n\n";
+  std::string text = "Against *" + in_words(printed.right.by) + "*" +
+                     (printed.where.empty() && printed.right.value.size() == 1
+                          ? " (" + value_cell(printed.right.value, 7) + ")"
+                          : "") +
+                     ": printed " + outcome_of(printed);
+  if (judged.verdict == Verdict::erratum && !claim.corrected.checks.empty())
+    text += "; corrected " + outcome_of(tightest(claim.corrected));
   return text + ".\n\n";
 }
 
@@ -131,27 +114,47 @@ std::string title_of(Verdict verdict) {
 std::string in_full(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
   const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
-  return "<a id=\"" + anchor_of(claim) + "\"></a>\n\n**" + title_of(judged.verdict) + " " + code(claim.id) +
-         "** (" + kind + "line " + std::to_string(claim.line) + "): " + escaped(claim.says, false) + ".\n\n" +
-         prose(claim.why) + "\n\n" + numbers_of(judged);
+  const Reading& right = deciding(judged);
+  const auto told = [&](const std::string& text) {
+    return text.empty() || claim.says.find(text) != std::string::npos;
+  };
+  const std::string meant = judged.verdict == Verdict::misprint && !told(right.text)
+                                ? " *Meant:* " + escaped(right.text, false) + "."
+                                : "";
+  return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
+         "** (" + kind + "line " + std::to_string(claim.line) + "): " + escaped(claim.says, false) + "." +
+         meant + "\n\n" + prose(claim.why) + "\n\n" + numbers_of(judged);
 }
 
-/// "`simpson` (line 1307): the listing integrates by Simpson's rule. *With* the sum."
-std::string confirmed_line(const JudgedClaim& judged) {
-  const Claim& claim = judged.claim;
+/// What a confirmed claim was compared with: another route, or samples.
+std::string compared_with(const JudgedClaim& judged) {
   const Reading& reading = deciding(judged);
-  std::string compared;
-  if (!reading.checks.empty()) {
-    const Check& c = tightest(reading);
-    compared = counts_violations(c) ? violations(c) : "against " + c.right.by;
+  if (reading.checks.empty()) return "";
+  const Check& c = tightest(reading);
+  return counts_violations(c) ? c.left.by.substr(std::string("violations in ").size()) : c.right.by;
+}
+
+/// A line a claim, those that were compared with the same together.
+std::string confirmed_lines(const ExerciseResult& e) {
+  std::vector<std::pair<std::string, std::string>> groups;
+  for (const JudgedClaim& c : e.claims) {
+    if (c.verdict != Verdict::confirmed) continue;
+    const std::string line = "<br>" + escaped(c.claim.says, false);
+    const std::string with = compared_with(c);
+    const auto same = std::ranges::find(groups, with, &std::pair<std::string, std::string>::first);
+    if (same == groups.end())
+      groups.emplace_back(with, line);
+    else
+      same->second += line;
   }
-  const std::string id = claim.id.substr(std::min(claim.id.find('-') + 1, claim.id.size()));
-  return "- " + code(id) + " (" + std::to_string(claim.line) + "): " + escaped(claim.says, false) +
-         (compared.empty() ? "" : "; *" + in_words(compared) + "*") + ".\n";
+  std::string text;
+  for (const auto& [with, lines] : groups)
+    text += "*Against " + (with.empty() ? "nothing" : in_words(with)) + ":*" + lines + "\n\n";
+  return text;
 }
 
 std::string folded(const std::string& summary, const std::string& text) {
-  return "<details><summary>" + summary + "</summary>\n\n" + text + "\n</details>\n\n";
+  return "<details><summary>" + summary + "</summary>\n\n" + text + "</details>\n\n";
 }
 
 /// The routes of all its checks give the same doubles in every sample, though roundings are allowed.
@@ -175,22 +178,6 @@ int weight_of(Fault kind) {
     default:
       return 3;
   }
-}
-
-/// The claims of one verdict, each beside what is right.
-std::string list_of(const Results& results, Verdict verdict, Links links) {
-  std::vector<std::vector<std::string>> rows;
-  for (const ExerciseResult& e : results.exercises)
-    for (const JudgedClaim& c : e.claims) {
-      if (c.verdict != verdict) continue;
-      const Claim& claim = c.claim;
-      const Reading& right = verdict == Verdict::misprint ? claim.meant : claim.corrected;
-      rows.push_back({link_to(e, claim, links), std::to_string(claim.line), std::string(name_of(claim.kind)),
-                      escaped(claim.printed.text), escaped(right.text)});
-    }
-  return table({"claim", "line", "kind", "as printed",
-                verdict == Verdict::misprint ? "what is meant" : "what is right"},
-               rows, "1");
 }
 
 }  // namespace
@@ -288,18 +275,16 @@ std::string wrong_claims(const ExerciseResult& e) {
 }
 
 std::string other_claims(const ExerciseResult& e) {
-  std::string open, lines;
+  std::string open;
   int confirmed = 0;
   for (const JudgedClaim& c : e.claims) {
     if (c.verdict == Verdict::not_checkable)
       open += "Not checkable, " + code(c.claim.id) + " (line " + std::to_string(c.claim.line) +
               "): " + escaped(c.claim.says, false) + ": " + escaped(c.claim.not_checkable, false) + ".\n\n";
-    if (c.verdict != Verdict::confirmed) continue;
-    ++confirmed;
-    lines += confirmed_line(c);
+    confirmed += c.verdict == Verdict::confirmed;
   }
   if (confirmed == 0) return open;
-  return open + folded(plural(confirmed, "confirmed claim", "confirmed claims"), lines);
+  return open + folded(plural(confirmed, "confirmed claim", "confirmed claims"), confirmed_lines(e));
 }
 
 std::string errata_table(const Results& results, Links links) {
@@ -308,18 +293,23 @@ std::string errata_table(const Results& results, Links links) {
     std::string claims;
     for (const JudgedClaim* c : f.claims)
       claims += (claims.empty() ? "" : ", ") + link_to(*f.exercise, c->claim, links);
-    rows.push_back({claims, std::string(name_of(f.first().kind)), escaped(f.first().printed.text),
-                    escaped(f.first().corrected.text), escaped(f.shows())});
+    rows.push_back(
+        {claims, escaped(f.first().printed.text), escaped(f.first().corrected.text), escaped(f.shows())});
   }
-  return table({"claims", "kind", "as printed", "right", "what one would see"}, rows);
+  return table({"claims", "as printed", "right", "what one would see"}, rows);
 }
 
-std::string misprints_table(const Results& results, Links links) {
-  return list_of(results, Verdict::misprint, links);
-}
-
-std::string unsettled_table(const Results& results, Links links) {
-  return list_of(results, Verdict::unsettled, links);
+std::string list_of(const Results& results, Verdict verdict, Links links) {
+  std::map<std::string, std::string> by_kind;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims) {
+      if (c.verdict != verdict) continue;
+      std::string& list = by_kind[std::string(name_of(c.claim.kind))];
+      list += (list.empty() ? "" : ", ") + link_to(e, c.claim, links);
+    }
+  std::string text;
+  for (const auto& [kind, list] : by_kind) text += (kind.empty() ? "" : "*" + kind + ":* ") + list + "\n\n";
+  return text;
 }
 
 std::string bit_equal_text(const Results& results) {
@@ -335,7 +325,7 @@ std::string bit_equal_text(const Results& results) {
       "The two routes of these confirmed claims never differ, though their tolerance leaves room for "
       "roundings: they do the same arithmetic in the end, or their numbers are short. Their near misses "
       "fail like all others.\n\n" +
-          list + "\n");
+          list + "\n\n");
 }
 
 std::string claims_evidence(const JudgedClaim& judged) {

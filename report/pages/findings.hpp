@@ -46,10 +46,10 @@ std::string wrong_claims(const ExerciseResult&);
 /// What is confirmed, folded up: a line a claim, with what it was compared with. What cannot be checked.
 std::string other_claims(const ExerciseResult&);
 
-/// All errata by root, and all misprints by number, a row each.
+/// All errata by root, a row each.
 std::string errata_table(const Results&, Links);
-std::string misprints_table(const Results&, Links);
-std::string unsettled_table(const Results&, Links);
+/// The claims of a verdict by number, those of one kind together.
+std::string list_of(const Results&, Verdict, Links);
 /// What a reader may doubt: claims whose two routes never differ may have one route. Folded up.
 std::string bit_equal_text(const Results&);
 

@@ -72,29 +72,30 @@ std::string link_to(const ExerciseResult& e, Links links) {
 
 // ---- an exercise ------------------------------------------------------------------------------------------
 
+/// The letters and their values; what seeds random samples is no letter of the book's.
 std::string parameters_text(const ExerciseResult& e) {
-  if (e.parameters.empty()) return "";
-  std::string text = "Parameters: ";
+  std::string text;
   for (const ParameterValue& p : e.parameters)
-    text +=
-        (&p == &e.parameters.front() ? "" : "; ") +
-        code(p.name + " = " + rounded(p.value, 6) + (p.unit.empty() || p.unit == "1" ? "" : " " + p.unit)) +
-        " " + escaped(p.says, false);
-  return text + ".\n\n";
+    if (p.name != "seed")
+      text +=
+          (text.empty() ? "" : "; ") +
+          code(p.name + "=" + rounded(p.value, 6) + (p.unit.empty() || p.unit == "1" ? "" : " " + p.unit)) +
+          " " + escaped(p.says, false);
+  return text.empty() ? "" : "Parameters: " + text + ".\n\n";
 }
 
 /// What a game needs of the scene, in a sentence.
 std::string for_games(const ExerciseResult& e) {
   if (!e.ledger || e.ledger->least.empty()) return "";
   const LeastModel& row = e.ledger->least.front();
-  const std::string page = "[models](models.md#" + heading_anchor(e) + ")";
-  if (!row.least)
-    return "For a game, " + escaped(row.says, false) + ": nothing here is enough (" + page + ").\n\n";
-  return "For a game, " + escaped(row.says, false) + " at every frame: *" + escaped(row.least->model, false) +
-         "* by " + escaped(row.least->algorithm, false) + " is enough, with " +
-         rounded(row.least->evaluations_per_frame, 3) + " evaluations per frame (" + page + ")" +
-         (e.stability ? ". Steps that break it: [stability](stability.md#" + heading_anchor(e) + ")" : "") +
-         ".\n\n";
+  const std::string places = " ([models](models.md#" + heading_anchor(e) + ")" +
+                             (e.stability ? ", [stability](stability.md#" + heading_anchor(e) + ")" : "") +
+                             ").\n\n";
+  return "For a game, " + escaped(row.says, false) + ": " +
+         (row.least ? "*" + escaped(row.least->model, false) + "* by " +
+                          escaped(row.least->algorithm, false) + " is enough"
+                    : "nothing here is enough") +
+         places;
 }
 
 std::string question(const ExerciseResult& e) {
@@ -113,7 +114,7 @@ std::string body(const ExerciseResult& e, const std::string& level, bool pages) 
   text += other_claims(e);
   if (!e.quantities.empty()) text += level + " What is computed\n\n";
   for (const QuantityResult& q : e.quantities) text += quantity_text(e, q, pages);
-  return text;
+  return text + expected_failures(e);
 }
 
 /// The exercises before and after, and the way back.
@@ -263,7 +264,7 @@ std::string index_page(const Results& results, Edition edition) {
 
 std::string exercise_page_text(const Results& results, const ExerciseResult& e) {
   return "# " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" + ways(results, e) + "\n" +
-         question(e) + picture_links(e) + body(e, "##", true) + ways(results, e);
+         question(e) + picture_links(e) + body(e, "##", true);
 }
 
 std::string errata_page(const Results& results) {
@@ -275,8 +276,8 @@ std::string errata_page(const Results& results) {
   section(
       Verdict::erratum, "Errata",
       "A row for each root; those that break a scene come first.\n\n" + errata_table(results, Links::apart));
-  section(Verdict::misprint, "Misprints", misprints_table(results, Links::apart));
-  section(Verdict::unsettled, "Unsettled", unsettled_table(results, Links::apart));
+  section(Verdict::misprint, "Misprints", list_of(results, Verdict::misprint, Links::apart));
+  section(Verdict::unsettled, "Unsettled", list_of(results, Verdict::unsettled, Links::apart));
   return text + bit_equal_text(results) + "[All exercises](README.md)\n";
 }
 
@@ -289,16 +290,14 @@ std::string times_page(const Results& results) {
         if (const TimedTrial& t = best_of(m, Cost::time); !best || preferable(t, *best, Cost::time))
           best = &t;
       if (!best || best->outcome != Outcome::ok) continue;
-      rows.push_back({"[" + to_string(e.number) + "](" + exercise_file(e.number) + ")", code(q.name),
-                      escaped(best->model + ", " + best->algorithm), knob_cell(*best),
-                      shown_time(best->time.seconds), shown_time(best->time.spread)});
+      rows.push_back({"[" + to_string(e.number) + "](" + exercise_file(e.number) + ") " + code(q.name),
+                      escaped(best->model + ", " + best->algorithm), shown_time(best->time.seconds)});
     }
   return "# Times\n\nFor each quantity the fastest method within the need. A time is the median of several "
-         "batches, measured alone in the run that made this report; the spread is half the interquartile "
-         "range. Times differ from run to run and from machine to machine; the counted work on the other pages "
+         "batches, measured alone in the run that made this report. "
+         "Times differ from run to run and from machine to machine; the counted work on the other pages "
          "does not. `oddity chart` draws all methods by time.\n\n" +
-         table({"", "quantity", "fastest", "setting", "time", "spread"}, rows, "45") +
-         "[All exercises](README.md)\n";
+         table({"quantity", "fastest", "time"}, rows, "2") + "[All exercises](README.md)\n";
 }
 
 std::string charts_page(const ExerciseResult& e) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -22,28 +23,63 @@ std::string image(const std::string& says, const std::string& file) {
   return "![" + escaped(says, false) + "](" + file + ")\n\n";
 }
 
+std::string axis_of(Across across) {
+  return across == Across::time ? "time" : across == Across::evaluations ? "evaluations" : "setting";
+}
+
 bool of_one_model(const QuantityResult& q) {
   return std::ranges::all_of(q.methods,
                              [&](const MethodResult& m) { return m.model == q.methods.front().model; });
 }
 
-std::string method_cell(const QuantityResult& q, const TimedTrial& t) {
-  return escaped(of_one_model(q) ? t.algorithm : t.model + ", " + t.algorithm);
+std::string method_name(const QuantityResult& q, const TimedTrial& t) {
+  return escaped(of_one_model(q) ? t.algorithm : t.model + ", " + t.algorithm, false);
 }
 
-/// Each method's cheapest trial that is ok, or else its most accurate one.
-std::string methods_table(const QuantityResult& q) {
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t i : worth_seeing(q, Across::evaluations)) {
-    const TimedTrial& t = best_of(q.methods[i], Cost::evaluations);
-    rows.push_back({method_cell(q, t), knob_cell(t), std::to_string(t.evaluations), error_cell(t.error),
-                    t.outcome == Outcome::ok ? "yes" : std::string(name_of(t.outcome))});
+/// Of each family of algorithms, or, of what is no motion, of each model, the cheapest trial within the need;
+/// the cheapest of these first.
+std::vector<const TimedTrial*> cheapest_within(const QuantityResult& q) {
+  const std::size_t most = q.trajectory ? 3 : 1;
+  std::vector<std::pair<std::string, const TimedTrial*>> best;
+  for (const MethodResult& m : q.methods) {
+    const TimedTrial& t = best_of(m, Cost::evaluations);
+    if (t.outcome != Outcome::ok) continue;
+    const Family family = family_of(m.algorithm);
+    const std::string key = family == Family::none ? m.model : std::to_string(static_cast<int>(family));
+    const auto same = std::ranges::find(best, key, &std::pair<std::string, const TimedTrial*>::first);
+    if (same == best.end())
+      best.emplace_back(key, &t);
+    else if (preferable(t, *same->second, Cost::evaluations))
+      same->second = &t;
   }
-  const auto left_out = static_cast<int>(q.methods.size() - rows.size());
-  return table({"method", "setting", "evaluations", "error", "within the need"}, rows, "23") +
-         (left_out > 0 ? "Of " + std::to_string(q.methods.size()) +
-                             " methods, those on the front and the best of each model and family.\n\n"
-                       : "");
+  std::ranges::stable_sort(
+      best, [](const auto& a, const auto& b) { return preferable(*a.second, *b.second, Cost::evaluations); });
+  std::vector<const TimedTrial*> trials;
+  for (const auto& [key, t] : best)
+    if (trials.size() < most) trials.push_back(t);
+  return trials;
+}
+
+/// "Runge-Kutta 4, step 0.0156: 2560 evaluations, error 4.4×10⁻⁷".
+std::string trial_text(const QuantityResult& q, const TimedTrial& t) {
+  return method_name(q, t) + (t.knob.empty() ? "" : ", " + with_powers(escaped(shown_knob(t), false))) +
+         ": " + plural(static_cast<int>(t.evaluations), "evaluation", "evaluations") +
+         (std::isfinite(t.error) ? ", error " + error_cell(t.error) : "");
+}
+
+std::string methods_text(const QuantityResult& q) {
+  const auto trials = cheapest_within(q);
+  std::string text;
+  for (const TimedTrial* t : trials) text += "- " + trial_text(q, *t) + "\n";
+  if (!trials.empty()) return text + "\n";
+  const TimedTrial* closest = nullptr;
+  for (const MethodResult& m : q.methods)
+    if (const TimedTrial& t = best_of(m, Cost::evaluations);
+        !closest || preferable(t, *closest, Cost::evaluations))
+      closest = &t;
+  return closest ? "No method is within the need; the closest is " + trial_text(q, *closest) + ", *" +
+                       std::string(name_of(closest->outcome)) + "*.\n\n"
+                 : "";
 }
 
 /// What differs from what is expected: nothing in a green run.
@@ -57,58 +93,14 @@ std::string surprises(const QuantityResult& q) {
   return text.empty() ? "" : text + "\n";
 }
 
-/// "one angle by explicit Euler, velocity Verlet; small angle by closed form".
-std::string by_model(const std::vector<const MethodResult*>& methods) {
-  std::vector<std::pair<std::string, std::string>> models;
-  for (const MethodResult* m : methods) {
-    const auto same = std::ranges::find(models, m->model, &std::pair<std::string, std::string>::first);
-    if (same == models.end())
-      models.emplace_back(m->model, m->algorithm);
-    else
-      same->second += ", " + m->algorithm;
-  }
-  std::string text;
-  for (const auto& [model, algorithms] : models)
-    text += (text.empty() ? "" : "; ") + escaped(model + " by " + algorithms, false);
-  return text;
-}
-
-/// Why methods are expected to fail, those with the same reason together.
-std::string expected_failures(const QuantityResult& q) {
-  struct Reason {
-    std::string text;
-    std::vector<const MethodResult*> methods;
-  };
-  std::vector<Reason> reasons;
-  int count = 0;
-  for (const MethodResult& m : q.methods) {
-    if (m.why.empty() || m.expected == Outcome::ok) continue;
-    ++count;
-    const std::string text = "*" + std::string(name_of(m.expected)) + "*: " + escaped(m.why, false);
-    const auto same = std::ranges::find(reasons, text, &Reason::text);
-    if (same == reasons.end())
-      reasons.push_back({text, {&m}});
-    else
-      same->methods.push_back(&m);
-  }
-  if (reasons.empty()) return "";
-  std::string text = "<details><summary>" +
-                     plural(count, "method is expected to fail", "methods are expected to fail") +
-                     "</summary>\n\n";
-  for (const Reason& r : reasons) text += "- " + by_model(r.methods) + ": " + r.text + ".\n";
-  return text + "\n</details>\n\n";
-}
-
 std::string breakdown_text(const BreakdownResult& b) {
-  const auto line = [](const std::string& what, const TimedTrial& t) {
-    const std::string knob = t.knob.empty() ? "" : ", " + with_powers(escaped(shown_knob(t), false));
-    return "- " + what + ": " + escaped(t.model + ", " + t.algorithm, false) + knob + ": " +
-           (std::isfinite(t.error) ? "error " + error_cell(t.error) + ", " : "") + "*" +
-           std::string(name_of(t.outcome)) + "*, " +
-           plural(static_cast<int>(t.evaluations), "evaluation", "evaluations") + "\n";
+  const auto end = [](const TimedTrial& t) {
+    return escaped(t.model + ", " + t.algorithm, false) +
+           (t.knob.empty() ? "" : ", " + with_powers(escaped(shown_knob(t), false))) + ": " +
+           (std::isfinite(t.error) ? "error " + error_cell(t.error) : "no number") +
+           (t.outcome == Outcome::ok ? "" : ", *" + std::string(name_of(t.outcome)) + "*");
   };
-  return "**Where it breaks.** " + prose(b.says) + "\n\n" + line("breaks", b.broken) + line("cure", b.cured) +
-         "\n";
+  return "**Breaks.** " + prose(b.says) + "\n\n- " + end(b.broken) + "\n- cure: " + end(b.cured) + "\n\n";
 }
 
 /// How many settings hold in double, and how many of these do not in float.
@@ -136,30 +128,31 @@ std::string in_float_text(const QuantityResult& q) {
       if (const TimedTrial& t = m.trials[i]; std::isfinite(t.error) && (!least || t.error < least->error))
         least = &t, like = &q.methods[m.in_double].trials[i];
   if (!least) return "";
-  return "**In float**, as games compute: " + lost_in_float(q) + ". The least error is " +
-         error_cell(least->error) + ", of " + escaped(least->model + ", " + like->algorithm, false) +
-         (least->knob.empty() ? "" : " at " + with_powers(escaped(shown_knob(*least), false))) +
-         (q.trajectory
-              ? least->error <= q.trajectory->close ? ", enough for a game" : ", not enough for a game"
-              : "") +
+  return "**In float:** " + lost_in_float(q) + "; the least error is " + error_cell(least->error) + " (" +
+         escaped(least->model + ", " + like->algorithm, false) +
+         (least->knob.empty() ? "" : ", " + with_powers(escaped(shown_knob(*least), false))) + ")" +
+         (!q.trajectory                         ? ""
+          : least->error <= q.trajectory->close ? ", enough for a game"
+                                                : ", not enough for a game") +
          ".\n\n";
 }
 
 /// Beneath the last of a series, its chart.
 std::string series_link(const ExerciseResult& e, const QuantityResult& q) {
   for (const auto& series : series_of(e))
-    if (series.back() == &q) return image(series_finding(series), series_file(e, *series.front()));
+    if (series.back() == &q) return image("work over size", series_file(e, *series.front()));
   return "";
 }
 
 }  // namespace
 
 std::string quantity_head(const QuantityResult& q) {
-  return "### " + code(q.name) + ": " + escaped(q.says, false) +
-         "\n\nReference: " + value_cell(q.reference.value, 16) +
-         (q.unit == "1" ? "" : " " + escaped(q.unit, false)) + ", known to " + error_cell(q.reference_error) +
-         " (" + escaped(q.reference.by, false) + "). Needed to " + error_cell(q.need.allowed) + ": " +
-         escaped(q.need.reason, false) + (q.samples > 1 ? "; " + instants(q) : "") + ".\n\n";
+  const std::string unit = q.unit == "1" || q.unit.empty() ? "" : " " + escaped(q.unit, false);
+  const bool one = q.reference.value.size() == 1;
+  return "### " + code(q.name) + ": " + escaped(q.says, false) + "\n\n" +
+         (one ? "**" + value_cell(q.reference.value, 16) + unit + "** by " : "Truth by ") +
+         escaped(q.reference.by, false) + ", needed to " + error_cell(q.need.allowed) + (one ? "" : unit) +
+         (q.samples > 1 ? "; " + instants(q) : "") + ".\n\n";
 }
 
 std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool charts) {
@@ -167,21 +160,57 @@ std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool
   if (charts) {
     text += motion_link(e, q);
     if (const auto all = charts_of(q); !all.empty())
-      text += image(finding(q, all.front()), chart_file(e, q, all.front()));
+      text += image("error against " + axis_of(all.front()), chart_file(e, q, all.front()));
     text += series_link(e, q);
   }
-  text += methods_table(q) + surprises(q) + in_float_text(q);
+  text += methods_text(q) + surprises(q) + in_float_text(q);
   for (const BreakdownResult& b : q.breakdowns) text += breakdown_text(b);
-  return text + expected_failures(q);
+  return text;
+}
+
+std::string expected_failures(const ExerciseResult& e) {
+  struct Reason {
+    std::string why;
+    std::set<std::string> models, algorithms;
+    int methods = 0;
+  };
+  std::vector<Reason> reasons;
+  for (const QuantityResult& q : e.quantities)
+    for (const MethodResult& m : q.methods) {
+      if (m.why.empty() || m.expected == Outcome::ok) continue;
+      auto same = std::ranges::find(reasons, m.why, &Reason::why);
+      if (same == reasons.end()) same = reasons.insert(reasons.end(), {m.why, {}, {}});
+      same->models.insert(m.model);
+      same->algorithms.insert(m.algorithm);
+      ++same->methods;
+    }
+  if (reasons.empty()) return "";
+  std::string lines;
+  int count = 0;
+  for (const Reason& r : reasons) {
+    const bool one_algorithm = r.algorithms.size() == 1;
+    lines += "- " +
+             (r.models.size() > 1 && !one_algorithm
+                  ? std::to_string(r.methods) + " methods"
+                  : escaped(r.models.size() > 1 ? *r.algorithms.begin()
+                            : one_algorithm     ? *r.models.begin() + ", " + *r.algorithms.begin()
+                                                : *r.models.begin(),
+                            false)) +
+             ": " + escaped(r.why, false) + ".\n";
+    count += r.methods;
+  }
+  return "<details><summary>" + plural(count, "method is expected to fail", "methods are expected to fail") +
+         "</summary>\n\n" + lines + "\n</details>\n\n";
 }
 
 std::string motion_link(const ExerciseResult& e, const QuantityResult& q) {
-  return q.trajectory ? image(motion_finding(q), trajectory_file(e, q)) : "";
+  return q.trajectory ? image("the motion", trajectory_file(e, q)) : "";
 }
 
 std::string chart_links(const ExerciseResult& e, const QuantityResult& q) {
   std::string text;
-  for (Across across : charts_of(q)) text += image(finding(q, across), chart_file(e, q, across));
+  for (Across across : charts_of(q))
+    text += image("error against " + axis_of(across), chart_file(e, q, across));
   return text;
 }
 

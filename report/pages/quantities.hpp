@@ -11,9 +11,11 @@ namespace oddity {
 /// What a quantity is, its true value and how well it is needed.
 std::string quantity_head(const QuantityResult&);
 
-/// A quantity: its head, one chart if it is to have any, the methods worth seeing in a table, what float
-/// makes of it, where it breaks, and what is expected to fail, folded up.
+/// A quantity: its head, one chart if it is to have any, the cheapest methods within the need, what float
+/// makes of it, and where it breaks.
 std::string quantity_text(const ExerciseResult&, const QuantityResult&, bool charts);
+/// Why methods are expected to fail at their finest setting, folded up: a line a reason.
+std::string expected_failures(const ExerciseResult&);
 
 /// Links to the charts by evaluations or setting, and by time.
 std::string chart_links(const ExerciseResult&, const QuantityResult&);
