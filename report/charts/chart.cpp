@@ -204,7 +204,7 @@ std::vector<Curve> curves_of(const QuantityResult& q, const Frame& frame,
 }
 
 // Pixels.
-constexpr double chart_width = 900, plot_left = 70, plot_right = 540, label_left = 566, label_height = 17;
+constexpr double chart_width = 960, plot_left = 70, plot_right = 570, label_left = 596, label_height = 17;
 constexpr double least_plot_height = 300, below_plot = 56;
 
 Plot plot_of(const Frame& frame, double top, double height) {
@@ -288,7 +288,7 @@ struct Label {
 };
 
 void add_labels(Svg& svg, const std::vector<Label>& labels, double top, double bottom) {
-  constexpr std::size_t widest = 48;  // letters
+  constexpr std::size_t widest = 50;  // letters
   std::vector<double> wanted;
   for (const Label& label : labels) wanted.push_back(label.end.y);
   const std::vector<double> heights = spread(wanted, label_height, top + 6, bottom - 4);
@@ -498,7 +498,7 @@ std::string chart_svg(const QuantityResult& q, const std::string& title, Across 
   if (const auto end = add_front(svg, q, frame, plot))
     labels.push_back({{plot.x.to, *end}, "Pareto front: none is cheaper and truer", -1});
   add_level(svg, plot, q.need.allowed, "needed: " + in_unit(shown_error(q.need.allowed), q), "need",
-            "needed b");
+            "needed b halo");
   if (q.trajectory)
     add_level(svg, plot, q.trajectory->close,
               "enough for a game: " + in_unit(shown_error(q.trajectory->close), q), "game", "dim halo");

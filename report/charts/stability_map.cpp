@@ -70,7 +70,7 @@ struct Layout {
     };
     if (across + all > map_width) begin_line();
     models.push_back(
-        {shortened(group[0][0]->model, group.size() > 1 ? 60 : 24), across, height - model_height});
+        {shortened(group[0][0]->model, group.size() > 1 ? 60 : 32), across, height - model_height});
     for (const auto& columns : group) {
       if (across + wide(columns) > map_width) begin_line();
       panels.push_back({columns, across, height, across == left_edge});
@@ -93,23 +93,24 @@ double middle_of(int edge, std::size_t place, int size) {
   return edge + size * (static_cast<double>(place) + 0.5);
 }
 
-/// A panel's cells of one outcome as rectangles, and their letters, those of one step in one line.
+/// A panel's cells of one outcome as rectangles, with their letters, those of one step in one line.
 void add_cells(Svg& svg, const Panel& p, const Stability& s, Outcome outcome) {
+  const char letter = letter_of(outcome);
+  std::vector<std::vector<double>> places(s.steps.size());
   std::string cells;
-  for (std::size_t k = 0; k < s.steps.size(); ++k) {
-    std::vector<double> places;
+  for (std::size_t k = 0; k < s.steps.size(); ++k)
     for (std::size_t column = 0; column < p.columns.size(); ++column) {
       if (p.columns[column]->outcomes[k] != outcome) continue;
-      places.push_back(middle_of(p.across, column, cell_width));
-      cells += "M" + px(places.back() - cell_width / 2.0 + 0.5) + " " +
+      places[k].push_back(middle_of(p.across, column, cell_width));
+      cells += "M" + px(places[k].back() - cell_width / 2.0 + 0.5) + " " +
                px(p.down + cell_height * static_cast<double>(k) + 0.5) + "h" + px(cell_width - 1) + "v" +
                px(cell_height - 1) + "h-" + px(cell_width - 1) + "z";
     }
-    if (!places.empty() && outcome != Outcome::ok)
-      svg.letters(places, middle_of(p.down, k, cell_height) + 4,
-                  std::string(places.size(), letter_of(outcome)), std::string("on-") + letter_of(outcome));
-  }
-  if (!cells.empty()) svg.path(cells, std::string(1, letter_of(outcome)));
+  if (!cells.empty()) svg.path(cells, std::string(1, letter));
+  for (std::size_t k = 0; k < s.steps.size() && outcome != Outcome::ok; ++k)
+    if (!places[k].empty())
+      svg.letters(places[k], middle_of(p.down, k, cell_height) + 4, std::string(places[k].size(), letter),
+                  std::string("on-") + letter);
 }
 
 /// Theory's limits as lines, those beyond the steps shown along the edge.

@@ -104,7 +104,7 @@ std::string unit_of(const QuantityResult& q) {
 }
 
 // Pixels.
-constexpr double picture_width = 900, motion_left = 70, motion_right = 590, legend_left = 612,
+constexpr double picture_width = 960, motion_left = 70, motion_right = 600, legend_left = 624,
                  entry_height = 40;
 constexpr double under_axis = 46;
 
@@ -162,7 +162,7 @@ struct Frames {
       svg.line({legend_left, top + 8}, {legend_left + 18, top + 8},
                truth ? "truth" : "curve " + colour_class(slot_of(place)));
       svg.text({legend_left + 25, top + 12}, shortened(t.paths[order[place]].model, 36), "t b");
-      svg.text({legend_left + 25, top + 27}, shortened(said_of(t, order, place, spans), 46), "dim small");
+      svg.text({legend_left + 25, top + 27}, shortened(said_of(t, order, place, spans), 48), "dim small");
     }
     svg.path("M" + px(legend_left + 5) + " " + px(top + 8) + "a4 4 0 108 0a4 4 0 10-8 0z", "known");
     svg.text({legend_left + 25, top + 12}, "the reference", "t");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <limits>
+#include <set>
 #include <tuple>
 
 #include "reference/text.hpp"
@@ -110,17 +111,16 @@ std::string title_of(Verdict verdict) {
   return name;
 }
 
-/// What is wrong, what is right, and how it shows.
-std::string in_full(const JudgedClaim& judged) {
+/// What is wrong, what is right unless a table has it already, and how it shows.
+std::string in_full(const JudgedClaim& judged, bool in_table) {
   const Claim& claim = judged.claim;
   const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
   const Reading& right = deciding(judged);
-  const auto told = [&](const std::string& text) {
-    return text.empty() || claim.says.find(text) != std::string::npos;
-  };
-  const std::string meant = judged.verdict == Verdict::misprint && !told(right.text)
-                                ? " *Meant:* " + escaped(right.text, false) + "."
-                                : "";
+  const bool told = right.text.empty() || claim.says.find(right.text) != std::string::npos;
+  const std::string meant = told || in_table
+                                ? ""
+                                : (judged.verdict == Verdict::misprint ? " *Meant:* " : " *Right:* ") +
+                                      escaped(right.text, false) + ".";
   return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
          "** (" + kind + "line " + std::to_string(claim.line) + "): " + escaped(claim.says, false) + "." +
          meant + "\n\n" + prose(claim.why) + "\n\n" + numbers_of(judged);
@@ -267,10 +267,12 @@ std::string answer(const ExerciseResult& e) {
 }
 
 std::string wrong_claims(const ExerciseResult& e) {
+  std::set<const Claim*> in_table;
+  for (const Finding& f : errata_of(e)) in_table.insert(&f.first());
   std::string text;
   for (Verdict verdict : {Verdict::erratum, Verdict::misprint, Verdict::unsettled})
     for (const JudgedClaim& c : e.claims)
-      if (c.verdict == verdict) text += in_full(c);
+      if (c.verdict == verdict) text += in_full(c, in_table.contains(&c.claim));
   return text;
 }
 
