@@ -466,10 +466,10 @@ TEST_CASE("a finding says what it was compared with, and how the comparison ende
     return page_of(results);
   };
   CHECK(count(page({"squared", {"by hand", 2.5}, {"by sums", 1}, {1e-9, "a test"}}),
-              "Against *by sums* (1): printed 2.5, off by 1.5; corrected 1, equal.") == 1);
+              "Compared with *by sums* (1), the print is off by 1.5, the correction equal.") == 1);
   CHECK(count(page({"squared", {"by hand", 2.5}, {"by sums", 1}, {1e-9, "a test"}, 0, "worst of 3"}),
-              "Against *by sums*: printed off by 1.5; corrected 1, equal.") == 1);
-  CHECK(count(page(never("the sign is right", 49, 200)), "Counted: 49 violations in 200 samples.") == 1);
+              "Compared with *by sums*, the print is off by 1.5, the correction equal.") == 1);
+  CHECK(count(page(never("the sign is right", 49, 200)), "It fails in 49 of 200 samples.") == 1);
 }
 
 TEST_CASE("confirmed claims are a line each beneath what they were compared with", "[report]") {

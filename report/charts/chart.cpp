@@ -20,6 +20,7 @@ namespace oddity {
 namespace {
 
 constexpr std::size_t most_curves = 8;
+constexpr std::size_t longest_label = 50;  // letters
 
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = 0;
@@ -195,10 +196,11 @@ std::vector<Curve> curves_of(const QuantityResult& q, const Frame& frame,
     const MethodResult& m = *methods[i];
     const auto [same, first] = drawn.try_emplace(seen(frame, m), &m);
     const std::string fitted = with_powers(shown_fit(m, fit(q, m)));
-    curves.push_back({&m, slots[i],
-                      name(m) + (!first           ? ": as " + name(*same->second)
-                                 : fitted.empty() ? ""
-                                                  : " (" + fitted + ")")});
+    const std::string said = !first           ? ": as " + name(*same->second)
+                             : fitted.empty() ? ""
+                                              : " (" + fitted + ")";
+    const bool fits = !first || name(m).size() + said.size() <= longest_label;
+    curves.push_back({&m, slots[i], name(m) + (fits ? said : "")});
   }
   return curves;
 }
@@ -288,7 +290,6 @@ struct Label {
 };
 
 void add_labels(Svg& svg, const std::vector<Label>& labels, double top, double bottom) {
-  constexpr std::size_t widest = 50;  // letters
   std::vector<double> wanted;
   for (const Label& label : labels) wanted.push_back(label.end.y);
   const std::vector<double> heights = spread(wanted, label_height, top + 6, bottom - 4);
@@ -296,7 +297,8 @@ void add_labels(Svg& svg, const std::vector<Label>& labels, double top, double b
     const Label& label = labels[i];
     svg.line({label.end.x + 5, label.end.y}, {label_left - 4, heights[i]}, "lead");
     if (label.slot >= 0) svg.marks({{label_left + 3, heights[i]}}, label.slot, "mark");
-    svg.text({label_left + 12, heights[i] + 4}, shortened(label.text, widest), label.slot < 0 ? "t b" : "t");
+    svg.text({label_left + 12, heights[i] + 4}, shortened(label.text, longest_label),
+             label.slot < 0 ? "t b" : "t");
   }
 }
 

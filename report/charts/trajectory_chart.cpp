@@ -161,7 +161,7 @@ struct Frames {
       const bool truth = place == 0;
       svg.line({legend_left, top + 8}, {legend_left + 18, top + 8},
                truth ? "truth" : "curve " + colour_class(slot_of(place)));
-      svg.text({legend_left + 25, top + 12}, shortened(t.paths[order[place]].model, 36), "t b");
+      svg.text({legend_left + 25, top + 12}, shortened(t.paths[order[place]].model, 40), "t b");
       svg.text({legend_left + 25, top + 27}, shortened(said_of(t, order, place, spans), 48), "dim small");
     }
     svg.path("M" + px(legend_left + 5) + " " + px(top + 8) + "a4 4 0 108 0a4 4 0 10-8 0z", "known");

@@ -46,12 +46,6 @@ std::string difference_of(const Check& c) {
          ", allowed " + shown_error(c.tolerance.allowed);
 }
 
-/// "no violations in 200 samples", "1 violation in 200 samples".
-std::string violations(const Check& c) {
-  const std::string n = c.left.value[0] == 0 ? "no" : rounded(c.left.value[0], 12);
-  return n + (n == "1" ? " violation" : " violations") + c.left.by.substr(std::string("violations").size());
-}
-
 /// How much of its tolerance a check uses up; one that fails comes before all that hold.
 double tightness(const Check& c) {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -67,31 +61,34 @@ std::string in_words(const std::string& text) {
   return with_powers(escaped(with_short_numbers(text), false));
 }
 
-/// "0.800275, off by 1.5", "equal", "49 violations in 200 samples". The value is shown of a single sample.
-std::string outcome_of(const Check& c) {
-  if (counts_violations(c)) return violations(c);
-  const double difference = c.difference();
-  const std::string value =
-      c.where.empty() && c.left.value.size() == 1 ? value_cell(c.left.value, 7) + ", " : "";
-  return value + (difference == 0             ? "equal"
-                  : std::isfinite(difference) ? "off by " + error_cell(difference)
-                                              : "no number");
+/// "It fails in 30 of 201 samples."
+std::string failures(const Check& c) {
+  return "It fails in " + rounded(c.left.value[0], 12) + " of" +
+         c.left.by.substr(std::string("violations in").size()) + ".\n\n";
 }
 
-/// "Against √2 K by the arithmetic-geometric mean: printed 0.800275, off by 1.5; corrected 2.260114, off by
-/// 9.4×10⁻⁸." Lost typography needs no numbers.
+/// "off by 1.5", "equal".
+std::string deviation(const Check& c) {
+  const double difference = c.difference();
+  return difference == 0             ? "equal"
+         : std::isfinite(difference) ? "off by " + error_cell(difference)
+                                     : "no number";
+}
+
+/// "Compared with √2 K by the arithmetic-geometric mean (2.260114), the print is off by 1.5, the correction
+/// off by 9.4×10⁻⁸." The value is shown of a single sample. Lost typography needs no numbers.
 std::string numbers_of(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
   if (claim.printed.checks.empty() || claim.kind == Fault::lost_typography) return "";
   const Check& printed = tightest(claim.printed);
-  if (counts_violations(printed)) return "Counted: " + violations(printed) + ".\n\n";
-  std::string text = "Against *" + in_words(printed.right.by) + "*" +
-                     (printed.where.empty() && printed.right.value.size() == 1
-                          ? " (" + value_cell(printed.right.value, 7) + ")"
-                          : "") +
-                     ": printed " + outcome_of(printed);
-  if (judged.verdict == Verdict::erratum && !claim.corrected.checks.empty())
-    text += "; corrected " + outcome_of(tightest(claim.corrected));
+  if (counts_violations(printed)) return failures(printed);
+  const bool one = printed.where.empty() && printed.right.value.size() == 1;
+  std::string text = "Compared with *" + in_words(printed.right.by) + "*" +
+                     (one ? " (" + value_cell(printed.right.value, 7) + ")" : "") + ", the print is " +
+                     deviation(printed);
+  if (judged.verdict == Verdict::erratum && !claim.corrected.checks.empty() &&
+      !counts_violations(tightest(claim.corrected)))
+    text += ", the correction " + deviation(tightest(claim.corrected));
   return text + ".\n\n";
 }
 

@@ -113,10 +113,11 @@ std::string lost_in_float(const QuantityResult& q) {
       lost += m.trials[i].outcome != Outcome::ok;
     }
   if (held == 0) return "none of its methods is within the need in double";
-  const std::string all = plural(held, "setting", "settings") + " within the need in double";
-  return lost == 0 ? "of " + all + ", none is outside it in float"
-                   : "of " + all + ", " + std::to_string(lost) + (lost == 1 ? " is" : " are") +
-                         " outside it in float";
+  const std::string all = plural(held, "setting", "settings");
+  return lost == 0      ? "what is within the need in double is so here"
+         : lost == held ? "none of the " + all + " within the need in double is within it here"
+                        : std::to_string(held - lost) + " of the " + all + " within the need in double " +
+                              (held - lost == 1 ? "is" : "are") + " within it here";
 }
 
 /// Where float's floor lies.
@@ -150,9 +151,9 @@ std::string quantity_head(const QuantityResult& q) {
   const std::string unit = q.unit == "1" || q.unit.empty() ? "" : " " + escaped(q.unit, false);
   const bool one = q.reference.value.size() == 1;
   return "### " + code(q.name) + ": " + escaped(q.says, false) + "\n\n" +
-         (one ? "**" + value_cell(q.reference.value, 16) + unit + "** by " : "Truth by ") +
-         escaped(q.reference.by, false) + ", needed to " + error_cell(q.need.allowed) + (one ? "" : unit) +
-         (q.samples > 1 ? "; " + instants(q) : "") + ".\n\n";
+         (one ? "**" + value_cell(q.reference.value, 16) + unit + "** (" : "Truth: ") +
+         escaped(q.reference.by, false) + (one ? "), needed to " : "; needed to ") +
+         error_cell(q.need.allowed) + (one ? "" : unit) + (q.samples > 1 ? "; " + instants(q) : "") + ".\n\n";
 }
 
 std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool charts) {

@@ -1,0 +1,93 @@
+#include "report/charts/run_program.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <system_error>
+#include <thread>
+
+#include "reference/interrupted.hpp"
+#include "reference/text.hpp"
+
+extern char** environ;
+
+namespace oddity {
+
+namespace {
+
+void require(bool done, int error, const char* what) {
+  if (!done) throw std::system_error(error, std::generic_category(), what);
+}
+
+/// A file without a name: what is in it neither blocks nor breaks a pipe.
+class Scratch {
+ public:
+  Scratch() : file_(std::tmpfile(), &std::fclose) { require(file_ != nullptr, errno, "a temporary file"); }
+
+  int descriptor() const { return fileno(file_.get()); }
+  void write(const std::string& text) {
+    require(
+        std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && std::fflush(file_.get()) == 0,
+        errno, "a temporary file");
+    std::rewind(file_.get());
+  }
+  std::string read() {
+    std::rewind(file_.get());
+    std::string text(4000, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), file_.get()));
+    return text;
+  }
+
+ private:
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+};
+
+pid_t spawn(const std::vector<std::string>& command, int input, int errors) {
+  std::vector<char*> words;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, words.front(), &actions, nullptr, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  require(error == 0, error, words.front());
+  return child;
+}
+
+}  // namespace
+
+Ended run_program(const std::vector<std::string>& command, const std::string& input,
+                  std::chrono::milliseconds limit) {
+  using namespace std::chrono_literals;
+  Scratch given, said;
+  given.write(input);
+  const pid_t child = spawn(command, given.descriptor(), said.descriptor());
+  const Running running(child);
+  const auto deadline = std::chrono::steady_clock::now() + limit;
+  int status = 0;
+  bool late = false;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (!late && std::chrono::steady_clock::now() > deadline) {
+      late = true;
+      kill(child, SIGKILL);
+    }
+    std::this_thread::sleep_for(2ms);
+  }
+  const double seconds = std::chrono::duration<double>(limit).count();
+  return {!late && WIFEXITED(status) && WEXITSTATUS(status) == 0,
+          late                  ? "no answer within " + rounded(seconds, 3) + " s"
+          : WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
+                                : "status " + std::to_string(WEXITSTATUS(status)),
+          said.read()};
+}
+
+}  // namespace oddity

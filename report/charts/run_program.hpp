@@ -1,0 +1,21 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace oddity {
+
+/// How a program ended, and what it said on standard error.
+struct Ended {
+  bool ok = false;
+  std::string how;  ///< "status 1", "signal 9", "no answer within 60 s"
+  std::string words;
+};
+
+/// Runs a program, without a shell, with `input` on its standard input; it is killed at the limit. Its
+/// standard output goes nowhere. Throws std::system_error when it cannot be started.
+Ended run_program(const std::vector<std::string>& command, const std::string& input,
+                  std::chrono::milliseconds limit);
+
+}  // namespace oddity
