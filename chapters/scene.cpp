@@ -1,5 +1,6 @@
 #include "chapters/scene.hpp"
 
+#include "chapters/drift.hpp"
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/disturbed.hpp"
 #include "solvers/ode/events.hpp"
@@ -42,32 +43,19 @@ Answer ModelOf<n>::observed(std::span<const double> times, const ode::Trajectory
   return answer;
 }
 
-namespace {
-
-/// No change of a conserved quantity at all, but for the rounding of its terms.
-bool is_rounding(double change, const Conserved<double>& at_start) {
-  constexpr double roundings = 256 * std::numeric_limits<double>::epsilon();
-  return change <= roundings * (std::abs(at_start.value) + at_start.moving);
-}
-
-}  // namespace
-
 template <std::size_t n>
 double ModelOf<n>::drift(std::span<const double> times, std::span<const State> motion) const {
   if (motion.empty()) return 0;
   const std::vector<Conserved<double>> at_start = conserved(motion[0], times[0]);
   if (at_start.empty()) return 0;
   const std::vector<double> scale = moving(times.back());
-  double drift = 0;
+  double most = 0;
   for (std::size_t i = 1; i < motion.size(); ++i) {
-    const std::vector<Conserved<double>> now = conserved(motion[i], times[i]);
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      const double change = std::abs(now[k].value - at_start[k].value);
-      if (std::isnan(change)) return change;
-      if (!is_rounding(change, at_start[k])) drift = std::max(drift, change / scale[k]);
-    }
+    const double drift = oddity::drift(at_start, conserved(motion[i], times[i]), scale);
+    if (std::isnan(drift)) return drift;
+    most = std::max(most, drift);
   }
-  return drift;
+  return most;
 }
 
 template <std::size_t n>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <string_view>
 #include <vector>
 
 namespace oddity {
@@ -63,6 +64,10 @@ extern "C" void tidy(int signal) {
     waitpid(program, nullptr, 0);
   }
   for (const char* file : all.files) unlink(file);
+  if (signal == SIGINT) {
+    constexpr std::string_view says = "\noddity: interrupted; every file that was written is whole\n";
+    static_cast<void>(!write(STDERR_FILENO, says.data(), says.size()));
+  }
   struct sigaction usual {};
   usual.sa_handler = SIG_DFL;
   sigaction(signal, &usual, nullptr);

@@ -13,7 +13,9 @@ namespace oddity {
 
 inline const std::string& name_of(const Catch::TestCaseHandle& test) { return test.getTestCaseInfo().name; }
 
-inline void use_no_colour(Catch::ConfigData& data) { data.defaultColourMode = Catch::ColourMode::None; }
+inline void use_colour(Catch::ConfigData& data, bool colour) {
+  data.defaultColourMode = colour ? Catch::ColourMode::ANSI : Catch::ColourMode::None;
+}
 
 /// Every file that Catch2 is to write goes where `elsewhere` says instead.
 template <class F>
@@ -54,7 +56,9 @@ namespace oddity {
 
 inline const std::string& name_of(const Catch::TestCase& test) { return test.name; }
 
-inline void use_no_colour(Catch::ConfigData& data) { data.useColour = Catch::UseColour::No; }
+inline void use_colour(Catch::ConfigData& data, bool colour) {
+  data.useColour = colour ? Catch::UseColour::Yes : Catch::UseColour::No;
+}
 
 template <class F>
 void redirect_outputs(Catch::ConfigData& data, const F& elsewhere) {

@@ -4,9 +4,10 @@
 #endif
 #include "tests/catch_main.hpp"
 
-#include <cstdlib>
+#include <unistd.h>
 
 #include "reference/bad_input.hpp"
+#include "report/pages/screen.hpp"
 #include "tests/catch.hpp"
 
 namespace oddity {
@@ -25,8 +26,7 @@ CatchSession::CatchSession(const std::vector<std::string>& arguments)
     : session_(std::make_unique<Session>()) {
   std::vector<const char*> words{"oddity"};
   for (const std::string& argument : arguments) words.push_back(argument.c_str());
-  if (const char* no_colour = std::getenv("NO_COLOR"); no_colour && *no_colour)
-    use_no_colour(session_->catch2.configData());
+  use_colour(session_->catch2.configData(), screen_of(STDOUT_FILENO).colour);
   session_->accepted = session_->catch2.applyCommandLine(static_cast<int>(words.size()), words.data()) == 0;
   if (accepted())
     redirect_outputs(session_->catch2.configData(),

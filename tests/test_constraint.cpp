@@ -56,7 +56,7 @@ Choice chosen(std::vector<std::string> only, const std::string& exercise, const 
   asked.horizon = "1";
   asked.only = std::move(only);
   const Task task = task_of(exercise, {});
-  return choose(task, need_of(*task.entry, asked), truth, [](const Method& m, double setting) -> Time {
+  return choose(task, need_of(task, asked), truth, [](const Method& m, double setting) -> Time {
     return {1e-9 * static_cast<double>(m.run(setting).evaluations), 0};
   });
 }

@@ -10,7 +10,7 @@
 #include "report/charts/chart.hpp"
 #include "report/charts/svg.hpp"
 #include "report/pages/catalog_page.hpp"
-#include "report/pages/findings.hpp"
+#include "report/pages/claims.hpp"
 #include "report/pages/markdown.hpp"
 #include "report/pages/quantities.hpp"
 #include "report/pages/text_view.hpp"
@@ -142,11 +142,11 @@ TEST_CASE("the page of errata lists claims whose routes never differ though they
   Results results = sample();
   JudgedClaim& claim = results.exercises[0].claims[0];
   const std::string says = "1 claim equal to the last bit";
-  CHECK(count(errata_page(results), says) == 1);
+  CHECK(count(errata_page_text(results), says) == 1);
   claim.claim.printed.checks[0].right.value = Value(1 + 1e-12);
-  CHECK(count(errata_page(results), says) == 0);
+  CHECK(count(errata_page_text(results), says) == 0);
   claim.claim.printed.checks[0] = one_against_one(0);
-  CHECK(count(errata_page(results), says) == 0);
+  CHECK(count(errata_page_text(results), says) == 0);
 }
 
 TEST_CASE("pages hold no times but the page of times", "[report]") {
@@ -516,7 +516,7 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
   REQUIRE(folded != std::string::npos);
   CHECK(erratum < bar);
   CHECK(bar < folded);
-  const std::string errata = errata_page(results);
+  const std::string errata = errata_page_text(results);
   CHECK(count(index, "What is wrong in the solutions manual") == 1);
   CHECK(count(index, "| [3.5 a slip](3.5.md#3.5-wrong) | 1 m too far |") == 1);
   CHECK(count(page, "| [a slip](#3.5-wrong) | x = 2 | x = 1 | 1 m too far |") == 1);
@@ -546,7 +546,7 @@ TEST_CASE("errata that break a scene come first, and of these wrong formulas bef
   results.exercises[1].scene = false;
   results.exercises[1].claims = {erratum("elsewhere", Fault::formula)};
   std::vector<std::string> names;
-  for (const Finding& f : errata_worst_first(results)) names.push_back(f.name());
+  for (const Finding& f : errata_worst_first(results)) names.push_back(f.title());
   CHECK(names == std::vector<std::string>{"twice", "formula", "left out", "elsewhere"});
 }
 
@@ -616,7 +616,7 @@ TEST_CASE("Markdown takes nothing away from a formula", "[report]") {
   CHECK(spoilt_formulas("$a\\,b$ and $`a\\,b`$ and `$a\\,b$`") == Lines{"a\\,b"});
   CHECK(spoilt_formulas("$`a\\,b$").size() == 1);
   CHECK(spoilt_formulas(index_page(run_of_all())) == Lines());
-  CHECK(spoilt_formulas(errata_page(run_of_all())) == Lines());
+  CHECK(spoilt_formulas(errata_page_text(run_of_all())) == Lines());
   CHECK(spoilt_formulas(single_page(run_of_all())) == Lines());
   CHECK(spoilt_formulas(catalog_page()) == Lines());
   for (const ExerciseResult& e : run_of_all().exercises)

@@ -99,9 +99,9 @@ int pages_with(const std::string& hostile) {
       ++written;
       INFO(place.to_string() << " = " << hostile);
       for (const std::string& page :
-           {index_page(*results), exercise_page_text(*results, results->exercises[0]), errata_page(*results),
-            single_page(*results), times_page(*results), ledger_page(*results), stability_page(*results),
-            charts_page(results->exercises[0])})
+           {index_page(*results), exercise_page_text(*results, results->exercises[0]),
+            errata_page_text(*results), single_page(*results), times_page(*results), ledger_page(*results),
+            stability_page(*results), charts_page(results->exercises[0])})
         CHECK(broken_out(page) == std::vector<std::string>());
     }
   return written;

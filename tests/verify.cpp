@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <iostream>
 #include <set>
+#include <sstream>
 
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/own.hpp"
+#include "reference/similar.hpp"
 #include "reference/to_write.hpp"
 #include "reference/verdicts.hpp"
 #include "report/cli/settings.hpp"
 #include "report/pages/markdown.hpp"
+#include "report/pages/readable.hpp"
+#include "report/pages/tables.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/approve.hpp"
 #include "report/study/perturb_results.hpp"
@@ -86,7 +90,7 @@ bool fails_in_float(const QuantityResult& q) {
 }
 
 void verify_quantity(const QuantityResult& q) {
-  INFO("quantity " << q.name << ": " << q.says << "; reference: " << q.reference.by);
+  INFO("quantity " << q.name << ": " << readable(q.says) << "; reference: " << readable(q.reference.by));
   CHECK(finite(q.reference.value));
   CHECK(q.reference_error <= q.need.allowed / 2);
   for (const MethodResult& m : q.methods) {
@@ -94,7 +98,7 @@ void verify_quantity(const QuantityResult& q) {
                  << shown_error(m.trials.back().error) << ", needed " << shown_error(q.need.allowed) << "; "
                  << m.trials.back().message);
     CHECK(name_of(m.trials.back().outcome) == name_of(m.expected));
-    INFO("the reference is from: " << q.reference.by);
+    INFO("the reference is from: " << readable(q.reference.by));
     CHECK((independent_by_nature(q) || !equals_reference(m, q)));
   }
   for (const FloatResult& m : q.in_float) verify_in_float(q, m);
@@ -103,7 +107,7 @@ void verify_quantity(const QuantityResult& q) {
           return b.broken.precision == Precision::in_float;
         }));
   for (const BreakdownResult& b : q.breakdowns) {
-    INFO(b.says);
+    INFO(readable(b.says));
     INFO("cured: error " << shown_error(b.cured.error) << ", " << name_of(b.cured.outcome));
     CHECK(name_of(b.broken.outcome) == name_of(b.expected));
     CHECK(b.cured.outcome == Outcome::ok);
@@ -297,6 +301,23 @@ class MarkdownReporter : public MarkdownReporterBase {
 
 CATCH_REGISTER_REPORTER("markdown", MarkdownReporter)
 
+/// The same with the claims as a table.
+template <std::string (*Text)(const Table&)>
+class ClaimsReporter : public MarkdownReporterBase {
+ public:
+  using MarkdownReporterBase::MarkdownReporterBase;
+  static std::string getDescription() { return "The claims of the run and their verdicts, as a table"; }
+  void testRunEnded(const Catch::TestRunStats& stats) override {
+    if (suite) out() << Text(claims_table(suite->results, suite->approved));
+    MarkdownReporterBase::testRunEnded(stats);
+  }
+};
+using ClaimsCsv = ClaimsReporter<to_csv>;
+using ClaimsJson = ClaimsReporter<to_json>;
+
+CATCH_REGISTER_REPORTER("claims-csv", ClaimsCsv)
+CATCH_REGISTER_REPORTER("claims-json", ClaimsJson)
+
 }  // namespace
 
 namespace {
@@ -344,6 +365,20 @@ void suggest(const Results& results, const fs::path& folder) {
               << text_of(changes);
 }
 
+/// The tags most like one of the words, where no test case has that.
+std::string meant_tags(const std::vector<std::string>& words, const Verdicts& approved) {
+  std::vector<std::string> tags;
+  for (const Entry& e : registry()) {
+    std::istringstream all(tags_of(e, approved));
+    for (std::string tag; std::getline(all, tag, ']');)
+      if (std::ranges::find(tags, tag + "]") == tags.end()) tags.push_back(tag + "]");
+  }
+  for (const std::string& word : words)
+    if (word.starts_with('[') && std::ranges::find(tags, word) == tags.end())
+      if (const auto near = similar(word, tags); near.size() == 1) return "; did you mean '" + near[0] + "'?";
+  return "";
+}
+
 }  // namespace
 
 int verify(const SuiteRequest& request) {
@@ -355,14 +390,16 @@ int verify(const SuiteRequest& request) {
     throw BadInput("Catch2 does not take these arguments; oddity verify -? shows what it takes");
   if (session.only_lists()) return session.run(), 0;
   const auto selected = session.selected();
-  if (selected.empty()) throw BadInput("no test case matches; oddity verify --list-tests shows them all");
+  if (selected.empty())
+    throw BadInput("no test case matches; 'oddity verify --list-tests' shows them all" +
+                   meant_tags(request.catch_arguments, judged.approved));
 
   if (!request.results_file.empty()) require_writable(request.results_file);
   const Reference truth(folder);
-  ProgressBar bar;
   const std::vector<Task> tasks = tasks_of(selected);
-  Results results = with_stability(run(tasks, truth, !request.results_file.empty(), bar.callback()), tasks,
-                                   truth, bar.callback());
+  Results results = with_progress([&](const Progress& progress) {
+    return with_stability(run(tasks, truth, !request.results_file.empty(), progress), tasks, truth, progress);
+  });
   if (request.approve) {
     approve(results, folder);
     judged = on_record(folder);

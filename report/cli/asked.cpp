@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -14,6 +15,8 @@
 #include "reference/reference.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
+#include "report/pages/readable.hpp"
+#include "solvers/ode/catalog.hpp"
 
 namespace oddity {
 
@@ -56,21 +59,35 @@ std::string suggested(const std::vector<std::string>& names) {
   return names.empty() ? "" : "; did you mean " + joined(names, " or ") + "?";
 }
 
+/// "3.5 (Pendulum from 30 degrees)".
+std::string with_title(const Entry& entry) {
+  return to_string(entry.number) + " (" + std::string(entry.exercise.title) + ")";
+}
+
+/// The one exercise whose number is most like this one, where there is one alone.
+std::string likely(const std::vector<std::string>& near) {
+  if (near.size() != 1) return "";
+  for (const Entry& entry : registry())
+    if (to_string(entry.number) == near.front()) return suggested({with_title(entry)});
+  return "";
+}
+
 [[noreturn]] void refuse_exercise(const std::string& text) {
   const std::string refusal = "no exercise '" + text + "'";
+  const auto near = similar(text, numbers_of([](const Entry&) { return true; }));
   if (const auto number = exercise_number(text)) {
     const auto beside = numbers_of([&](const Entry& e) { return e.number.chapter == number->chapter; });
     if (!beside.empty())
-      throw BadInput(refusal + "; chapter " + std::to_string(number->chapter) + " has " + joined(beside));
+      throw BadInput(refusal + "; chapter " + std::to_string(number->chapter) + " has " + joined(beside) +
+                     likely(near));
     throw BadInput(refusal + "; chapter " + std::to_string(number->chapter) +
                    " has none; 'oddity list' shows all");
   }
-  const auto near = similar(text, numbers_of([](const Entry&) { return true; }));
   std::vector<std::string> meant;
   for (const Entry& entry : registry()) {
     const std::string number = to_string(entry.number);
     if (std::ranges::find(near, number) != near.end() || mentions(entry.exercise.title, text))
-      meant.push_back(number + " (" + std::string(entry.exercise.title) + ")");
+      meant.push_back(with_title(entry));
   }
   throw BadInput(refusal + suggested(meant) + (meant.empty() ? "; " : " ") + "'oddity list' shows all");
 }
@@ -84,7 +101,7 @@ const Parameter& parameter_of(const Task& task, const std::string& name) {
   const auto near = similar(name, names);
   for (const Parameter& p : declared)
     if (std::ranges::find(near, p.name) != near.end() || mentions(p.says, name))
-      meant.push_back(std::string(p.name) + " (" + std::string(p.says) + ")");
+      meant.push_back(std::string(p.name) + " (" + readable(std::string(p.says)) + ")");
   throw BadInput("no parameter '" + name +
                  "'; the parameters are: " + (names.empty() ? "none" : joined(names)) + suggested(meant));
 }
@@ -113,6 +130,27 @@ int whole_of(const std::string& what, const std::string& text, int least, int mo
   return static_cast<int>(*value);
 }
 
+bool is_in_unit(const std::string& text, std::string_view unit) {
+  try {
+    in_unit(text, unit);
+    return true;
+  } catch (const BadInput&) {
+    return false;
+  }
+}
+
+/// Why a word that is no "name=value" may stand there, and what would be right.
+[[noreturn]] void refuse_assignment(const std::string& word) {
+  const std::string refusal = "'" + word + "' is not name=value";
+  if (word == "=" || word.ends_with('='))
+    throw BadInput(refusal + ": write it without blanks, as in a=30deg");
+  if (exercise_number(word)) throw BadInput(refusal + ", and one exercise is asked for at a time");
+  for (std::string_view unit : {"m", "s", "kg", "rad", "N", "1/s", "m/s", "rad/s"})
+    if (is_in_unit("1" + word, unit))
+      throw BadInput(refusal + ": a unit follows its number without a blank, as in 1" + word);
+  throw BadInput(refusal + ", as in a=30deg");
+}
+
 const Scene& scene_of(const Entry& entry) {
   if (entry.exercise.scene) return *entry.exercise.scene;
   throw BadInput("exercise " + to_string(entry.number) + " has no motion; those that have one are: " +
@@ -124,15 +162,6 @@ std::vector<std::string> words_between_commas(const std::string& text) {
   std::istringstream in(text);
   for (std::string word; std::getline(in, word, ',');) words.push_back(word);
   return words;
-}
-
-bool is_in_unit(const std::string& text, std::string_view unit) {
-  try {
-    in_unit(text, unit);
-    return true;
-  } catch (const BadInput&) {
-    return false;
-  }
 }
 
 /// The unit that a number is written with.
@@ -173,13 +202,80 @@ void set_errors(Need& need, const Entry& entry, const std::string& text) {
   if (std::isnan(need.error)) need.error = need.errors.begin()->second;
 }
 
+/// The place of a word among those that an option takes.
+std::ptrdiff_t require_one_of(const std::string& option, const std::string& word,
+                              const std::vector<std::string>& words) {
+  const auto found = std::ranges::find(words, word);
+  if (found == words.end())
+    throw BadInput(option + " '" + word + "' is none of " + joined(words) + suggested(similar(word, words)));
+  return found - words.begin();
+}
+
+/// The names of a scene's models and of their algorithms, each once.
+struct MethodNames {
+  std::vector<std::string> models, algorithms;
+};
+
+MethodNames method_names(const Task& task) {
+  const Scene& scene = scene_of(*task.entry);
+  const Quantity seen = scene.motion(task.parameters, {scene.horizon}, Reference::nothing());
+  MethodNames names;
+  const auto add = [](std::vector<std::string>& to, const std::string& name) {
+    if (std::ranges::find(to, name) == to.end()) to.push_back(name);
+  };
+  for (const Method& m : seen.methods) add(names.models, m.model), add(names.algorithms, m.algorithm);
+  return names;
+}
+
+/// The names, and their words, that may have been meant.
+std::string similar_names(const std::string& word, const MethodNames& names) {
+  std::vector<std::string> candidates;
+  const auto add = [&](const std::string& text) {
+    if (text.size() > 3 && std::ranges::find(candidates, text) == candidates.end())
+      candidates.push_back(text);
+  };
+  for (const auto* some : {&names.models, &names.algorithms})
+    for (const std::string& name : *some) {
+      add(name);
+      std::istringstream in(name);
+      for (std::string one; in >> one;) add(one);
+    }
+  return did_you_mean(word, candidates);
+}
+
+bool is_in_one(const std::string& word, const std::vector<std::string>& names) {
+  return std::ranges::any_of(names,
+                             [&](const std::string& name) { return name.find(word) != std::string::npos; });
+}
+
+/// A word that no model and no algorithm has would leave nothing, or exclude nothing. What the catalog has
+/// may be excluded anywhere.
+void require_known_words(const Task& task, const AskedNeed& asked) {
+  if (asked.only.empty() && asked.exclude.empty()) return;
+  const MethodNames names = method_names(task);
+  const auto require = [&](const std::string& option, const std::vector<std::string>& words, bool anywhere) {
+    for (const std::string& word : words) {
+      const bool known = is_in_one(word, names.models) || is_in_one(word, names.algorithms) ||
+                         std::string_view("in float").find(word) != std::string_view::npos ||
+                         (anywhere && std::ranges::any_of(ode::catalog(), [&](const auto& algorithm) {
+                            return algorithm.name.find(word) != std::string::npos;
+                          }));
+      if (known) continue;
+      const std::string meant = similar_names(word, names);
+      throw BadInput(option + ": no model and no algorithm of " + to_string(task.entry->number) + " has '" +
+                     word + "' in its name" +
+                     (meant.empty() ? "; the models are: " + joined(names.models, "; ") +
+                                          "; the algorithms: " + joined(names.algorithms, "; ")
+                                    : meant));
+    }
+  };
+  require("--only", asked.only, false);
+  require("--exclude", asked.exclude, true);
+}
+
 Criterion criterion_of(const std::string& text) {
   const std::vector<std::string> names{"path", "energy", "period", "bounded", "constraint"};
-  const auto found = std::ranges::find(names, text);
-  if (found == names.end())
-    throw BadInput("--criterion '" + text + "' is none of " + joined(names) +
-                   suggested(similar(text, names)));
-  return static_cast<Criterion>(found - names.begin());
+  return static_cast<Criterion>(require_one_of("--criterion", text, names));
 }
 
 /// What someone asks of the motion, its error or digits.
@@ -229,12 +325,23 @@ std::vector<Task> tasks_of(const std::vector<std::string>& exercises, bool scene
   return tasks;
 }
 
+std::vector<Task> tasks_about(const std::vector<std::string>& exercises) {
+  std::vector<std::string> numbers;
+  for (const std::string& text : exercises) {
+    const auto about = numbers_of(
+        [&](const Entry& e) { return !exercise_number(text) && mentions(e.exercise.title, text); });
+    if (about.empty()) numbers.push_back(to_string(entry_of(text).number));
+    std::ranges::copy(about, std::back_inserter(numbers));
+  }
+  return tasks_of(numbers);
+}
+
 Task task_of(const std::string& exercise, const std::vector<std::string>& overrides) {
   Task task(entry_of(exercise));
   std::set<std::string> given;
   for (const std::string& assignment : overrides) {
     const auto equals = assignment.find('=');
-    if (equals == std::string::npos) throw BadInput("'" + assignment + "' is not name=value");
+    if (equals == std::string::npos || equals == 0) refuse_assignment(assignment);
     const std::string name = assignment.substr(0, equals);
     const Parameter& p = parameter_of(task, name);
     if (!given.insert(name).second) throw BadInput("parameter " + name + " is given twice");
@@ -244,7 +351,8 @@ Task task_of(const std::string& exercise, const std::vector<std::string>& overri
   return task;
 }
 
-Need need_of(const Entry& entry, const AskedNeed& asked) {
+Need need_of(const Task& task, const AskedNeed& asked) {
+  const Entry& entry = *task.entry;
   const std::string time = std::string(scene_of(entry).axes.time);
   Need need{};
   set_accuracy(need, entry, asked);
@@ -252,8 +360,8 @@ Need need_of(const Entry& entry, const AskedNeed& asked) {
   need.only = asked.only;
   need.exclude = asked.exclude;
   need.one_step = asked.one_step;
-  if (asked.precision != "float" && asked.precision != "double" && asked.precision != "any")
-    throw BadInput("--precision " + asked.precision + " is none: there are float, double and any");
+  require_one_of("--precision", asked.precision, {"float", "double", "any"});
+  require_known_words(task, asked);
   need.in_double = asked.precision != "float";
   need.in_float = asked.precision != "double";
   if (!asked.time_limit.empty()) need.time_limit = positive("--time-limit", asked.time_limit, "s");

@@ -13,6 +13,8 @@ namespace oddity {
 const Entry& entry_of(const std::string& exercise);
 /// The exercises, each once; of those that have a motion when `scenes`. All of them when none is named.
 std::vector<Task> tasks_of(const std::vector<std::string>& exercises, bool scenes = false);
+/// The exercises by their numbers or by words of their titles. All of them when none is named.
+std::vector<Task> tasks_about(const std::vector<std::string>& exercises);
 /// The exercise with "name=value" for some of its parameters; the value may have a unit.
 Task task_of(const std::string& exercise, const std::vector<std::string>& overrides);
 
@@ -26,8 +28,8 @@ struct AskedNeed {
   bool measure = false;  ///< what earlier runs measured is measured anew
 };
 constexpr double most_frames = 1e6;  ///< that a need may ask for: an hour at 277 frames per second
-/// For an exercise that has a motion.
-Need need_of(const Entry&, const AskedNeed&);
+/// For an exercise that has a motion, at the task's parameters.
+Need need_of(const Task&, const AskedNeed&);
 
 /// A chapter that has exercises.
 int chapter_of(const std::string& chapter);

@@ -8,6 +8,7 @@
 
 #include "reference/text.hpp"
 #include "report/cli/instructions.hpp"
+#include "report/pages/table_text.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/time.hpp"
 
@@ -202,13 +203,16 @@ std::string fixed(double x, int decimals) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::fixed, decimals).ptr};
 }
 
-std::string limit_text(const Bound& limit, int decimals) {
-  return fixed(limit.at_most, decimals) + (limit.holds()    ? ", holds"
-                                           : limit.broken() ? ", BROKEN"
-                                                            : ", undecided");
+std::string_view verdict_of(const Bound& limit) {
+  return limit.holds() ? "holds" : limit.broken() ? "BROKEN" : "undecided";
 }
 
-std::string races_text(const Bench& bench) {
+std::string limit_text(const Bound& limit, int decimals, const Screen& screen) {
+  const Style style = limit.holds() ? Style::good : limit.broken() ? Style::bad : Style::doubtful;
+  return fixed(limit.at_most, decimals) + ", " + screen.styled(style, std::string(verdict_of(limit)));
+}
+
+std::string races_text(const Bench& bench, const Screen& screen) {
   Rows rows{{"model", "states", "algorithm", "by hand", "inlined", "ratio", "+-", "at most", "instructions",
              "difference", "precompiled"}};
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -216,16 +220,21 @@ std::string races_text(const Bench& bench) {
     const double instructions = r.instructions_inlined / r.instructions_by_hand;
     rows.push_back({r.model, std::to_string(r.states), r.algorithm, shown_time(r.by_hand.median),
                     shown_time(r.inlined.median), fixed(r.ratio.median, 3), fixed(r.ratio.half_width, 3),
-                    r.at_most > 0 ? limit_text(r.bound(), 2) : "-", fixed(instructions, 3),
+                    r.at_most > 0 ? limit_text(r.bound(), 2, screen) : "-", fixed(instructions, 3),
                     r.difference == 0 ? "0" : shown_error(r.difference), shown_time(r.precompiled.median)});
     const double longer = r.precompiled.median - r.inlined.median;
     least = std::min(least, longer), most = std::max(most, longer);
   }
-  return "The integrators against loops written by hand: time of one right-hand side, medians of batches in "
-         "turn\n(inlined: compiled into the model; precompiled: as the scenes run it, the model behind a "
-         "virtual call)\n" +
-         aligned(rows) + "  Precompiled, a right-hand side takes " + fixed(1e9 * least, 1) + " to " +
-         fixed(1e9 * most, 1) + " ns longer than inlined.\n" +
+  return wrapped(
+             "The integrators against loops written by hand: time of one right-hand side, medians of batches "
+             "in turn\n(inlined: compiled into the model; precompiled: as the scenes run it, the model behind "
+             "a virtual call)\n",
+             screen) +
+         aligned(rows, screen,
+                 {{"model", "algorithm"},
+                  {"instructions", "states", "difference", "precompiled", "inlined", "by hand"}}) +
+         "  Precompiled, a right-hand side takes " + fixed(1e9 * least, 1) + " to " + fixed(1e9 * most, 1) +
+         " ns longer than inlined.\n" +
          (bench.no_instructions.empty()
               ? ""
               : "  Instructions are not counted on this machine: " + bench.no_instructions + ".\n");
@@ -244,31 +253,35 @@ std::vector<std::string> entrant_row(const std::string& what, const Entrant& e, 
           limit};
 }
 
-std::string contest_text(const ContestResult& c) {
+std::string contest_text(const ContestResult& c, const Screen& screen) {
   Rows rows{{"judged by", "cheapest method", "evals", "final error", "worst error", "time", "units", "+-",
              "at most"}};
-  rows.push_back(entrant_row("error at the end", c.at_end, limit_text(c.bound(), 0)));
+  rows.push_back(entrant_row("error at the end", c.at_end, limit_text(c.bound(), 0, screen)));
   rows.push_back(entrant_row("worst error on the way", c.throughout, "-"));
-  rows.push_back(entrant_row("", c.closed_form, limit_text(c.closed_bound(), 0)));
-  return "\n" + c.says + ", to " + shown_error(c.need) + "; one unit is a right-hand side by hand, " +
-         shown_time(c.unit_seconds) +
-         "\n(integrated straight to the end; the worst error also on the same method stopped at many "
-         "times)\n" +
-         aligned(rows);
+  rows.push_back(entrant_row("", c.closed_form, limit_text(c.closed_bound(), 0, screen)));
+  return wrapped("\n" + c.says + ", to " + shown_error(c.need) + "; one unit is a right-hand side by hand, " +
+                     shown_time(c.unit_seconds) +
+                     "\n(integrated straight to the end; the worst error also on the same method stopped at "
+                     "many times)\n",
+                 screen) +
+         aligned(rows, screen,
+                 {{"judged by", "cheapest method"}, {"evals", "time", "final error", "worst error", "+-"}});
 }
 
-std::string suite_text(const SuiteTime& suite) {
+std::string suite_text(const SuiteTime& suite, const Screen& screen) {
   std::vector<ExerciseTime> sorted = suite.exercises;
   std::ranges::sort(sorted, std::greater(), [](const ExerciseTime& e) { return e.studying + e.trials; });
   Rows rows{{"exercise", "studying", "trials", "longest trial", ""}};
   for (const ExerciseTime& e : sorted)
     rows.push_back(
         {e.number, shown_time(e.studying), shown_time(e.trials), shown_time(e.longest_trial), e.longest});
-  return "\nThe suite at default parameters, each exercise alone on one thread\n" + aligned(rows) +
+  return "\nThe suite at default parameters, each exercise alone on one thread\n" +
+         aligned(rows, screen, {{""}, {"studying"}}) +
          "  critical path (the longest study, then the longest trial) " + shown_time(suite.critical_path()) +
          "\n  all: one thread " + shown_time(suite.one_thread) + ", two threads " +
          shown_time(suite.two_threads.median) + " +- " + shown_time(suite.two_threads.half_width) +
-         ", speed-up " + fixed(suite.speed_up(), 2) + "; at most " + limit_text(suite.bound(), 0) + "\n";
+         ", speed-up " + fixed(suite.speed_up(), 2) + "; at most " + limit_text(suite.bound(), 0, screen) +
+         "\n";
 }
 
 /// Whether all limits hold, and which do not.
@@ -276,7 +289,7 @@ std::string verdict_text(const std::vector<Bound>& limits) {
   std::string not_held;
   for (const Bound& l : limits)
     if (!l.holds())
-      not_held += (not_held.empty() ? " " : "; ") + l.says + (l.broken() ? " (BROKEN)" : " (undecided)");
+      not_held += (not_held.empty() ? " " : "; ") + l.says + " (" + std::string(verdict_of(l)) + ")";
   const auto held = std::ranges::count_if(limits, &Bound::holds);
   return "\n" + std::to_string(held) + " of " + std::to_string(limits.size()) + " limits hold" +
          (not_held.empty() ? "." : "; not:" + not_held + ".") + "\n";
@@ -290,14 +303,16 @@ Spread spread_of(std::vector<double> measured) {
   return {measured[n / 2], (measured[(3 * n) / 4] - measured[n / 4]) / 2};
 }
 
-std::vector<RaceResult> race(const std::vector<Race>& races) {
+std::vector<RaceResult> race(const std::vector<Race>& races, const Progress& progress) {
   constexpr int rounds = 10, batches = 30;
   const Instructions counter;
   std::vector<Timed> all;
   for (const Race& r : races) all.push_back({r});
-  for (int round = 0; round < rounds; ++round)
+  for (int round = 0; round < rounds; ++round) {
+    if (progress) progress("racing the integrators", static_cast<std::size_t>(round), rounds);
     for (Timed& timed : all)
       for (int b = 0; b < batches; ++b) timed.measure(counter);
+  }
   std::vector<RaceResult> results;
   for (const Timed& timed : all) results.push_back(timed.result());
   return results;
@@ -334,13 +349,21 @@ double SuiteTime::critical_path() const {
 Bound SuiteTime::bound() const { return {"the suite on two threads", two_threads, most_seconds}; }
 
 SuiteTime time_suite(const Reference& truth, const Progress& progress) {
+  constexpr std::size_t whole_runs = 4;
+  const auto tell = [&](std::size_t runs) {
+    if (progress) progress("timing the whole suite", runs, whole_runs);
+  };
+  tell(0);
   SuiteTime suite{{}, suite_seconds(truth, 1), {}};
   std::vector<double> two_threads;
-  for (int i = 0; i < 3; ++i) two_threads.push_back(suite_seconds(truth, 2));
+  while (two_threads.size() + 1 < whole_runs) {
+    tell(1 + two_threads.size());
+    two_threads.push_back(suite_seconds(truth, 2));
+  }
   suite.two_threads = spread_of(two_threads);
   for (const Entry& entry : registry()) {
+    if (progress) progress("timing each exercise", suite.exercises.size(), registry().size());
     suite.exercises.push_back(time_exercise(entry, truth));
-    if (progress) progress("timing the suite", suite.exercises.size(), registry().size());
   }
   return suite;
 }
@@ -358,8 +381,10 @@ bool Bench::broken() const { return std::ranges::any_of(bounds(), &Bound::broken
 
 Bench bench(const Reference& truth, const Progress& progress) {
   const std::vector<Race> all = races();
-  Bench result{Instructions().why_not(), race(all), {}, {}};
-  for (const Contest& contest : contests(truth)) {
+  Bench result{Instructions().why_not(), race(all, progress), {}, {}};
+  const std::vector<Contest> problems = contests(truth);
+  for (const Contest& contest : problems) {
+    if (progress) progress("looking for the best methods", result.contests.size(), problems.size());
     const auto hand = std::ranges::find_if(
         all, [&](const Race& r) { return r.model == contest.hand && r.algorithm == "Runge-Kutta 4"; });
     result.contests.push_back(compete(contest, *hand));
@@ -368,10 +393,43 @@ Bench bench(const Reference& truth, const Progress& progress) {
   return result;
 }
 
-std::string bench_view(const Bench& bench) {
-  std::string text = races_text(bench);
-  for (const ContestResult& c : bench.contests) text += contest_text(c);
-  return text + suite_text(bench.suite) + verdict_text(bench.bounds());
+std::string bench_view(const Bench& bench, const Screen& screen) {
+  std::string text = races_text(bench, screen);
+  for (const ContestResult& c : bench.contests) text += contest_text(c, screen);
+  return text + suite_text(bench.suite, screen) + wrapped(verdict_text(bench.bounds()), screen);
+}
+
+Table bench_table(const Bench& bench) {
+  Table table{{"part", "subject", "measured", "value", "half_width", "unit", "at_most", "verdict"}, {}};
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const auto add = [&](const char* part, const std::string& subject, const std::string& measured,
+                       const Spread& spread, const char* unit, const Bound* bound = nullptr) {
+    table.rows.push_back({part, subject, measured, spread.median, spread.half_width, unit,
+                          bound ? bound->at_most : none, bound ? std::string(verdict_of(*bound)) : ""});
+  };
+  for (const RaceResult& r : bench.races) {
+    const Bound bound = r.bound();
+    add("race", bound.says, "by hand", r.by_hand, "s");
+    add("race", bound.says, "inlined", r.inlined, "s");
+    add("race", bound.says, "precompiled", r.precompiled, "s");
+    add("race", bound.says, "ratio", r.ratio, "1", r.at_most > 0 ? &bound : nullptr);
+  }
+  for (const ContestResult& c : bench.contests) {
+    const Bound end = c.bound(), closed = c.closed_bound();
+    add("contest", c.says, "error at the end by " + c.at_end.method, c.at_end.units, "right-hand sides",
+        &end);
+    add("contest", c.says, "worst error by " + c.throughout.method, c.throughout.units, "right-hand sides");
+    add("contest", c.says, c.closed_form.method, c.closed_form.units, "right-hand sides", &closed);
+  }
+  for (const ExerciseTime& e : bench.suite.exercises) {
+    add("suite", e.number, "studying", {e.studying, none}, "s");
+    add("suite", e.number, "trials", {e.trials, none}, "s");
+    add("suite", e.number, "longest trial", {e.longest_trial, none}, "s");
+  }
+  const Bound suite = bench.suite.bound();
+  add("suite", "all", "one thread", {bench.suite.one_thread, none}, "s");
+  add("suite", "all", "two threads", bench.suite.two_threads, "s", &suite);
+  return table;
 }
 
 }  // namespace oddity

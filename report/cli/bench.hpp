@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "report/cli/bench_loops.hpp"
+#include "report/pages/table_text.hpp"
 #include "report/study/run.hpp"
 
 /// How fast this build is on this machine, in this run: the integrators against loops written by hand, the
@@ -43,7 +44,7 @@ struct RaceResult {
 };
 
 /// Runs all sides in turn, in several rounds of all races, in batches of a fraction of a millisecond.
-std::vector<RaceResult> race(const std::vector<Race>&);
+std::vector<RaceResult> race(const std::vector<Race>&, const Progress& progress = {});
 
 /// A method that meets the need of a contest.
 struct Entrant {
@@ -108,6 +109,8 @@ struct Bench {
 Bench bench(const Reference& truth, const Progress& progress = {});
 
 /// The tables for a terminal, each limit with whether it holds; the last line says whether all do.
-std::string bench_view(const Bench&);
+std::string bench_view(const Bench&, const Screen& = {});
+/// A row for each measured number; those with a limit say whether it holds.
+Table bench_table(const Bench&);
 
 }  // namespace oddity

@@ -2,8 +2,11 @@
 
 #include <fcntl.h>
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cctype>
+#include <chrono>
 #include <csignal>
 #include <iostream>
 
@@ -12,6 +15,7 @@
 #include "reference/interrupted.hpp"
 #include "reference/similar.hpp"
 #include "report/cli/asked.hpp"
+#include "report/cli/help.hpp"
 #include "report/cli/settings.hpp"
 #include "report/cli/verbs.hpp"
 
@@ -47,6 +51,7 @@ struct Session {
 CLI::App* verb(CLI::App& app, const std::string& name, const std::string& says, const std::string& footer,
                const std::function<void()>& act) {
   auto* verb = app.add_subcommand(name, says);
+  verb->group("Verbs");
   verb->footer(footer);
   verb->callback(act);
   return verb;
@@ -60,21 +65,36 @@ void add_one_exercise(CLI::App& verb, Session& s) {
 
 /// A path that is asked for is not empty, which would be the current folder.
 CLI::Option* add_path(CLI::App& verb, const std::string& name, std::string& path, const std::string& says) {
-  return verb.add_option(name, path, says)->capture_default_str()->check([name](const std::string& given) {
-    return given.empty() ? std::string("it needs a path") : "";
-  });
+  return verb.add_option(name, path, says)
+      ->type_name("PATH")
+      ->capture_default_str()
+      ->check(
+          [name](const std::string& given) { return given.empty() ? std::string("it needs a path") : ""; });
 }
 
 void add_formats(CLI::App& verb, Session& s, const std::string& what) {
-  auto* json = verb.add_flag("--json", s.json, what + " as JSON");
-  verb.add_flag("--csv", s.csv, what + " as comma-separated values")->excludes(json);
+  auto* json = verb.add_flag("--json", s.json, what + ", as JSON");
+  verb.add_flag("--csv", s.csv, what + ", as comma-separated values")->excludes(json);
+}
+
+void add_exercises(CLI::App& verb, Session& s, const std::string& says) {
+  verb.add_option("exercises", s.exercises, says);
 }
 
 void add_list(CLI::App& app, Session& s) {
-  auto* list = verb(app, "list", "list the exercises, with their parameters and ranges",
-                    "Example: oddity list 3.5", [&] { verbs::list(s.exercise, s.format()); });
-  list->add_option("exercise", s.exercise, "its number, such as 3.33; none: all");
+  auto* list =
+      verb(app, "list", "List the exercises, with their parameters and ranges.",
+           "Columns: exercise, title, scene (1 or 0), parameter, value, unit, least, most, whole (1 or "
+           "0), says; a row for each parameter.\n"
+           "Examples:\n  oddity list\n  oddity list 3.5\n  oddity list pendulum\n  oddity list --csv",
+           [&] { verbs::list(s.exercises, s.format()); });
+  add_exercises(*list, s, "numbers, such as 3.33, or words of titles; all when none is given");
   add_formats(*list, s, "the parameters");
+}
+
+std::string columns_of_trials() {
+  return "Columns: exercise, quantity, unit, model, algorithm, precision, knob, setting, value, error, needed, "
+         "evaluations, seconds, spread, outcome, message; a row for each trial.\n";
 }
 
 /// Catch2's words, which are not exercises.
@@ -87,133 +107,199 @@ void require_test_specifications(const std::vector<std::string>& words) {
 
 void add_verify(CLI::App& app, Session& s) {
   auto* verify = verb(
-      app, "verify", "run the verification suite (Catch2) over all exercises",
-      "All else goes to Catch2: a test specification and its options, its reporters and 'markdown'.\n"
-      "Tags: [ch3] [3.5] [scene] [erratum] [misprint]. Catch2's own help: oddity verify -?\n"
-      "Examples: oddity verify '[ch3]~[scene]'    oddity verify '[3.5]' -s    oddity verify -r markdown -o "
-      "report.md",
+      app, "verify",
+      "Check the exercises: judge every claim, run every method, compare with what is on record.",
+      "The suite is Catch2's: a test specification selects, and its options and reporters work, with "
+      "'markdown' beside them; 'oddity verify -?' shows them. The exit code is 1 when anything differs from "
+      "what is on record.\n"
+      "Tags: [ch3], [3.5], [scene], [erratum], [misprint].\n"
+      "Columns: exercise, claim, line (of the solutions), verdict, on_record, kind, root, says, why; a row "
+      "for each claim.\n"
+      "Examples:\n  oddity verify '[ch3]~[scene]'\n  oddity verify '[3.5]' -s\n  oddity verify -r markdown "
+      "-o report.md\n  oddity verify '[erratum]' --csv",
       [&] {
-        const auto words = app.get_subcommand("verify")->remaining();
+        auto words = app.get_subcommand("verify")->remaining();
         require_test_specifications(words);
+        if (s.json || s.csv) words.insert(words.end(), {"--reporter", s.json ? "claims-json" : "claims-csv"});
         s.status = s.suite({words, s.folder, s.results, s.approve});
       });
-  add_path(*verify, "--results", s.results, "also keep the results in this file, as JSON");
+  add_path(*verify, "--results", s.results, "also keep everything that is found in this file, as JSON");
   verify->add_flag("--approve", s.approve,
                    "put what this run finds for the selected exercises on record: verdicts, limits and maps");
+  add_formats(*verify, s, "print the claims and their verdicts");
   verify->allow_extras();
 }
 
 void add_solve(CLI::App& app, Session& s) {
-  auto* solve = verb(app, "solve", "solve one exercise: every quantity by every method",
-                     "Example: oddity solve 3.5 a=150deg L=50cm",
+  auto* solve = verb(app, "solve", "Solve one exercise: every quantity by every method.",
+                     columns_of_trials() +
+                         "Examples:\n  oddity solve 3.5\n  oddity solve 3.5 a=150deg L=50cm\n  oddity solve "
+                         "3.5 a=150deg --csv",
                      [&] { verbs::solve(s.folder, s.exercise, s.overrides, s.format()); });
   add_one_exercise(*solve, s);
-  solve->add_flag("--json", s.json, "print the results as JSON");
+  auto* json = solve->add_flag("--json", s.json, "all results as JSON, as in a results file");
+  solve->add_flag("--csv", s.csv, "the trials, as comma-separated values")->excludes(json);
+}
+
+void add_choose_need(CLI::App& choose, AskedNeed& need) {
+  auto* error =
+      choose
+          .add_option("--error", need.error,
+                      "the largest error of what is observed: a number in its unit, 0.01, or with a "
+                      "unit, 1cm; one for each unit where there are several, 1cm,1deg; of energy and "
+                      "period a fraction, 0.01; of a constraint a length, 1mm")
+          ->type_name("ERROR");
+  choose.add_option("--digits", need.digits, "instead of --error: correct digits of the largest observable")
+      ->type_name("N")
+      ->excludes(error);
+  choose
+      .add_option("--horizon", need.horizon,
+                  "how long the motion is watched: 10 (in s, or in the scene's own unit), 1h; at most a "
+                  "million frames")
+      ->type_name("TIME")
+      ->capture_default_str();
+  choose.add_option("--fps", need.frames_per_second, "frames per second: 60, 60Hz")
+      ->type_name("RATE")
+      ->capture_default_str();
+  choose.add_option("--budget", need.budget, "the most that a frame may take: 5us, 300ns, 0.1ms")
+      ->type_name("TIME");
+  choose
+      .add_option(
+          "--criterion", need.criterion,
+          "what has to hold: path; energy (whatever is conserved); period; bounded (nothing explodes); "
+          "constraint (lengths that are held)")
+      ->type_name("WORD")
+      ->capture_default_str();
+}
+
+void add_choose_methods(CLI::App& choose, AskedNeed& need) {
+  choose.add_flag("--cheapest", need.cheapest, "take whatever is cheapest, however complicated");
+  choose.add_flag("--one-step", need.one_step, "take no method that needs a history");
+  choose
+      .add_option("--precision", need.precision,
+                  "the numbers to compute in: float, double or any; in float there are closed forms and the "
+                  "explicit algorithms of fixed step")
+      ->type_name("WORD")
+      ->capture_default_str();
+  choose
+      .add_option("--only", need.only, "only models and algorithms that have this in their names; repeatable")
+      ->type_name("WORD")
+      ->allow_extra_args(false);
+  choose.add_option("--exclude", need.exclude, "no models or algorithms that have this; repeatable")
+      ->type_name("WORD")
+      ->allow_extra_args(false);
+  choose.add_option("--time-limit", need.time_limit, "give up after this long: 60s")->type_name("TIME");
+  choose.add_flag("--measure", need.measure,
+                  "time the methods anew; unless asked, times of an earlier run are taken, so that the same "
+                  "question gets the same answer");
 }
 
 void add_choose(CLI::App& app, Session& s) {
   auto* choose = verb(
-      app, "choose", "choose the model, algorithm and step for a need",
-      "Errors are judged at every frame. A one-step method of fixed step, or a closed form, that holds with "
-      "a "
-      "margin of three is taken, the cheapest of them; of those that cost the same within a quarter, the "
-      "most "
-      "accurate. It is chosen on the start asked for and two beside it, and tested on three others. The exit "
-      "code "
-      "is 1 when nothing meets the need.\n"
-      "Example: oddity choose 3.5 a=60deg --error 1deg --horizon 10 --fps 60 --budget 5us",
+      app, "choose", "Choose the model, the algorithm and the step that a scene needs.",
+      "A method has to hold at every frame: for the start asked for and two beside it, on which it is chosen, "
+      "and for three others, on which it is tested. Of the closed forms and the one-step methods of fixed step "
+      "that hold with a margin of three, the cheapest is taken, and of those that cost the same within a "
+      "quarter, the most accurate. The exit code is 1 when nothing meets the need.\n"
+      "Columns: model, algorithm, precision, setting, error [unit] (one for each unit), holds (1 or 0), outcome, "
+      "evaluations per frame, seconds per frame, chosen (1 or 0); a row for each method.\n"
+      "Keys of the JSON: need, chosen (null when nothing is), in_float, ties, candidates, engine, predictable, "
+      "chosen_on, tested_on, times.\n"
+      "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.31 --error 1cm,1deg "
+      "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
+      "--error 1deg --exclude closed --code",
       [&] {
         s.status =
             verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.command);
       });
   add_one_exercise(*choose, s);
-  auto* error = choose->add_option("--error", s.need.error,
-                                   "largest error of the observables: 0.01 in their units, 1cm, 1cm,1deg; of "
-                                   "energy and period a fraction, such as 0.01; of a constraint a length");
-  choose->add_option("--digits", s.need.digits, "instead: correct digits of the largest observable")
-      ->excludes(error);
-  choose
-      ->add_option("--horizon", s.need.horizon,
-                   "how far ahead [s, or the scene's own unit]: 10, 1h; at most a million frames")
-      ->capture_default_str();
-  choose->add_option("--fps", s.need.frames_per_second, "frames per second: 60, 60Hz")->capture_default_str();
-  choose->add_option("--budget", s.need.budget, "at most this time per frame: 5us, 300ns, 0.1ms");
-  choose
-      ->add_option(
-          "--criterion", s.need.criterion,
-          "what has to hold: path, energy (what is conserved), period, bounded (nothing explodes), or "
-          "constraint (held lengths)")
-      ->capture_default_str();
-  choose->add_flag("--cheapest", s.need.cheapest, "take whatever is cheapest, however complicated");
-  choose->add_flag("--one-step", s.need.one_step, "take no method that needs a history");
-  choose
-      ->add_option(
-          "--precision", s.need.precision,
-          "what it may compute in: float, double or any; in float there are closed forms and explicit "
-          "algorithms of fixed step")
-      ->capture_default_str();
-  choose->add_option("--only", s.need.only, "only models and algorithms with these words in their names");
-  choose->add_option("--exclude", s.need.exclude, "no models or algorithms with these words");
-  choose->add_option("--time-limit", s.need.time_limit, "at most this long for the answer: 60s");
-  choose->add_flag("--measure", s.need.measure,
-                   "times anew: those of an earlier run are kept, so that the same question gets the same "
-                   "answer");
-  choose->add_flag("--all", s.all_rows, "all rows of the table");
-  add_formats(*choose, s, "the choice");
-  auto* code = choose->add_flag("--code", s.code, "the chosen model and loop as C++ to paste");
+  add_choose_need(*choose, s.need);
+  add_choose_methods(*choose, s.need);
+  choose->add_flag("--all", s.all_rows, "show all rows of the table");
+  add_formats(*choose, s, "the choice and every method tried");
+  auto* code = choose->add_flag("--code", s.code, "the chosen model and its loop, as C++ to paste");
   for (const char* other : {"--json", "--csv"}) code->excludes(choose->get_option(other));
 }
 
 void add_report(CLI::App& app, Session& s) {
   auto* report = verb(
-      app, "report", "write the Markdown report, from the last results if they are fresh",
-      "Example: oddity report --chapter 3 --out /tmp/report",
+      app, "report", "Write the Markdown report.",
+      "The last results are taken where they are fresh, else everything runs first.\n"
+      "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
       [&] { verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole, s.report_out); });
-  report->add_option("--chapter", s.chapter, "the exercises of one chapter only");
+  report->add_option("--chapter", s.chapter, "the exercises of one chapter only")->type_name("N");
   report->add_flag("--book", s.book, "without times: what stands in report/book of the sources");
-  add_path(*report, "--out", s.report_out, "folder to write to");
+  add_path(*report, "--out", s.report_out, "the folder to write to");
 }
 
 void add_site(CLI::App& app, Session& s) {
-  auto* site = verb(app, "site", "write the report that runs: one folder, opened by double click",
-                    "Example: oddity site --out /tmp/site", [&] { verbs::site(s.folder, s.site_out); });
-  add_path(*site, "--out", s.site_out, "folder to write to");
+  auto* site =
+      verb(app, "site", "Write the report that runs: one folder, for a browser.",
+           "Open its index.html with a double click; nothing is asked of the net. The last results are "
+           "taken where they are fresh, else everything runs first.\n"
+           "Examples:\n  oddity site\n  oddity site --out /tmp/site",
+           [&] { verbs::site(s.folder, s.site_out); });
+  add_path(*site, "--out", s.site_out, "the folder to write to");
 }
 
 void add_chart(CLI::App& app, Session& s) {
-  auto* chart =
-      verb(app, "chart", "draw error against work and against time, with the tables",
-           "Example: oddity chart 3.5 2.13 --out /tmp/charts",
-           [&] { verbs::chart(s.folder, s.exercises, s.all_rows ? Curves::all : Curves::few, s.chart_out); });
+  auto* chart = verb(
+      app, "chart", "Draw error against work and against time, with the tables behind the charts.",
+      columns_of_trials() + "Examples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv",
+      [&] {
+        if (s.format() == verbs::Format::text)
+          verbs::chart(s.folder, s.exercises, s.all_rows ? Curves::all : Curves::few, s.chart_out);
+        else
+          verbs::chart_table(s.folder, s.exercises, s.format());
+      });
+  add_exercises(*chart, s, "numbers, such as 3.5; all when none is given");
   chart->add_flag("--all", s.all_rows, "every method's curve, not eight at most");
-  chart->add_option("exercises", s.exercises, "their numbers, such as 3.5; none: all");
-  add_path(*chart, "--out", s.chart_out, "folder to write to");
+  add_formats(*chart, s, "the trials, with nothing drawn");
+  auto* out = add_path(*chart, "--out", s.chart_out, "the folder to write to");
+  for (const char* instead : {"--json", "--csv"}) out->excludes(chart->get_option(instead));
 }
 
 void add_stability(CLI::App& app, Session& s) {
-  auto* stability = verb(app, "stability", "show where methods break: by step, and over a parameter",
-                         "Example: oddity stability 3.5 --out /tmp/maps", [&] {
-                           if (s.rows)
-                             verbs::stability_rows(s.folder, s.exercises);
-                           else if (s.format() != verbs::Format::text)
-                             verbs::stability_table(s.folder, s.exercises, s.format());
-                           else
-                             verbs::stability(s.folder, s.exercises, s.maps_out);
-                         });
-  stability->add_option("exercises", s.exercises, "their numbers, such as 3.5; none: all that have a motion");
-  add_formats(*stability, s, "the limits, nothing drawn,");
-  auto* rows =
-      stability->add_flag("--rows", s.rows, "the rows of limits.csv and stability_maps.csv, nothing drawn");
-  auto* out = add_path(*stability, "--out", s.maps_out, "folder to draw the maps in");
+  auto* stability = verb(
+      app, "stability", "Show up to which step methods are stable, and how they break beyond.",
+      "Also drawn are maps of how each method ends, over the step and over the parameter that makes the scene "
+      "hard.\n"
+      "Columns: exercise, model, algorithm, stable_to, breaks_at, theory, unit (of these), breaks_by, error, "
+      "error_unit, why; a row for each method of fixed step.\n"
+      "Examples:\n  oddity stability 3.5 --out /tmp/maps\n  oddity stability 3.5 3.33 --csv",
+      [&] {
+        if (s.rows)
+          verbs::stability_rows(s.folder, s.exercises);
+        else if (s.format() != verbs::Format::text)
+          verbs::stability_table(s.folder, s.exercises, s.format());
+        else
+          verbs::stability(s.folder, s.exercises, s.maps_out);
+      });
+  add_exercises(*stability, s, "numbers, such as 3.5; all that have a motion when none is given");
+  add_formats(*stability, s, "the limits, with nothing drawn");
+  auto* rows = stability->add_flag("--rows", s.rows,
+                                   "the rows of limits.csv and stability_maps.csv, with nothing drawn");
+  auto* out = add_path(*stability, "--out", s.maps_out, "the folder to draw the maps in");
   for (const char* instead : {"--rows", "--json", "--csv"}) out->excludes(stability->get_option(instead));
   for (const char* other : {"--json", "--csv"}) rows->excludes(stability->get_option(other));
 }
 
+void add_bench(CLI::App& app, Session& s) {
+  auto* bench = verb(
+      app, "bench", "Measure how fast this build is: against loops by hand, its best methods, the suite.",
+      "Times mean something only on an idle machine. The exit code is 1 when a limit is broken.\n"
+      "Columns: part (race, contest or suite), subject, measured, value, half_width (of its quartiles), unit, "
+      "at_most, verdict (holds, undecided or BROKEN, where there is a limit); a row for each number.\n"
+      "Examples:\n  oddity bench\n  oddity bench --csv",
+      [&] { s.status = verbs::bench(s.folder, s.format()); });
+  add_formats(*bench, s, "the numbers measured");
+}
+
 void add_new(CLI::App& app, Session& s) {
   auto* begin =
-      verb(app, "new", "begin an exercise of your own: files that compile, and say what is to be written",
-           "It needs a number that is free: even ones, other chapters. Nothing is overwritten.\n"
-           "Examples: oddity new 3.2 spring_pendulum    oddity new 9.2 law_of_cosines --identity    "
+      verb(app, "new", "Begin an exercise of your own: files that compile, and say what is to be written.",
+           "The number has to be free: an even one, or of another chapter. Nothing is overwritten.\n"
+           "Examples:\n  oddity new 3.2 spring_pendulum\n  oddity new 9.2 law_of_cosines --identity\n  "
            "oddity new 20.1 comet --topic space --in ~/exercises",
            [&] {
              s.begun.in = s.outside;
@@ -223,11 +309,11 @@ void add_new(CLI::App& app, Session& s) {
   begin->add_option("number", s.begun.number, "such as 3.2")->required();
   begin->add_option("slug", s.begun.slug, "the name of its folder, such as spring_pendulum")->required();
   auto* scene = begin->add_flag("--scene", s.scene,
-                                "a motion, with models, methods and claims; so without either word");
+                                "a motion, with models, methods and claims; this unless asked otherwise");
   begin->add_flag("--identity", s.identity, "claims alone")->excludes(scene);
-  begin->add_option("--topic", s.begun.topic, "for a chapter that has no folder: its name");
-  add_path(*begin, "--in", s.outside,
-           "a folder outside the tree, in which ODDITY_OWN has the build find the exercise");
+  begin->add_option("--topic", s.begun.topic, "the name of a chapter that has no folder yet")
+      ->type_name("WORD");
+  add_path(*begin, "--in", s.outside, "a folder outside the tree; ODDITY_OWN has the build find it there");
 }
 
 std::vector<std::string> names_of_verbs(const CLI::App& app) {
@@ -239,6 +325,7 @@ std::vector<std::string> names_of_verbs(const CLI::App& app) {
 void require_verb(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> names = names_of_verbs(app);
   if (std::ranges::find(names, word) != names.end()) return;
+  if (exercise_number(word)) throw BadInput("no verb '" + word + "'; did you mean 'solve " + word + "'?");
   std::string all;
   for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
   throw BadInput("no verb '" + word + "'; the verbs are: " + all + did_you_mean(word, names));
@@ -269,19 +356,29 @@ std::string typed(const std::vector<std::string>& words) {
   return all;
 }
 
-/// The main job: verify everything and write the report.
+/// The main job: verify everything, and write the report and the site.
 int all_of_it(const Session& s) {
+  const auto begun = std::chrono::steady_clock::now();
+  verbs::require_room_for_all(s.report_out, s.site_out);
   const int verdict = s.suite({{}, s.folder, results_file()});
-  verbs::report(s.folder, "", Edition::whole, s.report_out);
+  verbs::publish(s.folder, s.report_out, s.site_out, verdict == 0, [begun] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  });
   return verdict;
 }
 
-std::string refusal(const CLI::App& app, const std::string& taker, const std::string& word) {
+/// "solve", or "oddity" itself; and what its help is asked by.
+std::string name_of(const CLI::App& app) { return app.get_name(); }
+std::string help_of(const CLI::App& app) {
+  return "'oddity " + (app.get_parent() ? app.get_name() + " " : "") + "--help' says more";
+}
+
+std::string refusal(const CLI::App& app, const std::string& word) {
   std::vector<std::string> options;
   for (const CLI::Option* option : app.get_options()) options.push_back(option->get_name());
-  const std::string meant = word.starts_with('-') ? did_you_mean(word, options) : "";
-  return taker + " does not take '" + word + "'" + meant + (meant.empty() ? "; '" : " '") + taker +
-         " --help' says more";
+  const std::string meant =
+      word.starts_with('-') ? did_you_mean(word.substr(0, word.find('=')), options) : "";
+  return name_of(app) + " does not take '" + word + "'" + meant + (meant.empty() ? "; " : " ") + help_of(app);
 }
 
 /// The first word that is no option of the program's own is its verb.
@@ -289,7 +386,7 @@ void require_a_verb(const CLI::App& app, const std::vector<std::string>& words) 
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (!words[i].starts_with('-')) return require_verb(app, words[i]);
     if (!app.get_option_no_throw(words[i].substr(0, words[i].find('='))))
-      throw BadInput(refusal(app, "oddity", words[i]));
+      throw BadInput(refusal(app, words[i]));
     if (words[i] == "--reference") ++i;
   }
 }
@@ -298,13 +395,14 @@ void require_a_verb(const CLI::App& app, const std::vector<std::string>& words) 
 std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   const auto used = app.get_subcommands();
   const CLI::App& verb = used.empty() ? app : *used.front();
-  const std::string taker = used.empty() ? "oddity" : "oddity " + verb.get_name();
   const std::vector<std::string> unknown = verb.remaining();
-  if (!unknown.empty()) return refusal(verb, taker, unknown.front());
+  if (!unknown.empty()) return refusal(verb, unknown.front());
   const std::string says = error.what();
-  const bool lacks_value = error.get_name() == "ArgumentMismatch";
-  return (lacks_value ? says.substr(0, says.find(':')) + " needs a value" : says) + "; '" + taker +
-         " --help' says more";
+  if (error.get_name() == "ArgumentMismatch")
+    return says.substr(0, says.find(':')) + " needs a value; " + help_of(verb);
+  if (const auto at = says.find(" excludes "); at != std::string::npos)
+    return says.substr(0, at) + " and " + says.substr(at + 10) + " do not go together; " + help_of(verb);
+  return says + "; " + help_of(verb);
 }
 
 /// Standard streams that are closed are opened such that writing fails: no file may take their place.
@@ -323,6 +421,10 @@ bool output_arrived() {
   return false;
 }
 
+void complain(const std::string& what) {
+  std::cerr << wrapped("oddity: " + what + "\n", screen_of(STDERR_FILENO), 2);
+}
+
 int answer(CLI::App& app, Session& session, const std::vector<std::string>& words) {
   try {
     require_a_verb(app, words);
@@ -331,16 +433,16 @@ int answer(CLI::App& app, Session& session, const std::vector<std::string>& word
     return app.get_subcommands().empty() ? all_of_it(session) : session.status;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << "oddity: " << complaint_of(app, error) << "\n";
+    complain(complaint_of(app, error));
     return 2;
   } catch (const BadInput& error) {
-    std::cerr << "oddity: " << error.what() << "\n";
+    complain(error.what());
     return 2;
   } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << "oddity: " << error.path1().string() << ": " << error.code().message() << "\n";
+    complain(error.path1().string() + ": " + error.code().message());
     return 2;
   } catch (const std::exception& error) {
-    std::cerr << "oddity: internal error: " << error.what() << "\n";
+    complain("internal error: " + std::string(error.what()));
     return 1;
   }
 }
@@ -352,12 +454,19 @@ int command_line(int argc, char** argv, const Suite& suite) {
   tidy_when_interrupted();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
   CLI::App app(
-      "oddity: the solutions of Game Physics, 2nd edition, checked by machine.\n"
-      "Without a verb: verify everything and write the report.",
+      "The solutions of Game Physics, 2nd edition, checked by machine. Without a verb everything is verified, "
+      "and the report and the site are written.",
       "oddity");
+  app.formatter(help_for(screen_of(STDOUT_FILENO)));
+  app.footer(
+      "Tables fit the terminal, and are whole in a pipe. There is colour on a terminal; NO_COLOR=1 takes it "
+      "away, CLICOLOR_FORCE=1 has it in a pipe too.\n"
+      "Exit codes: 0 green, 1 something differs from what is on record (or nothing meets the need), 2 bad input "
+      "or output that could not be written, 130 interrupted.");
   Session session{suite};
-  app.set_version_flag("-v,--version", version());
-  add_path(app, "--reference", session.folder, "folder of the reference tables");
+  app.set_help_flag("-h,--help", "show this help");
+  app.set_version_flag("-v,--version", version(), "show the version");
+  add_path(app, "--reference", session.folder, "the folder of the reference tables");
   app.require_subcommand(0, 1);
   add_list(app, session);
   add_verify(app, session);
@@ -365,14 +474,11 @@ int command_line(int argc, char** argv, const Suite& suite) {
   add_chart(app, session);
   add_stability(app, session);
   add_choose(app, session);
-  verb(app, "bench", "measure how fast this build is: loops by hand, best methods, the suite",
-       "Times mean something only on an idle machine. The exit code is 1 when a limit is broken.\n"
-       "Example: oddity bench",
-       [&] { session.status = verbs::bench(session.folder); });
+  add_bench(app, session);
   add_report(app, session);
   add_site(app, session);
   add_new(app, session);
-  verb(app, "help", "show this help, or that of a verb", "Example: oddity help choose", [] {});
+  verb(app, "help", "Show this help, or that of a verb.", "Example: oddity help choose", [] {});
   session.command = typed(words_of(argc, argv));
   const int status = answer(app, session, words_of(argc, argv));
   return output_arrived() ? status : 2;

@@ -41,6 +41,10 @@ fs::path site_folder() { return kept() / "site"; }
 fs::path chart_folder() { return kept() / "charts"; }
 fs::path motions_folder() { return kept() / "motions"; }
 fs::path prices_folder() { return kept() / "prices"; }
+fs::path module_file() {
+  const fs::path installed = installed_tables();
+  return installed.empty() ? fs::path(ODDITY_MODULE) : installed.parent_path() / "models.js";
+}
 std::string version() { return ODDITY_VERSION; }
 
 }  // namespace oddity

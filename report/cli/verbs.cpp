@@ -1,5 +1,7 @@
 #include "report/cli/verbs.hpp"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <iostream>
 
@@ -11,9 +13,11 @@
 #include "report/cli/asked.hpp"
 #include "report/cli/bench.hpp"
 #include "report/cli/settings.hpp"
+#include "report/pages/closing_screen.hpp"
 #include "report/pages/code.hpp"
 #include "report/pages/pictures.hpp"
-#include "report/pages/table_text.hpp"
+#include "report/pages/readable.hpp"
+#include "report/pages/tables.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/pages/write_report.hpp"
 #include "report/site/site.hpp"
@@ -47,17 +51,21 @@ Results last_results(const fs::path& folder, bool ledgers) {
   const fs::path file = results_file();
   const Reference truth(folder, motions_folder());
   const std::vector<Task> tasks(registry().begin(), registry().end());
-  ProgressBar bar;
   Results results;
   if (fs::exists(file) && !stale(file, folder)) results = read_results(file);
   const bool fresh = std::ranges::equal(results.exercises, tasks, [](const auto& e, const Task& task) {
     return e.number == task.entry->number;  // a run of a part may have written the file
   });
-  if (!fresh) results = with_stability(run(tasks, truth, true, bar.callback()), tasks, truth, bar.callback());
+  if (!fresh)
+    results = with_progress([&](const Progress& progress) {
+      return with_stability(run(tasks, truth, true, progress), tasks, truth, progress);
+    });
   const bool lacking = ledgers && std::ranges::any_of(results.exercises, [](const ExerciseResult& e) {
                          return e.scene && !e.ledger;
                        });
-  if (lacking) results = with_ledgers(std::move(results), tasks, truth, bar.callback());
+  if (lacking)
+    results = with_progress(
+        [&](const Progress& progress) { return with_ledgers(std::move(results), tasks, truth, progress); });
   if (lacking || !fresh) write_whole(file, to_json(results));
   return results;
 }
@@ -72,49 +80,17 @@ std::string range_of(const Parameter& p) {
   return (p.whole ? "whole" : "") + std::string(p.whole && !ends.empty() ? ", " : "") + ends;
 }
 
-std::string in_list(const Entry& entry) {
-  std::string text = to_string(entry.number) + "  " + std::string(entry.exercise.title) +
-                     (entry.exercise.scene ? " (scene)" : "") + (of_the_book(entry.number) ? "" : " (own)") +
-                     "\n";
+std::string in_list(const Entry& entry, const Screen& screen) {
+  std::string text =
+      screen.styled(Style::heading, to_string(entry.number) + "  " + std::string(entry.exercise.title)) +
+      (entry.exercise.scene ? " (scene)" : "") + (of_the_book(entry.number) ? "" : " (own)") + "\n";
   for (const Parameter& p : entry.exercise.parameters) {
     const std::string range = range_of(p);
     text += "      " + std::string(p.name) + " = " + shortest(p.value) +
-            (p.unit.empty() || p.unit == "1" ? "" : " " + std::string(p.unit)) + "  " + std::string(p.says) +
-            (range.empty() ? "" : " (" + range + ")") + "\n";
+            (p.unit.empty() || p.unit == "1" ? "" : " " + std::string(p.unit)) + "  " +
+            readable(std::string(p.says)) + (range.empty() ? "" : " (" + range + ")") + "\n";
   }
-  return text;
-}
-
-/// A row for each parameter; one without a name where an exercise has none.
-Table parameters_table(const std::vector<Task>& tasks) {
-  Table table{{"exercise", "title", "scene", "parameter", "value", "unit", "least", "most", "whole", "says"},
-              {}};
-  const auto text = [](std::string_view view) { return std::string(view); };
-  for (const Task& task : tasks) {
-    const Exercise& e = task.entry->exercise;
-    const std::vector<Cell> begin{to_string(task.entry->number), text(e.title), e.scene ? 1L : 0L};
-    const auto add = [&](std::vector<Cell> cells) {
-      cells.insert(cells.begin(), begin.begin(), begin.end());
-      table.rows.push_back(std::move(cells));
-    };
-    for (const Parameter& p : e.parameters)
-      add({text(p.name), p.value, text(p.unit), p.least, p.most, p.whole ? 1L : 0L, text(p.says)});
-    if (e.parameters.empty()) add({"", "", "", "", "", "", ""});
-  }
-  return table;
-}
-
-Table limits_table(const Results& results) {
-  Table table{{"exercise", "model", "algorithm", "stable_to", "breaks_at", "theory", "unit", "breaks_by",
-               "error", "error_unit", "why"},
-              {}};
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  for (const ExerciseResult& e : results.exercises)
-    for (const Limit& l : e.stability->limits)
-      table.rows.push_back({to_string(e.number), l.model, l.algorithm, l.step(),
-                            l.broken ? l.broken->setting : none, l.theory(), e.stability->time_unit,
-                            beyond(l), l.broken ? l.broken->error : none, e.stability->unit, l.why});
-  return table;
+  return wrapped(text, screen, 10);
 }
 
 Results stability_of(const fs::path& folder, const std::vector<std::string>& exercises) {
@@ -125,8 +101,9 @@ Results stability_of(const fs::path& folder, const std::vector<std::string>& exe
     e.number = task.entry->number;
     e.title = task.entry->exercise.title;
   }
-  ProgressBar bar;
-  return with_stability(blank, tasks, Reference(folder, motions_folder()), bar.callback());
+  return with_progress([&](const Progress& progress) {
+    return with_stability(blank, tasks, Reference(folder, motions_folder()), progress);
+  });
 }
 
 /// The book is the same whatever is installed.
@@ -143,44 +120,66 @@ void require_truth(const Task& task, const Reference& truth) {
                    " has no truth to judge by: " + seen.reference.by);
 }
 
+Results trials_of(const fs::path& folder, const std::vector<Task>& tasks) {
+  return with_progress([&](const Progress& progress) {
+    return run(tasks, Reference(folder, motions_folder()), true, progress);
+  });
+}
+
+fs::path report_of(const Results& results, Edition edition, const fs::path& out) {
+  return with_progress(
+      [&](const Progress& progress) { return write_report(results, edition, out, progress); });
+}
+
+fs::path site_of(const Results& results, const fs::path& folder, const fs::path& out) {
+  return with_progress([&](const Progress& progress) {
+    return write_site(results, Reference(folder, motions_folder()), out, progress);
+  });
+}
+
+Screen output() { return screen_of(STDOUT_FILENO); }
+
+void print(const Table& table, Format format) {
+  std::cout << (format == Format::json ? to_json(table) : to_csv(table));
+}
+
 }  // namespace
 
-void list(const std::string& exercise, Format format) {
-  const std::vector<Task> tasks =
-      tasks_of(exercise.empty() ? std::vector<std::string>() : std::vector{exercise});
-  if (format == Format::text)
-    for (const Task& task : tasks) std::cout << in_list(*task.entry);
-  else
-    std::cout << (format == Format::json ? to_json(parameters_table(tasks))
-                                         : to_csv(parameters_table(tasks)));
+void list(const std::vector<std::string>& exercises, Format format) {
+  const std::vector<Task> tasks = tasks_about(exercises);
+  if (format != Format::text) return print(parameters_table(tasks), format);
+  for (const Task& task : tasks) std::cout << in_list(*task.entry, output());
 }
 
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            Format format) {
   const Task task = task_of(exercise, overrides);
   const Reference truth(folder);
-  const Results results = run(std::span(&task, 1), truth, true);
-  std::cout << (format == Format::json ? to_json(results) : text_view(results.exercises.front()));
+  const Results results = with_progress(
+      [&](const Progress& progress) { return run(std::span(&task, 1), truth, true, progress); });
+  if (format == Format::csv) return print(trials_table(results), format);
+  std::cout << (format == Format::json ? to_json(results) : text_view(results.exercises.front(), output()));
 }
 
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed& asked, Format format, bool all_rows, const std::string& command) {
   const Task task = task_of(exercise, overrides);
-  const Need need = need_of(*task.entry, asked);
-  ProgressBar bar;
+  const Need need = need_of(task, asked);
   KeptPrices prices(prices_folder(), price_key(task, need), asked.measure);
   const Reference truth(folder, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
-  Choice choice = oddity::choose(task, need, truth, std::ref(prices), bar.callback());
+  Choice choice = with_progress([&](const Progress& progress) {
+    return oddity::choose(task, need, truth, std::ref(prices), progress);
+  });
   prices.keep();
   choice.prices_are = prices.source();
   if (format == Format::code && !choice.chosen)
-    std::cerr << choice_text(choice, all_rows);
+    std::cerr << choice_text(choice, all_rows, screen_of(STDERR_FILENO));
   else
     std::cout << (format == Format::json   ? choice_json(choice)
                   : format == Format::csv  ? choice_csv(choice)
                   : format == Format::code ? code_of(task, choice, command)
-                                           : choice_text(choice, all_rows));
+                                           : choice_text(choice, all_rows, output()));
   return choice.chosen ? 0 : 1;
 }
 
@@ -192,26 +191,42 @@ void report(const fs::path& folder, const std::string& chapter, Edition edition,
   Results results = last_results(folder, number == 0);
   if (number != 0)
     std::erase_if(results.exercises, [&](const ExerciseResult& e) { return e.number.chapter != number; });
-  const fs::path page = write_report(results, edition, out);
-  std::cout << "the report is in " << page.string() << "\n";
+  std::cout << "the report is in " << report_of(results, edition, out).string() << "\n";
 }
 
 void site(const fs::path& folder, const fs::path& out) {
   require_writable_folder(out);
   require_writable(results_file());
   const Results results = last_results(folder, true);
-  const fs::path page = write_site(results, Reference(folder, motions_folder()), out);
-  std::cout << "the report that runs is in " << page.string() << "\n";
+  std::cout << "the report that runs is in " << site_of(results, folder, out).string() << "\n";
+}
+
+void require_room_for_all(const fs::path& report_out, const fs::path& site_out) {
+  make_folder(report_out);
+  require_writable_folder(site_out);
+  require_writable(results_file());
+}
+
+void publish(const fs::path& folder, const fs::path& report_out, const fs::path& site_out, bool as_on_record,
+             const std::function<double()>& seconds) {
+  const Results results = last_results(folder, true);
+  const fs::path report = report_of(results, Edition::whole, report_out),
+                 site = site_of(results, folder, site_out);
+  std::cout << closing_screen(results, {as_on_record, seconds(), site, report}, output());
 }
 
 void chart(const fs::path& folder, const std::vector<std::string>& exercises, Curves curves,
            const fs::path& out) {
   const std::vector<Task> tasks = tasks_of(exercises);
   make_folder(out);
-  ProgressBar bar;
-  for (const fs::path& page :
-       write_charts(run(tasks, Reference(folder, motions_folder()), true, bar.callback()), curves, out))
-    std::cout << page.string() << "\n";
+  const Results results = trials_of(folder, tasks);
+  const auto pages =
+      with_progress([&](const Progress& progress) { return write_charts(results, curves, out, progress); });
+  for (const fs::path& page : pages) std::cout << page.string() << "\n";
+}
+
+void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, Format format) {
+  print(trials_table(trials_of(folder, tasks_of(exercises))), format);
 }
 
 void stability(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out) {
@@ -219,15 +234,14 @@ void stability(const fs::path& folder, const std::vector<std::string>& exercises
   make_folder(out);
   const Results results = stability_of(folder, exercises);
   for (const ExerciseResult& e : results.exercises) {
-    std::cout << stability_text(e) << "\n";
+    std::cout << stability_text(e, output()) << "\n";
     draw_map(e, out);
   }
   std::cout << "the maps are in " << (out / "charts").string() << "\n";
 }
 
 void stability_table(const fs::path& folder, const std::vector<std::string>& exercises, Format format) {
-  const Table limits = limits_table(stability_of(folder, exercises));
-  std::cout << (format == Format::json ? to_json(limits) : to_csv(limits));
+  print(limits_table(stability_of(folder, exercises)), format);
 }
 
 void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises) {
@@ -249,10 +263,13 @@ void create(NewExercise asked) {
             << "]'  # once that is written: puts its results on record\n";
 }
 
-int bench(const fs::path& folder) {
-  ProgressBar bar;
-  const Bench result = oddity::bench(Reference(folder, motions_folder()), bar.callback());
-  std::cout << bench_view(result) << std::flush;
+int bench(const fs::path& folder, Format format) {
+  const Bench result = with_progress(
+      [&](const Progress& progress) { return oddity::bench(Reference(folder, motions_folder()), progress); });
+  if (format == Format::text)
+    std::cout << bench_view(result, output());
+  else
+    print(bench_table(result), format);
   return result.broken();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,9 @@ namespace fs = std::filesystem;
 
 enum class Format { text, json, csv, code };
 
-/// One exercise, or all when the text is empty.
-void list(const std::string& exercise, Format);
-/// `overrides` are "name=value". As text or as JSON.
+/// By number or by words of their titles; all of them when there are none.
+void list(const std::vector<std::string>& exercises, Format);
+/// `overrides` are "name=value". As JSON everything; as CSV the trials.
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            Format);
 
@@ -30,8 +31,15 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
 void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out);
 /// The report that runs, of all exercises.
 void site(const fs::path& folder, const fs::path& out);
+/// Throws BadInput when the report, the site or the results could not be written, before a run.
+void require_room_for_all(const fs::path& report_out, const fs::path& site_out);
+/// The report and the site of the last results, and the screen that a whole run ends with.
+void publish(const fs::path& folder, const fs::path& report_out, const fs::path& site_out, bool as_on_record,
+             const std::function<double()>& seconds);
 /// Of all exercises when there are none.
 void chart(const fs::path& folder, const std::vector<std::string>& exercises, Curves, const fs::path& out);
+/// The trials that the charts show, with nothing drawn.
+void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, Format);
 /// Of all scenes when there are none: as text, with the maps drawn.
 void stability(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out);
 /// The same as a table of limits, with nothing drawn.
@@ -41,6 +49,6 @@ void stability_rows(const fs::path& folder, const std::vector<std::string>& exer
 /// Writes the files of a new exercise, and says what to do next.
 void create(NewExercise);
 /// 0 when no limit is broken, else 1.
-int bench(const fs::path& folder);
+int bench(const fs::path& folder, Format);
 
 }  // namespace oddity::verbs

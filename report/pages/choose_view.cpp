@@ -3,6 +3,7 @@
 #include <set>
 
 #include "reference/text.hpp"
+#include "report/pages/table_text.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/choose.hpp"
 
@@ -131,8 +132,8 @@ std::string ties_text(const Choice& choice) {
   return text.empty() ? "" : text + ".\n";
 }
 
-std::string miss_text(const Choice& choice) {
-  std::string text = "Nothing here meets that.\n";
+std::string miss_text(const Choice& choice, const Screen& screen) {
+  std::string text = screen.styled(Style::bad, "Nothing here meets that.") + "\n";
   if (!choice.nearest_miss) return text;
   const Tried& miss = *choice.nearest_miss;
   if (!miss.holds()) return text + "  nearest miss: " + failing_of(miss, choice) + ".\n";
@@ -253,9 +254,10 @@ std::string asked_text(const Choice& choice) {
          (std::isfinite(need.budget) ? ", for at most " + shown_time(need.budget) + " per frame" : "");
 }
 
-std::string answer_text(const Choice& choice) {
+std::string answer_text(const Choice& choice, const Screen& screen) {
   const Tried& best = *choice.chosen;
-  std::string text = "Take " + described(best, choice.need) + ": " + cost_of(best);
+  std::string text =
+      "Take " + screen.styled(Style::heading, described(best, choice.need)) + ": " + cost_of(best);
   if (std::isfinite(choice.need.budget))
     text += ", " + percent(best.seconds_per_frame / choice.need.budget) + " of the budget";
   text += ".\n" + margin_text(choice) + in_float_text(choice) + ties_text(choice);
@@ -275,21 +277,27 @@ std::string answer_text(const Choice& choice) {
   return text;
 }
 
-std::string choice_text(const Choice& choice, bool all_rows) {
+std::string choice_text(const Choice& choice, bool all_rows, const Screen& screen) {
   const std::vector<Tried> shown_rows = rows_of(choice, all_rows);
   std::vector<std::vector<std::string>> rows{
       {"model", "algorithm", "setting", "error", "evaluations per frame", "time per frame", ""}};
   for (const Tried& tried : shown_rows)
     rows.push_back({tried.model, tried.algorithm, shown_setting(tried, choice.need), error_of(tried, choice),
                     rounded(tried.evaluations_per_frame, 3), shown_time(tried.seconds_per_frame),
-                    verdict_of(tried, choice)});
+                    screen.styled(tried.holds() ? Style::good : Style::bad, verdict_of(tried, choice))});
   const std::size_t hidden = choice.tried.size() - shown_rows.size();
-  return asked_text(choice) + "\n\n" + (choice.chosen ? answer_text(choice) : miss_text(choice)) +
-         chaos_text(choice) + "\nEach method at its cheapest setting that holds, or else at its best:\n" +
-         aligned(rows) + (hidden > 0 ? "  and " + std::to_string(hidden) + " more: --all\n" : "") + "\n" +
-         engine_text(choice) + "\nchosen on: " + listed(choice.seen) +
-         (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) +
-         (choice.prices_are.empty() ? "" : "\ntimes: " + choice.prices_are) + "\n";
+  const std::string answer = choice.chosen ? answer_text(choice, screen) : miss_text(choice, screen);
+  const std::string grounds = engine_text(choice) + "\nchosen on: " + listed(choice.seen) +
+                              (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) +
+                              (choice.prices_are.empty() ? "" : "\ntimes: " + choice.prices_are) + "\n";
+  return wrapped(asked_text(choice) + "\n\n" + answer + chaos_text(choice) +
+                     "\nEach method at its cheapest setting that holds, or else at its best:\n",
+                 screen, 4) +
+         aligned(
+             rows, screen,
+             {{"model", "algorithm", ""}, {"evaluations per frame", "setting", "error", "time per frame"}}) +
+         (hidden > 0 ? "  and " + std::to_string(hidden) + " more: --all\n" : "") + "\n" +
+         wrapped(grounds, screen, 4);
 }
 
 std::string choice_json(const Choice& choice) {

@@ -9,6 +9,7 @@
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/pages/readable.hpp"
 
 namespace oddity {
 
@@ -54,12 +55,6 @@ const std::string_view* find(const Pairs& pairs, std::string_view name) {
 std::string in_double(const std::string& algorithm) {
   const std::string_view suffix = " in float";
   return algorithm.ends_with(suffix) ? algorithm.substr(0, algorithm.size() - suffix.size()) : algorithm;
-}
-
-std::string replaced(std::string text, std::string_view old, std::string_view by) {
-  for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + by.size()))
-    text.replace(at, old.size(), by);
-  return text;
 }
 
 Printed printed(const Listing& listing, const std::string& model, const std::string& algorithm) {
@@ -117,17 +112,6 @@ class Joined {
   std::string text_;
 };
 
-/// A name of C++ that the expression has as a word.
-bool mentions(std::string_view expression, std::string_view name) {
-  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-  for (auto at = expression.find(name); at != std::string_view::npos; at = expression.find(name, at + 1)) {
-    const auto end = at + name.size();
-    if ((at == 0 || !in_word(expression[at - 1])) && (end == expression.size() || !in_word(expression[end])))
-      return true;
-  }
-  return false;
-}
-
 std::string as_comment(const std::string& text) {
   std::string comment;
   std::istringstream lines(text);
@@ -146,18 +130,24 @@ std::string model_text(const Task& task, std::string_view expression, const std:
     if (mentions(expression, p.name))
       text += number + " " + std::string(p.name) + " = " + literal(task.parameters[p.name], number) +
               ";  // " + (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") +
-              std::string(p.says) + "\n";
-  return text + "\nauto model() { return " + replaced(std::string(expression), "double", number) +
-         "; }\n\n}  // namespace oddity::asked\n";
-}
+              readable(std::string(p.says)) +
+              "
+              ";
+              return text +
+              "
+              auto
+              model() {
+        return " + in_number_type(expression, number) +
+               "; }\n\n}  // namespace oddity::asked\n";
+      }
 
-std::string header_line(const Scene& scene) {
-  std::string line = "t [" + std::string(scene.axes.time) + "]";
-  for (std::string_view name : scene.axes.observables) line += "," + std::string(name);
-  return line;
-}
+  std::string header_line(const Scene& scene) {
+    std::string line = "t [" + std::string(scene.axes.time) + "]";
+    for (std::string_view name : scene.axes.observables) line += "," + std::string(name);
+    return line;
+  }
 
-constexpr std::string_view print_row = R"(
+  constexpr std::string_view print_row = R"(
 template <class Observables>
 void print_row(double t, const Observables& observables) {
   std::printf("%.17g", t);
@@ -166,8 +156,8 @@ void print_row(double t, const Observables& observables) {
 }
 )";
 
-/// The words with a dollar are placeholders.
-constexpr std::string_view closed_form_main = R"(
+  /// The words with a dollar are placeholders.
+  constexpr std::string_view closed_form_main = R"(
 int main() {
   constexpr int frames = $frames;
   constexpr double frames_per_second = $rate;
@@ -179,7 +169,7 @@ int main() {
   }
 }
 )";
-constexpr std::string_view stepping_main = R"(
+  constexpr std::string_view stepping_main = R"(
 int main() {
   constexpr int frames = $frames, steps_per_frame = $steps;
   constexpr double frames_per_second = $rate;
@@ -197,22 +187,40 @@ int main() {
 }
 )";
 
-std::string main_text(const Task& task, const Need& need, const Plain* algorithm, double step) {
-  std::string text(algorithm ? stepping_main : closed_form_main);
-  const auto put = [&](const std::string& placeholder, const std::string& what) {
-    text.replace(text.find(placeholder), placeholder.size(), what);
-  };
-  put("$frames", shortest(need.frames()));
-  put("$rate", shortest(need.frames_per_second));
-  put("$names", header_line(*task.entry->exercise.scene));
-  if (algorithm) {
-    put("$steps", shortest(std::round(1 / (step * need.frames_per_second))));
-    put("$algorithm", std::string(algorithm->type));
+  std::string main_text(const Task& task, const Need& need, const Plain* algorithm, double step) {
+    std::string text(algorithm ? stepping_main : closed_form_main);
+    const auto put = [&](const std::string& placeholder, const std::string& what) {
+      text.replace(text.find(placeholder), placeholder.size(), what);
+    };
+    put("$frames", shortest(need.frames()));
+    put("$rate", shortest(need.frames_per_second));
+    put("$names", header_line(*task.entry->exercise.scene));
+    if (algorithm) {
+      put("$steps", shortest(std::round(1 / (step * need.frames_per_second))));
+      put("$algorithm", std::string(algorithm->type));
+    }
+    return text;
   }
-  return text;
-}
 
 }  // namespace
+
+bool mentions(std::string_view expression, std::string_view name) {
+  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (auto at = expression.find(name); at != std::string_view::npos; at = expression.find(name, at + 1)) {
+    const auto end = at + name.size();
+    if ((at == 0 || !in_word(expression[at - 1])) && (end == expression.size() || !in_word(expression[end])))
+      return true;
+  }
+  return false;
+}
+
+std::string in_number_type(std::string_view expression, std::string_view number) {
+  constexpr std::string_view old = "double";
+  std::string text(expression);
+  for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + number.size()))
+    text.replace(at, old.size(), number);
+  return text;
+}
 
 std::vector<std::string_view> printable_algorithms() {
   std::vector<std::string_view> all{closed_form};

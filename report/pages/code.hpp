@@ -17,6 +17,11 @@ struct EmbeddedFile {
 /// Those of the models and of the plain algorithms, and what they include of the project.
 std::span<const EmbeddedFile> embedded_headers();
 
+/// Whether a listing's expression has this name as a word.
+bool mentions(std::string_view expression, std::string_view name);
+/// A listing's expression, which is in double, in another number type.
+std::string in_number_type(std::string_view expression, std::string_view number);
+
 /// The algorithms that can be printed.
 std::vector<std::string_view> printable_algorithms();
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "reference/text.hpp"
-#include "report/pages/findings.hpp"
+#include "report/pages/claims.hpp"
 #include "report/pages/markup.hpp"
 #include "report/pages/pictures.hpp"
 #include "report/pages/quantities.hpp"
@@ -45,7 +45,7 @@ std::string exercises_counted(const Results& results) {
   const auto book = static_cast<int>(std::ranges::count_if(
       results.exercises, [](const ExerciseResult& e) { return of_the_book(e.number); }));
   const int own = static_cast<int>(results.exercises.size()) - book;
-  return plural(book, "exercise", "exercises") +
+  return counted(book, "exercise", "exercises") +
          (own > 0 ? " and " + std::to_string(own) + " of one's own" : "");
 }
 
@@ -180,7 +180,7 @@ std::string by_chapter(const Results& results, Links links) {
       for (const auto& [verdict, n] : counts_of(*e)) counts[verdict] += n;
     const std::string title = std::to_string(chapter.number) + ". " + std::string(chapter.title);
     text += unfold("<b>" + title +
-                       "</b>: " + plural(static_cast<int>(exercises.size()), "exercise", "exercises") + ", " +
+                       "</b>: " + counted(static_cast<int>(exercises.size()), "exercise", "exercises") + ", " +
                        sentence(counts),
                    exercises_table(exercises, links));
   }
@@ -193,8 +193,8 @@ std::string worst_errata(const Results& results, Links links) {
   std::vector<std::vector<std::string>> rows;
   for (const Finding& f : errata_worst_first(results)) {
     if (rows.size() == most) break;
-    rows.push_back({"[" + escaped(to_string(f.exercise->number) + " " + f.name()) + "](" +
-                        address_of(*f.exercise, f.first(), links) + ")",
+    rows.push_back({"[" + escaped(to_string(f.exercise->number) + " " + f.title()) + "](" +
+                        address_of(*f.exercise, f.claims.front()->claim, links) + ")",
                     escaped(f.shows())});
   }
   return rows.empty() ? "" : table({"erratum", "what one would see"}, rows);
@@ -217,8 +217,8 @@ std::string scenes_table(const Results& results, Links links) {
 
 std::string count_of_errata(const Results& results) {
   std::size_t roots = 0;
-  for (const ExerciseResult& e : results.exercises) roots += errata_of(e).size();
-  return plural(static_cast<int>(roots), "root", "roots");
+  for (const ExerciseResult& e : results.exercises) roots += findings_of(e).size();
+  return counted(static_cast<int>(roots), "root", "roots");
 }
 
 bool has_scenes(const Results& results) {
@@ -245,7 +245,7 @@ std::string head(const Results& results) {
   for (const auto& [verdict, n] : all) total += n;
   const std::string missing = not_encoded(results);
   return "# The solutions of *Game Physics*, checked by machine\n\n" + exercises_counted(results) + ", " +
-         plural(total, "claim", "claims") + ": " + sentence(all) + "." +
+         counted(total, "claim", "claims") + ": " + sentence(all) + "." +
          (all[Verdict::erratum] > 0 ? " The errata come from " + count_of_errata(results) + "." : "") +
          (missing.empty() ? "" : " Not yet encoded: " + missing + ".") + "\n\n";
 }
@@ -267,7 +267,7 @@ std::string exercise_page_text(const Results& results, const ExerciseResult& e) 
          question(e) + picture_links(e) + body(e, "##", true);
 }
 
-std::string errata_page(const Results& results) {
+std::string errata_page_text(const Results& results) {
   Counts counts = counts_of(results);
   std::string text = "# What is wrong in the solutions manual\n\n";
   const auto section = [&](Verdict verdict, const std::string& title, const std::string& rows) {

@@ -17,7 +17,7 @@ std::string index_page(const Results&, Edition = Edition::whole);
 /// An exercise's page: the question, the answer, the findings, the claims, what is computed.
 std::string exercise_page_text(const Results&, const ExerciseResult&);
 /// All errata by root, the misprints by number.
-std::string errata_page(const Results&);
+std::string errata_page_text(const Results&);
 /// For each quantity the fastest method within the need, in the run at hand.
 std::string times_page(const Results&);
 /// An exercise's charts, by evaluations and by time, each with the table of all its trials beneath.

@@ -1,9 +1,14 @@
 #include "report/pages/pictures.hpp"
 
+#include <algorithm>
+
 #include "reference/files.hpp"
+#include "report/charts/drawing.hpp"
 #include "report/pages/markup.hpp"
 #include "report/pages/quantities.hpp"
+#include "report/pages/readable.hpp"
 #include "report/pages/text_view.hpp"
+#include "report/study/findings.hpp"
 #include "report/study/stability.hpp"
 
 namespace oddity {
@@ -15,10 +20,26 @@ namespace {
 std::string setup_file(const ExerciseResult& e) { return "charts/" + to_string(e.number) + "_setup.svg"; }
 std::string frames_file(const ExerciseResult& e) { return "charts/" + to_string(e.number) + "_frames.svg"; }
 
+const Entry* entry_of(const ExerciseResult& e) {
+  const auto found = std::ranges::find(registry(), e.number, &Entry::number);
+  return found == registry().end() ? nullptr : &*found;
+}
+
 /// The set-up with its letters, as SVG; empty where a scene does not say how it looks.
-std::string setup_picture(const ExerciseResult&) { return ""; }
+std::string setup_picture(const ExerciseResult& e) {
+  const Entry* entry = entry_of(e);
+  return entry ? setup_svg(*entry) : "";
+}
+
 /// The motion in a strip of frames, as SVG; empty where a scene does not say how it looks.
-std::string frames_picture(const ExerciseResult&) { return ""; }
+std::string frames_picture(const ExerciseResult& e) {
+  const Entry* entry = entry_of(e);
+  const Trajectory* t = trajectory_of(e);
+  if (!entry || !t || !entry->exercise.scene) return "";
+  const Parameters parameters(entry->exercise.parameters);
+  const std::size_t observables = observed_at_start(*entry->exercise.scene, parameters).size();
+  return true_path(*t).value.size() == observables * t->times.size() ? frames_svg(*entry, *t) : "";
+}
 
 void write_picture(const fs::path& file, const std::string& svg) {
   if (!svg.empty()) write_whole(file, svg);
@@ -46,8 +67,10 @@ std::string picture_links(const ExerciseResult& e) {
   return text;
 }
 
-void draw_pictures(const Results& results, const fs::path& folder) {
+void draw_pictures(const Results& results, const fs::path& folder, const Progress& progress) {
+  std::size_t done = 0;
   for (const ExerciseResult& e : results.exercises) {
+    if (progress) progress(drawing_charts, done++, results.exercises.size());
     write_picture(folder / setup_file(e), setup_picture(e));
     write_picture(folder / frames_file(e), frames_picture(e));
     if (e.stability) draw_map(e, folder);

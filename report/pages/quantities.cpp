@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/text.hpp"
-#include "report/pages/findings.hpp"
+#include "report/pages/claims.hpp"
 #include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
 
@@ -63,7 +63,7 @@ std::vector<const TimedTrial*> cheapest_within(const QuantityResult& q) {
 /// "Runge-Kutta 4, step 0.0156: 2560 evaluations, error 4.4×10⁻⁷".
 std::string trial_text(const QuantityResult& q, const TimedTrial& t) {
   return method_name(q, t) + (t.knob.empty() ? "" : ", " + with_powers(escaped(shown_knob(t), false))) +
-         ": " + plural(static_cast<int>(t.evaluations), "evaluation", "evaluations") +
+         ": " + counted(static_cast<int>(t.evaluations), "evaluation", "evaluations") +
          (std::isfinite(t.error) ? ", error " + error_cell(t.error) : "");
 }
 
@@ -113,7 +113,7 @@ std::string lost_in_float(const QuantityResult& q) {
       lost += m.trials[i].outcome != Outcome::ok;
     }
   if (held == 0) return "none of its methods is within the need in double";
-  const std::string all = plural(held, "setting", "settings");
+  const std::string all = counted(held, "setting", "settings");
   return lost == 0      ? "what is within the need in double is so here"
          : lost == held ? "none of the " + all + " within the need in double is within it here"
                         : std::to_string(held - lost) + " of the " + all + " within the need in double " +
@@ -200,7 +200,7 @@ std::string expected_failures(const ExerciseResult& e) {
              ": " + escaped(r.why, false) + ".\n";
     count += r.methods;
   }
-  return "<details><summary>" + plural(count, "method is expected to fail", "methods are expected to fail") +
+  return "<details><summary>" + counted(count, "method is expected to fail", "methods are expected to fail") +
          "</summary>\n\n" + lines + "\n</details>\n\n";
 }
 

@@ -6,6 +6,7 @@
 
 #include "reference/text.hpp"
 #include "report/pages/markup.hpp"
+#include "report/pages/table_text.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/stability.hpp"
 
@@ -45,18 +46,19 @@ std::vector<std::string> limit_cells(const Stability& s, const Limit& l) {
 }
 
 /// The limits in columns, each model named above its own.
-std::string limits_text(const Stability& s) {
+std::string limits_text(const Stability& s, const Screen& screen) {
   const auto names = header(s);
   std::vector<std::vector<std::string>> rows{{names.begin() + 1, names.end()}};
   const std::string* model = nullptr;
   for (const Limit& l : s.limits) {
-    if (!model || *model != l.model) rows.push_back({l.model + ":"});
+    if (!model || *model != l.model) rows.push_back({screen.styled(Style::heading, l.model) + ":"});
     model = &l.model;
     const auto cells = limit_cells(s, l);
     rows.emplace_back(cells.begin() + 1, cells.end());
     rows.back().front().insert(0, "  ");
   }
-  return aligned(rows);
+  const std::vector<std::string>& n = rows.front();
+  return aligned(rows, screen, {{n[0], n[6], n[7]}, {n[7], n[6], n[3], n[2], n[4]}});
 }
 
 /// Reasons why theory and measurement differ, the same ones together.
@@ -106,14 +108,13 @@ std::string letters_and_theory(const MapRow& row, const std::vector<double>& ste
   return text.insert(static_cast<std::size_t>(above), "|");
 }
 
-std::string map_text(const Stability& s) {
-  std::string text = "\nmap: each letter a step, " + rounded(s.steps.front(), 3) + " " + s.time_unit +
-                     " and its halves to " + rounded(s.steps.back(), 3) + " " + s.time_unit +
+std::string map_text(const Stability& s, const Screen& screen) {
+  std::string text = "\nmap: each letter a step, from " + rounded(s.steps.front(), 3) + " " + s.time_unit +
+                     ", halved and halved again, to " + rounded(s.steps.back(), 3) + " " + s.time_unit +
                      "; the bar is theory's limit\n ";
   for (Outcome outcome : outcomes_of_a_map)
     text += " " + std::string(1, letter_of(outcome)) + " " + std::string(name_of(outcome));
-  std::vector<std::vector<std::string>> rows{
-      {"model", "algorithm", s.parameter, "steps from coarse to fine"}};
+  std::vector<std::vector<std::string>> rows{{"model", "algorithm", s.parameter, "steps"}};
   const MapRow* last = nullptr;
   for (const MapRow& row : s.map) {
     const bool first = !last || last->model != row.model || last->algorithm != row.algorithm;
@@ -121,7 +122,7 @@ std::string map_text(const Stability& s) {
     rows.push_back({first ? row.model : "", first ? row.algorithm : "",
                     in_unit(rounded(row.value, 4), s.parameter_unit), letters_and_theory(row, s.steps)});
   }
-  return text + "\n" + aligned(rows);
+  return wrapped(text + "\n", screen, 4) + aligned(rows, screen, {{"model", "algorithm"}, {}, true});
 }
 
 /// A cell of a CSV file, quoted where it has to be.
@@ -253,15 +254,14 @@ double agreement(const Limit& l) {
   return l.stable / theory;
 }
 
-std::string stability_text(const ExerciseResult& e) {
+std::string stability_text(const ExerciseResult& e, const Screen& screen) {
   const Stability& s = *e.stability;
-  std::string text = "Exercise " + to_string(e.number) + ": " + e.title + "\n" + s.quantity + " over " +
-                     rounded(s.horizon, 4) + " " + s.time_unit + "; needed to " +
-                     in_unit(rounded(s.close, 3), s.unit) + "\n\n";
-  text += limits_text(s);
-  for (const auto& [reason, names] : reasons(s)) text += "\n  " + names + ": " + reason + "\n";
-  for (const std::string& line : reservations(s)) text += "\n  " + line + "\n";
-  return text + map_text(s);
+  std::string notes;
+  for (const auto& [reason, names] : reasons(s)) notes += "\n  " + names + ": " + reason + "\n";
+  for (const std::string& line : reservations(s)) notes += "\n  " + line + "\n";
+  return heading_of(e, screen) + s.quantity + " over " + rounded(s.horizon, 4) + " " + s.time_unit +
+         "; needed to " + in_unit(rounded(s.close, 3), s.unit) + "\n\n" + limits_text(s, screen) +
+         wrapped(notes, screen, 4) + map_text(s, screen);
 }
 
 std::string limit_row(const ExerciseResult& e, const Limit& l) {

@@ -4,7 +4,9 @@
 #include <variant>
 #include <vector>
 
-/// Tables for other programs to read.
+#include "report/pages/screen.hpp"
+
+/// Tables: for other programs to read, and for a screen.
 namespace oddity {
 
 using Cell = std::variant<std::string, double, long>;
@@ -19,5 +21,17 @@ struct Table {
 std::string to_csv(const Table&);
 /// A list of objects, one for each row; a number that is not finite is null.
 std::string to_json(const Table&);
+
+/// What may be done to a table that is too wide for its screen, by the names in its first row.
+struct Fitting {
+  std::vector<std::string> shorten = {};    ///< columns of which ends of words are enough
+  std::vector<std::string> leave_out = {};  ///< columns that go where that does not do, the first one first
+  bool first_above =
+      false;  ///< before all that the first column's values, where not empty, stand above their rows
+};
+
+/// Rows as aligned columns, two spaces apart and indented by two. With a Fitting the first row is a heading,
+/// the columns fit the screen, and a last line names those that are left out.
+std::string aligned(std::vector<std::vector<std::string>> rows, const Screen& = {}, const Fitting& = {});
 
 }  // namespace oddity

@@ -4,24 +4,39 @@
 #include <regex>
 
 #include "reference/text.hpp"
+#include "report/pages/readable.hpp"
+#include "report/pages/table_text.hpp"
 
 namespace oddity {
 
 namespace {
 
-std::size_t columns_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+Style style_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::confirmed:
+      return Style::good;
+    case Verdict::misprint:
+      return Style::doubtful;
+    case Verdict::not_checkable:
+      return Style::aside;
+    default:
+      return Style::bad;
+  }
 }
 
-std::string claim_lines(const ExerciseResult& e) {
-  std::vector<std::vector<std::string>> rows;
+std::string claims_text(const ExerciseResult& e, const Screen& screen) {
+  std::vector<std::vector<std::string>> rows{{"claim", "verdict", "the solution says"}};
   for (const JudgedClaim& c : e.claims)
-    rows.push_back({c.claim.id, std::string(name_of(c.verdict)), c.claim.says});
-  return rows.empty() ? "" : "\nclaims\n" + aligned(rows);
+    rows.push_back({c.claim.id, screen.styled(style_of(c.verdict), std::string(name_of(c.verdict))),
+                    readable(c.claim.says)});
+  return rows.size() == 1 ? "" : "\n" + aligned(rows, screen, {{"the solution says", "claim"}, {}});
 }
 
-std::vector<std::string> trial_row(const TimedTrial& t) {
+const std::vector<std::string> trial_columns{"model", "algorithm", "knob", "value",
+                                             "error", "evals",     "time", "outcome"};
+const Fitting trial_fit{{"model", "algorithm", "outcome"}, {"value", "evals", "time", "knob"}, true};
+
+std::vector<std::string> trial_row(const TimedTrial& t, const Screen& screen) {
   return {t.model,
           t.algorithm,
           shown_knob(t),
@@ -29,54 +44,44 @@ std::vector<std::string> trial_row(const TimedTrial& t) {
           shown_error(t.error),
           std::to_string(t.evaluations),
           shown_time(t.time.seconds),
-          std::string(name_of(t.outcome)) + (t.message.empty() ? "" : ": " + t.message)};
+          shown(t.outcome, screen) + (t.message.empty() ? "" : ": " + t.message)};
+}
+
+/// The trials of several methods, each of them a row.
+std::string trials_text(const auto& methods, const Screen& screen) {
+  std::vector<std::vector<std::string>> rows{trial_columns};
+  for (const auto& m : methods)
+    for (const TimedTrial& t : m.trials) rows.push_back(trial_row(t, screen));
+  return aligned(rows, screen, trial_fit);
 }
 
 std::string reference_text(const QuantityResult& q) {
   if (!finite(q.reference.value))
-    return "none: " + q.reference.by + "\n  so no error is known, and no outcome below means anything";
+    return "none: " + readable(q.reference.by) +
+           "\n  so no error is known, and no outcome below means anything";
   return shown(q.reference.value, 17) + " " + q.unit + " +- " + shown_error(q.reference_error) + " (" +
-         q.reference.by + ")";
+         readable(q.reference.by) + ")";
 }
 
-std::string quantity_text(const QuantityResult& q) {
-  std::string text = "\n" + q.name + ": " + q.says + "\n  reference " + reference_text(q) + "\n  needed to " +
-                     shown_error(q.need.allowed) + " (" + q.need.reason + ")" +
-                     (q.samples > 1 ? ", " + instants(q) : "") + "\n";
-  std::vector<std::vector<std::string>> rows{
-      {"model", "algorithm", "knob", "value", "error", "evals", "time", "outcome"}};
-  for (const MethodResult& m : q.methods)
-    for (const TimedTrial& t : m.trials) rows.push_back(trial_row(t));
-  text += aligned(rows);
-  if (!q.in_float.empty()) text += "  in float\n";
-  rows.resize(1);
-  for (const FloatResult& m : q.in_float)
-    for (const TimedTrial& t : m.trials) rows.push_back(trial_row(t));
-  if (rows.size() > 1) text += aligned(rows);
+std::string quantity_text(const QuantityResult& q, const Screen& screen) {
+  std::string text =
+      "\n" +
+      wrapped(screen.styled(Style::heading, q.name) + ": " + readable(q.says) + "\n  reference " +
+                  reference_text(q) + "\n  needed to " + shown_error(q.need.allowed) + " (" +
+                  readable(q.need.reason) + ")" + (q.samples > 1 ? ", " + instants(q) : "") + "\n",
+              screen, 4) +
+      trials_text(q.methods, screen);
+  if (!q.in_float.empty()) text += "  in float\n" + trials_text(q.in_float, screen);
   for (const BreakdownResult& b : q.breakdowns)
-    text += "  " + std::string(b.as_expected() ? "breaks: " : "does not break so here: ") + b.says + "\n" +
-            aligned({trial_row(b.broken), trial_row(b.cured)});
+    text +=
+        wrapped("  " + std::string(b.as_expected() ? "breaks: " : "does not break so here: ") +
+                    readable(b.says) + "\n",
+                screen, 4) +
+        aligned({trial_columns, trial_row(b.broken, screen), trial_row(b.cured, screen)}, screen, trial_fit);
   return text;
 }
 
 }  // namespace
-
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (widths.size() <= i) widths.push_back(0);
-      widths[i] = std::max(widths[i], columns_of(row[i]));
-    }
-  std::string text;
-  for (const auto& row : rows) {
-    std::string line = " ";
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += " " + row[i] + (i + 1 < row.size() ? std::string(widths[i] - columns_of(row[i]) + 1, ' ') : "");
-    text += line + "\n";
-  }
-  return text;
-}
 
 std::string shown(const Value& value, int digits) {
   constexpr std::size_t most = 4;
@@ -119,14 +124,27 @@ std::string shown_knob(const TimedTrial& t) {
   return t.knob.empty() ? "-" : t.knob + " " + rounded(t.setting, 4);
 }
 
-std::string text_view(const ExerciseResult& e) {
-  std::string text = "Exercise " + to_string(e.number) + ": " + e.title + "\n";
+std::string shown(Outcome outcome, const Screen& screen) {
+  const Style style = outcome == Outcome::ok           ? Style::good
+                      : outcome == Outcome::inaccurate ? Style::doubtful
+                                                       : Style::bad;
+  return screen.styled(style, std::string(name_of(outcome)));
+}
+
+std::string heading_of(const ExerciseResult& e, const Screen& screen) {
+  return wrapped(screen.styled(Style::heading, "Exercise " + to_string(e.number) + ": " + e.title) + "\n",
+                 screen, 2);
+}
+
+std::string text_view(const ExerciseResult& e, const Screen& screen) {
+  std::string text = heading_of(e, screen);
   for (const ParameterValue& p : e.parameters)
-    text += "  " + p.name + " = " + shortest(p.value) + (p.unit.empty() ? "" : " " + p.unit) + "  " + p.says +
-            "\n";
-  if (!e.failure.empty()) text += "  FAILED: " + e.failure + "\n";
-  text += claim_lines(e);
-  for (const QuantityResult& q : e.quantities) text += quantity_text(q);
+    text += wrapped("  " + p.name + " = " + shortest(p.value) + (p.unit.empty() ? "" : " " + p.unit) + "  " +
+                        p.says + "\n",
+                    screen, 6);
+  if (!e.failure.empty()) text += "  " + screen.styled(Style::bad, "FAILED") + ": " + e.failure + "\n";
+  text += claims_text(e, screen);
+  for (const QuantityResult& q : e.quantities) text += quantity_text(q, screen);
   return text;
 }
 

@@ -15,16 +15,17 @@ void make_folder(const fs::path& folder) {
   require_writable_folder(folder / "charts");
 }
 
-fs::path write_report(const Results& results, Edition edition, const fs::path& folder) {
+fs::path write_report(const Results& results, Edition edition, const fs::path& folder,
+                      const Progress& progress) {
   make_folder(folder);
   const auto write = [&](const std::string& name, const std::string& text) {
     write_whole(folder / name, text);
     return folder / name;
   };
-  draw_pictures(results, folder);
+  draw_pictures(results, folder, progress);
   for (const ExerciseResult& e : results.exercises)
     write(exercise_file(e.number), exercise_page_text(results, e));
-  write("errata.md", errata_page(results));
+  write("errata.md", errata_page_text(results));
   write("algorithms.md", catalog_page());
   write("models.md", ledger_page(results));
   write("stability.md", stability_page(results));
@@ -32,10 +33,12 @@ fs::path write_report(const Results& results, Edition edition, const fs::path& f
   return write("README.md", index_page(results, edition));
 }
 
-std::vector<fs::path> write_charts(const Results& results, Curves curves, const fs::path& folder) {
+std::vector<fs::path> write_charts(const Results& results, Curves curves, const fs::path& folder,
+                                   const Progress& progress) {
   make_folder(folder);
   std::vector<fs::path> pages;
   for (const ExerciseResult& e : results.exercises) {
+    if (progress) progress(drawing_charts, pages.size(), results.exercises.size());
     draw_charts(e, curves, folder);
     pages.push_back(folder / exercise_file(e.number));
     write_whole(pages.back(), charts_page(e));

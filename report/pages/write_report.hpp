@@ -5,7 +5,7 @@
 
 #include "report/charts/chart.hpp"
 #include "report/pages/markdown.hpp"
-#include "report/study/results.hpp"
+#include "report/study/run.hpp"
 
 namespace oddity {
 
@@ -20,10 +20,12 @@ void make_folder(const std::filesystem::path& folder);
 ///   errata.md, models.md, stability.md, algorithms.md
 ///   times.md                     in the whole edition alone
 ///   charts/
-std::filesystem::path write_report(const Results&, Edition, const std::filesystem::path& folder);
+std::filesystem::path write_report(const Results&, Edition, const std::filesystem::path& folder,
+                                   const Progress& progress = {});
 
 /// Writes the charts of all quantities that have a choice, and a page an exercise, "3.5.md", with the tables
 /// behind them. Returns the pages. Each file is whole or not there. Throws BadInput as above.
-std::vector<std::filesystem::path> write_charts(const Results&, Curves, const std::filesystem::path& folder);
+std::vector<std::filesystem::path> write_charts(const Results&, Curves, const std::filesystem::path& folder,
+                                                const Progress& progress = {});
 
 }  // namespace oddity

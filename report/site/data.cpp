@@ -1,20 +1,39 @@
-// What the page's scripts get of an exercise, as oddity.exercise({...}). Numbers that are not finite are
-// null.
+// What the page's scripts get of an exercise, as oddity.exercise({...}). Numbers have as many digits as a
+// reader can use; those that are not finite are null. An outcome is its letter on the maps of stability.
 //   number, title
+//   outcomes     {letter: name}
 //   parameters   [{name, value, unit, says, least, most, whole}]
-//   quantities   [{name, unit, says, samples, need, reason, reference, reference_error, methods}]; a method
-//   is
-//                {model, algorithm, precision: "double"|"float", knob: "step"|"tolerance"|...|"", expected,
-//                why, trials: [[setting, error, evaluations, seconds, spread, outcome, drift], ...]}
+//   styles       {colours: {model: place}, marks: {algorithm: place}, families: {algorithm: name}}: as in the
+//                static charts; places in the order of their palettes (charts/chart_style.hpp)
+//   quantities   [{name, unit, says, samples, need, reason, reference, reference_error, floor, size, charts,
+//                methods}]; no error means anything below `floor`; `size` is the true value's; `charts` are
+//                what its error is drawn against: "evaluations", "setting", "time". A method is
+//                {model, algorithm, precision: "double"|"float", knob: "step"|"tolerance"|...|"",
+//                trials: [[setting, error, evaluations, ns, spread, outcome], ...]}, the time and its spread
+//                in nanoseconds, and has where it is expected to fail also {expected: name, why}
 //   scene        null, or {quantity: its index, horizon, time_unit, close: {unit: error}, observables:
 //   [name],
 //                norms: [{unit, components}], varied, over: [value], truth, paths}
 //     truth      {end, frames, values}: the true observables at frame 0, 1, ..., frames, one time after the
 //                other, by the reference; values are floats, least byte first, in base64
-//     paths      [{model, algorithm, knob, setting, error, outcome, frames, values}]: recorded motions
-//   stability    null, or {limits: [{model, algorithm, stable, unstable, theory, within, tongues: [[from,
-//                to]]}], parameter, unit, steps: [step], map: [{model, algorithm, value, theory, outcomes}]}
+//     paths      [{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]: recorded
+//                motions, from frame 1 on as far as they come; values are whole numbers of 16 bits, least
+//                byte first, in base64, from 0 for the observable's `least` to 65535 for its `most`
+//     drawn      where the page has no models to draw by, of a scene that says how it looks: {space, things:
+//     [{kind,
+//                size, letter, trail, points: how many}], still, moving, least, most, truth, paths}; the
+//                places of the things' points, one after the other, x, y and in space z, are `still` but for
+//                those at the indices `moving`; these are in `truth` from frame 0 on and in each of `paths`,
+//                written as values of paths are, between `least` and `most`
+//   stability    null, or {limits: [{model, algorithm, shown, stable, unstable, theory, within, tongues:
+//                [[from, to]]}], parameter, unit, steps: [step], map: [{model, algorithm, rows: [[value,
+//                theory, outcomes], ...]}]}; `shown` is the largest stable step in words; a theory of null
+//                has every step stable; outcomes are the letters of the steps
 //   least        null, or [{says, horizon, fps, unit, model, algorithm, knob, setting, errors, evaluations}]
+//
+// And of all scenes, as oddity.scenes([{number, title, parameters, styles, horizon, time_unit, close,
+// observables, norms, exact, knobs: {knob: [setting]}}, ...]); `exact` are the models whose motion is ok in
+// the book's case, the truest first.
 
 #include "report/site/data.hpp"
 
@@ -23,8 +42,13 @@
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "chapters/drawing.hpp"
 #include "chapters/scene.hpp"
+#include "report/charts/chart.hpp"
+#include "report/site/script.hpp"
+#include "report/study/stability.hpp"
 #include "report/study/starts.hpp"
 
 namespace oddity {
@@ -33,9 +57,25 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-/// With as many digits as a reader can use.
-Json brief(double x) { return std::isfinite(x) ? Json(std::stod(rounded(x, 4))) : Json(nullptr); }
+/// A whole number without a point.
+Json from(double x) {
+  if (!std::isfinite(x)) return nullptr;
+  return std::abs(x) < 1e9 && x == std::round(x) ? Json(std::lround(x)) : Json(x);
+}
+Json brief(double x, int digits = 4) {
+  return std::isfinite(x) ? from(std::stod(rounded(x, digits))) : Json(nullptr);
+}
+Json brief_all(const std::vector<double>& numbers, int digits = 4) {
+  Json all = Json::array();
+  for (double x : numbers) all.push_back(brief(x, digits));
+  return all;
+}
+std::string letter(Outcome outcome) { return {letter_of(outcome)}; }
+
+std::string call(const std::string& function, const Json& argument) {
+  const std::string text = argument.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return "oddity." + function + "(" + as_script(text) + ");\n";
+}
 
 std::string in_base64(const std::string& bytes) {
   using namespace boost::archive::iterators;
@@ -44,13 +84,14 @@ std::string in_base64(const std::string& bytes) {
   return text.append((4 - text.size() % 4) % 4, '=');
 }
 
-template <class Range>
-Json as_floats(const Range& numbers) {
+/// The lowest `count` bytes, least first.
+void append(std::string& bytes, std::uint32_t bits, int count) {
+  for (int byte = 0; byte < count; ++byte) bytes += static_cast<char>(bits >> 8 * byte & 0xff);
+}
+
+Json as_floats(const std::vector<double>& numbers) {
   std::string bytes;
-  for (double x : numbers) {
-    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(x));
-    for (int byte = 0; byte < 4; ++byte) bytes += static_cast<char>(bits >> 8 * byte & 0xff);
-  }
+  for (double x : numbers) append(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(x)), 4);
   return in_base64(bytes);
 }
 
@@ -67,39 +108,71 @@ Json parameters_of(const Entry& entry) {
   return all;
 }
 
-Json from(const TimedTrial& t) {
-  return Json::array({t.setting, brief(t.error), t.evaluations, brief(t.time.seconds), brief(t.time.spread),
-                      name_of(t.outcome), brief(t.drift)});
+Json outcomes() {
+  Json names;
+  for (Outcome outcome : outcomes_of_a_map) names[letter(outcome)] = name_of(outcome);
+  return names;
 }
 
-Json from(const std::string& model, const std::string& algorithm, Precision precision, Outcome expected,
-          const std::string& why, const std::vector<TimedTrial>& trials) {
+/// Settings that are halves of halves keep all their digits, as they are asked for again.
+Json from(const TimedTrial& t) {
+  return Json::array({from(t.setting), brief(t.error, 3), t.evaluations, brief(1e9 * t.time.seconds, 3),
+                      brief(1e9 * t.time.spread, 2), letter(t.outcome)});
+}
+
+Json method(const std::string& model, const std::string& algorithm, Precision precision,
+            const std::vector<TimedTrial>& trials) {
   Json rows = Json::array();
   for (const TimedTrial& t : trials) rows.push_back(from(t));
   return {{"model", model},
           {"algorithm", algorithm},
           {"precision", name_of(precision)},
           {"knob", trials.empty() ? "" : trials.front().knob},
-          {"expected", name_of(expected)},
-          {"why", why},
           {"trials", rows}};
 }
 
-Json from(const QuantityResult& q) {
+Json methods_of(const QuantityResult& q) {
   Json methods = Json::array();
-  for (const MethodResult& m : q.methods)
-    methods.push_back(from(m.model, m.algorithm, Precision::in_double, m.expected, m.why, m.trials));
+  for (const MethodResult& m : q.methods) {
+    methods.push_back(method(m.model, m.algorithm, Precision::in_double, m.trials));
+    if (m.expected != Outcome::ok) methods.back().update({{"expected", name_of(m.expected)}, {"why", m.why}});
+  }
   for (const FloatResult& m : q.in_float)
-    methods.push_back(from(m.model, m.algorithm, Precision::in_float, Outcome::ok, "", m.trials));
+    methods.push_back(method(m.model, q.methods[m.in_double].algorithm, Precision::in_float, m.trials));
+  return methods;
+}
+
+std::string name_of_axis(Across across) {
+  return across == Across::time ? "time" : across == Across::setting ? "setting" : "evaluations";
+}
+
+Json from(const QuantityResult& q) {
+  Json charts = Json::array();
+  for (Across across : charts_of(q)) charts.push_back(name_of_axis(across));
   return {{"name", q.name},
           {"unit", q.unit},
           {"says", q.says},
           {"samples", q.samples},
-          {"need", q.need.allowed},
+          {"need", brief(q.need.allowed)},
           {"reason", q.need.reason},
           {"reference", q.reference.by},
-          {"reference_error", from(q.reference_error)},
-          {"methods", methods}};
+          {"reference_error", brief(q.reference_error, 3)},
+          {"floor", brief(error_floor(q), 3)},
+          {"size", brief(size_of(q.reference.value), 3)},
+          {"charts", charts},
+          {"methods", methods_of(q)}};
+}
+
+Json styles_of(std::span<const QuantityResult> quantities, const Styles& styles) {
+  Json colours = Json::object(), marks = Json::object(), families = Json::object();
+  for (const QuantityResult& q : quantities)
+    for (const MethodResult& m : q.methods) {
+      colours[m.model] = styles.colour_place(m.model);
+      marks[m.algorithm] = styles.mark_place(m.algorithm);
+      const Family family = family_of(m.algorithm);
+      if (family != Family::none) families[m.algorithm] = name_of(family);
+    }
+  return {{"colours", colours}, {"marks", marks}, {"families", families}};
 }
 
 /// 60 frames a second where the time is in seconds, and as many in all as ten seconds have where it is not.
@@ -107,46 +180,230 @@ Horizon frames_of(const Scene& scene) {
   return {scene.horizon, 1, scene.axes.time == "s" ? 60 : 600 / scene.horizon};
 }
 
-Json truth_of(const Scene& scene, const Parameters& parameters, const Reference& truth) {
+/// Where the motion starts, by the method that is closest to the truth: what it has come to at a time so
+/// short that no float can show what has moved.
+Value start_of(const Scene& scene, const Parameters& parameters, const Path& truest) {
+  const Quantity seen = scene.motion(parameters, {scene.horizon * 1e-30, 1}, Reference::nothing());
+  for (const Method& m : seen.methods)
+    if (m.model == truest.model && m.algorithm == truest.algorithm) return m.run(truest.setting).value;
+  throw std::logic_error("the motion has no method '" + truest.model + ", " + truest.algorithm + "'");
+}
+
+/// The true observables at frame 0, 1, ..., one time after the other.
+std::vector<double> true_motion(const Scene& scene, const Parameters& parameters, const Path& truest,
+                                const Reference& truth) {
   const Quantity seen = motion(scene, parameters, frames_of(scene), truth.to_digits(14));
-  const std::size_t frames = frames_of(scene).times().size() - 1,
-                    count = seen.reference.value.size() / frames;
-  // Frame 0 is where every motion starts: the first of a model that is there at the time 0.
-  std::vector<double> all(count, std::nan(""));
+  const Value start = start_of(scene, parameters, truest);
+  std::vector<double> all(start.begin(), start.end());
   all.insert(all.end(), seen.reference.value.begin(), seen.reference.value.end());
-  return {{"end", scene.horizon}, {"frames", frames}, {"values", as_floats(all)}};
+  return all;
 }
 
-Json from(const Path& path, std::size_t frames) {
-  return {{"model", path.model},     {"algorithm", path.algorithm},    {"knob", path.knob},
-          {"setting", path.setting}, {"error", brief(path.error)},     {"outcome", name_of(path.outcome)},
-          {"frames", frames},        {"values", as_floats(path.value)}};
+/// From 0 for the least to 65535 for the most.
+std::uint32_t quantized(double x, double least, double most) {
+  return most > least ? static_cast<std::uint32_t>(std::lround(65535 * (x - least) / (most - least))) : 0;
 }
 
-Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& truth) {
-  if (!entry.exercise.scene) return nullptr;
-  const Scene& scene = *entry.exercise.scene;
-  const auto moving =
-      std::ranges::find_if(e.quantities, [](const QuantityResult& q) { return q.trajectory.has_value(); });
-  if (moving == e.quantities.end()) return nullptr;
-  Json norms = Json::array(), paths = Json::array(), close = Json::object();
-  for (const Norm& norm : scene.axes.norms) {
-    norms.push_back({{"unit", norm.unit}, {"components", norm.components}});
+/// A recorded motion, for the eye.
+Json from(const Path& path, std::size_t observables, std::size_t frames) {
+  std::vector<double> least(observables, INFINITY), most(observables, -INFINITY);
+  for (std::size_t i = 0; i < path.value.size(); ++i) {
+    least[i % observables] = std::min(least[i % observables], path.value[i]);
+    most[i % observables] = std::max(most[i % observables], path.value[i]);
+  }
+  std::string bytes;
+  for (std::size_t i = 0; i < path.value.size(); ++i)
+    append(bytes, quantized(path.value[i], least[i % observables], most[i % observables]), 2);
+  return {{"model", path.model},       {"algorithm", path.algorithm},  {"knob", path.knob},
+          {"setting", path.setting},   {"error", brief(path.error)},   {"outcome", letter(path.outcome)},
+          {"frames", frames},          {"least", brief_all(least, 6)}, {"most", brief_all(most, 6)},
+          {"values", in_base64(bytes)}};
+}
+
+// ---- how it looks -----------------------------------------------------------------------------------------
+
+std::string_view name_of(Drawing::Kind kind) {
+  using enum Drawing::Kind;
+  switch (kind) {
+    case body:
+      return "body";
+    case rod:
+      return "rod";
+    case spring:
+      return "spring";
+    case rope:
+      return "rope";
+    case track:
+      return "track";
+    case disc:
+      return "disc";
+    case plate:
+      return "plate";
+    case support:
+      return "support";
+    case axis:
+      return "axis";
+    case arrow:
+      return "arrow";
+    case angle:
+      return "angle";
+    case length:
+      return "length";
+    case label:
+      return "label";
+  }
+  return "";
+}
+
+Json things_of(const Drawing& drawing) {
+  Json things = Json::array();
+  for (const Drawing::Primitive& p : drawing.primitives())
+    things.push_back({{"kind", name_of(p.kind)},
+                      {"size", brief(p.size)},
+                      {"letter", p.letter},
+                      {"trail", p.leaves_trail},
+                      {"points", p.points.size()}});
+  return things;
+}
+
+std::vector<double> coordinates_of(const Drawing& drawing) {
+  std::vector<double> all;
+  for (const Drawing::Primitive& p : drawing.primitives())
+    for (const Place& place : p.points) {
+      all.insert(all.end(), {place.x, place.y});
+      if (drawing.is_in_space()) all.push_back(place.z);
+    }
+  return all;
+}
+
+/// A motion's coordinates, frame by frame.
+using Frames = std::vector<std::vector<double>>;
+
+Frames frames_of(const Scene& scene, const Parameters& parameters, std::span<const double> motion,
+                 double first_time, double frame) {
+  const std::size_t parts = scene.axes.observables.size();
+  Frames frames;
+  for (std::size_t at = 0; at + parts <= motion.size(); at += parts) {
+    Drawing drawing;
+    const double t = first_time + static_cast<double>(at / parts) * frame;
+    scene.draw(parameters, t, motion.subspan(at, parts), drawing);
+    frames.push_back(coordinates_of(drawing));
+  }
+  return frames;
+}
+
+/// None where the scene does not say how it looks, or looks otherwise from frame to frame.
+Json drawn_of(const Scene& scene, const Parameters& parameters, const Trajectory& shown,
+              const std::vector<double>& truth) {
+  if (!scene.draw) return nullptr;
+  const std::size_t parts = scene.axes.observables.size();
+  const auto each = [&](std::size_t count) { return scene.horizon / static_cast<double>(count); };
+  std::vector<Frames> motions{frames_of(scene, parameters, truth, 0, each(truth.size() / parts - 1))};
+  for (const Path& path : shown.paths) {
+    const std::vector<double> values(path.value.begin(), path.value.end());
+    const double frame = each(shown.times.size());
+    motions.push_back(frames_of(scene, parameters, values, frame, frame));
+  }
+  const std::vector<double>& still = motions[0][0];
+  std::set<std::size_t> moving;
+  double least = INFINITY, most = -INFINITY;
+  for (const Frames& motion : motions)
+    for (const std::vector<double>& frame : motion) {
+      if (frame.size() != still.size()) return nullptr;
+      for (std::size_t i = 0; i < frame.size(); ++i)
+        if (frame[i] != still[i]) moving.insert(i);
+    }
+  for (const std::vector<double>& frame : motions[0])
+    for (std::size_t i : moving) least = std::min(least, frame[i]), most = std::max(most, frame[i]);
+  const double beyond = most - least;  // where a path leaves the picture it stays at the edge
+  least -= beyond, most += beyond;
+  std::vector<std::string> written;
+  for (const Frames& motion : motions) {
+    std::string bytes;
+    for (const std::vector<double>& frame : motion)
+      for (std::size_t i : moving)
+        append(bytes,
+               quantized(std::isfinite(frame[i]) ? std::clamp(frame[i], least, most) : least, least, most),
+               2);
+    written.push_back(in_base64(bytes));
+  }
+  Drawing first;
+  scene.draw(parameters, 0, std::span(truth).first(parts), first);
+  return {{"space", first.is_in_space()}, {"things", things_of(first)},
+          {"still", brief_all(still, 6)}, {"moving", moving},
+          {"least", brief(least, 6)},     {"most", brief(most, 6)},
+          {"truth", written.front()},     {"paths", std::vector(written.begin() + 1, written.end())}};
+}
+
+// ---- a scene ----------------------------------------------------------------------------------------------
+
+Json close_of(const Scene& scene) {
+  Json close = Json::object();
+  for (const Norm& norm : scene.axes.norms)
     close[std::string(norm.unit)] =
         norm.unit == "m" || norm.unit == "rad" ? game_error(norm.unit) : scene.close;
+  return close;
+}
+
+Json norms_of(const Scene& scene) {
+  Json norms = Json::array();
+  for (const Norm& norm : scene.axes.norms)
+    norms.push_back({{"unit", norm.unit}, {"components", norm.components}});
+  return norms;
+}
+
+auto motion_of(const ExerciseResult& e) {
+  return std::ranges::find_if(e.quantities, [](const QuantityResult& q) { return q.trajectory.has_value(); });
+}
+
+/// The settings of each knob from coarse to fine, by the method that has most of them.
+Json knobs_of(const QuantityResult& q) {
+  Json knobs = Json::object();
+  for (const MethodResult& m : q.methods) {
+    if (m.trials.size() < 2) continue;
+    Json& settings = knobs[m.trials.front().knob];
+    if (settings.size() >= m.trials.size()) continue;
+    settings = Json::array();
+    for (const TimedTrial& t : m.trials) settings.push_back(t.setting);
   }
-  for (const Path& path : moving->trajectory->paths)
-    paths.push_back(from(path, moving->trajectory->times.size()));
-  return {{"quantity", moving - e.quantities.begin()},
-          {"horizon", scene.horizon},
-          {"time_unit", scene.axes.time},
-          {"close", close},
-          {"observables", scene.axes.observables},
-          {"norms", norms},
-          {"varied", scene.varied},
-          {"over", scene.over},
-          {"truth", truth_of(scene, Parameters(entry.exercise.parameters), truth)},
-          {"paths", paths}};
+  return knobs;
+}
+
+Json exact_models(const Trajectory& shown) {
+  std::vector<const Path*> exact;
+  for (const Path& path : shown.paths)
+    if (path.outcome == Outcome::ok) exact.push_back(&path);
+  std::ranges::stable_sort(exact, {}, &Path::error);
+  Json names = Json::array();
+  for (const Path* path : exact) names.push_back(path->model);
+  return names;
+}
+
+Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& truth, bool drawn) {
+  const auto moving = motion_of(e);
+  if (!entry.exercise.scene || moving == e.quantities.end()) return nullptr;
+  const Scene& scene = *entry.exercise.scene;
+  const Trajectory& shown = *moving->trajectory;
+  const Parameters parameters(entry.exercise.parameters);
+  const std::vector<double> moved = true_motion(scene, parameters, shown.paths[shown.truest], truth);
+  Json paths = Json::array();
+  for (const Path& path : shown.paths)
+    paths.push_back(from(path, scene.axes.observables.size(), shown.times.size()));
+  Json json{{"quantity", moving - e.quantities.begin()},
+            {"horizon", scene.horizon},
+            {"time_unit", scene.axes.time},
+            {"close", close_of(scene)},
+            {"observables", scene.axes.observables},
+            {"norms", norms_of(scene)},
+            {"varied", scene.varied},
+            {"over", scene.over},
+            {"truth",
+             {{"end", scene.horizon},
+              {"frames", moved.size() / scene.axes.observables.size() - 1},
+              {"values", as_floats(moved)}}},
+            {"paths", paths}};
+  if (drawn) json["drawn"] = drawn_of(scene, parameters, shown, moved);
+  return json;
 }
 
 Json from(const Limit& limit) {
@@ -154,10 +411,11 @@ Json from(const Limit& limit) {
   for (const ode::Tongue& t : limit.tongues) tongues.push_back({brief(t.from), brief(t.to)});
   return {{"model", limit.model},
           {"algorithm", limit.algorithm},
+          {"shown", shown_step(limit)},
           {"stable", brief(limit.step())},
           {"unstable", brief(limit.unstable)},
           {"theory", brief(limit.theory())},
-          {"within", limit.within ? Json(limit.within->setting) : Json(nullptr)},
+          {"within", limit.within ? brief(limit.within->setting) : Json(nullptr)},
           {"tongues", tongues}};
 }
 
@@ -166,13 +424,9 @@ Json from(const std::optional<Stability>& stability) {
   Json limits = Json::array(), map = Json::array();
   for (const Limit& limit : stability->limits) limits.push_back(from(limit));
   for (const MapRow& row : stability->map) {
-    Json outcomes = Json::array();
-    for (Outcome outcome : row.outcomes) outcomes.push_back(name_of(outcome));
-    map.push_back({{"model", row.model},
-                   {"algorithm", row.algorithm},
-                   {"value", row.value},
-                   {"theory", brief(row.theory)},
-                   {"outcomes", outcomes}});
+    if (map.empty() || map.back()["model"] != row.model || map.back()["algorithm"] != row.algorithm)
+      map.push_back({{"model", row.model}, {"algorithm", row.algorithm}, {"rows", Json::array()}});
+    map.back()["rows"].push_back({row.value, brief(row.theory), letters(row)});
   }
   return {{"limits", limits},
           {"parameter", stability->parameter},
@@ -194,7 +448,7 @@ Json from(const std::optional<Ledger>& ledger) {
                     {"algorithm", row.least->algorithm},
                     {"knob", row.least->knob},
                     {"setting", row.least->setting},
-                    {"errors", row.least->errors},
+                    {"errors", brief_all(row.least->errors)},
                     {"evaluations", brief(row.least->evaluations_per_frame)}});
   }
   return rows;
@@ -202,18 +456,41 @@ Json from(const std::optional<Ledger>& ledger) {
 
 }  // namespace
 
-std::string exercise_data(const ExerciseResult& e, const Reference& truth) {
+std::string exercise_data(const ExerciseResult& e, const Reference& truth, const Styles& styles, bool drawn) {
   const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
   Json quantities = Json::array();
   for (const QuantityResult& q : e.quantities) quantities.push_back(from(q));
-  const Json json{{"number", to_string(e.number)},
-                  {"title", e.title},
-                  {"parameters", parameters_of(*entry)},
-                  {"quantities", quantities},
-                  {"scene", scene_of(e, *entry, truth)},
-                  {"stability", from(e.stability)},
-                  {"least", from(e.ledger)}};
-  return "oddity.exercise(" + json.dump() + ");\n";
+  return call("exercise", {{"number", to_string(e.number)},
+                           {"title", e.title},
+                           {"outcomes", outcomes()},
+                           {"parameters", parameters_of(*entry)},
+                           {"styles", styles_of(e.quantities, styles)},
+                           {"quantities", quantities},
+                           {"scene", scene_of(e, *entry, truth, drawn)},
+                           {"stability", from(e.stability)},
+                           {"least", from(e.ledger)}});
+}
+
+std::string scenes_data(const Results& results, const Styles& styles) {
+  Json scenes = Json::array();
+  for (const ExerciseResult& e : results.exercises) {
+    const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
+    const auto moving = motion_of(e);
+    if (!entry->exercise.scene || moving == e.quantities.end()) continue;
+    const Scene& scene = *entry->exercise.scene;
+    scenes.push_back({{"number", to_string(e.number)},
+                      {"title", e.title},
+                      {"parameters", parameters_of(*entry)},
+                      {"styles", styles_of(std::span(&*moving, 1), styles)},
+                      {"horizon", scene.horizon},
+                      {"time_unit", scene.axes.time},
+                      {"close", close_of(scene)},
+                      {"observables", scene.axes.observables},
+                      {"norms", norms_of(scene)},
+                      {"exact", exact_models(*moving->trajectory)},
+                      {"knobs", knobs_of(*moving)}});
+  }
+  return call("scenes", scenes);
 }
 
 }  // namespace oddity

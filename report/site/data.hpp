@@ -4,12 +4,17 @@
 
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
+#include "report/charts/chart_style.hpp"
 #include "report/study/results.hpp"
 
 namespace oddity {
 
 /// data/3.5.js: oddity.exercise({...}), everything that the page's scripts show of an exercise. Its layout
-/// stands at the head of data.cpp.
-std::string exercise_data(const ExerciseResult&, const Reference&);
+/// stands at the head of data.cpp. `drawn`: with the scene's recorded motions as they look, for a page that
+/// has no models to draw by.
+std::string exercise_data(const ExerciseResult&, const Reference&, const Styles&, bool drawn);
+
+/// data/scenes.js: oddity.scenes([...]), what the chooser has to know of all scenes.
+std::string scenes_data(const Results&, const Styles&);
 
 }  // namespace oddity

@@ -1,15 +1,127 @@
 #include "report/site/exercise_page.hpp"
 
+#include <algorithm>
+#include <utility>
+
+#include "chapters/contents.hpp"
+#include "reference/text.hpp"
+#include "report/charts/drawing.hpp"
+#include "report/site/claims_section.hpp"
 #include "report/site/page.hpp"
+#include "report/site/quantity_section.hpp"
+#include "report/study/findings.hpp"
 
 namespace oddity {
 
-std::string exercise_page(const ExerciseResult& e) {
-  const std::string number = to_string(e.number);
+namespace {
+
+using html::element;
+
+std::string page_of(const ExerciseResult& e) { return to_string(e.number) + ".html"; }
+
+std::string setup_drawing(const ExerciseResult& e) {
+  const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
+  std::string svg = entry == registry().end() ? "" : setup_svg(*entry);
+  const std::size_t style = svg.find("<style>"), end = svg.find("</style>");
+  if (end != std::string::npos) svg.erase(style, end + 9 - style);  // the page has it
+  return svg.empty() ? "" : element("figure", " class=\"setup\"", svg.substr(svg.find("<svg"))) + "\n";
+}
+
+/// "kg m^2" as "kg m²".
+std::string unit_text(std::string unit) {
+  for (const auto& [power, raised] : {std::pair{"^2", "²"}, {"^3", "³"}})
+    for (std::size_t at; (at = unit.find(power)) != std::string::npos;) unit.replace(at, 2, raised);
+  return html::escaped(unit);
+}
+
+std::string chapter_line(const ExerciseResult& e) {
+  for (const Chapter& chapter : chapters())
+    if (chapter.number == e.number.chapter)
+      return "Chapter " + std::to_string(chapter.number) + ", " + html::escaped(chapter.title) +
+             (of_the_book(e.number) ? "" : ", an exercise of one’s own");
+  return "An exercise of one’s own";
+}
+
+/// The exercises before and after this one.
+std::string neighbours(const Results& results, const ExerciseResult& e) {
+  const auto here = std::ranges::find(results.exercises, e.number, &ExerciseResult::number);
+  const auto step = [](const ExerciseResult& to, const std::string& rel, const std::string& name) {
+    return "<a rel=\"" + rel + "\" href=\"" + page_of(to) + "\">" + name + "</a>";
+  };
+  const auto named = [](const ExerciseResult& to) {
+    return to_string(to.number) + " <span>" + html::escaped(to.title) + "</span>";
+  };
+  std::string text;
+  if (here != results.exercises.begin()) text += step(*(here - 1), "prev", "← " + named(*(here - 1)));
+  if (here != results.exercises.end() && here + 1 != results.exercises.end())
+    text += step(*(here + 1), "next", named(*(here + 1)) + " →");
+  return element("nav", " class=\"neighbours\" aria-label=\"Before and after\"", text) + "\n";
+}
+
+std::string counts_line(const ExerciseResult& e) {
+  Tally tally;
+  tally.count(e);
+  std::string text;
+  const auto add = [&](int n, const std::string& one, const std::string& many, const std::string& kind) {
+    if (n > 0) text += "<span class=\"badge " + kind + "\">" + counted(n, one, many) + "</span> ";
+  };
+  add(tally.errata, "erratum", "errata", "erratum");
+  add(tally.misprints, "misprint", "misprints", "misprint");
+  add(tally.unsettled, "unsettled", "unsettled", "unsettled");
+  add(tally.not_checkable, "not checkable", "not checkable", "not-checkable");
+  add(tally.confirmed, "confirmed", "confirmed", "confirmed");
+  return element("p", " class=\"counts\"", text);
+}
+
+std::string letters_of(const ExerciseResult& e) {
+  if (e.parameters.empty()) return "";
+  std::string text;
+  for (const ParameterValue& p : e.parameters)
+    text += "<div><dt><var>" + html::escaped(p.name) + "</var> = " + rounded(p.value, 6) +
+            (p.unit.empty() || p.unit == "1" ? "" : " " + unit_text(p.unit)) + "</dt>" +
+            element("dd", "", html::text(p.says)) + "</div>";
+  return element("dl", " class=\"letters\"", text) + "\n";
+}
+
+std::string sections_of(const std::string& body) {
+  const std::pair<const char*, const char*> all[] = {{"play", "Play"},
+                                                     {"findings", "What is wrong"},
+                                                     {"claims", "Claims"},
+                                                     {"quantities", "Computing it"},
+                                                     {"stability", "Steps"}};
+  std::string text;
+  for (const auto& [id, name] : all)
+    if (body.find("<section id=\"" + std::string(id) + "\"") != std::string::npos)
+      text += html::link("#" + std::string(id), name);
+  return element("nav", " class=\"sections\" aria-label=\"On this page\"", text) + "\n";
+}
+
+std::string player_section(const ExerciseResult& e) {
+  if (!e.scene) return "";
+  return "<section id=\"play\" class=\"player\" aria-label=\"Player\"><noscript><p>The player needs scripts. The "
+         "motion as numbers: <code>oddity solve " +
+         to_string(e.number) + "</code>.</p></noscript></section>\n";
+}
+
+}  // namespace
+
+std::string exercise_page(const Results& results, const ExerciseResult& e) {
+  const std::string number = to_string(e.number), drawing = setup_drawing(e);
+  const std::string sections = player_section(e) + findings_section(e) + claims_section(e) +
+                               quantities_section(e) + stability_section(e);
+  std::string head = element("p", " class=\"where\"", chapter_line(e)) + "\n<h1><span>" + number +
+                     "</span> " + html::escaped(e.title) + "</h1>\n" + counts_line(e) + "\n" +
+                     element("p", " class=\"asks\"", html::prose(e.asks)) + "\n";
+  if (!e.failure.empty())
+    head += element("p", " class=\"failure\"", "The study failed: " + html::escaped(e.failure));
   return html::whole(
-      {number + " " + e.title,
-       "<h1>" + number + " " + html::escaped(e.title) + "</h1>\n<p>" + html::prose(e.asks) + "</p>\n",
-       {"data/" + number + ".js"}});
+      {number + " " + e.title + " - oddity",
+       neighbours(results, e) +
+           element("header", " class=\"title\"", "<div>" + head + letters_of(e) + "</div>\n" + drawing) +
+           "\n" + sections_of(sections) + sections + neighbours(results, e),
+       {"data/" + number + ".js", "assets/engine.js", "assets/stage.js", "assets/player.js",
+        "assets/chart.js", "assets/map.js"},
+       "exercise"});
 }
 
 }  // namespace oddity

@@ -1,15 +1,270 @@
 #include "report/site/front_page.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "chapters/contents.hpp"
+#include "reference/text.hpp"
+#include "report/pages/markup.hpp"
+#include "report/pages/text_view.hpp"
+#include "report/site/claims_section.hpp"
+#include "report/site/moving_picture.hpp"
 #include "report/site/page.hpp"
+#include "report/study/findings.hpp"
+#include "report/study/tried.hpp"
 
 namespace oddity {
 
-std::string front_page(const Results& results) {
-  std::string body = "<h1>oddity</h1>\n<ul>\n";
+namespace {
+
+using html::element;
+
+std::string exercise_link(const ExerciseResult& e) {
+  return html::link(to_string(e.number) + ".html",
+                    "<b>" + to_string(e.number) + "</b> " + html::escaped(e.title));
+}
+
+// ---- what was found
+// ----------------------------------------------------------------------------------------
+
+Tally tally_of(const Results& results) {
+  Tally all;
+  for (const ExerciseResult& e : results.exercises) all.count(e);
+  return all;
+}
+
+/// A bar of the verdicts, each as wide as its part.
+std::string verdict_bar(const Tally& all) {
+  std::string bar, legend;
+  const auto add = [&](int n, const std::string& one, const std::string& many, const std::string& kind) {
+    if (n == 0) return;
+    bar += "<span class=\"" + kind + "\" style=\"flex-grow:" + std::to_string(n) + "\"></span>";
+    legend +=
+        element("li", " class=\"" + kind + "\"", "<b>" + std::to_string(n) + "</b> " + (n == 1 ? one : many));
+  };
+  add(all.errata, "erratum", "errata", "erratum");
+  add(all.misprints, "misprint", "misprints", "misprint");
+  add(all.unsettled, "unsettled", "unsettled", "unsettled");
+  add(all.not_checkable, "that cannot be checked", "that cannot be checked", "not-checkable");
+  add(all.confirmed, "confirmed", "confirmed", "confirmed");
+  return "<div class=\"bar\" aria-hidden=\"true\">" + bar + "</div>\n" +
+         element("ul", " class=\"verdicts\"", legend) + "\n";
+}
+
+long trials_of(const Results& results) {
+  long all = 0;
   for (const ExerciseResult& e : results.exercises)
-    body += "<li><a href=\"" + to_string(e.number) + ".html\">" + to_string(e.number) + " " +
-            html::escaped(e.title) + "</a></li>\n";
-  return html::whole({"oddity", body + "</ul>\n"});
+    for (const QuantityResult& q : e.quantities) {
+      for (const MethodResult& m : q.methods) all += static_cast<long>(m.trials.size());
+      for (const FloatResult& m : q.in_float) all += static_cast<long>(m.trials.size());
+    }
+  return all;
+}
+
+std::string opening(const Results& results) {
+  const Tally all = tally_of(results);
+  long quantities = 0, breakdowns = 0, scenes = 0;
+  for (const ExerciseResult& e : results.exercises) {
+    quantities += static_cast<long>(e.quantities.size());
+    scenes += e.scene;
+    for (const QuantityResult& q : e.quantities) breakdowns += static_cast<long>(q.breakdowns.size());
+  }
+  return "<header class=\"title\">\n<h1>The solutions of <cite>Game Physics</cite>, checked by machine</h1>\n"
+         "<p class=\"asks\">Every odd exercise of the book’s second edition is a computation here. Each statement of "
+         "its published solution was judged against numbers that were computed another way.</p>\n" +
+         verdict_bar(all) + "<p class=\"sum\">" +
+         counted(static_cast<long>(results.exercises.size()), "exercise", "exercises") + ", " +
+         counted(all.all(), "claim", "claims") + ". " +
+         counted(quantities, "quantity was", "quantities were") + " computed in " +
+         counted(trials_of(results), "trial", "trials") + ", with " +
+         counted(breakdowns, "breakdown", "breakdowns") + " and their cures. " +
+         (scenes > 0
+              ? counted(scenes, "scene moves", "scenes move") + " in these pages, by the C++ that was tested."
+              : "") +
+         "</p>\n</header>\n";
+}
+
+// ---- what is wrong
+// -----------------------------------------------------------------------------------------
+
+std::string wrong_item(const Finding& finding) {
+  const JudgedClaim& first = *finding.claims.front();
+  const std::string to = to_string(finding.exercise->number) + ".html#" + claim_anchor_of(first.claim);
+  std::string text = element("h4", "", html::link(to, html::text(finding.title()))) +
+                     "<dl class=\"sides\"><div class=\"printed\"><dt>printed</dt>" +
+                     element("dd", "", html::text(first.claim.printed.text)) +
+                     "</div><div class=\"corrected\"><dt>right</dt>" +
+                     element("dd", "", html::text(right_reading(first).text)) + "</div></dl>";
+  if (!finding.shows().empty()) text += element("p", " class=\"shows\"", html::prose(finding.shows()));
+  return element("li", "", text) + "\n";
+}
+
+std::string wrong_card(const ExerciseResult& e, const std::vector<Finding>& findings) {
+  const std::string picture = moving_picture(e);
+  std::string items;
+  for (const Finding& finding : findings) items += wrong_item(finding);
+  return "<section class=\"card" + std::string(picture.empty() ? "" : " moving") + "\">\n" +
+         element("h3", "", exercise_link(e)) + "\n" + picture + element("ul", " class=\"roots\"", items) +
+         "\n</section>\n";
+}
+
+/// How far the published motion of a scene is off, in what a game allows; 0 for what has none.
+double broken_by(const ExerciseResult& e) {
+  const Path* path = published_path(e);
+  if (!path) return 0;
+  const double needs = path->error / trajectory_of(e)->close;
+  return std::isfinite(needs) ? (needs > 1 ? needs : 0) : INFINITY;
+}
+
+std::string what_is_wrong(const Results& results) {
+  struct Card {
+    double broken;
+    std::string text;
+  };
+  std::vector<Card> cards;
+  long roots = 0;
+  for (const ExerciseResult& e : results.exercises) {
+    const auto findings = findings_of(e);
+    roots += static_cast<long>(findings.size());
+    if (!findings.empty()) cards.push_back({broken_by(e), wrong_card(e, findings)});
+  }
+  if (cards.empty()) return "";
+  std::ranges::stable_sort(cards, std::ranges::greater(), &Card::broken);
+  std::string breaking, others;
+  for (const Card& card : cards) (card.broken > 0 ? breaking : others) += card.text;
+  const Tally all = tally_of(results);
+  return "<section id=\"wrong\">\n<h2>What is wrong in the book</h2>\n<p>" +
+         counted(all.errata, "erratum", "errata") + " from " + counted(roots, "root", "roots") +
+         "; scenes whose published motion leaves the true one come first. " +
+         counted(all.misprints, "misprint stands", "misprints stand") +
+         " with its exercise, and all are on the <a href=\"errata.html\">errata sheet</a>, to print and lay into the "
+         "book; for programs there is <a href=\"errata.json\">errata.json</a>.</p>\n"
+         "<p class=\"stop\"><button type=\"button\" hidden>Stop the pictures</button></p>\n<div class=\"cards\">\n" +
+         breaking + "</div>\n<div class=\"cards\">\n" + others + "</div>\n</section>\n";
+}
+
+// ---- what it means for games
+// -------------------------------------------------------------------------------
+
+std::string unit_after(const std::string& unit) {
+  return unit.empty() || unit == "1" ? "" : " " + html::escaped(unit);
+}
+
+std::string ends_of(const BreakEven& b) {
+  std::string text;
+  for (const Interval& enough : b.enough) {
+    const bool from_start = enough.from == b.looked.from, to_end = enough.to == b.looked.to;
+    if (!text.empty()) text += " and ";
+    text += from_start && to_end ? "all the way"
+            : from_start         ? "up to " + with_powers(rounded(enough.to, 3))
+            : to_end             ? "from " + with_powers(rounded(enough.from, 3)) + " on"
+                     : with_powers(rounded(enough.from, 3)) + " to " + with_powers(rounded(enough.to, 3));
+  }
+  return text + unit_after(b.parameter_unit);
+}
+
+std::string simpler_cell(const Ledger& ledger) {
+  std::string items;
+  for (const BreakEven& b : ledger.break_evens)
+    items += element(
+        "li", "", html::escaped(b.model) + ": <var>" + html::escaped(b.parameter) + "</var> " + ends_of(b));
+  for (const std::string& model : ledger.never)
+    items += element("li", "", html::escaped(model) + ": nowhere");
+  return items.empty() ? "" : element("ul", "", items);
+}
+
+std::string fault_cell(const ExerciseResult& e) {
+  const Path* path = published_path(e);
+  const auto findings = findings_of(e);
+  if (path && broken_by(e) > 0) {
+    const std::string off = path->outcome == Outcome::ok || path->outcome == Outcome::inaccurate
+                                ? "off by " + with_powers(shown_error(path->error))
+                                : std::string(name_of(path->outcome));
+    return html::link(to_string(e.number) + ".html#findings",
+                      "<em>" + html::escaped(path->model) + "</em>: " + off);
+  }
+  if (findings.empty()) return "";
+  return html::link(
+      to_string(e.number) + ".html#findings",
+      html::text(findings.front().title()) +
+          (findings.size() > 1 ? ", and " + std::to_string(findings.size() - 1) + " more" : ""));
+}
+
+std::string game_row(const ExerciseResult& e) {
+  const LeastModel& game = e.ledger->least.front();
+  const std::string number = exercise_link(e);
+  if (!game.least) return html::row({number, "none here", "", "", simpler_cell(*e.ledger), fault_cell(e)});
+  const Tried& least = *game.least;
+  std::string errors;
+  for (double error : least.errors) errors += (errors.empty() ? "" : ", ") + with_powers(shown_error(error));
+  return html::row(
+      {number, html::escaped(least.model),
+       html::escaped(least.algorithm) +
+           (least.knob.empty() ? "" : ", " + html::escaped(with_powers(shown_setting(least, game.need)))),
+       rounded(least.evaluations_per_frame, 3), simpler_cell(*e.ledger), fault_cell(e)},
+      "3");
+}
+
+std::string for_games(const Results& results) {
+  html::Table table{"The least that each scene needs in a game",
+                    {"scene", "model that is enough", "algorithm", "evaluations a frame",
+                     "where simpler models hold", "fault of the published version"}};
+  for (const ExerciseResult& e : results.exercises)
+    if (e.ledger && !e.ledger->least.empty()) table.rows.push_back(game_row(e));
+  if (table.rows.empty()) return "";
+  return "<section id=\"games\">\n<h2>What it means for games</h2>\n<p>The simplest model that stays within one "
+         "centimetre and one degree at every frame over 10 s at 60 frames a second, with the algorithm that does it "
+         "with the least work. For a start, an error and a budget of your own there is the <a "
+         "href=\"chooser.html\">chooser</a>.</p>\n" +
+         html::table(table) + "</section>\n";
+}
+
+// ---- all exercises
+// -----------------------------------------------------------------------------------------
+
+std::string exercise_item(const ExerciseResult& e) {
+  Tally tally;
+  tally.count(e);
+  std::string counts;
+  const auto add = [&](int n, const std::string& kind, const std::string& name) {
+    if (n > 0)
+      counts += "<span class=\"count " + kind + "\">" + std::to_string(n) + "<span class=\"unseen\"> " +
+                name + "</span></span>";
+  };
+  add(tally.errata, "erratum", "errata");
+  add(tally.misprints, "misprint", "misprints");
+  add(tally.unsettled, "unsettled", "unsettled");
+  add(tally.not_checkable, "not-checkable", "not checkable");
+  add(tally.confirmed, "confirmed", "confirmed");
+  return element("li", "", exercise_link(e) + " <span class=\"counts\">" + counts + "</span>") + "\n";
+}
+
+std::string all_exercises(const Results& results) {
+  std::string text;
+  for (const Chapter& chapter : chapters()) {
+    std::string items;
+    for (const ExerciseResult& e : results.exercises)
+      if (e.number.chapter == chapter.number) items += exercise_item(e);
+    if (!items.empty())
+      text +=
+          element("section", "",
+                  element("h3", "", std::to_string(chapter.number) + ". " + html::escaped(chapter.title)) +
+                      "\n<ul>\n" + items + "</ul>\n");
+  }
+  return "<section id=\"exercises\">\n<h2>All exercises</h2>\n<p class=\"legend\"><span class=\"count "
+         "erratum\">1</span> errata <span class=\"count misprint\">1</span> misprints <span class=\"count "
+         "confirmed\">1</span> confirmed claims</p>\n<div class=\"chapters\">\n" +
+         text + "</div>\n</section>\n";
+}
+
+}  // namespace
+
+std::string front_page(const Results& results) {
+  return html::whole({"oddity: the solutions of Game Physics, checked by machine",
+                      opening(results) + what_is_wrong(results) + for_games(results) + all_exercises(results),
+                      {"assets/engine.js", "assets/stage.js"},
+                      "front"});
 }
 
 }  // namespace oddity

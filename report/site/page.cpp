@@ -1,8 +1,62 @@
 #include "report/site/page.hpp"
 
+#include <algorithm>
+#include <cctype>
+
 #include "report/site/formulas.hpp"
+#include "report/site/site.hpp"
 
 namespace oddity::html {
+
+namespace {
+
+std::string marked_up(std::string_view text, bool emphasis) {
+  std::string made;
+  while (!text.empty()) {
+    const char c = text.front();
+    const bool opens = c == '$' || c == '`' || (c == '*' && emphasis);
+    const auto end = opens ? text.find(c, 1) : std::string_view::npos;
+    if (end == std::string_view::npos || end == 1) {
+      made += escaped(text.substr(0, 1));
+      text.remove_prefix(1);
+      continue;
+    }
+    const std::string_view inside = text.substr(1, end - 1);
+    made += c == '$'   ? marked(inside)
+            : c == '`' ? element("code", "", escaped(inside))
+                       : element("em", "", marked_up(inside, false));
+    text.remove_prefix(end + 1);
+  }
+  return made;
+}
+
+bool is_asset(const std::string& name) {
+  return std::ranges::any_of(embedded_assets(), [&](const EmbeddedFile& file) {
+    return "assets/" + std::string(file.path) == name;
+  });
+}
+
+std::string head_of(const Page& page) {
+  std::string head =
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
+      escaped(page.title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n";
+  for (const EmbeddedFile& file : embedded_assets())
+    if (file.path.ends_with(".css"))
+      head += "<link rel=\"stylesheet\" href=\"assets/" + std::string(file.path) + "\">\n";
+  return head + "<link rel=\"stylesheet\" href=\"assets/drawing.css\">\n</head>\n";
+}
+
+constexpr std::string_view banner =
+    R"(<a class="skip" href="#main">To the content</a>
+<header class="banner">
+<a class="home" href="index.html">oddity</a>
+<nav aria-label="The site"><a href="index.html#wrong">What is wrong</a><a href="index.html#games">For games</a><a href="index.html#exercises">Exercises</a><a href="chooser.html">Chooser</a><a href="algorithms.html">Algorithms</a><a href="errata.html">Errata sheet</a></nav>
+</header>
+)";
+
+}  // namespace
 
 std::string escaped(std::string_view text) {
   std::string safe;
@@ -24,40 +78,72 @@ std::string escaped(std::string_view text) {
         safe += "&#39;";
         break;
       default:
-        safe += c;
+        safe += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
     }
   }
   return safe;
 }
 
-std::string prose(std::string_view text) {
+std::string text(std::string_view text) { return marked_up(text, false); }
+std::string prose(std::string_view text) { return marked_up(text, true); }
+
+std::string anchor(std::string_view text) {
+  std::string id;
+  for (char c : text)
+    id += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '_' ? c : '-';
+  return id;
+}
+
+std::string element(std::string_view name, std::string_view attributes, std::string_view content) {
   std::string made;
-  while (!text.empty()) {
-    const char c = text.front();
-    const auto end = c == '$' || c == '`' || c == '*' ? text.find(c, 1) : std::string_view::npos;
-    if (end == std::string_view::npos) {
-      made += escaped(text.substr(0, 1));
-      text.remove_prefix(1);
-      continue;
-    }
-    const std::string_view inside = text.substr(1, end - 1);
-    made += c == '$'   ? marked(inside)
-            : c == '`' ? "<code>" + escaped(inside) + "</code>"
-                       : "<em>" + prose(inside) + "</em>";
-    text.remove_prefix(end + 1);
-  }
+  for (std::string_view part : {std::string_view("<"), name, attributes, std::string_view(">"), content,
+                                std::string_view("</"), name, std::string_view(">")})
+    made += part;
   return made;
+}
+
+std::string link(std::string_view to, std::string_view content) {
+  return element("a", " href=\"" + escaped(to) + "\"", content);
+}
+
+std::string folded(std::string_view summary, std::string_view content) {
+  return element("details", "", element("summary", "", summary) + std::string(content)) + "\n";
+}
+
+std::string row(const std::vector<std::string>& cells, std::string_view numbers) {
+  std::string made;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool number = i < 10 && numbers.find(static_cast<char>('0' + i)) != std::string_view::npos;
+    made += i == 0 ? element("th", " scope=\"row\"", cells[i])
+                   : element("td", number ? " class=\"n\"" : "", cells[i]);
+  }
+  return element("tr", "", made) + "\n";
+}
+
+std::string table(const Table& table) {
+  std::string head, body;
+  for (const std::string& name : table.head) head += element("th", " scope=\"col\"", name);
+  for (const std::string& row : table.rows) body += row;
+  return element(
+             "div",
+             " class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(table.caption) + "\"",
+             element("table", "",
+                     element("caption", "", escaped(table.caption)) +
+                         element("thead", "", element("tr", "", head)) + "\n" + element("tbody", "", body))) +
+         "\n";
 }
 
 std::string whole(const Page& page) {
   std::string text =
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-      escaped(page.title) +
-      "</title>\n<link rel=\"icon\" href=\"data:,\">\n<link rel=\"stylesheet\" href=\"assets/oddity.css\">\n"
-      "</head>\n<body>\n<header><a href=\"index.html\">oddity</a></header>\n<main>\n" +
-      page.body + "</main>\n";
-  for (const std::string& script : page.scripts) text += "<script src=\"" + script + "\"></script>\n";
+      head_of(page) + "<body" + (page.kind.empty() ? "" : " class=\"" + page.kind + "\"") + ">\n" +
+      std::string(banner) + "<main id=\"main\">\n" + page.body +
+      "</main>\n<footer class=\"foot\"><p>Written by <code>oddity site</code> from the results of a "
+      "run. Every number can be made again: <code>oddity verify</code>.</p></footer>\n";
+  for (const std::string& script : {std::string("assets/page.js"), std::string("assets/search.js")})
+    if (is_asset(script)) text += "<script src=\"" + script + "\"></script>\n";
+  for (const std::string& script : page.scripts)
+    if (is_asset(script) || !script.starts_with("assets/"))
+      text += "<script src=\"" + script + "\"></script>\n";
   return text + "</body>\n</html>\n";
 }
 

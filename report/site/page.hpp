@@ -7,16 +7,36 @@
 /// Pieces of HTML that the site's pages share.
 namespace oddity::html {
 
-/// Text as it stands: & < > " ' become references.
+/// Text as it stands: & < > " ' become references, and control characters spaces.
 std::string escaped(std::string_view text);
-/// A text of ours, in which $formulas$, `code` and *emphasis* are meant. Formulas are marked for
-/// `typeset` (formulas.hpp).
+/// A text in which $formulas$ and `code` are meant. Formulas are marked for `typeset` (formulas.hpp).
+std::string text(std::string_view text);
+/// The same with *emphasis*.
 std::string prose(std::string_view text);
+/// A text as an id that a link can lead to: what is no letter, digit, dot, dash or underscore becomes a dash.
+std::string anchor(std::string_view text);
+
+/// <p class="shows">content</p> of "p", " class=\"shows\"", "content".
+std::string element(std::string_view name, std::string_view attributes, std::string_view content);
+std::string link(std::string_view to, std::string_view content);
+/// What is folded up under a line.
+std::string folded(std::string_view summary, std::string_view content);
+
+struct Table {
+  std::string caption;                 ///< for who cannot see what the table stands under
+  std::vector<std::string> head;       ///< names of columns
+  std::vector<std::string> rows = {};  ///< of `row`
+};
+/// A row's cells; the first names the row. Those whose place is among the digits of `numbers` are set to the
+/// right.
+std::string row(const std::vector<std::string>& cells, std::string_view numbers = {});
+std::string table(const Table&);
 
 struct Page {
   std::string title;
-  std::string body;
-  std::vector<std::string> scripts = {};  ///< "assets/chart.js", "data/3.5.js", in the order they need
+  std::string body;                       ///< what is in <main>
+  std::vector<std::string> scripts = {};  ///< beside those that all pages have, in the order they need
+  std::string kind = {};                  ///< the class of the page's body
 };
 /// The whole page, with the head and navigation that all have.
 std::string whole(const Page&);

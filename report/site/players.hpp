@@ -1,16 +1,20 @@
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 /// The scenes' models as a WebAssembly module, for the players in the page.
 namespace oddity {
 
-/// C++ with a function for each thing that the page asks of the models (report/site/module/module.hpp): made
-/// of the listings of all scenes, which name the headers and the expressions that construct the models.
-std::string module_source();
+/// C++ files, so many, that together define scenes() of report/site/module/scene.hpp: made of the listings of
+/// all scenes, which name the headers and the expressions that construct the models.
+std::vector<std::string> module_source(std::size_t files);
 
-/// assets/models.js: the compiled module as a script; none where it has not been built.
-std::optional<std::string> module_script();
+/// Whether the module has been built.
+bool has_module();
+/// assets/models.js: oddity.module("the compiled module, packed by gzip, in base64"), or oddity.module(null)
+/// where it has not been built. It comes after assets/engine.js.
+std::string module_script();
 
 }  // namespace oddity

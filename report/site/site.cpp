@@ -3,27 +3,49 @@
 #include <map>
 
 #include "reference/files.hpp"
+#include "report/charts/drawing.hpp"
 #include "report/site/data.hpp"
+#include "report/site/errata.hpp"
 #include "report/site/exercise_page.hpp"
 #include "report/site/formulas.hpp"
 #include "report/site/front_page.hpp"
+#include "report/site/further_pages.hpp"
 #include "report/site/players.hpp"
 
 namespace oddity {
 
 namespace fs = std::filesystem;
 
-fs::path write_site(const Results& results, const Reference& truth, const fs::path& folder) {
-  for (const char* room : {"", "assets", "data"}) require_writable_folder(folder / room);
-  std::map<std::string, std::string> pages{{"index.html", front_page(results)}};
-  for (const ExerciseResult& e : results.exercises) pages[to_string(e.number) + ".html"] = exercise_page(e);
-  html::typeset(pages);
-  for (const auto& [name, text] : pages) write_whole(folder / name, text);
+std::map<std::string, std::string> site_pages(const Results& results) {
+  std::map<std::string, std::string> pages{{"index.html", front_page(results)},
+                                           {"errata.html", errata_page(results)},
+                                           {"chooser.html", chooser_page(results)},
+                                           {"algorithms.html", algorithms_page()}};
   for (const ExerciseResult& e : results.exercises)
-    write_whole(folder / "data" / (to_string(e.number) + ".js"), exercise_data(e, truth));
+    pages[to_string(e.number) + ".html"] = exercise_page(results, e);
+  html::typeset(pages);
+  return pages;
+}
+
+fs::path write_site(const Results& results, const Reference& truth, const fs::path& folder,
+                    const Progress& progress) {
+  for (const char* room : {"", "assets", "data"}) require_writable_folder(folder / room);
+  for (const auto& [name, text] : site_pages(results)) write_whole(folder / name, text);
+  write_whole(folder / "errata.json", errata_json(results));
+  write_whole(folder / "errata.schema.json", errata_schema());
+  const Styles styles(results);
+  std::size_t written = 0;
+  for (const ExerciseResult& e : results.exercises) {
+    if (progress) progress("writing the site", written++, results.exercises.size());
+    write_whole(folder / "data" / (to_string(e.number) + ".js"),
+                exercise_data(e, truth, styles, !has_module()));
+  }
+  write_whole(folder / "data" / "scenes.js", scenes_data(results, styles));
+  write_whole(folder / "data" / "search.js", search_index(results));
   for (const EmbeddedFile& asset : embedded_assets())
     write_whole(folder / "assets" / asset.path, std::string(asset.text));
-  if (const auto models = module_script()) write_whole(folder / "assets" / "models.js", *models);
+  write_whole(folder / "assets" / "drawing.css", std::string(drawing_style()));
+  write_whole(folder / "assets" / "models.js", module_script());
   return folder / "index.html";
 }
 

@@ -1,28 +1,35 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "reference/reference.hpp"
 #include "report/pages/code.hpp"
-#include "report/study/results.hpp"
+#include "report/study/run.hpp"
 
 /// The report that runs: one folder, opened by double click, which asks nothing of the net. Pages, scripts
 /// and data are files beside one another; scripts are classic ones and data are scripts too, as a browser
 /// loads neither modules nor data from a file.
 ///   index.html, 3.5.html, ...   pages
+///   errata.json                 what is wrong, for programs, with errata.schema.json
 ///   assets/*.js, *.css          report/site/assets, as they are
 ///   assets/models.js            the models, compiled (players.hpp); not there without the module
+///   data/search.js              what the search looks through
 ///   data/3.5.js                 an exercise's methods, trials, limits and motions (data.hpp)
 namespace oddity {
 
 /// The files of report/site/assets.
 std::span<const EmbeddedFile> embedded_assets();
 
+/// All pages by the names of their files, typeset.
+std::map<std::string, std::string> site_pages(const Results&);
+
 /// Writes the site into `folder` and returns the page to open first. Each file is whole or not there. Throws
 /// BadInput when the folder cannot be written.
-std::filesystem::path write_site(const Results&, const Reference&, const std::filesystem::path& folder);
+std::filesystem::path write_site(const Results&, const Reference&, const std::filesystem::path& folder,
+                                 const Progress& progress = {});
 
 }  // namespace oddity

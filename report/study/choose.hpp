@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "report/pages/screen.hpp"
 #include "report/study/tried.hpp"
 
 /// What to use for a scene: the model, algorithm and setting that hold for a need.
@@ -54,9 +55,9 @@ Choice choose(const Task&, const Need&, const Reference&, const Price& = measure
 
 /// What was asked, and the answer with its margin.
 std::string asked_text(const Choice&);
-std::string answer_text(const Choice&);
+std::string answer_text(const Choice&, const Screen& = {});
 /// The choice as a sentence and a table, for a terminal; the table's first rows, or all.
-std::string choice_text(const Choice&, bool all_rows);
+std::string choice_text(const Choice&, bool all_rows, const Screen& = {});
 std::string choice_json(const Choice&);
 std::string choice_csv(const Choice&);
 

@@ -1,65 +1,53 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <chrono>
-#include <cmath>
-#include <iostream>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
+#include "report/pages/screen.hpp"
 #include "report/study/run.hpp"
 
 namespace oddity {
 
-/// How far a run has come, on standard error: in one line that is written over on a terminal, else in a line
-/// now and then. Nothing for what takes less than two seconds.
+/// How far a run has come, on standard error: on a terminal in one line that is written over, else in a line
+/// now and then. Nothing for what takes less than two seconds. It is gone when this is.
 class ProgressBar {
  public:
-  Progress callback() {
-    return [this](const std::string& stage, std::size_t done, std::size_t all) { show(stage, done, all); };
-  }
-  ~ProgressBar() { wipe(); }
+  ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  ~ProgressBar();
+
+  Progress callback();
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  static double seconds_since(Clock::time_point t) {
-    return std::chrono::duration<double>(Clock::now() - t).count();
-  }
+  void advance(const std::string& stage, std::size_t done, std::size_t all);
+  void watch();
+  void show();
+  void wipe();
+  std::string line() const;
 
-  static std::string shown(double seconds) {
-    const auto whole = static_cast<long>(std::ceil(seconds));
-    return whole < 120 ? std::to_string(whole) + " s" : std::to_string((whole + 59) / 60) + " min";
-  }
-
-  void show(const std::string& stage, std::size_t done, std::size_t all) {
-    if (stage != stage_) {
-      stage_ = stage;
-      begun_ = last_ = Clock::now();
-      return;
-    }
-    const double passed = seconds_since(begun_);
-    if (seconds_since(last_) < (terminal_ ? 0.5 : 10) || passed < 2) return;
-    last_ = Clock::now();
-    const double left =
-        passed * static_cast<double>(all - done) / static_cast<double>(std::max<std::size_t>(done, 1));
-    const std::string line =
-        "oddity: " + stage + ", " + std::to_string(done) + " of " + std::to_string(all) +
-        (done > 0 ? ", about " + shown(left) + " left" : ", " + shown(passed) + " so far");
-    wipe();
-    std::cerr << line << (terminal_ ? "" : "\n") << std::flush;
-    if (terminal_) written_ = line.size();
-  }
-
-  void wipe() {
-    if (written_ > 0) std::cerr << '\r' << std::string(written_, ' ') << '\r' << std::flush;
-    written_ = 0;
-  }
-
-  const bool terminal_ = isatty(STDERR_FILENO) != 0;
-  std::string stage_;
-  Clock::time_point begun_ = Clock::now(), last_ = begun_;
-  std::size_t written_ = 0;
+  const Screen screen_;
+  const bool terminal_;
+  std::mutex mutex_;
+  std::condition_variable over_;
+  bool is_over_ = false;
+  std::string stage_ = {};
+  std::size_t done_ = 0, all_ = 0;
+  Clock::time_point begun_ = Clock::now();  ///< of the stage
+  std::size_t written_ = 0;                 ///< columns of the line
+  std::thread clock_;                       ///< a stage may have pieces that take long
 };
+
+/// What `work` returns, called with a progress that is shown meanwhile.
+template <class Work>
+auto with_progress(const Work& work) {
+  ProgressBar bar;
+  return work(bar.callback());
+}
 
 }  // namespace oddity

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "reference/limits.hpp"
+#include "report/pages/screen.hpp"
 #include "report/study/run.hpp"
 
 /// Where methods of fixed step break: the first step, from below, at which small disturbances of the motion
@@ -54,7 +55,7 @@ std::string beyond(const Limit&);
 double agreement(const Limit&);
 
 /// Tables and maps for a terminal.
-std::string stability_text(const ExerciseResult&);
+std::string stability_text(const ExerciseResult&, const Screen& = {});
 /// The rows of limits.csv, and of stability_maps.csv, that would put these results on record.
 std::string limit_rows(const Results&);
 std::string limit_row(const ExerciseResult&, const Limit&);

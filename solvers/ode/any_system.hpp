@@ -82,7 +82,10 @@ class Adapted : public Base {
   }
   void guards([[maybe_unused]] const State& x, [[maybe_unused]] double t,
               [[maybe_unused]] double* values) const final {
-    if constexpr (Eventful<System, State>) std::ranges::copy(system_.guards(x, static_cast<T>(t)), values);
+    if constexpr (Eventful<System, State>) {
+      const auto now = system_.guards(x, static_cast<T>(t));
+      std::copy(now.begin(), now.end(), values);
+    }
   }
   Next happen([[maybe_unused]] std::size_t i, [[maybe_unused]] State& x,
               [[maybe_unused]] double t) const final {

@@ -1,23 +1,15 @@
 #include "solvers/ode/integrate_inlined.hpp"
 
-#include <charconv>
-
 namespace oddity::ode::detail {
 
-std::string at_time(const char* what, double t) {
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, t, std::chars_format::general, 7).ptr;
-  return std::string(what) + " at t = " + std::string(digits, end);
-}
-
 double first_step(std::span<const double> times, double part) {
-  const auto [low, high] = std::ranges::minmax(times);
-  return std::max((high - low) * part, 0x1p-50 * std::max(std::abs(low), std::abs(high)));
+  const auto [low, high] = std::minmax_element(times.begin(), times.end());
+  return std::max((*high - *low) * part, 0x1p-50 * std::max(std::abs(*low), std::abs(*high)));
 }
 
 const char* nonsense(std::span<const double> times, double setting) {
   if (!(setting > 0 && std::isfinite(setting))) return "the step or tolerance must be positive and finite";
-  if (times.empty() || !std::ranges::all_of(times, [](double t) { return std::isfinite(t); }))
+  if (times.empty() || !std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); }))
     return "there must be times, and they must be finite";
   return nullptr;
 }

@@ -21,7 +21,7 @@ using namespace space;
 using limits::joined, limits::limit, limits::limit_at_zero, std::numbers::sqrt2;
 
 constexpr Parameter parameters[] = {
-    {"h", 0.25, "1", "distance from t = 0 at which a numerical limit starts", 1e-3, 0.5},
+    {"h", 0.25, "1", "distance from $t=0$ at which a numerical limit starts", 1e-3, 0.5},
     {"seed", 1, "", "of the random times", 0, 1e9, whole_number},
 };
 
@@ -73,13 +73,15 @@ Value from_positions(int side, double h, bool across) {
 
 Quantity one_sided_limits(double h) {
   const Value at_zero{0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 1, 0, 0};
-  Quantity limits{"one_sided_limits",
-                  "1",
-                  "r, v, a, speed, T and N as t -> 0 from below, then from above",
-                  {"polynomials at 0, and T turned in the plane of its piece",
-                   joined(at_zero, Vector3{0, 1, 0}, at_zero, Vector3{0, 0, 1})},
-                  0,
-                  {1e-10, "ten decimals of numbers of size one"}};
+  Quantity limits{
+      "one_sided_limits",
+      "1",
+      R"($\mathbf r$, $\mathbf v$, $\mathbf a$, speed, $\mathbf T$ and $\mathbf N$ as $t\to0$ from below, )"
+      R"(then from above)",
+      {R"(polynomials at 0, and $\mathbf T$ turned in the plane of its piece)",
+       joined(at_zero, Vector3{0, 1, 0}, at_zero, Vector3{0, 0, 1})},
+      0,
+      {1e-10, "ten decimals of numbers of size one"}};
   const auto both = [](auto f) { return [f](double s) { return joined(f(before, s), f(after, s)); }; };
   const auto pieces = both([](int side, double s) { return all_of(local(side, side * s)); });
   const auto one_sided = both([](int side, double s) { return from_positions(side, s, false); });
@@ -98,12 +100,13 @@ Quantity one_sided_limits(double h) {
   limits.add({derivatives, "Richardson", halvings, richardson(pieces)});
   limits.add({"differences of positions, one side", "Richardson", halvings, richardson(one_sided)});
   limits.add({"differences of positions across 0", "Richardson", halvings, richardson(central),
-              Outcome::deceived, "they see one normal, (0, -1, 1)/sqrt(2), at every h"});
-  limits.add(
-      Breakdown{"Central differences are the better ones inside a piece. Across the joint they give (0, -1, "
-                "1)/sqrt(2) for the normal, half-way between -N before and N after, however small the step.",
-                "differences of positions across 0, Richardson", 10, Outcome::deceived,
-                "differences of positions, one side, Richardson", 10});
+              Outcome::deceived, R"(they see one normal, $(0,-1,1)/\sqrt2$, at every $h$)"});
+  limits.add(Breakdown{
+      R"(Central differences are the better ones inside a piece. Across the joint they give )"
+      R"($(0,-1,1)/\sqrt2$ for the normal, half-way between $-\mathbf N$ before and $\mathbf N$ after, )"
+      R"(however small the step.)",
+      "differences of positions across 0, Richardson", 10, Outcome::deceived,
+      "differences of positions, one side, Richardson", 10});
   return limits;
 }
 
@@ -112,7 +115,7 @@ Quantity one_sided_limits(double h) {
 struct Sample {
   double t;
   std::array<double*, 1> letters() { return {&t}; }
-  std::string where() const { return "t = " + shortest(t); }
+  std::string where() const { return "$t$ = " + shortest(t); }
   int side() const { return t < 0 ? before : after; }
   Local local() const { return ex02_01::local(side(), t); }
 };

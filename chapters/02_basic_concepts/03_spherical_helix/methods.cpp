@@ -45,11 +45,12 @@ Quantity motion(double t, const Reference& truth) {
   Known known = truth("02_03_motion", {t});
   known.value.erase(known.value.begin());
   Quantity q =
-      quantity("motion", "1", "velocity and acceleration along P, Q, R", known, {1e-10, "ten decimals"});
-  const std::string too_small = "halving on, rounding takes over: it grows as eps/h^2";
+      quantity("motion", "1", R"(velocity and acceleration along $\mathbf P$, $\mathbf Q$, $\mathbf R$)",
+               known, {1e-10, "ten decimals"});
+  const std::string too_small = "halving on, rounding takes over: it grows as $1/h^2$";
   const Knob steps = halving("h", 0x1p-4, 12);
   q.add({"components as printed", "closed form", no_knob(), [=](double) { return by_the_text(t, false); },
-         Outcome::inaccurate, "both components along Q are wrong"});
+         Outcome::inaccurate, R"(both components along $\mathbf Q$ are wrong)"});
   q.add({"components, corrected", "closed form", no_knob(), [=](double) { return by_the_text(t, true); }});
   q.add({"spherical angles", "dual numbers", no_knob(), [=](double) {
            const Vector3 phi = At(t).phi;
@@ -73,7 +74,7 @@ Quantity motion(double t, const Reference& truth) {
 Quantity colatitude(const std::string& name, double t, const Reference& truth) {
   Known known = truth("02_03_motion", {t});
   known.value.resize(1);
-  Quantity q = quantity(name, "rad", "the angle phi from the pole, t = " + shortest(t), known,
+  Quantity q = quantity(name, "rad", R"(the angle $\phi$ from the pole, $t$ = )" + shortest(t), known,
                         {1e-12 * known.value[0], "twelve digits"});
   const bool north = t > 1e4, south = t < -1e4;
   q.add({"t/sqrt(1 + t^2)", "acos", no_knob(),
@@ -93,24 +94,23 @@ Quantity colatitude(const std::string& name, double t, const Reference& truth) {
          north ? Outcome::inaccurate : Outcome::ok, "two right angles cancel"});
   q.add({"(1, t)", "atan2", no_knob(), [=](double) { return Answer{std::atan2(1, t), 1}; }});
   if (north || south)
-    q.add(
-        Breakdown{"At $|t|=10^8$ the cosine $t/\\sqrt{1+t^2}$ rounds to $\\pm1$, and the arc cosine puts "
-                  "the point on the pole. Both coordinates of the meridian together, atan2(1, t), keep "
-                  "every digit.",
-                  "t/sqrt(1 + t^2), acos", 0, Outcome::inaccurate, "(1, t), atan2", 0});
+    q.add(Breakdown{
+        R"(At $|t|=10^8$ the cosine $t/\sqrt{1+t^2}$ rounds to $\pm1$, and the arc cosine puts the point )"
+        R"(on the pole. Both coordinates of the meridian together, `atan2(1, t)`, keep every digit.)",
+        "t/sqrt(1 + t^2), acos", 0, Outcome::inaccurate, "(1, t), atan2", 0});
   return q;
 }
 
 Quantity limits_at_infinity() {
   Quantity q{"limits_at_infinity",
              "1",
-             "distance from the axis and height as t -> infinity, then as t -> -infinity",
+             R"(distance from the axis and height as $t\to\infty$, then as $t\to-\infty$)",
              {"closed form: the poles", {0, 1, 0, -1}},
              0,
              {1e-10, "ten decimals"}};
   const Knob times{"t", {1e2, 1e4, 1e8, 1e12, 1e200}};
   q.add({"sqrt(1 + t^2)", "value at t", times, [](double t) { return ends(1 / t, false); },
-         Outcome::inaccurate, "t^2 overflows and the height becomes 0"});
+         Outcome::inaccurate, "$t^2$ overflows and the height becomes 0"});
   q.add({"hypot(1, t)", "value at t", times, [](double t) { return ends(1 / t, true); }});
   q.add({"sqrt(1 + t^2)", "Richardson in 1/t", Knob{"halvings", {2, 4, 6, 8, 10}}, [](double n) {
            return limit_at_zero([](double s) { return ends(s, false).value; }, 0.5, static_cast<int>(n));

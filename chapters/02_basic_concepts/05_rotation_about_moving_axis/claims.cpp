@@ -71,7 +71,8 @@ struct Moment {
   /// None: the sizes of terms are given.
   std::array<double*, 0> letters() { return {}; }
   std::string where() const {
-    return "t = " + shortest(t) + ", theta = " + rounded(theta, 4) + ", |D'| = " + rounded(lambda, 4);
+    return "$t$ = " + shortest(t) + R"(, $\theta$ = )" + rounded(theta, 4) + R"(, $|\dot{\mathbf D}|$ = )" +
+           rounded(lambda, 4);
   }
 };
 using M = const Moment&;
@@ -142,10 +143,11 @@ void lines(Claims& claims, const std::vector<Moment>& moments, const std::vector
 /// Lines that need |D'| = 1.
 void unit_lines(Claims& claims, const Moments& moments, const std::vector<Line>& all) {
   for (const Line& line : all)
-    claims.add(line.slug, line.number, line.says + " (|D'| = 1)",
-               {.printed = reading(line, "where |D'| = 1", 1, moments.unit_speed),
-                .near_misses = {reading(line, "where |D'| = 1, a sign flipped", -1, moments.unit_speed),
-                                reading(line, "for any |D'|", 1, moments.any)}});
+    claims.add(line.slug, line.number, line.says + R"( ($|\dot{\mathbf D}|=1$))",
+               {.printed = reading(line, R"(where $|\dot{\mathbf D}|=1$)", 1, moments.unit_speed),
+                .near_misses = {
+                    reading(line, R"(where $|\dot{\mathbf D}|=1$, a sign flipped)", -1, moments.unit_speed),
+                    reading(line, R"(for any $|\dot{\mathbf D}|$)", 1, moments.any)}});
 }
 
 Value twice(const Vector3& x) { return joined(x, x); }
@@ -153,16 +155,19 @@ Vector3 back(M m, const Vector3& x) { return transpose(m.R) * x; }
 
 void rotation_and_derivative(Claims& claims, const Moments& moments) {
   claims.formula<Moment>(
-      "skew_of_w", 317, "Skew(w) = R' R^T", moments.all,
-      {.truth = {"Skew(w), w = 2 q' q* in dual numbers", [](M m) { return skew(m.w); }, &Moment::size},
-       .printed = {"R' R^T", &Moment::W},
-       .near_misses = {
-           {"R^T R', which has w in the body's frame", [](M m) { return transpose(m.R) * m.R_dot; }}}});
+      "skew_of_w", 317, R"($\mathrm{Skew}(\mathbf w)=\dot RR^T$)", moments.all,
+      {.truth =
+           {R"($\mathrm{Skew}(\mathbf w)$, $\mathbf w=2\dot qq^*$ in dual numbers, $q$ the quaternion of )"
+            R"($R$)",
+            [](M m) { return skew(m.w); }, &Moment::size},
+       .printed = {R"($\dot RR^T$)", &Moment::W},
+       .near_misses = {{R"($R^T\dot R$, which has $\mathbf w$ in the body's frame)",
+                        [](M m) { return transpose(m.R) * m.R_dot; }}}});
   lines(
       claims, moments.all,
-      {{"rotation_matrix", 319, "R = I + sigma S + (1 - gamma) S^2", "R", &Moment::R,
+      {{"rotation_matrix", 319, R"($R=I+\sigma S+(1-\gamma)S^2$)", "$R$", &Moment::R,
         [](M m, double k) { return identity() + k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S); }, of_turn},
-       {"transpose", 319, "R^T = I - sigma S + (1 - gamma) S^2", "R^T", [](M m) { return transpose(m.R); },
+       {"transpose", 319, R"($R^T=I-\sigma S+(1-\gamma)S^2$)", "$R^T$", [](M m) { return transpose(m.R); },
         [](M m, double k) { return identity() - k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S); },
         of_turn}});
   std::vector<Differenced> differenced;
@@ -170,31 +175,33 @@ void rotation_and_derivative(Claims& claims, const Moments& moments) {
   const auto skew_of = [](const std::string& text, double k) {
     return Formula<Differenced>{text, [=](M m) { return skew(k * m.U2); }};
   };
-  claims.formula<Differenced>(
-      "derivative_of_s", 321, "S' = Skew(D')", differenced,
-      {.quantity = "S'",
-       .truth = {"differences of Skew(D(t)), extrapolated", [](M m) { return m.S_slope.value; }},
-       .printed = skew_of("Skew(D')", 1),
-       .near_misses = {skew_of("- Skew(D')", -1)}});
-  lines(
-      claims, moments.moving,
-      {{"derivative_of_r", 323,
-        "R' = sigma S' + theta' gamma S + (1 - gamma)(S S' + S' S) + theta' sigma S^2", "R'", &Moment::R_dot,
-        [](M m, double k) {
-          return m.sigma * m.S_dot + m.theta_dot * m.gamma * m.S +
-                 (1 - m.gamma) * (m.S * m.S_dot + m.S_dot * m.S) + k * m.theta_dot * m.sigma * (m.S * m.S);
-        },
-        &Moment::size},
-       {"no_power_rule", 325, "the derivative of S^2 is S S' + S' S, not 2 S S'", "(S^2)'", &Moment::S2_dot,
-        [](M m, double k) { return (2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S); }, &Moment::size,
-        "dual numbers", 0}});
+  claims.formula<Differenced>("derivative_of_s", 321, R"($\dot S=\mathrm{Skew}(\dot{\mathbf D})$)",
+                              differenced,
+                              {.quantity = R"($\dot S$)",
+                               .truth = {R"(differences of $\mathrm{Skew}(\mathbf D(t))$, extrapolated)",
+                                         [](M m) { return m.S_slope.value; }},
+                               .printed = skew_of(R"($\mathrm{Skew}(\dot{\mathbf D})$)", 1),
+                               .near_misses = {skew_of(R"($-\mathrm{Skew}(\dot{\mathbf D})$)", -1)}});
+  lines(claims, moments.moving,
+        {{"derivative_of_r", 323,
+          R"($\dot R=\sigma\dot S+\dot\theta\gamma S+(1-\gamma)(S\dot S+\dot SS)+\dot\theta\sigma S^2$)",
+          R"($\dot R$)", &Moment::R_dot,
+          [](M m, double k) {
+            return m.sigma * m.S_dot + m.theta_dot * m.gamma * m.S +
+                   (1 - m.gamma) * (m.S * m.S_dot + m.S_dot * m.S) + k * m.theta_dot * m.sigma * (m.S * m.S);
+          },
+          &Moment::size},
+         {"no_power_rule", 325, R"(the derivative of $S^2$ is $S\dot S+\dot SS$, not $2S\dot S$)",
+          R"($\frac{d}{dt}S^2$)", &Moment::S2_dot,
+          [](M m, double k) { return (2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S); }, &Moment::size,
+          "dual numbers", 0}});
 }
 
 void matrices_by_images(Claims& claims, const Moments& moments) {
   const std::string itself = "the matrix itself";
   lines(claims, moments.unit_speed,
         {{"determined_by_images", 327,
-          "three independent vectors and their images determine an invertible matrix (and any other)", "M",
+          "three independent vectors and their images determine an invertible matrix (and any other)", "$M$",
           [](M m) { return m.R_dot + 2.0 * identity(); },
           [](M m, double k) {
             const Matrix3 matrix = m.R_dot + 2.0 * identity();
@@ -204,14 +211,14 @@ void matrices_by_images(Claims& claims, const Moments& moments) {
                     k * outer(matrix * c, cross(a, b)));
           },
           [](M m) { return 10 * m.size; }, itself, 0},
-         {"frame_is_a_rotation", 331, "U is a rotation matrix, its inverse its transpose", "U^T U, det U",
-          [](M) { return joined(identity(), 1); },
+         {"frame_is_a_rotation", 331, "$U$ is a rotation matrix, its inverse its transpose",
+          R"($U^TU$, $\det U$)", [](M) { return joined(identity(), 1); },
           [](M m, double k) {
             const Matrix3 U = Matrix3::columns(m.U1, m.U2, k * m.U3);
             return joined(transpose(U) * U, determinant(U));
           },
           [](M) { return 4.0; }, "a rotation"},
-         {"matrix_from_images", 333, "M = A U^T", "M", &Moment::R_dot,
+         {"matrix_from_images", 333, "$M=AU^T$", "$M$", &Moment::R_dot,
           [](M m, double k) { return m.R_dot * m.U * (k == 1 ? transpose(m.U) : m.U); }, &Moment::size,
           itself, 0}});
   const auto determinants = [&](const std::string& text, double unit) {
@@ -219,17 +226,19 @@ void matrices_by_images(Claims& claims, const Moments& moments) {
                        [](M m) { return std::pow(m.size, 3); }};
     return compare(text, shifted, {"0", [](M) { return 0.0; }}, moments.all);
   };
-  const Form from_images{"A U^T", [](M m) { return m.W * m.U * transpose(m.U); }, &Moment::frame_size};
+  const Form from_images{"$AU^T$", [](M m) { return m.W * m.U * transpose(m.U); }, &Moment::frame_size};
   claims.add(
-      "applied_to_singular", 335, "what is said of an invertible matrix (line 327) is applied to R' R^T",
-      {.printed = {"R' R^T is invertible",
+      "applied_to_singular", 335,
+      R"(what is said of an invertible matrix (line 327) is applied to $\dot RR^T$)",
+      {.printed = {R"($\dot RR^T$ is invertible)",
                    {in_all<Moment>(
-                       "R' R^T is regular", moments.all,
+                       R"($\dot RR^T$ is regular)", moments.all,
                        [](M m) { return std::abs(determinant(m.W)) > 1e-9 * std::pow(length(m.w), 3); })}},
-       .corrected = {"R' R^T is singular, and determined by its images all the same",
-                     {determinants("det R' R^T", 0), compare("R' R^T from its images, A U^T", from_images,
-                                                             {"R' R^T", &Moment::W}, moments.unit_speed)}},
-       .near_misses = {{"so is R' R^T + I", {determinants("det (R' R^T + I)", 1)}}},
+       .corrected = {R"($\dot RR^T$ is singular, and determined by its images all the same)",
+                     {determinants(R"($\det\dot RR^T$)", 0),
+                      compare(R"($\dot RR^T$ from its images, $AU^T$)", from_images,
+                              {R"($\dot RR^T$)", &Moment::W}, moments.unit_speed)}},
+       .near_misses = {{R"(so is $\dot RR^T+I$)", {determinants(R"($\det(\dot RR^T+I)$)", 1)}}},
        .why =
            "A skew $3\\times3$ matrix is never invertible, since $\\det S=\\det S^T=-\\det S$: $\\dot RR^T$ "
            "has the eigenvalues $0,\\pm i|\\mathbf w|$ and the determinant 0 at every moment. The conclusion "
@@ -248,12 +257,20 @@ void frame(Claims& claims, const Moments& moments) {
                 [=](M m) { return 1 + size_of(frame(m)) * size_of(frame(m)); }};
   };
   claims.formula<Moment>(
-      "orthonormal_frame", 337, "D, D' and D x D' are unit vectors at right angles", moments.any,
-      {.quantity = "U^T U",
+      "orthonormal_frame", 337,
+      R"($\mathbf D$, $\dot{\mathbf D}$ and $\mathbf D\times\dot{\mathbf D}$ are unit vectors at right )"
+      R"(angles)",
+      moments.any,
+      {.quantity = "$U^TU$",
        .truth = {"the unit matrix", [](M) { return identity(); }},
-       .printed = gram("U2 = D', U3 = D x D'", false, false),
-       .corrected = gram("U2 = D'/|D'|, U3 = D x U2", true, true),
-       .near_misses = {gram("U2 = D'/|D'|, U3 = D x D'", true, false)},
+       .printed = gram(R"($\mathbf U_2=\dot{\mathbf D}$, $\mathbf U_3=\mathbf D\times\dot{\mathbf D}$)",
+                       false, false),
+       .corrected = gram(
+           R"($\mathbf U_2=\dot{\mathbf D}/|\dot{\mathbf D}|$, $\mathbf U_3=\mathbf D\times\mathbf U_2$)",
+           true, true),
+       .near_misses = {gram(
+           R"($\mathbf U_2=\dot{\mathbf D}/|\dot{\mathbf D}|$, $\mathbf U_3=\mathbf D\times\dot{\mathbf D}$)",
+           true, false)},
        .kind = Fault::left_out,
        .root = "length of the axis' rate",
        .why =
@@ -266,32 +283,40 @@ void frame(Claims& claims, const Moments& moments) {
            "U_2=\\dot{\\mathbf D}$ takes up again: the result holds for every $\\lambda$, zero included."});
   unit_lines(
       claims, moments,
-      {{"cross_products", 341, "U1 = U2 x U3, U2 = U3 x U1, U3 = U1 x U2", "U1, U2, U3",
-        [](M m) { return joined(m.U1, m.U2, m.U3); },
+      {{"cross_products", 341,
+        R"($\mathbf U_1=\mathbf U_2\times\mathbf U_3$, $\mathbf U_2=\mathbf U_3\times\mathbf U_1$, )"
+        R"($\mathbf U_3=\mathbf U_1\times\mathbf U_2$)",
+        R"($\mathbf U_1$, $\mathbf U_2$, $\mathbf U_3$)", [](M m) { return joined(m.U1, m.U2, m.U3); },
         [](M m, double k) { return joined(k * cross(m.U2, m.U3), cross(m.U3, m.U1), cross(m.U1, m.U2)); },
-        &Moment::frame_size, "D and D' by dual numbers"},
-       {"images_under_s_dot", 345, "S' U1 = -U3, S' U2 = 0, S' U3 = U1", "S' U1, S' U2, S' U3",
+        &Moment::frame_size, R"($\mathbf D$ and $\dot{\mathbf D}$ by dual numbers)"},
+       {"images_under_s_dot", 345,
+        R"($\dot S\mathbf U_1=-\mathbf U_3$, $\dot S\mathbf U_2=0$, $\dot S\mathbf U_3=\mathbf U_1$)",
+        R"($\dot S\mathbf U_1$, $\dot S\mathbf U_2$, $\dot S\mathbf U_3$)",
         [](M m) { return joined(m.S_dot * m.U1, m.S_dot * m.U2, m.S_dot * m.U3); },
         [](M m, double k) { return joined(-m.U3, Vector3{}, k * m.U1); }, &Moment::frame_size,
-        "products with the matrix S' by dual numbers"}});
-  lines(claims, moments.moving,
-        {{"images_under_s", 343, "S U1 = 0, S U2 = U3, S U3 = -U2", "S U1, S U2, S U3",
-          [](M m) { return joined(m.S * m.U1, m.S * m.U2, m.S * m.U3); },
-          [](M m, double k) { return joined(Vector3{}, m.U3, -k * m.U2); }, &Moment::frame_size,
-          "products with the matrix S"}});
+        R"(products with the matrix $\dot S$ by dual numbers)"}});
+  lines(
+      claims, moments.moving,
+      {{"images_under_s", 343, R"($S\mathbf U_1=0$, $S\mathbf U_2=\mathbf U_3$, $S\mathbf U_3=-\mathbf U_2$)",
+        R"($S\mathbf U_1$, $S\mathbf U_2$, $S\mathbf U_3$)",
+        [](M m) { return joined(m.S * m.U1, m.S * m.U2, m.S * m.U3); },
+        [](M m, double k) { return joined(Vector3{}, m.U3, -k * m.U2); }, &Moment::frame_size,
+        "products with the matrix $S$"}});
 }
 
 void images_of_the_frame(Claims& claims, const Moments& moments) {
   lines(claims, moments.moving,
-        {{"rt_u1", 349, "R^T U1 = U1 - sigma S U1 + (1 - gamma) S^2 U1 = U1", "R^T U1",
-          [](M m) { return twice(back(m, m.U1)); },
+        {{"rt_u1", 349,
+          R"($R^T\mathbf U_1=\mathbf U_1-\sigma S\mathbf U_1+(1-\gamma)S^2\mathbf U_1=\mathbf U_1$)",
+          R"($R^T\mathbf U_1$)", [](M m) { return twice(back(m, m.U1)); },
           [](M m, double k) {
             return joined(m.U1 - m.sigma * (m.S * m.U1) + (1 - m.gamma) * (m.S * (m.S * m.U1)), k * m.U1);
           }},
          {"rt_u2",
           351,
-          "R^T U2 = U2 - sigma U3 - (1 - gamma) U2 = gamma U2 - sigma U3",
-          "R^T U2",
+          R"($R^T\mathbf U_2=\mathbf U_2-\sigma\mathbf U_3-(1-\gamma)\mathbf U_2=\gamma\mathbf U_2)"
+          R"(-\sigma\mathbf U_3$)",
+          R"($R^T\mathbf U_2$)",
           [](M m) { return twice(back(m, m.U2)); },
           [](M m, double k) {
             return joined(m.U2 - m.sigma * m.U3 - (1 - m.gamma) * m.U2, m.gamma * m.U2 - k * m.sigma * m.U3);
@@ -299,36 +324,46 @@ void images_of_the_frame(Claims& claims, const Moments& moments) {
           {}},
          {"rt_u3",
           353,
-          "R^T U3 = U3 + sigma U2 - (1 - gamma) U3 = sigma U2 + gamma U3",
-          "R^T U3",
+          R"($R^T\mathbf U_3=\mathbf U_3+\sigma\mathbf U_2-(1-\gamma)\mathbf U_3=\sigma\mathbf U_2)"
+          R"(+\gamma\mathbf U_3$)",
+          R"($R^T\mathbf U_3$)",
           [](M m) { return twice(back(m, m.U3)); },
           [](M m, double k) {
             return joined(m.U3 + m.sigma * m.U2 - (1 - m.gamma) * m.U3, k * m.sigma * m.U2 + m.gamma * m.U3);
           },
           {}},
-         {"r_dot_u1", 357, "R' U1 = (1 - gamma) U2 - sigma U3", "R' U1", [](M m) { return m.R_dot * m.U1; },
+         {"r_dot_u1", 357, R"($\dot R\mathbf U_1=(1-\gamma)\mathbf U_2-\sigma\mathbf U_3$)",
+          R"($\dot R\mathbf U_1$)", [](M m) { return m.R_dot * m.U1; },
           [](M m, double k) { return (1 - m.gamma) * m.U2 - k * m.sigma * m.U3; }},
-         {"composed_u1", 367, "R' R^T U1 = R' U1 = (1 - gamma) U2 - sigma U3", "R' R^T U1",
-          [](M m) { return twice(m.R_dot * back(m, m.U1)); },
+         {"composed_u1", 367,
+          R"($\dot RR^T\mathbf U_1=\dot R\mathbf U_1=(1-\gamma)\mathbf U_2-\sigma\mathbf U_3$)",
+          R"($\dot RR^T\mathbf U_1$)", [](M m) { return twice(m.R_dot * back(m, m.U1)); },
           [](M m, double k) { return joined(m.R_dot * m.U1, (1 - m.gamma) * m.U2 - k * m.sigma * m.U3); }}});
   unit_lines(
       claims, moments,
-      {{"r_dot_u2", 359, "R' U2 = (1 - gamma) U1 - theta' sigma U2 + theta' gamma U3", "R' U2",
-        [](M m) { return m.R_dot * m.U2; },
+      {{"r_dot_u2", 359,
+        R"($\dot R\mathbf U_2=(1-\gamma)\mathbf U_1-\dot\theta\sigma\mathbf U_2)"
+        R"(+\dot\theta\gamma\mathbf U_3$)",
+        R"($\dot R\mathbf U_2$)", [](M m) { return m.R_dot * m.U2; },
         [](M m, double k) {
           return (1 - m.gamma) * m.U1 + m.theta_dot * (m.gamma * m.U3 - k * m.sigma * m.U2);
         }},
-       {"r_dot_u3", 361, "R' U3 = sigma U1 - theta' gamma U2 - theta' sigma U3", "R' U3",
-        [](M m) { return m.R_dot * m.U3; },
+       {"r_dot_u3", 361,
+        R"($\dot R\mathbf U_3=\sigma\mathbf U_1-\dot\theta\gamma\mathbf U_2-\dot\theta\sigma\mathbf U_3$)",
+        R"($\dot R\mathbf U_3$)", [](M m) { return m.R_dot * m.U3; },
         [](M m, double k) { return m.sigma * m.U1 - m.theta_dot * (m.gamma * m.U2 + k * m.sigma * m.U3); }},
-       {"composed_u2", 369, "R' R^T U2 = R'(gamma U2 - sigma U3) = -(1 - gamma) U1 + theta' U3", "R' R^T U2",
-        [](M m) { return twice(m.R_dot * back(m, m.U2)); },
+       {"composed_u2", 369,
+        R"($\dot RR^T\mathbf U_2=\dot R(\gamma\mathbf U_2-\sigma\mathbf U_3)=-(1-\gamma)\mathbf U_1)"
+        R"(+\dot\theta\mathbf U_3$)",
+        R"($\dot RR^T\mathbf U_2$)", [](M m) { return twice(m.R_dot * back(m, m.U2)); },
         [](M m, double k) {
           return joined(m.R_dot * (m.gamma * m.U2 - m.sigma * m.U3),
                         -(1 - m.gamma) * m.U1 + k * m.theta_dot * m.U3);
         }},
-       {"composed_u3", 371, "R' R^T U3 = R'(sigma U2 + gamma U3) = sigma U1 - theta' U2", "R' R^T U3",
-        [](M m) { return twice(m.R_dot * back(m, m.U3)); },
+       {"composed_u3", 371,
+        R"($\dot RR^T\mathbf U_3=\dot R(\sigma\mathbf U_2+\gamma\mathbf U_3)=\sigma\mathbf U_1)"
+        R"(-\dot\theta\mathbf U_2$)",
+        R"($\dot RR^T\mathbf U_3$)", [](M m) { return twice(m.R_dot * back(m, m.U3)); },
         [](M m, double k) {
           return joined(m.R_dot * (m.sigma * m.U2 + m.gamma * m.U3), m.sigma * m.U1 - k * m.theta_dot * m.U2);
         }}});
@@ -346,47 +381,55 @@ Vector3 product(M m) { return cross(first(m), second(m)); }
 Matrix3 difference(M m) { return outer(second(m), first(m)) - outer(first(m), second(m)); }
 
 void skew_matrices(Claims& claims, const Moments& moments) {
-  unit_lines(
-      claims, moments,
-      {{"columns", 375, "R' R^T U has the three images as columns", "R' R^T U", [](M m) { return m.W * m.U; },
-        columns_of_the_text},
-       {"inverted", 379, "R' R^T is the matrix of columns times U^T", "R' R^T", &Moment::W,
-        [](M m, double k) { return columns_of_the_text(m, k) * transpose(m.U); }},
-       {"outer_products", 389,
-        "R' R^T = theta'(U3 U2^T - U2 U3^T) + sigma(U1 U3^T - U3 U1^T) + (1 - gamma)(U2 U1^T - U1 U2^T)",
-        "R' R^T", &Moment::W,
-        [](M m, double k) {
-          return m.theta_dot * (outer(m.U3, m.U2) - outer(m.U2, m.U3)) +
-                 m.sigma * (outer(m.U1, m.U3) - outer(m.U3, m.U1)) +
-                 k * (1 - m.gamma) * (outer(m.U2, m.U1) - outer(m.U1, m.U2));
-        }},
-       {"sum_of_cross_products", 465,
-        "Skew(w) = theta' Skew(U2 x U3) + sigma Skew(U3 x U1) + (1 - gamma) Skew(U1 x U2)", "Skew(w)",
-        &Moment::W, [](M m, double k) {
-          return m.theta_dot * skew(cross(m.U2, m.U3)) + k * m.sigma * skew(cross(m.U3, m.U1)) +
-                 (1 - m.gamma) * skew(cross(m.U1, m.U2));
-        }}});
+  unit_lines(claims, moments,
+             {{"columns", 375, R"($\dot RR^TU$ has the three images as columns)", R"($\dot RR^TU$)",
+               [](M m) { return m.W * m.U; }, columns_of_the_text},
+              {"inverted", 379, R"($\dot RR^T$ is the matrix of columns times $U^T$)", R"($\dot RR^T$)",
+               &Moment::W, [](M m, double k) { return columns_of_the_text(m, k) * transpose(m.U); }},
+              {"outer_products", 389,
+               R"($\dot RR^T=\dot\theta(\mathbf U_3\mathbf U_2^T-\mathbf U_2\mathbf U_3^T))"
+               R"(+\sigma(\mathbf U_1\mathbf U_3^T-\mathbf U_3\mathbf U_1^T))"
+               R"(+(1-\gamma)(\mathbf U_2\mathbf U_1^T-\mathbf U_1\mathbf U_2^T)$)",
+               R"($\dot RR^T$)", &Moment::W,
+               [](M m, double k) {
+                 return m.theta_dot * (outer(m.U3, m.U2) - outer(m.U2, m.U3)) +
+                        m.sigma * (outer(m.U1, m.U3) - outer(m.U3, m.U1)) +
+                        k * (1 - m.gamma) * (outer(m.U2, m.U1) - outer(m.U1, m.U2));
+               }},
+              {"sum_of_cross_products", 465,
+               R"($\mathrm{Skew}(\mathbf w)=\dot\theta\,\mathrm{Skew}(\mathbf U_2\times\mathbf U_3))"
+               R"(+\sigma\,\mathrm{Skew}(\mathbf U_3\times\mathbf U_1))"
+               R"(+(1-\gamma)\,\mathrm{Skew}(\mathbf U_1\times\mathbf U_2)$)",
+               R"($\mathrm{Skew}(\mathbf w)$)", &Moment::W, [](M m, double k) {
+                 return m.theta_dot * skew(cross(m.U2, m.U3)) + k * m.sigma * skew(cross(m.U3, m.U1)) +
+                        (1 - m.gamma) * skew(cross(m.U1, m.U2));
+               }}});
   lines(claims, moments.moving,
-        {{"skew_entries", 453, "B A^T - A B^T has the entries of A x B, arranged as printed", "B A^T - A B^T",
-          difference,
+        {{"skew_entries", 453,
+          R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T$ has the entries of $\mathbf A\times\mathbf B$, )"
+          R"(arranged as printed)",
+          R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T$)", difference,
           [](M m, double k) {
             const auto [x, y, z] = product(m).e;
             return Matrix3{0, -z, k * y, z, 0, -x, -k * y, x, 0};
           },
           of_squares, "outer products"},
-         {"skew_identity", 459, "B A^T - A B^T = Skew(A x B)", "B A^T - A B^T",
-          [](M m) { return skew(product(m)); }, [](M m, double k) { return k * difference(m); }, of_squares,
-          "Skew(A x B)"},
+         {"skew_identity", 459,
+          R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T=\mathrm{Skew}(\mathbf A\times\mathbf B)$)",
+          R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T$)", [](M m) { return skew(product(m)); },
+          [](M m, double k) { return k * difference(m); }, of_squares,
+          R"($\mathrm{Skew}(\mathbf A\times\mathbf B)$)"},
          {"skew_is_one_to_one", 473,
-          "Skew(A) = Skew(B) implies A = B: the squares of the entries' differences add up to 2 |A - B|^2",
-          "2 |A - B|^2",
+          R"($\mathrm{Skew}(\mathbf A)=\mathrm{Skew}(\mathbf B)$ implies $\mathbf A=\mathbf B$: the squares )"
+          R"(of the entries' differences add up to $2|\mathbf A-\mathbf B|^2$)",
+          R"($2|\mathbf A-\mathbf B|^2$)",
           [](M m) {
             double squares = 0;
             for (double entry : skew(first(m)) - skew(second(m))) squares += entry * entry;
             return squares;
           },
           [](M m, double k) { return 2 * k * dot(first(m) - second(m), first(m) - second(m)); }, of_squares,
-          "squared entries of Skew(A) - Skew(B)", 0.5}});
+          R"(squared entries of $\mathrm{Skew}(\mathbf A)-\mathrm{Skew}(\mathbf B)$)", 0.5}});
 }
 
 /// The text's w.
@@ -395,17 +438,23 @@ Vector3 result(M m, double k) {
 }
 
 void angular_velocities(Claims& claims, const Moments& moments) {
-  lines(
-      claims, moments.all,
-      {{"sum_of_frame", 467, "Skew(w) = theta' Skew(U1) + sigma Skew(U2) + (1 - gamma) Skew(U3)", "Skew(w)",
-        &Moment::W,
-        [](M m, double k) {
-          return m.theta_dot * skew(m.U1) + k * m.sigma * skew(m.U2) + (1 - m.gamma) * skew(m.U3);
-        }},
-       {"sum_of_axis", 469, "Skew(w) = theta' Skew(D) + sin(theta) Skew(D') + (1 - cos(theta)) Skew(D x D')",
-        "Skew(w)", &Moment::W, [](M m, double k) { return skew(result(m, k)); }},
-       {"angular_velocity", 475, "w = theta' D + sin(theta) D' + (1 - cos(theta)) D x D', whatever |D'| is",
-        "w", &Moment::w, result, &Moment::size}});
+  lines(claims, moments.all,
+        {{"sum_of_frame", 467,
+          R"($\mathrm{Skew}(\mathbf w)=\dot\theta\,\mathrm{Skew}(\mathbf U_1))"
+          R"(+\sigma\,\mathrm{Skew}(\mathbf U_2)+(1-\gamma)\,\mathrm{Skew}(\mathbf U_3)$)",
+          R"($\mathrm{Skew}(\mathbf w)$)", &Moment::W,
+          [](M m, double k) {
+            return m.theta_dot * skew(m.U1) + k * m.sigma * skew(m.U2) + (1 - m.gamma) * skew(m.U3);
+          }},
+         {"sum_of_axis", 469,
+          R"($\mathrm{Skew}(\mathbf w)=\dot\theta\,\mathrm{Skew}(\mathbf D))"
+          R"(+\sin\theta\,\mathrm{Skew}(\dot{\mathbf D}))"
+          R"(+(1-\cos\theta)\,\mathrm{Skew}(\mathbf D\times\dot{\mathbf D})$)",
+          R"($\mathrm{Skew}(\mathbf w)$)", &Moment::W, [](M m, double k) { return skew(result(m, k)); }},
+         {"angular_velocity", 475,
+          R"($\mathbf w=\dot\theta\mathbf D+\sin\theta\,\dot{\mathbf D})"
+          R"(+(1-\cos\theta)\,\mathbf D\times\dot{\mathbf D}$, whatever $|\dot{\mathbf D}|$ is)",
+          R"($\mathbf w$)", &Moment::w, result, &Moment::size}});
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ namespace ex02_05 {
 using namespace rotating_axis;
 
 constexpr Parameter parameters[] = {
-    {"t", 1, "s", "time at which w is computed", -10, 10},
-    {"alpha", 0.5, "rad", "angle of the axis D from z", 0, 3.14},
-    {"Omega", 2, "rad/s", "rate at which D goes round z", -20, 20},
-    {"nu", 3, "rad/s", "rate of the angle theta", -20, 20},
+    {"t", 1, "s", R"(time at which $\mathbf w$ is computed)", -10, 10},
+    {"alpha", 0.5, "rad", R"(angle of the axis $\mathbf D$ from $z$)", 0, 3.14},
+    {"Omega", 2, "rad/s", R"(rate at which $\mathbf D$ goes round $z$)", -20, 20},
+    {"nu", 3, "rad/s", R"(rate of the angle $\theta$)", -20, 20},
     {"seed", 1, "", "of the random motions in the proof", 0, 1e9, whole_number},
 };
 
@@ -28,16 +28,16 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 Exercise exercise_2_5() {
   using namespace ex02_05;
-  return {
-      "Rotation about a moving axis",
-      "A body is turned by the angle $\\theta(t)$ about the unit axis $\\mathbf D(t)$: show that its "
-      "angular velocity is $\\mathbf w=\\dot\\theta\\mathbf D+\\sin\\theta\\,\\dot{\\mathbf "
-      "D}+(1-\\cos\\theta)\\,\\mathbf D\\times\\dot{\\mathbf D}$. Below `U1`, `U2`, `U3` are $\\mathbf D$, "
-      "$\\dot{\\mathbf D}$ and $\\mathbf D\\times\\dot{\\mathbf D}$, `S` is Skew(D), `sigma` and `gamma` are "
-      "the sine and the cosine of $\\theta$.",
-      parameters,
-      {},
-      study};
+  return {"Rotation about a moving axis",
+          R"(A body is turned by the angle $\theta(t)$ about the unit axis $\mathbf D(t)$: show that its )"
+          R"(angular velocity is $\mathbf w=\dot\theta\mathbf D+\sin\theta\,\dot{\mathbf D})"
+          R"(+(1-\cos\theta)\,\mathbf D\times\dot{\mathbf D}$. Below $\mathbf U_1$, $\mathbf U_2$, )"
+          R"($\mathbf U_3$ are $\mathbf D$, $\dot{\mathbf D}$ and $\mathbf D\times\dot{\mathbf D}$, the )"
+          R"(columns of $U$, and those of $A$ their images under a matrix $M$; $R$ is the rotation, $S$ is )"
+          R"($\mathrm{Skew}(\mathbf D)$, $\sigma$ and $\gamma$ are the sine and the cosine of $\theta$.)",
+          parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity

@@ -33,7 +33,7 @@ struct Precession {
 Quantity angular_velocity(const Parameters& p, const Reference& truth) {
   const double t = p["t"];
   const Precession motion{p["alpha"], p["Omega"], p["nu"]};
-  Quantity w = quantity("angular_velocity", "rad/s", "w in x, y, z at t",
+  Quantity w = quantity("angular_velocity", "rad/s", R"($\mathbf w$ in $x$, $y$, $z$ at $t$)",
                         truth("02_05_angular_velocity", {t, motion.alpha, motion.Omega, motion.nu}),
                         {1e-10, "ten decimals"});
   using D1 = Dual<double>;
@@ -48,7 +48,7 @@ Quantity angular_velocity(const Parameters& p, const Reference& truth) {
     };
   };
   const auto central = [=](const auto& at, double h) { return 0.5 / h * (at(t + h) - at(t - h)); };
-  const char* too_small = "rounding grows as eps/h when the step is halved on";
+  const char* too_small = "rounding grows as $1/h$ when the step $h$ is halved on";
   w.add(
       {"theta' D + sin(theta) D' + (1 - cos(theta)) D x D'", "closed form", no_knob(), [=](double) {
          const Vector<D1> D = motion.axis(D1(t, 1));

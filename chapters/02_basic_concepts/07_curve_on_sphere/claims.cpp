@@ -30,7 +30,7 @@ struct Sample {
     u = R.column(1), b = R.column(2), u_dot = R_dot.column(1), b_dot = R_dot.column(2);
     w = angular_velocity(m);
   }
-  std::string where() const { return "t = " + shortest(t); }
+  std::string where() const { return "$t$ = " + shortest(t); }
 };
 using AtTime = Formula<Sample>;
 
@@ -341,8 +341,8 @@ void listing(Claims& claims, const std::vector<Sample>& all) {
        .near_misses = {read("with `A.Dot(U)`, and + for - in `W.Z`",
                             {"`W` with another sign in `W.Z`", mended(-1)})},
        .why =
-           R"(The signs and the pairing of the components are right, but `UDot` is not (see 2.7-listing_u_dot). What )"
-           R"(it adds to $\dot RR^T$ is symmetric, so that the three entries picked are no longer those of a skew )"
+           R"(The signs and the pairing of the components are right, but `UDot` is not (see `2.7-listing_u_dot`). )"
+           R"(What it adds to $\dot RR^T$ is symmetric, so that the three entries picked are no longer those of a skew )"
            R"(matrix: the result is off by $c\,(r_yr_z,-r_xr_z,r_xr_y)$, )"
            R"($c=\ddot{\mathbf r}\cdot\mathbf u/|\dot{\mathbf r}|$. At $t=0.75$ the listing gives )"
            R"($(0.9696,2.7156,4.8642)$, and $\mathbf w=(1.2157,2.9617,4.7289)$. It is right at seven times only: )"

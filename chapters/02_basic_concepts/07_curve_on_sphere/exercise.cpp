@@ -6,6 +6,7 @@
 // alone. The scene carries the orientation along R' = Skew(w) R and compares with the frame.
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
+#include "chapters/02_basic_concepts/07_curve_on_sphere/drawing.hpp"
 #include "chapters/scene.hpp"
 
 namespace oddity {
@@ -16,8 +17,8 @@ using namespace curve_on_sphere;
 
 constexpr Parameter parameters[] = {
     {"pace", 1, "1/s", "units of the curve's time a second", 0.1, 16},
-    {"t", 0.75, "1", "time at which w is computed", -8, 8},
-    {"T", 4, "s", "time until which the orientation is carried on from t = 0", 0.25, 64},
+    {"t", 0.75, "1", R"(time at which $\mathbf w$ is computed)", -8, 8},
+    {"T", 4, "s", "time until which the orientation is carried on from $t=0$", 0.25, 64},
     {"seed", 1, "", "of the random times", 0, 1e9, whole_number},
 };
 
@@ -37,7 +38,8 @@ Scene scene() {
             {"quaternion", "curve_on_sphere::AsQuaternion<double>{{{pace}}}"},
             {"matrix, w of the printed listing", "curve_on_sphere::AsMatrix<double>{{{pace}, true}}"}},
            {{"matrix, orthonormalized", "which repairs the orientation after each step"},
-            {"quaternion, normalized", "which repairs the orientation after each step"}}}};
+            {"quaternion, normalized", "which repairs the orientation after each step"}}},
+          curve_on_sphere::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

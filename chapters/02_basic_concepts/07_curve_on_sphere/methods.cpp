@@ -91,8 +91,8 @@ Known true_orientation(double pace, const Horizon& horizon, const Reference& tru
 // ---- the quantities ---------------------------------------------------------------------------------------
 
 Quantity angular_velocity_at(double t, const Reference& truth) {
-  Quantity w = quantity("angular_velocity", "1", "w in x, y, z at t", truth("02_07_angular_velocity", {t}),
-                        {1e-10, "ten decimals"});
+  Quantity w = quantity("angular_velocity", "1", R"($\mathbf w$ in $x$, $y$, $z$ at $t$)",
+                        truth("02_07_angular_velocity", {t}), {1e-10, "ten decimals"});
   const auto motion = [=] { return motion_of(position, t); };
   const Vector3 listed = listed_w(motion(), listed_u_dot(motion(), false));
   const bool wrong = distance(listed, w.reference.value) > w.need.allowed;
@@ -101,7 +101,8 @@ Quantity angular_velocity_at(double t, const Reference& truth) {
          [=](double) {
            return Answer{listed_w(motion(), listed_u_dot(motion(), false)), 1};
          },
-         wrong ? Outcome::inaccurate : Outcome::ok, "UDot is not perpendicular to U, and R' R^T not skew"});
+         wrong ? Outcome::inaccurate : Outcome::ok,
+         R"(`UDot` is not perpendicular to $\mathbf u$, and $\dot RR^T$ not skew)"});
   w.add({"listing with A.Dot(U)", "closed form", no_knob(), [=](double) {
            return Answer{listed_w(motion(), listed_u_dot(motion(), true)), 1};
          }});
@@ -120,11 +121,11 @@ Quantity angular_velocity_at(double t, const Reference& truth) {
            const Matrix3 turned = counted(t + h) * transpose(counted(t - h));
            return Answer{0.5 / h * rotation_vector(turned), calls};
          },
-         Outcome::inaccurate, "rounding grows as eps/h when the step is halved on"});
+         Outcome::inaccurate, "rounding grows as $1/h$ when the step $h$ is halved on"});
   if (wrong)
     w.add(Breakdown{
-        "The listing multiplies U by R.Dot(U), which is zero, where the formula above it has the "
-        "acceleration's component A.Dot(U).",
+        "The listing multiplies `U` by `R.Dot(U)`, which is zero, where the formula above it has the "
+        "acceleration's component `A.Dot(U)`.",
         "listing as printed, closed form", 0, Outcome::inaccurate, "listing with A.Dot(U), closed form", 0});
   return w;
 }
@@ -133,7 +134,7 @@ Quantity orientation(const Parameters& p, const Horizon& horizon, const Referenc
   const double pace = p["pace"];
   const Knob steps = halving("step", 0.125, 8);
   Quantity q =
-      quantity("orientation", "1", "R at four times, carried on from t = 0",
+      quantity("orientation", "1", "$R$ at four times, carried on from $t=0$",
                true_orientation(pace, horizon, truth), {1e-8, "a five hundredth of a second of arc"});
   const AsMatrix<double> as_matrix{{{pace}}}, as_listed{{{pace}, true}};
   const AsQuaternion<double> as_quaternion{{{pace}}};
@@ -167,9 +168,12 @@ Quantity orientation(const Parameters& p, const Horizon& horizon, const Referenc
 }
 
 Quantity orthogonality(const Quantity& orientation) {
-  Quantity q{
-      "orthogonality",        "1", "R^T R at T, whatever the orientation", {"the unit matrix", identity()}, 0,
-      {1e-10, "ten decimals"}};
+  Quantity q{"orthogonality",
+             "1",
+             "$R^TR$ at $T$, whatever the orientation",
+             {"the unit matrix", identity()},
+             0,
+             {1e-10, "ten decimals"}};
   for (const Method& method : orientation.methods) {
     if (is_other_algorithm(method.algorithm)) continue;
     Method asked = method;
@@ -199,8 +203,8 @@ Quantity orthogonality(const Quantity& orientation) {
       "quaternion, Runge-Kutta 4", coarse, Outcome::inaccurate, "quaternion, normalized, Runge-Kutta 4",
       coarse});
   q.add(Breakdown{
-      "Euler's step along the tangent leaves the rotations outward, always: a thousand steps a unit of "
-      "time are not enough. A rotation by the vector h w stays on them at any step.",
+      R"(Euler's step along the tangent leaves the rotations outward, always: a thousand steps a unit of )"
+      R"(time are not enough. A rotation by the vector $h\mathbf w$ stays on them at any step.)",
       "matrix, explicit Euler", fine, Outcome::drifted, "rotation vector, exponential midpoint", 0.125});
   return q;
 }

@@ -71,8 +71,8 @@ struct Sample {
   }
   double size() const { return center.size(); }
   std::string where() const {
-    return std::to_string(center.particles.size()) + " particles, C = " + shown(center.A) +
-           ", D = " + shown(center.D);
+    return std::to_string(center.particles.size()) + " particles, $C$ = " + shown(center.A) +
+           ", $D$ = " + shown(center.D);
   }
 };
 using OfPlate = Formula<Sample>;

@@ -17,7 +17,7 @@ using namespace bodies;
 using std::sqrt;
 
 constexpr Parameter parameters[] = {
-    {"k", 1, "1/m", "growth of the half disc's density, exp(k x), along its edge", 0.01, 20},
+    {"k", 1, "1/m", "growth of the half disc's density, $e^{kx}$, along its edge", 0.01, 20},
     {"phi", 0.7, "rad", "direction of the fulcrum", -7, 7},
     {"seed", 9, "", "of the random systems", 0, 1e9, whole_number},
 };
@@ -65,7 +65,7 @@ Quantity half_disc(double k, double phi, double seed, const Reference& truth) {
   add("columns at x = sin u", by_sine, "CQUAD", tolerances(), cquad_rule);
   add("columns at x = sin u", by_sine, "Gauss-Legendre", points, gauss_rule);
   add("columns at x = sin u", by_sine, "Simpson", panels, simpson_rule,
-      "its error shrinks as h^4: too slow for ten digits at 128 panels");
+      "its error shrinks as $h^4$: too slow for ten digits at 128 panels");
   add("sectors", by_sectors, "QAGS", tolerances(), qags_rule);
   add("sectors", by_sectors, "Gauss-Legendre", points, gauss_rule);
   const std::size_t smooth = q.methods.size();
@@ -76,8 +76,8 @@ Quantity half_disc(double k, double phi, double seed, const Reference& truth) {
   for (std::size_t i = smooth; i < q.methods.size(); ++i)
     q.methods[i].run = [seen, run = q.methods[i].run](double n) { return seen(run(n)); };
   q.add(Breakdown{
-      "32 Gauss points a side, exact to rounding over x = sin u, keep five digits over x: the half "
-      "disc ends in vertical tangents.",
+      R"(32 Gauss points a side, exact to rounding over $u$ with $x=\sin u$, keep five digits over $x$: )"
+      R"(the half disc ends in vertical tangents.)",
       "columns, Gauss-Legendre", 32, Outcome::inaccurate, "columns at x = sin u, Gauss-Legendre", 32});
   return q;
 }
@@ -92,7 +92,7 @@ Quantity far_balance() {
                                         {8, center}};
   Quantity q{"far_balance",
              "kg m",
-             "first moments of five particles about eight lines through their center, 2^30 m away",
+             "first moments of five particles about eight lines through their center, $2^{30}$ m away",
              {"zero: the particles are placed so", std::vector<double>(8)},
              0,
              {1e-12, "rounding of ten products"},
@@ -116,7 +116,7 @@ Quantity far_balance() {
            [=](double) {
              return Answer{moments(16.0), work};
            },
-           relative ? Outcome::ok : Outcome::inaccurate, relative ? "" : "terms of size 1e10 cancel"});
+           relative ? Outcome::ok : Outcome::inaccurate, relative ? "" : "terms of size $10^{10}$ cancel"});
   };
   add("positions relative to the center", "sum of m N . (P - C)", true);
   add("positions from the origin", "sum of m N . P - m N . C", false);

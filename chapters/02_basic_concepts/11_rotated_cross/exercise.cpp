@@ -38,7 +38,9 @@ struct Sample {
     a = random.point(large), b = random.point(small);
   }
   std::array<double*, 7> letters() { return {&theta, &a[0], &a[1], &a[2], &b[0], &b[1], &b[2]}; }
-  std::string where() const { return "theta = " + rounded(theta, 6) + ", w = " + shown(w); }
+  std::string where() const {
+    return R"($\theta$ = )" + rounded(theta, 6) + R"(, $\mathbf w$ = )" + shown(w);
+  }
 
   double c() const { return std::cos(theta); }
   double s() const { return std::sin(theta); }
@@ -218,7 +220,7 @@ struct Edges {
   Vector a, b;
   bool parallel;
 
-  std::string where() const { return "a = " + shown(a) + ", b = " + shown(b); }
+  std::string where() const { return R"($\mathbf a$ = )" + shown(a) + R"(, $\mathbf b$ = )" + shown(b); }
   /// The determinant of a, b and a x b, which is |a x b|^2.
   bool independent() const {
     const Vector n = cross(a, b);

@@ -54,8 +54,8 @@ Quantity inertia(std::string name, std::string says, const Lamina& l, double see
     return rows(rule, component(k), l.left, true);
   };
   const auto by_edge = [=](const Rule& rule, std::size_t k) { return edge(rule, l, k); };
-  const std::string low_order = "the error shrinks as h^4: too slow for ten decimals at 128 panels";
-  const std::string no_slope = "the width of a row, 2 sqrt(y), has no derivative at the vertex";
+  const std::string low_order = "the error shrinks as $h^4$: too slow for ten decimals at 128 panels";
+  const std::string no_slope = R"(the width of a row, $2\sqrt y$, has no derivative at the vertex)";
   add("columns", by_columns, "QAGS", qags_rule);
   add("columns", by_columns, "CQUAD", cquad_rule);
   add("columns", by_columns, "Gauss-Legendre", gauss_rule);
@@ -79,15 +79,15 @@ Quantity inertia(std::string name, std::string says, const Lamina& l, double see
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  Quantity whole =
-      inertia("inertia", "Ixx, Iyy, Izz, Ixy, Ixz, Iyz", {p["left"], p["z"], p["rho"]}, p["seed"], truth);
-  Quantity cut = inertia("cut_inertia", "the same of the lamina cut off at x = -0.625, at z = 1.5",
+  Quantity whole = inertia("inertia", "$I_{xx}$, $I_{yy}$, $I_{zz}$, $I_{xy}$, $I_{xz}$, $I_{yz}$",
+                           {p["left"], p["z"], p["rho"]}, p["seed"], truth);
+  Quantity cut = inertia("cut_inertia", "the same of the lamina cut off at $x=-0.625$, at $z=1.5$",
                          {-0.625, 1.5, 1}, p["seed"], truth);
-  cut.add(
-      Breakdown{"Sixteen Gauss points, exact for the columns, give four decimals by rows: the width of a "
-                "row, 2 sqrt(y), has no derivative at the vertex. Over u = sqrt(y) the integrand is a "
-                "polynomial again, and four points are exact.",
-                "rows, Gauss-Legendre", 16, Outcome::inaccurate, "rows by sqrt(y), Gauss-Legendre", 4});
+  cut.add(Breakdown{
+      R"(Sixteen Gauss points, exact for the columns, give four decimals by rows: the width of a row, )"
+      R"($2\sqrt y$, has no derivative at the vertex. Over $u=\sqrt y$ the integrand is a polynomial )"
+      R"(again, and four points are exact.)",
+      "rows, Gauss-Legendre", 16, Outcome::inaccurate, "rows by sqrt(y), Gauss-Legendre", 4});
   return {claims(p["seed"]), {whole, cut}};
 }
 

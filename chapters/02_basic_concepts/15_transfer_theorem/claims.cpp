@@ -26,7 +26,7 @@ struct Sample {
     for (Particle& p : system) all.insert(all.end(), {&p.m, &p.r[0], &p.r[1], &p.r[2]});
     return all;
   }
-  std::string where() const { return std::to_string(system.size()) + " particles, A = " + shown(A); }
+  std::string where() const { return std::to_string(system.size()) + " particles, $A$ = " + shown(A); }
 };
 using Sum = Formula<Sample>;
 
@@ -72,7 +72,7 @@ Vector first_moments(S system) {
 
 /// Components about the origin.
 Sum definition(const std::vector<std::size_t>& which) {
-  return {"sum of m r x (w x r)", [=](const Sample& s) {
+  return {R"($\sum m_i\,\mathbf r_i\times(\mathbf w\times\mathbf r_i)$)", [=](const Sample& s) {
             std::vector<double> all(which.size());
             for (std::size_t k = 0; k < which.size(); ++k)
               for (const Particle& p : s.system) all[k] += p.m * inertia_by_definition(which[k], p.r);
@@ -121,19 +121,20 @@ void moments_of_inertia(Claims& claims, const Samples& samples) {
   const auto transfer = [](double sign) {
     return [=](S s, V A) { return sum(s, yz_squared) + sign * mass_of(s) * (A[1] * A[1] + A[2] * A[2]); };
   };
-  const auto ixx = lines(claims, "Ixx", definition({0}));
-  ixx("ixx", 747, samples.any_point, direct("Ixx = sum of m (y^2 + z^2)", yz_squared),
-      direct("sum of m x y", xy_of));
-  ixx("ixx_shifted", 751, samples.any_point, seen("= sum of m ((y' + cy)^2 + (z' + cz)^2)", shifted(1)),
-      seen("sum of m ((y' - cy)^2 + (z' - cz)^2)", shifted(-1)));
+  const auto ixx = lines(claims, "$I_{xx}$", definition({0}));
+  ixx("ixx", 747, samples.any_point, direct(R"($I_{xx}=\sum m_i(y_i^2+z_i^2)$)", yz_squared),
+      direct(R"($\sum m_ix_iy_i$)", xy_of));
+  ixx("ixx_shifted", 751, samples.any_point,
+      seen(R"($=\sum m_i\bigl((y_i'+c_y)^2+(z_i'+c_z)^2\bigr)$)", shifted(1)),
+      seen(R"($\sum m_i\bigl((y_i'-c_y)^2+(z_i'-c_z)^2\bigr)$)", shifted(-1)));
   ixx("ixx_split", 753, samples.any_point,
-      seen("= sum of m (y'^2 + z'^2) + sum of m (2 y' cy + cy^2 + 2 z' cz + cz^2)", split(2)),
+      seen(R"($=\sum m_i(y_i'^2+z_i'^2)+\sum m_i(2y_i'c_y+c_y^2+2z_i'c_z+c_z^2)$)", split(2)),
       seen("without the factors 2", split(1)));
   ixx("ixx_collected", 759, samples.any_point,
-      seen("= Ixx' + 2 cy sum of m y' + 2 cz sum of m z' + (cy^2 + cz^2) sum of m", collected(1)),
-      seen("- 2 cy sum of m y'", collected(-1)));
-  ixx("ixx_transfer", 769, samples.center, seen("= Ixx' + m (cy^2 + cz^2)", transfer(1)),
-      seen("Ixx' - m (cy^2 + cz^2)", transfer(-1)));
+      seen(R"($=I_{xx}'+2c_y\sum m_iy_i'+2c_z\sum m_iz_i'+(c_y^2+c_z^2)\sum m_i$)", collected(1)),
+      seen(R"($-2c_y\sum m_iy_i'$)", collected(-1)));
+  ixx("ixx_transfer", 769, samples.center, seen("$=I_{xx}'+m(c_y^2+c_z^2)$", transfer(1)),
+      seen("$I_{xx}'-m(c_y^2+c_z^2)$", transfer(-1)));
 }
 
 void products_of_inertia(Claims& claims, const Samples& samples) {
@@ -163,32 +164,32 @@ void products_of_inertia(Claims& claims, const Samples& samples) {
     return [=](S s, V A) { return sum(s, xy_of) + sign * mass_of(s) * A[0] * A[1]; };
   };
   const Sum truth = definition({3});
-  const auto ixy = lines(claims, "Ixy", truth);
+  const auto ixy = lines(claims, "$I_{xy}$", truth);
   ixy("ixy", 779, samples.any_point,
-      direct("Ixy = sum of m x y, the tensor's component with its sign changed", xy_of),
-      direct("Ixy = - sum of m x y", [](double x, double y, double) { return -x * y; }));
-  ixy("ixy_shifted", 781, samples.any_point, seen("= sum of m (x' + cx)(y' + cy)", shifted(1)),
-      seen("sum of m (x' - cx)(y' + cy)", shifted(-1)));
+      direct(R"($I_{xy}=\sum m_ix_iy_i$, the tensor's component with its sign changed)", xy_of),
+      direct(R"($I_{xy}=-\sum m_ix_iy_i$)", [](double x, double y, double) { return -x * y; }));
+  ixy("ixy_shifted", 781, samples.any_point, seen(R"($=\sum m_i(x_i'+c_x)(y_i'+c_y)$)", shifted(1)),
+      seen(R"($\sum m_i(x_i'-c_x)(y_i'+c_y)$)", shifted(-1)));
   const auto without_mass = [&](std::string_view slug, int number, const std::string& rest,
                                 const std::string& near, const auto& of) {
     claims.formula(
-        slug, number, "= sum of x' y'" + rest, samples.any_point,
-        {.quantity = "Ixy",
+        slug, number, R"($=\sum x_i'y_i')" + rest, samples.any_point,
+        {.quantity = "$I_{xy}$",
          .truth = truth,
-         .printed = seen("= sum of x' y'" + rest, of(true, 1)),
-         .meant = seen("sum of m x' y'" + rest, of(false, 1)),
-         .near_misses = {seen("with m, and " + near, of(false, -1))},
+         .printed = seen(R"($=\sum x_i'y_i')" + rest, of(true, 1)),
+         .meant = seen(R"($\sum m_ix_i'y_i')" + rest, of(false, 1)),
+         .near_misses = {seen("with $m_i$, and " + near, of(false, -1))},
          .kind = Fault::formula,
          .why = "The mass $m_i$ is left out of the first sum, $\\sum m_i\\,x'_iy'_i$, of lines 783 and 787; "
                 "the lines around the two, 781 and 795, have it. As it stands the sum has another unit, and "
                 "is right only when every mass is 1: for two masses of 2 kg at $\\pm(1,1)$ m it is 2, where "
                 "$I_{xy}$ is 4 kg m$^2$."});
   };
-  without_mass("ixy_split", 783, " + sum of m (cx y' + cy x' + cx cy)", "- cy x'", split);
-  without_mass("ixy_collected", 787, " + cx sum of m y' + cy sum of m x' + cx cy sum of m",
-               "- cy sum of m x'", collected);
-  ixy("ixy_transfer", 795, samples.center, seen("= Ixy' + m cx cy", transfer(1)),
-      seen("Ixy' - m cx cy", transfer(-1)));
+  without_mass("ixy_split", 783, R"(+\sum m_i(c_xy_i'+c_yx_i'+c_xc_y)$)", "$-c_yx_i'$", split);
+  without_mass("ixy_collected", 787, R"(+c_x\sum m_iy_i'+c_y\sum m_ix_i'+c_xc_y\sum m_i$)",
+               R"($-c_y\sum m_ix_i'$)", collected);
+  ixy("ixy_transfer", 795, samples.center, seen("$=I_{xy}'+mc_xc_y$", transfer(1)),
+      seen("$I_{xy}'-mc_xc_y$", transfer(-1)));
 }
 
 void statements(Claims& claims, const Samples& samples) {
@@ -200,9 +201,9 @@ void statements(Claims& claims, const Samples& samples) {
   };
   const Sum from_center =
       seen("from the center, whatever the origin", [](S s, V) { return s[0].m * s[0].r; });
-  lines(claims, "m (x', y', z') of a particle", from_center)(
-      "relative_position", 743, samples.center, seen("(x', y', z') = (x, y, z) - (cx, cy, cz)", positions(1)),
-      seen("(x, y, z) + (cx, cy, cz)", positions(-1)));
+  lines(claims, "$m(x',y',z')$ of a particle", from_center)(
+      "relative_position", 743, samples.center, seen("$(x',y',z')=(x,y,z)-(c_x,c_y,c_z)$", positions(1)),
+      seen("$(x,y,z)+(c_x,c_y,c_z)$", positions(-1)));
 
   const auto vanish = [&](std::string_view slug, int number, const std::string& says,
                           const std::string& quantity, std::size_t count, const Of& of) {
@@ -216,7 +217,7 @@ void statements(Claims& claims, const Samples& samples) {
   vanish("first_moments", 771, "the first moments about the center of mass are zero", "first moments", 3,
          [](S s, V) { return first_moments(s); });
   vanish("middle_terms", 797, "the middle terms are zero because of these moments",
-         "middle terms of Ixx and Ixy", 4, [](S s, V A) {
+         "middle terms of $I_{xx}$ and $I_{xy}$", 4, [](S s, V A) {
            const Vector moment = first_moments(s);
            return Value{2 * A[1] * moment[1], 2 * A[2] * moment[2], A[0] * moment[1], A[1] * moment[0]};
          });
@@ -228,9 +229,9 @@ void statements(Claims& claims, const Samples& samples) {
       return Value{both(1), both(2), both(4), both(5)};
     };
   };
-  lines(claims, "Iyy, Izz, Ixz, Iyz", definition({1, 2, 4, 5}))(
+  lines(claims, "$I_{yy}$, $I_{zz}$, $I_{xz}$, $I_{yz}$", definition({1, 2, 4, 5}))(
       "others", 799, samples.center, seen("the other components transfer in the same manner", transfer(1)),
-      seen("the products with - m cx cz", transfer(-1)));
+      seen("the products with $-mc_xc_z$", transfer(-1)));
 }
 
 }  // namespace

@@ -12,12 +12,12 @@ namespace ex02_15 {
 using namespace transfer_theorem;
 
 constexpr Parameter parameters[] = {
-    {"a", 1, "m", "leg of the tetrahedron along x", 0.125, 8},
-    {"b", 1.5, "m", "leg along y", 0.125, 8},
-    {"c", 0.75, "m", "leg along z", 0.125, 8},
-    {"x", 2, "m", "x of the corner where the legs meet", -10, 10},
-    {"y", -1, "m", "y of that corner", -10, 10},
-    {"z", 0.5, "m", "z of that corner", -10, 10},
+    {"a", 1, "m", "leg of the tetrahedron along $x$", 0.125, 8},
+    {"b", 1.5, "m", "leg along $y$", 0.125, 8},
+    {"c", 0.75, "m", "leg along $z$", 0.125, 8},
+    {"x", 2, "m", "$x$ of the corner where the legs meet", -10, 10},
+    {"y", -1, "m", "$y$ of that corner", -10, 10},
+    {"z", 0.5, "m", "$z$ of that corner", -10, 10},
     {"rho", 1, "kg/m^3", "density", 1e-3, 1e3},
     {"far", 0x1p20, "m", "distance of the corner in the far system", 0, 1e7},
     {"seed", 15, "", "of the random systems", 0, 1e9, whole_number},
@@ -34,7 +34,7 @@ Exercise exercise_2_15() {
   return {"Transfer theorem",
           "Express the inertia components of particles about the origin, $I_{xx}=\\sum m_i(y_i^2+z_i^2)$, "
           "$I_{xy}=\\sum m_ix_iy_i$, ..., through those about their center of mass $c$. Below "
-          "a prime marks what is taken relative to $c$.",
+          "$m$ is the mass of all, and a prime marks what is taken relative to $c$.",
           parameters,
           {},
           study};

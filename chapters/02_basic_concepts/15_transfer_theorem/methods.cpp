@@ -112,7 +112,7 @@ Quantity about_origin(const Parameters& p, const Reference& truth) {
   add("QAGS", tolerances(4, 12, 4), qags_rule);
   add("Gauss-Legendre", doubling("points", 1, 4), gauss_rule);
   q.add({solid, "Simpson", doubling("panels", 2, 5), [=](double n) { return t.integrated(simpson_rule(n)); },
-         Outcome::inaccurate, "its error shrinks as h^4: too slow for twelve digits at 32 panels"});
+         Outcome::inaccurate, "its error shrinks as $h^4$: too slow for twelve digits at 32 panels"});
   add_box_methods<3>(q, {512, 4096, 32768}, p["seed"], [t](const Vector& u) {
     const double box = t.legs[0] * t.legs[1] * t.legs[2];
     if (u[0] + u[1] + u[2] > 1) return Six{};
@@ -128,11 +128,11 @@ Quantity about_center(const Parameters& p, const Reference& truth) {
   centered.corner = -0.25 * t.legs;
   t.corner = {far, 2 * far, -far};
   const Known known = tetrahedron_truth(centered, truth);
-  Quantity q = quantity("about_center", "kg m^2",
-                        "six components about the center of mass, far from the origin", known,
-                        {1e-8 * t.mass() * (1 + dot(t.legs, t.legs)),
-                         "eight digits: at 1e7 m the positions themselves are rounded to 2e-9 m"});
-  const std::string back = "about the origin, transferred back", cancels = "the digits cancel in I - m c^2";
+  Quantity q = quantity(
+      "about_center", "kg m^2", "six components about the center of mass, far from the origin", known,
+      {1e-8 * t.mass() * (1 + dot(t.legs, t.legs)),
+       R"(eight digits: at $10^7$ m the positions themselves are rounded to $2\cdot10^{-9}$ m)"});
+  const std::string back = "about the origin, transferred back", cancels = "the digits cancel in $I-mc^2$";
   q.add({back, "five particles", no_knob(),
          [t](double) {
            const System all = t.particles();
@@ -172,8 +172,8 @@ Quantity about_center(const Parameters& p, const Reference& truth) {
            return Answer{running(all), static_cast<long>(all.size())};
          }});
   q.add(Breakdown{
-      "Both terms of I - m c^2 are of size m far^2, about 1e12, and leave 1e-2: five digits or none. "
-      "Positions relative to the center of mass, which is computed first, lose none.",
+      R"(Both terms of $I-mc^2$ are of size $m\,\mathrm{far}^2$, about $10^{12}$, and leave $10^{-2}$: )"
+      R"(five digits or none. Positions relative to the center of mass, which is computed first, lose none.)",
       back + ", five particles", 0, Outcome::inaccurate, "center first, five particles", 0});
   q.add(
       Breakdown{"Adding more carefully does not help, since every square is rounded already; shifting the "

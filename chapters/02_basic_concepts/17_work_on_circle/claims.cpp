@@ -20,7 +20,7 @@ struct Sample : Motion {
   std::array<double*, 3> letters() { return {&r, &w, &T}; }
   double size() const { return abs(r) * (10 + abs(x())); }  // of the work of a turn
   std::string where() const {
-    return "r = " + shortest(r) + ", omega = " + shortest(w) + ", T = " + shortest(T);
+    return "$r$ = " + shortest(r) + R"(, $\omega$ = )" + shortest(w) + ", $T$ = " + shortest(T);
   }
 };
 using Form = Formula<Sample>;
@@ -77,19 +77,21 @@ OfMotion slope(Force force) {
 /// x + y on the path.
 double height(M m, double t) { return m.position(t)[0] + m.position(t)[1]; }
 
-const Form velocity{"(r cos wt, r sin wt, 0)' by dual numbers", [](M m) { return Value(m.velocity(m.T)); }};
-const Form gain{"gain of x + y along the path", [](M m) { return height(m, m.T) - height(m, 0); }, of_work};
+const Form velocity{R"($\frac{d}{dt}(r\cos\omega t,\,r\sin\omega t,\,0)$ by dual numbers)",
+                    [](M m) { return Value(m.velocity(m.T)); }};
+const Form gain{"gain of $x+y$ along the path", [](M m) { return height(m, m.T) - height(m, 0); }, of_work};
 const Form gain_t{
-    "T times the end's x + y, less its integral over time",
+    "$T$ times the end's $x+y$, less its integral over time",
     [](M m) { return m.T * height(m, m.T) - integral([&](double t) { return height(m, t); }, 0, m.T); },
     of_growing_work};
-const Form power_1{"(1, 1, 1) . v by dual numbers", [](M m) { return power(Force::constant, m, m.T); }};
-const Form power_t{"(t, t, 1) . v by dual numbers", [](M m) { return power(Force::growing, m, m.T); }};
-const Form work_1{"quadrature of F . v", [](M m) { return work_of(Force::constant, m); }, of_work};
-const Form work_t{"quadrature of F . v", [](M m) { return work_of(Force::growing, m); }, of_growing_work};
-const Form slope_1{"dW/dT of the quadrature", slope(Force::constant)};
-const Form slope_t{"dW/dT of the quadrature", slope(Force::growing)};
-const Form force_t{"length of (T, T, 1)", [](M m) { return std::hypot(m.T, m.T, 1); }};
+const Form power_1{R"($(1,1,1)\cdot v$ by dual numbers)", [](M m) { return power(Force::constant, m, m.T); }};
+const Form power_t{R"($(t,t,1)\cdot v$ by dual numbers)", [](M m) { return power(Force::growing, m, m.T); }};
+const Form work_1{R"(quadrature of $F\cdot v$)", [](M m) { return work_of(Force::constant, m); }, of_work};
+const Form work_t{R"(quadrature of $F\cdot v$)", [](M m) { return work_of(Force::growing, m); },
+                  of_growing_work};
+const Form slope_1{"$dW/dT$ of the quadrature", slope(Force::constant)};
+const Form slope_t{"$dW/dT$ of the quadrature", slope(Force::growing)};
+const Form force_t{"length of $(T,T,1)$", [](M m) { return std::hypot(m.T, m.T, 1); }};
 const Form zero{"zero", [](M) { return 0.0; }};
 
 // ---- formulas ---------------------------------------------------------------------------------------------
@@ -137,48 +139,68 @@ void formulas(Claims& claims, const Samples& samples) {
     claims.formula(slug, number, printed.text, samples.any,
                    {.quantity = "the formula", .truth = truth, .printed = printed, .near_misses = near});
   };
-  line("velocity", 805, {"v = (-r w sin, r w cos, 0)", circling(1, -1)}, velocity,
-       {{"(r w sin, r w cos, 0)", circling(1, 1)}, {"(-r sin, r cos, 0)", circling(0, -1)}});
+  line("velocity", 805, {R"($v=(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)$)", circling(1, -1)},
+       velocity,
+       {{R"($(r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)$)", circling(1, 1)},
+        {R"($(-r\sin\omega t,\,r\cos\omega t,\,0)$)", circling(0, -1)}});
   line("work_integral", 809,
-       {"W = int (1, 1, 1) . (-r w sin, r w cos, 0) dt", of_printed(1, Force::constant)}, gain,
-       {{"- int", of_printed(-1, Force::constant)}});
-  line("power", 813, {"(1, 1, 1) . v = r w (cos - sin)", wave(1, 0, 1, -1)}, power_1,
-       {{"r w (cos + sin)", wave(1, 0, 1, 1)}, {"r (cos - sin)", wave(0, 0, 1, -1)}});
-  line("antiderivative", 815, {"r (cos + sin) has the derivative F . v", primitive(1)}, power_1,
-       {{"r (cos - sin)", primitive(-1)}});
-  line("work", 815, {"W(T) = r (cos + sin - 1)", wave(0, 0, 1, 1, -1)}, work_1,
-       {{"r (cos + sin)", wave(0, 0, 1, 1)}, {"r w (cos + sin - 1)", wave(1, 0, 1, 1, -1)}});
+       {R"($W=\int(1,1,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)",
+        of_printed(1, Force::constant)},
+       gain, {{R"($-\int$)", of_printed(-1, Force::constant)}});
+  line("power", 813, {R"($(1,1,1)\cdot v=r\omega(\cos\omega t-\sin\omega t)$)", wave(1, 0, 1, -1)}, power_1,
+       {{R"($r\omega(\cos\omega t+\sin\omega t)$)", wave(1, 0, 1, 1)},
+        {R"($r(\cos\omega t-\sin\omega t)$)", wave(0, 0, 1, -1)}});
+  line("antiderivative", 815,
+       {R"($r(\cos\omega t+\sin\omega t)$ has the derivative $F\cdot v$)", primitive(1)}, power_1,
+       {{R"($r(\cos\omega t-\sin\omega t)$)", primitive(-1)}});
+  line("work", 815, {R"($W(T)=r(\cos\omega T+\sin\omega T-1)$)", wave(0, 0, 1, 1, -1)}, work_1,
+       {{R"($r(\cos\omega T+\sin\omega T)$)", wave(0, 0, 1, 1)},
+        {R"($r\omega(\cos\omega T+\sin\omega T-1)$)", wave(1, 0, 1, 1, -1)}});
   line("growing_integral", 829,
-       {"W = int (t, t, 1) . (-r w sin, r w cos, 0) dt", of_printed(1, Force::growing)}, gain_t,
-       {{"- int", of_printed(-1, Force::growing)}, {"int (1, 1, 1) . v dt", of_printed(1, Force::constant)}});
-  line("growing_power", 835, {"(t, t, 1) . v = r w t (cos - sin)", wave(1, 1, 1, -1)}, power_t,
-       {{"r w (cos - sin)", wave(1, 0, 1, -1)}, {"r w t (cos + sin)", wave(1, 1, 1, 1)}});
-  line("by_parts", 839, {"W = T r (cos + sin) - int r (cos + sin) dt, by parts", by_parts(-1)}, work_t,
-       {{"+ int", by_parts(1)}});
-  line("growing_derivative", 841, {"W'(T) = r w T (cos - sin) for (t, t, 1)", wave(1, 1, 1, -1)}, slope_t,
-       {{"r T (cos - sin)", wave(0, 1, 1, -1)}});
-  line("magnitude", 849, {"|(t, t, 1)| = sqrt(2 t^2 + 1)", [](M m) { return sqrt(2 * m.T * m.T + 1); }},
-       force_t, {{"sqrt(t^2 + 1)", [](M m) { return sqrt(m.T * m.T + 1); }}});
+       {R"($W=\int(t,t,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)",
+        of_printed(1, Force::growing)},
+       gain_t,
+       {{R"($-\int$)", of_printed(-1, Force::growing)},
+        {R"($\int(1,1,1)\cdot v\,dt$)", of_printed(1, Force::constant)}});
+  line("growing_power", 835, {R"($(t,t,1)\cdot v=r\omega t(\cos\omega t-\sin\omega t)$)", wave(1, 1, 1, -1)},
+       power_t,
+       {{R"($r\omega(\cos\omega t-\sin\omega t)$)", wave(1, 0, 1, -1)},
+        {R"($r\omega t(\cos\omega t+\sin\omega t)$)", wave(1, 1, 1, 1)}});
+  line("by_parts", 839,
+       {R"($W=Tr(\cos\omega T+\sin\omega T)-\int r(\cos\omega t+\sin\omega t)\,dt$, by parts)", by_parts(-1)},
+       work_t, {{R"($+\int$)", by_parts(1)}});
+  line("growing_derivative", 841,
+       {R"($W'(T)=r\omega T(\cos\omega T-\sin\omega T)$ for $(t,t,1)$)", wave(1, 1, 1, -1)}, slope_t,
+       {{R"($rT(\cos\omega T-\sin\omega T)$)", wave(0, 1, 1, -1)}});
+  line("magnitude", 849, {R"($|(t,t,1)|=\sqrt{2t^2+1}$)", [](M m) { return sqrt(2 * m.T * m.T + 1); }},
+       force_t, {{R"($\sqrt{t^2+1}$)", [](M m) { return sqrt(m.T * m.T + 1); }}});
 }
 
 void misprints(Claims& claims, const Samples& samples) {
-  claims.formula("derivative", 821, "W'(T) for (1, 1, 1)", samples.any,
+  claims.formula("derivative", 821, "$W'(T)$ for $(1,1,1)$", samples.any,
                  {.truth = slope_1,
-                  .printed = {"r w (-sin wT + cos wt), t = T + 1",
+                  .printed = {R"($r\omega(-\sin\omega T+\cos\omega t)$, $t=T+1$)",
                               [](M m) { return m.r * m.w * (-s(m) + cos(m.w * (m.T + 1))); }},
-                  .meant = {"r w (-sin wT + cos wT)", wave(1, 0, 1, -1)},
-                  .near_misses = {{"r w (sin wT + cos wT)", wave(1, 0, 1, 1)}},
+                  .meant = {R"($r\omega(-\sin\omega T+\cos\omega T)$)", wave(1, 0, 1, -1)},
+                  .near_misses = {{R"($r\omega(\sin\omega T+\cos\omega T)$)", wave(1, 0, 1, 1)}},
                   .kind = Fault::formula,
                   .why = "The cosine keeps the variable of integration $t$, which has no value once the "
                          "integral is done; both times are $T$, as the next line takes them. (The check puts "
                          "$t=T+1$.)"});
   claims.formula(
-      "growing_work", 837, "W(T) for (t, t, 1)", samples.any,
+      "growing_work", 837, "$W(T)$ for $(t,t,1)$", samples.any,
       {.truth = work_t,
-       .printed = {"r w ((-1 + cos - sin) + T w (cos + sin))", growing(1, true)},
-       .meant = {"r/w ((-1 + cos - sin) + T w (cos + sin))", growing(-1, true)},
-       .near_misses = {{"r w (-1 + cos - sin) + T w (cos + sin)", growing(1, false)},
-                       {"r (-1 + cos - sin + T w (cos + sin))", growing(0, true)}},
+       .printed =
+           {R"($r\omega\bigl((-1+\cos\omega T-\sin\omega T)+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
+            growing(1, true)},
+       .meant = {R"($\frac r\omega\bigl((-1+\cos\omega T-\sin\omega T))"
+                 R"(+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
+                 growing(-1, true)},
+       .near_misses =
+           {{R"($r\omega(-1+\cos\omega T-\sin\omega T)+\omega T(\cos\omega T+\sin\omega T)$)",
+             growing(1, false)},
+            {R"($r\bigl((-1+\cos\omega T-\sin\omega T)+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
+             growing(0, true)}},
        .kind = Fault::lost_typography,
        .why = "A fraction bar and a parenthesis are lost: the factor is $r/\\omega$, not $r\\omega$, and "
               "stands before the whole. The two differ by $\\omega^2$ and agree at $\\omega=1$ alone."});
@@ -186,11 +208,11 @@ void misprints(Claims& claims, const Samples& samples) {
     return Form{text, [T](M m) { return work_of(Force::constant, m.at(T(m.w))); }};
   };
   claims.formula("full_turn", 817, "after one turn the work is zero", samples.forward,
-                 {.quantity = "work of (1, 1, 1)",
+                 {.quantity = "work of $(1,1,1)$",
                   .truth = zero,
-                  .printed = until("W(2 pi omega) = 0", [](double w) { return 2 * pi * w; }),
-                  .meant = until("W(2 pi / omega) = 0", [](double w) { return 2 * pi / w; }),
-                  .near_misses = {until("W(pi / omega) = 0", [](double w) { return pi / w; })},
+                  .printed = until(R"($W(2\pi\omega)=0$)", [](double w) { return 2 * pi * w; }),
+                  .meant = until(R"($W(2\pi/\omega)=0$)", [](double w) { return 2 * pi / w; }),
+                  .near_misses = {until(R"($W(\pi/\omega)=0$)", [](double w) { return pi / w; })},
                   .kind = Fault::lost_typography,
                   .why = "The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the "
                          "particle has turned by $2\\pi\\omega^2$ and the work is zero by chance only, as "
@@ -223,10 +245,9 @@ void conservation(Claims& claims, const Samples& samples) {
                    {compare("work" + of + " between the same ends", along("along a detour" + in, 1, field),
                             along("along the circle", 0, field), samples.any)}};
   };
-  claims.add(
-      "conservative", 817, "the field (1, 1, 1) is conservative",
-      {.printed = both_ways("", "", one),
-       .near_misses = {both_ways(" of (1 - y, 1 + x, 1)", ", in the field (1 - y, 1 + x, 1)", swirl)}});
+  claims.add("conservative", 817, "the field $(1,1,1)$ is conservative",
+             {.printed = both_ways("", "", one),
+              .near_misses = {both_ways(" of $(1-y,1+x,1)$", ", in the field $(1-y,1+x,1)$", swirl)}});
   const auto turn = [](const std::string& text, Force force) {
     return Form{text, [force](M m) { return work_of(force, m.at(m.T + 2 * pi / m.w), m.T); }};
   };
@@ -234,8 +255,8 @@ void conservation(Claims& claims, const Samples& samples) {
                  samples.forward,
                  {.quantity = "work of a turn from a random start",
                   .truth = zero,
-                  .printed = turn("(1, 1, 1)", Force::constant),
-                  .near_misses = {turn("(t, t, 1)", Force::growing)}});
+                  .printed = turn("$(1,1,1)$", Force::constant),
+                  .near_misses = {turn("$(t,t,1)$", Force::growing)}});
 }
 
 // ---- maxima and minima ------------------------------------------------------------------------------------
@@ -280,11 +301,12 @@ std::vector<double> three(const std::vector<double>& all) {
 
 void zeros_of_the_power(Claims& claims, const Samples& samples) {
   const double first = pi / 4;
-  const std::string at = "pi/4 + k pi";
+  const std::string at = R"($\pi/4+k\pi$)";
   const auto roots = [&](Force force, const Form& form) {
-    return Reading{form.text, {compare("all zeros of W', as wT", form, zeros_of(force), samples.forward)}};
+    return Reading{form.text,
+                   {compare(R"(all zeros of $W'$, as $\omega T$)", form, zeros_of(force), samples.forward)}};
   };
-  const Form tangents{"tan wT at the zeros",
+  const Form tangents{R"($\tan\omega T$ at the zeros)",
                       [](M m) {
                         std::vector<double> all = zeros(Force::constant, m);
                         for (double& x : all) x = std::tan(x);
@@ -292,20 +314,21 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
                       },
                       [](const Sample&) { return 2 * 12.5; }};
   Reading printed = roots(Force::constant, list(at, spaced(first, pi)));
-  printed.checks.push_back(
-      compare("tan wT at the zeros", list("1", std::vector<double>(8, 1)), tangents, samples.forward));
-  claims.add("zeros", 823, "W' = 0 where tan wT = 1: at wT = pi/4 + k pi, k any integer",
+  printed.checks.push_back(compare(R"($\tan\omega T$ at the zeros)", list("1", std::vector<double>(8, 1)),
+                                   tangents, samples.forward));
+  claims.add("zeros", 823, R"($W'=0$ where $\tan\omega T=1$: at $\omega T=\pi/4+k\pi$, $k$ any integer)",
              {.printed = printed,
-              .near_misses = {roots(Force::constant, list("pi/4 + 2 k pi", spaced(first, 2 * pi))),
-                              roots(Force::constant, list("3 pi/4 + k pi", spaced(3 * first, pi)))}});
+              .near_misses = {roots(Force::constant, list(R"($\pi/4+2k\pi$)", spaced(first, 2 * pi))),
+                              roots(Force::constant, list(R"($3\pi/4+k\pi$)", spaced(3 * first, pi)))}});
   const Form nearest{"Brent's method over a scan", [](M m) { return three(zeros(Force::growing, m)); }};
   claims.add(
-      "growing_zeros", 843, "for (t, t, 1), W' = 0 at wT = pi/4 + k pi",
+      "growing_zeros", 843, R"(for $(t,t,1)$, $W'=0$ at $\omega T=\pi/4+k\pi$)",
       {.printed = {at,
-                   {compare("the first three zeros of W' from wT = -3 on", list(at, three(spaced(first, pi))),
-                            nearest, samples.forward)}},
+                   {compare(R"(the first three zeros of $W'$ from $\omega T=-3$ on)",
+                            list(at, three(spaced(first, pi))), nearest, samples.forward)}},
        .corrected = roots(Force::growing, list(at + ", and 0", and_zero(spaced(first, pi)))),
-       .near_misses = {roots(Force::growing, list("3 pi/4 + k pi, and 0", and_zero(spaced(3 * first, pi))))},
+       .near_misses = {roots(Force::growing,
+                             list(R"($3\pi/4+k\pi$, and 0)", and_zero(spaced(3 * first, pi))))},
        .why = "$W'=r\\omega T(\\cos\\omega T-\\sin\\omega T)$ has the factor $T$: it is zero at $T=0$ as "
               "well, a minimum, $W\\approx r\\omega T^2/2$, and no $\\pi/4+k\\pi$. A search for the first "
               "maximum that starts at $T=0$ ends there, with $W=0$ for $0.1107$ ($r=\\omega=1$).",
@@ -322,14 +345,14 @@ void extrema(Claims& claims, const Samples& samples) {
     });
   };
   claims.statement<Sample>(
-      "maximum_where_stationary", 819, "the net work is a maximum when W' = 0", samples.cases,
-      {.printed = peaks("where W' = 0 there is a maximum", constant, 0, 1, 1, 1),
-       .corrected = all("where there is a maximum W' = 0",
+      "maximum_where_stationary", 819, "the net work is a maximum when $W'=0$", samples.cases,
+      {.printed = peaks("where $W'=0$ there is a maximum", constant, 0, 1, 1, 1),
+       .corrected = all("where there is a maximum $W'=0$",
                         [](M m, int k) {
                           const double T = m.T + 0.5 * k / m.w;
                           return abs(power(constant, m, T)) <= 0.1 * m.r * m.w || !is_peak(constant, m, T);
                         }),
-       .near_misses = {peaks("where W' = 0 there is a minimum", constant, 0, 1, -1, -1)},
+       .near_misses = {peaks("where $W'=0$ there is a minimum", constant, 0, 1, -1, -1)},
        .kind = Fault::counterexample,
        .root = "stationary for maximal",
        .why = "$W'=0$ is necessary and not sufficient: every other such time, $\\omega T=5\\pi/4, "
@@ -337,24 +360,27 @@ void extrema(Claims& claims, const Samples& samples) {
               "on."});
   claims.statement<Sample>(
       "halves", 823, "half of these times are minima, the other half maxima", samples.cases,
-      {.printed = peaks("even k: maximum, odd k: minimum", constant, -6, 1, 1, -1),
-       .near_misses = {peaks("odd k: maximum, even k: minimum", constant, -6, 1, -1, 1)}});
+      {.printed = peaks("even $k$: maximum, odd $k$: minimum", constant, -6, 1, 1, -1),
+       .near_misses = {peaks("odd $k$: maximum, even $k$: minimum", constant, -6, 1, -1, 1)}});
   const auto highest = [&](const std::string& text, const OfMotion& of) {
-    const Form first{"quadrature of F . v", [](M m) { return work_of(constant, m.at(stationary(m, 0))); }};
-    return Reading{text, {compare("W(pi/(4 w))", {text, of}, first, samples.forward)}};
+    const Form first{R"(quadrature of $F\cdot v$)",
+                     [](M m) { return work_of(constant, m.at(stationary(m, 0))); }};
+    return Reading{text, {compare(R"($W(\pi/(4\omega))$)", {text, of}, first, samples.forward)}};
   };
-  Reading first = highest("r (sqrt 2 - 1)", [](M m) { return m.r * (sqrt2 - 1); });
-  const auto nowhere_larger = all("W is nowhere larger", [](M m, int k) {
+  Reading first = highest(R"($r(\sqrt2-1)$)", [](M m) { return m.r * (sqrt2 - 1); });
+  const auto nowhere_larger = all("$W$ is nowhere larger", [](M m, int k) {
     return work_of(constant, m.at(m.T + k / m.w)) <= m.r * (sqrt2 - 1) + 1e-12 * m.r;
   });
   first.checks.push_back(in_cases(samples, {nowhere_larger}).checks[0]);
-  claims.add("first_maximum", 825, "at T = pi/(4 w) W has its maximum, r (sqrt 2 - 1)",
+  claims.add("first_maximum", 825, R"(at $T=\pi/(4\omega)$ $W$ has its maximum, $r(\sqrt2-1)$)",
              {.printed = first,
-              .near_misses = {highest("r sqrt 2", [](M m) { return m.r * sqrt2; }),
-                              highest("r/w (sqrt 2 - 1)", [](M m) { return m.r / m.w * (sqrt2 - 1); })}});
-  claims.statement<Sample>("local_maxima", 843, "those with even k are local maxima (k >= 0)", samples.cases,
-                           {.printed = peaks("even k: maximum", Force::growing, 0, 2, 1, 1),
-                            .near_misses = {peaks("odd k: maximum", Force::growing, 1, 2, 1, 1)}});
+              .near_misses = {
+                  highest(R"($r\sqrt2$)", [](M m) { return m.r * sqrt2; }),
+                  highest(R"($\frac r\omega(\sqrt2-1)$)", [](M m) { return m.r / m.w * (sqrt2 - 1); })}});
+  claims.statement<Sample>("local_maxima", 843, R"(those with even $k$ are local maxima ($k\ge0$))",
+                           samples.cases,
+                           {.printed = peaks("even $k$: maximum", Force::growing, 0, 2, 1, 1),
+                            .near_misses = {peaks("odd $k$: maximum", Force::growing, 1, 2, 1, 1)}});
 }
 
 /// When a value of x is reached: at the time x as printed, or where w T is x.
@@ -375,22 +401,23 @@ void values_at_maxima(Claims& claims, const Samples& samples) {
   const auto of = [&](const std::string& at, When when, const std::string& text, const auto& f) {
     const auto W = [=](M m, double x) { return work_of(Force::growing, m.at(when(m, x))); };
     return Reading{text,
-                   {compare("W at x = pi/4 + 2 n pi", at_maxima(text, f),
-                            at_maxima("W at " + at + " = x by quadrature", W), samples.forward)}};
+                   {compare(R"($W$ at $x=\pi/4+2n\pi$)", at_maxima(text, f),
+                            at_maxima("$W$ at $" + at + "=x$ by quadrature", W), samples.forward)}};
   };
   const auto less = [](double d) { return [=](M m, double x) { return m.r / m.w * (x * sqrt2 - d); }; };
-  claims.add("maxima_value", 845, "the work of (t, t, 1) at its local maxima",
-             {.printed = of("T", as_time, "W(x) = r w x sqrt 2",
-                            [](M m, double x) { return m.r * m.w * x * sqrt2; }),
-              .meant = of("w T", as_angle, "W(x/w) = r/w x sqrt 2", less(0)),
-              .corrected = of("w T", as_angle, "W(x/w) = r/w (x sqrt 2 - 1)", less(1)),
-              .near_misses = {of("w T", as_angle, "W(x/w) = r/w (x sqrt 2 + 1)", less(-1))},
-              .why = "The $-1$ of the closed form is dropped: with $x=\\pi/4+2n\\pi$ the work is $\\frac "
-                     "r\\omega(\\sqrt2\\,x-1)$ at $T=x/\\omega$. For $r=\\omega=1$ the first maximum is "
-                     "$0.1107$, not $1.1107$. Besides, the argument should be a time, $x/\\omega$, and the "
-                     "factor is $r/\\omega$.",
-              .kind = Fault::formula,
-              .root = "a term dropped at the maxima"});
+  claims.add(
+      "maxima_value", 845, "the work of $(t,t,1)$ at its local maxima",
+      {.printed =
+           of("T", as_time, R"($W(x)=r\omega x\sqrt2$)", [](M m, double x) { return m.r * m.w * x * sqrt2; }),
+       .meant = of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega x\sqrt2$)", less(0)),
+       .corrected = of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega(x\sqrt2-1)$)", less(1)),
+       .near_misses = {of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega(x\sqrt2+1)$)", less(-1))},
+       .why = "The $-1$ of the closed form is dropped: with $x=\\pi/4+2n\\pi$ the work is $\\frac "
+              "r\\omega(\\sqrt2\\,x-1)$ at $T=x/\\omega$. For $r=\\omega=1$ the first maximum is "
+              "$0.1107$, not $1.1107$. Besides, the argument should be a time, $x/\\omega$, and the "
+              "factor is $r/\\omega$.",
+       .kind = Fault::formula,
+       .root = "a term dropped at the maxima"});
 }
 
 void growth(Claims& claims, const Samples& samples) {
@@ -402,10 +429,10 @@ void growth(Claims& claims, const Samples& samples) {
   };
   const double maxima = pi / 4, minima = 5 * pi / 4;
   claims.statement<Sample>(
-      "maxima_grow", 849, "as n grows, so does the net work at the maxima", samples.cases,
-      {.printed = steps("W(pi/4 + 2 n pi) grows", 1, as_time, maxima),
-       .meant = steps("W at w T = pi/4 + 2 n pi grows", 1, as_angle, maxima),
-       .near_misses = {steps("W at w T = 5 pi/4 + 2 n pi grows", 1, as_angle, minima)},
+      "maxima_grow", 849, "as $n$ grows, so does the net work at the maxima", samples.cases,
+      {.printed = steps(R"($W(\pi/4+2n\pi)$ grows)", 1, as_time, maxima),
+       .meant = steps(R"($W$ at $\omega T=\pi/4+2n\pi$ grows)", 1, as_angle, maxima),
+       .near_misses = {steps(R"($W$ at $\omega T=5\pi/4+2n\pi$ grows)", 1, as_angle, minima)},
        .kind = Fault::lost_typography,
        .why = "The maxima are at $\\omega T=\\pi/4+2n\\pi$, where $W$ grows by $2\\sqrt2\\,\\pi r/\\omega$ "
               "each time. At $T=\\pi/4+2n\\pi$, as printed, and $\\omega\\ne1$ it goes up and down."});
@@ -417,9 +444,9 @@ void growth(Claims& claims, const Samples& samples) {
   };
   claims.statement<Sample>("magnitude_grows", 851, "the force's magnitude always grows with time",
                            samples.cases,
-                           {.printed = lengths("|F(t + h)| > |F(t)| for t > 0", 1),
-                            .near_misses = {lengths("|F(t + h)| < |F(t)| for t > 0", -1)}});
-  const auto always = all("W grows all the time", [](M m, int k) {
+                           {.printed = lengths("$|F(t+h)|>|F(t)|$ for $t>0$", 1),
+                            .near_misses = {lengths("$|F(t+h)|<|F(t)|$ for $t>0$", -1)}});
+  const auto always = all("$W$ grows all the time", [](M m, int k) {
     const double start = m.T + 0.5 * k / m.w;
     return work_of(Force::growing, m.at(start + 0.1 / m.w), start) > 0;
   });

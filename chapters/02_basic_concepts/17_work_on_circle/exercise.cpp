@@ -34,7 +34,7 @@ Exercise exercise_2_17() {
   return {
       "Work around a circle",
       "A particle is at $(r\\cos\\omega t, r\\sin\\omega t, 0)$. What work do $F=(1,1,1)$ and $F=(t,t,1)$ do "
-      "until the time $T$, and when is it extremal?",
+      "until the time $T$, and when is it extremal? Below $v$ is the velocity, and $W$ the work.",
       parameters,
       {},
       study};

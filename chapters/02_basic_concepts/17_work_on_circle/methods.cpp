@@ -62,7 +62,7 @@ Quantity work_quantity(std::string name, std::string says, const Motion& m, cons
   q.add({"closed form", "factor r / omega", no_knob(), closed(m.r / m.w)});
   if (m.w != 1)
     q.add({"closed form", "factor r omega, as printed", no_knob(), closed(m.r * m.w), Outcome::inaccurate,
-           "it is r / omega; the two agree at omega = 1"});
+           R"(it is $r/\omega$; the two agree at $\omega=1$)"});
   add("QAGS", tolerances(), qags_rule, strict.qags, strict.why);
   add("CQUAD", tolerances(), cquad_rule, strict.cquad, strict.why);
   add("Gauss-Legendre", doubling("points", 4, 7), gauss_rule);
@@ -96,16 +96,16 @@ Solved<double> golden_section(const F& of, double a, double b, double tolerance)
 }  // namespace
 
 Quantity work(const Motion& m, const Reference& truth) {
-  return work_quantity("work", "works of (1, 1, 1) and of (t, t, 1) until T", m, truth);
+  return work_quantity("work", "works of $(1,1,1)$ and of $(t,t,1)$ until $T$", m, truth);
 }
 
 Quantity late_work(const Reference& truth) {
   Quantity late = work_quantity(
-      "late_work", "both works after 32 turns: r = 1.5 m, omega = 2.5 rad/s, T = 80 s", {1.5, 2.5, 80}, truth,
-      {Outcome::raised, Outcome::stalled, "1e-12 is less than the rounding of 32 turns leaves"});
-  late.add(Breakdown{"The printed factor r omega is right at omega = 1 alone; here it is wrong by omega^2.",
-                     "closed form, factor r omega, as printed", 0, Outcome::inaccurate,
-                     "closed form, factor r / omega", 0});
+      "late_work", R"(both works after 32 turns: $r=1.5$ m, $\omega=2.5$ rad/s, $T=80$ s)", {1.5, 2.5, 80},
+      truth, {Outcome::raised, Outcome::stalled, "$10^{-12}$ is less than the rounding of 32 turns leaves"});
+  late.add(Breakdown{
+      R"(The printed factor $r\omega$ is right at $\omega=1$ alone; here it is wrong by $\omega^2$.)",
+      "closed form, factor r omega, as printed", 0, Outcome::inaccurate, "closed form, factor r / omega", 0});
   late.add(Breakdown{"64 points are two a turn over 32 turns, too few to see the oscillation.",
                      "power, Gauss-Legendre", 64, Outcome::inaccurate, "power, Gauss-Legendre", 256});
   return late;
@@ -116,13 +116,14 @@ Quantity early_work(const Reference& truth) {
   Known known = truth("02_17_work", {m.r, m.w, m.T});
   known.value = {known.value[1]};
   known.error = known.value[0] * 0x1p-52;
-  Quantity q = quantity("early_work", "J", "work of (t, t, 1) until T = 1e-5 s, r = 1 m, omega = 1 rad/s",
-                        known, {1e-10 * known.value[0], "ten digits"});
+  Quantity q =
+      quantity("early_work", "J", R"(work of $(t,t,1)$ until $T=10^{-5}$ s, $r=1$ m, $\omega=1$ rad/s)",
+               known, {1e-10 * known.value[0], "ten digits"});
   q.add({"closed form", "factor r / omega", no_knob(),
          [m](double) {
            return Answer{closed_form(Force::growing, m, m.r / m.w), 1};
          },
-         Outcome::inaccurate, "x^2/2 is what is left of terms of size 1"});
+         Outcome::inaccurate, R"($(\omega T)^2/2$ is what is left of terms of size 1)"});
   q.add({"closed form", "x cos x - sin x by its series", doubling("terms", 1, 3), [m](double terms) {
            const double x = m.x(), half = sin(x / 2);
            double sum = 0, term = -x * x * x / 3;
@@ -135,10 +136,10 @@ Quantity early_work(const Reference& truth) {
   q.add({"power", "Gauss-Legendre", doubling("points", 1, 4), [m](double n) {
            return answer(gauss_rule(n)([&](double t) { return power(Force::growing, m, t); }, 0, m.T));
          }});
-  q.add(Breakdown{
-      "In a short time 5e-11 is left of 1 - 1 and the closed form loses its digits; integrating the "
-      "power, or collecting the terms before they cancel, loses none.",
-      "closed form, factor r / omega", 0, Outcome::inaccurate, "power, Gauss-Legendre", 4});
+  q.add(
+      Breakdown{R"(In a short time $5\cdot10^{-11}$ is left of $1-1$ and the closed form loses its digits; )"
+                R"(integrating the power, or collecting the terms before they cancel, loses none.)",
+                "closed form, factor r / omega", 0, Outcome::inaccurate, "power, Gauss-Legendre", 4});
   return q;
 }
 
@@ -164,12 +165,12 @@ Quantity maximum(const Motion& m, double turn, const Reference& truth) {
            a.value[2] = m.r * m.w * (m.w * T) * sqrt(2.0);
            return a;
          },
-         Outcome::inaccurate, "the -1 is dropped, and the factor is r / omega"});
-  q.add(
-      Breakdown{"The printed maximum of the growing force's work leaves out the -1: ten times the first "
-                "maximum at r = omega = 1, and 2 % too much after five turns.",
-                "closed form, as printed, W = r omega x sqrt 2", 0, Outcome::inaccurate,
-                "closed form, omega T = pi/4 + 2 pi n", 0});
+         Outcome::inaccurate, R"(the $-1$ is dropped, and the factor is $r/\omega$)"});
+  q.add(Breakdown{
+      R"(The printed maximum of the growing force's work leaves out the $-1$: ten times the first maximum )"
+      R"(at $r=\omega=1$, and 2 % too much after five turns.)",
+      "closed form, as printed, W = r omega x sqrt 2", 0, Outcome::inaccurate,
+      "closed form, omega T = pi/4 + 2 pi n", 0});
   const auto root = [=](Force force) {
     return [=](double e) {
       return with_works(brent([&](double t) { return power(force, m, t); }, start, start + pi / m.w, e));
@@ -178,21 +179,21 @@ Quantity maximum(const Motion& m, double turn, const Reference& truth) {
   q.add({"power of (1, 1, 1) is zero", "Brent", tolerances(), root(Force::constant)});
   q.add({"power of (t, t, 1) is zero", "Brent", tolerances(), root(Force::growing),
          turn == 0 ? Outcome::deceived : Outcome::ok,
-         "it is zero at T = 0 too, and the bracket begins there"});
+         "it is zero at $T=0$ too, and the bracket begins there"});
   q.add({"work is largest", "golden section", tolerances(),
          [=](double e) {
            const auto W = [&](double t) { return closed_form(Force::constant, m.at(t), 0); };
            return with_works(golden_section(W, start, start + pi / m.w, e));
          },
-         Outcome::inaccurate, "a maximum is flat: W tells times apart to the root of its rounding only"});
-  q.add(
-      Breakdown{"Comparing values of W finds the time of its maximum to eight digits only, because W is flat "
-                "there; a zero of the power has all its digits.",
-                "work is largest, golden section", 1e-12, Outcome::inaccurate,
-                "power of (1, 1, 1) is zero, Brent", 1e-12});
+         Outcome::inaccurate, "a maximum is flat: $W$ tells times apart to the root of its rounding only"});
+  q.add(Breakdown{
+      "Comparing values of $W$ finds the time of its maximum to eight digits only, because $W$ is flat "
+      "there; a zero of the power has all its digits.",
+      "work is largest, golden section", 1e-12, Outcome::inaccurate, "power of (1, 1, 1) is zero, Brent",
+      1e-12});
   if (turn == 0)
     q.add(Breakdown{
-        "For the growing force T = 0 is stationary as well: a search from there ends where it began.",
+        "For the growing force $T=0$ is stationary as well: a search from there ends where it began.",
         "power of (t, t, 1) is zero, Brent", 1e-12, Outcome::deceived, "power of (1, 1, 1) is zero, Brent",
         1e-12});
   return q;

@@ -84,9 +84,9 @@ inline std::vector<Way> ways(const Vector& w, double theta) {
           {"quaternion", no_knob(), [=](int) { return quaternion(w, theta); }},
           {"exponential series", terms, [=](int n) { return series(w, theta, n); }},
           {"Cayley steps", steps, [=](int n) { return cayley_steps(w, theta, n); }, true, false,
-           "a step turns by 2 atan(h/2), not by h"},
+           R"(a step turns by $2\arctan(h/2)$, not by $h$)"},
           {"Euler steps", steps, [=](int n) { return euler_steps(w, theta, n); }, false, false,
-           "a step makes r longer, and turns by atan(h)"},
+           R"(a step makes $\mathbf r$ longer, and turns by $\arctan h$)"},
           {"single precision", no_knob(), [=](int) { return single_precision(rodrigues(w, theta)); }, false,
            false, "the result is rounded to seven digits"},
           {"rotation and mirror", no_knob(), [=](int) { return mirrored(rodrigues(w, theta)); }, false, false,
@@ -114,9 +114,9 @@ Answer mapped(const F& f, const Map& map, double setting = 0) {
 inline Vector unit(const Vector& a) { return 1 / length(a) * a; }
 
 inline Quantity rotated_normal(double theta, double gap, const Reference& truth) {
-  Quantity q = quantity("rotated_normal", "", "unit normal of a rotated triangle with edges a, b",
-                        truth("02_11_rotated_normal", {theta, gap}),
-                        {1e-9, "nine digits: edges 2^-20 apart have no more"});
+  Quantity q = quantity(
+      "rotated_normal", "", R"(unit normal of a rotated triangle with edges $\mathbf a$, $\mathbf b$)",
+      truth("02_11_rotated_normal", {theta, gap}), {1e-9, "nine digits: edges $2^{-20}$ apart have no more"});
   const Triangle t(gap);
   for (const Way& way : ways(axis, theta)) {
     const bool mirror = way.name == "rotation and mirror";
@@ -138,7 +138,7 @@ inline Quantity rotated_normal(double theta, double gap, const Reference& truth)
 inline Quantity identity_gap(double theta) {
   Quantity q{"identity",
              "",
-             "(R a) x (R b) - R (a x b) for the triangle with gap 1",
+             R"($R\mathbf a\times R\mathbf b-R(\mathbf a\times\mathbf b)$ for the triangle with gap 1)",
              {"zero, for every rotation", Vector{}},
              0,
              {1e-12, "rounding of a few hundred products"},
@@ -160,7 +160,7 @@ inline Quantity identity_gap(double theta) {
 }
 
 inline Quantity sliver_normal(const Reference& truth) {
-  Quantity q = quantity("sliver_normal", "", "the same, edges 2^-30 apart, rotated by 2 rad",
+  Quantity q = quantity("sliver_normal", "", "the same, edges $2^{-30}$ apart, rotated by 2 rad",
                         truth("02_11_rotated_normal", {2, 0x1p-30}), {1e-12, "twelve digits"});
   const Triangle t(0x1p-30);
   const auto add = [&](const std::string& model, const std::string& algorithm, const auto& normal,
@@ -171,19 +171,21 @@ inline Quantity sliver_normal(const Reference& truth) {
            },
            why.empty() ? Outcome::ok : Outcome::inaccurate, why});
   };
-  const std::string cancels = "nine digits of a x b cancel";
+  const std::string cancels = R"(nine digits of $\mathbf a\times\mathbf b$ cancel)";
   add(
       "edges a, b", "rotated, then product", [=](const Map& R) { return cross(R(t.a), R(t.b())); }, cancels);
   add(
       "edges a, b", "product, then rotated", [=](const Map& R) { return R(cross(t.a, t.b())); }, cancels);
   add(
       "edges a, b", "rotated, subtracted, then product",
-      [=](const Map& R) { return cross(R(t.a), R(t.b()) - R(t.a)); }, "R b - R a has the rounding of both");
+      [=](const Map& R) { return cross(R(t.a), R(t.b()) - R(t.a)); },
+      R"($R\mathbf b-R\mathbf a$ has the rounding of both)");
   add("edges a, b - a", "rotated, then product", [=](const Map& R) { return cross(R(t.a), R(t.b() - t.a)); });
   add("edges a, b - a", "product, then rotated", [=](const Map& R) { return R(cross(t.a, t.b() - t.a)); });
   q.add(
-      Breakdown{"Of two nearly equal edges the product keeps seven digits, in whatever order one rotates. "
-                "a x (b - a) is the same product and keeps them all, if b - a is formed before the rotation.",
+      Breakdown{R"(Of two nearly equal edges the product keeps seven digits, in whatever order one rotates. )"
+                R"($\mathbf a\times(\mathbf b-\mathbf a)$ is the same product and keeps them all, if )"
+                R"($\mathbf b-\mathbf a$ is formed before the rotation.)",
                 "edges a, b, rotated, then product", 0, Outcome::inaccurate,
                 "edges a, b - a, rotated, then product", 0});
   return q;

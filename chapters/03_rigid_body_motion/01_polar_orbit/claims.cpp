@@ -24,8 +24,8 @@ struct Point : Ellipse {
 
   std::array<double*, 5> letters() { return {&e, &rho, &r, &x, &y}; }
   std::string where() const {
-    return "e = " + shortest(e) + ", rho = " + shortest(rho) + ", x = " + shortest(x) +
-           ", y = " + shortest(y) +
+    return "$e$ = " + shortest(e) + R"(, $\rho$ = )" + shortest(rho) + ", $x$ = " + shortest(x) +
+           ", $y$ = " + shortest(y) +
            (s > 0   ? ", on the orbit"
             : s < 0 ? ", on its mirror image"
                     : "");

@@ -82,42 +82,43 @@ std::vector<Quantity> radii(const Parameters& p, const Reference& truth) {
   const double almost = 1 - 0x1p-30;
   const Outcome ok = Outcome::ok, lost = Outcome::inaccurate, none = Outcome::non_finite;
   const std::string cure = "before the division, root without cancellation";
-  const std::string no_ellipse = "a is not positive, and b the root of a negative number";
-  Quantity any = radius("radius", "distance from the focus at the angle theta", asked, truth,
+  const std::string no_ellipse = "$a$ is not positive, and $b$ the root of a negative number";
+  Quantity any = radius("radius", R"(distance from the focus at the angle $\theta$)", asked, truth,
                         {ok, ok, asked.e < 1 ? ok : none, no_ellipse});
   any.add({"ellipse of the minus sign", "root without cancellation", no_knob(),
            [=](double) {
              return Answer{by_standard_ellipse(asked, -1), 1};
            },
            lost, "it is the mirror image"});
-  Quantity circle = radius("radius_of_circle", "e = 0, rho infinite", {0, HUGE_VAL, 1.5, 2.25}, truth,
-                           {none, ok, none, "e rho is zero times infinity"});
-  circle.add(
-      Breakdown{"A circle has no directrix: with e and rho its radius is zero times infinity. The semi-latus "
-                "rectum p = e rho is its radius.",
-                "polar, e and rho, formula", 0, none, "polar, e and p = e rho, formula", 0});
+  Quantity circle = radius("radius_of_circle", R"($e=0$, $\rho$ infinite)", {0, HUGE_VAL, 1.5, 2.25}, truth,
+                           {none, ok, none, R"($e\rho$ is zero times infinity)"});
+  circle.add(Breakdown{
+      R"(A circle has no directrix: with $e$ and $\rho$ its radius is zero times infinity. The semi-latus )"
+      R"(rectum $p=e\rho$ is its radius.)",
+      "polar, e and rho, formula", 0, none, "polar, e and p = e rho, formula", 0});
   Quantity narrow =
-      radius("radius_of_narrow_ellipse", "e = 63/64", {0.984375, 0.25 / 0.984375, 0.25, 3}, truth, {});
+      radius("radius_of_narrow_ellipse", "$e=63/64$", {0.984375, 0.25 / 0.984375, 0.25, 3}, truth, {});
   Quantity near =
-      radius("radius_near_parabola", "e = 1 - 2^-30", {almost, 1 / almost, 1, 1.5}, truth,
-             {ok, ok, lost, "a and c are 5e8 times r, which is found as the difference of such numbers"});
-  near.add(
-      Breakdown{"The division by 1 - e^2 moves the center away; from one that is 5e8 radii off, half of the "
-                "digits are lost. Before the division nothing is.",
-                "standard ellipse, eccentric anomaly", 0, lost, cure, 0});
+      radius("radius_near_parabola", "$e=1-2^{-30}$", {almost, 1 / almost, 1, 1.5}, truth,
+             {ok, ok, lost,
+              R"($a$ and $c$ are $5\cdot10^8$ times $r$, which is found as the difference of such numbers)"});
+  near.add(Breakdown{
+      R"(The division by $1-e^2$ moves the center away; from one that is $5\cdot10^8$ radii off, half of )"
+      R"(the digits are lost. Before the division nothing is.)",
+      "standard ellipse, eccentric anomaly", 0, lost, cure, 0});
   Quantity parabola =
-      radius("radius_of_parabola", "e = 1, close to the axis", {1, 1, 1, 0x1p-10}, truth,
-             {ok, lost, none, "1 - e^2 = 0 is divided by; the textbook root subtracts what is nearly equal"});
-  parabola.add(
-      Breakdown{"At e = 1 the division by 1 - e^2 is one by zero: no center, no ellipse. The line before it "
-                "is the parabola.",
-                "standard ellipse, root without cancellation", 0, none, cure, 0});
+      radius("radius_of_parabola", "$e=1$, close to the axis", {1, 1, 1, 0x1p-10}, truth,
+             {ok, lost, none, "$1-e^2=0$ is divided by; the textbook root subtracts what is nearly equal"});
+  parabola.add(Breakdown{
+      "At $e=1$ the division by $1-e^2$ is one by zero: no center, no ellipse. The line before it is the "
+      "parabola.",
+      "standard ellipse, root without cancellation", 0, none, cure, 0});
   parabola.add(
       Breakdown{"Near the axis the parabola's second crossing is far away, and the textbook's root of the "
                 "quadratic equation cancels.",
                 "before the division, textbook root", 0, lost, cure, 0});
   Quantity hyperbola =
-      radius("radius_of_hyperbola", "e = 3/2", {1.5, 1 / 1.5, 1, 1.25}, truth, {ok, ok, none, no_ellipse});
+      radius("radius_of_hyperbola", "$e=3/2$", {1.5, 1 / 1.5, 1, 1.25}, truth, {ok, ok, none, no_ellipse});
   return {any, circle, narrow, near, parabola, hyperbola};
 }
 

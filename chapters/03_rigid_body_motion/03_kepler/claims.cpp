@@ -187,9 +187,9 @@ Start random_start(Random& random, double transverse, double radial) {
 }
 
 std::string letters_of(const Start& s) {
-  return "G = " + shortest(s.G) + ", M = " + shortest(s.M) + ", r0 = " + shortest(s.r0) +
-         ", r0' = " + shortest(s.r0_dot) + ", theta0 = " + shortest(s.theta0) +
-         ", theta0' = " + shortest(s.theta0_dot);
+  return "$G$ = " + shortest(s.G) + ", $M$ = " + shortest(s.M) + ", $r_0$ = " + shortest(s.r0) +
+         R"(, $\dot r_0$ = )" + shortest(s.r0_dot) + R"(, $\theta_0$ = )" + shortest(s.theta0) +
+         R"(, $\dot\theta_0$ = )" + shortest(s.theta0_dot);
 }
 
 /// Bound orbits of eccentricity up to 0.95, of either sense, each followed in so many pieces.
@@ -215,7 +215,7 @@ std::vector<Later> orbits(double seed) {
     }
     const double push_x = random.normal(), push_y = random.normal(), m = abs(random.magnitude(1e-3, 1e3));
     const auto& [x, y, vx, vy] = states.back();
-    Later k{s,   {s.G, s.M, m, x, y, vx, vy, push_x, push_y, letters_of(s) + ", t = " + shortest(end)},
+    Later k{s,   {s.G, s.M, m, x, y, vx, vy, push_x, push_y, letters_of(s) + ", $t$ = " + shortest(end)},
             end, angles.back(),
             0,   0};
     double best = 0;
@@ -241,7 +241,7 @@ struct InSpace {
     a = gravity(abs(random.magnitude(0.1, 10)), q);
   }
   double size() const { return hypot(q[0], q[1], q[2]) * hypot(a[0], a[1], a[2]); }
-  std::string where() const { return "r = (" + shortest(q[0]) + ", ...)"; }
+  std::string where() const { return R"($\mathbf r$ = ()" + shortest(q[0]) + ", ...)"; }
   /// d/dt (r x v) = r x a.
   Value turned(double drag) const {
     std::array<double, 3> f = a;
@@ -1072,7 +1072,7 @@ void polar_orbit(Claims& claims, const std::vector<Later>& orbits, double seed) 
                      {"the circle", circle.start.r0},
                      exact(),
                      0,
-                     "GM = 4, r0 = 4, theta0' = 1/4"}}};
+                     R"($GM=4$, $r_0=4$, $\dot\theta_0=1/4$)"}}};
   };
   claims.add(
       "rho_of_a_circle", 1229, R"($\rho=\gamma_0^2/\gamma_1$ serves for the orbit of any start)",

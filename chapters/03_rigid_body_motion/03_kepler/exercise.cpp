@@ -5,6 +5,7 @@
 // claims.cpp judges the derivation against Newton's law, models.hpp has the models. The reference is
 // Kepler's equation in universal variables and the Taylor series of the Cartesian equations, in 60 digits.
 
+#include "chapters/03_rigid_body_motion/03_kepler/drawing.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -89,7 +90,7 @@ Quantity path(const std::string& name, const std::string& says, const Start& s, 
   solved("Brent", [](double e, double M) { return bracketed(e, M, 1e-14); });
   Ladder ladder(where, horizon, steps, tolerances());
   ladder.by<ode::Fehlberg78>("equation (7) as printed", OneAngleAsPrinted<double>(s), Outcome::inaccurate,
-                             "V0 has the wrong sign, and the perihelion is not at theta = 0");
+                             R"($V_0$ has the wrong sign, and the perihelion is not at $\theta=0$)");
   integrated(ladder, "equation (7)", OneAngle<double>(s), expected.angle);
   integrated(ladder, "equation (2)", Distance<double>{s}, expected.distance);
   integrated(ladder, "polar", Polar<double>{s}, expected.polar);
@@ -136,7 +137,8 @@ Scene scene() {
             {"equation (7)", "kepler::OneAngle<double>({G, M, r0, r0_dot, theta0, theta0_dot})"},
             {"equation (2)", "kepler::Distance<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
             {"polar", "kepler::Polar<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
-            {"Cartesian", "kepler::Cartesian<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"}}}};
+            {"Cartesian", "kepler::Cartesian<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"}}},
+          kepler::draw<Parameters>};
 }
 
 std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {
@@ -145,7 +147,7 @@ std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {
   Quantity earth = motion(scene(), p, truth);
   earth.add(
       {"With (4) and (5) as printed the ellipse drawn has the right size and the wrong orientation, and the "
-       "planet comes to a halt on it. The square in (7) hides the sign of V0 at the start.",
+       "planet comes to a halt on it. The square in (7) hides the sign of $V_0$ at the start.",
        "equation (7) as printed, Fehlberg 7(8)", 1e-12, inaccurate, "equation (7), Fehlberg 7(8)", 1e-12});
   earth.add(
       {"Explicit Euler spirals out: after two years, at 2048 steps a year, the planet is 0.7 AU from its "
@@ -156,14 +158,14 @@ std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {
        "orbit: it is 10 000 km late on it, and still misses the need. A higher order pays at once.",
        "equation (7), explicit Euler", 0x1p-11, inaccurate, "equation (7), Runge-Kutta 4", 0x1p-4});
 
-  Quantity comet = path("eccentric_path", "e = 0.9", eccentric, horizon, truth, halving("step", 0x1p-4, 10),
+  Quantity comet = path("eccentric_path", "$e=0.9$", eccentric, horizon, truth, halving("step", 0x1p-4, 10),
                         {{}, {drifted, ok}, {non_finite, ok}, {drifted, ok}});
   comet.add(
       {"With 256 equal steps a year the planet turns by a radian a step at the perihelion, and is thrown "
        "out. Step control puts the steps where they are needed.",
        "Cartesian, Runge-Kutta 4", 0x1p-8, drifted, "Cartesian, Fehlberg 7(8)", 1e-12});
 
-  Quantity grazer = path("very_eccentric_path", "e = 0.99, two solar masses", very_eccentric, horizon, truth,
+  Quantity grazer = path("very_eccentric_path", "$e=0.99$, two solar masses", very_eccentric, horizon, truth,
                          halving("step", 0x1p-6, 10),
                          {{}, {diverged, inaccurate}, {non_finite, inaccurate}, {diverged, inaccurate}});
   grazer.add(
@@ -171,7 +173,7 @@ std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {
        "Kepler's equation has no perihelion to follow.",
        "Cartesian, Runge-Kutta 4", 0x1p-15, inaccurate, "Kepler's equation, Newton from pi", 0});
   grazer.add(
-      {"Equation (2) meets its singularity at r = 0 likewise. Equation (7), which has none, holds at the "
+      {"Equation (2) meets its singularity at $r=0$ likewise. Equation (7), which has none, holds at the "
        "same equal steps.",
        "equation (2), Runge-Kutta 4", 0x1p-15, inaccurate, "equation (7), Runge-Kutta 4", 0x1p-15});
   return {earth, comet, grazer};
@@ -182,7 +184,7 @@ std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {
 Quantity eccentric_anomaly(const std::string& name, const std::string& says, double e, double M, bool easy,
                            const Reference& truth) {
   using enum Outcome;
-  Quantity E = quantity(name, "rad", "E with E - e sin E = M, " + says,
+  Quantity E = quantity(name, "rad", R"($E$ with $E-e\sin E=M$, )" + says,
                         truth("03_03_eccentric_anomaly", {e, M}), {1e-12, "0.15 m on the Earth's orbit"});
   const auto add = [&](std::string algorithm, Knob knob, auto solve, Outcome expected = ok,
                        std::string why = {}) {
@@ -194,7 +196,7 @@ Quantity eccentric_anomaly(const std::string& name, const std::string& says, dou
   const auto because = [&](std::string why) { return easy ? std::string() : why; };
   add(
       "Newton from M", iterations, [=](int n) { return by_newton(e, M, M, n); }, hard(stalled),
-      because("1 - e cos M is small: the first step overshoots by a turn, and the iterates wander"));
+      because(R"($1-e\cos M$ is small: the first step overshoots by a turn, and the iterates wander)"));
   add("Newton from pi", iterations, [=](int n) { return by_newton(e, M, pi, n); });
   add("Newton from M + 0.85 e", iterations, [=](int n) { return by_newton(e, M, M + 0.85 * e, n); });
   add("fixed point", doubling("iterations", 1, 8), [=](int n) { return fixed_point(e, M, n); });
@@ -203,22 +205,23 @@ Quantity eccentric_anomaly(const std::string& name, const std::string& says, dou
       hard(inaccurate), because("its terms fall by a thousandth each"));
   add(
       "power series in e", doubling("terms", 2, 7), [=](int n) { return lagrange_series(e, M, n); },
-      hard(diverged), because("it diverges beyond Laplace's limit, e = 0.6627"));
+      hard(diverged), because("it diverges beyond Laplace's limit, $e=0.6627$"));
   E.add({"Kepler's equation", "Brent", tolerances(), [=](double t) { return answer(bracketed(e, M, t)); }});
   return E;
 }
 
 std::vector<Quantity> eccentric_anomalies(const Reference& truth) {
-  Quantity easy = eccentric_anomaly("eccentric_anomaly", "e = 0.5, M = 1", 0.5, 1, true, truth);
-  Quantity hard = eccentric_anomaly("eccentric_anomaly_past_perihelion", "e = 0.99, M = 1/16", 0.99, 0.0625,
+  Quantity easy = eccentric_anomaly("eccentric_anomaly", "$e=0.5$, $M=1$", 0.5, 1, true, truth);
+  Quantity hard = eccentric_anomaly("eccentric_anomaly_past_perihelion", "$e=0.99$, $M=1/16$", 0.99, 0.0625,
                                     false, truth);
+  hard.add({R"(Newton's method from $E=M$ goes to 5.2, $-6.9$, 28.6, ... and needs 25 iterations or more to )"
+            R"(come back. From $\pi$, where the function is convex all the way down to the root, it cannot )"
+            R"(overshoot.)",
+            "Kepler's equation, Newton from M", 16, Outcome::stalled, "Kepler's equation, Newton from pi",
+            16});
   hard.add(
-      {"Newton's method from E = M goes to 5.2, -6.9, 28.6, ... and needs 25 iterations or more to come "
-       "back. From pi, where the function is convex all the way down to the root, it cannot overshoot.",
-       "Kepler's equation, Newton from M", 16, Outcome::stalled, "Kepler's equation, Newton from pi", 16});
-  hard.add(
-      {"The classical power series in the eccentricity diverges for e > 0.6627 (Laplace's limit). A bracket "
-       "always holds: the root is between M and M + e.",
+      {"The classical power series in the eccentricity diverges for $e>0.6627$ (Laplace's limit). A bracket "
+       "always holds: the root is between $M$ and $M+e$.",
        "Kepler's equation, power series in e", 128, Outcome::diverged, "Kepler's equation, Brent", 1e-12});
   return {easy, hard};
 }
@@ -272,8 +275,8 @@ Findings study(const Parameters& p, const Reference& truth) {
   };
   append(eccentric_anomalies(truth));
   if (start.energy() < 0) append({period("period", "near the Earth's unless asked otherwise", start, truth)});
-  append({period("period_eccentric", "e = 0.9", eccentric, truth),
-          period("period_very_eccentric", "e = 0.99", very_eccentric, truth)});
+  append({period("period_eccentric", "$e=0.9$", eccentric, truth),
+          period("period_very_eccentric", "$e=0.99$", very_eccentric, truth)});
   return {kepler::claims(p["seed"]), all, kepler::roots()};
 }
 

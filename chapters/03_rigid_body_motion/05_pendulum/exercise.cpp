@@ -67,14 +67,14 @@ Quantity quarter_period(double a, const Reference& truth) {
   const auto raw = singular_integrand(a);
   const auto smooth = legendre_integrand(a);
   const std::string as_it_stands = "singular integrand", substituted = "Legendre's substitution";
-  const std::string loses_digits = "cos t - cos a cancels at the singular end";
+  const std::string loses_digits = R"($\cos t-\cos a$ cancels at the singular end)";
 
   quarter.add({"elliptic K", "std::comp_ellint_1", no_knob(), [a](double) {
                  return Answer{std::numbers::sqrt2 * std::comp_ellint_1(sin(a / 2)), 1};
                }});
   quarter.add({as_it_stands, "QAG", tolerances(), [=](double e) { return answer(qag(raw, 0, a, e)); },
                Outcome::non_finite,
-               "bisection alone walks into the singular end, where cos t - cos a rounds to zero"});
+               R"(bisection alone walks into the singular end, where $\cos t-\cos a$ rounds to zero)"});
   quarter.add({as_it_stands, "QAGS", tolerances(), [=](double e) { return answer(qags(raw, 0, a, e)); },
                Outcome::raised, loses_digits + ": GSL reports roundoff"});
   quarter.add({as_it_stands, "QAGP", tolerances(),
@@ -95,7 +95,8 @@ Quantity quarter_period(double a, const Reference& truth) {
                  return Answer{listed_integral(a, cos(a), static_cast<int>(n)) + remainder(a, book_epsilon),
                                static_cast<long>(n) + 1};
                },
-               Outcome::inaccurate, "Simpson's rule cannot follow the integrand to 1e-8 of its singularity"});
+               Outcome::inaccurate,
+               "Simpson's rule cannot follow the integrand to $10^{-8}$ of its singularity"});
   quarter.add({substituted, "Simpson", panels,
                [=](double n) { return answer(simpson(smooth, 0, pi / 2, static_cast<int>(n))); }});
   quarter.add({substituted, "trapezoid", panels,
@@ -119,7 +120,7 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
       .closed_form("small angle", SmallAngle<double>{given}, Outcome::inaccurate,
                    "the period grows with the amplitude")
       .closed_form("amplitude-corrected", AmplitudeCorrected<double>{given}, Outcome::inaccurate,
-                   "terms of order a^4 in the frequency and of order a^3 in the shape are left out")
+                   "terms of order $a^4$ in the frequency and of order $a^3$ in the shape are left out")
       .closed_form("Jacobi's function by its Fourier series", FourierSeries<double>(given))
       .by_common("one angle", OneAngle<double>{given}, Outcome::drifted, Outcome::inaccurate)
       .by_others("one angle", OneAngle<double>{given},
@@ -169,7 +170,7 @@ Reading in_two_parts(const std::string& text, const Reference& truth, double (*t
     const double next_term = std::pow(epsilon, 2.5) / (30 * sqrt(sin(a)));
     worst.see(qag(singular_integrand(a), 0, a - epsilon, 1e-13).value + tail(epsilon), whole,
               {2 * next_term + 1e-12, R"(twice the first term left out, $\epsilon^{5/2}/(30\sqrt{\sin a})$)"},
-              1, "eps = " + shortest(epsilon));
+              1, R"($\epsilon$ = )" + shortest(epsilon));
   }
   return {text, {worst.check()}};
 }
@@ -177,7 +178,7 @@ Reading in_two_parts(const std::string& text, const Reference& truth, double (*t
 /// A node of the listing's sum.
 struct Node {
   double psi;
-  std::string where() const { return "psi = " + shortest(psi); }
+  std::string where() const { return R"($\psi$ = )" + shortest(psi); }
 };
 
 std::vector<Node> nodes() {
@@ -270,12 +271,12 @@ std::vector<Root> roots() {
 
 Findings study(const Parameters& p, const Reference& truth) {
   Quantity quarter = quarter_period(p["a"], truth);
-  quarter.add(
-      Breakdown{"With the text's integrand the listing is still wrong: one panel of Simpson's rule takes the "
-                "integrand at 1e-8 from its singularity, where it is 14142, with full weight. The "
-                "substitution removes the singularity, and 16 panels of the trapezoid rule give every digit.",
-                "listing with the text's integrand, Simpson", 1024, Outcome::inaccurate,
-                "Legendre's substitution, trapezoid", 16});
+  quarter.add(Breakdown{
+      "With the text's integrand the listing is still wrong: one panel of Simpson's rule takes the "
+      "integrand at $10^{-8}$ from its singularity, where it is 14142, with full weight. The substitution "
+      "removes the singularity, and 16 panels of the trapezoid rule give every digit.",
+      "listing with the text's integrand, Simpson", 1024, Outcome::inaccurate,
+      "Legendre's substitution, trapezoid", 16});
   return {claims(truth), {quarter, motion(scene(), p, truth)}, roots()};
 }
 

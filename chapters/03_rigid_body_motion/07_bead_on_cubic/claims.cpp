@@ -53,8 +53,8 @@ struct Sample {
         a(random.magnitude(0.01, 3)) {}
   std::array<double*, 5> letters() { return {&m, &g, &q, &v, &a}; }
   std::string where() const {
-    return "m = " + shortest(m) + ", g = " + shortest(g) + ", q = " + shortest(q) + ", q' = " + shortest(v) +
-           ", q'' = " + shortest(a);
+    return "$m$ = " + shortest(m) + ", $g$ = " + shortest(g) + ", $q$ = " + shortest(q) + R"(, $\dot q$ = )" +
+           shortest(v) + R"(, $\ddot q$ = )" + shortest(a);
   }
   KineticEnergy T() const { return {m}; }
   Lagrangian L() const { return {m, g}; }
@@ -232,7 +232,7 @@ std::vector<State> book_run() {
 struct Step {
   int number;
   State from, to;
-  std::string where() const { return "step " + std::to_string(number) + ", to q = " + rounded(to[0], 6); }
+  std::string where() const { return "step " + std::to_string(number) + ", to $q$ = " + rounded(to[0], 6); }
 };
 
 /// q'' of the book's bead.
@@ -242,7 +242,7 @@ double force(const State& x) { return lagrange_acceleration(Lagrangian{1, 1}, x[
 struct Second {
   std::size_t number;
   State at;
-  std::string where() const { return "t = " + std::to_string(number); }
+  std::string where() const { return "$t$ = " + std::to_string(number); }
 };
 
 /// Those from `first` up to 1000 s.

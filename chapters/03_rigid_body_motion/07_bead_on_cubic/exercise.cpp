@@ -8,6 +8,7 @@
 // neither is so.
 
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
+#include "chapters/03_rigid_body_motion/07_bead_on_cubic/drawing.hpp"
 #include "chapters/in_float.hpp"
 
 namespace oddity {
@@ -40,7 +41,8 @@ Scene scene() {
             {"energy in q", "bead_on_cubic::EnergyInQ<double>{{q0, g}}"},
             {"energy in u", "bead_on_cubic::EnergyInU<double>{{q0, g}}"},
             {"one coordinate", "bead_on_cubic::OneCoordinate<double>{{q0, g}}"},
-            {"Cartesian with constraints", "bead_on_cubic::CartesianWithConstraints<double>{{q0, g}}"}}}};
+            {"Cartesian with constraints", "bead_on_cubic::CartesianWithConstraints<double>{{q0, g}}"}}},
+          bead_on_cubic::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

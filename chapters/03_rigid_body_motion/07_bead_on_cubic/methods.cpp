@@ -47,9 +47,9 @@ void add_integrals(Quantity& arrival, const Given<double>& bead) {
                Outcome::inaccurate, "no polynomial follows the infinite end"});
   arrival.add({raw, "QAG", tolerances(), [=](double e) { return answer(qag(over_q, 0, q0, e)); },
                Outcome::non_finite,
-               "bisection alone walks into the infinite end, where q0^3 - q^3 rounds to 0"});
+               "bisection alone walks into the infinite end, where $q_0^3-q^3$ rounds to 0"});
   arrival.add({raw, "CQUAD", tolerances(), [=](double e) { return answer(cquad(over_q, 0, q0, e)); },
-               Outcome::stalled, "q0^3 - q^3 cancels at the infinite end, and the end itself is left out"});
+               Outcome::stalled, "$q_0^3-q^3$ cancels at the infinite end, and the end itself is left out"});
   arrival.add({raw, "QAGS", tolerances(), [=](double e) { return answer(qags(over_q, 0, q0, e)); }});
   arrival.add({substituted, "Simpson", doubling("panels", 4, 9),
                [=](double n) { return answer(simpson(over_u, 0, 1, panels(n))); }});
@@ -68,14 +68,14 @@ Quantity arrival(const Given<double>& bead, const Reference& truth) {
   add_events(time, one, OneCoordinate<double>{bead});
   add_event<ode::Fehlberg78>(time, cartesian, CartesianWithConstraints<double>{bead});
   add_event<ode::Fehlberg78>(time, stuck, EnergyInQ<double>{bead}, Outcome::raised,
-                             "q = q0 for ever solves it too, and that is the solution taken");
-  time.add(
-      Breakdown{"The time's integrand is infinite at the release, and bisection goes there until it "
-                "divides by zero. In u, with q = q0 (1 - u^2), it is smooth: 16 points give twelve digits.",
-                raw + ", QAG", 1e-10, Outcome::non_finite, substituted + ", Gauss-Legendre", 16});
+                             "$q=q_0$ for ever solves it too, and that is the solution taken");
   time.add(Breakdown{
-      "Energy alone, q' = -sqrt(...), lets a bead at rest stay at rest: the event never comes. In u "
-      "the same level is regular at the release, and the bead leaves.",
+      "The time's integrand is infinite at the release, and bisection goes there until it divides by zero. "
+      "In $u$, with $q=q_0(1-u^2)$, it is smooth: 16 points give twelve digits.",
+      raw + ", QAG", 1e-10, Outcome::non_finite, substituted + ", Gauss-Legendre", 16});
+  time.add(Breakdown{
+      R"(Energy alone, $\dot q=-\sqrt{\ldots}$, lets a bead at rest stay at rest: the event never comes. )"
+      R"(In $u$ the same level is regular at the release, and the bead leaves.)",
       stuck + ", " + fehlberg, 1e-12, Outcome::raised, regular + ", " + fehlberg, 1e-12});
   return time;
 }
@@ -114,10 +114,10 @@ Quantity slide(const Given<double>& bead, const Horizon& horizon, const Referenc
   position.add({substituted, "Gauss-Legendre, inverted by Brent", doubling("points", 4, 6), [=](double n) {
                   return by_inverted_integral(EnergyInU<double>{bead}, horizon, static_cast<int>(n));
                 }});
-  position.add(
-      Breakdown{"Energy alone, q' = -sqrt(...), lets a bead at rest stay at rest; the second-order "
-                "equation does not.",
-                stuck + ", " + fehlberg, 1e-12, Outcome::inaccurate, one + ", " + fehlberg, 1e-12});
+  position.add(Breakdown{
+      R"(Energy alone, $\dot q=-\sqrt{\ldots}$, lets a bead at rest stay at rest; the second-order )"
+      R"(equation does not.)",
+      stuck + ", " + fehlberg, 1e-12, Outcome::inaccurate, one + ", " + fehlberg, 1e-12});
   return position;
 }
 

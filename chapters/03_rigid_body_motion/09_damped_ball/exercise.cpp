@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
+#include "chapters/03_rigid_body_motion/09_damped_ball/drawing.hpp"
 #include "chapters/in_float.hpp"
 
 namespace oddity {
@@ -42,7 +43,8 @@ Scene scene() {
            {{"closed form, one for all regimes", "damped_ball::OneForm<double>{{m, c, a, p1, p2, v1, v2}}"},
             {"two exponentials", "damped_ball::TwoExponentials<double>{{m, c, a, p1, p2, v1, v2}}"},
             {"plane", "damped_ball::Plane<double>{{m, c, a, p1, p2, v1, v2}}"},
-            {"plane, with the work", "damped_ball::PlaneWithWork<double>{{m, c, a, p1, p2, v1, v2}}"}}}};
+            {"plane, with the work", "damped_ball::PlaneWithWork<double>{{m, c, a, p1, p2, v1, v2}}"}}},
+          damped_ball::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -36,7 +36,7 @@ Quantity first_arrival(const Ball& at_rest) {
   Quantity time{"first_arrival",
                 "s",
                 "time at which the ball, let go at rest, is at the origin first",
-                {"the angle of (-h, beta) over beta, h = a/(2m)", arrival},
+                {R"(the angle of $(-h,\beta)$ over $\beta$, $h=a/(2m)$)", arrival},
                 4e-16 * arrival,
                 {1e-9, "nine decimals"}};
   time.add({"the text's formula", "atan(-beta p1/(v1 - alpha p1))/beta", no_knob(),
@@ -63,16 +63,16 @@ Quantity first_arrival(const Ball& at_rest) {
 }
 
 Quantity near_critical_path(const Ball& b, const Horizon& horizon, const Reference& truth) {
-  Quantity q = quantity("near_critical", "m", "the same with friction 1e-13 of itself above the critical",
-                        true_path(b, horizon, truth), {1e-12, "twelve decimals"});
+  Quantity q =
+      quantity("near_critical", "m", "the same with friction $10^{-13}$ of itself above the critical",
+               true_path(b, horizon, truth), {1e-12, "twelve decimals"});
   Ladder(q, horizon, no_knob(), no_knob())
       .closed_form("one form for all regimes", OneForm<double>{b})
       .closed_form("two exponentials", TwoExponentials<double>{b}, Outcome::inaccurate,
                    "its two terms nearly cancel where the roots nearly meet");
   return q.add(Breakdown{
-      "Where the roots nearly meet, the two exponentials have factors of a million and of opposite sign, and "
-      "lose as many "
-      "digits. One form for all regimes, with sinh(w t)/w as one function, loses none.",
+      R"(Where the roots nearly meet, the two exponentials have factors of a million and of opposite sign, )"
+      R"(and lose as many digits. One form for all regimes, with $\sinh(wt)/w$ as one function, loses none.)",
       "two exponentials, closed form", 0, Outcome::inaccurate, "one form for all regimes, closed form", 0});
 }
 
@@ -99,8 +99,8 @@ Quantity stability_limit(const Ball& ball) {
   const double fastest = (ball.a + std::sqrt(ball.a * ball.a - 4 * ball.m * ball.c)) / (2 * ball.m);
   Quantity q{"stability_limit",
              "s",
-             "largest stable step of explicit Euler where friction is strong: 2/|r2|",
-             {"2/|r2| from the characteristic polynomial", 2 / fastest},
+             "largest stable step of explicit Euler where friction is strong: $2/|r_2|$",
+             {"$2/|r_2|$ from the characteristic polynomial", 2 / fastest},
              1e-16,
              {1e-3 * 2 / fastest, "a thousandth of the limit"}};
   q.add({"stiff", "explicit Euler, bisected", no_knob(),

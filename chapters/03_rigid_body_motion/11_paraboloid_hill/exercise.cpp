@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "chapters/03_rigid_body_motion/11_paraboloid_hill/drawing.hpp"
 #include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
 #include "chapters/in_float.hpp"
 
@@ -92,7 +93,8 @@ Scene scene() {
         {"Cartesian with constraint",
          "paraboloid_hill::InSpace<double>{paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor})}"},
         {"momenta",
-         "paraboloid_hill::in_momenta(paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor}))"}}}};
+         "paraboloid_hill::in_momenta(paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor}))"}}},
+      paraboloid_hill::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "chapters/03_rigid_body_motion/13_tilted_chute/drawing.hpp"
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
 #include "chapters/in_float.hpp"
 #include "reference/bad_input.hpp"
@@ -17,7 +18,7 @@ namespace ex03_13 {
 constexpr Parameter parameters[] = {
     {"R", 1, "m", "radius", 0.2, 10},
     {"L", 5, "m", "length of the chute", 1, 100},
-    {"H", 3, "m", "fall over the length, less than L", 0.01, 99},
+    {"H", 3, "m", "fall over the length, less than $L$", 0.01, 99},
     {"g", 9.81, "m/s^2", "gravity", 0.1, 100},
     {"phi", 1, "rad", "start: the angle about the axis, from the lowest line", 0.05, 1.5},
     {"u", -1, "m/s", "start: the speed down the chute", -20, 20},
@@ -49,7 +50,8 @@ Scene scene() {
             {"elliptic angle", "tilted_chute::EllipticAngle<double>({R, L, H, g, phi, u})"},
             {"angle about the axis", "tilted_chute::Angle<double>{{R, L, H, g, phi, u}}"},
             {"height field", "tilted_chute::in_plane<double>({R, L, H, g, phi, u})"},
-            {"Cartesian with constraint", "tilted_chute::InSpace<double>{{R, L, H, g, phi, u}}"}}}};
+            {"Cartesian with constraint", "tilted_chute::InSpace<double>{{R, L, H, g, phi, u}}"}}},
+          tilted_chute::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -44,7 +44,7 @@ Quantity swing(const Given<double>& c, const Horizon& horizon, const Reference& 
 }
 
 Quantity below_rim(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
-  Quantity position = slide("steep", "the same from phi = 1.5, just below the rim", c, horizon, truth);
+  Quantity position = slide("steep", R"(the same from $\phi=1.5$, just below the rim)", c, horizon, truth);
   swinging(position, c, horizon)
       .by<ode::ExplicitEuler>(plane, in_plane(c), Outcome::inaccurate, low_order)
       .by<ode::RungeKutta4>(plane, in_plane(c))
@@ -52,7 +52,7 @@ Quantity below_rim(const Given<double>& c, const Horizon& horizon, const Referen
       .by<ode::DormandPrince54>(plane, in_plane(c))
       .by<ode::Fehlberg78>(plane, in_plane(c))
       .by<ode::BulirschStoer>(plane, in_plane(c), Outcome::non_finite,
-                              "its long trial steps leave the chute, |x2| > R");
+                              "its long trial steps leave the chute, $|x_2|>R$");
   return position.add(Breakdown{
       "Near the rim the coarse first substeps of a long trial step leave the chute, where the height has no "
       "value, and the step is taken as if all were well. In the angle there is nothing to leave.",
@@ -74,8 +74,8 @@ Quantity on_center(const Given<double>& c, const Horizon& horizon, const Referen
 }
 
 Quantity from_rim(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
-  const std::string why = "at |x2| = R the height's slope is infinite";
-  Quantity position = slide("rim", "the same from the rim, x2 = R", c, horizon, truth);
+  const std::string why = "at $|x_2|=R$ the height's slope is infinite";
+  Quantity position = slide("rim", "the same from the rim, $x_2=R$", c, horizon, truth);
   Ladder(position, horizon, halving("step", 0.125, 10), tolerances(3, 11))
       .closed_form(small, SmallAngle<double>{c}, Outcome::inaccurate, "the period grows with the amplitude")
       .closed_form(exact_angle, EllipticAngle<double>(c))

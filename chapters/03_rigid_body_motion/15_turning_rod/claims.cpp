@@ -81,8 +81,8 @@ struct Sample {
         t(random.between(-5, 5)) {}
   std::array<double*, 11> letters() { return {&m, &a, &b, &c, &K, &w, &ell, &s, &v, &A, &t}; }
   std::string where() const {
-    return "c = " + shortest(c) + ", w = " + shortest(w) + ", ell = " + shortest(ell) +
-           ", s = " + shortest(s) + ", s' = " + shortest(v) + ", t = " + shortest(t);
+    return "$c$ = " + shortest(c) + ", $w$ = " + shortest(w) + R"(, $\ell$ = )" + shortest(ell) +
+           ", $s$ = " + shortest(s) + R"(, $\dot s$ = )" + shortest(v) + ", $t$ = " + shortest(t);
   }
 
   Rod<double> spring(double rest_length) const { return {{m, c, K, w, s}, rest_length}; }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <string>
 
+#include "chapters/03_rigid_body_motion/15_turning_rod/drawing.hpp"
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -23,12 +24,12 @@ using namespace turning_rod;
 
 constexpr Parameter parameters[] = {
     {"m", 1, "kg", "mass", 0.1, 100},
-    {"c", 1, "m", "where the spring is fixed on the x1-axis", 0, 10},
+    {"c", 1, "m", "where the spring is fixed on the $x_1$-axis", 0, 10},
     {"K", 10, "N/m", "stiffness of the spring", 0.1, 1000},
     {"w", std::numbers::pi / 4, "rad/s", "angular speed of the rod", 0.01, 10},
     {"s", 2, "m", "start, by its distance from the origin", 0.1, 10},
     {"stiff", 1e4, "N/m", "stiffness of the stiff spring", 100, 2e4},
-    {"r", 1.5, "", "speed of the runaway over sqrt(2K/m)", 1.1, 5},
+    {"r", 1.5, "", R"(speed of the runaway over $\sqrt{2K/m}$)", 1.1, 5},
     {"seed", 15, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -50,10 +51,10 @@ Quantity slide(const Parameters& p, const Horizon& horizon, const Reference& tru
                    "it is the turning of the spring's end that pulls the mass down")
       .closed_form("rigid spring", RigidSpring<double>{{rod}}, Outcome::inaccurate, "the spring gives way")
       .by<ode::RungeKutta4>("listing as printed", AsListed<double>{{rod}}, Outcome::inaccurate,
-                            "it multiplies the time by 1/sqrt(2) where the rod turns by pi/4 a second")
+                            R"(it multiplies the time by $1/\sqrt2$ where the rod turns by $\pi/4$ a second)")
       .by<ode::RungeKutta4>("listing with the other rest length", listed_with_other_rest_length(rod),
                             Outcome::inaccurate,
-                            "with sqrt((b-c)^2 + c^2) the spring is stretched from the start")
+                            R"(with $\sqrt{(b-c)^2+c^2}$ the spring is stretched from the start)")
       .by_common("along the rod", AlongTheRod<double>{{rod}})
       .by_others("along the rod", AlongTheRod<double>{{rod}},
                  {{"linearly implicit Euler", Outcome::inaccurate,
@@ -103,8 +104,8 @@ Quantity runaway(const Given<double>& rod) {
   const double rate = std::sqrt(rod.w * rod.w / 2 - rod.K / rod.m);
   Quantity growth{"runaway",
                   "1/s",
-                  "rate at which the distance grows in the end, beyond the speed sqrt(2K/m)",
-                  {"sqrt(w^2/2 - K/m)", rate},
+                  R"(rate at which the distance grows in the end, beyond the speed $\sqrt{2K/m}$)",
+                  {R"($\sqrt{w^2/2-K/m}$)", rate},
                   1e-15 * rate,
                   {1e-8 * rate, "eight digits"}};
   const AlongTheRod<double> along{{rod}};
@@ -141,7 +142,8 @@ Scene scene() {
         {"along the rod", "turning_rod::AlongTheRod<double>{{{m, c, K, w, s}}}"},
         {"along the rod, with the work", "turning_rod::AlongTheRodWithWork<double>{{{m, c, K, w, s}}}"},
         {"in the turning plane", "turning_rod::InTheTurningPlane<double>{{{m, c, K, w, s}}}"},
-        {"Cartesian with constraints", "turning_rod::CartesianWithConstraints<double>{{{m, c, K, w, s}}}"}}}};
+        {"Cartesian with constraints", "turning_rod::CartesianWithConstraints<double>{{{m, c, K, w, s}}}"}}},
+      turning_rod::draw<Parameters>};
 }
 
 Findings study(const Parameters& given, const Reference& truth) {

@@ -73,9 +73,9 @@ struct Sample {
     return free + (1 + m) * (1 + size * accelerations) / abs(sin_phi());
   }
   std::string where() const {
-    return "lambda = " + rounded(p.lambda, 4) + ", omega = " + rounded(p.omega, 4) +
-           ", theta = " + rounded(q[0], 4) + ", phi = " + rounded(q[1], 4) +
-           ", theta' = " + rounded(v[0], 4) + ", phi' = " + rounded(v[1], 4);
+    return R"($\lambda$ = )" + rounded(p.lambda, 4) + R"(, $\omega$ = )" + rounded(p.omega, 4) +
+           R"(, $\theta$ = )" + rounded(q[0], 4) + R"(, $\phi$ = )" + rounded(q[1], 4) +
+           R"(, $\dot\theta$ = )" + rounded(v[0], 4) + R"(, $\dot\phi$ = )" + rounded(v[1], 4);
   }
   Axes<double> axes() const { return Axes<double>(q); }
   Space<double> w() const { return p.w(); }
@@ -425,7 +425,7 @@ struct ConeSample {
     return {relative * terms, "the quadratures' tolerance, relative to the terms"};
   }
   std::string where() const {
-    return "h = " + rounded(h(), 4) + ", r = " + rounded(r(), 4) + ", " + motion.where();
+    return "$h$ = " + rounded(h(), 4) + ", $r$ = " + rounded(r(), 4) + ", " + motion.where();
   }
   double rho(double z) const { return r() * (1 - z / h()); }
 
@@ -526,9 +526,9 @@ void center_of_mass(Claims& claims, const Cones& cones) {
       "center_halves", 2305, "half the volume lies above the center of mass", cones,
       {.quantity = "the volume above the center of mass",
        .truth = {"volume and center of mass by quadrature", [](C s) { return s.volume_above(s.center()); }},
-       .printed = {"1/2 of the whole", of_volume(1.0 / 2)},
-       .corrected = {"27/64 of the whole", of_volume(27.0 / 64)},
-       .near_misses = {{"9/16 of the whole", of_volume(9.0 / 16)}},
+       .printed = {"$1/2$ of the whole", of_volume(1.0 / 2)},
+       .corrected = {"$27/64$ of the whole", of_volume(27.0 / 64)},
+       .near_misses = {{"$9/16$ of the whole", of_volume(9.0 / 16)}},
        .kind = Fault::counterexample,
        .root = root,
        .why =

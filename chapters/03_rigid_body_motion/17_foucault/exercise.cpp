@@ -7,6 +7,7 @@
 // difference of two Earths that turn the opposite ways. The cone's integrals are taken by quadrature over its
 // points.
 
+#include "chapters/03_rigid_body_motion/17_foucault/drawing.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -20,7 +21,8 @@ using namespace foucault;
 constexpr Parameter parameters[] = {
     {"lambda", 0.75, "rad", "latitude", -1.5, 1.5},
     {"L", 1, "m", "length", 0.1, 100},
-    {"omega", 0.0625, "rad/s", "angular speed of the Earth; the real one has 7.292115e-5", 0, 2},
+    {"omega", 0.0625, "rad/s", R"(angular speed of the Earth; the real one has $7.292115\cdot10^{-5}$)", 0,
+     2},
     {"g", 9.81, "m/s^2", "gravity", 0.1, 100},
     {"theta", 0.5, "rad", "direction at the start, from west to north", -10, 10},
     {"phi", 0.25, "rad", "angle at the start, from the lower vertical", 0.01, 3},
@@ -61,7 +63,8 @@ Scene scene() {
          "foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0}"},
         {"two angles", "foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
         {"Cartesian with constraint",
-         "foucault::Cartesian<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}}};
+         "foucault::Cartesian<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}},
+      foucault::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

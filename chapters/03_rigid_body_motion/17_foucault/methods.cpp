@@ -68,7 +68,7 @@ const std::string cartesian = "Cartesian with constraint", angles = "two angles"
                   small = "the period grows with the amplitude, and ellipses turn by themselves";
 
 const std::string turns_at_once =
-    "each pass by the lowest point turns theta by half a turn, too fast for these steps";
+    R"(each pass by the lowest point turns $\theta$ by half a turn, too fast for these steps)";
 
 }  // namespace
 
@@ -115,9 +115,10 @@ Quantity bob_on_earth(const Horizon& horizon, const Reference& truth) {
 Quantity push(Given<double> p, const Horizon& horizon, const Reference& truth) {
   p.phi = p.theta_dot = 0;
   p.phi_dot = 0.75;
-  Quantity q = quantity("pushed_from_below", "m", "the same, pushed from the lowest point by phi' = 0.75 / s",
-                        trajectory(truth, "03_17_bob", p.inputs(), horizon), {1e-6, "a micrometre"});
-  const std::string why = "at the lowest point the first equation is divided by sin phi = 0";
+  Quantity q =
+      quantity("pushed_from_below", "m", R"(the same, pushed from the lowest point by $\dot\phi=0.75$ rad/s)",
+               trajectory(truth, "03_17_bob", p.inputs(), horizon), {1e-6, "a micrometre"});
+  const std::string why = R"(at the lowest point the first equation is divided by $\sin\phi=0$)";
   Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
       .by<ode::RungeKutta4>(angles, TwoAngles<double>{p}, Outcome::non_finite, why)
       .by<ode::Fehlberg78>(angles, TwoAngles<double>{p}, Outcome::non_finite, why)
@@ -132,10 +133,11 @@ Quantity push(Given<double> p, const Horizon& horizon, const Reference& truth) {
 
 Quantity hours(const Reference& truth) {
   const Horizon horizon{3600, 1};
-  Quantity q = quantity("plane_of_swing", "rad",
-                        "direction of the Pantheon's pendulum (67 m, 3 m aside, at rest) after an hour",
-                        trajectory(truth, "03_17_axis", pantheon.inputs(), horizon),
-                        {1e-3, "a twentieth of a degree; theory: omega sin lambda, 11.3 degrees an hour"});
+  Quantity q =
+      quantity("plane_of_swing", "rad",
+               "direction of the Pantheon's pendulum (67 m, 3 m aside, at rest) after an hour",
+               trajectory(truth, "03_17_axis", pantheon.inputs(), horizon),
+               {1e-3, R"(a twentieth of a degree; theory: $\omega\sin\lambda$, 11.3 degrees an hour)"});
   const SeenAsAxis<Cartesian<double>> full{{pantheon}};
   const SeenAsAxis<TwoAngles<double>> two{{pantheon}};
   const Knob steps = halving("step", 1, 4);
@@ -170,7 +172,7 @@ Quantity cone_swing(Given<double> p, const Cone& cone, const Horizon& horizon, c
       .by<ode::Fehlberg78>("point mass at (L^2 + Ixx)/L", Direction{{p}})
       .by<ode::Fehlberg78>("point mass at the center of mass", Direction{{point}}, Outcome::inaccurate, why)
       .by<ode::DormandPrince54>("published energy", BookSwing{book, {book_cone(cone), p.w()}},
-                                Outcome::inaccurate, why + "; its L and J are not the cone's");
+                                Outcome::inaccurate, why + "; its $L$ and $J$ are not the cone's");
   return q;
 }
 
@@ -199,7 +201,7 @@ Quantity inertia(const Cone& cone) {
   const Value exact{r2h * (2 * h * h + 3 * r * r) / 60, r2h * r * r / 10};
   Quantity q{"inertia",
              "m^5",
-             "Ixx and Izz of the cone about its base's center, its density one",
+             "$I_{xx}$ and $I_{zz}$ of the cone about its base's center, its density one",
              {"closed form", exact},
              4e-16 * size_of(exact),
              {1e-10 * size_of(exact), "ten digits of the larger"}};
@@ -212,7 +214,7 @@ Quantity inertia(const Cone& cone) {
   };
   q.add({"cylindrical coordinates", "Gauss-Legendre", doubling("points", 2, 4), gauss(false)});
   q.add({"the text's limits", "Gauss-Legendre", doubling("points", 2, 5), gauss(true), Outcome::inaccurate,
-         "the width sqrt(rho^2 - y^2) has infinite slopes at its ends"});
+         R"(the width $\sqrt{\rho^2-y^2}$ has infinite slopes at its ends)"});
   q.add({"the text's limits", "QAGS", tolerances(6, 9, 3), [=](double e) {
            return cone_moments(cone, true,
                                [e](FunctionOfOne f, double a, double b) { return qags(f, a, b, e); });

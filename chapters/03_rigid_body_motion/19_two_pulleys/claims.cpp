@@ -41,8 +41,9 @@ struct Sample {
     return floor + mass * (speed * speed + abs(a[0]) + abs(a[1])) + pulls * (1 + mass / std::min(p.m2, p.m3));
   }
   std::string where() const {
-    return "m2 = " + rounded(p.m2, 4) + ", m3 = " + rounded(p.m3, 4) + ", c1 = " + rounded(p.c1, 4) +
-           ", c2 = " + rounded(p.c2, 4) + ", y2 = " + rounded(q[0], 4) + ", y3 = " + rounded(q[1], 4);
+    return "$m_2$ = " + rounded(p.m2, 4) + ", $m_3$ = " + rounded(p.m3, 4) + ", $c_1$ = " + rounded(p.c1, 4) +
+           ", $c_2$ = " + rounded(p.c2, 4) + ", $y_2$ = " + rounded(q[0], 4) +
+           ", $y_3$ = " + rounded(q[1], 4);
   }
 
   /// The springs between floor and rope, from the ropes' lengths alone.

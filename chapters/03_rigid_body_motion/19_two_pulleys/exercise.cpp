@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "chapters/03_rigid_body_motion/19_two_pulleys/drawing.hpp"
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -31,13 +32,13 @@ constexpr Parameter parameters[] = {
     {"c2", 30, "N/m", "constant of the second spring", 0.1, 1e4},
     {"L1", 1, "m", "length at rest of the first spring", 0, 1e2},
     {"L2", 1, "m", "length at rest of the second spring", 0, 1e2},
-    {"K1", 1, "m", "S1 - y2", -1e2, 1e2},
-    {"K2", 1.5, "m", "S2 - y3 + 2 y2", -1e2, 1e2},
+    {"K1", 1, "m", "$S_1-y_2$", -1e2, 1e2},
+    {"K2", 1.5, "m", "$S_2-y_3+2y_2$", -1e2, 1e2},
     {"g", 9.81, "m/s^2", "gravity", 1e-3, 1e3},
     {"y2", 1, "m", "depth of the small pulley at the start", -1e2, 1e2},
     {"y3", 2.5, "m", "depth of the mass at the start", -1e2, 1e2},
-    {"v2", 0.25, "m/s", "y2' at the start", -1e2, 1e2},
-    {"v3", -0.5, "m/s", "y3' at the start", -1e2, 1e2},
+    {"v2", 0.25, "m/s", R"($\dot y_2$ at the start)", -1e2, 1e2},
+    {"v3", -0.5, "m/s", R"($\dot y_3$ at the start)", -1e2, 1e2},
     {"seed", 319, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -176,15 +177,16 @@ Scene scene() {
          "two_pulleys::TwoCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, "
          "v2, v3}, 0}"}},
        {{"normal modes", "which needs GSL's eigenvalues"},
-        {"normal modes, pulleys without inertia", "which needs GSL's eigenvalues"}}}};
+        {"normal modes, pulleys without inertia", "which needs GSL's eigenvalues"}}},
+      two_pulleys::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Given<double> pulleys = asked(p);
   Given<double> stiff = pulleys;
   stiff.c1 *= 0x1p30;
-  Quantity graded = frequencies("graded_frequencies", "the same with the first spring 2^30 times as stiff",
-                                stiff, true, truth);
+  Quantity graded = frequencies("graded_frequencies",
+                                "the same with the first spring $2^{30}$ times as stiff", stiff, true, truth);
   graded.add(Breakdown{
       "The quadratic formula subtracts two nearly equal numbers, and the eigenvalue solver errs by roundings "
       "of the larger eigenvalue. The product of the roots is $c_1c_2/\\det M$, without subtraction.",

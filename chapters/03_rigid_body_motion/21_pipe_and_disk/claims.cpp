@@ -43,8 +43,8 @@ struct Sample {
            (1 + 1 / inertia(mu2));
   }
   std::string where() const {
-    return "phi = " + rounded(phi, 4) + ", theta = " + rounded(q[0], 4) + ", theta' = " + rounded(v[0], 4) +
-           ", psi' = " + rounded(v[1], 4);
+    return R"($\phi$ = )" + rounded(phi, 4) + R"(, $\theta$ = )" + rounded(q[0], 4) + R"(, $\dot\theta$ = )" +
+           rounded(v[0], 4) + R"(, $\dot\psi$ = )" + rounded(v[1], 4);
   }
   Sample upright() const {
     Sample up = *this;

@@ -7,6 +7,7 @@
 // mu2 is the moment about a diameter, mu3 that about the pipe; J has the second moments of mass, (mu3/2,
 // mu3/2, mu2 - mu3/2). It takes phi constant; with phi free gravity would turn the pipe like a top.
 
+#include "chapters/03_rigid_body_motion/21_pipe_and_disk/drawing.hpp"
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/pipe_and_disk.hpp"
 
 #include <cmath>
@@ -105,7 +106,7 @@ Quantity upright(Given<double> disk, const Reference& truth) {
       "upright", "m", "mark on the disk's rim at four times, with the pipe upright",
       trajectory(truth, "03_21_upright", {disk.r, disk.theta, disk.theta_dot, disk.psi_dot}, horizon), {});
   motion.need = {1e-8 * disk.r, "a hundred-millionth of the radius"};
-  const std::string why = "0/0: nothing resists the angle of an upright pipe";
+  const std::string why = "$0/0$: nothing resists the angle of an upright pipe";
   Ladder(motion, horizon, halving("step", 0.125, 4), tolerances(3, 11))
       .closed_form(constant, RimMark<ConstantSpeeds<double>>{{disk}})
       .by<ode::RungeKutta4>(two, RimMark<TwoAngles<double>>{{disk}}, Outcome::non_finite, why)
@@ -138,7 +139,8 @@ Scene scene() {
         {"one angle", "pipe_and_disk::OneAngle<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
         {"two angles", "pipe_and_disk::TwoAngles<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
         {"Cartesian center",
-         "pipe_and_disk::Center<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"}}}};
+         "pipe_and_disk::Center<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"}}},
+      pipe_and_disk::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

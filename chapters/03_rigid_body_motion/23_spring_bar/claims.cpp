@@ -28,9 +28,10 @@ struct Sample {
   std::array<double*, 10> letters() { return {&m, &r, &s, &c, &h, &g, &ell, &q, &v, &a}; }
   double size() const { return m * g * r + c * (s + h + ell) * (s + h + ell) + m * r * r * (v * v + abs(a)); }
   std::string where() const {
-    return "m, r, s, c, h, g, ell = " + rounded(m, 4) + ", " + rounded(r, 4) + ", " + rounded(s, 4) + ", " +
+    return R"($m,r,s,c,h,g,\ell$ = )" + rounded(m, 4) + ", " + rounded(r, 4) + ", " + rounded(s, 4) + ", " +
            rounded(c, 4) + ", " + rounded(h, 4) + ", " + rounded(g, 4) + ", " + rounded(ell, 4) +
-           "; theta, theta', theta'' = " + rounded(q, 4) + ", " + rounded(v, 4) + ", " + rounded(a, 4);
+           R"(; $\theta,\dot\theta,\ddot\theta$ = )" + rounded(q, 4) + ", " + rounded(v, 4) + ", " +
+           rounded(a, 4);
   }
 
   double length(double angle) const { return hypot(s * cos(angle) - s, s * sin(angle) + h); }

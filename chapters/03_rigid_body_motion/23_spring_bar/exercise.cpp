@@ -7,6 +7,7 @@
 // differentiated by dual numbers, and with the moments of the forces. Small oscillations have the frequency
 // (s/r) sqrt(c/m), in which neither gravity nor the spring's length appears.
 
+#include "chapters/03_rigid_body_motion/23_spring_bar/drawing.hpp"
 #include "chapters/03_rigid_body_motion/23_spring_bar/spring_bar.hpp"
 
 #include <cmath>
@@ -102,7 +103,7 @@ Answer frequency_by_events(Given<double> bar, double amplitude) {
 }
 
 Quantity small_frequency(const Given<double>& bar, const Reference& truth) {
-  Quantity w = quantity("frequency", "rad/s", "angular frequency of small oscillations about theta = 0",
+  Quantity w = quantity("frequency", "rad/s", R"(angular frequency of small oscillations about $\theta=0$)",
                         truth("03_23_frequency", {bar.m, bar.r, bar.s, bar.c, bar.h, bar.g, bar.ell}),
                         {1e-6 * bar.frequency(), "a millionth of it"});
   const auto of = [bar](double curvature) { return std::sqrt(curvature / (bar.m * bar.r * bar.r)); };
@@ -139,7 +140,8 @@ Scene scene() {
        {{"small oscillation", "spring_bar::SmallOscillation<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
         {"one angle", "spring_bar::OneAngle<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
         {"Cartesian with constraint",
-         "spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}}"}}}};
+         "spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}}"}}},
+      spring_bar::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -30,7 +30,8 @@ struct Sample {
     }
   }
   std::string where() const {
-    return "theta = (" + rounded(theta[0], 4) + ", ...), omega = (" + rounded(omega[0], 4) + ", ...)";
+    return R"($\theta$ = ()" + rounded(theta[0], 4) + R"(, ...), $\omega$ = ()" + rounded(omega[0], 4) +
+           ", ...)";
   }
 
   /// The rod k pointing down, turned by theta, as a complex number x + i y.
@@ -166,8 +167,9 @@ Check accelerations(const std::string& left, const std::string& right, double se
     const Sample s(random, n);
     const Value expected = by_right(s);
     const double size = std::max(size_of(expected), 10.0);
-    worst.see(by_left(s), expected, {1e-10 * size, "a ten-thousandth of a millionth: condition 1e4 or less"},
-              size, "n = " + std::to_string(n) + ", " + s.where());
+    worst.see(by_left(s), expected,
+              {1e-10 * size, "a ten-thousandth of a millionth: condition $10^4$ or less"}, size,
+              "$n$ = " + std::to_string(n) + ", " + s.where());
   }
   return worst.check();
 }

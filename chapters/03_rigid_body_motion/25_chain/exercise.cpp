@@ -10,6 +10,7 @@
 // precision starts from the same state.
 
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
+#include "chapters/03_rigid_body_motion/25_chain/drawing.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
@@ -66,7 +67,8 @@ Scene scene() {
         {"tensions",
          "chain::Angles<double, chain::Equations::tensions>{{{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, "
          "theta3}, {omega1, omega2, omega3}}}"}},
-       {{"normal modes", "which needs GSL's eigenvalues"}}}};
+       {{"normal modes", "which needs GSL's eigenvalues"}}},
+      chain::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

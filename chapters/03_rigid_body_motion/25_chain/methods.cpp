@@ -282,7 +282,7 @@ Quantity horizon_by_digits(const std::string& name, const std::string& from_A_to
   const double per_digit = std::numbers::ln10 * (t1 - t0) / (rate.value[0] - parting(t0, truth).value[0]);
   rate.error *= per_digit * per_digit * t1 / (std::numbers::ln10 * (t1 - t0));
   rate.value = {per_digit};
-  rate.source = "ln(10) over the growth rate of neighbours from " + shortest(t0) + " to " + shortest(t1) +
+  rate.source = R"($\ln10$ over the growth rate of neighbours from )" + shortest(t0) + " to " + shortest(t1) +
                 " s, " + rate.source;
   Quantity q =
       quantity(name, "s",
@@ -320,10 +320,12 @@ Quantity by_algorithm(double t, const Reference& truth, const AlgorithmsPredict&
 Quantity growth(double t, const Reference& truth) {
   std::vector<double> at = inputs(chaotic);
   at.push_back(t);
-  Quantity q = quantity("growth", "1/s",
-                        "rate at which a change of theta1 grows within " + shortest(t) +
-                            " s of rest at (2, 2.5, 3) rad: log |d(position)/d(theta1)| / t",
-                        truth("03_25_growth", at), {1e-3, "a thousandth per second"});
+  Quantity q = quantity(
+      "growth", "1/s",
+      "rate at which a change of theta1 grows within " + shortest(t) +
+          R"( s of rest at (2, 2.5, 3) rad: $\ln|\partial\mathbf x/\partial\theta_1|/t$, $\mathbf x$ the )"
+          R"(position)",
+      truth("03_25_growth", at), {1e-3, "a thousandth per second"});
   q.add({"variational equation", "Fehlberg 7(8)", tolerances(6, 14),
          [=](double tolerance) { return growth_by_variation(chaotic, t, tolerance); }});
   q.add({"two neighbours",

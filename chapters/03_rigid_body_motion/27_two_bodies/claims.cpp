@@ -37,8 +37,8 @@ struct Sample {
     return forces * (1 + speed) * (1 + 1 / (r * r)) / (sine * sine);
   }
   std::string where() const {
-    return "m1 = " + rounded(m1, 4) + ", m2 = " + rounded(m2, 4) + ", r = " + rounded(q[0], 4) +
-           ", phi' = " + rounded(v[2], 4);
+    return "$m_1$ = " + rounded(m1, 4) + ", $m_2$ = " + rounded(m2, 4) + ", $r$ = " + rounded(q[0], 4) +
+           R"(, $\dot\varphi$ = )" + rounded(v[2], 4);
   }
 
   /// Of r'', before what cancels whatever the letters are.
@@ -137,7 +137,7 @@ struct Later {
   }
   Tolerance tolerance(double) const { return by_integration; }
   std::string where() const {
-    return "m1 = " + rounded(b.m1, 4) + ", m2 = " + rounded(b.m2, 4) + ", r0 = " + rounded(b.r0, 4);
+    return "$m_1$ = " + rounded(b.m1, 4) + ", $m_2$ = " + rounded(b.m2, 4) + ", $r_0$ = " + rounded(b.r0, 4);
   }
 };
 
@@ -165,7 +165,9 @@ struct PastThePole {
     flat = by_system(b, b.r0 * b.r0 * b.phi0_dot, gamma);
   }
   Tolerance tolerance(double) const { return by_integration; }
-  std::string where() const { return "theta0 = " + rounded(theta0, 4) + ", phi0 = " + rounded(b.phi0, 4); }
+  std::string where() const {
+    return R"($\theta_0$ = )" + rounded(theta0, 4) + R"(, $\varphi_0$ = )" + rounded(b.phi0, 4);
+  }
   Value on_meridian(double theta, double from_axis) const {
     return {from_axis * std::cos(theta), from_axis * std::sin(theta), flat[0]};
   }

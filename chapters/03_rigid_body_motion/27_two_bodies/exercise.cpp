@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
+#include "chapters/03_rigid_body_motion/27_two_bodies/drawing.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
@@ -162,7 +163,8 @@ Scene scene() {
              "two_bodies::ByKeplersEquation<double>({G, m1, m2, r0, r0_dot, phi0, phi0_dot})"},
             {"(r, u, phi)", "two_bodies::Published<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"},
             {"two bodies", "two_bodies::BothBodies<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"}},
-           {{"Levi-Civita's coordinates", "which needs Newton's method for the time of every frame"}}}};
+           {{"Levi-Civita's coordinates", "which needs Newton's method for the time of every frame"}}},
+          two_bodies::draw<Parameters>};
 }
 
 /// The time of a turn of phi, against Kepler's third law with the sum of the masses.
@@ -171,8 +173,8 @@ Quantity period(const Bodies& b) {
   const double a = -s.mu() / (2 * s.energy()), turn = 2 * std::numbers::pi * a * std::sqrt(a / s.mu());
   Quantity q{"period",
              "s",
-             "time of a whole turn of phi",
-             {"Kepler's third law, 2 pi sqrt(a^3 / (G (m1 + m2)))", turn},
+             R"(time of a whole turn of $\varphi$)",
+             {R"(Kepler's third law, $2\pi\sqrt{a^3/(G(m_1+m_2))}$)", turn},
              1e-14 * turn,
              {1e-8 * turn, "eight digits"}};
   q.add({"(r, u, phi)", "Fehlberg 7(8), event phi = phi0 + 2 pi", tolerances(6, 12), [=](double tolerance) {
@@ -196,7 +198,7 @@ Quantity period(const Bodies& b) {
 Findings study(const Parameters& p, const Reference& truth) {
   constexpr Bodies eccentric{1, 2, 1, 1, 0.25, 0.5, 0.5}, near_collision{1, 2, 1, 1, 0.25, 0.5, 0x1p-5};
   const Horizon horizon{scene().horizon};
-  Quantity hit = path("near_collision", "e = 0.9997", near_collision, horizon, truth,
+  Quantity hit = path("near_collision", "$e=0.9997$", near_collision, horizon, truth,
                       halving("step", 0x1p-5, 9), {diverged, diverged, diverged, diverged, diverged});
   hit.add(Breakdown{
       "The bodies, let go at 0.25 m/s, pass each other at a six-thousandth of their distance and at 190 m/s: "
@@ -206,7 +208,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       "two bodies, Runge-Kutta 4", 0x1p-13, diverged,
       "Levi-Civita's coordinates, Runge-Kutta 4 in fictitious time", 0x1p-8});
   std::vector<Quantity> all{motion(scene(), p, truth),
-                            path("eccentric_path", "e = 0.92", eccentric, horizon, truth,
+                            path("eccentric_path", "$e=0.92$", eccentric, horizon, truth,
                                  halving("step", 0x1p-5, 9), {drifted, drifted, inaccurate, inaccurate, ok}),
                             hit};
   if (const Bodies bodies = asked(p); bodies.relative().energy() < 0) all.push_back(period(bodies));

@@ -47,8 +47,8 @@ struct Sample {
     return std::string(wire.shape == Shape::straight     ? "straight"
                        : wire.shape == Shape::semicircle ? "semicircle"
                                                          : "parabola") +
-           ", q = " + rounded(wire.q, 4) + ", density " + rounded(wire.d0, 4) + " (1 + " +
-           rounded(wire.k, 4) + " s/L), theta = " + rounded(theta, 4);
+           ", $q$ = " + rounded(wire.q, 4) + ", density " + rounded(wire.d0, 4) + " (1 + " +
+           rounded(wire.k, 4) + R"( $s/L$), $\theta$ = )" + rounded(theta, 4);
   }
   Point body(double u) const {
     const Point p = wire.point(u);

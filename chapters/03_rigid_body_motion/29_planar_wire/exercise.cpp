@@ -5,6 +5,7 @@
 //   integral
 // methods.cpp has the quantities, claims.cpp the claims.
 
+#include "chapters/03_rigid_body_motion/29_planar_wire/drawing.hpp"
 #include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -44,7 +45,8 @@ Scene scene() {
         {"free fall", "planar_wire::FreeFall<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
         {"x, y, theta", "planar_wire::Generalized<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
         {"two particles and a rod",
-         "planar_wire::TwoParticles<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"}}}};
+         "planar_wire::TwoParticles<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"}}},
+      planar_wire::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

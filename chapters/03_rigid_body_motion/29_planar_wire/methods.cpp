@@ -78,7 +78,7 @@ void add_rules(Quantity& quantity, const std::string& name, double a, double b, 
 /// mu0, the center of mass and mu2 of a uniform wire.
 Quantity inertia(const std::string& name, const Wire& w, const Reference& truth) {
   Quantity quantity =
-      oddity::quantity(name, "kg, m, m, kg m^2", "mu0, the center of mass and mu2 of the " + name,
+      oddity::quantity(name, "kg, m, m, kg m^2", R"($\mu_0$, the center of mass and $\mu_2$ of the )" + name,
                        truth("03_29_inertia", {static_cast<double>(w.shape), w.q, w.d0}), {});
   quantity.need = {1e-10 * size_of(quantity.reference.value), "ten digits of the largest"};
   const std::string by_x = "as a graph over x";
@@ -96,7 +96,7 @@ Quantity inertia(const std::string& name, const Wire& w, const Reference& truth)
         return Point{x, std::sqrt(w.q * w.q - x * x)};
       },
       [w](double x) { return w.q / std::sqrt(w.q * w.q - x * x); },
-      {Outcome::non_finite, Outcome::inaccurate, ok}, "ds/dx is infinite at both ends");
+      {Outcome::non_finite, Outcome::inaccurate, ok}, "$ds/dx$ is infinite at both ends");
   return quantity;
 }
 
@@ -105,9 +105,9 @@ Quantity inertia(const std::string& name, const Wire& w, const Reference& truth)
 std::vector<Quantity> inertias(const Given& given, const Reference& truth) {
   Quantity semicircle = inertia("semicircle", {Shape::semicircle, given.q, given.d, 0}, truth);
   semicircle.add(Breakdown{
-      "As a graph over x the half circle has vertical ends, where ds/dx is infinite: a "
-      "rule that takes the ends fails, Gauss and Legendre's gains one digit for ten times "
-      "the points. By the angle the integrands are smooth.",
+      "As a graph over $x$ the half circle has vertical ends, where $ds/dx$ is infinite: a rule that takes "
+      "the ends fails, Gauss and Legendre's gains one digit for ten times the points. By the angle the "
+      "integrands are smooth.",
       "as a graph over x, Gauss-Legendre", 64, Outcome::inaccurate, "by the angle, Gauss-Legendre", 16});
   return {inertia("straight wire", {Shape::straight, given.q, given.d, 0}, truth), semicircle,
           inertia("parabola", {Shape::parabola, given.q, given.d, 0}, truth)};

@@ -5,6 +5,7 @@
 // full speed only makes the box tremble, and on a slope creep. A uniform pressure is assumed; the box is too
 // low to be tilted by its friction.
 
+#include "chapters/03_rigid_body_motion/31_rough_box/drawing.hpp"
 #include "chapters/03_rigid_body_motion/31_rough_box/rough_box.hpp"
 #include "chapters/claims.hpp"
 #include "chapters/in_float.hpp"
@@ -62,7 +63,8 @@ Scene scene() {
         {"friction regularized at 1 cm/s", "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}, 0.01}"}},
        {{"steps with a stick test", "which needs a loop of its own"},
         {"stopped by event", "which needs a search for events"},
-        {"time stretched by the speed", "which needs Newton's method for the time of every frame"}}}};
+        {"time stretched by the speed", "which needs Newton's method for the time of every frame"}}},
+      rough_box::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -161,7 +161,8 @@ Quantity rest(const Box& box, const Reference& truth) {
          [=](double e) { return answer(through_the_stop<ode::Rosenbrock4>(box, e, 1e-9), place); }});
   q.add({soft, "Runge-Kutta 4, step 1/256", softness,
          [=](double e) { return answer(through_the_stop<ode::RungeKutta4>(box, e, 0x1p-8), place); },
-         Outcome::inaccurate, "unstable at rest when the step exceeds 2.8 softness / (mu g)"});
+         Outcome::inaccurate,
+         R"(unstable at rest when the step exceeds 2.8 times the softness over $\mu g$)"});
   return q;
 }
 
@@ -286,11 +287,11 @@ std::vector<Quantity> at_rest(const Box& box, const Reference& truth) {
                 "rest: it trembles and wanders. A test whether friction can stop the box within the step "
                 "lets it rest.",
                 in_time + ", Runge-Kutta 4", 0x1p-8, Outcome::inaccurate, sticks + ", " + midpoint, 0x1p-12});
-  end.add(
-      Breakdown{"Regularized friction is stiff at rest: its rate is mu g / softness, and a fixed explicit "
-                "step ends by trembling. An implicit method takes its steps from the motion.",
-                soft + ", Runge-Kutta 4, step 1/256", 0.0001, Outcome::inaccurate,
-                soft + ", Rosenbrock 4, tolerance 1e-9", 0.0001});
+  end.add(Breakdown{
+      R"(Regularized friction is stiff at rest: its rate is $\mu g$ over the softness, and a fixed )"
+      R"(explicit step ends by trembling. An implicit method takes its steps from the motion.)",
+      soft + ", Runge-Kutta 4, step 1/256", 0.0001, Outcome::inaccurate,
+      soft + ", Rosenbrock 4, tolerance 1e-9", 0.0001});
   return {time_to_rest(box, truth), end};
 }
 

@@ -4,6 +4,7 @@
 //   u'^2 = (e - 2 alpha u)(1 - u^2) - (b - a u)^2,   alpha = m g l/mu1, a = mu3 c/mu1, b = gamma/mu1
 // methods.cpp has the quantities, claims.cpp the claims.
 
+#include "chapters/03_rigid_body_motion/33_heavy_top/drawing.hpp"
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -57,7 +58,8 @@ Scene scene() {
         {"rigid body, quaternion",
          "heavy_top::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
         {"axis and angular momentum",
-         "heavy_top::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"}}}};
+         "heavy_top::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"}}},
+      heavy_top::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

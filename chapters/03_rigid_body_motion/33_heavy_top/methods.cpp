@@ -19,7 +19,7 @@ constexpr const char* rigid_body = "rigid body, quaternion";
 constexpr const char* euler_angles = "Euler angles";
 constexpr const char* momentum_model = "axis and angular momentum";
 constexpr const char* low_order = "its order is too low for this need at this step";
-constexpr const char* divides = "it divides by sin(phi)";
+constexpr const char* divides = R"(it divides by $\sin\phi$)";
 
 std::vector<double> inputs(const Top& t) {
   return {t.m, t.l, t.mu1, t.mu3, t.g, t.theta, t.phi, t.psi, t.dtheta, t.dphi, t.dpsi};
@@ -89,7 +89,7 @@ Quantity height(const Top& top, const Reference& truth) {
   const Horizon horizon{duration};
   Known known = true_axis(top, horizon, truth);
   known.value = {known.value[2], known.value[5], known.value[8], known.value[11]};
-  Quantity q = quantity("height", "1", "cos(phi) after 1, 2, 3 and 4 s", known,
+  Quantity q = quantity("height", "1", R"($\cos\phi$ after 1, 2, 3 and 4 s)", known,
                         {1e-7, "a fiftieth of a second of arc"});
   Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
       .closed_form("Jacobi's sn", HeightByJacobi(top))
@@ -132,7 +132,7 @@ Answer followed_turns(const Top& top, double tolerance) {
 
 Quantity nutation_bounds(const Top& top, const Reference& truth) {
   Quantity q = quantity(
-      "nutation_bounds", "1", "least and greatest height cos(phi) of the axis",
+      "nutation_bounds", "1", R"(least and greatest height $\cos\phi$ of the axis)",
       truth("03_33_bounds", {top.m, top.l, top.mu1, top.mu3, top.g, top.phi, top.dtheta, top.dphi, top.dpsi}),
       {1e-10, "ten decimals"});
   q.add({"cubic of the height", "Viete's angles", no_knob(), [top](double) {
@@ -252,7 +252,7 @@ Quantity sleeping_threshold(const Top& top) {
   Quantity q{"sleeping_threshold",
              "rad/s",
              "least spin of an upright top that stays upright",
-             {"c^2 mu3^2 = 4 mu1 m g l", exact},
+             {R"($c^2\mu_3^2=4\mu_1mg\ell$)", exact},
              1e-15 * exact,
              {1e-4 * exact, "a ten-thousandth of the spin"}};
   q.add({"effective potential", "Brent on its curvature by dual numbers", tolerances(4, 12), [=](double e) {
@@ -290,8 +290,8 @@ Quantity struck_upright(const Top& top, const Reference& truth) {
       .by<ode::DormandPrince54>(rigid_body, RigidBody<double>{{upright}})
       .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum<double>{{upright}});
   return q.add(Breakdown{
-      "Upright, the precession and the spin are turns about one line, and the Euler angles' equations divide "
-      "by sin(phi) = 0. The quaternion has no such place.",
+      R"(Upright, the precession and the spin are turns about one line, and the Euler angles' equations )"
+      R"(divide by $\sin\phi=0$. The quaternion has no such place.)",
       "Euler angles, Runge-Kutta 4", 0.00048828125, Outcome::non_finite,
       "rigid body, quaternion, Runge-Kutta 4", 0.00048828125});
 }
@@ -311,9 +311,9 @@ Quantity past_the_vertical(const Top& top, const Reference& truth) {
       .by<ode::Fehlberg78>(rigid_body, RigidBody<double>{{grazing}})
       .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum<double>{{grazing}});
   return q.add(Breakdown{
-      "Where the axis passes 0.012 rad from the vertical, the rate of precession peaks as 1/sin^2(phi), and "
-      "equal steps that serve the quaternion to nine digits lose three of them with Euler angles; at a "
-      "hundred steps a second the angles do not come through at all.",
+      R"(Where the axis passes 0.012 rad from the vertical, the rate of precession peaks as )"
+      R"($1/\sin^2\phi$, and equal steps that serve the quaternion to nine digits lose three of them with )"
+      R"(Euler angles; at a hundred steps a second the angles do not come through at all.)",
       "Euler angles, Runge-Kutta 4", 0.00048828125, Outcome::inaccurate,
       "rigid body, quaternion, Runge-Kutta 4", 0.00048828125});
 }
@@ -344,7 +344,7 @@ Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
                         true_axis(top, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
   Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
       .closed_form("mean precession of a fast top", MeanPrecession<double>{top}, Outcome::inaccurate,
-                   "the axis nods, and its mean rate is m g l/(mu3 c) in the limit of fast spin only")
+                   R"(the axis nods, and its mean rate is $mg\ell/(\mu_3c)$ in the limit of fast spin only)")
       .by_common("one angle, precession by quadrature", OneAngle<double>{top}, Outcome::drifted)
       .by_others("one angle, precession by quadrature", OneAngle<double>{top},
                  {{"modified midpoint", Outcome::inaccurate, low_order},
@@ -374,7 +374,7 @@ std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
         steady_precession("steady_" + name + "_hanging", name + of_hanging, hanging, top.dpsi, root, truth));
   }
   if (has_steady_precession(top, 0x1p20))
-    all.push_back(steady_precession("steady_slow_of_fast_top", "slow rate at a spin of 2^20 rad/s", top,
+    all.push_back(steady_precession("steady_slow_of_fast_top", "slow rate at a spin of $2^{20}$ rad/s", top,
                                     0x1p20, Rate::slow, truth)
                       .add(Breakdown{"The slow rate is the difference of two numbers that agree in ten "
                                      "digits; multiplied out by the other root, it is a sum.",

@@ -4,6 +4,7 @@
 // methods.cpp has the quantities, claims.cpp the claims.
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
+#include "chapters/03_rigid_body_motion/35_moving_tip/drawing.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -24,7 +25,7 @@ constexpr Parameter parameters[] = {
     {"dtheta", 0.5, "rad/s", "its rate", -10, 10},
     {"dphi", 0.25, "rad/s", "its rate", -10, 10},
     {"dpsi", 30, "rad/s", "its rate", 1, 100},
-    {"A", 0.0625, "m", "amplitude of the tip, the book's alpha", 1e-4, 1},
+    {"A", 0.0625, "m", R"(amplitude of the tip, the book's $\alpha$)", 1e-4, 1},
     {"lambda", 3, "rad/s", "its frequency", 0.1, 30},
     {"seed", 335, "", "seed of the random samples", 0, 1e9, whole_number},
 };
@@ -62,7 +63,8 @@ Scene scene() {
         {"rigid body, quaternion",
          "moving_tip::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
         {"axis and angular momentum",
-         "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}}};
+         "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}},
+      moving_tip::draw<Parameters>};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -27,7 +27,7 @@ Quantity shaken_axis(const std::string& name, const std::string& says, const Top
   const std::string tilted = "Euler angles", quaternion = "rigid body, quaternion",
                     momentum = "axis and angular momentum", first = "first order in A",
                     order = "its order is too low for this need at this step",
-                    squares = "terms of order A^2 are left out";
+                    squares = "terms of order $A^2$ are left out";
   const AxisAndMomentum<double> proposed{with_fixed_tip(top)}, full{top};
   const FirstOrderInA<double> linear{top};
   constexpr Outcome off = Outcome::inaccurate;
@@ -50,8 +50,9 @@ Quantity shaken_axis(const std::string& name, const std::string& says, const Top
       .by<ode::DormandPrince54>(momentum, full)
       .by<ode::Fehlberg78>(momentum, full);
   return q.add(Breakdown{
-      "The motion about a fixed tip, carried along with the tip, is another motion: to the axis the tip's "
-      "acceleration is a second gravity, which swings. The torque of -m p'' about the tip puts it right.",
+      R"(The motion about a fixed tip, carried along with the tip, is another motion: to the axis the )"
+      R"(tip's acceleration is a second gravity, which swings. The torque of $-m\ddot{\mathbf p}$ about )"
+      R"(the tip puts it right.)",
       std::string(fixed_tip) + ", Fehlberg 7(8)", 1e-11, Outcome::inaccurate,
       "rigid body, quaternion, Fehlberg 7(8)", 1e-11});
 }
@@ -135,11 +136,11 @@ Quantity deviation(const Top& top, const Reference& truth) {
     const auto x = axis_at(shaken).value;
     known.value.push_back(angle_between(still, {x[0], x[1], x[2]}));
   }
-  Quantity q =
-      quantity("deviation", "rad",
-               "angle after 4 s between the axis and that of the same top with its tip fixed, for (A, "
-               "lambda), (A/8, lambda), (A, 2 lambda) and A at the nutation's frequency",
-               known, {1e-6, "a fifth of a second of arc"});
+  Quantity q = quantity(
+      "deviation", "rad",
+      R"(angle after 4 s between the axis and that of the same top with its tip fixed, for $(A,\lambda)$, )"
+      R"($(A/8,\lambda)$, $(A,2\lambda)$ and $A$ at the nutation's frequency)",
+      known, {1e-6, "a fifth of a second of arc"});
   q.add({fixed_tip, "no difference", no_knob(),
          [](double) {
            return Answer{{0, 0, 0, 0}, 0};
@@ -147,7 +148,7 @@ Quantity deviation(const Top& top, const Reference& truth) {
          Outcome::inaccurate, separate});
   q.add({"first order in A", "Fehlberg 7(8)", tolerances(3, 11),
          [=](double e) { return followed_deviation<ode::Fehlberg78, FirstOrderInA<double>>(top, e); },
-         Outcome::inaccurate, "terms of order A^2 are left out"});
+         Outcome::inaccurate, "terms of order $A^2$ are left out"});
   q.add({"Euler angles", "Fehlberg 7(8)", tolerances(3, 11),
          [=](double e) { return followed_deviation<ode::Fehlberg78, EulerAngles<double>>(top, e); }});
   q.add({"rigid body, quaternion", "Fehlberg 7(8)", tolerances(3, 11),
@@ -178,7 +179,7 @@ std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
   const Horizon horizon{ex03_33::duration};
   return {shaken_axis("near_resonance", "the same with A / 8 at the nutation's frequency", resonant, horizon,
                       truth),
-          shaken_axis("strong_shaking", "the same with 4 A, 5 rad/s faster", strong, horizon, truth),
+          shaken_axis("strong_shaking", "the same with $4A$, 5 rad/s faster", strong, horizon, truth),
           nearly_upright(top, truth), deviation(top, truth)};
 }
 

@@ -157,8 +157,9 @@ struct Sample {
     return terms + (terms + std::sqrt(dot(truth, truth))) / (std::min({1.0, mu1, mu3}) * sine * sine);
   }
   std::string where() const {
-    return "theta, phi, psi = " + rounded(q[0], 4) + ", " + rounded(q[1], 4) + ", " + rounded(q[2], 4) +
-           ", l = " + rounded(l, 4) + ", mu1 = " + rounded(mu1, 4) + ", mu3 = " + rounded(mu3, 4);
+    return R"($\theta,\phi,\psi$ = )" + rounded(q[0], 4) + ", " + rounded(q[1], 4) + ", " + rounded(q[2], 4) +
+           R"(, $\ell$ = )" + rounded(l, 4) + R"(, $\mu_1$ = )" + rounded(mu1, 4) + R"(, $\mu_3$ = )" +
+           rounded(mu3, 4);
   }
 };
 

@@ -86,8 +86,9 @@ Quantity directional(const Parameters& p, const Reference& truth) {
   const At at(p);
   const Point x = at.x, f = at.waves.f(at.x);
   const Known known = truth("05_01_directional", at.inputs());
-  Quantity q = quantity("directional", "1", "(f.grad) x at x, for a field of wave number w", known,
-                        nine_digits(known.value));
+  Quantity q = quantity("directional", "1",
+                        R"($(\mathbf f\cdot\nabla)\mathbf x$ at $\mathbf x$, for a field of wave number $w$)",
+                        known, nine_digits(known.value));
   add_ways(q, "along f", 1, [=](auto& way) { return way.along(position, x, f); });
   const auto by_axes = [=](auto& way) { return advection_of(slopes_by(way, position, x), f); };
   add_ways(q, "along the axes", 1, by_axes, Outcome::ok, "");

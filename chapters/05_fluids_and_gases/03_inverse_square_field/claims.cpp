@@ -50,7 +50,7 @@ struct Away {
 
   std::array<double*, 3> letters() { return {&x[0], &x[1], &x[2]}; }
   double size() const { return std::pow(length(x), -power); }
-  std::string where() const { return "|x| = " + shortest(length(x)); }
+  std::string where() const { return R"($|\mathbf x|$ = )" + shortest(length(x)); }
 };
 
 /// Sizes within `range` of 1 either way.
@@ -88,7 +88,7 @@ Reading divergence_of_power(int power, const Random& random) {
   const std::string field = R"(\mathbf x/|\mathbf x|^)" + std::to_string(power);
   return {R"($\nabla\cdot()" + field + ")=0$",
           {divergence_is_zero(
-              "$" + field + "$",
+              field,
               [=](const Away& a) {
                 const auto along_x = [=](const auto& x) {
                   using std::pow;
@@ -108,7 +108,8 @@ struct Whole {
         y(random.below(2000001) - 1000000),
         z(random.below(2000001) - 1000000) {}
   std::string where() const {
-    return "x = (" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + ")";
+    return R"($\mathbf x$ = ()" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) +
+           ")";
   }
   /// The brackets |x|^2 - factor x_i^2 add up to zero.
   bool cancels(long factor) const {

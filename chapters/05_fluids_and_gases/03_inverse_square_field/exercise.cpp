@@ -17,9 +17,9 @@ constexpr Parameter parameters[] = {
     {"R", 1.5, "m", "radius of the sphere", 0.5, 10},
     {"a", 1, "m", "equatorial semi-axis of the spheroids", 0.1, 10},
     {"b", 2, "m", "polar semi-axis of the spheroids", 0.1, 10},
-    {"inside", 0.25, "", "centre of the sphere and the spheroid around the origin, in radii or b", 0, 0.9},
-    {"outside", 1.5, "", "centre of the spheroid that does not enclose the origin, in b", 1.1, 10},
-    {"close", 0.9921875, "", "centre of the spheroid whose pole is close to the origin, in b", 0.9, 0.998},
+    {"inside", 0.25, "", "centre of the sphere and the spheroid around the origin, in radii or $b$", 0, 0.9},
+    {"outside", 1.5, "", "centre of the spheroid that does not enclose the origin, in $b$", 1.1, 10},
+    {"close", 0.9921875, "", "centre of the spheroid whose pole is close to the origin, in $b$", 0.9, 0.998},
     {"h", 1, "m", "half side of the cube", 0.1, 10},
     {"seed", 5, "", "of the random points of the claims", 0, 9e15, whole_number},
 };
@@ -30,18 +30,22 @@ Findings study(const Parameters& p, const Reference& truth) {
   const auto away = [&](int k) {
     return Point{std::ldexp(x[0], k), std::ldexp(x[1], k), std::ldexp(x[2], k)};
   };
-  Quantity here = partials("partials", "d/dx_i (x_i / |x|^3), i = 0, 1, 2, and their sum, times |x|^3", x,
-                           truth, Outcome::ok, {});
+  Quantity here =
+      partials("partials",
+               R"($\frac{\partial}{\partial x_i}\frac{x_i}{|\mathbf x|^3}$, $i=0,1,2$, and their sum, times )"
+               R"($|\mathbf x|^3$)",
+               x, truth, Outcome::ok, {});
   Quantity near = partials(
-      "partials_near", "the same a million times closer to the origin, at 2^-20 x", away(-20), truth,
-      Outcome::ok, {Outcome::inaccurate, Outcome::ok, "even the finest step is too coarse beside |x|"});
+      "partials_near", R"(the same a million times closer to the origin, at $2^{-20}\mathbf x$)", away(-20),
+      truth, Outcome::ok,
+      {Outcome::inaccurate, Outcome::ok, R"(even the finest step is too coarse beside $|\mathbf x|$)"});
   near.add(Breakdown{
       "Beside the origin a step of $2^{-11}$ straddles it: the difference knows nothing of the field "
       "at $\\mathbf x$. A step in proportion to $|\\mathbf x|$ does.",
       "field, step h, central differences 4", 0x1p-11, Outcome::inaccurate,
       "field, step h |x|, central differences 4", 0x1p-11});
-  Quantity far = partials("partials_far", "the same at 2^180 x", away(180), truth, Outcome::inaccurate,
-                          {Outcome::inaccurate, Outcome::inaccurate, "x + h is x"});
+  Quantity far = partials("partials_far", R"(the same at $2^{180}\mathbf x$)", away(180), truth,
+                          Outcome::inaccurate, {Outcome::inaccurate, Outcome::inaccurate, "$x+h$ is $x$"});
   far.add(Breakdown{
       "The quotient rule as it stands has $|\\mathbf x|^6$ below: it overflows, and the derivative is "
       "taken for zero. With the factor $|\\mathbf x|$ cancelled it is right.",

@@ -35,7 +35,7 @@ std::vector<Root> roots();
 /// How differences with an absolute step are expected to end.
 struct Steps {
   Outcome second = Outcome::inaccurate, fourth = Outcome::inaccurate;
-  std::string why = "rounding grows as eps/h: the finest step is not the best";
+  std::string why = "rounding grows as $1/h$: the finest step is not the best";
 };
 
 Quantity partials(const std::string& name, const std::string& says, const Point& x, const Reference&,

@@ -38,7 +38,8 @@ Quantity partials(const std::string& name, const std::string& says, const Point&
     return [x, f](double) { return Answer{scaled(f(x), x), static_cast<long>(x.size())}; };
   };
   q.add({formula, "quotient rule", no_knob(), published(each<quotient>), quotient_ends,
-         quotient_ends == Outcome::ok ? "" : "|x|^6 overflows from |x| = 2e51 on"});
+         quotient_ends == Outcome::ok ? ""
+                                      : R"($|\mathbf x|^6$ overflows from $|\mathbf x|=2\cdot10^{51}$ on)"});
   q.add({formula, "simplified", no_knob(), published(each<simplified>)});
   const auto by = [x](auto way) {
     Point slopes;
@@ -162,7 +163,7 @@ Quantity spheroid_flux(const std::string& name, const std::string& says, double 
   q.add({angles, "Simpson", doubling("panels", 8, 6), [by](double n) { return by(with(simpson, n)); },
          Outcome::inaccurate, peaked ? why : low_order});
   q.add({angles, "trapezoid", doubling("panels", 8, 6), [by](double n) { return by(with(trapezoid, n)); },
-         Outcome::inaccurate, "over theta, which is no period, the trapezoid rule has order 2"});
+         Outcome::inaccurate, R"(over $\theta$, which is no period, the trapezoid rule has order 2)"});
   q.add({angles, "QAGS", tolerances(2, 10), [by](double tolerance) { return by(qags_with(tolerance)); }});
   return q;
 }
@@ -170,7 +171,7 @@ Quantity spheroid_flux(const std::string& name, const std::string& says, double 
 Quantity cube_flux(double h, const Reference& truth) {
   const Cube cube{h, {0.25 * h, -0.5 * h, 0.125 * h}};
   Quantity q =
-      quantity("flux_cube", "1", "flux through a cube around the origin, its centre at (h/4, -h/2, h/8)",
+      quantity("flux_cube", "1", "flux through a cube around the origin, its centre at $(h/4,-h/2,h/8)$",
                truth("05_03_cube_flux", {cube.h, cube.c[0], cube.c[1], cube.c[2]}), ten_decimals());
   q.add({"faces", "Gauss-Legendre", doubling("points", 4, 5),
          [cube](double n) { return answer(cube.flux(with(gauss_legendre, n))); }});

@@ -15,7 +15,7 @@ namespace ex05_05 {
 using namespace fields;
 
 constexpr auto parameters = [] {
-  constexpr Parameter m{"", 0, "", "entry of M", -1e3, 1e3};
+  constexpr Parameter m{"", 0, "", "entry of $M$", -1e3, 1e3};
   constexpr std::string_view names[] = {"m00", "m01", "m02", "m10", "m11", "m12", "m20", "m21", "m22"};
   constexpr double values[] = {2, -1, 0.5, 0.25, 3, -2, 1.5, 0.75, -1};
   std::array<Parameter, 14> all{};
@@ -156,7 +156,8 @@ Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
     inputs.push_back(m[i / 3][i % 3]);
   }
   const Known known = truth("05_05_divergence", inputs);
-  Quantity q = quantity("divergence_of_product", "1/m", "div (M f) at x, for a field of wave number w", known,
+  Quantity q = quantity("divergence_of_product", "1/m",
+                        R"($\nabla\cdot(M\mathbf f)$ at $\mathbf x$, for a field of wave number $w$)", known,
                         nine_digits(known.value));
   add_ways(q, "M f as one field", 1, [=](auto& way) { return divergence_by(way, product(m, f), x); });
   add_ways(q, "f_j along column j of M", 1, [=](auto& way) {

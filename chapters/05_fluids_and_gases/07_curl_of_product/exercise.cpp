@@ -73,8 +73,10 @@ Quantity curl_of_product(const Parameters& p, const Reference& truth) {
   const auto f = at.f();
   const Point x = at.x;
   const Known known = truth("05_07_curl", at.inputs());
-  Quantity q = quantity("curl_of_product", "1/m", "curl (phi f) at x, for two fields of wave number w", known,
-                        nine_digits(known.value));
+  Quantity q =
+      quantity("curl_of_product", "1/m",
+               R"($\nabla\times(\varphi\mathbf f)$ at $\mathbf x$, for two fields of wave number $w$)", known,
+               nine_digits(known.value));
   add_ways(q, "product as one field", 2, [=](auto& way) { return curl_by(way, times(phi, f), x); });
   add_ways(q, "phi curl f + grad phi x f", 1, [=](auto& way) {
     const auto f_at = counted_calls(f, way.calls);

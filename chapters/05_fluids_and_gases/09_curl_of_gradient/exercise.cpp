@@ -51,7 +51,7 @@ Check peano_orders() {
   for (int k = 10; k <= 400; k += 10) {
     const double t = std::ldexp(1.0, -k);
     worst.see(along(peano, Point{t, 0, 0}, axes[1]) / t, along(peano, Point{0, t, 0}, axes[0]) / t, 1,
-              "quotient over 2^-" + std::to_string(k));
+              "quotient over $2^{-" + std::to_string(k) + "}$");
   }
   return worst.check();
 }
@@ -112,14 +112,15 @@ Quantity mixed_derivatives(const At& at, const Known& six) {
   const auto phi = at.phi();
   const Point x = at.x;
   const Value truth{six.value[0], six.value[2], six.value[4]};
-  Quantity q{"mixed_derivatives",
-             "1/m^2",
-             "phi,12 phi,20 phi,01 at x, for a field of wave number w",
-             {six.source, truth},
-             six.error,
-             nine_digits(truth),
-             {},
-             {}};
+  Quantity q{
+      "mixed_derivatives",
+      "1/m^2",
+      R"($\varphi_{,12}$, $\varphi_{,20}$, $\varphi_{,01}$ at $\mathbf x$, for a field of wave number $w$)",
+      {six.source, truth},
+      six.error,
+      nine_digits(truth),
+      {},
+      {}};
   const auto all = [](const auto& second_by) {
     return Value{second_by(1, 2), second_by(2, 0), second_by(0, 1)};
   };
@@ -144,13 +145,13 @@ Quantity mixed_derivatives(const At& at, const Known& six) {
     });
     return Answer{value, way.calls};
   };
-  const std::string once = "rounding grows as eps/h", twice = "rounding grows as eps/h^2";
+  const std::string once = "rounding grows as $1/h$", twice = "rounding grows as $1/h^2$";
   q.add({"slopes by dual numbers", "central differences 2", steps(),
          [=](double h) { return of_slopes(ByDifferences<2>{h}); }, Outcome::inaccurate, once});
   q.add({"slopes by dual numbers", "central differences 4", steps(),
          [=](double h) { return of_slopes(ByDifferences<4>{h}); }, Outcome::inaccurate, once});
   q.add({"phi", "central differences 2", steps(25), [=](double h) { return of_values(ByDifferences<2>{h}); },
-         Outcome::inaccurate, twice + ": even the best step, near eps^(1/4), has eight digits"});
+         Outcome::inaccurate, twice + R"(: even the best step, near $\varepsilon^{1/4}$, has eight digits)"});
   q.add({"phi", "central differences 4", steps(25), [=](double h) { return of_values(ByDifferences<4>{h}); },
          Outcome::inaccurate, twice});
   q.add(Breakdown{
@@ -165,21 +166,24 @@ Quantity mixed_derivatives(const At& at, const Known& six) {
 }
 
 Quantity peano_curl() {
-  Quantity q{"peano_curl",
-             "1",
-             "curl grad p, component 2, at the origin, for Peano's p",
-             {"1 - (-1): the slopes dp/dy = x on the x axis and dp/dx = -y on the y axis", 2.0},
-             0,
-             {1e-9, "nine digits"},
-             {},
-             {}};
+  Quantity q{
+      "peano_curl",
+      "1",
+      R"(component 2 of $\nabla\times\nabla p$ at the origin, for Peano's $p$)",
+      {R"($1-(-1)$: the slopes $\partial p/\partial y=x$ on the $x$ axis and $\partial p/\partial x=-y$ on )"
+       R"(the $y$ axis)",
+       2.0},
+      0,
+      {1e-9, "nine digits"},
+      {},
+      {}};
   q.add({"p", "nested dual numbers", no_knob(),
          [](double) {
            long calls = 0;
            const double twist = curl(gradient(counted_calls(peano, calls)))(Point{})[2];
            return Answer{twist, calls};
          },
-         Outcome::non_finite, "p is 0/0 at the origin, and dual numbers take no limits"});
+         Outcome::non_finite, "$p$ is $0/0$ at the origin, and dual numbers take no limits"});
   q.add({"slopes by dual numbers", "central differences 2", steps(15), [](double h) {
            ByDifferences<2> way{h};
            const double one = way.along(partial(peano, 1), Point{}, axes[0]);
@@ -194,15 +198,15 @@ Quantity peano_curl() {
     return Answer{one - outer.along(slope(0), Point{}, axes[1]), inner.calls};
   };
   q.add({"p", "equal steps h", steps(15), [=](double h) { return nested(h, h); }, Outcome::inaccurate,
-         "p is zero at all four corners (+-h, +-h), so that the difference of differences is zero for every "
-         "h"});
+         R"($p$ is zero at all four corners $(\pm h,\pm h)$, so that the difference of differences is zero )"
+         R"(for every $h$)"});
   q.add({"p", "inner step h 2^-20", steps(15), [=](double h) { return nested(h, h * 0x1p-20); }});
   q.add(Breakdown{
       "A symmetric second difference with equal steps shows a curl of zero at every step, as if the order "
       "did not matter; the iterated limit needs an inner step much finer than the outer one.",
       "p, equal steps h", 0x1p-15, Outcome::inaccurate, "p, inner step h 2^-20", 0x1p-15});
   q.add(Breakdown{
-      "Dual numbers cannot pass through 0/0 at the origin. Their slopes beside it can be differenced.",
+      "Dual numbers cannot pass through $0/0$ at the origin. Their slopes beside it can be differenced.",
       "p, nested dual numbers", 0, Outcome::non_finite, "slopes by dual numbers, central differences 2",
       0x1p-3});
   return q;

@@ -99,8 +99,10 @@ Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
   const auto g = at.g();
   const Point x = at.x;
   const Known known = truth("05_11_divergence", at.inputs());
-  Quantity q = quantity("divergence_of_product", "1/m", "div (f x g) at x, for two fields of wave number w",
-                        known, nine_digits(known.value));
+  Quantity q =
+      quantity("divergence_of_product", "1/m",
+               R"($\nabla\cdot(\mathbf f\times\mathbf g)$ at $\mathbf x$, for two fields of wave number $w$)",
+               known, nine_digits(known.value));
   add_ways(q, "product as one field", 2,
            [=](auto& way) { return divergence_by(way, cross_product(f, g), x); });
   add_ways(q, "curl f . g - curl g . f", 1, [=](auto& way) {

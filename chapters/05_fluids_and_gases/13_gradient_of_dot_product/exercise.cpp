@@ -112,8 +112,10 @@ Quantity gradient_of_product(const Parameters& p, const Reference& truth) {
   const auto g = at.g();
   const Point x = at.x;
   const Known known = truth("05_13_gradient", at.inputs());
-  Quantity q = quantity("gradient_of_product", "1/m", "grad (f.g) at x, for two fields of wave number w",
-                        known, nine_digits(known.value));
+  Quantity q =
+      quantity("gradient_of_product", "1/m",
+               R"($\nabla(\mathbf f\cdot\mathbf g)$ at $\mathbf x$, for two fields of wave number $w$)",
+               known, nine_digits(known.value));
   add_ways(q, "product as one field", 2, [=](auto& way) { return gradient_by(way, dot_product(f, g), x); });
   add_ways(q, "the four terms", 1, [=](auto& way) {
     const Point a = counted_calls(f, way.calls)(x), b = counted_calls(g, way.calls)(x);

@@ -119,7 +119,7 @@ inline Tolerance nine_digits(const Value& of) {
 template <class Compute>
 void add_ways(Quantity& q, const std::string& model, long factors, const Compute& compute,
               Outcome finest = Outcome::inaccurate,
-              const std::string& why = "rounding grows as eps/h: the finest step is not the best") {
+              const std::string& why = "rounding grows as $1/h$: the finest step is not the best") {
   const auto by = [compute, factors](auto way) {
     const Value value(compute(way));
     return Answer{value, factors * way.calls};
@@ -140,8 +140,8 @@ inline void add_breakdowns(Quantity& q, const std::string& model) {
                 second, 0x1p-31, Outcome::inaccurate, second, 0x1p-17});
   q.add(Breakdown{"The best step of order 4 is near $\\varepsilon^{1/5} \\approx 2^{-10}$, much coarser.",
                   fourth, 0x1p-31, Outcome::inaccurate, fourth, 0x1p-11});
-  q.add(Breakdown{"At a step of 1/8 the truncation error dominates; dual numbers have none.", second, 0x1p-3,
-                  Outcome::inaccurate, model + ", dual numbers", 0});
+  q.add(Breakdown{"At a step of $1/8$ the truncation error dominates; dual numbers have none.", second,
+                  0x1p-3, Outcome::inaccurate, model + ", dual numbers", 0});
 }
 
 }  // namespace oddity::fields

@@ -93,7 +93,7 @@ Quantity all_cases(const Parameters& p) {
   q.add(by("index range by truncation", test, spheres, grid, reach_by_truncation, touches, wrong,
            "negative coordinates are rounded towards zero"));
   q.add(by("index range converted, then clamped", test, spheres, grid, reach_converted_first, touches, wrong,
-           "2^34 bins do not fit in 32 bits"));
+           "$2^{34}$ bins do not fit in 32 bits"));
   const auto cured = [&](std::string says, std::string method) {
     q.add(Breakdown{std::move(says), method + ", sphere-box test", 0, wrong, "index range, sphere-box test",
                     0});
@@ -116,17 +116,18 @@ Quantity huge_tangent() {
   const Grid grid{1, 8};
   const Lattice s{{8 * unit + (1LL << 36), 32, 32}, 1LL << 36};
   const std::vector<Sphere> one{s.sphere()};
-  Quantity q = bins_of("huge_tangent",
-                       "bins hit by a sphere of 2^30 bins' radius that touches the grid's face", {s}, grid);
+  Quantity q =
+      bins_of("huge_tangent", "bins hit by a sphere of $2^{30}$ bins' radius that touches the grid's face",
+              {s}, grid);
   q.add(by("all bins", "squared distance", one, grid, every_bin, touches, Outcome::diverged,
-           "the gap of half a bin is lost when its square is added to 2^60"));
+           "the gap of half a bin is lost when its square is added to $2^{60}$"));
   q.add(by("index range", "squared distance", one, grid, reach, touches, Outcome::diverged, "the same sum"));
   q.add(by("all bins", "factored", one, grid, every_bin, touches_factored));
   q.add(by("index range", "factored", one, grid, reach, touches_factored));
-  q.add(
-      Breakdown{"The squared distance to every bin of the layer rounds to r^2, and all of them are hit. "
-                "With the largest gap d on the other side, as (r - d)(r + d), only the one bin is.",
-                "index range, squared distance", 0, Outcome::diverged, "index range, factored", 0});
+  q.add(Breakdown{
+      "The squared distance to every bin of the layer rounds to $r^2$, and all of them are hit. With the "
+      "largest gap $d$ on the other side, as $(r-d)(r+d)$, only the one bin is.",
+      "index range, squared distance", 0, Outcome::diverged, "index range, factored", 0});
   return q;
 }
 
@@ -144,10 +145,11 @@ Quantity by_hand(std::string name, std::string says, std::string because, const 
 Quantity tiny_sphere() {
   const Grid grid{1, 4};
   const std::vector<Sphere> one{{{-1e-190, 0.5, 0.5}, 1e-200}};
-  Quantity q = by_hand("tiny_sphere", "bins hit by a sphere of radius 1e-200 at 1e-190 below a boundary",
-                       "the boundary is 10^10 radii away", grid, {{-1, 0, 0}});
+  Quantity q =
+      by_hand("tiny_sphere", "bins hit by a sphere of radius $10^{-200}$ at $10^{-190}$ below a boundary",
+              "the boundary is $10^{10}$ radii away", grid, {{-1, 0, 0}});
   q.add(by("all bins", "sphere-box test", one, grid, every_bin, touches, Outcome::inaccurate,
-           "both squares underflow to 0, and 0 <= 0"));
+           R"(both squares underflow to 0, and $0\le0$)"));
   q.add(by("index range", "sphere-box test", one, grid, reach, touches));
   q.add(
       Breakdown{"Squares underflow; differences do not: the index range is not only cheaper, it is right "
@@ -159,11 +161,11 @@ Quantity tiny_sphere() {
 Quantity rounded_boundary() {
   const Grid grid{0.7, 4};
   const std::vector<Sphere> one{{{3 * 0.7, 0.35, 0.35}, 0}};
-  Quantity q = by_hand("rounded_boundary", "bins that hold the double 3 * 0.7, side 0.7",
+  Quantity q = by_hand("rounded_boundary", R"(bins that hold the double $3\cdot0.7$, side 0.7)",
                        "it is the common end of bins 2 and 3", grid, {{2, 0, 0}, {3, 0, 0}});
   q.add(by("all bins", "sphere-box test", one, grid, every_bin, touches));
   q.add(by("index range", "sphere-box test", one, grid, reach, touches, Outcome::inaccurate,
-           "(3 * 0.7) / 0.7 is 2.9999999999999996"));
+           R"($(3\cdot0.7)/0.7$ is 2.9999999999999996)"));
   q.add(by("index range widened by a bin", "sphere-box test", one, grid, reach_widened, touches));
   q.add(
       Breakdown{"Where the side is no power of two, index by division and boundary by multiplication round "

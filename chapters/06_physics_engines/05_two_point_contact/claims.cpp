@@ -73,7 +73,7 @@ struct Sample {
     for (int i = 0; i < 9; ++i) all.push_back(&body.inertia(i / 3, i % 3));
     return all;
   }
-  std::string where() const { return "f = " + rounded(f, 6); }
+  std::string where() const { return "$f$ = " + rounded(f, 6); }
 };
 
 std::vector<Sample> samples(double seed, int count, Body (*make_body)(Random&)) {
@@ -130,7 +130,7 @@ Reading property(const std::string& text, const std::vector<Sample>& all, double
     worst.see(
         sifted(smooth, s.hit, weight), mean,
         {width * width, "the cube's half side squared times a sixth of $G$'s Laplacian, which is below 6"}, 3,
-        "P0 = (" + rounded(s.hit.p0[0], 4) + ", ...)");
+        "$P_0$ = (" + rounded(s.hit.p0[0], 4) + ", ...)");
   }
   return {text, {worst.check()}};
 }
@@ -154,7 +154,8 @@ constexpr double steps_leave = 604800 / 1512.0 * 0x1p-48;
 /// A pulse turns no velocity: what differs is its integral, and the narrow cubes' rounded bounds.
 Tolerance of_v(const Sample& s) {
   return {(steps_leave + 64 * 0x1p-52 / width) * s.kick() + 16 * 0x1p-52 * s.body.v.norm(),
-          "1.4e-12 of the impulse by the steps of the pulse, 1.4e-11 by the rounded ends of the cubes"};
+          R"($1.4\cdot10^{-12}$ of the impulse by the steps of the pulse, $1.4\cdot10^{-11}$ by the rounded )"
+          R"(ends of the cubes)"};
 }
 
 /// While the pulse acts the body turns by no more than |w| and the impulse make of 1e-6 s, and arms and
@@ -163,7 +164,7 @@ Tolerance of_w(const Sample& s) {
   const double turn = pulse * (s.body.w.norm() + s.twist());
   const double momentum = (s.body.inertia * s.body.w).norm() + s.angular_impulse();
   return {2 * turn * s.yielding() * momentum + of_v(s).allowed,
-          "in a pulse of 1e-6 s the body turns by 1e-6 |w|, its arms and its inertia with it"};
+          "in a pulse of $10^{-6}$ s the body turns by $10^{-6}|w|$, its arms and its inertia with it"};
 }
 
 /// A formula for v+ (from 0) or w+ (from 3) against the motion.

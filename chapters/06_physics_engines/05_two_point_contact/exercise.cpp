@@ -111,8 +111,8 @@ Quantity rebound(const Parameters& p) {
   const double middle = gain / (1 / p["m"] + y * y / jx);
   Quantity q{"rebound",
              "rad/s",
-             "angular velocity after a fall on the edge, both ends rebounding by e",
-             {"F y / Jx, the edge staying level", Value{middle * y / jx, 0, 0}},
+             "angular velocity after a fall on the edge, both ends rebounding by $e$",
+             {"$Fy/J_x$, the edge staying level", Value{middle * y / jx, 0, 0}},
              16 * 0x1p-52 * std::abs(middle * y / jx),  // 16 roundings in all
              {1e-9, "a turn in two hundred years"},
              {},

@@ -147,8 +147,8 @@ struct Lattice {
 
   static constexpr bool whole = true;  // in a claim: what is counted of it
   std::string where() const {
-    return "c = (" + std::to_string(c[0]) + ", " + std::to_string(c[1]) + ", " + std::to_string(c[2]) +
-           ")/64, r = " + std::to_string(r) + "/64";
+    return "$c$ = (" + std::to_string(c[0]) + ", " + std::to_string(c[1]) + ", " + std::to_string(c[2]) +
+           ")/64, $r$ = " + std::to_string(r) + "/64";
   }
   Sphere sphere(double h = 1) const {
     const auto part = [h](long long k) { return static_cast<double>(k) * h / unit; };

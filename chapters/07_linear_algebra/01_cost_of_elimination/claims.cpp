@@ -36,7 +36,7 @@ struct Counts {
   Cost forward_and_back = {};
 
   static constexpr bool whole = true;
-  std::string where() const { return "n = " + shortest(n); }
+  std::string where() const { return "$n$ = " + shortest(n); }
   Cost total() const { return full + division; }
   Cost excess() const { return total() - forward_and_back; }
 
@@ -213,7 +213,7 @@ struct Prices {
 
   bool full_costs_more() const { return six_excess.mu * mu + six_excess.alpha * alpha >= 0; }
   std::string where() const {
-    return "mu = " + shortest(mu) + ", alpha = " + shortest(alpha) + ", n = " + shortest(n);
+    return R"($\mu$ = )" + shortest(mu) + R"(, $\alpha$ = )" + shortest(alpha) + ", $n$ = " + shortest(n);
   }
 };
 
@@ -294,7 +294,7 @@ struct Residues {
   Rows<Residue> rows;
 
   std::size_t n() const { return rows.size(); }
-  std::string where() const { return "n = " + std::to_string(n()) + ", modulo 2^31 - 1"; }
+  std::string where() const { return "$n$ = " + std::to_string(n()) + ", modulo $2^{31}-1$"; }
 
   /// Every equation holds.
   bool solved_by(const std::vector<Residue>& x) const {

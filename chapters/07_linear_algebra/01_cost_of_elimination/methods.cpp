@@ -65,7 +65,7 @@ Quantity solution(const std::string& name, std::size_t n, bool large, const Rand
              {}};
   const Outcome crosswise = large ? Outcome::non_finite : Outcome::ok;
   const std::string squares =
-      large ? "each column squares the size of the numbers: they underflow to 0/0" : "";
+      large ? "each column squares the size of the numbers: they underflow to $0/0$" : "";
   const auto forward = [](Clearing how) { return [how](const auto& m) { return solve_forward(m, how); }; };
   const auto full = [](Clearing how, Diagonal when) {
     return [=](const auto& m) { return solve_full(m, how, when); };

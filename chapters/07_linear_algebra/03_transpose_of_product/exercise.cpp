@@ -22,7 +22,8 @@ using namespace matrices;
 
 constexpr Parameter parameters[] = {
     {"decades", 8, "", "range of the sizes of random entries", 1, 100},
-    {"m", 200, "", "largest entry of the triangular factors of B, whose inverse is A", 1, 200, whole_number},
+    {"m", 200, "", "largest entry of the triangular factors of $B$, whose inverse is $A$", 1, 200,
+     whole_number},
     {"seed", 1, "", "seed of the random matrices", 0, 1e9, whole_number},
 };
 
@@ -65,7 +66,7 @@ template <class T>
 struct Factors {
   static constexpr bool whole = true;
   Matrix<T> a, b;
-  std::string where() const { return "n = " + std::to_string(a.n); }
+  std::string where() const { return "$n$ = " + std::to_string(a.n); }
 };
 
 template <class T>
@@ -123,7 +124,7 @@ struct Between {
   static constexpr bool whole = true;
   Matrix<double> a, b;
   std::vector<double> x, y;
-  std::string where() const { return "n = " + std::to_string(b.n); }
+  std::string where() const { return "$n$ = " + std::to_string(b.n); }
 };
 
 std::vector<Between> between(Random random, bool two) {
@@ -226,7 +227,7 @@ Answer differing(int n, double decades, Random random, Order left, Order right) 
 Quantity same_bits(double decades, const Random& random) {
   Quantity q{"differing_entries",
              "",
-             "entries in which (AB)^T and B^T A^T differ, random matrices",
+             "entries in which $(AB)^T$ and $B^TA^T$ differ, random matrices",
              {"none, in exact arithmetic", 0.0},
              0,
              {0, "bit for bit"},
@@ -296,7 +297,7 @@ Quantity identity(int size, Random random) {
   const auto unit = filled<double>(n, [](int r, int c) { return r == c; });
   Quantity q{"product_with_inverse",
              "",
-             "(AB)^T for a matrix B of whole numbers and its inverse A",
+             "$(AB)^T$ for a matrix $B$ of whole numbers and its inverse $A$",
              {"the identity", unit.entries},
              0,
              {1e-9, "nine decimals"},
@@ -316,17 +317,17 @@ Quantity identity(int size, Random random) {
            },
            expected, std::move(why)});
   };
-  const std::string cancels = "terms of 10^18 cancel";
+  const std::string cancels = "terms of $10^{18}$ cancel";
   add(0.0, "doubles", "ascending", Order::ascending, Outcome::diverged, cancels);
   add(0.0, "doubles", "descending", Order::descending, Outcome::diverged, cancels);
   add(0.0, "doubles", "pairwise", Order::pairwise, Outcome::diverged, cancels);
   add(0.0, "doubles", "fused", Order::fused, Outcome::diverged, cancels);
   add(DoubleDouble(), "twice the digits", "ascending", Order::ascending, Outcome::ok, "");
   add(Whole(), "whole numbers of 128 bits", "ascending", Order::ascending, Outcome::ok, "");
-  q.add(
-      Breakdown{"The entries of the inverse are up to 10^15, the terms up to 10^18 and more; no order of "
-                "summation keeps the digits that a product of two doubles does not have.",
-                "doubles, ascending", 0, Outcome::diverged, "twice the digits, ascending", 0});
+  q.add(Breakdown{
+      "The entries of the inverse are up to $10^{15}$, the terms up to $10^{18}$ and more; no order of "
+      "summation keeps the digits that a product of two doubles does not have.",
+      "doubles, ascending", 0, Outcome::diverged, "twice the digits, ascending", 0});
   return q;
 }
 

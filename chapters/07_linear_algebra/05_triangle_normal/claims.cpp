@@ -31,7 +31,7 @@ struct Edges {
     const auto shown = [](const Vector3<double>& x) {
       return "(" + shortest(x[0]) + ", " + shortest(x[1]) + ", " + shortest(x[2]) + ")";
     };
-    return "u = " + shown(u) + ", v = " + shown(v) + ", w = " + shown(w);
+    return "$u$ = " + shown(u) + ", $v$ = " + shown(v) + ", $w$ = " + shown(w);
   }
 };
 

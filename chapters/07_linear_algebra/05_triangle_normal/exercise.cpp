@@ -104,13 +104,14 @@ Quantity twice_area(const Triangle& t, const Reference& truth) {
   const double area = length(Vector3<double>{known.value[0], known.value[1], known.value[2]});
   Quantity q{"twice_area",
              "",
-             "twice the area of a triangle of height 1e-6 over a base of about one",
+             "twice the area of a triangle of height $10^{-6}$ over a base of about one",
              {known.source + ", its length", area},
              4e-16 * area,
              {1e-9 * area, "nine digits"},
              {},
              {}};
-  const std::string lengths = "the height changes the lengths by no more than h^2, which they round away";
+  const std::string lengths =
+      "the height changes the lengths by no more than its square, which they round away";
   const auto add = [&](const char* model, const char* algorithm, const auto& f,
                        Outcome expected = Outcome::ok, const std::string& why = "") {
     const long work = work_of(t, f);
@@ -145,15 +146,15 @@ Quantity twice_area(const Triangle& t, const Reference& truth) {
 Findings study(const Parameters& p, const Reference& truth) {
   Quantity far = normal_of("flat_far_away", "normal of a flat triangle far from the origin",
                            flat(p["d"], p["h"]), truth);
-  far.add(
-      Breakdown{"P x Q + Q x R + R x P cancels terms of size d^2 down to h. The differences of the vertices "
-                "are exact, and their product is as good as the vertices.",
-                "vertices, P x Q + Q x R + R x P", 53, Outcome::diverged, "edges, u x v", 53});
+  far.add(Breakdown{
+      R"($P\times Q+Q\times R+R\times P$ cancels terms of size $d^2$ down to $h$. The differences of the )"
+      R"(vertices are exact, and their product is as good as the vertices.)",
+      "vertices, P x Q + Q x R + R x P", 53, Outcome::diverged, "edges, u x v", 53});
   Quantity thin = normal_of("needle", "normal of a triangle with one short side", needle(p["s"]), truth);
-  thin.add(
-      Breakdown{"The three products are equal, but not equally good: that of the two long sides cancels "
-                "terms of size one down to s. Take the short side.",
-                "edges, w x u", 53, Outcome::inaccurate, "edges, v x w", 53});
+  thin.add(Breakdown{
+      "The three products are equal, but not equally good: that of the two long sides cancels terms of size "
+      "one down to $s$. Take the short side.",
+      "edges, w x u", 53, Outcome::inaccurate, "edges, v x w", 53});
   return {claims(Random(p["seed"])), {far, thin, twice_area(flat(1, 1e-6), truth)}, roots()};
 }
 

@@ -23,8 +23,8 @@ struct Planted {
   std::string where() const {
     std::string all;
     for (const auto& [name, a] : {std::pair{"u", u}, {"v", v}, {"w", w}, {"p", p}})
-      all += (all.empty() ? "" : ", ") + std::string(name) + " = (" + shortest(a[0]) + ", " + shortest(a[1]) +
-             ", " + shortest(a[2]) + ")";
+      all += (all.empty() ? "$" : ", $") + std::string(name) + "$ = (" + shortest(a[0]) + ", " +
+             shortest(a[1]) + ", " + shortest(a[2]) + ")";
     return all;
   }
 };

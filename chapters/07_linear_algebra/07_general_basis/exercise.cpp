@@ -23,7 +23,7 @@ namespace ex07_07 {
 using namespace vectors;
 
 constexpr Parameter parameters[] = {
-    {"gap", 1e-3, "", "distance of w from the plane of u and v, about", 1e-13, 1},
+    {"gap", 1e-3, "", "distance of $w$ from the plane of $u$ and $v$, about", 1e-13, 1},
     {"seed", 1, "", "seed of the random bases", 0, 1e9, whole_number},
 };
 
@@ -123,7 +123,7 @@ Quantity coefficients(std::string name, double gap, Outcome in_doubles, const Re
   const Eigen::MatrixXd m = columns(s.a, s.b, s.c);
   const Known known = known_coefficients(s, false, truth);
   const std::string condition_number = rounded(condition(m), 2);
-  Quantity q = quantity(std::move(name), "", "coefficients over u, v, w; condition " + condition_number,
+  Quantity q = quantity(std::move(name), "", "coefficients over $u$, $v$, $w$; condition " + condition_number,
                         known, {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
   q.add(triple_products(s, [](const auto&... a) { return cramer(a...); }));
   add_factorizations(q, m, s.p, in_doubles,
@@ -139,8 +139,8 @@ Quantity coefficients(std::string name, double gap, Outcome in_doubles, const Re
 Quantity dual_coefficients(double gap, const Reference& truth) {
   const Basis s = nearly_dependent(gap);
   const Known known = known_coefficients(s, true, truth);
-  Quantity q = quantity("dual_coefficients", "", "coefficients over u x v, v x w, w x u", known,
-                        {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
+  Quantity q = quantity("dual_coefficients", "", R"(coefficients over $u\times v$, $v\times w$, $w\times u$)",
+                        known, {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
   q.add(triple_products(s, [](const auto&... a) { return dual_cramer(a...); }));
   add_factorizations(q, columns(cross(s.a, s.b), cross(s.b, s.c), cross(s.c, s.a)), s.p, Outcome::ok, "");
   return q;
@@ -153,7 +153,7 @@ Quantity left_over(double gap, const Reference& truth) {
   const double size = size_of(known_coefficients(s, false, truth).value);
   Quantity q{"left_over",
              "",
-             "p - (x u + y v + z w), the basis nearly dependent",
+             "$p-(xu+yv+zw)$, the basis nearly dependent",
              {"zero", {0.0, 0.0, 0.0}},
              0,
              rounding(size, 16),
@@ -180,7 +180,7 @@ Findings study(const Parameters& chosen, const Reference& truth) {
                 "triple products, Cramer", 53, Outcome::inaccurate, "triple products, Cramer", 106});
   nearly.add(Breakdown{
       "A factorization loses the same digits, though what it leaves of $p$ is as small as rounding allows "
-      "(see left_over): a small remainder proves nothing. Corrected by that remainder, in twice the digits, "
+      "(see `left_over`): a small remainder proves nothing. Corrected by that remainder, in twice the digits, "
       "it gets them back.",
       "factorization, LU, rows exchanged", 0, Outcome::inaccurate, "factorization, LU, refined", 3});
   return {claims(Random(chosen["seed"])),

@@ -18,7 +18,7 @@ namespace oddity {
 namespace ex07_09 {
 
 constexpr Parameter parameters[] = {
-    {"s", 0, "", "shift of the Hilbert matrix 1/(i+j-1+s)", 0, 20},
+    {"s", 0, "", "shift of the Hilbert matrix $1/(i+j-1+s)$", 0, 20},
     {"m", 300, "", "largest entry of the triangular factors of the matrix of determinant one", 1, 300,
      whole_number},
     {"seed", 1, "", "seed of the random matrices", 0, 1e9, whole_number},
@@ -129,8 +129,8 @@ Quantity hilbert(std::string name, double s, const Reference& truth) {
   const Known known = truth("07_09_determinant", entries);
   Quantity q =
       quantity(std::move(name), "",
-               "determinant of the Hilbert matrix 1/(i+j-1+" + shortest(s) + "), its entries rounded", known,
-               {1e-9 * std::abs(known.value[0]), "nine significant digits"});
+               "determinant of the Hilbert matrix $1/(i+j-1+" + shortest(s) + ")$, its entries rounded",
+               known, {1e-9 * std::abs(known.value[0]), "nine significant digits"});
   add_methods(q, m, printed_sum(), Outcome::ok, "");
   return q;
 }
@@ -147,14 +147,14 @@ Quantity determinant_one(int size, Random random) {
              {},
              {}};
   add_methods(q, cast<double>(m, number), printed_sum(), Outcome::diverged,
-              "the last pivot is rounding error: the condition is far above 1/eps");
+              "the last pivot is rounding error: the condition is far above $10^{16}$");
   const auto counted = cast<Counted<Whole>>(m, [](Whole x) { return x; });
   const long work = operations_of([&] { return printed_sum()(counted); }).all_but_additions();
   q.add({"exact", "24 terms, whole numbers of 128 bits", no_knob(), [m, work, sum = printed_sum()](double) {
            return Answer{number(sum(m)), work};
          }});
   const std::string says =
-      "The terms are up to 10^23 and cancel to 1; in doubles what is left is their rounding. In whole "
+      "The terms are up to $10^{23}$ and cancel to 1; in doubles what is left is their rounding. In whole "
       "numbers nothing is lost, and twice the digits are enough too.";
   q.add(Breakdown{says, "expansion, 24 terms", 53, Outcome::diverged,
                   "exact, 24 terms, whole numbers of 128 bits", 0});
@@ -166,10 +166,10 @@ Quantity determinant_one(int size, Random random) {
 Findings study(const Parameters& p, const Reference& truth) {
   const Random random(p["seed"]);
   Quantity shifted = hilbert("hilbert_shifted", 8, truth);
-  shifted.add(
-      Breakdown{"The 24 terms are up to 5e-5 and cancel to 9e-16; every expansion loses digits with them. "
-                "Elimination of this positive definite matrix keeps them.",
-                "expansion, 24 terms", 53, Outcome::inaccurate, "elimination, LU, rows exchanged", 0});
+  shifted.add(Breakdown{
+      R"(The 24 terms are up to $5\cdot10^{-5}$ and cancel to $9\cdot10^{-16}$; every expansion loses )"
+      R"(digits with them. Elimination of this positive definite matrix keeps them.)",
+      "expansion, 24 terms", 53, Outcome::inaccurate, "elimination, LU, rows exchanged", 0});
   return {claims(random),
           {hilbert("hilbert", p["s"], truth), shifted, determinant_one(static_cast<int>(p["m"]), random)}};
 }

@@ -33,7 +33,7 @@ struct Sample {
   static constexpr bool whole = true;
   Matrix<Whole> m;
   double size() const { return std::pow(9.0, m.n); }
-  std::string where() const { return "n = " + std::to_string(m.n); }
+  std::string where() const { return "$n$ = " + std::to_string(m.n); }
 };
 
 std::vector<Sample> matrices_of_whole_numbers(Random random, bool triangular) {
@@ -244,12 +244,12 @@ Quantity determinant_quantity(int n, int e, const Reference& truth) {
          }});
   q.add({"logarithms", "exponential of the sum", no_knob(),
          [=](double) { return finite_answer(sign_of(u) * std::exp(sum_of_logarithms(u)), n + 1); }});
-  q.add(
-      Breakdown{"The determinant is a moderate number, but not the products on the way to it: in the printed "
-                "order they fall below 2^-1074.",
-                "product, as printed, the last first", 0, Outcome::inaccurate,
-                "mantissas and exponents, the first first", 0});
-  q.add(Breakdown{"In the other order they rise above 2^1024.", "product, the first first", 0,
+  q.add(Breakdown{
+      "The determinant is a moderate number, but not the products on the way to it: in the printed order "
+      "they fall below $2^{-1074}$.",
+      "product, as printed, the last first", 0, Outcome::inaccurate,
+      "mantissas and exponents, the first first", 0});
+  q.add(Breakdown{"In the other order they rise above $2^{1024}$.", "product, the first first", 0,
                   Outcome::non_finite, "logarithms, exponential of the sum", 0});
   return q;
 }
@@ -268,8 +268,8 @@ Quantity log_determinant(int n, int e, const Reference& truth, const Random& ran
   const std::vector<double> u = diagonal(n, e, e), last_first(u.rbegin(), u.rend());
   const Eigen::MatrixXd m = triangular(u, random);
   const Known known = truth("07_11_log_determinant", {double(n), double(e)});
-  Quantity q = quantity("log_determinant", "", "log |det U| with large entries all along the diagonal", known,
-                        {1e-12 * known.value[0], "twelve digits"});
+  Quantity q = quantity("log_determinant", "", R"($\ln|\det U|$ with large entries all along the diagonal)",
+                        known, {1e-12 * known.value[0], "twelve digits"});
   const std::string overflows = "the determinant itself is out of the range of a double";
   q.add({"logarithm of the product", "as printed, the last first", no_knob(),
          [=](double) { return finite_answer(std::log(std::abs(product(last_first))), n + 1); },
@@ -288,8 +288,8 @@ Quantity log_determinant(int n, int e, const Reference& truth, const Random& ran
                std::log(std::abs(s.mantissa)) + static_cast<double>(s.exponent) * std::numbers::ln2, n + 2);
          }});
   q.add(Breakdown{
-      "No order of the product helps against a determinant of 10^729. Its logarithm is a sum, and needs no "
-      "determinant.",
+      "No order of the product helps against a determinant of $10^{729}$. Its logarithm is a sum, and needs "
+      "no determinant.",
       "logarithm of the product, LU, rows exchanged", 0, Outcome::non_finite, "logarithms, sum", 0});
   return q;
 }

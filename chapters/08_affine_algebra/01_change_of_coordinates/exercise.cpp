@@ -76,7 +76,7 @@ struct Point {
 
   explicit Point(Random& random) : a1(random.magnitude(1e-3, 1e3)), a2(random.magnitude(1e-3, 1e3)) {}
   std::array<double*, 2> letters() { return {&a1, &a2}; }
-  std::string where() const { return "a = (" + rounded(a1, 4) + ", " + rounded(a2, 4) + ")"; }
+  std::string where() const { return "$a$ = (" + rounded(a1, 4) + ", " + rounded(a2, 4) + ")"; }
 };
 
 Formula<Point> times(std::string text, const Matrix2d& matrix) {
@@ -149,10 +149,11 @@ Vector2<T> by_entries(const Vector2<T>& x, double entry) {
 Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth, Outcome squares) {
   const Known known = truth("08_01_coordinates", {a[0], a[1]});
   const double scale = std::ldexp(1.0, exponent);
-  Quantity q = quantity(exponent == 0 ? "coordinates" : "huge_coordinates",
-                        exponent == 0 ? "m" : "2^" + std::to_string(exponent) + " m",
-                        exponent == 0 ? "(b1, b2)" : "(b1, b2), a times 2^" + std::to_string(exponent), known,
-                        {1e-14 * std::max(1.0, a.norm()), "a few dozen roundings"});
+  Quantity q = quantity(
+      exponent == 0 ? "coordinates" : "huge_coordinates",
+      exponent == 0 ? "m" : "2^" + std::to_string(exponent) + " m",
+      exponent == 0 ? "$(b_1,b_2)$" : "$(b_1,b_2)$, $a$ times $2^{" + std::to_string(exponent) + "}$", known,
+      {1e-14 * std::max(1.0, a.norm()), "a few dozen roundings"});
   const auto add = [&](const char* model, const char* algorithm, const auto& find,
                        Outcome expected = Outcome::ok, const char* why = "") {
     using Number = Counted<double>;
@@ -171,7 +172,7 @@ Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth,
   });
   add(
       "matrix", "entries 0.7071", [](const auto& x) { return by_entries(x, 0.7071); }, Outcome::inaccurate,
-      "four decimals of 1/sqrt(2)");
+      R"(four decimals of $1/\sqrt2$)");
   q.add({"frames", "elimination", no_knob(), [=](double) {
            Answer b = answer(elimination_on_turned_axes(scale * a, quarter));
            for (std::size_t i = 0; i < 2; ++i) b.value[i] /= scale;
@@ -223,10 +224,10 @@ Quantity full_turns() {
   const double length = a.norm();
   add(
       "matrix", "entries 1/sqrt(2)", [](const auto& x) { return by_entries(x, printed(0, 0)); },
-      Outcome::inaccurate, "1/sqrt(2) is rounded, and the length shrinks with every change");
+      Outcome::inaccurate, R"($1/\sqrt2$ is rounded, and the length shrinks with every change)");
   add(
       "matrix", "entries 0.7071", [](const auto& x) { return by_entries(x, 0.7071); }, Outcome::inaccurate,
-      "each change shortens by 1e-5");
+      "each change shortens by $10^{-5}$");
   add(
       "matrix", "length restored",
       [=]<class T>(const Vector2<T>& x) {
@@ -241,19 +242,18 @@ Quantity full_turns() {
            for (long i = 0; i < static_cast<long>(n); i += 2) x = Vector2d(x[1], -x[0]);
            return Answer{Value(x), 0};
          }});
-  q.add(
-      Breakdown{"The square of the double 1/sqrt(2) is 9e-17 too small, and the length shrinks in every "
-                "change. Two changes are a "
-                "quarter turn, which rounds nothing.",
-                "matrix, entries 1/sqrt(2)", 262144, Outcome::inaccurate,
-                "two changes at once, (b1, b2) = (a2, -a1)", 262144});
+  q.add(Breakdown{
+      R"(The square of the double $1/\sqrt2$ is $9\cdot10^{-17}$ too small, and the length shrinks in )"
+      R"(every change. Two changes are a quarter turn, which rounds nothing.)",
+      "matrix, entries 1/sqrt(2)", 262144, Outcome::inaccurate, "two changes at once, (b1, b2) = (a2, -a1)",
+      262144});
   return q;
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Vector2d a(p["a1"], p["a2"]);
   Quantity huge = coordinates_of(a, 600, truth, Outcome::non_finite);
-  huge.add(Breakdown{"A radius by squares overflows at 1e154; the matrix squares nothing.",
+  huge.add(Breakdown{"A radius by squares overflows at $10^{154}$; the matrix squares nothing.",
                      "polar coordinates, radius by squares", 0, Outcome::non_finite,
                      "matrix, entries 1/sqrt(2)", 0});
   return {claims(p["seed"]), {coordinates_of(a, 0, truth, Outcome::ok), huge, full_turns()}};

@@ -152,7 +152,7 @@ const Pair axes{column({1, 0}), column({0, 1}), false};
 struct Carrier {
   MatrixXd v;
   explicit Carrier(Random& random) : v(whole(random, 2, 1)) {}
-  std::string where() const { return "v = (" + shortest(v(0, 0)) + ", " + shortest(v(1, 0)) + ")"; }
+  std::string where() const { return "$v$ = (" + shortest(v(0, 0)) + ", " + shortest(v(1, 0)) + ")"; }
   /// It carries points of the lines `normal . x = constant` into points of them just when it has this
   /// direction.
   bool stays_along(const MatrixXd& direction, const MatrixXd& normal) const {
@@ -175,7 +175,7 @@ Reading ranks(std::string text, double rank) {
 /// A point (1 + t, 4) of A1 = (1, 4) + V1; A2 is the line x = -2.
 struct Walker {
   double t;
-  std::string where() const { return "t = " + shortest(t); }
+  std::string where() const { return "$t$ = " + shortest(t); }
   double distance() const {
     const MatrixXd x = column({1, 4}) + t * axes.first - column({-2, 7});
     const auto along = solve(Factorization::householder_qr, axes.second, x.col(0));
@@ -215,15 +215,15 @@ std::vector<Claim> claims(double seed) {
   Claims claims("8.3");
   claims.statement<Carrier>(
       "directions", 3999,
-      "the vectors of $A_1$ are those on the x-axis, the vectors of $A_2$ those on the y-axis ($A_1$ and "
+      "the vectors of $A_1$ are those on the $x$-axis, the vectors of $A_2$ those on the $y$-axis ($A_1$ and "
       "$A_2$ themselves are not in the solutions: any lines in these directions)",
       draw<Carrier>(400, seed),
       {.printed =
-           {"a vector keeps points on $A_1$ just when it is on the x-axis, on $A_2$ when on the y-axis",
+           {"a vector keeps points on $A_1$ just when it is on the $x$-axis, on $A_2$ when on the $y$-axis",
             [](const Carrier& c) {
               return c.stays_along(axes.first, axes.second) && c.stays_along(axes.second, axes.first);
             }},
-       .near_misses = {{"a vector keeps points on $A_1$ just when it is on the y-axis",
+       .near_misses = {{"a vector keeps points on $A_1$ just when it is on the $y$-axis",
                         [](const Carrier& c) { return c.stays_along(axes.second, axes.second); }}}});
   claims.add(
       "neither", 3999, "neither $V_1$ is in $V_2$ nor $V_2$ in $V_1$",
@@ -323,16 +323,16 @@ Findings study(const Parameters& p, const Reference&) {
   const Outcome ok = Outcome::ok, wrong = Outcome::inaccurate;
   Quantity random = parallel("random_pairs", "are they parallel? 1 or 0", "as they were made",
                              random_pairs(p["seed"], static_cast<int>(p["pairs"])), ok, ok, "");
-  Quantity nearly =
-      parallel("nearly_parallel", "are (10^k, 1) and (10^k + 1, 1) parallel? (10^k, 1) and (3 10^k, 3)?",
-               "the determinants -1 and 0", nearly_parallel(), ok, wrong,
-               "an angle of 10^-2k, below any tolerance that rounding allows");
+  Quantity nearly = parallel("nearly_parallel",
+                             R"(are $(10^k,1)$ and $(10^k+1,1)$ parallel? $(10^k,1)$ and $(3\cdot10^k,3)$?)",
+                             "the determinants $-1$ and 0", nearly_parallel(), ok, wrong,
+                             "an angle of $10^{-2k}$, below any tolerance that rounding allows");
   nearly.add(Breakdown{
-      "(10^8, 1) and (10^8 + 1, 1) have the determinant -1 and the sine 1e-16: to singular values, at any "
-      "tolerance, they are parallel. Whole numbers are decided in whole numbers.",
+      "$(10^8,1)$ and $(10^8+1,1)$ have the determinant $-1$ and the sine $10^{-16}$: to singular values, "
+      "at any tolerance, they are parallel. Whole numbers are decided in whole numbers.",
       "ranks, singular values", 1e-12, wrong, "ranks, elimination in integers", 0});
   Quantity rounded =
-      parallel("rounded_multiples", "are v and its rounded multiple parallel?", "as they were made",
+      parallel("rounded_multiples", "are $v$ and its rounded multiple parallel?", "as they were made",
                rounded_multiples(p["seed"]), wrong, ok, "the multiple is rounded, and exactness is no help");
   rounded.add(Breakdown{
       "Exact arithmetic on rounded numbers judges the rounding. Where the data are measured or computed, "

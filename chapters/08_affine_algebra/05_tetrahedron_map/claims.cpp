@@ -178,7 +178,7 @@ struct WholeEdges {
     for (std::size_t a = 0; a < 3; ++a) flat[2][a] = 2 * v[0][a] - v[1][a];
     return flat;
   }
-  std::string where() const { return "det = " + std::to_string(det(v)); }
+  std::string where() const { return R"($\det$ = )" + std::to_string(det(v)); }
 };
 
 /// The printed system by elimination, allowed the roundings that `power` of the condition number makes of

@@ -18,9 +18,9 @@ namespace ex08_05 {
 
 constexpr Parameter parameters[] = {
     {"height", 1, "", "of the apex over its base, in units of the base", 0.0625, 1},
-    {"c1", 0.25, "", "barycentric coordinate of P at P1", -4, 4},
-    {"c2", 0.375, "", "barycentric coordinate of P at P2", -4, 4},
-    {"c3", 0.125, "", "barycentric coordinate of P at P3", -4, 4},
+    {"c1", 0.25, "", "barycentric coordinate of $P$ at $P_1$", -4, 4},
+    {"c2", 0.375, "", "barycentric coordinate of $P$ at $P_2$", -4, 4},
+    {"c3", 0.125, "", "barycentric coordinate of $P$ at $P_3$", -4, 4},
     {"seed", 1, "", "of the random tetrahedra", 0, 1e9, whole_number},
 };
 
@@ -172,9 +172,9 @@ Quantity values_of(std::string name, std::string says, const Tetrahedron& tetra,
   Quantity q{std::move(name),
              "1",
              std::move(says),
-             {"the map itself, A . P + b", truth},
+             {R"(the map itself, $A\cdot P+b$)", truth},
              exact ? 0 : 4 * 0x1p-52 * terms,
-             {1e-12, "a few hundred roundings of f"},
+             {1e-12, "a few hundred roundings of $f$"},
              {},
              {}};
   const auto add = [&](std::string model, std::string algorithm, Outcome outcome, const auto& find) {
@@ -203,27 +203,25 @@ std::vector<Quantity> quantities(const Parameters& p) {
   const Outcome ok = Outcome::ok, bad = Outcome::inaccurate, raised = Outcome::raised;
   const auto x = points(p);
   std::vector<Quantity> all;
-  all.push_back(values_of("value", "f at five points", tetrahedron(p["height"]), x, {}));
-  all.push_back(values_of("sliver_value", "the same, the apex 2^-20 above its base", tetrahedron(0x1p-20), x,
-                          {bad, bad, bad, ok, "products lose what is small in the sliver"}));
-  all.back().add(
-      Breakdown{"The normal equations square the condition number, and f(P) is off by rounding over height, "
-                "a hundred thousand times what "
-                "the edges themselves give: there a stable solve leaves a residual of one rounding, however "
-                "thin the sliver.",
-                "normal equations, LU, partial pivoting", 0, bad, "edges, LU, partial pivoting", 0});
-  all.push_back(values_of("sliver_30", "the same, the apex 2^-30 above its base", tetrahedron(0x1p-30), x,
+  all.push_back(values_of("value", "$f$ at five points", tetrahedron(p["height"]), x, {}));
+  all.push_back(values_of("sliver_value", "the same, the apex $2^{-20}$ above its base", tetrahedron(0x1p-20),
+                          x, {bad, bad, bad, ok, "products lose what is small in the sliver"}));
+  all.back().add(Breakdown{
+      "The normal equations square the condition number, and $f(P)$ is off by rounding over height, a "
+      "hundred thousand times what the edges themselves give: there a stable solve leaves a residual of one "
+      "rounding, however thin the sliver.",
+      "normal equations, LU, partial pivoting", 0, bad, "edges, LU, partial pivoting", 0});
+  all.push_back(values_of("sliver_30", "the same, the apex $2^{-30}$ above its base", tetrahedron(0x1p-30), x,
                           {bad, raised, bad, ok, "products lose what is small in the sliver"}));
-  all.back().add(
-      Breakdown{"At 2^-30 the square of the height is below rounding: the matrix that cannot be "
-                "singular is singular to Cholesky. The edges' own is not.",
-                "normal equations, Cholesky", 0, raised, "edges, Householder QR", 0});
+  all.back().add(Breakdown{
+      "At $2^{-30}$ the square of the height is below rounding: the matrix that cannot be singular is "
+      "singular to Cholesky. The edges' own is not.",
+      "normal equations, Cholesky", 0, raised, "edges, Householder QR", 0});
   all.push_back(values_of("flat_value", "four vertices in a plane", flat(), x,
                           {raised, raised, Outcome::non_finite, raised, "the edges are dependent"}));
-  all.back().add(
-      Breakdown{"Without a volume there are no unique coordinates; f(P) is known all the same, from "
-                "the base alone.",
-                "edges, LU, full pivoting", 0, raised, "base, areas", 0});
+  all.back().add(Breakdown{
+      "Without a volume there are no unique coordinates; $f(P)$ is known all the same, from the base alone.",
+      "edges, LU, full pivoting", 0, raised, "base, areas", 0});
   return all;
 }
 

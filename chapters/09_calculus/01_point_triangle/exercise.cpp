@@ -128,7 +128,7 @@ Quantity measured(std::string name, std::string says, const Case& at, const Refe
   return q;
 }
 
-const std::string no_det = "a00 a11 - a01^2 is 0, or nothing but rounding",
+const std::string no_det = "$a_{00}a_{11}-a_{01}^2$ is 0, or nothing but rounding",
                   products = "products of four lengths leave the range of doubles",
                   squares = "squares leave the range of doubles",
                   slow = "its rate is the shape's condition number";
@@ -137,7 +137,8 @@ Quantity in_fair(const Parameters& p, const Reference& truth) {
   std::vector<Point> points{{p["px"], p["py"], p["pz"]}};
   points.insert(points.end(), around.begin(), around.end());
   const Case at{fair, points};
-  Quantity q = measured("distance", "from P and from one point in each of the seven regions", at, truth, {});
+  Quantity q =
+      measured("distance", "from $P$ and from one point in each of the seven regions", at, truth, {});
   add_counted(q, at, {"closest point", "edges", no_knob(), {}, Outcome::inaccurate, "the face is left out"},
               edges);
   add_counted(q, at,
@@ -164,28 +165,27 @@ std::vector<Quantity> quantities(const Parameters& p, const Reference& truth) {
                           const std::string& cure) {
     all.back().add(Breakdown{std::move(says), method, setting, outcome, cure, 0});
   };
-  all.push_back(measured("close_distance", "from 1.3e-9 above the triangle",
+  all.push_back(measured("close_distance", R"(from $1.3\cdot10^{-9}$ above the triangle)",
                          {fair, {{1.25, 3.25 - close_by, 0.25 + close_by}}}, truth,
                          {{value, seven, bad, "the six terms cancel"}}));
   breaks(
-      "The quadratic's six terms of size 1 cancel to a squared distance of 1e-18: half of all digits are "
-      "lost "
-      "with the root. The point V(s, t) is right, and its distance from P has every digit.",
+      "The quadratic's six terms of size 1 cancel to a squared distance of $10^{-18}$: half of all digits "
+      "are lost with the root. The point $V(s,t)$ is right, and its distance from $P$ has every digit.",
       value + ", " + seven, 0, bad, point + ", " + seven);
   all.push_back(
-      measured("needle_distance", "a triangle 2^-27 thin", {needle, with_face}, truth,
+      measured("needle_distance", "a triangle $2^{-27}$ thin", {needle, with_face}, truth,
                {{value, seven, none, no_det}, {point, seven, none, no_det}, {point, descent, bad, slow}}));
   breaks(
       "The determinant of a needle is lost in rounding, and the point with it. Voronoi regions end at an "
-      "edge, which is as near to 1e-16.",
+      "edge, which is as near to $10^{-16}$.",
       point + ", " + seven, 0, none, point + ", " + voronoi_regions);
   breaks("Descent along the gradient hardly moves across a needle.", point + ", " + descent, 512, bad,
          point + ", " + stable);
   all.push_back(measured("collinear_distance", "three vertices on a line", {line, around}, truth,
                          {{value, seven, none, no_det}, {point, seven, none, no_det}}));
   breaks(
-      "On three vertices of one line the determinant is 0 and the quotients are 0/0. The edges are all there "
-      "is.",
+      "On three vertices of one line the determinant is 0 and the quotients are $0/0$. The edges are all "
+      "there is.",
       point + ", " + seven, 0, none, point + ", " + either);
   all.push_back(measured("repeated_distance", "two vertices the same", {twice, around}, truth,
                          {{value, seven, none, no_det},
@@ -193,27 +193,26 @@ std::vector<Quantity> quantities(const Parameters& p, const Reference& truth) {
                           {point, voronoi_regions, none, "an edge of length 0 is divided by"}}));
   breaks("Voronoi regions divide by the length of an edge that has none. A segment of length 0 is its end.",
          point + ", " + voronoi_regions, 0, none, point + ", " + either);
-  all.push_back(measured("tiny_distance", "a triangle of size 1e-150", {fair, around, -500}, truth,
+  all.push_back(measured("tiny_distance", "a triangle of size $10^{-150}$", {fair, around, -500}, truth,
                          {{value, seven, none, products},
                           {point, seven, none, products},
                           {point, voronoi_regions, bad, products},
                           {point, either, bad, products}}));
   breaks(
-      "At 1e-150 the products of four lengths are 0, and the Voronoi regions name a wrong edge without a "
-      "sign "
-      "of it. Orthogonal edges need squares only.",
+      "At $10^{-150}$ the products of four lengths are 0, and the Voronoi regions name a wrong edge without "
+      "a sign of it. Orthogonal edges need squares only.",
       point + ", " + voronoi_regions, 0, bad, point + ", " + stable);
-  all.push_back(measured("huge_distance", "a triangle of size 1e150", {fair, around, 500}, truth,
+  all.push_back(measured("huge_distance", "a triangle of size $10^{150}$", {fair, around, 500}, truth,
                          {{value, seven, bad, products},
                           {point, seven, bad, products},
                           {point, voronoi_regions, none, products},
                           {point, either, bad, products}}));
   breaks(
-      "At 1e150 the determinant is infinite, every comparison with it is answered, and the seven regions "
-      "give "
-      "a finite, wrong distance. In units of the triangle's size nothing overflows.",
+      "At $10^{150}$ the determinant is infinite, every comparison with it is answered, and the seven "
+      "regions give a finite, wrong distance. In units of the triangle's size nothing overflows.",
       point + ", " + seven, 0, bad, "scaled, " + stable);
-  all.push_back(measured("huger_distance", "a triangle of size 4e180", {fair, around, 600}, truth,
+  all.push_back(measured("huger_distance", R"(a triangle of size $4\cdot10^{180}$)", {fair, around, 600},
+                         truth,
                          {{value, seven, none, squares},
                           {point, seven, none, squares},
                           {point, voronoi_regions, none, squares},
@@ -221,8 +220,8 @@ std::vector<Quantity> quantities(const Parameters& p, const Reference& truth) {
                           {point, stable, none, squares},
                           {point, twofold, none, squares},
                           {point, descent, none, squares}}));
-  breaks("At 4e180 even squares overflow, and only scaling is left.", point + ", " + stable, 0, none,
-         "scaled, " + stable);
+  breaks(R"(At $4\cdot10^{180}$ even squares overflow, and only scaling is left.)", point + ", " + stable, 0,
+         none, "scaled, " + stable);
   return all;
 }
 

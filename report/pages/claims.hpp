@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/study/results.hpp"
+#include "report/study/findings.hpp"
 
 /// What comes of the claims, as Markdown.
 namespace oddity {
@@ -12,25 +12,11 @@ namespace oddity {
 using Counts = std::map<Verdict, int>;
 Counts counts_of(const ExerciseResult&);
 Counts counts_of(const Results&);
-/// "1 erratum", "3 errata".
-std::string plural(int n, const std::string& one, const std::string& many);
 /// "2 errata, 1 misprint, 12 confirmed", without those that there are none of.
 std::string sentence(const Counts&);
 
-/// Errata that come from one root are one finding.
-struct Finding {
-  const ExerciseResult* exercise;
-  std::vector<const JudgedClaim*> claims;  ///< one at least
-
-  const Claim& first() const { return claims.front()->claim; }
-  /// What it is called: its root, or what the claim says.
-  std::string name() const;
-  /// What one would see of it; empty where nothing is said.
-  std::string shows() const;
-};
-std::vector<Finding> errata_of(const ExerciseResult&);
-/// Of all exercises: those that break a scene first, then by kind, from a wrong listing or formula to a case
-/// left out, then by how many claims come from it.
+/// The errata of all exercises by root: those that break a scene first, then by kind, from a wrong listing or
+/// formula to a case left out, then by how many claims come from it.
 std::vector<Finding> errata_worst_first(const Results&);
 
 /// Where a page's links lead: to pages beside it, or to places in the one page.

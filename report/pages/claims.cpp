@@ -1,4 +1,4 @@
-#include "report/pages/findings.hpp"
+#include "report/pages/claims.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include "reference/text.hpp"
 #include "report/pages/markdown.hpp"
 #include "report/pages/markup.hpp"
+#include "report/pages/readable.hpp"
 #include "report/pages/text_view.hpp"
 
 namespace oddity {
@@ -17,17 +18,6 @@ namespace oddity {
 namespace {
 
 // ---- evidence ---------------------------------------------------------------------------------------------
-
-const Reading& deciding(const JudgedClaim& judged) {
-  switch (judged.verdict) {
-    case Verdict::misprint:
-      return judged.claim.meant;
-    case Verdict::erratum:
-      return judged.claim.corrected;
-    default:
-      return judged.claim.printed;
-  }
-}
 
 /// Of a claim that holds for every sample or fails: `left` counts the samples that violate it.
 bool counts_violations(const Check& c) {
@@ -112,7 +102,7 @@ std::string title_of(Verdict verdict) {
 std::string in_full(const JudgedClaim& judged, bool in_table) {
   const Claim& claim = judged.claim;
   const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
-  const Reading& right = deciding(judged);
+  const Reading& right = right_reading(judged);
   const bool told = right.text.empty() || claim.says.find(right.text) != std::string::npos;
   const std::string meant = told || in_table
                                 ? ""
@@ -125,7 +115,7 @@ std::string in_full(const JudgedClaim& judged, bool in_table) {
 
 /// What a confirmed claim was compared with: another route, or samples.
 std::string compared_with(const JudgedClaim& judged) {
-  const Reading& reading = deciding(judged);
+  const Reading& reading = right_reading(judged);
   if (reading.checks.empty()) return "";
   const Check& c = tightest(reading);
   return counts_violations(c) ? c.left.by.substr(std::string("violations in ").size()) : c.right.by;
@@ -156,7 +146,7 @@ std::string folded(const std::string& summary, const std::string& text) {
 
 /// The routes of all its checks give the same doubles in every sample, though roundings are allowed.
 bool bit_equal(const JudgedClaim& judged) {
-  const auto& checks = deciding(judged).checks;
+  const auto& checks = right_reading(judged).checks;
   return !checks.empty() && std::ranges::all_of(checks, [](const Check& c) {
     return c.tolerance.allowed > 0 && c.difference() == 0;
   });
@@ -192,16 +182,12 @@ Counts counts_of(const Results& results) {
   return counts;
 }
 
-std::string plural(int n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 std::string sentence(const Counts& counts) {
   std::string text;
   const auto add = [&](Verdict verdict, const std::string& one, const std::string& many) {
     const auto found = counts.find(verdict);
     if (found != counts.end() && found->second > 0)
-      text += (text.empty() ? "" : ", ") + plural(found->second, one, many);
+      text += (text.empty() ? "" : ", ") + counted(found->second, one, many);
   };
   add(Verdict::erratum, "erratum", "errata");
   add(Verdict::misprint, "misprint", "misprints");
@@ -211,31 +197,10 @@ std::string sentence(const Counts& counts) {
   return text.empty() ? "no claims" : text;
 }
 
-std::string Finding::name() const { return first().root.empty() ? first().says : first().root; }
-
-std::string Finding::shows() const {
-  const auto root = std::ranges::find(exercise->roots, first().root, &Root::name);
-  return root == exercise->roots.end() ? "" : root->shows;
-}
-
-std::vector<Finding> errata_of(const ExerciseResult& e) {
-  std::vector<Finding> found;
-  for (const JudgedClaim& c : e.claims) {
-    if (c.verdict != Verdict::erratum) continue;
-    const auto same = std::ranges::find_if(
-        found, [&](const Finding& f) { return !c.claim.root.empty() && f.first().root == c.claim.root; });
-    if (same == found.end())
-      found.push_back({&e, {&c}});
-    else
-      same->claims.push_back(&c);
-  }
-  return found;
-}
-
 std::vector<Finding> errata_worst_first(const Results& results) {
   std::vector<Finding> all;
   for (const ExerciseResult& e : results.exercises)
-    for (Finding& f : errata_of(e)) all.push_back(std::move(f));
+    for (Finding& f : findings_of(e)) all.push_back(std::move(f));
   std::ranges::stable_sort(all, {}, [](const Finding& f) {
     int weight = 3;
     for (const JudgedClaim* c : f.claims) weight = std::min(weight, weight_of(c->claim.kind));
@@ -254,18 +219,20 @@ std::string link_to(const ExerciseResult& e, const Claim& claim, Links links) {
 
 std::string answer(const ExerciseResult& e) {
   std::string text = "**" + sentence(counts_of(e)) + ".**";
-  const std::vector<Finding> errata = errata_of(e);
+  const std::vector<Finding> errata = findings_of(e);
   if (errata.empty()) return text + "\n\n";
   std::vector<std::vector<std::string>> rows;
   for (const Finding& f : errata)
-    rows.push_back({"[" + escaped(f.name()) + "](" + address_of(e, f.first(), Links::within) + ")",
-                    escaped(f.first().printed.text), escaped(f.first().corrected.text), escaped(f.shows())});
+    rows.push_back(
+        {"[" + escaped(f.title()) + "](" + address_of(e, f.claims.front()->claim, Links::within) + ")",
+         escaped(f.claims.front()->claim.printed.text), escaped(f.claims.front()->claim.corrected.text),
+         escaped(f.shows())});
   return text + "\n\n" + table({"what is wrong", "as printed", "right", "what one would see"}, rows);
 }
 
 std::string wrong_claims(const ExerciseResult& e) {
   std::set<const Claim*> in_table;
-  for (const Finding& f : errata_of(e)) in_table.insert(&f.first());
+  for (const Finding& f : findings_of(e)) in_table.insert(&f.claims.front()->claim);
   std::string text;
   for (Verdict verdict : {Verdict::erratum, Verdict::misprint, Verdict::unsettled})
     for (const JudgedClaim& c : e.claims)
@@ -283,7 +250,7 @@ std::string other_claims(const ExerciseResult& e) {
     confirmed += c.verdict == Verdict::confirmed;
   }
   if (confirmed == 0) return open;
-  return open + folded(plural(confirmed, "confirmed claim", "confirmed claims"), confirmed_lines(e));
+  return open + folded(counted(confirmed, "confirmed claim", "confirmed claims"), confirmed_lines(e));
 }
 
 std::string errata_table(const Results& results, Links links) {
@@ -292,8 +259,8 @@ std::string errata_table(const Results& results, Links links) {
     std::string claims;
     for (const JudgedClaim* c : f.claims)
       claims += (claims.empty() ? "" : ", ") + link_to(*f.exercise, c->claim, links);
-    rows.push_back(
-        {claims, escaped(f.first().printed.text), escaped(f.first().corrected.text), escaped(f.shows())});
+    rows.push_back({claims, escaped(f.claims.front()->claim.printed.text),
+                    escaped(f.claims.front()->claim.corrected.text), escaped(f.shows())});
   }
   return table({"claims", "as printed", "right", "what one would see"}, rows);
 }
@@ -320,7 +287,7 @@ std::string bit_equal_text(const Results& results) {
         list += (count++ == 0 ? "" : ", ") + code(c.claim.id);
   if (count == 0) return "";
   return folded(
-      plural(count, "claim equal to the last bit", "claims equal to the last bit"),
+      counted(count, "claim equal to the last bit", "claims equal to the last bit"),
       "The two routes of these confirmed claims never differ, though their tolerance leaves room for "
       "roundings: they do the same arithmetic in the end, or their numbers are short. Their near misses "
       "fail like all others.\n\n" +
@@ -341,7 +308,7 @@ std::string claims_evidence(const JudgedClaim& judged) {
   add("meant", judged.claim.meant);
   add("corrected", judged.claim.corrected);
   for (const Reading& near : judged.claim.near_misses) add("near miss '" + near.text + "'", near);
-  return text;
+  return readable(text);
 }
 
 }  // namespace oddity

@@ -1,0 +1,117 @@
+# The scenes' models as a WebAssembly module, for the players in the page: the target models_module makes models.js,
+# which is assets/models.js of the site. The algorithms are those of Odeint, as the program has them.
+if(NOT ODDITY_MODULE)
+  return()
+endif()
+
+find_program(WASM_CXX NAMES clang++ clang++-14 clang++-16 clang++-18 clang++-19)
+find_program(GZIP gzip)
+find_program(BASE64 base64)
+set(module ${PROJECT_BINARY_DIR}/module)
+set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fignore-exceptions -fvisibility=hidden -mmutable-globals
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-braces -Wno-implicit-float-conversion)
+if(WASM_CXX AND GZIP AND BASE64)
+  # With the linker, the standard library and the runtime.
+  file(CONFIGURE OUTPUT ${module}/tried.cpp CONTENT "#include <string>\nstd::string tried() { return {}; }\n")
+  execute_process(COMMAND ${WASM_CXX} ${wasm_flags} -std=c++20 -mexec-model=reactor tried.cpp -o tried.wasm
+    WORKING_DIRECTORY ${module} RESULT_VARIABLE wasm_fails OUTPUT_QUIET ERROR_QUIET)
+else()
+  set(wasm_fails TRUE)
+endif()
+if(wasm_fails)
+  if(NOT ODDITY_MODULE STREQUAL AUTO)
+    message(FATAL_ERROR "ODDITY_MODULE: there is no clang++ that compiles for wasm32-wasi with its standard library")
+  endif()
+  message(STATUS "The page's players do without the models' module: it needs clang, lld and the standard library for wasm32-wasi")
+  return()
+endif()
+message(STATUS "The scenes' models are compiled for the page by ${WASM_CXX}")
+
+# The headers of Boost without the machine's others,
+file(MAKE_DIRECTORY ${module}/include)
+get_target_property(boost Boost::headers INTERFACE_INCLUDE_DIRECTORIES)
+file(CREATE_LINK ${boost}/boost ${module}/include/boost SYMBOLIC)
+# and a register of Odeint's algorithms.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS solvers/ode/algorithms.hpp)
+file(READ solvers/ode/algorithms.hpp entries)
+string(REGEX MATCHALL "F[(][A-Za-z0-9]+, [a-z0-9_]+[)]" entries "${entries}")
+set(includes "")
+set(calls "")
+set(algorithms "")
+foreach(entry IN LISTS entries)
+  string(REGEX MATCH "[(]([A-Za-z0-9]+), ([a-z0-9_]+)[)]" entry "${entry}")
+  set(algorithm ${CMAKE_MATCH_1})
+  set(header solvers/ode/${CMAKE_MATCH_2}.hpp)
+  file(STRINGS ${header} odeint REGEX "library = Facts::odeint")
+  if(odeint)
+    string(APPEND includes "#include \"${header}\"\n")
+    string(APPEND calls "  f.template operator()<${algorithm}>();\n")
+    list(APPEND algorithms "${algorithm}|${header}")
+  endif()
+endforeach()
+file(CONFIGURE OUTPUT ${module}/include/solvers/ode/all.hpp CONTENT [[
+#pragma once
+
+@includes@
+namespace oddity::ode {
+
+template <class F>
+void for_each_algorithm(const F& f) {
+@calls@}
+
+}  // namespace oddity::ode
+]] @ONLY)
+
+set(module_objects "")
+# Compiles a source to an object of the module.
+function(compile_for_module source level standard)
+  cmake_path(GET source STEM name)
+  set(object ${module}/${name}.o)
+  add_custom_command(OUTPUT ${object}
+    COMMAND ${WASM_CXX} ${wasm_flags} ${level} -std=${standard} -I${PROJECT_SOURCE_DIR}
+      -isystem ${module}/include -MD -MF ${object}.d -c ${source} -o ${object}
+    DEPENDS ${source} ${ARGN} DEPFILE ${object}.d VERBATIM)
+  set(module_objects ${module_objects} ${object} PARENT_SCOPE)
+endfunction()
+
+foreach(file in_float integrate precompiled raw_problem)
+  compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/${file}.cpp -Os c++20)
+endforeach()
+compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/implicit.cpp -Os c++17)  # as in the program
+foreach(entry IN LISTS algorithms)
+  string(REGEX MATCH "^(.*)[|](.*)$" entry "${entry}")
+  set(file ${module}/${CMAKE_MATCH_1}.cpp)
+  file(CONFIGURE OUTPUT ${file} CONTENT "#include \"solvers/ode/precompile.hpp\"
+#include \"${CMAKE_MATCH_2}\"
+
+namespace oddity::ode {
+ODDITY_PRECOMPILE(${CMAKE_MATCH_1})
+}  // namespace oddity::ode
+" @ONLY)
+  compile_for_module(${file} -Os c++20)
+endforeach()
+foreach(file at_time exports scene)
+  compile_for_module(${PROJECT_SOURCE_DIR}/report/site/module/${file}.cpp -Os c++20)
+endforeach()
+
+# The models themselves, for speed, in as many files as compile well side by side.
+add_executable(write_players report/site/module/write.cpp)
+target_link_libraries(write_players PRIVATE oddity_report)
+set(player_files "")
+foreach(nth RANGE 5)
+  list(APPEND player_files ${module}/players_${nth}.cpp)
+endforeach()
+add_custom_command(OUTPUT ${player_files} COMMAND write_players ${player_files} VERBATIM)
+foreach(file IN LISTS player_files)
+  compile_for_module(${file} -O3 c++20)
+endforeach()
+
+add_custom_command(OUTPUT ${module}/models.wasm
+  COMMAND ${WASM_CXX} ${wasm_flags} -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--export=malloc -Wl,--export=free -Wl,--export=__stack_pointer -Wl,-z,stack-size=1048576
+    ${module_objects} -o ${module}/models.wasm
+  DEPENDS ${module_objects} VERBATIM)
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/models.js
+  COMMAND ${CMAKE_COMMAND} -DMODULE=${module}/models.wasm -DGZIP=${GZIP} -DBASE64=${BASE64}
+    -DOUT=${PROJECT_BINARY_DIR}/models.js -P ${PROJECT_SOURCE_DIR}/cmake/pack.cmake
+  DEPENDS ${module}/models.wasm cmake/pack.cmake VERBATIM)
+add_custom_target(models_module ALL DEPENDS ${PROJECT_BINARY_DIR}/models.js)

@@ -1,0 +1,199 @@
+#include "report/pages/closing_screen.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "report/pages/readable.hpp"
+#include "report/pages/table_text.hpp"
+
+namespace oddity {
+
+namespace {
+
+constexpr std::size_t widest_screen = 120, width_in_a_pipe = 100, worst_findings = 10;
+
+std::string several(long n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+std::string duration(double seconds) {
+  const long all = std::lround(std::ceil(seconds));
+  return all < 60 ? several(all, "second", "seconds")
+                  : several(all / 60, "minute", "minutes") +
+                        (all % 60 ? " " + several(all % 60, "second", "seconds") : "");
+}
+
+// ---- what was checked -------------------------------------------------------------------------------------
+
+struct Tallied {
+  std::map<Verdict, long> counts;
+  long all = 0;
+};
+
+Tallied verdicts_in(const Results& results) {
+  Tallied found;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims) ++found.counts[c.verdict], ++found.all;
+  return found;
+}
+
+std::string checked(const Results& results) {
+  long scenes = 0, quantities = 0, trials = 0;
+  for (const ExerciseResult& e : results.exercises) {
+    scenes += e.scene;
+    quantities += std::ssize(e.quantities);
+    for (const QuantityResult& q : e.quantities) {
+      for (const MethodResult& m : q.methods) trials += std::ssize(m.trials);
+      for (const FloatResult& m : q.in_float) trials += std::ssize(m.trials);
+    }
+  }
+  return several(std::ssize(results.exercises), "exercise", "exercises") + ", " +
+         several(verdicts_in(results).all, "claim", "claims") + ", " +
+         several(quantities, "quantity", "quantities") + " in " + several(trials, "trial", "trials") + ", " +
+         several(scenes, "scene", "scenes") + " in motion";
+}
+
+struct Named {
+  Verdict verdict;
+  Style style;
+  const char *one, *many;
+};
+constexpr Named in_order[]{{Verdict::confirmed, Style::good, "confirmed", "confirmed"},
+                           {Verdict::misprint, Style::doubtful, "misprint", "misprints"},
+                           {Verdict::erratum, Style::bad, "erratum", "errata"},
+                           {Verdict::not_checkable, Style::aside, "not checkable", "not checkable"},
+                           {Verdict::unsettled, Style::bad, "unsettled", "unsettled"}};
+
+std::string by_verdict(const Tallied& found, const Screen& screen) {
+  std::string text;
+  for (const Named& n : in_order)
+    if (const auto count = found.counts.find(n.verdict); count != found.counts.end())
+      text += (text.empty() ? "" : ", ") + screen.styled(n.style, several(count->second, n.one, n.many));
+  return text;
+}
+
+/// The same as a bar, each claim with its share.
+std::string bar(const Tallied& found, const Screen& screen) {
+  if (!screen.colour || found.all == 0) return "";
+  const auto width = std::max(static_cast<long>(screen.width) - 4, 0L);
+  std::string text;
+  long before = 0;
+  for (const Named& n : in_order) {
+    const auto count = found.counts.find(n.verdict);
+    if (count == found.counts.end()) continue;
+    const long from = before * width / found.all, to = (before += count->second) * width / found.all;
+    std::string blocks;
+    for (long i = from; i < to; ++i) blocks += "█";
+    text += screen.styled(n.style, blocks);
+  }
+  return "  " + text + "\n";
+}
+
+// ---- what is wrong ----------------------------------------------------------------------------------------
+
+/// The root of most of an exercise's errata.
+struct Worst {
+  const ExerciseResult* exercise;
+  const Root* root;
+  long errata;
+};
+
+long errata_of(const ExerciseResult& e, const Root& root) {
+  return std::ranges::count_if(e.claims, [&](const JudgedClaim& c) {
+    return c.verdict == Verdict::erratum && c.claim.root == root.name;
+  });
+}
+
+/// Those of the scenes, as a scene shows them: the one with most errata first.
+std::vector<Worst> worst_of_scenes(const Results& results) {
+  std::vector<Worst> found;
+  for (const ExerciseResult& e : results.exercises) {
+    Worst worst{&e, nullptr, 0};
+    for (const Root& root : e.roots)
+      if (const long errata = errata_of(e, root); errata > worst.errata) worst = {&e, &root, errata};
+    if (e.scene && worst.root) found.push_back(worst);
+  }
+  std::ranges::stable_sort(found, std::greater(), &Worst::errata);
+  found.resize(std::min(found.size(), worst_findings));
+  return found;
+}
+
+std::string numbered(Number number) {
+  const std::string text = to_string(number);
+  return "  " + text + std::string(text.size() < 5 ? 5 - text.size() : 0, ' ') + " ";
+}
+
+std::string what_is_wrong(const Results& results, const Screen& screen) {
+  long roots = 0;
+  for (const ExerciseResult& e : results.exercises) roots += std::ssize(e.roots);
+  const std::vector<Worst> worst = worst_of_scenes(results);
+  if (worst.empty()) return "";
+  std::string text =
+      "\n" + screen.styled(Style::heading, "What is wrong") + ", as it shows where things move:\n";
+  for (const Worst& w : worst) {
+    const std::string number = numbered(w.exercise->number);
+    text += screen.styled(Style::bad, number) +
+            cut_at_word(readable(w.root->shows), screen.width - std::min(screen.width, number.size())) + "\n";
+  }
+  const long others = roots - std::ssize(worst);
+  return text + (others > 0 ? "  and " + several(others, "other", "others") + " in the report\n" : "");
+}
+
+std::string failures(const Results& results, const Screen& screen) {
+  std::string text;
+  for (const ExerciseResult& e : results.exercises)
+    if (!e.failure.empty())
+      text += screen.styled(Style::bad, numbered(e.number)) + "failed: " + e.failure + "\n";
+  return text;
+}
+
+// ---- what a game may use ----------------------------------------------------------------------------------
+
+std::string what_a_game_may_use(const Results& results, const Screen& screen) {
+  std::map<std::string, long> scenes;
+  for (const ExerciseResult& e : results.exercises)
+    if (e.ledger && !e.ledger->least.empty() && e.ledger->least.front().least) {
+      const Tried& least = *e.ledger->least.front().least;
+      ++scenes[least.knob.empty() ? "a closed form" : least.algorithm];
+    }
+  std::vector<std::pair<std::string, long>> sorted(scenes.begin(), scenes.end());
+  std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, long>::second);
+  std::string text;
+  for (const auto& [algorithm, count] : sorted)
+    text += (text.empty() ? "  " : ", ") + algorithm + " in " + several(count, "scene", "scenes");
+  if (text.empty()) return "";
+  return "\n" + wrapped(screen.styled(Style::heading, "What is enough for a game") +
+                            ", to 1 cm and 1 degree at every frame over 10 s at 60 Hz:\n" + text +
+                            "\n  for a scene, start and budget of your own: oddity choose\n",
+                        screen, 2);
+}
+
+std::string what_to_open(const Closing& closing, const Screen& screen) {
+  return "\n" + screen.styled(Style::heading, "Open") + "\n" +
+         aligned({{closing.site.string(), "in a browser: every scene in motion"},
+                  {closing.report.string(), "the report as text"}});
+}
+
+}  // namespace
+
+std::string closing_screen(const Results& results, const Closing& closing, const Screen& terminal) {
+  const Screen screen{terminal.at_most(terminal.width == 0 ? width_in_a_pipe : widest_screen),
+                      terminal.colour};
+  const Tallied found = verdicts_in(results);
+  const std::string verdict =
+      closing.as_on_record ? screen.styled(Style::good, "All as on record")
+                           : screen.styled(Style::bad, "Not as on record") + ": what differs stands above";
+  return "\n" +
+         wrapped(screen.styled(Style::heading, "The solutions of Game Physics, 2nd edition, checked") + ": " +
+                     checked(results) + "\n",
+                 screen, 2) +
+         wrapped("  " + by_verdict(found, screen) + "\n", screen, 2) + bar(found, screen) +
+         failures(results, screen) + what_is_wrong(results, screen) + what_a_game_may_use(results, screen) +
+         what_to_open(closing, screen) + "\n" + verdict + ", after " + duration(closing.seconds) + ".\n";
+}
+
+}  // namespace oddity

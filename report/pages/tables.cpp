@@ -1,0 +1,87 @@
+#include "report/pages/tables.hpp"
+
+#include <limits>
+
+#include "reference/text.hpp"
+#include "report/study/stability.hpp"
+
+namespace oddity {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::string text_of(std::string_view view) { return std::string(view); }
+
+std::string value_text(const Value& value) {
+  std::string text;
+  for (double x : value) text += (text.empty() ? "" : " ") + shortest(x);
+  return text;
+}
+
+void add_trials(Table& table, const ExerciseResult& e, const QuantityResult& q, const auto& methods) {
+  for (const auto& m : methods)
+    for (const TimedTrial& t : m.trials)
+      table.rows.push_back({to_string(e.number), q.name, q.unit, t.model, t.algorithm,
+                            text_of(name_of(t.precision)), t.knob, t.knob.empty() ? none : t.setting,
+                            value_text(t.value), t.error, q.need.allowed, t.evaluations, t.time.seconds,
+                            t.time.spread, text_of(name_of(t.outcome)), t.message});
+}
+
+}  // namespace
+
+Table parameters_table(std::span<const Task> tasks) {
+  Table table{{"exercise", "title", "scene", "parameter", "value", "unit", "least", "most", "whole", "says"},
+              {}};
+  for (const Task& task : tasks) {
+    const Exercise& e = task.entry->exercise;
+    const std::vector<Cell> begin{to_string(task.entry->number), text_of(e.title), e.scene ? 1L : 0L};
+    const auto add = [&](std::vector<Cell> cells) {
+      cells.insert(cells.begin(), begin.begin(), begin.end());
+      table.rows.push_back(std::move(cells));
+    };
+    for (const Parameter& p : e.parameters)
+      add({text_of(p.name), p.value, text_of(p.unit), p.least, p.most, p.whole ? 1L : 0L, text_of(p.says)});
+    if (e.parameters.empty()) add({"", "", "", "", "", "", ""});
+  }
+  return table;
+}
+
+Table claims_table(const Results& results, const Verdicts& on_record) {
+  Table table{{"exercise", "claim", "line", "verdict", "on_record", "kind", "root", "says", "why"}, {}};
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims) {
+      const auto recorded = on_record.find(c.claim.id);
+      table.rows.push_back({to_string(e.number), c.claim.id, static_cast<long>(c.claim.line),
+                            text_of(name_of(c.verdict)), recorded == on_record.end() ? "" : recorded->second,
+                            text_of(name_of(c.claim.kind)), c.claim.root, c.claim.says,
+                            c.verdict == Verdict::not_checkable ? c.claim.not_checkable : c.claim.why});
+    }
+  return table;
+}
+
+Table trials_table(const Results& results) {
+  Table table{{"exercise", "quantity", "unit", "model", "algorithm", "precision", "knob", "setting", "value",
+               "error", "needed", "evaluations", "seconds", "spread", "outcome", "message"},
+              {}};
+  for (const ExerciseResult& e : results.exercises)
+    for (const QuantityResult& q : e.quantities) {
+      add_trials(table, e, q, q.methods);
+      add_trials(table, e, q, q.in_float);
+    }
+  return table;
+}
+
+Table limits_table(const Results& results) {
+  Table table{{"exercise", "model", "algorithm", "stable_to", "breaks_at", "theory", "unit", "breaks_by",
+               "error", "error_unit", "why"},
+              {}};
+  for (const ExerciseResult& e : results.exercises)
+    for (const Limit& l : e.stability->limits)
+      table.rows.push_back({to_string(e.number), l.model, l.algorithm, l.step(),
+                            l.broken ? l.broken->setting : none, l.theory(), e.stability->time_unit,
+                            beyond(l), l.broken ? l.broken->error : none, e.stability->unit, l.why});
+  return table;
+}
+
+}  // namespace oddity

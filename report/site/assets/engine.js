@@ -1,0 +1,206 @@
+// oddity.engine: the scenes' models, the very C++ of the program, compiled to WebAssembly (report/site/module).
+//   ready        resolves to whether the models can be run; models.js, which comes after this script, brings them
+//   algorithms   [{name, kind, order, knob, inFloat}]: `kind` is fixed, partitioned, controlled, implicit fixed,
+//                implicit controlled or closed form; `knob` is step, tolerance or, of a closed form, empty
+//   scene(number)   {parameters: [name], defaults: {name: value}, models: [{name, algorithms: [name],
+//                   constrained}], observables: how many, drawn, space}, or null where there is no such scene
+//   run({scene, parameters, model, algorithm, precision: 'double' | 'float', setting, times})
+//                times[0] is 0. Returns {observed, drift, off, evaluations, ending, message, seconds, last}:
+//     observed   the observables of one time after the other, NaN from where the motion broke off
+//     drift      at each time, by what part of what moves the conserved quantities have changed; empty if none
+//     off        at each time, m off the constraint; empty if there is none
+//     ending     reached, non-finite, stalled, raised, chattering or grazing
+//     last       the observables where it broke off; null where it did not
+//   draw(number, parameters, t, observed)   {space, primitives: [{kind, points: [[x, y, z]], size, letter, trail}]},
+//                or null where the scene does not say how it looks
+// Parameters that are not given have their defaults.
+(function (oddity) {
+  'use strict';
+
+  const endings = ['reached', 'non-finite', 'stalled', 'raised', 'chattering', 'grazing'];
+  const kinds = ['body', 'rod', 'spring', 'rope', 'track', 'disc', 'plate', 'support', 'axis', 'arrow', 'angle',
+    'length', 'label'];
+  const closedForm = {name: 'closed form', kind: 'closed form', order: 0, knob: '', inFloat: true};
+
+  let wasm = null;        // the module's exports
+  let scenes = new Map();
+  let answer;
+  const ready = new Promise(resolve => { answer = resolve; });
+
+  // ---- the module ---------------------------------------------------------------------------------------------
+
+  function bytesOf(base64) {
+    return Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
+  }
+
+  async function unpacked(bytes) {
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+    return new Response(stream).arrayBuffer();
+  }
+
+  // The C library asks for a system to print on and to end in; it gets none.
+  function noSystem(module) {
+    const imports = {};
+    for (const wanted of WebAssembly.Module.imports(module)) {
+      imports[wanted.module] = imports[wanted.module] || {};
+      imports[wanted.module][wanted.name] = () => 52;  // "no such function"
+    }
+    return imports;
+  }
+
+  async function start(base64) {
+    const module = await WebAssembly.compile(await unpacked(bytesOf(base64)));
+    const instance = await WebAssembly.instantiate(module, noSystem(module));
+    wasm = instance.exports;
+    wasm._initialize();
+    describe(JSON.parse(text(wasm.describe())));
+  }
+
+  oddity.module = function (base64) {
+    if (base64 === null) return answer(false);
+    start(base64).then(() => answer(true), () => { wasm = null; answer(false); });
+  };
+
+  // ---- what it has --------------------------------------------------------------------------------------------
+
+  function describe(all) {
+    engine.algorithms = all.algorithms.concat([closedForm]);
+    all.scenes.forEach((scene, index) => scenes.set(scene.number, known(scene, index)));
+  }
+
+  function known(scene, index) {
+    const values = numbers(wasm.defaults(index), scene.parameters.length);
+    const models = scene.models.map(model => ({
+      name: model.name, algorithms: algorithmsOf(model), constrained: model.constrained
+    }));
+    const whole = {
+      index, parameters: scene.parameters, models, observables: scene.observables, drawn: scene.drawn, space: false,
+      defaults: Object.fromEntries(scene.parameters.map((name, i) => [name, values[i]]))
+    };
+    if (scene.drawn) whole.space = drawing(whole, {}, 0, new Array(scene.observables).fill(0)).space;
+    return whole;
+  }
+
+  function algorithmsOf(model) {
+    if (model.events) return [];
+    if (model.closedForm) {
+      const own = model.algorithm || closedForm.name;
+      if (!engine.algorithms.some(a => a.name === own)) engine.algorithms.push(Object.assign({}, closedForm, {name: own}));
+      return [own];
+    }
+    return engine.algorithms
+      .filter(a => a.kind !== closedForm.kind && (a.kind !== 'partitioned' || model.partitioned))
+      .map(a => a.name);
+  }
+
+  // ---- memory, in which the module reads and writes -----------------------------------------------------------
+
+  function numbers(address, count) {
+    return new Float64Array(wasm.memory.buffer, address, count).slice();
+  }
+
+  function text(address, length) {
+    const bytes = new Uint8Array(wasm.memory.buffer);
+    const end = length === undefined ? bytes.indexOf(0, address) : address + length;
+    return new TextDecoder().decode(bytes.subarray(address, end));
+  }
+
+  function put(values) {
+    const address = wasm.input(values.length);
+    new Float64Array(wasm.memory.buffer, address, values.length).set(values);
+  }
+
+  // A string for the length of a call.
+  function withText(string, call) {
+    const bytes = new TextEncoder().encode(string + '\0');
+    const address = wasm.malloc(bytes.length);
+    new Uint8Array(wasm.memory.buffer).set(bytes, address);
+    const result = call(address);
+    wasm.free(address);
+    return result;
+  }
+
+  function valuesOf(scene, parameters) {
+    return scene.parameters.map(name => (name in parameters ? parameters[name] : scene.defaults[name]));
+  }
+
+  // What is thrown inside ends the call in the middle; its stack is given back.
+  function guarded(call, otherwise) {
+    const stack = wasm.__stack_pointer.value;
+    try {
+      return call();
+    } catch (error) {
+      if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+      wasm.__stack_pointer.value = stack;
+      return otherwise(error.message);
+    }
+  }
+
+  // ---- a motion -----------------------------------------------------------------------------------------------
+
+  function filled(address, states, each, times) {
+    const all = new Float64Array(times * each).fill(NaN);
+    if (states > 0) all.set(numbers(address, states * each));
+    return all;
+  }
+
+  function nothing(scene, asked, ending, message) {
+    return {
+      observed: new Float64Array(asked.times.length * scene.observables).fill(NaN), drift: new Float64Array(0),
+      off: new Float64Array(0), evaluations: 0, ending, message, seconds: 0, last: null
+    };
+  }
+
+  function collected(scene, states, times, seconds) {
+    const ending = endings[wasm.ending()];
+    const whole = ending === 'reached' ? states : Math.max(0, states - 1);
+    const observed = filled(wasm.observed(), whole, scene.observables, times);
+    const last = whole === states ? null
+      : numbers(wasm.observed() + 8 * whole * scene.observables, scene.observables);
+    const optional = address => (address ? filled(address, whole, 1, times) : new Float64Array(0));
+    return {
+      observed, drift: optional(wasm.drift()), off: optional(wasm.off()), evaluations: wasm.evaluations(), ending,
+      message: text(wasm.message()), seconds, last
+    };
+  }
+
+  function run(asked) {
+    const scene = scenes.get(asked.scene);
+    const model = scene.models.findIndex(m => m.name === asked.model && m.algorithms.includes(asked.algorithm));
+    if (model < 0) return nothing(scene, asked, 'raised', 'the module does not have this method');
+    return guarded(() => {
+      put(valuesOf(scene, asked.parameters || {}).concat(Array.from(asked.times)));
+      const before = performance.now();
+      const states = withText(asked.algorithm, algorithm =>
+        wasm.run(scene.index, model, algorithm, asked.precision === 'float', asked.setting));
+      return collected(scene, states, asked.times.length, (performance.now() - before) / 1000);
+    }, message => nothing(scene, asked, 'raised', message));
+  }
+
+  // ---- a drawing ----------------------------------------------------------------------------------------------
+
+  function drawing(scene, parameters, t, observed) {
+    put(valuesOf(scene, parameters).concat([t], Array.from(observed)));
+    const address = guarded(() => wasm.draw(scene.index), () => 0);
+    if (!address) return null;
+    const all = new Float64Array(wasm.memory.buffer, address);
+    let at = 2;
+    const primitives = [];
+    for (let i = 0; i < all[1]; ++i) {
+      const [kind, size, trail, letter, length, count] = all.subarray(at, at += 6);
+      const points = [];
+      for (let k = 0; k < count; ++k) points.push(Array.from(all.subarray(at, at += 3)));
+      primitives.push({kind: kinds[kind], points, size, letter: text(letter, length), trail: trail === 1});
+    }
+    return {space: all[0] === 1, primitives};
+  }
+
+  const engine = oddity.engine = {
+    ready,
+    algorithms: [],
+    scene: number => scenes.get(number) || null,
+    run,
+    draw: (number, parameters, t, observed) =>
+      scenes.has(number) ? drawing(scenes.get(number), parameters, t, observed) : null
+  };
+})(window.oddity = window.oddity || {});

@@ -1,0 +1,254 @@
+// The motions of a scene: computed by the models where the module runs, else those that are recorded.
+
+(function (oddity) {
+  'use strict';
+
+  const kept = 60;          // motions in the cache
+  const published = /as (printed|published)|^published|of the printed listing/;
+  const finest = 'Fehlberg 7(8)';
+  const sevenDigits = 1.2e-7;
+  const doubles = 1e-11;      // of the size, what a tolerance of 1e-12 leaves
+
+  const isOk = (outcome) => outcome === 'ok' || outcome === 'o';
+  const plain = (algorithm) => algorithm.replace(/ in float$/, '');
+
+  /** The true observables, frame by frame. */
+  function recordedTruth({ values, frames, end }, count) {
+    return { times: oddity.frameTimes(end, frames), observed: oddity.floats(values), count };
+  }
+
+  /** A recorded motion, from frame 1 on as far as it comes; `resolution` is what each observable is kept to. */
+  function recordedPath(path, count, end) {
+    const { frames, least, most } = path;
+    const observed = new Float64Array((frames + 1) * count).fill(NaN);
+    const resolution = new Float64Array(count);
+    if (least) {
+      for (let k = 0; k < count; k += 1) resolution[k] = (most[k] - least[k]) / 65535;
+      oddity.wholes(path.values).forEach((x, i) => { observed[count + i] = least[i % count] + x * resolution[i % count]; });
+    } else {
+      observed.set(oddity.floats(path.values), count);
+    }
+    return { times: oddity.frameTimes(end, frames), observed, count, resolution };
+  }
+
+  /** All that the page knows of the scene's methods, by "model, algorithm". */
+  function methodsOf(quantity) {
+    const all = new Map();
+    for (const m of quantity.methods) {
+      const name = `${m.model}, ${plain(m.algorithm)}`;
+      const known = all.get(name) || { model: m.model, algorithm: plain(m.algorithm), knob: m.knob, trials: [] };
+      if (m.precision === 'double') Object.assign(known, { knob: m.knob, trials: m.trials });
+      all.set(name, known);
+    }
+    return [...all.values()];
+  }
+
+  const bestTrial = (method) => method.trials.reduce((best, t) => (t[1] !== null && isOk(t[5]) && !(best && best[1] <= t[1]) ? t : best), null);
+
+  /** By the module. */
+  function computable(data, engine) {
+    const own = engine.scene(data.number);
+    if (!own) return [];
+    const facts = new Map(engine.algorithms.map((a) => [a.name, a]));
+    return own.models.flatMap(({ name, algorithms }) => algorithms.map((algorithm) => {
+      const fact = facts.get(algorithm) || { knob: '', inFloat: false };
+      return { model: name, algorithm, knob: fact.knob, precisions: fact.inFloat ? ['double', 'float'] : ['double'] };
+    }));
+  }
+
+  /** Recorded ones at their one setting, of what the module does not have. */
+  function recordedMethods(paths, others) {
+    return paths
+      .filter((p) => !others.some((m) => m.model === p.model && m.algorithm === p.algorithm))
+      .map((p) => ({ model: p.model, algorithm: p.algorithm, knob: p.knob, precisions: ['double'], path: p }));
+  }
+
+  /** An outcome's name, by the letter that stands for it. */
+  oddity.outcomeName = (data, outcome) => (data.outcomes && data.outcomes[outcome]) || outcome;
+
+  oddity.motions = function (data, engine) {
+    const { scene } = data;
+    const quantity = data.quantities[scene.quantity];
+    const frame = scene.truth.end / scene.truth.frames;
+    const looks = quantity.samples;
+    const count = scene.observables.length;
+    const defaults = Object.fromEntries(data.parameters.map((p) => [p.name, p.value]));
+    const tried = methodsOf(quantity);
+    const computed = engine ? computable(data, engine) : [];
+    const methods = [...computed, ...recordedMethods(scene.paths, computed)];
+    const cache = new Map();
+    const isDefault = (parameters) => data.parameters.every((p) => parameters[p.name] === p.value);
+    const find = (model, algorithm) => methods.find((m) => m.model === model && m.algorithm === algorithm);
+    const triedLike = (m) => tried.find((t) => t.model === m.model && t.algorithm === m.algorithm);
+
+    function cached(key, make) {
+      if (!cache.has(key)) {
+        if (cache.size >= kept) cache.delete(cache.keys().next().value);
+        cache.set(key, make());
+      }
+      return cache.get(key);
+    }
+
+    function compute(parameters, { model, algorithm, precision, setting }) {
+      const { knob } = find(model, algorithm);
+      const steps = knob === 'step' ? oddity.stepTimes(scene.horizon, looks, frame, setting) : null;
+      const times = steps ? steps.times : oddity.frameTimes(scene.horizon, scene.truth.frames);
+      return computedAt(times, { parameters, model, algorithm, precision, setting: steps ? steps.step : setting });
+    }
+
+    /** Parameters that do not go together end in a motion that is nowhere. */
+    function computedAt(times, asked) {
+      try {
+        return { times, count, ...engine.run({ scene: data.number, ...asked, times }) };
+      } catch (error) {
+        const nothing = new Float64Array(0);
+        return { times, count, observed: new Float64Array(times.length * count).fill(NaN), drift: nothing, off: nothing,
+          ending: 'raised', message: 'with these parameters it cannot start' };
+      }
+    }
+
+    function replay(path) {
+      return { ...recordedPath(path, count, scene.horizon), drift: new Float64Array(0), off: new Float64Array(0),
+        ending: oddity.outcomeName(data, path.outcome) === 'non-finite' ? 'non-finite' : 'reached', message: '' };
+    }
+
+    /** Null where it is only recorded and the parameters are others. */
+    function run(parameters, method) {
+      const { path } = find(method.model, method.algorithm);
+      if (path) return isDefault(parameters) ? cached(path, () => replay(path)) : null;
+      const key = JSON.stringify([parameters, method.model, method.algorithm, method.precision, method.setting]);
+      return cached(key, () => compute(parameters, method));
+    }
+
+    /** What stands for the truth where none is recorded: an integrated model that has all of it, at its finest. */
+    function finestMethod() {
+      const candidates = computed.filter((m) => triedLike(m) && bestTrial(triedLike(m)));
+      const error = (m) => bestTrial(triedLike(m))[1];
+      const best = (some) => some.reduce((a, b) => (a && error(a) <= error(b) ? a : b), null);
+      const method = best(candidates.filter((m) => m.algorithm === finest)) || best(candidates);
+      return method && { model: method.model, algorithm: method.algorithm, precision: 'double',
+        setting: method.knob === 'tolerance' ? 1e-12 : bestTrial(triedLike(method))[0] };
+    }
+    const richest = engine ? finestMethod() : null;
+
+    /** The recorded truth; a frame 0 that is not there is where the finest method starts. */
+    const reference = recordedTruth(scene.truth, count);
+    if (richest && !Number.isFinite(reference.observed[0])) reference.observed.set(run(defaults, richest).observed.subarray(0, count));
+
+    const frames = (parameters) => {
+      const key = JSON.stringify(['truth', parameters]);
+      return cached(key, () => computedAt(oddity.frameTimes(scene.horizon, scene.truth.frames), { parameters, ...richest }));
+    };
+
+    const truth = (parameters) => (isDefault(parameters) || !richest ? reference : frames(parameters));
+
+    const judge = (motion, parameters) => oddity.judged(motion, truth(parameters), scene.norms, scene.close);
+
+    /** How far the finest method is from the recorded truth, in each unit. */
+    const apart = () => cached('apart', () => oddity.judged(frames(defaults), reference, scene.norms, scene.close).worst);
+
+    /** Below what an error is not seen, in each unit: the truth has seven digits where it is recorded; else it is
+        as good as the finest method, whose error shows where it is larger than those digits. */
+    function floors(parameters, sizes) {
+      const digits = sizes.map((x) => sevenDigits * x);
+      if (truth(parameters) === reference) return digits;
+      return apart().map((x, u) => (x > 2 * digits[u] ? x : doubles * sizes[u]));
+    }
+
+    /** The same of a motion that may be recorded. */
+    function floorsOf(motion, floor) {
+      if (!motion || !motion.resolution) return floor;
+      const units = Object.keys(scene.close);
+      const zero = new Float64Array(count);
+      return oddity.distances(motion.resolution, zero, scene.norms, units).map((x, u) => Math.max(x, floor[u]));
+    }
+
+    const asRow = ({ model, algorithm, precisions, knob, path }, setting) => ({ model, algorithm, precision: precisions[0],
+      setting: path ? path.setting : knob ? setting : 0 });
+
+    /** A setting for a method that has just been chosen. */
+    function usual(method) {
+      if (method.path) return method.path.setting;
+      if (method.knob === 'step') return frame;
+      if (method.knob === 'tolerance') return 1e-6;
+      const known = triedLike(method);
+      return known && known.trials.length ? known.trials[known.trials.length >> 1][0] : 0;
+    }
+
+    const models = [...new Set(methods.map((m) => m.model))];
+    const algorithmsOf = (model) => methods.filter((m) => m.model === model);
+
+    /** The model that the study solves by the most algorithms: what an engine would take. */
+    function engines() {
+      const count = (model) => tried.filter((t) => t.model === model).length;
+      return models.filter((m) => !published.test(m) && find(m, 'explicit Euler')).sort((a, b) => count(b) - count(a))[0];
+    }
+
+    /** What is enough for a game at the least, and what an engine does today. */
+    function opening() {
+      const rows = [];
+      const least = (data.least || [])[0];
+      const enough = least && find(least.model, least.algorithm);
+      if (enough) rows.push(asRow(enough, least.setting));
+      const model = engines();
+      for (const algorithm of ['symplectic Euler', 'explicit Euler'])
+        if (model && find(model, algorithm) && !find(model, algorithm).path)
+          rows.push(asRow(find(model, algorithm), frame));
+      return rows.length > 1 ? rows : [...rows, ...fromRecorded(rows)].slice(0, 2);
+    }
+
+    /** A recorded motion that is right, and then one that is not. */
+    function fromRecorded(rows) {
+      const others = methods.filter((m) => m.path && !rows.some((r) => r.model === m.model));
+      const right = others.filter((m) => isOk(m.path.outcome));
+      const wrong = others.filter((m) => !isOk(m.path.outcome))
+        .sort((a, b) => published.test(b.model) - published.test(a.model));
+      return (rows.length ? [...wrong, ...right] : [...right.slice(0, 1), ...wrong, ...right.slice(1)]).map((m) => asRow(m));
+    }
+
+    /** As published beside right: the published model by its finest algorithm, and the finest method. */
+    function asPublished() {
+      const finestOf = (model) => {
+        const all = algorithmsOf(model);
+        const method = all.find((m) => m.algorithm === finest) || all.find((m) => m.algorithm === 'Runge-Kutta 4') || all[0];
+        return asRow(method, method.knob === 'tolerance' ? 1e-9 : frame / 4);
+      };
+      const right = richest || null;
+      const printed = models.filter((m) => published.test(m)).map(finestOf);
+      if (!printed.length) return null;
+      return right ? [asRow(find(right.model, right.algorithm), 1e-9), ...printed].slice(0, 4) : printed.slice(0, 4);
+    }
+
+    const own = engine && engine.scene(data.number);
+    const drawing = own && own.drawn
+      ? (parameters, t, observed) => engine.draw(data.number, parameters, t, observed) : oddity.asPoints(data);
+
+    return { data, scene, quantity, frame, looks, defaults, models, methods, find, algorithmsOf, usual, run, truth, judge, floors, floorsOf, richest,
+      reference, apart, isDefault, opening, asPublished, drawing, recordedOnly: !computed.length,
+      space: drawing(defaults, 0, reference.observed.slice(count, 2 * count)).space };
+  };
+
+  /** How a scene looks that does not say so: its observables as points, as far as their names say points; else
+      over time. */
+  oddity.asPoints = function (data) {
+    const { observables, horizon, truth } = data.scene;
+    const values = oddity.floats(truth.values);
+    let reach = 0;
+    for (const x of values) if (Math.abs(x) > reach) reach = Math.abs(x);
+    const size = reach / 40;
+    const ball = (points, space) => ({ space, primitives: points.map((p) =>
+      ({ kind: 'body', points: [p], size, letter: '', trail: true })) });
+    const names = observables.join();
+    if (/^x1?,(y|x2)1?(,(z|x3|psi|theta))?$/.test(names) || /^x1,y1/.test(names)) {
+      const space = /z$|x3$/.test(names);
+      const each = space ? 3 : 2;
+      const flat = /psi|theta/.test(names) ? 2 : observables.length;
+      return (parameters, t, o) => {
+        const points = [];
+        for (let k = 0; k + each <= flat; k += each) points.push([o[k], o[k + 1], space ? o[k + 2] : 0]);
+        return ball(points, space);
+      };
+    }
+    return (parameters, t, o) => ball([...o].map((x) => [t / horizon * 4 * reach, x, 0]), false);
+  };
+})(window.oddity = window.oddity || {});

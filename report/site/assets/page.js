@@ -1,0 +1,165 @@
+// What all pages share: the exercise's data, filters, links to what is folded up, buttons that play a trial, and
+// the moving pictures.
+(function (oddity) {
+  'use strict';
+
+  const waiting = [];
+
+  // Called by data/3.5.js.
+  oddity.exercise = (data) => {
+    oddity.data = data;
+    waiting.splice(0).forEach((act) => act(data));
+    document.dispatchEvent(new CustomEvent('oddity:data', { detail: data }));
+  };
+
+  // Acts once the exercise's data are there.
+  oddity.with_data = (act) => {
+    if (oddity.data) act(oddity.data);
+    else waiting.push(act);
+  };
+
+  oddity.element = (name, attributes, ...children) => {
+    const made = document.createElement(name);
+    for (const [key, value] of Object.entries(attributes || {})) {
+      if (value === true) made.setAttribute(key, '');
+      else if (value !== false && value !== undefined && value !== null) made.setAttribute(key, value);
+    }
+    made.append(...children);
+    return made;
+  };
+
+  oddity.calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
+
+  // ---- links to what is folded up
+
+  function open_target() {
+    let target = null;
+    try {
+      target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    } catch (error) {
+      return;  // a hash that is no text
+    }
+    if (!target) return;
+    for (let at = target; at; at = at.parentElement) if (at.tagName === 'DETAILS') at.open = true;
+    target.hidden = false;
+    target.scrollIntoView();
+  }
+
+  // What is folded up is printed as well.
+  function open_for_print() {
+    document.querySelectorAll('#findings details:not([open])').forEach((details) => {
+      details.open = true;
+      addEventListener('afterprint', () => { details.open = false; }, { once: true });
+    });
+  }
+
+  // ---- the findings' filter
+
+  function kind_of(article) {
+    const meta = article.querySelector('.meta b').nextSibling.textContent;
+    const before = meta.split(', line')[0].trim();
+    return before.startsWith('line') ? '' : before;
+  }
+
+  function choices_of(articles) {
+    const counts = new Map();
+    const add = (name, test) => {
+      const chosen = articles.filter(test);
+      if (chosen.length > 0 && chosen.length < articles.length) counts.set(name, chosen);
+    };
+    add('errata', (article) => article.classList.contains('erratum'));
+    add('misprints', (article) => article.classList.contains('misprint'));
+    new Set(articles.map(kind_of)).forEach((kind) => { if (kind) add(kind, (article) => kind_of(article) === kind); });
+    return counts;
+  }
+
+  function build_filter(place) {
+    const section = place.parentElement;
+    const articles = [...section.querySelectorAll('article')];
+    const choices = choices_of(articles);
+    if (choices.size === 0) return;
+    const claims = document.getElementById('claims');
+    const show = (chosen, button) => {
+      articles.forEach((article) => { article.hidden = !chosen.includes(article); });
+      section.querySelectorAll('.root').forEach((root) => { root.hidden = !root.querySelector('article:not([hidden])'); });
+      if (claims) claims.hidden = button !== all;
+      place.querySelectorAll('button').forEach((other) => other.setAttribute('aria-pressed', String(other === button)));
+    };
+    const add = (name, chosen) => {
+      const button = oddity.element('button', { type: 'button', 'aria-pressed': 'false' }, `${name} `,
+        oddity.element('small', {}, String(chosen.length)));
+      button.addEventListener('click', () => show(chosen, button));
+      place.append(button);
+      return button;
+    };
+    place.setAttribute('role', 'group');
+    place.setAttribute('aria-label', 'Which findings are shown');
+    const confirmed = claims ? claims.querySelectorAll('.claims > details').length : 0;
+    const all = add('all claims', articles);
+    all.lastChild.textContent = String(articles.length + confirmed);
+    add('wrong', articles);
+    choices.forEach((chosen, name) => add(name, chosen));
+    all.setAttribute('aria-pressed', 'true');
+  }
+
+  // ---- buttons that play a trial
+
+  function build_play_buttons(data) {
+    document.querySelectorAll('button[data-play]').forEach((button) => {
+      const [place, setting] = button.dataset.play.split(' ').map(Number);
+      const name = button.closest('.quantity').querySelector('.chart').dataset.quantity;
+      const quantity = data.quantities.find((q) => q.name === name);
+      const method = quantity && quantity.methods[place];
+      if (!method || !data.scene || !document.querySelector('.player')) return;
+      button.hidden = false;
+      button.setAttribute('aria-label', `play ${method.model}, ${method.algorithm}`);
+      button.addEventListener('click', () => document.dispatchEvent(new CustomEvent('oddity:play', {
+        detail: { model: method.model, algorithm: method.algorithm, precision: method.precision, setting },
+      })));
+    });
+  }
+
+  // ---- the moving pictures
+
+  function build_pictures() {
+    const pictures = [...document.querySelectorAll('.thumb svg')];
+    const button = document.querySelector('.stop button');
+    if (pictures.length === 0 || !button) return;
+    let moving = !oddity.calm();
+    const in_view = new Set();
+    const begin = (svg) => {
+      if (svg.dataset.begun) return;
+      svg.dataset.begun = 'yes';
+      svg.querySelectorAll('animate').forEach((animation) => animation.beginElement());
+    };
+    const set = (svg) => {
+      if (moving && in_view.has(svg)) {
+        begin(svg);
+        svg.unpauseAnimations();
+      } else {
+        svg.pauseAnimations();
+      }
+    };
+    const watcher = new IntersectionObserver((entries) => entries.forEach((entry) => {
+      if (entry.isIntersecting) in_view.add(entry.target);
+      else in_view.delete(entry.target);
+      set(entry.target);
+    }));
+    pictures.forEach((svg) => watcher.observe(svg));
+    const name = () => { button.textContent = moving ? 'Stop the pictures' : 'Let the pictures move'; };
+    button.addEventListener('click', () => {
+      moving = !moving;
+      name();
+      pictures.forEach(set);
+    });
+    name();
+    button.hidden = false;
+  }
+
+  document.querySelectorAll('.filter').forEach(build_filter);
+  oddity.with_data(build_play_buttons);
+  build_pictures();
+  open_target();
+  addEventListener('hashchange', open_target);
+  addEventListener('beforeprint', open_for_print);
+})(window.oddity = window.oddity || {});

@@ -1,0 +1,97 @@
+// A player's state as the part of an address after #, and back. What is read may be anything: nothing of it
+// counts before it is found among what the scene has.
+//   #play&p.a=0.6&row=one%20angle/explicit%20Euler/double/0.0167&at=1.5&speed=0.25
+
+(function (oddity) {
+  'use strict';
+
+  const most = 4;
+  const word = encodeURIComponent;
+
+  class Unreadable extends Error {}
+
+  function readable(text) {
+    try {
+      return decodeURIComponent(text.replace(/\+/g, ' '));
+    } catch (error) {
+      throw new Unreadable('The link is damaged.');
+    }
+  }
+
+  function number(text, what) {
+    const x = oddity.typed(text);
+    if (x === null) throw new Unreadable(`The link has \u201c${text}\u201d for ${what}, which is not a number.`);
+    return x;
+  }
+
+  function parameter(name, text, known) {
+    const found = known.parameters.find((p) => p.name === name);
+    if (!found) throw new Unreadable(`The link sets \u201c${name}\u201d, which ${known.missing}.`);
+    const x = number(text, name);
+    const low = Number.isFinite(found.least) && x < found.least;
+    const high = Number.isFinite(found.most) && x > found.most;
+    if (low || high || (found.whole && !Number.isInteger(x)))
+      throw new Unreadable(`The link sets ${name} to ${text}; it goes from ${found.least} to ${found.most}.`);
+    return x;
+  }
+
+  function row(text, known) {
+    const [model, algorithm, precision, setting] = text.split('/').map(readable);
+    if (setting === undefined) throw new Unreadable('The link names a method that is not whole.');
+    const found = known.methods.find((m) => m.model === model && m.algorithm === algorithm);
+    if (!found) throw new Unreadable(`The link asks for \u201c${model}, ${algorithm}\u201d, which ${known.missing}.`);
+    if (!found.precisions.includes(precision))
+      throw new Unreadable(`The link asks for ${algorithm} in \u201c${precision}\u201d, which it cannot do.`);
+    const x = number(setting, found.knob || 'a setting');
+    if (found.knob && !(x > 0)) throw new Unreadable(`The link sets a ${found.knob} of ${setting}; it has to be above 0.`);
+    return { model, algorithm, precision, setting: x };
+  }
+
+  function state(parts, known) {
+    const read = { parameters: {}, rows: [], time: 0, speed: 1 };
+    for (const part of parts) {
+      const [name, text = ''] = part.split(/=(.*)/s);
+      if (name.startsWith('p.')) {
+        const key = readable(name.slice(2));
+        read.parameters[key] = parameter(key, readable(text), known);
+      } else if (name === 'row') {
+        read.rows.push(row(text, known));
+      } else if (name === 'at') {
+        read.time = Math.min(known.horizon, Math.max(0, number(readable(text), 'the time')));
+      } else if (name === 'speed') {
+        read.speed = number(readable(text), 'the speed');
+        if (!known.speeds.includes(read.speed)) throw new Unreadable(`The link asks for a speed of ${read.speed}.`);
+      } else {
+        throw new Unreadable(`The link says \u201c${readable(name)}\u201d, which the player does not know.`);
+      }
+    }
+    if (read.rows.length > most) throw new Unreadable(`The link names ${read.rows.length} methods; ${most} can be shown.`);
+    return read;
+  }
+
+  oddity.permalink = {
+    /** Of {parameters: {name: value}, rows: [{model, algorithm, precision, setting}], time, speed}. */
+    format({ parameters, rows, time, speed }) {
+      const parts = ['#play'];
+      for (const [name, value] of Object.entries(parameters)) parts.push(`p.${word(name)}=${value}`);
+      for (const r of rows)
+        parts.push('row=' + [r.model, r.algorithm, r.precision, r.setting].map((x) => word(x)).join('/'));
+      if (time) parts.push(`at=${Number(time.toFixed(6))}`);
+      if (speed !== 1) parts.push(`speed=${speed}`);
+      return parts.join('&');
+    },
+
+    /** {state}, or {problem: a sentence}; null when it is no link to a player. `known` is {parameters, methods:
+        [{model, algorithm, precisions, knob}], horizon, speeds, missing: what is said of what is not there}. */
+    parse(hash, known) {
+      const [first, ...parts] = hash.split('&');
+      if (first !== '#play' || !parts.length) return null;     // #play is the player's own place in the page
+      try {
+        return { state: state(parts, known) };
+      } catch (error) {
+        if (error instanceof Unreadable) return { problem: error.message };
+        throw error;
+      }
+    },
+  };
+})(window.oddity = window.oddity || {});

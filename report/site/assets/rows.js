@@ -1,0 +1,173 @@
+// A method beside the truth, as a row: what it is, and how it fares.
+
+(function (oddity) {
+  'use strict';
+
+  const { written } = oddity;
+
+  /** 0.12 rad; 0.003 m, 0.12 rad. */
+  oddity.amounts = (values, units, digits = 2) => units.map((unit, u) => `${written(values[u], digits)} ${unit}`).join(', ');
+
+  oddity.needName = (close, joined = ' and ') => Object.entries(close).map(([unit, x]) => oddity.nameOfNeed(unit, x)).join(joined);
+
+  const fails = {
+    'non-finite': 'the state is not finite',
+    stalled: 'it is stuck',
+    chattering: 'events without end',
+    grazing: 'whether an event happens is below its error',
+  };
+
+  /** How it ended, in a few words. */
+  oddity.endingOf = function (motion, judged, { close, time_unit: unit }) {
+    const at = (t) => `${written(t, 3)} ${unit}`;
+    if (judged.broken !== null || motion.ending !== 'reached') {
+      const why = fails[motion.ending] || motion.message || 'it ends';
+      return { holds: false, text: judged.broken === null ? why : `breaks off at ${at(judged.broken)}: ${why}` };
+    }
+    if (!judged.count) return { holds: false, text: 'the truth is not known here' };
+    if (judged.since === null) return { holds: true, text: `holds ${oddity.needName(close)}` };
+    return { holds: false, text: `more than ${oddity.needName(close, ' or ')} off, first at ${at(judged.since)}` };
+  };
+
+  oddity.largestDrift = (motion) => motion.drift.reduce((most, x) => (x > most ? x : most), 0);
+
+  function swatch(shape) {
+    const canvas = oddity.make('canvas', { class: 'row-swatch', width: 68, height: 28, 'aria-hidden': 'true' });
+    return { canvas, paint(colour) {
+      const context = canvas.getContext('2d');
+      context.setTransform(2, 0, 0, 2, 0, 0);
+      context.clearRect(0, 0, 34, 14);
+      context.strokeStyle = context.fillStyle = colour;
+      context.lineWidth = 2;
+      context.setLineDash(oddity.dashes[shape]);
+      context.beginPath();
+      context.moveTo(0, 7);
+      context.lineTo(34, 7);
+      context.stroke();
+      oddity.mark(context, shape, 17, 7, 5);
+    } };
+  }
+
+  function choice(label, changed) {
+    const select = oddity.make('select', { 'aria-label': label, change: () => changed(select.value) });
+    return { select, show(options, value) {
+      select.replaceChildren(...options.map(([name, text]) => oddity.make('option', { value: name }, text)));
+      select.value = value;
+      select.disabled = options.length < 2;
+    } };
+  }
+
+  const reading = (name, title) => {
+    const value = oddity.make('dd', {});
+    return { value, element: oddity.make('div', { class: 'reading', title }, oddity.make('dt', {}, name), value) };
+  };
+
+  function settingScale({ knob }, { scene, frame, looks }) {
+    const ends = knob === 'tolerance' ? [1e-13, 0.1] : knob === 'step' ? [frame / 64, scene.horizon / looks] : [1, 1024];
+    return oddity.scaleOf({ value: ends[0], unit: knob, least: ends[0], most: ends[1], whole: !['tolerance', 'step'].includes(knob) });
+  }
+
+  /** {element, show(result), now(t), paint(colour)}; `changed(row)` gets the row as it is to be. */
+  oddity.methodRow = function ({ motions, row, shape, changed, removed, refused }) {
+    const { scene } = motions;
+    const mark = swatch(shape);
+    const model = choice('model', (name) => changed(another(name, row.algorithm)));
+    const algorithm = choice('algorithm', (name) => changed(another(row.model, name)));
+    const precision = choice('computed in', (name) => changed({ ...row, precision: name }));
+    const knobPlace = oddity.make('div', { class: 'row-setting' });
+    const errorNow = reading('error', 'distance from the truth now');
+    const worst = reading('at worst', 'largest distance from the truth until the end');
+    const drift = reading('conserved', 'by how much energy, and whatever else is conserved, changes at most, as a part of what moves in it');
+    const ending = oddity.make('p', { class: 'row-ending' });
+    const remove = oddity.make('button', { type: 'button', class: 'row-remove', 'aria-label': 'remove this method', click: removed },
+      oddity.icon({ d: 'M4 4 L12 12 M12 4 L4 12', fill: 'none', stroke: 'currentColor', 'stroke-width': 1.6 }));
+    const element = oddity.make('div', { class: 'row', role: 'group' },
+      oddity.make('div', { class: 'row-what' }, mark.canvas, model.select,
+        oddity.make('div', { class: 'row-by' }, algorithm.select, precision.select), knobPlace, remove),
+      oddity.make('div', { class: 'row-how' },
+        oddity.make('dl', {}, errorNow.element, worst.element, drift.element), ending));
+    let result = null;
+    let slider = null;
+    let sliderOf = null;
+
+    /** The same setting where the knob is the same. */
+    function another(modelName, algorithmName) {
+      const was = motions.find(row.model, row.algorithm);
+      const next = motions.find(modelName, algorithmName) || motions.algorithmsOf(modelName)[0];
+      const same = next.knob === was.knob && !next.path && !was.path;
+      return { ...row, model: next.model, algorithm: next.algorithm, trial: null,
+        precision: next.precisions.includes(row.precision) ? row.precision : next.precisions[0],
+        setting: same ? row.setting : motions.usual(next) };
+    }
+
+    function showSetting(method) {
+      const kind = method.path ? 'recorded' : method.knob;
+      if (sliderOf !== kind) {
+        sliderOf = kind;
+        slider = null;
+        knobPlace.replaceChildren();
+        if (kind === 'recorded' && method.path.knob)
+          knobPlace.append(oddity.make('span', { class: 'row-fixed' }, ''));
+        else if (kind && kind !== 'recorded')
+          slider = oddity.slider({ name: kind, says: '', unit: kind === 'step' ? scene.time_unit : '', scale: settingScale(method, motions),
+            value: row.setting, checked: (x) => (x > 0 ? '' : `The ${kind} has to be above 0.`),
+            changed: (setting) => changed({ ...row, setting, trial: null }), refused });
+        if (slider) knobPlace.append(slider.element);
+      }
+      if (slider) slider.show(row.setting);
+      else if (knobPlace.firstChild) knobPlace.firstChild.textContent = `${method.path.knob} ${oddity.inField(method.path.setting)}, recorded`;
+    }
+
+    function showMethod() {
+      const method = motions.find(row.model, row.algorithm);
+      model.show(motions.models.map((name) => [name, name]), row.model);
+      algorithm.show(motions.algorithmsOf(row.model).map((m) =>
+        [m.algorithm, m.path && !motions.recordedOnly ? `${m.algorithm} (recorded)` : m.algorithm]), row.algorithm);
+      precision.show(method.precisions.map((name) => [name, name]), row.precision);
+      showSetting(method);
+      element.setAttribute('aria-label', `${row.model} by ${row.algorithm}`);
+    }
+
+    function showOutcome() {
+      const { motion, judged, floors } = result;
+      const low = judged.worst.every((x, u) => x <= floors[u]);
+      worst.value.textContent = low ? `below ${oddity.amounts(floors, judged.units, 1)}` : oddity.amounts(judged.worst, judged.units);
+      drift.element.hidden = !motion.drift.length;
+      drift.value.textContent = motion.drift.length ? `\u00b1${oddity.part(oddity.largestDrift(motion))}` : '\u2013';
+      const { holds, text } = oddity.endingOf(motion, judged, scene);
+      ending.textContent = row.trial ? `${text}. ${row.trial}` : text;
+      ending.className = `row-ending ${holds ? 'row-holds' : 'row-fails'}`;
+    }
+
+    function showNothing() {
+      for (const r of [errorNow, worst, drift]) r.value.textContent = '\u2013';
+      ending.textContent = 'only recorded, at the parameters of the book';
+      ending.className = 'row-ending';
+    }
+
+    return {
+      element,
+      /** {row, motion, judged, floors}; motion null where there is none. */
+      show(next) {
+        result = next;
+        row = next.row;
+        showMethod();
+        if (result.motion) showOutcome();
+        else showNothing();
+      },
+      now(t) {
+        if (!result || !result.motion) return;
+        const { motion, judged, floors } = result;
+        const i = oddity.placeOf(motion.times, t);
+        const here = judged.errors.map((e) => e[i]);
+        let text = oddity.amounts(here, judged.units);
+        if (here.every((x, u) => x <= floors[u])) text = `below ${oddity.amounts(floors, judged.units, 1)}`;
+        if (here.some(Number.isNaN)) text = '\u2013';
+        if (judged.broken !== null && t >= judged.broken) text = 'broken off';
+        if (errorNow.value.textContent !== text) errorNow.value.textContent = text;
+      },
+      paint: mark.paint,
+      focus() { algorithm.select.focus({ preventScroll: true }); },
+    };
+  };
+})(window.oddity = window.oddity || {});

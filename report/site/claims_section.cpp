@@ -1,0 +1,193 @@
+#include "report/site/claims_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "reference/text.hpp"
+#include "report/pages/markup.hpp"
+#include "report/pages/text_view.hpp"
+#include "report/site/page.hpp"
+#include "report/study/findings.hpp"
+
+namespace oddity {
+
+namespace {
+
+using html::element;
+
+std::string number_text(double x, int digits) {
+  return std::isfinite(x) ? with_powers(rounded(x, digits)) : std::isnan(x) ? "not a number" : "infinite";
+}
+
+std::string value_text(const Value& value) { return html::escaped(with_powers(shown(value, 7))); }
+std::string words(const std::string& text) { return html::text(with_powers(with_short_numbers(text))); }
+
+std::string class_of(Verdict verdict) { return html::anchor(name_of(verdict)); }
+
+bool is_count(const Check& c) { return c.right.by == "none" && c.left.by.starts_with("violations in "); }
+
+/// "none of 200 samples is against it".
+std::string count_text(const Check& c) {
+  const std::string of = c.left.by.substr(std::string("violations in ").size());
+  const std::string n = c.left.value[0] == 0 ? "none" : rounded(c.left.value[0], 12);
+  return html::escaped(n + " of " + of + (n == "none" || n == "1" ? " is" : " are") + " against it");
+}
+
+/// How much of its tolerance a check uses up; one that fails comes before all that hold.
+double use_of(const Check& c) {
+  const double used = c.tolerance.allowed > 0 ? c.difference() / c.tolerance.allowed
+                      : c.difference() == 0   ? 0
+                                              : INFINITY;
+  return std::isnan(used) ? INFINITY : used;
+}
+
+const Check& hardest(const Reading& reading) { return *std::ranges::max_element(reading.checks, {}, use_of); }
+
+std::string difference_text(const Check& c) {
+  const double difference = c.difference();
+  if (difference == 0) return "equal";
+  if (!std::isfinite(difference)) return "not to be compared";
+  return "off by " + number_text(difference, 2) +
+         (c.tolerance.allowed == 0 ? " where nothing is allowed"
+                                   : ", allowed " + number_text(c.tolerance.allowed, 2));
+}
+
+/// What a reading was compared with, and how it came out: of its checks the hardest.
+/// Beside the check before it only what is new.
+std::string comparison_of(const Reading& reading, bool with_values, const Check* before = nullptr) {
+  const Check& c = hardest(reading);
+  if (is_count(c)) return count_text(c);
+  if (before && before->right.by == c.right.by)
+    return element("b", "", value_text(c.left.value)) + ": " + difference_text(c);
+  const std::string of = c.where.starts_with("worst of ") ? ", " + c.where.substr(0, c.where.find(':')) : "";
+  return (with_values ? element("b", "", value_text(c.left.value)) + " against " +
+                            element("b", "", value_text(c.right.value)) + ", " + words(c.right.by)
+                      : "against " + words(c.right.by)) +
+         ": " + difference_text(c) + html::escaped(of) +
+         (reading.checks.size() > 1 ? "; hardest of " + std::to_string(reading.checks.size()) + " checks"
+                                    : "");
+}
+
+std::string near_misses_of(const Claim& claim) {
+  const auto n = static_cast<long>(claim.near_misses.size());
+  return n == 0 ? "" : " " + counted(n, "near miss fails.", "near misses fail.");
+}
+
+std::string sentence(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text + ".";
+}
+
+/// What speaks for a verdict.
+std::string evidence_of(const JudgedClaim& judged) {
+  const Claim& claim = judged.claim;
+  if (!claim.not_checkable.empty()) return html::text(claim.not_checkable);
+  std::string text;
+  const Check* before = nullptr;
+  if (judged.verdict == Verdict::confirmed && !claim.printed.checks.empty())
+    text = sentence(comparison_of(claim.printed, false));
+  else
+    for (const auto& [name, reading] :
+         {std::pair{"Printed", &claim.printed}, {"Meant", &claim.meant}, {"Right", &claim.corrected}})
+      if (!reading->checks.empty()) {
+        text += (text.empty() ? "" : " ") + std::string(name) + ": " + comparison_of(*reading, true, before) +
+                ".";
+        before = &hardest(*reading);
+      }
+  return text + near_misses_of(claim);
+}
+
+std::string id_attribute(const Claim& claim) { return " id=\"" + claim_anchor_of(claim) + "\""; }
+
+/// The claim holds what is printed word for word.
+bool is_told(const Claim& claim) { return claim.says.find(claim.printed.text) != std::string::npos; }
+
+std::string sides(const JudgedClaim& judged) {
+  const Reading& right = right_reading(judged);
+  const Claim& claim = judged.claim;
+  std::string text = element(
+      "div", " class=\"printed\"",
+      "<dt>printed</dt>" + element("dd", "", html::text(is_told(claim) ? claim.says : claim.printed.text)));
+  if (&right != &judged.claim.printed)
+    text += element("div", " class=\"corrected\"",
+                    std::string(judged.verdict == Verdict::misprint ? "<dt>meant</dt>" : "<dt>right</dt>") +
+                        element("dd", "", html::text(right.text)));
+  return element("dl", " class=\"sides\"", text);
+}
+
+std::string finding_text(const JudgedClaim& judged) {
+  const Claim& claim = judged.claim;
+  const std::string kind = name_of(claim.kind).empty() ? "" : html::escaped(name_of(claim.kind)) + ", ";
+  return element(
+             "article", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
+             "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind + "line " +
+                 std::to_string(claim.line) + " " +
+                 html::link("#" + claim_anchor_of(claim), html::escaped(claim.id)) + "</p>" +
+                 (is_told(claim) ? ""
+                                 : element("p", "", "The solution says: " + html::text(claim.says) + ".")) +
+                 sides(judged) + element("p", "", html::prose(claim.why)) +
+                 html::folded("Evidence", element("p", "", evidence_of(judged)))) +
+         "\n";
+}
+
+std::string root_text(const Finding& finding) {
+  std::string text = element("h3", "", html::text(finding.title())) + "\n";
+  if (!finding.shows().empty()) text += element("p", " class=\"shows\"", html::prose(finding.shows())) + "\n";
+  for (const JudgedClaim* c : finding.claims) text += finding_text(*c);
+  return element("section", " class=\"root\"", text) + "\n";
+}
+
+std::string others_text(const ExerciseResult& e, Verdict verdict, const std::string& title) {
+  std::string text;
+  for (const JudgedClaim* c : claims_of(e, verdict)) text += finding_text(*c);
+  return text.empty() ? ""
+                      : element("section", " class=\"root\"", element("h3", "", title) + "\n" + text) + "\n";
+}
+
+bool is_finding(Verdict verdict) {
+  return verdict == Verdict::erratum || verdict == Verdict::misprint || verdict == Verdict::unsettled;
+}
+
+std::string claim_text(const JudgedClaim& judged) {
+  const Claim& claim = judged.claim;
+  return element(
+             "details",
+             id_attribute(claim) +
+                 (judged.verdict == Verdict::confirmed ? "" : " class=\"" + class_of(judged.verdict) + "\""),
+             element("summary", "",
+                     html::text(claim.says) + " <small>" + std::to_string(claim.line) + "</small>") +
+                 element("p", "", evidence_of(judged))) +
+         "\n";
+}
+
+}  // namespace
+
+std::string claim_anchor_of(const Claim& claim) { return html::anchor(claim.id); }
+
+std::string findings_section(const ExerciseResult& e) {
+  std::string text;
+  for (const Finding& finding : findings_of(e)) text += root_text(finding);
+  text += others_text(e, Verdict::misprint, "Misprints") + others_text(e, Verdict::unsettled, "Unsettled");
+  if (text.empty()) return "";
+  return "<section id=\"findings\">\n<h2>What is wrong</h2>\n<div class=\"filter\"></div>\n" + text +
+         "</section>\n";
+}
+
+std::string claims_section(const ExerciseResult& e) {
+  std::string text;
+  long confirmed = 0;
+  for (const JudgedClaim& c : e.claims)
+    if (!is_finding(c.verdict)) text += claim_text(c), confirmed += c.verdict == Verdict::confirmed;
+  if (text.empty()) return "";
+  return "<section id=\"claims\">\n<h2>" +
+         std::string(confirmed == 0 ? "What cannot be checked" : "What is confirmed") + "</h2>\n<p>" +
+         (confirmed == 0
+              ? std::string("Each claim opens to the reason.")
+              : counted(confirmed, "claim", "claims") +
+                    " of the solution, each with its line; it opens to what it was compared with.") +
+         "</p>\n<div class=\"claims\">\n" + text + "</div>\n</section>\n";
+}
+
+}  // namespace oddity

@@ -1,0 +1,135 @@
+#include "report/site/further_pages.hpp"
+
+#include <cctype>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reference/text.hpp"
+#include "report/site/claims_section.hpp"
+#include "report/site/page.hpp"
+#include "report/site/script.hpp"
+#include "report/study/findings.hpp"
+#include "solvers/ode/catalog.hpp"
+
+namespace oddity {
+
+namespace {
+
+using html::element;
+
+std::string limit_text(double limit) {
+  if (std::isnan(limit)) return "-";
+  return std::isinf(limit) ? "all" : limit == 0 ? "none" : rounded(limit, 5);
+}
+
+html::Table catalog_table() {
+  html::Table table{"The catalog of algorithms",
+                    {"algorithm", "library", "set by", "order", "evaluations a step", "real limit",
+                     "imaginary limit", "theory"}};
+  for (const ode::CatalogEntry& a : ode::catalog())
+    table.rows.push_back(html::row(
+        {html::escaped(a.name), html::escaped(a.library), ode::has_tolerance(a.kind) ? "tolerance" : "step",
+         a.order == 0 ? "varies" : std::to_string(a.order),
+         (a.evaluations == 0 ? "varies" : std::to_string(a.evaluations)) + (a.jacobian ? " + Jacobian" : ""),
+         limit_text(a.real_limit), limit_text(a.imaginary_limit), html::text(a.theory)},
+        "356"));
+  return table;
+}
+
+std::string library_findings() {
+  std::string items;
+  for (const ode::Finding& f : ode::findings())
+    items += element("li", "",
+                     "<b>" + html::escaped(f.library) + " " + html::escaped(f.version) + "</b>, " +
+                         element("code", "", html::escaped(f.in)) + ": " + html::text(f.found) +
+                         " <em>Here:</em> " + html::text(f.done) + " <small>" +
+                         element("code", "", "tests/libraries/" + html::escaped(f.shown_by) + ".cpp") +
+                         "</small>") +
+             "\n";
+  return element("ul", " class=\"found\"", items);
+}
+
+/// TeX as letters that one may look for: "\frac{m}2\dot y" is "m/2 y'".
+std::string searchable(std::string_view text) {
+  std::string made;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\\') {
+      const std::size_t begin = ++i;
+      while (i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0) ++i;
+      const std::string_view word = text.substr(begin, i - begin);
+      const bool look = word == "dot" || word == "ddot" || word == "frac" || word == "tfrac" ||
+                        word.starts_with("math") || word == "left" || word == "right" || word.empty();
+      if (!look) made += std::string(word) + " ";
+      if (i < text.size() && text[i] != ' ') --i;
+    } else if (c == '{' || c == '}' || c == '$' || c == '`' || c == '\n') {
+      continue;
+    } else {
+      made += c;
+    }
+  }
+  return made;
+}
+
+}  // namespace
+
+std::string chooser_page(const Results& results) {
+  std::string scenes;
+  for (const ExerciseResult& e : results.exercises)
+    if (e.scene)
+      scenes += element(
+          "li", "",
+          html::link(to_string(e.number) + ".html", to_string(e.number) + " " + html::escaped(e.title)));
+  return html::whole(
+      {"Chooser - oddity",
+       "<header class=\"title\">\n<h1>What to use for a scene</h1>\n<p class=\"asks\">Which model, algorithm and step hold "
+       "for your start, error, frame rate and budget. The answer is computed here by the models that were tested; "
+       "<code>oddity choose</code> judges it by references.</p>\n</header>\n"
+       "<div class=\"chooser\"><noscript><p>The chooser needs scripts. On a terminal: <code>oddity choose 3.5 --error "
+       "1deg</code>.</p></noscript></div>\n<section>\n<h2>The scenes</h2>\n<ul class=\"scenes\">" +
+           scenes + "</ul>\n</section>\n",
+       {"assets/engine.js", "assets/stage.js", "assets/chart.js", "assets/chooser.js"},
+       "choose"});
+}
+
+std::string algorithms_page() {
+  const std::string missing(ode::not_in_catalog());
+  return html::whole(
+      {"Algorithms - oddity",
+       "<header class=\"title\">\n<h1>The algorithms</h1>\n<p class=\"asks\">Every algorithm that integrates a motion here "
+       "has a certificate in the tests: its order is measured from both sides, its evaluations are counted, and its "
+       "limits of stability are measured beside the theory that this table gives.</p>\n</header>\n<section>\n<h2>The "
+       "catalog</h2>\n" +
+           element("p", "",
+                   html::text(
+                       "A limit is the largest $h|\\lambda|$ at which $y'=\\lambda y$ does not grow, on the "
+                       "negative real axis and on the imaginary axis.") +
+                       (missing.empty() ? "" : " Not in this build: " + html::escaped(missing) + ".")) +
+           html::table(catalog_table()) +
+           "</section>\n<section>\n<h2>What was found in the libraries</h2>\n<p>A small test of the library alone shows "
+           "each finding, in the version that is named. What is wrong is repaired from outside.</p>\n" +
+           library_findings() + "\n</section>\n",
+       {}});
+}
+
+std::string search_index(const Results& results) {
+  using nlohmann::json;
+  json all = json::array();
+  for (const ExerciseResult& e : results.exercises) {
+    const std::string number = to_string(e.number), page = number + ".html";
+    all.push_back({page, "exercise", number + " " + e.title, searchable(e.asks)});
+    for (const Finding& finding : findings_of(e))
+      if (finding.root)
+        all.push_back({page + "#" + claim_anchor_of(finding.claims.front()->claim), "erratum",
+                       number + " " + searchable(finding.title()), searchable(finding.shows())});
+    for (const JudgedClaim& c : e.claims)
+      all.push_back(
+          {page + "#" + claim_anchor_of(c.claim), name_of(c.verdict), c.claim.id, searchable(c.claim.says)});
+    for (const QuantityResult& q : e.quantities)
+      all.push_back(
+          {page + "#q-" + html::anchor(q.name), "quantity", number + " " + q.name, searchable(q.says)});
+  }
+  return "oddity.index(" + as_script(all.dump(-1, ' ', false, json::error_handler_t::replace)) + ");\n";
+}
+
+}  // namespace oddity

@@ -1,0 +1,196 @@
+// What the page calls (assets/engine.js). It writes its numbers where `input` says, and reads the answer at
+// the addresses that the other functions return, before it calls again.
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "report/site/module/scene.hpp"
+#include "solvers/ode/all.hpp"
+
+#define ODDITY_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+
+namespace oddity::module {
+
+namespace {
+
+std::vector<double> input;
+Motion motion;
+std::vector<double> drawn;
+
+/// The model last made of each of a scene's: a page changes the method more often than the parameters.
+struct Made {
+  std::vector<double> parameters;
+  std::unique_ptr<const Model> model;
+};
+
+const Model& made(std::size_t scene, std::size_t index, std::span<const double> parameters) {
+  static std::vector<std::vector<Made>> all(scenes().size());
+  all[scene].resize(scenes()[scene].models.size());
+  Made& last = all[scene][index];
+  if (!last.model || !std::equal(parameters.begin(), parameters.end(), last.parameters.begin()))
+    last = {{parameters.begin(), parameters.end()}, scenes()[scene].models[index].with(parameters)};
+  return *last.model;
+}
+
+std::vector<double> defaults(const Scene& scene) {
+  std::vector<double> values;
+  for (const Letter& letter : scene.letters) values.push_back(letter.value);
+  return values;
+}
+
+// ---- the description, as JSON -----------------------------------------------------------------------------
+
+std::string quoted(std::string_view text) {
+  std::string quoted = "\"";
+  for (char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+template <class Range, class Text>
+std::string listed(const Range& range, const Text& text) {
+  std::string all;
+  for (const auto& entry : range) all += (all.empty() ? "" : ",") + text(entry);
+  return '[' + all + ']';
+}
+
+std::string_view name_of(ode::Kind kind) {
+  switch (kind) {
+    case ode::Kind::fixed:
+      return "fixed";
+    case ode::Kind::partitioned:
+      return "partitioned";
+    case ode::Kind::controlled:
+      return "controlled";
+    case ode::Kind::implicit_fixed:
+      return "implicit fixed";
+    case ode::Kind::implicit_controlled:
+      return "implicit controlled";
+    case ode::Kind::driven:
+      return "driven";
+  }
+  return "";
+}
+
+template <class Algorithm>
+int order_of() {
+  if constexpr (requires { Algorithm::order; })
+    return Algorithm::order;
+  else
+    return 0;
+}
+
+struct Algorithm {
+  std::string_view name;
+  ode::Kind kind;
+  int order;
+  bool in_float;
+};
+
+std::vector<Algorithm> algorithms() {
+  std::vector<Algorithm> all;
+  ode::for_each_algorithm([&]<class A>() {
+    all.push_back({A::name, A::kind, order_of<A>(), A::facts.in_float});
+  });
+  return all;
+}
+
+std::string text_of(bool yes) { return yes ? "true" : "false"; }
+
+std::string text_of(const Algorithm& a) {
+  return "{\"name\":" + quoted(a.name) + ",\"kind\":" + quoted(name_of(a.kind)) +
+         ",\"order\":" + std::to_string(a.order) +
+         ",\"knob\":" + quoted(ode::has_tolerance(a.kind) ? "tolerance" : "step") +
+         ",\"inFloat\":" + text_of(a.in_float) + "}";
+}
+
+std::string text_of(const Listed& listed, const Model& model) {
+  return "{\"name\":" + quoted(listed.name) + ",\"algorithm\":" + quoted(listed.algorithm) +
+         ",\"closedForm\":" + text_of(model.closed_form()) +
+         ",\"partitioned\":" + text_of(model.partitioned()) +
+         ",\"constrained\":" + text_of(model.constrained()) + ",\"events\":" + text_of(model.has_events()) +
+         "}";
+}
+
+std::string text_of(std::size_t index) {
+  const Scene& scene = scenes()[index];
+  const auto parameters = defaults(scene);
+  std::string models;
+  for (std::size_t i = 0; i < scene.models.size(); ++i)
+    models += (i ? "," : "") + text_of(scene.models[i], made(index, i, parameters));
+  return "{\"number\":" + quoted(scene.number) + ",\"observables\":" + std::to_string(scene.observables) +
+         ",\"drawn\":" + text_of(scene.draw != nullptr) +
+         ",\"parameters\":" + listed(scene.letters, [](const Letter& l) { return quoted(l.name); }) +
+         ",\"models\":[" + models + "]}";
+}
+
+}  // namespace
+
+ODDITY_EXPORT(describe) const char* describe() {
+  static const std::string text = [] {
+    std::string all;
+    for (std::size_t i = 0; i < scenes().size(); ++i) all += (i ? "," : "") + text_of(i);
+    return "{\"algorithms\":" + listed(algorithms(), [](const Algorithm& a) { return text_of(a); }) +
+           ",\"scenes\":[" + all + "]}";
+  }();
+  return text.c_str();
+}
+
+/// Room for so many numbers, which the functions below read.
+ODDITY_EXPORT(input) double* input_of(std::size_t count) {
+  input.resize(count);
+  return input.data();
+}
+
+/// The scene's parameters unless others are asked for.
+ODDITY_EXPORT(defaults) const double* defaults_of(std::size_t scene) {
+  input = defaults(scenes()[scene]);
+  return input.data();
+}
+
+/// The input is the parameters and then the times. Returns how many of these have a state.
+ODDITY_EXPORT(run)
+std::size_t run(std::size_t scene, std::size_t model, const char* algorithm, bool in_float, double setting) {
+  const std::span<const double> numbers(input);
+  const std::size_t count = scenes()[scene].letters.size();
+  motion = made(scene, model, numbers.first(count))
+               .run(algorithm, in_float ? Precision::in_float : Precision::in_double, setting,
+                    numbers.subspan(count));
+  return motion.states;
+}
+ODDITY_EXPORT(observed) const double* observed() { return motion.observed.data(); }
+ODDITY_EXPORT(drift) const double* drift() { return motion.drift.empty() ? nullptr : motion.drift.data(); }
+ODDITY_EXPORT(off) const double* off() { return motion.off.empty() ? nullptr : motion.off.data(); }
+ODDITY_EXPORT(evaluations) double evaluations() { return static_cast<double>(motion.evaluations); }
+ODDITY_EXPORT(ending) int ending() { return static_cast<int>(motion.ending); }
+ODDITY_EXPORT(message) const char* message() { return motion.message.c_str(); }
+
+/// The input is the parameters, the time and the observables. Returns, as numbers: whether it is of space,
+/// how many primitives, and of each: kind, size, whether it leaves a trail, the address and length of its
+/// letter, how many points, and these. Null where the scene does not say how it looks.
+ODDITY_EXPORT(draw) const double* draw(std::size_t index) {
+  const Scene& scene = scenes()[index];
+  if (!scene.draw) return nullptr;
+  const std::span<const double> numbers(input);
+  const std::size_t count = scene.letters.size();
+  Drawing drawing;
+  scene.draw({scene.letters, numbers.first(count)}, numbers[count], numbers.subspan(count + 1), drawing);
+  drawn = {static_cast<double>(drawing.is_in_space()), static_cast<double>(drawing.primitives().size())};
+  for (const Drawing::Primitive& p : drawing.primitives()) {
+    drawn.insert(drawn.end(), {static_cast<double>(p.kind), p.size, static_cast<double>(p.leaves_trail),
+                               static_cast<double>(reinterpret_cast<std::size_t>(p.letter.data())),
+                               static_cast<double>(p.letter.size()), static_cast<double>(p.points.size())});
+    for (const Place& at : p.points) drawn.insert(drawn.end(), {at.x, at.y, at.z});
+  }
+  return drawn.data();
+}
+
+}  // namespace oddity::module
+
+// Nothing here catches: what is thrown ends the call, and the page makes a new instance.
+extern "C" {
+void* __cxa_allocate_exception(std::size_t size) { return std::malloc(size); }
+[[noreturn]] void __cxa_throw(void*, void*, void (*)(void*)) { __builtin_trap(); }
+}

@@ -1,0 +1,194 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "chapters/drawing.hpp"
+#include "chapters/numbers.hpp"
+#include "solvers/ode/any_system.hpp"
+#include "solvers/ode/in_float.hpp"
+#include "solvers/ode/integrate.hpp"
+
+/// The scenes' models as the page runs them: what chapters/scene.hpp is to the program, without threads,
+/// exceptions and judgement. A test replays the program's trials by it.
+namespace oddity::module {
+
+/// A motion at the times asked for, one time after the other, as far as it came.
+struct Motion {
+  std::size_t states = 0;  ///< the times that have one, the last of them where it broke off
+  std::vector<double> observed;
+  std::vector<double> drift;  ///< by what part of what moves the conserved quantities have changed; or empty
+  std::vector<double> off;    ///< m, off the constraint; empty where there is none
+  long evaluations = 0;
+  Ending ending = Ending::reached;
+  std::string message;
+};
+
+enum class Precision { in_double, in_float };
+
+/// A scene's model with its parameters.
+class Model {
+ public:
+  virtual ~Model() = default;
+  virtual bool closed_form() const = 0;
+  virtual bool partitioned() const = 0;
+  virtual bool constrained() const = 0;
+  virtual bool has_events() const = 0;
+  /// The times begin with zero. An algorithm that the model does not allow is a motion that `raised`.
+  virtual Motion run(std::string_view algorithm, Precision, double setting,
+                     std::span<const double> times) const = 0;
+};
+
+/// Closed forms, whose motion in float is of the formula in float.
+template <class InDouble, class InFloat>
+class Formula final : public Model {
+ public:
+  Formula(const InDouble& in_double, const InFloat& in_float) : in_double_(in_double), in_float_(in_float) {}
+  bool closed_form() const override { return true; }
+  bool partitioned() const override { return false; }
+  bool constrained() const override { return false; }
+  bool has_events() const override { return false; }
+  Motion run(std::string_view, Precision precision, double, std::span<const double> times) const override {
+    Motion motion;
+    const auto see = [&](const auto& observables) {
+      motion.observed.insert(motion.observed.end(), observables.begin(), observables.end());
+    };
+    for (double t : times)
+      precision == Precision::in_float ? see(in_float_.at(static_cast<float>(t))) : see(in_double_.at(t));
+    motion.states = times.size();
+    motion.evaluations = static_cast<long>(times.size()) - 1;
+    return motion;
+  }
+
+ private:
+  InDouble in_double_;
+  InFloat in_float_;
+};
+
+/// A model of n unknowns: compiled once for each n, behind the seam that the program's algorithms have.
+template <std::size_t n>
+class ModelOf : public Model, public ode::AnySystem<n> {
+ public:
+  using typename ode::AnySystem<n>::State;
+
+  bool closed_form() const final { return false; }
+  bool has_events() const final { return this->guard_count() > 0; }
+  Motion run(std::string_view algorithm, Precision, double setting,
+             std::span<const double> times) const final;
+
+ private:
+  virtual State start() const = 0;
+  virtual void observe(const State&, double t, std::vector<double>& seen) const = 0;
+  /// None where the model has none.
+  virtual std::vector<Conserved<double>> conserved(const State&, double t) const = 0;
+  virtual double off_constraint(const State&, double t) const = 0;
+  virtual const ode::AnySystem<n, float>& system_in_float() const = 0;
+  virtual std::array<float, n> start_in_float() const = 0;
+
+  ode::Trajectory<State> moved(std::string_view algorithm, Precision, double setting,
+                               std::span<const double> times) const;
+  Motion seen(const ode::Trajectory<State>&, std::span<const double> times) const;
+  std::vector<double> drift(const ode::Trajectory<State>&, std::span<const double> times) const;
+  /// The most that moves in each conserved quantity along the model's own motion up to `end`.
+  const std::vector<double>& moving(double end) const;
+
+  mutable std::map<double, std::vector<double>> moving_;
+};
+
+template <class InDouble, class InFloat, std::size_t n>
+class Integrated final : public ode::Adapted<ModelOf<n>, InDouble> {
+  using Base = ode::Adapted<ModelOf<n>, InDouble>;
+
+ public:
+  using typename Base::State, Base::system;
+
+  Integrated(const InDouble& in_double, const InFloat& in_float) : Base(in_double), in_float_(in_float) {}
+  bool partitioned() const override { return ode::Partitioned<InDouble, State>; }
+  bool constrained() const override { return is_constrained; }
+
+ private:
+  static constexpr bool is_constrained = requires(const InDouble& model, const State& x) {
+    model.off_constraint(x, 0.0);
+  };
+  static constexpr bool is_conservative = requires(const InDouble& model, const State& x) {
+    model.conserved(x, 0.0)[0];
+  };
+
+  State start() const override { return system().start(); }
+  void observe(const State& x, double t, std::vector<double>& seen) const override {
+    const auto observables = system().observe(x, t);
+    seen.insert(seen.end(), observables.begin(), observables.end());
+  }
+  std::vector<Conserved<double>> conserved(const State& x, double t) const override {
+    if constexpr (is_conservative) {
+      const auto all = system().conserved(x, t);
+      return {all.begin(), all.end()};
+    } else {
+      return {};
+    }
+  }
+  double off_constraint(const State& x, double t) const override {
+    if constexpr (is_constrained)
+      return system().off_constraint(x, t);
+    else
+      return 0;
+  }
+  const ode::AnySystem<n, float>& system_in_float() const override { return in_float_; }
+  std::array<float, n> start_in_float() const override { return in_float_.system().start(); }
+
+  ode::Adapted<ode::AnySystem<n, float>, InFloat> in_float_;
+};
+
+template <class InDouble, class InFloat>
+std::unique_ptr<const Model> model(const InDouble& in_double, const InFloat& in_float) {
+  if constexpr (requires { in_double.at(0.0); })
+    return std::make_unique<const Formula<InDouble, InFloat>>(in_double, in_float);
+  else
+    return std::make_unique<const Integrated<InDouble, InFloat, std::tuple_size_v<typename InDouble::State>>>(
+        in_double, in_float);
+}
+
+// ---- what is written of a scene's listing (players.cpp) ---------------------------------------------------
+
+struct Letter {
+  std::string_view name;
+  double value;  ///< unless another is asked for
+};
+
+struct Listed {
+  std::string_view name;
+  std::string_view algorithm;  ///< of a closed form that has one of its own
+  std::unique_ptr<const Model> (*with)(std::span<const double> parameters);
+};
+
+/// A scene's parameters by name, as its drawing asks for them.
+struct Parameters {
+  std::span<const Letter> letters;
+  std::span<const double> values;
+
+  double operator[](std::string_view name) const {
+    for (std::size_t i = 0; i < letters.size(); ++i)
+      if (letters[i].name == name) return values[i];
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+};
+
+struct Scene {
+  std::string_view number;
+  std::size_t observables;
+  std::vector<Letter> letters;
+  std::vector<Listed> models;
+  /// Null where the scene does not say how it looks.
+  void (*draw)(const Parameters&, double t, std::span<const double> observed, Drawing&);
+};
+
+const std::vector<Scene>& scenes();
+
+}  // namespace oddity::module

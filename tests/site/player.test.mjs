@@ -1,0 +1,175 @@
+// What the player computes without a page: node --test tests/site
+
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+import test from 'node:test';
+
+globalThis.window = globalThis;
+const require = createRequire(import.meta.url);
+for (const name of ['scale', 'frames', 'permalink']) require(`../../report/site/assets/${name}.js`);
+const { oddity } = globalThis;
+
+const near = (a, b, allowed) => assert.ok(Math.abs(a - b) <= allowed, `${a} is not ${b} within ${allowed}`);
+
+test('a slider goes from end to end, and back to the value that it shows', () => {
+  const parameters = [
+    { value: 0.5235987755982988, unit: 'rad', least: 0.001, most: 3.14 },
+    { value: 1, unit: 'm', least: 0.001, most: 1000 },
+    { value: 0, unit: 'm/s', least: -1000, most: 1000 },
+    { value: 0.4, unit: 'N s/m', least: 0, most: 1000 },
+    { value: 2, unit: 'm', least: null, most: null },
+  ];
+  for (const parameter of parameters) {
+    const scale = oddity.scaleOf(parameter);
+    assert.equal(scale.value(0), scale.least);
+    assert.equal(scale.value(1), scale.most);
+    for (let place = 0; place <= 1; place += 1 / 64) near(scale.place(scale.value(place)), place, 1e-3);
+    near(scale.place(parameter.value), scale.place(scale.value(scale.place(parameter.value))), 1e-3);
+  }
+});
+
+test('a range over decades is laid out by decades, one through zero on both sides of it', () => {
+  const length = oddity.scaleOf({ value: 1, unit: 'm', least: 0.001, most: 1000 });
+  near(length.place(1), 0.5, 1e-12);
+  near(length.place(10), 2 / 3, 1e-12);
+  const speed = oddity.scaleOf({ value: 1, unit: 'm/s', least: -1000, most: 1000 });
+  near(speed.place(0), 0.5, 1e-12);
+  assert.ok(speed.place(2) - speed.place(1) > 0.02);
+  const angle = oddity.scaleOf({ value: 0.5, unit: 'rad', least: 0.001, most: 3.001 });
+  near(angle.place(1.501), 0.5, 1e-12);
+});
+
+test('a slider gives round numbers, whole ones where they have to be', () => {
+  const gravity = oddity.scaleOf({ value: 9.81, unit: 'm/s^2', least: 0.001, most: 1000 });
+  assert.ok(String(gravity.value(0.6543)).length <= 5);
+  const count = oddity.scaleOf({ value: 5, unit: '', least: 1, most: 9, whole: true });
+  assert.ok(Number.isInteger(count.value(0.33)));
+});
+
+test('numbers are read as people write them', () => {
+  assert.equal(oddity.typed(' 0,5 '), 0.5);
+  assert.equal(oddity.typed('\u22121e-3'), -0.001);
+  assert.equal(oddity.typed('1/60'), 1 / 60);
+  for (const x of [1 / 60, 1 / 4096, 0.25, 7, 1e-9]) near(oddity.typed(oddity.inField(x)), x, 1e-15);
+  assert.equal(oddity.inField(1 / 60), '1/60');
+  assert.equal(oddity.inField(Math.PI / 6), '0.523599');
+  for (const bad of ['', 'x', '1/0', '1/2/3', '/2', '1..2', '0x10', 'Infinity', '1 2', '<b>']) assert.equal(oddity.typed(bad), null);
+});
+
+test('numbers are written with the digits asked', () => {
+  assert.equal(oddity.written(0.017453), '0.0175');
+  assert.equal(oddity.written(1.2345e-7), '1.23e\u22127');
+  assert.equal(oddity.written(12345), '12345');
+  assert.equal(oddity.written(-2), '\u22122');
+  assert.equal(oddity.written(Infinity), '\u221e');
+  assert.equal(oddity.letter('theta0_dot'), '\u03b8\u0307\u2080');
+  assert.equal(oddity.letter('stiff'), 'stiff');
+  assert.equal(oddity.written(NaN), '\u2013');
+  assert.equal(oddity.nameOfNeed('rad', Math.PI / 180), '1\u00b0');
+  assert.equal(oddity.nameOfNeed('m', 0.01), '1 cm');
+});
+
+test('floats come out of base64', () => {
+  const bytes = Buffer.from(new Float32Array([1.5, -2, NaN]).buffer);
+  assert.deepEqual([...oddity.floats(bytes.toString('base64'))], [1.5, -2, NaN]);
+  const wholes = Buffer.from(new Uint16Array([0, 1, 65535]).buffer);
+  assert.deepEqual([...oddity.wholes(wholes.toString('base64'))], [0, 1, 65535]);
+});
+
+test('steps divide the intervals of a trial evenly and are seen at least once a frame', () => {
+  const even = oddity.stepTimes(10, 4, 1 / 60, 1 / 60);
+  assert.equal(even.times.length, 601);
+  near(even.step, 1 / 60, 1e-15);
+  const fine = oddity.stepTimes(10, 4, 1 / 60, 1 / 128);
+  near(fine.step, 1 / 128, 1e-15);
+  for (let i = 1; i < fine.times.length; i += 1) {
+    const between = (fine.times[i] - fine.times[i - 1]) / fine.step;
+    near(between, Math.round(between), 1e-9);
+    assert.ok(fine.times[i] - fine.times[i - 1] <= 1 / 60 + 1e-12);
+  }
+  const coarse = oddity.stepTimes(10, 4, 1 / 60, 100);
+  assert.deepEqual([...coarse.times], [0, 2.5, 5, 7.5, 10]);
+});
+
+const sine = (times) => ({ times, count: 1, observed: Float64Array.from(times, Math.sin) });
+
+test('truth between its frames is known to far below what a game asks', () => {
+  const motion = sine(oddity.frameTimes(10, 600));
+  for (const t of [0.001, 0.02, 1.2345, 5, 9.999]) near(oddity.throughSix(motion, t)[0], Math.sin(t), 1e-12);
+  motion.observed[0] = NaN;
+  near(oddity.throughSix(motion, 0.02)[0], Math.sin(0.02), 1e-11);
+});
+
+test('a motion is drawn straight between its frames, and stays where it breaks off', () => {
+  const motion = { times: Float64Array.of(0, 1, 2, 3), count: 2,
+    observed: Float64Array.of(0, 0, 1, 10, NaN, NaN, NaN, NaN) };
+  assert.deepEqual([...oddity.between(motion, 0.5)], [0.5, 5]);
+  assert.deepEqual([...oddity.between(motion, 1.5)], [1, 10]);
+  assert.deepEqual([...oddity.between(motion, 3)], [1, 10]);
+});
+
+test('an error is the distance of points, each unit by itself', () => {
+  const norms = [{ unit: 'm', components: [0, 1] }, { unit: 'rad', components: [2] }];
+  assert.deepEqual(oddity.distances([3, 4, 1], [0, 0, 0.5], norms, ['m', 'rad']), [5, 0.5]);
+  const two = [{ unit: 'm', components: [0] }, { unit: 'm', components: [1] }];
+  assert.deepEqual(oddity.distances([3, 4], [0, 0], two, ['m']), [4]);
+  assert.ok(Number.isNaN(oddity.distances([NaN, 4], [0, 0], two, ['m'])[0]));
+});
+
+test('a motion is judged at all its times', () => {
+  const times = oddity.frameTimes(1, 10);
+  const truth = { times, count: 1, observed: Float64Array.from(times, () => 0) };
+  const motion = { times, count: 1, observed: Float64Array.from(times, (t) => (t > 0.75 ? NaN : t / 10)) };
+  const judged = oddity.judged(motion, truth, [{ unit: 'm', components: [0] }], { m: 0.045 });
+  near(judged.worst[0], 0.07, 1e-15);
+  near(judged.since, 0.5, 1e-15);
+  near(judged.broken, 0.8, 1e-15);
+  truth.observed[0] = NaN;
+  const itself = oddity.judged(truth, truth, [{ unit: 'm', components: [0] }], { m: 1 });
+  assert.deepEqual([itself.since, itself.broken, itself.count], [null, null, 10]);
+  truth.observed.fill(NaN);
+  const unjudged = oddity.judged({ ...motion, observed: times }, truth, [{ unit: 'm', components: [0] }], { m: 1 });
+  assert.deepEqual([unjudged.since, unjudged.broken, unjudged.count], [null, null, 0]);
+});
+
+const known = {
+  parameters: [{ name: 'a', least: 0.001, most: 3.14 }, { name: 'n', least: 1, most: 9, whole: true }],
+  methods: [
+    { model: 'one angle', algorithm: 'explicit Euler', precisions: ['double', 'float'], knob: 'step' },
+    { model: '(r, u, phi) & 100 %', algorithm: 'closed form', precisions: ['double'], knob: '' },
+  ],
+  horizon: 10,
+  speeds: [0.25, 1, 4],
+  missing: 'this scene does not have',
+};
+
+test('a permalink holds everything, and comes back the same', () => {
+  const state = {
+    parameters: { a: 0.6, n: 3 },
+    rows: [
+      { model: 'one angle', algorithm: 'explicit Euler', precision: 'float', setting: 1 / 60 },
+      { model: '(r, u, phi) & 100 %', algorithm: 'closed form', precision: 'double', setting: 0 },
+    ],
+    time: 2.5,
+    speed: 0.25,
+  };
+  assert.deepEqual(oddity.permalink.parse(oddity.permalink.format(state), known), { state });
+});
+
+test('a bad permalink is a sentence, and other anchors are none', () => {
+  const bad = [
+    '#play&p.a=x', '#play&p.a=4', '#play&p.n=2.5', '#play&p.zeta=1', '#play&row=one angle', '#play&%zz=1',
+    '#play&row=%zz/a/double/1', '#play&row=one angle/explicit Euler/half/1', '#play&speed=3', '#play&at=soon',
+    '#play&row=one angle/explicit Euler/double/0', '#play&row=one angle/explicit Euler/double/-1',
+    '#play&row=<script>alert(1)</script>/explicit Euler/double/1', '#play&constructor=1', '#play&p.__proto__=1',
+    '#play' + '&row=one angle/explicit Euler/double/1'.repeat(5),
+  ];
+  for (const hash of bad) {
+    const read = oddity.permalink.parse(hash, known);
+    assert.ok(read.problem && /^The link .*\.$/s.test(read.problem), hash);
+  }
+  for (const hash of ['', '#', '#claims', '#player', '#play'])
+    assert.equal(oddity.permalink.parse(hash, known), null);
+  assert.deepEqual(oddity.permalink.parse('#play&at=0', known),
+    { state: { parameters: {}, rows: [], time: 0, speed: 1 } });
+});

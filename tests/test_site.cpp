@@ -1,0 +1,387 @@
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+#include "reference/bad_input.hpp"
+#include "report/site/claims_section.hpp"
+#include "report/site/errata.hpp"
+#include "report/site/formulas.hpp"
+#include "report/site/further_pages.hpp"
+#include "report/site/page.hpp"
+#include "report/site/script.hpp"
+#include "report/site/site.hpp"
+#include "tests/catch.hpp"
+#include "tests/sample_results.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace oddity;
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// An opening tag as it stands in a page.
+struct Tag {
+  std::string name;
+  std::map<std::string, std::string> attributes;
+};
+
+/// A page's tags in their order, and what is wrong with them: each one that is opened has to be closed, in
+/// order, and its attributes have to be written name="value".
+struct Parsed {
+  std::vector<Tag> tags;
+  std::vector<std::string> wrong;
+};
+
+Parsed parsed(const std::string& page) {
+  static const std::set<std::string> empty{"meta", "link", "br", "input"};
+  static const std::regex attribute(R"x(\s+([A-Za-z][-A-Za-z0-9]*)(="([^"<]*)")?)x");
+  Parsed made;
+  std::vector<std::string> open;
+  for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at)) {
+    const std::size_t end = page.find('>', at);
+    if (end == std::string::npos) return made.wrong.push_back("an open end"), made;
+    std::string inside = page.substr(at + 1, end - at - 1);
+    at = end;
+    if (inside.starts_with("!doctype")) continue;
+    if (inside.starts_with('/')) {
+      if (open.empty() || open.back() != inside.substr(1))
+        made.wrong.push_back("</" + inside.substr(1) + "> too much");
+      if (!open.empty()) open.pop_back();
+      continue;
+    }
+    const bool closed = inside.ends_with('/');
+    if (closed) inside.pop_back();
+    Tag tag{inside.substr(0, inside.find_first_of(" \n")), {}};
+    std::string rest = inside.substr(tag.name.size());
+    for (std::smatch found; std::regex_search(rest, found, attribute, std::regex_constants::match_continuous);
+         rest = found.suffix())
+      tag.attributes[found[1]] = found[3];
+    if (rest.find_first_not_of(' ') != std::string::npos)
+      made.wrong.push_back("<" + tag.name + " " + rest + ">");
+    if (!closed && !empty.contains(tag.name)) open.push_back(tag.name);
+    if (tag.name == "style") at = page.find("</style", at);
+    made.tags.push_back(std::move(tag));
+  }
+  for (const std::string& name : open) made.wrong.push_back("<" + name + "> is not closed");
+  return made;
+}
+
+/// What a page has that none of our pages may have: scripts of its own, handlers, anything from elsewhere.
+std::vector<std::string> foreign(const Parsed& page) {
+  static const std::set<std::string> known{
+      "html",    "head",    "meta",    "title",    "link",    "body",     "a",          "header",
+      "nav",     "main",    "footer",  "section",  "article", "h1",       "h2",         "h3",
+      "h4",      "p",       "ul",      "li",       "dl",      "dt",       "dd",         "div",
+      "span",    "b",       "em",      "strong",   "small",   "code",     "cite",       "var",
+      "table",   "caption", "thead",   "tbody",    "tr",      "th",       "td",         "figure",
+      "button",  "details", "summary", "script",   "style",   "noscript", "svg",        "g",
+      "circle",  "path",    "text",    "tspan",    "animate", "polygon",  "polyline",   "figcaption",
+      "math",    "mi",      "mo",      "mn",       "mtext",   "mrow",     "msub",       "msup",
+      "msubsup", "mfrac",   "msqrt",   "mroot",    "mover",   "munder",   "munderover", "mtable",
+      "mtr",     "mtd",     "mspace",  "menclose", "mpadded", "merror",   "mstyle",     "mphantom",
+      "i"};
+  std::vector<std::string> all;
+  for (const Tag& tag : page.tags) {
+    if (!known.contains(tag.name)) all.push_back("<" + tag.name + ">");
+    for (const auto& [name, value] : tag.attributes) {
+      if (name.starts_with("on")) all.push_back(tag.name + " " + name);
+      const bool leads = name == "href" || name == "src" || name == "action" || name == "data";
+      if (leads && (value.find(':') != std::string::npos || value.starts_with("//")) && value != "data:,")
+        all.push_back(tag.name + " " + name + "=" + value);
+    }
+    if (tag.name == "script" && !tag.attributes.contains("src")) all.push_back("a script in the page");
+  }
+  return all;
+}
+
+std::vector<std::string> ids(const Parsed& page) {
+  std::vector<std::string> all;
+  for (const Tag& tag : page.tags)
+    if (const auto id = tag.attributes.find("id"); id != tag.attributes.end()) all.push_back(id->second);
+  return all;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Links of a site's pages that lead nowhere.
+std::vector<std::string> dead_links(const std::map<std::string, Parsed>& pages,
+                                    const std::set<std::string>& files) {
+  std::vector<std::string> dead;
+  for (const auto& [name, page] : pages)
+    for (const Tag& tag : page.tags)
+      for (const char* attribute : {"href", "src"}) {
+        const auto found = tag.attributes.find(attribute);
+        if (found == tag.attributes.end() || found->second == "data:,") continue;
+        const std::string& to = found->second;
+        const std::string file = to.starts_with('#') ? name : to.substr(0, to.find('#'));
+        const bool anchored = to.find('#') != std::string::npos;
+        const auto target = pages.find(file);
+        const bool there = files.contains(file) || target != pages.end();
+        const bool known =
+            !anchored || (target != pages.end() &&
+                          std::ranges::count(ids(target->second), to.substr(to.find('#') + 1)) == 1);
+        if (!there || !known) dead.push_back(name + ": " + to);
+      }
+  return dead;
+}
+
+/// Headings begin with one h1, and none is deeper by more than one than the one before.
+bool headings_in_order(const Parsed& page) {
+  int last = 0, first = 0;
+  for (const Tag& tag : page.tags) {
+    if (tag.name.size() != 2 || tag.name[0] != 'h' || tag.name[1] < '1' || tag.name[1] > '6') continue;
+    const int level = tag.name[1] - '0';
+    first += level == 1;
+    if (level > last + 1) return false;
+    last = level;
+  }
+  return first == 1;
+}
+
+std::map<std::string, Parsed> parsed(const std::map<std::string, std::string>& pages) {
+  std::map<std::string, Parsed> all;
+  for (const auto& [name, text] : pages) all.emplace(name, parsed(text));
+  return all;
+}
+
+void check_pages(const std::map<std::string, std::string>& pages, std::set<std::string> files) {
+  for (const EmbeddedFile& asset : embedded_assets()) files.insert("assets/" + std::string(asset.path));
+  const auto all = parsed(pages);
+  for (const auto& [name, page] : all) {
+    INFO(name);
+    CHECK(page.wrong == std::vector<std::string>());
+    CHECK(foreign(page) == std::vector<std::string>());
+    CHECK(headings_in_order(page));
+    auto names = ids(page);
+    std::ranges::sort(names);
+    CHECK(std::ranges::adjacent_find(names) == names.end());
+    CHECK(std::ranges::none_of(pages.at(name), [](unsigned char c) { return c < 0x20 && c != '\n'; }));
+  }
+  CHECK(dead_links(all, files) == std::vector<std::string>());
+}
+
+const std::set<std::string> files_of_sample{"errata.json", "errata.schema.json", "data/3.5.js",
+                                            "data/search.js"};
+
+/// What a JSON text has against a schema: required, type, enum, pattern, minimum, minLength, properties,
+/// items.
+void against(const Json& schema, const Json& value, const std::string& at, std::vector<std::string>& wrong) {
+  const auto is = [&](const std::string& type) {
+    return type == "object"    ? value.is_object()
+           : type == "array"   ? value.is_array()
+           : type == "string"  ? value.is_string()
+           : type == "integer" ? value.is_number_integer()
+           : type == "number"  ? value.is_number()
+                               : value.is_null();
+  };
+  if (schema.contains("type")) {
+    const Json& type = schema["type"];
+    const bool fits = type.is_string() ? is(type) : std::ranges::any_of(type, [&](const Json& one) {
+      return is(one.get<std::string>());
+    });
+    if (!fits) return wrong.push_back(at + " is no " + type.dump());
+  }
+  if (schema.contains("enum") && std::ranges::find(schema["enum"], value) == schema["enum"].end())
+    wrong.push_back(at + " is " + value.dump());
+  if (schema.contains("pattern") &&
+      !std::regex_search(value.get<std::string>(), std::regex(schema["pattern"].get<std::string>())))
+    wrong.push_back(at + " is " + value.dump());
+  if (schema.contains("minLength") &&
+      value.get<std::string>().size() < schema["minLength"].get<std::size_t>())
+    wrong.push_back(at + " is empty");
+  if (schema.contains("minimum") && value.get<double>() < schema["minimum"].get<double>())
+    wrong.push_back(at + " is too small");
+  if (value.is_object()) {
+    for (const Json& name : schema.value("required", Json::array()))
+      if (!value.contains(name.get<std::string>())) wrong.push_back(at + " lacks " + name.dump());
+    for (const auto& [name, part] : value.items())
+      if (schema["properties"].contains(name))
+        against(schema["properties"][name], part, at + "/" + name, wrong);
+      else
+        wrong.push_back(at + " has " + name);
+  }
+  if (value.is_array() && schema.contains("items"))
+    for (std::size_t i = 0; i < value.size(); ++i)
+      against(schema["items"], value[i], at + "/" + std::to_string(i), wrong);
+}
+
+std::vector<std::string> against_schema(const Json& value) {
+  std::vector<std::string> wrong;
+  against(Json::parse(errata_schema()), value, "", wrong);
+  return wrong;
+}
+
+/// The sample, with a misprint and an erratum that has a root.
+Results sample_with_findings() {
+  Results results = sample();
+  ExerciseResult& e = results.exercises[0];
+  e.roots = {{"a root", "It shows by 2 m."}};
+  Claim wrong{"3.5-w", 4, "z is $\\frac12$"};
+  wrong.printed = {"$\\frac12$", {{"z", {"a", 0.5}, {"b", 2}, exact(), 1, "a place"}}};
+  wrong.corrected = {"$2$", {one_against_one(0)}};
+  wrong.why = "It is *two*.";
+  wrong.kind = Fault::formula;
+  wrong.root = "a root";
+  Claim misprint = wrong;
+  misprint.id = "3.5-m";
+  std::swap(misprint.meant, misprint.corrected);
+  misprint.kind = Fault::lost_typography;
+  misprint.root = "";
+  e.claims[1].claim.id = "3.5-y";
+  e.claims.push_back({wrong, verdict(wrong)});
+  e.claims.push_back({misprint, verdict(misprint)});
+  return results;
+}
+
+void collect(const Json& json, const Json::json_pointer& place, std::vector<Json::json_pointer>& places) {
+  if (json.is_string()) places.push_back(place);
+  if (json.is_object())
+    for (const auto& [key, value] : json.items()) collect(value, place / key, places);
+  if (json.is_array())
+    for (std::size_t i = 0; i < json.size(); ++i) collect(json[i], place / i, places);
+}
+
+bool has_katex() { return fs::exists("/usr/share/nodejs/katex") && fs::exists("/usr/bin/node"); }
+
+}  // namespace
+
+TEST_CASE("the site's pages are whole, and all their links lead somewhere", "[site]") {
+  check_pages(site_pages(sample_with_findings()), files_of_sample);
+}
+
+TEST_CASE("a parser of pages notices what is wrong with them", "[site]") {
+  CHECK(parsed("<p>a<b>c</b></p>").wrong.empty());
+  CHECK(parsed("<p>a<b>c</p></b>").wrong.size() == 2);
+  CHECK(parsed("<p>").wrong.size() == 1);
+  CHECK(parsed("<p a=b></p>").wrong.size() == 1);
+  CHECK(foreign(parsed("<script>1</script>")).size() == 1);
+  CHECK(foreign(parsed("<a href=\"javascript:1\">x</a>")).size() == 1);
+  CHECK(foreign(parsed("<p onclick=\"x\">a</p>")).size() == 1);
+  CHECK_FALSE(headings_in_order(parsed("<h1>a</h1><h3>b</h3>")));
+  CHECK(dead_links({{"a.html", parsed("<a href=\"#x\">a</a><a href=\"b.html\">b</a>")}}, {}).size() == 2);
+}
+
+TEST_CASE("a finding stands with its root, what is printed and what is right", "[site]") {
+  const Results results = sample_with_findings();
+  const std::string page = findings_section(results.exercises[0]);
+  for (const char* part :
+       {"A root", "It shows by 2 m.", "id=\"3.5-w\"", "id=\"3.5-m\"", "printed", "meant", "<em>two</em>"})
+    CHECK(page.find(part) != std::string::npos);
+  CHECK(claims_section(results.exercises[0]).find("id=\"9.9-x\"") != std::string::npos);
+}
+
+TEST_CASE("formulas are typeset", "[site]") {
+  std::map<std::string, std::string> pages{{"a", html::text("so $\\frac{a}{b}<c$ and `x` $\\mathbf v$")}};
+  const bool done = html::typeset(pages);
+  CHECK(done == has_katex());
+  if (!done) {
+    CHECK(
+        pages["a"] ==
+        "so <code class=\"tex\">\\frac{a}{b}&lt;c</code> and <code>x</code> <code class=\"tex\">\\mathbf v</code>");
+    return;
+  }
+  CHECK(pages["a"] ==
+        "so <math><mfrac><mi>a</mi><mi>b</mi></mfrac><mo>&lt;</mo><mi>c</mi></math> and <code>x</code> "
+        "<math><mi>\U0001D42F</mi></math>");
+  std::map<std::string, std::string> signs{{"a", html::text("$a=-b$, $2\\cos x$")}};
+  html::typeset(signs);
+  CHECK(signs["a"] ==
+        "<math><mi>a</mi><mo>=</mo><mo form=\"prefix\">−</mo><mi>b</mi></math>, "
+        "<math><mn>2</mn><mi>\u2009cos\u2009</mi><mi>x</mi></math>");
+}
+
+TEST_CASE("a formula that cannot be typeset is named", "[site]") {
+  if (!has_katex()) return;
+  std::map<std::string, std::string> pages{{"a", html::text("$\\nonsense{x}$")}};
+  try {
+    html::typeset(pages);
+    FAIL("it was typeset");
+  } catch (const std::runtime_error& error) {
+    CHECK(std::string(error.what()).find("\\nonsense{x}") != std::string::npos);
+  }
+}
+
+TEST_CASE("no mark of a formula comes from a text", "[site]") {
+  CHECK(html::text("a\x02"
+                   "b\x03"
+                   "c") == "a b c");
+  CHECK(html::text("$a\x03<script>$") == html::marked("a <script>"));
+  CHECK(html::text("5 $ and `x") == "5 $ and `x");
+  CHECK(html::text("*a* & $$") == "*a* &amp; $$");
+  CHECK(html::prose("*a `b*` c*") == "<em>a `b</em>` c*");
+}
+
+TEST_CASE("what stands in a script does not end it", "[site]") {
+  CHECK(as_script("\"</script><!--\"") == "\"\\u003c/script>\\u003c!--\"");
+  CHECK(as_script("\"\u2028\u2029\"") == "\"\\u2028\\u2029\"");
+}
+
+TEST_CASE("the errata are as their schema says, and all are there", "[site]") {
+  const Results results = sample_with_findings();
+  Json list = Json::parse(errata_json(results));
+  CHECK(against_schema(list) == std::vector<std::string>());
+  std::set<std::string> there, expected;
+  for (const Json& entry : list["errata"]) there.insert(entry["id"].get<std::string>());
+  for (const JudgedClaim& c : results.exercises[0].claims)
+    if (c.verdict == Verdict::erratum || c.verdict == Verdict::misprint) expected.insert(c.claim.id);
+  CHECK(expected == std::set<std::string>{"3.5-m", "3.5-w", "3.5-y"});
+  CHECK(there == expected);
+  const Json& w =
+      *std::ranges::find(list["errata"], "3.5-w", [](const Json& e) { return e["id"].get<std::string>(); });
+  CHECK(w["consequence"] == "It shows by 2 m.");
+  CHECK(w["right"] == "$2$");
+  CHECK(w["margin"] == Json({{"differs_by", 1.5}, {"allowed", 0.0}}));
+  CHECK(w["command"] == "oddity verify '[3.5]'");
+  const std::string sheet = errata_page(results);
+  for (const char* part : {"3.5.html#3.5-w", "3.5.html#3.5-m", "class=\"misprint\""})
+    CHECK(sheet.find(part) != std::string::npos);
+
+  list["errata"][0]["kind"] = "other";
+  list["errata"][0].erase("why");
+  list["errata"][0]["id"] = "x";
+  list["errata"][0]["line"] = "5";
+  list["errata"][0]["more"] = 1;
+  CHECK(against_schema(list).size() == 5);
+}
+
+TEST_CASE("no string of a results file breaks out of the site's pages", "[site]") {
+  std::vector<Json::json_pointer> places;
+  const std::string whole = to_json(sample_with_findings());
+  collect(Json::parse(whole), Json::json_pointer(), places);
+  std::map<std::string, std::vector<Json::json_pointer>> by_key;
+  for (const auto& place : places)
+    if (place.to_string() != "/exercises/0/quantities/0/name") by_key[place.back()].push_back(place);
+  int written = 0;
+  for (const std::string hostile :
+       {"</script><script>alert(1)</script><!-- \"' onload=x ` $ * \u2028\x01\x02\x03]]>",
+        "`</code><script>`", "$</math><script>alert(1)</script>$", "*<b onclick=x>*", "\" onclick=\"x", "\\",
+        "$", ""})
+    for (const auto& [key, same] : by_key) {
+      if (key == "id") continue;  // two of one name are one anchor
+      Json json = Json::parse(whole);
+      for (const auto& place : same) json[place] = hostile;
+      std::optional<Results> results;
+      try {
+        results = results_from_json(json.dump(), "here");
+      } catch (const BadInput&) {
+        continue;
+      }
+      INFO(key << " = " << hostile);
+      check_pages(site_pages(*results), files_of_sample);
+      for (const std::string& script : {search_index(*results)}) {
+        CHECK(script.find('<') == std::string::npos);
+        CHECK(script.find("\u2028") == std::string::npos);
+      }
+      CHECK_NOTHROW(Json::parse(errata_json(*results)));
+      ++written;
+    }
+  CHECK(written > 100);
+}

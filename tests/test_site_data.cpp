@@ -1,0 +1,212 @@
+// The data of the site's pages, read back and compared with the results that they were written of.
+
+#include <algorithm>
+#include <bit>
+#include <boost/archive/iterators/binary_from_base64.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "chapters/contents.hpp"
+#include "report/pages/text_view.hpp"
+#include "report/site/data.hpp"
+#include "report/study/run.hpp"
+#include "report/study/stability.hpp"
+#include "tests/catch.hpp"
+#include "tests/sample_results.hpp"
+
+using namespace oddity;
+using Json = nlohmann::json;
+
+namespace {
+
+const Reference& known() {
+  static const Reference all(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  return all;
+}
+
+/// The pendulum, run, with a map of stability that was not, and an exercise without a scene.
+const Results& results() {
+  static const Results all = [] {
+    const auto entry = [](Number number) { return *std::ranges::find(registry(), number, &Entry::number); };
+    Results some = run(std::vector{Task(entry({3, 5})), Task(entry({6, 1}))}, known(), false);
+    some.exercises.front().stability = sample().exercises.front().stability;
+    return some;
+  }();
+  return all;
+}
+
+const ExerciseResult& pendulum() { return results().exercises.front(); }
+const QuantityResult& swing() { return pendulum().quantities.back(); }
+
+/// What a script's one call is given.
+Json argument(const std::string& function, const std::string& script) {
+  const std::string before = "oddity." + function + "(", after = ");\n";
+  REQUIRE(script.starts_with(before));
+  REQUIRE(script.ends_with(after));
+  return Json::parse(script.substr(before.size(), script.size() - before.size() - after.size()));
+}
+
+Json written(const ExerciseResult& e) {
+  return argument("exercise", exercise_data(e, known(), Styles(results()), true));
+}
+
+std::string bytes_of(std::string text) {
+  using namespace boost::archive::iterators;
+  using Bytes = transform_width<binary_from_base64<std::string::const_iterator>, 8, 6>;
+  const auto padding = static_cast<std::size_t>(std::ranges::count(text, '='));
+  std::ranges::replace(text, '=', 'A');
+  std::string bytes(Bytes(text.cbegin()), Bytes(text.cend()));
+  return bytes.substr(0, bytes.size() - padding);
+}
+
+/// The whole number of `count` bytes, least first.
+std::uint32_t number_at(const std::string& bytes, std::size_t at, std::size_t count) {
+  std::uint32_t bits = 0;
+  for (std::size_t i = count; i-- > 0;) bits = bits << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return bits;
+}
+
+std::vector<float> floats(const Json& text) {
+  const std::string bytes = bytes_of(text);
+  std::vector<float> numbers;
+  for (std::size_t at = 0; at < bytes.size(); at += 4)
+    numbers.push_back(std::bit_cast<float>(number_at(bytes, at, 4)));
+  return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("The data of a page have every trial, in double and in float", "[site]") {
+  const Json q = written(pendulum())["quantities"].back();
+  REQUIRE(q["methods"].size() == swing().methods.size() + swing().in_float.size());
+  REQUIRE(swing().methods.size() > 20);
+  REQUIRE(!swing().in_float.empty());
+  const auto same = [&](const Json& shown, const std::vector<TimedTrial>& trials) {
+    REQUIRE(shown["trials"].size() == trials.size());
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      const Json& row = shown["trials"][i];
+      CHECK(row[0].get<double>() == trials[i].setting);
+      if (std::isfinite(trials[i].error))
+        CHECK(std::abs(row[1].get<double>() / trials[i].error - 1) < 0.006);
+      else
+        CHECK(row[1].is_null());
+      CHECK(row[2].get<long>() == trials[i].evaluations);
+      CHECK(row[5].get<std::string>() == std::string(1, letter_of(trials[i].outcome)));
+    }
+  };
+  for (std::size_t i = 0; i < swing().methods.size(); ++i) {
+    const MethodResult& m = swing().methods[i];
+    CAPTURE(m.model, m.algorithm);
+    CHECK(q["methods"][i]["algorithm"] == m.algorithm);
+    CHECK(q["methods"][i]["precision"] == "double");
+    CHECK(q["methods"][i].contains("why") == (m.expected != Outcome::ok));
+    same(q["methods"][i], m.trials);
+  }
+  for (std::size_t i = 0; i < swing().in_float.size(); ++i) {
+    const FloatResult& m = swing().in_float[i];
+    const Json& shown = q["methods"][swing().methods.size() + i];
+    CHECK(shown["algorithm"] == swing().methods[m.in_double].algorithm);
+    CHECK(shown["precision"] == "float");
+    same(shown, m.trials);
+  }
+}
+
+TEST_CASE("The data of a page have every name's style and every outcome's letter", "[site]") {
+  const Json data = written(pendulum());
+  for (const Json& q : data["quantities"])
+    for (const Json& m : q["methods"]) {
+      CHECK(data["styles"]["colours"].contains(m["model"]));
+      CHECK(data["styles"]["marks"].contains(m["algorithm"]));
+      for (const Json& row : m["trials"]) CHECK(data["outcomes"].contains(row[5]));
+    }
+  CHECK(data["styles"]["families"]["velocity Verlet"] == "partitioned");
+}
+
+TEST_CASE("The true motion starts where the book's does and ends where the reference's does", "[site]") {
+  const Json truth = written(pendulum())["scene"]["truth"];
+  const std::vector<float> angles = floats(truth["values"]);
+  REQUIRE(truth["frames"] == 600);
+  REQUIRE(angles.size() == 601);
+  CHECK(angles.front() == static_cast<float>(std::numbers::pi / 6));
+  CHECK(angles.back() == Approx(swing().reference.value[3]).epsilon(1e-6));
+  CHECK(angles[150] == Approx(swing().reference.value[0]).epsilon(1e-6));
+}
+
+TEST_CASE("A recorded motion is the one that was run, to one part in 65535 of its range", "[site]") {
+  const Json paths = written(pendulum())["scene"]["paths"];
+  REQUIRE(paths.size() == swing().trajectory->paths.size());
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const Value& run = swing().trajectory->paths[i].value;
+    const std::string bytes = bytes_of(paths[i]["values"]);
+    const double least = paths[i]["least"][0], most = paths[i]["most"][0];
+    REQUIRE(bytes.size() == 2 * run.size());
+    for (std::size_t k = 0; k < run.size(); ++k)
+      CHECK(std::abs(least + (most - least) * number_at(bytes, 2 * k, 2) / 65535 - run[k]) <
+            (most - least) / 65535);
+  }
+}
+
+TEST_CASE("Without models the motions are drawn: the bob is where its angle says", "[site]") {
+  const Json drawn = written(pendulum())["scene"]["drawn"];
+  CHECK(drawn["space"] == false);
+  std::size_t at = 0;  // the first coordinate of the bob
+  for (const Json& thing : drawn["things"]) {
+    if (thing["kind"] == "body") break;
+    at += 2 * thing["points"].get<std::size_t>();
+  }
+  const std::vector<std::size_t> moving = drawn["moving"];
+  const auto x = static_cast<std::size_t>(std::ranges::find(moving, at) - moving.begin());
+  REQUIRE(x + 1 < moving.size());
+  const double least = drawn["least"], most = drawn["most"];
+  const std::string bytes = bytes_of(drawn["truth"]);
+  const std::vector<float> angles = floats(written(pendulum())["scene"]["truth"]["values"]);
+  REQUIRE(bytes.size() == 2 * moving.size() * angles.size());
+  for (std::size_t frame = 0; frame < angles.size(); ++frame) {
+    const auto coordinate = [&](std::size_t i) {
+      return least + (most - least) * number_at(bytes, 2 * (frame * moving.size() + i), 2) / 65535;
+    };
+    CHECK(std::abs(coordinate(x) - std::sin(angles[frame])) < (most - least) / 60000);
+    CHECK(std::abs(coordinate(x + 1) + std::cos(angles[frame])) < (most - least) / 60000);
+  }
+  CHECK(!argument("exercise", exercise_data(pendulum(), known(), Styles(results()), false))["scene"].contains(
+      "drawn"));
+}
+
+TEST_CASE("A map has a list of letters for each value of the parameter", "[site]") {
+  const Json stability = written(pendulum())["stability"];
+  const Stability& s = *pendulum().stability;
+  std::size_t rows = 0;
+  for (const Json& method : stability["map"])
+    for (const Json& row : method["rows"]) {
+      CHECK(method["algorithm"] == s.map[rows].algorithm);
+      CHECK(row[0] == s.map[rows].value);
+      CHECK(row[2] == letters(s.map[rows]));
+      ++rows;
+    }
+  CHECK(rows == s.map.size());
+  CHECK(stability["limits"][0]["shown"] == shown_step(s.limits[0]));
+}
+
+TEST_CASE("No text ends the script that it stands in", "[site]") {
+  ExerciseResult e = results().exercises.back();
+  e.title = "</script><script>alert(1)</script><!--<script>\u2028\u2029\"'\\\n";
+  const std::string script = exercise_data(e, known(), Styles(results()), true);
+  for (const char* wrong : {"</", "<!--", "\u2028", "\u2029"}) CHECK(script.find(wrong) == std::string::npos);
+  CHECK(std::ranges::count(script, '\n') == 1);
+  const Json data = argument("exercise", script);
+  CHECK(data["title"] == e.title);
+  CHECK(data["scene"].is_null());
+}
+
+TEST_CASE("The chooser knows the parameters, units and exact models of each scene", "[site]") {
+  const Json scenes = argument("scenes", scenes_data(results(), Styles(results())));
+  REQUIRE(scenes.size() == 1);
+  CHECK(scenes[0]["number"] == "3.5");
+  CHECK(scenes[0]["parameters"][0]["name"] == "a");
+  CHECK(scenes[0]["close"]["rad"] == Approx(std::numbers::pi / 180));
+  CHECK(scenes[0]["norms"][0]["components"] == Json::array({0}));
+  CHECK(scenes[0]["exact"] ==
+        Json::array({"Jacobi's function by its Fourier series", "one angle", "Cartesian with constraint"}));
+  CHECK(scenes[0]["knobs"]["step"][0] == 0.125);
+}
