@@ -32,7 +32,7 @@ struct Session {
   std::string results = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string();
-  bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false;
+  bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
   AskedNeed need = {};
   NewExercise begun = {};
   std::string outside = {};
@@ -222,11 +222,13 @@ void add_choose(CLI::App& app, Session& s) {
 }
 
 void add_report(CLI::App& app, Session& s) {
-  auto* report = verb(app, "report", "Write the Markdown report.",
-                      "The last results are taken where they are fresh, else everything runs first.\n"
-                      "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
-                      [&] { verbs::report(s.folder, s.chapter, s.report_out); });
-  report->add_option("--chapter", s.chapter, "one chapter only")->type_name("N");
+  auto* report = verb(
+      app, "report", "Write the Markdown report.",
+      "The last results are taken where they are fresh, else everything runs first.\n"
+      "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
+      [&] { verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole, s.report_out); });
+  report->add_option("--chapter", s.chapter, "the exercises of one chapter only")->type_name("N");
+  report->add_flag("--book", s.book, "without times: what stands in report/book of the sources");
   add_path(*report, "--out", s.report_out, "the folder to write to");
 }
 
@@ -246,11 +248,12 @@ void add_chart(CLI::App& app, Session& s) {
       columns_of_trials() + "Examples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv",
       [&] {
         if (s.format() == verbs::Format::text)
-          verbs::chart(s.folder, s.exercises, s.chart_out);
+          verbs::chart(s.folder, s.exercises, s.all_rows ? Curves::all : Curves::few, s.chart_out);
         else
           verbs::chart_table(s.folder, s.exercises, s.format());
       });
   add_exercises(*chart, s, "numbers, such as 3.5; all when none is given");
+  chart->add_flag("--all", s.all_rows, "every method's curve, not eight at most");
   add_formats(*chart, s, "the trials, with nothing drawn");
   auto* out = add_path(*chart, "--out", s.chart_out, "the folder to write to");
   for (const char* instead : {"--json", "--csv"}) out->excludes(chart->get_option(instead));
