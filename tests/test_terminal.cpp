@@ -9,6 +9,7 @@
 #include "tests/catch.hpp"
 #include "tests/program.hpp"
 #include "tests/run_of_all.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace oddity;
 using namespace program;
@@ -229,4 +230,29 @@ TEST_CASE("what takes long says how far it is, on a terminal in one line", "[ter
   INFO(piped.output);
   CHECK_FALSE(says(piped, "\r"));
   CHECK_FALSE(says(run("list 3.5"), "oddity: "));
+}
+
+TEST_CASE("the completion knows the verbs, their options and the exercises", "[terminal]") {
+  const auto completed = [](const std::string& words) {
+    return shell("bash -c 'source " ODDITY_SOURCE "/cmake/completion.bash; COMP_WORDS=(\"'$oddity'\" " +
+                 words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _oddity; echo ${COMPREPLY[*]}'")
+        .output;
+  };
+  CHECK(completed("\"\"") == "list verify solve chart stability choose bench report site new help\n");
+  CHECK(completed("solve --") == "--help --json --csv\n");
+  CHECK(completed("solve 3.3") == "3.3 3.31 3.33 3.35\n");
+}
+
+TEST_CASE("the manual page has every verb and no path of this build", "[terminal]") {
+  const ScratchFolder scratch;
+  const std::string page = (scratch.path() / "oddity.1").string();
+  const Ran made =
+      shell("cmake -DPROGRAM=$oddity -DOUT=" + page + " -P " ODDITY_SOURCE "/cmake/manual.cmake");
+  INFO(made.output);
+  CHECK(made.status == 0);
+  const std::string text = shell("cat " + page).output;
+  for (const char* verb :
+       {"list", "verify", "solve", "chart", "stability", "choose", "bench", "report", "site", "new"})
+    CHECK(text.find(".SS " + std::string(verb) + "\n") != std::string::npos);
+  CHECK(text.find(ODDITY_SOURCE "/") == std::string::npos);
 }

@@ -291,7 +291,8 @@ void set_accuracy(Need& need, const Entry& entry, const AskedNeed& asked) {
     need.shown["m"] = shown_unit(asked.error, "m");
     return;
   }
-  if (asked.error.empty() && asked.digits.empty()) throw BadInput("choose needs --error or --digits");
+  if (asked.error.empty() && asked.digits.empty())
+    throw BadInput("choose needs --error or --digits, as in --error 0.01 or --digits 6");
   need.relative = !asked.digits.empty();
   need.error = std::numeric_limits<double>::quiet_NaN();
   if (need.relative)

@@ -205,7 +205,7 @@ void add_choose(CLI::App& app, Session& s) {
       "evaluations per frame, seconds per frame, chosen (1 or 0); a row for each method.\n"
       "Keys of the JSON: need, chosen (null when nothing is), in_float, ties, candidates, engine, predictable, "
       "chosen_on, tested_on, times.\n"
-      "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.31 --error 1cm,1deg "
+      "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.33 --error 1deg "
       "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
       "--error 1deg --exclude closed --code",
       [&] {
@@ -417,7 +417,9 @@ bool output_arrived() {
   std::cout.flush();
   if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
   std::cerr << "oddity: cannot write to standard output"
-            << (errno == 0 ? "" : ": " + std::error_code(errno, std::generic_category()).message()) << "\n";
+            << (errno == 0 ? ", which is closed or full"
+                           : ": " + std::error_code(errno, std::generic_category()).message())
+            << "\n";
   return false;
 }
 
