@@ -130,24 +130,20 @@ std::string model_text(const Task& task, std::string_view expression, const std:
     if (mentions(expression, p.name))
       text += number + " " + std::string(p.name) + " = " + literal(task.parameters[p.name], number) +
               ";  // " + (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") +
-              readable(std::string(p.says)) +
-              "
-              ";
-              return text +
-              "
-              auto
-              model() {
-        return " + in_number_type(expression, number) +
-               "; }\n\n}  // namespace oddity::asked\n";
-      }
+              readable(std::string(p.says)) + "
+";
+  return text + "
+auto model() { return " + in_number_type(expression, number) +
+         "; }\n\n}  // namespace oddity::asked\n";
+}
 
-  std::string header_line(const Scene& scene) {
-    std::string line = "t [" + std::string(scene.axes.time) + "]";
-    for (std::string_view name : scene.axes.observables) line += "," + std::string(name);
-    return line;
-  }
+std::string header_line(const Scene& scene) {
+  std::string line = "t [" + std::string(scene.axes.time) + "]";
+  for (std::string_view name : scene.axes.observables) line += "," + std::string(name);
+  return line;
+}
 
-  constexpr std::string_view print_row = R"(
+constexpr std::string_view print_row = R"(
 template <class Observables>
 void print_row(double t, const Observables& observables) {
   std::printf("%.17g", t);
@@ -156,8 +152,8 @@ void print_row(double t, const Observables& observables) {
 }
 )";
 
-  /// The words with a dollar are placeholders.
-  constexpr std::string_view closed_form_main = R"(
+/// The words with a dollar are placeholders.
+constexpr std::string_view closed_form_main = R"(
 int main() {
   constexpr int frames = $frames;
   constexpr double frames_per_second = $rate;
@@ -169,7 +165,7 @@ int main() {
   }
 }
 )";
-  constexpr std::string_view stepping_main = R"(
+constexpr std::string_view stepping_main = R"(
 int main() {
   constexpr int frames = $frames, steps_per_frame = $steps;
   constexpr double frames_per_second = $rate;
@@ -187,20 +183,20 @@ int main() {
 }
 )";
 
-  std::string main_text(const Task& task, const Need& need, const Plain* algorithm, double step) {
-    std::string text(algorithm ? stepping_main : closed_form_main);
-    const auto put = [&](const std::string& placeholder, const std::string& what) {
-      text.replace(text.find(placeholder), placeholder.size(), what);
-    };
-    put("$frames", shortest(need.frames()));
-    put("$rate", shortest(need.frames_per_second));
-    put("$names", header_line(*task.entry->exercise.scene));
-    if (algorithm) {
-      put("$steps", shortest(std::round(1 / (step * need.frames_per_second))));
-      put("$algorithm", std::string(algorithm->type));
-    }
-    return text;
+std::string main_text(const Task& task, const Need& need, const Plain* algorithm, double step) {
+  std::string text(algorithm ? stepping_main : closed_form_main);
+  const auto put = [&](const std::string& placeholder, const std::string& what) {
+    text.replace(text.find(placeholder), placeholder.size(), what);
+  };
+  put("$frames", shortest(need.frames()));
+  put("$rate", shortest(need.frames_per_second));
+  put("$names", header_line(*task.entry->exercise.scene));
+  if (algorithm) {
+    put("$steps", shortest(std::round(1 / (step * need.frames_per_second))));
+    put("$algorithm", std::string(algorithm->type));
   }
+  return text;
+}
 
 }  // namespace
 
