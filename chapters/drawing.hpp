@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -56,6 +57,10 @@ class Drawing {
     direction,  ///< an arrow from point to point, a velocity at the start or gravity, with its letter
     label,      ///< a letter at a point
   };
+  /// In their order, as scripts call them.
+  static constexpr std::array<std::string_view, 17> kind_names{
+      "body",    "rod",  "spring", "rope",   "track", "guide",  "disc",      "sphere", "plate",
+      "support", "axis", "arrow",  "anchor", "angle", "length", "direction", "label"};
   struct Primitive {
     Kind kind;
     std::vector<Place> points;

@@ -6,6 +6,7 @@ include(CMakePackageConfigHelpers)
 install(TARGETS oddity RUNTIME)
 install(DIRECTORY reference/ DESTINATION ${CMAKE_INSTALL_DATADIR}/oddity/reference
   FILES_MATCHING PATTERN "*.csv" PATTERN make EXCLUDE)
+install(FILES ${PROJECT_BINARY_DIR}/models.js DESTINATION ${CMAKE_INSTALL_DATADIR}/oddity OPTIONAL)
 
 # ---- the models and the headers that they include ---------------------------------------------------------
 

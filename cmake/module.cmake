@@ -8,7 +8,7 @@ find_program(WASM_CXX NAMES clang++ clang++-14 clang++-16 clang++-18 clang++-19)
 find_program(GZIP gzip)
 find_program(BASE64 base64)
 set(module ${PROJECT_BINARY_DIR}/module)
-set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fignore-exceptions -fvisibility=hidden -mmutable-globals
+set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fignore-exceptions -fno-rtti -fvisibility=hidden -mmutable-globals
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-braces -Wno-implicit-float-conversion)
 if(WASM_CXX AND GZIP AND BASE64)
   # With the linker, the standard library and the runtime.
@@ -106,12 +106,38 @@ foreach(file IN LISTS player_files)
   compile_for_module(${file} -O3 c++20)
 endforeach()
 
-add_custom_command(OUTPUT ${module}/models.wasm
-  COMMAND ${WASM_CXX} ${wasm_flags} -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--export=malloc -Wl,--export=free -Wl,--export=__stack_pointer -Wl,-z,stack-size=1048576
-    ${module_objects} -o ${module}/models.wasm
-  DEPENDS ${module_objects} VERBATIM)
-add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/models.js
-  COMMAND ${CMAKE_COMMAND} -DMODULE=${module}/models.wasm -DGZIP=${GZIP} -DBASE64=${BASE64}
-    -DOUT=${PROJECT_BINARY_DIR}/models.js -P ${PROJECT_SOURCE_DIR}/cmake/pack.cmake
-  DEPENDS ${module}/models.wasm cmake/pack.cmake VERBATIM)
+# Links the objects to `name`.js, with one of the tests' and its options.
+function(link_module name object)
+  add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/${name}.js
+    COMMAND ${WASM_CXX} ${wasm_flags} -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all
+      -Wl,-z,stack-size=1048576 -Wl,--export=malloc -Wl,--export=free -Wl,--export=__stack_pointer
+      ${module_objects} ${object} ${ARGN} -o ${module}/${name}.wasm
+    COMMAND ${CMAKE_COMMAND} -DMODULE=${module}/${name}.wasm -DGZIP=${GZIP} -DBASE64=${BASE64}
+      -DOUT=${PROJECT_BINARY_DIR}/${name}.js -P ${PROJECT_SOURCE_DIR}/cmake/pack.cmake
+    DEPENDS ${module_objects} ${object} ${PROJECT_SOURCE_DIR}/cmake/pack.cmake VERBATIM)
+endfunction()
+link_module(models "")
 add_custom_target(models_module ALL DEPENDS ${PROJECT_BINARY_DIR}/models.js)
+
+# ---- the program's trials replayed by the module ----------------------------------------------------------
+
+find_program(NODE NAMES node nodejs)
+if(NOT ODDITY_TESTS OR NOT NODE)
+  return()
+endif()
+set(functions sin cos tan asin acos exp expm1 log sinh cosh asinh atan2 hypot pow)
+set(wraps "")
+foreach(function IN LISTS functions)
+  list(APPEND wraps -Wl,--wrap=${function} -Wl,--wrap=${function}f)
+endforeach()
+compile_for_module(${PROJECT_SOURCE_DIR}/tests/site/nudged.cpp -Os c++20)
+list(REMOVE_ITEM module_objects ${module}/nudged.o)
+link_module(models_nudged ${module}/nudged.o ${wraps})
+add_custom_target(models_nudged ALL DEPENDS ${PROJECT_BINARY_DIR}/models_nudged.js)
+set(results ${PROJECT_BINARY_DIR}/module/results.json)
+add_test(NAME scenes_to_replay COMMAND oddity verify "[scene]" --results ${results})
+set_tests_properties(scenes_to_replay PROPERTIES FIXTURES_SETUP scenes_to_replay)
+add_test(NAME replay COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/tests/site/replay.mjs
+  ${PROJECT_SOURCE_DIR}/report/site/assets/engine.js ${PROJECT_BINARY_DIR}/models.js
+  ${PROJECT_BINARY_DIR}/models_nudged.js ${results})
+set_tests_properties(replay PROPERTIES FIXTURES_REQUIRED scenes_to_replay)

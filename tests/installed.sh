@@ -63,6 +63,7 @@ cd "$place"
 check "its tables are the installed ones" has "$("$oddity" --help)" "$prefix/share/oddity/reference"
 check "list" has "$("$oddity" list)" "3.5  Pendulum from 30 degrees"
 check "solve, from its tables" has "$("$oddity" solve 3.5)" "(table 03_05_quarter_period.csv)"
+[ ! -f "$build/models.js" ] || check "the page's models" cmp -s "$build/models.js" "$prefix/share/oddity/models.js"
 cp -r "$prefix/share/oddity/reference" "$place/others"
 find "$place/others" -name 03_05_quarter_period.csv -delete
 check "it asks others for theirs" has "$("$oddity" --reference "$place/others" solve 3.5 2>&1)" "$place/others/tables/03_05_quarter"

@@ -1,40 +1,15 @@
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "tests/catch.hpp"
+#include "tests/program.hpp"
 #include "tests/scratch_folder.hpp"
 
 namespace fs = std::filesystem;
+using namespace program;
 
 namespace {
-
-struct Ran {
-  int status;
-  std::string output;  ///< standard output and standard error together
-};
-
-/// Runs a shell's command, in which $oddity is the program.
-Ran shell(const std::string& command) {
-  const std::string words = "oddity='" + std::string(ODDITY_PROGRAM) + "'; { " + command + "; } 2>&1";
-  std::FILE* pipe = popen(words.c_str(), "r");
-  Ran ran{-1, ""};
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
-    ran.output.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-  return ran;
-}
-
-/// Runs the program with these arguments, as a user would.
-Ran run(const std::string& arguments) { return shell("$oddity " + arguments); }
-
-bool says(const Ran& ran, const std::string& text) { return ran.output.find(text) != std::string::npos; }
 
 /// A copy of the reference tables to break.
 fs::path tables(const ScratchFolder& scratch) {
@@ -65,6 +40,10 @@ TEST_CASE("list shows exercises with their parameters", "[commands]") {
   const Ran one = run("list 3.5");
   CHECK(says(one, "3.5  Pendulum"));
   CHECK_FALSE(says(one, "3.7"));
+  const Ran about = run("list 2.1 pendulum");
+  CHECK(says(about, "2.1  Curve"));
+  CHECK(says(about, "3.17  Foucault pendulum"));
+  CHECK_FALSE(says(about, "3.7"));
 }
 
 TEST_CASE("list and stability come as CSV and as JSON", "[commands]") {
@@ -99,7 +78,7 @@ TEST_CASE("choose asks for what is held as a length", "[commands]") {
 
 TEST_CASE("every verb has help with an example", "[commands]") {
   for (const std::string verb :
-       {"list", "verify", "solve", "chart", "report", "stability", "choose", "bench"}) {
+       {"list", "verify", "solve", "chart", "report", "site", "stability", "choose", "bench", "new"}) {
     const Ran ran = run(verb + " --help");
     INFO(ran.output);
     CHECK(ran.status == 0);
@@ -138,6 +117,7 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
   const std::vector<std::array<std::string, 2>> cases{
       {"solve 3.6", "no exercise '3.6'; chapter 3 has 3.1, 3.3"},
       {"solve 3.50", "no exercise '3.50'; chapter 3 has 3.1, 3.3"},
+      {"solve 3.50", "; did you mean 3.5 (Pendulum from 30 degrees)?"},
       {"solve 1.1", "no exercise '1.1'; chapter 1 has none; 'oddity list' shows all"},
       {"solve '3.5 '", "did you mean 3.5 (Pendulum from 30 degrees)?"},
       {"solve pendulum", "3.5 (Pendulum from 30 degrees) or 3.17"},
@@ -151,13 +131,20 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
       {"solve 3.5 a=30kg",
        "parameter a: '30kg' has a unit that does not fit; units that fit: rad, mrad, deg"},
       {"solve 3.5 a=1 a=2", "parameter a is given twice"},
-      {"solve 3.5 a", "'a' is not name=value"},
+      {"solve 3.5 a", "'a' is not name=value: write it without blanks, as in a=30deg"},
+      {"solve 3.5 = 1", "'=' is not name=value: write it without blanks, as in a=30deg"},
+      {"solve 3.5 a= 1", "parameter a: '' is not a number"},
+      {"solve 3.5 =1", "'=1' is not name=value"},
+      {"solve 3.5 3.7", "'3.7' is not name=value, and one exercise is asked for at a time"},
+      {"solve 3.5 a=30degg",
+       "parameter a: '30degg' is not a number, nor one with a unit; units that fit: rad"},
       {"solve 3.5 a=4", "out of its range"},
       {"solve 3.5 a=nan", "out of its range"},
       {"solve 7.11 n=40.7", "parameter n = 40.7 is not a whole number"},
       {"solve 7.11 seed=1.5", "parameter seed = 1.5 is not a whole number"},
-      {"solve 3.5 --jsn", "oddity solve does not take '--jsn'; did you mean '--json'?"},
-      {"list 3.5 foo", "oddity list does not take 'foo'"},
+      {"solve 3.5 --jsn", "solve does not take '--jsn'; did you mean '--json'?"},
+      {"list 3.5 foo", "no exercise 'foo'; 'oddity list' shows all"},
+      {"site 3.5", "site does not take '3.5'; 'oddity site --help' says more"},
       {"report --chapter 15", "--chapter must be a whole number from 1 to 14, and is '15'"},
       {"report --chapter x", "--chapter must be a whole number from 1 to 14, and is 'x'"},
       {"report --chapter 1", "chapter 1 has no exercises; those that have some are: 2, 3, "},
@@ -166,8 +153,9 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
       {"chart 3.4", "no exercise '3.4'"},
       {"stability 3.6", "no exercise '3.6'"},
       {"stability 9.1", "exercise 9.1 has no motion; those that have one are: "},
-      {"stability 3.5 --rows --out /tmp/x", "--rows excludes --out"},
-      {"stability 3.5 --csv --json", "excludes"},
+      {"stability 3.5 --rows --out /tmp/x", "--rows and --out do not go together"},
+      {"stability 3.5 --csv --json", "do not go together; 'oddity stability --help' says more"},
+      {"chart 3.5 --csv --out /tmp/x", "--csv and --out do not go together"},
       {"choose 9.1 --error 1", "exercise 9.1 has no motion; those that have one are: "},
       {"choose 3.5", "choose needs --error or --digits"},
       {"choose 3.5 --error nan", "--error must be positive and finite, and is nan"},
@@ -177,7 +165,7 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
       {"choose 3.5 --error 1cm", "units that fit: rad, mrad, deg"},
       {"choose 3.31 --error 1cm", "--error: the observables are in m, rad, and none is given in rad"},
       {"choose 3.5 --digits 16", "--digits must be a whole number from 1 to 15, and is '16'"},
-      {"choose 3.5 --error 1 --digits 3", "--error excludes --digits"},
+      {"choose 3.5 --error 1 --digits 3", "--error and --digits do not go together"},
       {"choose 3.5 --error 1 --fps 1e12",
        "asks for 1e+13 frames, of at most a million: --fps may be 100000 over"},
       {"choose 3.5 --error 1 --fps nan", "--fps must be positive and finite, and is nan"},
@@ -185,15 +173,28 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
        "asks for 6e+10 frames, of at most a million: --horizon may be 16666.7 s at"},
       {"choose 3.5 --error 1 --horizon 1m", "'1m' has a unit that does not fit; units that fit: s, ms"},
       {"choose 3.5 --error 1 --horizon 1ms", "the horizon is shorter than a frame"},
-      {"choose 3.5 --error 1 --code --json", "--json excludes --code"},
+      {"choose 3.5 --error 1 --code --json", "--json and --code do not go together"},
       {"choose 3.5 --error 1 --horizon 1 --only Fehlberg --code",
        "there is no code to print for the algorithm Fehlberg 7(8); there is for: closed form; explicit "
        "Euler; "},
+      {"choose 3.5 --error 1 cm",
+       "'cm' is not name=value: a unit follows its number without a blank, as in 1cm"},
+      {"choose 3.5 --error 1 --only Runge-Kuta",
+       "--only: no model and no algorithm of 3.5 has 'Runge-Kuta' in its name; did you mean 'Runge-Kutta'?"},
+      {"choose 3.5 --error 1 --only verlet", "did you mean 'Verlet'?"},
+      {"choose 3.5 --error 1 --only 'Cartesian with constrain t'",
+       "did you mean 'Cartesian with constraint'?"},
+      {"choose 3.5 --error 1 --exclude Eulr", "did you mean 'Euler'?"},
+      {"choose 3.5 --error 1 --exclude zzz", "the models are: small angle; amplitude-corrected; "},
+      {"choose 3.5 --error 1 --precision flot",
+       "--precision 'flot' is none of float, double, any; did you mean float?"},
+      {"choose 3.5 --error 1 --criterion enrgy", "did you mean energy?"},
       {"choose 3.5 --error 1 --budget 5", "--budget needs a unit, such as 5us"},
       {"choose 3.5 --error 1 --budget 5US", "'5US' is not a number, nor one with a unit"},
       {"sovle 3.5", "no verb 'sovle'; the verbs are: "},
       {"sovle 3.5", "did you mean 'solve'?"},
       {"help sovle", "did you mean 'solve'?"},
+      {"3.5", "no verb '3.5'; did you mean 'solve 3.5'?"},
       {"nonsense", "no verb 'nonsense'; the verbs are: list, verify, "},
       {"--refrence x list", "oddity does not take '--refrence'; did you mean '--reference'?"},
       {"chart --out", "--out needs a value"},
@@ -204,7 +205,11 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
       {"verify '[9.1]' -o /proc/no/file", "cannot make the folder /proc/no: "},
       {"verify '[9.1]' -o /tmp", "cannot write /tmp: it is a folder"},
       {"verify --no-such-option", "Catch2 does not take these arguments"},
-      {"verify '[3.99]'", "no test case matches"}};
+      {"verify '[3.99]'", "no test case matches"},
+      {"verify '[erratumm]'",
+       "no test case matches; 'oddity verify --list-tests' shows them all; did you mean "
+       "'[erratum]'?"},
+      {"verify '[3.5]' --json --csv", "do not go together"}};
   for (const auto& [arguments, message] : cases) {
     const Ran ran = run(arguments);
     INFO("oddity " << arguments << "\n" << ran.output);
@@ -262,22 +267,19 @@ TEST_CASE("output of the suite that a file does not take is an error", "[command
 }
 
 TEST_CASE("an interrupted run leaves nothing that is not whole", "[commands]") {
-  for (const std::string signal : {"TERM", "HUP"}) {
+  for (const auto& [signal, code] :
+       std::array<std::array<std::string, 2>, 3>{{{"INT", "130"}, {"TERM", "143"}, {"HUP", "129"}}}) {
     const ScratchFolder scratch;
     const std::string folder = scratch.path().string();
-    const Ran ran = shell("$oddity chart 3.5 3.15 --out " + folder + " & until ls " + folder +
-                          "/charts >/dev/null 2>&1; do sleep 0.01; done; kill -" + signal +
-                          " $!; wait $!; echo ended with $?; sleep 0.5; find " + folder + " -name '*.part'");
+    const Ran ran =
+        shell("env --default-signal=INT $oddity chart 3.5 3.15 --out " + folder + " & until ls " + folder +
+              "/charts >/dev/null 2>&1; do sleep 0.01; done; kill -" + signal +
+              " $!; wait $!; echo ended with $?; sleep 0.5; find " + folder + " -name '*.part'");
     INFO(ran.output);
-    CHECK(says(ran, signal == "TERM" ? "ended with 143" : "ended with 129"));
+    CHECK(says(ran, "ended with " + code));
+    CHECK(says(ran, "oddity: interrupted; every file that was written is whole") == (signal == "INT"));
     CHECK_FALSE(says(ran, ".part"));
   }
-}
-
-TEST_CASE("colour is off when the user wants none", "[commands]") {
-  const std::string terminal = "script -qec \"$oddity verify '[9.1]'\" /dev/null";
-  CHECK(says(shell(terminal), "\x1b["));
-  CHECK_FALSE(says(shell("NO_COLOR=1 " + terminal), "\x1b[0;"));
 }
 
 TEST_CASE("nothing of an option runs", "[commands]") {
@@ -294,6 +296,7 @@ TEST_CASE("a folder that cannot be written is named and ends with 2", "[commands
   const Ran ran = run("report --out /proc/no/such/folder");
   CHECK(ran.status == 2);
   CHECK(says(ran, "/proc/no/such/folder"));
+  CHECK(run("site --out /proc/no").status == 2);
   const Ran refused = run("verify '[3.5]' --results /proc/no/results.json");
   CHECK(refused.status == 2);
   CHECK_FALSE(says(refused, "assertions"));  // before the run

@@ -19,18 +19,12 @@
 #include "report/study/stability.hpp"
 #include "tests/catch.hpp"
 #include "tests/complaint.hpp"
+#include "tests/run_of_all.hpp"
 #include "tests/sample_results.hpp"
 
 using namespace oddity;
 
 namespace {
-
-/// A run of all exercises, once for all tests.
-const Results& run_of_all() {
-  static const Results results = run(std::vector<Task>(registry().begin(), registry().end()),
-                                     Reference(std::filesystem::path(ODDITY_SOURCE) / "reference"), false);
-  return results;
-}
 
 int count(const std::string& text, const std::string& part) {
   int n = 0;

@@ -396,7 +396,7 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   const auto used = app.get_subcommands();
   const CLI::App& verb = used.empty() ? app : *used.front();
   const std::vector<std::string> unknown = verb.remaining();
-  if (!unknown.empty()) return refusal(verb, unknown.front());
+  if (!unknown.empty() && !verb.get_allow_extras()) return refusal(verb, unknown.front());
   const std::string says = error.what();
   if (error.get_name() == "ArgumentMismatch")
     return says.substr(0, says.find(':')) + " needs a value; " + help_of(verb);

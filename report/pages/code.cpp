@@ -130,10 +130,8 @@ std::string model_text(const Task& task, std::string_view expression, const std:
     if (mentions(expression, p.name))
       text += number + " " + std::string(p.name) + " = " + literal(task.parameters[p.name], number) +
               ";  // " + (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") +
-              readable(std::string(p.says)) + "
-";
-  return text + "
-auto model() { return " + in_number_type(expression, number) +
+              readable(std::string(p.says)) + "\n";
+  return text + "\nauto model() { return " + in_number_type(expression, number) +
          "; }\n\n}  // namespace oddity::asked\n";
 }
 

@@ -7,8 +7,8 @@
 #include "reference/text.hpp"
 #include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
-#include "report/study/findings.hpp"
 #include "report/site/page.hpp"
+#include "report/study/findings.hpp"
 
 namespace oddity {
 
@@ -101,15 +101,13 @@ std::string evidence_of(const JudgedClaim& judged) {
 
 std::string id_attribute(const Claim& claim) { return " id=\"" + claim_anchor_of(claim) + "\""; }
 
-/// The claim holds what is printed word for word.
-bool is_told(const Claim& claim) { return claim.says.find(claim.printed.text) != std::string::npos; }
-
 std::string sides(const JudgedClaim& judged) {
   const Reading& right = right_reading(judged);
   const Claim& claim = judged.claim;
   std::string text = element(
       "div", " class=\"printed\"",
-      "<dt>printed</dt>" + element("dd", "", html::text(is_told(claim) ? claim.says : claim.printed.text)));
+      "<dt>printed</dt>" +
+          element("dd", "", html::text(says_what_is_printed(claim) ? claim.says : claim.printed.text)));
   if (&right != &judged.claim.printed)
     text += element("div", " class=\"corrected\"",
                     std::string(judged.verdict == Verdict::misprint ? "<dt>meant</dt>" : "<dt>right</dt>") +
@@ -120,15 +118,15 @@ std::string sides(const JudgedClaim& judged) {
 std::string finding_text(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
   const std::string kind = name_of(claim.kind).empty() ? "" : html::escaped(name_of(claim.kind)) + ", ";
-  return element(
-             "article", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
-             "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind + "line " +
-                 std::to_string(claim.line) + " " +
-                 html::link("#" + claim_anchor_of(claim), html::escaped(claim.id)) + "</p>" +
-                 (is_told(claim) ? ""
-                                 : element("p", "", "The solution says: " + html::text(claim.says) + ".")) +
-                 sides(judged) + element("p", "", html::prose(claim.why)) +
-                 html::folded("Evidence", element("p", "", evidence_of(judged)))) +
+  return element("article", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
+                 "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind + "line " +
+                     std::to_string(claim.line) + " " +
+                     html::link("#" + claim_anchor_of(claim), html::escaped(claim.id)) + "</p>" +
+                     (says_what_is_printed(claim)
+                          ? ""
+                          : element("p", "", "The solution says: " + html::text(claim.says) + ".")) +
+                     sides(judged) + element("p", "", html::prose(claim.why)) +
+                     html::folded("Evidence", element("p", "", evidence_of(judged)))) +
          "\n";
 }
 

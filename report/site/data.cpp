@@ -222,43 +222,10 @@ Json from(const Path& path, std::size_t observables, std::size_t frames) {
 
 // ---- how it looks -----------------------------------------------------------------------------------------
 
-std::string_view name_of(Drawing::Kind kind) {
-  using enum Drawing::Kind;
-  switch (kind) {
-    case body:
-      return "body";
-    case rod:
-      return "rod";
-    case spring:
-      return "spring";
-    case rope:
-      return "rope";
-    case track:
-      return "track";
-    case disc:
-      return "disc";
-    case plate:
-      return "plate";
-    case support:
-      return "support";
-    case axis:
-      return "axis";
-    case arrow:
-      return "arrow";
-    case angle:
-      return "angle";
-    case length:
-      return "length";
-    case label:
-      return "label";
-  }
-  return "";
-}
-
 Json things_of(const Drawing& drawing) {
   Json things = Json::array();
   for (const Drawing::Primitive& p : drawing.primitives())
-    things.push_back({{"kind", name_of(p.kind)},
+    things.push_back({{"kind", Drawing::kind_names[static_cast<std::size_t>(p.kind)]},
                       {"size", brief(p.size)},
                       {"letter", p.letter},
                       {"trail", p.leaves_trail},

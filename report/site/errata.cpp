@@ -5,8 +5,8 @@
 
 #include "chapters/contents.hpp"
 #include "report/site/claims_section.hpp"
-#include "report/study/findings.hpp"
 #include "report/site/page.hpp"
+#include "report/study/findings.hpp"
 
 namespace oddity {
 
@@ -59,8 +59,8 @@ bool is_listed(const JudgedClaim& c) {
 
 /// What the solution says, and what of it is wrong as printed where that is not plain.
 std::string printed_text(const Claim& claim) {
-  const bool told = claim.says.find(claim.printed.text) != std::string::npos;
-  return html::text(claim.says) + (told ? "" : " <b>" + html::text(claim.printed.text) + "</b>");
+  return html::text(claim.says) +
+         (says_what_is_printed(claim) ? "" : " <b>" + html::text(claim.printed.text) + "</b>");
 }
 
 std::string sheet_row(const JudgedClaim& judged, const ExerciseResult& e) {

@@ -7,9 +7,9 @@
 #include "reference/text.hpp"
 #include "report/charts/drawing.hpp"
 #include "report/site/claims_section.hpp"
-#include "report/study/findings.hpp"
 #include "report/site/page.hpp"
 #include "report/site/quantity_section.hpp"
+#include "report/study/findings.hpp"
 
 namespace oddity {
 
@@ -43,7 +43,7 @@ std::string chapter_line(const ExerciseResult& e) {
 }
 
 /// The exercises before and after this one.
-std::string neighbours(const Results& results, const ExerciseResult& e) {
+std::string neighbours(const Results& results, const ExerciseResult& e, const std::string& label) {
   const auto here = std::ranges::find(results.exercises, e.number, &ExerciseResult::number);
   const auto step = [](const ExerciseResult& to, const std::string& rel, const std::string& name) {
     return "<a rel=\"" + rel + "\" href=\"" + page_of(to) + "\">" + name + "</a>";
@@ -55,7 +55,7 @@ std::string neighbours(const Results& results, const ExerciseResult& e) {
   if (here != results.exercises.begin()) text += step(*(here - 1), "prev", "← " + named(*(here - 1)));
   if (here != results.exercises.end() && here + 1 != results.exercises.end())
     text += step(*(here + 1), "next", named(*(here + 1)) + " →");
-  return element("nav", " class=\"neighbours\" aria-label=\"Before and after\"", text) + "\n";
+  return element("nav", " class=\"neighbours\" aria-label=\"" + label + "\"", text) + "\n";
 }
 
 std::string counts_line(const ExerciseResult& e) {
@@ -103,6 +103,20 @@ std::string player_section(const ExerciseResult& e) {
          to_string(e.number) + "</code>.</p></noscript></section>\n";
 }
 
+/// In the order in which they need one another.
+std::vector<std::string> scripts_of(const ExerciseResult& e) {
+  std::vector<std::string> scripts{"data/" + to_string(e.number) + ".js"};
+  const auto add = [&](std::initializer_list<std::string_view> names) {
+    for (std::string_view name : names) scripts.push_back("assets/" + std::string(name) + ".js");
+  };
+  if (e.scene)
+    add({"engine", "models", "stage", "drawn", "scale", "frames", "permalink", "motions", "slider", "lines",
+         "rows", "breaking", "clock", "picture", "player"});
+  if (!e.quantities.empty()) add({"findings", "marks", "diagrams", "chart", "trials"});
+  if (e.stability) add({"map"});
+  return scripts;
+}
+
 }  // namespace
 
 std::string exercise_page(const Results& results, const ExerciseResult& e) {
@@ -116,12 +130,10 @@ std::string exercise_page(const Results& results, const ExerciseResult& e) {
     head += element("p", " class=\"failure\"", "The study failed: " + html::escaped(e.failure));
   return html::whole(
       {number + " " + e.title + " - oddity",
-       neighbours(results, e) +
+       neighbours(results, e, "The exercises before and after") +
            element("header", " class=\"title\"", "<div>" + head + letters_of(e) + "</div>\n" + drawing) +
-           "\n" + sections_of(sections) + sections + neighbours(results, e),
-       {"data/" + number + ".js", "assets/engine.js", "assets/stage.js", "assets/player.js",
-        "assets/chart.js", "assets/map.js"},
-       "exercise"});
+           "\n" + sections_of(sections) + sections + neighbours(results, e, "Go on"),
+       scripts_of(e), "exercise"});
 }
 
 }  // namespace oddity

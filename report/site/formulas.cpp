@@ -74,19 +74,19 @@ function plain(node) {
     return { tag: node.type, attributes, text };
   }
   if (node.type === 'mover') delete attributes.accent;
-  return { tag: node.type, attributes, children: operators(children) };
+  return { tag: node.type, attributes, children: operators(children, /^(mrow|math|mtd|msqrt)$/.test(node.type)) };
 }
 
 const operator = (node) => node && (node.tag === 'mo' || opening.has(node.text));
 
 // The name of a function stands apart from its argument; a sign after an operator, or after what opens, belongs to
 // what follows it.
-function operators(nodes) {
+function operators(nodes, in_row = true) {
   const named = (node) => node.tag === 'mrow' && node.children.length === 2 && node.children[1].text === '\u2061';
   const children = nodes.map((node, i) => {
     if (!named(node) || node.children[0].text === undefined) return node;
     const before = nodes[i - 1], after = nodes[i + 1];
-    const apart = (beside) => beside && !operator(beside) && !closing.has(beside.text) ? '\u2009' : '';
+    const apart = (beside) => in_row && beside && !operator(beside) && !closing.has(beside.text) ? '\u2009' : '';
     return { tag: 'mi', attributes: {}, text: apart(before) + node.children[0].text + apart(after) };
   });
   children.forEach((child, i) => {

@@ -9,9 +9,9 @@
 #include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/site/claims_section.hpp"
-#include "report/study/findings.hpp"
 #include "report/site/moving_picture.hpp"
 #include "report/site/page.hpp"
+#include "report/study/findings.hpp"
 #include "report/study/tried.hpp"
 
 namespace oddity {
@@ -152,16 +152,17 @@ std::string unit_after(const std::string& unit) {
 }
 
 std::string ends_of(const BreakEven& b) {
+  const auto with_unit = [&](double x) { return with_powers(rounded(x, 3)) + unit_after(b.parameter_unit); };
   std::string text;
   for (const Interval& enough : b.enough) {
     const bool from_start = enough.from == b.looked.from, to_end = enough.to == b.looked.to;
     if (!text.empty()) text += " and ";
-    text += from_start && to_end ? "all the way"
-            : from_start         ? "up to " + with_powers(rounded(enough.to, 3))
-            : to_end             ? "from " + with_powers(rounded(enough.from, 3)) + " on"
-                     : with_powers(rounded(enough.from, 3)) + " to " + with_powers(rounded(enough.to, 3));
+    text += from_start && to_end ? "everywhere"
+            : from_start         ? "up to " + with_unit(enough.to)
+            : to_end             ? "from " + with_unit(enough.from) + " on"
+                                 : with_powers(rounded(enough.from, 3)) + " to " + with_unit(enough.to);
   }
-  return text + unit_after(b.parameter_unit);
+  return text;
 }
 
 std::string simpler_cell(const Ledger& ledger) {
@@ -169,8 +170,10 @@ std::string simpler_cell(const Ledger& ledger) {
   for (const BreakEven& b : ledger.break_evens)
     items += element(
         "li", "", html::escaped(b.model) + ": <var>" + html::escaped(b.parameter) + "</var> " + ends_of(b));
+  std::string never;
   for (const std::string& model : ledger.never)
-    items += element("li", "", html::escaped(model) + ": nowhere");
+    never += (never.empty() ? "nowhere: " : "; ") + html::escaped(model);
+  if (!never.empty()) items += element("li", "", never);
   return items.empty() ? "" : element("ul", "", items);
 }
 
@@ -178,9 +181,11 @@ std::string fault_cell(const ExerciseResult& e) {
   const Path* path = published_path(e);
   const auto findings = findings_of(e);
   if (path && broken_by(e) > 0) {
-    const std::string off = path->outcome == Outcome::ok || path->outcome == Outcome::inaccurate
-                                ? "off by " + with_powers(shown_error(path->error))
-                                : std::string(name_of(path->outcome));
+    const std::string off =
+        path->outcome == Outcome::ok || path->outcome == Outcome::inaccurate
+            ? "off by " + with_powers(shown_error(path->error)) +
+                  (e.ledger->unit.find(',') == std::string::npos ? unit_after(e.ledger->unit) : "")
+            : std::string(name_of(path->outcome));
     return html::link(to_string(e.number) + ".html#findings",
                       "<em>" + html::escaped(path->model) + "</em>: " + off);
   }

@@ -6,9 +6,9 @@
 
 #include "reference/text.hpp"
 #include "report/site/claims_section.hpp"
-#include "report/study/findings.hpp"
 #include "report/site/page.hpp"
 #include "report/site/script.hpp"
+#include "report/study/findings.hpp"
 #include "solvers/ode/catalog.hpp"
 
 namespace oddity {
@@ -88,7 +88,8 @@ std::string chooser_page(const Results& results) {
        "<div class=\"chooser\"><noscript><p>The chooser needs scripts. On a terminal: <code>oddity choose 3.5 --error "
        "1deg</code>.</p></noscript></div>\n<section>\n<h2>The scenes</h2>\n<ul class=\"scenes\">" +
            scenes + "</ul>\n</section>\n",
-       {"assets/engine.js", "assets/stage.js", "assets/chart.js", "assets/chooser.js"},
+       {"assets/engine.js", "assets/models.js", "assets/findings.js", "assets/marks.js", "assets/diagrams.js",
+        "assets/chart.js", "assets/chooser.js", "data/scenes.js"},
        "choose"});
 }
 

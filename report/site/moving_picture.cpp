@@ -9,8 +9,8 @@
 #include "reference/text.hpp"
 #include "report/charts/drawing.hpp"
 #include "report/charts/sketch.hpp"
-#include "report/study/findings.hpp"
 #include "report/site/page.hpp"
+#include "report/study/findings.hpp"
 
 namespace oddity {
 
@@ -40,7 +40,7 @@ Film film_of(const Path& path, const Trajectory& t, const Entry& entry, std::siz
 
 bool is_shown(Kind kind) {
   return kind == Kind::body || kind == Kind::rod || kind == Kind::rope || kind == Kind::spring ||
-         kind == Kind::track || kind == Kind::disc || kind == Kind::plate;
+         kind == Kind::track || kind == Kind::disc || kind == Kind::plate || kind == Kind::arrow;
 }
 
 /// From the scene's lengths to the picture's.
@@ -71,7 +71,7 @@ std::string pair(Spot s) { return pixels(s.x) + "," + pixels(s.y); }
 
 std::string points_text(const Drawing::Primitive& p, const View& view, const Drawing& drawing) {
   std::string text;
-  constexpr std::size_t most = 12;  // of a rope or a curve
+  const std::size_t most = p.kind == Kind::track ? 60 : 12;
   const std::size_t last = p.points.size() - 1, count = std::min(most, last);
   for (std::size_t i = 0; i <= count; ++i)
     text += (i == 0 ? "" : " ") + pair(view(p.points[count == 0 ? 0 : i * last / count], drawing));

@@ -37,7 +37,8 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
   std::size_t written = 0;
   for (const ExerciseResult& e : results.exercises) {
     if (progress) progress("writing the site", written++, results.exercises.size());
-    write_whole(folder / "data" / (to_string(e.number) + ".js"), exercise_data(e, truth, styles, !has_module()));
+    write_whole(folder / "data" / (to_string(e.number) + ".js"),
+                exercise_data(e, truth, styles, !has_module()));
   }
   write_whole(folder / "data" / "scenes.js", scenes_data(results, styles));
   write_whole(folder / "data" / "search.js", search_index(results));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <functional>
+#include <string_view>
 
 namespace oddity {
 
@@ -54,6 +55,13 @@ const Reading& right_reading(const JudgedClaim& judged) {
   return judged.verdict == Verdict::misprint  ? judged.claim.meant
          : judged.verdict == Verdict::erratum ? judged.claim.corrected
                                               : judged.claim.printed;
+}
+
+bool says_what_is_printed(const Claim& claim) {
+  std::string_view printed = claim.printed.text;
+  if (printed.size() > 2 && printed.find('$', 1) == printed.size() - 1 && printed.starts_with('$'))
+    printed = printed.substr(1, printed.size() - 2);
+  return claim.says.find(printed) != std::string::npos;
 }
 
 const Trajectory* trajectory_of(const ExerciseResult& e) {

@@ -34,6 +34,9 @@ struct Tally {
 /// What the decision about a claim rests on: what was meant by a misprint, what is right for an erratum.
 const Reading& right_reading(const JudgedClaim&);
 
+/// What is printed stands in the claim's own words.
+bool says_what_is_printed(const Claim&);
+
 /// The published version of a scene among its recorded motions, and the truest; none where the book has no
 /// motion of its own.
 const Path* published_path(const ExerciseResult&);

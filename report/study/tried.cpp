@@ -12,7 +12,7 @@ namespace oddity {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinite_error = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// Steps per frame, from one on, none much more than half as many again as the one before.
 constexpr std::array steps_per_frame{1,  2,  3,  4,  5,  6,  8,   10,  12,  16,  20,  24,
@@ -47,8 +47,8 @@ std::vector<double> as_far_as_known(const Quantity& motion, const Trial& trial) 
 double judged(const Quantity& motion, const Method& method, const Trial& trial,
               const std::vector<double>& errors, const Need& need) {
   const Answer& answer = trial.answer;
-  if (!answer.reached() || !finite(answer.value)) return infinite_error;
-  double error = infinite_error;
+  if (!answer.reached() || !finite(answer.value)) return unbounded;
+  double error = unbounded;
   switch (need.criterion) {
     case Criterion::path:
       error = motion.in_needs(errors);
@@ -57,7 +57,7 @@ double judged(const Quantity& motion, const Method& method, const Trial& trial,
       error = answer.drift / need.error;
       break;
     case Criterion::bounded:
-      error = trial.outcome == Outcome::diverged ? infinite_error : answer.drift;
+      error = trial.outcome == Outcome::diverged ? unbounded : answer.drift;
       break;
     case Criterion::constraint:
       error = method.off_constraint ? method.off_constraint(trial.setting) / need.error : 0;
@@ -70,7 +70,7 @@ double judged(const Quantity& motion, const Method& method, const Trial& trial,
               need.error;
     }
   }
-  return std::isnan(error) ? infinite_error : error;
+  return std::isnan(error) ? unbounded : error;
 }
 
 /// How it ended where it does not hold.
@@ -103,11 +103,11 @@ Tried attempt(const std::vector<Start>& starts, const Method& method, double set
     if (&start == &starts.front())
       tried.evaluations_per_frame = static_cast<double>(trial.answer.evaluations) / need.frames();
     const std::vector<double> errors = as_far_as_known(start.motion, trial);
-    const double error = here ? judged(start.motion, *here, trial, errors, need) : infinite_error;
+    const double error = here ? judged(start.motion, *here, trial, errors, need) : unbounded;
     tried.error = std::max(tried.error, error);
     tried.errors.resize(start.motion.units().size(), 0);
     for (std::size_t i = 0; i < errors.size(); ++i)
-      tried.errors[i] = std::isfinite(errors[i]) ? std::max(tried.errors[i], errors[i]) : infinite_error;
+      tried.errors[i] = std::isfinite(errors[i]) ? std::max(tried.errors[i], errors[i]) : unbounded;
     if (tried.holds() && !(error <= 1)) {
       tried.outcome = failure(trial);
       tried.where = start.says;

@@ -18,12 +18,11 @@
   'use strict';
 
   const endings = ['reached', 'non-finite', 'stalled', 'raised', 'chattering', 'grazing'];
-  const kinds = ['body', 'rod', 'spring', 'rope', 'track', 'disc', 'plate', 'support', 'axis', 'arrow', 'angle',
-    'length', 'label'];
   const closedForm = {name: 'closed form', kind: 'closed form', order: 0, knob: '', inFloat: true};
 
   let wasm = null;        // the module's exports
   let scenes = new Map();
+  let kinds = [];         // of primitives, by name
   let answer;
   const ready = new Promise(resolve => { answer = resolve; });
 
@@ -65,6 +64,7 @@
 
   function describe(all) {
     engine.algorithms = all.algorithms.concat([closedForm]);
+    kinds = all.kinds;
     all.scenes.forEach((scene, index) => scenes.set(scene.number, known(scene, index)));
   }
 
@@ -152,15 +152,14 @@
   }
 
   function collected(scene, states, times, seconds) {
-    const ending = endings[wasm.ending()];
-    const whole = ending === 'reached' ? states : Math.max(0, states - 1);
+    const whole = wasm.whole();
     const observed = filled(wasm.observed(), whole, scene.observables, times);
     const last = whole === states ? null
       : numbers(wasm.observed() + 8 * whole * scene.observables, scene.observables);
     const optional = address => (address ? filled(address, whole, 1, times) : new Float64Array(0));
     return {
-      observed, drift: optional(wasm.drift()), off: optional(wasm.off()), evaluations: wasm.evaluations(), ending,
-      message: text(wasm.message()), seconds, last
+      observed, drift: optional(wasm.drift()), off: optional(wasm.off()), evaluations: wasm.evaluations(),
+      ending: endings[wasm.ending()], message: text(wasm.message()), seconds, last
     };
   }
 

@@ -7,7 +7,10 @@
 
   // Called by data/search.js.
   oddity.index = (all) => {
-    entries = all.map(([to, kind, title, text]) => ({ to, kind, title, text, words: `${title} ${text} ${kind}`.toLowerCase() }));
+    const names = new Map(all.filter(([, kind]) => kind === 'exercise').map(([to, , title]) => [to, title]));
+    entries = all.map(([to, kind, title, text]) => ({
+      to, kind, title, text, words: `${title} ${text} ${kind} ${names.get(to.split('#')[0])}`.toLowerCase(),
+    }));
     show();
   };
 

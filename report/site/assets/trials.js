@@ -3,7 +3,19 @@
 (function (oddity) {
   'use strict';
 
-  const { number, count, duration, element, methodsOf, contextOf, quantityNamed, detailOf, isPoint, said, play } = oddity.charts;
+  const {
+    number,
+    count,
+    duration,
+    element,
+    methodsOf,
+    contextOf,
+    quantityNamed,
+    detailOf,
+    isPoint,
+    said,
+    play,
+  } = oddity.charts;
 
   /** Two values of a column: numbers by size, those that are none last; words by the alphabet. */
   function compared(a, b) {
@@ -15,7 +27,9 @@
   /** Sorted by a column, up or down; what has no value stays last. */
   function sorted(points, value, down) {
     const none = (p) => value(p) === null || value(p) === '';
-    return [...points].sort((a, b) => none(a) || none(b) ? none(a) - none(b) : (down ? -1 : 1) * compared(value(a), value(b)));
+    return [...points].sort((a, b) =>
+      none(a) || none(b) ? none(a) - none(b) : (down ? -1 : 1) * compared(value(a), value(b)),
+    );
   }
 
   function columnsOf(quantity, context) {
@@ -23,8 +37,16 @@
     const unit = quantity.unit && quantity.unit !== '1' ? ' [' + quantity.unit + ']' : '';
     const columns = [
       { name: 'model', value: (p) => p.method.model },
-      { name: 'algorithm', value: (p) => p.method.algorithm + (p.method.precision === 'float' ? ' in float' : '') },
-      { name: 'error' + unit, value: (p) => p.error, text: (p) => (p.error === null ? 'no number' : number(p.error, 3)), numeric: true },
+      {
+        name: 'algorithm',
+        value: (p) => p.method.algorithm + (p.method.precision === 'float' ? ' in float' : ''),
+      },
+      {
+        name: 'error' + unit,
+        value: (p) => p.error,
+        text: (p) => (p.error === null ? 'no number' : number(p.error, 3)),
+        numeric: true,
+      },
       { name: 'evaluations', value: (p) => p.evaluations, text: (p) => count(p.evaluations), numeric: true },
       { name: 'time', value: (p) => p.ns, text: (p) => (p.ns === null ? '' : duration(p.ns)), numeric: true },
       { name: 'outcome', value: (p) => context.outcomes[p.outcome] || p.outcome },
@@ -32,8 +54,11 @@
     if (knobs.size) {
       const only = knobs.size === 1 ? [...knobs][0] : 'setting';
       columns.splice(2, 0, {
-        name: only, value: (p) => (p.method.knob ? p.setting : null), numeric: true,
-        text: (p) => (!p.method.knob ? '' : (knobs.size > 1 ? p.method.knob + ' ' : '') + number(p.setting, 3)),
+        name: only,
+        value: (p) => (p.method.knob ? p.setting : null),
+        numeric: true,
+        text: (p) =>
+          !p.method.knob ? '' : (knobs.size > 1 ? p.method.knob + ' ' : '') + number(p.setting, 3),
       });
     }
     return columns;
@@ -48,8 +73,15 @@
 
     for (const p of points) {
       const row = element('tr', { tabindex: '-1' });
-      columns.forEach((c, i) => row.append(element(i ? 'td' : 'th', i ? { class: c.numeric ? 'number' : undefined } : { scope: 'row' },
-        c.text ? c.text(p) : c.value(p))));
+      columns.forEach((c, i) =>
+        row.append(
+          element(
+            i ? 'td' : 'th',
+            i ? { class: c.numeric ? 'number' : undefined } : { scope: 'row' },
+            c.text ? c.text(p) : c.value(p),
+          ),
+        ),
+      );
       row.dataset.outcome = p.outcome;
       rows.set(p, row);
     }
@@ -99,7 +131,8 @@
     body.addEventListener('keydown', (event) => {
       const p = pointOf(event.target);
       if (!p) return;
-      const all = points, at = all.indexOf(p);
+      const all = points,
+        at = all.indexOf(p);
       const next = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: all.length - 1 }[event.key];
       if (event.key === 'Enter' && context.plays) play(detailOf(p, quantity));
       else if (next !== undefined && all[next]) rows.get(all[next]).focus();
@@ -107,19 +140,28 @@
       event.preventDefault();
     });
     document.addEventListener('oddity:point', (event) => {
-      if (event.detail && event.detail.quantity === quantity.name && !event.detail.parameters) light(event.detail);
+      if (event.detail && event.detail.quantity === quantity.name && !event.detail.parameters)
+        light(event.detail);
     });
     place();
-    const made = element('table', { class: context.plays ? 'plays' : undefined },
+    const made = element(
+      'table',
+      { class: context.plays ? 'plays' : undefined },
       element('caption', {}, quantity.says + (context.plays ? '. Enter or a click on a row plays it.' : '')),
-      element('thead', {}, element('tr', {}, ...heads)), body);
+      element('thead', {}, element('tr', {}, ...heads)),
+      body,
+    );
     return { made, light };
   }
 
   /** Folded in its place; the table is made when it is opened first. */
   function fold(place, quantity, context) {
     const trials = quantity.methods.reduce((sum, m) => sum + m.trials.length, 0);
-    const summary = element('summary', {}, 'All ' + count(trials) + ' trials of ' + count(quantity.methods.length) + ' methods as a table');
+    const summary = element(
+      'summary',
+      {},
+      'All ' + count(trials) + ' trials of ' + count(quantity.methods.length) + ' methods as a table',
+    );
     const details = element('details', {}, summary);
     let last = null;
     document.addEventListener('oddity:point', (event) => {
@@ -128,7 +170,13 @@
     details.addEventListener('toggle', () => {
       if (!details.open || details.children.length > 1) return;
       const { made, light } = table(quantity, context);
-      details.append(element('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'trials of ' + quantity.name }, made));
+      details.append(
+        element(
+          'div',
+          { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'trials of ' + quantity.name },
+          made,
+        ),
+      );
       if (last) light(last);
     });
     place.replaceChildren(details);
@@ -144,4 +192,4 @@
 
   oddity.trials = { compared, sorted, columnsOf };
   if (typeof document !== 'undefined') oddity.charts.whenReady(start);
-})(window.oddity = window.oddity || {});
+})((window.oddity = window.oddity || {}));

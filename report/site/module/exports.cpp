@@ -133,6 +133,7 @@ ODDITY_EXPORT(describe) const char* describe() {
     std::string all;
     for (std::size_t i = 0; i < scenes().size(); ++i) all += (i ? "," : "") + text_of(i);
     return "{\"algorithms\":" + listed(algorithms(), [](const Algorithm& a) { return text_of(a); }) +
+           ",\"kinds\":" + listed(Drawing::kind_names, [](std::string_view name) { return quoted(name); }) +
            ",\"scenes\":[" + all + "]}";
   }();
   return text.c_str();
@@ -160,6 +161,7 @@ std::size_t run(std::size_t scene, std::size_t model, const char* algorithm, boo
                     numbers.subspan(count));
   return motion.states;
 }
+ODDITY_EXPORT(whole) std::size_t whole() { return motion.whole; }
 ODDITY_EXPORT(observed) const double* observed() { return motion.observed.data(); }
 ODDITY_EXPORT(drift) const double* drift() { return motion.drift.empty() ? nullptr : motion.drift.data(); }
 ODDITY_EXPORT(off) const double* off() { return motion.off.empty() ? nullptr : motion.off.data(); }

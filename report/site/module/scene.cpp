@@ -67,6 +67,7 @@ template <std::size_t n>
 Motion ModelOf<n>::seen(const ode::Trajectory<State>& trajectory, std::span<const double> times) const {
   Motion motion;
   motion.states = trajectory.value.size();
+  motion.whole = motion.states - (trajectory.reached() || motion.states == 0 ? 0 : 1);
   for (std::size_t i = 0; i < motion.states; ++i) {
     observe(trajectory.value[i], times[i], motion.observed);
     if (this->constrained()) motion.off.push_back(off_constraint(trajectory.value[i], times[i]));

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -22,7 +24,8 @@ namespace oddity::module {
 
 /// A motion at the times asked for, one time after the other, as far as it came.
 struct Motion {
-  std::size_t states = 0;  ///< the times that have one, the last of them where it broke off
+  std::size_t states = 0;  ///< the times that have one
+  std::size_t whole = 0;   ///< those that it came to: not the last state where it broke off
   std::vector<double> observed;
   std::vector<double> drift;  ///< by what part of what moves the conserved quantities have changed; or empty
   std::vector<double> off;    ///< m, off the constraint; empty where there is none
@@ -62,7 +65,11 @@ class Formula final : public Model {
     };
     for (double t : times)
       precision == Precision::in_float ? see(in_float_.at(static_cast<float>(t))) : see(in_double_.at(t));
-    motion.states = times.size();
+    const auto later =
+        motion.observed.begin() + static_cast<std::ptrdiff_t>(motion.observed.size() / times.size());
+    if (!std::all_of(later, motion.observed.end(), [](double x) { return std::isfinite(x); }))
+      motion.ending = Ending::non_finite;
+    motion.states = motion.whole = times.size();
     motion.evaluations = static_cast<long>(times.size()) - 1;
     return motion;
   }

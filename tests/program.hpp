@@ -1,0 +1,43 @@
+#pragma once
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+/// The program as a user has it.
+namespace program {
+
+struct Ran {
+  int status;
+  std::string output;  ///< standard output and standard error together
+};
+
+/// Runs a shell's command, in which $oddity is the program.
+inline Ran shell(const std::string& command) {
+  const std::string words = "oddity='" + std::string(ODDITY_PROGRAM) + "'; { " + command + "; } 2>&1";
+  std::FILE* pipe = popen(words.c_str(), "r");
+  Ran ran{-1, ""};
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    ran.output.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  return ran;
+}
+
+/// Runs the program with these arguments.
+inline Ran run(const std::string& arguments) { return shell("$oddity " + arguments); }
+
+/// The same on a terminal of so many columns, with these settings of the environment before.
+inline Ran on_terminal(int columns, const std::string& arguments, const std::string& environment = "") {
+  return shell("TERM=xterm COLUMNS=" + std::to_string(columns) + " " + environment +
+               " script -qec \"$oddity " + arguments + "\" /dev/null");
+}
+
+inline bool says(const Ran& ran, const std::string& text) {
+  return ran.output.find(text) != std::string::npos;
+}
+
+}  // namespace program

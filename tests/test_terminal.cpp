@@ -1,0 +1,232 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "report/pages/closing_screen.hpp"
+#include "report/pages/readable.hpp"
+#include "report/pages/table_text.hpp"
+#include "tests/catch.hpp"
+#include "tests/program.hpp"
+#include "tests/run_of_all.hpp"
+
+using namespace oddity;
+using namespace program;
+
+namespace {
+
+const Screen narrow{20, false}, coloured{40, true};
+
+std::size_t widest_line(const std::string& text) {
+  std::string lines = text;
+  std::ranges::replace(lines, '\r', '\n');  // after which a line is written over
+  std::istringstream in(lines);
+  std::size_t widest = 0;
+  for (std::string line; std::getline(in, line);) widest = std::max(widest, columns_of(line));
+  return widest;
+}
+
+std::string without_colour(const std::string& text) {
+  return std::regex_replace(text, std::regex("\x1b\\[[0-9;]*m"), "");
+}
+
+const std::vector<std::vector<std::string>> table{
+    {"model", "algorithm", "error", "outcome"},
+    {"one angle", "Runge-Kutta 4", "0.01", "ok"},
+    {"one angle", "velocity Verlet", "0.02", "ok"},
+    {"two", "velocity Verlet", "0.02", "raised: it is at an end"}};
+
+/// The first line of a table of comma-separated values, by column.
+std::vector<std::string> columns_in(const std::string& csv) {
+  std::istringstream line(csv.substr(0, csv.find('\n')));
+  std::vector<std::string> columns;
+  for (std::string column; std::getline(line, column, ',');) columns.push_back(column);
+  return columns;
+}
+
+}  // namespace
+
+TEST_CASE("a screen counts letters, not bytes, colours or accents", "[terminal]") {
+  CHECK(columns_of("abc") == 3);
+  CHECK(columns_of("θ₀ = 30°") == 8);
+  CHECK(columns_of("x\u0304y") == 2);
+  CHECK(columns_of(coloured.styled(Style::bad, "abc")) == 3);
+  CHECK(coloured.styled(Style::bad, "abc") == "\x1b[31mabc\x1b[0m");
+  CHECK(narrow.styled(Style::bad, "abc") == "abc");
+  CHECK(cut("abcdef", 6) == "abcdef");
+  CHECK(cut("abcdef", 5) == "ab...");
+  CHECK(cut("θθθθθθ", 5) == "θθ...");
+  CHECK(cut("abcdef", 2) == "..");
+  CHECK(cut(coloured.styled(Style::good, "abcdef"), 5) == "\x1b[32mab\x1b[0m...");
+  CHECK(cut_at_word("the pendulum swings", 19) == "the pendulum swings");
+  CHECK(cut_at_word("the pendulum swings", 17) == "the pendulum...");
+  CHECK(cut_at_word("the pendulum, swinging", 17) == "the pendulum...");
+  CHECK(cut_at_word("a 0123456789012345", 10) == "a 01234...");
+}
+
+TEST_CASE("text is broken between words", "[terminal]") {
+  const std::string text = "  the first line has seven words\nshort\n\n";
+  CHECK(wrapped(text, {}) == text);
+  CHECK(wrapped(text, narrow, 4) == "  the first line has\n    seven words\nshort\n\n");
+  CHECK(wrapped("one two", {3, false}) == "one\ntwo");
+  CHECK(wrapped("unbreakable", {3, false}) == "unbreakable");
+}
+
+TEST_CASE("a table gives way where it is too wide", "[terminal]") {
+  const std::string whole = aligned(table);
+  CHECK(whole ==
+        "  model      algorithm        error  outcome\n"
+        "  one angle  Runge-Kutta 4    0.01   ok\n"
+        "  one angle  velocity Verlet  0.02   ok\n"
+        "  two        velocity Verlet  0.02   raised: it is at an end\n");
+  const Fitting fit{{"algorithm", "outcome"}, {"error"}};
+  CHECK(aligned(table, {}, fit) == whole);
+  CHECK(aligned(table, {60, false}, fit) == whole);
+  CHECK(aligned(table, {52, false}, fit) ==
+        "  model      algorithm        error  outcome\n"
+        "  one angle  Runge-Kutta 4    0.01   ok\n"
+        "  one angle  velocity Verlet  0.02   ok\n"
+        "  two        velocity Verlet  0.02   raised: it i...\n");
+  CHECK(aligned(table, {45, false}, fit) ==
+        "  model      algorithm        outcome\n"
+        "  one angle  Runge-Kutta 4    ok\n"
+        "  one angle  velocity Verlet  ok\n"
+        "  two        velocity Verlet  raised: it i...\n"
+        "  (too wide for this screen: error)\n");
+  CHECK(aligned(table, {45, false}, {{"outcome"}, {}, true}) ==
+        "  algorithm          error  outcome\n"
+        "  one angle:\n"
+        "    Runge-Kutta 4    0.01   ok\n"
+        "    velocity Verlet  0.02   ok\n"
+        "  two:\n"
+        "    velocity Verlet  0.02   raised: it is ...\n");
+}
+
+TEST_CASE("formulas are readable without TeX", "[terminal]") {
+  CHECK(readable("units of $\\sqrt{L/2g}$, `HALF_PI`") == "units of √(L/2g), HALF_PI");
+  CHECK(readable("$\\sqrt2\\,K(\\sin15^\\circ)=2.26$") == "√2 K(sin 15°)=2.26");
+  CHECK(readable("$\\dot\\theta_0$, $\\ddot{q}_{12}$, $x_k$, $e^{-at}$") == "θ'₀, q''₁₂, xₖ, e^(-at)");
+  CHECK(readable("$8.9\\cdot10^{45}\\,\\mathrm{kg\\,m^2/s}$") == "8.9·10⁴⁵ kg m²/s");
+  CHECK(readable("$\\frac{a+b}{2}$, $\\tfrac23$, $-\\frac{GM}{r_0}$") == "(a+b)/2, 2/3, -GM/r₀");
+  CHECK(readable("$\\mathbf a\\times\\mathbf b$ for $\\alpha\\ge0$") == "a×b for α≥0");
+  CHECK(readable("5 $ and a `") == "5 $ and a `");
+  CHECK(readable("$\\") == "$\\");
+  CHECK(readable("$\\sqrt$ $x^$ ${$") == "√ x ");
+}
+
+TEST_CASE("no text of the exercises keeps TeX on a terminal", "[terminal]") {
+  for (const ExerciseResult& e : run_of_all().exercises) {
+    for (const Root& root : e.roots) CHECK(readable(root.shows).find_first_of("\\{}") == std::string::npos);
+    for (const JudgedClaim& c : e.claims) {
+      const std::string text = readable(c.claim.says);
+      INFO(c.claim.id << ": " << text);
+      CHECK(text.find('\\') == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("a run ends with a screen of what was checked, what is wrong and what to open", "[terminal]") {
+  const Results& results = run_of_all();
+  const Closing closing{true, 61.5, "/site/index.html", "/report/README.md"};
+  for (const std::size_t width : {50, 60, 80, 100, 200}) {
+    const std::string screen = closing_screen(results, closing, {width, true});
+    INFO(screen);
+    CHECK(widest_line(screen) <= std::min<std::size_t>(width, 120));
+    CHECK(screen.find("\x1b[32m615 confirmed\x1b[0m") != std::string::npos);
+  }
+  const std::string plain = closing_screen(results, closing, {});
+  INFO(plain);
+  CHECK(plain.find('\x1b') == std::string::npos);
+  for (const char* part :
+       {"48 exercises, 788 claims, 180 quantities in", "615 confirmed, 90 misprints, 80 errata",
+        "\n  3.5   A pendulum of one metre takes 0.510 s", "and 50 others", "/site/index.html",
+        "/report/README.md", "All as on record, after 1 minute 2 seconds."})
+    CHECK(plain.find(part) != std::string::npos);
+  Results scenes = results;
+  Tried tried{};
+  tried.algorithm = "closed form";
+  LeastModel least{"1 degree", {}, tried};
+  scenes.exercises[0].ledger = Ledger{"rad", {least}, {}, {}};
+  scenes.exercises[1].ledger = scenes.exercises[0].ledger;
+  least.least->algorithm = "Runge-Kutta 4";
+  least.least->knob = "step";
+  scenes.exercises[2].ledger = Ledger{"rad", {least}, {}, {}};
+  CHECK(
+      closing_screen(scenes, closing, {}).find("\n  a closed form in 2 scenes, Runge-Kutta 4 in 1 scene\n") !=
+      std::string::npos);
+  CHECK(closing_screen(results, {false, 1, "", ""}, {}).find("Not as on record") != std::string::npos);
+  CHECK(closing_screen({}, closing, {}).find("0 exercises, 0 claims") != std::string::npos);
+}
+
+TEST_CASE("what is printed fits the terminal", "[terminal]") {
+  for (const int width : {50, 60, 80})
+    for (const std::string arguments :
+         {"list", "solve 3.5", "solve 5.5", "stability 3.5 --out /tmp/oddity_terminal_maps",
+          "choose 3.31 --error 1cm,1deg --horizon 1 --all", "sovle", "solve 3.5 b=1", "--help",
+          "choose --help", "verify --help", "bench --help", "new --help"}) {
+      const Ran ran = on_terminal(width, arguments + " 2>&1");
+      INFO(arguments << "\n" << ran.output);
+      CHECK(widest_line(ran.output) <= static_cast<std::size_t>(width));
+      CHECK(ran.output.size() > 20);
+    }
+}
+
+TEST_CASE("colour is for terminals, and off when the user wants none", "[terminal]") {
+  for (const std::string arguments : {"solve 3.5", "verify '[9.1]'", "list 3.5"}) {
+    const std::string plain = run(arguments).output;
+    const auto has_colour = [](const Ran& ran) { return says(ran, "\x1b["); };
+    INFO(arguments);
+    CHECK_FALSE(has_colour(run(arguments)));
+    CHECK(has_colour(on_terminal(300, arguments)));
+    CHECK_FALSE(has_colour(on_terminal(300, arguments, "NO_COLOR=1")));
+    CHECK_FALSE(has_colour(on_terminal(300, arguments, "NO_COLOR=1 CLICOLOR_FORCE=1")));
+    CHECK_FALSE(has_colour(on_terminal(300, arguments, "TERM=dumb")));
+    const Ran forced = shell("CLICOLOR_FORCE=1 $oddity " + arguments);
+    CHECK(has_colour(forced));
+    CHECK_FALSE(has_colour(shell("CLICOLOR_FORCE=0 $oddity " + arguments)));
+    CHECK_FALSE(has_colour(shell("CLICOLOR_FORCE=1 NO_COLOR=1 $oddity " + arguments)));
+    if (arguments == "list 3.5") CHECK(without_colour(forced.output) == plain);
+  }
+}
+
+TEST_CASE("tables come as CSV and as JSON, and help names their columns", "[terminal]") {
+  for (const std::string arguments : {"list 3.5", "verify '[3.5]'", "chart 3.5", "stability 3.5", "solve 3.5",
+                                      "choose 3.5 --error 1deg --horizon 1"}) {
+    INFO(arguments);
+    const Ran csv = run(arguments + " --csv"), json = run(arguments + " --json");
+    CHECK(csv.status == 0);
+    CHECK(json.status == 0);
+    const std::string help = std::regex_replace(
+        run(arguments.substr(0, arguments.find(' ')) + " --help").output, std::regex("\n *"), " ");
+    for (const std::string& column : columns_in(csv.output)) {
+      INFO(column << " in\n" << help);
+      const bool unit = column.starts_with("error [");
+      CHECK(help.find(unit ? "error [unit]" : column) != std::string::npos);
+    }
+    const auto read = nlohmann::json::parse(json.output);
+    if (read.is_array()) {
+      CHECK(std::count(csv.output.begin(), csv.output.end(), '\n') == static_cast<long>(read.size()) + 1);
+      CHECK(read.front().size() == columns_in(csv.output).size());
+    } else if (arguments.starts_with("choose")) {
+      for (const auto& [key, value] : read.items()) CHECK(help.find(key) != std::string::npos);
+    }
+  }
+  CHECK(says(run("verify '[3.5]' --csv"), "\n3.5,3.5-value,"));
+  CHECK(says(run("verify '[3.5]' --csv"), ",erratum,erratum,"));
+  CHECK(says(run("chart 3.5 --csv"),
+             "\n3.5,quarter_period,sqrt(L/2g),singular integrand,QAGS,double,tolerance,0.01,"));
+}
+
+TEST_CASE("what takes long says how far it is, on a terminal in one line", "[terminal]") {
+  const std::string question = "choose 3.25 --error 1mm --horizon 10 --time-limit 6s";
+  const Ran terminal = on_terminal(40, question);
+  INFO(terminal.output);
+  CHECK(terminal.status == 2);
+  CHECK(says(terminal, "\roddity: "));
+  std::istringstream updates(terminal.output);
+  for (std::string update; std::getline(updates, update, '\r');) CHECK(columns_of(update) <= 40);
+  const Ran piped = run(question);
+  INFO(piped.output);
+  CHECK_FALSE(says(piped, "\r"));
+  CHECK_FALSE(says(run("list 3.5"), "oddity: "));
+}
