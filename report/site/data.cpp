@@ -2,29 +2,28 @@
 // reader can use; those that are not finite are null. An outcome is its letter on the maps of stability.
 //   number, title
 //   outcomes     {letter: name}
-//   parameters   [{name, value, unit, says, least, most, whole}]
+//   parameters   [{name, value, unit, says, least, most, whole}], of a scene
 //   styles       {colours: {model: place}, marks: {algorithm: place}, families: {algorithm: name}}: as in the
 //                static charts; places in the order of their palettes (charts/chart_style.hpp)
-//   quantities   [{name, unit, says, samples, need, reason, reference, reference_error, floor, size, charts,
-//                methods}]; no error means anything below `floor`; `size` is the true value's; `charts` are
-//                what its error is drawn against: "evaluations", "setting", "time". A method is
-//                {model, algorithm, precision: "double"|"float", knob: "step"|"tolerance"|...|"",
-//                trials: [[setting, error, evaluations, ns, spread, outcome], ...]}, the time and its spread
-//                in nanoseconds, and has where it is expected to fail also {expected: name, why}
+//   quantities   [{name, unit, says, samples, need, floor, size, charts, settings: [[setting]], methods}];
+//                no error means anything below `floor`; `size` is the true value's; `charts` are what its
+//                error is drawn against: "evaluations", "setting", "time". A method is {model, algorithm,
+//                precision: "float", or none: double, knob: "step"|"tolerance"|...|"", settings: which of the
+//                lists, trials: [[error, evaluations, ns, spread, outcome], ...], one a setting}, the time
+//                and its spread in nanoseconds; page.js puts the setting before each
 //   scene        null, or {quantity: its index, horizon, time_unit, close: {unit: error}, observables:
-//   [name],
-//                norms: [{unit, components}], varied, over: [value], truth, paths}
+//                [name], norms: [{unit, components}], varied, over: [value], truth, paths}
 //     truth      {end, frames, values}: the true observables at frame 0, 1, ..., frames, one time after the
 //                other, by the reference; values are floats, least byte first, in base64
 //     paths      [{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]: recorded
-//                motions, from frame 1 on as far as they come; values are whole numbers of 16 bits, least
-//                byte first, in base64, from 0 for the observable's `least` to 65535 for its `most`
-//     drawn      where the page has no models to draw by, of a scene that says how it looks: {space, things:
-//     [{kind,
-//                size, letter, trail, points: how many}], still, moving, least, most, truth, paths}; the
-//                places of the things' points, one after the other, x, y and in space z, are `still` but for
-//                those at the indices `moving`; these are in `truth` from frame 0 on and in each of `paths`,
-//                written as values of paths are, between `least` and `most`
+//                motions, of what the module has not, from frame 1 on as far as they come; values are whole
+//                numbers of 16 bits, least byte first, in base64, from 0 for the observable's `least` to 65535
+//                for its `most`
+//     drawn      where the page has no models to draw by: {space, things: [{kind, size, letter, trail,
+//                points: how many}], still, moving, least, most, truth, paths}; the places of the things'
+//                points, one after the other, x, y and in space z, are `still` but for those at the indices
+//                `moving`; these are in `truth` from frame 0 on and in each of `paths`, written as values of
+//                paths are, between `least` and `most`
 //   stability    null, or {limits: [{model, algorithm, shown, stable, unstable, theory, within, tongues:
 //                [[from, to]]}], parameter, unit, steps: [step], map: [{model, algorithm, rows: [[value,
 //                theory, outcomes], ...]}]}; `shown` is the largest stable step in words; a theory of null
@@ -47,6 +46,7 @@
 #include "chapters/drawing.hpp"
 #include "chapters/scene.hpp"
 #include "report/charts/chart.hpp"
+#include "report/pages/readable.hpp"
 #include "report/site/script.hpp"
 #include "report/study/stability.hpp"
 #include "report/study/starts.hpp"
@@ -101,7 +101,7 @@ Json parameters_of(const Entry& entry) {
     all.push_back({{"name", p.name},
                    {"value", p.value},
                    {"unit", p.unit},
-                   {"says", p.says},
+                   {"says", readable(std::string(p.says))},
                    {"least", from(p.least)},
                    {"most", from(p.most)},
                    {"whole", p.whole}});
@@ -114,32 +114,40 @@ Json outcomes() {
   return names;
 }
 
-/// Settings that are halves of halves keep all their digits, as they are asked for again.
 Json from(const TimedTrial& t) {
-  return Json::array({from(t.setting), brief(t.error, 3), t.evaluations, brief(1e9 * t.time.seconds, 3),
+  return Json::array({brief(t.error, 3), t.evaluations, brief(1e9 * t.time.seconds, 3),
                       brief(1e9 * t.time.spread, 2), letter(t.outcome)});
 }
 
-Json method(const std::string& model, const std::string& algorithm, Precision precision,
-            const std::vector<TimedTrial>& trials) {
-  Json rows = Json::array();
-  for (const TimedTrial& t : trials) rows.push_back(from(t));
-  return {{"model", model},
-          {"algorithm", algorithm},
-          {"precision", name_of(precision)},
-          {"knob", trials.empty() ? "" : trials.front().knob},
-          {"trials", rows}};
-}
+/// A quantity's methods, and the lists of settings that they share.
+struct Methods {
+  Json methods = Json::array(), settings = Json::array();
 
-Json methods_of(const QuantityResult& q) {
-  Json methods = Json::array();
-  for (const MethodResult& m : q.methods) {
-    methods.push_back(method(m.model, m.algorithm, Precision::in_double, m.trials));
-    if (m.expected != Outcome::ok) methods.back().update({{"expected", name_of(m.expected)}, {"why", m.why}});
+  void add(const std::string& model, const std::string& algorithm, Precision precision,
+           const std::vector<TimedTrial>& trials) {
+    Json rows = Json::array(), at = Json::array();
+    for (const TimedTrial& t : trials) {
+      rows.push_back(from(t));
+      at.push_back(from(t.setting));  // with all digits, as it is asked for again
+    }
+    const auto known = std::ranges::find(settings, at);
+    const auto place = known - settings.begin();
+    if (known == settings.end()) settings.push_back(at);
+    methods.push_back({{"model", model},
+                       {"algorithm", algorithm},
+                       {"knob", trials.empty() ? "" : trials.front().knob},
+                       {"settings", place},
+                       {"trials", rows}});
+    if (precision == Precision::in_float) methods.back()["precision"] = name_of(precision);
   }
+};
+
+Methods methods_of(const QuantityResult& q) {
+  Methods all;
+  for (const MethodResult& m : q.methods) all.add(m.model, m.algorithm, Precision::in_double, m.trials);
   for (const FloatResult& m : q.in_float)
-    methods.push_back(method(m.model, q.methods[m.in_double].algorithm, Precision::in_float, m.trials));
-  return methods;
+    all.add(m.model, q.methods[m.in_double].algorithm, Precision::in_float, m.trials);
+  return all;
 }
 
 std::string name_of_axis(Across across) {
@@ -149,18 +157,17 @@ std::string name_of_axis(Across across) {
 Json from(const QuantityResult& q) {
   Json charts = Json::array();
   for (Across across : charts_of(q)) charts.push_back(name_of_axis(across));
+  const Methods shown = methods_of(q);
   return {{"name", q.name},
           {"unit", q.unit},
-          {"says", q.says},
+          {"says", readable(q.says)},
           {"samples", q.samples},
           {"need", brief(q.need.allowed)},
-          {"reason", q.need.reason},
-          {"reference", q.reference.by},
-          {"reference_error", brief(q.reference_error, 3)},
           {"floor", brief(error_floor(q), 3)},
           {"size", brief(size_of(q.reference.value), 3)},
           {"charts", charts},
-          {"methods", methods_of(q)}};
+          {"settings", shown.settings},
+          {"methods", shown.methods}};
 }
 
 Json styles_of(std::span<const QuantityResult> quantities, const Styles& styles) {
@@ -346,6 +353,15 @@ Json exact_models(const Trajectory& shown) {
   return names;
 }
 
+/// The module has the models that are listed, by the algorithms of Odeint.
+bool in_module(const Scene& scene, const Path& path) {
+  const auto starts = [&](std::string_view library) { return path.algorithm.starts_with(library); };
+  return !starts("GSL ") && !starts("CVODE ") && !starts("ARKODE ") &&
+         std::ranges::any_of(scene.listing.models, [&](const auto& listed) {
+           return listed.first == path.model || listed.first == path.model + ", " + path.algorithm;
+         });
+}
+
 Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& truth, bool drawn) {
   const auto moving = motion_of(e);
   if (!entry.exercise.scene || moving == e.quantities.end()) return nullptr;
@@ -355,7 +371,8 @@ Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& trut
   const std::vector<double> moved = true_motion(scene, parameters, shown.paths[shown.truest], truth);
   Json paths = Json::array();
   for (const Path& path : shown.paths)
-    paths.push_back(from(path, scene.axes.observables.size(), shown.times.size()));
+    if (drawn || !in_module(scene, path))
+      paths.push_back(from(path, scene.axes.observables.size(), shown.times.size()));
   Json json{{"quantity", moving - e.quantities.begin()},
             {"horizon", scene.horizon},
             {"time_unit", scene.axes.time},
@@ -430,7 +447,7 @@ std::string exercise_data(const ExerciseResult& e, const Reference& truth, const
   return call("exercise", {{"number", to_string(e.number)},
                            {"title", e.title},
                            {"outcomes", outcomes()},
-                           {"parameters", parameters_of(*entry)},
+                           {"parameters", e.scene ? parameters_of(*entry) : Json::array()},
                            {"styles", styles_of(e.quantities, styles)},
                            {"quantities", quantities},
                            {"scene", scene_of(e, *entry, truth, drawn)},

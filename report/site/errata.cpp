@@ -83,15 +83,15 @@ std::string sheet_of(const ExerciseResult& e) {
 }  // namespace
 
 std::string errata_json(const Results& results) {
-  List all = List::array();
+  std::string all;  // one a line
   for (const ExerciseResult& e : results.exercises)
     for (const JudgedClaim& c : e.claims)
-      if (is_listed(c)) all.push_back(entry_of(e, c));
-  return List{{"$schema", "errata.schema.json"},
-              {"book", "Game Physics, 2nd edition: the solutions manual"},
-              {"errata", all}}
-             .dump(1, ' ', false, List::error_handler_t::replace) +
-         "\n";
+      if (is_listed(c))
+        all += (all.empty() ? "\n" : ",\n") +
+               entry_of(e, c).dump(-1, ' ', false, List::error_handler_t::replace);
+  return "{\"$schema\": \"errata.schema.json\",\n\"book\": \"Game Physics, 2nd edition: the solutions manual\",\n"
+         "\"errata\": [" +
+         all + "\n]}\n";
 }
 
 std::string errata_schema() {

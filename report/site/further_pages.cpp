@@ -113,19 +113,20 @@ std::string algorithms_page() {
        {}});
 }
 
+/// Rows of [where it stands, its kind, its title, its text]; a claim's title is where it stands in its page.
 std::string search_index(const Results& results) {
   using nlohmann::json;
   json all = json::array();
   for (const ExerciseResult& e : results.exercises) {
     const std::string number = to_string(e.number), page = number + ".html";
-    all.push_back({page, "exercise", number + " " + e.title, searchable(e.asks)});
+    all.push_back({page, "exercise", number + " " + e.title, searchable(e.asks).substr(0, 140)});
     for (const Finding& finding : findings_of(e))
       if (finding.root)
         all.push_back({page + "#" + claim_anchor_of(finding.claims.front()->claim), "erratum",
                        number + " " + searchable(finding.title()), searchable(finding.shows())});
     for (const JudgedClaim& c : e.claims)
       all.push_back(
-          {page + "#" + claim_anchor_of(c.claim), name_of(c.verdict), c.claim.id, searchable(c.claim.says)});
+          {page + "#" + claim_anchor_of(c.claim), name_of(c.verdict), "", searchable(c.claim.says)});
     for (const QuantityResult& q : e.quantities)
       all.push_back(
           {page + "#q-" + html::anchor(q.name), "quantity", number + " " + q.name, searchable(q.says)});

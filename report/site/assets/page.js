@@ -7,6 +7,11 @@
 
   // Called by data/3.5.js.
   oddity.exercise = (data) => {
+    for (const { methods, settings } of data.quantities)
+      for (const method of methods) {
+        method.precision = method.precision || 'double';
+        method.trials = method.trials.map((trial, i) => [settings[method.settings][i], ...trial]);
+      }
     oddity.data = data;
     waiting.splice(0).forEach((act) => act(data));
     document.dispatchEvent(new CustomEvent('oddity:data', { detail: data }));
@@ -102,6 +107,15 @@
     all.setAttribute('aria-pressed', 'true');
   }
 
+  // ---- what can be scrolled can be reached by keys
+
+  function let_scroll() {
+    document.querySelectorAll('.sides dd, main p, main li').forEach((side) => {
+      if (side.scrollWidth > side.clientWidth) side.tabIndex = 0;
+      else side.removeAttribute('tabindex');
+    });
+  }
+
   // ---- buttons that play a trial
 
   function build_play_buttons(data) {
@@ -160,6 +174,8 @@
   oddity.with_data(build_play_buttons);
   build_pictures();
   open_target();
+  let_scroll();
+  addEventListener('resize', let_scroll);
   addEventListener('hashchange', open_target);
   addEventListener('beforeprint', open_for_print);
 })(window.oddity = window.oddity || {});

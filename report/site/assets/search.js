@@ -8,9 +8,11 @@
   // Called by data/search.js.
   oddity.index = (all) => {
     const names = new Map(all.filter(([, kind]) => kind === 'exercise').map(([to, , title]) => [to, title]));
-    entries = all.map(([to, kind, title, text]) => ({
-      to, kind, title, text, words: `${title} ${text} ${kind} ${names.get(to.split('#')[0])}`.toLowerCase(),
-    }));
+    entries = all.map(([to, kind, named, text]) => {
+      const [page, place] = to.split('#');
+      const title = named || place;
+      return { to, kind, title, text, words: `${title} ${text} ${kind} ${names.get(page)}`.toLowerCase() };
+    });
     show();
   };
 
