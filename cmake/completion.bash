@@ -8,7 +8,7 @@ _oddity() {
   if [[ $word == -* ]]; then
     words=$("$program" $verb --help 2>/dev/null | grep -oE '(^ +|,)--?[a-z][a-z-]*' | tr -d ' ,')
   elif [[ -z $verb || $verb == help ]]; then
-    words=$("$program" --help 2>/dev/null | sed -n '/^Verbs:/,$s/^  \([a-z]*\) .*/\1/p')
+    words=$("$program" --help 2>/dev/null | sed -n '/^Verbs:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p')
   else
     words=$("$program" list --csv 2>/dev/null | sed -n '2,$s/,.*//p' | sort -u)
   fi

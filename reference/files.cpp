@@ -58,7 +58,11 @@ void require_writable(const fs::path& file) {
   require(std::ofstream(part.path()).is_open(), file);
 }
 
-void require_writable_folder(const fs::path& folder) { require_writable(folder / "is_it_writable"); }
+void require_writable_folder(const fs::path& folder) {
+  const PartFile part(folder / "is_it_writable");
+  if (!std::ofstream(part.path()).is_open())
+    throw BadInput("cannot write in the folder " + folder.string() + ": " + last_failure());
+}
 
 void write_whole(const fs::path& file, const std::string& text) {
   PartFile part(file);

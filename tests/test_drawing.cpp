@@ -211,6 +211,29 @@ TEST_CASE("A drawing is finite wherever a wrong motion leads, and moves with it"
   }
 }
 
+TEST_CASE("A drawing is finite at all parameters", "[drawing]") {
+  Random random(3);
+  for (const Entry* e : scenes()) {
+    INFO(to_string(e->number));
+    for (int i = 0; i < 100; ++i) {
+      Parameters p(e->exercise.parameters);
+      for (const Parameter& x : p.declared()) {
+        if (x.whole) continue;
+        const int end = random.below(4);  // its least, its most, or between
+        p.set(x.name, end == 0 ? x.least : end == 1 ? x.most : random.between(x.least, x.most));
+        INFO(x.name << " = " << p[x.name]);
+      }
+      if (e->number == Number{3, 13} && p["H"] >= p["L"]) continue;  // no chute
+      Observed any(e->exercise.scene->axes.observables.size());
+      for (double& x : any) x = random.between(-1, 1);
+      Drawing drawing;
+      e->exercise.scene->draw(p, random.between(0, e->exercise.scene->horizon), any, drawing);
+      CHECK(finite(drawing));
+      CHECK(well_formed(setup_svg(drawing, "")));
+    }
+  }
+}
+
 TEST_CASE("What a scene shows at its start is its start", "[drawing]") {
   const auto start = [](const char* number) {
     const Entry& e = entry(number);

@@ -8,8 +8,11 @@
 #include "reference/bad_input.hpp"
 #include "reference/verdicts.hpp"
 #include "report/charts/chart.hpp"
+#include "report/charts/svg.hpp"
 #include "report/pages/catalog_page.hpp"
+#include "report/pages/claims.hpp"
 #include "report/pages/markdown.hpp"
+#include "report/pages/quantities.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/perturb_results.hpp"
 #include "report/study/run.hpp"
@@ -22,6 +25,14 @@
 using namespace oddity;
 
 namespace {
+
+int count(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+std::string page_of(const Results& results) { return exercise_page_text(results, results.exercises[0]); }
 
 /// Plain $formulas$ of a Markdown page in which it would take a backslash away, and lines whose formulas in
 /// GitHub's form are not closed.
@@ -117,25 +128,26 @@ TEST_CASE("a perturbed result that a check does not notice is named", "[report]"
 TEST_CASE("a page escapes what Markdown would take for markup, but not mathematics", "[report]") {
   Results results = sample();
   results.exercises[0].claims[0].claim.says = "a_1 * |b| with $a_1 * b$";
-  const std::string page = chapter_page(results, 3);
+  const std::string page = page_of(results);
   CHECK(page.find("a\\_1 \\* \\|b\\| with $`a_1 * b`$") != std::string::npos);
 }
 
-TEST_CASE("the index lists claims whose routes never differ though they might", "[report]") {
+TEST_CASE("the page of errata lists claims whose routes never differ though they might", "[report]") {
   Results results = sample();
   JudgedClaim& claim = results.exercises[0].claims[0];
-  CHECK(index_page(results).find("## Equal to the last bit (1)") != std::string::npos);
+  const std::string says = "1 claim equal to the last bit";
+  CHECK(count(errata_page_text(results), says) == 1);
   claim.claim.printed.checks[0].right.value = Value(1 + 1e-12);
-  CHECK(index_page(results).find("Equal to the last bit") == std::string::npos);
+  CHECK(count(errata_page_text(results), says) == 0);
   claim.claim.printed.checks[0] = one_against_one(0);
-  CHECK(index_page(results).find("Equal to the last bit") == std::string::npos);
+  CHECK(count(errata_page_text(results), says) == 0);
 }
 
 TEST_CASE("pages hold no times but the page of times", "[report]") {
   Results slow = sample(), fast = sample();
   fast.exercises[0].quantities[0].methods[0].trials[0].time.seconds = 1e-9;
   CHECK(index_page(slow) == index_page(fast));
-  CHECK(chapter_page(slow, 3) == chapter_page(fast, 3));
+  CHECK(page_of(slow) == page_of(fast));
   CHECK(times_page(slow) != times_page(fast));
 }
 
@@ -143,7 +155,7 @@ TEST_CASE("charts hold no times but the charts of time", "[report]") {
   Results slow = sample(), fast = sample();
   fast.exercises[0].quantities[0].methods[0].trials[0].time = {1e-9, 1e-10};
   const auto chart = [](const Results& results, Across across) {
-    return chart_script(results.exercises[0].quantities[0], "title", across, "file.svg", Styles(results));
+    return chart_svg(results.exercises[0].quantities[0], "title", across);
   };
   CHECK(chart(slow, Across::evaluations) == chart(fast, Across::evaluations));
   CHECK(chart(slow, Across::setting) == chart(fast, Across::setting));
@@ -152,20 +164,9 @@ TEST_CASE("charts hold no times but the charts of time", "[report]") {
 
 namespace {
 
-int count(const std::string& text, const std::string& part) {
-  int n = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
-}
-
-Results with(QuantityResult q) {
-  Results results = sample();
-  results.exercises[0].quantities = {std::move(q)};
-  return results;
-}
-
-std::string script_of(const QuantityResult& q, Across across = Across::evaluations) {
-  return chart_script(q, "title", across, "file.svg", Styles(with(q)));
+std::string chart_of(const QuantityResult& q, Across across = Across::evaluations,
+                     Curves curves = Curves::few) {
+  return chart_svg(q, "title", across, curves);
 }
 
 /// A method whose trials take 100, 200, 400 evaluations for errors that halve.
@@ -190,56 +191,78 @@ MethodResult method(const std::string& model, const std::string& algorithm, doub
 TEST_CASE("a chart shows every trial, those without a number too, and names each kind of failure once",
           "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
-  q.methods[0].trials[0].outcome = Outcome::non_finite;
-  q.methods[0].trials[0].error = std::numeric_limits<double>::quiet_NaN();
-  q.methods[0].trials[0].evaluations = 7;
-  q.methods.push_back(q.methods[0]);
-  const std::string script = script_of(q);
-  CHECK(count(script, "\n7 ") == 4);
-  CHECK(count(script, "\n42 ") == 4);  // both on the front, too
-  CHECK(count(script, "title 'non-finite'") == 1);
-  CHECK(count(script, "off the scale") == 1);
-  CHECK(count(script, "set xtics 10\n") == 0);  // gnuplot 5.4 sets them beside the decades
+  q.methods = {method("a", "x", 0.1), method("a", "y", 0.2)};
+  for (MethodResult& m : q.methods) {
+    m.trials[0].outcome = Outcome::non_finite;
+    m.trials[0].error = std::numeric_limits<double>::quiet_NaN();
+  }
+  const std::string svg = chart_of(q);
+  CHECK(count(svg, ">N</text>") == 2);
+  CHECK(count(svg, "N non-finite") == 1);
+  CHECK(count(svg, "off the scale") == 1);
+  CHECK(count(svg, "class=\"hollow c") == 2);
 }
 
-TEST_CASE("an algorithm has the same mark in every chart, and a model the same colour", "[report]") {
-  QuantityResult q = sample().exercises[0].quantities[0], other = q;
-  q.methods = {method("one", "explicit Euler", 1), method("two", "own", 1)};
-  other.name = "other";
-  other.methods = {method("two", "Simpson", 1), method("three", "explicit Euler", 1),
-                   method("three", "own", 1)};
-  Results results = with(q);
-  results.exercises[0].quantities.push_back(other);
-  const Styles styles(results), reversed([&] {
-    Results turned = results;
-    std::swap(turned.exercises[0].quantities[0], turned.exercises[0].quantities[1]);
-    return turned;
-  }());
-  CHECK(styles.mark("explicit Euler") == reversed.mark("explicit Euler"));
-  CHECK(styles.mark("own") != styles.mark("explicit Euler"));
-  CHECK(styles.colour("one") != styles.colour("two"));
-  CHECK(styles.colour("two") != styles.colour("three"));
+TEST_CASE("no two of a chart's eight curves share a colour and a mark, and a family keeps its own",
+          "[report]") {
+  QuantityResult q = sample().exercises[0].quantities[0];
+  q.methods.clear();
+  for (const char* name : {"Runge-Kutta 4", "explicit Euler", "velocity Verlet", "Bulirsch-Stoer",
+                           "GSL msadams", "Rosenbrock 4", "own", "another"})
+    q.methods.push_back(method("a", name, 0.1 / static_cast<double>(q.methods.size() + 1)));
+  const std::string svg = chart_of(q);
+  for (int slot = 0; slot < svg_slots; ++slot)
+    CHECK(count(svg, "class=\"curve " + colour_class(slot) + "\"") == 1);
+  QuantityResult alone = q;
+  alone.methods = {q.methods[2], q.methods[0]};
+  const auto colour = [](const std::string& text, const std::string& name) {
+    const auto label = text.find(">" + name);
+    return text.substr(text.rfind("class=\"mark ", label), 15);
+  };
+  CHECK(colour(svg, "velocity Verlet") == colour(chart_of(alone), "velocity Verlet"));
 }
 
-TEST_CASE("of many methods the front and the best of each model are drawn in colour, the rest pale",
+TEST_CASE("of many methods at most eight are drawn: of the front, of each model and family; all where asked",
           "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   q.methods = {method("a", "best", 1e-3)};
   for (int i = 0; i < 9; ++i) q.methods.push_back(method("a", "worse " + std::to_string(i), 0.1));
   q.methods.push_back(method("b", "alone", 0.2));
-  const std::string script = script_of(q);
-  CHECK(count(script, "9 others: see the table") == 1);
-  CHECK(count(script, "worse ") == 0);
-  CHECK(count(script, "best") > 0);
-  CHECK(count(script, "alone") == 1);
+  CHECK(worth_seeing(q, Across::evaluations) == std::vector<std::size_t>{0, 10});
+  const std::string svg = chart_of(q);
+  CHECK(count(svg, "9 methods are not drawn") == 1);
+  CHECK(count(svg, "worse ") == 0);
+  CHECK(count(svg, "alone") == 1);
+  CHECK(count(chart_of(q, Across::evaluations, Curves::all), "worse ") == 17);  // and eight lie on the first
+  for (int i = 0; i < 12; ++i) q.methods.push_back(method("model " + std::to_string(i), "x", 0.2));
+  CHECK(worth_seeing(q, Across::evaluations).size() == 8);
 }
 
 TEST_CASE("a curve that lies on another says so", "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   q.methods = {method("a", "first", 0.1), method("a", "second", 0.1), method("a", "third", 0.2)};
-  const std::string script = script_of(q);
-  CHECK(count(script, "second: as first") == 1);
-  CHECK(count(script, ": as ") == 1);
+  const std::string svg = chart_of(q);
+  CHECK(count(svg, "second: as first") == 1);
+  CHECK(count(svg, ": as ") == 1);
+}
+
+TEST_CASE("labels stay in their order and apart", "[report]") {
+  CHECK(spread({10, 12, 50}, 5, 0, 100) == std::vector<double>{10, 15, 50});
+  CHECK(spread({12, 10, 50}, 5, 0, 100) == std::vector<double>{15, 10, 50});
+  CHECK(spread({98, 99}, 5, 0, 100) == std::vector<double>{95, 100});
+  CHECK(spread({}, 5, 0, 100).empty());
+}
+
+TEST_CASE("a line keeps the points that the eye would miss, and no others", "[report]") {
+  Svg svg(100, 100, "title");
+  svg.curve({{0, 0}, {1, 1}, {2, 2}, {3, 9}, {NAN, NAN}, {5, 5}, {6, 5}}, "curve");
+  CHECK(count(svg.str(), "d=\"M0 0l2 2 1 7M5 5l1 0\"") == 1);
+}
+
+TEST_CASE("a picture follows the page from light to dark", "[report]") {
+  const std::string svg = Svg(100, 100, "a < b").str();
+  CHECK(count(svg, "prefers-color-scheme:dark") == 1);
+  CHECK(count(svg, "<title>a &lt; b</title>") == 1);
 }
 
 TEST_CASE("a chart's title says what the trials found", "[report]") {
@@ -252,7 +275,7 @@ TEST_CASE("a chart's title says what the trials found", "[report]") {
   q.need.allowed = 1e-9;
   for (MethodResult& m : q.methods)
     for (TimedTrial& t : m.trials) t.outcome = Outcome::inaccurate;
-  CHECK(finding(q, Across::evaluations) == "No method reaches 1e-09 m; the closest is dear (b): 0.0025 m");
+  CHECK(finding(q, Across::evaluations) == "No method reaches 1×10⁻⁹ m; the closest is dear (b): 0.0025 m");
   CHECK(finding(q, Across::setting) ==
         "Of the methods with a step, dear (b) is the most accurate: 0.0025 m at step 0.25");
 }
@@ -290,7 +313,7 @@ TEST_CASE("a scene's charts have the line of what a game asks", "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   q.methods = {method("a", "x", 0.1), method("a", "y", 0.3)};
   q.trajectory->close = 0.05;
-  CHECK(count(script_of(q), "enough for a game: 0.05 m") == 1);
+  CHECK(count(chart_of(q), "enough for a game: 0.05 m") == 1);
 }
 
 TEST_CASE("a motion that is off between the reference's times is off", "[report]") {
@@ -300,7 +323,8 @@ TEST_CASE("a motion that is off between the reference's times is off", "[report]
   q.methods.push_back({"other", "algorithm", Outcome::ok, "", q.methods[0].trials});
   CHECK(motion_finding(q) ==
         "1 of 2 models stay within 0.3 m of the truth for 1 s; 'other': off by up to 0.5 m");
-  CHECK(count(trajectory_script(q, "title", "f", Styles(with(q))), "off by up to 0.5") == 2);
+  CHECK(count(trajectory_svg(q, "title"), "off by up to 0.5") ==
+        3);  // in the title, the headline, the legend
   q.trajectory->close = 1;
   CHECK(motion_finding(q) == "All 2 models stay within 1 m of the truth for 1 s");
 }
@@ -312,12 +336,10 @@ TEST_CASE("motions that the eye cannot tell apart name each other; flat ones are
   q.trajectory->paths.push_back({"c", "algorithm", "step", 0.5, 0.27, Outcome::ok, {1.001, 2.001, 3, 4}});
   q.methods.push_back({"b", "algorithm", Outcome::ok, "", q.methods[0].trials});
   q.methods.push_back({"c", "algorithm", Outcome::ok, "", q.methods[0].trials});
-  const Styles styles(with(q));
-  const std::string script = trajectory_script(q, "title", "f", styles);
-  CHECK(count(script, "hidden by ''c''") == 1);
-  CHECK(count(script, "set size ratio -1") == 1);
+  CHECK(count(trajectory_svg(q, "title"), "hidden by 'c'") == 1);
+  CHECK(count(trajectory_svg(q, "title"), "not to the scale of y") == 0);
   q.trajectory->paths[0].value = {1, 2, 1.1, 4};
-  CHECK(count(trajectory_script(q, "title", "f", styles), "not to the scale of y") == 1);
+  CHECK(count(trajectory_svg(q, "title"), "not to the scale of y") == 1);
 }
 
 TEST_CASE("a motion of many observables is drawn as its distance from the truth", "[report]") {
@@ -326,9 +348,7 @@ TEST_CASE("a motion of many observables is drawn as its distance from the truth"
   t.observables = {};
   q.reference.value = Value(std::vector<double>(7, 1));
   t.paths[0].value = Value(std::vector<double>(14, 1));
-  const std::string script = trajectory_script(q, "title", "f", Styles(with(q)));
-  CHECK(count(script, "largest error of 7 components") == 1);
-  CHECK(count(script, "multiplot") == 0);
+  CHECK(count(trajectory_svg(q, "title"), "largest error of 7 components") == 1);
 }
 
 TEST_CASE("a map is as wide as a page, and its letters are legible", "[report]") {
@@ -342,11 +362,12 @@ TEST_CASE("a map is as wide as a page, and its letters are legible", "[report]")
       s.map.push_back(
           {"model", "algorithm " + std::to_string(i), value, 0.7, {Outcome::diverged, Outcome::ok}});
   s.map.back().outcomes = {Outcome::ok, Outcome::inaccurate};
-  const std::string script = map_script(e, "f");
-  CHECK(count(script, "svg size 900,") == 1);
-  CHECK(count(script, "algorithm 0 (model) is ok at every a up to the longest step, 0.5 s") == 1);
-  for (auto at = script.find("font ',"); at != std::string::npos; at = script.find("font ',", at + 1))
-    CHECK(std::stoi(script.substr(at + 7)) >= 9);
+  const std::string svg = map_svg(e);
+  CHECK(count(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\"") == 1);
+  CHECK(count(svg, "algorithm 0 (model) is ok at every a up to the longest step, 0.5 s</text>") == 1);
+  CHECK(count(svg, ">XXX</text>") == 30);
+  for (auto at = svg.find("font-size:"); at != std::string::npos; at = svg.find("font-size:", at + 1))
+    CHECK(std::stoi(svg.substr(at + 10)) >= 9);
 }
 
 TEST_CASE("quantities of growing size share one chart", "[report]") {
@@ -363,9 +384,9 @@ TEST_CASE("quantities of growing size share one chart", "[report]") {
   const auto series = series_of(e);
   REQUIRE(series.size() == 1);
   CHECK(series[0][0]->name == "chain_of_10");
-  const std::string script = series_script(series[0], "title", "file.svg", Styles(Results{{e}}));
-  CHECK(count(script, "work \\~ n\\^2") == 1);
-  CHECK(count(script, "5,000,000 for n = 1000") == 1);
+  const std::string svg = series_svg(series[0], "title");
+  CHECK(count(svg, "work ~ n^2") == 1);
+  CHECK(count(svg, "5,000,000 for n = 1000</text>") == 1);
   e.quantities.pop_back();
   CHECK(series_of(e).empty());
 }
@@ -412,8 +433,8 @@ TEST_CASE("colour-blind readers tell any two outcomes of a map apart", "[report]
 
 TEST_CASE("the check that fails is the one that is shown, NaN before all", "[report]") {
   JudgedClaim claim = judged(one_against_one(1e-9));
-  const Check nan{"the one that decides", {"a", NAN}, {"b", 1}, {1e-9, "a test"}};
-  const Check off{"the one that is off", {"a", 2}, {"b", 1}, {1e-9, "a test"}};
+  const Check nan{"x", {"a", NAN}, {"the one that decides", 1}, {1e-9, "a test"}};
+  const Check off{"x", {"a", 2}, {"the one that is off", 1}, {1e-9, "a test"}};
   Results results = sample();
   const auto page = [&](std::vector<Check> checks) {
     claim.claim.printed.checks = std::move(checks);
@@ -421,7 +442,7 @@ TEST_CASE("the check that fails is the one that is shown, NaN before all", "[rep
     claim.verdict = verdict(claim.claim);
     CHECK(claim.verdict == Verdict::erratum);
     results.exercises[0].claims = {claim};
-    return chapter_page(results, 3);
+    return page_of(results);
   };
   const Check tight = one_against_one(0.1);
   CHECK(count(page({tight, nan, tight}), "the one that decides") == 1);
@@ -429,22 +450,31 @@ TEST_CASE("the check that fails is the one that is shown, NaN before all", "[rep
   CHECK(count(page({tight, off}), "the one that is off") == 1);
 }
 
-TEST_CASE("evidence says what was compared, and at which scale", "[report]") {
+TEST_CASE("a finding says what it was compared with, and how the comparison ended", "[report]") {
   Results results = sample();
-  const auto page = [&](const Check& check) {
-    results.exercises[0].claims = {judged(check)};
-    return chapter_page(results, 3);
+  const auto page = [&](const Check& printed) {
+    JudgedClaim wrong = judged(printed);
+    wrong.claim.corrected = {"x = 1", {one_against_one(1e-9)}};
+    wrong.verdict = verdict(wrong.claim);
+    results.exercises[0].claims = {wrong};
+    return page_of(results);
   };
-  const Check large{"squared", {"by hand", 1e14}, {"by sums", 1e14 + 0.015625}, {1.4, "a test"}};
-  CHECK(count(page(large),
-              "squared: by hand against by sums: differ by 0.016 at a scale of 1×10¹⁴, allowed 1.4") == 1);
-  CHECK(count(page(never("the sign is right", 0, 200)), "the sign is right: no violations in 200 samples") ==
+  CHECK(count(page({"squared", {"by hand", 2.5}, {"by sums", 1}, {1e-9, "a test"}}),
+              "Compared with *by sums* (1), the print is off by 1.5, the correction equal.") == 1);
+  CHECK(count(page({"squared", {"by hand", 2.5}, {"by sums", 1}, {1e-9, "a test"}, 0, "worst of 3"}),
+              "Compared with *by sums*, the print is off by 1.5, the correction equal.") == 1);
+  CHECK(count(page(never("the sign is right", 49, 200)), "It fails in 49 of 200 samples.") == 1);
+}
+
+TEST_CASE("confirmed claims are a line each beneath what they were compared with", "[report]") {
+  Results results = sample();
+  JudgedClaim one = judged(one_against_one(1e-9)), other = one;
+  other.claim.says = "x is still 1";
+  results.exercises[0].claims = {one, judged(never("the sign is right", 0, 200)), other};
+  const std::string page = page_of(results);
+  CHECK(count(page, "<summary>3 confirmed claims</summary>\n\n*Against b:*<br>x is 1<br>x is still 1\n") ==
         1);
-  JudgedClaim violated = judged(never("the sign is right", 49, 200));
-  violated.claim.corrected = {"x = 1", {one_against_one(1e-9)}};
-  violated.verdict = verdict(violated.claim);
-  results.exercises[0].claims = {violated};
-  CHECK(count(chapter_page(results, 3), "| 49 violations in 200 samples | none allowed |") == 1);
+  CHECK(count(page, "*Against 200 samples:*<br>x is 1\n") == 1);
 }
 
 TEST_CASE("long decimals of a sample are cut to what identifies it", "[report]") {
@@ -473,28 +503,54 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
   results.exercises[0].claims.push_back(misprint);
   results.exercises[0].claims.push_back(wrong);
   results.exercises[0].claims.push_back(follows);
-  const std::string page = chapter_page(results, 3), index = index_page(results);
+  const std::string page = page_of(results), index = index_page(results);
   const auto erratum = page.find("<a id=\"3.5-wrong\"></a>"), bar = page.find("<a id=\"3.5-lost_bar\"></a>"),
-             folded = page.find("<details><summary>1 confirmed claim</summary>\n\n|");
+             folded = page.find("<details><summary>1 confirmed claim</summary>\n\n*Against");
   REQUIRE(erratum != std::string::npos);
   REQUIRE(folded != std::string::npos);
   CHECK(erratum < bar);
   CHECK(bar < folded);
+  const std::string errata = errata_page_text(results);
   CHECK(count(index, "What is wrong in the solutions manual") == 1);
-  CHECK(count(index,
-              "[3.5-wrong](chapter_03.md#3.5-wrong), [3.5-follows](chapter_03.md#3.5-follows) | number | "
-              "x is 1 | x = 2 | x = 1 | 1 m too far |") == 1);
-  CHECK(count(index, "### Misprints (1)") == 1);
-  CHECK(count(index, "[3.5-lost\\_bar](chapter_03.md#3.5-lost_bar)") == 1);
+  CHECK(count(index, "| [3.5 a slip](3.5.md#3.5-wrong) | 1 m too far |") == 1);
+  CHECK(count(page, "| [a slip](#3.5-wrong) | x = 2 | x = 1 | 1 m too far |") == 1);
+  CHECK(count(errata,
+              "[3.5-wrong](3.5.md#3.5-wrong), [3.5-follows](3.5.md#3.5-follows) | "
+              "x = 2 | x = 1 | 1 m too far |") == 1);
+  CHECK(count(errata, "## Misprints (1)") == 1);
+  CHECK(count(errata, "[3.5-lost\\_bar](3.5.md#3.5-lost_bar)") == 1);
+}
+
+TEST_CASE("errata that break a scene come first, and of these wrong formulas before cases left out",
+          "[report]") {
+  Results results = sample();
+  ExerciseResult& scene = results.exercises[0];
+  JudgedClaim wrong = judged({"x", {"a", 2}, {"b", 1}, {1e-9, "a test"}});
+  wrong.claim.corrected = {"x = 1", {one_against_one(1e-9)}};
+  wrong.verdict = verdict(wrong.claim);
+  const auto erratum = [&](const std::string& root, Fault kind) {
+    wrong.claim.id = root;
+    wrong.claim.root = root;
+    wrong.claim.kind = kind;
+    return wrong;
+  };
+  scene.claims = {erratum("left out", Fault::left_out), erratum("formula", Fault::formula),
+                  erratum("twice", Fault::formula), erratum("twice", Fault::term)};
+  results.exercises.push_back(scene);
+  results.exercises[1].scene = false;
+  results.exercises[1].claims = {erratum("elsewhere", Fault::formula)};
+  std::vector<std::string> names;
+  for (const Finding& f : errata_worst_first(results)) names.push_back(f.title());
+  CHECK(names == std::vector<std::string>{"twice", "formula", "left out", "elsewhere"});
 }
 
 TEST_CASE("a reason for failing is given only where failing is expected", "[report]") {
   Results results = sample();
   MethodResult& m = results.exercises[0].quantities[0].methods[0];
   m.why = "it is too coarse";
-  CHECK(count(chapter_page(results, 3), "it is too coarse") == 0);
+  CHECK(count(page_of(results), "it is too coarse") == 0);
   m.expected = Outcome::inaccurate;
-  CHECK(count(chapter_page(results, 3), "- model, algorithm - *inaccurate*: it is too coarse.") == 1);
+  CHECK(count(page_of(results), "- model, algorithm: it is too coarse.") == 1);
 }
 
 TEST_CASE("a scene's method of low order has a reason only where it is expected to fail", "[report]") {
@@ -554,10 +610,11 @@ TEST_CASE("Markdown takes nothing away from a formula", "[report]") {
   CHECK(spoilt_formulas("$a\\,b$ and $`a\\,b`$ and `$a\\,b$`") == Lines{"a\\,b"});
   CHECK(spoilt_formulas("$`a\\,b$").size() == 1);
   CHECK(spoilt_formulas(index_page(run_of_all())) == Lines());
+  CHECK(spoilt_formulas(errata_page_text(run_of_all())) == Lines());
   CHECK(spoilt_formulas(single_page(run_of_all())) == Lines());
   CHECK(spoilt_formulas(catalog_page()) == Lines());
-  for (const Chapter& chapter : chapters())
-    CHECK(spoilt_formulas(chapter_page(run_of_all(), chapter.number)) == Lines());
+  for (const ExerciseResult& e : run_of_all().exercises)
+    CHECK(spoilt_formulas(exercise_page_text(run_of_all(), e)) == Lines());
   for (const auto& file : std::filesystem::directory_iterator(ODDITY_SOURCE))
     if (file.path().extension() == ".md") {
       INFO(file.path());
@@ -598,8 +655,8 @@ TEST_CASE("a motion says everywhere that it is judged at its instants alone", "[
   }
   REQUIRE(has_chart(e.quantities[0]));
   const auto everywhere = [&] {
-    return std::array{count_in(single_page(results)), count_in(chapter_page(results, 3)),
-                      count_in(charts_page(e)), count_in(text_view(e))};
+    return std::array{count_in(single_page(results)), count_in(page_of(results)), count_in(charts_page(e)),
+                      count_in(text_view(e))};
   };
   CHECK(everywhere() == std::array<std::size_t, 4>{0, 0, 0, 0});
   e.quantities[0].samples = 4;

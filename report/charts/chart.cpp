@@ -5,10 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "reference/text.hpp"
-#include "report/charts/gnuplot.hpp"
+#include "report/charts/axes.hpp"
+#include "report/charts/svg.hpp"
+#include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/stability.hpp"
 
@@ -16,7 +19,8 @@ namespace oddity {
 
 namespace {
 
-constexpr std::size_t crowded = 8;  // methods
+constexpr std::size_t most_curves = 8;
+constexpr std::size_t longest_label = 50;  // letters
 
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = 0;
@@ -102,39 +106,7 @@ struct Frame {
   double y(const TimedTrial& t) const { return within(t) ? std::max(t.error, floor) : above(0.5); }
 };
 
-std::string row(const Frame& frame, const TimedTrial& t, double y) {
-  const double x = frame.x(t);
-  std::string text = shortest(x) + " " + shortest(y);
-  if (frame.across == Across::time)
-    text += " " + shortest(std::isfinite(t.time.spread) ? std::min(t.time.spread, 0.9 * x) : 0);
-  return text + "\n";
-}
-
-/// gnuplot's data blocks and the parts of its plot command.
-struct Plot {
-  std::string data, parts;
-  std::size_t entries = 0;  ///< of the legend
-
-  void add(const std::string& part) { parts += (parts.empty() ? "plot " : ", \\\n  ") + part; }
-  void add(const std::string& part, const std::string& enhanced_title) {
-    ++entries;
-    add(part + " title " + quoted(enhanced_title));
-  }
-};
-
 // ---- what is worth seeing ---------------------------------------------------------------------------------
-
-bool preferable(const TimedTrial& a, const TimedTrial& b, Cost kind) {
-  const bool a_ok = a.outcome == Outcome::ok, b_ok = b.outcome == Outcome::ok;
-  if (a_ok != b_ok) return a_ok;
-  if (!a_ok) return a.error < b.error || (std::isfinite(a.error) && !std::isfinite(b.error));
-  return std::pair(cost(a, kind), a.error) < std::pair(cost(b, kind), b.error);
-}
-
-const TimedTrial& best_of(const MethodResult& m, Cost kind) {
-  return *std::ranges::min_element(
-      m.trials, [kind](const TimedTrial& a, const TimedTrial& b) { return preferable(a, b, kind); });
-}
 
 /// Two points of the front that the eye takes for one.
 bool look_alike(const Frame& frame, const TimedTrial& a, const TimedTrial& b) {
@@ -142,100 +114,47 @@ bool look_alike(const Frame& frame, const TimedTrial& a, const TimedTrial& b) {
          std::abs(std::log10(frame.y(a) / frame.y(b))) < 0.3;
 }
 
-/// Which methods are drawn in colour.
-std::vector<bool> highlighted(const QuantityResult& q, const Frame& frame) {
-  std::vector<bool> chosen(q.methods.size(), true);
-  if (std::ranges::count_if(q.methods, [&](const auto& m) { return frame.shows(m); }) <=
-      static_cast<std::ptrdiff_t>(crowded))
-    return chosen;
-  const Cost kind = cost_of(frame.across);
+/// The front's trials, the preferable ones first, each with its method; of those that look alike one.
+std::vector<std::size_t> methods_on_front(const QuantityResult& q, const Frame& frame, Cost kind) {
   const std::vector<bool> front = pareto_front(q, kind);
-  std::map<std::string, std::size_t> of_model;
-  std::map<Family, std::size_t> of_family;
-  const auto keep_best = [&](auto& best, const auto& key, std::size_t i) {
-    const auto [place, first] = best.try_emplace(key, i);
-    if (!first && preferable(best_of(q.methods[i], kind), best_of(q.methods[place->second], kind), kind))
-      place->second = i;
-  };
+  std::vector<std::pair<const TimedTrial*, std::size_t>> seen;
   std::size_t trial = 0;
-  std::vector<const TimedTrial*> seen_on_front;
-  for (std::size_t i = 0; i < q.methods.size(); ++i) {
-    const MethodResult& m = q.methods[i];
-    chosen[i] = false;
-    for (const TimedTrial& t : m.trials) {
-      const bool on_front =
-          front[trial++] && std::ranges::none_of(seen_on_front, [&](const TimedTrial* other) {
-            return look_alike(frame, t, *other);
-          });
-      if (on_front && frame.across != Across::setting) {
-        chosen[i] = true;
-        seen_on_front.push_back(&t);
-      }
-    }
-    if (!frame.shows(m)) continue;
-    keep_best(of_model, m.model, i);
-    if (family_of(m.algorithm) != Family::none && best_of(m, kind).outcome == Outcome::ok)
-      keep_best(of_family, family_of(m.algorithm), i);
+  for (std::size_t i = 0; i < q.methods.size(); ++i)
+    for (const TimedTrial& t : q.methods[i].trials)
+      if (front[trial++] &&
+          std::ranges::none_of(seen, [&](const auto& other) { return look_alike(frame, t, *other.first); }))
+        seen.emplace_back(&t, i);
+  std::ranges::stable_sort(
+      seen, [kind](const auto& a, const auto& b) { return preferable(*a.first, *b.first, kind); });
+  std::vector<std::size_t> methods;
+  for (const auto& [t, i] : seen) methods.push_back(i);
+  return methods;
+}
+
+/// The best method of each key, in the order of first appearance.
+template <class Key>
+std::vector<std::size_t> best_of_each(const QuantityResult& q, const std::vector<std::size_t>& among,
+                                      Cost kind, const Key& key) {
+  std::vector<std::size_t> best;
+  for (std::size_t i : among) {
+    const auto same = std::ranges::find_if(
+        best, [&](std::size_t other) { return key(q.methods[other]) == key(q.methods[i]); });
+    if (same == best.end())
+      best.push_back(i);
+    else if (preferable(best_of(q.methods[i], kind), best_of(q.methods[*same], kind), kind))
+      *same = i;
   }
-  for (const auto& [model, i] : of_model) chosen[i] = true;
-  for (const auto& [family, i] : of_family) chosen[i] = true;
-  return chosen;
+  return best;
 }
 
 // ---- parts of a chart -------------------------------------------------------------------------------------
 
-void add_front(const QuantityResult& q, const Frame& frame, Plot& plot) {
-  if (frame.across == Across::setting) return;
-  const std::vector<bool> front = pareto_front(q, cost_of(frame.across));
-  std::vector<std::pair<double, double>> points;
-  std::size_t next = 0;
-  for (const MethodResult& m : q.methods)
-    for (const TimedTrial& t : m.trials)
-      if (front[next++]) points.emplace_back(frame.x(t), frame.y(t));
-  if (points.empty()) return;
-  std::ranges::sort(points);
-  points.emplace_back(frame.abscissas.high * 1.2, points.back().second);
-  std::string rows;
-  for (const auto& [x, y] : points) rows += shortest(x) + " " + shortest(y) + "\n";
-  plot.data += block("$front", rows);
-  plot.add("$front using 1:2 with steps lc rgb '#aaaaaa' lw 2.5", "Pareto front");
-}
-
-/// The data of a method: `$d3` within the frame, `$d3s` in the strip.
-std::string data_of(const QuantityResult& q, const MethodResult& m) {
-  return "$d" + std::to_string(&m - q.methods.data());
-}
-
-void add_data(const QuantityResult& q, const Frame& frame, Plot& plot) {
-  for (const MethodResult& m : q.methods) {
-    if (!frame.shows(m)) continue;
-    std::string inside, strip;
-    for (const TimedTrial& t : m.trials) (frame.within(t) ? inside : strip) += row(frame, t, frame.y(t));
-    if (frame.is_line(m) && !inside.empty())
-      inside += shortest(frame.abscissas.high) + " " + shortest(frame.y(m.trials.front())) + "\n";
-    plot.data += block(data_of(q, m), inside);
-    if (!strip.empty()) plot.data += block(data_of(q, m) + "s", strip);
-  }
-}
-
-bool in_strip(const Frame& frame, const MethodResult& m) {
-  return std::ranges::any_of(m.trials, [&](const TimedTrial& t) { return !frame.within(t); });
-}
-
-void add_pale(const QuantityResult& q, const Frame& frame, const std::vector<bool>& coloured, Plot& plot) {
-  std::vector<const MethodResult*> pale;
-  for (const MethodResult& m : q.methods)
-    if (!coloured[static_cast<std::size_t>(&m - q.methods.data())] && frame.shows(m)) pale.push_back(&m);
-  for (const MethodResult* m : pale) {
-    const std::string style = " lc rgb '#d4d4d4' pt 7 ps 0.3 lw 0.9";
-    const std::string part = data_of(q, *m) + " using 1:2 with linespoints" + style;
-    if (m == pale.front())
-      plot.add(part, std::to_string(pale.size()) + " others: see the table");
-    else
-      plot.add(part + " notitle");
-    if (in_strip(frame, *m)) plot.add(data_of(q, *m) + "s using 1:2 with points" + style + " notitle");
-  }
-}
+/// A curve of a chart, under its own colour and mark.
+struct Curve {
+  const MethodResult* method;
+  int slot;
+  std::string label;
+};
 
 /// The points as they can be seen, to one part in fifty.
 std::string seen(const Frame& frame, const MethodResult& m) {
@@ -245,72 +164,163 @@ std::string seen(const Frame& frame, const MethodResult& m) {
   return text;
 }
 
-/// One model's methods, under its name when there are several. A curve that lies on another says so.
-void add_model(const QuantityResult& q, const std::string& model, const Frame& frame, const Styles& styles,
-               const std::vector<bool>& coloured, std::map<std::string, const MethodResult*>& drawn,
-               Plot& plot) {
-  constexpr std::size_t widest = 44;  // letters of the legend
-  std::vector<const MethodResult*> methods;
-  for (const MethodResult& m : q.methods)
-    if (m.model == model && frame.shows(m) && coloured[static_cast<std::size_t>(&m - q.methods.data())])
-      methods.push_back(&m);
-  std::vector<std::string> titles;
+/// A family has the same colour in every chart where it is free.
+std::vector<int> slots_of(const std::vector<const MethodResult*>& methods) {
+  std::set<int> taken;
+  std::vector<int> slots;
   for (const MethodResult* m : methods) {
-    const auto [same, first] = drawn.try_emplace(seen(frame, *m), m);
-    const MethodResult& other = *same->second;
-    const std::string fitted = shown_fit(*m, fit(q, *m));
-    titles.push_back(m->algorithm + (!first ? ": as " + (other.algorithm == m->algorithm ? "in " + other.model
-                                                                                         : other.algorithm)
-                                     : fitted.empty() ? ""
-                                                      : " (" + fitted + ")"));
+    int slot = std::max(0, static_cast<int>(family_of(m->algorithm)) - 1);
+    for (int tried = 0; tried < svg_slots && taken.contains(slot); ++tried) slot = (slot + 1) % svg_slots;
+    taken.insert(slot);
+    if (taken.size() == svg_slots) taken.clear();
+    slots.push_back(slot);
   }
-  const std::string colour = styles.colour(model);
-  const bool own_line =
-      methods.size() > 1 || (methods.size() == 1 && model.size() + titles[0].size() > widest - 4);
-  if (own_line) plot.add("keyentry with lines " + colour + " lw 5", bold(shortened(model, widest - 4)));
+  return slots;
+}
+
+/// A curve that lies on another says so.
+std::vector<Curve> curves_of(const QuantityResult& q, const Frame& frame,
+                             const std::vector<std::size_t>& chosen) {
+  std::vector<const MethodResult*> methods;
+  for (std::size_t i : chosen)
+    if (frame.shows(q.methods[i])) methods.push_back(&q.methods[i]);
+  const bool one_model =
+      std::ranges::all_of(methods, [&](const MethodResult* m) { return m->model == methods.front()->model; });
+  const auto name = [&](const MethodResult& m) {
+    return one_model ? m.algorithm : m.algorithm == "closed form" ? m.model : m.model + ", " + m.algorithm;
+  };
+  const std::vector<int> slots = slots_of(methods);
+  std::map<std::string, const MethodResult*> drawn;
+  std::vector<Curve> curves;
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const MethodResult& m = *methods[i];
-    const std::string style = colour + " " + styles.mark(m.algorithm) + " ps 0.7 lw 1.2";
-    plot.add(data_of(q, m) +
-                 (frame.across == Across::time ? " using 1:2:3 with xerrorlines "
-                                               : " using 1:2 with linespoints ") +
-                 style,
-             (own_line ? "" : bold(model) + ", ") + plain(shortened(titles[i], widest)));
-    if (in_strip(frame, m)) plot.add(data_of(q, m) + "s using 1:2 with points " + style + " notitle");
+    const auto [same, first] = drawn.try_emplace(seen(frame, m), &m);
+    const std::string fitted = with_powers(shown_fit(m, fit(q, m)));
+    const std::string said = !first           ? ": as " + name(*same->second)
+                             : fitted.empty() ? ""
+                                              : " (" + fitted + ")";
+    const bool fits = !first || name(m).size() + said.size() <= longest_label;
+    curves.push_back({&m, slots[i], name(m) + (fits ? said : "")});
+  }
+  return curves;
+}
+
+// Pixels.
+constexpr double chart_width = 960, plot_left = 70, plot_right = 570, label_left = 596, label_height = 17;
+constexpr double least_plot_height = 300, below_plot = 56;
+
+Plot plot_of(const Frame& frame, double top, double height) {
+  const bool log_x = !frame.linear;
+  const double room = frame.across == Across::setting ? 1 : 1.15;
+  return {{log_x ? frame.abscissas.low / room : frame.abscissas.low, frame.abscissas.high * room, plot_left,
+           plot_right, log_x},
+          {frame.errors.low / 1.5, frame.top() * 1.2, top + height, top, true}};
+}
+
+std::vector<Pixel> places(const Frame& frame, const Plot& plot, const MethodResult& m, bool within) {
+  std::vector<Pixel> points;
+  for (const TimedTrial& t : m.trials)
+    if (frame.within(t) == within && std::isfinite(frame.x(t)))
+      points.push_back(plot(frame.x(t), frame.y(t)));
+  if (frame.is_line(m) && within && !points.empty()) points.push_back({plot.x.to, points.back().y});
+  return points;
+}
+
+/// A line of the chart with its name at its left end, above it.
+void add_level(Svg& svg, const Plot& plot, double level, const std::string& name, std::string_view line,
+               std::string_view text) {
+  if (level <= plot.y.low || level >= plot.y.high) return;
+  svg.line({plot.x.from, plot.y(level)}, {plot.x.to, plot.y(level)}, line);
+  svg.text({plot.x.from + 5, plot.y(level) - 4}, name, text);
+}
+
+/// The front as steps to the right edge; where it ends.
+std::optional<double> add_front(Svg& svg, const QuantityResult& q, const Frame& frame, const Plot& plot) {
+  if (frame.across == Across::setting) return std::nullopt;
+  const std::vector<bool> front = pareto_front(q, cost_of(frame.across));
+  std::vector<std::pair<double, double>> points;
+  std::size_t next = 0;
+  for (const MethodResult& m : q.methods)
+    for (const TimedTrial& t : m.trials)
+      if (front[next++] && frame.within(t)) points.emplace_back(frame.x(t), frame.y(t));
+  if (points.empty()) return std::nullopt;
+  std::ranges::sort(points);
+  std::vector<Pixel> steps;
+  for (const auto& [x, y] : points) {
+    if (!steps.empty()) steps.push_back({plot.x(x), steps.back().y});
+    steps.push_back(plot(x, y));
+  }
+  steps.push_back({plot.x.to, steps.back().y});
+  svg.curve(steps, "front");
+  return steps.back().y;
+}
+
+void add_spread(Svg& svg, const Frame& frame, const Plot& plot, const Curve& curve) {
+  if (frame.across != Across::time) return;
+  std::string data;
+  for (const TimedTrial& t : curve.method->trials) {
+    if (!std::isfinite(t.time.spread) || !frame.within(t)) continue;
+    const double x = frame.x(t), from = std::max(x - t.time.spread, plot.x.low);
+    data += "M" + px(plot.x(from)) + " " + px(plot.y(frame.y(t))) + "H" + px(plot.x(x + t.time.spread));
+  }
+  if (!data.empty()) svg.path(data, "curve thin " + colour_class(curve.slot));
+}
+
+void add_curve(Svg& svg, const Frame& frame, const Plot& plot, const Curve& curve) {
+  const MethodResult& m = *curve.method;
+  svg.curve(places(frame, plot, m, true), "curve " + colour_class(curve.slot));
+  add_spread(svg, frame, plot, curve);
+  std::vector<Pixel> full, open;
+  for (const TimedTrial& t : m.trials)
+    if (std::isfinite(frame.x(t)))
+      (t.outcome == Outcome::ok ? full : open).push_back(plot(frame.x(t), frame.y(t)));
+  svg.marks(full, curve.slot, "mark");
+  svg.marks(open, curve.slot, "hollow");
+  for (const TimedTrial& t : m.trials)
+    if (t.outcome != Outcome::ok && t.outcome != Outcome::inaccurate && std::isfinite(frame.x(t)))
+      svg.text({plot.x(frame.x(t)) + 6, plot.y(frame.y(t)) - 5}, std::string(1, letter_of(t.outcome)),
+               "t small");
+}
+
+/// A name beside the end of its curve, with a thin line to it.
+struct Label {
+  Pixel end;
+  std::string text;
+  int slot;  ///< -1: of no curve
+};
+
+void add_labels(Svg& svg, const std::vector<Label>& labels, double top, double bottom) {
+  std::vector<double> wanted;
+  for (const Label& label : labels) wanted.push_back(label.end.y);
+  const std::vector<double> heights = spread(wanted, label_height, top + 6, bottom - 4);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Label& label = labels[i];
+    svg.line({label.end.x + 5, label.end.y}, {label_left - 4, heights[i]}, "lead");
+    if (label.slot >= 0) svg.marks({{label_left + 3, heights[i]}}, label.slot, "mark");
+    svg.text({label_left + 12, heights[i] + 4}, shortened(label.text, longest_label),
+             label.slot < 0 ? "t b" : "t");
   }
 }
 
-/// Failed trials under the letters that the maps of stability have. `inaccurate` has none: such a trial is
-/// above the line of the need.
-void add_failures(const QuantityResult& q, const Frame& frame, const std::vector<bool>& coloured,
-                  Plot& plot) {
+/// The letters of the failures that are shown, and what they say; what else has to be said of the marks.
+std::string key_of(const std::vector<Curve>& curves, std::size_t left_out) {
+  std::string text;
+  bool open = false;
   for (Outcome outcome : outcomes_of_a_map) {
-    if (outcome == Outcome::ok || outcome == Outcome::inaccurate) continue;
-    std::string rows, pale_rows;
-    for (const MethodResult& m : q.methods)
-      if (frame.shows(m))
-        for (const TimedTrial& t : m.trials)
-          if (t.outcome == outcome)
-            (coloured[static_cast<std::size_t>(&m - q.methods.data())] ? rows : pale_rows) +=
-                row(frame, t, frame.y(t));
-    if (rows.empty() && pale_rows.empty()) continue;
-    const std::string letter(1, letter_of(outcome));
-    const auto add = [&](const std::string& name, const std::string& points, const std::string& colour) {
-      if (points.empty()) return;
-      plot.data += block(name, points);
-      plot.add(name + " using 1:2:('" + letter + "') with labels font ',11' offset 0.9,0.45 tc rgb '" +
-               colour + "' notitle");
-    };
-    add("$pale_" + letter, pale_rows, "#999999");
-    add("$failed_" + letter, rows, "#000000");
-    plot.add("keyentry with points pt '" + letter + "' lc rgb '#000000' font ',11'",
-             std::string(name_of(outcome)));
+    const bool there = std::ranges::any_of(curves, [outcome](const Curve& c) {
+      return std::ranges::any_of(c.method->trials,
+                                 [outcome](const TimedTrial& t) { return t.outcome == outcome; });
+    });
+    if (!there || outcome == Outcome::ok) continue;
+    open = true;
+    if (outcome != Outcome::inaccurate)
+      text += std::string(", ") + letter_of(outcome) + " " + std::string(name_of(outcome));
   }
-}
-
-void add_line(const Frame& frame, double y, const std::string& style, const std::string& title, Plot& plot) {
-  if (y >= frame.errors.low && y <= frame.errors.high)
-    plot.add(shortest(y) + " with lines " + style, plain(title));
+  text = open ? "open mark: the trial fails" + text : "";
+  if (left_out > 0)
+    text += (text.empty() ? "" : "; ") + std::to_string(left_out) +
+            (left_out == 1 ? " method is" : " methods are") + " not drawn";
+  return text;
 }
 
 /// What is counted, as far as the knobs tell.
@@ -331,7 +341,7 @@ std::string counted(const QuantityResult& q) {
 }
 
 std::string in_unit(const std::string& number, const QuantityResult& q) {
-  return number +
+  return with_powers(number) +
          (q.unit.empty() || q.unit == "1" || q.unit.find(',') != std::string::npos ? "" : " " + q.unit);
 }
 
@@ -342,41 +352,8 @@ std::string abscissa_name(const QuantityResult& q, const Frame& frame) {
   return frame.knob + (of_time ? " [" + q.trajectory->time_unit + "]" : "");
 }
 
-/// gnuplot 5.4 sets `set xtics 10` beside the decades where the range begins between two of them.
-constexpr auto every_decade = "set xtics 1e-15,10,1e15\n";
-
-/// Everything but the data: a title in two lines, axes, and the legend beside.
-std::string header(const QuantityResult& q, const std::string& title, const Frame& frame, std::size_t entries,
-                   const std::filesystem::path& file) {
-  const double every = std::max(1.0, std::ceil(frame.errors.count() / 12));
-  const double height = std::max(480.0, 160 + 20 * static_cast<double>(entries));
-  const bool decades = !frame.linear && frame.abscissas.high / frame.abscissas.low > 30;
-  std::string ranges;
-  if (frame.across == Across::setting)
-    ranges = "[" + shortest(frame.abscissas.low) + ":" + shortest(frame.abscissas.high) + "]";
-  else
-    ranges = "[" + shortest(frame.abscissas.low / 1.5) + ":" + shortest(frame.abscissas.high * 1.2) + "]";
-  return svg(height, file) + headline(finding(q, frame.across), title, height) +
-         "set lmargin at screen 0.09\nset rmargin at screen 0.64\nset logscale " +
-         (frame.linear ? "y" : "xy") + "\nset format x '" + (decades ? "10^{%L}" : "%g") + "'\n" +
-         (decades ? every_decade : "") + "set format y '10^{%L}'\nset ytics " + shortest(frame.errors.low) +
-         "," + shortest(std::pow(10, every)) + "," + shortest(frame.errors.high * (frame.strip ? 0.5 : 1)) +
-         "\nunset mytics\nset xlabel " + quoted(abscissa_name(q, frame)) + " noenhanced\nset ylabel " +
-         quoted(q.unit == "1" || q.unit.empty() ? "error" : "error [" + q.unit + "]") +
-         " noenhanced\nset key at screen 0.655, screen " + shortest(1 - 50 / height) +
-         " left top vertical maxcols 1 Left reverse enhanced spacing 1.1 samplen 1.6 font ',12'\n"
-         "set grid xtics ytics lc rgb '#dddddd' lw 0.6\nset border 3 lc rgb '#444444'\nset tics nomirror\n"
-         "set xrange " +
-         ranges + "\nset yrange [" + shortest(frame.errors.low / 1.5) + ":" + shortest(frame.top() * 1.2) +
-         "]\n";
-}
-
-std::string strip_text(const Frame& frame) {
-  if (!frame.strip) return "";
-  return "set arrow from graph 0, first " + shortest(frame.above(0.1)) + " to graph 1, first " +
-         shortest(frame.above(0.1)) +
-         " nohead lc rgb '#888888' lw 0.8\nset label \"no number,\\noff the scale\" at graph -0.01, first " +
-         shortest(frame.above(0.65)) + " right font ',10' tc rgb '#444444'\n";
+std::string error_name(const QuantityResult& q) {
+  return q.unit == "1" || q.unit.empty() ? "error" : "error [" + q.unit + "]";
 }
 
 /// "1,234,567".
@@ -400,6 +377,45 @@ std::string without_size(const std::string& name) {
 }
 
 }  // namespace
+
+bool preferable(const TimedTrial& a, const TimedTrial& b, Cost kind) {
+  const bool a_ok = a.outcome == Outcome::ok, b_ok = b.outcome == Outcome::ok;
+  if (a_ok != b_ok) return a_ok;
+  if (!a_ok) return a.error < b.error || (std::isfinite(a.error) && !std::isfinite(b.error));
+  return std::pair(cost(a, kind), a.error) < std::pair(cost(b, kind), b.error);
+}
+
+const TimedTrial& best_of(const MethodResult& m, Cost kind) {
+  return *std::ranges::min_element(
+      m.trials, [kind](const TimedTrial& a, const TimedTrial& b) { return preferable(a, b, kind); });
+}
+
+std::vector<std::size_t> worth_seeing(const QuantityResult& q, Across across) {
+  constexpr std::size_t most_of_front = 4;
+  const Cost kind = cost_of(across);
+  const Frame frame(q, across);
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < q.methods.size(); ++i)
+    if (frame.shows(q.methods[i])) shown.push_back(i);
+  if (shown.size() <= most_curves) return shown;
+  std::vector<std::size_t> wanted;
+  if (across != Across::setting) wanted = methods_on_front(q, frame, kind);
+  if (wanted.size() > most_of_front) wanted.resize(most_of_front);
+  const auto append = [&](const std::vector<std::size_t>& more) {
+    wanted.insert(wanted.end(), more.begin(), more.end());
+  };
+  append(best_of_each(q, shown, kind, [](const MethodResult& m) { return m.model; }));
+  std::vector<std::size_t> good;
+  for (std::size_t i : shown)
+    if (family_of(q.methods[i].algorithm) != Family::none &&
+        best_of(q.methods[i], kind).outcome == Outcome::ok)
+      good.push_back(i);
+  append(best_of_each(q, good, kind, [](const MethodResult& m) { return family_of(m.algorithm); }));
+  std::set<std::size_t> chosen;
+  for (std::size_t i : wanted)
+    if (chosen.size() < most_curves) chosen.insert(i);
+  return {chosen.begin(), chosen.end()};
+}
 
 bool has_chart(const QuantityResult& q) {
   std::set<double> errors;
@@ -444,7 +460,7 @@ std::string finding(const QuantityResult& q, Across across) {
   if (across == Across::setting)
     return std::string("Of the methods with a ") + (frame.knob == "step" ? "step" : "setting") + ", " +
            named(*best) + " is the most accurate: " + in_unit(shown_error(best->error), q) + " at " +
-           shown_knob(*best);
+           with_powers(shown_knob(*best));
   if (best->outcome != Outcome::ok)
     return "No method reaches " + needed + "; the closest is " + named(*best) + ": " +
            in_unit(shown_error(best->error), q);
@@ -455,31 +471,53 @@ std::string finding(const QuantityResult& q, Across across) {
   return named(*best) + " reaches " + needed + " with the least work: " + work;
 }
 
-std::string chart_script(const QuantityResult& q, const std::string& title, Across across,
-                         const std::filesystem::path& file, const Styles& styles) {
+std::string chart_svg(const QuantityResult& q, const std::string& title, Across across, Curves which) {
   const Frame frame(q, across);
-  const std::vector<bool> coloured = highlighted(q, frame);
-  Plot plot;
-  add_data(q, frame, plot);
-  if (q.need.allowed > 0)
-    add_line(frame, q.need.allowed, "lc rgb '#666666' dt 2 lw 1.2",
-             "needed: " + in_unit(shown_error(q.need.allowed), q), plot);
+  std::vector<std::size_t> chosen = worth_seeing(q, across);
+  const auto shown = static_cast<std::size_t>(
+      std::ranges::count_if(q.methods, [&](const MethodResult& m) { return frame.shows(m); }));
+  if (which == Curves::all) {
+    chosen.clear();
+    for (std::size_t i = 0; i < q.methods.size(); ++i) chosen.push_back(i);
+  }
+  const std::vector<Curve> curves = curves_of(q, frame, chosen);
+  constexpr double head = 70;  // at most
+  const double height = std::max(least_plot_height, label_height * static_cast<double>(curves.size() + 1));
+  Svg svg(chart_width, head + height + below_plot, title + ". " + finding(q, across));
+  const double top = svg.headline(finding(q, across), title);
+  const double bottom = head + height;
+  const Plot plot = plot_of(frame, top, bottom - top);
+  const double need = std::min(q.need.allowed, plot.y.high);
+  if (need > plot.y.low)
+    svg.rectangle({plot.x.from, plot.y(need)}, plot.width(), bottom - plot.y(need), "good");
+  add_axes(svg, plot, abscissa_name(q, frame), error_name(q));
+  if (frame.strip) {
+    const double y = plot.y(frame.above(0.1));
+    svg.line({plot.x.from, y}, {plot.x.to, y}, "axis");
+    svg.text({plot.x.from + 5, y - 5}, "no number, or off the scale", "dim small");
+  }
+  std::vector<Label> labels;
+  if (const auto end = add_front(svg, q, frame, plot))
+    labels.push_back({{plot.x.to, *end}, "Pareto front: none is cheaper and truer", -1});
+  add_level(svg, plot, q.need.allowed, "needed: " + in_unit(shown_error(q.need.allowed), q), "need",
+            "needed b halo");
   if (q.trajectory)
-    add_line(frame, q.trajectory->close, "lc rgb '#666666' dt 5 lw 1.2",
-             "enough for a game: " + in_unit(shown_error(q.trajectory->close), q), plot);
+    add_level(svg, plot, q.trajectory->close,
+              "enough for a game: " + in_unit(shown_error(q.trajectory->close), q), "game", "dim halo");
   if (frame.floored)
-    add_line(frame, frame.floor, "lc rgb '#666666' dt 3 lw 1.2",
-             "truth known to " + in_unit(shown_error(frame.floor), q), plot);
-  add_pale(q, frame, coloured, plot);
-  add_front(q, frame, plot);
-  std::vector<std::string> models;
-  for (const MethodResult& m : q.methods)
-    if (std::ranges::find(models, m.model) == models.end()) models.push_back(m.model);
-  std::map<std::string, const MethodResult*> drawn;
-  for (const std::string& model : models) add_model(q, model, frame, styles, coloured, drawn, plot);
-  add_failures(q, frame, coloured, plot);
-  return "reset session\n" + plot.data + header(q, title, frame, plot.entries, file) + strip_text(frame) +
-         plot.parts + "\nunset output\n";
+    add_level(svg, plot, frame.floor, "truth known to " + in_unit(shown_error(frame.floor), q), "floor",
+              "dim halo");
+  for (const Curve& curve : curves) {
+    add_curve(svg, frame, plot, curve);
+    std::vector<Pixel> ends = places(frame, plot, *curve.method, true);
+    if (ends.empty()) ends = places(frame, plot, *curve.method, false);
+    if (!ends.empty())
+      labels.push_back({*std::ranges::max_element(ends, {}, &Pixel::x), curve.label, curve.slot});
+  }
+  add_labels(svg, labels, top, bottom);
+  svg.text({chart_width - 12, bottom + 46}, key_of(curves, shown - std::min(shown, curves.size())),
+           "dim small", Svg::Anchor::end);
+  return svg.str();
 }
 
 std::vector<std::vector<const QuantityResult*>> series_of(const ExerciseResult& e) {
@@ -499,59 +537,71 @@ std::vector<std::vector<const QuantityResult*>> series_of(const ExerciseResult& 
   return all;
 }
 
-std::string series_script(const std::vector<const QuantityResult*>& series, const std::string& title,
-                          const std::filesystem::path& file, const Styles& styles) {
-  struct Curve {
-    std::string rows;
-    double first_size, first_cost, size, cost;
-    int points = 0;
-  };
-  std::vector<std::pair<const MethodResult*, Curve>> curves;
+namespace {
+
+/// A method's work at growing sizes.
+struct Growth {
+  const MethodResult* method;
+  std::vector<std::pair<double, double>> points;
+
+  /// "work ~ n^2".
+  std::string law() const {
+    if (points.size() < 2) return "";
+    const auto& [size, work] = points.back();
+    const auto& [first_size, first_work] = points.front();
+    return " (work ~ n^" + rounded(std::log(work / first_work) / std::log(size / first_size), 3) + ")";
+  }
+};
+
+std::vector<Growth> growths(const std::vector<const QuantityResult*>& series) {
+  std::vector<Growth> all;
   for (const QuantityResult* q : series)
     for (const MethodResult& m : q->methods) {
-      auto found = std::ranges::find_if(curves, [&](const auto& c) {
-        return c.first->model == m.model && c.first->algorithm == m.algorithm;
+      auto found = std::ranges::find_if(all, [&](const Growth& g) {
+        return g.method->model == m.model && g.method->algorithm == m.algorithm;
       });
-      const auto size = static_cast<double>(size_in_name(q->name));
-      const double work = cost(m.trials.back(), Cost::evaluations);
-      if (found == curves.end()) {
-        curves.push_back({&m, {"", size, work, size, work}});
-        found = curves.end() - 1;
-      }
-      Curve& curve = found->second;
-      curve.rows += shortest(size) + " " + shortest(work) + "\n";
-      curve.size = size, curve.cost = work, ++curve.points;
+      if (found == all.end()) found = all.insert(all.end(), {&m, {}});
+      found->points.emplace_back(static_cast<double>(size_in_name(q->name)),
+                                 cost(m.trials.back(), Cost::evaluations));
     }
-  Plot plot;
+  return all;
+}
+
+}  // namespace
+
+std::string series_finding(const std::vector<const QuantityResult*>& series) {
   std::pair<double, std::string> cheapest{INFINITY, ""};
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    const auto& [method, curve] = curves[i];
-    const std::string name = "$d" + std::to_string(i);
-    plot.data += block(name, curve.rows);
-    std::string growth;
-    if (curve.points > 1)
-      growth = "work ~ n^" +
-               rounded(std::log(curve.cost / curve.first_cost) / std::log(curve.size / curve.first_size), 3);
-    cheapest = std::min(cheapest, {curve.cost / curve.size,
-                                   method->algorithm + " (" + method->model +
-                                       ") needs the least work: " + with_commas(std::lround(curve.cost)) +
-                                       " for n = " + rounded(curve.size, 6)});
-    if (i == 0 || curves[i - 1].first->model != method->model)
-      plot.add("keyentry with lines " + styles.colour(method->model) + " lw 5", bold(method->model));
-    plot.add(name + " using 1:2 with linespoints " + styles.colour(method->model) + " " +
-                 styles.mark(method->algorithm) + " ps 0.9 lw 1.4",
-             plain(method->algorithm + (growth.empty() ? "" : " (" + growth + ")")));
+  for (const Growth& g : growths(series)) {
+    const auto& [size, work] = g.points.back();
+    cheapest = std::min(cheapest,
+                        {work / size, named(g.method->trials.back()) + " needs the least work: " +
+                                          with_commas(std::lround(work)) + " for n = " + rounded(size, 6)});
   }
-  const double height = 480;
-  return "reset session\n" + plot.data + svg(height, file) + headline(cheapest.second, title, height) +
-         "set lmargin at screen 0.09\nset rmargin at screen 0.64\nset logscale xy\nset format x '10^{%L}'\n"
-         "set format y '10^{%L}'\nset xtics 1,10,1e15\nset ytics 1,10,1e15\nset xlabel 'n'\nset ylabel "
-         "'counted work'\n"
-         "set key at screen 0.655, screen 0.89 left top vertical maxcols 1 Left reverse enhanced spacing 1.1 "
-         "samplen 1.6 font ',12'\nset grid xtics ytics lc rgb '#dddddd' lw 0.6\n"
-         "set border 3 lc rgb '#444444'\nset tics nomirror\nset offsets graph 0.05, graph 0.05, graph 0.05, "
-         "graph 0.05\n" +
-         plot.parts + "\nunset output\n";
+  return cheapest.second;
+}
+
+std::string series_svg(const std::vector<const QuantityResult*>& series, const std::string& title) {
+  const std::vector<Growth> all = growths(series);
+  Range sizes, works;
+  for (const Growth& g : all)
+    for (const auto& [size, work] : g.points) sizes.see(size), works.see(work);
+  sizes = sizes.decades(), works = works.decades();
+  Svg svg(chart_width, least_plot_height + 70 + below_plot, title + ". " + series_finding(series));
+  const double top = svg.headline(series_finding(series), title), bottom = least_plot_height + 70;
+  const Plot plot{{sizes.low / 1.1, sizes.high * 1.1, plot_left, plot_right, true},
+                  {works.low / 1.2, works.high * 1.2, bottom, top, true}};
+  add_axes(svg, plot, "n", "counted work");
+  std::vector<Label> labels;
+  int slot = 0;
+  for (const Growth& g : all) {
+    std::vector<Pixel> points;
+    for (const auto& [size, work] : g.points) points.push_back(plot(size, work));
+    svg.curve(points, "curve " + colour_class(slot));
+    svg.marks(points, slot, "mark");
+    labels.push_back({points.back(), g.method->model + ", " + g.method->algorithm + g.law(), slot++});
+  }
+  add_labels(svg, labels, top, bottom);
+  return svg.str();
 }
 
 }  // namespace oddity

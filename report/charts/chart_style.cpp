@@ -9,12 +9,10 @@ namespace oddity {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> colours{"#0072B2", "#D55E00", "#000000", "#56B4E9",
-                                                   "#E69F00", "#009E73", "#CC79A7", "#882255",
-                                                   "#999933", "#332288", "#AA4499"};
+constexpr std::size_t all_colours = 11;
 
-/// Marks of gnuplot's svg terminal that stay apart when small, and the dashes that tell those apart that
-/// share one. A slot is a mark and a kind of dashes.
+/// Marks that stay apart when small, by the numbers that they have in gnuplot, and the dashes that tell those
+/// apart that share one. A slot is a mark and a kind of dashes.
 constexpr std::array marks{7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14};
 constexpr std::array dashes{1, 2, 4};
 constexpr std::size_t all_slots = marks.size() * dashes.size();
@@ -134,24 +132,12 @@ Styles::Styles(const Results& results) {
       for (const auto& [model, beside] : of_model) algorithms.add(beside);
     }
   using Slot = std::optional<std::size_t>;
-  colours_ = models.slots(colours.size(), [](const std::string&) { return Slot(); });
+  colours_ = models.slots(all_colours, [](const std::string&) { return Slot(); });
   marks_ = algorithms.slots(all_slots, [](const std::string& name) {
     const OwnMark* own = own_mark(name);
     return own ? Slot(own->slot()) : Slot();
   });
 }
-
-std::string Styles::colour(const std::string& model) const {
-  return "lc rgb '" + std::string(colours[colours_.at(model)]) + "'";
-}
-
-std::string Styles::mark(const std::string& algorithm) const {
-  const std::size_t slot = marks_.at(algorithm), dash = slot / marks.size();
-  return "pt " + std::to_string(marks[slot % marks.size()]) +
-         (dash == 0 ? "" : " dt " + std::to_string(dashes[dash]));
-}
-
-std::span<const std::string_view> model_colours() { return colours; }
 
 std::string_view colour_of(Outcome outcome) { return outcome_colours[static_cast<std::size_t>(outcome)]; }
 

@@ -5,7 +5,8 @@
 
 #include "reference/text.hpp"
 #include "report/charts/chart_style.hpp"
-#include "report/charts/gnuplot.hpp"
+#include "report/charts/svg.hpp"
+#include "report/pages/markup.hpp"
 #include "report/study/stability.hpp"
 
 namespace oddity {
@@ -14,7 +15,7 @@ namespace {
 
 // Pixels. The picture is as wide as the column of a page, so that its letters are read in their own size.
 constexpr int map_width = 900, cell_width = 38, cell_height = 17, panel_gap = 16;
-constexpr int left_edge = 76, upper_edge = 96, model_height = 44, axis_height = 40;
+constexpr int left_edge = 76, upper_edge = 112, model_height = 44, axis_height = 40;
 
 /// A method's panel: the values across and the steps down.
 struct Panel {
@@ -54,17 +55,6 @@ struct Layout {
     height += panel_height + axis_height;
   }
 
-  std::string x(int pixels) const { return shortest(static_cast<double>(pixels) / map_width); }
-  std::string y(int pixels) const { return shortest(1 - static_cast<double>(pixels) / height); }
-  std::string at(int across, int down) const { return "screen " + x(across) + ", screen " + y(down); }
-
-  std::string margins(const Panel& p) const {
-    const int right = p.across + cell_width * static_cast<int>(p.columns.size());
-    return "set lmargin at screen " + x(p.across) + "\nset rmargin at screen " + x(right) +
-           "\nset tmargin at screen " + y(p.down) + "\nset bmargin at screen " + y(p.down + panel_height) +
-           "\n";
-  }
-
  private:
   static int right_of(const Panel& p) {
     return p.across + cell_width * static_cast<int>(p.columns.size()) + panel_gap;
@@ -80,7 +70,7 @@ struct Layout {
     };
     if (across + all > map_width) begin_line();
     models.push_back(
-        {shortened(group[0][0]->model, group.size() > 1 ? 60 : 24), across, height - model_height});
+        {shortened(group[0][0]->model, group.size() > 1 ? 60 : 32), across, height - model_height});
     for (const auto& columns : group) {
       if (across + wide(columns) > map_width) begin_line();
       panels.push_back({columns, across, height, across == left_edge});
@@ -89,71 +79,94 @@ struct Layout {
   }
 };
 
-std::string tics(const std::vector<double>& numbers, int direction) {
-  std::string list;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    list += (i ? ", " : "") + quoted(rounded(numbers[i], 3)) + " " +
-            std::to_string(direction * static_cast<int>(i));
-  return "(" + list + ")";
+/// The cells of a map have the colours of their outcomes, on a dark page too.
+std::string cell_styles() {
+  std::string css;
+  for (Outcome outcome : outcomes_of_a_map)
+    css += std::string(".") + letter_of(outcome) + "{fill:" + std::string(colour_of(outcome)) + "}.on-" +
+           letter_of(outcome) + "{fill:" + std::string(colour_on(outcome)) + "}";
+  return css;
 }
 
-/// The cells of one panel as gnuplot's data: column, row, colour, letter and the letter's colour; then
-/// theory's limits as lines, those beyond the steps shown along the edge.
-std::string panel_data(const std::vector<const MapRow*>& columns, const Stability& s) {
-  const auto number = [](std::string_view colour) { return " 0x" + std::string(colour.substr(1)); };
-  std::string cells, theory;
-  for (std::size_t column = 0; column < columns.size(); ++column) {
-    const MapRow& row = *columns[column];
-    for (std::size_t k = 0; k < row.outcomes.size(); ++k)
-      cells += std::to_string(column) + " -" + std::to_string(k) + number(colour_of(row.outcomes[k])) + " " +
-               letter_of(row.outcomes[k]) + number(colour_on(row.outcomes[k])) + "\n";
-    const double top_edge = 0.5, bottom_edge = top_edge - static_cast<double>(s.steps.size());
-    const double height = std::clamp(std::log2(row.theory / s.steps.front()), bottom_edge, top_edge);
-    theory += shortest(static_cast<double>(column) - 0.5) + " " + rounded(height, 5) + " 1 0\n";
+/// The middle of a cell.
+double middle_of(int edge, std::size_t place, int size) {
+  return edge + size * (static_cast<double>(place) + 0.5);
+}
+
+/// A panel's cells of one outcome as rectangles, with their letters, those of one step in one line.
+void add_cells(Svg& svg, const Panel& p, const Stability& s, Outcome outcome) {
+  const char letter = letter_of(outcome);
+  std::vector<std::vector<double>> places(s.steps.size());
+  std::string cells;
+  for (std::size_t k = 0; k < s.steps.size(); ++k)
+    for (std::size_t column = 0; column < p.columns.size(); ++column) {
+      if (p.columns[column]->outcomes[k] != outcome) continue;
+      places[k].push_back(middle_of(p.across, column, cell_width));
+      cells += "M" + px(places[k].back() - cell_width / 2.0 + 0.5) + " " +
+               px(p.down + cell_height * static_cast<double>(k) + 0.5) + "h" + px(cell_width - 1) + "v" +
+               px(cell_height - 1) + "h-" + px(cell_width - 1) + "z";
+    }
+  if (!cells.empty()) svg.path(cells, std::string(1, letter));
+  for (std::size_t k = 0; k < s.steps.size() && outcome != Outcome::ok; ++k)
+    if (!places[k].empty())
+      svg.letters(places[k], middle_of(p.down, k, cell_height) + 4, std::string(places[k].size(), letter),
+                  std::string("on-") + letter);
+}
+
+/// Theory's limits as lines, those beyond the steps shown along the edge.
+std::string theory_lines(const Panel& p, const Stability& s) {
+  std::string data;
+  for (std::size_t column = 0; column < p.columns.size(); ++column) {
+    const auto last = static_cast<double>(s.steps.size());
+    const double down = std::clamp(0.5 - std::log2(p.columns[column]->theory / s.steps.front()), 0.0, last);
+    data += "M" + px(p.across + cell_width * static_cast<double>(column)) + " " +
+            px(p.down + cell_height * down) + "h" + px(cell_width);
   }
-  return "$cells << EOD\n" + cells + "EOD\n$theory << EOD\n" + theory + "EOD\n";
+  return data;
+}
+
+std::string axis_name(const std::string& name, const std::string& unit) {
+  return name + (unit.empty() || unit == "1" ? "" : " [" + unit + "]");
+}
+
+void add_panel(Svg& svg, const Panel& p, const Stability& s, int height) {
+  const int width = cell_width * static_cast<int>(p.columns.size());
+  svg.text({p.across + width / 2.0, p.down - 6.0}, p.columns[0]->algorithm, "t", Svg::Anchor::middle);
+  for (Outcome outcome : outcomes_of_a_map) add_cells(svg, p, s, outcome);
+  const std::string theory = theory_lines(p, s);
+  svg.path(theory, "rim");
+  svg.path(theory, "theory");
+  for (std::size_t i = 0; i < p.columns.size(); ++i)
+    svg.text({middle_of(p.across, i, cell_width), p.down + height + 14.0},
+             with_powers(rounded(p.columns[i]->value, 3)), "dim small", Svg::Anchor::middle);
+  svg.text({p.across + width / 2.0, p.down + height + 30.0}, axis_name(s.parameter, s.parameter_unit),
+           "dim small", Svg::Anchor::middle);
+  if (!p.first) return;
+  for (std::size_t k = 0; k < s.steps.size(); ++k)
+    svg.text({p.across - 6.0, middle_of(p.down, k, cell_height) + 4}, with_powers(rounded(s.steps[k], 3)),
+             "dim small", Svg::Anchor::end);
+  svg.upward_text({14, p.down + height / 2.0}, axis_name("step", s.time_unit), "t");
 }
 
 /// The outcomes that the map has, in a line above the panels.
-std::string legend_text(const Stability& s, const Layout& layout) {
-  constexpr int y = 60, wide = 102;
-  std::string text;
-  int x = 12;
+void add_legend(Svg& svg, const Stability& s) {
+  constexpr double y = 76, wide = 100;
+  double x = 12;
   for (Outcome outcome : outcomes_of_a_map) {
     if (std::ranges::none_of(s.map, [&](const MapRow& row) {
           return std::ranges::find(row.outcomes, outcome) != row.outcomes.end();
         }))
       continue;
-    text += "set object rectangle from " + layout.at(x, y) + " to " + layout.at(x + 20, y + 17) +
-            " fc rgb '" + std::string(colour_of(outcome)) + "' fs solid 1 noborder\nset label '" +
-            letter_of(outcome) + "' at " + layout.at(x + 10, y + 8) + " center font ',12' tc rgb '" +
-            std::string(colour_on(outcome)) + "' front\nset label '" + std::string(name_of(outcome)) +
-            "' at " + layout.at(x + 25, y + 8) + " left font ',12'\n";
+    svg.rectangle({x, y}, 20, 17, std::string(1, letter_of(outcome)));
+    if (outcome != Outcome::ok)
+      svg.letters({x + 10}, y + 13, std::string(1, letter_of(outcome)),
+                  std::string("on-") + letter_of(outcome));
+    svg.text({x + 25, y + 13}, std::string(name_of(outcome)), "t");
     x += wide;
   }
-  return text + "set arrow from " + layout.at(x, y + 8) + " to " + layout.at(x + 20, y + 8) +
-         " nohead lw 3 lc rgb '#000000'\nset label 'limit of linear theory' at " + layout.at(x + 25, y + 8) +
-         " left font ',12'\n";
-}
-
-std::string axis_name(const std::string& name, const std::string& unit) {
-  return quoted(name + (unit.empty() || unit == "1" ? "" : " [" + unit + "]")) + " noenhanced";
-}
-
-std::string panel_text(const Panel& p, const Stability& s) {
-  std::vector<double> values;
-  for (const MapRow* row : p.columns) values.push_back(row->value);
-  return panel_data(p.columns, s) + "set title " + quoted(p.columns[0]->algorithm) +
-         " noenhanced font ',12' offset 0,-0.7\nset xrange [-0.5:" +
-         shortest(static_cast<double>(values.size()) - 0.5) + "]\nset xtics " + tics(values, 1) +
-         "\nset xlabel " + axis_name(s.parameter, s.parameter_unit) +
-         " noenhanced font ',12' offset 0,0.7\nset ytics " + (p.first ? tics(s.steps, -1) : "('' 0)") +
-         "\nset ylabel " + (p.first ? axis_name("step", s.time_unit) : "''") +
-         " font ',12'\nplot $cells using 1:2:(0.49):(0.48):3 with boxxyerror lc rgb variable, "
-         "$theory using 1:2:3:4 with vectors nohead lw 5 lc rgb '#ffffff', "
-         "$theory using 1:2:3:4 with vectors nohead lw 2.5 lc rgb '#000000', "
-         "$cells using 1:2:4:5 with labels font ',12' tc rgb variable\nunset label\nunset object\nunset "
-         "arrow\n";
+  svg.line({x, y + 8}, {x + 20, y + 8}, "rim");
+  svg.line({x, y + 8}, {x + 20, y + 8}, "theory");
+  svg.text({x + 25, y + 13}, "limit of linear theory", "t");
 }
 
 /// The longest step from which on a method ends ok at every value of the parameter; 0: none.
@@ -165,7 +178,7 @@ double longest_ok(const Panel& p, const Stability& s) {
   return longest;
 }
 
-std::string map_finding(const Layout& layout, const Stability& s) {
+std::string finding_of(const Layout& layout, const Stability& s) {
   const auto best =
       std::ranges::max_element(layout.panels, {}, [&](const Panel& p) { return longest_ok(p, s); });
   const std::string everywhere = "ok at every " + s.parameter;
@@ -176,21 +189,20 @@ std::string map_finding(const Layout& layout, const Stability& s) {
 
 }  // namespace
 
-std::string map_script(const ExerciseResult& e, const std::string& file) {
+std::string map_svg(const ExerciseResult& e) {
   const Stability& s = *e.stability;
   const Layout layout(s);
-  std::string text = "reset session\nset terminal svg size " + std::to_string(map_width) + "," +
-                     std::to_string(layout.height) + " dynamic font 'Helvetica,12' background '#ffffff'\n" +
-                     set_output(file) +
-                     "set multiplot\nunset key\nset border 0\nset tics scale 0 nomirror font ',11'\n"
-                     "set style fill solid 1 noborder\nset yrange [" +
-                     shortest(0.5 - static_cast<double>(s.steps.size())) + ":0.5]\n" +
-                     headline(map_finding(layout, s), map_title(e), layout.height) + legend_text(s, layout);
+  const std::string says = finding_of(layout, s);
+  Svg svg(map_width, layout.height, map_title(e) + ". " + says, cell_styles());
+  svg.headline(says, map_title(e));
+  add_legend(svg, s);
   for (const auto& [model, across, down] : layout.models)
-    text += "set label " + quoted(bold(model)) + " at " + layout.at(across, down + 12) + " left font ',13'\n";
-  for (const Panel& p : layout.panels) text += layout.margins(p) + panel_text(p, s);
-  return text + "unset multiplot\nunset output\n";
+    svg.text({static_cast<double>(across), down + 16.0}, model, "t b");
+  for (const Panel& p : layout.panels) add_panel(svg, p, s, layout.panel_height);
+  return svg.str();
 }
+
+std::string map_finding(const ExerciseResult& e) { return finding_of(Layout(*e.stability), *e.stability); }
 
 std::string map_title(const ExerciseResult& e) {
   return to_string(e.number) + " " + e.title + ": how each method ends over step and " +

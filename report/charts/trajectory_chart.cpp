@@ -3,8 +3,10 @@
 #include <numeric>
 
 #include "reference/text.hpp"
+#include "report/charts/axes.hpp"
 #include "report/charts/chart.hpp"
-#include "report/charts/gnuplot.hpp"
+#include "report/charts/svg.hpp"
+#include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
 
 namespace oddity {
@@ -29,28 +31,17 @@ std::vector<std::string> axis_labels(const QuantityResult& q, std::size_t count)
   return labels;
 }
 
-/// The span of the true motion in one observable, and a quarter of it on either side.
+/// The span of the true motion in one observable.
 struct Span {
   double low = INFINITY, high = -INFINITY;
 
   void see(double x) { low = std::min(low, x), high = std::max(high, x); }
-  std::string range() const {
+  /// With a quarter of it on either side.
+  Span widened() const {
     const double margin = high > low ? (high - low) / 4 : std::max(std::abs(high), 1e-9) / 4;
-    return "[" + shortest(low - margin) + ":" + shortest(high + margin) + "]";
+    return {low - margin, high + margin};
   }
 };
-
-/// Rows of time and observables, as far as the motion goes.
-std::string rows(const std::vector<double>& times, const Value& value, std::size_t count) {
-  std::string text;
-  for (std::size_t i = 0; i < times.size() && (i + 1) * count <= value.size(); ++i) {
-    text += shortest(times[i]);
-    for (std::size_t k = 0; k < count; ++k)
-      text += std::isfinite(value[i * count + k]) ? " " + rounded(value[i * count + k], 7) : " NaN";
-    text += "\n";
-  }
-  return text;
-}
 
 /// The paths from the truest to the most wrong, which is drawn on top of all.
 std::vector<std::size_t> by_error(const Trajectory& t) {
@@ -91,133 +82,180 @@ double largest_error(const Trajectory& t, const Path& p) {
   return drawn > 1e-6 * size_of(truth) || std::isnan(drawn) ? std::max(drawn, p.error) : p.error;
 }
 
-/// "off by 0.2", "diverged".
+/// "off by up to 0.2", "diverged".
 std::string how_wrong(const Trajectory& t, const Path& p, const std::string& unit = "") {
   const double error = largest_error(t, p);
-  return std::isfinite(error) ? "off by up to " + shown_error(error) + unit : std::string(name_of(p.outcome));
+  return std::isfinite(error) ? "off by up to " + with_powers(shown_error(error)) + unit
+                              : std::string(name_of(p.outcome));
 }
 
-/// The legend's line of a path: how true it is, and what it is hidden by.
-std::string title_of(const Trajectory& t, const std::vector<std::size_t>& order, std::size_t place,
-                     const std::vector<Span>& spans) {
+/// What the legend says of a path: how true it is, and what it is hidden by.
+std::string said_of(const Trajectory& t, const std::vector<std::size_t>& order, std::size_t place,
+                    const std::vector<Span>& spans) {
   const Path& p = t.paths[order[place]];
   const bool truest = order[place] == t.truest;
-  std::string how = truest ? ": true to " + shown_error(p.error) : ": " + how_wrong(t, p);
   const Path* cover = truest ? nullptr : cover_of(t, order, place, spans);
-  if (cover) how += ", hidden by '" + cover->model + "'";
-  return bold(p.model) + ", " + plain(shortened(p.algorithm + how, 96));
-}
-
-/// A line for each path: the truest broad and grey beneath, the others in their models' colours, the
-/// reference as rings. With `dots`, each path has one at the reference's times.
-std::string lines(const Trajectory& t, const std::string& columns, const std::vector<Span>& spans,
-                  const Styles& styles, bool titled, bool dots = false) {
-  const std::size_t every = t.times.size() / t.judged_at.size();
-  const auto order = by_error(t);
-  std::string text = "plot ";
-  for (std::size_t place = 0; place < order.size(); ++place) {
-    const std::size_t i = order[place];
-    const bool truest = i == t.truest;
-    const std::string colour = styles.colour(t.paths[i].model);
-    const std::string data = "$p" + std::to_string(i) + " using " + columns;
-    text += data + " with lines " + (truest ? "lc rgb '#bbbbbb' lw 6" : colour + " lw 1.5") +
-            (titled ? " title " + quoted(title_of(t, order, place, spans)) : " notitle") + ", \\\n  ";
-    if (dots && !truest)
-      text += data + " every " + std::to_string(every) + "::" + std::to_string(every - 1) + " with points " +
-              colour + " pt 7 ps 0.7 notitle, \\\n  ";
-  }
-  return text + "$reference using " + columns + " with points lc rgb '#000000' pt 6 ps 1.1 lw 1.3 " +
-         (titled ? "title 'reference'\n" : "notitle\n");
-}
-
-/// How far a path is from the truest, over time, where it is at least so far: of all observables the largest
-/// distance.
-std::string distance_rows(const Trajectory& t, const Path& p, std::size_t count, double least) {
-  const Value& truth = t.paths[t.truest].value;
-  std::string text;
-  for (std::size_t i = 0; i < t.times.size() && (i + 1) * count <= p.value.size(); ++i) {
-    double largest = 0;
-    for (std::size_t k = i * count; k < (i + 1) * count; ++k) {
-      const double difference = std::abs(p.value[k] - truth[k]);
-      largest = std::isfinite(difference) ? std::max(largest, difference) : INFINITY;
-    }
-    if (largest >= least && std::isfinite(largest))
-      text += shortest(t.times[i]) + " " + rounded(largest, 4) + "\n";
-  }
-  return text;
+  return p.algorithm + ": " + (truest ? "true to " + with_powers(shown_error(p.error)) : how_wrong(t, p)) +
+         (cover ? ", hidden by '" + cover->model + "'" : "");
 }
 
 std::string unit_of(const QuantityResult& q) {
   return q.unit.empty() || q.unit == "1" || q.unit.find(',') != std::string::npos ? "" : " " + q.unit;
 }
 
-constexpr double line_height = 21, headline_height = 62, time_axis_height = 62;
+// Pixels.
+constexpr double picture_width = 960, motion_left = 70, motion_right = 600, legend_left = 624,
+                 entry_height = 40;
+constexpr double under_axis = 46;
 
-/// The legend lies below the plots, a line for each path.
-std::string key_below(double height, std::size_t entries) {
-  return "set key at screen 0.06, screen " +
-         shortest((line_height * static_cast<double>(entries) + 8) / height) +
-         " left top vertical maxcols 1 Left reverse enhanced spacing 1.15 samplen 2 font ',12'\n";
+/// The true motion is broad and has no colour; a place has its colour among the others.
+int slot_of(std::size_t place) { return static_cast<int>(place) - 1; }
+
+/// A motion's picture under way.
+struct Frames {
+  const QuantityResult& q;
+  const Trajectory& t;
+  std::vector<std::size_t> order;
+  std::vector<Span> spans;
+  std::size_t count;  ///< of observables
+
+  explicit Frames(const QuantityResult& quantity) : q(quantity), t(*quantity.trajectory), order(by_error(t)) {
+    const Value& truth = t.paths[t.truest].value;
+    count = truth.size() / t.times.size();
+    spans.resize(count);
+    for (std::size_t i = 0; i < truth.size(); ++i) spans[i % count].see(truth[i]);
+  }
+
+  std::size_t times_of(const Path& p) const { return std::min(t.times.size(), p.value.size() / count); }
+
+  /// An observable over another, or, where that is none, over time; within the plot and a little beyond.
+  std::vector<Pixel> way(const Path& p, const Plot& plot, std::optional<std::size_t> across,
+                         std::size_t upward) const {
+    std::vector<Pixel> points;
+    for (std::size_t i = 0; i < times_of(p); ++i) {
+      const double x = across ? p.value[i * count + *across] : t.times[i];
+      const Pixel at = plot(x, p.value[i * count + upward]);
+      const bool inside = at.x >= plot.x.from - 1 && at.x <= plot.x.to + 1 && at.y <= plot.y.from + 1 &&
+                          at.y >= plot.y.to - 1;
+      points.push_back(inside ? at : Pixel{NAN, NAN});
+    }
+    return points;
+  }
+
+  void add_ways(Svg& svg, const Plot& plot, std::optional<std::size_t> across, std::size_t upward) const {
+    for (std::size_t place = 0; place < order.size(); ++place)
+      svg.curve(way(t.paths[order[place]], plot, across, upward),
+                place == 0 ? "truth" : "curve " + colour_class(slot_of(place)));
+    std::string rings;
+    for (std::size_t i = 0; i < t.judged_at.size() && (i + 1) * count <= q.reference.value.size(); ++i) {
+      const Pixel at = plot(across ? q.reference.value[i * count + *across] : t.judged_at[i],
+                            q.reference.value[i * count + upward]);
+      if (std::isfinite(at.x) && std::isfinite(at.y))
+        rings += "M" + px(at.x - 4) + " " + px(at.y) + "a4 4 0 108 0a4 4 0 10-8 0z";
+    }
+    if (!rings.empty()) svg.path(rings, "known");
+  }
+
+  void add_legend(Svg& svg, double top) const {
+    for (std::size_t place = 0; place < order.size(); ++place, top += entry_height) {
+      const bool truth = place == 0;
+      svg.line({legend_left, top + 8}, {legend_left + 18, top + 8},
+               truth ? "truth" : "curve " + colour_class(slot_of(place)));
+      svg.text({legend_left + 25, top + 12}, shortened(t.paths[order[place]].model, 40), "t b");
+      svg.text({legend_left + 25, top + 27}, shortened(said_of(t, order, place, spans), 48), "dim small");
+    }
+    svg.path("M" + px(legend_left + 5) + " " + px(top + 8) + "a4 4 0 108 0a4 4 0 10-8 0z", "known");
+    svg.text({legend_left + 25, top + 12}, "the reference", "t");
+  }
+
+  double legend_height() const { return entry_height * static_cast<double>(order.size()) + 20; }
+};
+
+std::string path_svg(const Frames& f, const std::string& title) {
+  constexpr double flattest = 2, height = 440;
+  const auto labels = axis_labels(f.q, 2);
+  Span x = f.spans[0].widened(), y = f.spans[1].widened();
+  const double ratio = (f.spans[1].high - f.spans[1].low) / (f.spans[0].high - f.spans[0].low);
+  const bool to_scale = ratio < flattest && ratio > 1 / flattest;
+  const double whole = std::max(height, f.legend_height());
+  Svg svg(picture_width, whole + 66 + under_axis, title + ". " + motion_finding(f.q));
+  const double top = svg.headline(motion_finding(f.q), title), bottom = whole + 66;
+  if (to_scale) {  // the narrower one is widened
+    const double per_x = (motion_right - motion_left) / (x.high - x.low),
+                 per_y = (bottom - top) / (y.high - y.low);
+    Span& wide = per_x > per_y ? x : y;
+    const double pixels = per_x > per_y ? motion_right - motion_left : bottom - top;
+    const double more = (pixels / std::min(per_x, per_y) - (wide.high - wide.low)) / 2;
+    wide.low -= more, wide.high += more;
+  }
+  const Plot plot{{x.low, x.high, motion_left, motion_right}, {y.low, y.high, bottom, top}};
+  add_axes(svg, plot, labels[0] + (to_scale ? "" : ", not to the scale of y"), labels[1]);
+  f.add_ways(svg, plot, 0, 1);
+  f.add_legend(svg, top);
+  return svg.str();
 }
 
-std::string path_script(const QuantityResult& q, const std::vector<Span>& spans, const Styles& styles) {
-  constexpr double flattest = 2;
-  const auto labels = axis_labels(q, 2);
-  const double ratio = (spans[1].high - spans[1].low) / (spans[0].high - spans[0].low);
-  const bool to_scale = ratio < flattest && ratio > 1 / flattest;
-  return std::string(to_scale ? "set size ratio -1\n" : "") + "set xrange " + spans[0].range() +
-         "\nset yrange " + spans[1].range() + "\nset xlabel " +
-         quoted(labels[0] + (to_scale ? "" : ", not to the scale of y")) + " noenhanced\nset ylabel " +
-         quoted(labels[1]) + " noenhanced\n" + lines(*q.trajectory, "2:3", spans, styles, true, true);
+std::string panels_svg(const Frames& f, const std::string& title) {
+  const double panel = f.count == 1 ? 300 : f.count <= 3 ? 170 : 120, gap = 12;
+  const auto n = static_cast<double>(f.count);
+  const double whole = std::max(panel * n, f.legend_height());
+  Svg svg(picture_width, whole + 66 + under_axis, title + ". " + motion_finding(f.q));
+  const double top = svg.headline(motion_finding(f.q), title), each = (whole + 66 - top) / n;
+  const auto labels = axis_labels(f.q, f.count);
+  for (std::size_t k = 0; k < f.count; ++k) {
+    const Span y = f.spans[k].widened();
+    const double from = top + each * static_cast<double>(k);
+    const Plot plot{{0, f.t.times.back(), motion_left, motion_right},
+                    {y.low, y.high, from + each - gap, from}};
+    add_axes(svg, plot, k + 1 == f.count ? "time [" + f.t.time_unit + "]" : "", labels[k]);
+    f.add_ways(svg, plot, std::nullopt, k);
+  }
+  f.add_legend(svg, top);
+  return svg.str();
+}
+
+/// How far a path is from the truest at one of the times: of all observables the largest distance.
+double distance_at(const Frames& f, const Path& p, std::size_t i) {
+  const Value& truth = f.t.paths[f.t.truest].value;
+  double largest = 0;
+  for (std::size_t k = i * f.count; k < (i + 1) * f.count; ++k) {
+    const double difference = std::abs(p.value[k] - truth[k]);
+    largest = std::isfinite(difference) ? std::max(largest, difference) : INFINITY;
+  }
+  return largest;
 }
 
 /// Paths are kept to seven digits: what differs by less is not drawn.
-std::string distance_script(const QuantityResult& q, std::size_t count, const Styles& styles) {
-  const Trajectory& t = *q.trajectory;
-  const double least = 1e-6 * size_of(t.paths[t.truest].value);
-  std::string data,
-      text = "set logscale y\nset format y '10^{%L}'\nset xrange [0:" + shortest(t.times.back()) +
-             "]\nset yrange [" + shortest(least) + ":*]\nset xlabel " +
-             quoted(plain("time [" + t.time_unit + "]")) + "\nset ylabel " +
-             quoted("largest error of " + std::to_string(count) + " components" +
-                    (unit_of(q).empty() ? "" : " [" + unit_of(q).substr(1) + "]")) +
-             "\nplot ";
-  for (std::size_t i : by_error(t)) {
-    const Path& p = t.paths[i];
-    const std::string rows = distance_rows(t, p, count, least);
-    const std::string how = ": " + how_wrong(t, p);
-    data += block("$e" + std::to_string(i), rows);
-    text += "$e" + std::to_string(i) + " using 1:2 with lines " + styles.colour(p.model) + " lw 1.5 title " +
-            quoted(bold(p.model) + ", " +
-                   plain(shortened(p.algorithm + how + (rows.empty() ? ", below the frame" : ""), 96))) +
-            ", \\\n  ";
+std::string distance_svg(const Frames& f, const std::string& title) {
+  const double whole = std::max(360.0, f.legend_height());
+  const double least = 1e-6 * size_of(f.t.paths[f.t.truest].value);
+  double most = f.t.close;
+  for (const Path& p : f.t.paths)
+    for (std::size_t i = 0; i < f.times_of(p); ++i)
+      if (const double d = distance_at(f, p, i); std::isfinite(d)) most = std::max(most, d);
+  Svg svg(picture_width, whole + 66 + under_axis, title + ". " + motion_finding(f.q));
+  const double top = svg.headline(motion_finding(f.q), title), bottom = whole + 66;
+  const Plot plot{{0, f.t.times.back(), motion_left, motion_right},
+                  {least, std::max(2 * most, 10 * least), bottom, top, true}};
+  add_axes(svg, plot, "time [" + f.t.time_unit + "]",
+           "largest error of " + std::to_string(f.count) + " components" +
+               (unit_of(f.q).empty() ? "" : " [" + unit_of(f.q).substr(1) + "]"));
+  for (std::size_t place = 1; place < f.order.size(); ++place) {
+    const Path& p = f.t.paths[f.order[place]];
+    std::vector<Pixel> points;
+    for (std::size_t i = 0; i < f.times_of(p); ++i) {
+      const double d = distance_at(f, p, i);
+      points.push_back(d >= least && std::isfinite(d) ? plot(f.t.times[i], d) : Pixel{NAN, NAN});
+    }
+    svg.curve(points, "curve " + colour_class(slot_of(place)));
   }
-  return data + text + shortest(t.close) + " with lines lc rgb '#666666' dt 5 lw 1.2 title " +
-         quoted(plain("enough for a game: " + shown_error(t.close) + unit_of(q))) + "\n";
-}
-
-std::string panels_script(const QuantityResult& q, const std::vector<Span>& spans, double panel,
-                          double bottom, double height, const Styles& styles) {
-  const Trajectory& t = *q.trajectory;
-  const auto labels = axis_labels(q, spans.size());
-  // gnuplot breaks a legend that is higher than its plot into columns, so that it has a plot of its own.
-  std::string text =
-      "set multiplot\nset tmargin at screen " + shortest((bottom - time_axis_height + 8) / height) +
-      "\nset bmargin at screen 0\nunset border\nunset tics\nset xrange [0:1]\nset yrange [0:1]\n" +
-      lines(t, "(NaN):(NaN)", spans, styles, true) +
-      "unset key\nunset label 1\nunset label 2\nset border 3\nset xtics nomirror\nset ytics nomirror\n";
-  for (std::size_t k = 0; k < spans.size(); ++k) {
-    const double top = height - headline_height - panel * static_cast<double>(k);
-    const bool last = k + 1 == spans.size();
-    text += "set tmargin at screen " + shortest(top / height) + "\nset bmargin at screen " +
-            shortest((last ? bottom : top - panel + 18) / height) +
-            "\nset xrange [0:" + shortest(t.times.back()) + "]\nset yrange " + spans[k].range() +
-            "\nset ylabel " + quoted(labels[k]) + " noenhanced\n" +
-            (last ? "set format x '%g'\nset xlabel " + quoted(plain("time [" + t.time_unit + "]")) + "\n"
-                  : "set format x ''\n") +
-            lines(t, "1:" + std::to_string(k + 2), spans, styles, false);
+  if (f.t.close > least) {
+    svg.line({plot.x.from, plot.y(f.t.close)}, {plot.x.to, plot.y(f.t.close)}, "game");
+    svg.text({plot.x.from + 5, plot.y(f.t.close) - 4},
+             "enough for a game: " + with_powers(shown_error(f.t.close)) + unit_of(f.q), "dim halo");
   }
-  return text + "unset multiplot\n";
+  f.add_legend(svg, top);
+  return svg.str();
 }
 
 }  // namespace
@@ -226,7 +264,7 @@ std::string motion_finding(const QuantityResult& q) {
   const Trajectory& t = *q.trajectory;
   const auto holds = [&](const Path& p) { return largest_error(t, p) <= t.close; };
   const auto good = std::ranges::count_if(t.paths, holds);
-  const std::string need = shown_error(t.close) + unit_of(q) + " of the truth for " +
+  const std::string need = with_powers(shown_error(t.close)) + unit_of(q) + " of the truth for " +
                            rounded(t.times.back(), 3) + " " + t.time_unit;
   if (t.paths.size() == 1) return t.paths[0].model + " is the only model";
   if (good == static_cast<std::ptrdiff_t>(t.paths.size()))
@@ -239,32 +277,11 @@ std::string motion_finding(const QuantityResult& q) {
          "; '" + worst->model + "': " + how_wrong(t, *worst, unit_of(q));
 }
 
-std::string trajectory_script(const QuantityResult& q, const std::string& title,
-                              const std::filesystem::path& file, const Styles& styles) {
+std::string trajectory_svg(const QuantityResult& q, const std::string& title) {
   constexpr std::size_t most_panels = 6;
-  const Trajectory& t = *q.trajectory;
-  const Value& truth = t.paths[t.truest].value;
-  const std::size_t count = truth.size() / t.times.size();
-  std::vector<Span> spans(count);
-  for (std::size_t i = 0; i < truth.size(); ++i) spans[i % count].see(truth[i]);
-
-  const bool plane = t.observables == std::vector<std::string>{"x", "y"},
-             panels = !plane && count <= most_panels;
-  const double panel = count == 1 ? 340 : count <= 3 ? 190 : 130;
-  const std::size_t entries = t.paths.size() + 1;
-  const double bottom = line_height * static_cast<double>(entries) + time_axis_height;
-  const double height = headline_height + (panels ? panel * static_cast<double>(count) : 500) + bottom;
-  std::string text = "reset session\n" + block("$reference", rows(t.judged_at, q.reference.value, count));
-  for (std::size_t i = 0; i < t.paths.size(); ++i)
-    text += block("$p" + std::to_string(i), rows(t.times, t.paths[i].value, count));
-  text += svg(height, file) + headline(motion_finding(q), title, height) +
-          "set border 3 lc rgb '#444444'\nset tics nomirror\nset grid lc rgb '#dddddd' lw 0.6\n"
-          "set lmargin at screen 0.09\nset rmargin at screen 0.98\nset bmargin at screen " +
-          shortest(bottom / height) + "\n" + key_below(height, entries);
-  text += plane    ? path_script(q, spans, styles)
-          : panels ? panels_script(q, spans, panel, bottom, height, styles)
-                   : distance_script(q, count, styles);
-  return text + "unset output\n";
+  const Frames frames(q);
+  if (frames.t.observables == std::vector<std::string>{"x", "y"}) return path_svg(frames, title);
+  return frames.count <= most_panels ? panels_svg(frames, title) : distance_svg(frames, title);
 }
 
 }  // namespace oddity

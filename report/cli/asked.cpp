@@ -142,13 +142,11 @@ bool is_in_unit(const std::string& text, std::string_view unit) {
 /// Why a word that is no "name=value" may stand there, and what would be right.
 [[noreturn]] void refuse_assignment(const std::string& word) {
   const std::string refusal = "'" + word + "' is not name=value";
-  if (word == "=" || word.ends_with('='))
-    throw BadInput(refusal + ": write it without blanks, as in a=30deg");
   if (exercise_number(word)) throw BadInput(refusal + ", and one exercise is asked for at a time");
   for (std::string_view unit : {"m", "s", "kg", "rad", "N", "1/s", "m/s", "rad/s"})
     if (is_in_unit("1" + word, unit))
       throw BadInput(refusal + ": a unit follows its number without a blank, as in 1" + word);
-  throw BadInput(refusal + ", as in a=30deg");
+  throw BadInput(refusal + ": write it without blanks, as in a=30deg");
 }
 
 const Scene& scene_of(const Entry& entry) {
@@ -293,7 +291,8 @@ void set_accuracy(Need& need, const Entry& entry, const AskedNeed& asked) {
     need.shown["m"] = shown_unit(asked.error, "m");
     return;
   }
-  if (asked.error.empty() && asked.digits.empty()) throw BadInput("choose needs --error or --digits");
+  if (asked.error.empty() && asked.digits.empty())
+    throw BadInput("choose needs --error or --digits, as in --error 0.01 or --digits 6");
   need.relative = !asked.digits.empty();
   need.error = std::numeric_limits<double>::quiet_NaN();
   if (need.relative)

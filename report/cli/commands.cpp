@@ -32,7 +32,7 @@ struct Session {
   std::string results = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string();
-  bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false;
+  bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
   AskedNeed need = {};
   NewExercise begun = {};
   std::string outside = {};
@@ -205,7 +205,7 @@ void add_choose(CLI::App& app, Session& s) {
       "evaluations per frame, seconds per frame, chosen (1 or 0); a row for each method.\n"
       "Keys of the JSON: need, chosen (null when nothing is), in_float, ties, candidates, engine, predictable, "
       "chosen_on, tested_on, times.\n"
-      "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.31 --error 1cm,1deg "
+      "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.33 --error 1deg "
       "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
       "--error 1deg --exclude closed --code",
       [&] {
@@ -222,11 +222,13 @@ void add_choose(CLI::App& app, Session& s) {
 }
 
 void add_report(CLI::App& app, Session& s) {
-  auto* report = verb(app, "report", "Write the Markdown report.",
-                      "The last results are taken where they are fresh, else everything runs first.\n"
-                      "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
-                      [&] { verbs::report(s.folder, s.chapter, s.report_out); });
-  report->add_option("--chapter", s.chapter, "one chapter only")->type_name("N");
+  auto* report = verb(
+      app, "report", "Write the Markdown report.",
+      "The last results are taken where they are fresh, else everything runs first.\n"
+      "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
+      [&] { verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole, s.report_out); });
+  report->add_option("--chapter", s.chapter, "the exercises of one chapter only")->type_name("N");
+  report->add_flag("--book", s.book, "without times: what stands in report/book of the sources");
   add_path(*report, "--out", s.report_out, "the folder to write to");
 }
 
@@ -246,11 +248,12 @@ void add_chart(CLI::App& app, Session& s) {
       columns_of_trials() + "Examples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv",
       [&] {
         if (s.format() == verbs::Format::text)
-          verbs::chart(s.folder, s.exercises, s.chart_out);
+          verbs::chart(s.folder, s.exercises, s.all_rows ? Curves::all : Curves::few, s.chart_out);
         else
           verbs::chart_table(s.folder, s.exercises, s.format());
       });
   add_exercises(*chart, s, "numbers, such as 3.5; all when none is given");
+  chart->add_flag("--all", s.all_rows, "every method's curve, not eight at most");
   add_formats(*chart, s, "the trials, with nothing drawn");
   auto* out = add_path(*chart, "--out", s.chart_out, "the folder to write to");
   for (const char* instead : {"--json", "--csv"}) out->excludes(chart->get_option(instead));
@@ -393,7 +396,7 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   const auto used = app.get_subcommands();
   const CLI::App& verb = used.empty() ? app : *used.front();
   const std::vector<std::string> unknown = verb.remaining();
-  if (!unknown.empty()) return refusal(verb, unknown.front());
+  if (!unknown.empty() && !verb.get_allow_extras()) return refusal(verb, unknown.front());
   const std::string says = error.what();
   if (error.get_name() == "ArgumentMismatch")
     return says.substr(0, says.find(':')) + " needs a value; " + help_of(verb);
@@ -414,7 +417,9 @@ bool output_arrived() {
   std::cout.flush();
   if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
   std::cerr << "oddity: cannot write to standard output"
-            << (errno == 0 ? "" : ": " + std::error_code(errno, std::generic_category()).message()) << "\n";
+            << (errno == 0 ? ", which is closed or full"
+                           : ": " + std::error_code(errno, std::generic_category()).message())
+            << "\n";
   return false;
 }
 

@@ -45,7 +45,6 @@ fs::path module_file() {
   const fs::path installed = installed_tables();
   return installed.empty() ? fs::path(ODDITY_MODULE) : installed.parent_path() / "models.js";
 }
-std::string gnuplot() { return ODDITY_GNUPLOT; }
 std::string version() { return ODDITY_VERSION; }
 
 }  // namespace oddity

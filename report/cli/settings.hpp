@@ -15,7 +15,6 @@ std::filesystem::path chart_folder();      ///< the last charts
 std::filesystem::path motions_folder();    ///< true motions made on the spot, kept
 std::filesystem::path prices_folder();     ///< what methods cost on this machine, kept
 std::filesystem::path module_file();       ///< the scenes' models, compiled for the page
-std::string gnuplot();                     ///< the program that draws
 std::string version();
 
 }  // namespace oddity

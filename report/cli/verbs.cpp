@@ -10,12 +10,12 @@
 #include "reference/files.hpp"
 #include "reference/text.hpp"
 #include "reference/to_write.hpp"
-#include "report/charts/gnuplot.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/bench.hpp"
 #include "report/cli/settings.hpp"
 #include "report/pages/closing_screen.hpp"
 #include "report/pages/code.hpp"
+#include "report/pages/pictures.hpp"
 #include "report/pages/readable.hpp"
 #include "report/pages/tables.hpp"
 #include "report/pages/text_view.hpp"
@@ -27,6 +27,7 @@
 #include "report/study/progress.hpp"
 #include "report/study/run.hpp"
 #include "report/study/stability.hpp"
+#include "solvers/ode/catalog.hpp"
 
 namespace oddity::verbs {
 
@@ -105,6 +106,12 @@ Results stability_of(const fs::path& folder, const std::vector<std::string>& exe
   });
 }
 
+/// The book is the same whatever is installed.
+void require_common_algorithms() {
+  if (ode::not_in_catalog().empty())
+    throw BadInput("the book has no algorithms of SUNDIALS: build it with -DODDITY_SUNDIALS=OFF");
+}
+
 /// Nothing can be chosen where nothing is true yet.
 void require_truth(const Task& task, const Reference& truth) {
   const Quantity seen = motion(*task.entry->exercise.scene, task.parameters, truth);
@@ -119,9 +126,9 @@ Results trials_of(const fs::path& folder, const std::vector<Task>& tasks) {
   });
 }
 
-fs::path report_of(const Results& results, int chapter, const fs::path& out) {
+fs::path report_of(const Results& results, Edition edition, const fs::path& out) {
   return with_progress(
-      [&](const Progress& progress) { return write_report(results, chapter, out, progress); });
+      [&](const Progress& progress) { return write_report(results, edition, out, progress); });
 }
 
 fs::path site_of(const Results& results, const fs::path& folder, const fs::path& out) {
@@ -176,12 +183,15 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   return choice.chosen ? 0 : 1;
 }
 
-void report(const fs::path& folder, const std::string& chapter, const fs::path& out) {
+void report(const fs::path& folder, const std::string& chapter, Edition edition, const fs::path& out) {
   const int number = chapter.empty() ? 0 : chapter_of(chapter);
+  if (edition == Edition::book) require_common_algorithms();
   make_folder(out);
   require_writable(results_file());
-  const Results results = last_results(folder, number == 0);
-  std::cout << "the report is in " << report_of(results, number, out).string() << "\n";
+  Results results = last_results(folder, number == 0);
+  if (number != 0)
+    std::erase_if(results.exercises, [&](const ExerciseResult& e) { return e.number.chapter != number; });
+  std::cout << "the report is in " << report_of(results, edition, out).string() << "\n";
 }
 
 void site(const fs::path& folder, const fs::path& out) {
@@ -200,16 +210,18 @@ void require_room_for_all(const fs::path& report_out, const fs::path& site_out) 
 void publish(const fs::path& folder, const fs::path& report_out, const fs::path& site_out, bool as_on_record,
              const std::function<double()>& seconds) {
   const Results results = last_results(folder, true);
-  const fs::path report = report_of(results, 0, report_out), site = site_of(results, folder, site_out);
+  const fs::path report = report_of(results, Edition::whole, report_out),
+                 site = site_of(results, folder, site_out);
   std::cout << closing_screen(results, {as_on_record, seconds(), site, report}, output());
 }
 
-void chart(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out) {
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, Curves curves,
+           const fs::path& out) {
   const std::vector<Task> tasks = tasks_of(exercises);
   make_folder(out);
   const Results results = trials_of(folder, tasks);
   const auto pages =
-      with_progress([&](const Progress& progress) { return write_charts(results, out, progress); });
+      with_progress([&](const Progress& progress) { return write_charts(results, curves, out, progress); });
   for (const fs::path& page : pages) std::cout << page.string() << "\n";
 }
 
@@ -221,13 +233,10 @@ void stability(const fs::path& folder, const std::vector<std::string>& exercises
   tasks_of(exercises, true);
   make_folder(out);
   const Results results = stability_of(folder, exercises);
-  std::vector<Picture> pictures;
   for (const ExerciseResult& e : results.exercises) {
     std::cout << stability_text(e, output()) << "\n";
-    pictures.push_back(
-        {out / map_file(e), [&e](const fs::path& into) { return map_script(e, into.string()); }});
+    draw_map(e, out);
   }
-  draw(pictures);
   std::cout << "the maps are in " << (out / "charts").string() << "\n";
 }
 

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "report/charts/chart.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/new_exercise.hpp"
+#include "report/pages/markdown.hpp"
 
 /// What the program's verbs do. Each takes the folder of the reference tables, prints what is asked on
 /// standard output, and throws BadInput.
@@ -26,7 +28,7 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed&, Format, bool all_rows, const std::string& command);
 /// Of all chapters when the text is empty.
-void report(const fs::path& folder, const std::string& chapter, const fs::path& out);
+void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out);
 /// The report that runs, of all exercises.
 void site(const fs::path& folder, const fs::path& out);
 /// Throws BadInput when the report, the site or the results could not be written, before a run.
@@ -35,7 +37,7 @@ void require_room_for_all(const fs::path& report_out, const fs::path& site_out);
 void publish(const fs::path& folder, const fs::path& report_out, const fs::path& site_out, bool as_on_record,
              const std::function<double()>& seconds);
 /// Of all exercises when there are none.
-void chart(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out);
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, Curves, const fs::path& out);
 /// The trials that the charts show, with nothing drawn.
 void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, Format);
 /// Of all scenes when there are none: as text, with the maps drawn.

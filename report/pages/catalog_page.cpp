@@ -56,7 +56,7 @@ std::string catalog_page() {
       table({"library", "in", "what was found", "what is done here", "shown by"}, findings);
   if (const auto missing = ode::not_in_catalog(); !missing.empty())
     text += "Not in this build: " + escaped(std::string(missing), false) + ".\n\n";
-  return text + "[All chapters](README.md)\n";
+  return text + "[All exercises](README.md)\n";
 }
 
 }  // namespace oddity

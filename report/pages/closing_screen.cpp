@@ -174,8 +174,9 @@ std::string what_a_game_may_use(const Results& results, const Screen& screen) {
 
 std::string what_to_open(const Closing& closing, const Screen& screen) {
   return "\n" + screen.styled(Style::heading, "Open") + "\n" +
-         aligned({{closing.site.string(), "in a browser: every scene in motion"},
-                  {closing.report.string(), "the report as text"}});
+         wrapped(aligned({{closing.site.string(), "in a browser: every scene in motion"},
+                          {closing.report.string(), "the report as text"}}),
+                 screen, 4);
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ std::string break_even_text(const BreakEven& b) {
   for (std::size_t i = 0; i < b.enough.size(); ++i)
     where += (i == 0 ? " " : i + 1 == b.enough.size() ? " and " : ", ") + interval_text(b.enough[i], b);
   return "- *" + escaped(b.model) + "* is enough for " + code(b.parameter) + where + " (of " +
-         rounded(b.looked.from, 3) + " to " + with_unit(rounded(b.looked.to, 3), b.parameter_unit) +
-         ", which was searched)." + reservations(b) + "\n";
+         with_powers(rounded(b.looked.from, 3)) + " to " + with_powers(rounded(b.looked.to, 3)) + ")." +
+         reservations(b) + "\n";
 }
 
 std::string never_text(const std::vector<std::string>& models) {
@@ -103,14 +103,17 @@ std::string section(const ExerciseResult& e) {
 
 std::string ledger_page(const Results& results) {
   std::string text =
-      R"(# The cheapest sufficient model
-
-For each scene, the first of its models, from the simplest on, that holds at every frame over 10 s at 60 frames per second (over 10 years, where the scene's time is in years): to one centimetre and one degree, which is what a game asks, and to ten digits. Among the model's algorithms the one with the least counted work is shown, with what it errs by in float at the same setting, where it is in float; `oddity choose` adds times on your machine, starts of your own and a margin. The lines below each table say for which values of a parameter a model is enough for the game when it is solved exactly, of the parameter that makes the scene hard and of those of the start, from a sixteenth of their value to four times it. Each border is known to one in a thousand, with the truest model in place of the truth; the error on both of its sides by the reference stands in the results file.
-
-)";
+      "# The cheapest sufficient model\n\n"
+      "For each scene, the first of its models, from the simplest on, that holds at every frame over 10 s at 60 "
+      "frames per second (over 10 years, where the scene's time is in years): for a game, which is to one "
+      "centimetre and one degree, and to ten digits. Among the model's algorithms the one with the least counted "
+      "work is shown, and its error in float at the same setting. Below stands for which values of a parameter a "
+      "model is enough for the game when it is solved exactly, and in brackets where this was looked for; each "
+      "border is known to one in a thousand. `oddity choose` adds times on your machine, starts of your own and a "
+      "margin.\n\n";
   for (const ExerciseResult& e : results.exercises)
     if (e.ledger) text += section(e);
-  return text + "[All chapters](README.md)\n";
+  return text + "[All exercises](README.md)\n";
 }
 
 }  // namespace oddity

@@ -22,12 +22,6 @@ std::string in_unit(const std::string& value, const std::string& unit) {
   return unit.empty() || unit == "1" ? value : value + " " + unit;
 }
 
-std::string quantity_line(const ExerciseResult& e) {
-  const Stability& s = *e.stability;
-  return code(s.quantity) + " over " + rounded(s.horizon, 4) + " " + escaped(s.time_unit) + "; needed to " +
-         escaped(in_unit(rounded(s.close, 3), s.unit));
-}
-
 std::vector<std::string> header(const Stability& s) {
   const std::string unit = " [" + s.time_unit + "]";
   return {
@@ -138,35 +132,50 @@ std::string cell(const std::string& text) {
 
 std::string step_cell(double step) { return rounded(step, 3); }
 
+/// "0.676 (0.639)": measured, and by theory where it differs; "~" before what is not sharp.
+std::string limit_text(const Limit& l) {
+  const std::string measured = std::isinf(l.step()) ? "every step"
+                               : l.stable == 0      ? "none"
+                                                    : rounded(l.stable, 3);
+  const std::string theory = std::isinf(l.theory()) ? "every step"
+                             : l.theory() == 0      ? "none"
+                                                    : rounded(l.theory(), 3);
+  const std::string sign = l.stable == 0 || std::isinf(l.step()) ? ""
+                           : l.soft                              ? "\\~"
+                           : l.unstable > 0                      ? ""
+                                                                 : "≥";
+  return with_powers(sign + measured + (theory == measured ? "" : " (" + theory + ")"));
+}
+
+/// A row a model, a column an algorithm.
+std::string limits_table(const Stability& s) {
+  std::vector<std::string> algorithms, models;
+  const auto see = [](std::vector<std::string>& names, const std::string& name) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (const Limit& l : s.limits) see(algorithms, l.algorithm), see(models, l.model);
+  std::vector<std::string> columns{"model"};
+  for (const std::string& algorithm : algorithms) columns.push_back(escaped(algorithm));
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& model : models) {
+    rows.push_back({escaped(model)});
+    for (const std::string& algorithm : algorithms) {
+      const auto found = std::ranges::find_if(
+          s.limits, [&](const Limit& l) { return l.model == model && l.algorithm == algorithm; });
+      rows.back().push_back(found == s.limits.end() ? "" : limit_text(*found));
+    }
+  }
+  return table(columns, rows);
+}
+
 std::string stability_of_scene(const ExerciseResult& e) {
   const Stability& s = *e.stability;
-  std::string text =
-      "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" + quantity_line(e) + ".\n\n";
-  std::vector<std::vector<std::string>> rows;
-  for (const Limit& l : s.limits) {
-    std::vector<std::string> cells;
-    for (const std::string& text_of_cell : limit_cells(s, l))
-      cells.push_back(with_powers(escaped(text_of_cell)));
-    rows.push_back(std::move(cells));
-  }
-  std::vector<std::string> columns;
-  for (const std::string& name : header(s)) columns.push_back(escaped(name));
-  text += table(columns, rows, "2345");
-  if (const auto why = reasons(s); !why.empty()) {
-    text += "Where theory and measurement differ by more than a quarter:\n\n";
-    for (const auto& [reason, names] : why)
-      text += "- " + escaped(names, false) + ": " + escaped(reason, false) + ".\n";
-    text += "\n";
-  }
-  if (const auto reserved = reservations(s); !reserved.empty()) {
-    text += "Limits that depend on how long is watched:\n\n";
-    for (const std::string& line : reserved) text += "- " + escaped(line, false) + ".\n";
-    text += "\n";
-  }
-  for (const QuantityResult& q : e.quantities)
-    if (q.name == s.quantity)
-      for (const BreakdownResult& b : q.breakdowns) text += prose(b.says) + "\n\n";
-  return text + "![outcome over step and " + escaped(s.parameter, false) + "](" + map_file(e) + ")\n\n";
+  std::string text = "## " + to_string(e.number) + " " + escaped(e.title, false) +
+                     "\n\n![how each method ends](" + map_file(e) + ")\n\nLongest stable step \\[" +
+                     escaped(s.time_unit, false) + "\\], and theory's where it differs:\n\n" +
+                     limits_table(s);
+  for (const auto& [reason, names] : reasons(s)) text += "- " + escaped(names + ": " + reason, false) + ".\n";
+  return text + (reasons(s).empty() ? "" : "\n");
 }
 
 /// How many limits differ from theory's, and for how many of them a reason was computed.
@@ -287,40 +296,22 @@ std::string map_rows(const Results& results) {
 std::string stability_page(const Results& results) {
   std::string text =
       "# Up to which step methods are stable\n\n"
-      "A method is stable at a step when a small disturbance of the motion does not grow in it, or, where it "
-      "grows in truth, grows at most twice as fast. *Stable to* is the step at which this is first lost when "
-      "the step is made longer and longer. It says nothing about accuracy, which has two columns of its own: "
-      "the error at that step, and the largest step that keeps the error within what the scene needs.\n\n"
-      "The limit is measured with the method itself, from two starts that differ by a millionth of the "
-      "motion's size. Stability is lost when the two have parted a hundred times the square of what true "
-      "motions part, or when the motion has become twice too large. They are watched for 1000 radians of "
-      "the fastest mode, or, where the motion does not go on alike, for the time shown; so a sharp limit "
-      "depends neither on the horizon of a motion that goes on nor on a conserved quantity. In a chaotic "
-      "motion true neighbours part as well, and only what goes beyond them counts. A limit is *not sharp* "
-      "where other observers have it elsewhere by more than 5 %: some watch half or twice as long, for some "
-      "a "
-      "motion is too large from 1.5 or only from 4 times the true size on. Such a motion drifts, damps or "
-      "swells slowly, or swells to a size at which it stays. Below each table these limits are listed with "
-      "the time after which they are lost and with what the observers find, and "
-      "so are those of motions that do not go on alike.\n\n*None*: not even a step of 0.02 over "
-      "the fastest frequency is stable, to a factor of two; the time after which neighbouring motions have "
-      "parted tells how soon that matters. On an undamped oscillation, such as a pendulum, explicit Euler is "
-      "unconditionally unstable: disturbances grow in it at the rate $h\\omega^2/2$, however short the step "
-      "$h$. *Every step* is stated only where theory has no unstable step at any point of the motion, "
-      "however "
-      "long, and none that was tried is unstable; *at least* "
-      "names the longest step tried.\n\n"
-      "*Theory* takes the eigenvalues of the Jacobian at 65 points of the motion and the method's growth "
-      "factor at each; it lists all the steps at which a disturbance grows, if only at one of the points, by "
-      "more than tenfold in 366 turns of its own. The motion beyond is run at the next step that divides the "
-      "interval between two looks at it; the cure is the cheapest method that is within the need at that "
-      "step, or, where there is none, the cheapest with step control. The maps show how each method ends "
-      "over "
-      "the step and over the parameter that makes the scene hard.\n\n";
+      "A step is stable when a small disturbance of the motion does not grow in it, or, where it grows in truth, "
+      "grows at most twice as fast. That says nothing about accuracy. *None*: not even a step of 0.02 over the "
+      "fastest frequency is stable; explicit Euler on a pendulum, for example, never is, as disturbances grow at "
+      "the rate $`h\\omega^2/2`$ however short the step $`h`$. A limit after \\~ is not sharp: those who watch half "
+      "or twice as long, or who call a motion too large at another size, find it elsewhere by more than 5 %. After "
+      "≥ stands the longest step tried.\n\n"
+      "The limit is measured with the method itself, from two starts that differ by a millionth of the motion's "
+      "size and are watched for 1000 radians of the fastest mode, or, where the motion does not go on alike, for "
+      "its own time. Theory's limit, in brackets, is the shortest step at which disturbances grow by the "
+      "eigenvalues of the Jacobian along the motion. Where the two differ by more than a quarter, the reason "
+      "stands below the table. The maps show how each method ends over the step and over the parameter that makes "
+      "the scene hard. `oddity stability` prints how each method breaks, the error there, and what cures it.\n\n";
   text += differences(results);
   for (const ExerciseResult& e : results.exercises)
     if (e.stability) text += stability_of_scene(e);
-  return text + "[All chapters](README.md)\n";
+  return text + "[All exercises](README.md)\n";
 }
 
 std::string map_file(const ExerciseResult& e) { return "charts/" + to_string(e.number) + "_stability.svg"; }

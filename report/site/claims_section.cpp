@@ -7,8 +7,8 @@
 #include "reference/text.hpp"
 #include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
-#include "report/site/findings.hpp"
 #include "report/site/page.hpp"
+#include "report/study/findings.hpp"
 
 namespace oddity {
 

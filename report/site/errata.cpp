@@ -5,8 +5,8 @@
 
 #include "chapters/contents.hpp"
 #include "report/site/claims_section.hpp"
-#include "report/site/findings.hpp"
 #include "report/site/page.hpp"
+#include "report/study/findings.hpp"
 
 namespace oddity {
 

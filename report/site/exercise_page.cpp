@@ -7,9 +7,9 @@
 #include "reference/text.hpp"
 #include "report/charts/drawing.hpp"
 #include "report/site/claims_section.hpp"
-#include "report/site/findings.hpp"
 #include "report/site/page.hpp"
 #include "report/site/quantity_section.hpp"
+#include "report/study/findings.hpp"
 
 namespace oddity {
 

@@ -9,9 +9,9 @@
 #include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/site/claims_section.hpp"
-#include "report/site/findings.hpp"
 #include "report/site/moving_picture.hpp"
 #include "report/site/page.hpp"
+#include "report/study/findings.hpp"
 #include "report/study/tried.hpp"
 
 namespace oddity {

@@ -6,9 +6,9 @@
 
 #include "reference/text.hpp"
 #include "report/site/claims_section.hpp"
-#include "report/site/findings.hpp"
 #include "report/site/page.hpp"
 #include "report/site/script.hpp"
+#include "report/study/findings.hpp"
 #include "solvers/ode/catalog.hpp"
 
 namespace oddity {

@@ -9,8 +9,8 @@
 #include "reference/text.hpp"
 #include "report/charts/drawing.hpp"
 #include "report/charts/sketch.hpp"
-#include "report/site/findings.hpp"
 #include "report/site/page.hpp"
+#include "report/study/findings.hpp"
 
 namespace oddity {
 

@@ -30,12 +30,6 @@ std::string marked_up(std::string_view text, bool emphasis) {
   return made;
 }
 
-bool is_asset(const std::string& name) {
-  return std::ranges::any_of(embedded_assets(), [&](const EmbeddedFile& file) {
-    return "assets/" + std::string(file.path) == name;
-  });
-}
-
 std::string head_of(const Page& page) {
   std::string head =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -139,11 +133,9 @@ std::string whole(const Page& page) {
       std::string(banner) + "<main id=\"main\">\n" + page.body +
       "</main>\n<footer class=\"foot\"><p>Written by <code>oddity site</code> from the results of a "
       "run. Every number can be made again: <code>oddity verify</code>.</p></footer>\n";
-  for (const std::string& script : {std::string("assets/page.js"), std::string("assets/search.js")})
-    if (is_asset(script)) text += "<script src=\"" + script + "\"></script>\n";
-  for (const std::string& script : page.scripts)
-    if (is_asset(script) || !script.starts_with("assets/"))
-      text += "<script src=\"" + script + "\"></script>\n";
+  std::vector<std::string> scripts{"assets/page.js", "assets/search.js"};
+  scripts.insert(scripts.end(), page.scripts.begin(), page.scripts.end());
+  for (const std::string& script : scripts) text += "<script src=\"" + script + "\"></script>\n";
   return text + "</body>\n</html>\n";
 }
 

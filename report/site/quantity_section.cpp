@@ -8,8 +8,8 @@
 #include "reference/text.hpp"
 #include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
-#include "report/site/findings.hpp"
 #include "report/site/page.hpp"
+#include "report/study/findings.hpp"
 #include "report/study/stability.hpp"
 
 namespace oddity {

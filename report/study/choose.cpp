@@ -144,7 +144,7 @@ class Search {
   /// margin.
   template <class From>
   void try_all(const std::string& stage, const From& from) {
-    Tally tally(progress_, stage, methods_.size());
+    Stage tally(progress_, stage, methods_.size());
     std::vector<std::vector<Tried>> tried(methods_.size());
     in_parallel(methods_.size(), [&](std::size_t m) {
       const double first = from(*methods_[m]);
@@ -212,7 +212,7 @@ class Search {
 
   void measure() {
     const std::vector<Tried*> wanted = to_be_timed();
-    Tally tally(progress_, "timing them", wanted.size());
+    Stage tally(progress_, "timing them", wanted.size());
     for (Tried* tried : wanted) {
       deadline_.check();
       const Time time = price_(method(*tried), tried->setting);
@@ -376,7 +376,7 @@ class Search {
   const Price& price_;
   const Progress& progress_;
   Deadline deadline_;
-  Tally motions_;
+  Stage motions_;
   Reference truth_;
   Starts starts_;
   std::vector<Start> seen_;

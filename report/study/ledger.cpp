@@ -363,7 +363,7 @@ Results with_ledgers(Results results, std::span<const Task> tasks, const Referen
   std::vector<Page> pages;
   for (std::size_t i = 0; i < tasks.size(); ++i)
     if (tasks[i].entry->exercise.scene) pages.push_back({&tasks[i], &results.exercises[i]});
-  Tally tally(progress, "looking for the least models", pages.size());
+  Stage tally(progress, "looking for the least models", pages.size());
   parallel_for_each(pages, [&](const Page& page) {
     page.result->ledger = ledger(*page.task, truth);
     tally.add();

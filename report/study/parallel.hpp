@@ -10,9 +10,9 @@
 namespace oddity {
 
 /// Counts finished pieces of work for a progress display.
-class Tally {
+class Stage {
  public:
-  Tally(const Progress& progress, std::string stage, std::size_t all)
+  Stage(const Progress& progress, std::string stage, std::size_t all)
       : progress_(progress), stage_(std::move(stage)), all_(all) {}
   void add() {
     if (!progress_) return;

@@ -148,7 +148,7 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
   std::vector<Studied> studied(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) studied[i].task = &tasks[i];
   {
-    Tally tally(progress, "studying the exercises", tasks.size());
+    Stage tally(progress, "studying the exercises", tasks.size());
     parallel_for_each(studied, [&](Studied& s) {
       s = study(*s.task, truth);
       tally.add();
@@ -158,7 +158,7 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
   std::vector<Pending> pending;
   for (const Studied& s : studied) results.exercises.push_back(shape(s, pending));
 
-  Tally tally(progress, timed ? "running and timing the trials" : "running the trials",
+  Stage tally(progress, timed ? "running and timing the trials" : "running the trials",
               pending.size() * (timed ? 2 : 1));
   parallel_for_each(pending, [&](const Pending& p) {
     *p.result = as_result(run(*p.quantity, *p.method, p.setting));

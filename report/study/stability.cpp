@@ -334,7 +334,7 @@ std::vector<Motion> motions_of(std::span<const Task> tasks, const Reference& tru
       requests.push_back({&tasks[i], i, std::nullopt});
       for (double value : scene->over) requests.push_back({&tasks[i], i, value});
     }
-  Tally tally(progress, "looking up the motions", requests.size());
+  Stage tally(progress, "looking up the motions", requests.size());
   parallel_for_each(requests, [&](Request& request) {
     request.motion = motion_of(*request.task, request.place, truth, request.value);
     tally.add();
@@ -377,7 +377,7 @@ Results with_stability(Results results, std::span<const Task> tasks, const Refer
   for (const Motion& motion : motions)
     for (const Method& method : motion.quantity.methods)
       if (of_fixed_step(method)) pieces.push_back({&motion, &method});
-  Tally tally(progress, "looking for the limits of stability", pieces.size());
+  Stage tally(progress, "looking for the limits of stability", pieces.size());
   parallel_for_each(pieces, [&](Piece& piece) {
     examine(piece);
     tally.add();

@@ -66,8 +66,10 @@ std::string map_row(const ExerciseResult&, const MapRow&);
 std::string stability_page(const Results&);
 std::string map_file(const ExerciseResult&);
 std::string map_title(const ExerciseResult&);
-/// A gnuplot script that draws a scene's map as SVG into `file`: one panel per method, the scene's parameter
-/// across, the step upwards, outcomes by colour and letter, theory's limit as a line.
-std::string map_script(const ExerciseResult&, const std::string& file);
+/// A scene's map as SVG text: one panel per method, the scene's parameter across, the step upwards, outcomes
+/// by colour and letter, theory's limit as a line.
+std::string map_svg(const ExerciseResult&);
+/// What the map says, in a sentence for its title.
+std::string map_finding(const ExerciseResult&);
 
 }  // namespace oddity

@@ -1,0 +1,314 @@
+#include "report/pages/claims.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+#include <set>
+#include <tuple>
+
+#include "reference/text.hpp"
+#include "report/pages/markdown.hpp"
+#include "report/pages/markup.hpp"
+#include "report/pages/readable.hpp"
+#include "report/pages/text_view.hpp"
+
+namespace oddity {
+
+namespace {
+
+// ---- evidence ---------------------------------------------------------------------------------------------
+
+/// Of a claim that holds for every sample or fails: `left` counts the samples that violate it.
+bool counts_violations(const Check& c) {
+  return c.right.by == "none" && c.left.by.starts_with("violations in ");
+}
+
+double scale_of(const Check& c) {
+  return c.scale > 0 ? c.scale : std::max(size_of(c.left.value), size_of(c.right.value));
+}
+
+std::string difference_of(const Check& c) {
+  const double difference = c.difference();
+  if (c.tolerance.allowed == 0) return difference == 0 ? "equal" : "differ by " + shown_error(difference);
+  const std::string scale = scale_of(c) > 0 ? " at a scale of " + rounded(scale_of(c), 3) : "";
+  return (std::isfinite(difference) ? "differ by " + shown_error(difference) + scale : "cannot be compared") +
+         ", allowed " + shown_error(c.tolerance.allowed);
+}
+
+/// How much of its tolerance a check uses up; one that fails comes before all that hold.
+double tightness(const Check& c) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double used = c.tolerance.allowed > 0 ? c.difference() / c.tolerance.allowed : 0;
+  return c.holds() ? std::min(used, 1.0) : std::isfinite(used) && used > 1 ? used : infinity;
+}
+
+const Check& tightest(const Reading& reading) {
+  return *std::ranges::max_element(reading.checks, {}, tightness);
+}
+
+std::string in_words(const std::string& text) {
+  return with_powers(escaped(with_short_numbers(text), false));
+}
+
+/// "It fails in 30 of 201 samples."
+std::string failures(const Check& c) {
+  return "It fails in " + rounded(c.left.value[0], 12) + " of" +
+         c.left.by.substr(std::string("violations in").size()) + ".\n\n";
+}
+
+/// "off by 1.5", "equal".
+std::string deviation(const Check& c) {
+  const double difference = c.difference();
+  return difference == 0             ? "equal"
+         : std::isfinite(difference) ? "off by " + error_cell(difference)
+                                     : "no number";
+}
+
+/// "Compared with √2 K by the arithmetic-geometric mean (2.260114), the print is off by 1.5, the correction
+/// off by 9.4×10⁻⁸." The value is shown of a single sample. Lost typography needs no numbers.
+std::string numbers_of(const JudgedClaim& judged) {
+  const Claim& claim = judged.claim;
+  if (claim.printed.checks.empty() || claim.kind == Fault::lost_typography) return "";
+  const Check& printed = tightest(claim.printed);
+  if (counts_violations(printed)) return failures(printed);
+  const bool one = printed.where.empty() && printed.right.value.size() == 1;
+  std::string text = "Compared with *" + in_words(printed.right.by) + "*" +
+                     (one ? " (" + value_cell(printed.right.value, 7) + ")" : "") + ", the print is " +
+                     deviation(printed);
+  if (judged.verdict == Verdict::erratum && !claim.corrected.checks.empty() &&
+      !counts_violations(tightest(claim.corrected)))
+    text += ", the correction " + deviation(tightest(claim.corrected));
+  return text + ".\n\n";
+}
+
+// ---- claims -----------------------------------------------------------------------------------------------
+
+/// Where the links to a claim lead: its id, but for what an anchor cannot hold.
+std::string anchor_of(const Claim& claim) {
+  std::string anchor;
+  for (char c : claim.id)
+    anchor += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '_' ? c : '-';
+  return anchor;
+}
+
+std::string title_of(Verdict verdict) {
+  std::string name(name_of(verdict));
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
+}
+
+/// What is wrong, what is right unless a table has it already, and how it shows.
+std::string in_full(const JudgedClaim& judged, bool in_table) {
+  const Claim& claim = judged.claim;
+  const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
+  const Reading& right = right_reading(judged);
+  const bool told = right.text.empty() || claim.says.find(right.text) != std::string::npos;
+  const std::string meant = told || in_table
+                                ? ""
+                                : (judged.verdict == Verdict::misprint ? " *Meant:* " : " *Right:* ") +
+                                      escaped(right.text, false) + ".";
+  return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
+         "** (" + kind + "line " + std::to_string(claim.line) + "): " + escaped(claim.says, false) + "." +
+         meant + "\n\n" + prose(claim.why) + "\n\n" + numbers_of(judged);
+}
+
+/// What a confirmed claim was compared with: another route, or samples.
+std::string compared_with(const JudgedClaim& judged) {
+  const Reading& reading = right_reading(judged);
+  if (reading.checks.empty()) return "";
+  const Check& c = tightest(reading);
+  return counts_violations(c) ? c.left.by.substr(std::string("violations in ").size()) : c.right.by;
+}
+
+/// A line a claim, those that were compared with the same together.
+std::string confirmed_lines(const ExerciseResult& e) {
+  std::vector<std::pair<std::string, std::string>> groups;
+  for (const JudgedClaim& c : e.claims) {
+    if (c.verdict != Verdict::confirmed) continue;
+    const std::string line = "<br>" + escaped(c.claim.says, false);
+    const std::string with = compared_with(c);
+    const auto same = std::ranges::find(groups, with, &std::pair<std::string, std::string>::first);
+    if (same == groups.end())
+      groups.emplace_back(with, line);
+    else
+      same->second += line;
+  }
+  std::string text;
+  for (const auto& [with, lines] : groups)
+    text += "*Against " + (with.empty() ? "nothing" : in_words(with)) + ":*" + lines + "\n\n";
+  return text;
+}
+
+std::string folded(const std::string& summary, const std::string& text) {
+  return "<details><summary>" + summary + "</summary>\n\n" + text + "</details>\n\n";
+}
+
+/// The routes of all its checks give the same doubles in every sample, though roundings are allowed.
+bool bit_equal(const JudgedClaim& judged) {
+  const auto& checks = right_reading(judged).checks;
+  return !checks.empty() && std::ranges::all_of(checks, [](const Check& c) {
+    return c.tolerance.allowed > 0 && c.difference() == 0;
+  });
+}
+
+int weight_of(Fault kind) {
+  switch (kind) {
+    case Fault::listing:
+    case Fault::formula:
+    case Fault::number:
+      return 0;
+    case Fault::counterexample:
+      return 1;
+    case Fault::term:
+      return 2;
+    default:
+      return 3;
+  }
+}
+
+}  // namespace
+
+Counts counts_of(const ExerciseResult& e) {
+  Counts counts;
+  for (const JudgedClaim& c : e.claims) ++counts[c.verdict];
+  return counts;
+}
+
+Counts counts_of(const Results& results) {
+  Counts counts;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims) ++counts[c.verdict];
+  return counts;
+}
+
+std::string sentence(const Counts& counts) {
+  std::string text;
+  const auto add = [&](Verdict verdict, const std::string& one, const std::string& many) {
+    const auto found = counts.find(verdict);
+    if (found != counts.end() && found->second > 0)
+      text += (text.empty() ? "" : ", ") + counted(found->second, one, many);
+  };
+  add(Verdict::erratum, "erratum", "errata");
+  add(Verdict::misprint, "misprint", "misprints");
+  add(Verdict::unsettled, "unsettled", "unsettled");
+  add(Verdict::not_checkable, "not checkable", "not checkable");
+  add(Verdict::confirmed, "confirmed", "confirmed");
+  return text.empty() ? "no claims" : text;
+}
+
+std::vector<Finding> errata_worst_first(const Results& results) {
+  std::vector<Finding> all;
+  for (const ExerciseResult& e : results.exercises)
+    for (Finding& f : findings_of(e)) all.push_back(std::move(f));
+  std::ranges::stable_sort(all, {}, [](const Finding& f) {
+    int weight = 3;
+    for (const JudgedClaim* c : f.claims) weight = std::min(weight, weight_of(c->claim.kind));
+    return std::tuple(!f.exercise->scene, weight, -static_cast<int>(f.claims.size()));
+  });
+  return all;
+}
+
+std::string address_of(const ExerciseResult& e, const Claim& claim, Links links) {
+  return (links == Links::apart ? exercise_file(e.number) : "") + "#" + anchor_of(claim);
+}
+
+std::string link_to(const ExerciseResult& e, const Claim& claim, Links links) {
+  return "[" + escaped(claim.id) + "](" + address_of(e, claim, links) + ")";
+}
+
+std::string answer(const ExerciseResult& e) {
+  std::string text = "**" + sentence(counts_of(e)) + ".**";
+  const std::vector<Finding> errata = findings_of(e);
+  if (errata.empty()) return text + "\n\n";
+  std::vector<std::vector<std::string>> rows;
+  for (const Finding& f : errata)
+    rows.push_back(
+        {"[" + escaped(f.title()) + "](" + address_of(e, f.claims.front()->claim, Links::within) + ")",
+         escaped(f.claims.front()->claim.printed.text), escaped(f.claims.front()->claim.corrected.text),
+         escaped(f.shows())});
+  return text + "\n\n" + table({"what is wrong", "as printed", "right", "what one would see"}, rows);
+}
+
+std::string wrong_claims(const ExerciseResult& e) {
+  std::set<const Claim*> in_table;
+  for (const Finding& f : findings_of(e)) in_table.insert(&f.claims.front()->claim);
+  std::string text;
+  for (Verdict verdict : {Verdict::erratum, Verdict::misprint, Verdict::unsettled})
+    for (const JudgedClaim& c : e.claims)
+      if (c.verdict == verdict) text += in_full(c, in_table.contains(&c.claim));
+  return text;
+}
+
+std::string other_claims(const ExerciseResult& e) {
+  std::string open;
+  int confirmed = 0;
+  for (const JudgedClaim& c : e.claims) {
+    if (c.verdict == Verdict::not_checkable)
+      open += "Not checkable, " + code(c.claim.id) + " (line " + std::to_string(c.claim.line) +
+              "): " + escaped(c.claim.says, false) + ": " + escaped(c.claim.not_checkable, false) + ".\n\n";
+    confirmed += c.verdict == Verdict::confirmed;
+  }
+  if (confirmed == 0) return open;
+  return open + folded(counted(confirmed, "confirmed claim", "confirmed claims"), confirmed_lines(e));
+}
+
+std::string errata_table(const Results& results, Links links) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Finding& f : errata_worst_first(results)) {
+    std::string claims;
+    for (const JudgedClaim* c : f.claims)
+      claims += (claims.empty() ? "" : ", ") + link_to(*f.exercise, c->claim, links);
+    rows.push_back({claims, escaped(f.claims.front()->claim.printed.text),
+                    escaped(f.claims.front()->claim.corrected.text), escaped(f.shows())});
+  }
+  return table({"claims", "as printed", "right", "what one would see"}, rows);
+}
+
+std::string list_of(const Results& results, Verdict verdict, Links links) {
+  std::map<std::string, std::string> by_kind;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims) {
+      if (c.verdict != verdict) continue;
+      std::string& list = by_kind[std::string(name_of(c.claim.kind))];
+      list += (list.empty() ? "" : ", ") + link_to(e, c.claim, links);
+    }
+  std::string text;
+  for (const auto& [kind, list] : by_kind) text += (kind.empty() ? "" : "*" + kind + ":* ") + list + "\n\n";
+  return text;
+}
+
+std::string bit_equal_text(const Results& results) {
+  std::string list;
+  int count = 0;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims)
+      if (c.verdict == Verdict::confirmed && bit_equal(c))
+        list += (count++ == 0 ? "" : ", ") + code(c.claim.id);
+  if (count == 0) return "";
+  return folded(
+      counted(count, "claim equal to the last bit", "claims equal to the last bit"),
+      "The two routes of these confirmed claims never differ, though their tolerance leaves room for "
+      "roundings: they do the same arithmetic in the end, or their numbers are short. Their near misses "
+      "fail like all others.\n\n" +
+          list + "\n\n");
+}
+
+std::string claims_evidence(const JudgedClaim& judged) {
+  std::string text =
+      judged.claim.id + " (line " + std::to_string(judged.claim.line) + "): " + judged.claim.says + "\n";
+  const auto add = [&](const std::string& name, const Reading& reading) {
+    for (const Check& c : reading.checks)
+      text += "  " + name + (c.holds() ? " holds: " : " FAILS: ") + c.quantity + ": " +
+              shown(c.left.value, 17) + " (" + c.left.by + ") against " + shown(c.right.value, 17) + " (" +
+              c.right.by + "), " + difference_of(c) + " (" + c.tolerance.reason + ")" +
+              (c.where.empty() ? "" : ", " + c.where) + "\n";
+  };
+  add("printed", judged.claim.printed);
+  add("meant", judged.claim.meant);
+  add("corrected", judged.claim.corrected);
+  for (const Reading& near : judged.claim.near_misses) add("near miss '" + near.text + "'", near);
+  return readable(text);
+}
+
+}  // namespace oddity
