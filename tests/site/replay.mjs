@@ -1,5 +1,5 @@
 // Replays every trial of every scene's motion by the page's engine, and compares it with the program's.
-//   node replay.mjs engine.js models.js models_nudged.js results.json
+//   node replay.mjs engine.js models.js models_nudged.js results.json      (of trials.cpp, or of verify --results)
 // The two libraries' sines may differ in their last digit, and nothing else may. What that can do, the second
 // module shows, whose functions of the C library are each off by one rounding (nudged.cpp). So a trial by steps of
 // fixed size that these leave as it is has nothing but + - * / and roots in it, and must be the program's bit for bit.
