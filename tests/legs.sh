@@ -34,6 +34,14 @@ leg_format() {  # clang-format: every source is as .clang-format has it
   sources '*.cpp' '*.hpp' | xargs -d '\n' clang-format --dry-run -Werror
 }
 
+leg_site() {  # chromium: every page and player of the site, opened from their files
+  tools chromium
+  command -v npm >/dev/null || tools nodejs npm
+  npm ci --prefix tests/site --no-audit --no-fund || exit 77
+  ./oddity site
+  node --test tests/site/*.test.mjs
+}
+
 leg_syntax() {  # g++: every source alone, without precompiled headers; compile_commands.json has all of them
   ./oddity packages
   build developer generated_sources

@@ -17,8 +17,8 @@
 //                other, by the reference; values are floats, least byte first, in base64
 //     paths      [{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]: recorded
 //                motions, of what the module has not, from frame 1 on as far as they come; values are whole
-//                numbers of 16 bits, least byte first, in base64, from 0 for the observable's `least` to 65535
-//                for its `most`
+//                numbers of 16 bits, least byte first, in base64, from 0 for the observable's `least` to
+//                65535 for its `most`
 //     drawn      where the page has no models to draw by: {space, things: [{kind, size, letter, trail,
 //                points: how many}], still, moving, least, most, truth, paths}; the places of the things'
 //                points, one after the other, x, y and in space z, are `still` but for those at the indices

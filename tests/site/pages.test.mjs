@@ -36,12 +36,12 @@ for (const name of pages) {
   });
 }
 
-test('pages paint within a second', async (t) => {
+test('how soon pages paint', async (t) => {
   for (const name of ['index.html', ...scenes.map((scene) => `${scene}.html`)]) {
     const { page } = await open(browser, name);
-    const first = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0]?.startTime);
+    const first = await page.waitForFunction(() => performance.getEntriesByName('first-contentful-paint')[0]?.startTime)
+      .then((handle) => handle.jsonValue());
     t.diagnostic(`${name}: first paint after ${Math.round(first)} ms`);
-    assert.ok(first !== undefined, `${name} paints nothing`);
     await page.close();
   }
 });
