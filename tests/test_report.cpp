@@ -129,7 +129,7 @@ TEST_CASE("a page escapes what Markdown would take for markup, but not mathemati
   Results results = sample();
   results.exercises[0].claims[0].claim.says = "a_1 * |b| with $a_1 * b$";
   const std::string page = page_of(results);
-  CHECK(page.find("a\\_1 \\* \\|b\\| with $`a_1 * b`$") != std::string::npos);
+  CHECK(page.find("a\\_1 \\* |b| with $`a_1 * b`$") != std::string::npos);
 }
 
 TEST_CASE("the page of errata lists claims whose routes never differ though they might", "[report]") {
@@ -216,7 +216,7 @@ TEST_CASE("no two of a chart's eight curves share a colour and a mark, and a fam
   QuantityResult alone = q;
   alone.methods = {q.methods[2], q.methods[0]};
   const auto colour = [](const std::string& text, const std::string& name) {
-    const auto label = text.find(">" + name);
+    const auto label = text.rfind(">" + name);
     return text.substr(text.rfind("class=\"mark ", label), 15);
   };
   CHECK(colour(svg, "velocity Verlet") == colour(chart_of(alone), "velocity Verlet"));
@@ -365,7 +365,7 @@ TEST_CASE("a map is as wide as a page, and its letters are legible", "[report]")
   const std::string svg = map_svg(e);
   CHECK(count(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\"") == 1);
   CHECK(count(svg, "algorithm 0 (model) is ok at every a up to the longest step, 0.5 s</text>") == 1);
-  CHECK(count(svg, ">XXX</text>") == 30);
+  CHECK(count(svg, ">XXX</text>") == 29);
   for (auto at = svg.find("font-size:"); at != std::string::npos; at = svg.find("font-size:", at + 1))
     CHECK(std::stoi(svg.substr(at + 10)) >= 9);
 }
@@ -512,8 +512,8 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
   CHECK(bar < folded);
   const std::string errata = errata_page_text(results);
   CHECK(count(index, "What is wrong in the solutions manual") == 1);
-  CHECK(count(index, "| [3.5 a slip](3.5.md#3.5-wrong) | 1 m too far |") == 1);
-  CHECK(count(page, "| [a slip](#3.5-wrong) | x = 2 | x = 1 | 1 m too far |") == 1);
+  CHECK(count(index, "| [3.5 A slip](3.5.md#3.5-wrong) | 1 m too far |") == 1);
+  CHECK(count(page, "| [A slip](#3.5-wrong) | x = 2 | x = 1 | 1 m too far |") == 1);
   CHECK(count(errata,
               "[3.5-wrong](3.5.md#3.5-wrong), [3.5-follows](3.5.md#3.5-follows) | "
               "x = 2 | x = 1 | 1 m too far |") == 1);
@@ -536,12 +536,13 @@ TEST_CASE("errata that break a scene come first, and of these wrong formulas bef
   };
   scene.claims = {erratum("left out", Fault::left_out), erratum("formula", Fault::formula),
                   erratum("twice", Fault::formula), erratum("twice", Fault::term)};
-  results.exercises.push_back(scene);
+  scene.roots = {{"left out", ""}, {"formula", ""}, {"twice", ""}, {"elsewhere", ""}};
+  results.exercises.push_back(results.exercises[0]);
   results.exercises[1].scene = false;
   results.exercises[1].claims = {erratum("elsewhere", Fault::formula)};
   std::vector<std::string> names;
   for (const Finding& f : errata_worst_first(results)) names.push_back(f.title());
-  CHECK(names == std::vector<std::string>{"twice", "formula", "left out", "elsewhere"});
+  CHECK(names == std::vector<std::string>{"Twice", "Formula", "Left out", "Elsewhere"});
 }
 
 TEST_CASE("a reason for failing is given only where failing is expected", "[report]") {

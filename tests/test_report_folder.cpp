@@ -51,7 +51,8 @@ std::set<std::string> anchors_of(const std::string& page) {
     anchors.insert(found->str(1));
   std::istringstream lines(page);
   for (std::string line; std::getline(lines, line);)
-    if (const auto level = line.find_first_not_of('#'); level != 0 && line.substr(level, 1) == " ")
+    if (const auto level = line.find_first_not_of('#');
+        level != 0 && level != std::string::npos && line[level] == ' ')
       anchors.insert(anchor_of_heading(line.substr(level + 1)));
   return anchors;
 }
@@ -127,7 +128,7 @@ TEST_CASE("the book has a page for each exercise, and says each erratum and misp
   const std::string errata = text_of(book / "errata.md");
   for (const Entry& entry : registry())
     if (of_the_book(entry.number)) CHECK(fs::exists(book / exercise_file(entry.number)));
-  const Verdicts on_record = read_verdicts(fs::path(ODDITY_SOURCE) / "reference");
+  const Verdicts on_record = read_verdicts(fs::path(ODDITY_SOURCE) / "reference" / "approved");
   int wrong = 0;
   for (const auto& [id, verdict] : on_record) {
     if (verdict != "erratum" && verdict != "misprint") continue;

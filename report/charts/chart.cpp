@@ -164,17 +164,20 @@ std::string seen(const Frame& frame, const MethodResult& m) {
   return text;
 }
 
-/// A family has the same colour in every chart where it is free.
+/// The first of each family has the same colour in every chart; the others have what is left.
 std::vector<int> slots_of(const std::vector<const MethodResult*>& methods) {
-  std::set<int> taken;
-  std::vector<int> slots;
-  for (const MethodResult* m : methods) {
-    int slot = std::max(0, static_cast<int>(family_of(m->algorithm)) - 1);
-    for (int tried = 0; tried < svg_slots && taken.contains(slot); ++tried) slot = (slot + 1) % svg_slots;
-    taken.insert(slot);
-    if (taken.size() == svg_slots) taken.clear();
-    slots.push_back(slot);
-  }
+  constexpr int none = -1;
+  std::vector<int> slots(methods.size(), none);
+  const auto is_taken = [&](int slot) { return std::ranges::find(slots, slot) != slots.end(); };
+  for (std::size_t i = 0; i < methods.size(); ++i)
+    if (const int own = static_cast<int>(family_of(methods[i]->algorithm)) - 1; own != none && !is_taken(own))
+      slots[i] = own;
+  int next = 0;  // beyond the last, colours begin anew
+  for (int& slot : slots)
+    if (slot == none) {
+      while (next < svg_slots && is_taken(next)) ++next;
+      slot = next++;
+    }
   return slots;
 }
 

@@ -46,7 +46,7 @@ void write_picture(const fs::path& file, const std::string& svg) {
 }
 
 std::string title_of(const ExerciseResult& e, const QuantityResult& q) {
-  return to_string(e.number) + " " + e.title + ": " + q.says +
+  return to_string(e.number) + " " + e.title + ": " + readable(q.says) +
          (q.samples > 1 ? " (" + instants(q) + ")" : "");
 }
 
