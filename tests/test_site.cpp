@@ -148,6 +148,7 @@ std::map<std::string, Parsed> parsed(const std::map<std::string, std::string>& p
 }
 
 void check_pages(const std::map<std::string, std::string>& pages, std::set<std::string> files) {
+  files.insert({"assets/models.js", "data/scenes.js"});
   for (const EmbeddedFile& asset : embedded_assets()) files.insert("assets/" + std::string(asset.path));
   const auto all = parsed(pages);
   for (const auto& [name, page] : all) {
