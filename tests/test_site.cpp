@@ -274,7 +274,7 @@ TEST_CASE("the site of the last run is whole, typeset and small", "[site]") {
     const std::string told = std::regex_replace(page, code, "");
     CHECK(told.find('\\') == std::string::npos);
   }
-  CHECK(size < 1'300'000);
+  CHECK(size < 1'400'000);  // of the 3 MB that the browser's tests allow all of the site
   CHECK(against_schema(Json::parse(errata_json(results))) == std::vector<std::string>());
 }
 
