@@ -180,8 +180,8 @@ std::string by_chapter(const Results& results, Links links) {
       for (const auto& [verdict, n] : counts_of(*e)) counts[verdict] += n;
     const std::string title = std::to_string(chapter.number) + ". " + std::string(chapter.title);
     text += unfold("<b>" + title +
-                       "</b>: " + counted(static_cast<int>(exercises.size()), "exercise", "exercises") + ", " +
-                       sentence(counts),
+                       "</b>: " + counted(static_cast<int>(exercises.size()), "exercise", "exercises") +
+                       ", " + sentence(counts),
                    exercises_table(exercises, links));
   }
   return text;
