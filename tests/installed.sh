@@ -71,7 +71,7 @@ check "what it keeps is the user's" has "$("$oddity" chart --help)" "$HOME/.cach
 
 # ---- its manual and its completion ------------------------------------------------------------------------
 
-verbs=$("$oddity" --help | sed -n '/^Subcommands:/,$s/^  \([a-z]*\) .*/\1/p')
+verbs=$("$oddity" --help | sed -n '/^Verbs:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p')
 check "it has verbs" has "$verbs" solve
 manual=$(cat "$prefix/share/man/man1/oddity.1")
 for verb in ${verbs/help/}; do check "the manual on $verb" has "$manual" ".SS $verb"; done
