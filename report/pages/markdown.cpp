@@ -91,7 +91,7 @@ std::string for_games(const ExerciseResult& e) {
   const std::string places = " ([models](models.md#" + heading_anchor(e) + ")" +
                              (e.stability ? ", [stability](stability.md#" + heading_anchor(e) + ")" : "") +
                              ").\n\n";
-  return "For a game, " + escaped(row.says, false) + ": " +
+  return "To " + escaped(row.says, false) + ", as a game needs it, " +
          (row.least ? "*" + escaped(row.least->model, false) + "* by " +
                           escaped(row.least->algorithm, false) + " is enough"
                     : "nothing here is enough") +
@@ -180,8 +180,8 @@ std::string by_chapter(const Results& results, Links links) {
       for (const auto& [verdict, n] : counts_of(*e)) counts[verdict] += n;
     const std::string title = std::to_string(chapter.number) + ". " + std::string(chapter.title);
     text += unfold("<b>" + title +
-                       "</b>: " + counted(static_cast<int>(exercises.size()), "exercise", "exercises") + ", " +
-                       sentence(counts),
+                       "</b>: " + counted(static_cast<int>(exercises.size()), "exercise", "exercises") +
+                       ", " + sentence(counts),
                    exercises_table(exercises, links));
   }
   return text;
