@@ -148,6 +148,7 @@ std::map<std::string, Parsed> parsed(const std::map<std::string, std::string>& p
 }
 
 void check_pages(const std::map<std::string, std::string>& pages, std::set<std::string> files) {
+  files.insert({"assets/models.js", "data/scenes.js"});
   for (const EmbeddedFile& asset : embedded_assets()) files.insert("assets/" + std::string(asset.path));
   const auto all = parsed(pages);
   for (const auto& [name, page] : all) {
@@ -273,7 +274,7 @@ TEST_CASE("the site of the last run is whole, typeset and small", "[site]") {
     const std::string told = std::regex_replace(page, code, "");
     CHECK(told.find('\\') == std::string::npos);
   }
-  CHECK(size < 1'300'000);
+  CHECK(size < 1'400'000);  // of the 3 MB that the browser's tests allow all of the site
   CHECK(against_schema(Json::parse(errata_json(results))) == std::vector<std::string>());
 }
 

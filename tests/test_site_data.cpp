@@ -83,11 +83,11 @@ TEST_CASE("The data of a page have every trial, in double and in float", "[site]
   REQUIRE(swing().methods.size() > 20);
   REQUIRE(!swing().in_float.empty());
   const auto same = [&](const Json& shown, const std::vector<TimedTrial>& trials) {
-    const Json& settings = q["settings"][shown["settings"].get<std::size_t>()];
-    REQUIRE(shown["trials"].size() == trials.size());
+    const Json& settings = q["knobs"][shown[2].get<std::size_t>()]["settings"];
+    REQUIRE(shown[4].size() == trials.size());
     REQUIRE(settings.size() == trials.size());
     for (std::size_t i = 0; i < trials.size(); ++i) {
-      const Json& row = shown["trials"][i];
+      const Json& row = shown[4][i];
       CHECK(settings[i].get<double>() == trials[i].setting);
       if (std::isfinite(trials[i].error))
         CHECK(std::abs(row[0].get<double>() / trials[i].error - 1) < 0.006);
@@ -100,27 +100,28 @@ TEST_CASE("The data of a page have every trial, in double and in float", "[site]
   for (std::size_t i = 0; i < swing().methods.size(); ++i) {
     const MethodResult& m = swing().methods[i];
     CAPTURE(m.model, m.algorithm);
-    CHECK(q["methods"][i]["algorithm"] == m.algorithm);
-    CHECK_FALSE(q["methods"][i].contains("precision"));
+    CHECK(q["models"][q["methods"][i][0].get<std::size_t>()] == m.model);
+    CHECK(q["algorithms"][q["methods"][i][1].get<std::size_t>()] == m.algorithm);
+    CHECK(q["methods"][i][3] == 0);
     same(q["methods"][i], m.trials);
   }
   for (std::size_t i = 0; i < swing().in_float.size(); ++i) {
     const FloatResult& m = swing().in_float[i];
     const Json& shown = q["methods"][swing().methods.size() + i];
-    CHECK(shown["algorithm"] == swing().methods[m.in_double].algorithm);
-    CHECK(shown["precision"] == "float");
+    CHECK(q["algorithms"][shown[1].get<std::size_t>()] == swing().methods[m.in_double].algorithm);
+    CHECK(shown[3] == 1);
     same(shown, m.trials);
   }
 }
 
 TEST_CASE("The data of a page have every name's style and every outcome's letter", "[site]") {
   const Json data = written(pendulum());
-  for (const Json& q : data["quantities"])
-    for (const Json& m : q["methods"]) {
-      CHECK(data["styles"]["colours"].contains(m["model"]));
-      CHECK(data["styles"]["marks"].contains(m["algorithm"]));
-      for (const Json& row : m["trials"]) CHECK(data["outcomes"].contains(row[4]));
-    }
+  for (const Json& q : data["quantities"]) {
+    for (const Json& model : q["models"]) CHECK(data["styles"]["colours"].contains(model));
+    for (const Json& algorithm : q["algorithms"]) CHECK(data["styles"]["marks"].contains(algorithm));
+    for (const Json& m : q["methods"])
+      for (const Json& row : m[4]) CHECK(data["outcomes"].contains(row[4]));
+  }
   CHECK(data["styles"]["families"]["velocity Verlet"] == "partitioned");
 }
 

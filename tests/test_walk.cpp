@@ -200,7 +200,7 @@ TEST_CASE("new refuses what cannot be, and overwrites nothing", "[new]") {
   refuses("3.2 ../x", "is no name of a folder");
   refuses("3.2 2nd", "a letter first; did you mean 'nd'?");
   refuses("3.2 x --topic statics", "chapter 3 is in chapters/03_rigid_body_motion");
-  refuses("3.2 x --scene --identity", "excludes");
+  refuses("3.2 x --scene --identity", "--scene and --identity do not go together");
   refuses("3.2 x --topik y", "did you mean '--topic'?");
   CHECK(fs::is_empty(scratch.path()));
   CHECK(says(run(std::string(ODDITY_PROGRAM) + " nwe 3.2 x"), "did you mean 'new'?"));

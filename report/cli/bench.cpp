@@ -233,11 +233,13 @@ std::string races_text(const Bench& bench, const Screen& screen) {
          aligned(rows, screen,
                  {{"model", "algorithm"},
                   {"instructions", "states", "difference", "precompiled", "inlined", "by hand"}}) +
-         "  Precompiled, a right-hand side takes " + fixed(1e9 * least, 1) + " to " + fixed(1e9 * most, 1) +
-         " ns longer than inlined.\n" +
-         (bench.no_instructions.empty()
-              ? ""
-              : "  Instructions are not counted on this machine: " + bench.no_instructions + ".\n");
+         wrapped(
+             "  Precompiled, a right-hand side takes " + fixed(1e9 * least, 1) + " to " +
+                 fixed(1e9 * most, 1) + " ns longer than inlined.\n" +
+                 (bench.no_instructions.empty()
+                      ? ""
+                      : "  Instructions are not counted on this machine: " + bench.no_instructions + ".\n"),
+             screen, 4);
 }
 
 std::vector<std::string> entrant_row(const std::string& what, const Entrant& e, const std::string& limit) {
@@ -277,11 +279,12 @@ std::string suite_text(const SuiteTime& suite, const Screen& screen) {
         {e.number, shown_time(e.studying), shown_time(e.trials), shown_time(e.longest_trial), e.longest});
   return "\nThe suite at default parameters, each exercise alone on one thread\n" +
          aligned(rows, screen, {{""}, {"studying"}}) +
-         "  critical path (the longest study, then the longest trial) " + shown_time(suite.critical_path()) +
-         "\n  all: one thread " + shown_time(suite.one_thread) + ", two threads " +
-         shown_time(suite.two_threads.median) + " +- " + shown_time(suite.two_threads.half_width) +
-         ", speed-up " + fixed(suite.speed_up(), 2) + "; at most " + limit_text(suite.bound(), 0, screen) +
-         "\n";
+         wrapped("  critical path (the longest study, then the longest trial) " +
+                     shown_time(suite.critical_path()) + "\n  all: one thread " +
+                     shown_time(suite.one_thread) + ", two threads " + shown_time(suite.two_threads.median) +
+                     " +- " + shown_time(suite.two_threads.half_width) + ", speed-up " +
+                     fixed(suite.speed_up(), 2) + "; at most " + limit_text(suite.bound(), 0, screen) + "\n",
+                 screen, 4);
 }
 
 /// Whether all limits hold, and which do not.

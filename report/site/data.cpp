@@ -5,12 +5,13 @@
 //   parameters   [{name, value, unit, says, least, most, whole}], of a scene
 //   styles       {colours: {model: place}, marks: {algorithm: place}, families: {algorithm: name}}: as in the
 //                static charts; places in the order of their palettes (charts/chart_style.hpp)
-//   quantities   [{name, unit, says, samples, need, floor, size, charts, settings: [[setting]], methods}];
-//                no error means anything below `floor`; `size` is the true value's; `charts` are what its
-//                error is drawn against: "evaluations", "setting", "time". A method is {model, algorithm,
-//                precision: "float", or none: double, knob: "step"|"tolerance"|...|"", settings: which of the
-//                lists, trials: [[error, evaluations, ns, spread, outcome], ...], one a setting}, the time
-//                and its spread in nanoseconds; page.js puts the setting before each
+//   quantities   [{name, unit, says, samples, need, floor, size, charts, models: [name], algorithms: [name],
+//                knobs: [{name, settings}], methods}]; no error means anything below `floor`; `size` is the
+//                true value's; `charts` are what its error is drawn against: "evaluations", "setting",
+//                "time". A method is [model, algorithm, knob, in float?, trials], the first three by their
+//                places; a trial of each setting is [error, evaluations, ns, spread, outcome], the time and
+//                its spread in nanoseconds. page.js makes {model, algorithm, knob, precision, trials} of it,
+//                the setting before the rest of each trial
 //   scene        null, or {quantity: its index, horizon, time_unit, close: {unit: error}, observables:
 //                [name], norms: [{unit, components}], varied, over: [value], truth, paths}
 //     truth      {end, frames, values}: the true observables at frame 0, 1, ..., frames, one time after the
@@ -119,26 +120,28 @@ Json from(const TimedTrial& t) {
                       brief(1e9 * t.time.spread, 2), letter(t.outcome)});
 }
 
-/// A quantity's methods, and the lists of settings that they share.
+/// A quantity's methods, and what they share.
 struct Methods {
-  Json methods = Json::array(), settings = Json::array();
+  Json methods = Json::array(), models = Json::array(), algorithms = Json::array(), knobs = Json::array();
 
   void add(const std::string& model, const std::string& algorithm, Precision precision,
            const std::vector<TimedTrial>& trials) {
-    Json rows = Json::array(), at = Json::array();
+    Json rows = Json::array(), settings = Json::array();
     for (const TimedTrial& t : trials) {
       rows.push_back(from(t));
-      at.push_back(from(t.setting));  // with all digits, as it is asked for again
+      settings.push_back(from(t.setting));  // with all digits, as it is asked for again
     }
-    const auto known = std::ranges::find(settings, at);
-    const auto place = known - settings.begin();
-    if (known == settings.end()) settings.push_back(at);
-    methods.push_back({{"model", model},
-                       {"algorithm", algorithm},
-                       {"knob", trials.empty() ? "" : trials.front().knob},
-                       {"settings", place},
-                       {"trials", rows}});
-    if (precision == Precision::in_float) methods.back()["precision"] = name_of(precision);
+    const Json knob{{"name", trials.empty() ? "" : trials.front().knob}, {"settings", settings}};
+    methods.push_back({place(models, model), place(algorithms, algorithm), place(knobs, knob),
+                       precision == Precision::in_float ? 1 : 0, rows});
+  }
+
+ private:
+  /// Where it is in the list, at the end if it was not there.
+  static std::size_t place(Json& list, const Json& what) {
+    const auto at = static_cast<std::size_t>(std::ranges::find(list, what) - list.begin());
+    if (at == list.size()) list.push_back(what);
+    return at;
   }
 };
 
@@ -166,7 +169,9 @@ Json from(const QuantityResult& q) {
           {"floor", brief(error_floor(q), 3)},
           {"size", brief(size_of(q.reference.value), 3)},
           {"charts", charts},
-          {"settings", shown.settings},
+          {"models", shown.models},
+          {"algorithms", shown.algorithms},
+          {"knobs", shown.knobs},
           {"methods", shown.methods}};
 }
 

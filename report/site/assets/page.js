@@ -5,13 +5,20 @@
 
   const waiting = [];
 
+  function whole_method({ models, algorithms, knobs }, [model, algorithm, knob, in_float, trials]) {
+    return {
+      model: models[model],
+      algorithm: algorithms[algorithm],
+      knob: knobs[knob].name,
+      precision: in_float ? 'float' : 'double',
+      trials: trials.map((trial, i) => [knobs[knob].settings[i], ...trial]),
+    };
+  }
+
   // Called by data/3.5.js.
   oddity.exercise = (data) => {
-    for (const { methods, settings } of data.quantities)
-      for (const method of methods) {
-        method.precision = method.precision || 'double';
-        method.trials = method.trials.map((trial, i) => [settings[method.settings][i], ...trial]);
-      }
+    for (const quantity of data.quantities)
+      quantity.methods = quantity.methods.map((method) => whole_method(quantity, method));
     oddity.data = data;
     waiting.splice(0).forEach((act) => act(data));
     document.dispatchEvent(new CustomEvent('oddity:data', { detail: data }));
