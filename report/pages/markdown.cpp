@@ -91,7 +91,7 @@ std::string for_games(const ExerciseResult& e) {
   const std::string places = " ([models](models.md#" + heading_anchor(e) + ")" +
                              (e.stability ? ", [stability](stability.md#" + heading_anchor(e) + ")" : "") +
                              ").\n\n";
-  return "For a game, " + escaped(row.says, false) + ": " +
+  return "To " + escaped(row.says, false) + ", as a game needs it, " +
          (row.least ? "*" + escaped(row.least->model, false) + "* by " +
                           escaped(row.least->algorithm, false) + " is enough"
                     : "nothing here is enough") +

@@ -103,7 +103,7 @@ std::string breakdown_text(const BreakdownResult& b) {
   return "**Breaks.** " + prose(b.says) + "\n\n- " + end(b.broken) + "\n- cure: " + end(b.cured) + "\n\n";
 }
 
-/// How many settings hold in double, and how many of these do not in float.
+/// How many of the settings that hold in double hold in float.
 std::string lost_in_float(const QuantityResult& q) {
   int held = 0, lost = 0;
   for (const FloatResult& m : q.in_float)
@@ -112,12 +112,13 @@ std::string lost_in_float(const QuantityResult& q) {
       ++held;
       lost += m.trials[i].outcome != Outcome::ok;
     }
-  if (held == 0) return "none of its methods is within the need in double";
-  const std::string all = counted(held, "setting", "settings");
-  return lost == 0      ? "what is within the need in double is so here"
-         : lost == held ? "none of the " + all + " within the need in double is within it here"
-                        : std::to_string(held - lost) + " of the " + all + " within the need in double " +
-                              (held - lost == 1 ? "is" : "are") + " within it here";
+  if (held == 0) return "no method is within the need in double";
+  const std::string within =
+      " of the " + counted(held, "setting that is", "settings that are") + " within the need in double ";
+  return lost == 0 ? "all" + within + "stay within it"
+         : lost == held
+             ? "none" + within + "stays within it"
+             : std::to_string(held - lost) + within + (held - lost == 1 ? "stays" : "stay") + " within it";
 }
 
 /// Where float's floor lies.
