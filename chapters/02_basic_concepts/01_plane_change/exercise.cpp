@@ -12,6 +12,7 @@
 #include "chapters/02_basic_concepts/shared/limits.hpp"
 #include "chapters/02_basic_concepts/shared/space.hpp"
 #include "chapters/claims.hpp"
+#include "reference/text.hpp"
 
 namespace oddity {
 

@@ -7,6 +7,7 @@
 
 #include "chapters/02_basic_concepts/03_spherical_helix/spherical_helix.hpp"
 #include "chapters/02_basic_concepts/shared/limits.hpp"
+#include "reference/text.hpp"
 
 namespace oddity::spherical_helix {
 

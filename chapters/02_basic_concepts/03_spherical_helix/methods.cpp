@@ -3,6 +3,7 @@
 #include "chapters/02_basic_concepts/03_spherical_helix/spherical_helix.hpp"
 #include "chapters/02_basic_concepts/shared/limits.hpp"
 #include "reference/reference.hpp"
+#include "reference/text.hpp"
 #include "solvers/counted_calls.hpp"
 
 namespace oddity::spherical_helix {

@@ -8,6 +8,7 @@
 #include "chapters/02_basic_concepts/05_rotation_about_moving_axis/rotating_axis.hpp"
 #include "chapters/02_basic_concepts/shared/limits.hpp"
 #include "chapters/02_basic_concepts/shared/rotation_matrices.hpp"
+#include "reference/text.hpp"
 
 namespace oddity::rotating_axis {
 

@@ -9,6 +9,7 @@
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
 #include "chapters/02_basic_concepts/shared/limits.hpp"
+#include "reference/text.hpp"
 #include "solvers/roots.hpp"
 
 namespace oddity::curve_on_sphere {
