@@ -116,7 +116,7 @@ TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
   CHECK(says(oddity("choose 4.1 --criterion energy --error 0.01 --horizon 1"), "Take "));
   const Ran page = oddity("verify '[4.1]' -r markdown");
   CHECK(says(page, "0 exercises and 1 of one's own, 1 claim"));
-  CHECK(says(page, "4.1 Spring (own)"));
+  CHECK(says(page, "[4.1 Spring](#41-spring) (own)"));
   CHECK_FALSE(says(page, "The solutions have no exercises in this chapter"));
 }
 
