@@ -1,0 +1,131 @@
+// Open Dynamics Engine 0.16 [manual: ode.org/wiki/index.php/Manual]: bodies and joints held by velocities, in
+// double.
+
+#include <ode/ode.h>
+
+#include "solvers/engines/simulation.hpp"
+
+namespace oddity::engines {
+
+namespace {
+
+Vector vector(const dReal* x) { return {x[0], x[1], x[2]}; }
+
+class InOde final : public Simulation {
+ public:
+  InOde(const World& world, const std::string& variant) : quick_(variant == "quick step") {
+    dInitODE2(0);
+    world_ = dWorldCreate();
+    space_ = dSimpleSpaceCreate(nullptr);
+    contacts_ = dJointGroupCreate(0);
+    set_gravity(world.gravity);
+    friction_ = world.friction, restitution_ = world.restitution;
+    for (const Body& b : world.bodies) add(b);
+    for (const Joint& j : world.joints) add(j);
+    if (world.floor != Vector{}) dCreatePlane(space_, world.floor[0], world.floor[1], world.floor[2], 0);
+  }
+  ~InOde() override {
+    dJointGroupDestroy(contacts_);
+    dSpaceDestroy(space_);
+    dWorldDestroy(world_);
+    dCloseODE();
+  }
+  InOde(const InOde&) = delete;
+  InOde& operator=(const InOde&) = delete;
+
+  void set_gravity(const Vector& g) override { dWorldSetGravity(world_, g[0], g[1], g[2]); }
+  void push(int body, const Vector& f, const Vector& at) override {
+    dBodyAddForceAtPos(of(body), f[0], f[1], f[2], at[0], at[1], at[2]);
+  }
+  void step(double seconds) override {
+    dSpaceCollide(space_, this, &touch);
+    quick_ ? dWorldQuickStep(world_, seconds) : dWorldStep(world_, seconds);
+    dJointGroupEmpty(contacts_);
+  }
+  State state(int body) const override {
+    const dReal* q = dBodyGetQuaternion(of(body));
+    return {vector(dBodyGetPosition(of(body))),
+            {q[0], q[1], q[2], q[3]},
+            vector(dBodyGetLinearVel(of(body))),
+            vector(dBodyGetAngularVel(of(body)))};
+  }
+
+ private:
+  dBodyID of(int body) const { return body == ground ? nullptr : bodies_[static_cast<std::size_t>(body)]; }
+
+  void add(const Body& b) {
+    const dBodyID body = dBodyCreate(world_);
+    dMass mass;
+    dMassSetParameters(&mass, b.mass, 0, 0, 0, b.inertia[0], b.inertia[1], b.inertia[2], 0, 0, 0);
+    dBodySetMass(body, &mass);
+    const State& s = b.start;
+    dBodySetPosition(body, s.position[0], s.position[1], s.position[2]);
+    dBodySetQuaternion(body, s.orientation.data());
+    dBodySetLinearVel(body, s.velocity[0], s.velocity[1], s.velocity[2]);
+    dBodySetAngularVel(body, s.spin[0], s.spin[1], s.spin[2]);
+    if (b.shape.kind != Shape::none)
+      dGeomSetBody(b.shape.kind == Shape::ball
+                       ? dCreateSphere(space_, b.shape.half[0])
+                       : dCreateBox(space_, 2 * b.shape.half[0], 2 * b.shape.half[1], 2 * b.shape.half[2]),
+                   body);
+    bodies_.push_back(body);
+  }
+  void add(const Joint& j) {
+    const auto [x, y, z] = j.at;
+    const auto [ax, ay, az] = j.axis;
+    if (j.kind == Joint::hinge) {
+      const dJointID hinge = dJointCreateHinge(world_, nullptr);
+      dJointAttach(hinge, of(j.b), of(j.a));
+      dJointSetHingeAnchor(hinge, x, y, z);
+      dJointSetHingeAxis(hinge, ax, ay, az);
+    } else if (j.kind == Joint::ball) {
+      const dJointID ball = dJointCreateBall(world_, nullptr);
+      dJointAttach(ball, of(j.b), of(j.a));
+      dJointSetBallAnchor(ball, x, y, z);
+    } else if (j.kind == Joint::cylinder) {
+      const dJointID piston = dJointCreatePiston(world_, nullptr);
+      dJointAttach(piston, of(j.b), of(j.a));
+      dJointSetPistonAnchor(piston, x, y, z);
+      dJointSetPistonAxis(piston, ax, ay, az);
+    } else {
+      const dJointID rod = dJointCreateDBall(world_, nullptr);
+      dJointAttach(rod, of(j.a), of(j.b));
+      dJointSetDBallAnchor1(rod, x, y, z);
+      dJointSetDBallAnchor2(rod, j.end[0], j.end[1], j.end[2]);
+    }
+  }
+  static void touch(void* self, dGeomID a, dGeomID b) { static_cast<InOde*>(self)->touch(a, b); }
+  void touch(dGeomID a, dGeomID b) {
+    dContact contacts[8] = {};
+    const int count = dCollide(a, b, 8, &contacts[0].geom, sizeof(dContact));
+    for (int i = 0; i < count; ++i) {
+      contacts[i].surface.mode = dContactBounce | dContactApprox1;
+      contacts[i].surface.mu = friction_;
+      contacts[i].surface.bounce = restitution_;
+      dJointAttach(dJointCreateContact(world_, contacts_, &contacts[i]), dGeomGetBody(a), dGeomGetBody(b));
+    }
+  }
+
+  bool quick_;
+  double friction_ = 0, restitution_ = 0;
+  dWorldID world_;
+  dSpaceID space_;
+  dJointGroupID contacts_;
+  std::vector<dBodyID> bodies_;
+};
+
+}  // namespace
+
+Engine engine() {
+  return {"ODE",
+          "0.16",
+          "double",
+          false,
+          {{"defaults", "dWorldStep: all joints solved at once; ERP 0.2, CFM 1e-10", 1, true},
+           {"quick step", "dWorldQuickStep: 20 iterations, as games use", 1, false}},
+          [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {
+            return std::make_unique<InOde>(world, variant);
+          }};
+}
+
+}  // namespace oddity::engines

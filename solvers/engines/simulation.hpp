@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "solvers/engines/world.hpp"
+
+/// What an adapter gives of its engine. runner.cpp makes a program of it, which oddity runs as a child.
+namespace oddity::engines {
+
+/// A world in an engine's hands.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+  /// m/s^2, from now on.
+  virtual void set_gravity(const Vector&) = 0;
+  /// A force [N] on a point of the world that belongs to the body, during the next step alone.
+  virtual void push(int body, const Vector& force, const Vector& at) = 0;
+  virtual void step(double seconds) = 0;
+  virtual State state(int body) const = 0;
+  /// The engine has the world's springs itself: nobody pushes for them.
+  virtual bool has_springs() const { return false; }
+  /// Keeps what is needed to go on from here; false where the engine offers nothing for it.
+  virtual bool save() { return false; }
+  /// Back to what was saved.
+  virtual void restore() {}
+};
+
+/// One way to use an engine.
+struct Variant {
+  std::string name;  ///< "defaults", "50 iterations", "implicit": of few words
+  std::string says;  ///< what is set, in the manual's words for it, and where the manual is
+  int order = 0;  ///< of the error over the step, as the manual or the integrator's name has it; 0: not said
+  bool defaults = true;  ///< what a user gets who sets nothing but the step
+};
+
+struct Engine {
+  std::string name;       ///< "Bullet"
+  std::string version;    ///< as the library says it
+  std::string precision;  ///< "float", "double"
+  bool plane = false;     ///< it knows x and y alone
+  std::vector<Variant> variants;
+  /// Throws NotExpressible.
+  std::unique_ptr<Simulation> (*make)(const World&, const std::string& variant, double step) = nullptr;
+};
+
+/// The engine lacks what the world asks for: "no joint that keeps a distance".
+struct NotExpressible : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Each adapter defines it.
+Engine engine();
+
+}  // namespace oddity::engines
