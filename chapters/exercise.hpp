@@ -21,6 +21,9 @@
 namespace oddity {
 
 class Drawing;
+namespace engines {
+struct Staging;
+}
 class Reference;
 struct Known;
 
@@ -395,6 +398,8 @@ struct Scene {
   Listing listing = {};
   /// How it looks where these are the observables at the time t (chapters/drawing.hpp).
   void (*draw)(const Parameters&, double t, std::span<const double> observed, Drawing&) = nullptr;
+  /// The same for other people's engines (solvers/engines/world.hpp); null where these cannot have it.
+  engines::Staging (*staging)(const Parameters&) = nullptr;
 };
 
 struct Exercise {

@@ -33,6 +33,8 @@ struct Session {
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
+  std::vector<double> rates{60, 240};
+  int finest = 256;
   AskedNeed need = {};
   NewExercise begun = {};
   std::string outside = {};
@@ -295,6 +297,25 @@ void add_bench(CLI::App& app, Session& s) {
   add_formats(*bench, s, "the numbers measured");
 }
 
+void add_engines(CLI::App& app, Session& s) {
+  auto* engines = verb(
+      app, "engines", "Put other people's physics engines on the scenes, beside the models.",
+      "Each engine that is built runs as a program of its own, at 60 steps a second and finer by doubling, and is "
+      "judged at every frame over 10 s: to 1 cm and 1 degree. './oddity engines' installs and builds them.\n"
+      "Columns: scene, engine, version, precision, variant, webassembly (1 or 0), hz, outcome, error, unit, "
+      "in_needs, energy, off_joint, seconds_per_frame, spread, same_bits (1 or 0), restored; a row for each "
+      "trial and unit.\n"
+      "Examples:\n  oddity engines\n  oddity engines 3.33 'free body' --hz 60,240,960",
+      [&] { verbs::engines(s.folder, s.exercises, s.rates, s.finest, s.format()); });
+  engines->add_option("scene", s.exercises,
+                      "exercises, or: free body, bouncing ball, chain of 10, chain of 100");
+  engines->add_option("--hz", s.rates, "the rates to show")->delimiter(',')->type_name("RATE");
+  engines->add_option("--finest", s.finest, "steps per frame to go to, by doubling")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  add_formats(*engines, s, "every trial");
+}
+
 void add_new(CLI::App& app, Session& s) {
   auto* begin =
       verb(app, "new", "Begin an exercise of your own: files that compile, and say what is to be written.",
@@ -477,6 +498,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
   add_stability(app, session);
   add_choose(app, session);
   add_bench(app, session);
+  add_engines(app, session);
   add_report(app, session);
   add_site(app, session);
   add_new(app, session);

@@ -14,8 +14,8 @@
 #include <system_error>
 #include <vector>
 
-#include "report/charts/run_program.hpp"
 #include "report/site/page.hpp"
+#include "report/study/run_program.hpp"
 
 namespace oddity::html {
 

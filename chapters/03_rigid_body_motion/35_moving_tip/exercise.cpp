@@ -41,6 +41,8 @@ Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& t
                      "rigid body, quaternion", "axis and angular momentum"});
 }
 
+engines::Staging staged(const Parameters& p) { return ex03_33::staging(asked(p)); }
+
 Scene scene() {
   return {
       axis_of,
@@ -64,7 +66,8 @@ Scene scene() {
          "moving_tip::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
         {"axis and angular momentum",
          "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}},
-      moving_tip::draw<Parameters>};
+      moving_tip::draw<Parameters>,
+      staged};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
