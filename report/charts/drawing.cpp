@@ -122,7 +122,7 @@ std::string frames_svg(const Entry& e, const Trajectory& t) {
 
   std::string elements;
   for (int k = 0; k < frames; ++k) {
-    const std::size_t now = k * (all.size() - 1) / (frames - 1);
+    const std::size_t now = static_cast<std::size_t>(k) * (all.size() - 1) / (frames - 1);
     Sketch sketch(camera, scale);
     sketch.add(all[now], Sketch::With::motion_alone);
     for (std::size_t b = 0; b < all[0].primitives().size(); ++b) {
