@@ -112,8 +112,7 @@ TEST_CASE("at every frame the true motion is where a model comes to that shares 
   }
 }
 
-// ---- against integrations of our own: none of the program's equations, none of its algorithms
-// --------------
+// ---- against integrations of our own: none of the program's equations, none of its algorithms -------------
 
 namespace {
 

@@ -25,8 +25,7 @@ std::string exercise_link(const ExerciseResult& e) {
                     "<b>" + to_string(e.number) + "</b> " + html::escaped(e.title));
 }
 
-// ---- what was found
-// ----------------------------------------------------------------------------------------
+// ---- what was found ---------------------------------------------------------------------------------------
 
 Tally tally_of(const Results& results) {
   Tally all;
@@ -85,8 +84,7 @@ std::string opening(const Results& results) {
          "</p>\n</header>\n";
 }
 
-// ---- what is wrong
-// -----------------------------------------------------------------------------------------
+// ---- what is wrong ----------------------------------------------------------------------------------------
 
 std::string wrong_item(const Finding& finding) {
   const JudgedClaim& first = *finding.claims.front();
@@ -144,8 +142,7 @@ std::string what_is_wrong(const Results& results) {
          breaking + "</div>\n<div class=\"cards\">\n" + others + "</div>\n</section>\n";
 }
 
-// ---- what it means for games
-// -------------------------------------------------------------------------------
+// ---- what it means for games ------------------------------------------------------------------------------
 
 std::string unit_after(const std::string& unit) {
   return unit.empty() || unit == "1" ? "" : " " + html::escaped(unit);
@@ -225,8 +222,7 @@ std::string for_games(const Results& results) {
          html::table(table) + "</section>\n";
 }
 
-// ---- all exercises
-// -----------------------------------------------------------------------------------------
+// ---- all exercises ----------------------------------------------------------------------------------------
 
 std::string exercise_item(const ExerciseResult& e) {
   Tally tally;
