@@ -275,7 +275,7 @@ std::string errata_page_text(const Results& results) {
   };
   section(
       Verdict::erratum, "Errata",
-      "A row for each root; those that break a scene come first.\n\n" + errata_table(results, Links::apart));
+      "A row for each root; where a published motion goes wrong comes first.\n\n" + errata_table(results, Links::apart));
   section(Verdict::misprint, "Misprints", list_of(results, Verdict::misprint, Links::apart));
   section(Verdict::unsettled, "Unsettled", list_of(results, Verdict::unsettled, Links::apart));
   return text + bit_equal_text(results) + "[All exercises](README.md)\n";

@@ -98,42 +98,29 @@ std::string wrong_item(const Finding& finding) {
   return element("li", "", text) + "\n";
 }
 
-std::string wrong_card(const ExerciseResult& e, const std::vector<Finding>& findings) {
+std::string wrong_card(const ExerciseResult& e) {
   const std::string picture = moving_picture(e);
   std::string items;
-  for (const Finding& finding : findings) items += wrong_item(finding);
+  for (const Finding& finding : findings_of(e)) items += wrong_item(finding);
   return "<section class=\"card" + std::string(picture.empty() ? "" : " moving") + "\">\n" +
          element("h3", "", exercise_link(e)) + "\n" + picture + element("ul", " class=\"roots\"", items) +
          "\n</section>\n";
 }
 
-/// How far the published motion of a scene is off, in what a game allows; 0 for what has none.
-double broken_by(const ExerciseResult& e) {
-  const Path* path = published_path(e);
-  if (!path) return 0;
-  const double needs = path->error / trajectory_of(e)->close;
-  return std::isfinite(needs) ? (needs > 1 ? needs : 0) : INFINITY;
-}
-
 std::string what_is_wrong(const Results& results) {
-  struct Card {
-    double broken;
-    std::string text;
-  };
-  std::vector<Card> cards;
-  long roots = 0;
-  for (const ExerciseResult& e : results.exercises) {
-    const auto findings = findings_of(e);
-    roots += static_cast<long>(findings.size());
-    if (!findings.empty()) cards.push_back({broken_by(e), wrong_card(e, findings)});
-  }
-  if (cards.empty()) return "";
-  std::ranges::stable_sort(cards, std::ranges::greater(), &Card::broken);
+  const std::vector<Finding> worst_first = errata_worst_first(results);
+  if (worst_first.empty()) return "";
+  std::vector<const ExerciseResult*> shown;
   std::string breaking, others;
-  for (const Card& card : cards) (card.broken > 0 ? breaking : others) += card.text;
+  for (const Finding& f : worst_first) {
+    if (std::ranges::find(shown, f.exercise) != shown.end()) continue;
+    shown.push_back(f.exercise);
+    (broken_by(*f.exercise) > 0 ? breaking : others) += wrong_card(*f.exercise);
+  }
   const Tally all = tally_of(results);
   return "<section id=\"wrong\">\n<h2>What is wrong in the book</h2>\n<p>" +
-         counted(all.errata, "erratum", "errata") + " from " + counted(roots, "root", "roots") +
+         counted(all.errata, "erratum", "errata") + " from " +
+         counted(std::ssize(worst_first), "root", "roots") +
          "; scenes whose published motion leaves the true one come first. " +
          counted(all.misprints, "misprint stands", "misprints stand") +
          " with its exercise, and all are on the <a href=\"errata.html\">errata sheet</a>, to print and lay into the "
