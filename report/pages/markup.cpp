@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cctype>
-#include <string_view>
 
 #include "report/pages/text_view.hpp"
 
@@ -66,6 +65,17 @@ std::string as_cell(const std::string& text) {
 }
 
 }  // namespace
+
+std::string in_xml(std::string_view text) {
+  std::string safe;
+  for (char c : text)
+    safe += c == '&'   ? "&amp;"
+            : c == '<' ? "&lt;"
+            : c == '>' ? "&gt;"
+            : c == '"' ? "&quot;"
+                       : std::string(1, is_control(c) ? ' ' : c);
+  return safe;
+}
 
 std::string escaped(const std::string& text, bool in_cell) { return marked_up(text, "\\`$*_<&~[]", in_cell); }
 

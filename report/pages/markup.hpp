@@ -1,12 +1,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/study/results.hpp"
 
-/// Pieces of Markdown that the pages share.
+/// Text within markup: Markdown that the pages share, and what HTML and SVG need.
 namespace oddity {
+
+/// Text as it stands, in XML or HTML: & < > " become references, and control characters blanks.
+std::string in_xml(std::string_view text);
 
 /// Text for a table cell or a paragraph, in one line: what Markdown would take for markup is escaped, except
 /// $formulas$ and `code`. A formula is written as $`...`$, as Markdown would take away some of its

@@ -21,8 +21,7 @@ namespace {
 using html::element;
 
 std::string exercise_link(const ExerciseResult& e) {
-  return html::link(to_string(e.number) + ".html",
-                    "<b>" + to_string(e.number) + "</b> " + html::escaped(e.title));
+  return html::link(to_string(e.number) + ".html", "<b>" + to_string(e.number) + "</b> " + in_xml(e.title));
 }
 
 // ---- what was found ---------------------------------------------------------------------------------------
@@ -132,7 +131,7 @@ std::string what_is_wrong(const Results& results) {
 // ---- what it means for games ------------------------------------------------------------------------------
 
 std::string unit_after(const std::string& unit) {
-  return unit.empty() || unit == "1" ? "" : " " + html::escaped(unit);
+  return unit.empty() || unit == "1" ? "" : " " + in_xml(unit);
 }
 
 std::string ends_of(const BreakEven& b) {
@@ -152,11 +151,9 @@ std::string ends_of(const BreakEven& b) {
 std::string simpler_cell(const Ledger& ledger) {
   std::string items;
   for (const BreakEven& b : ledger.break_evens)
-    items += element(
-        "li", "", html::escaped(b.model) + ": <var>" + html::escaped(b.parameter) + "</var> " + ends_of(b));
+    items += element("li", "", in_xml(b.model) + ": <var>" + in_xml(b.parameter) + "</var> " + ends_of(b));
   std::string never;
-  for (const std::string& model : ledger.never)
-    never += (never.empty() ? "nowhere: " : "; ") + html::escaped(model);
+  for (const std::string& model : ledger.never) never += (never.empty() ? "nowhere: " : "; ") + in_xml(model);
   if (!never.empty()) items += element("li", "", never);
   return items.empty() ? "" : element("ul", "", items);
 }
@@ -170,8 +167,7 @@ std::string fault_cell(const ExerciseResult& e) {
             ? "off by " + with_powers(shown_error(path->error)) +
                   (e.ledger->unit.find(',') == std::string::npos ? unit_after(e.ledger->unit) : "")
             : std::string(name_of(path->outcome));
-    return html::link(to_string(e.number) + ".html#findings",
-                      "<em>" + html::escaped(path->model) + "</em>: " + off);
+    return html::link(to_string(e.number) + ".html#findings", "<em>" + in_xml(path->model) + "</em>: " + off);
   }
   if (findings.empty()) return "";
   return html::link(
@@ -188,9 +184,9 @@ std::string game_row(const ExerciseResult& e) {
   std::string errors;
   for (double error : least.errors) errors += (errors.empty() ? "" : ", ") + with_powers(shown_error(error));
   return html::row(
-      {number, html::escaped(least.model),
-       html::escaped(least.algorithm) +
-           (least.knob.empty() ? "" : ", " + html::escaped(with_powers(shown_setting(least, game.need)))),
+      {number, in_xml(least.model),
+       in_xml(least.algorithm) +
+           (least.knob.empty() ? "" : ", " + in_xml(with_powers(shown_setting(least, game.need)))),
        rounded(least.evaluations_per_frame, 3), simpler_cell(*e.ledger), fault_cell(e)},
       "3");
 }
@@ -235,10 +231,9 @@ std::string all_exercises(const Results& results) {
     for (const ExerciseResult& e : results.exercises)
       if (e.number.chapter == chapter.number) items += exercise_item(e);
     if (!items.empty())
-      text +=
-          element("section", "",
-                  element("h3", "", std::to_string(chapter.number) + ". " + html::escaped(chapter.title)) +
-                      "\n<ul>\n" + items + "</ul>\n");
+      text += element("section", "",
+                      element("h3", "", std::to_string(chapter.number) + ". " + in_xml(chapter.title)) +
+                          "\n<ul>\n" + items + "</ul>\n");
   }
   return "<section id=\"exercises\">\n<h2>All exercises</h2>\n<p class=\"legend\"><span class=\"count "
          "erratum\">1</span> errata <span class=\"count misprint\">1</span> misprints <span class=\"count "
