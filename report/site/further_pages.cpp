@@ -6,6 +6,7 @@
 
 #include "reference/text.hpp"
 #include "report/pages/markup.hpp"
+#include "report/pages/screen.hpp"
 #include "report/site/claims_section.hpp"
 #include "report/site/page.hpp"
 #include "report/site/script.hpp"
@@ -88,7 +89,8 @@ std::string chooser_page(const Results& results) {
        "1deg</code>.</p></noscript></div>\n<section>\n<h2>The scenes</h2>\n<ul class=\"scenes\">" +
            scenes + "</ul>\n</section>\n",
        {"assets/engine.js", "assets/models.js", "assets/findings.js", "assets/marks.js", "assets/diagrams.js",
-        "assets/chart.js", "assets/chooser.js", "data/scenes.js"},
+        "assets/chart.js", "assets/asking.js", "assets/searching.js", "assets/advice.js", "assets/chooser.js",
+        "data/scenes.js"},
        "choose"});
 }
 
@@ -118,7 +120,7 @@ std::string search_index(const Results& results) {
   json all = json::array();
   for (const ExerciseResult& e : results.exercises) {
     const std::string number = to_string(e.number), page = number + ".html";
-    all.push_back({page, "exercise", number + " " + e.title, searchable(e.asks).substr(0, 140)});
+    all.push_back({page, "exercise", number + " " + e.title, cut_at_word(searchable(e.asks), 140)});
     for (const Finding& finding : findings_of(e))
       if (finding.root)
         all.push_back({page + "#" + claim_anchor_of(finding.claims.front()->claim), "erratum",
