@@ -359,11 +359,6 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// A cache with the one motion in it.
 struct Kept {
   ScratchFolder folder;
