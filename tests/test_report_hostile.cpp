@@ -154,3 +154,11 @@ TEST_CASE("text, formulas and code are written such that Markdown shows them", "
   CHECK(table({"h"}, {{"a|b\nc"}, {"a\\|b"}, {"a\\\\|b"}}) ==
         "| h |\n| --- |\n| a\\|b c |\n| a\\|b |\n| a\\\\\\|b |\n\n");
 }
+
+TEST_CASE("powers and units are printed as readers write them", "[report]") {
+  CHECK(with_powers("4.4e-16 of 1e+06, e-1") == "4.4×10⁻¹⁶ of 1×10⁶, e-1");
+  CHECK(typeset_unit("AU^3/(yr^2 solar mass)") == "AU³/(yr² solar mass)");
+  CHECK(typeset_unit("sqrt(L/2g)") == "√(L/2g)");
+  CHECK(typeset_unit("2^-500 m") == "2⁻⁵⁰⁰ m");
+  CHECK(typeset_unit("N s/m") == "N s/m");
+}

@@ -345,7 +345,7 @@ std::string counted(const QuantityResult& q) {
 
 std::string in_unit(const std::string& number, const QuantityResult& q) {
   return with_powers(number) +
-         (q.unit.empty() || q.unit == "1" || q.unit.find(',') != std::string::npos ? "" : " " + q.unit);
+         (q.unit.empty() || q.unit == "1" || q.unit.find(',') != std::string::npos ? "" : " " + typeset_unit(q.unit));
 }
 
 std::string abscissa_name(const QuantityResult& q, const Frame& frame) {
@@ -356,7 +356,7 @@ std::string abscissa_name(const QuantityResult& q, const Frame& frame) {
 }
 
 std::string error_name(const QuantityResult& q) {
-  return q.unit == "1" || q.unit.empty() ? "error" : "error [" + q.unit + "]";
+  return q.unit == "1" || q.unit.empty() ? "error" : "error [" + typeset_unit(q.unit) + "]";
 }
 
 /// "1,234,567".

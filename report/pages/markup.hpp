@@ -23,6 +23,8 @@ std::string code(const std::string& text);
 std::string file_name(const std::string& text);
 /// Powers of ten as readers write them, which also do not break over a line's end: "4.4×10⁻¹⁶".
 std::string with_powers(const std::string& text);
+/// A unit as it is printed: "m/s²" of "m/s^2", "√(L/2g)" of "sqrt(L/2g)".
+std::string typeset_unit(std::string_view unit);
 
 std::string error_cell(double error);
 std::string knob_cell(const TimedTrial& t);

@@ -28,13 +28,6 @@ std::string setup_drawing(const ExerciseResult& e) {
   return svg.empty() ? "" : element("figure", " class=\"setup\"", svg.substr(svg.find("<svg"))) + "\n";
 }
 
-/// "kg m^2" as "kg m²".
-std::string unit_text(std::string unit) {
-  for (const auto& [power, raised] : {std::pair{"^2", "²"}, {"^3", "³"}})
-    for (std::size_t at; (at = unit.find(power)) != std::string::npos;) unit.replace(at, 2, raised);
-  return in_xml(unit);
-}
-
 std::string chapter_line(const ExerciseResult& e) {
   for (const Chapter& chapter : chapters())
     if (chapter.number == e.number.chapter)
@@ -79,7 +72,7 @@ std::string letters_of(const ExerciseResult& e) {
   std::string text;
   for (const ParameterValue& p : e.parameters)
     text += "<div><dt><var>" + in_xml(p.name) + "</var> = " + rounded(p.value, 6) +
-            (p.unit.empty() || p.unit == "1" ? "" : " " + unit_text(p.unit)) + "</dt>" +
+            (p.unit.empty() || p.unit == "1" ? "" : " " + in_xml(typeset_unit(p.unit))) + "</dt>" +
             element("dd", "", html::text(p.says)) + "</div>";
   return element("dl", " class=\"letters\"", text) + "\n";
 }

@@ -131,7 +131,7 @@ std::string what_is_wrong(const Results& results) {
 // ---- what it means for games ------------------------------------------------------------------------------
 
 std::string unit_after(const std::string& unit) {
-  return unit.empty() || unit == "1" ? "" : " " + in_xml(unit);
+  return unit.empty() || unit == "1" ? "" : " " + in_xml(typeset_unit(unit));
 }
 
 std::string ends_of(const BreakEven& b) {

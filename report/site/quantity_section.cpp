@@ -22,7 +22,7 @@ using Named = std::vector<std::pair<std::string, std::string>>;
 std::string short_error(double error) { return in_xml(with_powers(shown_error(error))); }
 
 std::string with_unit_of(const std::string& number, const std::string& unit) {
-  return unit.empty() || unit == "1" ? number : number + " " + in_xml(unit);
+  return unit.empty() || unit == "1" ? number : number + " " + in_xml(typeset_unit(unit));
 }
 
 /// "step 0.0625", "without a knob" in a page's words.
