@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <stdexcept>
@@ -16,11 +15,12 @@
 #include "report/site/script.hpp"
 #include "report/site/site.hpp"
 #include "tests/catch.hpp"
+#include "tests/hostile.hpp"
 #include "tests/sample_results.hpp"
 
 using namespace oddity;
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using hostile::Json;
 
 namespace {
 
@@ -237,14 +237,6 @@ Results sample_with_findings() {
   return results;
 }
 
-void collect(const Json& json, const Json::json_pointer& place, std::vector<Json::json_pointer>& places) {
-  if (json.is_string()) places.push_back(place);
-  if (json.is_object())
-    for (const auto& [key, value] : json.items()) collect(value, place / key, places);
-  if (json.is_array())
-    for (std::size_t i = 0; i < json.size(); ++i) collect(json[i], place / i, places);
-}
-
 bool has_katex() { return fs::exists("/usr/share/nodejs/katex") && fs::exists("/usr/bin/node"); }
 
 }  // namespace
@@ -276,6 +268,7 @@ TEST_CASE("the site of the last run is whole, typeset and small", "[site]") {
   }
   CHECK(size < 1'400'000);  // of the 3 MB that the browser's tests allow all of the site
   CHECK(against_schema(Json::parse(errata_json(results))) == std::vector<std::string>());
+  CHECK(search_index(results).find("\ufffd") == std::string::npos);  // no letter is cut in two
 }
 
 TEST_CASE("a parser of pages notices what is wrong with them", "[site]") {
@@ -375,16 +368,8 @@ TEST_CASE("the errata are as their schema says, and all are there", "[site]") {
 
 TEST_CASE("no string of a results file breaks out of the site's pages", "[site]") {
   const Json whole = Json::parse(to_json(sample_with_findings()));
-  std::vector<Json::json_pointer> places;
-  collect(whole, Json::json_pointer(), places);
-  std::map<std::string, std::vector<Json::json_pointer>> by_key;
-  for (const auto& place : places)
-    if (place.back() != "id" && place.to_string() != "/exercises/0/quantities/0/name")  // two of one name
-      by_key[place.back()].push_back(place);
-  const auto spoilt = [](Json json, const std::vector<Json::json_pointer>& same, const std::string& hostile) {
-    for (const auto& place : same) json[place] = hostile;
-    return json;
-  };
+  auto by_key = hostile::by_key(hostile::strings_of(whole));
+  by_key.erase("id");  // two of one are refused
   const auto check = [](const Json& json) {
     const Results results = results_from_json(json.dump(), "here");
     check_pages(site_pages(results), files_of_sample);
@@ -393,21 +378,21 @@ TEST_CASE("no string of a results file breaks out of the site's pages", "[site]"
     CHECK(script.find("\u2028") == std::string::npos);
     CHECK(Json::parse(errata_json(results)).contains("errata"));
   };
-  for (const std::string hostile :
+  for (const std::string text :
        {"</script><script>alert(1)</script><!-- \"' onload=x ` * \u2028\x01\x02\x03]]>", "`</code><script>`",
         "$</math><script>alert(1)$", "*<b onclick=x>*", "\" onclick=\"x", "\\", "$", ""}) {
     int taken = 0;
     Json all = whole;
     for (const auto& [key, same] : by_key) {
       try {
-        results_from_json(spoilt(whole, same, hostile).dump(), "here");
+        results_from_json(hostile::spoilt(whole, same, text).dump(), "here");
       } catch (const BadInput&) {
         continue;
       }
       ++taken;
-      all = spoilt(all, same, hostile);
+      all = hostile::spoilt(all, same, text);
     }
-    INFO(hostile);
+    INFO(text);
     CHECK(taken > 15);
     check(all);
   }

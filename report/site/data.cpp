@@ -47,6 +47,7 @@
 #include "chapters/drawing.hpp"
 #include "chapters/scene.hpp"
 #include "report/charts/chart.hpp"
+#include "report/pages/markup.hpp"
 #include "report/pages/readable.hpp"
 #include "report/site/script.hpp"
 #include "report/study/stability.hpp"
@@ -101,7 +102,7 @@ Json parameters_of(const Entry& entry) {
   for (const Parameter& p : entry.exercise.parameters)
     all.push_back({{"name", p.name},
                    {"value", p.value},
-                   {"unit", p.unit},
+                   {"unit", typeset_unit(p.unit)},
                    {"says", readable(std::string(p.says))},
                    {"least", from(p.least)},
                    {"most", from(p.most)},
@@ -162,7 +163,7 @@ Json from(const QuantityResult& q) {
   for (Across across : charts_of(q)) charts.push_back(name_of_axis(across));
   const Methods shown = methods_of(q);
   return {{"name", q.name},
-          {"unit", q.unit},
+          {"unit", typeset_unit(q.unit)},
           {"says", readable(q.says)},
           {"samples", q.samples},
           {"need", brief(q.need.allowed)},
@@ -419,7 +420,7 @@ Json from(const std::optional<Stability>& stability) {
   }
   return {{"limits", limits},
           {"parameter", stability->parameter},
-          {"unit", stability->parameter_unit},
+          {"unit", typeset_unit(stability->parameter_unit)},
           {"steps", stability->steps},
           {"map", map}};
 }
@@ -432,7 +433,7 @@ Json from(const std::optional<Ledger>& ledger) {
     rows.push_back({{"says", row.says},
                     {"horizon", row.need.horizon},
                     {"fps", row.need.frames_per_second},
-                    {"unit", ledger->unit},
+                    {"unit", typeset_unit(ledger->unit)},
                     {"model", row.least->model},
                     {"algorithm", row.least->algorithm},
                     {"knob", row.least->knob},

@@ -6,6 +6,7 @@
 #include "chapters/contents.hpp"
 #include "reference/text.hpp"
 #include "report/charts/drawing.hpp"
+#include "report/pages/markup.hpp"
 #include "report/site/claims_section.hpp"
 #include "report/site/page.hpp"
 #include "report/site/quantity_section.hpp"
@@ -27,17 +28,10 @@ std::string setup_drawing(const ExerciseResult& e) {
   return svg.empty() ? "" : element("figure", " class=\"setup\"", svg.substr(svg.find("<svg"))) + "\n";
 }
 
-/// "kg m^2" as "kg m²".
-std::string unit_text(std::string unit) {
-  for (const auto& [power, raised] : {std::pair{"^2", "²"}, {"^3", "³"}})
-    for (std::size_t at; (at = unit.find(power)) != std::string::npos;) unit.replace(at, 2, raised);
-  return html::escaped(unit);
-}
-
 std::string chapter_line(const ExerciseResult& e) {
   for (const Chapter& chapter : chapters())
     if (chapter.number == e.number.chapter)
-      return "Chapter " + std::to_string(chapter.number) + ", " + html::escaped(chapter.title) +
+      return "Chapter " + std::to_string(chapter.number) + ", " + in_xml(chapter.title) +
              (of_the_book(e.number) ? "" : ", an exercise of one’s own");
   return "An exercise of one’s own";
 }
@@ -49,7 +43,7 @@ std::string neighbours(const Results& results, const ExerciseResult& e, const st
     return "<a rel=\"" + rel + "\" href=\"" + page_of(to) + "\">" + name + "</a>";
   };
   const auto named = [](const ExerciseResult& to) {
-    return to_string(to.number) + " <span>" + html::escaped(to.title) + "</span>";
+    return to_string(to.number) + " <span>" + in_xml(to.title) + "</span>";
   };
   std::string text;
   if (here != results.exercises.begin()) text += step(*(here - 1), "prev", "← " + named(*(here - 1)));
@@ -77,8 +71,8 @@ std::string letters_of(const ExerciseResult& e) {
   if (e.parameters.empty()) return "";
   std::string text;
   for (const ParameterValue& p : e.parameters)
-    text += "<div><dt><var>" + html::escaped(p.name) + "</var> = " + rounded(p.value, 6) +
-            (p.unit.empty() || p.unit == "1" ? "" : " " + unit_text(p.unit)) + "</dt>" +
+    text += "<div><dt><var>" + in_xml(p.name) + "</var> = " + rounded(p.value, 6) +
+            (p.unit.empty() || p.unit == "1" ? "" : " " + in_xml(typeset_unit(p.unit))) + "</dt>" +
             element("dd", "", html::text(p.says)) + "</div>";
   return element("dl", " class=\"letters\"", text) + "\n";
 }
@@ -124,10 +118,10 @@ std::string exercise_page(const Results& results, const ExerciseResult& e) {
   const std::string sections = player_section(e) + findings_section(e) + claims_section(e) +
                                quantities_section(e) + stability_section(e);
   std::string head = element("p", " class=\"where\"", chapter_line(e)) + "\n<h1><span>" + number +
-                     "</span> " + html::escaped(e.title) + "</h1>\n" + counts_line(e) + "\n" +
+                     "</span> " + in_xml(e.title) + "</h1>\n" + counts_line(e) + "\n" +
                      element("p", " class=\"asks\"", html::prose(e.asks)) + "\n";
   if (!e.failure.empty())
-    head += element("p", " class=\"failure\"", "The study failed: " + html::escaped(e.failure));
+    head += element("p", " class=\"failure\"", "The study failed: " + in_xml(e.failure));
   return html::whole(
       {number + " " + e.title + " - oddity",
        neighbours(results, e, "The exercises before and after") +
