@@ -29,5 +29,6 @@ function(add_engine name)
 endfunction()
 
 add_engine(ode HEADER ode/ode.h LIBRARIES ode)
+add_engine(mujoco HEADER mujoco/mujoco.h LIBRARIES mujoco)
 
 add_custom_target(engines DEPENDS ${engine_programs})
