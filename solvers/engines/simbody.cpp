@@ -1,5 +1,15 @@
 // Simbody 3.7 [simtk.org/api_docs/simbody/3.7]: reduced coordinates, integrated to an accuracy, in double.
 
+// Its headers are C++17: in C++20 its indices have several == that fit equally well, unless this one is
+// there.
+namespace SimTK {
+template <class Index>
+requires requires(const Index& i) { i.isValidExtended(); }
+bool operator==(const Index& a, const Index& b) { return int(a) == int(b); }
+}  // namespace SimTK
+
+#undef NDEBUG  // Debian's library is built without it, and some of its objects are larger then
+#pragma GCC diagnostic ignored "-Warray-bounds"  // gcc 12 takes its matrices' rows for matrices
 #include <Simbody.h>
 
 #include "solvers/engines/tree.hpp"
@@ -35,6 +45,7 @@ class InSimbody final : public Simulation {
       for (std::size_t i = 0; i < bodies_.size(); ++i) lay(bodies_[i], world.bodies[i].shape, world);
     }
     const bool pushed = world.shaking != Vector{} || world.turning != Vector{};
+    system_.realizeTopology();
     euler ? use_euler(variant) : use_integrator(variant, step, pushed);
     start(world);
   }
@@ -157,7 +168,7 @@ class InSimbody final : public Simulation {
   void initialize(const SimTK::State& s) { euler_ ? euler_->initialize(s) : integrator_->initialize(s); }
   /// The joints' velocities are those that the bodies' momenta give.
   void start(const World& world) {
-    SimTK::State s = system_.realizeTopology();
+    SimTK::State s = system_.getDefaultState();
     system_.realize(s, SimTK::Stage::Position);
     SimTK::Vector_<SimTK::SpatialVec> momenta(matter_.getNumBodies(), SimTK::SpatialVec(Vec3(0)));
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
