@@ -31,5 +31,6 @@ endfunction()
 add_engine(ode HEADER ode/ode.h LIBRARIES ode)
 add_engine(mujoco HEADER mujoco/mujoco.h LIBRARIES mujoco)
 add_engine(simbody HEADER Simbody.h INCLUDE simbody LIBRARIES SimTKsimbody SimTKmath SimTKcommon)
+add_engine(dart HEADER Eigen/Dense INCLUDE eigen3 LIBRARIES dart)  # its headers lie beside eigen3
 
 add_custom_target(engines DEPENDS ${engine_programs})
