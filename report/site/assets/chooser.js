@@ -264,7 +264,7 @@
         const listed = engine.algorithms.find((a) => a.name === algorithm);
         if (state.precision !== 'float')
           all.push({ model: model.name, algorithm, knob, precision: 'double' });
-        if (state.precision !== 'double' && (!listed || listed.inFloat))
+        if (state.precision !== 'double' && !model.events && (!listed || listed.inFloat))
           all.push({ model: model.name, algorithm, knob, precision: 'float' });
       }
     return all;
@@ -838,8 +838,10 @@
     });
   }
 
-  oddity.scenes = (scenes) => {
-    oddity.allScenes = scenes;
+  // Called by data/scenes.js.
+  oddity.scenes = async (packed) => {
+    oddity.allScenes = await oddity.unpacked(packed);
+    oddity.charts.whenReady(() => document.querySelectorAll('div.chooser').forEach(chooser));
   };
   oddity.chooser = chooser;
   oddity.choosing = {
@@ -857,6 +859,4 @@
     quantityOf,
     frameTimes,
   };
-  if (typeof document !== 'undefined')
-    oddity.charts.whenReady(() => document.querySelectorAll('div.chooser').forEach(chooser));
 })((window.oddity = window.oddity || {}));
