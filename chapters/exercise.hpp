@@ -384,6 +384,8 @@ struct Listing {
   std::vector<std::pair<std::string_view, std::string_view>> models;
   /// The other models, and why they cannot be printed: "which needs ...".
   std::vector<std::pair<std::string_view, std::string_view>> not_printable = {};
+  /// Those of them that have events, with their expressions: the page's players search for these.
+  std::vector<std::pair<std::string_view, std::string_view>> with_events = {};
 };
 
 /// The motion of an exercise that has one: what the views of stability, choice and models look at.

@@ -56,7 +56,8 @@ Box framed(const Box& box, double least_width, double margin) {
 }
 
 std::string title_of(const Entry& e, const std::string& what) {
-  return to_string(e.number) + " " + std::string(e.exercise.title) + ": " + what;
+  const std::string number = e.number.chapter == 0 ? "" : to_string(e.number) + " ";  // of an example: none
+  return number + std::string(e.exercise.title) + ": " + what;
 }
 
 Drawing drawn(const Scene& scene, const Parameters& p, double t, std::span<const double> observed) {

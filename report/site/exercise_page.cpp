@@ -8,6 +8,7 @@
 #include "report/charts/drawing.hpp"
 #include "report/pages/markup.hpp"
 #include "report/site/claims_section.hpp"
+#include "report/site/example.hpp"
 #include "report/site/page.hpp"
 #include "report/site/quantity_section.hpp"
 #include "report/study/findings.hpp"
@@ -21,8 +22,8 @@ using html::element;
 std::string page_of(const ExerciseResult& e) { return to_string(e.number) + ".html"; }
 
 std::string setup_drawing(const ExerciseResult& e) {
-  const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
-  std::string svg = entry == registry().end() ? "" : setup_svg(*entry);
+  const Entry* entry = entry_of(e.number);
+  std::string svg = entry ? setup_svg(*entry) : "";
   const std::size_t style = svg.find("<style>"), end = svg.find("</style>");
   if (end != std::string::npos) svg.erase(style, end + 9 - style);  // the page has it
   return svg.empty() ? "" : element("figure", " class=\"setup\"", svg.substr(svg.find("<svg"))) + "\n";
@@ -78,11 +79,9 @@ std::string letters_of(const ExerciseResult& e) {
 }
 
 std::string sections_of(const std::string& body) {
-  const std::pair<const char*, const char*> all[] = {{"play", "Play"},
-                                                     {"findings", "What is wrong"},
-                                                     {"claims", "Claims"},
-                                                     {"quantities", "Computing it"},
-                                                     {"stability", "Steps"}};
+  const std::pair<const char*, const char*> all[] = {
+      {"play", "Play"},     {"events", "Events"},           {"findings", "What is wrong"},
+      {"claims", "Claims"}, {"quantities", "Computing it"}, {"stability", "Steps"}};
   std::string text;
   for (const auto& [id, name] : all)
     if (body.find("<section id=\"" + std::string(id) + "\"") != std::string::npos)
@@ -98,10 +97,10 @@ std::string player_section(const ExerciseResult& e) {
 }
 
 /// In the order in which they need one another.
-std::vector<std::string> scripts_of(const ExerciseResult& e) {
-  std::vector<std::string> scripts{"data/" + to_string(e.number) + ".js"};
+std::vector<std::string> scripts_of(const ExerciseResult& e, const std::string& name) {
+  std::vector<std::string> scripts{"data/" + name + ".js"};
   const auto add = [&](std::initializer_list<std::string_view> names) {
-    for (std::string_view name : names) scripts.push_back("assets/" + std::string(name) + ".js");
+    for (std::string_view asset : names) scripts.push_back("assets/" + std::string(asset) + ".js");
   };
   if (e.scene)
     add({"engine", "models", "stage", "drawn", "scale", "frames", "permalink", "motions", "slider", "lines",
@@ -110,6 +109,22 @@ std::vector<std::string> scripts_of(const ExerciseResult& e) {
   if (e.stability) add({"map"});
   return scripts;
 }
+
+constexpr std::string_view of_events =
+    R"(<section id="events">
+<h2>Events</h2>
+<p>A model says where something happens, and what: where its guard, here the height, falls through zero, the ball goes
+on upward with the part <var>e</var> of its speed. A method looks for that time inside its step, with shorter steps of
+its own, so that the landing is as accurate as the method is.</p>
+<ul>
+<li><b>ball</b>: with each landing the next comes sooner, until no number tells their times apart. There the motion ends
+as <em>chattering</em>, at the time at which the true ball comes to rest. Explicit Euler does not get there: each of its
+flights is a step too long, so its ball goes on hopping.</li>
+<li><b>ball, at rest below 1 cm/s</b>: as engines have it. A ball that comes up so slowly stays on the floor, which is at
+most 5 µm from the truth, and the motion goes on.</li>
+</ul>
+</section>
+)";
 
 }  // namespace
 
@@ -127,7 +142,19 @@ std::string exercise_page(const Results& results, const ExerciseResult& e) {
        neighbours(results, e, "The exercises before and after") +
            element("header", " class=\"title\"", "<div>" + head + letters_of(e) + "</div>\n" + drawing) +
            "\n" + sections_of(sections) + sections + neighbours(results, e, "Go on"),
-       scripts_of(e), "exercise"});
+       scripts_of(e, number), "exercise"});
+}
+
+std::string example_page(const ExerciseResult& e) {
+  const std::string sections = player_section(e) + std::string(of_events) + quantities_section(e);
+  const std::string head = "<p class=\"where\">An example, and no exercise of the book</p>\n" +
+                           element("h1", "", html::escaped(e.title)) + "\n" +
+                           element("p", " class=\"asks\"", html::prose(e.asks)) + "\n";
+  return html::whole(
+      {e.title + " - oddity",
+       element("header", " class=\"title\"", "<div>" + head + letters_of(e) + "</div>\n" + setup_drawing(e)) +
+           "\n" + sections_of(sections) + sections,
+       scripts_of(e, example_name), "exercise"});
 }
 
 }  // namespace oddity

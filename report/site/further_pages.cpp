@@ -2,12 +2,12 @@
 
 #include <cctype>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "reference/text.hpp"
 #include "report/pages/markup.hpp"
 #include "report/pages/screen.hpp"
 #include "report/site/claims_section.hpp"
+#include "report/site/example.hpp"
 #include "report/site/page.hpp"
 #include "report/site/script.hpp"
 #include "report/study/findings.hpp"
@@ -72,6 +72,8 @@ std::string searchable(std::string_view text) {
   return made;
 }
 
+std::string to_example() { return html::link(example_name + std::string(".html"), "bouncing ball"); }
+
 }  // namespace
 
 std::string chooser_page(const Results& results) {
@@ -87,7 +89,8 @@ std::string chooser_page(const Results& results) {
        "<code>oddity choose</code> judges it by references.</p>\n</header>\n"
        "<div class=\"chooser\"><noscript><p>The chooser needs scripts. On a terminal: <code>oddity choose 3.5 --error "
        "1deg</code>.</p></noscript></div>\n<section>\n<h2>The scenes</h2>\n<ul class=\"scenes\">" +
-           scenes + "</ul>\n</section>\n",
+           scenes + "</ul>\n<p>With events, and no exercise of the book: the " + to_example() +
+           ".</p>\n</section>\n",
        {"assets/engine.js", "assets/models.js", "assets/findings.js", "assets/marks.js", "assets/diagrams.js",
         "assets/chart.js", "assets/asking.js", "assets/searching.js", "assets/advice.js", "assets/chooser.js",
         "data/scenes.js"},
@@ -108,6 +111,8 @@ std::string algorithms_page() {
                        "negative real axis and on the imaginary axis.") +
                        (missing.empty() ? "" : " Not in this build: " + in_xml(missing) + ".")) +
            html::table(catalog_table()) +
+           element("p", "",
+                   "What each of them makes of events, as landings are, the " + to_example() + " shows.") +
            "</section>\n<section>\n<h2>What was found in the libraries</h2>\n<p>A small test of the library alone shows "
            "each finding, in the version that is named. What is wrong is repaired from outside.</p>\n" +
            library_findings() + "\n</section>\n",
@@ -116,7 +121,7 @@ std::string algorithms_page() {
 
 /// Rows of [where it stands, its kind, its title, its text]; a claim's title is where it stands in its page.
 std::string search_index(const Results& results) {
-  using nlohmann::json;
+  using json = nlohmann::ordered_json;
   json all = json::array();
   for (const ExerciseResult& e : results.exercises) {
     const std::string number = to_string(e.number), page = number + ".html";
@@ -132,7 +137,9 @@ std::string search_index(const Results& results) {
       all.push_back(
           {page + "#q-" + html::anchor(q.name), "quantity", number + " " + q.name, searchable(q.says)});
   }
-  return "oddity.index(" + as_script(all.dump(-1, ' ', false, json::error_handler_t::replace)) + ");\n";
+  all.push_back({example_name + std::string(".html"), "example", std::string(example().exercise.title),
+                 searchable(example().exercise.asks).substr(0, 140)});
+  return packed_call("index", all);
 }
 
 }  // namespace oddity

@@ -9,6 +9,7 @@
 #include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/site/page.hpp"
+#include "report/site/still_chart.hpp"
 #include "report/study/findings.hpp"
 #include "report/study/stability.hpp"
 
@@ -105,7 +106,8 @@ std::string quantity_text_of(const QuantityResult& q) {
   std::string text = "<section class=\"quantity\" id=\"q-" + html::anchor(q.name) + "\">\n" +
                      element("h3", "", "<code>" + name + "</code> " + html::text(q.says)) + "\n" +
                      element("p", "", reference_of(q)) + "\n<figure class=\"chart\" data-quantity=\"" + name +
-                     "\"></figure>\n<div class=\"trials\" data-quantity=\"" + name + "\"></div>\n";
+                     "\">" + still_chart(q) + "</figure>\n<div class=\"trials\" data-quantity=\"" + name +
+                     "\"></div>\n";
   for (const BreakdownResult& b : q.breakdowns) text += breakdown_text_of(q, b);
   return text + failures_text(q) + "</section>\n";
 }
@@ -178,9 +180,9 @@ std::string quantities_section(const ExerciseResult& e) {
   if (e.quantities.empty()) return "";
   std::string text;
   for (const QuantityResult& q : e.quantities) text += quantity_text_of(q);
-  return "<section id=\"quantities\">\n<h2>How to compute it</h2>\n<noscript><p>Charts and tables of trials need "
-         "scripts. The table as text: <code>oddity solve " +
-         to_string(e.number) + "</code>.</p></noscript>\n" + text + "</section>\n";
+  return "<section id=\"quantities\">\n<h2>How to compute it</h2>\n<noscript><p>With scripts the charts show every "
+         "trial, and answer.</p></noscript>\n" +
+         text + "</section>\n";
 }
 
 std::string stability_section(const ExerciseResult& e) {

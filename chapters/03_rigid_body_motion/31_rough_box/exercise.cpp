@@ -78,7 +78,8 @@ Scene scene() {
         {"friction regularized at 1 cm/s", "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}, 0.01}"}},
        {{"steps with a stick test", "which needs a loop of its own"},
         {"stopped by event", "which needs a search for events"},
-        {"time stretched by the speed", "which needs Newton's method for the time of every frame"}}},
+        {"time stretched by the speed", "which needs Newton's method for the time of every frame"}},
+       {{"stopped by event", "rough_box::UntilRest<double>{{{{a, b}, mu, g, u0, v0, w0}}}"}}},
       rough_box::draw<Parameters>,
       staging};
 }

@@ -404,11 +404,11 @@
     });
   }
 
-  oddity.scenes = (scenes) => {
-    oddity.allScenes = scenes;
+  // Called by data/scenes.js.
+  oddity.scenes = async (packed) => {
+    oddity.allScenes = await oddity.unpacked(packed);
+    oddity.charts.whenReady(() => document.querySelectorAll('div.chooser').forEach(chooser));
   };
   oddity.chooser = chooser;
   Object.assign(oddity.choosing, { quantityOf });
-  if (typeof document !== 'undefined')
-    oddity.charts.whenReady(() => document.querySelectorAll('div.chooser').forEach(chooser));
 })((window.oddity = window.oddity || {}));

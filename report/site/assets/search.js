@@ -6,7 +6,8 @@
   let entries = null, dialog = null, input = null, list = null, chosen = -1;
 
   // Called by data/search.js.
-  oddity.index = (all) => {
+  oddity.index = async (packed) => {
+    const all = await oddity.unpacked(packed);
     const names = new Map(all.filter(([, kind]) => kind === 'exercise').map(([to, , title]) => [to, title]));
     entries = all.map(([to, kind, named, text]) => {
       const [page, place] = to.split('#');

@@ -112,7 +112,7 @@
         const listed = engine.algorithms.find((a) => a.name === algorithm);
         if (state.precision !== 'float')
           all.push({ model: model.name, algorithm, knob, precision: 'double' });
-        if (state.precision !== 'double' && (!listed || listed.inFloat))
+        if (state.precision !== 'double' && !model.events && (!listed || listed.inFloat))
           all.push({ model: model.name, algorithm, knob, precision: 'float' });
       }
     return all;
