@@ -33,6 +33,7 @@ struct Session {
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
+  std::string engine = {};
   std::vector<double> rates{60, 240};
   int finest = 256;
   AskedNeed need = {};
@@ -208,8 +209,8 @@ void add_choose(CLI::App& app, Session& s) {
       "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
       "--error 1deg --exclude closed --code",
       [&] {
-        s.status =
-            verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.command);
+        s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.engine,
+                                 s.command);
       });
   add_one_exercise(*choose, s);
   add_choose_need(*choose, s.need);
@@ -218,6 +219,9 @@ void add_choose(CLI::App& app, Session& s) {
   add_formats(*choose, s, "the choice and every method tried");
   auto* code = choose->add_flag("--code", s.code, "the chosen model and its loop, as C++ to paste");
   set_apart(*choose, code, {"--json", "--csv"});
+  auto* engine = add_value(*choose, "--engine", s.engine, "NAME",
+                           "what another engine makes of the scene, beside the choice: bullet, mujoco");
+  set_apart(*choose, engine, {"--json", "--csv", "--code"});
 }
 
 void add_report(CLI::App& app, Session& s) {

@@ -24,9 +24,10 @@ void list(const std::vector<std::string>& exercises, Format);
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            Format);
 
-/// 0 when something meets the need, else 1. `command` is the command line, for the code's comment.
+/// 0 when something meets the need, else 1. `command` is the command line, for the code's comment;
+/// `engine` one of others to be tried beside, unless empty.
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
-           const AskedNeed&, Format, bool all_rows, const std::string& command);
+           const AskedNeed&, Format, bool all_rows, const std::string& engine, const std::string& command);
 /// Of all chapters when the text is empty.
 void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out);
 /// The report that runs, of all exercises.

@@ -154,4 +154,32 @@ Table engines_table(const std::vector<EngineContest>& contests) {
   return table;
 }
 
+std::string engine_answer(const EngineContest& contest, const Screen& screen) {
+  std::string text;
+  for (const EngineSeries& s : contest.series) {
+    std::string line = "  on " + s.engine + " " + s.version + ", " + s.variant + " (" + s.precision + "): ";
+    if (!s.cannot.empty()) {
+      text += wrapped(line + "not to be had: " + s.cannot + ".\n", screen, 4);
+      continue;
+    }
+    const EngineTrial &coarsest = s.trials.front(), *enough = s.first_enough();
+    line += "at " + rounded(coarsest.steps_per_frame * contest.frames_per_second, 6) + " Hz " +
+            (coarsest.errors.empty() ? std::string(name_of(coarsest.outcome))
+                                     : "it errs by " + pictured(coarsest.errors, contest.units));
+    if (enough == nullptr)
+      line += "; no more steps make that enough, up to " + std::to_string(s.trials.back().steps_per_frame) +
+              " a frame";
+    else if (enough != &coarsest)
+      line += "; " + std::to_string(enough->steps_per_frame) + " steps a frame bring " +
+              pictured(enough->errors, contest.units);
+    const EngineTrial& paid = enough ? *enough : coarsest;
+    line += ", for " + shown_time(paid.seconds_per_frame) + " a frame";
+    if (contest.least && enough && !s.webassembly)
+      line += ", " + rounded(paid.seconds_per_frame / contest.least->seconds_per_frame, 2) +
+              " times what the choice above costs";
+    text += wrapped(line + ".\n", screen, 4);
+  }
+  return text;
+}
+
 }  // namespace oddity

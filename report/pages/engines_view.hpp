@@ -18,4 +18,7 @@ Table engines_table(const std::vector<EngineContest>&);
 /// The same tables as a page, with what is said of each engine.
 std::string engines_page(const std::vector<EngineContest>&, const std::vector<double>& rates);
 
+/// What one who has this engine gets, a line a variant, beside what was chosen for the scene.
+std::string engine_answer(const EngineContest&, const Screen&);
+
 }  // namespace oddity

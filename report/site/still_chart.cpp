@@ -145,9 +145,9 @@ std::string table_of(const QuantityResult& q, const std::vector<std::size_t>& sh
     rows += "<tr>" +
             element("th", "",
                     (keyed ? "<b class=\"s" + key + "\">" + key + "</b> " : "") +
-                        html::escaped(m.model + ", " + m.algorithm)) +
-            cell(t.knob.empty() ? "" : html::escaped(with_powers(shown_knob(t)))) +
-            cell(html::escaped(with_powers(shown_error(t.error)))) + cell(std::to_string(t.evaluations)) +
+                        escaped(m.model + ", " + m.algorithm)) +
+            cell(t.knob.empty() ? "" : escaped(with_powers(shown_knob(t)))) +
+            cell(escaped(with_powers(shown_error(t.error)))) + cell(std::to_string(t.evaluations)) +
             cell(std::string(name_of(t.outcome))) + "</tr>\n";
   }
   const std::size_t others = q.methods.size() - shown.size();
@@ -165,7 +165,7 @@ std::string still_chart(const QuantityResult& q) {
   std::string text;
   if (!charts.empty())
     text = element("div", " class=\"still\"",
-                   Chart(q, across).svg() + element("p", "", html::escaped(finding(q, across)) + "."));
+                   Chart(q, across).svg() + element("p", "", escaped(finding(q, across)) + "."));
   return "<noscript>" + text + table_of(q, worth_seeing(q, across), !charts.empty()) + "</noscript>";
 }
 
