@@ -21,6 +21,9 @@
 namespace oddity {
 
 class Drawing;
+namespace engines {
+struct Staging;
+}
 class Reference;
 struct Known;
 
@@ -381,6 +384,8 @@ struct Listing {
   std::vector<std::pair<std::string_view, std::string_view>> models;
   /// The other models, and why they cannot be printed: "which needs ...".
   std::vector<std::pair<std::string_view, std::string_view>> not_printable = {};
+  /// Those of them that have events, with their expressions: the page's players search for these.
+  std::vector<std::pair<std::string_view, std::string_view>> with_events = {};
 };
 
 /// The motion of an exercise that has one: what the views of stability, choice and models look at.
@@ -395,6 +400,8 @@ struct Scene {
   Listing listing = {};
   /// How it looks where these are the observables at the time t (chapters/drawing.hpp).
   void (*draw)(const Parameters&, double t, std::span<const double> observed, Drawing&) = nullptr;
+  /// The same for other people's engines (solvers/engines/world.hpp); null where these cannot have it.
+  engines::Staging (*staging)(const Parameters&) = nullptr;
 };
 
 struct Exercise {

@@ -44,5 +44,8 @@ add_engine(bullet_multibody_double SOURCE bullet_multibody HEADER btBulletDynami
   DEFINES BT_USE_DOUBLE_PRECISION LIBRARIES BulletDynamics-float64 BulletCollision-float64 LinearMath-float64)
 add_engine(chipmunk HEADER chipmunk/chipmunk.h LIBRARIES chipmunk)
 add_engine(ode HEADER ode/ode.h LIBRARIES ode)
+add_engine(mujoco HEADER mujoco/mujoco.h LIBRARIES mujoco)
+add_engine(simbody HEADER Simbody.h INCLUDE simbody LIBRARIES SimTKsimbody SimTKmath SimTKcommon)
+add_engine(dart HEADER Eigen/Dense INCLUDE eigen3 LIBRARIES dart)  # its headers lie beside eigen3
 
 add_custom_target(engines DEPENDS ${engine_programs})

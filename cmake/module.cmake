@@ -74,7 +74,7 @@ function(compile_for_module source level standard)
   set(module_objects ${module_objects} ${object} PARENT_SCOPE)
 endfunction()
 
-foreach(file in_float integrate precompiled raw_problem)
+foreach(file events in_float integrate precompiled raw_problem)
   compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/${file}.cpp -Os c++20)
 endforeach()
 compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/implicit.cpp -Os c++17)  # as in the program

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 /// A folder of our own in the system's temporary one, gone at the end.
@@ -33,3 +34,9 @@ class ScratchFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// All that is in a file; nothing where there is none.
+inline std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}

@@ -112,8 +112,7 @@ TEST_CASE("at every frame the true motion is where a model comes to that shares 
   }
 }
 
-// ---- against integrations of our own: none of the program's equations, none of its algorithms
-// --------------
+// ---- against integrations of our own: none of the program's equations, none of its algorithms -------------
 
 namespace {
 
@@ -358,11 +357,6 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& file : fs::directory_iterator(folder)) files.push_back(file.path());
   return files;
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// A cache with the one motion in it.

@@ -1,12 +1,17 @@
 // Methods in float: the algorithms, how they are driven, and what roundings may cost.
 
+#include <cctype>
 #include <cmath>
+#include <filesystem>
+#include <regex>
+#include <string>
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/in_float.hpp"
 #include "report/study/run.hpp"
 #include "tests/catch.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace oddity;
 
@@ -41,7 +46,92 @@ Quantity pendulum_motion(const Horizon& horizon) {
                 Reference(std::string(ODDITY_SOURCE) + "/reference"));
 }
 
+std::string source(std::string_view file) { return text_of(std::filesystem::path(ODDITY_SOURCE) / file); }
+
+/// What stands between the bracket at `open` and its end, split at its own commas. There are no comparisons.
+std::vector<std::string> parts(std::string_view text, std::size_t open) {
+  std::vector<std::string> all(1);
+  int depth = 0;
+  bool quoted = false;
+  for (char c : text.substr(std::min(open, text.size()))) {
+    if (c == '"') quoted = !quoted;
+    const bool opens = !quoted && std::string_view("([{<").find(c) != std::string_view::npos;
+    const bool closes = !quoted && std::string_view(")]}>").find(c) != std::string_view::npos;
+    if (closes && --depth == 0) break;
+    if (c == ',' && !quoted && depth == 1)
+      all.emplace_back();
+    else if (depth > 0 && (quoted || !std::isspace(static_cast<unsigned char>(c)) || !all.back().empty()))
+      all.back() += c;
+    depth += opens;
+  }
+  return all;
+}
+
+/// The model that an expression constructs, in no number type of its own: "OneAngle" of
+/// "pendulum::OneAngle<double>{{a, L, g}}".
+std::string constructed(const std::string& expression) {
+  static const std::regex space("\\b[a-z_]+::"), number("double"), alone("<T>");
+  std::string name = std::regex_replace(expression, space, "");
+  name = std::regex_replace(name, number, "T");
+  name.resize(std::min(name.find_first_of("({"), name.size()));
+  return std::regex_replace(name, alone, "");
+}
+
+/// What the listing constructs of a model in float; nothing where it has none of its name.
+std::string listed(const Listing& listing, const std::string& name) {
+  const auto found = std::ranges::find_if(listing.models, [&](const auto& model) {
+    return model.first == name || model.first.starts_with(name + ", ");
+  });
+  return found == listing.models.end() ? "" : constructed(std::string(found->second));
+}
+
+/// The models' names among a motion's methods in float, in their order.
+std::vector<std::string> names_in_float(const Quantity& motion) {
+  std::vector<std::string> names;
+  for (const Method& m : motion.methods_in_float)
+    if (names.empty() || names.back() != m.model) names.push_back(m.model);
+  return names;
+}
+
 }  // namespace
+
+TEST_CASE("a parser of calls splits them at their own commas", "[in_float]") {
+  CHECK(parts("f(a, g(b, c),\n  {\"d, (\", e[1]})", 1) ==
+        std::vector<std::string>{"a", "g(b, c)", "{\"d, (\", e[1]}"});
+  CHECK(constructed("a::B<double>{{c::d}}") == "B");
+  CHECK(constructed("in_plane(p)") == "in_plane");
+  CHECK(constructed("chain::Angles<double, chain::Equations::dense>{p}") == "Angles<T, Equations::dense>");
+}
+
+TEST_CASE("the name of a model in float stands for the model that is listed under it", "[in_float]") {
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  for (const Entry& entry : registry()) {
+    if (!entry.exercise.scene) continue;
+    const Scene& scene = *entry.exercise.scene;
+    INFO(to_string(entry.number));
+    const std::filesystem::path header = scene.listing.headers.front();
+    const std::string models = source(header.string()), tuple = "return std::tuple{";
+    const auto constructs = parts(models, models.find(tuple) + tuple.size() - 1);
+    std::string calls;
+    for (const char* file : {"exercise.cpp", "methods.cpp"})
+      calls += source((header.parent_path() / file).string());
+    const std::string call = "return with_float(";
+    REQUIRE(calls.find(call) != std::string::npos);
+    const auto arguments = parts(calls, calls.find(call) + call.size() - 1);
+    REQUIRE(arguments.size() >= 4);
+    const auto given = parts(arguments[3], 0);
+    REQUIRE(given.size() == constructs.size());
+    const auto names = names_in_float(motion(scene, Parameters(entry.exercise.parameters), truth));
+    auto name = names.begin();
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      if (given[i] == "\"\"") continue;
+      REQUIRE(name != names.end());
+      INFO(*name << ", " << given[i] << " among the names, is number " << i + 1 << " of the models");
+      CHECK(listed(scene.listing, *name++) == constructed(constructs[i]));
+    }
+    CHECK(name == names.end());
+  }
+}
 
 TEST_CASE("in float an algorithm does what it does in double, to a rounding a step", "[in_float]") {
   const ode::Adapted<Any<double>, Swing<double>> in_double{Swing<double>{}};

@@ -35,9 +35,10 @@ TEST_CASE("the module has each scene with all models of its listing, in however 
       CHECK(count(source, "{" + literal(to_string(entry.number)) + ", ") == 1);
       const std::string function =
           "model_" + std::to_string(entry.number.chapter) + "_" + std::to_string(entry.number.index) + "_";
-      CHECK(count(source, "> " + function) == listing.models.size());
-      for (const auto& [name, expression] : listing.models)
-        CHECK(count(source, "return " + std::string(expression) + ";") > 0);
+      CHECK(count(source, "> " + function) == listing.models.size() + listing.with_events.size());
+      for (const auto* models : {&listing.models, &listing.with_events})
+        for (const auto& [name, expression] : *models)
+          CHECK(count(source, "return " + std::string(expression) + ";") > 0);
       for (const Parameter& p : entry.exercise.parameters) CHECK(count(source, "{" + literal(p.name)) > 0);
     }
   }

@@ -64,7 +64,7 @@ double proportionality(const Problem& problem, Span span) {
     tolerances.push_back(tolerance);
     errors.push_back(error);
   }
-  return power_law(tolerances, errors).exponent;
+  return oddity::power_law(tolerances, errors).exponent;
 }
 
 /// Explicit, under step control, of fixed order or nearly so.

@@ -39,11 +39,6 @@ struct Run {
   }
 };
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 TEST_CASE("a price is measured once, and read back in every bit", "[prices]") {

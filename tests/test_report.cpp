@@ -545,6 +545,35 @@ TEST_CASE("errata that break a scene come first, and of these wrong formulas bef
   CHECK(names == std::vector<std::string>{"Twice", "Formula", "Left out", "Elsewhere"});
 }
 
+TEST_CASE("the errata whose motions go farthest wrong come first of all", "[report]") {
+  Results results = sample();
+  JudgedClaim wrong = judged({"x", {"a", 2}, {"b", 1}, {1e-9, "a test"}});
+  wrong.claim.corrected = {"x = 1", {one_against_one(1e-9)}};
+  wrong.verdict = verdict(wrong.claim);
+  const auto erratum = [&](const std::string& root, Fault kind) {
+    wrong.claim.root = root;
+    wrong.claim.kind = kind;
+    return wrong;
+  };
+  const auto scene = [&](const std::string& root, double published_error) {
+    ExerciseResult e = sample().exercises[0];
+    e.claims = {erratum(root, Fault::left_out), erratum("beside " + root, Fault::left_out)};
+    e.roots = {{root, ""}, {"beside " + root, ""}};
+    e.quantities[0].trajectory->close = 0.01;
+    e.quantities[0].trajectory->paths[0].model = "as published";
+    e.quantities[0].trajectory->paths[0].error = published_error;
+    return e;
+  };
+  results.exercises = {scene("enough", 0.009), scene("off", 0.02), scene("gone", NAN), scene("far off", 2)};
+  CHECK(broken_by(results.exercises[0]) == 0);
+  CHECK(broken_by(results.exercises[1]) == 2);
+  CHECK(broken_by(results.exercises[2]) == INFINITY);
+  std::vector<std::string> names;
+  for (const Finding& f : errata_worst_first(results)) names.push_back(f.title());
+  CHECK(names == std::vector<std::string>{"Gone", "Far off", "Off", "Enough", "Beside enough", "Beside off",
+                                          "Beside gone", "Beside far off"});
+}
+
 TEST_CASE("a reason for failing is given only where failing is expected", "[report]") {
   Results results = sample();
   MethodResult& m = results.exercises[0].quantities[0].methods[0];

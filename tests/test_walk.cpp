@@ -1,42 +1,17 @@
 // The walks of CONTRIBUTING.md, with what its page fills in: from what `new` writes to green exercises, and
 // how an exercise of one's own is shown. What `new` writes is compiled as it is into the same program.
 
-#include <sys/wait.h>
-
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "tests/catch.hpp"
+#include "tests/program.hpp"
 #include "tests/scratch_folder.hpp"
 
 namespace fs = std::filesystem;
+using program::Ran, program::says, program::shell;
 
 namespace {
-
-struct Ran {
-  int status;
-  std::string output;
-};
-
-Ran run(const std::string& command) {
-  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  Ran ran{-1, ""};
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
-    ran.output.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-  return ran;
-}
-
-bool says(const Ran& ran, const std::string& text) { return ran.output.find(text) != std::string::npos; }
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The tables and records, without what is of 4.1, should somebody have taken the walk.
 void copy_tables(const fs::path& folder) {
@@ -68,14 +43,14 @@ TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
   copy_tables(scratch.path());
   const std::string folder = scratch.path().string();
   const auto oddity = [&](const std::string& words) {
-    return run(std::string(ODDITY_WALK) + " --reference " + folder + " " + words);
+    return shell(std::string(ODDITY_WALK) + " --reference " + folder + " " + words);
   };
   const auto rows = [&](const std::string& file) { return text_of(scratch.path() / file); };
 
   const Ran without_table = oddity("solve 4.1");
   CHECK(without_table.status == 0);
   CHECK(says(without_table, "computed on the spot: Taylor series of the equation of motion; and the cosine"));
-  const Ran made = run(std::string(ODDITY_WALK_MAKER) + " " + folder + " 04_01_spring");
+  const Ran made = shell(std::string(ODDITY_WALK_MAKER) + " " + folder + " 04_01_spring");
   INFO(made.output);
   REQUIRE(made.status == 0);
   CHECK(says(oddity("solve 4.1"), "table 04_01_spring.csv"));
@@ -122,7 +97,7 @@ TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
 
 TEST_CASE("what new writes runs as it is, from outside the tree, and says what is still to be written",
           "[walk]") {
-  const auto oddity = [&](const std::string& words) { return run(std::string(ODDITY_WALK) + " " + words); };
+  const auto oddity = [&](const std::string& words) { return shell(std::string(ODDITY_WALK) + " " + words); };
   const std::string folder = "chapters/99_my_topic/";
   CHECK(says(oddity("list 99.97"), "99.97  My identity (own)\n"));
   const Ran solved = oddity("solve 99.98");
@@ -155,7 +130,7 @@ TEST_CASE("what new writes runs as it is, from outside the tree, and says what i
 TEST_CASE("new writes the files of the walks but for what they fill in", "[walk][new]") {
   const ScratchFolder scratch;
   const auto begin = [&](const std::string& words) {
-    return run(std::string(ODDITY_PROGRAM) + " new " + words + " --in " + scratch.path().string());
+    return program::run("new " + words + " --in " + scratch.path().string());
   };
   const Ran scene = begin("44.2 spring");
   INFO(scene.output);
@@ -181,7 +156,7 @@ TEST_CASE("new writes the files of the walks but for what they fill in", "[walk]
 TEST_CASE("new refuses what cannot be, and overwrites nothing", "[new]") {
   const ScratchFolder scratch;
   const auto begin = [&](const std::string& words) {
-    return run(std::string(ODDITY_PROGRAM) + " new " + words + " --in " + scratch.path().string());
+    return program::run("new " + words + " --in " + scratch.path().string());
   };
   const auto refuses = [&](const std::string& words, const std::string& reason) {
     const Ran ran = begin(words);
@@ -203,7 +178,7 @@ TEST_CASE("new refuses what cannot be, and overwrites nothing", "[new]") {
   refuses("3.2 x --scene --identity", "--scene and --identity do not go together");
   refuses("3.2 x --topik y", "did you mean '--topic'?");
   CHECK(fs::is_empty(scratch.path()));
-  CHECK(says(run(std::string(ODDITY_PROGRAM) + " nwe 3.2 x"), "did you mean 'new'?"));
+  CHECK(says(program::run("nwe 3.2 x"), "did you mean 'new'?"));
 
   CHECK(begin("3.2 spring_pendulum").status == 0);
   const fs::path file = scratch.path() / "chapters/03_rigid_body_motion/02_spring_pendulum/exercise.cpp";

@@ -6,6 +6,7 @@
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
 #include "report/charts/sketch.hpp"
+#include "report/pages/markup.hpp"
 
 namespace oddity {
 
@@ -38,8 +39,8 @@ std::string view_box(const Box& box) {
 
 std::string svg(const Box& box, std::string_view title, const std::string& elements) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" role=\"img\" " + view_box(box) +
-         ">\n<title>" + text_in_svg(title) + "</title>\n<style>\n" + std::string(style) + "</style>\n" +
-         elements + "</svg>\n";
+         ">\n<title>" + in_xml(title) + "</title>\n<style>\n" + std::string(style) + "</style>\n" + elements +
+         "</svg>\n";
 }
 
 double scale_to(const Box& content, double width, double height) {
@@ -55,7 +56,8 @@ Box framed(const Box& box, double least_width, double margin) {
 }
 
 std::string title_of(const Entry& e, const std::string& what) {
-  return to_string(e.number) + " " + std::string(e.exercise.title) + ": " + what;
+  const std::string number = e.number.chapter == 0 ? "" : to_string(e.number) + " ";  // of an example: none
+  return number + std::string(e.exercise.title) + ": " + what;
 }
 
 Drawing drawn(const Scene& scene, const Parameters& p, double t, std::span<const double> observed) {
@@ -122,7 +124,7 @@ std::string frames_svg(const Entry& e, const Trajectory& t) {
 
   std::string elements;
   for (int k = 0; k < frames; ++k) {
-    const std::size_t now = k * (all.size() - 1) / (frames - 1);
+    const std::size_t now = static_cast<std::size_t>(k) * (all.size() - 1) / (frames - 1);
     Sketch sketch(camera, scale);
     sketch.add(all[now], Sketch::With::motion_alone);
     for (std::size_t b = 0; b < all[0].primitives().size(); ++b) {
@@ -134,7 +136,7 @@ std::string frames_svg(const Entry& e, const Trajectory& t) {
     const double left = k * (width + gap);
     elements += "<svg x=\"" + pixels(left) + "\" y=\"0\" " + view_box(window) + ">\n" + sketch.elements() +
                 "</svg>\n<text class=\"n\" x=\"" + pixels(left + width / 2) + "\" y=\"" + pixels(high + 19) +
-                "\">" + rounded(times[now], 3) + " " + text_in_svg(t.time_unit) + "</text>\n";
+                "\">" + rounded(times[now], 3) + " " + in_xml(t.time_unit) + "</text>\n";
   }
   return svg({0, 0, frames * (width + gap) - gap, high + below}, title_of(e, "the motion"), elements);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "report/pages/markup.hpp"
+
 namespace oddity {
 
 namespace {
@@ -65,7 +67,7 @@ struct Written {
   }
   std::string element(const Spot& center) const {
     std::string text = "<text" + std::string(upright ? " class=\"n\"" : "") + " x=\"" + number(center.x) +
-                       "\" y=\"" + number(center.y + 0.3 * font_size) + "\">" + text_in_svg(base);
+                       "\" y=\"" + number(center.y + 0.3 * font_size) + "\">" + in_xml(base);
     if (!index.empty()) text += "<tspan dy=\"4\">" + std::string(index) + "</tspan>";
     return text + "</text>";
   }
@@ -85,24 +87,6 @@ int order_of(Kind kind) {
 enum Layer { behind, thing, writing };
 
 }  // namespace
-
-std::string text_in_svg(std::string_view text) {
-  std::string safe;
-  for (char c : text) switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      default:
-        safe += c;
-    }
-  return safe;
-}
 
 // ---- the camera -------------------------------------------------------------------------------------------
 

@@ -31,9 +31,6 @@ struct Box {
   void add(const Box&);
 };
 
-/// With & < > as references.
-std::string text_in_svg(std::string_view);
-
 /// How space is laid on paper: axonometric, seen from the azimuth and the elevation. A drawing of the plane
 /// is seen from above, with x to the right.
 class Camera {

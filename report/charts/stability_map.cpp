@@ -126,7 +126,7 @@ std::string theory_lines(const Panel& p, const Stability& s) {
 }
 
 std::string axis_name(const std::string& name, const std::string& unit) {
-  return name + (unit.empty() || unit == "1" ? "" : " [" + unit + "]");
+  return name + (unit.empty() || unit == "1" ? "" : " [" + typeset_unit(unit) + "]");
 }
 
 void add_panel(Svg& svg, const Panel& p, const Stability& s, int height) {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "reference/text.hpp"
+#include "report/pages/markup.hpp"
 
 namespace oddity {
 
@@ -180,15 +181,6 @@ double Svg::headline(const std::string& says, const std::string& of) {
 std::string colour_class(int slot) { return "c" + std::to_string(slot % svg_slots); }
 
 std::string px(double x) { return in_pixels(tenths(x)); }
-
-std::string in_xml(const std::string& text) {
-  std::string out;
-  for (char c : text) {
-    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, control ? ' ' : c);
-  }
-  return out;
-}
 
 std::string shortened(const std::string& text, std::size_t most) {
   std::size_t letters = 0;

@@ -56,8 +56,6 @@ class Svg {
 std::string colour_class(int slot);
 /// To a tenth of a pixel.
 std::string px(double x);
-/// Literal text within XML.
-std::string in_xml(const std::string& text);
 /// At most so many letters, the last of them an ellipsis where some are left out.
 std::string shortened(const std::string& text, std::size_t most);
 /// In lines of at most so many letters, broken at spaces.

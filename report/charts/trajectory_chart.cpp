@@ -18,7 +18,7 @@ std::vector<std::string> axis_labels(const QuantityResult& q, std::size_t count)
   std::vector<std::string> units;
   for (std::size_t from = 0; from <= q.unit.size();) {
     const std::size_t to = std::min(q.unit.find(", ", from), q.unit.size());
-    units.push_back(q.unit.substr(from, to - from));
+    units.push_back(typeset_unit(q.unit.substr(from, to - from)));
     from = to + 2;
   }
   std::vector<std::string> labels;
@@ -100,7 +100,9 @@ std::string said_of(const Trajectory& t, const std::vector<std::size_t>& order, 
 }
 
 std::string unit_of(const QuantityResult& q) {
-  return q.unit.empty() || q.unit == "1" || q.unit.find(',') != std::string::npos ? "" : " " + q.unit;
+  return q.unit.empty() || q.unit == "1" || q.unit.find(',') != std::string::npos
+             ? ""
+             : " " + typeset_unit(q.unit);
 }
 
 // Pixels.

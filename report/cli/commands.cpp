@@ -13,11 +13,11 @@
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/interrupted.hpp"
-#include "reference/similar.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/help.hpp"
 #include "report/cli/settings.hpp"
 #include "report/cli/verbs.hpp"
+#include "report/cli/words.hpp"
 
 namespace oddity {
 
@@ -33,6 +33,8 @@ struct Session {
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
+  std::vector<double> rates{60, 240};
+  int finest = 256;
   AskedNeed need = {};
   NewExercise begun = {};
   std::string outside = {};
@@ -70,6 +72,17 @@ CLI::Option* add_path(CLI::App& verb, const std::string& name, std::string& path
       ->capture_default_str()
       ->check(
           [name](const std::string& given) { return given.empty() ? std::string("it needs a path") : ""; });
+}
+
+template <class T>
+CLI::Option* add_value(CLI::App& verb, const std::string& name, T& value, const std::string& type,
+                       const std::string& says) {
+  return verb.add_option(name, value, says)->type_name(type);
+}
+
+/// The option does not go together with the others.
+void set_apart(CLI::App& verb, CLI::Option* option, std::initializer_list<const char*> others) {
+  for (const char* other : others) option->excludes(verb.get_option(other));
 }
 
 void add_formats(CLI::App& verb, Session& s, const std::string& what) {
@@ -142,53 +155,39 @@ void add_solve(CLI::App& app, Session& s) {
 }
 
 void add_choose_need(CLI::App& choose, AskedNeed& need) {
-  auto* error =
-      choose
-          .add_option("--error", need.error,
-                      "the largest error of what is observed: a number in its unit, 0.01, or with a "
-                      "unit, 1cm; one for each unit where there are several, 1cm,1deg; of energy and "
-                      "period a fraction, 0.01; of a constraint a length, 1mm")
-          ->type_name("ERROR");
-  choose.add_option("--digits", need.digits, "instead of --error: correct digits of the largest observable")
-      ->type_name("N")
+  auto* error = add_value(choose, "--error", need.error, "ERROR",
+                          "the largest error of what is observed: a number in its unit, 0.01, or with a "
+                          "unit, 1cm; one for each unit where there are several, 1cm,1deg; of energy and "
+                          "period a fraction, 0.01; of a constraint a length, 1mm");
+  add_value(choose, "--digits", need.digits, "N",
+            "instead of --error: correct digits of the largest observable")
       ->excludes(error);
-  choose
-      .add_option("--horizon", need.horizon,
-                  "how long the motion is watched: 10 (in s, or in the scene's own unit), 1h; at most a "
-                  "million frames")
-      ->type_name("TIME")
+  add_value(
+      choose, "--horizon", need.horizon, "TIME",
+      "how long the motion is watched: 10 (in s, or in the scene's own unit), 1h; at most a million frames")
       ->capture_default_str();
-  choose.add_option("--fps", need.frames_per_second, "frames per second: 60, 60Hz")
-      ->type_name("RATE")
+  add_value(choose, "--fps", need.frames_per_second, "RATE", "frames per second: 60, 60Hz")
       ->capture_default_str();
-  choose.add_option("--budget", need.budget, "the most that a frame may take: 5us, 300ns, 0.1ms")
-      ->type_name("TIME");
-  choose
-      .add_option(
-          "--criterion", need.criterion,
-          "what has to hold: path; energy (whatever is conserved); period; bounded (nothing explodes); "
-          "constraint (lengths that are held)")
-      ->type_name("WORD")
+  add_value(choose, "--budget", need.budget, "TIME", "the most that a frame may take: 5us, 300ns, 0.1ms");
+  add_value(choose, "--criterion", need.criterion, "WORD",
+            "what has to hold: path; energy (whatever is conserved); period; bounded (nothing explodes); "
+            "constraint (lengths that are held)")
       ->capture_default_str();
 }
 
 void add_choose_methods(CLI::App& choose, AskedNeed& need) {
   choose.add_flag("--cheapest", need.cheapest, "take whatever is cheapest, however complicated");
   choose.add_flag("--one-step", need.one_step, "take no method that needs a history");
-  choose
-      .add_option("--precision", need.precision,
-                  "the numbers to compute in: float, double or any; in float there are closed forms and the "
-                  "explicit algorithms of fixed step")
-      ->type_name("WORD")
+  add_value(choose, "--precision", need.precision, "WORD",
+            "the numbers to compute in: float, double or any; in float there are closed forms and the "
+            "explicit algorithms of fixed step")
       ->capture_default_str();
-  choose
-      .add_option("--only", need.only, "only models and algorithms that have this in their names; repeatable")
-      ->type_name("WORD")
+  add_value(choose, "--only", need.only, "WORD",
+            "only models and algorithms that have this in their names; repeatable")
       ->allow_extra_args(false);
-  choose.add_option("--exclude", need.exclude, "no models or algorithms that have this; repeatable")
-      ->type_name("WORD")
+  add_value(choose, "--exclude", need.exclude, "WORD", "no models or algorithms that have this; repeatable")
       ->allow_extra_args(false);
-  choose.add_option("--time-limit", need.time_limit, "give up after this long: 60s")->type_name("TIME");
+  add_value(choose, "--time-limit", need.time_limit, "TIME", "give up after this long: 60s");
   choose.add_flag("--measure", need.measure,
                   "time the methods anew; unless asked, times of an earlier run are taken, so that the same "
                   "question gets the same answer");
@@ -218,7 +217,7 @@ void add_choose(CLI::App& app, Session& s) {
   choose->add_flag("--all", s.all_rows, "show all rows of the table");
   add_formats(*choose, s, "the choice and every method tried");
   auto* code = choose->add_flag("--code", s.code, "the chosen model and its loop, as C++ to paste");
-  for (const char* other : {"--json", "--csv"}) code->excludes(choose->get_option(other));
+  set_apart(*choose, code, {"--json", "--csv"});
 }
 
 void add_report(CLI::App& app, Session& s) {
@@ -227,7 +226,7 @@ void add_report(CLI::App& app, Session& s) {
       "The last results are taken where they are fresh, else everything runs first.\n"
       "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
       [&] { verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole, s.report_out); });
-  report->add_option("--chapter", s.chapter, "the exercises of one chapter only")->type_name("N");
+  add_value(*report, "--chapter", s.chapter, "N", "the exercises of one chapter only");
   report->add_flag("--book", s.book, "without times: what stands in report/book of the sources");
   add_path(*report, "--out", s.report_out, "the folder to write to");
 }
@@ -255,8 +254,7 @@ void add_chart(CLI::App& app, Session& s) {
   add_exercises(*chart, s, "numbers, such as 3.5; all when none is given");
   chart->add_flag("--all", s.all_rows, "every method's curve, not eight at most");
   add_formats(*chart, s, "the trials, with nothing drawn");
-  auto* out = add_path(*chart, "--out", s.chart_out, "the folder to write to");
-  for (const char* instead : {"--json", "--csv"}) out->excludes(chart->get_option(instead));
+  set_apart(*chart, add_path(*chart, "--out", s.chart_out, "the folder to write to"), {"--json", "--csv"});
 }
 
 void add_stability(CLI::App& app, Session& s) {
@@ -279,9 +277,9 @@ void add_stability(CLI::App& app, Session& s) {
   add_formats(*stability, s, "the limits, with nothing drawn");
   auto* rows = stability->add_flag("--rows", s.rows,
                                    "the rows of limits.csv and stability_maps.csv, with nothing drawn");
-  auto* out = add_path(*stability, "--out", s.maps_out, "the folder to draw the maps in");
-  for (const char* instead : {"--rows", "--json", "--csv"}) out->excludes(stability->get_option(instead));
-  for (const char* other : {"--json", "--csv"}) rows->excludes(stability->get_option(other));
+  set_apart(*stability, rows, {"--json", "--csv"});
+  set_apart(*stability, add_path(*stability, "--out", s.maps_out, "the folder to draw the maps in"),
+            {"--rows", "--json", "--csv"});
 }
 
 void add_bench(CLI::App& app, Session& s) {
@@ -293,6 +291,25 @@ void add_bench(CLI::App& app, Session& s) {
       "Examples:\n  oddity bench\n  oddity bench --csv",
       [&] { s.status = verbs::bench(s.folder, s.format()); });
   add_formats(*bench, s, "the numbers measured");
+}
+
+void add_engines(CLI::App& app, Session& s) {
+  auto* engines = verb(
+      app, "engines", "Put other people's physics engines on the scenes, beside the models.",
+      "Each engine that is built runs as a program of its own, at 60 steps a second and finer by doubling, and is "
+      "judged at every frame over 10 s: to 1 cm and 1 degree. './oddity engines' installs and builds them.\n"
+      "Columns: scene, engine, version, precision, variant, webassembly (1 or 0), hz, outcome, error, unit, "
+      "in_needs, energy, off_joint, seconds_per_frame, spread, same_bits (1 or 0), restored; a row for each "
+      "trial and unit.\n"
+      "Examples:\n  oddity engines\n  oddity engines 3.33 'free body' --hz 60,240,960",
+      [&] { verbs::engines(s.folder, s.exercises, s.rates, s.finest, s.format()); });
+  engines->add_option("scene", s.exercises,
+                      "exercises, or: free body, bouncing ball, chain of 10, chain of 100");
+  engines->add_option("--hz", s.rates, "the rates to show")->delimiter(',')->type_name("RATE");
+  engines->add_option("--finest", s.finest, "steps per frame to go to, by doubling")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  add_formats(*engines, s, "every trial");
 }
 
 void add_new(CLI::App& app, Session& s) {
@@ -311,49 +328,8 @@ void add_new(CLI::App& app, Session& s) {
   auto* scene = begin->add_flag("--scene", s.scene,
                                 "a motion, with models, methods and claims; this unless asked otherwise");
   begin->add_flag("--identity", s.identity, "claims alone")->excludes(scene);
-  begin->add_option("--topic", s.begun.topic, "the name of a chapter that has no folder yet")
-      ->type_name("WORD");
+  add_value(*begin, "--topic", s.begun.topic, "WORD", "the name of a chapter that has no folder yet");
   add_path(*begin, "--in", s.outside, "a folder outside the tree; ODDITY_OWN has the build find it there");
-}
-
-std::vector<std::string> names_of_verbs(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* one : app.get_subcommands({})) names.push_back(one->get_name());
-  return names;
-}
-
-void require_verb(const CLI::App& app, const std::string& word) {
-  const std::vector<std::string> names = names_of_verbs(app);
-  if (std::ranges::find(names, word) != names.end()) return;
-  if (exercise_number(word)) throw BadInput("no verb '" + word + "'; did you mean 'solve " + word + "'?");
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  throw BadInput("no verb '" + word + "'; the verbs are: " + all + did_you_mean(word, names));
-}
-
-/// The command line without the program; "help solve" is "solve --help".
-std::vector<std::string> words_of(int argc, char** argv) {
-  std::vector<std::string> words(argv + 1, argv + argc);
-  if (!words.empty() && words.front() == "help") {
-    words.erase(words.begin());
-    words.insert(words.begin() + (words.empty() ? 0 : 1), "--help");
-  }
-  return words;
-}
-
-/// The words as a shell takes them.
-std::string typed(const std::vector<std::string>& words) {
-  std::string all = "oddity";
-  for (const std::string& word : words) {
-    std::string quoted;
-    for (char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    const bool plain = std::ranges::all_of(word, [](unsigned char c) {
-      return std::isalnum(c) || c >= 0x80 ||
-             std::string_view("-_=.,:/+%@").find(static_cast<char>(c)) != std::string_view::npos;
-    });
-    all += " " + (plain && !word.empty() ? word : "'" + quoted + "'");
-  }
-  return all;
 }
 
 /// The main job: verify everything, and write the report and the site.
@@ -365,44 +341,6 @@ int all_of_it(const Session& s) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   });
   return verdict;
-}
-
-/// "solve", or "oddity" itself; and what its help is asked by.
-std::string name_of(const CLI::App& app) { return app.get_name(); }
-std::string help_of(const CLI::App& app) {
-  return "'oddity " + (app.get_parent() ? app.get_name() + " " : "") + "--help' says more";
-}
-
-std::string refusal(const CLI::App& app, const std::string& word) {
-  std::vector<std::string> options;
-  for (const CLI::Option* option : app.get_options()) options.push_back(option->get_name());
-  const std::string meant =
-      word.starts_with('-') ? did_you_mean(word.substr(0, word.find('=')), options) : "";
-  return name_of(app) + " does not take '" + word + "'" + meant + (meant.empty() ? "; " : " ") + help_of(app);
-}
-
-/// The first word that is no option of the program's own is its verb.
-void require_a_verb(const CLI::App& app, const std::vector<std::string>& words) {
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (!words[i].starts_with('-')) return require_verb(app, words[i]);
-    if (!app.get_option_no_throw(words[i].substr(0, words[i].find('='))))
-      throw BadInput(refusal(app, words[i]));
-    if (words[i] == "--reference") ++i;
-  }
-}
-
-/// What CLI11 complains of, in the program's words.
-std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
-  const auto used = app.get_subcommands();
-  const CLI::App& verb = used.empty() ? app : *used.front();
-  const std::vector<std::string> unknown = verb.remaining();
-  if (!unknown.empty() && !verb.get_allow_extras()) return refusal(verb, unknown.front());
-  const std::string says = error.what();
-  if (error.get_name() == "ArgumentMismatch")
-    return says.substr(0, says.find(':')) + " needs a value; " + help_of(verb);
-  if (const auto at = says.find(" excludes "); at != std::string::npos)
-    return says.substr(0, at) + " and " + says.substr(at + 10) + " do not go together; " + help_of(verb);
-  return says + "; " + help_of(verb);
 }
 
 /// Standard streams that are closed are opened such that writing fails: no file may take their place.
@@ -477,6 +415,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
   add_stability(app, session);
   add_choose(app, session);
   add_bench(app, session);
+  add_engines(app, session);
   add_report(app, session);
   add_site(app, session);
   add_new(app, session);

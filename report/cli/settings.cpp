@@ -41,6 +41,8 @@ fs::path site_folder() { return kept() / "site"; }
 fs::path chart_folder() { return kept() / "charts"; }
 fs::path motions_folder() { return kept() / "motions"; }
 fs::path prices_folder() { return kept() / "prices"; }
+fs::path engines_folder() { return fs::read_symlink("/proc/self/exe").parent_path() / "engines"; }
+fs::path engines_file() { return kept() / "engines.json"; }
 fs::path module_file() {
   const fs::path installed = installed_tables();
   return installed.empty() ? fs::path(ODDITY_MODULE) : installed.parent_path() / "models.js";

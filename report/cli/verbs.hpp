@@ -51,4 +51,9 @@ void create(NewExercise);
 /// 0 when no limit is broken, else 1.
 int bench(const fs::path& folder, Format);
 
+/// Other people's engines on these scenes, by number or name; all of them when there are none. `rates` are
+/// the table's [1/s].
+void engines(const fs::path& folder, const std::vector<std::string>& scenes, const std::vector<double>& rates,
+             int finest, Format);
+
 }  // namespace oddity::verbs

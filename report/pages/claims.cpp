@@ -5,7 +5,6 @@
 #include <cctype>
 #include <limits>
 #include <set>
-#include <tuple>
 
 #include "reference/text.hpp"
 #include "report/pages/markdown.hpp"
@@ -152,21 +151,6 @@ bool bit_equal(const JudgedClaim& judged) {
   });
 }
 
-int weight_of(Fault kind) {
-  switch (kind) {
-    case Fault::listing:
-    case Fault::formula:
-    case Fault::number:
-      return 0;
-    case Fault::counterexample:
-      return 1;
-    case Fault::term:
-      return 2;
-    default:
-      return 3;
-  }
-}
-
 }  // namespace
 
 Counts counts_of(const ExerciseResult& e) {
@@ -195,18 +179,6 @@ std::string sentence(const Counts& counts) {
   add(Verdict::not_checkable, "not checkable", "not checkable");
   add(Verdict::confirmed, "confirmed", "confirmed");
   return text.empty() ? "no claims" : text;
-}
-
-std::vector<Finding> errata_worst_first(const Results& results) {
-  std::vector<Finding> all;
-  for (const ExerciseResult& e : results.exercises)
-    for (Finding& f : findings_of(e)) all.push_back(std::move(f));
-  std::ranges::stable_sort(all, {}, [](const Finding& f) {
-    int weight = 3;
-    for (const JudgedClaim* c : f.claims) weight = std::min(weight, weight_of(c->claim.kind));
-    return std::tuple(!f.exercise->scene, weight, -static_cast<int>(f.claims.size()));
-  });
-  return all;
 }
 
 std::string address_of(const ExerciseResult& e, const Claim& claim, Links links) {

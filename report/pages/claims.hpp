@@ -15,10 +15,6 @@ Counts counts_of(const Results&);
 /// "2 errata, 1 misprint, 12 confirmed", without those that there are none of.
 std::string sentence(const Counts&);
 
-/// The errata of all exercises by root: those that break a scene first, then by kind, from a wrong listing or
-/// formula to a case left out, then by how many claims come from it.
-std::vector<Finding> errata_worst_first(const Results&);
-
 /// Where a page's links lead: to pages beside it, or to places in the one page.
 enum class Links { apart, within };
 /// "3.5.md#3.5-value".

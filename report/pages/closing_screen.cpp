@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "report/pages/claims.hpp"
 #include "report/pages/readable.hpp"
 #include "report/pages/table_text.hpp"
+#include "report/study/findings.hpp"
 
 namespace oddity {
 
@@ -16,29 +18,19 @@ namespace {
 
 constexpr std::size_t widest_screen = 120, width_in_a_pipe = 100, worst_findings = 10;
 
-std::string several(long n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 std::string duration(double seconds) {
   const long all = std::lround(std::ceil(seconds));
-  return all < 60 ? several(all, "second", "seconds")
-                  : several(all / 60, "minute", "minutes") +
-                        (all % 60 ? " " + several(all % 60, "second", "seconds") : "");
+  return all < 60 ? counted(all, "second", "seconds")
+                  : counted(all / 60, "minute", "minutes") +
+                        (all % 60 ? " " + counted(all % 60, "second", "seconds") : "");
 }
 
 // ---- what was checked -------------------------------------------------------------------------------------
 
-struct Tallied {
-  std::map<Verdict, long> counts;
+long sum_of(const Counts& counts) {
   long all = 0;
-};
-
-Tallied verdicts_in(const Results& results) {
-  Tallied found;
-  for (const ExerciseResult& e : results.exercises)
-    for (const JudgedClaim& c : e.claims) ++found.counts[c.verdict], ++found.all;
-  return found;
+  for (const auto& [verdict, n] : counts) all += n;
+  return all;
 }
 
 std::string checked(const Results& results) {
@@ -51,10 +43,10 @@ std::string checked(const Results& results) {
       for (const FloatResult& m : q.in_float) trials += std::ssize(m.trials);
     }
   }
-  return several(std::ssize(results.exercises), "exercise", "exercises") + ", " +
-         several(verdicts_in(results).all, "claim", "claims") + ", " +
-         several(quantities, "quantity", "quantities") + " in " + several(trials, "trial", "trials") + ", " +
-         several(scenes, "scene", "scenes") + " in motion";
+  return counted(std::ssize(results.exercises), "exercise", "exercises") + ", " +
+         counted(sum_of(counts_of(results)), "claim", "claims") + ", " +
+         counted(quantities, "quantity", "quantities") + " in " + counted(trials, "trial", "trials") + ", " +
+         counted(scenes, "scene", "scenes") + " in motion";
 }
 
 struct Named {
@@ -68,24 +60,25 @@ constexpr Named in_order[]{{Verdict::confirmed, Style::good, "confirmed", "confi
                            {Verdict::not_checkable, Style::aside, "not checkable", "not checkable"},
                            {Verdict::unsettled, Style::bad, "unsettled", "unsettled"}};
 
-std::string by_verdict(const Tallied& found, const Screen& screen) {
+std::string by_verdict(const Counts& found, const Screen& screen) {
   std::string text;
   for (const Named& n : in_order)
-    if (const auto count = found.counts.find(n.verdict); count != found.counts.end())
-      text += (text.empty() ? "" : ", ") + screen.styled(n.style, several(count->second, n.one, n.many));
+    if (const auto count = found.find(n.verdict); count != found.end())
+      text += (text.empty() ? "" : ", ") + screen.styled(n.style, counted(count->second, n.one, n.many));
   return text;
 }
 
 /// The same as a bar, each claim with its share.
-std::string bar(const Tallied& found, const Screen& screen) {
-  if (!screen.colour || found.all == 0) return "";
+std::string bar(const Counts& found, const Screen& screen) {
+  if (!screen.colour || found.empty()) return "";
+  const long all = sum_of(found);
   const auto width = std::max(static_cast<long>(screen.width) - 4, 0L);
   std::string text;
   long before = 0;
   for (const Named& n : in_order) {
-    const auto count = found.counts.find(n.verdict);
-    if (count == found.counts.end()) continue;
-    const long from = before * width / found.all, to = (before += count->second) * width / found.all;
+    const auto count = found.find(n.verdict);
+    if (count == found.end()) continue;
+    const long from = before * width / all, to = (before += count->second) * width / all;
     std::string blocks;
     for (long i = from; i < to; ++i) blocks += "█";
     text += screen.styled(n.style, blocks);
@@ -95,31 +88,15 @@ std::string bar(const Tallied& found, const Screen& screen) {
 
 // ---- what is wrong ----------------------------------------------------------------------------------------
 
-/// The root of most of an exercise's errata.
-struct Worst {
-  const ExerciseResult* exercise;
-  const Root* root;
-  long errata;
-};
-
-long errata_of(const ExerciseResult& e, const Root& root) {
-  return std::ranges::count_if(e.claims, [&](const JudgedClaim& c) {
-    return c.verdict == Verdict::erratum && c.claim.root == root.name;
-  });
-}
-
-/// Those of the scenes, as a scene shows them: the one with most errata first.
-std::vector<Worst> worst_of_scenes(const Results& results) {
-  std::vector<Worst> found;
-  for (const ExerciseResult& e : results.exercises) {
-    Worst worst{&e, nullptr, 0};
-    for (const Root& root : e.roots)
-      if (const long errata = errata_of(e, root); errata > worst.errata) worst = {&e, &root, errata};
-    if (e.scene && worst.root) found.push_back(worst);
-  }
-  std::ranges::stable_sort(found, std::greater(), &Worst::errata);
-  found.resize(std::min(found.size(), worst_findings));
-  return found;
+/// The worst erratum of each scene that says how it shows.
+std::vector<Finding> worst_of_scenes(const Results& results) {
+  std::vector<Finding> worst;
+  for (Finding& f : errata_worst_first(results))
+    if (f.exercise->scene && !f.shows().empty() &&
+        std::ranges::find(worst, f.exercise, &Finding::exercise) == worst.end())
+      worst.push_back(std::move(f));
+  worst.resize(std::min(worst.size(), worst_findings));
+  return worst;
 }
 
 std::string numbered(Number number) {
@@ -130,17 +107,17 @@ std::string numbered(Number number) {
 std::string what_is_wrong(const Results& results, const Screen& screen) {
   long roots = 0;
   for (const ExerciseResult& e : results.exercises) roots += std::ssize(e.roots);
-  const std::vector<Worst> worst = worst_of_scenes(results);
+  const std::vector<Finding> worst = worst_of_scenes(results);
   if (worst.empty()) return "";
   std::string text =
       "\n" + screen.styled(Style::heading, "What is wrong") + ", as it shows where things move:\n";
-  for (const Worst& w : worst) {
+  for (const Finding& w : worst) {
     const std::string number = numbered(w.exercise->number);
     text += screen.styled(Style::bad, number) +
-            cut_at_word(readable(w.root->shows), screen.width - std::min(screen.width, number.size())) + "\n";
+            cut_at_word(readable(w.shows()), screen.width - std::min(screen.width, number.size())) + "\n";
   }
   const long others = roots - std::ssize(worst);
-  return text + (others > 0 ? "  and " + several(others, "other", "others") + " in the report\n" : "");
+  return text + (others > 0 ? "  and " + counted(others, "other", "others") + " in the report\n" : "");
 }
 
 std::string failures(const Results& results, const Screen& screen) {
@@ -164,7 +141,7 @@ std::string what_a_game_may_use(const Results& results, const Screen& screen) {
   std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, long>::second);
   std::string text;
   for (const auto& [algorithm, count] : sorted)
-    text += (text.empty() ? "  " : ", ") + algorithm + " in " + several(count, "scene", "scenes");
+    text += (text.empty() ? "  " : ", ") + algorithm + " in " + counted(count, "scene", "scenes");
   if (text.empty()) return "";
   return "\n" + wrapped(screen.styled(Style::heading, "What is enough for a game") +
                             ", to 1 cm and 1 degree at every frame over 10 s at 60 Hz:\n" + text +
@@ -184,7 +161,7 @@ std::string what_to_open(const Closing& closing, const Screen& screen) {
 std::string closing_screen(const Results& results, const Closing& closing, const Screen& terminal) {
   const Screen screen{terminal.at_most(terminal.width == 0 ? width_in_a_pipe : widest_screen),
                       terminal.colour};
-  const Tallied found = verdicts_in(results);
+  const Counts found = counts_of(results);
   const std::string verdict =
       closing.as_on_record ? screen.styled(Style::good, "All as on record")
                            : screen.styled(Style::bad, "Not as on record") + ": what differs stands above";

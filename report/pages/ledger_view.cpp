@@ -12,16 +12,17 @@ namespace oddity {
 namespace {
 
 std::string with_unit(const std::string& number, const std::string& unit) {
-  return with_powers(number) + (unit.empty() || unit == "1"           ? ""
-                                : unit.find(',') == std::string::npos ? " " + escaped(unit)
-                                                                      : " (" + escaped(unit) + ")");
+  return with_powers(number) + (unit.empty() || unit == "1" ? ""
+                                : unit.find(',') == std::string::npos
+                                    ? " " + escaped(typeset_unit(unit))
+                                    : " (" + escaped(typeset_unit(unit)) + ")");
 }
 
 std::string error_of(const Tried& tried, const Need& need, const Ledger& ledger) {
   if (need.relative) return with_powers(shown_error(tried.error * need.error)) + " of the motion";
   std::string text;
   for (double error : tried.errors) text += (text.empty() ? "" : ", ") + with_powers(shown_error(error));
-  return text + (ledger.unit == "1" ? "" : " " + escaped(ledger.unit));
+  return text + (ledger.unit == "1" ? "" : " " + escaped(typeset_unit(ledger.unit)));
 }
 
 /// What it errs by in float, and whether that holds.

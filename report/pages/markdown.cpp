@@ -77,10 +77,10 @@ std::string parameters_text(const ExerciseResult& e) {
   std::string text;
   for (const ParameterValue& p : e.parameters)
     if (p.name != "seed")
-      text +=
-          (text.empty() ? "" : "; ") +
-          code(p.name + "=" + rounded(p.value, 6) + (p.unit.empty() || p.unit == "1" ? "" : " " + p.unit)) +
-          " " + escaped(p.says, false);
+      text += (text.empty() ? "" : "; ") +
+              code(p.name + "=" + rounded(p.value, 6) +
+                   (p.unit.empty() || p.unit == "1" ? "" : " " + typeset_unit(p.unit))) +
+              " " + escaped(p.says, false);
   return text.empty() ? "" : "Parameters: " + text + ".\n\n";
 }
 
@@ -273,9 +273,9 @@ std::string errata_page_text(const Results& results) {
   const auto section = [&](Verdict verdict, const std::string& title, const std::string& rows) {
     if (counts[verdict] > 0) text += "## " + title + " (" + std::to_string(counts[verdict]) + ")\n\n" + rows;
   };
-  section(
-      Verdict::erratum, "Errata",
-      "A row for each root; those that break a scene come first.\n\n" + errata_table(results, Links::apart));
+  section(Verdict::erratum, "Errata",
+          "A row for each root; where a published motion goes wrong comes first.\n\n" +
+              errata_table(results, Links::apart));
   section(Verdict::misprint, "Misprints", list_of(results, Verdict::misprint, Links::apart));
   section(Verdict::unsettled, "Unsettled", list_of(results, Verdict::unsettled, Links::apart));
   return text + bit_equal_text(results) + "[All exercises](README.md)\n";

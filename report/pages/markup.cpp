@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cctype>
-#include <string_view>
 
 #include "report/pages/text_view.hpp"
 
@@ -11,6 +10,14 @@ namespace oddity {
 namespace {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// A digit or a minus as a superscript.
+std::string raised(char c) {
+  static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  return c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
+}
 
 /// A formula in GitHub's form, in which Markdown leaves backslashes alone. In a cell, where a bar would end
 /// the cell, bars become TeX's words for them.
@@ -67,6 +74,17 @@ std::string as_cell(const std::string& text) {
 
 }  // namespace
 
+std::string in_xml(std::string_view text) {
+  std::string safe;
+  for (char c : text)
+    safe += c == '&'   ? "&amp;"
+            : c == '<' ? "&lt;"
+            : c == '>' ? "&gt;"
+            : c == '"' ? "&quot;"
+                       : std::string(1, is_control(c) ? ' ' : c);
+  return safe;
+}
+
 std::string escaped(const std::string& text, bool in_cell) { return marked_up(text, "\\`$*_<&~[]", in_cell); }
 
 std::string prose(const std::string& text) { return marked_up(text, "\\`$_<&~[]", false); }
@@ -88,11 +106,9 @@ std::string file_name(const std::string& text) {
 }
 
 std::string with_powers(const std::string& text) {
-  static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool exponent = text[i] == 'e' && i > 0 && i + 2 < text.size() &&
-                          std::isdigit(static_cast<unsigned char>(text[i - 1])) != 0 &&
+    const bool exponent = text[i] == 'e' && i > 0 && i + 2 < text.size() && is_digit(text[i - 1]) &&
                           (text[i + 1] == '-' || text[i + 1] == '+');
     if (!exponent) {
       out += text[i];
@@ -100,9 +116,24 @@ std::string with_powers(const std::string& text) {
     }
     out += text[i + 1] == '-' ? "×10⁻" : "×10";
     for (i += 2; i + 1 < text.size() && text[i] == '0';) ++i;
-    for (; i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0; ++i)
-      out += digits[static_cast<std::size_t>(text[i] - '0')];
+    for (; i < text.size() && is_digit(text[i]); ++i) out += raised(text[i]);
     --i;
+  }
+  return out;
+}
+
+std::string typeset_unit(std::string_view unit) {
+  std::string out;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (unit.substr(i).starts_with("sqrt")) {
+      out += "√";
+      i += 3;
+    } else if (unit[i] == '^') {
+      for (; i + 1 < unit.size() && (is_digit(unit[i + 1]) || unit[i + 1] == '-'); ++i)
+        out += raised(unit[i + 1]);
+    } else {
+      out += unit[i];
+    }
   }
   return out;
 }

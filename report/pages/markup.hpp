@@ -1,12 +1,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/study/results.hpp"
 
-/// Pieces of Markdown that the pages share.
+/// Text within markup: Markdown that the pages share, and what HTML and SVG need.
 namespace oddity {
+
+/// Text as it stands, in XML or HTML: & < > " become references, and control characters blanks.
+std::string in_xml(std::string_view text);
 
 /// Text for a table cell or a paragraph, in one line: what Markdown would take for markup is escaped, except
 /// $formulas$ and `code`. A formula is written as $`...`$, as Markdown would take away some of its
@@ -19,6 +23,8 @@ std::string code(const std::string& text);
 std::string file_name(const std::string& text);
 /// Powers of ten as readers write them, which also do not break over a line's end: "4.4×10⁻¹⁶".
 std::string with_powers(const std::string& text);
+/// A unit as it is printed: "m/s²" of "m/s^2", "√(L/2g)" of "sqrt(L/2g)".
+std::string typeset_unit(std::string_view unit);
 
 std::string error_cell(double error);
 std::string knob_cell(const TimedTrial& t);

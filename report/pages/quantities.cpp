@@ -149,7 +149,7 @@ std::string series_link(const ExerciseResult& e, const QuantityResult& q) {
 }  // namespace
 
 std::string quantity_head(const QuantityResult& q) {
-  const std::string unit = q.unit == "1" || q.unit.empty() ? "" : " " + escaped(q.unit, false);
+  const std::string unit = q.unit == "1" || q.unit.empty() ? "" : " " + escaped(typeset_unit(q.unit), false);
   const bool one = q.reference.value.size() == 1;
   return "### " + code(q.name) + ": " + escaped(q.says, false) + "\n\n" +
          (one ? "**" + value_cell(q.reference.value, 16) + unit + "** (" : "Truth: ") +

@@ -97,7 +97,7 @@ std::string with_short_numbers(const std::string& text) {
   static const std::regex number(R"((\d+\.\d+)(e[-+]?\d+)?)");
   std::string out;
   auto from = text.begin();
-  for (std::sregex_iterator found(text.begin(), text.end(), number), none; found != none; ++found) {
+  for (std::sregex_iterator found(text.begin(), text.end(), number), end; found != end; ++found) {
     out.append(from, text.begin() + found->position());
     const std::string digits = found->str(), significand = found->str(1);
     const auto value = number_in(digits);

@@ -20,7 +20,7 @@ std::string number_text(double x, int digits) {
   return std::isfinite(x) ? with_powers(rounded(x, digits)) : std::isnan(x) ? "not a number" : "infinite";
 }
 
-std::string value_text(const Value& value) { return html::escaped(with_powers(shown(value, 7))); }
+std::string value_text(const Value& value) { return in_xml(with_powers(shown(value, 7))); }
 std::string words(const std::string& text) { return html::text(with_powers(with_short_numbers(text))); }
 
 std::string class_of(Verdict verdict) { return html::anchor(name_of(verdict)); }
@@ -31,7 +31,7 @@ bool is_count(const Check& c) { return c.right.by == "none" && c.left.by.starts_
 std::string count_text(const Check& c) {
   const std::string of = c.left.by.substr(std::string("violations in ").size());
   const std::string n = c.left.value[0] == 0 ? "none" : rounded(c.left.value[0], 12);
-  return html::escaped(n + " of " + of + (n == "none" || n == "1" ? " is" : " are") + " against it");
+  return in_xml(n + " of " + of + (n == "none" || n == "1" ? " is" : " are") + " against it");
 }
 
 /// How much of its tolerance a check uses up; one that fails comes before all that hold.
@@ -64,7 +64,7 @@ std::string comparison_of(const Reading& reading, bool with_values, const Check*
   return (with_values ? element("b", "", value_text(c.left.value)) + " against " +
                             element("b", "", value_text(c.right.value)) + ", " + words(c.right.by)
                       : "against " + words(c.right.by)) +
-         ": " + difference_text(c) + html::escaped(of) +
+         ": " + difference_text(c) + in_xml(of) +
          (reading.checks.size() > 1 ? "; hardest of " + std::to_string(reading.checks.size()) + " checks"
                                     : "");
 }
@@ -117,11 +117,11 @@ std::string sides(const JudgedClaim& judged) {
 
 std::string finding_text(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
-  const std::string kind = name_of(claim.kind).empty() ? "" : html::escaped(name_of(claim.kind)) + ", ";
+  const std::string kind = name_of(claim.kind).empty() ? "" : in_xml(name_of(claim.kind)) + ", ";
   return element("article", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
                  "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind + "line " +
                      std::to_string(claim.line) + " " +
-                     html::link("#" + claim_anchor_of(claim), html::escaped(claim.id)) + "</p>" +
+                     html::link("#" + claim_anchor_of(claim), in_xml(claim.id)) + "</p>" +
                      (says_what_is_printed(claim)
                           ? ""
                           : element("p", "", "The solution says: " + html::text(claim.says) + ".")) +

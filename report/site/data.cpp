@@ -1,5 +1,6 @@
-// What the page's scripts get of an exercise, as oddity.exercise({...}). Numbers have as many digits as a
-// reader can use; those that are not finite are null. An outcome is its letter on the maps of stability.
+// What the page's scripts get of an exercise, as oddity.exercise({...}), the data packed (script.hpp).
+// Numbers have as many digits as a reader can use; those that are not finite are null. An outcome is its
+// letter on the maps of stability.
 //   number, title
 //   outcomes     {letter: name}
 //   parameters   [{name, value, unit, says, least, most, whole}], of a scene
@@ -13,7 +14,8 @@
 //                its spread in nanoseconds. page.js makes {model, algorithm, knob, precision, trials} of it,
 //                the setting before the rest of each trial
 //   scene        null, or {quantity: its index, horizon, time_unit, close: {unit: error}, observables:
-//                [name], norms: [{unit, components}], varied, over: [value], truth, paths}
+//                [name], norms: [{unit, components}], varied, over: [value], truth, paths}; the norms are
+//                those by which the quantity's trials are judged
 //     truth      {end, frames, values}: the true observables at frame 0, 1, ..., frames, one time after the
 //                other, by the reference; values are floats, least byte first, in base64
 //     paths      [{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]: recorded
@@ -30,6 +32,10 @@
 //                theory, outcomes], ...]}]}; `shown` is the largest stable step in words; a theory of null
 //                has every step stable; outcomes are the letters of the steps
 //   least        null, or [{says, horizon, fps, unit, model, algorithm, knob, setting, errors, evaluations}]
+//   example      of the one that is no exercise: {truth, opening: [...]}, the methods that are the truth
+//   where the
+//                parameters are others, and that the player opens with: {model, algorithm, precision,
+//                setting}
 //
 // And of all scenes, as oddity.scenes([{number, title, parameters, styles, horizon, time_unit, close,
 // observables, norms, exact, knobs: {knob: [setting]}}, ...]); `exact` are the models whose motion is ok in
@@ -38,8 +44,6 @@
 #include "report/site/data.hpp"
 
 #include <bit>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -47,7 +51,9 @@
 #include "chapters/drawing.hpp"
 #include "chapters/scene.hpp"
 #include "report/charts/chart.hpp"
+#include "report/pages/markup.hpp"
 #include "report/pages/readable.hpp"
+#include "report/site/example.hpp"
 #include "report/site/script.hpp"
 #include "report/study/stability.hpp"
 #include "report/study/starts.hpp"
@@ -73,23 +79,6 @@ Json brief_all(const std::vector<double>& numbers, int digits = 4) {
 }
 std::string letter(Outcome outcome) { return {letter_of(outcome)}; }
 
-std::string call(const std::string& function, const Json& argument) {
-  const std::string text = argument.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return "oddity." + function + "(" + as_script(text) + ");\n";
-}
-
-std::string in_base64(const std::string& bytes) {
-  using namespace boost::archive::iterators;
-  using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-  std::string text(Letters(bytes.begin()), Letters(bytes.end()));
-  return text.append((4 - text.size() % 4) % 4, '=');
-}
-
-/// The lowest `count` bytes, least first.
-void append(std::string& bytes, std::uint32_t bits, int count) {
-  for (int byte = 0; byte < count; ++byte) bytes += static_cast<char>(bits >> 8 * byte & 0xff);
-}
-
 Json as_floats(const std::vector<double>& numbers) {
   std::string bytes;
   for (double x : numbers) append(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(x)), 4);
@@ -101,7 +90,7 @@ Json parameters_of(const Entry& entry) {
   for (const Parameter& p : entry.exercise.parameters)
     all.push_back({{"name", p.name},
                    {"value", p.value},
-                   {"unit", p.unit},
+                   {"unit", typeset_unit(p.unit)},
                    {"says", readable(std::string(p.says))},
                    {"least", from(p.least)},
                    {"most", from(p.most)},
@@ -162,7 +151,7 @@ Json from(const QuantityResult& q) {
   for (Across across : charts_of(q)) charts.push_back(name_of_axis(across));
   const Methods shown = methods_of(q);
   return {{"name", q.name},
-          {"unit", q.unit},
+          {"unit", typeset_unit(q.unit)},
           {"says", readable(q.says)},
           {"samples", q.samples},
           {"need", brief(q.need.allowed)},
@@ -324,10 +313,20 @@ Json close_of(const Scene& scene) {
   return close;
 }
 
+Json from(const Norm& norm) { return {{"unit", norm.unit}, {"components", norm.components}}; }
+
 Json norms_of(const Scene& scene) {
   Json norms = Json::array();
+  for (const Norm& norm : scene.axes.norms) norms.push_back(from(norm));
+  return norms;
+}
+
+/// As the table of trials is judged.
+Json norms_of(const Scene& scene, const QuantityResult& judged) {
+  if (judged.by_norms) return norms_of(scene);
+  Json norms = Json::array();
   for (const Norm& norm : scene.axes.norms)
-    norms.push_back({{"unit", norm.unit}, {"components", norm.components}});
+    for (std::size_t i : norm.components) norms.push_back(from(Norm{norm.unit, {i}}));
   return norms;
 }
 
@@ -362,9 +361,13 @@ Json exact_models(const Trajectory& shown) {
 bool in_module(const Scene& scene, const Path& path) {
   const auto starts = [&](std::string_view library) { return path.algorithm.starts_with(library); };
   return !starts("GSL ") && !starts("CVODE ") && !starts("ARKODE ") &&
-         std::ranges::any_of(scene.listing.models, [&](const auto& listed) {
-           return listed.first == path.model || listed.first == path.model + ", " + path.algorithm;
-         });
+         (std::ranges::any_of(scene.listing.models,
+                              [&](const auto& listed) {
+                                return listed.first == path.model ||
+                                       listed.first == path.model + ", " + path.algorithm;
+                              }) ||
+          std::ranges::any_of(scene.listing.with_events,
+                              [&](const auto& listed) { return listed.first == path.model; }));
 }
 
 Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& truth, bool drawn) {
@@ -383,7 +386,7 @@ Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& trut
             {"time_unit", scene.axes.time},
             {"close", close_of(scene)},
             {"observables", scene.axes.observables},
-            {"norms", norms_of(scene)},
+            {"norms", norms_of(scene, *moving)},
             {"varied", scene.varied},
             {"over", scene.over},
             {"truth",
@@ -419,7 +422,7 @@ Json from(const std::optional<Stability>& stability) {
   }
   return {{"limits", limits},
           {"parameter", stability->parameter},
-          {"unit", stability->parameter_unit},
+          {"unit", typeset_unit(stability->parameter_unit)},
           {"steps", stability->steps},
           {"map", map}};
 }
@@ -432,7 +435,7 @@ Json from(const std::optional<Ledger>& ledger) {
     rows.push_back({{"says", row.says},
                     {"horizon", row.need.horizon},
                     {"fps", row.need.frames_per_second},
-                    {"unit", ledger->unit},
+                    {"unit", typeset_unit(ledger->unit)},
                     {"model", row.least->model},
                     {"algorithm", row.least->algorithm},
                     {"knob", row.least->knob},
@@ -443,21 +446,39 @@ Json from(const std::optional<Ledger>& ledger) {
   return rows;
 }
 
+Json data_of(const ExerciseResult& e, const Reference& truth, const Styles& styles, bool drawn) {
+  const Entry* entry = entry_of(e.number);
+  Json quantities = Json::array();
+  for (const QuantityResult& q : e.quantities) quantities.push_back(from(q));
+  return {{"number", to_string(e.number)},
+          {"title", e.title},
+          {"outcomes", outcomes()},
+          {"parameters", e.scene ? parameters_of(*entry) : Json::array()},
+          {"styles", styles_of(e.quantities, styles)},
+          {"quantities", quantities},
+          {"scene", scene_of(e, *entry, truth, drawn)},
+          {"stability", from(e.stability)},
+          {"least", from(e.ledger)}};
+}
+
 }  // namespace
 
 std::string exercise_data(const ExerciseResult& e, const Reference& truth, const Styles& styles, bool drawn) {
-  const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
-  Json quantities = Json::array();
-  for (const QuantityResult& q : e.quantities) quantities.push_back(from(q));
-  return call("exercise", {{"number", to_string(e.number)},
-                           {"title", e.title},
-                           {"outcomes", outcomes()},
-                           {"parameters", e.scene ? parameters_of(*entry) : Json::array()},
-                           {"styles", styles_of(e.quantities, styles)},
-                           {"quantities", quantities},
-                           {"scene", scene_of(e, *entry, truth, drawn)},
-                           {"stability", from(e.stability)},
-                           {"least", from(e.ledger)}});
+  return packed_call("exercise", data_of(e, truth, styles, drawn));
+}
+
+std::string example_data(const ExerciseResult& e, bool drawn) {
+  const Results alone{.exercises = {e}};
+  Json data = data_of(e, Reference::nothing(), Styles(alone), drawn);
+  const auto row = [](const char* model, const char* algorithm, double setting) {
+    return Json{{"model", model}, {"algorithm", algorithm}, {"precision", "double"}, {"setting", setting}};
+  };
+  constexpr double frame = 1. / 60;
+  data["example"] = {{"truth", row("flights", "closed form", 0)},
+                     {"opening",
+                      {row("ball, at rest below 1 cm/s", "velocity Verlet", frame),
+                       row("ball", "velocity Verlet", frame), row("ball", "explicit Euler", frame)}}};
+  return packed_call("exercise", data);
 }
 
 std::string scenes_data(const Results& results, const Styles& styles) {
@@ -479,7 +500,7 @@ std::string scenes_data(const Results& results, const Styles& styles) {
                       {"exact", exact_models(*moving->trajectory)},
                       {"knobs", knobs_of(*moving)}});
   }
-  return call("scenes", scenes);
+  return packed_call("scenes", scenes);
 }
 
 }  // namespace oddity

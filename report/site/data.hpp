@@ -14,6 +14,9 @@ namespace oddity {
 /// has no models to draw by.
 std::string exercise_data(const ExerciseResult&, const Reference&, const Styles&, bool drawn);
 
+/// The same of the example that is no exercise (example.hpp).
+std::string example_data(const ExerciseResult&, bool drawn);
+
 /// data/scenes.js: oddity.scenes([...]), what the chooser has to know of all scenes.
 std::string scenes_data(const Results&, const Styles&);
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "chapters/contents.hpp"
+#include "report/pages/markup.hpp"
 #include "report/site/claims_section.hpp"
 #include "report/site/page.hpp"
 #include "report/study/findings.hpp"
@@ -77,7 +78,7 @@ std::string sheet_of(const ExerciseResult& e) {
     if (is_listed(c)) rows += sheet_row(c, e);
   if (rows.empty()) return "";
   return "<tbody>\n<tr class=\"exercise\"><th colspan=\"3\" scope=\"rowgroup\">" + to_string(e.number) + " " +
-         html::escaped(e.title) + "</th></tr>\n" + rows + "</tbody>\n";
+         in_xml(e.title) + "</th></tr>\n" + rows + "</tbody>\n";
 }
 
 }  // namespace
@@ -158,7 +159,7 @@ std::string errata_page(const Results& results) {
     for (const ExerciseResult& e : results.exercises)
       if (e.number.chapter == chapter.number) groups += sheet_of(e);
     if (groups.empty()) continue;
-    const std::string title = std::to_string(chapter.number) + ". " + html::escaped(chapter.title);
+    const std::string title = std::to_string(chapter.number) + ". " + in_xml(chapter.title);
     chapters_text +=
         "<section>\n" + element("h2", "", title) +
         "\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + title +

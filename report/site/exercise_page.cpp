@@ -6,7 +6,9 @@
 #include "chapters/contents.hpp"
 #include "reference/text.hpp"
 #include "report/charts/drawing.hpp"
+#include "report/pages/markup.hpp"
 #include "report/site/claims_section.hpp"
+#include "report/site/example.hpp"
 #include "report/site/page.hpp"
 #include "report/site/quantity_section.hpp"
 #include "report/study/findings.hpp"
@@ -20,24 +22,17 @@ using html::element;
 std::string page_of(const ExerciseResult& e) { return to_string(e.number) + ".html"; }
 
 std::string setup_drawing(const ExerciseResult& e) {
-  const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
-  std::string svg = entry == registry().end() ? "" : setup_svg(*entry);
+  const Entry* entry = entry_of(e.number);
+  std::string svg = entry ? setup_svg(*entry) : "";
   const std::size_t style = svg.find("<style>"), end = svg.find("</style>");
   if (end != std::string::npos) svg.erase(style, end + 9 - style);  // the page has it
   return svg.empty() ? "" : element("figure", " class=\"setup\"", svg.substr(svg.find("<svg"))) + "\n";
 }
 
-/// "kg m^2" as "kg m²".
-std::string unit_text(std::string unit) {
-  for (const auto& [power, raised] : {std::pair{"^2", "²"}, {"^3", "³"}})
-    for (std::size_t at; (at = unit.find(power)) != std::string::npos;) unit.replace(at, 2, raised);
-  return html::escaped(unit);
-}
-
 std::string chapter_line(const ExerciseResult& e) {
   for (const Chapter& chapter : chapters())
     if (chapter.number == e.number.chapter)
-      return "Chapter " + std::to_string(chapter.number) + ", " + html::escaped(chapter.title) +
+      return "Chapter " + std::to_string(chapter.number) + ", " + in_xml(chapter.title) +
              (of_the_book(e.number) ? "" : ", an exercise of one’s own");
   return "An exercise of one’s own";
 }
@@ -49,7 +44,7 @@ std::string neighbours(const Results& results, const ExerciseResult& e, const st
     return "<a rel=\"" + rel + "\" href=\"" + page_of(to) + "\">" + name + "</a>";
   };
   const auto named = [](const ExerciseResult& to) {
-    return to_string(to.number) + " <span>" + html::escaped(to.title) + "</span>";
+    return to_string(to.number) + " <span>" + in_xml(to.title) + "</span>";
   };
   std::string text;
   if (here != results.exercises.begin()) text += step(*(here - 1), "prev", "← " + named(*(here - 1)));
@@ -77,18 +72,16 @@ std::string letters_of(const ExerciseResult& e) {
   if (e.parameters.empty()) return "";
   std::string text;
   for (const ParameterValue& p : e.parameters)
-    text += "<div><dt><var>" + html::escaped(p.name) + "</var> = " + rounded(p.value, 6) +
-            (p.unit.empty() || p.unit == "1" ? "" : " " + unit_text(p.unit)) + "</dt>" +
+    text += "<div><dt><var>" + in_xml(p.name) + "</var> = " + rounded(p.value, 6) +
+            (p.unit.empty() || p.unit == "1" ? "" : " " + in_xml(typeset_unit(p.unit))) + "</dt>" +
             element("dd", "", html::text(p.says)) + "</div>";
   return element("dl", " class=\"letters\"", text) + "\n";
 }
 
 std::string sections_of(const std::string& body) {
-  const std::pair<const char*, const char*> all[] = {{"play", "Play"},
-                                                     {"findings", "What is wrong"},
-                                                     {"claims", "Claims"},
-                                                     {"quantities", "Computing it"},
-                                                     {"stability", "Steps"}};
+  const std::pair<const char*, const char*> all[] = {
+      {"play", "Play"},     {"events", "Events"},           {"findings", "What is wrong"},
+      {"claims", "Claims"}, {"quantities", "Computing it"}, {"stability", "Steps"}};
   std::string text;
   for (const auto& [id, name] : all)
     if (body.find("<section id=\"" + std::string(id) + "\"") != std::string::npos)
@@ -104,10 +97,10 @@ std::string player_section(const ExerciseResult& e) {
 }
 
 /// In the order in which they need one another.
-std::vector<std::string> scripts_of(const ExerciseResult& e) {
-  std::vector<std::string> scripts{"data/" + to_string(e.number) + ".js"};
+std::vector<std::string> scripts_of(const ExerciseResult& e, const std::string& name) {
+  std::vector<std::string> scripts{"data/" + name + ".js"};
   const auto add = [&](std::initializer_list<std::string_view> names) {
-    for (std::string_view name : names) scripts.push_back("assets/" + std::string(name) + ".js");
+    for (std::string_view asset : names) scripts.push_back("assets/" + std::string(asset) + ".js");
   };
   if (e.scene)
     add({"engine", "models", "stage", "drawn", "scale", "frames", "permalink", "motions", "slider", "lines",
@@ -117,6 +110,22 @@ std::vector<std::string> scripts_of(const ExerciseResult& e) {
   return scripts;
 }
 
+constexpr std::string_view of_events =
+    R"(<section id="events">
+<h2>Events</h2>
+<p>A model says where something happens, and what: where its guard, here the height, falls through zero, the ball goes
+on upward with the part <var>e</var> of its speed. A method looks for that time inside its step, with shorter steps of
+its own, so that the landing is as accurate as the method is.</p>
+<ul>
+<li><b>ball</b>: with each landing the next comes sooner, until no number tells their times apart. There the motion ends
+as <em>chattering</em>, at the time at which the true ball comes to rest. Explicit Euler does not get there: each of its
+flights is a step too long, so its ball goes on hopping.</li>
+<li><b>ball, at rest below 1 cm/s</b>: as engines have it. A ball that comes up so slowly stays on the floor, which is at
+most 5 µm from the truth, and the motion goes on.</li>
+</ul>
+</section>
+)";
+
 }  // namespace
 
 std::string exercise_page(const Results& results, const ExerciseResult& e) {
@@ -124,16 +133,28 @@ std::string exercise_page(const Results& results, const ExerciseResult& e) {
   const std::string sections = player_section(e) + findings_section(e) + claims_section(e) +
                                quantities_section(e) + stability_section(e);
   std::string head = element("p", " class=\"where\"", chapter_line(e)) + "\n<h1><span>" + number +
-                     "</span> " + html::escaped(e.title) + "</h1>\n" + counts_line(e) + "\n" +
+                     "</span> " + in_xml(e.title) + "</h1>\n" + counts_line(e) + "\n" +
                      element("p", " class=\"asks\"", html::prose(e.asks)) + "\n";
   if (!e.failure.empty())
-    head += element("p", " class=\"failure\"", "The study failed: " + html::escaped(e.failure));
+    head += element("p", " class=\"failure\"", "The study failed: " + in_xml(e.failure));
   return html::whole(
       {number + " " + e.title + " - oddity",
        neighbours(results, e, "The exercises before and after") +
            element("header", " class=\"title\"", "<div>" + head + letters_of(e) + "</div>\n" + drawing) +
            "\n" + sections_of(sections) + sections + neighbours(results, e, "Go on"),
-       scripts_of(e), "exercise"});
+       scripts_of(e, number), "exercise"});
+}
+
+std::string example_page(const ExerciseResult& e) {
+  const std::string sections = player_section(e) + std::string(of_events) + quantities_section(e);
+  const std::string head = "<p class=\"where\">An example, and no exercise of the book</p>\n" +
+                           element("h1", "", html::escaped(e.title)) + "\n" +
+                           element("p", " class=\"asks\"", html::prose(e.asks)) + "\n";
+  return html::whole(
+      {e.title + " - oddity",
+       element("header", " class=\"title\"", "<div>" + head + letters_of(e) + "</div>\n" + setup_drawing(e)) +
+           "\n" + sections_of(sections) + sections,
+       scripts_of(e, example_name), "exercise"});
 }
 
 }  // namespace oddity

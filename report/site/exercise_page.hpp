@@ -9,4 +9,7 @@ namespace oddity {
 /// 3.5.html: the question, the set-up, the player, the findings, the claims, the quantities, the limits.
 std::string exercise_page(const Results&, const ExerciseResult&);
 
+/// The page of the example that is no exercise (example.hpp).
+std::string example_page(const ExerciseResult&);
+
 }  // namespace oddity

@@ -14,8 +14,9 @@
 #include <system_error>
 #include <vector>
 
-#include "report/charts/run_program.hpp"
+#include "report/pages/markup.hpp"
 #include "report/site/page.hpp"
+#include "report/study/run_program.hpp"
 
 namespace oddity::html {
 
@@ -227,7 +228,7 @@ bool typeset(std::map<std::string, std::string>& pages) {
   for (auto& [name, text] : pages)
     text = with_formulas(text, [&](const std::string& tex) {
       const auto known = made.find(tex);
-      return known != made.end() ? known->second : element("code", " class=\"tex\"", escaped(tex));
+      return known != made.end() ? known->second : element("code", " class=\"tex\"", in_xml(tex));
     });
   return !made.empty();
 }

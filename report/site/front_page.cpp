@@ -21,12 +21,10 @@ namespace {
 using html::element;
 
 std::string exercise_link(const ExerciseResult& e) {
-  return html::link(to_string(e.number) + ".html",
-                    "<b>" + to_string(e.number) + "</b> " + html::escaped(e.title));
+  return html::link(to_string(e.number) + ".html", "<b>" + to_string(e.number) + "</b> " + in_xml(e.title));
 }
 
-// ---- what was found
-// ----------------------------------------------------------------------------------------
+// ---- what was found ---------------------------------------------------------------------------------------
 
 Tally tally_of(const Results& results) {
   Tally all;
@@ -85,8 +83,7 @@ std::string opening(const Results& results) {
          "</p>\n</header>\n";
 }
 
-// ---- what is wrong
-// -----------------------------------------------------------------------------------------
+// ---- what is wrong ----------------------------------------------------------------------------------------
 
 std::string wrong_item(const Finding& finding) {
   const JudgedClaim& first = *finding.claims.front();
@@ -100,42 +97,29 @@ std::string wrong_item(const Finding& finding) {
   return element("li", "", text) + "\n";
 }
 
-std::string wrong_card(const ExerciseResult& e, const std::vector<Finding>& findings) {
+std::string wrong_card(const ExerciseResult& e) {
   const std::string picture = moving_picture(e);
   std::string items;
-  for (const Finding& finding : findings) items += wrong_item(finding);
+  for (const Finding& finding : findings_of(e)) items += wrong_item(finding);
   return "<section class=\"card" + std::string(picture.empty() ? "" : " moving") + "\">\n" +
          element("h3", "", exercise_link(e)) + "\n" + picture + element("ul", " class=\"roots\"", items) +
          "\n</section>\n";
 }
 
-/// How far the published motion of a scene is off, in what a game allows; 0 for what has none.
-double broken_by(const ExerciseResult& e) {
-  const Path* path = published_path(e);
-  if (!path) return 0;
-  const double needs = path->error / trajectory_of(e)->close;
-  return std::isfinite(needs) ? (needs > 1 ? needs : 0) : INFINITY;
-}
-
 std::string what_is_wrong(const Results& results) {
-  struct Card {
-    double broken;
-    std::string text;
-  };
-  std::vector<Card> cards;
-  long roots = 0;
-  for (const ExerciseResult& e : results.exercises) {
-    const auto findings = findings_of(e);
-    roots += static_cast<long>(findings.size());
-    if (!findings.empty()) cards.push_back({broken_by(e), wrong_card(e, findings)});
-  }
-  if (cards.empty()) return "";
-  std::ranges::stable_sort(cards, std::ranges::greater(), &Card::broken);
+  const std::vector<Finding> worst_first = errata_worst_first(results);
+  if (worst_first.empty()) return "";
+  std::vector<const ExerciseResult*> shown;
   std::string breaking, others;
-  for (const Card& card : cards) (card.broken > 0 ? breaking : others) += card.text;
+  for (const Finding& f : worst_first) {
+    if (std::ranges::find(shown, f.exercise) != shown.end()) continue;
+    shown.push_back(f.exercise);
+    (broken_by(*f.exercise) > 0 ? breaking : others) += wrong_card(*f.exercise);
+  }
   const Tally all = tally_of(results);
   return "<section id=\"wrong\">\n<h2>What is wrong in the book</h2>\n<p>" +
-         counted(all.errata, "erratum", "errata") + " from " + counted(roots, "root", "roots") +
+         counted(all.errata, "erratum", "errata") + " from " +
+         counted(std::ssize(worst_first), "root", "roots") +
          "; scenes whose published motion leaves the true one come first. " +
          counted(all.misprints, "misprint stands", "misprints stand") +
          " with its exercise, and all are on the <a href=\"errata.html\">errata sheet</a>, to print and lay into the "
@@ -144,11 +128,10 @@ std::string what_is_wrong(const Results& results) {
          breaking + "</div>\n<div class=\"cards\">\n" + others + "</div>\n</section>\n";
 }
 
-// ---- what it means for games
-// -------------------------------------------------------------------------------
+// ---- what it means for games ------------------------------------------------------------------------------
 
 std::string unit_after(const std::string& unit) {
-  return unit.empty() || unit == "1" ? "" : " " + html::escaped(unit);
+  return unit.empty() || unit == "1" ? "" : " " + in_xml(typeset_unit(unit));
 }
 
 std::string ends_of(const BreakEven& b) {
@@ -168,11 +151,9 @@ std::string ends_of(const BreakEven& b) {
 std::string simpler_cell(const Ledger& ledger) {
   std::string items;
   for (const BreakEven& b : ledger.break_evens)
-    items += element(
-        "li", "", html::escaped(b.model) + ": <var>" + html::escaped(b.parameter) + "</var> " + ends_of(b));
+    items += element("li", "", in_xml(b.model) + ": <var>" + in_xml(b.parameter) + "</var> " + ends_of(b));
   std::string never;
-  for (const std::string& model : ledger.never)
-    never += (never.empty() ? "nowhere: " : "; ") + html::escaped(model);
+  for (const std::string& model : ledger.never) never += (never.empty() ? "nowhere: " : "; ") + in_xml(model);
   if (!never.empty()) items += element("li", "", never);
   return items.empty() ? "" : element("ul", "", items);
 }
@@ -186,8 +167,7 @@ std::string fault_cell(const ExerciseResult& e) {
             ? "off by " + with_powers(shown_error(path->error)) +
                   (e.ledger->unit.find(',') == std::string::npos ? unit_after(e.ledger->unit) : "")
             : std::string(name_of(path->outcome));
-    return html::link(to_string(e.number) + ".html#findings",
-                      "<em>" + html::escaped(path->model) + "</em>: " + off);
+    return html::link(to_string(e.number) + ".html#findings", "<em>" + in_xml(path->model) + "</em>: " + off);
   }
   if (findings.empty()) return "";
   return html::link(
@@ -204,9 +184,9 @@ std::string game_row(const ExerciseResult& e) {
   std::string errors;
   for (double error : least.errors) errors += (errors.empty() ? "" : ", ") + with_powers(shown_error(error));
   return html::row(
-      {number, html::escaped(least.model),
-       html::escaped(least.algorithm) +
-           (least.knob.empty() ? "" : ", " + html::escaped(with_powers(shown_setting(least, game.need)))),
+      {number, in_xml(least.model),
+       in_xml(least.algorithm) +
+           (least.knob.empty() ? "" : ", " + in_xml(with_powers(shown_setting(least, game.need)))),
        rounded(least.evaluations_per_frame, 3), simpler_cell(*e.ledger), fault_cell(e)},
       "3");
 }
@@ -225,8 +205,7 @@ std::string for_games(const Results& results) {
          html::table(table) + "</section>\n";
 }
 
-// ---- all exercises
-// -----------------------------------------------------------------------------------------
+// ---- all exercises ----------------------------------------------------------------------------------------
 
 std::string exercise_item(const ExerciseResult& e) {
   Tally tally;
@@ -252,10 +231,9 @@ std::string all_exercises(const Results& results) {
     for (const ExerciseResult& e : results.exercises)
       if (e.number.chapter == chapter.number) items += exercise_item(e);
     if (!items.empty())
-      text +=
-          element("section", "",
-                  element("h3", "", std::to_string(chapter.number) + ". " + html::escaped(chapter.title)) +
-                      "\n<ul>\n" + items + "</ul>\n");
+      text += element("section", "",
+                      element("h3", "", std::to_string(chapter.number) + ". " + in_xml(chapter.title)) +
+                          "\n<ul>\n" + items + "</ul>\n");
   }
   return "<section id=\"exercises\">\n<h2>All exercises</h2>\n<p class=\"legend\"><span class=\"count "
          "erratum\">1</span> errata <span class=\"count misprint\">1</span> misprints <span class=\"count "

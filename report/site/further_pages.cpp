@@ -2,10 +2,12 @@
 
 #include <cctype>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "reference/text.hpp"
+#include "report/pages/markup.hpp"
+#include "report/pages/screen.hpp"
 #include "report/site/claims_section.hpp"
+#include "report/site/example.hpp"
 #include "report/site/page.hpp"
 #include "report/site/script.hpp"
 #include "report/study/findings.hpp"
@@ -28,7 +30,7 @@ html::Table catalog_table() {
                      "imaginary limit", "theory"}};
   for (const ode::CatalogEntry& a : ode::catalog())
     table.rows.push_back(html::row(
-        {html::escaped(a.name), html::escaped(a.library), ode::has_tolerance(a.kind) ? "tolerance" : "step",
+        {in_xml(a.name), in_xml(a.library), ode::has_tolerance(a.kind) ? "tolerance" : "step",
          a.order == 0 ? "varies" : std::to_string(a.order),
          (a.evaluations == 0 ? "varies" : std::to_string(a.evaluations)) + (a.jacobian ? " + Jacobian" : ""),
          limit_text(a.real_limit), limit_text(a.imaginary_limit), html::text(a.theory)},
@@ -40,11 +42,10 @@ std::string library_findings() {
   std::string items;
   for (const ode::Finding& f : ode::findings())
     items += element("li", "",
-                     "<b>" + html::escaped(f.library) + " " + html::escaped(f.version) + "</b>, " +
-                         element("code", "", html::escaped(f.in)) + ": " + html::text(f.found) +
-                         " <em>Here:</em> " + html::text(f.done) + " <small>" +
-                         element("code", "", "tests/libraries/" + html::escaped(f.shown_by) + ".cpp") +
-                         "</small>") +
+                     "<b>" + in_xml(f.library) + " " + in_xml(f.version) + "</b>, " +
+                         element("code", "", in_xml(f.in)) + ": " + html::text(f.found) + " <em>Here:</em> " +
+                         html::text(f.done) + " <small>" +
+                         element("code", "", "tests/libraries/" + in_xml(f.shown_by) + ".cpp") + "</small>") +
              "\n";
   return element("ul", " class=\"found\"", items);
 }
@@ -71,6 +72,8 @@ std::string searchable(std::string_view text) {
   return made;
 }
 
+std::string to_example() { return html::link(example_name + std::string(".html"), "bouncing ball"); }
+
 }  // namespace
 
 std::string chooser_page(const Results& results) {
@@ -78,8 +81,7 @@ std::string chooser_page(const Results& results) {
   for (const ExerciseResult& e : results.exercises)
     if (e.scene)
       scenes += element(
-          "li", "",
-          html::link(to_string(e.number) + ".html", to_string(e.number) + " " + html::escaped(e.title)));
+          "li", "", html::link(to_string(e.number) + ".html", to_string(e.number) + " " + in_xml(e.title)));
   return html::whole(
       {"Chooser - oddity",
        "<header class=\"title\">\n<h1>What to use for a scene</h1>\n<p class=\"asks\">Which model, algorithm and step hold "
@@ -87,9 +89,11 @@ std::string chooser_page(const Results& results) {
        "<code>oddity choose</code> judges it by references.</p>\n</header>\n"
        "<div class=\"chooser\"><noscript><p>The chooser needs scripts. On a terminal: <code>oddity choose 3.5 --error "
        "1deg</code>.</p></noscript></div>\n<section>\n<h2>The scenes</h2>\n<ul class=\"scenes\">" +
-           scenes + "</ul>\n</section>\n",
+           scenes + "</ul>\n<p>With events, and no exercise of the book: the " + to_example() +
+           ".</p>\n</section>\n",
        {"assets/engine.js", "assets/models.js", "assets/findings.js", "assets/marks.js", "assets/diagrams.js",
-        "assets/chart.js", "assets/chooser.js", "data/scenes.js"},
+        "assets/chart.js", "assets/asking.js", "assets/searching.js", "assets/advice.js", "assets/chooser.js",
+        "data/scenes.js"},
        "choose"});
 }
 
@@ -105,8 +109,10 @@ std::string algorithms_page() {
                    html::text(
                        "A limit is the largest $h|\\lambda|$ at which $y'=\\lambda y$ does not grow, on the "
                        "negative real axis and on the imaginary axis.") +
-                       (missing.empty() ? "" : " Not in this build: " + html::escaped(missing) + ".")) +
+                       (missing.empty() ? "" : " Not in this build: " + in_xml(missing) + ".")) +
            html::table(catalog_table()) +
+           element("p", "",
+                   "What each of them makes of events, as landings are, the " + to_example() + " shows.") +
            "</section>\n<section>\n<h2>What was found in the libraries</h2>\n<p>A small test of the library alone shows "
            "each finding, in the version that is named. What is wrong is repaired from outside.</p>\n" +
            library_findings() + "\n</section>\n",
@@ -115,11 +121,11 @@ std::string algorithms_page() {
 
 /// Rows of [where it stands, its kind, its title, its text]; a claim's title is where it stands in its page.
 std::string search_index(const Results& results) {
-  using nlohmann::json;
+  using json = nlohmann::ordered_json;
   json all = json::array();
   for (const ExerciseResult& e : results.exercises) {
     const std::string number = to_string(e.number), page = number + ".html";
-    all.push_back({page, "exercise", number + " " + e.title, searchable(e.asks).substr(0, 140)});
+    all.push_back({page, "exercise", number + " " + e.title, cut_at_word(searchable(e.asks), 140)});
     for (const Finding& finding : findings_of(e))
       if (finding.root)
         all.push_back({page + "#" + claim_anchor_of(finding.claims.front()->claim), "erratum",
@@ -131,7 +137,9 @@ std::string search_index(const Results& results) {
       all.push_back(
           {page + "#q-" + html::anchor(q.name), "quantity", number + " " + q.name, searchable(q.says)});
   }
-  return "oddity.index(" + as_script(all.dump(-1, ' ', false, json::error_handler_t::replace)) + ");\n";
+  all.push_back({example_name + std::string(".html"), "example", std::string(example().exercise.title),
+                 searchable(example().exercise.asks).substr(0, 140)});
+  return packed_call("index", all);
 }
 
 }  // namespace oddity

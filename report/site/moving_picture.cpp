@@ -9,6 +9,7 @@
 #include "reference/text.hpp"
 #include "report/charts/drawing.hpp"
 #include "report/charts/sketch.hpp"
+#include "report/pages/markup.hpp"
 #include "report/site/page.hpp"
 #include "report/study/findings.hpp"
 
@@ -162,12 +163,12 @@ std::string moving_picture(const ExerciseResult& e) {
   prolong(truth, frames), prolong(wrong, frames);
   const double seconds = std::clamp(t.times.back(), 4.0, 10.0);
   return "<figure class=\"thumb\"><svg viewBox=\"0 0 320 320\" role=\"img\" aria-label=\"" +
-         html::escaped("The motion of the published version, " + published->model + ", beside the true one") +
+         in_xml("The motion of the published version, " + published->model + ", beside the true one") +
          "\">" + element("g", " class=\"still\"", layer_text(truth, view, seconds, true)) +
          element("g", " class=\"truth\"", layer_text(truth, view, seconds, false)) +
          element("g", " class=\"published\"", layer_text(wrong, view, seconds, false)) +
          "</svg><figcaption><span class=\"truth\">true</span> <span class=\"published\">" +
-         html::escaped(published->model) + "</span></figcaption></figure>\n";
+         in_xml(published->model) + "</span></figcaption></figure>\n";
 }
 
 }  // namespace oddity

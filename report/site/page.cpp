@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "report/pages/markup.hpp"
 #include "report/site/formulas.hpp"
 #include "report/site/site.hpp"
 
@@ -17,13 +18,13 @@ std::string marked_up(std::string_view text, bool emphasis) {
     const bool opens = c == '$' || c == '`' || (c == '*' && emphasis);
     const auto end = opens ? text.find(c, 1) : std::string_view::npos;
     if (end == std::string_view::npos || end == 1) {
-      made += escaped(text.substr(0, 1));
+      made += in_xml(text.substr(0, 1));
       text.remove_prefix(1);
       continue;
     }
     const std::string_view inside = text.substr(1, end - 1);
     made += c == '$'   ? marked(inside)
-            : c == '`' ? element("code", "", escaped(inside))
+            : c == '`' ? element("code", "", in_xml(inside))
                        : element("em", "", marked_up(inside, false));
     text.remove_prefix(end + 1);
   }
@@ -35,7 +36,7 @@ std::string head_of(const Page& page) {
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-      escaped(page.title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n";
+      in_xml(page.title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n";
   for (const EmbeddedFile& file : embedded_assets())
     if (file.path.ends_with(".css"))
       head += "<link rel=\"stylesheet\" href=\"assets/" + std::string(file.path) + "\">\n";
@@ -51,32 +52,6 @@ constexpr std::string_view banner =
 )";
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      case '\'':
-        safe += "&#39;";
-        break;
-      default:
-        safe += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
-    }
-  }
-  return safe;
-}
 
 std::string text(std::string_view text) { return marked_up(text, false); }
 std::string prose(std::string_view text) { return marked_up(text, true); }
@@ -97,7 +72,7 @@ std::string element(std::string_view name, std::string_view attributes, std::str
 }
 
 std::string link(std::string_view to, std::string_view content) {
-  return element("a", " href=\"" + escaped(to) + "\"", content);
+  return element("a", " href=\"" + in_xml(to) + "\"", content);
 }
 
 std::string folded(std::string_view summary, std::string_view content) {
@@ -120,9 +95,9 @@ std::string table(const Table& table) {
   for (const std::string& row : table.rows) body += row;
   return element(
              "div",
-             " class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(table.caption) + "\"",
+             " class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + in_xml(table.caption) + "\"",
              element("table", "",
-                     element("caption", "", escaped(table.caption)) +
+                     element("caption", "", in_xml(table.caption)) +
                          element("thead", "", element("tr", "", head)) + "\n" + element("tbody", "", body))) +
          "\n";
 }

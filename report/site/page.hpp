@@ -7,8 +7,6 @@
 /// Pieces of HTML that the site's pages share.
 namespace oddity::html {
 
-/// Text as it stands: & < > " ' become references, and control characters spaces.
-std::string escaped(std::string_view text);
 /// A text in which $formulas$ and `code` are meant. Formulas are marked for `typeset` (formulas.hpp).
 std::string text(std::string_view text);
 /// The same with *emphasis*.

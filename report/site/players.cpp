@@ -9,6 +9,7 @@
 #include "reference/text.hpp"
 #include "report/cli/settings.hpp"
 #include "report/pages/code.hpp"
+#include "report/site/example.hpp"
 
 namespace oddity {
 
@@ -54,10 +55,17 @@ std::set<std::string> headers_of(const Scene& scene) {
   return headers;
 }
 
+/// Those of the listing, by name, and what constructs each.
+std::vector<std::pair<std::string_view, std::string_view>> played_models(const Scene& scene) {
+  auto models = scene.listing.models;
+  models.insert(models.end(), scene.listing.with_events.begin(), scene.listing.with_events.end());
+  return models;
+}
+
 /// The functions that make its models.
 std::string models_text(const Entry& entry) {
   std::string text;
-  const auto& models = entry.exercise.scene->listing.models;
+  const auto models = played_models(*entry.exercise.scene);
   for (std::size_t i = 0; i < models.size(); ++i)
     text += "std::unique_ptr<const Model> " + function_of(entry.number, i) +
             "(std::span<const double> values) {\n  return model(" +
@@ -73,8 +81,9 @@ std::string scene_text(const Entry& entry) {
   std::string letters, models;
   for (const Parameter& p : entry.exercise.parameters)
     letters += "{" + literal_of(p.name) + ", " + shortest(p.value) + "}, ";
-  for (std::size_t i = 0; i < scene.listing.models.size(); ++i) {
-    const auto [model, algorithm] = model_and_algorithm(moving, scene.listing.models[i].first);
+  const auto played = played_models(scene);
+  for (std::size_t i = 0; i < played.size(); ++i) {
+    const auto [model, algorithm] = model_and_algorithm(moving, played[i].first);
     models += "\n       {" + literal_of(model) + ", " + literal_of(algorithm) + ", " +
               function_of(entry.number, i) + "},";
   }
@@ -123,6 +132,7 @@ std::vector<std::string> module_source(std::size_t files) {
   std::size_t next = 0;
   for (const Entry& entry : registry())
     if (has_models(entry)) parts[next++ % files].push_back(&entry);
+  parts[next % files].push_back(&example());
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < files; ++i) texts.push_back(file_text(parts[i], i, files));
   return texts;

@@ -9,6 +9,7 @@
 #include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/site/page.hpp"
+#include "report/site/still_chart.hpp"
 #include "report/study/findings.hpp"
 #include "report/study/stability.hpp"
 
@@ -19,15 +20,15 @@ namespace {
 using html::element;
 using Named = std::vector<std::pair<std::string, std::string>>;
 
-std::string short_error(double error) { return html::escaped(with_powers(shown_error(error))); }
+std::string short_error(double error) { return in_xml(with_powers(shown_error(error))); }
 
 std::string with_unit_of(const std::string& number, const std::string& unit) {
-  return unit.empty() || unit == "1" ? number : number + " " + html::escaped(unit);
+  return unit.empty() || unit == "1" ? number : number + " " + in_xml(typeset_unit(unit));
 }
 
 /// "step 0.0625", "without a knob" in a page's words.
 std::string setting_text(const TimedTrial& t) {
-  return t.knob.empty() ? "" : ", " + html::escaped(with_powers(shown_knob(t)));
+  return t.knob.empty() ? "" : ", " + in_xml(with_powers(shown_knob(t)));
 }
 
 /// Names under the same reason together, in the order in which the reasons come.
@@ -50,9 +51,9 @@ std::string play_button(const QuantityResult& q, const TimedTrial& t) {
 
 std::string trial_text(const std::string& what, const QuantityResult& q, const TimedTrial& t) {
   return element("li", "",
-                 "<b>" + what + "</b> " + html::escaped(t.model + ", " + t.algorithm) + setting_text(t) +
-                     ": <i>" + std::string(name_of(t.outcome)) + "</i>, error " + short_error(t.error) +
-                     ", " + counted(t.evaluations, "evaluation", "evaluations") + play_button(q, t));
+                 "<b>" + what + "</b> " + in_xml(t.model + ", " + t.algorithm) + setting_text(t) + ": <i>" +
+                     std::string(name_of(t.outcome)) + "</i>, error " + short_error(t.error) + ", " +
+                     counted(t.evaluations, "evaluation", "evaluations") + play_button(q, t));
 }
 
 std::string breakdown_text_of(const QuantityResult& q, const BreakdownResult& b) {
@@ -69,7 +70,7 @@ std::string methods_text(const std::vector<const MethodResult*>& methods) {
     text += (!last ? "" : same ? ", " : "; ") + (same ? m->algorithm : m->model + ": " + m->algorithm);
     last = m;
   }
-  return html::escaped(text);
+  return in_xml(text);
 }
 
 std::string failures_text(const QuantityResult& q) {
@@ -94,18 +95,19 @@ std::string failures_text(const QuantityResult& q) {
 std::string reference_of(const QuantityResult& q) {
   if (!finite(q.reference.value)) return "No true value is known: " + html::text(q.reference.by) + ".";
   return "True value: " +
-         element("b", "", with_unit_of(html::escaped(with_powers(shown(q.reference.value, 12))), q.unit)) +
+         element("b", "", with_unit_of(in_xml(with_powers(shown(q.reference.value, 12))), q.unit)) +
          ", known to " + short_error(q.reference_error) + " (" + html::text(q.reference.by) +
          "). Needed to " + short_error(q.need.allowed) + ": " + html::text(q.need.reason) +
          (q.samples > 1 ? "; " + instants(q) : "") + ".";
 }
 
 std::string quantity_text_of(const QuantityResult& q) {
-  const std::string name = html::escaped(q.name);
+  const std::string name = in_xml(q.name);
   std::string text = "<section class=\"quantity\" id=\"q-" + html::anchor(q.name) + "\">\n" +
                      element("h3", "", "<code>" + name + "</code> " + html::text(q.says)) + "\n" +
                      element("p", "", reference_of(q)) + "\n<figure class=\"chart\" data-quantity=\"" + name +
-                     "\"></figure>\n<div class=\"trials\" data-quantity=\"" + name + "\"></div>\n";
+                     "\">" + still_chart(q) + "</figure>\n<div class=\"trials\" data-quantity=\"" + name +
+                     "\"></div>\n";
   for (const BreakdownResult& b : q.breakdowns) text += breakdown_text_of(q, b);
   return text + failures_text(q) + "</section>\n";
 }
@@ -113,27 +115,25 @@ std::string quantity_text_of(const QuantityResult& q) {
 std::string limit_row_of(const Limit& l) {
   const double theory = l.theory();
   return html::row(
-      {html::escaped(l.algorithm), html::escaped(shown_step(l)),
+      {in_xml(l.algorithm), in_xml(shown_step(l)),
        std::isinf(theory) ? "every step"
        : theory == 0      ? "none"
                           : rounded(theory, 3),
        l.within ? rounded(l.within->setting, 3) : "none found", beyond(l),
-       !l.cure ? ""
-               : html::escaped((l.cure->model == l.model ? "" : l.cure->model + ", ") + l.cure->algorithm)},
+       !l.cure ? "" : in_xml((l.cure->model == l.model ? "" : l.cure->model + ", ") + l.cure->algorithm)},
       "123");
 }
 
 /// The limits of one model after the other.
 std::string limits_text_of(const Stability& s) {
-  const std::string unit = s.time_unit.empty() ? "" : " [" + html::escaped(s.time_unit) + "]";
+  const std::string unit = s.time_unit.empty() ? "" : " [" + in_xml(s.time_unit) + "]";
   html::Table table{
       "The largest steps",
       {"algorithm", "stable to" + unit, "theory" + unit, "needed to" + unit, "beyond", "cure there"}};
   const std::string* model = nullptr;
   for (const Limit& l : s.limits) {
     if (!model || *model != l.model)
-      table.rows.push_back("<tr><th colspan=\"6\" scope=\"rowgroup\">" + html::escaped(l.model) +
-                           "</th></tr>\n");
+      table.rows.push_back("<tr><th colspan=\"6\" scope=\"rowgroup\">" + in_xml(l.model) + "</th></tr>\n");
     model = &l.model;
     table.rows.push_back(limit_row_of(l));
   }
@@ -156,9 +156,8 @@ std::string summary_of(const Stability& s) {
   if (every > 0) text += ", " + std::to_string(every) + " of them at every step";
   text += ".";
   if (longest)
-    text += " The longest step that is lost anywhere is that of " + html::escaped(longest->algorithm) +
-            " on “" + html::escaped(longest->model) + "”: " + rounded(longest->step(), 3) + " " +
-            html::escaped(s.time_unit) + ".";
+    text += " The longest step that is lost anywhere is that of " + in_xml(longest->algorithm) + " on “" +
+            in_xml(longest->model) + "”: " + rounded(longest->step(), 3) + " " + in_xml(s.time_unit) + ".";
   return text +
          " Stable says nothing about accuracy: <em>needed to</em> is the largest step that keeps the error within " +
          with_unit_of(short_error(s.close), s.unit) + ".";
@@ -167,7 +166,7 @@ std::string summary_of(const Stability& s) {
 std::string reasons_text(const Stability& s) {
   Named reasons;
   for (const Limit& l : s.limits)
-    if (!l.why.empty()) add_under(reasons, html::text(l.why), html::escaped(l.model + ", " + l.algorithm));
+    if (!l.why.empty()) add_under(reasons, html::text(l.why), in_xml(l.model + ", " + l.algorithm));
   std::string items;
   for (const auto& [reason, names] : reasons) items += element("li", "", names + ": " + reason + ".");
   return items.empty() ? ""
@@ -181,9 +180,9 @@ std::string quantities_section(const ExerciseResult& e) {
   if (e.quantities.empty()) return "";
   std::string text;
   for (const QuantityResult& q : e.quantities) text += quantity_text_of(q);
-  return "<section id=\"quantities\">\n<h2>How to compute it</h2>\n<noscript><p>Charts and tables of trials need "
-         "scripts. The table as text: <code>oddity solve " +
-         to_string(e.number) + "</code>.</p></noscript>\n" + text + "</section>\n";
+  return "<section id=\"quantities\">\n<h2>How to compute it</h2>\n<noscript><p>With scripts the charts show every "
+         "trial, and answer.</p></noscript>\n" +
+         text + "</section>\n";
 }
 
 std::string stability_section(const ExerciseResult& e) {

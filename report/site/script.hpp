@@ -1,24 +1,22 @@
 #pragma once
 
+#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 namespace oddity {
 
-/// JSON as it may stand in a script, inside a page or not: nothing in its strings ends a script or a line.
-inline std::string as_script(std::string_view json) {
-  std::string safe;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    if (json[i] == '<')
-      safe += "\\u003c";
-    else if (json.substr(i, 3) == "\u2028")
-      safe += "\\u2028", i += 2;
-    else if (json.substr(i, 3) == "\u2029")
-      safe += "\\u2029", i += 2;
-    else
-      safe += json[i];
-  }
-  return safe;
-}
+/// Text as the base64 of its gzip, which a browser unpacks: `base64 -d | gunzip` does, too.
+std::string packed(const std::string& text);
+
+/// A script that gives the page these data, packed: oddity.function("...");
+std::string packed_call(std::string_view function, const nlohmann::ordered_json& data);
+
+/// Bytes in base64.
+std::string in_base64(const std::string& bytes);
+
+/// The lowest `count` bytes, least first.
+void append(std::string& bytes, std::uint32_t bits, int count);
 
 }  // namespace oddity

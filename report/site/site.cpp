@@ -6,6 +6,7 @@
 #include "report/charts/drawing.hpp"
 #include "report/site/data.hpp"
 #include "report/site/errata.hpp"
+#include "report/site/example.hpp"
 #include "report/site/exercise_page.hpp"
 #include "report/site/formulas.hpp"
 #include "report/site/front_page.hpp"
@@ -23,6 +24,7 @@ std::map<std::string, std::string> site_pages(const Results& results) {
                                            {"algorithms.html", algorithms_page()}};
   for (const ExerciseResult& e : results.exercises)
     pages[to_string(e.number) + ".html"] = exercise_page(results, e);
+  pages[example_name + std::string(".html")] = example_page(example_result());
   html::typeset(pages);
   return pages;
 }
@@ -40,6 +42,8 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
     write_whole(folder / "data" / (to_string(e.number) + ".js"),
                 exercise_data(e, truth, styles, !has_module()));
   }
+  write_whole(folder / "data" / (example_name + std::string(".js")),
+              example_data(example_result(), !has_module()));
   write_whole(folder / "data" / "scenes.js", scenes_data(results, styles));
   write_whole(folder / "data" / "search.js", search_index(results));
   for (const EmbeddedFile& asset : embedded_assets())

@@ -18,6 +18,7 @@
 ///   assets/*.js, *.css          report/site/assets, as they are
 ///   assets/models.js            the models, compiled (players.hpp); not there without the module
 ///   data/search.js              what the search looks through
+///   bouncing_ball.html          an example that is no exercise (example.hpp)
 ///   data/3.5.js                 an exercise's methods, trials, limits and motions (data.hpp)
 namespace oddity {
 

@@ -3,10 +3,40 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <functional>
+#include <iterator>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 namespace oddity {
+
+namespace {
+
+int weight_of(Fault kind) {
+  switch (kind) {
+    case Fault::listing:
+    case Fault::formula:
+    case Fault::number:
+      return 0;
+    case Fault::counterexample:
+      return 1;
+    case Fault::term:
+      return 2;
+    default:
+      return 3;
+  }
+}
+
+/// The less, the worse: of a scene, of a worse kind, with more claims.
+auto rank_of(const Finding& f) {
+  int kind = weight_of(Fault::none);
+  for (const JudgedClaim* c : f.claims) kind = std::min(kind, weight_of(c->claim.kind));
+  return std::tuple(!f.exercise->scene, kind, -std::ssize(f.claims));
+}
+
+}  // namespace
 
 std::string Finding::title() const {
   std::string text = root ? root->name : claims.front()->claim.says;
@@ -32,6 +62,28 @@ std::vector<Finding> findings_of(const ExerciseResult& e) {
     return std::less<>()(a.root ? a.root : end, b.root ? b.root : end);
   });
   return all;
+}
+
+double broken_by(const ExerciseResult& e) {
+  const Path* path = published_path(e);
+  if (!path) return 0;
+  const double needs = path->error / trajectory_of(e)->close;
+  if (!std::isfinite(needs)) return INFINITY;
+  return needs > 1 ? needs : 0;
+}
+
+std::vector<Finding> errata_worst_first(const Results& results) {
+  std::vector<Finding> breaking, others;
+  for (const ExerciseResult& e : results.exercises) {
+    std::vector<Finding> found = findings_of(e);
+    std::ranges::stable_sort(found, {}, rank_of);
+    for (Finding& f : found)
+      (broken_by(e) > 0 && &f == &found.front() ? breaking : others).push_back(std::move(f));
+  }
+  std::ranges::stable_sort(breaking, std::greater(), [](const Finding& f) { return broken_by(*f.exercise); });
+  std::ranges::stable_sort(others, {}, rank_of);
+  std::ranges::move(others, std::back_inserter(breaking));
+  return breaking;
 }
 
 std::vector<const JudgedClaim*> claims_of(const ExerciseResult& e, Verdict verdict) {

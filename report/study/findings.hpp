@@ -20,6 +20,12 @@ struct Finding {
 
 /// An exercise's errata by root, in the order of its roots.
 std::vector<Finding> findings_of(const ExerciseResult&);
+/// The errata of all exercises by root, the worst first: the worst of each scene whose published motion goes
+/// wrong, by how far it does (`broken_by`); then those of other scenes; then by kind, from a wrong listing or
+/// formula to a case left out; then by how many claims come from it.
+std::vector<Finding> errata_worst_first(const Results&);
+/// How far a scene's published motion is off, in what a game allows; 0: no further than that, or no motion.
+double broken_by(const ExerciseResult&);
 /// Its claims of one verdict.
 std::vector<const JudgedClaim*> claims_of(const ExerciseResult&, Verdict);
 

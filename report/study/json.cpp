@@ -324,6 +324,7 @@ Json from(const QuantityResult& q) {
           {"reference_error", from(q.reference_error)},
           {"need", from(q.need)},
           {"samples", q.samples},
+          {"by_norms", q.by_norms},
           {"methods", methods},
           {"trials", trials},
           {"in_float", in_float},
@@ -359,6 +360,7 @@ QuantityResult quantity(const Json& json) {
     q.breakdowns.push_back(
         {b.at("says"), named(b.at("expected"), outcomes), trial(b.at("broken")), trial(b.at("cured"))});
   q.samples = json.at("samples");
+  q.by_norms = json.at("by_norms");
   if (!json.at("trajectory").is_null()) q.trajectory = trajectory(json.at("trajectory"));
   return q;
 }

@@ -100,6 +100,7 @@ struct QuantityResult {
   std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
   int samples = 1;                            ///< of a motion: the times at which it is judged
   std::vector<FloatResult> in_float = {};
+  bool by_norms = false;  ///< of a motion: judged by the scene's norms; else by the largest component
 };
 
 /// "judged at these 4 times alone" of a motion; empty for what is no motion.

@@ -65,7 +65,9 @@ QuantityResult shape(const Quantity& quantity, std::vector<Pending>& pending) {
                         {},
                         {},
                         {},
-                        quantity.samples};
+                        quantity.samples,
+                        {},
+                        !quantity.norms.empty()};
   for (const Method& method : quantity.methods)
     result.methods.push_back({method.model, method.algorithm, method.expected, method.why,
                               std::vector<TimedTrial>(method.knob.settings.size())});

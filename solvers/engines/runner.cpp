@@ -11,6 +11,7 @@
 #include <iostream>
 
 #include "solvers/engines/simulation.hpp"
+#include "solvers/engines/turns.hpp"
 #include "solvers/engines/world_json.hpp"
 
 namespace oddity::engines {
@@ -18,37 +19,6 @@ namespace oddity::engines {
 namespace {
 
 using nlohmann::json;
-
-Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// The unit quaternion's turn.
-Vector turned(const Quaternion& q, const Vector& a) {
-  const Vector u{q[1], q[2], q[3]}, twice = 2.0 * cross(u, a);
-  return a + q[0] * twice + cross(u, twice);
-}
-
-/// A point that is fixed in a body, or on the ground.
-struct Point {
-  int body;
-  Vector in_body;
-
-  Point(const World& world, int body, const Vector& at) : body(body), in_body(at) {
-    if (body == ground) return;
-    const State& s = world.bodies[static_cast<std::size_t>(body)].start;
-    const Quaternion back{s.orientation[0], -s.orientation[1], -s.orientation[2], -s.orientation[3]};
-    in_body = turned(back, at - s.position);
-  }
-  Vector now(const Simulation& simulation) const {
-    if (body == ground) return in_body;
-    const State s = simulation.state(body);
-    return s.position + turned(s.orientation, in_body);
-  }
-};
 
 /// What is not of an engine: the world's springs, and the forces of its axes.
 class Pushes {
@@ -71,8 +41,11 @@ class Pushes {
  private:
   using Ends = std::array<Point, 2>;
 
+  static Vector now(const Simulation& simulation, const Point& point) {
+    return point.body == ground ? point.in_body : point.at(simulation.state(point.body));
+  }
   static void pull(Simulation& simulation, const Spring& spring, const Ends& ends) {
-    const Vector a = ends[0].now(simulation), b = ends[1].now(simulation), along = b - a;
+    const Vector a = now(simulation, ends[0]), b = now(simulation, ends[1]), along = b - a;
     const double length = std::hypot(along[0], along[1], along[2]);
     const Vector force = spring.stiffness * (1 - spring.rest / length) * along;
     if (spring.a != ground) simulation.push(spring.a, force, a);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "solvers/ode/all.hpp"
-#include "solvers/roots.hpp"
 
 namespace oddity::ode::detail {
 
@@ -21,6 +20,82 @@ State hermite(const State& x0, const State& d0, const State& x1, const State& d1
   State x{};
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = a * x0[i] + b * d0[i] + c * x1[i] + d * d1[i];
   return x;
+}
+
+bool same_side(double f, double g) { return (f < 0 && g < 0) || (f > 0 && g > 0); }
+
+/// The bracket of a root, as Brent (Algorithms for Minimization without Derivatives, 1973, ch. 4) narrows it:
+/// by a secant or an inverse parabola where these help, else by halves. Steps for step that of
+/// solvers/roots.hpp, but without GSL, since the page's module looks for events too.
+struct Bracket {
+  double a, fa;  ///< the place before
+  double b, fb;  ///< the best
+  double c, fc;  ///< on the other side of the root
+  double step, step_before;
+
+  Bracket(double low, double f_low, double high, double f_high)
+      : a(low), fa(f_low), b(high), fb(f_high), c(high), fc(f_high), step(high - low), step_before(step) {}
+
+  double other() const { return same_side(fb, fc) ? a : c; }
+
+  /// Moves to where the root may be next; false where it is already.
+  bool move() {
+    bool secant = false;
+    if (same_side(fb, fc)) {
+      c = a, fc = fa, step = step_before = b - a;
+      secant = true;
+    }
+    if (std::abs(fc) < std::abs(fb)) {
+      a = b, b = c, c = a, fa = fb, fb = fc, fc = fa;
+      secant = true;
+    }
+    const double little = 0.5 * std::numeric_limits<double>::epsilon() * std::abs(b), half = 0.5 * (c - b);
+    if (fb == 0) c = b;
+    if (fb == 0 || std::abs(half) <= little) return false;
+    if (std::abs(step_before) < little || std::abs(fa) <= std::abs(fb) || !interpolate(half, little, secant))
+      step = step_before = half;
+    a = b, fa = fb;
+    b += std::abs(step) > little ? step : half > 0 ? little : -little;
+    return true;
+  }
+
+ private:
+  /// Whether that shortens the bracket by more than halves would.
+  bool interpolate(double half, double little, bool secant) {
+    const double s = fb / fa, u = fa / fc, r = fb / fc;
+    double p = secant ? 2 * half * s : s * (2 * half * u * (u - r) - (b - a) * (r - 1));
+    double q = secant ? 1 - s : (u - 1) * (r - 1) * (s - 1);
+    (p > 0 ? q : p) *= -1;
+    if (!(2 * p < std::min(3 * half * q - std::abs(little * q), std::abs(step_before * q)))) return false;
+    step_before = std::exchange(step, p / q);
+    return true;
+  }
+};
+
+/// A root of f between a and b, as `brent` of solvers/roots.hpp has it.
+template <class F>
+Solved<double> root_between(const F& f, double a, double b, double tolerance) {
+  if (b < a) std::swap(a, b);
+  const double fa = f(a), fb = f(b), size_at_ends = std::max(std::abs(fa), std::abs(fb));
+  Solved<double> root{b};
+  const auto failed = [&](Ending ending, const char* why) {
+    root.ending = ending;
+    root.message = why;
+    return root;
+  };
+  if (!std::isfinite(fa) || !std::isfinite(fb) || same_side(fa, fb))
+    return failed(Ending::raised, "no bracket");
+  Bracket bracket(a, fa, b, fb);
+  for (int i = 0; i < 200; ++i) {
+    if (bracket.move()) bracket.fb = f(bracket.b);
+    root.value = bracket.b;
+    if (!std::isfinite(bracket.fb)) return failed(Ending::raised, "the function is not finite");
+    const auto [low, high] = std::minmax({bracket.b, bracket.other()});
+    if (!(high - low <= tolerance) && std::nextafter(low, high) < high) continue;
+    if (low == high || std::abs(f(bracket.b)) <= size_at_ends) return root;
+    return failed(Ending::raised, "f changes its sign at a pole and not at a root");
+  }
+  return failed(Ending::stalled, "the bracket is still wider than the tolerance after 200 iterations");
 }
 
 }  // namespace
@@ -63,7 +138,7 @@ Solved<Event<std::array<double, n>>> find_event(
       return g(candidate.state, candidate.time);
     };
     const auto refine = [&](double a, double b) {
-      const Solved<double> root = brent(miss, a, b, 4e-16 * (1 + std::abs(t)));
+      const Solved<double> root = root_between(miss, a, b, 4e-16 * (1 + std::abs(t)));
       if (root.ending == Ending::raised) return false;
       event.value = event_after(root.value);
       event.ending = whole ? root.ending : Ending::stalled;
@@ -335,7 +410,7 @@ class Lookout {
   }
   std::optional<double> between(std::size_t i, double left, double right, double tolerance) {
     const auto miss = [&](double s) { return guard_after(i, s); };
-    const Solved<double> root = brent(miss, left, right, tolerance);
+    const Solved<double> root = detail::root_between(miss, left, right, tolerance);
     if (root.ending == Ending::raised) return {};
     return root.value;
   }

@@ -45,10 +45,10 @@ Solved<Event<std::array<double, n>>> find_event(const System& system, const std:
                                start, t0, t1, setting, g);
 }
 
-// ---- a system's own events
-// ---------------------------------------------------------------------------------
+// ---- a system's own events --------------------------------------------------------------------------------
 
-/// One of a system's guards has fallen through zero.
+/// One of a system's guards has fallen through zero, at a time at which the event takes the state from
+/// `before` to `after`.
 template <class State>
 struct Happened {
   std::size_t guard = 0;

@@ -1,26 +1,52 @@
 // A site in a headless browser: what the tests of pages, players and charts share.
 //   SITE=FOLDER   the site (default: build/site)
+//   ODDITY=FILE   the program that players are compared with (default: build/release/oddity)
 //   SHOTS=FOLDER  where pictures of the pages go; none without it
 import fs from 'node:fs';
 import path from 'node:path';
+import { execFileSync } from 'node:child_process';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { gunzipSync } from 'node:zlib';
 import puppeteer from 'puppeteer-core';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 export const site = path.resolve(process.env.SITE ?? path.join(here, '../../build/site'));
+const program = path.resolve(process.env.ODDITY ?? path.join(here, '../../build/release/oddity'));
 export const pages = fs.readdirSync(site).filter((name) => name.endsWith('.html')).sort();
 export const scenes = fs.readdirSync(path.join(site, 'data'))
-  .filter((name) => /^\d+\.\d+\.js$/.test(name) && !fs.readFileSync(path.join(site, 'data', name), 'utf8').includes('"scene":null'))
+  .filter((name) => /^(\d+\.\d+|bouncing_ball)\.js$/.test(name) && unpacked(path.join(site, 'data', name)).scene)
   .map((name) => name.replace(/\.js$/, ''));
+
+/// What a file of data/ gives to the page.
+function unpacked(file) {
+  const [, packed] = fs.readFileSync(file, 'utf8').match(/^oddity\.\w+\("([A-Za-z0-9+/=]*)"\);\n$/);
+  return JSON.parse(gunzipSync(Buffer.from(packed, 'base64')));
+}
+
+/// The quantity of a scene's motion as the program computes it at parameters like "a=0.7".
+export function solved(scene, ...parameters) {
+  const json = execFileSync(program, ['solve', scene, ...parameters, '--json'], { maxBuffer: 1e9 });
+  return JSON.parse(json).exercises[0].quantities.find((q) => q.trajectory);
+}
 
 export const launch = () => puppeteer.launch({
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  protocolTimeout: 0,  // a machine may be busy
   args: ['--no-sandbox', '--allow-file-access-from-files=false', '--disable-gpu'],
 });
 
+/// Whether the page has its data, and its players.
+function isWhole() {
+  const given = [...document.scripts].some((script) => script.src.includes('/data/') && !script.src.endsWith('/search.js'));
+  return (!given || window.oddity.data || window.oddity.allScenes)
+    && !(window.oddity.data?.scene && document.querySelector('.player:not(:has(.player-clock))'));
+}
+
 /// Opens a page; `faults` grows by whatever it says on the console, throws, or asks of anything beside the site.
-export async function open(browser, name, { width = 1200, height = 900, dark = false, reduced = false } = {}) {
+export async function open(browser, name, { width = 1200, height = 900, dark = false, reduced = false, scripts = true } = {}) {
   const page = await browser.newPage();
+  page.setDefaultTimeout(0);
+  await page.setJavaScriptEnabled(scripts);
   const faults = [];
   page.on('console', (message) => faults.push(`console: ${message.text()}`));
   page.on('pageerror', (error) => faults.push(`error: ${error.message}`));
@@ -37,6 +63,7 @@ export async function open(browser, name, { width = 1200, height = 900, dark = f
   ]);
   const [file, hash] = name.split('#');
   await page.goto(pathToFileURL(path.join(site, file)).href + (hash ? `#${hash}` : ''), { waitUntil: 'load' });
+  if (scripts) await page.waitForFunction(isWhole);
   return { page, faults };
 }
 

@@ -18,6 +18,9 @@ const { charts, trials, map, choosing, drawn } = loaded(
   'chart.js',
   'trials.js',
   'map.js',
+  'asking.js',
+  'searching.js',
+  'advice.js',
   'chooser.js',
   'drawn.js',
 );

@@ -140,6 +140,7 @@ const known = {
   ],
   horizon: 10,
   speeds: [0.25, 1, 4],
+  space: true,
   missing: 'this scene does not have',
 };
 
@@ -152,6 +153,7 @@ test('a permalink holds everything, and comes back the same', () => {
     ],
     time: 2.5,
     speed: 0.25,
+    view: { azimuth: -171.5, elevation: 22.5 },
   };
   assert.deepEqual(oddity.permalink.parse(oddity.permalink.format(state), known), { state });
 });
@@ -162,12 +164,13 @@ test('a bad permalink is a sentence, and other anchors are none', () => {
     '#play&row=%zz/a/double/1', '#play&row=one angle/explicit Euler/half/1', '#play&speed=3', '#play&at=soon',
     '#play&row=one angle/explicit Euler/double/0', '#play&row=one angle/explicit Euler/double/-1',
     '#play&row=<script>alert(1)</script>/explicit Euler/double/1', '#play&constructor=1', '#play&p.__proto__=1',
-    '#play' + '&row=one angle/explicit Euler/double/1'.repeat(5),
+    '#play&view=1', '#play&view=1,x', '#play&view=1,91', '#play&view=1,2,3', '#play' + '&row=one angle/explicit Euler/double/1'.repeat(5),
   ];
   for (const hash of bad) {
     const read = oddity.permalink.parse(hash, known);
     assert.ok(read.problem && /^The link .*\.$/s.test(read.problem), hash);
   }
+  assert.match(oddity.permalink.parse('#play&view=1,2', { ...known, space: false }).problem, /^The link turns /);
   for (const hash of ['', '#', '#claims', '#player', '#play'])
     assert.equal(oddity.permalink.parse(hash, known), null);
   assert.deepEqual(oddity.permalink.parse('#play&at=0', known),

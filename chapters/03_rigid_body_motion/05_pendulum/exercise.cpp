@@ -16,6 +16,7 @@
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
+#include "solvers/engines/turns.hpp"
 #include "solvers/quadrature.hpp"
 
 namespace oddity {
@@ -139,6 +140,19 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
                      "one angle", "Cartesian with constraint"});
 }
 
+/// A rod of one and a half times the length, hinged at its end, which has the same equation.
+engines::Staging staging(const Parameters& p) {
+  using namespace engines;
+  const double a = p["a"], L = p["L"], d = 0.75 * L, across = 0.1875 * L * L;
+  Body rod{1, {across, 0.01 * L * L, across}};
+  rod.start.position = {d * sin(a), -d * cos(a), 0};
+  rod.start.orientation = about({0, 0, 1}, a);
+  return {{.gravity = {0, -p["g"], 0}, .bodies = {rod}, .joints = {{Joint::hinge}}},
+          [](std::span<const State> seen, double) {
+            return std::vector{std::atan2(seen[0].position[0], -seen[0].position[1])};
+          }};
+}
+
 Scene scene() {
   return {swing,
           10,
@@ -153,7 +167,8 @@ Scene scene() {
             {"Jacobi's function by its Fourier series", "pendulum::FourierSeries<double>({a, L, g})"},
             {"one angle", "pendulum::OneAngle<double>{{a, L, g}}"},
             {"Cartesian with constraint", "pendulum::CartesianWithConstraint<double>{{a, L, g}}"}}},
-          pendulum::draw<Parameters>};
+          pendulum::draw<Parameters>,
+          staging};
 }
 
 // ---- the claims -------------------------------------------------------------------------------------------

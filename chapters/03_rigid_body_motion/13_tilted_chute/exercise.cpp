@@ -10,6 +10,7 @@
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
 #include "chapters/in_float.hpp"
 #include "reference/bad_input.hpp"
+#include "solvers/engines/turns.hpp"
 
 namespace oddity {
 
@@ -36,6 +37,29 @@ Quantity swinging_ball(const Parameters& p, const Horizon& horizon, const Refere
                      "Cartesian with constraint"});
 }
 
+/// A rod of one and a half times the radius that turns about the chute's axis and slides along it.
+engines::Staging staging(const Parameters& p) {
+  using namespace engines;
+  const tilted_chute::Given<double> ball = asked(p);
+  const double R = ball.R, c = ball.chute().c(), s = ball.chute().s(), d = 0.75 * R, across = 0.1875 * R * R;
+  const Vector e{c, 0, -s}, n{s, 0, c}, side{0, 1, 0}, middle = R * n;
+  Body rod{1, {0.01 * R * R, across, across}};
+  rod.start.position = middle + d * (sin(ball.phi) * side - cos(ball.phi) * n);
+  rod.start.velocity = ball.u * e;
+  // its axis along n, its second axis to the side, both turned about e
+  const Quaternion upright = engines::about(side, -std::asin(c));
+  rod.start.orientation = product(engines::about(e, ball.phi), upright);
+  return {{.gravity = {0, 0, -ball.g},
+           .bodies = {rod},
+           .joints = {{.kind = Joint::cylinder, .at = middle, .axis = e}}},
+          [=](std::span<const State> seen, double) {
+            const Vector r = seen[0].position - middle;
+            const double phi = std::atan2(dot(r, side), -dot(r, n));
+            const auto x = ball.chute().position(dot(r, e), phi);
+            return std::vector(x.begin(), x.end());
+          }};
+}
+
 Scene scene() {
   return {swinging_ball,
           4,
@@ -51,7 +75,8 @@ Scene scene() {
             {"angle about the axis", "tilted_chute::Angle<double>{{R, L, H, g, phi, u}}"},
             {"height field", "tilted_chute::in_plane<double>({R, L, H, g, phi, u})"},
             {"Cartesian with constraint", "tilted_chute::InSpace<double>{{R, L, H, g, phi, u}}"}}},
-          tilted_chute::draw<Parameters>};
+          tilted_chute::draw<Parameters>,
+          staging};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -11,6 +11,7 @@
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
+#include "solvers/engines/turns.hpp"
 
 namespace oddity {
 
@@ -43,6 +44,23 @@ Quantity swinging_bob(const Parameters& p, const Horizon& horizon, const Referen
       {"averaged", "small angle", "two angles as published", "two angles", "Cartesian with constraint"});
 }
 
+/// Its axes are the book's, z down.
+engines::Staging staging(const Parameters& p) {
+  using namespace engines;
+  const foucault::Given<double> start = asked(p);
+  const auto s = start.cartesian();
+  Body bob{1, {0.1, 0.1, 0.1}};
+  bob.start.position = {s[0], s[1], s[2]};
+  bob.start.velocity = {s[3], s[4], s[5]};
+  return {{.gravity = {0, 0, start.g},
+           .bodies = {bob},
+           .joints = {{.kind = Joint::rod, .end = bob.start.position}},
+           .turning = start.w()},
+          [](std::span<const State> seen, double) {
+            return std::vector{seen[0].position[0], seen[0].position[1]};
+          }};
+}
+
 /// The slower it starts about the vertical, the closer the bob passes the lowest point, where theta is no
 /// coordinate.
 Scene scene() {
@@ -64,7 +82,8 @@ Scene scene() {
         {"two angles", "foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
         {"Cartesian with constraint",
          "foucault::Cartesian<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}},
-      foucault::draw<Parameters>};
+      foucault::draw<Parameters>,
+      staging};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

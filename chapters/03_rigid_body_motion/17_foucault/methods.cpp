@@ -197,7 +197,7 @@ Answer cone_moments(const Cone& cone, bool cartesian_limits, const Rule& rule) {
 }
 
 Quantity inertia(const Cone& cone) {
-  const double h = cone.h, r = cone.r, pi = std::numbers::pi, r2h = pi * r * r * h;
+  const double h = cone.h, r = cone.r, r2h = std::numbers::pi * r * r * h;
   const Value exact{r2h * (2 * h * h + 3 * r * r) / 60, r2h * r * r / 10};
   Quantity q{"inertia",
              "m^5",

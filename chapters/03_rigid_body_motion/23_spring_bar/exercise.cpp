@@ -19,6 +19,7 @@
 #include "solvers/counted_calls.hpp"
 #include "solvers/differences.hpp"
 #include "solvers/dual.hpp"
+#include "solvers/engines/turns.hpp"
 #include "solvers/ode/events.hpp"
 
 namespace oddity {
@@ -127,6 +128,27 @@ Quantity small_frequency(const Given<double>& bar, const Reference& truth) {
   return w;
 }
 
+/// A rod with the same first and second moments about the hinge as the mass on its bar.
+engines::Staging staging(const Parameters& p) {
+  using namespace engines;
+  const spring_bar::Given<double> bar = asked(p);
+  const double r = bar.r, across = bar.m * r * r / 4;
+  Body rod{4 * bar.m / 3, {0.01 * bar.m * r * r, across, across}};
+  rod.start.position = {0.75 * r * cos(bar.theta0), 0.75 * r * sin(bar.theta0), 0};
+  rod.start.orientation = about({0, 0, 1}, bar.theta0);
+  rod.start.spin = {0, 0, bar.w0};
+  rod.start.velocity = cross(rod.start.spin, rod.start.position);
+  const Vector pulled{bar.s * cos(bar.theta0), bar.s * sin(bar.theta0), 0};
+  return {{.gravity = {0, -bar.g, 0},
+           .bodies = {rod},
+           .joints = {{Joint::hinge}},
+           .springs = {{.at = {bar.s, -bar.h, 0}, .end = pulled, .stiffness = bar.c, .rest = bar.ell}}},
+          [r](std::span<const State> seen, double) {
+            const auto [x, y, z] = seen[0].position;
+            return std::vector{r * x / hypot(x, y), r * y / hypot(x, y)};
+          }};
+}
+
 Scene scene() {
   return {
       swing,
@@ -141,7 +163,8 @@ Scene scene() {
         {"one angle", "spring_bar::OneAngle<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
         {"Cartesian with constraint",
          "spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}}"}}},
-      spring_bar::draw<Parameters>};
+      spring_bar::draw<Parameters>,
+      staging};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

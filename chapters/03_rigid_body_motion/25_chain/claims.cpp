@@ -208,8 +208,7 @@ int free_coordinates(const Sample& s) {
   return 6 - rank(constraints);
 }
 
-// ---- the text's formulas
-// ------------------------------------------------------------------------------------
+// ---- the text's formulas ----------------------------------------------------------------------------------
 
 double across(const Sample& s) {
   return s.r[0] * std::sin(s.theta[0]) + s.r[1] * std::sin(s.theta[1]) + s.r[2] * std::sin(s.theta[2]);

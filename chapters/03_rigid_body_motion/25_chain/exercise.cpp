@@ -13,6 +13,7 @@
 #include "chapters/03_rigid_body_motion/25_chain/drawing.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
+#include "solvers/engines/turns.hpp"
 
 namespace oddity {
 
@@ -51,6 +52,29 @@ Quantity hanging_of(const Parameters& p, const Horizon& horizon, const Reference
   return with_float(hanging(asked(p), horizon, truth), horizon, asked(p), {"dense mass matrix", "tensions"});
 }
 
+engines::Staging staging(const Parameters& p) {
+  using namespace engines;
+  const chain::Given<double> chain = asked(p);
+  World world{.gravity = {0, -chain.g, 0}};
+  Vector at{0, chain.h, 0}, velocity{};
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const double r = chain.r[i], c = cos(chain.theta[i]), s = sin(chain.theta[i]);
+    Body mass{chain.m[i], {0.1, 0.1, 0.1}};
+    mass.start.position = at + Vector{r * s, -r * c, 0};
+    mass.start.velocity = velocity = velocity + chain.omega[i] * Vector{r * c, r * s, 0};
+    world.joints.push_back({.kind = Joint::rod, .a = k - 1, .b = k, .at = at, .end = mass.start.position});
+    at = mass.start.position;
+    world.bodies.push_back(mass);
+  }
+  return {world, [](std::span<const State> seen, double) {
+            std::vector<double> all;
+            for (const State& mass : seen)
+              all.insert(all.end(), mass.position.begin(), mass.position.begin() + 2);
+            return all;
+          }};
+}
+
 Scene scene() {
   return {
       hanging_of,
@@ -68,7 +92,8 @@ Scene scene() {
          "chain::Angles<double, chain::Equations::tensions>{{{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, "
          "theta3}, {omega1, omega2, omega3}}}"}},
        {{"normal modes", "which needs GSL's eigenvalues"}}},
-      chain::draw<Parameters>};
+      chain::draw<Parameters>,
+      staging};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -122,8 +122,7 @@ Point turned(const Sample& s, Point p, double sign = 1) {
           p[0] * cos(s.theta) - sign * p[1] * sin(s.theta)};
 }
 
-// ---- the text's formulas
-// ------------------------------------------------------------------------------------
+// ---- the text's formulas ----------------------------------------------------------------------------------
 
 Value placed(const Sample& s, Point p, double sign = 1) {
   return {s.x + cos(s.theta) * p[0] - sign * sin(s.theta) * p[1],

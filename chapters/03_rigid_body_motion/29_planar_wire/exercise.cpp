@@ -9,6 +9,7 @@
 #include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
+#include "solvers/engines/turns.hpp"
 
 namespace oddity {
 
@@ -31,6 +32,18 @@ Quantity fall_of(const Parameters& p, const Horizon& horizon, const Reference& t
                     {"center alone", "free fall", "x, y, theta", "two particles and a rod"});
 }
 
+engines::Staging staging(const Parameters& p) {
+  const auto wire = planar_wire::thrown<double>(asked(p));
+  engines::Body body{wire.mu0, {wire.mu2 / 2, wire.mu2 / 2, wire.mu2}};
+  body.start.velocity = {wire.u, wire.v, 0};
+  body.start.spin = {0, 0, wire.w};
+  return {{.gravity = {0, -wire.g, 0}, .bodies = {body}},
+          [wire](std::span<const engines::State> seen, double) {
+            const engines::Vector b = engines::turned(seen[0].orientation, {wire.b[0], wire.b[1], 0});
+            return std::vector{seen[0].position[0] + b[0], seen[0].position[1] + b[1]};
+          }};
+}
+
 Scene scene() {
   return {
       fall_of,
@@ -46,7 +59,8 @@ Scene scene() {
         {"x, y, theta", "planar_wire::Generalized<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
         {"two particles and a rod",
          "planar_wire::TwoParticles<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"}}},
-      planar_wire::draw<Parameters>};
+      planar_wire::draw<Parameters>,
+      staging};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

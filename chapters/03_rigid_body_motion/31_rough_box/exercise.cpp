@@ -10,6 +10,7 @@
 #include "chapters/claims.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
+#include "solvers/engines/turns.hpp"
 
 namespace oddity {
 
@@ -48,6 +49,20 @@ Quantity slide_of(const Parameters& p, const Horizon& horizon, const Reference& 
       Outcome::ok);
 }
 
+/// A flat box. An engine has the friction at its corners, not under its whole foot.
+engines::Staging staging(const Parameters& p) {
+  using namespace engines;
+  const double a = p["a"], b = p["b"], h = b / 10;
+  Body box{1, {(b * b + h * h) / 3, (a * a + h * h) / 3, (a * a + b * b) / 3}};
+  box.start = {.position = {0, 0, h}, .velocity = {p["u0"], p["v0"], 0}, .spin = {0, 0, p["w0"]}};
+  box.shape = {Shape::box, {a, b, h}};
+  return {{.gravity = {0, 0, -p["g"]}, .bodies = {box}, .floor = {0, 0, 1}, .friction = p["mu"]},
+          [](std::span<const State> seen, double) {
+            const auto [w, x, y, z] = seen[0].orientation;
+            return std::vector{seen[0].position[0], seen[0].position[1], 2 * std::atan2(z, w)};
+          }};
+}
+
 Scene scene() {
   return {
       slide_of,
@@ -63,8 +78,10 @@ Scene scene() {
         {"friction regularized at 1 cm/s", "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}, 0.01}"}},
        {{"steps with a stick test", "which needs a loop of its own"},
         {"stopped by event", "which needs a search for events"},
-        {"time stretched by the speed", "which needs Newton's method for the time of every frame"}}},
-      rough_box::draw<Parameters>};
+        {"time stretched by the speed", "which needs Newton's method for the time of every frame"}},
+       {{"stopped by event", "rough_box::UntilRest<double>{{{{a, b}, mu, g, u0, v0, w0}}}"}}},
+      rough_box::draw<Parameters>,
+      staging};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

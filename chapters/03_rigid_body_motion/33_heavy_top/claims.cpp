@@ -57,8 +57,7 @@ Reader momentum(const std::string& text, std::size_t k, double sign = 1) {
   return {text, [=](const Sample& s) { return momentum(s, k, sign)(s.q, s.v); }};
 }
 
-// ---- the points'
-// --------------------------------------------------------------------------------------------
+// ---- the points' ------------------------------------------------------------------------------------------
 
 /// Their kinetic energy's derivative by an angle or by its rate.
 Reader slope_of_T(std::size_t k, bool rate) {
@@ -96,8 +95,7 @@ const Reader points_T{R"($\sum m|\dot{\mathbf x}|^2/2$ over the points)",
     zero{"zero", [](const Sample&) { return values(0); }},
     none{"zero", [](const Sample&) { return values(0, 0, 0); }};
 
-// ---- the energy
-// ---------------------------------------------------------------------------------------------
+// ---- the energy -------------------------------------------------------------------------------------------
 
 void claim_energy(Claims& claims, const Samples& tops) {
   claims.formula(
@@ -241,8 +239,7 @@ void claim_energy(Claims& claims, const Samples& tops) {
            {R"($\cos^2\phi$ for $\sin^2\phi$)", [](const Sample& s) { return kinetic(s, cos(s.q[1])); }}}});
 }
 
-// ---- its derivatives
-// ----------------------------------------------------------------------------------------
+// ---- its derivatives --------------------------------------------------------------------------------------
 
 void claim_derivatives(Claims& claims, const Samples& tops) {
   const Reader at_phi{R"($\partial T/\partial\phi=0$)", slope_of_T(1, false).of};
@@ -318,8 +315,7 @@ void claim_derivatives(Claims& claims, const Samples& tops) {
                   .near_misses = {{R"($\mu_3\ddot\psi$)", [](const Sample& s) { return s.mu3 * s.a[2]; }}}});
 }
 
-// ---- the forces
-// ---------------------------------------------------------------------------------------------
+// ---- the forces -------------------------------------------------------------------------------------------
 
 void claim_forces(Claims& claims, const Samples& tops) {
   const auto by_theta = [](const std::string& text, double second) {
@@ -372,8 +368,7 @@ void claim_forces(Claims& claims, const Samples& tops) {
        .kind = Fault::formula});
 }
 
-// ---- the motion
-// ---------------------------------------------------------------------------------------------
+// ---- the motion -------------------------------------------------------------------------------------------
 
 /// (c, gamma) of the rigid body after 4 s against the start's, by the text's formulas.
 Check along_the_motion(const Top& start) {

@@ -8,6 +8,8 @@
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
+#include "reference/bad_input.hpp"
+#include "solvers/engines/turns.hpp"
 
 namespace oddity {
 
@@ -28,6 +30,33 @@ constexpr Parameter parameters[] = {
     {"seed", 333, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
+}  // namespace ex03_33
+
+engines::Staging ex03_33::staging(const heavy_top::Top<double>& top) {
+  using namespace engines;
+  const double across = top.mu1 - top.m * top.l * top.l;
+  if (!(across > 0 && 2 * across >= top.mu3))
+    throw BadInput("no body has these moments: mu1 - m l^2 must be positive, and half of mu3 at least");
+  Body body{top.m, {across, across, top.mu3}};
+  State& start = body.start;
+  const engines::Vector up{0, 0, 1}, rates = top.body_rates();
+  start.orientation = product(product(about(up, top.theta), about({1, 0, 0}, top.phi)), about(up, top.psi));
+  start.position = top.l * turned(start.orientation, up);
+  start.spin = turned(start.orientation, rates);
+  start.velocity = cross(start.spin, start.position);
+  return {{.gravity = {0, 0, -top.g},
+           .bodies = {body},
+           .joints = {{Joint::ball}},
+           .shaking = {top.A * top.lambda * top.lambda, 0, 0},
+           .frequency = top.lambda},
+          [](std::span<const State> seen, double) {
+            const engines::Vector axis = turned(seen[0].orientation, {0, 0, 1});
+            return std::vector(axis.begin(), axis.end());
+          }};
+}
+
+namespace ex03_33 {
+
 Top asked(const Parameters& p) {
   return {p["m"],   p["l"],   p["mu1"],    p["mu3"],  p["g"],   p["theta"],
           p["phi"], p["psi"], p["dtheta"], p["dphi"], p["dpsi"]};
@@ -38,6 +67,8 @@ Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& t
                     {"mean precession of a fast top", "", "", "one angle, precession by quadrature",
                      "Euler angles", "rigid body, quaternion", "axis and angular momentum"});
 }
+
+engines::Staging staged(const Parameters& p) { return staging({asked(p)}); }
 
 Scene scene() {
   return {
@@ -59,7 +90,8 @@ Scene scene() {
          "heavy_top::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
         {"axis and angular momentum",
          "heavy_top::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"}}},
-      heavy_top::draw<Parameters>};
+      heavy_top::draw<Parameters>,
+      staged};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

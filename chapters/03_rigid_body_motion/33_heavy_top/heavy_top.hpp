@@ -4,6 +4,7 @@
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
 #include "chapters/exercise.hpp"
+#include "solvers/engines/world.hpp"
 
 /// Exercise 3.33's methods and claims.
 namespace oddity::ex03_33 {
@@ -16,5 +17,7 @@ Quantity axis(const Top&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Top&, const Reference&);
 std::vector<Claim> claims(double seed, const Top& start);
 std::vector<Root> roots();
+/// Throws BadInput where no body has such moments.
+engines::Staging staging(const heavy_top::Top<double>&);
 
 }  // namespace oddity::ex03_33

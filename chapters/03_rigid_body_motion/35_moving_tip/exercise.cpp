@@ -31,8 +31,10 @@ constexpr Parameter parameters[] = {
 };
 
 Top asked(const Parameters& p) {
-  return {p["m"],   p["l"],      p["mu1"],  p["mu3"],  p["g"], p["theta"], p["phi"],
-          p["psi"], p["dtheta"], p["dphi"], p["dpsi"], p["A"], p["lambda"]};
+  return {{p["m"], p["l"], p["mu1"], p["mu3"], p["g"], p["theta"], p["phi"], p["psi"], p["dtheta"], p["dphi"],
+           p["dpsi"]},
+          p["A"],
+          p["lambda"]};
 }
 
 Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
@@ -40,6 +42,8 @@ Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& t
                     {"fixed tip, as proposed", "small tilt", "first order in A", "Euler angles",
                      "rigid body, quaternion", "axis and angular momentum"});
 }
+
+engines::Staging staged(const Parameters& p) { return ex03_33::staging(asked(p)); }
 
 Scene scene() {
   return {
@@ -64,7 +68,8 @@ Scene scene() {
          "moving_tip::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
         {"axis and angular momentum",
          "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}},
-      moving_tip::draw<Parameters>};
+      moving_tip::draw<Parameters>,
+      staged};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -122,7 +122,7 @@ Quantity mixed_derivatives(const At& at, const Known& six) {
       {},
       {}};
   const auto all = [](const auto& second_by) {
-    return Value{second_by(1, 2), second_by(2, 0), second_by(0, 1)};
+    return Value{second_by(1u, 2u), second_by(2u, 0u), second_by(0u, 1u)};
   };
   q.add({"phi", "nested dual numbers", no_knob(), [=](double) {
            const auto second = [&](std::size_t i, std::size_t j) {

@@ -134,8 +134,7 @@ inline Hits hits_by_rows(const Sphere& s, const Grid& grid) {
   return found;
 }
 
-// ---- exact
-// -------------------------------------------------------------------------------------------------
+// ---- exact ------------------------------------------------------------------------------------------------
 
 __extension__ typedef __int128 Wide;
 constexpr long long unit = 64;  ///< parts of a bin

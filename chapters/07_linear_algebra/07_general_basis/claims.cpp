@@ -86,19 +86,20 @@ Term operator/(const Term& a, const Term& b) {
 }
 
 /// The volume times any vector q, and what the coefficients make of the basis.
-const Vector3<double> q{3, -1, 4};
+const Vector3<double> any_q{3, -1, 4};
 const Formula<Planted> volume_times_q{R"($(u\cdot v\times w)\,q$)",
-                                      [](const Planted& s) { return triple(s.u, s.v, s.w) * q; }};
+                                      [](const Planted& s) { return triple(s.u, s.v, s.w) * any_q; }};
 
 Formula<Planted> combination(std::string text, double last) {
   return {std::move(text), [=](const Planted& s) {
-            return triple(q, s.v, s.w) * s.u + triple(q, s.w, s.u) * s.v + last * triple(q, s.u, s.v) * s.w;
+            return triple(any_q, s.v, s.w) * s.u + triple(any_q, s.w, s.u) * s.v +
+                   last * triple(any_q, s.u, s.v) * s.w;
           }};
 }
 Formula<Planted> dual_combination(std::string text, double last) {
   return {std::move(text), [=](const Planted& s) {
-            return dot(s.w, q) * cross(s.u, s.v) + dot(s.u, q) * cross(s.v, s.w) +
-                   last * dot(s.v, q) * cross(s.w, s.u);
+            return dot(s.w, any_q) * cross(s.u, s.v) + dot(s.u, any_q) * cross(s.v, s.w) +
+                   last * dot(s.v, any_q) * cross(s.w, s.u);
           }};
 }
 

@@ -93,7 +93,7 @@ Method expansion(std::string algorithm, const Matrix4<double>& m, const auto& de
 }
 
 /// Every expansion, `terms` among them, and elimination.
-void add_methods(Quantity& q, const Matrix4<double>& m, const auto& terms, Outcome elimination,
+void add_methods(Quantity& q, const Matrix4<double>& m, const auto& terms, Outcome of_elimination,
                  const std::string& why) {
   q.add(expansion("24 terms", m, terms));
   q.add(expansion("cofactors of the first row", m, [](const auto& a) { return by_cofactors(a); }));
@@ -102,7 +102,7 @@ void add_methods(Quantity& q, const Matrix4<double>& m, const auto& terms, Outco
   for (int i = 0; i < 16; ++i)
     dense(i / 4, i % 4) = m[static_cast<std::size_t>(i / 4)][static_cast<std::size_t>(i % 4)];
   q.add({"elimination", "LU, rows exchanged", no_knob(), [=](double) { return answer(determinant(dense)); },
-         elimination, why});
+         of_elimination, why});
 }
 
 /// The printed sum.

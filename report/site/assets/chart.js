@@ -402,7 +402,6 @@
   const quantityNamed = (name) => oddity.data.quantities.find((q) => q.name === name);
 
   function start() {
-    if (!oddity.data) return;
     for (const figure of document.querySelectorAll('figure.chart[data-quantity]')) {
       const quantity = quantityNamed(figure.dataset.quantity);
       if (quantity) whenNear(figure, () => chart(figure, quantity, contextOf(oddity.data, quantity)));
@@ -425,5 +424,5 @@
     quantityNamed,
     whenReady,
   });
-  if (typeof document !== 'undefined') whenReady(start);
+  if (typeof document !== 'undefined') whenReady(() => oddity.with_data(start));
 })((window.oddity = window.oddity || {}));

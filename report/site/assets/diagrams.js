@@ -8,10 +8,11 @@
     power,
     number,
     duration,
-    hasUnit,
     inUnit,
+    errorName,
     colourOf,
     lettered,
+    pointsOf,
     named,
     front,
     decades,
@@ -51,6 +52,9 @@
               : '')
     );
   }
+
+  const canvas = (kind, width, height) =>
+    svg('svg', { class: kind, viewBox: `0 0 ${width} ${height}`, width, height, role: 'group' });
 
   /** A point as an element: pale ones are dots, those without a number letters. */
   function nodeOf(p, quantity, context, pale, inStrip) {
@@ -95,13 +99,7 @@
     });
     const drawn = methods.filter(at.shows);
     const bright = view.every ? new Set(drawn) : highlighted(drawn, at, quantity.floor, spokenOf);
-    const picture = svg('svg', {
-      class: 'work-precision',
-      viewBox: `0 0 ${width} ${height}`,
-      width,
-      height,
-      role: 'group',
-    });
+    const picture = canvas('work-precision', width, height);
     const spots = [],
       curves = [],
       obstacles = [];
@@ -154,11 +152,7 @@
         narrow,
       ),
     );
-    const first = front(
-      methods.flatMap((m) => m.points),
-      view.axis,
-      quantity.floor,
-    )[0];
+    const first = front(pointsOf(methods), view.axis, quantity.floor)[0];
     const start = spots.find((s) => s.point === first);
     if (start) start.first = true;
     return { svg: picture, spots };
@@ -175,13 +169,7 @@
   }
 
   function frontLine(methods, axis, floor, spots, box) {
-    const best = new Set(
-      front(
-        methods.flatMap((m) => m.points),
-        axis,
-        floor,
-      ),
-    );
+    const best = new Set(front(pointsOf(methods), axis, floor));
     const steps = spots.filter((s) => best.has(s.point)).sort((a, b) => a.x - b.x || b.y - a.y);
     if (!steps.length) return '';
     const d = steps
@@ -203,7 +191,6 @@
       text(tickText(at.axis, value), { x: x(value), y: box.bottom + 16, 'text-anchor': 'middle' });
     }
     line({ class: 'border' }, `M${box.left},${box.top}V${box.bottom}H${box.right}`);
-    const unit = hasUnit(quantity.unit) ? ' [' + quantity.unit + ']' : '';
     const name =
       at.axis === 'time'
         ? 'time'
@@ -211,7 +198,7 @@
           ? counted(methods)
           : at.knob + (at.knob === 'step' && context.timeUnit ? ' [' + context.timeUnit + ']' : '');
     text(name, { x: (box.left + box.right) / 2, y: box.bottom + 36, 'text-anchor': 'middle', class: 'name' });
-    text('error' + unit, {
+    text(errorName(quantity.unit), {
       class: 'name',
       'text-anchor': 'middle',
       transform: `translate(12,${(box.top + box.bottom) / 2})rotate(-90)`,
@@ -290,7 +277,7 @@
     const names = methods.map((m) => shortened(named(m), narrow ? 48 : 60));
     const font = '12px ' + context.font();
     const edge = narrow ? 10 : 16 + Math.max(...names.map((name) => widthOf(name, font)), 40);
-    const points = methods.flatMap((m) => m.points);
+    const points = pointsOf(methods);
     const errors = points
       .map((p) => p.error)
       .filter((e) => e > 0)
@@ -309,13 +296,7 @@
           ? edge + 24
           : box.left + (box.right - box.left) * part(range, error);
     const height = box.bottom + 42;
-    const picture = svg('svg', {
-      class: 'work-precision rows',
-      viewBox: `0 0 ${width} ${height}`,
-      width,
-      height,
-      role: 'group',
-    });
+    const picture = canvas('work-precision rows', width, height);
     const back = svg('g', { class: 'axes', 'aria-hidden': 'true' });
     const text = (says, attributes) => back.append(svg('text', attributes, says));
     for (const value of ticks(range, narrow ? 4 : 9)) {
@@ -325,7 +306,7 @@
     text('exact', { x: x(0), y: box.bottom + 16, 'text-anchor': 'middle' });
     if (points.some((p) => p.error === null))
       text('no number', { x: width - 2, y: box.bottom + 16, 'text-anchor': 'end' });
-    text('error' + (hasUnit(quantity.unit) ? ' [' + quantity.unit + ']' : ''), {
+    text(errorName(quantity.unit), {
       x: (box.left + box.right) / 2,
       y: box.bottom + 36,
       'text-anchor': 'middle',

@@ -3,7 +3,8 @@
 //   algorithms   [{name, kind, order, knob, inFloat}]: `kind` is fixed, partitioned, controlled, implicit fixed,
 //                implicit controlled or closed form; `knob` is step, tolerance or, of a closed form, empty
 //   scene(number)   {parameters: [name], defaults: {name: value}, models: [{name, algorithms: [name],
-//                   constrained}], observables: how many, drawn, space}, or null where there is no such scene
+//                   constrained, events}], observables: how many, drawn, space}, or null where there is no such scene;
+//                   a model with events moves in double only
 //   run({scene, parameters, model, algorithm, precision: 'double' | 'float', setting, times})
 //                times[0] is 0. Returns {observed, drift, off, evaluations, ending, message, seconds, last}:
 //     observed   the observables of one time after the other, NaN from where the motion broke off
@@ -71,7 +72,7 @@
   function known(scene, index) {
     const values = numbers(wasm.defaults(index), scene.parameters.length);
     const models = scene.models.map(model => ({
-      name: model.name, algorithms: algorithmsOf(model), constrained: model.constrained
+      name: model.name, algorithms: algorithmsOf(model), constrained: model.constrained, events: model.events
     }));
     const whole = {
       index, parameters: scene.parameters, models, observables: scene.observables, drawn: scene.drawn, space: false,
@@ -82,7 +83,6 @@
   }
 
   function algorithmsOf(model) {
-    if (model.events) return [];
     if (model.closedForm) {
       const own = model.algorithm || closedForm.name;
       if (!engine.algorithms.some(a => a.name === own)) engine.algorithms.push(Object.assign({}, closedForm, {name: own}));

@@ -48,6 +48,9 @@
   const hasUnit = (unit) => unit && unit !== '1' && !unit.includes(',');
   const inUnit = (x, unit, digits) => number(x, digits) + (hasUnit(unit) && x !== null ? ' ' + unit : '');
 
+  /** "error [rad]". */
+  const errorName = (unit) => 'error' + (hasUnit(unit) ? ' [' + unit + ']' : '');
+
   /** What a game asks, in the words of a game: "1 cm", "1°". */
   function needOfGame(value, unit) {
     if (unit === 'm' && value === 0.01) return '1 cm';
@@ -104,6 +107,7 @@
     });
   }
 
+  const pointsOf = (methods) => methods.flatMap((m) => m.points);
   const usable = (p) => !failures.has(p.outcome) && p.error !== null;
   const cost = (p, axis) => (axis === 'time' ? p.ns : Math.max(p.evaluations, 1));
   const named = (m) => m.algorithm + (m.precision === 'float' ? ' in float' : '') + ' (' + m.model + ')';
@@ -178,7 +182,7 @@
       axis !== 'setting' ? cost(p, axis) : p.method.knob === knob ? p.setting : isLine(p.method) ? edge : NaN;
     let edge = 1; // where a method without a knob has its point, its line running from there
     const top = Math.max(1e3 * quantity.size, 10 * quantity.need) || 1;
-    const points = methods.flatMap((m) => m.points);
+    const points = pointsOf(methods);
     const errors = points.map((p) => p.error).filter((e) => e > 0 && e <= top);
     // An error of none stands a decade below the least that there is, or at the floor.
     const least = Math.max(
@@ -234,11 +238,7 @@
       Math.abs(Math.log10(at.abscissa(p) / at.abscissa(q))) < 0.05 &&
       Math.abs(Math.log10(at.ordinate(p) / at.ordinate(q))) < 0.3;
     if (at.axis !== 'setting')
-      for (const p of front(
-        methods.flatMap((m) => m.points),
-        at.axis,
-        floor,
-      )) {
+      for (const p of front(pointsOf(methods), at.axis, floor)) {
         if (alike.some((q) => lookAlike(p, q))) continue;
         alike.push(p);
         if (chosen.size < mostCurves) chosen.add(p.method);
@@ -262,9 +262,9 @@
       : count(p.evaluations) + (p.evaluations === 1 ? ' evaluation' : ' evaluations');
 
   function cheapest(methods, axis, allowed) {
-    const points = methods
-      .flatMap((m) => m.points)
-      .filter((p) => usable(p) && p.error <= allowed && cost(p, axis) !== null);
+    const points = pointsOf(methods).filter(
+      (p) => usable(p) && p.error <= allowed && cost(p, axis) !== null,
+    );
     return points.length
       ? points.reduce((a, b) =>
           cost(b, axis) < cost(a, axis) || (cost(b, axis) === cost(a, axis) && b.error < a.error) ? b : a,
@@ -356,10 +356,7 @@
       setting = /^(step|tolerance|distance|pulse|softness|amplitude)$/.test(knob)
         ? 'a ' + knob
         : 'the setting "' + knob + '"';
-    const points = methods
-      .filter((m) => m.knob === knob)
-      .flatMap((m) => m.points)
-      .filter(usable);
+    const points = pointsOf(methods.filter((m) => m.knob === knob)).filter(usable);
     if (!points.length) return { says: 'No method with ' + setting + ' comes to its end.', of: [] };
     const least = points.reduce((a, b) => (b.error < a.error ? b : a));
     return {
@@ -381,7 +378,7 @@
     const needed = quantity.asked || inUnit(quantity.need, quantity.unit);
     const least = cheapest(methods, axis, quantity.need);
     if (!least) {
-      const points = methods.flatMap((m) => m.points).filter(usable);
+      const points = pointsOf(methods).filter(usable);
       if (!points.length) return { says: 'No method comes to an end.', of: [] };
       const nearest = points.reduce((a, b) => (b.error < a.error ? b : a));
       return {
@@ -437,11 +434,13 @@
     duration,
     hasUnit,
     inUnit,
+    errorName,
     needOfGame,
     families,
     colourOf,
     lettered,
     methodsOf,
+    pointsOf,
     named,
     sentence,
     called,

@@ -315,11 +315,11 @@
   }
 
   function start() {
-    if (!oddity.data || !oddity.data.stability || !oddity.data.scene) return;
+    if (!oddity.data.stability || !oddity.data.scene) return;
     for (const figure of document.querySelectorAll('figure.map'))
       whenNear(figure, () => show(figure, oddity.data));
   }
 
   oddity.map = { border, borderPath, longestOk, finding };
-  if (typeof document !== 'undefined') oddity.charts.whenReady(start);
+  if (typeof document !== 'undefined') oddity.charts.whenReady(() => oddity.with_data(start));
 })((window.oddity = window.oddity || {}));

@@ -50,9 +50,9 @@
     const own = engine.scene(data.number);
     if (!own) return [];
     const facts = new Map(engine.algorithms.map((a) => [a.name, a]));
-    return own.models.flatMap(({ name, algorithms }) => algorithms.map((algorithm) => {
+    return own.models.flatMap(({ name, algorithms, events }) => algorithms.map((algorithm) => {
       const fact = facts.get(algorithm) || { knob: '', inFloat: false };
-      return { model: name, algorithm, knob: fact.knob, precisions: fact.inFloat ? ['double', 'float'] : ['double'] };
+      return { model: name, algorithm, knob: fact.knob, precisions: fact.inFloat && !events ? ['double', 'float'] : ['double'] };
     }));
   }
 
@@ -129,7 +129,7 @@
       return method && { model: method.model, algorithm: method.algorithm, precision: 'double',
         setting: method.knob === 'tolerance' ? 1e-12 : bestTrial(triedLike(method))[0] };
     }
-    const richest = engine ? finestMethod() : null;
+    const richest = engine ? (data.example && data.example.truth) || finestMethod() : null;
 
     /** The recorded truth; a frame 0 that is not there is where the finest method starts. */
     const reference = recordedTruth(scene.truth, count);
@@ -142,7 +142,10 @@
 
     const truth = (parameters) => (isDefault(parameters) || !richest ? reference : frames(parameters));
 
-    const judge = (motion, parameters) => oddity.judged(motion, truth(parameters), scene.norms, scene.close);
+    /** The truth at a motion's own times: where events are, what lies between frames is not smooth. */
+    const exactly = (times, parameters) => ({ ...truth(parameters), ...computedAt(times, { parameters, ...richest }) });
+    const judge = (motion, parameters) => oddity.judged(motion,
+      data.example && richest ? exactly(motion.times, parameters) : truth(parameters), scene.norms, scene.close);
 
     /** How far the finest method is from the recorded truth, in each unit. */
     const apart = () => cached('apart', () => oddity.judged(frames(defaults), reference, scene.norms, scene.close).worst);
@@ -186,6 +189,7 @@
 
     /** What is enough for a game at the least, and what an engine does today. */
     function opening() {
+      if (data.example && computed.length) return data.example.opening;
       const rows = [];
       const least = (data.least || [])[0];
       const enough = least && find(least.model, least.algorithm);
@@ -219,12 +223,15 @@
       return right ? [asRow(find(right.model, right.algorithm), 1e-9), ...printed].slice(0, 4) : printed.slice(0, 4);
     }
 
+    /** The truth at any time. */
+    const seeTruth = data.example ? oddity.between : oddity.throughSix;
+
     const own = engine && engine.scene(data.number);
     const drawing = own && own.drawn
       ? (parameters, t, observed) => engine.draw(data.number, parameters, t, observed) : oddity.asPoints(data);
 
     return { data, scene, quantity, frame, looks, defaults, models, methods, find, algorithmsOf, usual, run, truth, judge, floors, floorsOf, richest,
-      reference, apart, isDefault, opening, asPublished, drawing, recordedOnly: !computed.length,
+      reference, seeTruth, apart, isDefault, opening, asPublished, drawing, recordedOnly: !computed.length,
       space: drawing(defaults, 0, reference.observed.slice(count, 2 * count)).space };
   };
 

@@ -15,8 +15,20 @@
     };
   }
 
+  // What data/*.js give, the base64 of a gzip.
+  oddity.unpacked = async (packed) => {
+    const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+    return JSON.parse(await new Response(stream).text());
+  };
+
+  if (!window.DecompressionStream)
+    document.querySelector('main').prepend(Object.assign(document.createElement('p'), { className: 'failure',
+      textContent: 'This browser is too old for players and charts: it has no DecompressionStream.' }));
+
   // Called by data/3.5.js.
-  oddity.exercise = (data) => {
+  oddity.exercise = async (packed) => {
+    const data = await oddity.unpacked(packed);
     for (const quantity of data.quantities)
       quantity.methods = quantity.methods.map((method) => whole_method(quantity, method));
     oddity.data = data;

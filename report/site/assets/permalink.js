@@ -1,6 +1,6 @@
 // A player's state as the part of an address after #, and back. What is read may be anything: nothing of it
 // counts before it is found among what the scene has.
-//   #play&p.a=0.6&row=one%20angle/explicit%20Euler/double/0.0167&at=1.5&speed=0.25
+//   #play&p.a=0.6&row=one%20angle/explicit%20Euler/double/0.0167&at=1.5&speed=0.25&view=30,22.5
 
 (function (oddity) {
   'use strict';
@@ -47,6 +47,14 @@
     return { model, algorithm, precision, setting: x };
   }
 
+  function view(text, known) {
+    if (!known.space) throw new Unreadable('The link turns the scene, which lies in a plane.');
+    const [azimuth, elevation, ...more] = text.split(',').map((x) => number(x, 'the view'));
+    if (elevation === undefined || more.length || Math.abs(elevation) > 90)
+      throw new Unreadable(`The link has \u201c${text}\u201d for the view, which is not an azimuth and an elevation in degrees.`);
+    return { azimuth, elevation };
+  }
+
   function state(parts, known) {
     const read = { parameters: {}, rows: [], time: 0, speed: 1 };
     for (const part of parts) {
@@ -56,6 +64,8 @@
         read.parameters[key] = parameter(key, readable(text), known);
       } else if (name === 'row') {
         read.rows.push(row(text, known));
+      } else if (name === 'view') {
+        read.view = view(readable(text), known);
       } else if (name === 'at') {
         read.time = Math.min(known.horizon, Math.max(0, number(readable(text), 'the time')));
       } else if (name === 'speed') {
@@ -70,19 +80,21 @@
   }
 
   oddity.permalink = {
-    /** Of {parameters: {name: value}, rows: [{model, algorithm, precision, setting}], time, speed}. */
-    format({ parameters, rows, time, speed }) {
+    /** Of {parameters: {name: value}, rows: [{model, algorithm, precision, setting}], time, speed, view}; the
+        view, {azimuth, elevation} in degrees, may be missing. */
+    format({ parameters, rows, time, speed, view }) {
       const parts = ['#play'];
       for (const [name, value] of Object.entries(parameters)) parts.push(`p.${word(name)}=${value}`);
       for (const r of rows)
         parts.push('row=' + [r.model, r.algorithm, r.precision, r.setting].map((x) => word(x)).join('/'));
       if (time) parts.push(`at=${Number(time.toFixed(6))}`);
       if (speed !== 1) parts.push(`speed=${speed}`);
+      if (view) parts.push(`view=${view.azimuth},${view.elevation}`);
       return parts.join('&');
     },
 
     /** {state}, or {problem: a sentence}; null when it is no link to a player. `known` is {parameters, methods:
-        [{model, algorithm, precisions, knob}], horizon, speeds, missing: what is said of what is not there}. */
+        [{model, algorithm, precisions, knob}], horizon, speeds, space: whether it can be turned, missing: what is said of what is not there}. */
     parse(hash, known) {
       const [first, ...parts] = hash.split('&');
       if (first !== '#play' || !parts.length) return null;     // #play is the player's own place in the page

@@ -68,12 +68,15 @@
       /** `methods`: [{motion, colour}]. */
       show(given, truth, ghostColour, methods) {
         parameters = given;
-        layers = [{ motion: truth, see: oddity.throughSix, colour: ghostColour, ghost: true, way: [] },
+        layers = [{ motion: truth, see: motions.seeTruth, colour: ghostColour, ghost: true, way: [] },
           ...methods.map((m) => ({ ...m, see: oddity.between, ghost: false, way: [] }))];
         stage.fit(toFit(all(layers[0]), layers.slice(1).flatMap(all)));
       },
       paint(t) { stage.paint(layers.map((layer) => seenAt(layer, t)).filter((l) => l)); },
       resize() { stage.resize(); },
+      /** From where one looks at a scene in space, in degrees; null as it opens, and in the plane. */
+      view: () => stage.seenFrom(),
+      look(view) { stage.lookFrom(view); },
     };
   };
 })(window.oddity = window.oddity || {});

@@ -45,7 +45,7 @@
     /** What a link may name. */
     known() {
       return { parameters: this.motions.recordedOnly ? [] : this.sliding(), methods: this.motions.methods,
-        horizon: this.scene.horizon, speeds: oddity.speeds,
+        horizon: this.scene.horizon, speeds: oddity.speeds, space: this.motions.space,
         missing: this.motions.recordedOnly ? 'is not recorded, and the models are not in this copy of the page' : 'this scene does not have' };
     }
 
@@ -62,7 +62,8 @@
       return state.rows.length ? state : { ...state, rows: this.motions.opening() };
     }
 
-    restart({ parameters, rows, time, speed }) {
+    restart({ parameters, rows, time, speed, view = null }) {
+      this.picture.look(view);
       this.parameters = { ...this.motions.defaults, ...parameters };
       this.clock.setSpeed(speed);
       this.rows = [];
@@ -267,7 +268,7 @@
       doing.push(worded('as it opened', 'parameters and methods as the page has them first', () => this.preset(motions.opening(), 'As it opened')));
       if (!motions.recordedOnly) doing.push(worded('break it', 'the smallest step with which the first method breaks', () => this.breakIt()));
       const copying = [worded('copy link', 'an address that opens the player as it is now', () => this.link())];
-      for (const verb of ['solve', 'choose'])
+      for (const verb of motions.data.example ? [] : ['solve', 'choose'])
         copying.push(worded(`copy oddity ${verb}`, verb === 'solve' ? 'the command that runs every method at these parameters'
           : 'the command that chooses a method for these parameters', () => this.command(verb)));
       return make('div', { class: 'player-actions' }, make('div', {}, ...doing), make('div', {}, ...copying));
@@ -349,7 +350,7 @@
     }
 
     preset(rows, text) {
-      this.restart({ parameters: {}, rows, time: 0, speed: this.clock.speed });
+      this.restart({ parameters: {}, rows, time: 0, speed: this.clock.speed, view: this.picture.view() });
       this.say(`${text}, from the start.`);
       this.clock.play();
     }
@@ -369,7 +370,8 @@
     state() {
       const { defaults } = this.motions;
       const changed = Object.fromEntries(Object.entries(this.parameters).filter(([name, x]) => x !== defaults[name]));
-      return { parameters: changed, rows: this.rows.map((r) => r.method), time: this.clock.time, speed: this.clock.speed };
+      return { parameters: changed, rows: this.rows.map((r) => r.method), time: this.clock.time, speed: this.clock.speed,
+        view: this.picture.view() };
     }
 
     async copy(text, done) {
@@ -497,8 +499,7 @@
   };
 
   if (typeof document !== 'undefined')
-    document.addEventListener('DOMContentLoaded', () => {
-      if (!oddity.data || !oddity.data.scene) return;
-      document.querySelectorAll('.player').forEach((element) => { oddity.player(element); });
-    });
+    document.addEventListener('DOMContentLoaded', () => oddity.with_data(({ scene }) => {
+      if (scene) document.querySelectorAll('.player').forEach((element) => { oddity.player(element); });
+    }));
 })(window.oddity = window.oddity || {});

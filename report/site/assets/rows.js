@@ -13,8 +13,8 @@
   const fails = {
     'non-finite': 'the state is not finite',
     stalled: 'it is stuck',
-    chattering: 'events without end',
-    grazing: 'whether an event happens is below its error',
+    chattering: 'chattering, events without end',
+    grazing: 'grazing, whether an event happens is below its error',
   };
 
   /** How it ended, in a few words. */
@@ -137,6 +137,9 @@
       const { holds, text } = oddity.endingOf(motion, judged, scene);
       ending.textContent = row.trial ? `${text}. ${row.trial}` : text;
       ending.className = `row-ending ${holds ? 'row-holds' : 'row-fails'}`;
+      const last = motion.times.length - 1;  // all digits, for programs that look at the page
+      element.dataset.end = JSON.stringify({ observed: [...motion.observed.slice(last * motion.count)],
+        errors: judged.errors.map((e) => e[last]) });
     }
 
     function showNothing() {

@@ -6,7 +6,8 @@
   let entries = null, dialog = null, input = null, list = null, chosen = -1;
 
   // Called by data/search.js.
-  oddity.index = (all) => {
+  oddity.index = async (packed) => {
+    const all = await oddity.unpacked(packed);
     const names = new Map(all.filter(([, kind]) => kind === 'exercise').map(([to, , title]) => [to, title]));
     entries = all.map(([to, kind, named, text]) => {
       const [page, place] = to.split('#');
@@ -40,12 +41,14 @@
     dialog.querySelector('.said').textContent = text;
   }
 
+  const brief = (text) => (text.length > 140 ? text.slice(0, text.lastIndexOf(' ', 137)) + '...' : text);
+
   function item_of(entry, place) {
     const item = oddity.element('li', { role: 'option', id: `hit-${place}`, 'aria-selected': 'false' },
       oddity.element('a', { href: entry.to, tabindex: '-1' },
         oddity.element('b', { class: `kind ${entry.kind.replace(/\W/g, '-')}` }, entry.kind), ' ',
         oddity.element('span', {}, entry.title),
-        oddity.element('small', {}, entry.text.slice(0, 140))));
+        oddity.element('small', {}, brief(entry.text))));
     item.addEventListener('click', () => dialog.close());
     return item;
   }

@@ -7,6 +7,9 @@
   const margin = 26;  // pixels about what is drawn
   const plane = { right: [1, 0, 0], up: [0, 1, 0], toward: [0, 0, 1] };
 
+  const opening = { azimuth: Math.PI / 6, elevation: Math.PI / 8 };
+  const degrees = (x) => Math.round(1800 * Math.atan2(Math.sin(x), Math.cos(x)) / Math.PI) / 10;
+
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -52,8 +55,7 @@
       this.canvas = canvas;
       this.pen = canvas.getContext('2d');
       this.space = Boolean(options.space);
-      this.azimuth = Math.PI / 6;
-      this.elevation = Math.PI / 8;
+      Object.assign(this, opening);
       this.view = this.space ? space(this.azimuth, this.elevation) : plane;
       this.cloud = [];
       this.layers = [];
@@ -93,6 +95,20 @@
       this.view = space(this.azimuth, this.elevation);
       this.settle();
       this.paint(this.layers);
+    }
+
+    /** {azimuth, elevation} in degrees; null where they are those that it opens with. */
+    seenFrom() {
+      if (!this.space || (this.azimuth === opening.azimuth && this.elevation === opening.elevation)) return null;
+      return { azimuth: degrees(this.azimuth), elevation: degrees(this.elevation) };
+    }
+
+    /** The same back. */
+    lookFrom(view) {
+      const radians = (x) => x * Math.PI / 180;
+      const { azimuth, elevation } = view ? { azimuth: radians(view.azimuth), elevation: radians(view.elevation) } : opening;
+      this.turn(azimuth - this.azimuth, elevation - this.elevation);
+      Object.assign(this, { azimuth, elevation });
     }
 
     /** To the canvas's size and the page's colours, as they are now. */

@@ -183,7 +183,6 @@
   }
 
   function start() {
-    if (!oddity.data) return;
     for (const place of document.querySelectorAll('div.trials[data-quantity]')) {
       const quantity = quantityNamed(place.dataset.quantity);
       if (quantity) fold(place, quantity, contextOf(oddity.data, quantity));
@@ -191,5 +190,5 @@
   }
 
   oddity.trials = { compared, sorted, columnsOf };
-  if (typeof document !== 'undefined') oddity.charts.whenReady(start);
+  if (typeof document !== 'undefined') oddity.charts.whenReady(() => oddity.with_data(start));
 })((window.oddity = window.oddity || {}));

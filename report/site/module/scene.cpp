@@ -4,6 +4,7 @@
 
 #include "chapters/drift.hpp"
 #include "solvers/ode/all.hpp"
+#include "solvers/ode/events.hpp"
 
 namespace oddity::module {
 
@@ -44,7 +45,7 @@ Motion ModelOf<n>::run(std::string_view algorithm, Precision precision, double s
   if (!by.found) return refused("the module does not have this algorithm");
   if (by.partitioned && !this->partitioned()) return refused("the model is not partitioned");
   if (precision == Precision::in_float && !by.in_float) return refused("this algorithm is in double only");
-  if (has_events()) return refused("the module does not look for events");
+  if (precision == Precision::in_float && has_events()) return refused("events are found in double only");
   return seen(moved(algorithm, precision, setting, times), times);
 }
 
@@ -52,7 +53,7 @@ template <std::size_t n>
 auto ModelOf<n>::moved(std::string_view algorithm, Precision precision, double setting,
                        std::span<const double> times) const -> ode::Trajectory<State> {
   if (precision == Precision::in_double)
-    return ode::precompiled<n>(algorithm)(*this, start(), times, setting, {});
+    return ode::integrate_with_events<n>(algorithm, *this, start(), times, setting).trajectory;
   const auto narrow = (*ode::in_float<n>(algorithm))(system_in_float(), start_in_float(), times, setting);
   ode::Trajectory<State> widened{{}, narrow.evaluations, narrow.error_estimate,
                                  0,  narrow.ending,      narrow.message};
@@ -100,7 +101,8 @@ const std::vector<double>& ModelOf<n>::moving(double end) const {
   const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
   const auto times = evenly(end, 128);
   const auto motion =
-      ode::precompiled<n>("Dormand-Prince 5(4)")(*this, start(), times, 1e-8, ode::Watch<n>(enough));
+      ode::integrate_with_events<n>("Dormand-Prince 5(4)", *this, start(), times, 1e-8, ode::Watch<n>(enough))
+          .trajectory;
   most.resize(conserved(start(), 0).size());
   for (std::size_t i = 0; i < motion.value.size(); ++i) {
     const auto now = conserved(motion.value[i], times[i]);

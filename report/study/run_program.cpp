@@ -1,11 +1,12 @@
-#include "report/charts/run_program.hpp"
+#include "report/study/run_program.hpp"
 
-#include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <system_error>
@@ -36,9 +37,10 @@ class Scratch {
         errno, "a temporary file");
     std::rewind(file_.get());
   }
-  std::string read() {
+  std::string read(std::size_t most) {
+    require(std::fseek(file_.get(), 0, SEEK_END) == 0, errno, "a temporary file");
+    std::string text(std::min(most, static_cast<std::size_t>(std::ftell(file_.get()))), '\0');
     std::rewind(file_.get());
-    std::string text(4000, '\0');
     text.resize(std::fread(text.data(), 1, text.size(), file_.get()));
     return text;
   }
@@ -47,14 +49,14 @@ class Scratch {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-pid_t spawn(const std::vector<std::string>& command, int input, int errors) {
+pid_t spawn(const std::vector<std::string>& command, int input, int output, int errors) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
   pid_t child = 0;
   const int error = posix_spawnp(&child, words.front(), &actions, nullptr, words.data(), environ);
@@ -66,11 +68,15 @@ pid_t spawn(const std::vector<std::string>& command, int input, int errors) {
 }  // namespace
 
 Ended run_program(const std::vector<std::string>& command, const std::string& input,
-                  std::chrono::milliseconds limit) {
+                  std::chrono::milliseconds limit, std::size_t memory) {
   using namespace std::chrono_literals;
-  Scratch given, said;
+  Scratch given, answered, said;
   given.write(input);
-  const pid_t child = spawn(command, given.descriptor(), said.descriptor());
+  const pid_t child = spawn(command, given.descriptor(), answered.descriptor(), said.descriptor());
+  if (memory > 0) {
+    const rlimit most{memory, memory};
+    prlimit(child, RLIMIT_AS, &most, nullptr);
+  }
   const Running running(child);
   const auto deadline = std::chrono::steady_clock::now() + limit;
   int status = 0;
@@ -87,7 +93,7 @@ Ended run_program(const std::vector<std::string>& command, const std::string& in
           late                  ? "no answer within " + rounded(seconds, 3) + " s"
           : WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
                                 : "status " + std::to_string(WEXITSTATUS(status)),
-          said.read()};
+          said.read(4000), answered.read(std::string::npos)};
 }
 
 }  // namespace oddity

@@ -11,11 +11,13 @@ struct Ended {
   bool ok = false;
   std::string how;  ///< "status 1", "signal 9", "no answer within 60 s"
   std::string words;
+  std::string output;  ///< standard output
 };
 
-/// Runs a program, without a shell, with `input` on its standard input; it is killed at the limit. Its
-/// standard output goes nowhere. Throws std::system_error when it cannot be started.
+/// Runs a program, without a shell, with `input` on its standard input; it is killed at the limit. It gets no
+/// more `memory` [bytes of addresses] than that, unless 0. Throws std::system_error when it cannot be
+/// started.
 Ended run_program(const std::vector<std::string>& command, const std::string& input,
-                  std::chrono::milliseconds limit);
+                  std::chrono::milliseconds limit, std::size_t memory = 0);
 
 }  // namespace oddity

@@ -1,0 +1,89 @@
+#include "report/cli/words.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "chapters/contents.hpp"
+#include "reference/bad_input.hpp"
+#include "reference/similar.hpp"
+
+namespace oddity {
+
+namespace {
+
+std::vector<std::string> names_of_verbs(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* one : app.get_subcommands({})) names.push_back(one->get_name());
+  return names;
+}
+
+void require_verb(const CLI::App& app, const std::string& word) {
+  const std::vector<std::string> names = names_of_verbs(app);
+  if (std::ranges::find(names, word) != names.end()) return;
+  if (exercise_number(word)) throw BadInput("no verb '" + word + "'; did you mean 'solve " + word + "'?");
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  throw BadInput("no verb '" + word + "'; the verbs are: " + all + did_you_mean(word, names));
+}
+
+std::string help_of(const CLI::App& app) {
+  return "'oddity " + (app.get_parent() ? app.get_name() + " " : "") + "--help' says more";
+}
+
+std::string refusal(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> options;
+  for (const CLI::Option* option : app.get_options()) options.push_back(option->get_name());
+  const std::string meant =
+      word.starts_with('-') ? did_you_mean(word.substr(0, word.find('=')), options) : "";
+  return app.get_name() + " does not take '" + word + "'" + meant + (meant.empty() ? "; " : " ") + help_of(app);
+}
+
+}  // namespace
+
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.insert(words.begin() + (words.empty() ? 0 : 1), "--help");
+  }
+  return words;
+}
+
+std::string typed(const std::vector<std::string>& words) {
+  std::string all = "oddity";
+  for (const std::string& word : words) {
+    std::string quoted;
+    for (char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    const bool plain = std::ranges::all_of(word, [](unsigned char c) {
+      return std::isalnum(c) || c >= 0x80 ||
+             std::string_view("-_=.,:/+%@").find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    all += " " + (plain && !word.empty() ? word : "'" + quoted + "'");
+  }
+  return all;
+}
+
+void require_a_verb(const CLI::App& app, const std::vector<std::string>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!words[i].starts_with('-')) return require_verb(app, words[i]);
+    if (!app.get_option_no_throw(words[i].substr(0, words[i].find('='))))
+      throw BadInput(refusal(app, words[i]));
+    if (words[i] == "--reference") ++i;
+  }
+}
+
+std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
+  const auto used = app.get_subcommands();
+  const CLI::App& verb = used.empty() ? app : *used.front();
+  const std::vector<std::string> unknown = verb.remaining();
+  if (!unknown.empty() && !verb.get_allow_extras()) return refusal(verb, unknown.front());
+  const std::string says = error.what();
+  if (error.get_name() == "ArgumentMismatch")
+    return says.substr(0, says.find(':')) + " needs a value; " + help_of(verb);
+  if (const auto at = says.find(" excludes "); at != std::string::npos)
+    return says.substr(0, at) + " and " + says.substr(at + 10) + " do not go together; " + help_of(verb);
+  return says + "; " + help_of(verb);
+}
+
+}  // namespace oddity

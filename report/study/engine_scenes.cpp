@@ -1,0 +1,214 @@
+#include "report/study/engine_scenes.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_sf_elljac.h>
+
+#include <algorithm>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+#include <map>
+
+#include "chapters/03_rigid_body_motion/25_chain/models.hpp"
+#include "chapters/own_reference.hpp"
+#include "chapters/scene.hpp"
+#include "reference/bad_input.hpp"
+#include "report/study/starts.hpp"
+#include "solvers/engines/turns.hpp"
+
+namespace oddity {
+
+namespace engines {
+
+namespace {
+
+/// A contest whose truth is see(t) at every frame, to `error`.
+template <class See>
+EngineScene at_every_frame(std::string name, std::string title, const Need& need, Staging staging,
+                           std::vector<Norm> norms, const See& see, double error, const std::string& by) {
+  const Horizon horizon{need.horizon, 1, need.frames_per_second};
+  Known known{{}, error, by};
+  const auto times = horizon.times();
+  for (double t : std::span(times).subspan(1)) {
+    const std::vector<double> seen = see(t);
+    known.value.insert(known.value.end(), seen.begin(), seen.end());
+  }
+  Quantity motion = quantity("motion", std::string(norms.front().unit), title, known, {0, "asked for"});
+  motion.samples = horizon.count();
+  motion.norms = std::move(norms);
+  motion.needs = needs_of(need, motion);
+  motion.need.allowed = *std::ranges::min_element(motion.needs);
+  return {std::move(name), std::move(title), need, std::move(staging), std::move(motion)};
+}
+
+// ---- a body that turns freely -----------------------------------------------------------------------------
+
+/// Moments 1 < 2 < 3, and a spin that takes it past its middle axis: it tumbles. Where the angular momentum,
+/// which stays, stands in the body: I w/|L|, by Jacobi's functions [Landau and Lifshitz, Mechanics, 37].
+EngineScene free_body(const Need& need) {
+  constexpr double I1 = 1, I2 = 2, I3 = 3, w1 = 1.7, w3 = 1;
+  constexpr double E2 = I1 * w1 * w1 + I3 * w3 * w3, L2 = I1 * I1 * w1 * w1 + I3 * I3 * w3 * w3;
+  const double rate = std::sqrt((I3 - I2) * (L2 - E2 * I1) / (I1 * I2 * I3));
+  const double modulus = (I2 - I1) * (E2 * I3 - L2) / ((I3 - I2) * (L2 - E2 * I1));
+  const double most2 = std::sqrt((E2 * I3 - L2) / (I2 * (I3 - I2))), L = std::sqrt(L2);
+  Body body{1, {I1, I2, I3}};
+  body.start.spin = {w1, 0, w3};
+  const auto see = [=](double t) {
+    double sn, cn, dn;
+    if (gsl_sf_elljac_e(rate * t, modulus, &sn, &cn, &dn) != GSL_SUCCESS) sn = cn = dn = NAN;
+    return std::vector{I1 * w1 * cn / L, I2 * most2 * sn / L, I3 * w3 * dn / L};
+  };
+  const Vector momentum{I1 * w1 / L, 0, I3 * w3 / L};
+  const auto observe = [momentum](std::span<const State> seen, double) {
+    const Vector in_body = turned(inverse(seen[0].orientation), momentum);
+    return std::vector<double>(in_body.begin(), in_body.end());
+  };
+  return at_every_frame("free body", "a body with three moments that turns freely", need,
+                        {{.bodies = {body}}, observe}, {{"rad", {0, 1, 2}}}, see, 1e-12,
+                        "Jacobi's functions");
+}
+
+// ---- a ball that bounces ----------------------------------------------------------------------------------
+
+/// Radius 0.1 m, let go 1 m above its first touch, with 0.8 of its speed returned.
+EngineScene bouncing_ball(const Need& need) {
+  constexpr double g = 9.81, returned = 0.8, radius = 0.1, fall = 1;
+  Body ball{1, {0.004, 0.004, 0.004}};
+  ball.start.position = {0, radius + fall, 0};
+  ball.shape = {Shape::ball, {radius}};
+  const auto see = [=](double t) {
+    double left = t - std::sqrt(2 * fall / g), speed = std::sqrt(2 * g * fall);
+    if (left < 0) return std::vector{radius + fall - g * t * t / 2};
+    for (speed *= returned; speed > 1e-9; speed *= returned) {
+      if (left < 2 * speed / g) return std::vector{radius + left * (speed - g * left / 2)};
+      left -= 2 * speed / g;
+    }
+    return std::vector{radius};
+  };
+  const auto observe = [](std::span<const State> seen, double) { return std::vector{seen[0].position[1]}; };
+  return at_every_frame(
+      "bouncing ball", "a ball that is returned 0.8 of its speed by the floor", need,
+      {{.gravity = {0, -g, 0}, .bodies = {ball}, .floor = {0, 1, 0}, .restitution = returned}, observe},
+      {{"m", {0}}}, see, 1e-12, "flights in closed form");
+}
+
+// ---- chains of many links ---------------------------------------------------------------------------------
+
+/// n links of 1 m in all and 1 kg in all, straight at 0.5 rad from the vertical, let go.
+class Chain {
+ public:
+  explicit Chain(int n) : m_(static_cast<std::size_t>(n), 1.0 / n), r_(m_), start_(2 * m_.size(), 0.0) {
+    std::fill_n(start_.begin(), m_.size(), 0.5);
+  }
+
+  void operator()(const std::vector<double>& x, std::vector<double>& dxdt, double) const {
+    const auto n = static_cast<std::ptrdiff_t>(m_.size());
+    const std::vector<double> theta(x.begin(), x.begin() + n), omega(x.begin() + n, x.end());
+    std::vector<double> alpha(theta);
+    chain::by_tensions(m_, r_, g, theta, omega, alpha);
+    std::ranges::copy(omega, dxdt.begin());
+    std::ranges::copy(alpha, dxdt.begin() + n);
+  }
+  /// The last mass at every frame.
+  template <class Stepper>
+  std::vector<double> ends(const Stepper& stepper, const Need& need) const {
+    std::vector<double> x = start_, seen;
+    std::vector<double> times;
+    for (int i = 0; i <= need.frames(); ++i) times.push_back(i / need.frames_per_second);
+    boost::numeric::odeint::integrate_times(stepper, *this, x, times.begin(), times.end(), 1e-3,
+                                            [&](const std::vector<double>& at, double t) {
+                                              if (t == 0) return;
+                                              const auto [across, up] = end_of(at);
+                                              seen.insert(seen.end(), {across, up});
+                                            });
+    return seen;
+  }
+  World world() const {
+    World world{.gravity = {0, -g, 0}};
+    Vector at{};
+    for (std::size_t k = 0; k < m_.size(); ++k) {
+      Body mass{m_[k],
+                {0.1 * m_[k] * r_[k] * r_[k], 0.1 * m_[k] * r_[k] * r_[k], 0.1 * m_[k] * r_[k] * r_[k]}};
+      mass.start.position = at + Vector{r_[k] * std::sin(start_[k]), -r_[k] * std::cos(start_[k]), 0};
+      const int b = static_cast<int>(k);
+      world.joints.push_back({.kind = Joint::rod, .a = b - 1, .b = b, .at = at, .end = mass.start.position});
+      at = mass.start.position;
+      world.bodies.push_back(mass);
+    }
+    return world;
+  }
+
+ private:
+  static constexpr double g = 9.81;
+
+  std::pair<double, double> end_of(const std::vector<double>& x) const {
+    double across = 0, up = 0;
+    for (std::size_t k = 0; k < m_.size(); ++k)
+      across += r_[k] * std::sin(x[k]), up -= r_[k] * std::cos(x[k]);
+    return {across, up};
+  }
+
+  std::vector<double> m_, r_, start_;
+};
+
+/// By two algorithms, which agree.
+EngineScene chain_of(int n, const Need& need) {
+  namespace odeint = boost::numeric::odeint;
+  const Chain chain(n);
+  const auto seen = chain.ends(
+      odeint::make_controlled(1e-13, 1e-13, odeint::runge_kutta_fehlberg78<std::vector<double>>()), need);
+  const auto again = chain.ends(odeint::bulirsch_stoer<std::vector<double>>(1e-12, 1e-12), need);
+  const auto see = [&](double t) {
+    const auto at = static_cast<std::ptrdiff_t>(2 * std::lround(t * need.frames_per_second) - 2);
+    return std::vector(seen.begin() + at, seen.begin() + at + 2);
+  };
+  const auto observe = [](std::span<const State> masses, double) {
+    const auto& end = masses.back().position;
+    return std::vector{end[0], end[1]};
+  };
+  const std::string name = "chain of " + std::to_string(n);
+  return at_every_frame(name, "a " + name + " links, 1 m long, let go straight at 0.5 rad; its end", need,
+                        {chain.world(), observe}, {{"m", {0, 1}}}, see, distance(seen, again),
+                        "Fehlberg 7(8) and Bulirsch-Stoer");
+}
+
+}  // namespace
+
+}  // namespace engines
+
+namespace {
+
+using Make = EngineScene (*)(const Need&);
+const std::vector<std::pair<std::string, Make>>& makers() {
+  static const std::vector<std::pair<std::string, Make>> all{
+      {"free body", engines::free_body},
+      {"bouncing ball", engines::bouncing_ball},
+      {"chain of 10", [](const Need& need) { return engines::chain_of(10, need); }},
+      {"chain of 100", [](const Need& need) { return engines::chain_of(100, need); }}};
+  return all;
+}
+
+}  // namespace
+
+EngineScene engine_scene(const Task& task, const Need& need, const Reference& truth) {
+  const Scene* scene = task.entry->exercise.scene ? &*task.entry->exercise.scene : nullptr;
+  const std::string number = to_string(task.entry->number);
+  if (scene == nullptr || scene->staging == nullptr)
+    throw BadInput(number + " is not set up for engines; 'oddity engines' shows the scenes that are");
+  Starts starts(task, need, truth);
+  return {number, std::string(task.entry->exercise.title), need, scene->staging(task.parameters),
+          starts.asked().motion};
+}
+
+std::vector<std::string> further_engine_scenes() {
+  std::vector<std::string> names;
+  for (const auto& [name, make] : makers()) names.push_back(name);
+  return names;
+}
+
+EngineScene further_engine_scene(const std::string& name, const Need& need) {
+  const auto found = std::ranges::find(makers(), name, &std::pair<std::string, Make>::first);
+  if (found == makers().end()) throw BadInput("there is no scene '" + name + "' for engines");
+  return found->second(need);
+}
+
+}  // namespace oddity

@@ -1,0 +1,35 @@
+// What the adapters in JavaScript share: simulation.hpp and the vectors of runner.cpp, in this language.
+
+export const ground = -1;
+
+/// The engine lacks what the world asks for: "no joint that keeps a distance".
+export class NotExpressible extends Error {}
+
+export const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+export const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+export const times = (s, a) => [s * a[0], s * a[1], s * a[2]];
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+export const cross = (a, b) =>
+  [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const isZero = (a) => a.every((x) => x === 0);
+
+/// The unit quaternion's turn.
+export function turned([w, x, y, z], a) {
+  const u = [x, y, z], twice = times(2, cross(u, a));
+  return plus(plus(a, times(w, twice)), cross(u, twice));
+}
+export const back = ([w, x, y, z]) => [w, -x, -y, -z];
+/// First b, then a.
+export function after([aw, ax, ay, az], [bw, bx, by, bz]) {
+  return [aw * bw - ax * bx - ay * by - az * bz, aw * bx + ax * bw + ay * bz - az * by,
+    aw * by - ax * bz + ay * bw + az * bx, aw * bz + ax * by - ay * bx + az * bw];
+}
+
+export const atRest = { position: [0, 0, 0], orientation: [1, 0, 0, 0], velocity: [0, 0, 0], spin: [0, 0, 0] };
+
+/// Where a body starts; the ground at the origin.
+export const start = (world, body) => body === ground ? atRest : world.bodies[body].start;
+
+/// A point of the world, and a direction, in the axes of a body.
+export const pointIn = ({ position, orientation }, at) => turned(back(orientation), minus(at, position));
+export const directionIn = ({ orientation }, axis) => turned(back(orientation), axis);
