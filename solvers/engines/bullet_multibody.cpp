@@ -189,7 +189,11 @@ class InBullet final : public Simulation {
     }
     bodies_.push_back(tree.finished());
     btMultiBody& body = *bodies_.back();
-    if (variant_ != "defaults") body.setLinearDamping(0), body.setAngularDamping(0);
+    if (variant_ != "defaults") {
+      body.setLinearDamping(0);
+      body.setAngularDamping(0);
+      body.setMaxCoordinateVelocity(btScalar(BT_LARGE_FLOAT));
+    }
     body.useRK4Integration(variant_ == "Runge-Kutta 4");
     world_.addMultiBody(&body);
     for (const Limb& limb : limbs) {
