@@ -251,10 +251,11 @@ class InBullet final : public Simulation {
 }  // namespace
 
 Engine engine() {
+  const bool in_float = sizeof(btScalar) == sizeof(float);
   return {
-      "Bullet multibody",
+      in_float ? "Bullet multibody" : "Bullet multibody in double",
       std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100),
-      sizeof(btScalar) == sizeof(float) ? "float" : "double",
+      in_float ? "float" : "double",
       false,
       {{"defaults",
         "velocities are damped by 0.04/s and by 0.04 of their squares; a contact brakes before it touches, and gives speed where it is deep",

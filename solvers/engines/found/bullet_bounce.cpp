@@ -1,10 +1,8 @@
-// Bullet: a ball that should leave the floor at 0.8 of its speed does not leave it at all where steps are
-// fine: a contact within 2 cm acts before it touches, and its bounce is less by distance / step. Where they
-// are coarse it is found when it is deep, and leaves too fast. g++ bullet_bounce.cpp $(pkg-config --cflags
-// --libs bullet)
+// Bullet: a ball that should leave the floor at 0.8 of its speed does not leave it where steps are fine: a
+// contact within 2 cm acts before it touches, and its bounce is less by distance / step. Where steps are
+// coarse it is found deep in, and leaves too fast. g++ bullet_bounce.cpp $(pkg-config --cflags --libs bullet)
 #include <btBulletDynamicsCommon.h>
 
-#include <algorithm>
 #include <cstdio>
 
 int main() {
@@ -24,7 +22,7 @@ int main() {
     btScalar down = 0, up = 0;
     for (int i = 0; i < rate; ++i) {
       world.stepSimulation(btScalar(1) / rate, 1, btScalar(1) / rate);
-      down = std::min(down, ball.getLinearVelocity().y()), up = std::max(up, ball.getLinearVelocity().y());
+      down = btMin(down, ball.getLinearVelocity().y()), up = btMax(up, ball.getLinearVelocity().y());
     }
     std::printf("%5d Hz: down at %.3f m/s, up at %.3f\n", rate, -down, up);
     world.removeRigidBody(&floor), world.removeRigidBody(&ball);
