@@ -39,6 +39,9 @@ add_engine(box2d HEADER box2d/box2d.h LIBRARIES box2d)
 add_engine(bullet HEADER btBulletDynamicsCommon.h INCLUDE bullet LIBRARIES BulletDynamics BulletCollision LinearMath)
 add_engine(bullet_double SOURCE bullet HEADER btBulletDynamicsCommon.h INCLUDE bullet
   DEFINES BT_USE_DOUBLE_PRECISION LIBRARIES BulletDynamics-float64 BulletCollision-float64 LinearMath-float64)
+add_engine(bullet_multibody HEADER btBulletDynamicsCommon.h INCLUDE bullet LIBRARIES BulletDynamics BulletCollision LinearMath)
+add_engine(bullet_multibody_double SOURCE bullet_multibody HEADER btBulletDynamicsCommon.h INCLUDE bullet
+  DEFINES BT_USE_DOUBLE_PRECISION LIBRARIES BulletDynamics-float64 BulletCollision-float64 LinearMath-float64)
 add_engine(chipmunk HEADER chipmunk/chipmunk.h LIBRARIES chipmunk)
 add_engine(ode HEADER ode/ode.h LIBRARIES ode)
 add_engine(mujoco HEADER mujoco/mujoco.h LIBRARIES mujoco)

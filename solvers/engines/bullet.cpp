@@ -123,10 +123,11 @@ class InBullet final : public Simulation {
 }  // namespace
 
 Engine engine() {
+  const bool in_float = sizeof(btScalar) == sizeof(float);
   return {
-      "Bullet",
+      in_float ? "Bullet" : "Bullet in double",
       std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100),
-      sizeof(btScalar) == sizeof(float) ? "float" : "double",
+      in_float ? "float" : "double",
       false,
       {{"defaults",
         "10 iterations; what is slower than 0.8 m/s and 1 rad/s for 2 s sleeps; nothing bounces below 0.2 m/s, a contact brakes before it touches, and one that is less than 4 cm deep gives speed",

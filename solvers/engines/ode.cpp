@@ -1,5 +1,4 @@
-// Open Dynamics Engine 0.16 [manual: ode.org/wiki/index.php/Manual]: bodies and joints held by velocities, in
-// double.
+// Open Dynamics Engine [manual: ode.org/wiki/index.php/Manual]: joints held by velocities.
 
 #include <ode/ode.h>
 
@@ -13,7 +12,8 @@ Vector vector(const dReal* x) { return {x[0], x[1], x[2]}; }
 
 class InOde final : public Simulation {
  public:
-  InOde(const World& world, const std::string& variant) : quick_(variant == "quick step") {
+  InOde(const World& world, const std::string& variant)
+      : quick_(variant == "quick step"), finite_(variant == "finite rotations") {
     dInitODE2(0);
     world_ = dWorldCreate();
     space_ = dSimpleSpaceCreate(nullptr);
@@ -49,6 +49,16 @@ class InOde final : public Simulation {
             vector(dBodyGetLinearVel(of(body))),
             vector(dBodyGetAngularVel(of(body)))};
   }
+  bool save() override {
+    saved_.clear();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) saved_.push_back(state(static_cast<int>(i)));
+    seed_ = dRandGetSeed();
+    return true;
+  }
+  void restore() override {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) put(bodies_[i], saved_[i]);
+    dRandSetSeed(seed_);
+  }
 
  private:
   dBodyID of(int body) const { return body == ground ? nullptr : bodies_[static_cast<std::size_t>(body)]; }
@@ -58,17 +68,20 @@ class InOde final : public Simulation {
     dMass mass;
     dMassSetParameters(&mass, b.mass, 0, 0, 0, b.inertia[0], b.inertia[1], b.inertia[2], 0, 0, 0);
     dBodySetMass(body, &mass);
-    const State& s = b.start;
-    dBodySetPosition(body, s.position[0], s.position[1], s.position[2]);
-    dBodySetQuaternion(body, s.orientation.data());
-    dBodySetLinearVel(body, s.velocity[0], s.velocity[1], s.velocity[2]);
-    dBodySetAngularVel(body, s.spin[0], s.spin[1], s.spin[2]);
+    dBodySetFiniteRotationMode(body, finite_);
+    put(body, b.start);
     if (b.shape.kind != Shape::none)
       dGeomSetBody(b.shape.kind == Shape::ball
                        ? dCreateSphere(space_, b.shape.half[0])
                        : dCreateBox(space_, 2 * b.shape.half[0], 2 * b.shape.half[1], 2 * b.shape.half[2]),
                    body);
     bodies_.push_back(body);
+  }
+  static void put(dBodyID body, const State& s) {
+    dBodySetPosition(body, s.position[0], s.position[1], s.position[2]);
+    dBodySetQuaternion(body, s.orientation.data());
+    dBodySetLinearVel(body, s.velocity[0], s.velocity[1], s.velocity[2]);
+    dBodySetAngularVel(body, s.spin[0], s.spin[1], s.spin[2]);
   }
   void add(const Joint& j) {
     const auto [x, y, z] = j.at;
@@ -96,36 +109,46 @@ class InOde final : public Simulation {
   }
   static void touch(void* self, dGeomID a, dGeomID b) { static_cast<InOde*>(self)->touch(a, b); }
   void touch(dGeomID a, dGeomID b) {
+    const dBodyID body = dGeomGetBody(a), other = dGeomGetBody(b);
+    if (body && other && dAreConnectedExcluding(body, other, dJointTypeContact)) return;
     dContact contacts[8] = {};
     const int count = dCollide(a, b, 8, &contacts[0].geom, sizeof(dContact));
     for (int i = 0; i < count; ++i) {
       contacts[i].surface.mode = dContactBounce | dContactApprox1;
       contacts[i].surface.mu = friction_;
       contacts[i].surface.bounce = restitution_;
-      dJointAttach(dJointCreateContact(world_, contacts_, &contacts[i]), dGeomGetBody(a), dGeomGetBody(b));
+      dJointAttach(dJointCreateContact(world_, contacts_, &contacts[i]), body, other);
     }
   }
 
-  bool quick_;
+  bool quick_, finite_;
   double friction_ = 0, restitution_ = 0;
   dWorldID world_;
   dSpaceID space_;
   dJointGroupID contacts_;
   std::vector<dBodyID> bodies_;
+  std::vector<State> saved_;
+  unsigned long seed_ = 0;
 };
 
 }  // namespace
 
 Engine engine() {
-  return {"ODE",
-          "0.16",
-          "double",
-          false,
-          {{"defaults", "dWorldStep: all joints solved at once; ERP 0.2, CFM 1e-10", 1, true},
-           {"quick step", "dWorldQuickStep: 20 iterations, as games use", 1, false}},
-          [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {
-            return std::make_unique<InOde>(world, variant);
-          }};
+  return {
+      "ODE",
+      dODE_VERSION,
+      dCheckConfiguration("ODE_double_precision") ? "double" : "float",
+      false,
+      {{"defaults", "dWorldStep: all joints at once; ERP 0.2, CFM 1e-10 in double", 1, true},
+       {"finite rotations",
+        "dWorldStep; bodies turn by the angle about their spin in a step, not by a first-order change (dBodySetFiniteRotationMode)",
+        1, false},
+       {"quick step",
+        "dWorldQuickStep, as games use: 20 iterations, in an order that one random generator for all worlds draws",
+        1, false}},
+      [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {
+        return std::make_unique<InOde>(world, variant);
+      }};
 }
 
 }  // namespace oddity::engines
