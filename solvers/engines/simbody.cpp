@@ -43,6 +43,9 @@ class InSimbody final : public Simulation {
       SimTK::Force::TwoPointLinearSpring(forces_, of(s.a), in(world, s.a, s.at), of(s.b),
                                          in(world, s.b, s.end), s.stiffness, s.rest);
     if (world.floor != Vector{}) {
+      if (std::ranges::count(world.bodies, Shape::none, [](const Body& b) { return b.shape.kind; }) + 1 <
+          std::ssize(world.bodies))
+        throw NotExpressible("contacts between bodies: each pair of points has to be declared");
       if (!euler) throw NotExpressible("rigid contacts are the semi-explicit Euler time stepper's alone");
       for (std::size_t i = 0; i < bodies_.size(); ++i) lay(bodies_[i], world.bodies[i].shape, world);
     }
@@ -217,7 +220,9 @@ Engine engine() {
       version(),
       "double",
       false,
-      {{"defaults", "RungeKuttaMersonIntegrator, which chooses its steps, to an accuracy of 1e-3", 0, true},
+      {{"defaults",
+        "RungeKuttaMersonIntegrator to an accuracy of 1e-3: it chooses its steps itself. Debian's build has its assertions on",
+        0, true},
        {"accuracy 1e-9", "the same with setAccuracy", 0, false},
        {"CPodes, accuracy 1e-9", "CPodesIntegrator, backward differences, with setAccuracy", 0, false},
        {"Runge-Kutta-Merson, fixed steps", "the same with setFixedStepSize", 4, false},
