@@ -165,7 +165,7 @@ class InSimbody final : public Simulation {
     else
       integrator_ = std::make_unique<SimTK::RungeKuttaMersonIntegrator>(system_);
     if (variant.ends_with("fixed steps")) integrator_->setFixedStepSize(step);
-    if (variant != "defaults") integrator_->setAccuracy(1e-9);
+    if (variant.ends_with("1e-9")) integrator_->setAccuracy(1e-9);
     if (pushed) integrator_->setAllowInterpolation(false);
   }
   void initialize(const SimTK::State& s) { euler_ ? euler_->initialize(s) : integrator_->initialize(s); }
