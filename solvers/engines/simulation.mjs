@@ -25,7 +25,9 @@ export function after([aw, ax, ay, az], [bw, bx, by, bz]) {
     aw * by - ax * bz + ay * bw + az * bx, aw * bz + ax * by - ay * bx + az * bw];
 }
 
-export const atRest = { position: [0, 0, 0], orientation: [1, 0, 0, 0], velocity: [0, 0, 0], spin: [0, 0, 0] };
+export const atRest = {
+  position: [0, 0, 0], orientation: [1, 0, 0, 0], velocity: [0, 0, 0], spin: [0, 0, 0],
+};
 
 /// Where a body starts; the ground at the origin.
 export const start = (world, body) => body === ground ? atRest : world.bodies[body].start;
