@@ -1,10 +1,10 @@
-// Jolt as jolt-physics 1.1 [manual: jrouwe.github.io/JoltPhysics]: bodies and joints held by velocities, in float.
-// The vectors and settings that a world is made with are not destroyed: the program ends soon.
+// Jolt as jolt-physics 1.1 [manual: jrouwe.github.io/JoltPhysics]: bodies and joints held by velocities, in
+// float. The vectors and settings that a world is made with are not destroyed: the program ends soon.
 
 import { readFileSync } from 'node:fs';
 import initJolt from 'jolt-physics';
 
-import { ground, isZero, minus } from './simulation.mjs';
+import { beside, ground, isZero, minus } from './simulation.mjs';
 
 const Jolt = await initJolt();
 const [still, moving] = [0, 1];  // layers: the floor is in the one, all else in the other
@@ -13,8 +13,6 @@ const vector = ([x, y, z]) => new Jolt.Vec3(x, y, z);
 const place = ([x, y, z]) => new Jolt.RVec3(x, y, z);
 const turn = ([w, x, y, z]) => new Jolt.Quat(x, y, z, w);
 const list = (v) => [v.GetX(), v.GetY(), v.GetZ()];
-const beside = ([x, y, z]) => Math.abs(x) < Math.hypot(y, z) ? [0, z, -y] : [-z, 0, x];
-const unit = (a) => a.map((x) => x / Math.hypot(...a));
 
 class InJolt {
   constructor(world, variant) {
@@ -117,7 +115,7 @@ class InJolt {
 
   joint(joint) {
     const { kind, at, axis, end } = joint;
-    const length = Math.hypot(...minus(end, at)), normal = unit(beside(axis));
+    const length = Math.hypot(...minus(end, at)), normal = beside(axis);
     if (kind === 'rod') {
       this.hold(new Jolt.DistanceConstraintSettings(), joint, { mPoint1: at, mPoint2: end }, {},
         { mMinDistance: length, mMaxDistance: length });

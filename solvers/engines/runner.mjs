@@ -2,8 +2,8 @@
 //   node runner.mjs rapier --about     what it is
 //   node runner.mjs rapier             reads one request (world_json.hpp), writes one reply
 // An adapter, NAME.mjs, exports `about`, and `make(world, variant, step)`, which gives a simulation as
-// simulation.hpp has it, or throws NotExpressible. Of hasSprings, save and restore it has what the engine has;
-// and it has free(), as nothing else destroys what is behind WebAssembly.
+// simulation.hpp has it, or throws NotExpressible. Of hasSprings, save and restore it has what the engine
+// has; and it has free(), as nothing else destroys what is behind WebAssembly.
 
 import { readFileSync } from 'node:fs';
 import { performance } from 'node:perf_hooks';
