@@ -151,9 +151,9 @@ std::string table_of(const QuantityResult& q, const std::vector<std::size_t>& sh
             cell(std::string(name_of(t.outcome))) + "</tr>\n";
   }
   const std::size_t others = q.methods.size() - shown.size();
-  return "<table class=\"still\"><tr><th>method</th><th>setting</th><th>error</th><th>evaluations</th>"
+  return "<div class=\"wide\"><table class=\"still\"><tr><th>method</th><th>setting</th><th>error</th><th>evaluations</th>"
          "<th>ends</th></tr>\n" +
-         rows + "</table>" +
+         rows + "</table></div>" +
          (others > 0 ? element("p", "", std::to_string(others) + " more were tried.") : "");
 }
 
