@@ -11,6 +11,7 @@
 #include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/site/page.hpp"
+#include "report/study/stability.hpp"
 
 namespace oddity {
 
@@ -167,6 +168,37 @@ std::string still_chart(const QuantityResult& q) {
     text = element("div", " class=\"still\"",
                    Chart(q, across).svg() + element("p", "", html::escaped(finding(q, across)) + "."));
   return "<noscript>" + text + table_of(q, worth_seeing(q, across), !charts.empty()) + "</noscript>";
+}
+
+std::string still_map(const Stability& s) {
+  if (s.map.empty() || s.steps.empty()) return "";
+  std::string key, head, rows;
+  for (Outcome outcome : outcomes_of_a_map) {
+    const bool there = std::ranges::any_of(s.map, [&](const MapRow& row) {
+      return std::ranges::find(row.outcomes, outcome) != row.outcomes.end();
+    });
+    if (there) key += std::string(", ") + letter_of(outcome) + " " + std::string(name_of(outcome));
+  }
+  const auto same = [](const MapRow& a, const MapRow& b) {
+    return a.model == b.model && a.algorithm == b.algorithm;
+  };
+  for (const MapRow& row : s.map)
+    if (same(row, s.map.front())) head += element("th", "", rounded(row.value, 3));
+  for (std::size_t i = 0; i < s.map.size(); ++i) {
+    const MapRow& row = s.map[i];
+    if (i == 0 || !same(row, s.map[i - 1]))
+      rows += (i == 0 ? "<tr>" : "</tr>\n<tr>") +
+              element("th", "", html::escaped(row.model + ", " + row.algorithm));
+    rows += cell(element("code", "", letters(row)));
+  }
+  const std::string unit = s.time_unit.empty() ? "" : " " + html::escaped(s.time_unit);
+  return "<noscript>" +
+         element("p", "",
+                 "How each trial ends over <var>" + html::escaped(s.parameter) +
+                     "</var>: a letter a step, from " + rounded(s.steps.front(), 3) + unit + " to " +
+                     rounded(s.steps.back(), 3) + unit + key + ".") +
+         "<div class=\"wide\"><table class=\"still\"><tr><th>method</th>" + head + "</tr>\n" + rows +
+         "</tr></table></div></noscript>";
 }
 
 }  // namespace oddity
