@@ -113,7 +113,8 @@ class Chart {
       lines += "M" + whole_pixel(plot_.x(tick)) + " " + whole_pixel(top) + "V" + whole_pixel(bottom);
       number({plot_.x(tick), bottom + 14}, tick_label(plot_.x, tick));
     }
-    number({(left + right) / 2, bottom + 28}, axis());
+    const std::string unit = q_.unit.empty() || q_.unit == "1" ? "" : " [" + html::escaped(q_.unit) + "]";
+    number({(left + right) / 2, bottom + 28}, "error" + unit + " against " + axis());
     return path("", lines) + numbers;
   }
   /// Dots where it is ok, and its number in the table at the end.
@@ -177,7 +178,9 @@ std::string still_map(const Stability& s) {
     const bool there = std::ranges::any_of(s.map, [&](const MapRow& row) {
       return std::ranges::find(row.outcomes, outcome) != row.outcomes.end();
     });
-    if (there) key += std::string(", ") + letter_of(outcome) + " " + std::string(name_of(outcome));
+    if (there)
+      key +=
+          std::string(key.empty() ? ": " : ", ") + letter_of(outcome) + " " + std::string(name_of(outcome));
   }
   const auto same = [](const MapRow& a, const MapRow& b) {
     return a.model == b.model && a.algorithm == b.algorithm;
