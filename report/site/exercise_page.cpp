@@ -91,9 +91,10 @@ std::string sections_of(const std::string& body) {
 
 std::string player_section(const ExerciseResult& e) {
   if (!e.scene) return "";
-  return "<section id=\"play\" class=\"player\" aria-label=\"Player\"><noscript><p>The player needs scripts. The "
-         "motion as numbers: <code>oddity solve " +
-         to_string(e.number) + "</code>.</p></noscript></section>\n";
+  const std::string command =
+      " The motion as numbers: <code>oddity solve " + to_string(e.number) + "</code>.";
+  return "<section id=\"play\" class=\"player\" aria-label=\"Player\"><noscript><p>The player needs scripts." +
+         (e.number == example().number ? "" : command) + "</p></noscript></section>\n";
 }
 
 /// In the order in which they need one another.

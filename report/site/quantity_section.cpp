@@ -189,8 +189,7 @@ std::string stability_section(const ExerciseResult& e) {
   if (!e.stability) return "";
   const Stability& s = *e.stability;
   return "<section id=\"stability\">\n<h2>Up to which step</h2>\n" + element("p", "", summary_of(s)) +
-         "\n<figure class=\"map\"><noscript><p>The map needs scripts. As text: <code>oddity stability " +
-         to_string(e.number) + "</code>.</p></noscript></figure>\n" + limits_text_of(s) + reasons_text(s) +
+         "\n<figure class=\"map\">" + still_map(s) + "</figure>\n" + limits_text_of(s) + reasons_text(s) +
          "</section>\n";
 }
 
