@@ -117,7 +117,7 @@ TEST_CASE("no text of the exercises keeps TeX on a terminal", "[terminal]") {
 TEST_CASE("a run ends with a screen of what was checked, what is wrong and what to open", "[terminal]") {
   const Results& results = run_of_all();
   const Closing closing{true, 61.5, "/site/index.html", "/report/README.md"};
-  for (const std::size_t width : {50, 60, 80, 100, 200}) {
+  for (const std::size_t width : {50u, 60u, 80u, 100u, 200u}) {
     const std::string screen = closing_screen(results, closing, {width, true});
     INFO(screen);
     CHECK(widest_line(screen) <= std::min<std::size_t>(width, 120));
