@@ -113,7 +113,7 @@ class Chart {
       lines += "M" + whole_pixel(plot_.x(tick)) + " " + whole_pixel(top) + "V" + whole_pixel(bottom);
       number({plot_.x(tick), bottom + 14}, tick_label(plot_.x, tick));
     }
-    const std::string unit = q_.unit.empty() || q_.unit == "1" ? "" : " [" + html::escaped(q_.unit) + "]";
+    const std::string unit = q_.unit.empty() || q_.unit == "1" ? "" : " [" + escaped(q_.unit) + "]";
     number({(left + right) / 2, bottom + 28}, "error" + unit + " against " + axis());
     return path("", lines) + numbers;
   }
@@ -191,13 +191,13 @@ std::string still_map(const Stability& s) {
     const MapRow& row = s.map[i];
     if (i == 0 || !same(row, s.map[i - 1]))
       rows += (i == 0 ? "<tr>" : "</tr>\n<tr>") +
-              element("th", "", html::escaped(row.model + ", " + row.algorithm));
+              element("th", "", escaped(row.model + ", " + row.algorithm));
     rows += cell(element("code", "", letters(row)));
   }
-  const std::string unit = s.time_unit.empty() ? "" : " " + html::escaped(s.time_unit);
+  const std::string unit = s.time_unit.empty() ? "" : " " + escaped(s.time_unit);
   return "<noscript>" +
          element("p", "",
-                 "How each trial ends over <var>" + html::escaped(s.parameter) +
+                 "How each trial ends over <var>" + escaped(s.parameter) +
                      "</var>: a letter a step, from " + rounded(s.steps.front(), 3) + unit + " to " +
                      rounded(s.steps.back(), 3) + unit + key + ".") +
          "<div class=\"wide\"><table class=\"still\"><tr><th>method</th>" + head + "</tr>\n" + rows +
