@@ -34,8 +34,9 @@ struct Session {
               maps_out = report_folder().string(), site_out = site_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
   std::string engine = {};
+  bool page = false;
   std::vector<double> rates{60, 240};
-  int finest = 256;
+  int finest = 64;
   AskedNeed need = {};
   NewExercise begun = {};
   std::string outside = {};
@@ -306,13 +307,18 @@ void add_engines(CLI::App& app, Session& s) {
       "in_needs, energy, off_joint, seconds_per_frame, spread, same_bits (1 or 0), restored; a row for each "
       "trial and unit.\n"
       "Examples:\n  oddity engines\n  oddity engines 3.33 'free body' --hz 60,240,960",
-      [&] { verbs::engines(s.folder, s.exercises, s.rates, s.finest, s.format()); });
+      [&] {
+        verbs::engines(s.folder, s.exercises, s.rates, s.finest, s.all_rows,
+                       s.page ? report_folder() / "engines.md" : std::filesystem::path(), s.format());
+      });
   engines->add_option("scene", s.exercises,
                       "exercises, or: free body, bouncing ball, chain of 10, chain of 100");
   engines->add_option("--hz", s.rates, "the rates to show")->delimiter(',')->type_name("RATE");
   engines->add_option("--finest", s.finest, "steps per frame to go to, by doubling")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
+  engines->add_flag("--all", s.all_rows, "every variant, not the defaults and the best of each engine");
+  engines->add_flag("--report", s.page, "write the page engines.md of the report");
   add_formats(*engines, s, "every trial");
 }
 

@@ -7,6 +7,7 @@
 
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/files.hpp"
 #include "reference/similar.hpp"
 #include "report/cli/settings.hpp"
 #include "report/cli/verbs.hpp"
@@ -90,7 +91,7 @@ EngineContest beside(const Choice& choice, const std::vector<EngineProgram>& pro
 }
 
 void engines(const fs::path& folder, const std::vector<std::string>& scenes, const std::vector<double>& rates,
-             int finest, Format format) {
+             int finest, bool all, const fs::path& page, Format format) {
   const std::vector<EngineProgram> programs = all_engines();
   const std::vector<std::string> asked = scenes.empty() ? scenes_for_engines() : scenes;
   const Reference truth(folder, motions_folder());
@@ -104,7 +105,10 @@ void engines(const fs::path& folder, const std::vector<std::string>& scenes, con
   const auto table = [&] { return engines_table(contests); };
   std::cout << (format == Format::json  ? to_json(table())
                 : format == Format::csv ? to_csv(table())
-                                        : engines_text(contests, rates, screen));
+                                        : engines_text(contests, rates, all, screen));
+  if (page.empty()) return;
+  write_whole(page, engines_page(contests, rates, surprises_in(source_folder() / "solvers/engines/found")));
+  std::cout << "the page is " << page.string() << "\n";
 }
 
 }  // namespace oddity::verbs

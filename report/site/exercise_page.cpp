@@ -149,7 +149,7 @@ std::string exercise_page(const Results& results, const ExerciseResult& e) {
 std::string example_page(const ExerciseResult& e) {
   const std::string sections = player_section(e) + std::string(of_events) + quantities_section(e);
   const std::string head = "<p class=\"where\">An example, and no exercise of the book</p>\n" +
-                           element("h1", "", escaped(e.title)) + "\n" +
+                           element("h1", "", in_xml(e.title)) + "\n" +
                            element("p", " class=\"asks\"", html::prose(e.asks)) + "\n";
   return html::whole(
       {e.title + " - oddity",

@@ -113,7 +113,7 @@ class Chart {
       lines += "M" + whole_pixel(plot_.x(tick)) + " " + whole_pixel(top) + "V" + whole_pixel(bottom);
       number({plot_.x(tick), bottom + 14}, tick_label(plot_.x, tick));
     }
-    const std::string unit = q_.unit.empty() || q_.unit == "1" ? "" : " [" + escaped(q_.unit) + "]";
+    const std::string unit = q_.unit.empty() || q_.unit == "1" ? "" : " [" + in_xml(q_.unit) + "]";
     number({(left + right) / 2, bottom + 28}, "error" + unit + " against " + axis());
     return path("", lines) + numbers;
   }
@@ -147,9 +147,9 @@ std::string table_of(const QuantityResult& q, const std::vector<std::size_t>& sh
     rows += "<tr>" +
             element("th", "",
                     (keyed ? "<b class=\"s" + key + "\">" + key + "</b> " : "") +
-                        escaped(m.model + ", " + m.algorithm)) +
-            cell(t.knob.empty() ? "" : escaped(with_powers(shown_knob(t)))) +
-            cell(escaped(with_powers(shown_error(t.error)))) + cell(std::to_string(t.evaluations)) +
+                        in_xml(m.model + ", " + m.algorithm)) +
+            cell(t.knob.empty() ? "" : in_xml(with_powers(shown_knob(t)))) +
+            cell(in_xml(with_powers(shown_error(t.error)))) + cell(std::to_string(t.evaluations)) +
             cell(std::string(name_of(t.outcome))) + "</tr>\n";
   }
   const std::size_t others = q.methods.size() - shown.size();
@@ -167,7 +167,7 @@ std::string still_chart(const QuantityResult& q) {
   std::string text;
   if (!charts.empty())
     text = element("div", " class=\"still\"",
-                   Chart(q, across).svg() + element("p", "", escaped(finding(q, across)) + "."));
+                   Chart(q, across).svg() + element("p", "", in_xml(finding(q, across)) + "."));
   return "<noscript>" + text + table_of(q, worth_seeing(q, across), !charts.empty()) + "</noscript>";
 }
 
@@ -190,16 +190,15 @@ std::string still_map(const Stability& s) {
   for (std::size_t i = 0; i < s.map.size(); ++i) {
     const MapRow& row = s.map[i];
     if (i == 0 || !same(row, s.map[i - 1]))
-      rows += (i == 0 ? "<tr>" : "</tr>\n<tr>") +
-              element("th", "", escaped(row.model + ", " + row.algorithm));
+      rows += (i == 0 ? "<tr>" : "</tr>\n<tr>") + element("th", "", in_xml(row.model + ", " + row.algorithm));
     rows += cell(element("code", "", letters(row)));
   }
-  const std::string unit = s.time_unit.empty() ? "" : " " + escaped(s.time_unit);
+  const std::string unit = s.time_unit.empty() ? "" : " " + in_xml(s.time_unit);
   return "<noscript>" +
          element("p", "",
-                 "How each trial ends over <var>" + escaped(s.parameter) +
-                     "</var>: a letter a step, from " + rounded(s.steps.front(), 3) + unit + " to " +
-                     rounded(s.steps.back(), 3) + unit + key + ".") +
+                 "How each trial ends over <var>" + in_xml(s.parameter) + "</var>: a letter a step, from " +
+                     rounded(s.steps.front(), 3) + unit + " to " + rounded(s.steps.back(), 3) + unit + key +
+                     ".") +
          "<div class=\"wide\"><table class=\"still\"><tr><th>method</th>" + head + "</tr>\n" + rows +
          "</tr></table></div></noscript>";
 }

@@ -1,6 +1,6 @@
 // MuJoCo 2.2.2: by default friction is a pyramid: a box that slides along the diagonal of its contact's axes
 // goes 41 % farther than one along an axis. cone="elliptic" cures it.
-// g++ -std=c++20 mujoco-friction-has-directions.cpp -lmujoco && ./a.out
+// g++ -std=c++20 mujoco_friction_has_directions.cpp -lmujoco && ./a.out
 #include <mujoco/mujoco.h>
 
 #include <cmath>

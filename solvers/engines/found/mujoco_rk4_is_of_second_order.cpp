@@ -1,6 +1,6 @@
 // MuJoCo 2.2.2: "RK4" is of second order where bodies turn in space (free and ball joints); 4th with hinges.
 // It averages the stages' spins and turns the body once by them, as if turns commuted.
-// g++ -std=c++20 mujoco-rk4-is-of-second-order.cpp -lmujoco && ./a.out
+// g++ -std=c++20 mujoco_rk4_is_of_second_order.cpp -lmujoco && ./a.out
 #include <mujoco/mujoco.h>
 
 #include <cmath>
