@@ -238,7 +238,14 @@ EngineTrial run(const EngineProgram& engine, const EngineVariant& variant, const
     trial.message = ended.how + (ended.words.empty() ? "" : ": " + ended.words.substr(0, 200));
     return trial;
   }
-  const auto reply = nlohmann::json::parse(ended.output).get<engines::Reply>();
+  engines::Reply reply;
+  try {
+    reply = nlohmann::json::parse(ended.output).get<engines::Reply>();
+  } catch (const nlohmann::json::exception& error) {
+    trial.outcome = Outcome::raised;
+    trial.message = std::string("its answer is no reply: ") + error.what();
+    return trial;
+  }
   if (!reply.cannot.empty()) throw CannotBeHad(reply.cannot);
   judge(trial, contest, reply);
   return trial;
