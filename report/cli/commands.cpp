@@ -308,7 +308,7 @@ void add_engines(CLI::App& app, Session& s) {
       "trial and unit.\n"
       "Examples:\n  oddity engines\n  oddity engines 3.33 'free body' --hz 60,240,960",
       [&] {
-        verbs::engines(s.folder, s.exercises, s.rates, s.finest, s.all_rows,
+        verbs::engines(s.folder, s.exercises, s.rates, s.finest, s.all_rows, s.rows,
                        s.page ? report_folder() / "engines.md" : std::filesystem::path(), s.format());
       });
   engines->add_option("scene", s.exercises,
@@ -318,8 +318,10 @@ void add_engines(CLI::App& app, Session& s) {
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
   engines->add_flag("--all", s.all_rows, "every variant, not the defaults and the best of each engine");
+  auto* rows = engines->add_flag("--rows", s.rows, "the rows of engines.csv, instead");
   engines->add_flag("--report", s.page, "write the page engines.md of the report");
   add_formats(*engines, s, "every trial");
+  set_apart(*engines, rows, {"--json", "--csv", "--report"});
 }
 
 void add_new(CLI::App& app, Session& s) {

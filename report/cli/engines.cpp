@@ -91,7 +91,7 @@ EngineContest beside(const Choice& choice, const std::vector<EngineProgram>& pro
 }
 
 void engines(const fs::path& folder, const std::vector<std::string>& scenes, const std::vector<double>& rates,
-             int finest, bool all, const fs::path& page, Format format) {
+             int finest, bool all, bool rows, const fs::path& page, Format format) {
   const std::vector<EngineProgram> programs = all_engines();
   const std::vector<std::string> asked = scenes.empty() ? scenes_for_engines() : scenes;
   const Reference truth(folder, motions_folder());
@@ -101,6 +101,10 @@ void engines(const fs::path& folder, const std::vector<std::string>& scenes, con
       return engines_on(scene, programs, {.finest = finest}, truth, progress);
     }));
   write(contests, engines_file());
+  if (rows) {
+    std::cout << engine_rows(contests);
+    return;
+  }
   const Screen screen = screen_of(STDOUT_FILENO);
   const auto table = [&] { return engines_table(contests); };
   std::cout << (format == Format::json  ? to_json(table())

@@ -53,8 +53,9 @@ void create(NewExercise);
 int bench(const fs::path& folder, Format);
 
 /// Other people's engines on these scenes, by number or name; all of them when there are none. `rates` are
-/// the table's [1/s]; `all` shows every variant; `page` is where it is told as a page, unless empty.
+/// the table's [1/s]; `all` shows every variant; `rows` is what is put on record instead; `page` is where it
+/// is told as a page, unless empty.
 void engines(const fs::path& folder, const std::vector<std::string>& scenes, const std::vector<double>& rates,
-             int finest, bool all, const fs::path& page, Format);
+             int finest, bool all, bool rows, const fs::path& page, Format);
 
 }  // namespace oddity::verbs

@@ -274,6 +274,35 @@ Table engines_table(const std::vector<EngineContest>& contests) {
   return table;
 }
 
+namespace {
+
+/// A cell that needs no quotes, for tests/engines.sh.
+std::string plain(std::string text) {
+  std::ranges::replace(text, ',', ';');
+  return text;
+}
+
+}  // namespace
+
+std::string engine_rows(const std::vector<EngineContest>& contests) {
+  Table table{{"scene", "engine", "version", "variant", "order", "stated", "enough_from", "at_frame_rate",
+               "same_bits", "restored"},
+              {}};
+  for (const EngineContest& c : contests)
+    for (const EngineSeries& s : c.series) {
+      if (s.trials.empty()) continue;
+      const EngineTrial* enough = s.first_enough();
+      const bool same = std::ranges::all_of(s.trials, &EngineTrial::same_bits);
+      table.rows.push_back({c.scene, plain(s.engine), plain(s.version), plain(s.variant),
+                            s.law ? rounded(s.law->exponent, 2) : "-",
+                            s.stated_order > 0 ? std::to_string(s.stated_order) : "-",
+                            enough ? rounded(enough->steps_per_frame * c.frames_per_second, 6) : "never",
+                            std::string(name_of(s.trials.front().outcome)), same ? "same" : "other",
+                            s.trials.front().restored});
+    }
+  return to_csv(table);
+}
+
 std::string engine_answer(const EngineContest& contest, const Screen& screen) {
   std::string text;
   for (const EngineSeries& s : contest.series) {

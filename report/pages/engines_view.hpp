@@ -17,6 +17,11 @@ std::string engines_text(const std::vector<EngineContest>&, const std::vector<do
                          const Screen&);
 /// A row for each trial.
 Table engines_table(const std::vector<EngineContest>&);
+/// What is put on record of them, for reference/approved/engines.csv: scene, engine, version, variant,
+/// measured order, stated order, the rate [1/s] from which it is enough, how it ends at one step a frame, and
+/// whether runs and snapshots give the same bits.
+std::string engine_rows(const std::vector<EngineContest>&);
+
 /// What one would not expect of an engine, and the program that shows it.
 struct Surprise {
   std::string file, says;
