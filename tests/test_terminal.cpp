@@ -162,7 +162,7 @@ TEST_CASE("what is printed fits the terminal", "[terminal]") {
 
 TEST_CASE("colour is for terminals, and off when the user wants none", "[terminal]") {
   for (const std::string arguments : {"solve 3.5", "verify '[9.1]'", "list 3.5"}) {
-    const std::string plain = run(arguments).output;
+    const std::string plain = printed(arguments).output;
     const auto has_colour = [](const Ran& ran) { return says(ran, "\x1b["); };
     INFO(arguments);
     CHECK_FALSE(has_colour(run(arguments)));
@@ -182,7 +182,7 @@ TEST_CASE("tables come as CSV and as JSON, and help names their columns", "[term
   for (const std::string arguments : {"list 3.5", "verify '[3.5]'", "chart 3.5", "stability 3.5", "solve 3.5",
                                       "choose 3.5 --error 1deg --horizon 1"}) {
     INFO(arguments);
-    const Ran csv = run(arguments + " --csv"), json = run(arguments + " --json");
+    const Ran csv = printed(arguments + " --csv"), json = printed(arguments + " --json");
     CHECK(csv.status == 0);
     CHECK(json.status == 0);
     const std::string help = std::regex_replace(
