@@ -16,12 +16,18 @@ namespace oddity {
 
 namespace {
 
+/// Two digits, without an exponent where people do without one: "0.12", "350".
+std::string two_digits(double x) {
+  const std::string text = rounded(x, 2);
+  return std::abs(x) >= 100 && std::abs(x) < 1e6 ? std::to_string(std::lround(std::stod(text))) : text;
+}
+
 /// "3.4 cm", "0.12 deg": of errors in the motion's units, what a reader can picture.
 std::string pictured(double error, const std::string& unit) {
   if (!std::isfinite(error)) return "-";
-  if (unit == "m") return rounded(100 * error, 2) + " cm";
-  if (unit == "rad") return rounded(180 / std::numbers::pi * error, 2) + " deg";
-  return rounded(error, 2) + " " + unit;
+  if (unit == "m") return two_digits(100 * error) + " cm";
+  if (unit == "rad") return two_digits(180 / std::numbers::pi * error) + " deg";
+  return two_digits(error) + " " + unit;
 }
 
 std::string pictured(const std::vector<double>& errors, const std::vector<std::string>& units) {
@@ -63,7 +69,7 @@ const EngineTrial* priced(const EngineSeries& series) {
 std::string cheaper(const EngineSeries& series, const EngineContest& contest) {
   const EngineTrial* first = series.first_enough();
   if (!contest.least || first == nullptr || series.webassembly) return "";
-  return rounded(first->seconds_per_frame / contest.least->seconds_per_frame, 2) + "x";
+  return two_digits(first->seconds_per_frame / contest.least->seconds_per_frame) + "x";
 }
 
 std::string name_of(const EngineSeries& s) {
@@ -111,9 +117,9 @@ std::vector<std::vector<std::string>> rows_of(const EngineContest& contest, cons
     const EngineTrial* first = at_rate(s, contest.frames_per_second, contest.frames_per_second);
     row.push_back(enough_from(s, contest));
     row.push_back(order_of(s));
-    row.push_back(rounded(s.floor, 2) + " needs");
-    row.push_back(first && std::isfinite(first->energy) ? rounded(100 * first->energy, 2) + " %" : "");
-    row.push_back(first && first->off_joint > 0 ? rounded(1000 * first->off_joint, 2) + " mm" : "");
+    row.push_back(two_digits(s.floor) + " needs");
+    row.push_back(first && std::isfinite(first->energy) ? two_digits(100 * first->energy) + " %" : "");
+    row.push_back(first && first->off_joint > 0 ? two_digits(1000 * first->off_joint) + " mm" : "");
     row.push_back(trial ? shown_time(trial->seconds_per_frame) : "");
     row.push_back(cheaper(s, contest));
     rows.push_back(std::move(row));
@@ -324,7 +330,7 @@ std::string engine_answer(const EngineContest& contest, const Screen& screen) {
     const EngineTrial& paid = enough ? *enough : coarsest;
     line += ", for " + shown_time(paid.seconds_per_frame) + " a frame";
     if (contest.least && enough && !s.webassembly)
-      line += ", " + rounded(paid.seconds_per_frame / contest.least->seconds_per_frame, 2) +
+      line += ", " + two_digits(paid.seconds_per_frame / contest.least->seconds_per_frame) +
               " times what the choice above costs";
     text += wrapped(line + ".\n", screen, 4);
   }
