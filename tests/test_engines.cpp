@@ -89,8 +89,7 @@ TEST_CASE("every scene starts in engines where it starts in the book", "[engines
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
   std::vector<EngineScene> scenes;
   for (const Entry& entry : registry())
-    if (entry.exercise.scene && entry.exercise.scene->staging)
-      scenes.push_back(engine_scene(Task(entry), soon, truth));
+    if (has_engine_scene(entry)) scenes.push_back(engine_scene(Task(entry), soon, truth));
   CHECK(scenes.size() >= 9);
   for (const std::string& name : further_engine_scenes()) scenes.push_back(further_engine_scene(name, soon));
   for (const EngineScene& scene : scenes) {
@@ -116,6 +115,15 @@ TEST_CASE("the free body's closed form is the solution of Euler's equations", "[
     for (std::size_t i = 0; i < 3; ++i)
       CHECK(scene.motion.reference.value[3 * frame + i] == Approx(double(i + 1) * w[i] / L).margin(1e-10));
   }
+}
+
+TEST_CASE("a scene that is not set up for engines is named with those that are", "[engines]") {
+  const auto entry = std::ranges::find_if_not(registry(), has_engine_scene);
+  const std::string says = complaint([&] { require_engine_scene(*entry); });
+  CHECK(says.find("is not set up for engines; 3.5, ") != std::string::npos);
+  CHECK(complaint([] {
+          further_engine_scene("fre body", need_of(1, 60));
+        }).find("did you mean 'free body'?") != std::string::npos);
 }
 
 TEST_CASE("what engines did is read as it was written", "[engines]") {

@@ -34,7 +34,7 @@ std::vector<EngineProgram> all_engines() {
 std::vector<std::string> scenes_for_engines() {
   std::vector<std::string> scenes;
   for (const Entry& entry : registry())
-    if (entry.exercise.scene && entry.exercise.scene->staging) scenes.push_back(to_string(entry.number));
+    if (has_engine_scene(entry)) scenes.push_back(to_string(entry.number));
   for (std::string& name : further_engine_scenes()) scenes.push_back(std::move(name));
   return scenes;
 }

@@ -168,6 +168,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
            const std::string& command) {
   const Task task = task_of(exercise, overrides);
   const Need need = need_of(task, asked);
+  if (!engine.empty()) require_engine_scene(*task.entry);
   const std::vector<EngineProgram> programs = engines_named(engine);
   KeptPrices prices(prices_folder(), price_key(task, need), asked.measure);
   const Reference truth(folder, motions_folder());

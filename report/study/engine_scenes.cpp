@@ -12,6 +12,7 @@
 #include "chapters/own_reference.hpp"
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/similar.hpp"
 #include "report/study/starts.hpp"
 #include "solvers/engines/turns.hpp"
 
@@ -189,14 +190,21 @@ const std::vector<std::pair<std::string, Make>>& makers() {
 
 }  // namespace
 
+bool has_engine_scene(const Entry& entry) { return entry.exercise.scene && entry.exercise.scene->staging; }
+
+void require_engine_scene(const Entry& entry) {
+  if (has_engine_scene(entry)) return;
+  std::string those;
+  for (const Entry& other : registry())
+    if (has_engine_scene(other)) those += (those.empty() ? "" : ", ") + to_string(other.number);
+  throw BadInput(to_string(entry.number) + " is not set up for engines; " + those + " are");
+}
+
 EngineScene engine_scene(const Task& task, const Need& need, const Reference& truth) {
-  const Scene* scene = task.entry->exercise.scene ? &*task.entry->exercise.scene : nullptr;
-  const std::string number = to_string(task.entry->number);
-  if (scene == nullptr || scene->staging == nullptr)
-    throw BadInput(number + " is not set up for engines; 'oddity engines' shows the scenes that are");
+  require_engine_scene(*task.entry);
   Starts starts(task, need, truth);
-  return {number, std::string(task.entry->exercise.title), need, scene->staging(task.parameters),
-          starts.asked().motion};
+  return {to_string(task.entry->number), std::string(task.entry->exercise.title), need,
+          task.entry->exercise.scene->staging(task.parameters), starts.asked().motion};
 }
 
 std::vector<std::string> further_engine_scenes() {
@@ -207,7 +215,9 @@ std::vector<std::string> further_engine_scenes() {
 
 EngineScene further_engine_scene(const std::string& name, const Need& need) {
   const auto found = std::ranges::find(makers(), name, &std::pair<std::string, Make>::first);
-  if (found == makers().end()) throw BadInput("there is no scene '" + name + "' for engines");
+  if (found == makers().end())
+    throw BadInput("there is no scene '" + name + "' for engines" +
+                   did_you_mean(name, further_engine_scenes()));
   return found->second(need);
 }
 

@@ -18,6 +18,11 @@ struct EngineScene {
   Quantity motion;  ///< without methods
 };
 
+/// Whether the exercise has a scene for engines.
+bool has_engine_scene(const Entry&);
+/// Throws BadInput, naming those that have, where it has not.
+void require_engine_scene(const Entry&);
+
 /// The exercise's scene. Throws BadInput where it has none for engines.
 EngineScene engine_scene(const Task&, const Need&, const Reference&);
 
