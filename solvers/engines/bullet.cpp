@@ -1,4 +1,4 @@
-// Bullet 3.24's rigid bodies [manual: Bullet_User_Manual.pdf of its repository, chapters 5 to 7]: joints held
+// Bullet 3.24's rigid bodies [manual: docs/Bullet_User_Manual.pdf of its repository]: joints held
 // by impulses. bullet_multibody.cpp has its other solver.
 
 #include <btBulletDynamicsCommon.h>
