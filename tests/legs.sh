@@ -46,6 +46,11 @@ leg_site() {  # chromium: every page and player of the site, opened from their f
   node --test tests/site/*.test.mjs
 }
 
+leg_engines() {  # other people's engines do on the scenes what is on record of them
+  ./oddity engines --finest 1 3.5 >/dev/null  # installs and builds them
+  ctest --test-dir build/release --build-config engines --tests-regex '^engines$' --output-on-failure
+}
+
 leg_syntax() {  # g++: every source alone, without precompiled headers; compile_commands.json has all of them
   ./oddity packages
   build developer generated_sources

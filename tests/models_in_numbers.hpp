@@ -205,7 +205,8 @@ class Scene {
         const auto coefficients = series.about(x, step * h, order);
         for (std::size_t k = 0; k < n; ++k) x[k] = taylor::polynomial(coefficients[k], h);
       }
-      const auto got = model.observe(x, end_), expected = at_end<double>(model, end_, 512);
+      const auto got = model.observe(x, end_);
+      const auto expected = at_end<double>(model, end_, 512);
       for (std::size_t k = 0; k < got.size(); ++k) CHECK(std::abs(got[k] - expected[k]) <= 1e-9 * scale);
     }
   }

@@ -30,7 +30,10 @@ inline Ran shell(const std::string& command) {
 /// Runs the program with these arguments.
 inline Ran run(const std::string& arguments) { return shell("$oddity " + arguments); }
 
-/// The same on a terminal of so many columns, with these settings of the environment before.
+/// The same without standard error, on which progress shows where the machine is busy.
+inline Ran printed(const std::string& arguments) { return run("2>/dev/null " + arguments); }
+
+/// The same as `run` on a terminal of so many columns, with these settings of the environment before.
 inline Ran on_terminal(int columns, const std::string& arguments, const std::string& environment = "") {
   return shell("TERM=xterm COLUMNS=" + std::to_string(columns) + " " + environment +
                " script -qec \"$oddity " + arguments + "\" /dev/null");

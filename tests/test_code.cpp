@@ -220,7 +220,7 @@ TEST_CASE("every model of a scene can be printed, or says why not", "[code]") {
     for (const auto& pairs : {listing.models, listing.not_printable})
       for (const auto& [name, what] : pairs) {
         INFO(to_string(entry.number) << " has no model '" << name << "'");
-        CHECK(std::ranges::any_of(second.methods, [&](const Method& m) {
+        CHECK(std::ranges::any_of(second.methods, [&, &name = name](const Method& m) {
           return m.model == name || m.model + ", " + m.algorithm == name;
         }));
       }

@@ -57,14 +57,14 @@ TEST_CASE("list and stability come as CSV and as JSON", "[commands]") {
 
 TEST_CASE("the same question gets the same answer, and says where its times come from", "[commands]") {
   const std::string question = "choose 3.5 --error 1deg --horizon 1 --all";
-  const Ran anew = run(question + " --measure");
+  const Ran anew = printed(question + " --measure");
   CHECK(anew.status == 0);
   CHECK(says(anew, "\ntimes: measured in this run on this machine"));
-  const Ran kept = run(question);
+  const Ran kept = printed(question);
   CHECK(says(kept, "\ntimes: those of an earlier run of this program on this machine; --measure"));
   CHECK(kept.output.substr(0, kept.output.find("\ntimes: ")) ==
         anew.output.substr(0, anew.output.find("\ntimes: ")));
-  for (int i = 0; i < 3; ++i) CHECK(run(question).output == kept.output);
+  for (int i = 0; i < 3; ++i) CHECK(printed(question).output == kept.output);
 }
 
 TEST_CASE("choose asks for what is held as a length", "[commands]") {
@@ -96,7 +96,7 @@ TEST_CASE("solve takes parameters and says where its reference comes from", "[co
   const Ran own = run("solve 3.5 a=2.4");
   CHECK(own.status == 0);
   CHECK(says(own, "computed on the spot"));
-  const Ran json = run("solve 3.5 a=2.4 --json");
+  const Ran json = printed("solve 3.5 a=2.4 --json");
   CHECK(json.status == 0);
   CHECK(json.output.front() == '{');
   CHECK(says(json, "\"number\": \"3.5\""));

@@ -208,8 +208,8 @@ Physics top(double m, double l, double mu1, double mu3, double g, const std::arr
     const double squares = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     const std::array turn{d[1] * v[2] - d[2] * v[1], d[2] * v[0] - d[0] * v[2], d[0] * v[1] - d[1] * v[0]};
     // d'' = -d'^2 d + (mu3 spin d x d' - m g l (k - (k.d) d))/mu1 with the torque turned across d.
-    const auto across = [&](std::size_t i) { return (i == 2 ? 1 : 0) - d[2] * d[i]; };
-    const auto a = [&](std::size_t i) {
+    const auto across = [&, &d = d](std::size_t i) { return (i == 2 ? 1 : 0) - d[2] * d[i]; };
+    const auto a = [&, &d = d](std::size_t i) {
       return -squares * d[i] + (mu3 * spin * turn[i] - m * g * l * across(i)) / mu1;
     };
     return {v[0], v[1], v[2], a(0), a(1), a(2)};

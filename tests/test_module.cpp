@@ -25,7 +25,7 @@ std::string literal(std::string_view text) { return "R\"oddity(" + std::string(t
 }  // namespace
 
 TEST_CASE("the module has each scene with all models of its listing, in however many files", "[module]") {
-  for (std::size_t files : {1, 4}) {
+  for (std::size_t files : {1u, 4u}) {
     REQUIRE(module_source(files).size() == files);
     const std::string source = together(files);
     for (const Entry& entry : registry()) {

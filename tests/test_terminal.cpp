@@ -117,7 +117,7 @@ TEST_CASE("no text of the exercises keeps TeX on a terminal", "[terminal]") {
 TEST_CASE("a run ends with a screen of what was checked, what is wrong and what to open", "[terminal]") {
   const Results& results = run_of_all();
   const Closing closing{true, 61.5, "/site/index.html", "/report/README.md"};
-  for (const std::size_t width : {50, 60, 80, 100, 200}) {
+  for (const std::size_t width : {50u, 60u, 80u, 100u, 200u}) {
     const std::string screen = closing_screen(results, closing, {width, true});
     INFO(screen);
     CHECK(widest_line(screen) <= std::min<std::size_t>(width, 120));
@@ -162,7 +162,7 @@ TEST_CASE("what is printed fits the terminal", "[terminal]") {
 
 TEST_CASE("colour is for terminals, and off when the user wants none", "[terminal]") {
   for (const std::string arguments : {"solve 3.5", "verify '[9.1]'", "list 3.5"}) {
-    const std::string plain = run(arguments).output;
+    const std::string plain = printed(arguments).output;
     const auto has_colour = [](const Ran& ran) { return says(ran, "\x1b["); };
     INFO(arguments);
     CHECK_FALSE(has_colour(run(arguments)));
@@ -182,7 +182,7 @@ TEST_CASE("tables come as CSV and as JSON, and help names their columns", "[term
   for (const std::string arguments : {"list 3.5", "verify '[3.5]'", "chart 3.5", "stability 3.5", "solve 3.5",
                                       "choose 3.5 --error 1deg --horizon 1"}) {
     INFO(arguments);
-    const Ran csv = run(arguments + " --csv"), json = run(arguments + " --json");
+    const Ran csv = printed(arguments + " --csv"), json = printed(arguments + " --json");
     CHECK(csv.status == 0);
     CHECK(json.status == 0);
     const std::string help = std::regex_replace(
@@ -226,7 +226,7 @@ TEST_CASE("the completion knows the verbs, their options and the exercises", "[t
                  words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _oddity; echo ${COMPREPLY[*]}'")
         .output;
   };
-  CHECK(completed("\"\"") == "list verify solve chart stability choose bench report site new help\n");
+  CHECK(completed("\"\"") == "list verify solve chart stability choose bench engines report site new help\n");
   CHECK(completed("solve --") == "--help --json --csv\n");
   CHECK(completed("solve 3.3") == "3.3 3.31 3.33 3.35\n");
 }

@@ -33,8 +33,10 @@ struct Session {
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
+  std::string engine = {};
+  bool page = false;
   std::vector<double> rates{60, 240};
-  int finest = 256;
+  int finest = 64;
   AskedNeed need = {};
   NewExercise begun = {};
   std::string outside = {};
@@ -208,8 +210,8 @@ void add_choose(CLI::App& app, Session& s) {
       "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
       "--error 1deg --exclude closed --code",
       [&] {
-        s.status =
-            verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.command);
+        s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.engine,
+                                 s.command);
       });
   add_one_exercise(*choose, s);
   add_choose_need(*choose, s.need);
@@ -218,6 +220,9 @@ void add_choose(CLI::App& app, Session& s) {
   add_formats(*choose, s, "the choice and every method tried");
   auto* code = choose->add_flag("--code", s.code, "the chosen model and its loop, as C++ to paste");
   set_apart(*choose, code, {"--json", "--csv"});
+  auto* engine = add_value(*choose, "--engine", s.engine, "NAME",
+                           "what another engine makes of the scene, beside the choice: bullet, mujoco");
+  set_apart(*choose, engine, {"--json", "--csv", "--code"});
 }
 
 void add_report(CLI::App& app, Session& s) {
@@ -302,14 +307,21 @@ void add_engines(CLI::App& app, Session& s) {
       "in_needs, energy, off_joint, seconds_per_frame, spread, same_bits (1 or 0), restored; a row for each "
       "trial and unit.\n"
       "Examples:\n  oddity engines\n  oddity engines 3.33 'free body' --hz 60,240,960",
-      [&] { verbs::engines(s.folder, s.exercises, s.rates, s.finest, s.format()); });
+      [&] {
+        verbs::engines(s.folder, s.exercises, s.rates, s.finest, s.all_rows, s.rows,
+                       s.page ? report_folder() / "engines.md" : std::filesystem::path(), s.format());
+      });
   engines->add_option("scene", s.exercises,
                       "exercises, or: free body, bouncing ball, chain of 10, chain of 100");
   engines->add_option("--hz", s.rates, "the rates to show")->delimiter(',')->type_name("RATE");
   engines->add_option("--finest", s.finest, "steps per frame to go to, by doubling")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
+  engines->add_flag("--all", s.all_rows, "every variant, not the defaults and the best of each engine");
+  auto* rows = engines->add_flag("--rows", s.rows, "the rows of engines.csv, instead");
+  engines->add_flag("--report", s.page, "write the page engines.md of the report");
   add_formats(*engines, s, "every trial");
+  set_apart(*engines, rows, {"--json", "--csv", "--report"});
 }
 
 void add_new(CLI::App& app, Session& s) {

@@ -12,6 +12,7 @@
 #include "reference/to_write.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/bench.hpp"
+#include "report/cli/engines.hpp"
 #include "report/cli/settings.hpp"
 #include "report/pages/closing_screen.hpp"
 #include "report/pages/code.hpp"
@@ -23,7 +24,6 @@
 #include "report/pages/write_report.hpp"
 #include "report/site/site.hpp"
 #include "report/study/choose.hpp"
-#include "report/study/engines.hpp"
 #include "report/study/ledger.hpp"
 #include "report/study/prices.hpp"
 #include "report/study/progress.hpp"
@@ -163,49 +163,12 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
   std::cout << (format == Format::json ? to_json(results) : text_view(results.exercises.front(), output()));
 }
 
-namespace {
-
-/// What a game asks.
-Need game_need() {
-  return {.error = degree, .errors = {{"m", centimeter}, {"rad", degree}}, .objective = Objective::simple};
-}
-
-std::vector<std::string> scenes_for_engines() {
-  std::vector<std::string> scenes;
-  for (const Entry& entry : registry())
-    if (entry.exercise.scene && entry.exercise.scene->staging) scenes.push_back(to_string(entry.number));
-  for (std::string& name : further_engine_scenes()) scenes.push_back(std::move(name));
-  return scenes;
-}
-
-/// What `choose` takes for the scene, at the prices kept.
-std::optional<Instead> instead(const Task& task, const Reference& truth, const Progress& progress) {
-  KeptPrices prices(prices_folder(), price_key(task, game_need()), false);
-  const Choice choice = oddity::choose(task, game_need(), truth, std::ref(prices), progress);
-  prices.keep();
-  if (!choice.chosen) return {};
-  const std::string setting = shown_setting(*choice.chosen, choice.need);
-  return Instead{
-      choice.chosen->model + " by " + choice.chosen->algorithm + (setting == "-" ? "" : ", " + setting),
-      choice.chosen->errors, choice.chosen->seconds_per_frame};
-}
-
-EngineContest engines_on(const std::string& scene, const std::vector<EngineProgram>& programs,
-                         const EngineTask& asked, const Reference& truth, const Progress& progress) {
-  if (!exercise_number(scene))
-    return run(programs, further_engine_scene(scene, game_need()), asked, progress);
-  const Task task = task_of(scene, {});
-  EngineContest result = run(programs, engine_scene(task, game_need(), truth), asked, progress);
-  result.least = instead(task, truth, progress);
-  return result;
-}
-
-}  // namespace
-
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
-           const AskedNeed& asked, Format format, bool all_rows, const std::string& command) {
+           const AskedNeed& asked, Format format, bool all_rows, const std::string& engine,
+           const std::string& command) {
   const Task task = task_of(exercise, overrides);
   const Need need = need_of(task, asked);
+  const std::vector<EngineProgram> programs = engines_named(engine);
   KeptPrices prices(prices_folder(), price_key(task, need), asked.measure);
   const Reference truth(folder, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
@@ -221,6 +184,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
                   : format == Format::csv  ? choice_csv(choice)
                   : format == Format::code ? code_of(task, choice, command)
                                            : choice_text(choice, all_rows, output()));
+  if (!programs.empty()) std::cout << engine_answer(beside(choice, programs, task, truth), output());
   return choice.chosen ? 0 : 1;
 }
 
@@ -312,25 +276,6 @@ int bench(const fs::path& folder, Format format) {
   else
     print(bench_table(result), format);
   return result.broken();
-}
-
-void engines(const fs::path& folder, const std::vector<std::string>& scenes, const std::vector<double>& rates,
-             int finest, Format format) {
-  const std::vector<EngineProgram> programs = engines_found(engines_folder(), source_folder());
-  if (programs.empty())
-    throw BadInput("no engine is built here; './oddity engines' installs and builds them");
-  const std::vector<std::string> asked = scenes.empty() ? scenes_for_engines() : scenes;
-  const Reference truth(folder, motions_folder());
-  std::vector<EngineContest> contests;
-  for (const std::string& scene : asked)
-    contests.push_back(with_progress([&](const Progress& progress) {
-      return engines_on(scene, programs, {.finest = finest}, truth, progress);
-    }));
-  write(contests, engines_file());
-  if (format == Format::text)
-    std::cout << engines_text(contests, rates, output());
-  else
-    print(engines_table(contests), format);
 }
 
 }  // namespace oddity::verbs

@@ -24,9 +24,10 @@ void list(const std::vector<std::string>& exercises, Format);
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            Format);
 
-/// 0 when something meets the need, else 1. `command` is the command line, for the code's comment.
+/// 0 when something meets the need, else 1. `command` is the command line, for the code's comment;
+/// `engine` one of others to be tried beside, unless empty.
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
-           const AskedNeed&, Format, bool all_rows, const std::string& command);
+           const AskedNeed&, Format, bool all_rows, const std::string& engine, const std::string& command);
 /// Of all chapters when the text is empty.
 void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out);
 /// The report that runs, of all exercises.
@@ -52,8 +53,9 @@ void create(NewExercise);
 int bench(const fs::path& folder, Format);
 
 /// Other people's engines on these scenes, by number or name; all of them when there are none. `rates` are
-/// the table's [1/s].
+/// the table's [1/s]; `all` shows every variant; `rows` is what is put on record instead; `page` is where it
+/// is told as a page, unless empty.
 void engines(const fs::path& folder, const std::vector<std::string>& scenes, const std::vector<double>& rates,
-             int finest, Format);
+             int finest, bool all, bool rows, const fs::path& page, Format);
 
 }  // namespace oddity::verbs

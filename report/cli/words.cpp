@@ -36,7 +36,8 @@ std::string refusal(const CLI::App& app, const std::string& word) {
   for (const CLI::Option* option : app.get_options()) options.push_back(option->get_name());
   const std::string meant =
       word.starts_with('-') ? did_you_mean(word.substr(0, word.find('=')), options) : "";
-  return app.get_name() + " does not take '" + word + "'" + meant + (meant.empty() ? "; " : " ") + help_of(app);
+  return app.get_name() + " does not take '" + word + "'" + meant + (meant.empty() ? "; " : " ") +
+         help_of(app);
 }
 
 }  // namespace

@@ -274,7 +274,7 @@ std::string errata_page_text(const Results& results) {
     if (counts[verdict] > 0) text += "## " + title + " (" + std::to_string(counts[verdict]) + ")\n\n" + rows;
   };
   section(Verdict::erratum, "Errata",
-          "A row for each root; where a published motion goes wrong comes first.\n\n" +
+          "A row for each root; those by which a published motion goes wrong come first.\n\n" +
               errata_table(results, Links::apart));
   section(Verdict::misprint, "Misprints", list_of(results, Verdict::misprint, Links::apart));
   section(Verdict::unsettled, "Unsettled", list_of(results, Verdict::unsettled, Links::apart));

@@ -27,11 +27,11 @@ std::string class_of(Verdict verdict) { return html::anchor(name_of(verdict)); }
 
 bool is_count(const Check& c) { return c.right.by == "none" && c.left.by.starts_with("violations in "); }
 
-/// "none of 200 samples is against it".
+/// "holds in all 200 samples", "fails in 24 of 5760 samples".
 std::string count_text(const Check& c) {
   const std::string of = c.left.by.substr(std::string("violations in ").size());
-  const std::string n = c.left.value[0] == 0 ? "none" : rounded(c.left.value[0], 12);
-  return in_xml(n + " of " + of + (n == "none" || n == "1" ? " is" : " are") + " against it");
+  if (c.left.value[0] != 0) return in_xml("fails in " + rounded(c.left.value[0], 12) + " of " + of);
+  return in_xml(of.starts_with("1 ") ? "holds in its one" + of.substr(1) : "holds in all " + of);
 }
 
 /// How much of its tolerance a check uses up; one that fails comes before all that hold.
@@ -182,9 +182,9 @@ std::string claims_section(const ExerciseResult& e) {
   return "<section id=\"claims\">\n<h2>" +
          std::string(confirmed == 0 ? "What cannot be checked" : "What is confirmed") + "</h2>\n<p>" +
          (confirmed == 0
-              ? std::string("Each claim opens to the reason.")
+              ? std::string("Open a claim to see why.")
               : counted(confirmed, "claim", "claims") +
-                    " of the solution, each with its line; it opens to what it was compared with.") +
+                    " of the solution, each with its line. Open one to see what it was compared with.") +
          "</p>\n<div class=\"claims\">\n" + text + "</div>\n</section>\n";
 }
 

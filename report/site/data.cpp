@@ -142,13 +142,21 @@ Methods methods_of(const QuantityResult& q) {
   return all;
 }
 
+/// Not where trials have only been run, and not timed.
+bool is_timed(const QuantityResult& q) {
+  return std::ranges::any_of(q.methods, [](const MethodResult& m) {
+    return std::ranges::any_of(m.trials, [](const TimedTrial& t) { return std::isfinite(t.time.seconds); });
+  });
+}
+
 std::string name_of_axis(Across across) {
   return across == Across::time ? "time" : across == Across::setting ? "setting" : "evaluations";
 }
 
 Json from(const QuantityResult& q) {
   Json charts = Json::array();
-  for (Across across : charts_of(q)) charts.push_back(name_of_axis(across));
+  for (Across across : charts_of(q))
+    if (across != Across::time || is_timed(q)) charts.push_back(name_of_axis(across));
   const Methods shown = methods_of(q);
   return {{"name", q.name},
           {"unit", typeset_unit(q.unit)},

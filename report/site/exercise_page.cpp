@@ -91,9 +91,10 @@ std::string sections_of(const std::string& body) {
 
 std::string player_section(const ExerciseResult& e) {
   if (!e.scene) return "";
-  return "<section id=\"play\" class=\"player\" aria-label=\"Player\"><noscript><p>The player needs scripts. The "
-         "motion as numbers: <code>oddity solve " +
-         to_string(e.number) + "</code>.</p></noscript></section>\n";
+  const std::string command =
+      " The motion as numbers: <code>oddity solve " + to_string(e.number) + "</code>.";
+  return "<section id=\"play\" class=\"player\" aria-label=\"Player\"><noscript><p>The player needs scripts." +
+         (e.number == example().number ? "" : command) + "</p></noscript></section>\n";
 }
 
 /// In the order in which they need one another.
@@ -148,7 +149,7 @@ std::string exercise_page(const Results& results, const ExerciseResult& e) {
 std::string example_page(const ExerciseResult& e) {
   const std::string sections = player_section(e) + std::string(of_events) + quantities_section(e);
   const std::string head = "<p class=\"where\">An example, and no exercise of the book</p>\n" +
-                           element("h1", "", html::escaped(e.title)) + "\n" +
+                           element("h1", "", in_xml(e.title)) + "\n" +
                            element("p", " class=\"asks\"", html::prose(e.asks)) + "\n";
   return html::whole(
       {e.title + " - oddity",

@@ -69,17 +69,17 @@ std::string opening(const Results& results) {
     for (const QuantityResult& q : e.quantities) breakdowns += static_cast<long>(q.breakdowns.size());
   }
   return "<header class=\"title\">\n<h1>The solutions of <cite>Game Physics</cite>, checked by machine</h1>\n"
-         "<p class=\"asks\">Every odd exercise of the book’s second edition is a computation here. Each statement of "
-         "its published solution was judged against numbers that were computed another way.</p>\n" +
+         "<p class=\"asks\">Every odd exercise of the book’s second edition is computed here, and each statement of its "
+         "published solution is judged against numbers that were found another way.</p>\n" +
          verdict_bar(all) + "<p class=\"sum\">" +
          counted(static_cast<long>(results.exercises.size()), "exercise", "exercises") + ", " +
          counted(all.all(), "claim", "claims") + ". " +
          counted(quantities, "quantity was", "quantities were") + " computed in " +
          counted(trials_of(results), "trial", "trials") + ", with " +
          counted(breakdowns, "breakdown", "breakdowns") + " and their cures. " +
-         (scenes > 0
-              ? counted(scenes, "scene moves", "scenes move") + " in these pages, by the C++ that was tested."
-              : "") +
+         (scenes > 0 ? counted(scenes, "scene moves", "scenes move") +
+                           " in these pages, run by the very C++ that was tested."
+                     : "") +
          "</p>\n</header>\n";
 }
 
@@ -97,10 +97,11 @@ std::string wrong_item(const Finding& finding) {
   return element("li", "", text) + "\n";
 }
 
-std::string wrong_card(const ExerciseResult& e) {
+std::string wrong_card(const ExerciseResult& e, const std::vector<Finding>& worst_first) {
   const std::string picture = moving_picture(e);
   std::string items;
-  for (const Finding& finding : findings_of(e)) items += wrong_item(finding);
+  for (const Finding& finding : worst_first)
+    if (finding.exercise == &e) items += wrong_item(finding);
   return "<section class=\"card" + std::string(picture.empty() ? "" : " moving") + "\">\n" +
          element("h3", "", exercise_link(e)) + "\n" + picture + element("ul", " class=\"roots\"", items) +
          "\n</section>\n";
@@ -114,16 +115,16 @@ std::string what_is_wrong(const Results& results) {
   for (const Finding& f : worst_first) {
     if (std::ranges::find(shown, f.exercise) != shown.end()) continue;
     shown.push_back(f.exercise);
-    (broken_by(*f.exercise) > 0 ? breaking : others) += wrong_card(*f.exercise);
+    (broken_by(*f.exercise) > 0 ? breaking : others) += wrong_card(*f.exercise, worst_first);
   }
   const Tally all = tally_of(results);
   return "<section id=\"wrong\">\n<h2>What is wrong in the book</h2>\n<p>" +
          counted(all.errata, "erratum", "errata") + " from " +
          counted(std::ssize(worst_first), "root", "roots") +
          "; scenes whose published motion leaves the true one come first. " +
-         counted(all.misprints, "misprint stands", "misprints stand") +
-         " with its exercise, and all are on the <a href=\"errata.html\">errata sheet</a>, to print and lay into the "
-         "book; for programs there is <a href=\"errata.json\">errata.json</a>.</p>\n"
+         counted(all.misprints, "misprint stands with its exercise", "misprints stand with their exercises") +
+         ". The <a href=\"errata.html\">errata sheet</a> has all of them, to print and lay into the book, and <a "
+         "href=\"errata.json\">errata.json</a> has them for programs.</p>\n"
          "<p class=\"stop\"><button type=\"button\" hidden>Stop the pictures</button></p>\n<div class=\"cards\">\n" +
          breaking + "</div>\n<div class=\"cards\">\n" + others + "</div>\n</section>\n";
 }
@@ -199,9 +200,9 @@ std::string for_games(const Results& results) {
     if (e.ledger && !e.ledger->least.empty()) table.rows.push_back(game_row(e));
   if (table.rows.empty()) return "";
   return "<section id=\"games\">\n<h2>What it means for games</h2>\n<p>The simplest model that stays within one "
-         "centimetre and one degree at every frame over 10 s at 60 frames a second, with the algorithm that does it "
-         "with the least work. For a start, an error and a budget of your own there is the <a "
-         "href=\"chooser.html\">chooser</a>.</p>\n" +
+         "centimetre and one degree at every frame over 10 s at 60 frames a second, and the algorithm that needs the "
+         "least work for it. The <a href=\"chooser.html\">chooser</a> answers for a start, an error and a budget of your "
+         "own.</p>\n" +
          html::table(table) + "</section>\n";
 }
 

@@ -84,9 +84,9 @@ std::string chooser_page(const Results& results) {
           "li", "", html::link(to_string(e.number) + ".html", to_string(e.number) + " " + in_xml(e.title)));
   return html::whole(
       {"Chooser - oddity",
-       "<header class=\"title\">\n<h1>What to use for a scene</h1>\n<p class=\"asks\">Which model, algorithm and step hold "
-       "for your start, error, frame rate and budget. The answer is computed here by the models that were tested; "
-       "<code>oddity choose</code> judges it by references.</p>\n</header>\n"
+       "<header class=\"title\">\n<h1>What to use for a scene</h1>\n<p class=\"asks\">Find the model, algorithm and "
+       "step that hold for your start, error, frame rate and budget. The answer is computed in this page, by the models "
+       "that were tested; <code>oddity choose</code> judges it against references.</p>\n</header>\n"
        "<div class=\"chooser\"><noscript><p>The chooser needs scripts. On a terminal: <code>oddity choose 3.5 --error "
        "1deg</code>.</p></noscript></div>\n<section>\n<h2>The scenes</h2>\n<ul class=\"scenes\">" +
            scenes + "</ul>\n<p>With events, and no exercise of the book: the " + to_example() +

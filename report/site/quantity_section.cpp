@@ -96,9 +96,9 @@ std::string reference_of(const QuantityResult& q) {
   if (!finite(q.reference.value)) return "No true value is known: " + html::text(q.reference.by) + ".";
   return "True value: " +
          element("b", "", with_unit_of(in_xml(with_powers(shown(q.reference.value, 12))), q.unit)) +
-         ", known to " + short_error(q.reference_error) + " (" + html::text(q.reference.by) +
-         "). Needed to " + short_error(q.need.allowed) + ": " + html::text(q.need.reason) +
-         (q.samples > 1 ? "; " + instants(q) : "") + ".";
+         ", known " + (q.reference_error == 0 ? "exactly" : "to " + short_error(q.reference_error)) + " (" +
+         html::text(q.reference.by) + "). Needed to " + short_error(q.need.allowed) + " (" +
+         html::text(q.need.reason) + ")" + (q.samples > 1 ? "; " + instants(q) : "") + ".";
 }
 
 std::string quantity_text_of(const QuantityResult& q) {
@@ -156,8 +156,9 @@ std::string summary_of(const Stability& s) {
   if (every > 0) text += ", " + std::to_string(every) + " of them at every step";
   text += ".";
   if (longest)
-    text += " The longest step that is lost anywhere is that of " + in_xml(longest->algorithm) + " on “" +
-            in_xml(longest->model) + "”: " + rounded(longest->step(), 3) + " " + in_xml(s.time_unit) + ".";
+    text += (every > 0 ? " Of the others, the" : " The") + std::string(" largest stable step is that of ") +
+            in_xml(longest->algorithm) + " on “" + in_xml(longest->model) +
+            "”: " + rounded(longest->step(), 3) + " " + in_xml(s.time_unit) + ".";
   return text +
          " Stable says nothing about accuracy: <em>needed to</em> is the largest step that keeps the error within " +
          with_unit_of(short_error(s.close), s.unit) + ".";
@@ -189,8 +190,7 @@ std::string stability_section(const ExerciseResult& e) {
   if (!e.stability) return "";
   const Stability& s = *e.stability;
   return "<section id=\"stability\">\n<h2>Up to which step</h2>\n" + element("p", "", summary_of(s)) +
-         "\n<figure class=\"map\"><noscript><p>The map needs scripts. As text: <code>oddity stability " +
-         to_string(e.number) + "</code>.</p></noscript></figure>\n" + limits_text_of(s) + reasons_text(s) +
+         "\n<figure class=\"map\">" + still_map(s) + "</figure>\n" + limits_text_of(s) + reasons_text(s) +
          "</section>\n";
 }
 

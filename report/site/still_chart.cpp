@@ -11,6 +11,7 @@
 #include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/site/page.hpp"
+#include "report/study/stability.hpp"
 
 namespace oddity {
 
@@ -112,7 +113,8 @@ class Chart {
       lines += "M" + whole_pixel(plot_.x(tick)) + " " + whole_pixel(top) + "V" + whole_pixel(bottom);
       number({plot_.x(tick), bottom + 14}, tick_label(plot_.x, tick));
     }
-    number({(left + right) / 2, bottom + 28}, axis());
+    const std::string unit = q_.unit.empty() || q_.unit == "1" ? "" : " [" + in_xml(q_.unit) + "]";
+    number({(left + right) / 2, bottom + 28}, "error" + unit + " against " + axis());
     return path("", lines) + numbers;
   }
   /// Dots where it is ok, and its number in the table at the end.
@@ -145,15 +147,15 @@ std::string table_of(const QuantityResult& q, const std::vector<std::size_t>& sh
     rows += "<tr>" +
             element("th", "",
                     (keyed ? "<b class=\"s" + key + "\">" + key + "</b> " : "") +
-                        html::escaped(m.model + ", " + m.algorithm)) +
-            cell(t.knob.empty() ? "" : html::escaped(with_powers(shown_knob(t)))) +
-            cell(html::escaped(with_powers(shown_error(t.error)))) + cell(std::to_string(t.evaluations)) +
+                        in_xml(m.model + ", " + m.algorithm)) +
+            cell(t.knob.empty() ? "" : in_xml(with_powers(shown_knob(t)))) +
+            cell(in_xml(with_powers(shown_error(t.error)))) + cell(std::to_string(t.evaluations)) +
             cell(std::string(name_of(t.outcome))) + "</tr>\n";
   }
   const std::size_t others = q.methods.size() - shown.size();
-  return "<table class=\"still\"><tr><th>method</th><th>setting</th><th>error</th><th>evaluations</th>"
+  return "<div class=\"wide\"><table class=\"still\"><tr><th>method</th><th>setting</th><th>error</th><th>evaluations</th>"
          "<th>ends</th></tr>\n" +
-         rows + "</table>" +
+         rows + "</table></div>" +
          (others > 0 ? element("p", "", std::to_string(others) + " more were tried.") : "");
 }
 
@@ -165,8 +167,40 @@ std::string still_chart(const QuantityResult& q) {
   std::string text;
   if (!charts.empty())
     text = element("div", " class=\"still\"",
-                   Chart(q, across).svg() + element("p", "", html::escaped(finding(q, across)) + "."));
+                   Chart(q, across).svg() + element("p", "", in_xml(finding(q, across)) + "."));
   return "<noscript>" + text + table_of(q, worth_seeing(q, across), !charts.empty()) + "</noscript>";
+}
+
+std::string still_map(const Stability& s) {
+  if (s.map.empty() || s.steps.empty()) return "";
+  std::string key, head, rows;
+  for (Outcome outcome : outcomes_of_a_map) {
+    const bool there = std::ranges::any_of(s.map, [&](const MapRow& row) {
+      return std::ranges::find(row.outcomes, outcome) != row.outcomes.end();
+    });
+    if (there)
+      key +=
+          std::string(key.empty() ? ": " : ", ") + letter_of(outcome) + " " + std::string(name_of(outcome));
+  }
+  const auto same = [](const MapRow& a, const MapRow& b) {
+    return a.model == b.model && a.algorithm == b.algorithm;
+  };
+  for (const MapRow& row : s.map)
+    if (same(row, s.map.front())) head += element("th", "", rounded(row.value, 3));
+  for (std::size_t i = 0; i < s.map.size(); ++i) {
+    const MapRow& row = s.map[i];
+    if (i == 0 || !same(row, s.map[i - 1]))
+      rows += (i == 0 ? "<tr>" : "</tr>\n<tr>") + element("th", "", in_xml(row.model + ", " + row.algorithm));
+    rows += cell(element("code", "", letters(row)));
+  }
+  const std::string unit = s.time_unit.empty() ? "" : " " + in_xml(s.time_unit);
+  return "<noscript>" +
+         element("p", "",
+                 "How each trial ends over <var>" + in_xml(s.parameter) + "</var>: a letter a step, from " +
+                     rounded(s.steps.front(), 3) + unit + " to " + rounded(s.steps.back(), 3) + unit + key +
+                     ".") +
+         "<div class=\"wide\"><table class=\"still\"><tr><th>method</th>" + head + "</tr>\n" + rows +
+         "</tr></table></div></noscript>";
 }
 
 }  // namespace oddity

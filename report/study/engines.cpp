@@ -22,6 +22,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t memory = 4'000'000'000;
+constexpr int last_timed = 4;  ///< steps per frame
 
 std::chrono::milliseconds milliseconds(double seconds) {
   return std::chrono::milliseconds(std::lround(1000 * seconds));
@@ -220,7 +221,7 @@ EngineTrial run(const EngineProgram& engine, const EngineVariant& variant, const
                 int steps_per_frame, const EngineTask& task) {
   EngineTrial trial{steps_per_frame};
   trial.in_needs = trial.energy = trial.off_joint = trial.seconds_per_frame = nan;
-  const bool timed = steps_per_frame <= 4;
+  const bool timed = steps_per_frame <= last_timed;
   const engines::Request request{contest.staging.world,
                                  variant.name,
                                  static_cast<int>(contest.need.frames()),
@@ -237,7 +238,14 @@ EngineTrial run(const EngineProgram& engine, const EngineVariant& variant, const
     trial.message = ended.how + (ended.words.empty() ? "" : ": " + ended.words.substr(0, 200));
     return trial;
   }
-  const auto reply = nlohmann::json::parse(ended.output).get<engines::Reply>();
+  engines::Reply reply;
+  try {
+    reply = nlohmann::json::parse(ended.output).get<engines::Reply>();
+  } catch (const nlohmann::json::exception& error) {
+    trial.outcome = Outcome::raised;
+    trial.message = std::string("its answer is no reply: ") + error.what();
+    return trial;
+  }
   if (!reply.cannot.empty()) throw CannotBeHad(reply.cannot);
   judge(trial, contest, reply);
   return trial;
@@ -249,36 +257,62 @@ const EngineTrial* EngineSeries::first_enough() const {
   return first;
 }
 
-EngineContest run(const std::vector<EngineProgram>& programs, const EngineScene& contest,
-                  const EngineTask& task, const Progress& progress) {
-  EngineContest result{contest.scene,
-                       contest.title,
-                       {},
-                       contest.motion.needs,
-                       contest.need.horizon,
-                       contest.need.frames_per_second,
-                       {}};
-  for (std::string_view unit : contest.motion.units()) result.units.emplace_back(unit);
-  std::size_t variants = 0;
-  for (const EngineProgram& e : programs) variants += e.variants.size();
-  Stage stage(progress, "engines on " + contest.scene, variants);
-  for (const EngineProgram& engine : programs)
-    for (const EngineVariant& variant : engine.variants) {
-      EngineSeries series{engine.name,  engine.version,   engine.precision,   variant.name,
-                          variant.says, variant.defaults, engine.webassembly, variant.order};
-      try {
-        for (int steps = 1; steps <= task.finest; steps *= 2) {
-          series.trials.push_back(run(engine, variant, contest, steps, task));
-          if (steps > 1) series.trials.back().observed.clear();
-          if (series.trials.back().outcome == Outcome::stalled) break;
-        }
-      } catch (const CannotBeHad& reason) {
-        series.cannot = reason.what();
-      }
-      summarize(series);
-      result.series.push_back(std::move(series));
-      stage.add();
+namespace {
+
+/// A variant on its way from coarse to fine.
+struct Entrant {
+  const EngineProgram* engine;
+  const EngineVariant* variant;
+  EngineSeries series;
+};
+
+/// Goes on with finer trials while they are at most `last` steps per frame.
+void go_on(Entrant& entrant, const EngineScene& scene, int last, const EngineTask& task) {
+  EngineSeries& series = entrant.series;
+  if (!series.cannot.empty()) return;
+  try {
+    int steps = series.trials.empty() ? 1 : 2 * series.trials.back().steps_per_frame;
+    for (; steps <= last; steps *= 2) {
+      if (!series.trials.empty() && series.trials.back().outcome == Outcome::stalled) return;
+      series.trials.push_back(run(*entrant.engine, *entrant.variant, scene, steps, task));
+      if (steps > 1) series.trials.back().observed.clear();
     }
+  } catch (const CannotBeHad& reason) {
+    series.cannot = reason.what();
+  }
+}
+
+std::vector<Entrant> entrants(const std::vector<EngineProgram>& programs) {
+  std::vector<Entrant> all;
+  for (const EngineProgram& e : programs)
+    for (const EngineVariant& v : e.variants)
+      all.push_back(
+          {&e, &v, {e.name, e.version, e.precision, v.name, v.says, v.defaults, e.webassembly, v.order}});
+  return all;
+}
+
+}  // namespace
+
+EngineContest run(const std::vector<EngineProgram>& programs, const EngineScene& scene,
+                  const EngineTask& task, const Progress& progress) {
+  EngineContest result{
+      scene.scene, scene.title, {}, scene.motion.needs, scene.need.horizon, scene.need.frames_per_second,
+      {},          {}};
+  for (std::string_view unit : scene.motion.units()) result.units.emplace_back(unit);
+  std::vector<Entrant> all = entrants(programs);
+  Stage stage(progress, "engines on " + scene.scene, 2 * all.size());
+  for (Entrant& one : all) {  // timed: alone
+    go_on(one, scene, std::min(last_timed, task.finest), task);
+    stage.add();
+  }
+  parallel_for_each(all, [&](Entrant& one) {
+    go_on(one, scene, task.finest, task);
+    stage.add();
+  });
+  for (Entrant& one : all) {
+    summarize(one.series);
+    result.series.push_back(std::move(one.series));
+  }
   return result;
 }
 

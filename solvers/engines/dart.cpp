@@ -169,7 +169,8 @@ Engine engine() {
       DART_VERSION,
       "double",
       false,
-      {{"defaults", "World: semi-implicit Euler; FCL finds contacts, between meshes; Dantzig's solver", 1,
+      {{"defaults",
+        "semi-implicit Euler; FCL finds contacts between meshes, also of balls; no bounce below 0.1 m/s", 1,
         true},
        {"native collision detector", "the same with DARTCollisionDetector, whose balls are round", 1, false}},
       [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {

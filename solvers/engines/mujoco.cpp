@@ -65,23 +65,29 @@ std::string body(const World& world, const Limb& limb) {
          "size=" + text(b.shape.half) + "friction=" + text(world.friction) + "/>";
 }
 
-std::string xml(const World& world, const std::string& options) {
+/// All that hangs on a body. Elements may not be nested deeper than 100: what would be is in a file of its
+/// own.
+std::string limbs(const World& world, const std::vector<Limb>& all, int parent,
+                  std::vector<std::string>& files, int depth = 1) {
+  std::string out;
+  for (const Limb& limb : all)
+    if (limb.parent == parent)
+      out += body(world, limb) + limbs(world, all, limb.body, files, depth + 1) + "</body>";
+  if (depth % 50 || out.empty()) return out;
+  files.push_back("<mujoco>" + out + "</mujoco>");
+  return "<include file='" + std::to_string(files.size() - 1) + "'/>";
+}
+
+/// The last of the files is the whole.
+std::vector<std::string> xml(const World& world, const std::string& options) {
+  std::vector<std::string> files;
   std::string out = "<mujoco><compiler coordinate='global'/><option " + options + "/><worldbody>";
   if (world.floor != Vector{})
     out += "<geom type='plane' size='1 1 1' zaxis=" + text(world.floor) + "friction=" + text(world.friction) +
            "/>";
-  out += sites(world, ground);
-  std::vector<int> open{ground};
-  const auto close = [&](int parent) {
-    for (; open.back() != parent; open.pop_back()) out += "</body>";
-  };
-  for (const Limb& limb : tree(world)) {
-    close(limb.parent);
-    open.push_back(limb.body);
-    out += body(world, limb);
-  }
-  close(ground);
-  return out + "</worldbody><tendon>" + springs(world) + "</tendon></mujoco>";
+  files.push_back(out + sites(world, ground) + limbs(world, tree(world), ground, files) +
+                  "</worldbody><tendon>" + springs(world) + "</tendon></mujoco>");
+  return files;
 }
 
 /// As the manual's chapter on solver settings has them against slip.
@@ -90,13 +96,16 @@ std::string options(const std::string& variant) {
   return "integrator='" + variant + "' cone='elliptic' impratio='10' tolerance='1e-12'";
 }
 
-mjModel* compiled(const std::string& source) {
+mjModel* compiled(const std::vector<std::string>& sources) {
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
-  mj_makeEmptyFileVFS(files.get(), "world.xml", static_cast<int>(source.size()));
-  std::ranges::copy(source, static_cast<char*>(files->filedata[0]));
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    mj_makeEmptyFileVFS(files.get(), std::to_string(i).c_str(), static_cast<int>(sources[i].size()));
+    std::ranges::copy(sources[i], static_cast<char*>(files->filedata[i]));
+  }
   char error[500];
-  mjModel* const model = mj_loadXML("world.xml", files.get(), error, sizeof error);
+  mjModel* const model =
+      mj_loadXML(std::to_string(sources.size() - 1).c_str(), files.get(), error, sizeof error);
   mj_deleteVFS(files.get());
   if (!model) throw NotExpressible(error);
   return model;
@@ -190,7 +199,8 @@ Engine engine() {
           mj_versionString(),
           "double",
           false,
-          {{"defaults", "semi-implicit Euler; contacts of 0.02 s, pyramidal cone", 1, true},
+          {{"defaults", "semi-implicit Euler; contacts are springs of 0.02 s, their friction is a pyramid's",
+            1, true},
            {"implicit", "integrator implicit in velocities (Computation, Numerical integration)" + contacts,
             1, false},
            {"RK4", "integrator of 4th order (Computation, Numerical integration)" + contacts, 4, false}},

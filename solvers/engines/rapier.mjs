@@ -1,12 +1,12 @@
-// Rapier 0.21 [manual: rapier.rs/docs]: bodies and joints held by velocities in substeps, or joints as
-// coordinates, in float.
+// Rapier 0.21 [manual: rapier.rs/docs]: bodies and joints held by velocities, or by joints as coordinates, in
+// float.
 //
-// A body's axes are the world's at the start here, and its moments are given along the axes that they belong to:
-// so what a joint is fixed to reads alike in all bodies.
+// A body's axes are here the world's at the start, and its moments have axes of their own: so a joint's axis
+// has the same numbers in both bodies.
 
 import RAPIER from '@dimforge/rapier3d-compat';
 
-import { NotExpressible, after, atRest, ground, isZero, minus, start } from './simulation.mjs';
+import { NotExpressible, after, ground, isZero, minus, start } from './simulation.mjs';
 
 await RAPIER.init();
 
@@ -119,13 +119,13 @@ export const about = {
   plane: false,
   variants: [
     { name: 'defaults', order: 1, defaults: true,
-      says: 'createImpulseJoint; a step is 4 substeps of symplectic Euler (numSolverIterations), bodies may ' +
-        'fall asleep; a rod is a rope, the same while it is taut' },
+      says: 'createImpulseJoint; a step is 4 substeps of symplectic Euler (numSolverIterations), bodies ' +
+        'may fall asleep; a rod is a rope, the same while it is taut' },
     { name: '16 substeps', order: 1, defaults: false,
       says: 'numSolverIterations 16, in the guide the way to stiffer joints; nothing sleeps (setCanSleep)' },
     { name: 'joints as coordinates', order: 1, defaults: false,
-      says: 'createMultibodyJoint, for accuracy in the guide (Joint constraints); it damps whatever turns in a ' +
-        'joint by 0.1 N m s, which JavaScript cannot switch off, and starts at rest; nothing sleeps' },
+      says: 'createMultibodyJoint, for accuracy in the guide (Joint constraints); it damps whatever turns ' +
+        'in a joint by 0.1 N m s, which JavaScript cannot switch off, and starts at rest; nothing sleeps' },
   ],
 };
 

@@ -174,10 +174,10 @@ json about() {
 
 int main(int count, char** words) {
   using namespace oddity::engines;
-  std::FILE* answers = fdopen(dup(STDOUT_FILENO), "w");
-  dup2(STDERR_FILENO, STDOUT_FILENO);  // engines print there
+  std::FILE* const out = fdopen(dup(STDOUT_FILENO), "w");
+  if (!std::freopen("/dev/null", "w", stdout)) return 1;  // engines print there what they like
   const bool asked_about = count == 2 && std::strcmp(words[1], "--about") == 0;
   const json answer = asked_about ? about() : json(reply(json::parse(std::cin).get<Request>()));
-  std::fputs((answer.dump() + "\n").c_str(), answers);
-  return std::fclose(answers);
+  std::fputs((answer.dump() + "\n").c_str(), out);
+  return std::fclose(out);
 }

@@ -1,14 +1,16 @@
 // runner.cpp for the engines that run in WebAssembly:
 //   node runner.mjs rapier --about     what it is
 //   node runner.mjs rapier             reads one request (world_json.hpp), writes one reply
-// An adapter, NAME.mjs, exports `about`, and `make(world, variant, step)`, which gives a simulation
-// (simulation.hpp) or throws NotExpressible: setGravity, push, step, state; what it has of hasSprings, save and
-// restore; and free(), as WebAssembly has no destructors.
+// An adapter, NAME.mjs, exports `about`, and `make(world, variant, step)`, which gives a simulation as
+// simulation.hpp has it, or throws NotExpressible. Of hasSprings, save and restore it has what the engine
+// has; and it has free(), as nothing else destroys what is behind WebAssembly.
 
 import { readFileSync } from 'node:fs';
 import { performance } from 'node:perf_hooks';
 
-import { NotExpressible, cross, ground, isZero, minus, plus, pointIn, start, times, turned } from './simulation.mjs';
+import {
+  NotExpressible, cross, ground, isZero, minus, plus, pointIn, start, times, turned,
+} from './simulation.mjs';
 
 const engines = ['box2d', 'jolt', 'mujoco', 'rapier'];
 
@@ -31,7 +33,8 @@ class Pushes {
   beforeStep(simulation, t) {
     const { gravity, shaking, frequency, springs, bodies } = this.world;
     if (this.shaken) simulation.setGravity(plus(gravity, times(Math.sin(frequency * t), shaking)));
-    if (!simulation.hasSprings?.()) springs.forEach((spring, i) => this.pull(simulation, spring, this.ends[i]));
+    if (!simulation.hasSprings?.())
+      springs.forEach((spring, i) => this.pull(simulation, spring, this.ends[i]));
     if (this.turning) bodies.forEach((_, i) => this.turn(simulation, i));
   }
 
@@ -131,7 +134,8 @@ function reply(make, request) {
 const write = console.log;
 console.log = console.error;  // what an engine says is no reply
 const [name, aboutIt] = process.argv.slice(2);
-if (!engines.includes(name)) throw new Error(`runner.mjs: no engine "${name}"; there are ${engines.join(', ')}`);
+if (!engines.includes(name))
+  throw new Error(`runner.mjs: no engine "${name}"; there are ${engines.join(', ')}`);
 const { about, make } = await import(`./${name}.mjs`);
 if (aboutIt === '--about') {
   write(JSON.stringify({ ...about, behind: 'WebAssembly' }));

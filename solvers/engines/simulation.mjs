@@ -11,7 +11,11 @@ export const times = (s, a) => [s * a[0], s * a[1], s * a[2]];
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const cross = (a, b) =>
   [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const unit = (a) => times(1 / Math.hypot(...a), a);
 export const isZero = (a) => a.every((x) => x === 0);
+
+/// A unit vector across this one: z across what lies in the plane.
+export const beside = (a) => unit(cross(cross(a, Math.abs(unit(a)[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0]), a));
 
 /// The unit quaternion's turn.
 export function turned([w, x, y, z], a) {
@@ -25,7 +29,9 @@ export function after([aw, ax, ay, az], [bw, bx, by, bz]) {
     aw * by - ax * bz + ay * bw + az * bx, aw * bz + ax * by - ay * bx + az * bw];
 }
 
-export const atRest = { position: [0, 0, 0], orientation: [1, 0, 0, 0], velocity: [0, 0, 0], spin: [0, 0, 0] };
+export const atRest = {
+  position: [0, 0, 0], orientation: [1, 0, 0, 0], velocity: [0, 0, 0], spin: [0, 0, 0],
+};
 
 /// Where a body starts; the ground at the origin.
 export const start = (world, body) => body === ground ? atRest : world.bodies[body].start;

@@ -66,11 +66,13 @@ function distances(a, b, norms) {
 // Not where a motion is chaotic, and magnifies what roundings differ by.
 for (const scene of ['3.5', '3.7', '3.9', '3.11', '3.15', '3.19', '3.27', '3.29', '3.31', '3.33'])
   test(`${scene}: a slider's values and errors are the program's`, async (t) => {
-    const book = solved(scene);
-    const trial = book.trials.filter((one) => one.algorithm === 'Runge-Kutta 4' && one.outcome === 'ok' && one.precision === 'double').at(-1);
+    const { page, faults } = await open(browser, `${scene}.html`, { reduced: true });
+    const models = await page.evaluate((number) => window.oddity.engine.scene(number).models.map((model) => model.name), scene);
+    const trial = solved(scene).trials.filter((one) => models.includes(one.model) && one.algorithm === 'Runge-Kutta 4'
+      && one.precision === 'double' && one.outcome === 'ok').at(-1);
     const row = [trial.model, trial.algorithm, 'double', trial.knob].map(encodeURIComponent).join('/');
-    const { page, faults } = await open(browser, `${scene}.html#play&row=${row}&at=100`, { reduced: true });
-    await page.waitForSelector('.player-rows [data-end]');
+    await page.evaluate((hash) => { window.location.hash = hash; }, `#play&row=${row}`);
+    await page.waitForFunction(() => document.querySelector('.player-says').textContent === 'The player is as the link has it.');
     const before = await page.$eval('.player-rows [data-end]', (place) => place.dataset.end);
     await page.focus('.player-parameters input[type=range]');
     for (let i = 0; i < 7; ++i) await page.keyboard.press('ArrowRight');
@@ -89,10 +91,11 @@ for (const scene of ['3.5', '3.7', '3.9', '3.11', '3.15', '3.19', '3.27', '3.29'
     const apart = Math.max(...value.map((x, k) => Math.abs(x - shown.observed[k])));
     const errors = distances(value, there.reference.slice(-count), norms);
     const errorsApart = Math.max(...errors.map((x, u) => Math.abs(x - shown.errors[u])));
-    t.diagnostic(`${changed[0]}: values ${(apart / size).toExponential(1)} apart, errors ${(errorsApart / size).toExponential(1)}`);
+    const known = Math.max(1e-9 * size, ...shown.floors);  // where no method of the page has nine digits, it says so
+    t.diagnostic(`${changed[0]}: values ${(apart / size).toExponential(1)} apart, errors ${(errorsApart / size).toExponential(1)}, known to ${(known / size).toExponential(1)}`);
     assert.notDeepEqual(value, trial.value.slice(-count));
     assert.ok(apart <= 1e-9 * size, `${shown.observed} is not ${value}`);
-    assert.ok(errorsApart <= 1e-9 * size, `${shown.errors} is not ${errors}`);
+    assert.ok(errorsApart <= known, `${shown.errors} is not ${errors}`);
     assert.deepEqual(faults, []);
     await page.close();
   });
@@ -153,8 +156,9 @@ for (const name of ['3.5', '2.7', 'bouncing_ball'])
     const { page } = await open(browser, `${name}.html`, { scripts: false, width: 390, height: 844 });
     await page.waitForSelector('.still svg');
     await page.waitForSelector('table.still td');
-    const box = await page.$('.still svg').then((chart) => chart.boundingBox());
-    assert.ok(box.width > 200 && box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
+    assert.ok((await page.$$('.still svg .s1')).length > 0);
+    assert.ok(await page.$eval('.still svg', (chart) => chart.getBoundingClientRect().height > 100));
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
     await shoot(page, `${name}-without-scripts`);
     await page.close();
   });

@@ -387,7 +387,7 @@ std::vector<Claim> claims(double seed) {
 
 std::vector<Root> roots() {
   return {{R"(sign of the velocity along $\mathbf Q$)",
-           "At $t=0$ a model of the point moves with 1 downwards where the point itself climbs with 1."},
+           "At $t=0$ a model of the point sinks at speed 1 where the point itself climbs at speed 1."},
           {R"(square forgotten in $\ddot\phi$)",
            R"(In a table the northward acceleration at $t=2$ stands as $-0.4$; it is $0.24$.)"}};
 }

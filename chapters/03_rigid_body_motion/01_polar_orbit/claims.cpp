@@ -359,14 +359,14 @@ std::vector<Claim> claims(double seed) {
 std::vector<Root> roots() {
   return {
       {"the mirror image",
-       R"(For $e=0.625$, $\rho=1.5$ the minus sign has the planet 2.5 from the sun at $\theta=0$, where it is at its )"
-       R"(nearest, 0.577.)"},
+       R"(For $e=0.625$, $\rho=1.5$ the minus sign puts the planet 2.5 from the sun at $\theta=0$, where it )"
+       R"(should be at its nearest, 0.577.)"},
       {"the sign of the center",
        R"(An ellipse drawn about $(c,0)$ has the sun in the wrong focus: for $e=0.625$, $\rho=1.5$ its perihelion is )"
-       R"(1.92 too far out, at 2.5 for 0.577.)"},
+       R"(1.92 too far out, at 2.5 instead of 0.577.)"},
       {"axes for semi-axes",
        R"(Drawn with a major axis of length $a$ the orbit is half as large: for $e=0.625$, $\rho=1.5$ it is 1.54 long )"
-       R"(for 3.08.)"}};
+       R"(instead of 3.08.)"}};
 }
 
 }  // namespace oddity::ex03_01

@@ -654,7 +654,7 @@ std::vector<Root> roots() {
        R"(A ball that swings along the $x_2$-axis gets NaN for its time: let go at rest with $m=1$, $c=4$, )"
        R"($a=0.4$ it reaches the origin after 0.840 s all the same.)"},
       {"the arctangent's branch",
-       R"(For $m=1$, $c=4$, $a=0.4$ and a start at rest the formula says $-0.739$ s for 0.840 s: a game that )"
+       R"(For $m=1$, $c=4$, $a=0.4$ and a start at rest the formula says $-0.739$ s, not 0.840 s: a game that )"
        R"(schedules the hit for that moment has it in the past, and the event never fires.)"},
       {"a zero denominator",
        R"(With $m=1$, $c=4$, $a=0.4$ and $v=-0.2\,p$ the ball is at the origin after 0.789 s, and a program that )"

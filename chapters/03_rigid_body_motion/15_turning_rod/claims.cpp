@@ -672,8 +672,8 @@ std::vector<Claim> claims(double seed, const Reference& truth) {
 std::vector<Root> roots() {
   return {
       {"`aux[0]` for `aux[1]`",
-       "The listing puts the mass 16 cm too far out on the segment after two seconds, at 1.152 m for 0.994 "
-       "m."},
+       "The listing puts the mass 16 cm too far out on the segment after two seconds, at 1.152 m instead of "
+       "0.994 m."},
       {"at rest in space",
        "A mass started at rest in space is 1.9 cm off the segment after the first sixtieth of a second: the "
        "segment leaves it at 1.11 m/s."},

@@ -889,10 +889,10 @@ std::vector<Root> roots() {
        "passes at 0.4 mm and takes twenty times the work of Cartesian coordinates."},
       {"a center of mass that halves the volume",
        "The default cone, 1.25 m high, is drawn with its center of mass 5.5 cm too far below the joint, at "
-       "0.99 m for 0.94 m."},
+       "0.99 m instead of 0.94 m."},
       {"moments about the base",
        "Thrown, the default cone would turn end over end as if it were a third heavier to turn: with 0.39 kg "
-       "m$^2$ per kilogram for 0.29."},
+       "m$^2$ per kilogram instead of 0.29."},
       {"the cone's own turning",
        "The default cone swings 12 % too fast, and within 16 s its axis, a unit vector, is off by 0.42."}};
 }

@@ -31,10 +31,8 @@ constexpr Parameter parameters[] = {
 };
 
 Top asked(const Parameters& p) {
-  return {{p["m"], p["l"], p["mu1"], p["mu3"], p["g"], p["theta"], p["phi"], p["psi"], p["dtheta"], p["dphi"],
-           p["dpsi"]},
-          p["A"],
-          p["lambda"]};
+  return {p["m"],   p["l"],      p["mu1"],  p["mu3"],  p["g"], p["theta"], p["phi"],
+          p["psi"], p["dtheta"], p["dphi"], p["dpsi"], p["A"], p["lambda"]};
 }
 
 Quantity axis_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {

@@ -407,8 +407,8 @@ std::vector<Root> roots() {
        "A table of costs has 990 multiplications for ten unknowns, where the program makes 1035; one "
        "that leaves out the 45 gets a wrong solution."},
       {"lost additions",
-       R"(For two unknowns a table by the factored difference has $\tfrac23$ of an addition, where full )"
-       R"(elimination needs not one more.)"},
+       R"(For two unknowns the factored difference charges full elimination with $\tfrac23$ of an addition, where it )"
+       R"(needs not one more.)"},
       {"no exchange of rows",
        R"(Of the 11808 invertible $3\times3$ matrices with entries $-1$, 0 and 1, 5528 have a zero pivot: )"
        R"(nearly every second is answered with NaN.)"}};

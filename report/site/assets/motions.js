@@ -126,7 +126,7 @@
       const error = (m) => bestTrial(triedLike(m))[1];
       const best = (some) => some.reduce((a, b) => (a && error(a) <= error(b) ? a : b), null);
       const method = best(candidates.filter((m) => m.algorithm === finest)) || best(candidates);
-      return method && { model: method.model, algorithm: method.algorithm, precision: 'double',
+      return method && { model: method.model, algorithm: method.algorithm, precision: 'double', error: error(method),
         setting: method.knob === 'tolerance' ? 1e-12 : bestTrial(triedLike(method))[0] };
     }
     const richest = engine ? (data.example && data.example.truth) || finestMethod() : null;
@@ -151,11 +151,11 @@
     const apart = () => cached('apart', () => oddity.judged(frames(defaults), reference, scene.norms, scene.close).worst);
 
     /** Below what an error is not seen, in each unit: the truth has seven digits where it is recorded; else it is
-        as good as the finest method, whose error shows where it is larger than those digits. */
+        as good as the finest method is in the table, or as it shows where that is more than those digits. */
     function floors(parameters, sizes) {
       const digits = sizes.map((x) => sevenDigits * x);
       if (truth(parameters) === reference) return digits;
-      return apart().map((x, u) => (x > 2 * digits[u] ? x : doubles * sizes[u]));
+      return apart().map((x, u) => (x > 2 * digits[u] ? x : Math.max(doubles * sizes[u], richest.error || 0)));
     }
 
     /** The same of a motion that may be recorded. */

@@ -139,7 +139,7 @@
       ending.className = `row-ending ${holds ? 'row-holds' : 'row-fails'}`;
       const last = motion.times.length - 1;  // all digits, for programs that look at the page
       element.dataset.end = JSON.stringify({ observed: [...motion.observed.slice(last * motion.count)],
-        errors: judged.errors.map((e) => e[last]) });
+        errors: judged.errors.map((e) => e[last]), floors });
     }
 
     function showNothing() {

@@ -35,6 +35,13 @@
   function columnsOf(quantity, context) {
     const knobs = new Set(quantity.methods.map((m) => m.knob).filter(Boolean));
     const unit = quantity.unit && quantity.unit !== '1' ? ' [' + quantity.unit + ']' : '';
+    const timed = quantity.methods.some((m) => m.trials.some((trial) => trial[3] !== null));
+    const time = {
+      name: 'time',
+      value: (p) => p.ns,
+      text: (p) => (p.ns === null ? '' : duration(p.ns)),
+      numeric: true,
+    };
     const columns = [
       { name: 'model', value: (p) => p.method.model },
       {
@@ -48,7 +55,7 @@
         numeric: true,
       },
       { name: 'evaluations', value: (p) => p.evaluations, text: (p) => count(p.evaluations), numeric: true },
-      { name: 'time', value: (p) => p.ns, text: (p) => (p.ns === null ? '' : duration(p.ns)), numeric: true },
+      ...(timed ? [time] : []),
       { name: 'outcome', value: (p) => context.outcomes[p.outcome] || p.outcome },
     ];
     if (knobs.size) {

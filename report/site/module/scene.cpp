@@ -4,7 +4,6 @@
 
 #include "chapters/drift.hpp"
 #include "solvers/ode/all.hpp"
-#include "solvers/ode/events.hpp"
 
 namespace oddity::module {
 
@@ -52,8 +51,7 @@ Motion ModelOf<n>::run(std::string_view algorithm, Precision precision, double s
 template <std::size_t n>
 auto ModelOf<n>::moved(std::string_view algorithm, Precision precision, double setting,
                        std::span<const double> times) const -> ode::Trajectory<State> {
-  if (precision == Precision::in_double)
-    return ode::integrate_with_events<n>(algorithm, *this, start(), times, setting).trajectory;
+  if (precision == Precision::in_double) return integrate(algorithm, times, setting, {});
   const auto narrow = (*ode::in_float<n>(algorithm))(system_in_float(), start_in_float(), times, setting);
   ode::Trajectory<State> widened{{}, narrow.evaluations, narrow.error_estimate,
                                  0,  narrow.ending,      narrow.message};
@@ -100,9 +98,7 @@ const std::vector<double>& ModelOf<n>::moving(double end) const {
   long steps = 0;  // a model that chatters about rest would take millions
   const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
   const auto times = evenly(end, 128);
-  const auto motion =
-      ode::integrate_with_events<n>("Dormand-Prince 5(4)", *this, start(), times, 1e-8, ode::Watch<n>(enough))
-          .trajectory;
+  const auto motion = integrate("Dormand-Prince 5(4)", times, 1e-8, ode::Watch<n>(enough));
   most.resize(conserved(start(), 0).size());
   for (std::size_t i = 0; i < motion.value.size(); ++i) {
     const auto now = conserved(motion.value[i], times[i]);

@@ -15,6 +15,7 @@
 #include "chapters/drawing.hpp"
 #include "chapters/numbers.hpp"
 #include "solvers/ode/any_system.hpp"
+#include "solvers/ode/events.hpp"
 #include "solvers/ode/in_float.hpp"
 #include "solvers/ode/integrate.hpp"
 
@@ -96,6 +97,9 @@ class ModelOf : public Model, public ode::AnySystem<n> {
   /// None where the model has none.
   virtual std::vector<Conserved<double>> conserved(const State&, double t) const = 0;
   virtual double off_constraint(const State&, double t) const = 0;
+  /// In double, with the events that there are.
+  virtual ode::Trajectory<State> integrate(std::string_view algorithm, std::span<const double> times,
+                                           double setting, const ode::Watch<n>& watch) const = 0;
   virtual const ode::AnySystem<n, float>& system_in_float() const = 0;
   virtual std::array<float, n> start_in_float() const = 0;
 
@@ -146,6 +150,14 @@ class Integrated final : public ode::Adapted<ModelOf<n>, InDouble> {
       return system().off_constraint(x, t);
     else
       return 0;
+  }
+  /// The search for events is in the module for those numbers of unknowns alone that need it.
+  ode::Trajectory<State> integrate(std::string_view algorithm, std::span<const double> times, double setting,
+                                   const ode::Watch<n>& watch) const override {
+    if constexpr (ode::Eventful<InDouble, State>)
+      return ode::integrate_with_events<n>(algorithm, *this, start(), times, setting, watch).trajectory;
+    else
+      return ode::precompiled<n>(algorithm)(*this, start(), times, setting, watch);
   }
   const ode::AnySystem<n, float>& system_in_float() const override { return in_float_; }
   std::array<float, n> start_in_float() const override { return in_float_.system().start(); }

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/study/choose.hpp"
+#include "report/study/engines.hpp"
+
+namespace oddity::verbs {
+
+/// Those whose names begin so, whatever the case; none for no name. Throws BadInput when there is none.
+std::vector<EngineProgram> engines_named(const std::string& name);
+/// The engines on the scene of a choice, with its need.
+EngineContest beside(const Choice&, const std::vector<EngineProgram>&, const Task&, const Reference&);
+
+}  // namespace oddity::verbs

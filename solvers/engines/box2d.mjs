@@ -1,0 +1,130 @@
+// Box2D 3 as box2d3-wasm 5.2 [manual: box2d.org/documentation]: the plane in float, bodies and joints held by
+// velocities in substeps.
+
+import { readFileSync } from 'node:fs';
+import initBox2d from 'box2d3-wasm';
+
+import { NotExpressible, cross, ground, isZero, minus, pointIn, start } from './simulation.mjs';
+
+const b2 = await initBox2d();
+
+const flat = ([, , z]) => z === 0;
+const upright = ([x, y]) => x === 0 && y === 0;
+
+/// A ball joint is a hinge in the plane; and on a cylinder joint nothing turns, as its axis lies in it.
+function inPlane({ gravity, shaking, turning, floor, bodies, joints, springs }) {
+  return [gravity, shaking, floor].every(flat) && upright(turning) &&
+    bodies.every(({ start: { position, velocity, spin, orientation } }) =>
+      flat(position) && flat(velocity) && upright(spin) && upright(orientation.slice(1))) &&
+    joints.every(({ kind, at, axis, end }) => flat(at) && (kind !== 'hinge' || upright(axis)) &&
+      (kind !== 'cylinder' || flat(axis)) && (kind !== 'rod' || flat(end))) &&
+    springs.every(({ at, end }) => flat(at) && flat(end));
+}
+
+const vector = ([x, y]) => new b2.b2Vec2(x, y);
+const angle = ([w, , , z]) => 2 * Math.atan2(z, w);
+/// b2MakeRot has a sine of its own, off by up to 1.7e-3.
+const turn = (angle) => Object.assign(new b2.b2Rot(), { c: Math.cos(angle), s: Math.sin(angle) });
+/// A value of Box2D's, which is ours to delete.
+function read(value, f) {
+  const read = f(value);
+  value.delete();
+  return read;
+}
+const xy0 = (value) => read(value, ({ x, y }) => [x, y, 0]);
+
+class InBox2d {
+  constructor(world, variant) {
+    if (!inPlane(world)) throw new NotExpressible('the plane of x and y alone');
+    this.best = variant !== 'defaults';
+    this.substeps = this.best ? 16 : 4;
+    const def = b2.b2DefaultWorldDef();
+    def.gravity = vector(world.gravity);
+    if (this.best) Object.assign(def, { enableSleep: false, restitutionThreshold: 0 });
+    this.id = b2.b2CreateWorld(def);
+    this.ground = b2.b2CreateBody(this.id, b2.b2DefaultBodyDef());
+    this.bodies = world.bodies.map((b) => this.body(world, b));
+    for (const joint of world.joints) this.joint(world, joint);
+    if (!isZero(world.floor)) {
+      const along = cross(world.floor, [0, 0, 1000]), segment = new b2.b2Segment();
+      Object.assign(segment, { point1: vector(along), point2: vector(minus([0, 0, 0], along)) });
+      b2.b2CreateSegmentShape(this.ground, this.shape(world), segment);
+    }
+  }
+  free() { b2.b2DestroyWorld(this.id); }
+
+  setGravity(g) { read(vector(g), (g) => b2.b2World_SetGravity(this.id, g)); }
+  push(body, force, at) {
+    read(vector(force), (f) => read(vector(at), (p) => b2.b2Body_ApplyForce(this.of(body), f, p, true)));
+  }
+  step(seconds) { b2.b2World_Step(this.id, seconds, this.substeps); }
+  state(body) {
+    const id = this.of(body), half = read(b2.b2Body_GetRotation(id), ({ c, s }) => Math.atan2(s, c) / 2);
+    return {
+      position: xy0(b2.b2Body_GetPosition(id)),
+      orientation: [Math.cos(half), 0, 0, Math.sin(half)],
+      velocity: xy0(b2.b2Body_GetLinearVelocity(id)),
+      spin: [0, 0, b2.b2Body_GetAngularVelocity(id)],
+    };
+  }
+
+  of(body) { return body === ground ? this.ground : this.bodies[body]; }
+
+  body(world, { mass, inertia, start: { position, orientation, velocity, spin }, shape: { kind, half } }) {
+    const body = b2.b2CreateBody(this.id, Object.assign(b2.b2DefaultBodyDef(), {
+      type: b2.b2BodyType.b2_dynamicBody,
+      position: vector(position),
+      rotation: turn(angle(orientation)),
+      linearVelocity: vector(velocity),
+      angularVelocity: spin[2],
+      allowFastRotation: this.best,
+    }));
+    if (kind === 'ball')
+      b2.b2CreateCircleShape(body, this.shape(world), Object.assign(new b2.b2Circle(), { radius: half[0] }));
+    if (kind === 'box') b2.b2CreatePolygonShape(body, this.shape(world), b2.b2MakeBox(half[0], half[1]));
+    b2.b2Body_SetMassData(body,
+      Object.assign(new b2.b2MassData(), { mass, center: vector([0, 0]), rotationalInertia: inertia[2] }));
+    return body;
+  }
+  shape({ friction, restitution }) {
+    const def = b2.b2DefaultShapeDef();
+    def.material = Object.assign(new b2.b2SurfaceMaterial(), { friction, restitution });
+    return def;
+  }
+
+  joint(world, { kind, a, b, at, axis, end }) {
+    const [type, far] = { rod: ['Distance', end], cylinder: ['Prismatic', at] }[kind] ?? ['Revolute', at];
+    const def = b2[`b2Default${type}JointDef`](), base = def.base;
+    const frame = (body, at) => Object.assign(new b2.b2Transform(), {
+      p: vector(pointIn(start(world, body), at)),
+      q: turn((kind === 'cylinder' ? Math.atan2(axis[1], axis[0]) : 0) -
+        angle(start(world, body).orientation)),
+    });
+    Object.assign(base, {
+      bodyIdA: this.of(a), bodyIdB: this.of(b), localFrameA: frame(a, at), localFrameB: frame(b, far),
+    });
+    def.base = base;
+    if (kind === 'rod') def.length = Math.hypot(...minus(end, at));
+    b2[`b2Create${type}Joint`](this.id, def);
+  }
+}
+
+const installed = new URL('node_modules/box2d3-wasm/package.json', import.meta.url);
+
+export const about = {
+  name: 'Box2D 3',
+  version: `box2d3-wasm ${JSON.parse(readFileSync(installed, 'utf8')).version}`,
+  precision: 'float',
+  plane: true,
+  variants: [
+    { name: 'defaults', order: 1, defaults: true,
+      says: '4 substeps of semi-implicit Euler, as Hello Box2D has them; joints are springs of 60 Hz; what ' +
+        'is slow for half a second sleeps, nothing bounces below 1 m/s, or turns by more than 45 degrees ' +
+        'in a substep' },
+    { name: '16 substeps', order: 1, defaults: false,
+      says: '16 substeps (World, Simulation); no sleep, what is slow bounces too (restitutionThreshold), ' +
+        'no cap on spins (allowFastRotation); joints stay springs of 60 Hz: JavaScript has no constraintHertz' },
+  ],
+};
+
+export const make = (world, variant) => new InBox2d(world, variant);

@@ -1,0 +1,19 @@
+// Simbody 3.7 as Debian 12 has it: a program that defines NDEBUG, as release builds do, crashes where it sets
+// a speed. The library was built without it; headers and library then differ in a class by 56 bytes. g++
+// -std=c++17 -O2 -w -I/usr/include/simbody simbody_needs_asserts.cpp -lSimTKsimbody -lSimTKmath -lSimTKcommon
+// prints 168 from ./a.out; with -DNDEBUG it is a segmentation fault.
+#include <Simbody.h>
+
+using namespace SimTK;
+
+int main() {
+  MultibodySystem system;
+  SimbodyMatterSubsystem matter(system);
+  Body::Rigid body(MassProperties(1, Vec3(0), Inertia(1)));
+  MobilizedBody::Pin pin(matter.Ground(), Transform(), body, Transform(Vec3(0, 1, 0)));
+  State s = system.realizeTopology();
+  system.realize(s, Stage::Velocity);
+  s.updU()[0] = 1;
+  system.realize(s, Stage::Velocity);
+  std::cout << sizeof(CacheEntryInfo) << "\n";
+}

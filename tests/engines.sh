@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Other people's engines do on the scenes what is on record of them:
+#   tests/engines.sh PROGRAM
+# Their measured orders within a tenth; all else letter by letter. What is not installed, or in another version, is
+# not compared, and named.
+set -euo pipefail
+program=$1
+record=$(cd "$(dirname "${BASH_SOURCE[0]}")/../reference/approved" && pwd)/engines.csv
+now=$(mktemp)
+trap 'rm -f "$now"' EXIT
+
+"$program" engines --rows >"$now" || exit 77  # as the program said
+awk -F, '
+  function key() { return $1 "," $2 "," $3 "," $4 }
+  function rest(  i, text) { for (i = 6; i <= NF; ++i) text = text "," $i; return text }
+  FNR == 1 { next }
+  NR == FNR { order[key()] = $5; other[key()] = rest(); next }
+  !(key() in order) { print "not on record: " key(); ++unknown; next }
+  {
+    seen[key()] = 1
+    off = order[key()] - $5
+    if ((order[key()] == "-") != ($5 == "-") || off > 0.1 || off < -0.1 || rest() != other[key()]) {
+      print "on record: " key() "," order[key()] other[key()]; print "now:       " $0; ++wrong
+    }
+    ++compared
+  }
+  END {
+    for (k in order) if (!(k in seen)) { print "not here: " k; ++missing }
+    print compared + 0 " compared, " wrong + 0 " differ, " missing + 0 " not here, " unknown + 0 " not on record"
+    exit wrong > 0 || compared == 0
+  }' "$record" "$now"
