@@ -1,7 +1,9 @@
-// Bullet 3.24's rigid bodies [manual: Bullet_User_Manual.pdf of its repository, chapters 5 to 7]: joints held
+// Bullet 3.24's rigid bodies [manual: docs/Bullet_User_Manual.pdf of its repository]: joints held
 // by impulses. bullet_multibody.cpp has its other solver.
 
 #include <btBulletDynamicsCommon.h>
+
+#include <cmath>
 
 #include "solvers/engines/simulation.hpp"
 
@@ -130,10 +132,14 @@ Engine engine() {
       in_float ? "float" : "double",
       false,
       {{"defaults",
-        "10 iterations; what is slower than 0.8 m/s and 1 rad/s for 2 s sleeps; nothing bounces below 0.2 m/s, a contact brakes before it touches, and one that is less than 4 cm deep gives speed",
+        "10 iterations; what is slower than 0.8 m/s and 1 rad/s for 2 s sleeps; nothing bounces below 0.2 "
+        "m/s, a contact brakes before it touches, and one that is less than 4 cm deep gives speed",
         1, true},
        {"100 iterations",
-        "100 iterations (m_numIterations) and no sleep (DISABLE_DEACTIVATION); what is slow bounces too (m_restitutionVelocityThreshold), contacts act when they touch (setContactProcessingThreshold) and give no speed (m_splitImpulsePenetrationThreshold); the floor is a box, which is touched at four points in one step",
+        "100 iterations (m_numIterations) and no sleep (DISABLE_DEACTIVATION); what is slow bounces too "
+        "(m_restitutionVelocityThreshold), contacts act when they touch (setContactProcessingThreshold) "
+        "and give no speed (m_splitImpulsePenetrationThreshold); the floor is a box, which is touched at "
+        "four points in one step",
         1, false}},
       [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {
         return std::make_unique<InBullet>(world, variant != "defaults");

@@ -7,6 +7,7 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <cmath>
 #include <map>
 
 #include "solvers/engines/tree.hpp"
@@ -258,10 +259,13 @@ Engine engine() {
       in_float ? "float" : "double",
       false,
       {{"defaults",
-        "velocities are damped by 0.04/s and by 0.04 of their squares; a contact brakes before it touches, and gives speed where it is deep",
+        "velocities are damped by 0.04/s and by 0.04 of their squares, and are 100 m/s and rad/s at most; "
+        "a contact brakes before it touches, and gives speed where it is deep",
         1, true},
        {"no damping",
-        "setLinearDamping(0), setAngularDamping(0); what is slow bounces too (m_restitutionVelocityThreshold), contacts act when they touch (setContactProcessingThreshold) and give no speed (m_erp2), and the floor is a box",
+        "no damping (setLinearDamping, setAngularDamping), and no bound (setMaxCoordinateVelocity); what "
+        "is slow bounces too (m_restitutionVelocityThreshold), contacts act when they touch "
+        "(setContactProcessingThreshold) and give no speed (m_erp2), and the floor is a box",
         1, false},
        {"Runge-Kutta 4", "the same and useRK4Integration(true)", 4, false}},
       [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {
