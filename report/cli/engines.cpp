@@ -55,6 +55,21 @@ std::optional<Instead> instead(const Task& task, const Reference& truth, const P
   return instead_of(choice);
 }
 
+/// These, and what earlier runs kept of other scenes, in the order in which all would run.
+std::vector<EngineContest> with_earlier(const std::vector<EngineContest>& contests) {
+  std::vector<EngineContest> earlier;
+  if (fs::exists(engines_file())) earlier = read_engines(engines_file());
+  std::vector<EngineContest> all;
+  for (const std::string& scene : scenes_for_engines())
+    for (const auto* some : {&contests, &std::as_const(earlier)}) {
+      const auto found = std::ranges::find(*some, scene, &EngineContest::scene);
+      if (found == some->end()) continue;
+      all.push_back(*found);
+      break;
+    }
+  return all;
+}
+
 EngineContest engines_on(const std::string& scene, const std::vector<EngineProgram>& programs,
                          const EngineTask& asked, const Reference& truth, const Progress& progress) {
   if (!exercise_number(scene))
@@ -100,7 +115,8 @@ void engines(const fs::path& folder, const std::vector<std::string>& scenes, con
     contests.push_back(with_progress([&](const Progress& progress) {
       return engines_on(scene, programs, {.finest = finest}, truth, progress);
     }));
-  write(contests, engines_file());
+  const std::vector<EngineContest> kept = with_earlier(contests);
+  write(kept, engines_file());
   if (rows) {
     std::cout << engine_rows(contests);
     return;
@@ -111,7 +127,7 @@ void engines(const fs::path& folder, const std::vector<std::string>& scenes, con
                 : format == Format::csv ? to_csv(table())
                                         : engines_text(contests, rates, all, screen));
   if (page.empty()) return;
-  write_whole(page, engines_page(contests, rates, surprises_in(source_folder() / "solvers/engines/found")));
+  write_whole(page, engines_page(kept, rates, surprises_in(source_folder() / "solvers/engines/found")));
   std::cout << "the page is " << page.string() << "\n";
 }
 
