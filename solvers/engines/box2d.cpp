@@ -130,8 +130,8 @@ Engine engine() {
         "second sleeps, edges and boxes have a skin of 1 cm, and nothing bounces below 1 m/s",
         1, true},
        {"50 iterations",
-        "50 and 20 iterations (Hello Box2D, Simulating the World); no sleep, no skins, and what is slow bounces "
-        "too (restitutionThreshold)",
+        "50 and 20 iterations (Hello Box2D, Simulating the World); no sleep, no skins, and what is slow "
+        "bounces too (restitutionThreshold)",
         1, false}},
       [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {
         return std::make_unique<InBox2d>(world, variant != "defaults");
