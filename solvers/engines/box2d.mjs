@@ -123,7 +123,7 @@ export const about = {
         'in a substep' },
     { name: '16 substeps', order: 1, defaults: false,
       says: '16 substeps (World, Simulation); no sleep, what is slow bounces too (restitutionThreshold), ' +
-        'no cap on spins (allowFastRotation); joints stay springs of 60 Hz: JavaScript has no constraintHertz' },
+        'no cap on spins (allowFastRotation); joints stay springs: JavaScript has no constraintHertz' },
   ],
 };
 

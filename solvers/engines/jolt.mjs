@@ -7,7 +7,7 @@ import initJolt from 'jolt-physics';
 import { beside, ground, isZero, minus } from './simulation.mjs';
 
 const Jolt = await initJolt();
-const [still, moving] = [0, 1];  // layers: the floor is in the one, all else in the other
+const layer = 0;  // all are in one, and touch each other
 
 const vector = ([x, y, z]) => new Jolt.Vec3(x, y, z);
 const place = ([x, y, z]) => new Jolt.RVec3(x, y, z);
@@ -42,7 +42,7 @@ class InJolt {
     if (!isZero(world.floor)) {
       const plane = new Jolt.PlaneShape(new Jolt.Plane(vector(world.floor), 0));
       this.add(new Jolt.BodyCreationSettings(plane, place([0, 0, 0]), turn([1, 0, 0, 0]),
-        Jolt.EMotionType_Static, still));
+        Jolt.EMotionType_Static, layer));
     }
   }
   free() { Jolt.destroy(this.jolt); }
@@ -79,15 +79,14 @@ class InJolt {
   of(body) { return body === ground ? this.jolt.sGetFixedToWorldBody() : this.bodies[body]; }
 
   empty() {
-    const places = new Jolt.BroadPhaseLayerInterfaceTable(2, 2);
-    const pairs = new Jolt.ObjectLayerPairFilterTable(2);
-    for (const layer of [still, moving])
-      places.MapObjectToBroadPhaseLayer(layer, new Jolt.BroadPhaseLayer(layer));
-    pairs.EnableCollision(still, moving);
+    const places = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
+    const pairs = new Jolt.ObjectLayerPairFilterTable(1);
+    places.MapObjectToBroadPhaseLayer(layer, new Jolt.BroadPhaseLayer(layer));
+    pairs.EnableCollision(layer, layer);
     return new Jolt.JoltInterface(Object.assign(new Jolt.JoltSettings(), {
       mBroadPhaseLayerInterface: places,
       mObjectLayerPairFilter: pairs,
-      mObjectVsBroadPhaseLayerFilter: new Jolt.ObjectVsBroadPhaseLayerFilterTable(places, 2, pairs, 2),
+      mObjectVsBroadPhaseLayerFilter: new Jolt.ObjectVsBroadPhaseLayerFilterTable(places, 1, pairs, 1),
     }));
   }
 
@@ -95,7 +94,7 @@ class InJolt {
     const shape = kind === 'ball' ? new Jolt.SphereShape(half[0])
       : kind === 'box' ? new Jolt.BoxShape(vector(half)) : new Jolt.EmptyShapeSettings().Create().Get();
     const settings = new Jolt.BodyCreationSettings(shape, place(position), turn(orientation),
-      Jolt.EMotionType_Dynamic, moving);
+      Jolt.EMotionType_Dynamic, layer);
     settings.mLinearVelocity = vector(velocity);
     settings.mAngularVelocity = vector(spin);
     settings.mOverrideMassProperties = Jolt.EOverrideMassProperties_MassAndInertiaProvided;
@@ -149,7 +148,8 @@ export const about = {
   variants: [
     { name: 'defaults', order: 1, defaults: true,
       says: 'symplectic Euler; all velocities are damped by 0.05 /s, spins capped at 47 rad/s, what is ' +
-        'slower than 1 m/s does not bounce, gyroscopic forces are left out, bodies may fall asleep' },
+        'slower than 1 m/s does not bounce, gyroscopic forces are left out, contacts have a slop of 2 cm, ' +
+        'bodies may fall asleep' },
     { name: 'nothing left out', order: 1, defaults: false,
       says: 'damping 0, no cap on spins, mApplyGyroscopicForce, every contact bounces, no slop or margin ' +
         'in contacts (BodyCreationSettings, PhysicsSettings); nothing sleeps' },
