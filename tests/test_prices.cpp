@@ -57,6 +57,20 @@ TEST_CASE("a price is measured once, and read back in every bit", "[prices]") {
   CHECK(fresh.source().starts_with("measured in this run"));
 }
 
+TEST_CASE("of two runs at once the first to keep a price decides it for those that follow", "[prices]") {
+  Run run;
+  KeptPrices one = run.prices(), other = run.prices();
+  const double first = one(verlet, 0.5).seconds;
+  CHECK(other(verlet, 0.5).seconds != first);
+  one.keep();
+  other(euler, 0.5);
+  other.keep();
+  KeptPrices later = run.prices();
+  CHECK(later(verlet, 0.5).seconds == first);
+  later(euler, 0.5);
+  CHECK(run.calls == 3);
+}
+
 TEST_CASE("another setting, question, machine or program has prices of its own", "[prices]") {
   Run run;
   const double first = run.ask();

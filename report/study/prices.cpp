@@ -53,22 +53,25 @@ std::string price_key(const Task& task, const Need& need) {
 KeptPrices::KeptPrices(const fs::path& folder, std::string key, bool anew, Price measure)
     : file_(folder / (key.substr(0, key.find(' ')) + "_" + checksum(key) + ".txt")),
       key_(std::move(key)),
+      anew_(anew),
       measure_(std::move(measure)) {
-  if (!anew) read();
+  if (!anew) prices_ = in_file();
 }
 
 /// A line with the key, and one for each price: model, algorithm, setting, seconds, spread.
-void KeptPrices::read() {
+std::map<KeptPrices::Which, Time> KeptPrices::in_file() const {
+  std::map<Which, Time> prices;
   const auto text = read_sealed(file_);
-  if (!text || !text->starts_with(key_ + "\n")) return;
+  if (!text || !text->starts_with(key_ + "\n")) return prices;
   std::istringstream lines(text->substr(key_.size() + 1));
   for (std::string line; std::getline(lines, line);) {
     const auto cells = cells_of(line);
     if (cells.size() != 5) continue;
     const auto setting = number_in(cells[2]), seconds = number_in(cells[3]), spread = number_in(cells[4]);
     if (setting && seconds && spread && *seconds > 0)
-      prices_[{cells[0], cells[1], *setting}] = {*seconds, *spread};
+      prices[{cells[0], cells[1], *setting}] = {*seconds, *spread};
   }
+  return prices;
 }
 
 Time KeptPrices::operator()(const Method& method, double setting) {
@@ -83,8 +86,11 @@ Time KeptPrices::operator()(const Method& method, double setting) {
 
 void KeptPrices::keep() const {
   if (measured_.empty()) return;
+  // What another run has kept meanwhile stays.
+  std::map<Which, Time> all = anew_ ? std::map<Which, Time>() : in_file();
+  all.insert(prices_.begin(), prices_.end());
   std::string text = key_ + "\n";
-  for (const auto& [which, time] : prices_)
+  for (const auto& [which, time] : all)
     if (std::isfinite(time.seconds))
       text += std::get<0>(which) + "\t" + std::get<1>(which) + "\t" + shortest(std::get<2>(which)) + "\t" +
               shortest(time.seconds) + "\t" + shortest(time.spread) + "\n";

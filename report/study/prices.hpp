@@ -32,10 +32,11 @@ class KeptPrices {
 
  private:
   using Which = std::tuple<std::string, std::string, double>;  ///< model, algorithm, setting
-  void read();
+  std::map<Which, Time> in_file() const;
 
   std::filesystem::path file_;
   std::string key_;
+  bool anew_;
   Price measure_;
   std::map<Which, Time> prices_;
   std::set<Which> measured_;  ///< in this run
