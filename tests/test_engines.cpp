@@ -65,6 +65,16 @@ TEST_CASE("what an engine does to its process is an outcome", "[engines]") {
   CHECK(babbling.message.find("no reply") != std::string::npos);
 }
 
+TEST_CASE("an engine that is gone is an outcome", "[engines]") {
+  const ScratchFolder scratch;
+  const EngineProgram engine = engine_that(scratch.path(), "exit");
+  std::filesystem::remove(engine.command.front());
+  const EngineScene scene = further_engine_scene("free body", need_of(0.1, 60));
+  const EngineTrial trial = run(engine, engine.variants.front(), scene, 1, {});
+  CHECK(trial.outcome == Outcome::raised);
+  CHECK(trial.message.starts_with("not started"));
+}
+
 TEST_CASE("an engine whose numbers end before the motion does is judged so", "[engines]") {
   const EngineTrial trial = trial_of(
       R"(echo '{"frames": [[{"position": [0,0,0], "orientation": [1,0,0,0], "velocity": [0,0,0], "spin": [1.7,0,1]}]],

@@ -110,13 +110,14 @@ void engines(const fs::path& folder, const std::vector<std::string>& scenes, con
   const std::vector<EngineProgram> programs = all_engines();
   const std::vector<std::string> asked = scenes.empty() ? scenes_for_engines() : scenes;
   const Reference truth(folder, motions_folder());
-  std::vector<EngineContest> contests;
-  for (const std::string& scene : asked)
+  std::vector<EngineContest> contests, kept;
+  for (const std::string& scene : asked) {
     contests.push_back(with_progress([&](const Progress& progress) {
       return engines_on(scene, programs, {.finest = finest}, truth, progress);
     }));
-  const std::vector<EngineContest> kept = with_earlier(contests);
-  write(kept, engines_file());
+    kept = with_earlier(contests);
+    write(kept, engines_file());  // the whole takes an hour: what is there is not lost
+  }
   if (rows) {
     std::cout << engine_rows(contests);
     return;

@@ -126,6 +126,16 @@ double off_joints(const World& world, const std::vector<std::vector<State>>& fra
 
 namespace {
 
+/// As run_program; what cannot even be started has failed too.
+Ended answer(const std::vector<std::string>& command, const std::string& request,
+             std::chrono::milliseconds limit, std::size_t most_memory) {
+  try {
+    return run_program(command, request, limit, most_memory);
+  } catch (const std::system_error& error) {
+    return {false, std::string("not started, ") + error.what(), "", ""};
+  }
+}
+
 // ---- the path ---------------------------------------------------------------------------------------------
 
 /// An angle alone is known up to whole turns: the one nearest to the truth.
@@ -230,8 +240,8 @@ EngineTrial run(const EngineProgram& engine, const EngineVariant& variant, const
                                  timed ? task.timed : 1,
                                  steps_per_frame == 1};
   const bool native = !engine.webassembly;  // a WebAssembly engine reserves addresses that it does not use
-  const Ended ended = run_program(engine.command, nlohmann::json(request).dump(), milliseconds(task.limit),
-                                  native ? memory : 0);
+  const Ended ended =
+      answer(engine.command, nlohmann::json(request).dump(), milliseconds(task.limit), native ? memory : 0);
   if (!ended.ok) {
     const bool late = ended.how.starts_with("no answer");
     trial.outcome = late ? Outcome::stalled : Outcome::raised;
