@@ -114,9 +114,9 @@ Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& tr
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
            {"linearly implicit Euler", Outcome::drifted,
             "of order 1, and it takes energy out: the planet spirals in"}});
-  return with_float(
-      std::move(where), horizon, s,
-      {"", "Kepler's equation, Newton from M + 0.85 e", "equation (7)", "equation (2)", "polar", "Cartesian"});
+  return with_float(std::move(where), horizon, s,
+                    {"", "Kepler's equation, Newton from M + 0.85 e", "equation (7)", "equation (2)", "polar",
+                     "Cartesian"});
 }
 
 /// In years for seconds. From the aphelion the angle's rate sets the eccentricity: 0.1, 0.5, 0.9, 0.975,
