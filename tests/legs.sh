@@ -56,8 +56,8 @@ leg_syntax() {  # g++: every source alone, without precompiled headers; compile_
   build developer generated_sources
   local listed missing
   listed=$(sed -n 's|^ *"file": "'"$PWD"'/\(.*\)".*|\1|p' build/developer/compile_commands.json | sort -u)
-  # but those of the page's module, which another compiler makes
-  missing=$(comm -23 <(sources '*.cpp' ':!report/site/module/*' ':!tests/site/nudged.cpp' | sort) <(echo "$listed"))
+  # but those of the page's module, which another compiler makes, and of engines, which may not be here
+  missing=$(comm -23 <(sources '*.cpp' ':!report/site/module/*' ':!tests/site/nudged.cpp' ':!solvers/engines/*' | sort) <(echo "$listed"))
   [ -z "$missing" ] || { echo "not in compile_commands.json: $missing"; return 1; }
   sed -n 's|^ *"command": "\(.*\)",$|\1|p' build/developer/compile_commands.json | sed 's|\\"|"|g; s|\\\\|\\|g' |
     (cd build/developer && xargs -d '\n' -P "$jobs" -n 1 bash -c 'eval "$0 -fsyntax-only"')
@@ -67,7 +67,7 @@ leg_tidy() {  # clang-tidy: the solvers and the tables are clean; TIDY='files' a
   tools clang-tidy
   cmake --preset developer >/dev/null
   # g++'s flags that clang does not know
-  sources ${TIDY:-'solvers/*.cpp' 'reference/*.cpp' ':!reference/make/*'} |
+  sources ${TIDY:-'solvers/*.cpp' ':!solvers/engines/*' 'reference/*.cpp' ':!reference/make/*'} |
     xargs -d '\n' -P "$jobs" -n 1 clang-tidy --quiet --warnings-as-errors='*' -p build/developer \
       --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-unused-command-line-argument
 }
