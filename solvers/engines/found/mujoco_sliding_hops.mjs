@@ -1,6 +1,7 @@
 // MuJoCo 3.14: a box that lies on a floor and slides at 2 m/s leaves the floor, the higher the longer the step
-// and the stiffer the contact: its friction, which is a convex problem, slides along the cone, away from the floor at
-// up to friction times 2 m/s. That is 18 mm of height for a friction of 0.3; without friction the box stays.
+// and the stiffer the contact. Its friction is a convex problem, which lets a slide go along the cone, away
+// from the floor, at up to friction times 2 m/s: 18 mm of height for a friction of 0.3. Without friction it
+// stays.
 //   node found/mujoco_sliding_hops.mjs
 
 import loadMujoco from '@mujoco/mujoco';
