@@ -235,7 +235,7 @@ std::string engines_page(const std::vector<EngineContest>& contests, const std::
       "from which on every finer one holds; the *order* is of the error over the step, where it follows one, beside "
       "the one that its manual or its integrator's name states; *least error* is the least of all rates tried, in "
       "parts of what is enough; *energy* and *joints off* are at one step a frame; *a frame* is the time at the "
-      "rate from which it is enough, or at one step a frame; *costs* is that beside the model below the table.\n";
+      "rate from which it is enough, or at one step a frame; *costs* is that beside the model below the table. What is not of an engine, the forces of turning axes and a gravity that is shaken, acts by its value at the beginning of each step: there every engine is of first order.\n";
   for (const EngineContest& c : contests) {
     text += "\n## " + escaped(c.scene + " " + c.title) + "\n\n" + need_text(c) + "\n\n" +
             as_markdown(rows_of(c, rates, false)) + "\n";
