@@ -69,7 +69,7 @@ TEST_CASE("bounces without end are an outcome of the scene, and so is its ball t
       CHECK(trial.answer.reached());
     } else if (m.model != "ball") {  // it comes to rest
       CHECK(trial.outcome == Outcome::ok);
-      CHECK(trial.answer.value[trial.answer.value.size() - 1] == 0);
+      CHECK(*std::prev(trial.answer.value.end()) == 0);
     } else {
       // GSL's bsimp weighs errors by the state alone, and finds no step when that is nearly nothing.
       CHECK(trial.outcome == (m.algorithm == "GSL bsimp" ? Outcome::stalled : Outcome::chattering));
