@@ -36,7 +36,7 @@ struct Session {
   std::string engine = {};
   bool page = false;
   std::vector<double> rates{60, 240};
-  int finest = 64;
+  int finest = 32;
   AskedNeed need = {};
   NewExercise begun = {};
   std::string outside = {};
@@ -311,8 +311,10 @@ void add_engines(CLI::App& app, Session& s) {
         verbs::engines(s.folder, s.exercises, s.rates, s.finest, s.all_rows, s.rows,
                        s.page ? report_folder() / "engines.md" : std::filesystem::path(), s.format());
       });
-  engines->add_option("scene", s.exercises,
-                      "exercises, or: free body, bouncing ball, chain of 10, chain of 100");
+  engines->add_option(
+      "scene", s.exercises,
+      "exercises, or: free body, bouncing ball, chain of 10, chain of 100; unless any is named, all but "
+      "the last, which takes half an hour");
   engines->add_option("--hz", s.rates, "the rates to show")->delimiter(',')->type_name("RATE");
   engines->add_option("--finest", s.finest, "steps per frame to go to, by doubling")
       ->check(CLI::Range(1, 4096))

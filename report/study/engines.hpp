@@ -81,7 +81,7 @@ struct EngineContest {
 
 /// How far to go.
 struct EngineTask {
-  int finest = 64;    ///< steps per frame; from 1 on, by doubling
+  int finest = 32;    ///< steps per frame; from 1 on, by doubling
   int timed = 5;      ///< runs of trials of at most 4 steps per frame; others run once
   double limit = 60;  ///< s for one trial
 };
