@@ -21,6 +21,8 @@ namespace {
 constexpr int seen_beside = 2, unseen_starts = 3, rounds = 4;
 /// Costs that differ by no more are the same to an engineer, and to the clock of another machine.
 constexpr double near_tie = 1.25;
+/// Whatever the spread: on a busy machine it says nothing.
+constexpr double noisy_tie = 2;
 
 /// Ends what it is asked in between when the time is over.
 class Deadline {
@@ -235,8 +237,9 @@ class Search {
   }
 
   static bool ties_with(const Tried& t, const Tried& fastest) {
-    return t.seconds_per_frame <= near_tie * fastest.seconds_per_frame ||
-           t.seconds_per_frame - t.spread <= fastest.seconds_per_frame + fastest.spread;
+    const double times = t.seconds_per_frame / fastest.seconds_per_frame;
+    return times <= near_tie || (times <= noisy_tie && t.seconds_per_frame - t.spread <=
+                                                           fastest.seconds_per_frame + fastest.spread);
   }
 
   static bool same_cost(const Tried& t, const Tried& other) {
