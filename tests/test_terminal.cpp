@@ -207,7 +207,7 @@ TEST_CASE("tables come as CSV and as JSON, and help names their columns", "[term
 }
 
 TEST_CASE("what takes long says how far it is, on a terminal in one line", "[terminal]") {
-  const std::string question = "choose 3.25 --error 1mm --horizon 10 --time-limit 6s";
+  const std::string question = "choose 3.25 --error 1mm --horizon 100 --fps 600 --time-limit 6s";
   const Ran terminal = on_terminal(40, question);
   INFO(terminal.output);
   CHECK(terminal.status == 2);
