@@ -7,6 +7,7 @@
   const published = /as (printed|published)|^published|of the printed listing/;
   const finest = 'Fehlberg 7(8)';
   const sevenDigits = 1.2e-7;
+  const tenDigits = 1e-10;
   const doubles = 1e-11;      // of the size, what a tolerance of 1e-12 leaves
 
   const isOk = (outcome) => outcome === 'ok' || outcome === 'o';
@@ -125,7 +126,9 @@
       const candidates = computed.filter((m) => triedLike(m) && bestTrial(triedLike(m)));
       const error = (m) => bestTrial(triedLike(m))[1];
       const best = (some) => some.reduce((a, b) => (a && error(a) <= error(b) ? a : b), null);
-      const method = best(candidates.filter((m) => m.algorithm === finest)) || best(candidates);
+      const usual = best(candidates.filter((m) => m.algorithm === finest));
+      const smooth = usual && error(usual) <= tenDigits * quantity.size;  // else steps of its own meet a kink
+      const method = smooth ? usual : best(candidates.filter((m) => m.knob)) || best(candidates);
       return method && { model: method.model, algorithm: method.algorithm, precision: 'double', error: error(method),
         setting: method.knob === 'tolerance' ? 1e-12 : bestTrial(triedLike(method))[0] };
     }
