@@ -82,7 +82,7 @@ leg_install() {  # what is installed works, and a program of another project fin
   tests/installed.sh build/release
 }
 
-leg_clang() {  # clang: all but the tables made again
+leg_clang() {  # clang: the tests, but for the tables made again and the page's module
   tools clang
   build clang all
   ctest --test-dir build/clang --output-on-failure --parallel "$jobs" --exclude-regex tables_made_again
@@ -91,7 +91,7 @@ leg_clang() {  # clang: all but the tables made again
 leg_sanitize() {  # address and undefined-behaviour sanitizers: the suite
   ./oddity packages
   build sanitize oddity
-  build/sanitize/oddity verify ${SUITE:-}
+  build/sanitize/oddity verify ${SUITE:+"$SUITE"}
 }
 
 leg_thread() {  # thread sanitizer: a part of the suite in parallel
