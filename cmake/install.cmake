@@ -8,9 +8,10 @@ install(DIRECTORY reference/ DESTINATION ${CMAKE_INSTALL_DATADIR}/oddity/referen
   FILES_MATCHING PATTERN "*.csv" PATTERN make EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/models.js DESTINATION ${CMAKE_INSTALL_DATADIR}/oddity OPTIONAL)
 
-# ---- the models and the headers that they include ---------------------------------------------------------
+# ---- the models, loops and lanes, and the headers that they include ---------------------------------------
 
-file(GLOB headers RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS chapters/*/*/models.hpp)
+file(GLOB headers RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS chapters/*/*/models.hpp report/plain/*.hpp)
+list(APPEND headers solvers/lanes/integrate.hpp)
 set(model_headers "")
 while(headers)
   list(POP_FRONT headers header)

@@ -29,6 +29,15 @@ project(game LANGUAGES CXX)
 find_package(oddity 0.1 REQUIRED)
 add_executable(game game.cpp)
 target_link_libraries(game PRIVATE oddity::models)
+foreach(registers baseline avx2 avx512)
+  add_executable(lanes_${registers} lanes.cpp)
+  target_compile_options(lanes_${registers} PRIVATE -O2 -ffp-contract=off)
+  target_link_libraries(lanes_${registers} PRIVATE oddity::models)
+endforeach()
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
+  target_compile_options(lanes_avx2 PRIVATE -march=haswell)
+  target_compile_options(lanes_avx512 PRIVATE -march=skylake-avx512)
+endif()
 CMAKE
 cat >"$place/game/game.cpp" <<'CPP'
 #include <cstdio>
@@ -50,9 +59,17 @@ int main() {
   std::printf("%.6f\n", t - q[0] / v);
 }
 CPP
+awk '/^```cpp$/ {text = ""; inside = 1; next} /^```$/ {if (inside && text ~ /oddity::Lanes/) print text; inside = 0} inside {text = text $0 "\n"}' \
+  "$(dirname "${BASH_SOURCE[0]}")/../README.md" >"$place/game/lanes.cpp"
 cmake -S "$place/game" -B "$place/game/build" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null
 cmake --build "$place/game/build" >/dev/null
 check "the models in another project's loop" test "$("$place/game/build/game")" = 2.260114
+swung=$("$place/game/build/lanes_baseline")
+check "ten thousand pendulums in lanes" test "$swung" = "0.4179 -0.4912"
+for registers in avx2 avx512; do
+  grep -qw "${registers/avx512/avx512vl}" /proc/cpuinfo || continue
+  check "the same with $registers" test "$("$place/game/build/lanes_$registers")" = "$swung"
+done
 check "no header of a library in the models" lacks "$(grep -rh '#include <' "$prefix/include")" /
 check "nothing of Catch2" test -z "$(find "$prefix" -iname '*catch*')"
 

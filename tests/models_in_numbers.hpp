@@ -12,7 +12,7 @@
 
 #include "chapters/contents.hpp"
 #include "solvers/dual.hpp"
-#include "solvers/lanes.hpp"
+#include "solvers/lanes/lanes.hpp"
 #include "solvers/ode/jacobian.hpp"
 #include "solvers/taylor/tape.hpp"
 #include "tests/catch.hpp"
@@ -166,8 +166,12 @@ class Scene {
   template <std::size_t i>
   void in_lanes() const {
     std::vector<Lanes<double>> lanes;
-    for (double x : values_)
-      lanes.emplace_back([x](auto lane) { return x + 1e-3 * static_cast<double>(std::size_t(lane)) * x; });
+    for (double x : values_) {
+      Lanes<double> apart;
+      for (std::size_t lane = 0; lane < apart.size(); ++lane)
+        apart.set(lane, x + 1e-3 * static_cast<double>(lane) * x);
+      lanes.push_back(apart);
+    }
     const auto got = seen<i>(lanes);
     for (std::size_t lane = 0; lane < Lanes<double>::size(); ++lane) {
       const auto alone = seen<i>(changed(1e-3 * static_cast<double>(lane)));

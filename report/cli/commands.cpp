@@ -34,7 +34,7 @@ struct Session {
               maps_out = report_folder().string(), site_out = site_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
   std::string engine = {};
-  bool page = false;
+  bool page = false, lanes = false;
   std::vector<double> rates{60, 240};
   int finest = 32;
   AskedNeed need = {};
@@ -171,6 +171,11 @@ void add_choose_need(CLI::App& choose, AskedNeed& need) {
   add_value(choose, "--fps", need.frames_per_second, "RATE", "frames per second: 60, 60Hz")
       ->capture_default_str();
   add_value(choose, "--budget", need.budget, "TIME", "the most that a frame may take: 5us, 300ns, 0.1ms");
+  add_value(
+      choose, "--bodies", need.bodies, "N",
+      "so many bodies alike, all of them in each frame: in lanes, where these have the method; else one "
+      "after the other")
+      ->capture_default_str();
   add_value(choose, "--criterion", need.criterion, "WORD",
             "what has to hold: path; energy (whatever is conserved); period; bounded (nothing explodes); "
             "constraint (lengths that are held)")
@@ -208,7 +213,7 @@ void add_choose(CLI::App& app, Session& s) {
       "chosen_on, tested_on, times.\n"
       "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.33 --error 1deg "
       "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
-      "--error 1deg --exclude closed --code",
+      "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms",
       [&] {
         s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.engine,
                                  s.command);
@@ -289,12 +294,20 @@ void add_stability(CLI::App& app, Session& s) {
 
 void add_bench(CLI::App& app, Session& s) {
   auto* bench = verb(
-      app, "bench", "Measure how fast this build is: against loops by hand, its best methods, the suite.",
+      app, "bench",
+      "Measure how fast this build is: against loops by hand, its best methods, the suite; or lanes.",
       "Times mean something only on an idle machine. The exit code is 1 when a limit is broken.\n"
       "Columns: part (race, contest or suite), subject, measured, value, half_width (of its quartiles), unit, "
       "at_most, verdict (holds, undecided or BROKEN, where there is a limit); a row for each number.\n"
-      "Examples:\n  oddity bench\n  oddity bench --csv",
-      [&] { s.status = verbs::bench(s.folder, s.format()); });
+      "With --lanes: scene, model, algorithm, precision, registers, width, taken (the widest), seconds_alone and "
+      "seconds (a body a frame), share (of the width that lanes are faster), at_least, verdict, bodies, "
+      "same_bits (how many have them), and the half_width of each time and share.\n"
+      "Examples:\n  oddity bench\n  oddity bench --csv\n  oddity bench --lanes 3.5 3.33",
+      [&] {
+        s.status = s.lanes ? verbs::bench_lanes(s.exercises, s.format()) : verbs::bench(s.folder, s.format());
+      });
+  auto* lanes = bench->add_flag("--lanes", s.lanes, "the scenes' models in lanes, beside each alone");
+  bench->add_option("scenes", s.exercises, "with --lanes, these scenes, by number; else all")->needs(lanes);
   add_formats(*bench, s, "the numbers measured");
 }
 

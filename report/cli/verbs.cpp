@@ -12,8 +12,10 @@
 #include "reference/to_write.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/bench.hpp"
+#include "report/cli/bench_lanes.hpp"
 #include "report/cli/engines.hpp"
 #include "report/cli/settings.hpp"
+#include "report/lanes/price.hpp"
 #include "report/pages/closing_screen.hpp"
 #include "report/pages/code.hpp"
 #include "report/pages/engines_view.hpp"
@@ -170,7 +172,8 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   const Need need = need_of(task, asked);
   if (!engine.empty()) require_engine_scene(*task.entry);
   const std::vector<EngineProgram> programs = engines_named(engine);
-  KeptPrices prices(prices_folder(), price_key(task, need), asked.measure);
+  KeptPrices prices(prices_folder(), price_key(task, need), asked.measure,
+                    need.bodies > 1 ? lanes::price_of_all(task, need) : measured_price);
   const Reference truth(folder, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
   Choice choice = with_progress([&](const Progress& progress) {
@@ -276,6 +279,17 @@ int bench(const fs::path& folder, Format format) {
     std::cout << bench_view(result, output());
   else
     print(bench_table(result), format);
+  return result.broken();
+}
+
+int bench_lanes(const std::vector<std::string>& scenes, Format format) {
+  for (const std::string& number : scenes) static_cast<void>(lanes::scene_in_lanes(number));
+  const LanesBench result =
+      with_progress([&](const Progress& progress) { return oddity::bench_lanes(scenes, 11, progress); });
+  if (format == Format::text)
+    std::cout << lanes_view(result, output());
+  else
+    print(lanes_table(result), format);
   return result.broken();
 }
 

@@ -51,6 +51,8 @@ void stability_rows(const fs::path& folder, const std::vector<std::string>& exer
 void create(NewExercise);
 /// 0 when no limit is broken, else 1.
 int bench(const fs::path& folder, Format);
+/// The same of models in lanes, of all scenes when there are no numbers.
+int bench_lanes(const std::vector<std::string>& scenes, Format);
 
 /// Other people's engines on these scenes, by number or name; all of them when there are none. `rates` are
 /// the table's [1/s]; `all` shows every variant; `rows` is what is put on record instead; `page` is where it

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "reference/text.hpp"
+#include "report/lanes/price.hpp"
 #include "report/pages/table_text.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/choose.hpp"
@@ -101,6 +102,17 @@ std::string listed(const std::vector<std::string>& starts) {
   std::string text;
   for (const std::string& start : starts) text += (text.empty() ? "" : "; ") + start;
   return text;
+}
+
+/// How the bodies that were asked for are computed, where there are several.
+std::string bodies_text(const Choice& choice) {
+  if (choice.need.bodies == 1) return "";
+  const Tried& best = *choice.chosen;
+  const auto registers = lanes::registers_of(choice.exercise, best.model, best.algorithm);
+  return "  " + std::to_string(choice.need.bodies) + " bodies: " +
+         (registers ? "side by side in lanes of " + std::string(lanes::name_of(*registers))
+                    : "one after the other, as lanes do not have this method") +
+         ", " + shown_time(best.seconds_per_frame / static_cast<double>(choice.need.bodies)) + " each.\n";
 }
 
 std::string margin_text(const Choice& choice) {
@@ -234,6 +246,7 @@ Json need_of(const Choice& choice) {
           {"time_unit", choice.time_unit},
           {"frames_per_second", choice.need.frames_per_second},
           {"budget", from(choice.need.budget)},
+          {"bodies", choice.need.bodies},
           {"objective", choice.need.objective == Objective::simple ? "simple" : "cheapest"}};
 }
 
@@ -251,6 +264,7 @@ std::string asked_text(const Choice& choice) {
   return what_holds(choice) + ", over " + shortest(need.horizon) + " " + choice.time_unit + " at " +
          shortest(need.frames_per_second) + " frames per " +
          (choice.time_unit == "s" ? "second" : choice.time_unit) +
+         (need.bodies == 1 ? "" : ", " + std::to_string(need.bodies) + " bodies") +
          (std::isfinite(need.budget) ? ", for at most " + shown_time(need.budget) + " per frame" : "");
 }
 
@@ -260,7 +274,7 @@ std::string answer_text(const Choice& choice, const Screen& screen) {
       "Take " + screen.styled(Style::heading, described(best, choice.need)) + ": " + cost_of(best);
   if (std::isfinite(choice.need.budget))
     text += ", " + percent(best.seconds_per_frame / choice.need.budget) + " of the budget";
-  text += ".\n" + margin_text(choice) + in_float_text(choice) + ties_text(choice);
+  text += ".\n" + bodies_text(choice) + margin_text(choice) + in_float_text(choice) + ties_text(choice);
   if (!choice.by_objective)
     text +=
         "  no one-step method of fixed step and no closed form holds with a margin of three: this is the "
@@ -307,6 +321,10 @@ std::string choice_json(const Choice& choice) {
     json["chosen"]["margin"] = from(choice.margin());
     json["chosen"]["restart_evaluations"] = choice.restart;
     json["chosen"]["by_objective"] = choice.by_objective;
+    const auto registers =
+        lanes::registers_of(choice.exercise, choice.chosen->model, choice.chosen->algorithm);
+    json["chosen"]["lanes"] =
+        choice.need.bodies > 1 && registers ? Json(lanes::name_of(*registers)) : Json(nullptr);
   }
   json["in_float"] = choice.in_float ? from(*choice.in_float, choice) : Json(nullptr);
   json["ties"] = from(choice.ties, choice);

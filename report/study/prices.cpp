@@ -44,7 +44,8 @@ std::string machine_and_program() {
 
 std::string price_key(const Task& task, const Need& need) {
   std::string key = to_string(task.entry->number) + " over " + shortest(need.horizon) + " at " +
-                    shortest(need.frames_per_second) + " frames";
+                    shortest(need.frames_per_second) + " frames" +
+                    (need.bodies == 1 ? "" : " of " + std::to_string(need.bodies) + " bodies");
   for (const Parameter& p : task.parameters.declared())
     key += ", " + std::string(p.name) + " = " + shortest(task.parameters[p.name]);
   return key + "; " + machine_and_program();

@@ -38,12 +38,14 @@ struct Iterate {
 template <class T>
 Iterate<T> newton(const T& e, const T& M, const T& E0, int most) {
   Iterate<T> now{E0, 0, false};
+  T moving(1);  // of several numbers each stays where it has settled
   while (!now.settled && now.corrections < most) {
     const T slope = 1 - e * cos(now.E), correction = (now.E - e * sin(now.E) - M) / slope;
-    now.E -= correction;
+    now.E -= select(moving > T(0), correction, T(0));
     ++now.corrections;
     const T size = abs(now.E), roundings = (size + abs(M)) / slope, enough = select(size > T(1), size, T(1));
-    now.settled = !any_of(abs(correction) > T(unit_roundoff<T>) * (9 * enough + 2 * roundings));
+    moving = select(abs(correction) > T(unit_roundoff<T>) * (9 * enough + 2 * roundings), moving, T(0));
+    now.settled = !any_of(moving > T(0));
   }
   return now;
 }

@@ -43,7 +43,7 @@ struct FourierSeries {
     w = pi / (2 * K) * sqrt(p.g / p.L);
     T size = 8 * sqrt(q), odd = q;
     for (int n = 0; any_of(abs(size) > T(1e-17)); ++n, size *= -q, odd *= q * q)
-      coefficients.push_back(size / (T(2 * n + 1) * (1 + odd)));
+      coefficients.push_back(select(abs(size) > T(1e-17), T(size / (T(2 * n + 1) * (1 + odd))), T(0)));
   }
   std::array<T, 1> at(const T& t) const {
     const T first = cos(w * t), twice = 4 * first * first - 2;  // 2 cos(2 w t)

@@ -1,0 +1,96 @@
+# The scenes' models in lanes: their headers compiled for each instruction set, a few scenes to a file, and the
+# register of them. Nothing but the register knows of these files, which share no inline function.
+
+set(lanes ${PROJECT_BINARY_DIR}/lanes)
+set(lanes_sets One Baseline)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  list(APPEND lanes_sets Avx2 Avx512)
+endif()
+set(lanes_flags_Avx2 -mavx2)
+set(lanes_flags_Avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw)
+set(lanes_scenes_each 6)
+
+set(lanes_files "")
+set(lanes_declared "")
+set(lanes_entries "")
+foreach(set IN LISTS lanes_sets ITEMS Beginning)
+  set(lanes_text_${set} "")
+endforeach()
+
+# Writes what is gathered, as the nth file of each set.
+macro(write_lanes nth)
+  foreach(set IN LISTS lanes_sets ITEMS Beginning)
+    set(header kernels)
+    if(set STREQUAL Beginning)
+      set(header beginning)
+    endif()
+    set(file ${lanes}/${set}_${nth}.cpp)
+    file(CONFIGURE OUTPUT ${file} CONTENT "${lanes_included}#include \"report/lanes/${header}.hpp\"\n\n${lanes_text_${set}}" @ONLY)
+    # Optimized in any build: what is not inlined would have the names of what is compiled for every machine.
+    set_source_files_properties(${file} PROPERTIES
+      COMPILE_OPTIONS "${lanes_flags_${set}};$<$<NOT:$<CONFIG:Release>>:-O2>")
+    list(APPEND lanes_files ${file})
+    set(lanes_text_${set} "")
+  endforeach()
+  set(lanes_included "")
+endmacro()
+
+file(GLOB lanes_headers RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS chapters/*/*/models.hpp)
+set(lanes_included "")
+set(lanes_count 0)
+set(lanes_part 0)
+foreach(header IN LISTS lanes_headers)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${header})
+  file(STRINGS ${header} given REGEX "^struct Given")
+  file(STRINGS ${header} namespace REGEX "^namespace oddity::")
+  string(REGEX REPLACE "^namespace ([a-z0-9_:]+).*" "\\1" namespace "${namespace}")
+  if(NOT given OR NOT header MATCHES "chapters/0?([0-9]+)_[a-z0-9_]+/0?([0-9]+)_[a-z0-9_]+/models.hpp$")
+    continue()
+  endif()
+  set(number ${CMAKE_MATCH_1}_${CMAKE_MATCH_2})
+  set(given ${namespace}::Given)
+  string(APPEND lanes_included "#include \"${header}\"\n")
+  set(compiled "")
+  set(declared_here "")
+  foreach(set IN LISTS lanes_sets)
+    set(declared "extern const oddity::lanes::Compiled* const lanes_${number}_${set};\n")
+    string(APPEND declared_here "${declared}")
+    string(APPEND lanes_text_${set} "${declared}const oddity::lanes::Compiled* const lanes_${number}_${set} =\n"
+      "    oddity::lanes::compiled_models<oddity::lanes::${set}, ${given}>.data();\n")
+    string(APPEND compiled "lanes_${number}_${set}, ")
+  endforeach()
+  set(scene "oddity::lanes::SceneInLanes lanes_${number}();")
+  string(APPEND lanes_declared "${scene}\n")
+  string(APPEND lanes_text_Beginning "${declared_here}${scene}\noddity::lanes::SceneInLanes lanes_${number}() {\n"
+    "  using namespace oddity::lanes;\n"
+    "  return {\"${CMAKE_MATCH_1}.${CMAKE_MATCH_2}\", parameter_count<${given}>, model_count<${given}>,\n"
+    "          beginnings<${given}>.data(), {${compiled}}};\n}\n")
+  string(APPEND lanes_entries "      lanes_${number}(),\n")
+  math(EXPR lanes_count "${lanes_count} + 1")
+  math(EXPR full "${lanes_count} % ${lanes_scenes_each}")
+  if(full EQUAL 0)
+    write_lanes(${lanes_part})
+    math(EXPR lanes_part "${lanes_part} + 1")
+  endif()
+endforeach()
+if(lanes_included)
+  write_lanes(${lanes_part})
+endif()
+
+file(CONFIGURE OUTPUT ${lanes}/register.cpp CONTENT [[
+#include "report/lanes/scenes.hpp"
+
+@lanes_declared@
+namespace oddity::lanes {
+
+std::span<const SceneInLanes> scenes_in_lanes() {
+  static const SceneInLanes all[] = {
+@lanes_entries@  };
+  return all;
+}
+
+}  // namespace oddity::lanes
+]] @ONLY)
+
+add_library(oddity_lanes STATIC ${lanes_files} ${lanes}/register.cpp)
+target_link_libraries(oddity_lanes PUBLIC oddity_options)

@@ -1,0 +1,227 @@
+#include "report/cli/bench_lanes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "chapters/contents.hpp"
+#include "reference/text.hpp"
+#include "report/pages/text_view.hpp"
+
+namespace oddity {
+
+namespace {
+
+using lanes::Batch, lanes::Fixed, lanes::Registers, lanes::SceneInLanes;
+
+constexpr std::size_t bodies = 512;
+constexpr double apart = 1e-4;  // from body to body, in each parameter
+constexpr int frames = 15, steps_a_frame = 4;
+constexpr double frame = 1.0 / 60;
+constexpr double of_fixed_steps = 0.9, of_own_steps = 0.8;
+
+std::vector<Registers> wide_ones() {
+  std::vector<Registers> all;
+  for (Registers r : {Registers::baseline, Registers::avx2, Registers::avx512})
+    if (lanes::can(r)) all.push_back(r);
+  return all;
+}
+
+/// Of this thread, whatever else the machine does.
+double processor_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// A model by one algorithm, alone and in all kinds of registers in turn.
+class Contestant {
+ public:
+  Contestant(const SceneInLanes& scene, std::size_t model, Precision precision, std::string algorithm,
+             std::function<void(Batch&, Registers)> run)
+      : number_(scene.number),
+        model_(lanes::model_names(scene)[model]),
+        algorithm_(std::move(algorithm)),
+        precision_(precision),
+        batch_(scene, model, precision,
+               lanes::apart(scene, exercise(scene.number).parameters, bodies, apart)),
+        run_(std::move(run)) {}
+
+  static const Exercise& exercise(std::string_view number) {
+    return std::ranges::find(registry(), exercise_number(number), &Entry::number)->exercise;
+  }
+
+  void measure() {
+    const double alone = seconds(Registers::one);
+    const Batch expected = batch_;
+    alone_.push_back(alone);
+    for (Registers r : wide_ones()) {
+      Times& times = wide_[r];
+      times.seconds.push_back(seconds(r));
+      times.shares.push_back(alone / times.seconds.back() / static_cast<double>(batch_.width(r)));
+      times.same = 0;
+      for (std::size_t i = 0; i < bodies; ++i)
+        times.same += std::ranges::equal(batch_.state(i), expected.state(i));
+    }
+  }
+  void add_to(std::vector<LanesResult>& results) const {
+    for (const auto& [r, times] : wide_)
+      results.push_back({number_, model_, algorithm_, precision_, r, batch_.width(r), spread_of(alone_),
+                         spread_of(times.seconds), spread_of(times.shares),
+                         algorithm_ == lanes::own_steps_name ? of_own_steps : of_fixed_steps, bodies,
+                         times.same});
+  }
+
+ private:
+  struct Times {
+    std::vector<double> seconds, shares;
+    std::size_t same = 0;
+  };
+
+  double seconds(Registers registers) {
+    batch_.begin_again();
+    const double start = processor_seconds();
+    run_(batch_, registers);
+    return (processor_seconds() - start) / (static_cast<double>(bodies) * frames);
+  }
+
+  std::string number_, model_, algorithm_;
+  Precision precision_;
+  Batch batch_;
+  std::function<void(Batch&, Registers)> run_;
+  std::vector<double> alone_;
+  std::map<Registers, Times> wide_;
+};
+
+void by_fixed_steps(Batch& batch, Registers registers, Fixed algorithm) {
+  batch.steps(registers, algorithm, 0, frame / steps_a_frame, frames * steps_a_frame);
+}
+void by_own_steps(Batch& batch, Registers registers, Precision precision) {
+  batch.own_steps(registers, 0, frames * frame, precision == Precision::in_double ? 1e-9 : 1e-5, frame);
+}
+
+std::vector<Contestant> contestants(const std::vector<std::string>& numbers) {
+  std::vector<Contestant> all;
+  for (const SceneInLanes& scene : lanes::scenes_in_lanes()) {
+    if (!numbers.empty() && std::ranges::find(numbers, scene.number) == numbers.end()) continue;
+    for (std::size_t model = 0; model < scene.models; ++model) {
+      if (scene.beginnings[model].unknowns == 0) continue;
+      for (Precision precision : {Precision::in_double, Precision::in_float}) {
+        for (Fixed algorithm : {Fixed::runge_kutta_4, Fixed::velocity_verlet, Fixed::symplectic_euler})
+          if (scene.compiled[0][model].fixed[static_cast<int>(algorithm)])
+            all.emplace_back(scene, model, precision, std::string(lanes::name_of(algorithm)),
+                             [=](Batch& batch, Registers r) { by_fixed_steps(batch, r, algorithm); });
+        all.emplace_back(scene, model, precision, std::string(lanes::own_steps_name),
+                         [=](Batch& batch, Registers r) { by_own_steps(batch, r, precision); });
+      }
+    }
+  }
+  return all;
+}
+
+std::string_view verdict_of(const LanesResult& r) {
+  return r.holds() && r.same == r.bodies ? "holds" : r.broken() ? "BROKEN" : "undecided";
+}
+
+std::string in_nanoseconds(double seconds) { return rounded(seconds * 1e9, 3); }
+
+/// "7.1 ns, 0.95", and how far that is from sure.
+std::string cell(const LanesResult& r) {
+  return in_nanoseconds(r.in_lanes.median) + " ns, " + rounded(r.share.median, 2) + " +- " +
+         rounded(r.share.half_width, 1);
+}
+
+/// How many of those of fixed or of own steps hold, on one kind of register.
+std::string summary(const LanesBench& bench, Registers registers) {
+  std::string text;
+  for (bool own : {false, true}) {
+    std::size_t all = 0, hold = 0;
+    std::vector<double> shares;
+    for (const LanesResult& r : bench.results) {
+      if (r.registers != registers || (r.algorithm == lanes::own_steps_name) != own) continue;
+      ++all, hold += r.holds();
+      shares.push_back(r.share.median);
+    }
+    if (all == 0) continue;
+    text += (own ? "; by their own steps at least "
+                 : std::string(lanes::name_of(registers)) + ": by fixed steps at least ") +
+            rounded(own ? of_own_steps : of_fixed_steps, 1) + " of the width in " + std::to_string(hold) +
+            " of " + std::to_string(all) + " (half of them from " + rounded(spread_of(shares).median, 2) +
+            " on, the least " + rounded(std::ranges::min(shares), 2) + ")";
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+bool LanesBench::broken() const { return std::ranges::any_of(results, &LanesResult::broken); }
+
+LanesBench bench_lanes(const std::vector<std::string>& numbers, int rounds, const Progress& progress) {
+  auto all = contestants(numbers);
+  for (int round = 0; round < rounds; ++round) {
+    if (progress)
+      progress("models in lanes", static_cast<std::size_t>(round), static_cast<std::size_t>(rounds));
+    for (Contestant& one : all) one.measure();
+  }
+  LanesBench bench{lanes::widest(), {}};
+  for (const Contestant& one : all) one.add_to(bench.results);
+  return bench;
+}
+
+std::string lanes_view(const LanesBench& bench, const Screen& screen) {
+  std::set<Registers> kinds;
+  for (const LanesResult& r : bench.results) kinds.insert(r.registers);
+  std::vector<std::vector<std::string>> rows{{"", "model", "algorithm", "in", "alone"}};
+  for (Registers kind : kinds) rows[0].push_back(std::string(lanes::name_of(kind)));
+  rows[0].push_back("same bits");
+  std::size_t same = 0, all = 0;
+  for (std::size_t i = 0; i < bench.results.size();) {
+    const LanesResult& first = bench.results[i];
+    rows.push_back({first.number, first.model, first.algorithm, std::string(name_of(first.precision)),
+                    in_nanoseconds(first.alone.median) + " ns"});
+    std::size_t least = first.bodies;
+    for (Registers kind : kinds) {
+      const LanesResult& r = bench.results[i];
+      if (r.registers != kind) throw std::logic_error("the results of lanes have not all kinds of registers");
+      rows.back().push_back(screen.styled(r.holds() ? Style::good : Style::doubtful, cell(r)));
+      least = std::min(least, r.same);
+      same += r.same, all += r.bodies, ++i;
+    }
+    rows.back().push_back(std::to_string(least) + " of " + std::to_string(first.bodies));
+  }
+  std::string text =
+      wrapped(
+          "Time a body a frame alone and in lanes, and what share of the register's width these are faster:\n",
+          screen) +
+      aligned(std::move(rows), screen,
+              {.shorten = {"model", "algorithm"}, .leave_out = {"SSE2", "alone"}, .first_above = true}) +
+      wrapped("\nA frame is 1/60 s, of " + std::to_string(steps_a_frame) +
+                  " fixed steps; own steps hold their error at 1e-9, in float at 1e-5. " +
+                  std::to_string(bodies) + " bodies with parameters of their own, " + std::to_string(frames) +
+                  " frames at once.\nTaken on this machine: " + std::string(lanes::name_of(bench.taken)) +
+                  ".\n",
+              screen);
+  for (Registers kind : kinds) text += wrapped(summary(bench, kind), screen);
+  return text + std::to_string(same) + " of " + std::to_string(all) +
+         " bodies have the bits that they have alone.\n";
+}
+
+Table lanes_table(const LanesBench& bench) {
+  Table table{{"scene", "model", "algorithm", "precision", "registers", "width", "taken", "seconds_alone",
+               "half_width_alone", "seconds", "half_width", "share", "half_width_of_share", "at_least",
+               "verdict", "bodies", "same_bits"},
+              {}};
+  for (const LanesResult& r : bench.results)
+    table.rows.push_back({r.number, r.model, r.algorithm, std::string(name_of(r.precision)),
+                          std::string(lanes::name_of(r.registers)), static_cast<long>(r.width),
+                          std::string(r.registers == bench.taken ? "yes" : "no"), r.alone.median,
+                          r.alone.half_width, r.in_lanes.median, r.in_lanes.half_width, r.share.median,
+                          r.share.half_width, r.at_least, std::string(verdict_of(r)),
+                          static_cast<long>(r.bodies), static_cast<long>(r.same)});
+  return table;
+}
+
+}  // namespace oddity

@@ -1,0 +1,66 @@
+#include "report/lanes/batch.hpp"
+
+namespace oddity::lanes {
+
+Batch::Batch(const SceneInLanes& scene, std::size_t model, Precision precision,
+             std::vector<double> parameters)
+    : scene_(scene),
+      of_all_(model + (precision == Precision::in_float ? scene.models : 0)),
+      beginning_(scene.beginnings[of_all_]),
+      parameters_(std::move(parameters)),
+      bodies_(parameters_.size() / scene.parameters),
+      models_(bodies_ * beginning_.model_bytes),
+      states_(bodies_ * beginning_.state_bytes) {
+  begin_again();
+}
+
+void Batch::begin_again() {
+  if (closed_form()) return;
+  for (std::size_t i = 0; i < bodies_; ++i)
+    beginning_.begin(&parameters_[i * scene_.parameters], &models_[i * beginning_.model_bytes],
+                     &states_[i * beginning_.state_bytes]);
+}
+
+const Compiled& Batch::compiled(Registers registers) const {
+  return scene_.compiled[static_cast<int>(registers)][of_all_];
+}
+
+bool Batch::has(Fixed algorithm) const { return compiled(Registers::one).fixed[static_cast<int>(algorithm)]; }
+
+void Batch::steps(Registers registers, Fixed algorithm, double t0, double h, long steps) {
+  compiled(registers).fixed[static_cast<int>(algorithm)](bodies(), t0, h, steps);
+}
+
+std::vector<Ended> Batch::own_steps(Registers registers, double t0, double t1, double tolerance,
+                                    double first_step) {
+  std::vector<Ended> ended(bodies_);
+  compiled(registers).own_steps(bodies(), t0, t1, tolerance, first_step, ended.data());
+  return ended;
+}
+
+std::vector<double> Batch::observed(Registers registers, double t) const {
+  std::vector<double> seen(bodies_ * observables());
+  if (closed_form()) {
+    compiled(registers).at(parameters_.data(), bodies_, t, seen.data());
+    return seen;
+  }
+  for (std::size_t i = 0; i < bodies_; ++i)
+    beginning_.observe(&models_[i * beginning_.model_bytes], &states_[i * beginning_.state_bytes], t,
+                       &seen[i * observables()]);
+  return seen;
+}
+
+std::span<const std::byte> Batch::state(std::size_t body) const {
+  return std::span(states_).subspan(body * beginning_.state_bytes, beginning_.state_bytes);
+}
+
+std::vector<double> apart(const SceneInLanes& scene, std::span<const Parameter> parameters,
+                          std::size_t bodies, double apart) {
+  std::vector<double> all;
+  for (std::size_t body = 0; body < bodies; ++body)
+    for (std::size_t k = 0; k < scene.parameters; ++k)
+      all.push_back(parameters[k].value * (1 + apart * static_cast<double>(body)));
+  return all;
+}
+
+}  // namespace oddity::lanes

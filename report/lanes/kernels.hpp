@@ -1,0 +1,110 @@
+#pragma once
+
+#include <utility>
+
+#include "report/plain/runge_kutta_4.hpp"
+#include "report/plain/symplectic_euler.hpp"
+#include "report/plain/velocity_verlet.hpp"
+#include "solvers/lanes/integrate.hpp"
+
+/// A scene's models compiled for an instruction set. What this header makes has the set in its name, so that
+/// none of it stands for what another file makes (tests/lanes_apart.sh).
+namespace oddity::lanes {
+
+template <class T>
+using Single = Lanes<T, One, 1>;
+
+template <template <class> class Given, class Number, std::size_t i>
+using Model = std::tuple_element_t<i, decltype(models(std::declval<Given<Number>>()))>;
+
+template <template <class> class Given>
+constexpr std::size_t model_count = std::tuple_size_v<decltype(models(std::declval<Given<double>>()))>;
+
+template <class Model>
+concept Integrated = requires {
+  typename Model::State;
+};
+template <class Model>
+concept WithForces =
+    requires(const Model& model,
+             std::array<typename Model::State::value_type, std::tuple_size_v<typename Model::State> / 2> q) {
+  model.acceleration(q, q);
+};
+
+template <template <class> class Given>
+constexpr std::size_t parameter_count = sizeof(Given<double>) / sizeof(double);
+
+/// The parameters, the first of each exercise's, of which value(i) is the i-th.
+template <template <class> class Given, class Number, class Value>
+Given<Number> given(const Value& value) {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) { return Given<Number>{value(i)...}; }
+  (std::make_index_sequence<parameter_count<Given>>());
+}
+
+template <class Set, template <class> class Given, class T, std::size_t i>
+struct Kernels {
+  using Alone = Model<Given, Single<T>, i>;
+
+  /// In one register, or in two: few unknowns, and those of steps that wait for their own size, leave the
+  /// machine waiting.
+  static constexpr int most = Set::bytes == 0 ? 1 : 2;
+  template <int registers>
+  using Together = Model<Given, Lanes<T, Set, registers>, i>;
+
+  template <template <class> class Stepper>
+  static void fixed(const Bodies& all, double t0, double h, long steps) {
+    using State = typename Alone::State;
+    using Lanes = Together<std::tuple_size_v<State> <= 4 ? most : 1>;
+    fixed_steps<Stepper<Lanes>, Alone, Lanes>(reinterpret_cast<const Alone*>(all.models),
+                                              reinterpret_cast<State*>(all.states), all.count, t0, h, steps);
+  }
+  static void own_steps(const Bodies& all, double t0, double t1, double tolerance, double first_step,
+                        Ended* ended) {
+    OwnSteps<Alone, Together<most>>(reinterpret_cast<const Alone*>(all.models),
+                                    reinterpret_cast<typename Alone::State*>(all.states), ended, all.count)
+        .run(static_cast<T>(t0), static_cast<T>(t1), static_cast<T>(tolerance), static_cast<T>(first_step));
+  }
+  static void at(const double* parameters, std::size_t bodies, double t, double* observed) {
+    using Number = Lanes<T, Set, 1>;
+    for (std::size_t first = 0; first < bodies; first += Number::size()) {
+      const auto of = given<Given, Number>([&](std::size_t k) {
+        Number x;
+        for (std::size_t lane = 0; lane < Number::size(); ++lane) {
+          const std::size_t body = first + lane < bodies ? first + lane : bodies - 1;
+          x.set(lane, static_cast<T>(parameters[body * parameter_count<Given> + k]));
+        }
+        return x;
+      });
+      const auto all = models(of);
+      const auto seen = std::get<i>(all).at(Number(static_cast<T>(t)));
+      for (std::size_t lane = 0; lane < Number::size() && first + lane < bodies; ++lane)
+        for (std::size_t k = 0; k < seen.size(); ++k)
+          observed[(first + lane) * seen.size() + k] = static_cast<double>(seen[k][lane]);
+    }
+  }
+
+  static constexpr Compiled compiled() {
+    Compiled all{.width = Lanes<T, Set, 1>::size()};
+    if constexpr (Integrated<Alone>) {
+      all.own_steps = own_steps;
+      all.fixed[static_cast<int>(Fixed::runge_kutta_4)] = fixed<plain::RungeKutta4>;
+      if constexpr (WithForces<Alone>) {
+        all.fixed[static_cast<int>(Fixed::velocity_verlet)] = fixed<plain::VelocityVerlet>;
+        all.fixed[static_cast<int>(Fixed::symplectic_euler)] = fixed<plain::SymplecticEuler>;
+      }
+    } else {
+      all.at = at;
+    }
+    return all;
+  }
+};
+
+/// The models in double, and then in float.
+template <class Set, template <class> class Given>
+constexpr auto compiled_models = []<std::size_t... i>(std::index_sequence<i...>) {
+  return std::array{Kernels<Set, Given, double, i>::compiled()...,
+                    Kernels<Set, Given, float, i>::compiled()...};
+}
+(std::make_index_sequence<model_count<Given>>());
+
+}  // namespace oddity::lanes

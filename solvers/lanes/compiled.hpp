@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+
+/// A model compiled for an instruction set, behind raw pointers: files that are compiled for different sets
+/// share this and no other type.
+namespace oddity::lanes {
+
+/// Bodies one behind the other, each a model and a state of single numbers.
+struct Bodies {
+  const std::byte* models;
+  std::byte* states;
+  std::size_t count;
+};
+
+/// How a body's own steps ended.
+struct Ended {
+  long steps;    ///< tried
+  bool reached;  ///< else its step became too small, or the budget of steps is spent
+};
+
+enum class Fixed { runge_kutta_4, velocity_verlet, symplectic_euler };
+constexpr int fixed_count = 3;
+
+/// Null is what the model does not have: a closed form has no steps, and what is integrated no closed form.
+struct Compiled {
+  std::size_t width = 0;  ///< numbers in a register
+  void (*fixed[fixed_count])(const Bodies&, double t0, double h, long steps) = {};
+  void (*own_steps)(const Bodies&, double t0, double t1, double tolerance, double first_step,
+                    Ended*) = nullptr;
+  /// The observables of each body at t, of its parameters.
+  void (*at)(const double* parameters, std::size_t bodies, double t, double* observed) = nullptr;
+};
+
+}  // namespace oddity::lanes

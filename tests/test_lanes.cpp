@@ -1,0 +1,263 @@
+// The scenes' models in lanes: a body moves as it does alone, to the bit, on each instruction set that this
+// machine has.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "chapters/03_rigid_body_motion/03_kepler/models.hpp"
+#include "chapters/contents.hpp"
+#include "chapters/scene.hpp"
+#include "report/lanes/batch.hpp"
+#include "report/plain/runge_kutta_4.hpp"
+#include "report/plain/velocity_verlet.hpp"
+#include "tests/catch.hpp"
+
+using namespace oddity;
+using lanes::Batch, lanes::Fixed, lanes::Registers, lanes::SceneInLanes;
+
+namespace {
+
+constexpr std::size_t bodies = 37;  // a multiple of no width
+constexpr double a_bit = 1e-3;
+
+const Exercise& exercise_of(const SceneInLanes& scene) {
+  return std::ranges::find(registry(), exercise_number(scene.number), &Entry::number)->exercise;
+}
+
+std::vector<double> parameters_of(const SceneInLanes& scene, std::size_t count = bodies) {
+  return lanes::apart(scene, exercise_of(scene).parameters, count, a_bit);
+}
+
+std::vector<Registers> wide_ones() {
+  std::vector<Registers> all;
+  for (Registers r : {Registers::baseline, Registers::avx2, Registers::avx512})
+    if (lanes::can(r)) all.push_back(r);
+  return all;
+}
+
+/// f(scene, model, precision, its batch): every model in both precisions.
+template <class F>
+void for_every_model(const F& f) {
+  for (const SceneInLanes& scene : lanes::scenes_in_lanes()) {
+    const auto names = lanes::model_names(scene);
+    for (std::size_t model = 0; model < scene.models; ++model)
+      for (Precision precision : {Precision::in_double, Precision::in_float}) {
+        INFO(scene.number << ", " << names[model] << ", " << name_of(precision));
+        Batch batch(scene, model, precision, parameters_of(scene));
+        f(scene, model, precision, batch);
+      }
+  }
+}
+
+/// The bodies whose states are not those of `alone`.
+std::size_t different(const Batch& together, const Batch& alone) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    count += !std::ranges::equal(together.state(i), alone.state(i));
+  return count;
+}
+
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b, [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("the scenes of lanes are those of the book, with their models", "[lanes]") {
+  std::set<std::string_view> numbers;
+  std::size_t models = 0;
+  for (const SceneInLanes& scene : lanes::scenes_in_lanes()) {
+    INFO(scene.number);
+    CHECK(exercise_of(scene).scene);
+    CHECK(exercise_of(scene).parameters.size() >= scene.parameters);
+    CHECK(lanes::model_names(scene).size() == scene.models);
+    numbers.insert(scene.number);
+    models += scene.models;
+  }
+  CHECK(numbers.size() >= 18);
+  CHECK(models >= 86);
+  CHECK(lanes::can(Registers::one));
+  CHECK(lanes::can(lanes::widest()));
+}
+
+TEST_CASE("by fixed steps every body has the same bits in lanes as alone", "[lanes]") {
+  constexpr long steps = 8;
+  int compared = 0;
+  for_every_model([&](const SceneInLanes& scene, std::size_t model, Precision, Batch& batch) {
+    const double h = exercise_of(scene).scene->horizon / 200 / steps;
+    if (batch.closed_form()) return;
+    for (Fixed algorithm : {Fixed::runge_kutta_4, Fixed::velocity_verlet, Fixed::symplectic_euler}) {
+      if (!batch.has(algorithm)) continue;
+      INFO(lanes::name_of(algorithm));
+      Batch alone = batch;
+      alone.steps(Registers::one, algorithm, 0, h, steps);
+      // By the speed that its energy leaves it a bead let go at rest stays there.
+      const bool rests = lanes::model_names(scene)[model] == "energy in q";
+      CHECK(different(alone, batch) == (rests ? 0 : bodies));
+      for (Registers registers : wide_ones()) {
+        INFO(lanes::name_of(registers));
+        Batch together = batch;
+        together.steps(registers, algorithm, 0, h, steps);
+        CHECK(different(together, alone) == 0);
+        ++compared;
+      }
+    }
+  });
+  CHECK(compared >= 150 * static_cast<int>(wide_ones().size()));
+}
+
+TEST_CASE("by their own steps every body has the same bits in lanes as alone", "[lanes]") {
+  for_every_model([&](const SceneInLanes& scene, std::size_t, Precision precision, Batch& batch) {
+    if (batch.closed_form()) return;
+    const double end = exercise_of(scene).scene->horizon / 40;
+    const double tolerance = precision == Precision::in_double ? 1e-8 : 1e-4;
+    Batch alone = batch;
+    const auto expected = alone.own_steps(Registers::one, 0, end, tolerance, end / 1000);
+    for (Registers registers : wide_ones()) {
+      INFO(lanes::name_of(registers));
+      Batch together = batch;
+      const auto ended = together.own_steps(registers, 0, end, tolerance, end / 1000);
+      CHECK(different(together, alone) == 0);
+      for (std::size_t i = 0; i < bodies; ++i) {
+        CHECK(ended[i].steps == expected[i].steps);
+        CHECK(ended[i].reached == expected[i].reached);
+      }
+    }
+  });
+}
+
+TEST_CASE("closed forms have the same bits in lanes as alone", "[lanes]") {
+  for_every_model([&](const SceneInLanes& scene, std::size_t, Precision, Batch& batch) {
+    if (!batch.closed_form()) return;
+    for (double share : {0.01, 0.7}) {
+      const double t = share * exercise_of(scene).scene->horizon;
+      const auto alone = batch.observed(Registers::one, t);
+      for (Registers registers : wide_ones()) {
+        INFO(lanes::name_of(registers) << " at " << t);
+        CHECK(same(batch.observed(registers, t), alone));
+      }
+    }
+  });
+}
+
+TEST_CASE("a body does not feel what others in its register do", "[lanes]") {
+  constexpr std::size_t ill = 3;
+  for_every_model([&](const SceneInLanes& scene, std::size_t model, Precision precision, Batch& well) {
+    if (well.closed_form()) return;
+    auto parameters = parameters_of(scene);
+    for (std::size_t k = 0; k < scene.parameters; ++k)
+      parameters[ill * scene.parameters + k] = std::numeric_limits<double>::quiet_NaN();
+    Batch with_ill(scene, model, precision, parameters);
+    const double end = exercise_of(scene).scene->horizon / 400;
+    for (bool own : {false, true}) {
+      for (Batch* batch : {&with_ill, &well}) {
+        batch->begin_again();
+        if (own)
+          batch->own_steps(lanes::widest(), 0, end, 1e-4, end / 100);
+        else
+          batch->steps(lanes::widest(), Fixed::runge_kutta_4, 0, end / 4, 4);
+      }
+      for (std::size_t i = 0; i < bodies; ++i)
+        CHECK((i == ill || std::ranges::equal(with_ill.state(i), well.state(i))));
+    }
+  });
+}
+
+TEST_CASE("a body that cannot come to the end says so, and the others do", "[lanes]") {
+  const SceneInLanes& scene = lanes::scene_in_lanes("3.5");
+  auto parameters = parameters_of(scene);
+  parameters[7 * scene.parameters] = std::numeric_limits<double>::quiet_NaN();
+  Batch batch(scene, 3, Precision::in_double, parameters);
+  const auto ended = batch.own_steps(lanes::widest(), 0, 10, 1e-6, 1e-3);
+  for (std::size_t i = 0; i < bodies; ++i) {
+    CHECK(ended[i].reached == (i != 7));
+    CHECK(ended[i].steps > 10);
+  }
+}
+
+TEST_CASE("few bodies, and one, are as many", "[lanes]") {
+  const SceneInLanes& scene = lanes::scene_in_lanes("3.3");
+  for (std::size_t count : {1, 2, 15, 16, 17, 33}) {
+    Batch alone(scene, 5, Precision::in_double, parameters_of(scene, count)), together = alone;
+    alone.own_steps(Registers::one, 0, 1, 1e-8, 1e-3);
+    together.own_steps(lanes::widest(), 0, 1, 1e-8, 1e-3);
+    CHECK(different(together, alone) == 0);
+    alone.steps(Registers::one, Fixed::velocity_verlet, 0, 0.01, 10);
+    together.steps(lanes::widest(), Fixed::velocity_verlet, 0, 0.01, 10);
+    CHECK(different(together, alone) == 0);
+  }
+}
+
+TEST_CASE("without elementary functions lanes have the bits of plain doubles", "[lanes]") {
+  const SceneInLanes& scene = lanes::scene_in_lanes("3.3");
+  const auto all = parameters_of(scene);
+  constexpr double h = 0x1p-8;
+  constexpr int steps = 100;
+  const auto check = [&]<class Stepper>(Fixed algorithm) {
+    Batch batch(scene, 5, Precision::in_double, all);
+    const Batch begun = batch;
+    batch.steps(lanes::widest(), algorithm, 0, h, steps);
+    for (std::size_t i = 0; i < bodies; ++i) {
+      const double* p = &all[i * scene.parameters];
+      const kepler::Cartesian<double> model{{p[0], p[1], p[2], p[3], p[4], p[5]}};
+      // The start has a sine and a cosine, which are the lanes' own.
+      auto x = model.start();
+      std::memcpy(x.data(), begun.state(i).data(), sizeof x);
+      Stepper stepper;
+      for (int step = 0; step < steps; ++step) stepper.step(model, x, step * h, h);
+      CHECK(std::memcmp(x.data(), batch.state(i).data(), sizeof x) == 0);
+    }
+  };
+  check.operator()<plain::RungeKutta4<kepler::Cartesian<double>>>(Fixed::runge_kutta_4);
+  check.operator()<plain::VelocityVerlet<kepler::Cartesian<double>>>(Fixed::velocity_verlet);
+}
+
+TEST_CASE("lanes move as the scenes' own methods do", "[lanes]") {
+  int compared = 0;
+  for (const SceneInLanes& scene : lanes::scenes_in_lanes()) {
+    const Scene& moving = *exercise_of(scene).scene;
+    const double end = moving.horizon / 50;
+    constexpr long steps = 16;
+    const Quantity quantity =
+        motion(moving, Parameters(exercise_of(scene).parameters), Horizon{end, 1}, Reference::nothing());
+    const auto names = lanes::model_names(scene);
+    for (std::size_t model = 0; model < scene.models; ++model) {
+      Batch batch(scene, model, Precision::in_double, parameters_of(scene, 1));
+      if (batch.closed_form() || scene.beginnings[model].has_own_time) continue;
+      for (Fixed algorithm : {Fixed::runge_kutta_4, Fixed::velocity_verlet, Fixed::symplectic_euler}) {
+        const auto method = std::ranges::find_if(quantity.methods, [&](const Method& m) {
+          return m.model == names[model] && m.algorithm == lanes::name_of(algorithm);
+        });
+        if (method == quantity.methods.end() || !batch.has(algorithm)) continue;
+        INFO(scene.number << ", " << names[model] << ", " << lanes::name_of(algorithm));
+        const Value expected = method->run(end / steps).value;
+        batch.begin_again();
+        batch.steps(lanes::widest(), algorithm, 0, end / steps, steps);
+        const auto seen = batch.observed(Registers::one, end);
+        REQUIRE(seen.size() == expected.size());
+        double scale = 0;
+        for (double x : expected) scale = std::max(scale, std::abs(x));
+        for (std::size_t k = 0; k < seen.size(); ++k) CHECK(std::abs(seen[k] - expected[k]) <= 1e-12 * scale);
+        ++compared;
+      }
+      if (scene.beginnings[model].has_events) continue;
+      const auto method = std::ranges::find_if(quantity.methods, [&](const Method& m) {
+        return m.model == names[model] && m.algorithm == lanes::own_steps_name;
+      });
+      if (method == quantity.methods.end()) continue;
+      INFO(scene.number << ", " << names[model] << ", by own steps");
+      const Value expected = method->run(1e-10).value;
+      batch.begin_again();
+      CHECK(batch.own_steps(lanes::widest(), 0, end, 1e-10, end / 1000)[0].reached);
+      const auto seen = batch.observed(Registers::one, end);
+      double scale = 0;
+      for (double x : expected) scale = std::max(scale, std::abs(x));
+      for (std::size_t k = 0; k < seen.size(); ++k) CHECK(std::abs(seen[k] - expected[k]) <= 1e-7 * scale);
+    }
+  }
+  CHECK(compared >= 50);
+}
