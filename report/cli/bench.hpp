@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "report/cli/bench_chain.hpp"
 #include "report/cli/bench_loops.hpp"
 #include "report/pages/table_text.hpp"
 #include "report/study/run.hpp"
@@ -100,6 +101,7 @@ struct Bench {
   std::vector<RaceResult> races;
   std::vector<ContestResult> contests;
   SuiteTime suite;
+  ChainBench chains = {};
 
   std::vector<Bound> bounds() const;
   bool broken() const;
