@@ -417,6 +417,7 @@ Bench bench(const Reference& truth, const Progress& progress) {
         all, [&](const Race& r) { return r.model == contest.hand && r.algorithm == "Runge-Kutta 4"; });
     result.contests.push_back(compete(contest, *hand));
   }
+  result.series = race_series(truth, progress);
   result.chains = bench_chains(progress);
   result.suite = time_suite(truth, progress);
   return result;
@@ -425,7 +426,7 @@ Bench bench(const Reference& truth, const Progress& progress) {
 std::string bench_view(const Bench& bench, const Screen& screen) {
   std::string text = races_text(bench, screen);
   for (const ContestResult& c : bench.contests) text += contest_text(c, screen);
-  text += chains_text(bench.chains, screen);
+  text += series_text(bench.series, screen) + chains_text(bench.chains, screen);
   return text + suite_text(bench.suite, screen) + wrapped(verdict_text(bench.bounds()), screen);
 }
 
@@ -456,6 +457,8 @@ Table bench_table(const Bench& bench) {
     add("suite", e.number, "trials", {e.trials, none}, "s");
     add("suite", e.number, "longest trial", {e.longest_trial, none}, "s");
   }
+  for (const SeriesRace& r : bench.series)
+    add("series", r.scene, "time over the fastest other's, to 1e-12", {r.ratio, r.half_width}, "1");
   for (const ChainResult& c : bench.chains.chains) {
     const std::string links = std::to_string(c.links) + " links";
     add("chain", links, "accelerations by the tensions", {c.tensions, none}, "s");

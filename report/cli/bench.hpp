@@ -5,6 +5,7 @@
 
 #include "report/cli/bench_chain.hpp"
 #include "report/cli/bench_loops.hpp"
+#include "report/cli/bench_series.hpp"
 #include "report/pages/table_text.hpp"
 #include "report/study/run.hpp"
 
@@ -102,6 +103,7 @@ struct Bench {
   std::vector<ContestResult> contests;
   SuiteTime suite;
   ChainBench chains = {};
+  std::vector<SeriesRace> series = {};
 
   std::vector<Bound> bounds() const;
   bool broken() const;

@@ -256,11 +256,11 @@ void add_races(std::vector<Race>& all, const std::string& name, const Model& mod
     explicit_euler(hand, x, step, steps);
     return steps;
   });
-  race.template operator()<ode::SymplecticEuler>(0, [=](double* x) {
+  race.template operator()<ode::SymplecticEuler>(1.1, [=](double* x) {
     symplectic_euler(hand, x, step, steps);
     return steps;
   });
-  race.template operator()<ode::VelocityVerlet>(0, [=](double* x) {
+  race.template operator()<ode::VelocityVerlet>(1.1, [=](double* x) {
     velocity_verlet(hand, x, step, steps);
     return steps + 1;
   });
