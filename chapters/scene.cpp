@@ -219,6 +219,7 @@ Ladder& Ladder::by_others(const std::string& name, const Any& model,
   ode::for_each_other_algorithm([&]<class Algorithm>() {
     const ode::Brief algorithm = ode::brief<Algorithm>();
     if (algorithm.kind == ode::Kind::partitioned && !model->partitioned()) return;
+    if (algorithm.by_series && !model->analytic()) return;
     const auto exception = named(algorithm.name);
     if (exception == exceptions.end()) {
       by<Algorithm>(name, model);

@@ -109,6 +109,8 @@ class AnyModel {
   virtual ~AnyModel() = default;
   virtual bool partitioned() const = 0;
   virtual bool constrained() const = 0;
+  /// It can be recorded for Taylor series.
+  virtual bool analytic() const = 0;
   /// Its motion by a precompiled algorithm.
   virtual Answer run(std::string_view algorithm, const Horizon&, double setting) const = 0;
   /// m, how far that motion is off the model's constraint at most; NaN when it is nowhere.

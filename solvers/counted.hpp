@@ -76,6 +76,10 @@ class Counted {
     using std::cos;
     return function(cos(a.value_));
   }
+  friend Counted exp(const Counted& a) {
+    using std::exp;
+    return function(exp(a.value_));
+  }
   friend Counted atan2(const Counted& y, const Counted& x) {
     using std::atan2;
     return function(atan2(y.value_, x.value_));

@@ -14,7 +14,7 @@
 #include "solvers/dual.hpp"
 #include "solvers/lanes/lanes.hpp"
 #include "solvers/ode/jacobian.hpp"
-#include "solvers/taylor/tape.hpp"
+#include "solvers/taylor/series.hpp"
 #include "tests/catch.hpp"
 
 /// Every model of a scene in every number type, each judged by the same model in double.
@@ -203,11 +203,11 @@ class Scene {
       return;
     } else {
       constexpr int steps = 8, order = 16;
-      taylor::Series<double, n> series(model);
+      taylor::Series series{taylor::Program(taylor::record<n>(model))};
       const double h = end_ / steps;
       for (int step = 0; step < steps; ++step) {
-        const auto coefficients = series.about(x, step * h, order);
-        for (std::size_t k = 0; k < n; ++k) x[k] = taylor::polynomial(coefficients[k], h);
+        series.expand(x.data(), step * h, order);
+        series.at(h, x.data());
       }
       const auto got = model.observe(x, end_);
       const auto expected = at_end<double>(model, end_, 512);

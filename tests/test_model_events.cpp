@@ -193,7 +193,10 @@ namespace {
 struct Thrown {
   double g;
   void acceleration(const std::array<double, 1>&, std::array<double, 1>& a) const { a = {-g}; }
-  void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], -g}; }
+  template <class X>
+  void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X&) const {
+    dxdt = {x[1], X(-g)};
+  }
   std::array<double, 1> guards(const State& x, double) const { return {1 - x[0]}; }
   Happening<State> at_event(std::size_t, const State& x, double) const { return {{x[0], -x[1]}}; }
 };
@@ -255,15 +258,24 @@ TEST_CASE("where a motion ends, its state stays", "[events]") {
   }
 }
 
+namespace {
+
+/// An oscillator.
+struct Marked {
+  void acceleration(const std::array<double, 1>& q, std::array<double, 1>& a) const { a = {-q[0]}; }
+  template <class X>
+  void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X&) const {
+    dxdt = {x[1], -x[0]};
+  }
+  std::array<double, 1> guards(const State& x, double) const { return {x[0]}; }
+  Happening<State> at_event(std::size_t, const State& x, double) const {
+    return {.after = x, .passes = true};
+  }
+};
+
+}  // namespace
+
 TEST_CASE("an event that passes is seen once, and one that rises is none", "[events]") {
-  struct Marked {  // an oscillator
-    void acceleration(const std::array<double, 1>& q, std::array<double, 1>& a) const { a = {-q[0]}; }
-    void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], -x[0]}; }
-    std::array<double, 1> guards(const State& x, double) const { return {x[0]}; }
-    Happening<State> at_event(std::size_t, const State& x, double) const {
-      return {.after = x, .passes = true};
-    }
-  };
   for (const CatalogEntry& a : catalog()) {
     INFO(a.name);
     const auto motion = moved(a.name, Marked{}, {1, 0}, {0, 21}, fine(a.kind));

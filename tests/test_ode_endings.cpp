@@ -68,6 +68,7 @@ TEST_CASE("a controlled step costs its stages, Dormand-Prince's last stage being
 TEST_CASE("the evaluations reported are the calls that were made", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
+    if (brief<Algorithm>().by_series) return;  // it makes none: solvers/taylor's own tests count
     const System system{oscillator.system.f};
     const std::vector<double> times{0, 1, 1, 2.5};
     const auto solved =
@@ -140,13 +141,14 @@ TEST_CASE("a watcher ends the integration where it says so", "[solvers]") {
     INFO(Algorithm::name);
     int steps = 0;
     const auto third = [&](double, const State&, double, const State&) { return ++steps == 3; };
-    const std::array times{0.0, 1.0};
+    const bool by_series = brief<Algorithm>().by_series;  // in long steps
+    const std::array times{0.0, by_series ? 20.0 : 1.0};
     const auto solved = integrate<Algorithm>(oscillator.system, State{1, 0}, std::span<const double>(times),
                                              fine<Algorithm>, third);
     CHECK(solved.reached());
     CHECK(steps == 3);
     CHECK(solved.value.size() == 2);
-    CHECK(within(solved.value.back()[0], 0.9, 1));
+    CHECK(within(solved.value.back()[0], by_series ? -1 : 0.9, 1));
   });
 }
 
@@ -192,7 +194,10 @@ TEST_CASE("a fixed step that is too long for the pole passes it, with a number o
 }
 
 TEST_CASE("a right-hand side that is NaN is never reached through", "[solvers]") {
-  const System system{[](const State& x, State& dxdt, double) { dxdt = {x[1], -std::sqrt(x[0])}; }};
+  const System system = generic([](const auto& x, auto& dxdt, auto) {
+    using std::sqrt;
+    dxdt = {x[1], -sqrt(x[0])};
+  });
   for_each_algorithm([&]<class Algorithm>() {
     INFO(Algorithm::name);
     const auto solved = integrate<Algorithm>(system, State{1, 0}, 0, 10, fine<Algorithm>);
@@ -265,6 +270,7 @@ TEST_CASE("an exception of the right-hand side comes out of every algorithm, and
           "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
+    if (brief<Algorithm>().by_series) return;  // which sees no numbers
     const System system{[](const State& x, State& dxdt, double) {
       if (x[0] < 0.5) throw std::domain_error("beyond the wall");
       dxdt = {x[1], -x[0]};

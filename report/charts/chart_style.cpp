@@ -53,6 +53,7 @@ constexpr OwnMark own_marks[] = {{"closed form", Family::closed_form, 7},
                                  {"linearly implicit Euler", Family::implicit, 6, 2},
                                  {"Rosenbrock 4", Family::implicit, 15, 2},
                                  {"GSL bsimp", Family::implicit, 6, 4},
+                                 {"Taylor series", Family::series, 7, 2},
                                  {"trapezoid", Family::none, 8},
                                  {"Simpson", Family::none, 9},
                                  {"Gauss-Legendre", Family::none, 15},
@@ -112,9 +113,9 @@ Family family_of(std::string_view algorithm) {
 }
 
 std::string_view name_of(Family family) {
-  constexpr std::array<std::string_view, 8> names{
+  constexpr std::array<std::string_view, 9> names{
       "",          "closed form", "explicit steps", "partitioned", "step control", "extrapolation",
-      "multistep", "implicit"};
+      "multistep", "implicit",    "series"};
   return names[static_cast<std::size_t>(family)];
 }
 

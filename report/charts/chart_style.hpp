@@ -19,7 +19,8 @@ enum class Family {
   step_control,
   extrapolation,
   multistep,
-  implicit
+  implicit,
+  series
 };
 Family family_of(std::string_view algorithm);
 /// "step control"; empty for none.

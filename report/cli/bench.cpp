@@ -287,6 +287,30 @@ std::string suite_text(const SuiteTime& suite, const Screen& screen) {
                  screen, 4);
 }
 
+Bound slope_of(const ChainBench& bench) {
+  return {"the slope of a chain's cost", spread_of(bench.slopes), 1.05};
+}
+
+std::string chains_text(const ChainBench& bench, const Screen& screen) {
+  if (bench.chains.empty()) return "";
+  Rows rows{{"links", "tensions", "a link", "dense matrix", "bytes a link", "stable to", "theory"}};
+  for (const ChainResult& c : bench.chains)
+    rows.push_back({std::to_string(c.links), shown_time(c.tensions), shown_time(c.tensions / c.links),
+                    std::isfinite(c.dense) ? shown_time(c.dense) : "-", fixed(c.bytes / c.links, 0),
+                    rounded(c.stable, 3) + " s", rounded(c.theory, 3) + " s"});
+  const Bound slope = slope_of(bench);
+  return wrapped(
+             "\nChains of n links: the accelerations by the rods' tensions and by the dense matrix, and the "
+             "largest step of Runge-Kutta 4 that lets no small oscillation grow (1 m a link; by theory "
+             "sqrt(8 r/(g z)), z the largest zero of the Laguerre polynomial of degree n)\n",
+             screen) +
+         aligned(rows, screen, {{"links"}, {"tensions"}}) +
+         wrapped("  The time by the tensions grows as the links to the power " +
+                     fixed(slope.measured.median, 3) + " +- " + fixed(slope.measured.half_width, 3) +
+                     "; at most " + limit_text(slope, 2, screen) + "\n",
+                 screen, 4);
+}
+
 /// Whether all limits hold, and which do not.
 std::string verdict_text(const std::vector<Bound>& limits) {
   std::string not_held;
@@ -377,6 +401,7 @@ std::vector<Bound> Bench::bounds() const {
     if (r.at_most > 0) all.push_back(r.bound());
   for (const ContestResult& c : contests) all.push_back(c.bound()), all.push_back(c.closed_bound());
   all.push_back(suite.bound());
+  if (!chains.slopes.empty()) all.push_back(slope_of(chains));
   return all;
 }
 
@@ -392,6 +417,8 @@ Bench bench(const Reference& truth, const Progress& progress) {
         all, [&](const Race& r) { return r.model == contest.hand && r.algorithm == "Runge-Kutta 4"; });
     result.contests.push_back(compete(contest, *hand));
   }
+  result.series = race_series(truth, progress);
+  result.chains = bench_chains(progress);
   result.suite = time_suite(truth, progress);
   return result;
 }
@@ -399,6 +426,7 @@ Bench bench(const Reference& truth, const Progress& progress) {
 std::string bench_view(const Bench& bench, const Screen& screen) {
   std::string text = races_text(bench, screen);
   for (const ContestResult& c : bench.contests) text += contest_text(c, screen);
+  text += series_text(bench.series, screen) + chains_text(bench.chains, screen);
   return text + suite_text(bench.suite, screen) + wrapped(verdict_text(bench.bounds()), screen);
 }
 
@@ -428,6 +456,20 @@ Table bench_table(const Bench& bench) {
     add("suite", e.number, "studying", {e.studying, none}, "s");
     add("suite", e.number, "trials", {e.trials, none}, "s");
     add("suite", e.number, "longest trial", {e.longest_trial, none}, "s");
+  }
+  for (const SeriesRace& r : bench.series)
+    add("series", r.scene, "time over the fastest other's, to 1e-12", {r.ratio, r.half_width}, "1");
+  for (const ChainResult& c : bench.chains.chains) {
+    const std::string links = std::to_string(c.links) + " links";
+    add("chain", links, "accelerations by the tensions", {c.tensions, none}, "s");
+    if (std::isfinite(c.dense))
+      add("chain", links, "accelerations by the dense matrix", {c.dense, none}, "s");
+    add("chain", links, "largest stable step", {c.stable, none}, "s");
+    add("chain", links, "largest stable step by theory", {c.theory, none}, "s");
+  }
+  if (!bench.chains.slopes.empty()) {
+    const Bound slope = slope_of(bench.chains);
+    add("chain", "all", "slope of the cost", slope.measured, "1", &slope);
   }
   const Bound suite = bench.suite.bound();
   add("suite", "all", "one thread", {bench.suite.one_thread, none}, "s");

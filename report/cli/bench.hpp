@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "report/cli/bench_chain.hpp"
 #include "report/cli/bench_loops.hpp"
+#include "report/cli/bench_series.hpp"
 #include "report/pages/table_text.hpp"
 #include "report/study/run.hpp"
 
@@ -100,6 +102,8 @@ struct Bench {
   std::vector<RaceResult> races;
   std::vector<ContestResult> contests;
   SuiteTime suite;
+  ChainBench chains = {};
+  std::vector<SeriesRace> series = {};
 
   std::vector<Bound> bounds() const;
   bool broken() const;

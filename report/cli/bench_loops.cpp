@@ -256,11 +256,11 @@ void add_races(std::vector<Race>& all, const std::string& name, const Model& mod
     explicit_euler(hand, x, step, steps);
     return steps;
   });
-  race.template operator()<ode::SymplecticEuler>(0, [=](double* x) {
+  race.template operator()<ode::SymplecticEuler>(1.1, [=](double* x) {
     symplectic_euler(hand, x, step, steps);
     return steps;
   });
-  race.template operator()<ode::VelocityVerlet>(0, [=](double* x) {
+  race.template operator()<ode::VelocityVerlet>(1.1, [=](double* x) {
     velocity_verlet(hand, x, step, steps);
     return steps + 1;
   });
@@ -333,6 +333,7 @@ Quantity motion(const std::string& name, const Model& model, const Known& known,
   by.template operator()<ode::DormandPrince54>(half_decades());
   by.template operator()<ode::Fehlberg78>(half_decades());
   by.template operator()<ode::BulirschStoer>(half_decades());
+  by.template operator()<ode::Taylor>(half_decades());
   return quantity;
 }
 
@@ -354,7 +355,7 @@ Contest pendulum_contest(const Reference& truth) {
           .hand = "pendulum",
           .to_end = motion("one angle", model, last_of(known, 1), to_end),
           .through = motion("one angle", model, known, through),
-          .limit = 2000,
+          .limit = 1400,
           .closed_form = "Jacobi's function by its Fourier series",
           .at = [exact](double t) { return exact.at(t)[0]; },
           .closed_limit = 20,
@@ -379,7 +380,7 @@ Contest kepler_contest(const Reference& truth) {
           .hand = "planet in its plane",
           .to_end = motion("Cartesian", model, last_of(known, 2), to_end),
           .through = motion("Cartesian", model, known, through),
-          .limit = 9000,
+          .limit = 6000,
           .closed_form = "Kepler's equation by Newton's method",
           .at = [exact](double t) { return exact.at(t)[0]; },
           .closed_limit = 20,

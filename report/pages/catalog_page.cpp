@@ -49,6 +49,7 @@ std::string catalog_page() {
       table({"algorithm", "library", "set by", "order", "evaluations per step", "real limit",
              "imaginary limit", "theory"},
             rows, "356") +
+      std::string(ode::work_of_series) + "\n\n" +
       "## What was found in the libraries\n\n"
       "Each finding is shown by a small test of the library alone, in the version that is named; with "
       "another "

@@ -368,7 +368,7 @@ Json exact_models(const Trajectory& shown) {
 /// The module has the models that are listed, by the algorithms of Odeint.
 bool in_module(const Scene& scene, const Path& path) {
   const auto starts = [&](std::string_view library) { return path.algorithm.starts_with(library); };
-  return !starts("GSL ") && !starts("CVODE ") && !starts("ARKODE ") &&
+  return !starts("GSL ") && !starts("CVODE ") && !starts("ARKODE ") && !starts("Taylor ") &&
          (std::ranges::any_of(scene.listing.models,
                               [&](const auto& listed) {
                                 return listed.first == path.model ||

@@ -110,7 +110,7 @@ std::string algorithms_page() {
                        "A limit is the largest $h|\\lambda|$ at which $y'=\\lambda y$ does not grow, on the "
                        "negative real axis and on the imaginary axis.") +
                        (missing.empty() ? "" : " Not in this build: " + in_xml(missing) + ".")) +
-           html::table(catalog_table()) +
+           html::table(catalog_table()) + element("p", "", std::string(ode::work_of_series)) +
            element("p", "",
                    "What each of them makes of events, as landings are, the " + to_example() + " shows.") +
            "</section>\n<section>\n<h2>What was found in the libraries</h2>\n<p>A small test of the library alone shows "

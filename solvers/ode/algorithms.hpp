@@ -27,7 +27,8 @@
   F(Rk8pd, rk8pd)                                    \
   F(Msadams, msadams)                                \
   F(Msbdf, msbdf)                                    \
-  F(Bsimp, bsimp)
+  F(Bsimp, bsimp)                                    \
+  F(Taylor, taylor)
 /// Those that are there only where CMake has found SUNDIALS.
 #define ODDITY_SUNDIALS_ALGORITHMS(F)       \
   F(CvodeAdams, cvode_adams)                \

@@ -7,6 +7,11 @@
 #include <stdexcept>
 
 #include "solvers/ode/jacobian.hpp"
+#include "solvers/taylor/tape.hpp"
+
+namespace oddity::taylor {
+class Motion;
+}
 
 namespace oddity::ode {
 
@@ -25,6 +30,14 @@ class AnySystem {
   virtual bool differentiable() const = 0;
   /// As ode::jacobian. Throws std::logic_error for a system that is not differentiable, or not in double.
   virtual long jacobian(const State& x, double* matrix, double* dfdt, double t) const = 0;
+  /// It can be recorded for Taylor series.
+  virtual bool analytic() const { return false; }
+  /// Throws std::logic_error for a system that is not analytic, or not in double.
+  virtual taylor::Recording recording() const {
+    throw std::logic_error("the system is not generic in its number type, or not analytic");
+  }
+  /// The motion by Taylor series that whoever looks for events keeps; null: nobody does.
+  virtual taylor::Motion* kept_motion() const { return nullptr; }
 
   // Its events (events.hpp); a system need not have any.
   virtual std::size_t guard_count() const { return 0; }
@@ -48,6 +61,21 @@ concept Partitioned = (std::tuple_size_v<State> % 2 == 0) &&
                                std::array<typename State::value_type, std::tuple_size_v<State> / 2>& half) {
   system.acceleration(half, half);
 };
+
+/// Its right-hand side is generic in its number type and analytic, and can be recorded.
+#ifdef __wasm__  // The page's module has no Taylor series, for its size.
+template <class System, class State>
+concept Analytic = false;
+#else
+template <class System, class State>
+concept Analytic = std::same_as<typename State::value_type, double> &&
+    requires(const System& system, const std::array<taylor::Recorded, std::tuple_size_v<State>>& x,
+             std::array<taylor::Recorded, std::tuple_size_v<State>>& dxdt, const taylor::Recorded& t) {
+  system(x, dxdt, t);
+} && !requires {
+  System::not_analytic;
+};
+#endif
 
 /// A system as one of `Base`, which is an AnySystem; `Kept` is the system's type or a reference to it.
 template <class Base, class Kept>
@@ -73,6 +101,13 @@ class Adapted : public Base {
       return ode::jacobian(system_, x, matrix, dfdt, t);
     else
       throw std::logic_error("the system is not generic in its number type");
+  }
+  bool analytic() const final { return Analytic<System, State>; }
+  taylor::Recording recording() const final {
+    if constexpr (Analytic<System, State>)
+      return taylor::record<std::tuple_size_v<State>>(system_);
+    else
+      return Base::recording();
   }
   std::size_t guard_count() const final {
     if constexpr (Eventful<System, State>)

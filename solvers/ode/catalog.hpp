@@ -29,6 +29,13 @@ std::span<const Finding> findings();
 /// All algorithms of this build, from the plainest on.
 std::span<const CatalogEntry> catalog();
 
+/// What an evaluation is to an algorithm that makes none.
+inline constexpr std::string_view work_of_series =
+    "Taylor series evaluate nothing: the right-hand side is recorded once, and its operations are made on series. Their "
+    "evaluations are the operations made, over those of the right-hand side written by hand; an addition or a "
+    "multiplication counts as 1, a division or a root as 4, a sine or an exponential as 8, as the Livermore loops "
+    "weigh them.";
+
 /// The algorithms that this build does without, and why; empty when there are none.
 std::string_view not_in_catalog();
 

@@ -102,11 +102,13 @@ Solved<double> root_between(const F& f, double a, double b, double tolerance) {
 
 template <std::size_t n>
 Solved<Event<std::array<double, n>>> find_event(
-    const AnySystem<n>& system, Integrate<n>& integrate, Step<n>& step, const std::array<double, n>& start,
-    double t0, double t1, double setting,
+    const AnySystem<n>& moving, Keep<n>& keep, Integrate<n>& integrate, Step<n>& step,
+    const std::array<double, n>& start, double t0, double t1, double setting,
     const std::function<double(const std::array<double, n>&, double)>& g) {
   using State = std::array<double, n>;
   constexpr int samples = 4;
+  const auto with_series = keep(moving, setting);
+  const AnySystem<n>& system = with_series ? *with_series : moving;
   Solved<Event<State>> event;
   long inside = 0;
   bool found = false, whole = true;
@@ -149,7 +151,9 @@ Solved<Event<std::array<double, n>>> find_event(
     double left = 0;
     for (int k = 1; k <= samples; ++k) {
       const double part = static_cast<double>(k) / samples, s = part * h;
-      double now = k == samples ? g(x_next, t_next) : g(hermite(x, d0, x_next, d1, h, part), t + s);
+      double now = k == samples  ? g(x_next, t_next)
+                   : with_series ? miss(s)
+                                 : g(hermite(x, d0, x_next, d1, h, part), t + s);
       if (before * now < 0 || (now == 0 && before != 0)) {
         found = refine(left, s) || (left != 0 && at_start != 0 && refine(0, s));
         if (found) return true;
@@ -172,10 +176,10 @@ Solved<Event<std::array<double, n>>> find_event(
   return event;
 }
 
-#define ODDITY_FIND_EVENT(n, name)                                                                        \
-  template Solved<Event<std::array<double, n>>> name<n>(                                                  \
-      const AnySystem<n>&, Integrate<n>&, Step<n>&, const std::array<double, n>&, double, double, double, \
-      const std::function<double(const std::array<double, n>&, double)>&);
+#define ODDITY_FIND_EVENT(n, name)                                                                          \
+  template Solved<Event<std::array<double, n>>> name<n>(                                                    \
+      const AnySystem<n>&, Keep<n>&, Integrate<n>&, Step<n>&, const std::array<double, n>&, double, double, \
+      double, const std::function<double(const std::array<double, n>&, double)>&);
 ODDITY_FOR_UNKNOWNS(ODDITY_FIND_EVENT, find_event)
 
 }  // namespace oddity::ode::detail
@@ -189,7 +193,8 @@ template <std::size_t n>
 struct Stepping {
   Integrate<n>* through = nullptr;
   detail::Step<n>* once = nullptr;
-  bool has_tolerance = false;
+  detail::Keep<n>* keep = nullptr;
+  bool has_tolerance = false, by_series = false;
 };
 
 template <std::size_t n>
@@ -199,6 +204,8 @@ Stepping<n> stepping(std::string_view algorithm) {
     if (Algorithm::name != algorithm) return;
     found.once = step_precompiled<Algorithm, n>;
     found.has_tolerance = has_tolerance(Algorithm::kind);
+    found.keep = with_series_precompiled<Algorithm, n>;
+    found.by_series = brief<Algorithm>().by_series;
   });
   return found;
 }
@@ -317,7 +324,9 @@ class Lookout {
     samples_.front() = guards(step_.x, step_.t);
     samples_.back() = guards(step_.x_next, step_.t + step_.h);
     for (std::size_t k = 1; k < pieces; ++k)
-      samples_[k] = guards(detail::hermite(step_.x, d0, step_.x_next, d1, step_.h, part(k) / step_.h),
+      samples_[k] = guards(algorithm_.by_series
+                               ? state_after(part(k))
+                               : detail::hermite(step_.x, d0, step_.x_next, d1, step_.h, part(k) / step_.h),
                            step_.t + part(k));
   }
 
@@ -441,14 +450,16 @@ bool accumulate(const std::vector<Happened<State>>& events, std::size_t guards, 
 
 template <std::size_t n>
 MotionWithEvents<std::array<double, n>> integrate_with_events(
-    std::string_view algorithm, const AnySystem<n>& system, const std::array<double, n>& start,
+    std::string_view algorithm, const AnySystem<n>& moving, const std::array<double, n>& start,
     std::span<const double> times, double setting, const Watch<n>& watch, std::size_t most_events) {
   using State = std::array<double, n>;
   using Seen = typename Lookout<n>::Seen;
   using Next = typename AnySystem<n>::Next;
-  if (system.guard_count() == 0) return {precompiled<n>(algorithm)(system, start, times, setting, watch), {}};
+  if (moving.guard_count() == 0) return {precompiled<n>(algorithm)(moving, start, times, setting, watch), {}};
 
   const Stepping<n> by = stepping<n>(algorithm);
+  const auto with_series = by.keep(moving, setting);
+  const AnySystem<n>& system = with_series ? *with_series : moving;
   double latest = 0;
   for (double t : times) latest = std::max(latest, std::abs(t));
   const double time_rounding = std::numeric_limits<double>::epsilon() * latest;

@@ -22,11 +22,13 @@ namespace detail {
 template <std::size_t n>
 using Step = bool(const AnySystem<n>&, std::array<double, n>& x, double t, double h, double setting,
                   long& evaluations);
+template <std::size_t n>
+using Keep = std::unique_ptr<const AnySystem<n>>(const AnySystem<n>&, double setting);
 
 template <std::size_t n>
 Solved<Event<std::array<double, n>>> find_event(
-    const AnySystem<n>& system, Integrate<n>& integrate, Step<n>& step, const std::array<double, n>& start,
-    double t0, double t1, double setting,
+    const AnySystem<n>& system, Keep<n>& keep, Integrate<n>& integrate, Step<n>& step,
+    const std::array<double, n>& start, double t0, double t1, double setting,
     const std::function<double(const std::array<double, n>&, double)>& g);
 
 }  // namespace detail
@@ -41,8 +43,9 @@ Solved<Event<std::array<double, n>>> find_event(const System& system, const std:
                                                 double t0, double t1, double setting, const G& g) {
   static_assert(is_precompiled<std::array<double, n>>);
   const Adapted<AnySystem<n>, const System&> any(system);
-  return detail::find_event<n>(any, integrate_precompiled<Algorithm, n>, step_precompiled<Algorithm, n>,
-                               start, t0, t1, setting, g);
+  return detail::find_event<n>(any, with_series_precompiled<Algorithm, n>,
+                               integrate_precompiled<Algorithm, n>, step_precompiled<Algorithm, n>, start, t0,
+                               t1, setting, g);
 }
 
 // ---- a system's own events --------------------------------------------------------------------------------

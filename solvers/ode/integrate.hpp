@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -102,6 +103,11 @@ template <class Algorithm, std::size_t n>
 bool step_precompiled(const AnySystem<n>& system, std::array<double, n>& x, double t, double h,
                       double setting, long& evaluations);
 
+/// The system with its series, which then are not expanded anew for what is inside a step; null: the
+/// algorithm has no series.
+template <class Algorithm, std::size_t n>
+std::unique_ptr<const AnySystem<n>> with_series_precompiled(const AnySystem<n>& system, double setting);
+
 /// As `integrate`, system and algorithm always compiled into one: for the innermost loop of a game.
 template <class Algorithm, class System, class State, class OnStep = NeverStop>
 Trajectory<State> integrate_inlined(const System& system, const State& start, std::span<const double> times,
@@ -111,6 +117,7 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
 struct Brief {
   std::string_view name;
   Kind kind;
+  bool by_series = false;  ///< of an analytic system, and the state inside a step costs no new one
 };
 template <class Algorithm>
 Brief brief();

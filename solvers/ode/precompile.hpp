@@ -39,15 +39,31 @@ bool step_precompiled(const AnySystem<n>& system, std::array<double, n>& x, doub
 }
 
 template <class Algorithm>
+concept by_series = requires {
+  typename Algorithm::template WithSeries<2>;
+};
+
+template <class Algorithm, std::size_t n>
+std::unique_ptr<const AnySystem<n>> with_series_precompiled([[maybe_unused]] const AnySystem<n>& system,
+                                                            [[maybe_unused]] double setting) {
+  if constexpr (by_series<Algorithm>)
+    return std::make_unique<const typename Algorithm::template WithSeries<n>>(system, setting);
+  else
+    return nullptr;
+}
+
+template <class Algorithm>
 Brief brief() {
-  return {Algorithm::name, Algorithm::kind};
+  return {Algorithm::name, Algorithm::kind, by_series<Algorithm>};
 }
 
 #define ODDITY_PRECOMPILE_FOR(n, Algorithm)                                                                 \
   template Trajectory<std::array<double, n>> integrate_precompiled<Algorithm, n>(                           \
       const AnySystem<n>&, const std::array<double, n>&, std::span<const double>, double, const Watch<n>&); \
   template bool step_precompiled<Algorithm, n>(const AnySystem<n>&, std::array<double, n>&, double, double, \
-                                               double, long&);
+                                               double, long&);                                              \
+  template std::unique_ptr<const AnySystem<n>> with_series_precompiled<Algorithm, n>(const AnySystem<n>&,   \
+                                                                                     double);
 #define ODDITY_PRECOMPILE(Algorithm)                    \
   ODDITY_FOR_UNKNOWNS(ODDITY_PRECOMPILE_FOR, Algorithm) \
   template Brief brief<Algorithm>();

@@ -69,6 +69,7 @@
     'extrapolation',
     'multistep',
     'implicit',
+    'series',
   ];
   const familyOf = (name) => (families.includes(name) ? families.indexOf(name) : families.length);
   const colourOf = (m, by) => `var(--${by}-${m.colours[by]})`;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "report/study/run.hpp"
+
+/// Chains of up to 10,000 links: what their accelerations cost by the rods' tensions and by the dense matrix,
+/// and the largest stable step of Runge-Kutta 4 beside theory's.
+namespace oddity {
+
+/// A chain of so many links.
+struct ChainResult {
+  int links;
+  double tensions, dense;  ///< s, of the accelerations; NaN: not timed
+  double bytes;            ///< held by the accelerations from the tensions
+  double stable, theory;   ///< s, the largest step; links of 1 m, g = 9.81 m/s^2
+};
+
+struct ChainBench {
+  std::vector<ChainResult> chains;
+  std::vector<double> slopes;  ///< of log(time) by the tensions against log(links), of each round
+};
+
+ChainBench bench_chains(const Progress& progress = {});
+
+}  // namespace oddity

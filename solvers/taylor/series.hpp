@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "solvers/taylor/coefficients.hpp"
+#include "solvers/taylor/tape.hpp"
+
+/// The Taylor series of a motion, from a recorded right-hand side.
+namespace oddity::taylor {
+
+/// What an operation costs, in additions: the weights of the Livermore loops [McMahon, UCRL-53745, 1986].
+struct Weights {
+  static constexpr long addition = 1, multiplication = 1, division = 4, root = 4, function = 8;
+};
+
+/// What coefficient k of an operation costs.
+long cost_of(const Node& node, int k);
+
+/// What is left of a recording when nothing is computed that is not needed, in the order of computation.
+class Program {
+ public:
+  explicit Program(const Recording&);
+
+  std::size_t unknowns() const { return derivatives_.size(); }
+  /// What the right-hand side costs when it is written by hand, its repetitions and constants taken out.
+  long cost_by_hand() const { return by_hand_; }
+  /// What the series up to an order cost.
+  long cost(int order) const;
+  /// What it takes to get from operation to operation, in additions as well: it decides nothing but the
+  /// order.
+  long overhead(int order) const { return 20L * order * static_cast<long>(instructions_.size()); }
+
+ private:
+  friend class Series;
+  struct Instruction {
+    Node node;
+    int result, second = -1, spare = -1;  ///< rows
+  };
+  /// An unknown's derivative: a row, or else a constant.
+  struct Derivative {
+    int row;
+    double constant;
+  };
+
+  std::vector<Instruction> instructions_;  ///< their nodes' operands are rows
+  std::vector<Derivative> derivatives_;
+  int rows_ = 0;  ///< of which the unknowns' are the first, and the time's the next
+  long by_hand_ = 0;
+};
+
+/// The series of a motion about one of its points. All coefficients lie in one piece of memory.
+class Series {
+ public:
+  static constexpr int most_orders = 32;
+
+  explicit Series(Program program);
+  Series(const Series&) = delete;
+  Series(Series&&) = default;
+
+  const Program& program() const { return program_; }
+  /// The coefficients of x up to `order` about the state x at t.
+  void expand(const double* x, double t, int order);
+  int order() const { return order_; }
+  double time() const { return row(static_cast<int>(program_.unknowns()))[0]; }
+  double coefficient(std::size_t unknown, int k) const { return row(static_cast<int>(unknown))[k]; }
+  /// The state after h.
+  void at(double h, double* x) const;
+
+ private:
+  static constexpr std::ptrdiff_t stride = most_orders + 1;
+
+  double* row(int i) { return memory_.data() + static_cast<std::ptrdiff_t>(i) * stride; }
+  const double* row(int i) const { return memory_.data() + static_cast<std::ptrdiff_t>(i) * stride; }
+  template <int k>
+  static void advance(Series&);
+  static const std::array<void (*)(Series&), most_orders> advance_by_order;
+
+  struct Step {
+    Node node;
+    Rows<double> rows;
+  };
+
+  Program program_;
+  std::vector<Step> steps_;
+  int order_ = 0;
+  std::vector<double> memory_;
+};
+
+}  // namespace oddity::taylor

@@ -1,0 +1,275 @@
+// The recorded tape and its series: what is recorded, the coefficients against known series, the work
+// counted, and the motion by steps whose order and length are chosen.
+
+#include "solvers/taylor/motion.hpp"
+
+#include <numbers>
+
+#include "solvers/counted.hpp"
+#include "solvers/ode/all.hpp"
+#include "solvers/ode/events.hpp"
+#include "tests/catch.hpp"
+#include "tests/near.hpp"
+#include "tests/ode_problems.hpp"
+
+using namespace oddity;
+using namespace oddity::taylor;
+
+namespace {
+
+/// The coefficients of x from the initial value problem x' = rhs(x, t), x(t0) = x0, of one unknown.
+template <class Rhs>
+std::vector<double> series_of(const Rhs& rhs, double x0, double t0, int order) {
+  Series series{Program(record<1>([&](const auto& x, auto& dxdt, const auto& t) { dxdt = {rhs(x[0], t)}; }))};
+  series.expand(&x0, t0, order);
+  std::vector<double> all;
+  for (int k = 0; k <= order; ++k) all.push_back(series.coefficient(0, k));
+  return all;
+}
+
+/// The state after steps of one order and one length.
+problems::State after_steps(const problems::Problem& problem, double from, double to, int steps, int order) {
+  Series series{Program(record<2>(problem.system))};
+  problems::State x = problem.exact(from);
+  const double h = (to - from) / steps;
+  for (int i = 0; i < steps; ++i) {
+    series.expand(x.data(), from + i * h, order);
+    series.at(h, x.data());
+  }
+  return x;
+}
+
+double order_measured(const problems::Problem& problem, double from, double to, int order) {
+  const double span = std::abs(to - from);
+  const int steps = static_cast<int>(span * (order <= 2 ? 200 : order <= 4 ? 50 : order <= 8 ? 10 : 3.8));
+  const auto error = [&](int n) {
+    return problems::distance(after_steps(problem, from, to, n, order), problem.exact(to));
+  };
+  return std::log2(error(steps) / error(2 * steps));
+}
+
+const auto swing = [](const auto& x, auto& dxdt, const auto&) {
+  using std::sin;
+  dxdt = {x[1], -9.81 * sin(x[0])};
+};
+
+}  // namespace
+
+// ---- the tape ---------------------------------------------------------------------------------------------
+
+TEST_CASE("what repeats is recorded once, constants are computed, and what nobody needs is left out",
+          "[taylor]") {
+  const Program twice(record<1>([](const auto& x, auto& dxdt, const auto&) {
+    [[maybe_unused]] const auto nobodys = exp(x[0]) * x[0];
+    dxdt = {sin(x[0]) * sin(x[0]) + (2 * (3 * x[0]) - x[0] / 0.5)};
+  }));
+  const Program once(record<1>([](const auto& x, auto& dxdt, const auto&) {
+    const auto s = sin(x[0]);
+    dxdt = {s * s + 4 * x[0]};
+  }));
+  CHECK(twice.cost_by_hand() == 8 + 1 + 2);
+  CHECK(once.cost_by_hand() == 8 + 1 + 2);
+  CHECK(twice.cost(12) == once.cost(12));
+}
+
+TEST_CASE("sums of multiples are folded, and a mass's pull is one operation", "[taylor]") {
+  const Program folded(record<1>([](const auto& x, auto& dxdt, const auto&) {
+    dxdt = {-(-(3 * (2 * x[0] + 1)) + 1) + x[0] - x[0]};  // 6 x + 2
+  }));
+  CHECK(folded.cost_by_hand() == 2);
+  const Program pull(record<1>([](const auto& x, auto& dxdt, const auto&) {
+    const auto square = x[0] * x[0];
+    dxdt = {-5.0 / (square * sqrt(square))};
+  }));
+  CHECK(pull.cost_by_hand() == 1 + 4 + 1 + 4);
+}
+
+TEST_CASE("a right-hand side of constants costs something, and its motion is a line", "[taylor]") {
+  const auto c = series_of([](const auto&, const auto&) { return 3.0; }, 2, 5, 6);
+  CHECK(c == std::vector<double>{2, 3, 0, 0, 0, 0, 0});
+}
+
+// ---- coefficients -----------------------------------------------------------------------------------------
+
+TEST_CASE("every operation has the coefficients of a known series", "[taylor]") {
+  constexpr int order = 30;
+  const auto check = [](const std::vector<double>& got, const auto& expected, double tolerance) {
+    for (int k = 0; k <= order; ++k) {
+      INFO("k = " << k << ": " << got[static_cast<std::size_t>(k)] << " for " << expected(k));
+      const double right = expected(k);
+      CHECK(near(got[static_cast<std::size_t>(k)], right, tolerance * std::max(1.0, std::abs(right))));
+    }
+  };
+  // x' = x^2 and x' = x (2 x): 1/(1 - t)
+  check(
+      series_of([](const auto& x, const auto&) { return x * x; }, 1, 0, order), [](int) { return 1; }, 1e-14);
+  check(
+      series_of([](const auto& x, const auto&) { return x * (2 * x); }, 1, 0, order),
+      [](int k) { return std::pow(2.0, k); }, 1e-13);
+  // x' = 1/x: sqrt(1 + 2 t); x' = x/(1 + t): 1 + t; x' = sqrt(x): (1 + t/2)^2
+  const auto binomial = [](double power, double scale) {
+    return [=](int k) {
+      double c = 1;
+      for (int i = 0; i < k; ++i) c *= (power - i) / (i + 1) * scale;
+      return c;
+    };
+  };
+  check(series_of([](const auto& x, const auto&) { return 1 / x; }, 1, 0, order), binomial(0.5, 2), 1e-13);
+  check(series_of([](const auto& x, const auto& t) { return x / (1 + t); }, 1, 0, order), binomial(1, 1),
+        1e-15);
+  check(series_of([](const auto& x, const auto&) { return sqrt(x); }, 1, 0, order), binomial(2, 0.5), 1e-15);
+  // x' = x^(-3/2): (1 + 5 t/2)^(2/5)
+  check(series_of([](const auto& x, const auto&) { return 1 / (x * sqrt(x)); }, 1, 0, order),
+        binomial(0.4, 2.5), 1e-12);
+  check(series_of([](const auto& x, const auto&) { return 1 / (sqrt(x) * x); }, 1, 0, order),
+        binomial(0.4, 2.5), 1e-12);
+  // x' = exp(-x): log(1 + t)
+  check(
+      series_of([](const auto& x, const auto&) { return exp(-x); }, 0, 0, order),
+      [](int k) { return k == 0 ? 0 : (k % 2 ? 1.0 : -1.0) / k; }, 1e-14);
+  // x' = cos t: sin t, about 1; x' = -sin t: cos t
+  check(
+      series_of([](const auto&, const auto& t) { return cos(t); }, std::sin(1), 1, order),
+      [](int k) { return std::sin(1 + k * std::numbers::pi / 2) / std::tgamma(k + 1.0); }, 1e-15);
+  check(
+      series_of([](const auto&, const auto& t) { return -sin(t); }, std::cos(1), 1, order),
+      [](int k) { return std::cos(1 + k * std::numbers::pi / 2) / std::tgamma(k + 1.0); }, 1e-15);
+}
+
+TEST_CASE("a motion of zero, with products of what vanishes, has the series zero", "[taylor]") {
+  for (double c : series_of([](const auto&x, const auto&) { return x * sin(x) + x * x * x; }, 0, 0, 12))
+    CHECK(c == 0);
+}
+
+TEST_CASE("the cost stated is the operations made", "[taylor]") {
+  using Number = Counted<double>;
+  const auto made = [](Operation operation, int k, bool has_a, bool square) {
+    std::vector<Number> a(40, 1.25), b(40, 0.75), result(40, 1.0), second(40, 0.5), spare(40, 0.25);
+    const Rows<Number> rows{has_a ? a.data() : nullptr, square ? a.data() : b.data(), result.data(),
+                            second.data(), spare.data()};
+    const Node node{operation, has_a ? 0 : -1, square ? 0 : 1, 2, 3, 0};
+    const auto count = operations_of([&] {
+      [&]<int... order>(std::integer_sequence<int, order...>) {
+        ((order == k ? compute<order>(node, rows) : void()), ...);
+      }
+      (std::make_integer_sequence<int, Series::most_orders>());
+      return 0;
+    });
+    return std::pair{node, count};
+  };
+  for (int k = 0; k < Series::most_orders; ++k)
+    for (bool has_a : {true, false})
+      for (bool square : {true, false})
+        for (Operation operation :
+             {Operation::linear, Operation::multiply, Operation::divide, Operation::inverse_cube,
+              Operation::square_root, Operation::sine, Operation::exponential}) {
+          if (!has_a && operation != Operation::divide) continue;
+          if (square && operation != Operation::multiply) continue;
+          const auto [node, count] = made(operation, k, has_a, square);
+          const bool root = operation == Operation::square_root || operation == Operation::inverse_cube;
+          const long cost = count.additions + count.multiplications + Weights::division * count.divisions +
+                            (root ? Weights::root : Weights::function) * count.functions;
+          INFO("operation " << static_cast<int>(operation) << " at order " << k);
+          CHECK(cost_of(node, k) == cost);
+        }
+}
+
+// ---- steps ------------------------------------------------------------------------------------------------
+
+TEST_CASE("steps of one order have it, without explicit time and with, forward and backward", "[taylor]") {
+  for (int order : {1, 2, 3, 4, 6, 8, 12}) {
+    INFO("order " << order);
+    for (const auto& [from, to] : {std::pair{-1.5, 1.3}, std::pair{1.5, -1.3}})
+      CHECK(near(order_measured(problems::separatrix, from, to, order), order, 0.25));
+    for (const auto& [from, to] : {std::pair{0.0, 2.0}, std::pair{0.0, -2.0}})
+      CHECK(near(order_measured(problems::driven, from, to, order), order, 0.25));
+  }
+}
+
+TEST_CASE("the order grows with the digits asked for, and is the cheapest", "[taylor]") {
+  const Program program(record<2>(swing));
+  int before = 0;
+  for (double tolerance : {1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-15}) {
+    const int order = best_order(program, tolerance);
+    CHECK(order > before);
+    before = order;
+  }
+  CHECK(within(best_order(program, 1e-12), 14, 24));
+}
+
+TEST_CASE("a polynomial motion takes one step", "[taylor]") {
+  Motion motion(Program(record<2>(problems::fall.system)), 1e-9);
+  problems::State x = problems::fall.exact(0);
+  double t = 0;
+  CHECK(motion.advance(x, t, 100) == nullptr);
+  CHECK(t == 100);
+  CHECK(near(x[0], problems::fall.exact(100)[0], 1e-10));
+}
+
+TEST_CASE("coefficients that vanish by symmetry do not lengthen the step", "[taylor]") {
+  // At rest the angle's series is even and the rate's odd: of two orders in a row one number says all.
+  for (double angle = 0.05; angle < 3; angle += 0.05)
+    for (double tolerance : {1e-6, 1e-9, 1e-12}) {
+      Motion motion(Program(record<2>(swing)), tolerance);
+      std::array<double, 2> x{angle, 0};
+      double t = 0;
+      while (t < 2) REQUIRE(motion.advance(x, t, 2) == nullptr);
+      const double energy = x[1] * x[1] / 2 - 9.81 * std::cos(x[0]);
+      CHECK(near(energy, -9.81 * std::cos(angle), 100 * tolerance));
+    }
+}
+
+TEST_CASE("times on the way and back cost points of the same series, not new ones", "[taylor]") {
+  const auto evaluations = [](int parts) {
+    Motion motion(Program(record<2>(swing)), 1e-9);
+    std::array<double, 2> x{0.5, 0};
+    double t = 0;
+    for (int i = 1; i <= parts; ++i)
+      while (t != i * 10.0 / parts) REQUIRE(motion.advance(x, t, i * 10.0 / parts) == nullptr);
+    return motion.evaluations();
+  };
+  // A point is 2 (2 p + 2) + 1 operations, of 9 each.
+  CHECK(evaluations(600) - evaluations(1) <= 600 * (4 * 20 + 5) / 9);
+
+  Motion motion(Program(record<2>(swing)), 1e-9);
+  std::array<double, 2> x{0.5, 0.25};
+  const auto start = x;
+  double t = 0;
+  REQUIRE(motion.advance(x, t, 0.01) == nullptr);
+  const long once = motion.evaluations();
+  REQUIRE(motion.advance(x, t, 0) == nullptr);
+  CHECK(x == start);
+  CHECK(motion.evaluations() - once <= (4 * 20 + 5) / 9 + 1);
+}
+
+TEST_CASE("a state that is not on the series is expanded anew", "[taylor]") {
+  Motion kept(Program(record<2>(swing)), 1e-12);
+  std::array<double, 2> x{0.5, 0};
+  double t = 0;
+  REQUIRE(kept.advance(x, t, 0.01) == nullptr);
+  x = {1, -1};
+  REQUIRE(kept.advance(x, t, 0.05) == nullptr);
+  Motion anew(Program(record<2>(swing)), 1e-12);
+  std::array<double, 2> y{1, -1};
+  double s = 0.01;
+  REQUIRE(anew.advance(y, s, 0.05) == nullptr);
+  CHECK(x == y);
+}
+
+TEST_CASE("a system that cannot be recorded is refused", "[taylor]") {
+  const auto plain = [](const problems::State& x, problems::State& dxdt, double) { dxdt = {x[1], -x[0]}; };
+  CHECK_THROWS_WITH(ode::integrate<ode::Taylor>(plain, problems::State{1, 0}, 0, 1, 1e-9),
+                    "the system is not generic in its number type, or not analytic");
+}
+
+TEST_CASE("the pendulum takes few right-hand sides, and as many with dense output", "[taylor]") {
+  const auto solved = [](std::vector<double> times) {
+    return ode::integrate<ode::Taylor>(swing, std::array{std::numbers::pi / 6, 0.0},
+                                       std::span<const double>(times), 1e-9);
+  };
+  const auto straight = solved({0, 10});
+  CHECK(straight.reached());
+  CHECK(straight.evaluations < 3500);
+  const auto exact = ode::integrate<ode::Taylor>(swing, std::array{std::numbers::pi / 6, 0.0}, 0, 10, 1e-14);
+  CHECK(near(straight.value.back()[0], exact.value[0], 1e-9));
+}
