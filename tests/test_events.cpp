@@ -103,7 +103,7 @@ TEST_CASE("an event at the start is not the one looked for", "[solvers]") {
   });
 }
 
-TEST_CASE("an event just after the start is found to its last digits, also late in the day", "[solvers]") {
+TEST_CASE("an event just after the start is found to its last digits, also at large t", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     const double t0 = 1000;

@@ -239,8 +239,8 @@ TEST_CASE("the manual page has every verb and no path of this build", "[terminal
   INFO(made.output);
   CHECK(made.status == 0);
   const std::string text = shell("cat " + page).output;
-  for (const char* verb :
-       {"list", "verify", "solve", "chart", "stability", "choose", "bench", "report", "site", "new"})
+  for (const char* verb : {"list", "verify", "solve", "chart", "stability", "choose", "bench", "engines",
+                           "report", "site", "new"})
     CHECK(text.find(".SS " + std::string(verb) + "\n") != std::string::npos);
   CHECK(text.find(ODDITY_SOURCE "/") == std::string::npos);
 }

@@ -39,7 +39,7 @@ bool step_precompiled(const AnySystem<n>& system, std::array<double, n>& x, doub
 }
 
 template <class Algorithm>
-Brief brief() {
+AlgorithmInfo info() {
   return {Algorithm::name, Algorithm::kind};
 }
 
@@ -50,6 +50,6 @@ Brief brief() {
                                                double, long&);
 #define ODDITY_PRECOMPILE(Algorithm)                    \
   ODDITY_FOR_UNKNOWNS(ODDITY_PRECOMPILE_FOR, Algorithm) \
-  template Brief brief<Algorithm>();
+  template AlgorithmInfo info<Algorithm>();
 
 }  // namespace oddity::ode

@@ -72,26 +72,28 @@ engines::Staging staged(const Parameters& p) { return staging({asked(p)}); }
 
 Scene scene() {
   return {
-      axis_of,
-      duration,
-      degree,
-      "dpsi",
-      {5, 10, 20, 30, 60, 100},
-      {"phi", "dtheta", "dpsi"},
-      {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
-      {{"chapters/03_rigid_body_motion/33_heavy_top/models.hpp"},
-       {{"mean precession of a fast top",
-         "heavy_top::MeanPrecession<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
-        {"one angle, precession by quadrature",
-         "heavy_top::OneAngle<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
-        {"Euler angles",
-         "heavy_top::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
-        {"rigid body, quaternion",
-         "heavy_top::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
-        {"axis and angular momentum",
-         "heavy_top::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"}}},
-      heavy_top::draw<Parameters>,
-      staged};
+      .motion = axis_of,
+      .horizon = duration,
+      .game_tolerance = degree,
+      .sweep_parameter = "dpsi",
+      .sweep_values = {5, 10, 20, 30, 60, 100},
+      .perturbed_parameters = {"phi", "dtheta", "dpsi"},
+      .axes = {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
+      .listing =
+          {{"chapters/03_rigid_body_motion/33_heavy_top/models.hpp"},
+           {{"mean precession of a fast top",
+             "heavy_top::MeanPrecession<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+            {"one angle, precession by quadrature",
+             "heavy_top::OneAngle<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+            {"Euler angles",
+             "heavy_top::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+            {"rigid body, quaternion",
+             "heavy_top::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+            {"axis and angular momentum",
+             "heavy_top::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"}}},
+      .draw = heavy_top::draw<Parameters>,
+      .staging = staged,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -45,29 +45,31 @@ engines::Staging staged(const Parameters& p) { return ex03_33::staging(asked(p))
 
 Scene scene() {
   return {
-      axis_of,
-      ex03_33::duration,
-      degree,
-      "lambda",
-      {0.5, 1.5, 3, 6, 10, 14},
-      {"phi", "dtheta", "dpsi"},
-      {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
-      {{"chapters/03_rigid_body_motion/35_moving_tip/models.hpp"},
-       {{"fixed tip, as proposed",
-         "moving_tip::AxisAndMomentum<double>{moving_tip::with_fixed_tip<double>({m, l, mu1, mu3, g, theta, phi, psi, "
-         "dtheta, dphi, dpsi, A, lambda})}"},
-        {"small tilt",
-         "moving_tip::SmallTilt<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
-        {"first order in A",
-         "moving_tip::FirstOrderInA<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
-        {"Euler angles",
-         "moving_tip::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
-        {"rigid body, quaternion",
-         "moving_tip::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
-        {"axis and angular momentum",
-         "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}},
-      moving_tip::draw<Parameters>,
-      staged};
+      .motion = axis_of,
+      .horizon = ex03_33::duration,
+      .game_tolerance = degree,
+      .sweep_parameter = "lambda",
+      .sweep_values = {0.5, 1.5, 3, 6, 10, 14},
+      .perturbed_parameters = {"phi", "dtheta", "dpsi"},
+      .axes = {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
+      .listing =
+          {{"chapters/03_rigid_body_motion/35_moving_tip/models.hpp"},
+           {{"fixed tip, as proposed",
+             "moving_tip::AxisAndMomentum<double>{moving_tip::with_fixed_tip<double>({m, l, mu1, mu3, g, theta, phi, psi, "
+             "dtheta, dphi, dpsi, A, lambda})}"},
+            {"small tilt",
+             "moving_tip::SmallTilt<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+            {"first order in A",
+             "moving_tip::FirstOrderInA<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+            {"Euler angles",
+             "moving_tip::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+            {"rigid body, quaternion",
+             "moving_tip::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+            {"axis and angular momentum",
+             "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}},
+      .draw = moving_tip::draw<Parameters>,
+      .staging = staged,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
