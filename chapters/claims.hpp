@@ -81,9 +81,9 @@ double size_of_terms(const F& f, const std::array<double, n>& letters) {
 
 /// Two functions of the same letters at one sample, with the size of their terms.
 template <std::size_t n, class Left, class Right>
-void see(Worst& worst, const Left& left, const Right& right, const std::array<double, n>& letters,
+void see(WorstSample& worst, const Left& left, const Right& right, const std::array<double, n>& letters,
          const std::string& where) {
-  worst.see(left(letters), right(letters),
+  worst.add(left(letters), right(letters),
             std::max(size_of_terms(left, letters), size_of_terms(right, letters)), where);
 }
 
@@ -117,15 +117,15 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
     else
       return given + largest;
   };
-  Worst worst(std::move(quantity), left.text, right.text);
+  WorstSample worst(std::move(quantity), left.text, right.text);
   for (std::size_t i = 0; i < samples.size(); ++i)
     if constexpr (requires { Sample::whole; })
-      worst.see(lefts[i], rights[i], exact(), size(samples[i]), samples[i].where());
+      worst.add(lefts[i], rights[i], exact(), size(samples[i]), samples[i].where());
     else if constexpr (requires(double terms) { samples[i].tolerance(terms); })
-      worst.see(lefts[i], rights[i], samples[i].tolerance(size(samples[i])), size(samples[i]),
+      worst.add(lefts[i], rights[i], samples[i].tolerance(size(samples[i])), size(samples[i]),
                 samples[i].where());
     else
-      worst.see(lefts[i], rights[i], size(samples[i]), samples[i].where());
+      worst.add(lefts[i], rights[i], size(samples[i]), samples[i].where());
   return worst.check();
 }
 
@@ -162,7 +162,7 @@ Check in_all(const std::string& text, const std::vector<Sample>& samples,
     if (holds(sample)) continue;
     if (++violations == 1) where = "one of them: " + sample.where();
   }
-  return never(text + ": cases against it", violations, static_cast<long>(samples.size()), where);
+  return no_violations(text + ": cases against it", violations, static_cast<long>(samples.size()), where);
 }
 
 /// What a claim that something is so in every case consists of.

@@ -92,7 +92,7 @@ bool Check::holds() const {
   return finite(left.value) && finite(right.value) && difference() <= tolerance.allowed;
 }
 
-Check never(std::string what, long violations, long samples, std::string where) {
+Check no_violations(std::string what, long violations, long samples, std::string where) {
   return {std::move(what),
           {"violations in " + std::to_string(samples) + (samples == 1 ? " sample" : " samples"),
            static_cast<double>(samples > 0 ? violations : -1)},
@@ -102,15 +102,15 @@ Check never(std::string what, long violations, long samples, std::string where) 
           std::move(where)};
 }
 
-Worst::Worst(std::string quantity, std::string left, std::string right, double ulps)
+WorstSample::WorstSample(std::string quantity, std::string left, std::string right, double ulps)
     : worst_{std::move(quantity), {std::move(left), {}}, {std::move(right), {}}, {}, 0, {}}, ulps_(ulps) {}
 
-void Worst::see(const Value& left, const Value& right, double scale, const std::string& where) {
-  see(left, right, rounding(scale, ulps_), scale, where);
+void WorstSample::add(const Value& left, const Value& right, double scale, const std::string& where) {
+  add(left, right, rounding(scale, ulps_), scale, where);
 }
 
-void Worst::see(const Value& left, const Value& right, const Tolerance& tolerance, double scale,
-                const std::string& where) {
+void WorstSample::add(const Value& left, const Value& right, const Tolerance& tolerance, double scale,
+                      const std::string& where) {
   ++samples_;
   const double difference = distance(left, right);
   const double infinity = std::numeric_limits<double>::infinity();
@@ -127,7 +127,7 @@ void Worst::see(const Value& left, const Value& right, const Tolerance& toleranc
   worst_.where = where;
 }
 
-Check Worst::check() const {
+Check WorstSample::check() const {
   Check check = worst_;
   check.where = "worst of " + std::to_string(samples_) + (check.where.empty() ? "" : ": " + check.where);
   return check;
@@ -199,6 +199,11 @@ Quantity quantity(std::string name, std::string unit, std::string says, const Kn
           std::move(need),
           {},
           {}};
+}
+
+std::vector<Quantity> in_operations(std::vector<Quantity> quantities) {
+  for (Quantity& q : quantities) q.in_operations = true;
+  return quantities;
 }
 
 namespace {

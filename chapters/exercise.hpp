@@ -123,17 +123,17 @@ struct Check {
 };
 
 /// A statement about every sample: how many of them violate it, against none.
-Check never(std::string what, long violations, long samples, std::string where = "");
+Check no_violations(std::string what, long violations, long samples, std::string where = "");
 
 /// Compares two routes over many samples, and keeps the worst as a check.
-class Worst {
+class WorstSample {
  public:
-  Worst(std::string quantity, std::string left, std::string right, double ulps = 64);
+  WorstSample(std::string quantity, std::string left, std::string right, double ulps = 64);
 
   /// One sample: allowed to differ by the class's ulps of `scale`, the size of the terms that were added up.
-  void see(const Value& left, const Value& right, double scale, const std::string& where);
+  void add(const Value& left, const Value& right, double scale, const std::string& where);
   /// One sample with a tolerance of its own.
-  void see(const Value& left, const Value& right, const Tolerance& tolerance, double scale,
+  void add(const Value& left, const Value& right, const Tolerance& tolerance, double scale,
            const std::string& where);
   Check check() const;
 
@@ -321,6 +321,8 @@ struct Quantity {
   /// The need in each of `units()`; empty: `need` in all of them.
   std::vector<double> needs = {};
   std::vector<Method> methods_in_float = {};  ///< each has a like one in double: its model and knob
+  /// The methods' work is counted in multiplications, divisions and functions, not in evaluations.
+  bool in_operations = false;
 
   /// The distinct units of the norms, in their order; without norms the quantity's.
   std::vector<std::string_view> units() const;
@@ -336,6 +338,9 @@ struct Quantity {
 
 /// A quantity whose truth is a reference value.
 Quantity quantity(std::string name, std::string unit, std::string says, const Known& known, Tolerance need);
+
+/// The same quantities, their work counted in operations.
+std::vector<Quantity> in_operations(std::vector<Quantity>);
 
 /// A method run at one setting of its knob.
 struct Trial {
@@ -391,11 +396,11 @@ struct Listing {
 /// The motion of an exercise that has one: what the views of stability, choice and models look at.
 struct Scene {
   Quantity (*motion)(const Parameters&, const Horizon&, const Reference&);
-  double horizon;                        ///< s; where the book's motion is looked at last
-  double close;                          ///< what a game asks: 1 cm or 1 degree, in the observables' unit
-  std::string_view varied;               ///< the parameter that makes it hard
-  std::vector<double> over;              ///< its values, from easy to hard
-  std::vector<std::string_view> starts;  ///< parameters that differ from start to start
+  double horizon;                                      ///< s; where the book's motion is looked at last
+  double game_tolerance;                               ///< 1 cm or 1 degree, in the observables' unit
+  std::string_view sweep_parameter;                    ///< the one that makes it hard
+  std::vector<double> sweep_values;                    ///< from easy to hard
+  std::vector<std::string_view> perturbed_parameters;  ///< those that differ from start to start
   Axes axes = {};
   Listing listing = {};
   /// How it looks where these are the observables at the time t (chapters/drawing.hpp).

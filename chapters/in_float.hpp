@@ -93,7 +93,7 @@ class Integrated final : public IntegratedInFloat<std::tuple_size_v<typename InD
 
  public:
   Integrated(const Horizon& horizon, const InFloat& model, const InDouble& exact, const InDouble& rounded)
-      : IntegratedInFloat<n>(horizon, erased(exact), erased(rounded)), model_(model) {}
+      : IntegratedInFloat<n>(horizon, type_erased(exact), type_erased(rounded)), model_(model) {}
 
  private:
   const ode::AnySystem<n, float>& system() const override { return model_; }

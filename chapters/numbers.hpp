@@ -48,6 +48,16 @@ auto either(const Condition& condition, const Yes& yes, const No& no) {
 /// A loop's condition, which goes on while it holds for any of several numbers.
 inline bool any_of(bool condition) { return condition; }
 
+template <class A, class B>
+auto dot(const std::array<A, 3>& a, const std::array<B, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class A, class B>
+auto cross(const std::array<A, 3>& a, const std::array<B, 3>& b) {
+  using T = decltype(a[0] * b[0]);
+  return std::array<T, 3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// A conserved quantity, and what moves in it: the part that is exchanged with the rest, such as the kinetic
 /// energy, which does not depend on where a potential is counted from.
 template <class T>

@@ -150,11 +150,12 @@ ODDITY_FOR_UNKNOWNS(ODDITY_MODEL, ModelOf)
 bool is_other_algorithm(std::string_view name) {
   bool found = false;
   ode::for_each_other_algorithm(
-      [&]<class Algorithm>() { found = found || ode::brief<Algorithm>().name == name; });
+      [&]<class Algorithm>() { found = found || ode::info<Algorithm>().name == name; });
   return found;
 }
 
-Ladder& Ladder::add(std::string name, Any model, ode::Brief algorithm, Outcome expected, std::string why) {
+Ladder& Ladder::add(std::string name, Any model, ode::AlgorithmInfo algorithm, Outcome expected,
+                    std::string why) {
   std::function<std::vector<ode::Tongue>()> unstable_steps;
   std::function<Disturbances(const ode::Criteria&)> disturbances;
   const bool has_tolerance = ode::has_tolerance(algorithm.kind);
@@ -193,8 +194,8 @@ Ladder& Ladder::by_fixed_steps(const std::string& name, const Any& model, Outcom
   return by<ode::RungeKutta4>(name, model);
 }
 
-Ladder& Ladder::by_common(const std::string& name, const Any& model, Outcome first_order,
-                          Outcome second_order) {
+Ladder& Ladder::by_engine_integrators(const std::string& name, const Any& model, Outcome first_order,
+                                      Outcome second_order) {
   return by_fixed_steps(name, model, first_order, second_order)
       .by<ode::CashKarp54>(name, model)
       .by<ode::DormandPrince54>(name, model)
@@ -202,22 +203,23 @@ Ladder& Ladder::by_common(const std::string& name, const Any& model, Outcome fir
       .by<ode::BulirschStoer>(name, model);
 }
 
-Ladder& Ladder::by_few(const std::string& name, const Any& model, Outcome first_order, Outcome second_order) {
+Ladder& Ladder::by_core_integrators(const std::string& name, const Any& model, Outcome first_order,
+                                    Outcome second_order) {
   return by_fixed_steps(name, model, first_order, second_order)
       .by<ode::DormandPrince54>(name, model)
       .by<ode::Fehlberg78>(name, model);
 }
 
-Ladder& Ladder::by_others(const std::string& name, const Any& model,
-                          const std::vector<Exception>& exceptions) {
+Ladder& Ladder::by_remaining_integrators(const std::string& name, const Any& model,
+                                         const std::vector<ExpectedFailure>& exceptions) {
   const auto named = [&](std::string_view algorithm) {
-    return std::ranges::find(exceptions, algorithm, &Exception::algorithm);
+    return std::ranges::find(exceptions, algorithm, &ExpectedFailure::algorithm);
   };
   std::size_t used = 0;
   for (std::string_view optional : ode::optional_algorithms)
     if (!ode::has_sundials) used += named(optional) != exceptions.end();
   ode::for_each_other_algorithm([&]<class Algorithm>() {
-    const ode::Brief algorithm = ode::brief<Algorithm>();
+    const ode::AlgorithmInfo algorithm = ode::info<Algorithm>();
     if (algorithm.kind == ode::Kind::partitioned && !model->partitioned()) return;
     if (algorithm.by_series && !model->analytic()) return;
     const auto exception = named(algorithm.name);

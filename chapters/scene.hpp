@@ -163,7 +163,7 @@ template <class Model>
 using ModelLike = ModelOf<std::tuple_size_v<typename Model::State>>;
 
 template <class Model>
-class Erased final : public ode::Adapted<ModelLike<Model>, Model> {
+class TypeErased final : public ode::Adapted<ModelLike<Model>, Model> {
  public:
   using typename ModelLike<Model>::State;
   using ode::Adapted<ModelLike<Model>, Model>::Adapted, ode::Adapted<ModelLike<Model>, Model>::system;
@@ -192,19 +192,21 @@ class Erased final : public ode::Adapted<ModelLike<Model>, Model> {
 };
 
 template <class Model>
-std::shared_ptr<const Erased<Model>> erased(const Model& model) {
-  static_assert(ode::is_precompiled<typename Model::State>,
-                "add the model's number of unknowns to those of solvers/ode/integrate.hpp");
-  return std::make_shared<const Erased<Model>>(model);
+std::shared_ptr<const TypeErased<Model>> type_erased(const Model& model) {
+  static_assert(
+      ode::is_precompiled<typename Model::State>,
+      "declare the model's state as `using State = std::array<T, 4>;` with a number, and run CMake: "
+      "it compiles the algorithms for the numbers of unknowns that it finds so");
+  return std::make_shared<const TypeErased<Model>>(model);
 }
 
 /// The model's motion by one algorithm.
 template <class Algorithm, class Model>
 Answer observe_integrated(const Model& model, const Horizon& horizon, double setting) {
-  return erased(model)->run(ode::brief<Algorithm>().name, horizon, setting);
+  return type_erased(model)->run(ode::info<Algorithm>().name, horizon, setting);
 }
 
-/// One of those that Ladder::by_others tries.
+/// One of those that Ladder::by_remaining_integrators tries.
 bool is_other_algorithm(std::string_view name);
 
 /// A scene's models and algorithms as the methods of one quantity.
@@ -234,20 +236,21 @@ class Ladder {
   /// The model by the explicit algorithms that engines use, as far as it allows them, with what those of
   /// order 1 and of order 2 are expected to end as.
   template <class Model>
-  Ladder& by_common(const std::string& name, const Model& model, Outcome first_order = Outcome::inaccurate,
-                    Outcome second_order = Outcome::ok) {
-    return by_common(name, any(model), first_order, second_order);
+  Ladder& by_engine_integrators(const std::string& name, const Model& model,
+                                Outcome first_order = Outcome::inaccurate,
+                                Outcome second_order = Outcome::ok) {
+    return by_engine_integrators(name, any(model), first_order, second_order);
   }
 
   /// The same without Cash-Karp and Bulirsch-Stoer.
   template <class Model>
-  Ladder& by_few(const std::string& name, const Model& model, Outcome first_order = Outcome::inaccurate,
-                 Outcome second_order = Outcome::ok) {
-    return by_few(name, any(model), first_order, second_order);
+  Ladder& by_core_integrators(const std::string& name, const Model& model,
+                              Outcome first_order = Outcome::inaccurate, Outcome second_order = Outcome::ok) {
+    return by_core_integrators(name, any(model), first_order, second_order);
   }
 
   /// An algorithm that is not expected to end ok at its finest setting.
-  struct Exception {
+  struct ExpectedFailure {
     std::string_view algorithm;
     Outcome expected;
     std::string why;
@@ -256,27 +259,28 @@ class Ladder {
   /// The model by the rest of the catalog, as far as it allows it: expected to end ok, but for the
   /// exceptions. Throws std::logic_error for an exception that names none of these algorithms.
   template <class Model>
-  Ladder& by_others(const std::string& name, const Model& model,
-                    const std::vector<Exception>& exceptions = {}) {
-    return by_others(name, any(model), exceptions);
+  Ladder& by_remaining_integrators(const std::string& name, const Model& model,
+                                   const std::vector<ExpectedFailure>& exceptions = {}) {
+    return by_remaining_integrators(name, any(model), exceptions);
   }
 
  private:
   using Any = std::shared_ptr<const AnyModel>;
   template <class Model>
   static Any any(const Model& model) {
-    return erased(model);
+    return type_erased(model);
   }
 
   template <class Algorithm>
   Ladder& by(std::string name, Any model, Outcome expected = Outcome::ok, std::string why = {}) {
-    return add(std::move(name), std::move(model), ode::brief<Algorithm>(), expected, std::move(why));
+    return add(std::move(name), std::move(model), ode::info<Algorithm>(), expected, std::move(why));
   }
-  Ladder& by_common(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
-  Ladder& by_few(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
+  Ladder& by_engine_integrators(const std::string& name, const Any&, Outcome first_order,
+                                Outcome second_order);
+  Ladder& by_core_integrators(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
   Ladder& by_fixed_steps(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
-  Ladder& by_others(const std::string& name, const Any&, const std::vector<Exception>&);
-  Ladder& add(std::string name, Any model, ode::Brief algorithm, Outcome expected, std::string why);
+  Ladder& by_remaining_integrators(const std::string& name, const Any&, const std::vector<ExpectedFailure>&);
+  Ladder& add(std::string name, Any model, ode::AlgorithmInfo algorithm, Outcome expected, std::string why);
 
   Quantity& quantity_;
   Horizon horizon_;

@@ -31,6 +31,8 @@ message(STATUS "The scenes' models are compiled for the page by ${WASM_CXX}")
 file(MAKE_DIRECTORY ${module}/include)
 get_target_property(boost Boost::headers INTERFACE_INCLUDE_DIRECTORIES)
 file(CREATE_LINK ${boost}/boost ${module}/include/boost SYMBOLIC)
+# the numbers of unknowns,
+file(COPY ${PROJECT_BINARY_DIR}/generated/solvers/ode/unknowns.hpp DESTINATION ${module}/include/solvers/ode)
 # and a register of Odeint's algorithms.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS solvers/ode/algorithms.hpp)
 file(READ solvers/ode/algorithms.hpp entries)

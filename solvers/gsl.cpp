@@ -4,7 +4,7 @@
 
 namespace oddity {
 
-void quiet_gsl() {
+void disable_gsl_abort() {
   static const auto previous = gsl_set_error_handler_off();
   static_cast<void>(previous);
 }

@@ -11,7 +11,7 @@ namespace oddity {
 
 /// GSL's default handler aborts the process; this replaces it, once, with none. Every solver over GSL calls
 /// it.
-void quiet_gsl();
+void disable_gsl_abort();
 
 /// Deletes what a C library has allocated.
 template <auto free>

@@ -6,9 +6,13 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
 #include <limits>
+#include <map>
 #include <memory>
+#include <tuple>
 
+#include "solvers/counted.hpp"
 #include "solvers/gsl.hpp"
 
 namespace oddity {
@@ -18,17 +22,127 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-long work(Factorization how, long m, long n) {
+// ---- what they cost, counted where each is done once as published -----------------------------------------
+
+using Number = Counted<double>;
+
+/// Of numbers that count, row by row; none of the factorizations finds it singular.
+struct Numbers {
+  long m, n;
+  std::vector<Number> entries;
+
+  Numbers(long rows, long columns) : m(rows), n(columns), entries(static_cast<std::size_t>(m * n), 1.0) {
+    for (long i = 0; i < std::min(m, n); ++i) (*this)(i, i) = static_cast<double>(m + 1);
+  }
+  Number& operator()(long i, long j) { return entries[static_cast<std::size_t>(i * n + j)]; }
+};
+
+void eliminate(Numbers& a) {
+  for (long k = 0; k < a.n; ++k)
+    for (long i = k + 1; i < a.n; ++i) {
+      a(i, k) /= a(k, k);
+      for (long j = k + 1; j < a.n; ++j) a(i, j) -= a(i, k) * a(k, j);
+    }
+}
+
+/// L D L^T in place of the lower half.
+void factorize_symmetric(Numbers& a) {
+  for (long k = 0; k < a.n; ++k) {
+    Numbers scaled(1, k + 1);
+    for (long j = 0; j < k; ++j) scaled(0, j) = a(k, j) * a(j, j);
+    for (long i = k; i < a.n; ++i) {
+      for (long j = 0; j < k; ++j) a(i, k) -= a(i, j) * scaled(0, j);
+      if (i > k) a(i, k) /= a(k, k);
+    }
+  }
+}
+
+/// Takes the reflection in column k of `a`, below whose first entry its vector stands, to column j of `b`.
+void reflect(Numbers& a, long k, const Number& tau, Numbers& b, long j) {
+  Number along = b(k, j);
+  for (long i = k + 1; i < a.m; ++i) along += a(i, k) * b(i, j);
+  along *= tau;
+  b(k, j) -= along;
+  for (long i = k + 1; i < a.m; ++i) b(i, j) -= a(i, k) * along;
+}
+
+/// R above the reflections' vectors; `right` is reflected as well.
+void reflect_all(Numbers& a, Numbers& right) {
+  for (long k = 0; k < a.n; ++k) {
+    Number squares = 0.0;
+    for (long i = k + 1; i < a.m; ++i) squares += a(i, k) * a(i, k);
+    const Number beta = -hypot(a(k, k), sqrt(squares)), tau = (beta - a(k, k)) / beta,
+                 inverse = Number(1.0) / (a(k, k) - beta);
+    for (long i = k + 1; i < a.m; ++i) a(i, k) *= inverse;
+    for (long j = k + 1; j < a.n; ++j) reflect(a, k, tau, a, j);
+    reflect(a, k, tau, right, 0);
+    a(k, k) = beta;
+  }
+}
+
+/// By a lower triangle with ones on its diagonal.
+void substitute_forward(Numbers& l, Numbers& x) {
+  for (long i = 0; i < l.n; ++i)
+    for (long j = 0; j < i; ++j) x(i, 0) -= l(i, j) * x(j, 0);
+}
+
+void substitute_back(Numbers& u, Numbers& x) {
+  for (long i = u.n - 1; i >= 0; --i) {
+    for (long j = i + 1; j < u.n; ++j) x(i, 0) -= u(i, j) * x(j, 0);
+    x(i, 0) /= u(i, i);
+  }
+}
+
+void solve_once(Factorization how, long m, long n) {
+  Numbers a(m, n), x(m, 1);
   switch (how) {
     case Factorization::partial_pivot_lu:
     case Factorization::full_pivot_lu:
-      return n * (n * n - 1) / 3 + n * n;
+      eliminate(a);
+      substitute_forward(a, x);
+      return substitute_back(a, x);
     case Factorization::householder_qr:
-      return m * n * n - n * n * n / 3 + 2 * m * n;
+      reflect_all(a, x);
+      return substitute_back(a, x);
     case Factorization::cholesky:
-      return n * n * n / 6 + n * n;
+      factorize_symmetric(a);
+      substitute_forward(a, x);
+      for (long i = 0; i < n; ++i) x(i, 0) /= a(i, i);
+      for (long i = n - 1; i >= 0; --i)
+        for (long j = i + 1; j < n; ++j) x(i, 0) -= a(j, i) * x(j, 0);
   }
-  return 0;
+}
+
+long counted_once(Factorization how, long m, long n) {
+  const Operations all = operations_of([&] {
+    solve_once(how, m, n);
+    return 0;
+  });
+  return all.all_but_additions();
+}
+
+/// Multiplications, divisions and roots; a size is counted once in a thread.
+long work(Factorization how, long m, long n) {
+  if (m < n || n < 1) return 0;
+  thread_local std::map<std::tuple<Factorization, long, long>, long> known;
+  const auto [found, is_new] = known.try_emplace({how, m, n});
+  if (is_new) found->second = counted_once(how, m, n);
+  return found->second;
+}
+
+/// Of the triangular factors, and the product of the pivots.
+long work_of_determinant(long n) {
+  thread_local std::map<long, long> known;
+  const auto [found, is_new] = known.try_emplace(n);
+  if (is_new)
+    found->second = operations_of([&] {
+                      Numbers a(n, n);
+                      eliminate(a);
+                      Number product = a(0, 0);
+                      for (long i = 1; i < n; ++i) product *= a(i, i);
+                      return product;
+                    }).all_but_additions();
+  return found->second;
 }
 
 // ---- GSL's side -------------------------------------------------------------------------------------------
@@ -63,7 +177,7 @@ bool symmetric(const MatrixXd& a) {
 /// The solution by Householder's reflections, and whether the triangle they leave has no zero on its
 /// diagonal.
 std::pair<VectorXd, bool> least_squares(const MatrixXd& a, const VectorXd& b) {
-  quiet_gsl();
+  disable_gsl_abort();
   const GslMatrix qr = copied(a);
   const GslVector right = copied(b), tau = vector_of(qr->size2), x = vector_of(qr->size2),
                   residual = vector_of(qr->size1);
@@ -104,7 +218,7 @@ std::pair<VectorXd, bool> solution(Factorization how, const MatrixXd& a, const V
 /// From the largest on, by one-sided Jacobi rotations, which keep the digits of the small ones. None when
 /// they do not converge.
 std::vector<double> singular_values(const MatrixXd& a) {
-  quiet_gsl();
+  disable_gsl_abort();
   const GslMatrix tall = copied(a.rows() < a.cols() ? MatrixXd(a.transpose()) : a);
   const GslMatrix right = square(tall->size2);
   const GslVector values = vector_of(tall->size2);
@@ -150,7 +264,7 @@ Solved<double> determinant(const MatrixXd& a) {
   }
   const long n = a.rows();
   solved.value = Eigen::PartialPivLU<MatrixXd>(a).determinant();
-  solved.evaluations = n * (n * n - 1) / 3 + n - 1;
+  solved.evaluations = work_of_determinant(n);
   if (!std::isfinite(solved.value)) {
     solved.ending = Ending::non_finite;
     solved.message = "the determinant is not finite: it, or a product on the way, overflows";
@@ -172,7 +286,7 @@ int rank(const MatrixXd& a, double relative) {
 }
 
 std::vector<std::complex<double>> eigenvalues(const MatrixXd& a) {
-  quiet_gsl();
+  disable_gsl_abort();
   if (a.size() == 0 || a.rows() != a.cols() || !a.allFinite()) return {};
   const GslMatrix destroyed = copied(a);
   const std::size_t n = destroyed->size1;
@@ -190,7 +304,7 @@ std::vector<std::complex<double>> eigenvalues(const MatrixXd& a) {
 }
 
 Modes modes(const MatrixXd& k, const MatrixXd& m) {
-  quiet_gsl();
+  disable_gsl_abort();
   const auto none = [&](const char* why) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return Modes{VectorXd::Constant(k.rows(), nan), MatrixXd::Constant(k.rows(), k.rows(), nan),

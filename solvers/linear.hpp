@@ -7,10 +7,10 @@
 #include "solvers/solved.hpp"
 
 /// Dense linear algebra over Eigen and, for QR, singular values and eigenvalues, over GSL, which takes a
-/// tenth of the time to compile. `evaluations` counts multiplications and divisions, to leading order exact
-/// for the algorithm as published. Singular (a pivot that is zero) or, for Cholesky, not symmetric and
-/// positive definite: the ending is `raised`. Not finite: `non_finite`. A singular matrix whose pivots round
-/// to something else than zero is found by full_pivot_lu alone.
+/// tenth of the time to compile. `evaluations` are the multiplications, divisions and roots of the algorithm
+/// as published, without those of the search for pivots. Singular (a pivot that is zero) or, for Cholesky,
+/// not symmetric and positive definite: the ending is `raised`. Not finite: `non_finite`. A singular matrix
+/// whose pivots round to something else than zero is found by full_pivot_lu alone.
 namespace oddity {
 
 enum class Factorization {

@@ -21,7 +21,7 @@ constexpr std::size_t intervals = 1000;
 constexpr long cquad_budget = 1'000'000;
 
 /// What a status, a value and an estimate amount to.
-Integral concluded(int status, double value, double estimate, double tolerance, long evaluations) {
+Integral with_ending(int status, double value, double estimate, double tolerance, long evaluations) {
   Integral integral{value, evaluations, estimate};
   if (!std::isfinite(value)) {
     integral.ending = Ending::non_finite;
@@ -42,7 +42,7 @@ Integral concluded(int status, double value, double estimate, double tolerance, 
 /// Runs one of GSL's adaptive rules on its workspace.
 template <class Call>
 Integral adaptive(FunctionOfOne f, double tolerance, const Call& call) {
-  quiet_gsl();
+  disable_gsl_abort();
   const std::unique_ptr<gsl_integration_workspace, Free<gsl_integration_workspace_free>> workspace(
       allocated(gsl_integration_workspace_alloc(intervals)));
   CountedFunction counted{f};
@@ -50,10 +50,10 @@ Integral adaptive(FunctionOfOne f, double tolerance, const Call& call) {
   double value = 0, estimate = 0;
   const int status = call(&function, workspace.get(), &value, &estimate);
   counted.rethrow();
-  return concluded(status, value, estimate, tolerance, counted.calls);
+  return with_ending(status, value, estimate, tolerance, counted.calls);
 }
 
-Integral fixed(double value, long evaluations) {
+Integral fixed_rule(double value, long evaluations) {
   Integral integral{value, evaluations};
   if (!std::isfinite(value)) {
     integral.ending = Ending::non_finite;
@@ -62,7 +62,7 @@ Integral fixed(double value, long evaluations) {
   return integral;
 }
 
-Integral refused(const std::string& message) {
+Integral failed(const std::string& message) {
   Integral integral;
   integral.ending = Ending::raised;
   integral.message = message;
@@ -86,7 +86,7 @@ Integral qags(FunctionOfOne f, double a, double b, double tolerance) {
 }
 
 Integral qagp(FunctionOfOne f, std::vector<double> points, double tolerance) {
-  if (points.size() < 2) return refused("QAGP needs the two ends of the interval");
+  if (points.size() < 2) return failed("QAGP needs the two ends of the interval");
   return adaptive(f, tolerance,
                   [&](const gsl_function* g, gsl_integration_workspace* w, double* value, double* e) {
                     return gsl_integration_qagp(g, points.data(), points.size(), tolerance, tolerance,
@@ -100,7 +100,7 @@ Integral cquad(FunctionOfOne f, double a, double b, double tolerance) {
     reversed.value = -reversed.value;
     return reversed;
   }
-  quiet_gsl();
+  disable_gsl_abort();
   const std::unique_ptr<gsl_integration_cquad_workspace, Free<gsl_integration_cquad_workspace_free>>
       workspace(allocated(gsl_integration_cquad_workspace_alloc(intervals)));
   long evaluations = 0;
@@ -119,7 +119,7 @@ Integral cquad(FunctionOfOne f, double a, double b, double tolerance) {
   const int status = gsl_integration_cquad(&function, a, b, tolerance, tolerance, workspace.get(), &value,
                                            &estimate, nullptr);
   counted.rethrow();
-  Integral integral = concluded(status, value, estimate, tolerance, evaluations);
+  Integral integral = with_ending(status, value, estimate, tolerance, evaluations);
   if (spent) {
     integral = {};
     integral.evaluations = evaluations;
@@ -173,36 +173,36 @@ const gsl_integration_glfixed_table& rule_of(int points) {
 }  // namespace
 
 Integral gauss_legendre(FunctionOfOne f, double a, double b, int points) {
-  if (points < 1) return refused("Gauss-Legendre needs at least one point");
-  quiet_gsl();
+  if (points < 1) return failed("Gauss-Legendre needs at least one point");
+  disable_gsl_abort();
   CountedFunction counted{f};
   const gsl_function function{&CountedFunction::call, &counted};
   const double value = gsl_integration_glfixed(&function, a, b, &rule_of(points));
   counted.rethrow();
-  return fixed(value, counted.calls);
+  return fixed_rule(value, counted.calls);
 }
 
 Integral simpson(FunctionOfOne f, double a, double b, int panels) {
-  if (panels < 2 || panels % 2 != 0) return refused("Simpson's rule needs an even number of panels");
+  if (panels < 2 || panels % 2 != 0) return failed("Simpson's rule needs an even number of panels");
   const double h = (b - a) / panels;
   double odd = 0, even = 0;
   for (int i = 1; i < panels; i += 2) odd += f(a + i * h);
   for (int i = 2; i < panels; i += 2) even += f(a + i * h);
-  return fixed(h / 3 * (f(a) + 4 * odd + 2 * even + f(b)), panels + 1);
+  return fixed_rule(h / 3 * (f(a) + 4 * odd + 2 * even + f(b)), panels + 1);
 }
 
 Integral trapezoid(FunctionOfOne f, double a, double b, int panels) {
-  if (panels < 1) return refused("the trapezoid rule needs at least one panel");
+  if (panels < 1) return failed("the trapezoid rule needs at least one panel");
   const double h = (b - a) / panels;
   double inside = 0;
   for (int i = 1; i < panels; ++i) inside += f(a + i * h);
-  return fixed(h * (0.5 * f(a) + inside + 0.5 * f(b)), panels + 1);
+  return fixed_rule(h * (0.5 * f(a) + inside + 0.5 * f(b)), panels + 1);
 }
 
 namespace {
 
 /// Adds an inner integral's work to a total, and keeps the first failure.
-double absorb(const Integral& inner, Integral& total) {
+double accumulate(const Integral& inner, Integral& total) {
   total.evaluations += inner.evaluations;
   if (!inner.reached() && total.reached()) {
     total.ending = inner.ending;
@@ -211,7 +211,7 @@ double absorb(const Integral& inner, Integral& total) {
   return inner.value;
 }
 
-Integral combined(const Integral& outer, const Integral& inner) {
+Integral merged(const Integral& outer, const Integral& inner) {
   Integral total = outer;
   total.evaluations = inner.evaluations;
   if (outer.reached() && !inner.reached()) {
@@ -227,10 +227,10 @@ Integral nested(const Rule& rule, const std::function<double(double, double)>& f
                 const Bound& low, const Bound& high) {
   Integral inner;
   const auto slice = [&](double x) {
-    return absorb(rule([&](double y) { return f(x, y); }, low(x), high(x)), inner);
+    return accumulate(rule([&](double y) { return f(x, y); }, low(x), high(x)), inner);
   };
   const Integral outer = rule(slice, a, b);
-  return combined(outer, inner);
+  return merged(outer, inner);
 }
 
 Integral nested(const Rule& rule, const std::function<double(double, double, double)>& f, double a, double b,
@@ -239,13 +239,13 @@ Integral nested(const Rule& rule, const std::function<double(double, double, dou
   Integral inner;
   const auto slice = [&](double x) {
     const auto column = [&](double y) { return [&f, x, y](double z) { return f(x, y, z); }; };
-    const auto line = [&](double y) { return absorb(rule(column(y), bottom(x, y), top(x, y)), inner); };
+    const auto line = [&](double y) { return accumulate(rule(column(y), bottom(x, y), top(x, y)), inner); };
     Integral middle = rule(line, low(x), high(x));
     middle.evaluations = 0;
-    return absorb(middle, inner);
+    return accumulate(middle, inner);
   };
   const Integral outer = rule(slice, a, b);
-  return combined(outer, inner);
+  return merged(outer, inner);
 }
 
 }  // namespace oddity

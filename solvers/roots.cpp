@@ -21,7 +21,7 @@ Solved<double> failed(Solved<double> root, Ending ending, std::string message) {
 }  // namespace
 
 Solved<double> brent(FunctionOfOne f, double a, double b, double tolerance) {
-  quiet_gsl();
+  disable_gsl_abort();
   if (b < a) std::swap(a, b);
   double size_at_ends = 0;
   const auto watched = [&](double x) {

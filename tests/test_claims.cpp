@@ -1,3 +1,6 @@
+#include <cmath>
+#include <limits>
+
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
 #include "reference/verdicts.hpp"
@@ -45,6 +48,24 @@ TEST_CASE("no tolerance is ten thousand times wider than what is observed, or th
         INFO(claim.id << ", " << check.quantity << ": " << check.tolerance.reason);
         CHECK(check.difference() <= check.tolerance.allowed);
         CHECK(check.tolerance.allowed <= 1e4 * std::max(check.difference(), resolution(check)));
+      }
+}
+
+TEST_CASE("a near miss fails by a thousand tolerances, but where what is printed is no finer", "[claims]") {
+  const auto as_printed = [](const Tolerance& t) {
+    return t.reason.starts_with("half ") || t.reason == "the way of one step";
+  };
+  for (const Entry& entry : registry())
+    for (const Claim& claim : studied(entry, {}).claims)
+      for (const Reading& near : claim.near_misses) {
+        double most = 0;  // in tolerances
+        for (const Check& check : near.checks)
+          if (as_printed(check.tolerance) || !std::isfinite(check.difference()))
+            most = std::numeric_limits<double>::infinity();
+          else if (check.difference() > 0)
+            most = std::max(most, check.difference() / check.tolerance.allowed);
+        INFO(claim.id << ": " << near.text);
+        CHECK(most > 1000);
       }
 }
 

@@ -38,7 +38,7 @@ const Reference& known() {
 /// The scene's parameters, each of its starts up to a tenth off.
 Parameters beside(const Exercise& exercise, Random& random) {
   Parameters p(exercise.parameters);
-  for (std::string_view name : exercise.scene->starts) {
+  for (std::string_view name : exercise.scene->perturbed_parameters) {
     const Parameter& declared = *std::ranges::find(exercise.parameters, name, &Parameter::name);
     const double size = p[name] == 0 ? 1 : std::abs(p[name]);
     p.set(name, std::clamp(p[name] + size * random.between(-0.1, 0.1), declared.least, declared.most));

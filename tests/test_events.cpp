@@ -103,7 +103,7 @@ TEST_CASE("an event at the start is not the one looked for", "[solvers]") {
   });
 }
 
-TEST_CASE("an event just after the start is found to its last digits, also late in the day", "[solvers]") {
+TEST_CASE("an event just after the start is found to its last digits, also at large t", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     const double t0 = 1000;
@@ -193,7 +193,7 @@ TEST_CASE("the evaluations of an event are all the calls that were made, those i
           "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if (brief<Algorithm>().by_series) return;  // it makes none
+    if (info<Algorithm>().by_series) return;  // it makes none
     const System system{oscillator.system.f};
     const auto event = find_event<Algorithm>(system, State{1, 0}, 0, 10, fine<Algorithm>, height);
     CHECK(event.evaluations == system.calls);

@@ -141,8 +141,8 @@ void check_counted_from(const Model& model, double end, double elsewhere, double
   const double first = std::abs(model.conserved(model.start(), 0)[0].value);
   const double rounding = 1024 * epsilon * (1 + (first + std::abs(elsewhere)) / moving);
   for (const auto& [algorithm, setting] : runs) {
-    const Answer here = erased(model)->run(algorithm, horizon, setting),
-                 there = erased(moved)->run(algorithm, horizon, setting);
+    const Answer here = type_erased(model)->run(algorithm, horizon, setting),
+                 there = type_erased(moved)->run(algorithm, horizon, setting);
     INFO(algorithm << " at " << setting << ": drift " << here.drift << ", counted from " << elsewhere << ": "
                    << there.drift);
     if (finite(here.value)) CHECK(std::ranges::equal(here.value, there.value));
@@ -240,12 +240,12 @@ TEST_CASE("a motion run backward from its end comes back to its start", "[metamo
 
     const Horizon horizon{end, 8};
     const Backward<Model> back{model, end, state_at<ode::Fehlberg78>(model, end, 1e-13)};
-    const Value forward_truth = erased(model)->run("Fehlberg 7(8)", horizon, 1e-13).value;
+    const Value forward_truth = type_erased(model)->run("Fehlberg 7(8)", horizon, 1e-13).value;
     const Value back_truth = with_start(model, reversed(forward_truth));
     for (const auto& [algorithm, setting] :
          {std::pair{"Fehlberg 7(8)", 1e-10}, std::pair{"Dormand-Prince 5(4)", 1e-8}}) {
-      CHECK(judged(erased(model)->run(algorithm, horizon, setting), forward_truth) == Outcome::ok);
-      CHECK(judged(erased(back)->run(algorithm, horizon, setting), back_truth) == Outcome::ok);
+      CHECK(judged(type_erased(model)->run(algorithm, horizon, setting), forward_truth) == Outcome::ok);
+      CHECK(judged(type_erased(back)->run(algorithm, horizon, setting), back_truth) == Outcome::ok);
     }
   });
   for (const Entry& entry : registry())
@@ -509,7 +509,7 @@ Choice chosen_in(const Units& units, int index, const std::map<std::string, doub
   const Entry& original = exercise(index);
   const Converted other(original, units, set);
   const Scene& scene = *original.exercise.scene;
-  Need need{scene.close * units(scene.axes.norms.front().unit)};
+  Need need{scene.game_tolerance * units(scene.axes.norms.front().unit)};
   need.horizon = std::min(scene.horizon, 1.0) * units.time;
   need.only = {"closed form", "Euler", "Verlet", "Runge-Kutta", "Dormand-Prince 5(4)", "Fehlberg 7(8)"};
   need.frames_per_second = 60 / units.time;

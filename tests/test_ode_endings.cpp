@@ -68,7 +68,7 @@ TEST_CASE("a controlled step costs its stages, Dormand-Prince's last stage being
 TEST_CASE("the evaluations reported are the calls that were made", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if (brief<Algorithm>().by_series) return;  // it makes none: solvers/taylor's own tests count
+    if (info<Algorithm>().by_series) return;  // it makes none: solvers/taylor's own tests count
     const System system{oscillator.system.f};
     const std::vector<double> times{0, 1, 1, 2.5};
     const auto solved =
@@ -141,7 +141,7 @@ TEST_CASE("a watcher ends the integration where it says so", "[solvers]") {
     INFO(Algorithm::name);
     int steps = 0;
     const auto third = [&](double, const State&, double, const State&) { return ++steps == 3; };
-    const bool by_series = brief<Algorithm>().by_series;  // in long steps
+    const bool by_series = info<Algorithm>().by_series;  // in long steps
     const std::array times{0.0, by_series ? 20.0 : 1.0};
     const auto solved = integrate<Algorithm>(oscillator.system, State{1, 0}, std::span<const double>(times),
                                              fine<Algorithm>, third);
@@ -270,7 +270,7 @@ TEST_CASE("an exception of the right-hand side comes out of every algorithm, and
           "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if (brief<Algorithm>().by_series) return;  // which sees no numbers
+    if (info<Algorithm>().by_series) return;  // which sees no numbers
     const System system{[](const State& x, State& dxdt, double) {
       if (x[0] < 0.5) throw std::domain_error("beyond the wall");
       dxdt = {x[1], -x[0]};

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 
 #include "tests/catch.hpp"
@@ -58,6 +59,21 @@ TEST_CASE("each room knows only the rooms below it", "[rooms]") {
                          file.parent_path().filename() == "lanes";
         CHECK((may || included.rfind("solvers/", 0) != 0));
       }
+}
+
+TEST_CASE("a header of the chapters has two includers or more, else it is a source file", "[rooms]") {
+  std::map<std::string, int> includers;
+  for (const char* room : {"chapters", "solvers", "reference", "report", "tests"})
+    for (const fs::path& file : sources(room))
+      for (const std::string& included : ours(file)) ++includers[included];
+  for (const fs::path& file : sources("chapters")) {
+    const std::string name = file.lexically_relative(ODDITY_SOURCE).generic_string();
+    // How a scene looks and its models are also included by what CMake writes: the page and the models'
+    // tests.
+    const bool for_the_page = file.filename() == "drawing.hpp" || file.filename() == "models.hpp";
+    INFO(name);
+    CHECK((file.extension() != ".hpp" || for_the_page || includers[name] >= 2));
+  }
 }
 
 TEST_CASE("the vocabulary needs the standard library only", "[rooms]") {

@@ -98,6 +98,26 @@ struct Watched : Silent {
   auto conserved(const State& x, double) const { return energy_of(x[1] * x[1] / 2, -40 * std::cos(x[0])); }
 };
 
+/// An error of `a` at the step 1: at the game's centimetre by its last bit.
+constexpr Parameter at_an_edge[] = {{"a", 0.01, "m", "error at a step of 1", 0.001, 0.1}};
+Quantity error_of_a(const Parameters& p, const Horizon&, const Reference&) {
+  Quantity q{"place", "m", "a place", {"zero", 0.0}, 0, {1e-6, "a micrometre"}};
+  Method m = method([](double) { return false; });
+  m.run = [a = p["a"]](double step) { return Answer{a * step}; };
+  return q.add(m);
+}
+const Entry edge{{3, 99},
+                 "",
+                 {"made up", "", at_an_edge,
+                  Scene{.motion = error_of_a,
+                        .horizon = 4,
+                        .game_tolerance = 0.01,
+                        .sweep_parameter = "a",
+                        .sweep_values = {0.01, 0.011},
+                        .perturbed_parameters = {"a"},
+                        .axes = {{"x"}, "s", {{"m", {0}}}}},
+                  nullptr}};
+
 }  // namespace
 
 TEST_CASE("the first loss of stability is found to 0.5 %, from below", "[stability]") {
@@ -266,7 +286,7 @@ TEST_CASE("who watches longer, or to whom less is too large, has another limit, 
 TEST_CASE("a limit does not depend on a conserved quantity", "[stability]") {
   const auto limits = [](const auto& model) {
     Quantity quantity = motion();
-    Ladder(quantity, {4}, halving("step", 1, 4), tolerances()).by_common("model", model);
+    Ladder(quantity, {4}, halving("step", 1, 4), tolerances()).by_engine_integrators("model", model);
     std::vector<double> all;
     for (const Method& m : quantity.methods)
       if (m.disturbances) all.push_back(limit_of(quantity, m, 1).step());
@@ -374,4 +394,17 @@ TEST_CASE("stability does not depend on the number of threads", "[stability]") {
     return to_json(with_stability(blank, tasks, truth));
   };
   CHECK((examined(1) == examined(4)));
+}
+
+TEST_CASE("a letter of a map may be another's machine only where the last bits decide", "[stability]") {
+  const auto ends_so = [](double a, Outcome outcome) {
+    const MapRow row{"model", "algorithm", a, infinity, {Outcome::ok}};
+    return ends_so_within_roundings(Task(edge), row, 0, outcome, Reference::nothing());
+  };
+  CHECK(ends_so(0.01, Outcome::ok));
+  CHECK(ends_so(0.01, Outcome::inaccurate));
+  CHECK_FALSE(ends_so(0.01, Outcome::diverged));
+  CHECK(ends_so(0.01 * (1 - 1e-12), Outcome::ok));
+  CHECK_FALSE(ends_so(0.01 * (1 - 1e-12), Outcome::inaccurate));
+  CHECK_FALSE(ends_so(0.011, Outcome::ok));
 }

@@ -28,19 +28,19 @@ TEST_CASE("a check holds within its tolerance and never on NaN, infinity or noth
 }
 
 TEST_CASE("statements about no sample do not hold", "[values]") {
-  CHECK(never("bad", 0, 10).holds());
-  CHECK_FALSE(never("bad", 1, 10).holds());
-  CHECK_FALSE(never("bad", 0, 0).holds());
-  CHECK_FALSE(Worst("x", "a", "b").check().holds());
+  CHECK(no_violations("bad", 0, 10).holds());
+  CHECK_FALSE(no_violations("bad", 1, 10).holds());
+  CHECK_FALSE(no_violations("bad", 0, 0).holds());
+  CHECK_FALSE(WorstSample("x", "a", "b").check().holds());
 }
 
 TEST_CASE("the worst sample is kept, and NaN is the worst of all", "[values]") {
-  Worst worst("x", "a", "b");
-  worst.see(1, 1, {0.1, "a test"}, 1, "first");
-  worst.see(1, 1.3, {0.1, "a test"}, 1, "second");
-  worst.see(1, 1.2, {0.1, "a test"}, 1, "third");
+  WorstSample worst("x", "a", "b");
+  worst.add(1, 1, {0.1, "a test"}, 1, "first");
+  worst.add(1, 1.3, {0.1, "a test"}, 1, "second");
+  worst.add(1, 1.2, {0.1, "a test"}, 1, "third");
   CHECK(worst.check().where == "worst of 3: second");
-  worst.see(no_number, 1, {0.1, "a test"}, 1, "fourth");
+  worst.add(no_number, 1, {0.1, "a test"}, 1, "fourth");
   CHECK(worst.check().where == "worst of 4: fourth");
   CHECK_FALSE(worst.check().holds());
 }

@@ -32,6 +32,7 @@ namespace {
 
 /// What the test cases judge. Catch2's test functions take no arguments, so it stands here.
 struct Judged {
+  fs::path tables;
   Results results;
   Verdicts approved;
   Limits limits;
@@ -157,6 +158,7 @@ void verify_limit(const ExerciseResult& e, const Limit& limit) {
   CHECK((limit.goes_on || std::isinf(limit.step())) != approved->watched.has_value());
 }
 
+/// A cell may differ from its record where that hangs on the last bits.
 void verify_map(const ExerciseResult& e, const MapRow& row) {
   const auto approved = std::ranges::find_if(suite->maps, [&](const ApprovedMap& a) {
     return a.exercise == to_string(e.number) && a.model == row.model && a.algorithm == row.algorithm &&
@@ -167,7 +169,16 @@ void verify_map(const ExerciseResult& e, const MapRow& row) {
     FAIL_CHECK("stability_maps.csv has no row for this method");
     return;
   }
-  CHECK(letters(row) == approved->outcomes);
+  if (letters(row) == approved->outcomes) return;
+  INFO("letter by letter it is " << letters(row) << ", on record " << approved->outcomes);
+  REQUIRE(row.outcomes.size() == approved->outcomes.size());
+  const Task task(*std::ranges::find(registry(), e.number, &Entry::number));
+  for (std::size_t k = 0; k < row.outcomes.size(); ++k) {
+    const auto on_record = outcome_of(approved->outcomes[k]);
+    if (on_record == row.outcomes[k]) continue;
+    INFO("letter " << k + 1 << " would be as on record if a few roundings at the start decided");
+    CHECK((on_record && ends_so_within_roundings(task, row, k, *on_record, Reference(suite->tables))));
+  }
 }
 
 /// Every limit and every row of the map is the one on record, and none on record is missing.
@@ -339,7 +350,7 @@ void add_own(Judged& judged) {
 
 Judged on_record(const fs::path& folder) {
   const fs::path approved = folder / "approved";
-  Judged judged{{}, read_verdicts(approved), read_limits(approved), read_maps(approved)};
+  Judged judged{folder, {}, read_verdicts(approved), read_limits(approved), read_maps(approved)};
   add_own(judged);
   return judged;
 }

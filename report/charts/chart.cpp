@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -123,6 +124,29 @@ std::optional<double> add_front(Svg& svg, const QuantityResult& q, const Frame& 
   return steps.back().y;
 }
 
+/// What the calls through the seam alone would take of a scene's methods, for the least calls that an error
+/// needs; where it ends.
+std::optional<Pixel> add_seam(Svg& svg, const QuantityResult& q, const Frame& frame, const Plot& plot,
+                              double seam) {
+  if (frame.across != Across::time || !q.trajectory || !(seam > 0)) return std::nullopt;
+  std::vector<std::pair<double, double>> calls;
+  for (const MethodResult& m : q.methods)
+    for (const TimedTrial& t : m.trials)
+      if ((t.knob == "step" || t.knob == "tolerance") && frame.within(t))
+        calls.emplace_back(seam * static_cast<double>(t.evaluations), frame.y(t));
+  std::ranges::sort(calls);
+  std::vector<Pixel> line;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [seconds, error] : calls)
+    if (error < least) {
+      least = error;
+      if (seconds > plot.x.low) line.push_back(plot(seconds, error));
+    }
+  if (line.size() < 2) return std::nullopt;
+  svg.curve(line, "floor");
+  return line.back();
+}
+
 void add_spread(Svg& svg, const Frame& frame, const Plot& plot, const Curve& curve) {
   if (frame.across != Across::time) return;
   std::string data;
@@ -173,6 +197,7 @@ std::string key_of(const std::vector<Curve>& curves, std::size_t left_out) {
 
 /// What is counted, as far as the knobs tell.
 std::string counted(const QuantityResult& q) {
+  if (q.in_operations) return "multiplications, divisions and functions";
   bool steps = false, nodes = false, differences = false;
   for (const MethodResult& m : q.methods) {
     const std::string& knob = m.trials.front().knob;
@@ -202,7 +227,7 @@ std::string abscissa_name(const QuantityResult& q, const Frame& frame) {
 }
 
 std::string error_name(const QuantityResult& q) {
-  return q.unit == "1" || q.unit.empty() ? "error" : "error [" + typeset_unit(q.unit) + "]";
+  return q.unit == "1" || q.unit.empty() ? "error (dimensionless)" : "error [" + typeset_unit(q.unit) + "]";
 }
 
 }  // namespace
@@ -226,14 +251,15 @@ std::string finding(const QuantityResult& q, Across across) {
   if (best->outcome != Outcome::ok)
     return "No method reaches " + needed + "; the closest is " + named(*best) + ": " +
            in_unit(shown_error(best->error), q);
-  const std::string work =
-      across == Across::time
-          ? shown_time(best->time.seconds)
-          : with_commas(best->evaluations) + (best->evaluations == 1 ? " evaluation" : " evaluations");
+  const std::string work = across == Across::time ? shown_time(best->time.seconds)
+                                                  : with_commas(best->evaluations) +
+                                                        (q.in_operations ? " operation" : " evaluation") +
+                                                        (best->evaluations == 1 ? "" : "s");
   return named(*best) + " reaches " + needed + " with the least work: " + work;
 }
 
-std::string chart_svg(const QuantityResult& q, const std::string& title, Across across, Curves which) {
+std::string chart_svg(const QuantityResult& q, const std::string& title, Across across, Curves which,
+                      double seam) {
   const Frame frame(q, across);
   std::vector<std::size_t> chosen = worth_seeing(q, across);
   const auto shown = static_cast<std::size_t>(
@@ -263,6 +289,8 @@ std::string chart_svg(const QuantityResult& q, const std::string& title, Across 
     labels.push_back({{plot.x.to, *end}, "Pareto front: none is cheaper and truer", -1});
   add_level(svg, plot, q.need.allowed, "needed: " + in_unit(shown_error(q.need.allowed), q), "need",
             "needed b halo");
+  if (const auto end = add_seam(svg, q, frame, plot, seam))
+    labels.push_back({*end, "the seam alone, " + shown_time(seam) + " a call", -1});
   if (q.trajectory)
     add_level(svg, plot, q.trajectory->close,
               "enough for a game: " + in_unit(shown_error(q.trajectory->close), q), "game", "dim halo");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,10 @@ std::vector<std::size_t> worth_seeing(const QuantityResult&, Across);
 /// The error against evaluations (a work-precision diagram), against time with its spread, or against the
 /// setting that most methods have. The names stand at the ends of the curves, with fitted orders; what is
 /// within the need is shaded, and the Pareto front lies broad beneath the curves. A trial that is ok has a
-/// full mark, another an open one, with the letter of its failure. Holds times only when drawn against them.
-std::string chart_svg(const QuantityResult&, const std::string& title, Across, Curves = Curves::few);
+/// full mark, another an open one, with the letter of its failure. Holds times only when drawn against them:
+/// then a line shows for a scene what of them is the seam's, where a call through it takes `seam` [s].
+std::string chart_svg(const QuantityResult&, const std::string& title, Across, Curves = Curves::few,
+                      double seam = std::numeric_limits<double>::quiet_NaN());
 
 /// What a chart says, in a sentence for its title.
 std::string finding(const QuantityResult&, Across);

@@ -93,24 +93,22 @@ double middle_of(int edge, std::size_t place, int size) {
   return edge + size * (static_cast<double>(place) + 0.5);
 }
 
-/// A panel's cells of one outcome as rectangles, with their letters, those of one step in one line.
+/// A panel's cells of one outcome as rectangles, with their letters.
 void add_cells(Svg& svg, const Panel& p, const Stability& s, Outcome outcome) {
   const char letter = letter_of(outcome);
-  std::vector<std::vector<double>> places(s.steps.size());
+  std::vector<Pixel> places;
   std::string cells;
   for (std::size_t k = 0; k < s.steps.size(); ++k)
     for (std::size_t column = 0; column < p.columns.size(); ++column) {
       if (p.columns[column]->outcomes[k] != outcome) continue;
-      places[k].push_back(middle_of(p.across, column, cell_width));
-      cells += "M" + px(places[k].back() - cell_width / 2.0 + 0.5) + " " +
+      const double middle = middle_of(p.across, column, cell_width);
+      places.push_back({middle, middle_of(p.down, k, cell_height) + 4});
+      cells += "M" + px(middle - cell_width / 2.0 + 0.5) + " " +
                px(p.down + cell_height * static_cast<double>(k) + 0.5) + "h" + px(cell_width - 1) + "v" +
                px(cell_height - 1) + "h-" + px(cell_width - 1) + "z";
     }
   if (!cells.empty()) svg.path(cells, std::string(1, letter));
-  for (std::size_t k = 0; k < s.steps.size() && outcome != Outcome::ok; ++k)
-    if (!places[k].empty())
-      svg.letters(places[k], middle_of(p.down, k, cell_height) + 4, std::string(places[k].size(), letter),
-                  std::string("on-") + letter);
+  if (outcome != Outcome::ok) svg.letters(places, letter, std::string("on-") + letter);
 }
 
 /// Theory's limits as lines, those beyond the steps shown along the edge.
@@ -159,8 +157,7 @@ void add_legend(Svg& svg, const Stability& s) {
       continue;
     svg.rectangle({x, y}, 20, 17, std::string(1, letter_of(outcome)));
     if (outcome != Outcome::ok)
-      svg.letters({x + 10}, y + 13, std::string(1, letter_of(outcome)),
-                  std::string("on-") + letter_of(outcome));
+      svg.letters({{x + 10, y + 13}}, letter_of(outcome), std::string("on-") + letter_of(outcome));
     svg.text({x + 25, y + 13}, std::string(name_of(outcome)), "t");
     x += wide;
   }

@@ -153,12 +153,11 @@ void Svg::text(Pixel place, const std::string& words, std::string_view classes, 
            ">" + in_xml(words) + "</text>\n";
 }
 
-void Svg::letters(const std::vector<double>& x, double y, const std::string& letters,
-                  std::string_view classes) {
-  std::string places;
-  for (double place : x) places += (places.empty() ? "" : " ") + px(place);
-  text_ += "<text" + attributes(classes) + " x=\"" + places + "\" y=\"" + px(y) +
-           "\" text-anchor=\"middle\">" + in_xml(letters) + "</text>\n";
+void Svg::letters(const std::vector<Pixel>& places, char letter, std::string_view classes) {
+  if (places.empty()) return;
+  text_ += "<g" + attributes(classes) + " text-anchor=\"middle\">";
+  for (Pixel place : places) text_ += "<text" + at(place) + ">" + in_xml(std::string(1, letter)) + "</text>";
+  text_ += "</g>\n";
 }
 
 void Svg::upward_text(Pixel place, const std::string& words, std::string_view classes) {

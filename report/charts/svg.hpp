@@ -36,8 +36,8 @@ class Svg {
 
   enum class Anchor { start, middle, end };
   void text(Pixel at, const std::string& words, std::string_view classes, Anchor = Anchor::start);
-  /// One letter above each place.
-  void letters(const std::vector<double>& x, double y, const std::string& letters, std::string_view classes);
+  /// The same letter above each place, each as a text of its own: not every viewer places the letters of one.
+  void letters(const std::vector<Pixel>&, char letter, std::string_view classes);
   /// The same from below to above.
   void upward_text(Pixel at, const std::string& words, std::string_view classes);
 

@@ -50,10 +50,9 @@ std::string catalog_page() {
              "imaginary limit", "theory"},
             rows, "356") +
       std::string(ode::work_of_series) + "\n\n" +
-      "## What was found in the libraries\n\n"
-      "Each finding is shown by a small test of the library alone, in the version that is named; with "
-      "another "
-      "version the test prints what it measures. What is wrong is repaired from outside.\n\n" +
+      "## What was found in the libraries\n\nEach finding is shown by a small test of the library alone, in "
+      "the version that is named; with another version the test prints what it measures. What is wrong is "
+      "repaired from outside.\n\n" +
       table({"library", "in", "what was found", "what is done here", "shown by"}, findings);
   if (const auto missing = ode::not_in_catalog(); !missing.empty())
     text += "Not in this build: " + escaped(std::string(missing), false) + ".\n\n";

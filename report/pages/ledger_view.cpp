@@ -79,7 +79,8 @@ std::string break_even_text(const BreakEven& b) {
     where += (i == 0 ? " " : i + 1 == b.enough.size() ? " and " : ", ") + interval_text(b.enough[i], b);
   return "- *" + escaped(b.model) + "* is enough for " + code(b.parameter) + where + " (of " +
          with_powers(rounded(b.looked.from, 3)) + " to " + with_powers(rounded(b.looked.to, 3)) + ")." +
-         reservations(b) + "\n";
+         (b.why.empty() ? "" : " Outside it gives no motion (" + escaped(b.why) + ").") + reservations(b) +
+         "\n";
 }
 
 std::string never_text(const std::vector<std::string>& models) {

@@ -83,11 +83,11 @@ void draw_pictures(const Results& results, const fs::path& folder, const Progres
   }
 }
 
-void draw_charts(const ExerciseResult& e, Curves curves, const fs::path& folder) {
+void draw_charts(const ExerciseResult& e, Curves curves, double seam, const fs::path& folder) {
   for (const QuantityResult& q : e.quantities) {
     if (q.trajectory) write_picture(folder / trajectory_file(e, q), trajectory_svg(q, title_of(e, q)));
     for (Across across : charts_of(q))
-      write_picture(folder / chart_file(e, q, across), chart_svg(q, title_of(e, q), across, curves));
+      write_picture(folder / chart_file(e, q, across), chart_svg(q, title_of(e, q), across, curves, seam));
   }
   draw_series(e, folder);
 }

@@ -18,8 +18,9 @@ inline constexpr const char* drawing_charts = "drawing the charts";
 
 /// Draws the pictures that a report's pages show: the set-up, the motion, one chart a quantity, the map.
 void draw_pictures(const Results&, const std::filesystem::path& folder, const Progress& progress = {});
-/// Draws the charts of an exercise that `oddity chart` shows, by work, by setting and by time.
-void draw_charts(const ExerciseResult&, Curves, const std::filesystem::path& folder);
+/// Draws the charts of an exercise that `oddity chart` shows, by work, by setting and by time, of which
+/// `seam` [s] is a call's through the seam.
+void draw_charts(const ExerciseResult&, Curves, double seam, const std::filesystem::path& folder);
 /// Draws a scene's map of stability.
 void draw_map(const ExerciseResult&, const std::filesystem::path& folder);
 

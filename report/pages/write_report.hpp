@@ -9,7 +9,7 @@
 
 namespace oddity {
 
-/// Makes the report's folder and writes in it, so that a run is not lost for want of one. Throws BadInput
+/// Makes the report's folder and writes in it, so that a missing folder cannot waste a run. Throws BadInput
 /// when it cannot.
 void make_folder(const std::filesystem::path& folder);
 

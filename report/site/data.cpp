@@ -158,18 +158,20 @@ Json from(const QuantityResult& q) {
   for (Across across : charts_of(q))
     if (across != Across::time || is_timed(q)) charts.push_back(name_of_axis(across));
   const Methods shown = methods_of(q);
-  return {{"name", q.name},
-          {"unit", typeset_unit(q.unit)},
-          {"says", readable(q.says)},
-          {"samples", q.samples},
-          {"need", brief(q.need.allowed)},
-          {"floor", brief(error_floor(q), 3)},
-          {"size", brief(size_of(q.reference.value), 3)},
-          {"charts", charts},
-          {"models", shown.models},
-          {"algorithms", shown.algorithms},
-          {"knobs", shown.knobs},
-          {"methods", shown.methods}};
+  Json quantity{{"name", q.name},
+                {"unit", typeset_unit(q.unit)},
+                {"says", readable(q.says)},
+                {"samples", q.samples},
+                {"need", brief(q.need.allowed)},
+                {"floor", brief(error_floor(q), 3)},
+                {"size", brief(size_of(q.reference.value), 3)},
+                {"charts", charts},
+                {"models", shown.models},
+                {"algorithms", shown.algorithms},
+                {"knobs", shown.knobs},
+                {"methods", shown.methods}};
+  if (q.in_operations) quantity["operations"] = true;
+  return quantity;
 }
 
 Json styles_of(std::span<const QuantityResult> quantities, const Styles& styles) {
@@ -317,7 +319,7 @@ Json close_of(const Scene& scene) {
   Json close = Json::object();
   for (const Norm& norm : scene.axes.norms)
     close[std::string(norm.unit)] =
-        norm.unit == "m" || norm.unit == "rad" ? game_error(norm.unit) : scene.close;
+        norm.unit == "m" || norm.unit == "rad" ? game_error(norm.unit) : scene.game_tolerance;
   return close;
 }
 
@@ -395,8 +397,8 @@ Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& trut
             {"close", close_of(scene)},
             {"observables", scene.axes.observables},
             {"norms", norms_of(scene, *moving)},
-            {"varied", scene.varied},
-            {"over", scene.over},
+            {"varied", scene.sweep_parameter},
+            {"over", scene.sweep_values},
             {"truth",
              {{"end", scene.horizon},
               {"frames", moved.size() / scene.axes.observables.size() - 1},

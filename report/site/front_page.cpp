@@ -194,13 +194,13 @@ std::string game_row(const ExerciseResult& e) {
 
 std::string for_games(const Results& results) {
   html::Table table{"The least that each scene needs in a game",
-                    {"scene", "model that is enough", "algorithm", "evaluations a frame",
+                    {"scene", "model that is enough", "algorithm", "evaluations per frame",
                      "where simpler models hold", "fault of the published version"}};
   for (const ExerciseResult& e : results.exercises)
     if (e.ledger && !e.ledger->least.empty()) table.rows.push_back(game_row(e));
   if (table.rows.empty()) return "";
   return "<section id=\"games\">\n<h2>What it means for games</h2>\n<p>The simplest model that stays within one "
-         "centimetre and one degree at every frame over 10 s at 60 frames a second, and the algorithm that needs the "
+         "centimetre and one degree at every frame over 10 s at 60 frames per second, and the algorithm that needs the "
          "least work for it. The <a href=\"chooser.html\">chooser</a> answers for a start, an error and a budget of your "
          "own.</p>\n" +
          html::table(table) + "</section>\n";

@@ -26,7 +26,7 @@ std::string limit_text(double limit) {
 
 html::Table catalog_table() {
   html::Table table{"The catalog of algorithms",
-                    {"algorithm", "library", "set by", "order", "evaluations a step", "real limit",
+                    {"algorithm", "library", "set by", "order", "evaluations per step", "real limit",
                      "imaginary limit", "theory"}};
   for (const ode::CatalogEntry& a : ode::catalog())
     table.rows.push_back(html::row(

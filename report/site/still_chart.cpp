@@ -83,7 +83,7 @@ class Chart {
     return t.knob.empty() ? std::numeric_limits<double>::quiet_NaN() : t.setting;
   }
   std::string axis() const {
-    if (across_ == Across::evaluations) return "evaluations";
+    if (across_ == Across::evaluations) return q_.in_operations ? "operations" : "evaluations";
     for (const Curve& curve : curves_)
       if (const std::string& knob = curve.method->trials.front().knob; !knob.empty()) return knob;
     return "setting";

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 4;
+constexpr int format = 5;
 
 void require(bool holds, const char* otherwise) {
   if (!holds) throw std::runtime_error(otherwise);
@@ -226,7 +226,8 @@ Json from(const BreakEven& b) {
           {"enough", enough},
           {"holding", from(Value(b.holding))},
           {"failing", from(Value(b.failing))},
-          {"coarse", b.coarse}};
+          {"coarse", b.coarse},
+          {"why", b.why}};
 }
 BreakEven break_even(const Json& json) {
   BreakEven b{
@@ -235,6 +236,7 @@ BreakEven break_even(const Json& json) {
   b.holding = numbers(json.at("holding"));
   b.failing = numbers(json.at("failing"));
   b.coarse = json.at("coarse").get<bool>();
+  b.why = json.at("why");
   return b;
 }
 
@@ -325,6 +327,7 @@ Json from(const QuantityResult& q) {
           {"need", from(q.need)},
           {"samples", q.samples},
           {"by_norms", q.by_norms},
+          {"in_operations", q.in_operations},
           {"methods", methods},
           {"trials", trials},
           {"in_float", in_float},
@@ -361,6 +364,7 @@ QuantityResult quantity(const Json& json) {
         {b.at("says"), named(b.at("expected"), outcomes), trial(b.at("broken")), trial(b.at("cured"))});
   q.samples = json.at("samples");
   q.by_norms = json.at("by_norms");
+  q.in_operations = json.at("in_operations");
   if (!json.at("trajectory").is_null()) q.trajectory = trajectory(json.at("trajectory"));
   return q;
 }
@@ -494,8 +498,8 @@ std::string to_json(const Results& results) {
   Json exercises = Json::array();
   for (const ExerciseResult& e : results.exercises) exercises.push_back(from(e));
   // Bytes that are not UTF-8, such as a table may hold, are replaced.
-  return Json{{"format", format}, {"exercises", exercises}}.dump(1, ' ', false,
-                                                                 Json::error_handler_t::replace) +
+  return Json{{"format", format}, {"seam", from(results.seam)}, {"exercises", exercises}}.dump(
+             1, ' ', false, Json::error_handler_t::replace) +
          "\n";
 }
 
@@ -503,7 +507,7 @@ Results results_from_json(const std::string& text, const std::string& place) {
   try {
     const Json json = Json::parse(text);
     if (json.at("format") != format) throw std::runtime_error("written by another version of oddity");
-    Results results;
+    Results results{{}, number(json.at("seam"))};
     for (const Json& e : json.at("exercises")) results.exercises.push_back(exercise(e));
     return results;
   } catch (const std::exception& error) {

@@ -82,9 +82,9 @@ std::vector<Line> lines(const Task& task, const Scene& scene) {
   const auto declared = [&](std::string_view name) {
     return &*std::ranges::find(task.parameters.declared(), name, &Parameter::name);
   };
-  std::vector<Line> all{{declared(scene.varied), scene.over}};
-  for (std::string_view name : scene.starts) {
-    if (name == scene.varied) continue;
+  std::vector<Line> all{{declared(scene.sweep_parameter), scene.sweep_values}};
+  for (std::string_view name : scene.perturbed_parameters) {
+    if (name == scene.sweep_parameter) continue;
     Line line{declared(name), {}};
     for (double factor : {0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0})
       if (const double value = factor * task.parameters[name];
@@ -234,6 +234,8 @@ class Along {
     }
     if (borders.empty()) return {};  // enough everywhere, or nowhere
     found.coarse = !std::ranges::all_of(borders, &Border::known);
+    for (const Border& border : borders)
+      if (found.why.empty()) found.why = why_none(model, p, border.fails);
     found.holding.resize(borders.size());
     found.failing.resize(borders.size());
     in_parallel(2 * borders.size(), [&](std::size_t i) {  // a true motion takes a while
@@ -285,6 +287,18 @@ class Along {
     const double error = found ? seen.in_needs(seen.errors(found->value)) : std::nan("");
     if (std::isnan(error)) return std::numeric_limits<double>::infinity();
     return found->change <= exact_enough * std::max(1.0, error) ? error : std::nan("");
+  }
+
+  /// Why the model has no motion there; empty where it has one.
+  std::string why_none(const std::string& model, const Parameter& p, double at) const {
+    const Quantity seen = motion(p, at, Reference::nothing());
+    if (solved(seen, model, solvers_)) return {};
+    for (const Method& method : seen.methods)
+      if (method.model == model)
+        if (const Answer answer = run(seen, method, method.knob.settings.back()).answer;
+            !answer.message.empty() || !method.why.empty())
+          return answer.message.empty() ? method.why : answer.message;
+    return {};
   }
 
   /// Not a number where the true motion takes more work to make than it is given.

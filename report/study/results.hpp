@@ -100,7 +100,8 @@ struct QuantityResult {
   std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
   int samples = 1;                            ///< of a motion: the times at which it is judged
   std::vector<FloatResult> in_float = {};
-  bool by_norms = false;  ///< of a motion: judged by the scene's norms; else by the largest component
+  bool by_norms = false;       ///< of a motion: judged by the scene's norms; else by the largest component
+  bool in_operations = false;  ///< work is counted in multiplications, divisions and functions
 };
 
 /// "judged at these 4 times alone" of a motion; empty for what is no motion.
@@ -147,6 +148,8 @@ struct BreakEven {
   /// reference; not a number where that could not be had.
   std::vector<double> holding = {}, failing = {};
   bool coarse = false;  ///< an end is not known to one in a thousand, as no motion is known near it
+  /// Why the model has no motion beyond an end, where it has none: there it fails at once, not by degrees.
+  std::string why = {};
 };
 
 struct Ledger {
@@ -229,6 +232,9 @@ struct ExerciseResult {
 
 struct Results {
   std::vector<ExerciseResult> exercises;  ///< in the book's order
+  /// s, what a call of a right-hand side takes through the seam between algorithms and models, at least; NaN
+  /// in a run without times.
+  double seam = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Results as JSON text and back. Numbers that are not finite are written as null and read as NaN.

@@ -67,7 +67,8 @@ QuantityResult shape(const Quantity& quantity, std::vector<Pending>& pending) {
                         {},
                         quantity.samples,
                         {},
-                        !quantity.norms.empty()};
+                        !quantity.norms.empty(),
+                        quantity.in_operations};
   for (const Method& method : quantity.methods)
     result.methods.push_back({method.model, method.algorithm, method.expected, method.why,
                               std::vector<TimedTrial>(method.knob.settings.size())});
@@ -170,11 +171,12 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
   std::vector<std::size_t> places(tasks.size());
   std::iota(places.begin(), places.end(), 0);
   parallel_for_each(places, [&](std::size_t i) { see_motion(tasks[i], results.exercises[i]); });
-  if (timed)
-    for (const Pending& p : pending) {
-      if (p.result->value.size() > 0) p.result->time = time(*p.method, p.setting);
-      tally.add();
-    }
+  if (!timed) return results;
+  results.seam = seam();
+  for (const Pending& p : pending) {
+    if (p.result->value.size() > 0) p.result->time = time(*p.method, p.setting);
+    tally.add();
+  }
   return results;
 }
 

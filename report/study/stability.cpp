@@ -1,5 +1,7 @@
 #include "report/study/stability.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -201,8 +203,7 @@ void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria
     if (const auto steps = steps_of_a_turn(disturbances.turns_in_a_step(0.995 * limit.stable)))
       return because(
           "resonance: a turn of the method's own motion takes a whole number of its steps, so that every "
-          "turn "
-          "errs alike and the errors add up",
+          "turn errs alike and the errors add up",
           rounded(*steps, 3) + " steps a turn");
   if (limit.soft) return;  // the mark says it
   limit.why = not_explained;
@@ -269,10 +270,10 @@ struct Motion {
 Motion motion_of(const Task& task, std::size_t place, const Reference& truth, std::optional<double> value) {
   const Scene& scene = *task.entry->exercise.scene;
   Parameters parameters = task.parameters;
-  if (value) parameters.set(scene.varied, *value);
+  if (value) parameters.set(scene.sweep_parameter, *value);
   Motion motion{place, oddity::motion(scene, parameters, truth), 0, value.value_or(0), value.has_value()};
   motion.interval = scene.horizon / motion.quantity.samples;
-  motion.quantity.need = {scene.close, "what a game asks"};
+  motion.quantity.need = {scene.game_tolerance, "what a game asks"};
   for (std::string_view unit : motion.quantity.units()) motion.quantity.needs.push_back(game_error(unit));
   return motion;
 }
@@ -289,9 +290,9 @@ Stability shape(const Task& task) {
   Stability stability;
   stability.time_unit = scene.axes.time;
   stability.horizon = scene.horizon;
-  stability.close = scene.close;
-  stability.parameter = scene.varied;
-  stability.parameter_unit = unit_of(task, scene.varied);
+  stability.close = scene.game_tolerance;
+  stability.parameter = scene.sweep_parameter;
+  stability.parameter_unit = unit_of(task, scene.sweep_parameter);
   return stability;
 }
 
@@ -319,6 +320,17 @@ void examine(Piece& piece) {
   }
 }
 
+/// What differs from start to start, and the varied parameter, each so many roundings off and in its range.
+Parameters moved(Parameters parameters, const Scene& scene, int roundings) {
+  for (const Parameter& p : parameters.declared())
+    if (p.name == scene.sweep_parameter || std::ranges::count(scene.perturbed_parameters, p.name) > 0) {
+      constexpr double rounding = std::numeric_limits<double>::epsilon();
+      if (!p.whole)
+        parameters.set(p.name, std::clamp(parameters[p.name] * (1 + roundings * rounding), p.least, p.most));
+    }
+  return parameters;
+}
+
 /// The motions at the defaults and at every value of the varied parameter; their references may take a while.
 std::vector<Motion> motions_of(std::span<const Task> tasks, const Reference& truth,
                                const Progress& progress) {
@@ -332,7 +344,7 @@ std::vector<Motion> motions_of(std::span<const Task> tasks, const Reference& tru
   for (std::size_t i = 0; i < tasks.size(); ++i)
     if (const auto& scene = tasks[i].entry->exercise.scene) {
       requests.push_back({&tasks[i], i, std::nullopt});
-      for (double value : scene->over) requests.push_back({&tasks[i], i, value});
+      for (double value : scene->sweep_values) requests.push_back({&tasks[i], i, value});
     }
   Stage tally(progress, "looking up the motions", requests.size());
   parallel_for_each(requests, [&](Request& request) {
@@ -368,6 +380,22 @@ Limit limit_of(const Quantity& quantity, const Method& method, double interval) 
   if (limit.unstable > 0) limit.broken = as_result(run_beyond(quantity, method, interval, limit.unstable));
   limit.within = within_need(quantity, method, interval);
   return limit;
+}
+
+bool ends_so_within_roundings(const Task& task, const MapRow& row, std::size_t k, Outcome outcome,
+                              const Reference& truth) {
+  const Scene& scene = *task.entry->exercise.scene;
+  Parameters at_row = task.parameters;
+  at_row.set(scene.sweep_parameter, row.value);
+  const Motion here = motion_of(task, 0, truth, row.value);
+  return std::ranges::any_of(std::array{-16, -4, -1, 1, 4, 16}, [&](int roundings) {
+    Quantity beside = motion(scene, moved(at_row, scene, roundings), Reference::nothing());
+    beside.reference = here.quantity.reference;
+    beside.need = here.quantity.need;
+    beside.needs = here.quantity.needs;
+    const Method* method = method_of(beside, row.model, row.algorithm);
+    return method && run(beside, *method, std::ldexp(here.interval, -static_cast<int>(k))).outcome == outcome;
+  });
 }
 
 Results with_stability(Results results, std::span<const Task> tasks, const Reference& truth,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -28,6 +29,10 @@ Limit measured_limit(const Method&, double interval, const ode::Criteria& = {});
 /// threads.
 Results with_stability(Results, std::span<const Task>, const Reference&, const Progress& progress = {});
 
+/// Whether the method of a map's row ends so at the map's step `k` where the start differs by a few
+/// roundings: then the last bits decide, in which one machine's sines differ from another's.
+bool ends_so_within_roundings(const Task&, const MapRow&, std::size_t k, Outcome, const Reference&);
+
 // ---- as text ----------------------------------------------------------------------------------------------
 
 /// The reason of a limit that differs from theory's for none of the reasons that are computed.
@@ -38,6 +43,8 @@ inline constexpr std::array outcomes_of_a_map{
     Outcome::stalled, Outcome::deceived,   Outcome::raised,  Outcome::chattering, Outcome::grazing};
 /// An outcome's letter on a map.
 char letter_of(Outcome);
+/// The outcome of a letter; nothing where it is none.
+std::optional<Outcome> outcome_of(char letter);
 /// The letters of a row's outcomes, from the coarsest step to the finest.
 std::string letters(const MapRow&);
 /// "0.625", "at least 2.5", "every step", "none".

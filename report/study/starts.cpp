@@ -49,7 +49,7 @@ Starts::Starts(const Task& task, const Need& need, const Reference& truth)
 
 Start Starts::start(const Parameters& p) const {
   std::string says;
-  for (std::string_view name : scene().starts)
+  for (std::string_view name : scene().perturbed_parameters)
     says += (says.empty() ? "" : ", ") + std::string(name) + " = " + rounded(p[name], 4);
   const auto made = [&](const Reference& truth) {
     Start start{says, motion(scene(), p, horizon(), truth)};
@@ -73,7 +73,7 @@ Start Starts::asked() const {
 
 Parameters Starts::draw() {
   Parameters p = task_.parameters;
-  for (std::string_view name : scene().starts) {
+  for (std::string_view name : scene().perturbed_parameters) {
     const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
     const double value = p[name], size = value == 0 ? 1 : std::abs(value);
     p.set(name, std::clamp(value + size * random_.between(-nearby, nearby), declared->least, declared->most));
@@ -83,7 +83,7 @@ Parameters Starts::draw() {
 
 Quantity Starts::disturbed(double part) const {
   Parameters p = task_.parameters;
-  const std::string_view name = scene().starts.front();
+  const std::string_view name = scene().perturbed_parameters.front();
   const double value = p[name], change = part * (value == 0 ? 1 : std::abs(value));
   const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
   p.set(name, value + change <= declared->most ? value + change : value - change);

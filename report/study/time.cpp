@@ -1,14 +1,30 @@
 #include "report/study/time.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <limits>
 #include <vector>
 
+#include "chapters/scene.hpp"
+
 namespace oddity {
 
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A model that computes nothing.
+struct Nothing {
+  using State = std::array<double, 2>;
+  State start() const { return {}; }
+  void operator()(const State&, State&, double) const {}
+  std::array<double, 1> observe(const State& x, double) const { return {x[0]}; }
+};
+
+}  // namespace
+
 Time time(const Method& method, double setting) {
-  using Clock = std::chrono::steady_clock;
   constexpr std::chrono::microseconds batch{100};
   constexpr std::size_t batches = 5;
   const auto once = [&] {
@@ -31,6 +47,22 @@ Time time(const Method& method, double setting) {
   const double spread = count > 1 ? (seconds[(3 * count) / 4] - seconds[count / 4]) / 2
                                   : std::numeric_limits<double>::quiet_NaN();
   return {seconds[count / 2], spread};
+}
+
+double seam() {
+  constexpr int batches = 9, calls = 100'000;
+  const auto model = type_erased(Nothing());
+  const ModelOf<2>* volatile unseen = model.get();  // by the compiler, as the algorithms' models are
+  const ModelOf<2>& system = *unseen;
+  std::array<double, 2> x{}, dxdt{};
+  std::array<double, batches> seconds{};
+  for (double& each : seconds) {
+    const auto start = Clock::now();
+    for (int i = 0; i < calls; ++i) system(x, dxdt, 0);
+    each = std::chrono::duration<double>(Clock::now() - start).count() / calls;
+  }
+  std::ranges::sort(seconds);
+  return seconds[batches / 2];
 }
 
 }  // namespace oddity

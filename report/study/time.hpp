@@ -9,4 +9,9 @@ namespace oddity {
 /// than a twentieth of a second is timed once, and has no spread. To mean anything it has to run alone.
 Time time(const Method&, double setting);
 
+/// s, what a call of a right-hand side takes through the seam between algorithms and models, which are
+/// compiled apart: one that computes nothing, over batches of a hundred thousand. What the compiler could
+/// have saved by seeing both at once comes on top (`oddity bench`).
+double seam();
+
 }  // namespace oddity

@@ -56,7 +56,7 @@ std::optional<Trajectory> trajectory(const Scene& scene, const Parameters& param
                  horizon.times(),
                  {},
                  0,
-                 scene.close};
+                 scene.game_tolerance};
   all.judged_at.erase(all.judged_at.begin());
   all.times.erase(all.times.begin());
   const TimedTrial* truest = nullptr;

@@ -20,21 +20,18 @@ constexpr Finding all_findings[] = {
     {odeint, boost_1_74, "make_controlled", "odeint_make_controlled",
      "compiles with the header of a stepper alone, generation_runge_kutta_dopri5.hpp, and then takes the "
      "relative tolerance for the largest step: one second of a pendulum at 1e-4 takes more than 1000 times "
-     "the "
-     "steps. With generation_controlled_runge_kutta.hpp as well it is right",
+     "the steps. With generation_controlled_runge_kutta.hpp as well it is right",
      "the controller is put together without it"},
     {odeint, boost_1_74, "bulirsch_stoer", "odeint_bulirsch_stoer_backward",
      "takes more than 150 times the evaluations when time runs backward, for 10 s of a pendulum at a "
-     "tolerance "
-     "of 1e-12",
-     "time itself is turned round, which costs what forward costs"},
+     "tolerance of 1e-12",
+     "it integrates in -t instead, which costs what forward costs"},
     {odeint, boost_1_74, "symplectic_rkn_sb3a_m4_mclachlan", "odeint_mclachlan",
      "asks for the forces 5 times per step; the last answer has the weight zero",
      "the fifth is not evaluated"},
     {odeint, boost_1_74, "adams_bashforth", "odeint_adams_bashforth_in_place",
      "has order 1 in place, as its default starter writes its result over its input: the first step of 0.1 "
-     "of "
-     "x'' = -x errs by more than 0.1 in place, and by less than 1e-7 otherwise",
+     "of x'' = -x errs by more than 0.1 in place, and by less than 1e-7 otherwise",
      "Runge-Kutta 4 starts"},
     {odeint, boost_1_74, "adams_bashforth", "odeint_adams_bashforth_new_step",
      "goes on with its history when the step changes, as if the past steps had been as long: with the step "
@@ -48,8 +45,7 @@ constexpr Finding all_findings[] = {
      "one iteration is taken"},
     {odeint, boost_1_74, "rosenbrock4", "odeint_rosenbrock4",
      "has its coefficient d4 with the wrong sign: its order is 1 where the right-hand side knows the time, "
-     "and "
-     "4 with the sign turned",
+     "and 4 with the sign turned",
      "time is given as one more unknown"},
     {gsl, gsl_2_7, "gsl_odeiv2_evolve_apply", "gsl_nan",
      "takes NaN for no error: rk8pd and bsimp integrate x' = sqrt(x) - 1 from 0.5 beyond x = 0 and return "
@@ -61,19 +57,16 @@ constexpr Finding all_findings[] = {
      judged},
     {gsl, gsl_2_7, "msadams, msbdf", "gsl_multistep_error",
      "hold the error of a step, not of the motion: after 10 s of x'' = -x at a tolerance of 1e-11 msadams "
-     "errs "
-     "by more than 200 tolerances and msbdf by more than 500, and rk8pd by less than 1",
+     "errs by more than 200 tolerances and msbdf by more than 500, and rk8pd by less than 1",
      judged},
     {gsl, gsl_2_7, "bsimp", "gsl_bsimp_order",
      "chooses its order once, whatever the tolerance: 12, at 139 evaluations per step. A tolerance of 0.01 "
-     "costs "
-     "as many evaluations as one of 1e-6, for 10 s of x'' = -x",
+     "costs as many evaluations as one of 1e-6, for 10 s of x'' = -x",
      judged},
     {gsl, gsl_2_7, "gsl_integration_cquad", "gsl_cquad",
-     "does not hold its estimate against the request: 1/sqrt|x - 0.3| over [0, 1] to 1e-10 ends with success "
-     "and an error and an estimate above 1e-8; from 1 to 0 its estimate is below zero; and it takes more "
-     "than "
-     "1,000,000 evaluations of 1/x over [-1, 2], having no budget",
+     "does not hold its estimate against the request: 1/sqrt|x - 0.3| over [0, 1] to 1e-10 ends with "
+     "success and an error and an estimate above 1e-8; from 1 to 0 its estimate is below zero; and it takes "
+     "more than 1,000,000 evaluations of 1/x over [-1, 2], having no budget",
      "the estimate is looked at, the ends are put in order, and a budget ends it"},
     {gsl, gsl_2_7, "gsl_integration_glfixed_table_alloc", "gsl_glfixed",
      "computes the weights that it has no table for to ten digits only: of 50 points they miss their sum by "
@@ -82,13 +75,11 @@ constexpr Finding all_findings[] = {
      "the weights are computed anew"},
     {gsl, gsl_2_7, "bsimp", "gsl_bsimp_error",
      "errs by more than 100 tolerances where a step is longer than half the motion's period: x' = x cos t "
-     "over "
-     "8 s at 1e-6",
+     "over 8 s at 1e-6",
      judged},
     {sundials, sundials_6_4, "CV_BDF", "cvode_error",
      "holds the error of a step, not of the motion: after 10 s of x'' = -x at a tolerance of 1e-10 it errs "
-     "by "
-     "more than 100 tolerances",
+     "by more than 100 tolerances",
      judged},
     {sundials, sundials_6_4, "ERKStep, ARKODE_VERNER_8_5_6", "arkode_verner",
      "has order 3 of 6: the last stage is taken for the next step's first, as it stands at the step's end, "

@@ -205,7 +205,7 @@ Stepping<n> stepping(std::string_view algorithm) {
     found.once = step_precompiled<Algorithm, n>;
     found.has_tolerance = has_tolerance(Algorithm::kind);
     found.keep = with_series_precompiled<Algorithm, n>;
-    found.by_series = brief<Algorithm>().by_series;
+    found.by_series = info<Algorithm>().by_series;
   });
   return found;
 }

@@ -98,7 +98,7 @@ MotionWithEvents<std::array<double, n>> integrate_with_events(const System& syst
                                                               std::span<const double> times, double setting,
                                                               std::size_t most_events = every_event) {
   const Adapted<AnySystem<n>, const System&> any(system);
-  return integrate_with_events<n>(brief<Algorithm>().name, any, start, times, setting, {}, most_events);
+  return integrate_with_events<n>(info<Algorithm>().name, any, start, times, setting, {}, most_events);
 }
 
 /// The first event after t0 and up to t1; `raised` when none happens, with t1 and the state there.

@@ -72,7 +72,7 @@ struct GslDriver::Driver {
 
   Driver(GslStep step, std::size_t n, double tolerance, double first_step)
       : system{rhs, jacobian, n, nullptr},
-        gsl((quiet_gsl(),
+        gsl((disable_gsl_abort(),
              gsl_odeiv2_driver_alloc_y_new(&system, type_of(step), first_step, tolerance, tolerance))),
         h(first_step) {
     if (!gsl) throw std::bad_alloc();

@@ -32,7 +32,7 @@ class GslDriver {
 /// control takes it for no error: here a derivative that is not finite fails the step, and GSL halves it.
 template <GslStep step>
 struct Gsl {
-  static constexpr Kind kind = Kind::driven;
+  static constexpr Kind kind = Kind::self_stepping;
   static constexpr double first_step = 1e-3;  ///< of the whole span
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations, double tolerance, double first) {

@@ -7,7 +7,7 @@ double first_step(std::span<const double> times, double part) {
   return std::max((*high - *low) * part, 0x1p-50 * std::max(std::abs(*low), std::abs(*high)));
 }
 
-const char* nonsense(std::span<const double> times, double setting) {
+const char* invalid_arguments(std::span<const double> times, double setting) {
   if (!(setting > 0 && std::isfinite(setting))) return "the step or tolerance must be positive and finite";
   if (times.empty() || !std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); }))
     return "there must be times, and they must be finite";

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solvers/ode/any_system.hpp"
+#include "solvers/ode/unknowns.hpp"
 #include "solvers/solved.hpp"
 
 /// Initial value problems over Boost.Odeint, GSL and SUNDIALS. States are std::array<double, N>; a system is
@@ -21,12 +22,12 @@
 /// ends `stalled`.
 namespace oddity::ode {
 
-/// A driven algorithm is a library's own driver, which chooses its steps and repeats those that fail.
-enum class Kind { fixed, partitioned, controlled, implicit_fixed, implicit_controlled, driven };
+/// A self-stepping algorithm has a driver of its own, which chooses its steps and repeats those that fail.
+enum class Kind { fixed, partitioned, controlled, implicit_fixed, implicit_controlled, self_stepping };
 
 /// The setting is a tolerance, not a step.
 constexpr bool has_tolerance(Kind kind) {
-  return kind == Kind::controlled || kind == Kind::implicit_controlled || kind == Kind::driven;
+  return kind == Kind::controlled || kind == Kind::implicit_controlled || kind == Kind::self_stepping;
 }
 
 /// Most evaluations of the right-hand side that one integration may take.
@@ -74,16 +75,9 @@ class Watch {
   bool (*call_)(const void*, double, const State&, double, const State&) = nullptr;
 };
 
-/// Every algorithm is compiled once for each of these numbers of unknowns, in the solvers' own files, and
-/// sees a system as AnySystem: who calls it needs no more than its declaration (algorithms.hpp). F(n,
-/// arguments) for each number of unknowns n.
-#define ODDITY_FOR_UNKNOWNS(F, ...) \
-  F(1, __VA_ARGS__)                 \
-  F(2, __VA_ARGS__)                 \
-  F(3, __VA_ARGS__)                 \
-  F(4, __VA_ARGS__)                 \
-  F(5, __VA_ARGS__) F(6, __VA_ARGS__) F(7, __VA_ARGS__) F(8, __VA_ARGS__) F(9, __VA_ARGS__) F(12, __VA_ARGS__)
-
+/// Every algorithm is compiled once for each number of unknowns that a model has (CMake reads them from the
+/// declarations `using State = std::array<T, 4>` of the chapters), in the solvers' own files, and sees a
+/// system as AnySystem: who calls it needs no more than its declaration (algorithms.hpp).
 template <class State>
 inline constexpr bool is_precompiled = false;
 #define ODDITY_IS_PRECOMPILED(n, value) \
@@ -114,13 +108,13 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
                                     double setting, const OnStep& on_step = {});
 
 /// What a caller may ask of an algorithm that it does not see.
-struct Brief {
+struct AlgorithmInfo {
   std::string_view name;
   Kind kind;
   bool by_series = false;  ///< of an analytic system, and the state inside a step costs no new one
 };
 template <class Algorithm>
-Brief brief();
+AlgorithmInfo info();
 
 /// The states at `times`, the first of which is the start's; they may go back and forth. The value ends with
 /// the last state reached. Throws std::logic_error when a partitioned algorithm is asked for a system that is

@@ -104,12 +104,12 @@ bool driven_steps(Advance& advance, State& x, double t, double t1, const long& e
   while (t != t1) {
     const State before = x;
     const double from = t;
-    const char* trouble = advance(x, t, t1);
-    if (trouble) x = before, t = from;
+    const char* error = advance(x, t, t1);
+    if (error) x = before, t = from;
     if (!check_budget(evaluations, solved, t)) return false;
     if (!finite(x)) return fail(solved, Ending::non_finite, "the state is not finite", t);
-    if (!trouble && t == from) trouble = "the step became too small";
-    if (trouble) return fail(solved, Ending::stalled, trouble, t);
+    if (!error && t == from) error = "the step became too small";
+    if (error) return fail(solved, Ending::stalled, error, t);
     if (on_step(from, before, t, x)) return false;
   }
   return true;
@@ -119,7 +119,7 @@ bool driven_steps(Advance& advance, State& x, double t, double t1, const long& e
 double first_step(std::span<const double> times, double part);
 
 /// What is wrong with the times or the step or tolerance; null: nothing.
-const char* nonsense(std::span<const double> times, double setting);
+const char* invalid_arguments(std::span<const double> times, double setting);
 
 /// A system whose evaluations are counted.
 template <class System, class State>
@@ -151,7 +151,7 @@ template <class Algorithm, class System, class State, class OnStep>
 Trajectory<State> integrate_inlined(const System& system, const State& start, std::span<const double> times,
                                     double setting, const OnStep& on_step) {
   Trajectory<State> solved;
-  if (const char* what = detail::nonsense(times, setting)) {
+  if (const char* what = detail::invalid_arguments(times, setting)) {
     solved.ending = Ending::raised;
     solved.message = what;
     return solved;
@@ -171,7 +171,7 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
         times, start, solved, [&](State & x, double t0, double t1) __attribute__((always_inline)) {
           return detail::equal_steps(stepper, x, t0, t1, setting, evaluations, solved, on_step);
         });
-  } else if constexpr (Algorithm::kind == Kind::driven) {
+  } else if constexpr (Algorithm::kind == Kind::self_stepping) {
     auto advance = Algorithm::template stepper<State>(system, evaluations, setting,
                                                       detail::first_step(times, Algorithm::first_step));
     detail::through(times, start, solved, [&](State& x, double t0, double t1) {

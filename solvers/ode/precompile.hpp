@@ -53,7 +53,7 @@ std::unique_ptr<const AnySystem<n>> with_series_precompiled([[maybe_unused]] con
 }
 
 template <class Algorithm>
-Brief brief() {
+AlgorithmInfo info() {
   return {Algorithm::name, Algorithm::kind, by_series<Algorithm>};
 }
 
@@ -66,6 +66,6 @@ Brief brief() {
                                                                                      double);
 #define ODDITY_PRECOMPILE(Algorithm)                    \
   ODDITY_FOR_UNKNOWNS(ODDITY_PRECOMPILE_FOR, Algorithm) \
-  template Brief brief<Algorithm>();
+  template AlgorithmInfo info<Algorithm>();
 
 }  // namespace oddity::ode

@@ -31,7 +31,7 @@ class SundialsDriver {
 /// An algorithm of SUNDIALS under its own driver, which also chooses the first step.
 template <SundialsMethod method>
 struct Sundials {
-  static constexpr Kind kind = Kind::driven;
+  static constexpr Kind kind = Kind::self_stepping;
   static constexpr double first_step = 0;
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations, double tolerance, double) {

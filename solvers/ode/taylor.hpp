@@ -82,7 +82,7 @@ class WithSeries final : public AnySystem<n> {
 /// or multiplication counts as 1, a division or root as 4, a sine or an exponential as 8.
 struct Taylor {
   static constexpr std::string_view name = "Taylor series";
-  static constexpr Kind kind = Kind::driven;
+  static constexpr Kind kind = Kind::self_stepping;
   static constexpr Facts facts{.library = "our own"};
   static constexpr double first_step = 1;  ///< not used: the series says how far it is good
   /// A system that keeps them, so that the state inside a step is the series' own.

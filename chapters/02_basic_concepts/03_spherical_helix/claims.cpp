@@ -303,7 +303,7 @@ std::vector<Check> spiral(const std::string& what, double turned, const F& size)
     growing += !(size(b) < size(a));
     angle += std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
   }
-  return {never("steps in which the " + what + " grows", growing, steps),
+  return {no_violations("steps in which the " + what + " grows", growing, steps),
           {R"(the angle turned from $t=1$ to $t=1+100\pi$)",
            {R"(a turn in $2\pi$)", turned},
            {"sum of angles between positions", angle},

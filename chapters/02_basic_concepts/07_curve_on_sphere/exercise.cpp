@@ -23,23 +23,25 @@ constexpr Parameter parameters[] = {
 };
 
 Scene scene() {
-  return {orientation,
-          4,
-          degree,
-          "pace",
-          {0.25, 0.5, 1, 2, 4, 8},
-          {"pace"},
-          {{"r_x", "u_x", "rxu_x", "r_y", "u_y", "rxu_y", "r_z", "u_z", "rxu_z"},
-           "s",
-           {{"rad", {0, 3, 6}}, {"rad", {1, 4, 7}}, {"rad", {2, 5, 8}}}},
-          {{"chapters/02_basic_concepts/07_curve_on_sphere/models.hpp"},
-           {{"frame", "curve_on_sphere::Frame<double>{{pace}}"},
-            {"matrix", "curve_on_sphere::AsMatrix<double>{{{pace}}}"},
-            {"quaternion", "curve_on_sphere::AsQuaternion<double>{{{pace}}}"},
-            {"matrix, w of the printed listing", "curve_on_sphere::AsMatrix<double>{{{pace}, true}}"}},
-           {{"matrix, orthonormalized", "which repairs the orientation after each step"},
-            {"quaternion, normalized", "which repairs the orientation after each step"}}},
-          curve_on_sphere::draw<Parameters>};
+  return {
+      .motion = orientation,
+      .horizon = 4,
+      .game_tolerance = degree,
+      .sweep_parameter = "pace",
+      .sweep_values = {0.25, 0.5, 1, 2, 4, 8},
+      .perturbed_parameters = {"pace"},
+      .axes = {{"r_x", "u_x", "rxu_x", "r_y", "u_y", "rxu_y", "r_z", "u_z", "rxu_z"},
+               "s",
+               {{"rad", {0, 3, 6}}, {"rad", {1, 4, 7}}, {"rad", {2, 5, 8}}}},
+      .listing = {{"chapters/02_basic_concepts/07_curve_on_sphere/models.hpp"},
+                  {{"frame", "curve_on_sphere::Frame<double>{{pace}}"},
+                   {"matrix", "curve_on_sphere::AsMatrix<double>{{{pace}}}"},
+                   {"quaternion", "curve_on_sphere::AsQuaternion<double>{{{pace}}}"},
+                   {"matrix, w of the printed listing", "curve_on_sphere::AsMatrix<double>{{{pace}, true}}"}},
+                  {{"matrix, orthonormalized", "which repairs the orientation after each step"},
+                   {"quaternion, normalized", "which repairs the orientation after each step"}}},
+      .draw = curve_on_sphere::draw<Parameters>,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -140,16 +140,16 @@ Quantity orientation(const Parameters& p, const Horizon& horizon, const Referenc
   const AsQuaternion<double> as_quaternion{{{pace}}};
   Ladder(q, horizon, steps, tolerances())
       .closed_form("frame", Frame<double>{{pace}})
-      .by_common("matrix", as_matrix, Outcome::drifted)
-      .by_common("quaternion", as_quaternion, Outcome::drifted)
-      .by_others(
+      .by_engine_integrators("matrix", as_matrix, Outcome::drifted)
+      .by_engine_integrators("quaternion", as_quaternion, Outcome::drifted)
+      .by_remaining_integrators(
           "quaternion", as_quaternion,
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
            {"linearly implicit Euler", Outcome::drifted, "of order 1, and the quaternion shrinks"}})
       .by<ode::RungeKutta4>("matrix, w of the printed listing", as_listed, Outcome::inaccurate,
                             "a rotation, but the wrong one");
   const auto repaired = [&]<class Algorithm>(const std::string& name, const auto& model, Outcome expected) {
-    q.add({name, std::string(ode::brief<Algorithm>().name), steps,
+    q.add({name, std::string(ode::info<Algorithm>().name), steps,
            [=](double h) { return observe_repaired<Algorithm>(model, horizon, h); }, expected,
            expected == Outcome::ok ? "" : "repaired it is a rotation, but not the right one"});
   };

@@ -39,7 +39,7 @@ struct Plate {
   /// The torque about -D of the weights (0, 0, -m), the plate turned about the fulcrum by `tilt`.
   double torque(double tilt = 0) const {
     const auto turned = quaternion(D, tilt);
-    return sum([&](double m, const Vector& r) { return -dot(D, cross(turned(r), {0, 0, -m})); });
+    return sum([&](double m, const Vector& r) { return -dot(D, cross(turned(r), Vector{0, 0, -m})); });
   }
   double size() const {
     return sum([&](double m, const Vector& r) { return m * (length(r) + length(A)); });
@@ -63,7 +63,7 @@ struct Sample {
     }
     const double angle = random.between(0, 2 * pi);
     plate.D = {cos(angle), sin(angle), 0};
-    plate.N = cross({0, 0, 1}, plate.D);
+    plate.N = cross(Vector{0, 0, 1}, plate.D);
     const Vector shift = random.between(1, 4) * plate.N + random.between(-5, 5) * plate.D;
     plate.A = plate.center();
     mean = beside = plate;

@@ -28,6 +28,18 @@ Fraction sum(Fraction a, Fraction b) {
   return {over / common, under / common};
 }
 
+Fraction times(long factor, Fraction a) {
+  const long over = factor * a[0], common = std::gcd(over, a[1]);
+  return {over / common, a[1] / common};
+}
+/// The components xx, yy, zz, xy, xz, yz of the lamina at the height z, a whole number; by rows.
+std::array<Fraction, 6> by_rows_at(long z) {
+  const Fraction squared = times(z * z, moment(0, 0));
+  return {sum(moment(0, 2), squared),      sum(moment(2, 0), squared),
+          sum(moment(2, 0), moment(0, 2)), moment(1, 1),
+          times(z, moment(1, 0)),          times(z, moment(0, 1))};
+}
+
 /// The lamina cut off at x = left, at the height z.
 struct Cut {
   double left, z;
@@ -198,7 +210,10 @@ void region_and_order(Claims& claims, double seed) {
       {.printed = {R"(a point is in the lamina where $|x|\le1$, $x^2\le y\le1$)", in(1, parabola)},
        .near_misses = {{R"(where $|x|\le0.9$, $x^2\le y\le1$)", in(0.9, parabola)},
                        {R"(where $|x|\le y\le1$)", in(1, wedge)}}});
-  const auto from = [](const std::string& text, double (*low)(double)) {
+  std::vector<double> by_rows;
+  for (const Fraction& f : by_rows_at(0))
+    by_rows.push_back(static_cast<double>(f[0]) / static_cast<double>(f[1]));
+  const auto from = [&](const std::string& text, double (*low)(double)) {
     const auto all = all_of(6, [&](std::size_t k) {
       const auto at = [=](double x, double y) { return Lamina{-1, 0, 1}.at(x, y)[k]; };
       return nested(sixteen, at, -1, 1, low, top);
@@ -206,7 +221,7 @@ void region_and_order(Claims& claims, double seed) {
     return Reading{text,
                    {{"the six components",
                      {"columns, $y$ " + text, all.value},
-                     {"by rows, in rationals", {4.0 / 7, 4.0 / 15, 88.0 / 105, 0, 0, 0}},
+                     {"by rows, in rationals", by_rows},
                      rounding(1)}}};
   };
   claims.add("similar", 701, "the other components come from the same two integrals, $dy$ then $dx$",
@@ -222,14 +237,14 @@ std::vector<Claim> claims(double seed) {
                 zz = [](D x, D y, D) { return x * x + y * y; }, xy = [](D x, D y, D) { return x * y; },
                 minus_xy = [](D x, D y, D) { return -x * y; }, xz = [](D x, D, D z) { return x * z; },
                 yz = [](D, D y, D z) { return y * z; };
-  const Fraction polar = sum(moment(0, 2), moment(2, 0));
+  const auto by_rows = by_rows_at(0);
   const Component all[] = {
-      {"xx", 669, 699, "$y^2+z^2$", yy, "$x^2+z^2$", xx, {4, 7}, {2, 7}, moment(0, 2)},
-      {"yy", 703, 707, "$x^2+z^2$", xx, "$x^2+y^2$", zz, {4, 15}, {4, 5}, moment(2, 0)},
-      {"zz", 711, 715, "$x^2+y^2$", zz, "$y^2+z^2$", yy, {88, 105}, {32, 105}, polar},
-      {"xy", 719, 723, "$xy$", xy, "$-xy$", minus_xy, {0, 1}, {1, 6}, moment(1, 1)},
-      {"xz", 727, 731, "$xz$", xz, "$yz$", yz, {0, 1}, {1, 4}, {0, 1}},
-      {"yz", 735, 735, "$yz$", yz, "$xz$", xz, {0, 1}, {4, 5}, {0, 1}},
+      {"xx", 669, 699, "$y^2+z^2$", yy, "$x^2+z^2$", xx, {4, 7}, {2, 7}, by_rows[0]},
+      {"yy", 703, 707, "$x^2+z^2$", xx, "$x^2+y^2$", zz, {4, 15}, {4, 5}, by_rows[1]},
+      {"zz", 711, 715, "$x^2+y^2$", zz, "$y^2+z^2$", yy, {88, 105}, {32, 105}, by_rows[2]},
+      {"xy", 719, 723, "$xy$", xy, "$-xy$", minus_xy, {0, 1}, {1, 6}, by_rows[3]},
+      {"xz", 727, 731, "$xz$", xz, "$yz$", yz, {0, 1}, {1, 4}, by_rows[4]},
+      {"yz", 735, 735, "$yz$", yz, "$xz$", xz, {0, 1}, {4, 5}, by_rows[5]},
   };
   Claims claims("2.13");
   region_and_order(claims, seed);

@@ -231,7 +231,7 @@ Form along(const std::string& text, double detour, const Field& field) {
       return std::array{at[0] + loop, at[1] - 2.0 * loop * v, at[2] + m.w * loop};
     };
     const auto moved = curve(Dual<double>(u, 1));
-    return dot(field(curve(u)), {moved[0].slope, moved[1].slope, moved[2].slope});
+    return dot(field(curve(u)), std::array{moved[0].slope, moved[1].slope, moved[2].slope});
   };
   return {text, [=](M m) { return integral([&](double u) { return rate(m, u); }, 0, 1); },
           [=](const Sample& m) { return of_work(m) + 20 * detour * (1 + abs(m.w)); }};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "chapters/numbers.hpp"
 #include "reference/text.hpp"
 
 /// Vectors of three numbers; sums and multiples of any number.
@@ -25,10 +26,6 @@ template <std::size_t n>
 std::array<double, n> operator*(double s, std::array<double, n> a) {
   for (double& each : a) each *= s;
   return a;
-}
-inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 

@@ -468,15 +468,15 @@ void equations_of_motion(Claims& claims, const std::vector<Moment>& moments) {
        .near_misses = {along(R"($\ddot r+\alpha^2/(M^2r^3)$)", radial(1), &Along::of_radial)}});
 
   const auto singular = [&](const std::string& text, double ratio) {
-    Worst worst(R"($\ddot r$ at $z$ over $\ddot r$ at $2z$, $z=2^{-21}r$, $\alpha$ being the same)",
-                "Cartesian, by dual numbers", text);
+    WorstSample worst(R"($\ddot r$ at $z$ over $\ddot r$ at $2z$, $z=2^{-21}r$, $\alpha$ being the same)",
+                      "Cartesian, by dual numbers", text);
     for (const Moment& k : moments) {
       const Along now(k, false);
       const auto fall = [&](double z) {
         return Along({k.G, k.M, k.m, z, 0, 0, now.h / z, 0, 0, {}}, false).r_dot_dot;
       };
       const double z = now.r * 0x1p-21;
-      worst.see(fall(z) / fall(2 * z), ratio,
+      worst.add(fall(z) / fall(2 * z), ratio,
                 {16 * now.mu * z / (now.h * now.h) + 1e-12, R"(twice the pull's share there, $GMz/h^2$)"},
                 ratio, k.where());
     }

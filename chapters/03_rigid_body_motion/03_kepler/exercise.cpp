@@ -109,7 +109,7 @@ Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& tr
                         {{}, {}, {}, {Outcome::drifted, Outcome::ok}});
   Ladder(where, horizon, steps, tolerances())
       .by<ode::CashKarp54>("Cartesian", Cartesian<double>{s})
-      .by_others(
+      .by_remaining_integrators(
           "Cartesian", Cartesian<double>{s},
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
            {"linearly implicit Euler", Outcome::drifted,
@@ -122,23 +122,25 @@ Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& tr
 /// In years for seconds. From the aphelion the angle's rate sets the eccentricity: 0.1, 0.5, 0.9, 0.975,
 /// 0.99. Close is one degree of the Earth's orbit, in AU.
 Scene scene() {
-  return {planet,
-          2,
-          degree,
-          "theta0_dot",
-          {5.95, 4.45, 2, 1, 0.63},
-          {"r0", "theta0", "theta0_dot"},
-          {{"x", "y"}, "yr", {{"AU", {0, 1}}}},
-          {{"chapters/03_rigid_body_motion/03_kepler/models.hpp"},
-           {{"Kepler's equation, Newton from M + 0.85 e",
-             "kepler::ByKeplersEquation<double>({G, M, r0, r0_dot, theta0, theta0_dot})"},
-            {"equation (7) as printed",
-             "kepler::OneAngleAsPrinted<double>({G, M, r0, r0_dot, theta0, theta0_dot})"},
-            {"equation (7)", "kepler::OneAngle<double>({G, M, r0, r0_dot, theta0, theta0_dot})"},
-            {"equation (2)", "kepler::Distance<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
-            {"polar", "kepler::Polar<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
-            {"Cartesian", "kepler::Cartesian<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"}}},
-          kepler::draw<Parameters>};
+  return {
+      .motion = planet,
+      .horizon = 2,
+      .game_tolerance = degree,
+      .sweep_parameter = "theta0_dot",
+      .sweep_values = {5.95, 4.45, 2, 1, 0.63},
+      .perturbed_parameters = {"r0", "theta0", "theta0_dot"},
+      .axes = {{"x", "y"}, "yr", {{"AU", {0, 1}}}},
+      .listing = {{"chapters/03_rigid_body_motion/03_kepler/models.hpp"},
+                  {{"Kepler's equation, Newton from M + 0.85 e",
+                    "kepler::ByKeplersEquation<double>({G, M, r0, r0_dot, theta0, theta0_dot})"},
+                   {"equation (7) as printed",
+                    "kepler::OneAngleAsPrinted<double>({G, M, r0, r0_dot, theta0, theta0_dot})"},
+                   {"equation (7)", "kepler::OneAngle<double>({G, M, r0, r0_dot, theta0, theta0_dot})"},
+                   {"equation (2)", "kepler::Distance<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
+                   {"polar", "kepler::Polar<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
+                   {"Cartesian", "kepler::Cartesian<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"}}},
+      .draw = kepler::draw<Parameters>,
+  };
 }
 
 std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {

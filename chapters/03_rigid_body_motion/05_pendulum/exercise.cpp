@@ -123,11 +123,12 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
       .closed_form("amplitude-corrected", AmplitudeCorrected<double>{given}, Outcome::inaccurate,
                    "terms of order $a^4$ in the frequency and of order $a^3$ in the shape are left out")
       .closed_form("Jacobi's function by its Fourier series", FourierSeries<double>(given))
-      .by_common("one angle", OneAngle<double>{given}, Outcome::drifted, Outcome::inaccurate)
-      .by_others("one angle", OneAngle<double>{given},
-                 {{"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
-      .by_common("Cartesian with constraint", CartesianWithConstraint<double>{given}, Outcome::inaccurate,
-                 Outcome::inaccurate);
+      .by_engine_integrators("one angle", OneAngle<double>{given}, Outcome::drifted, Outcome::inaccurate)
+      .by_remaining_integrators(
+          "one angle", OneAngle<double>{given},
+          {{"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
+      .by_engine_integrators("Cartesian with constraint", CartesianWithConstraint<double>{given},
+                             Outcome::inaccurate, Outcome::inaccurate);
   angle.add(
       Breakdown{"Explicit Euler gains energy at every step: at eight steps a second the pendulum, let go at "
                 "30 degrees, has "
@@ -154,21 +155,23 @@ engines::Staging staging(const Parameters& p) {
 }
 
 Scene scene() {
-  return {swing,
-          10,
-          degree,
-          "a",
-          {0.125, 0.5, 1, 2, 3},
-          {"a", "L"},
-          {{"theta"}, "s", {{"rad", {0}}}},
-          {{"chapters/03_rigid_body_motion/05_pendulum/models.hpp"},
-           {{"small angle", "pendulum::SmallAngle<double>{{a, L, g}}"},
-            {"amplitude-corrected", "pendulum::AmplitudeCorrected<double>{{a, L, g}}"},
-            {"Jacobi's function by its Fourier series", "pendulum::FourierSeries<double>({a, L, g})"},
-            {"one angle", "pendulum::OneAngle<double>{{a, L, g}}"},
-            {"Cartesian with constraint", "pendulum::CartesianWithConstraint<double>{{a, L, g}}"}}},
-          pendulum::draw<Parameters>,
-          staging};
+  return {
+      .motion = swing,
+      .horizon = 10,
+      .game_tolerance = degree,
+      .sweep_parameter = "a",
+      .sweep_values = {0.125, 0.5, 1, 2, 3},
+      .perturbed_parameters = {"a", "L"},
+      .axes = {{"theta"}, "s", {{"rad", {0}}}},
+      .listing = {{"chapters/03_rigid_body_motion/05_pendulum/models.hpp"},
+                  {{"small angle", "pendulum::SmallAngle<double>{{a, L, g}}"},
+                   {"amplitude-corrected", "pendulum::AmplitudeCorrected<double>{{a, L, g}}"},
+                   {"Jacobi's function by its Fourier series", "pendulum::FourierSeries<double>({a, L, g})"},
+                   {"one angle", "pendulum::OneAngle<double>{{a, L, g}}"},
+                   {"Cartesian with constraint", "pendulum::CartesianWithConstraint<double>{{a, L, g}}"}}},
+      .draw = pendulum::draw<Parameters>,
+      .staging = staging,
+  };
 }
 
 // ---- the claims -------------------------------------------------------------------------------------------
@@ -179,11 +182,11 @@ double arcsine(double epsilon) { return std::asin(1 - epsilon * cos(book_angle) 
 /// most.
 Reading in_two_parts(const std::string& text, const Reference& truth, double (*tail)(double epsilon)) {
   const double a = book_angle, whole = truth("03_05_quarter_period", {a}).value[0];
-  Worst worst(R"($I(a)$, cut at $\epsilon=10^{-2},10^{-3}$)", R"(QAG to $a-\epsilon$ plus )" + text,
-              R"($\sqrt2\,K$ by the arithmetic-geometric mean)");
+  WorstSample worst(R"($I(a)$, cut at $\epsilon=10^{-2},10^{-3}$)", R"(QAG to $a-\epsilon$ plus )" + text,
+                    R"($\sqrt2\,K$ by the arithmetic-geometric mean)");
   for (double epsilon : {1e-2, 1e-3}) {
     const double next_term = std::pow(epsilon, 2.5) / (30 * sqrt(sin(a)));
-    worst.see(qag(singular_integrand(a), 0, a - epsilon, 1e-13).value + tail(epsilon), whole,
+    worst.add(qag(singular_integrand(a), 0, a - epsilon, 1e-13).value + tail(epsilon), whole,
               {2 * next_term + 1e-12, R"(twice the first term left out, $\epsilon^{5/2}/(30\sqrt{\sin a})$)"},
               1, R"($\epsilon$ = )" + shortest(epsilon));
   }
@@ -259,7 +262,7 @@ std::vector<Claim> claims(const Reference& truth) {
        .why =
            R"(The listing subtracts `initialAngle` where the text's integrand has $\cos(\pi/6)$: it integrates )"
            R"($1/\sqrt{\cos\psi-\pi/6}$, which is finite everywhere, and adds a remainder for a singularity that )"
-           R"(is not there. To replace the one term is not enough: Simpson's rule then meets the singularity )"
+           R"(is not there. To replace the one term is not enough: Simpson's rule then hits the singularity )"
            R"((see the methods below).)"});
 
   const Route tail{R"($2\sqrt{\epsilon/\sin a}$, the remainder to leading order)",

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
-#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
-#include "chapters/03_rigid_body_motion/shared/listed_runge_kutta.hpp"
+#include "chapters/03_rigid_body_motion/shared/book_runge_kutta_4.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 
 namespace oddity::ex03_07 {
 
@@ -130,14 +130,14 @@ void formulas(Claims& claims, double seed) {
                                            }}}});
   claims.formula<Sample>(
       "dT_dq", 1385, R"($\partial T/\partial q$)", samples,
-      {.truth = {"$T$ by dual numbers", [](const Sample& s) { return d_dq(s.T(), s.q, s.v); }},
+      {.truth = {"$T$ by dual numbers", [](const Sample& s) { return df_dq(s.T(), s.q, s.v); }},
        .printed = {R"($2m(2q+9q^3)\dot q^2$)",
                    [](const Sample& s) { return 2 * s.m * s.bend() * s.v * s.v; }},
        .near_misses = {
            {R"($m(2q+9q^3)\dot q^2$)", [](const Sample& s) { return s.m * s.bend() * s.v * s.v; }}}});
   claims.formula<Sample>(
       "dT_dqdot", 1387, R"($\partial T/\partial\dot q$)", samples,
-      {.truth = {"$T$ by dual numbers", [](const Sample& s) { return d_dv(s.T(), s.q, s.v); }},
+      {.truth = {"$T$ by dual numbers", [](const Sample& s) { return df_dv(s.T(), s.q, s.v); }},
        .printed = {R"($m(1+4q^2+9q^4)\dot q$)", [](const Sample& s) { return s.m * metric(s.q) * s.v; }},
        .near_misses = {{R"($\frac m2(1+4q^2+9q^4)\dot q$)",
                         [](const Sample& s) { return s.m / 2 * metric(s.q) * s.v; }}}});
@@ -146,13 +146,13 @@ void formulas(Claims& claims, double seed) {
   };
   claims.formula<Sample>("momentum_rate", 1393, R"($\frac d{dt}\,\partial T/\partial\dot q$)", samples,
                          {.truth = {"$T$ by nested dual numbers",
-                                    [](const Sample& s) { return momentum_rate(s.T(), s.q, s.v, s.a); }},
+                                    [](const Sample& s) { return rate_of_df_dv(s.T(), s.q, s.v, s.a); }},
                           .printed = {R"($m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2$)", rate(4)},
                           .near_misses = {{R"($m(1+4q^2+9q^4)\ddot q+2m(2q+9q^3)\dot q^2$)", rate(2)}}});
   claims.formula<Sample>(
       "force", 1395, "the generalized force of gravity", samples,
       {.truth = {R"($\partial L/\partial q$ at rest by dual numbers)",
-                 [](const Sample& s) { return d_dq(s.L(), s.q, 0); }},
+                 [](const Sample& s) { return df_dq(s.L(), s.q, 0); }},
        .printed = {"$-3mgq^2$", [](const Sample& s) { return -3 * s.m * s.g * s.q * s.q; }},
        .near_misses = {{"$3mgq^2$", [](const Sample& s) { return 3 * s.m * s.g * s.q * s.q; }}}});
   const auto sides = [](double factor) {
@@ -163,7 +163,9 @@ void formulas(Claims& claims, double seed) {
   claims.formula<Sample>(
       "lagrange_equation", 1407, "what is zero by Lagrange's equation", samples,
       {.truth = {R"($\frac d{dt}\,\partial L/\partial\dot q-\partial L/\partial q$ by nested dual numbers)",
-                 [](const Sample& s) { return momentum_rate(s.L(), s.q, s.v, s.a) - d_dq(s.L(), s.q, s.v); }},
+                 [](const Sample& s) {
+                   return rate_of_df_dv(s.L(), s.q, s.v, s.a) - df_dq(s.L(), s.q, s.v);
+                 }},
        .printed = {R"($m(1+4q^2+9q^4)\ddot q+(4m-2m)(2q+9q^3)\dot q^2+3mgq^2$)", sides(4 - 2)},
        .near_misses = {{R"($m(1+4q^2+9q^4)\ddot q+(4m+2m)(2q+9q^3)\dot q^2+3mgq^2$)", sides(4 + 2)}}});
 

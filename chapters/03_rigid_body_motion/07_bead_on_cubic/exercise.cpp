@@ -29,20 +29,23 @@ Quantity position(const Parameters& p, const Horizon& horizon, const Reference& 
 }
 
 Scene scene() {
-  return {position,
-          4,
-          centimeter,
-          "q0",
-          {0.25, 0.5, 1, 1.5, 2},
-          {"q0"},
-          {{"x", "y", "z"}, "s", {{"m", {0, 1, 2}}}},
-          {{"chapters/03_rigid_body_motion/07_bead_on_cubic/models.hpp"},
-           {{"straight tangent", "bead_on_cubic::StraightTangent<double>{{q0, g}}"},
-            {"energy in q", "bead_on_cubic::EnergyInQ<double>{{q0, g}}"},
-            {"energy in u", "bead_on_cubic::EnergyInU<double>{{q0, g}}"},
-            {"one coordinate", "bead_on_cubic::OneCoordinate<double>{{q0, g}}"},
-            {"Cartesian with constraints", "bead_on_cubic::CartesianWithConstraints<double>{{q0, g}}"}}},
-          bead_on_cubic::draw<Parameters>};
+  return {
+      .motion = position,
+      .horizon = 4,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "q0",
+      .sweep_values = {0.25, 0.5, 1, 1.5, 2},
+      .perturbed_parameters = {"q0"},
+      .axes = {{"x", "y", "z"}, "s", {{"m", {0, 1, 2}}}},
+      .listing = {{"chapters/03_rigid_body_motion/07_bead_on_cubic/models.hpp"},
+                  {{"straight tangent", "bead_on_cubic::StraightTangent<double>{{q0, g}}"},
+                   {"energy in q", "bead_on_cubic::EnergyInQ<double>{{q0, g}}"},
+                   {"energy in u", "bead_on_cubic::EnergyInU<double>{{q0, g}}"},
+                   {"one coordinate", "bead_on_cubic::OneCoordinate<double>{{q0, g}}"},
+                   {"Cartesian with constraints",
+                    "bead_on_cubic::CartesianWithConstraints<double>{{q0, g}}"}}},
+      .draw = bead_on_cubic::draw<Parameters>,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

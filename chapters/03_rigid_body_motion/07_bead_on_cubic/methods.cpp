@@ -16,7 +16,7 @@ void add_event(Quantity& arrival, const std::string& name, const Model& model, O
     return answer(event_of<Algorithm>(model, setting), [](const auto& event) { return event.time; });
   };
   const Knob steps = halving("step", latest(model.p) / 32, 8);
-  const ode::Brief algorithm = ode::brief<Algorithm>();
+  const ode::AlgorithmInfo algorithm = ode::info<Algorithm>();
   arrival.add({name, std::string(algorithm.name), ode::has_tolerance(algorithm.kind) ? tolerances() : steps,
                run, expected, why});
 }
@@ -35,7 +35,7 @@ void add_events(Quantity& arrival, const std::string& name, const Model& model) 
 const std::string stuck = "energy in q", regular = "energy in u", one = "one coordinate",
                   cartesian = "Cartesian with constraints", raw = "energy integral over q",
                   substituted = "energy integral over u";
-const std::string fehlberg{ode::brief<ode::Fehlberg78>().name};
+const std::string fehlberg{ode::info<ode::Fehlberg78>().name};
 
 void add_integrals(Quantity& arrival, const Given<double>& bead) {
   const double q0 = bead.q0;
@@ -105,12 +105,12 @@ Quantity slide(const Given<double>& bead, const Horizon& horizon, const Referenc
       .closed_form("straight tangent", StraightTangent<double>{bead}, Outcome::inaccurate,
                    "the curve bends away")
       .by<ode::Fehlberg78>(stuck, EnergyInQ<double>{bead}, Outcome::inaccurate, "the bead never moves")
-      .by_few(regular, EnergyInU<double>{bead})
-      .by_common(one, OneCoordinate<double>{bead})
-      .by_others(one, OneCoordinate<double>{bead},
-                 {{"linearly implicit Euler", Outcome::inaccurate,
-                   "its order is too low for this need at this step"}})
-      .by_common(cartesian, CartesianWithConstraints<double>{bead});
+      .by_core_integrators(regular, EnergyInU<double>{bead})
+      .by_engine_integrators(one, OneCoordinate<double>{bead})
+      .by_remaining_integrators(one, OneCoordinate<double>{bead},
+                                {{"linearly implicit Euler", Outcome::inaccurate,
+                                  "its order is too low for this need at this step"}})
+      .by_engine_integrators(cartesian, CartesianWithConstraints<double>{bead});
   position.add({substituted, "Gauss-Legendre, inverted by Brent", doubling("points", 4, 6), [=](double n) {
                   return by_inverted_integral(EnergyInU<double>{bead}, horizon, static_cast<int>(n));
                 }});

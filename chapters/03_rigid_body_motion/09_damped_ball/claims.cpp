@@ -293,9 +293,9 @@ void solutions(Claims& claims, double seed, Random& random) {
       "overdamped_never_arrives", 1477,
       "with real roots the ball reaches the origin only after infinite time",
       {.printed = {"$|x|>0$ for all $t$",
-                   {never("$x_1(1)$ has changed its sign: the origin is passed by then",
-                          OneForm<double>{thrown}.at(1)[0] < 0, 1,
-                          "$m=1$, $c=4$, $a=5$, $p=(1,2)$, $v=-9p$")}},
+                   {no_violations("$x_1(1)$ has changed its sign: the origin is passed by then",
+                                  OneForm<double>{thrown}.at(1)[0] < 0, 1,
+                                  "$m=1$, $c=4$, $a=5$, $p=(1,2)$, $v=-9p$")}},
        .corrected = passes("a ball thrown at the origin faster than $|r_2||p|$ passes it once, at "
                            "$e^{(r_1-r_2)t}=-K_2/K_1$",
                            third),
@@ -398,10 +398,10 @@ Passage first_passage(const Ball& b) {
 /// A formula for beta times the time of arrival.
 Reading arrives(std::string text, const std::vector<Start>& starts,
                 const std::function<double(const Start&)>& angle) {
-  Worst worst("first time at the origin", text, R"(the sign change of $x\cdot p$, by bisection)");
+  WorstSample worst("first time at the origin", text, R"(the sign change of $x\cdot p$, by bisection)");
   for (const Start& s : starts) {
     const Passage found = first_passage(s.ball);
-    worst.see(angle(s) / s.beta(), found.time, found.known, found.time, s.where);
+    worst.add(angle(s) / s.beta(), found.time, found.known, found.time, s.where);
   }
   return {std::move(text), {worst.check()}};
 }
@@ -574,8 +574,8 @@ void arrivals(Claims& claims, double seed, Random& random) {
       "velocity_points_to_origin", 1525,
       "what happens physically is that the velocity points to the origin at the start",
       {.printed = {R"($p\cdot v<0$ in every start that arrives)",
-                   {never(R"($p\cdot v\ge0$ though the ball arrives, $p=(1,2)$, $v=p$)",
-                          size_of({w1, w2}) < 1e-9, 1)}},
+                   {no_violations(R"($p\cdot v\ge0$ though the ball arrives, $p=(1,2)$, $v=p$)",
+                                  size_of({w1, w2}) < 1e-9, 1)}},
        .corrected = back("$p$ and $v$ parallel, in either direction", "$v=p$", away),
        .near_misses = {back("any direction", "$v=(1,1)$", aside)},
        .why = "Parallel is enough: a ball moving straight away from the origin turns round and comes back "
@@ -591,14 +591,14 @@ void arrivals(Claims& claims, double seed, Random& random) {
     starts.push_back({{1, c, a, p, 0, v, 0}, "$p$ = " + rounded(p, 4) + ", $v$ = " + rounded(v, 4)});
   }
   const auto turned = [&](std::string text, int power, double sign) -> Reading {
-    Worst worst(R"(the pair less its part along $(-\sin\beta t,\cos\beta t)$)", text, "zero");
+    WorstSample worst(R"(the pair less its part along $(-\sin\beta t,\cos\beta t)$)", text, "zero");
     for (const Start& start : starts) {
       const double p = start.ball.p1, beta = start.beta(), speed = start.ball.v1 - start.alpha() * p;
       const Passage found = first_passage(start.ball);
       const double second = power < 0 ? speed / beta : start.ball.v1 - start.alpha() * p * beta;
       const double c = std::cos(beta * found.time), s = sign * std::sin(beta * found.time),
                    part = -p * s + second * c, size = p + abs(second);
-      worst.see({p + part * s, second - part * c}, {0, 0},
+      worst.add({p + part * s, second - part * c}, {0, 0},
                 {beta * found.known.allowed * size + rounding(size).allowed,
                  "the passage's uncertainty, as an angle, and 64 roundings"},
                 size, start.where);

@@ -32,19 +32,22 @@ Quantity position(const Parameters& p, const Horizon& horizon, const Reference& 
 }
 
 Scene scene() {
-  return {position,
-          5,
-          centimeter,
-          "a",
-          {0.4, 4, 40, 200, 1000},
-          {"p1", "p2", "v2"},
-          {{"x", "y"}, "s", {{"m", {0, 1}}}},
+  return {
+      .motion = position,
+      .horizon = 5,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "a",
+      .sweep_values = {0.4, 4, 40, 200, 1000},
+      .perturbed_parameters = {"p1", "p2", "v2"},
+      .axes = {{"x", "y"}, "s", {{"m", {0, 1}}}},
+      .listing =
           {{"chapters/03_rigid_body_motion/09_damped_ball/models.hpp"},
            {{"closed form, one for all regimes", "damped_ball::OneForm<double>{{m, c, a, p1, p2, v1, v2}}"},
             {"two exponentials", "damped_ball::TwoExponentials<double>{{m, c, a, p1, p2, v1, v2}}"},
             {"plane", "damped_ball::Plane<double>{{m, c, a, p1, p2, v1, v2}}"},
             {"plane, with the work", "damped_ball::PlaneWithWork<double>{{m, c, a, p1, p2, v1, v2}}"}}},
-          damped_ball::draw<Parameters>};
+      .draw = damped_ball::draw<Parameters>,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

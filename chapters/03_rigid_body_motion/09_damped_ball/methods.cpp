@@ -21,11 +21,12 @@ Quantity path(const std::string& name, const std::string& says, const Ball& b, c
       .closed_form("closed form, one for all regimes", OneForm<double>{b})
       .closed_form("two exponentials", TwoExponentials<double>{b}, d > 0 ? Outcome::ok : Outcome::non_finite,
                    d > 0 ? "" : "there are no two real roots")
-      .by_common("plane", Plane<double>{b}, Outcome::inaccurate, Outcome::inaccurate)
-      .by_others("plane", Plane<double>{b},
-                 {{"linearly implicit Euler", Outcome::inaccurate,
-                   "its order is too low for this need at this step"}})
-      .by_few("plane, with the work", PlaneWithWork<double>{b}, Outcome::inaccurate, Outcome::inaccurate)
+      .by_engine_integrators("plane", Plane<double>{b}, Outcome::inaccurate, Outcome::inaccurate)
+      .by_remaining_integrators("plane", Plane<double>{b},
+                                {{"linearly implicit Euler", Outcome::inaccurate,
+                                  "its order is too low for this need at this step"}})
+      .by_core_integrators("plane, with the work", PlaneWithWork<double>{b}, Outcome::inaccurate,
+                           Outcome::inaccurate)
       .by<ode::Rosenbrock4>("plane, with the work", PlaneWithWork<double>{b});
   return q;
 }

@@ -48,9 +48,9 @@ Quantity path(const std::string& name, const std::string& says, const Case<doubl
   else
     ladder.closed_form(line, StraightLine<double>{c}, Outcome::inaccurate,
                        "the hill pushes, and not along the line");
-  ladder.by_common(plane, in_plane(c), straight ? Outcome::ok : Outcome::inaccurate)
-      .by_common(space, InSpace<double>{c})
-      .by_few("momenta", in_momenta(c));
+  ladder.by_engine_integrators(plane, in_plane(c), straight ? Outcome::ok : Outcome::inaccurate)
+      .by_engine_integrators(space, InSpace<double>{c})
+      .by_core_integrators("momenta", in_momenta(c));
   return position;
 }
 
@@ -68,9 +68,9 @@ Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& tr
            "position at " + times_up_to(horizon) + ", from the top at a part of the straight path's speed", c,
            false, horizon, truth);
   Ladder(position, horizon, halving("step", 0.125, 9), tolerances(3, 11))
-      .by_others(plane, in_plane(c),
-                 {{"modified midpoint", Outcome::inaccurate, low_order},
-                  {"linearly implicit Euler", Outcome::inaccurate, low_order}});
+      .by_remaining_integrators(plane, in_plane(c),
+                                {{"modified midpoint", Outcome::inaccurate, low_order},
+                                 {"linearly implicit Euler", Outcome::inaccurate, low_order}});
   return with_float(std::move(position), horizon,
                     Given<double>{p["a1"], p["a2"], p["g"], p["v1"], p["v2"], p["factor"]},
                     {line, plane, "momenta", space});
@@ -78,23 +78,25 @@ Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& tr
 
 Scene scene() {
   return {
-      slower,
-      2,
-      centimeter,
-      "factor",
-      {0.99, 0.9, 0.75, 0.5, 0.2},
-      {"v1", "v2"},
-      {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
-      {{"chapters/03_rigid_body_motion/11_paraboloid_hill/models.hpp"},
-       {{"straight line",
-         "paraboloid_hill::StraightLine<double>{paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor})}"},
-        {"height field",
-         "paraboloid_hill::in_plane(paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor}))"},
-        {"Cartesian with constraint",
-         "paraboloid_hill::InSpace<double>{paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor})}"},
-        {"momenta",
-         "paraboloid_hill::in_momenta(paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor}))"}}},
-      paraboloid_hill::draw<Parameters>};
+      .motion = slower,
+      .horizon = 2,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "factor",
+      .sweep_values = {0.99, 0.9, 0.75, 0.5, 0.2},
+      .perturbed_parameters = {"v1", "v2"},
+      .axes = {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
+      .listing =
+          {{"chapters/03_rigid_body_motion/11_paraboloid_hill/models.hpp"},
+           {{"straight line",
+             "paraboloid_hill::StraightLine<double>{paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor})}"},
+            {"height field",
+             "paraboloid_hill::in_plane(paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor}))"},
+            {"Cartesian with constraint",
+             "paraboloid_hill::InSpace<double>{paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor})}"},
+            {"momenta",
+             "paraboloid_hill::in_momenta(paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor}))"}}},
+      .draw = paraboloid_hill::draw<Parameters>,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -32,7 +32,6 @@ struct AlongAndAbout {
   }
 };
 
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Point sum(const Point& a, const Point& b, double factor = 1) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
@@ -108,7 +107,7 @@ struct OnChute {
     const double n1 = chute.height(D(x1, 1), D(x2)).slope, n2 = chute.height(D(x1), D(x2, 1)).slope;
     const double rise = chute.height(D(x1, v1), D(x2, v2)).slope;
     const Pair force{-friction * (v1 + n1 * rise), wind - friction * (v2 + n2 * rise)};
-    return lagrange_accelerations(height_field::Lagrangian<Chute<double>>{chute, g}, {x1, x2}, {v1, v2},
+    return lagrange_accelerations(height_field::Lagrangian<Chute<double>>{chute, g}, Pair{x1, x2}, {v1, v2},
                                   force);
   }
   /// The same without forces from the Lagrangian in the way along the axis and the angle about it.
@@ -116,7 +115,7 @@ struct OnChute {
     const double angle = std::asin(x2 / chute.R), turning = v2 / (chute.R * cos(angle));
     const double along = (x1 - chute.R * (1 - cos(angle)) * chute.s()) / chute.c();
     const double speed = (v1 - chute.R * sin(angle) * turning * chute.s()) / chute.c();
-    const Pair a = lagrange_accelerations(AlongAndAbout{chute, g}, {along, angle}, {speed, turning});
+    const Pair a = lagrange_accelerations(AlongAndAbout{chute, g}, Pair{along, angle}, {speed, turning});
     const auto x = [&](std::size_t i) {
       return [&, i](const auto& t) {
         return chute.position(along + speed * t + 0.5 * a[0] * t * t,

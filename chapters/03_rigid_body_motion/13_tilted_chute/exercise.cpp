@@ -61,22 +61,24 @@ engines::Staging staging(const Parameters& p) {
 }
 
 Scene scene() {
-  return {swinging_ball,
-          4,
-          centimeter,
-          "phi",
-          {0.1, 0.5, 1, 1.35, 1.5},
-          {"phi", "u"},
-          {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
-          {{"chapters/03_rigid_body_motion/13_tilted_chute/models.hpp"},
-           {{"center line", "tilted_chute::CenterLine<double>{{R, L, H, g, phi, u}}"},
-            {"small angle", "tilted_chute::SmallAngle<double>{{R, L, H, g, phi, u}}"},
-            {"elliptic angle", "tilted_chute::EllipticAngle<double>({R, L, H, g, phi, u})"},
-            {"angle about the axis", "tilted_chute::Angle<double>{{R, L, H, g, phi, u}}"},
-            {"height field", "tilted_chute::in_plane<double>({R, L, H, g, phi, u})"},
-            {"Cartesian with constraint", "tilted_chute::InSpace<double>{{R, L, H, g, phi, u}}"}}},
-          tilted_chute::draw<Parameters>,
-          staging};
+  return {
+      .motion = swinging_ball,
+      .horizon = 4,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "phi",
+      .sweep_values = {0.1, 0.5, 1, 1.35, 1.5},
+      .perturbed_parameters = {"phi", "u"},
+      .axes = {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
+      .listing = {{"chapters/03_rigid_body_motion/13_tilted_chute/models.hpp"},
+                  {{"center line", "tilted_chute::CenterLine<double>{{R, L, H, g, phi, u}}"},
+                   {"small angle", "tilted_chute::SmallAngle<double>{{R, L, H, g, phi, u}}"},
+                   {"elliptic angle", "tilted_chute::EllipticAngle<double>({R, L, H, g, phi, u})"},
+                   {"angle about the axis", "tilted_chute::Angle<double>{{R, L, H, g, phi, u}}"},
+                   {"height field", "tilted_chute::in_plane<double>({R, L, H, g, phi, u})"},
+                   {"Cartesian with constraint", "tilted_chute::InSpace<double>{{R, L, H, g, phi, u}}"}}},
+      .draw = tilted_chute::draw<Parameters>,
+      .staging = staging,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

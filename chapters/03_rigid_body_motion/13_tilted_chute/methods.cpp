@@ -25,8 +25,8 @@ Ladder swinging(Quantity& position, const Given<double>& c, const Horizon& horiz
   ladder.closed_form(center, CenterLine<double>{c}, Outcome::inaccurate, "the ball is beside the center line")
       .closed_form(small, SmallAngle<double>{c}, Outcome::inaccurate, "the period grows with the amplitude")
       .closed_form(exact_angle, EllipticAngle<double>(c))
-      .by_common(about, Angle<double>{c})
-      .by_common(space, InSpace<double>{c});
+      .by_engine_integrators(about, Angle<double>{c})
+      .by_engine_integrators(space, InSpace<double>{c});
   return ladder;
 }
 
@@ -37,9 +37,10 @@ Quantity swing(const Given<double>& c, const Horizon& horizon, const Reference& 
       slide("swing", "position at " + times_up_to(horizon) + " of a ball let go beside the center line", c,
             horizon, truth);
   swinging(position, c, horizon)
-      .by_common(plane, in_plane(c))
-      .by_others(about, Angle<double>{c},
-                 {{"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps every swing"}});
+      .by_engine_integrators(plane, in_plane(c))
+      .by_remaining_integrators(
+          about, Angle<double>{c},
+          {{"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps every swing"}});
   return position;
 }
 

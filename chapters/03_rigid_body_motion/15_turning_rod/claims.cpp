@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
-#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
-#include "chapters/03_rigid_body_motion/shared/listed_runge_kutta.hpp"
+#include "chapters/03_rigid_body_motion/shared/book_runge_kutta_4.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
 #include "solvers/ode/algorithms.hpp"
@@ -22,7 +22,6 @@ using Space = std::array<double, 3>;
 constexpr double quarter = pi / 4;
 const Rod<double> book{{1, 1, 10, quarter, 2}};
 
-double dot(const Space& x, const Space& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 double length(const Space& x) { return sqrt(dot(x, x)); }
 Space times(double factor, const Space& x) { return {factor * x[0], factor * x[1], factor * x[2]}; }
 
@@ -208,7 +207,7 @@ void geometry(Claims& claims, const Samples& samples) {
             [](S s) { return dot(direction(0.0), velocity(sqrt2 * s.b, 0.0, 0.0, quarter)); }, speed},
        .printed = {R"($(a,0,a)\cdot(0,0,0)$)",
                    [](S s) {
-                     return dot(s.segment(), {0, 0, 0});
+                     return dot(s.segment(), Space{0, 0, 0});
                    }},
        .near_misses = {{R"(the speed $|\dot x(0)|$)", speed}}});
 }
@@ -225,16 +224,16 @@ void energies(Claims& claims, const Samples& samples) {
        .near_misses = {{R"($\frac m2(\omega^2\lambda^2+\dot\lambda^2)$)", T(1)}}});
   claims.formula<Sample>(
       "dT_dlambda", 1793, R"($\partial T/\partial\lambda$)", samples,
-      {.truth = {dual, [](S s) { return d_dq(s.T(), s.s, s.v, s.t); }},
+      {.truth = {dual, [](S s) { return df_dq(s.T(), s.s, s.v, s.t); }},
        .printed = {R"($m\omega^2\lambda/2$)", [](S s) { return s.m * s.w * s.w / 2 * s.s; }},
        .near_misses = {{R"($m\omega^2\lambda$)", [](S s) { return s.m * s.w * s.w * s.s; }}}});
   claims.formula<Sample>("dT_dlambdadot", 1799, R"($\partial T/\partial\dot\lambda$)", samples,
-                         {.truth = {dual, [](S s) { return d_dv(s.T(), s.s, s.v, s.t); }},
+                         {.truth = {dual, [](S s) { return df_dv(s.T(), s.s, s.v, s.t); }},
                           .printed = {R"($m\dot\lambda$)", [](S s) { return s.m * s.v; }},
                           .near_misses = {{R"($m\dot\lambda/2$)", [](S s) { return s.m * s.v / 2; }}}});
   claims.formula<Sample>(
       "momentum_rate", 1803, R"(the time derivative of $\partial T/\partial\dot\lambda$)", samples,
-      {.truth = {"nested dual numbers", [](S s) { return momentum_rate(s.T(), s.s, s.v, s.A, s.t); },
+      {.truth = {"nested dual numbers", [](S s) { return rate_of_df_dv(s.T(), s.s, s.v, s.A, s.t); },
                  [](S s) { return s.m * abs(s.w) * (abs(s.v) + abs(s.w) * s.s); }},
        .printed = {R"($m\ddot\lambda$)", [](S s) { return s.m * s.A; }},
        .near_misses = {
@@ -323,7 +322,7 @@ void equations(Claims& claims, const Samples& samples) {
       R"(the generalized force is $-K(1-\ell\sqrt{\dots})(\lambda-c\cos(\omega t)/\sqrt2)$)", samples,
       {.quantity = "the generalized force",
        .truth = {R"(minus the derivative of the spring's energy by $\lambda$, by dual numbers)",
-                 [](S s) { return d_dq(s.L(), s.s, 0, s.t) - d_dq(s.T(), s.s, 0, s.t); }},
+                 [](S s) { return df_dq(s.L(), s.s, 0, s.t) - df_dq(s.T(), s.s, 0, s.t); }},
        .printed = {R"($1-\ell\sqrt{\dots}$, a product)", force(1, 1)},
        .meant = {R"($1-\ell/\sqrt{\dots}$)", force(1)},
        .near_misses = {{R"($1-\ell/\sqrt{\dots}$ and $c\cos\omega t$ for $c\cos(\omega t)/\sqrt2$)",
@@ -340,7 +339,7 @@ void equations(Claims& claims, const Samples& samples) {
       "equation", 1839, "the difference of the sides of the equation of motion", samples,
       {.truth = {R"($\frac{d}{dt}\frac{\partial L}{\partial\dot\lambda}-\frac{\partial L}{\partial\lambda}$ )"
                  R"(by nested dual numbers)",
-                 [](S s) { return momentum_rate(s.L(), s.s, s.v, s.A, s.t) - d_dq(s.L(), s.s, s.v, s.t); }},
+                 [](S s) { return rate_of_df_dv(s.L(), s.s, s.v, s.A, s.t) - df_dq(s.L(), s.s, s.v, s.t); }},
        .printed = {R"($m\ddot\lambda-m\omega^2\lambda/2-F$)", equation(1)},
        .near_misses = {{R"($m\ddot\lambda-m\omega^2\lambda-F$)", equation(2)},
                        {R"($m\ddot\lambda-F$)", equation(0)}}});
@@ -409,8 +408,8 @@ Check stays_on(const std::string& start, double s, double K, double w = quarter)
   const auto states =
       ode::integrate<ode::DormandPrince54>(rod, rod.start(), Horizon{2, 200}.times(), 1e-10).value;
   const auto off = [](const auto& x) { return !(0 <= x[0] && x[0] <= 4); };
-  return never(R"($0\le\lambda\le L$ )" + start, std::ranges::count_if(states, off),
-               static_cast<long>(states.size()));
+  return no_violations(R"($0\le\lambda\le L$ )" + start, std::ranges::count_if(states, off),
+                       static_cast<long>(states.size()));
 }
 
 /// An end of the segment is passed at the time named.
@@ -648,10 +647,10 @@ void output(Claims& claims, const Value& end) {
   for (std::size_t i = 1; i < mended.lambda.size(); ++i) rises += !(mended.lambda[i] < mended.lambda[i - 1]);
   claims.add("slipped", 2181, R"($\lambda$ has decreased)",
              {.printed = {R"($\lambda(2)<\lambda(0)$)",
-                          {never(R"($\lambda(2)<2$ by the listing, by the mended one, by the table)",
-                                 !(s < 2) + !(mended.lambda.back() < 2) + !(lambda < 2), 3)}},
+                          {no_violations(R"($\lambda(2)<2$ by the listing, by the mended one, by the table)",
+                                         !(s < 2) + !(mended.lambda.back() < 2) + !(lambda < 2), 3)}},
               .near_misses = {{R"($\lambda$ decreases all the time)",
-                               {never(R"($\lambda$ decreases in a step)", rises, 200)}}}});
+                               {no_violations(R"($\lambda$ decreases in a step)", rises, 200)}}}});
 }
 
 }  // namespace

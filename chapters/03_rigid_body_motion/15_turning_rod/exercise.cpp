@@ -55,13 +55,13 @@ Quantity slide(const Parameters& p, const Horizon& horizon, const Reference& tru
       .by<ode::RungeKutta4>("listing with the other rest length", listed_with_other_rest_length(rod),
                             Outcome::inaccurate,
                             R"(with $\sqrt{(b-c)^2+c^2}$ the spring is stretched from the start)")
-      .by_common("along the rod", AlongTheRod<double>{{rod}})
-      .by_others("along the rod", AlongTheRod<double>{{rod}},
-                 {{"linearly implicit Euler", Outcome::inaccurate,
-                   "its order is too low for this need at this step"}})
-      .by_few("along the rod, with the work", AlongTheRodWithWork<double>{{rod}})
-      .by_common("in the turning plane", InTheTurningPlane<double>{{rod}})
-      .by_common("Cartesian with constraints", CartesianWithConstraints<double>{{rod}});
+      .by_engine_integrators("along the rod", AlongTheRod<double>{{rod}})
+      .by_remaining_integrators("along the rod", AlongTheRod<double>{{rod}},
+                                {{"linearly implicit Euler", Outcome::inaccurate,
+                                  "its order is too low for this need at this step"}})
+      .by_core_integrators("along the rod, with the work", AlongTheRodWithWork<double>{{rod}})
+      .by_engine_integrators("in the turning plane", InTheTurningPlane<double>{{rod}})
+      .by_engine_integrators("Cartesian with constraints", CartesianWithConstraints<double>{{rod}});
   return with_float(std::move(place), horizon, rod,
                     {"no spring", "spring's end on the axis", "rigid spring", "listing as printed",
                      "listing with the other rest length", "along the rod", "along the rod, with the work",
@@ -80,7 +80,7 @@ Quantity stiff_spring(const Given<double>& rod, const Horizon& horizon, const Re
       .by<ode::DormandPrince54>(name, along)
       .by<ode::Fehlberg78>(name, along)
       .by<ode::BulirschStoer>(name, along);
-  const std::string runge_kutta = name + ", " + std::string(ode::brief<ode::RungeKutta4>().name);
+  const std::string runge_kutta = name + ", " + std::string(ode::info<ode::RungeKutta4>().name);
   place.add(Breakdown{
       "The spring's tremor, about $\\sqrt{K/m}$, must be resolved though nobody sees it: beyond a step of 2.83 "
       "over that frequency Runge-Kutta 4 blows it up. A smaller step cures it.",
@@ -115,9 +115,9 @@ Quantity runaway(const Given<double>& rod) {
                 return Answer{rod.w * root_half<double>, 1};
               },
               Outcome::inaccurate, "the spring holds back in proportion"});
-  growth.add({"along the rod", std::string(ode::brief<ode::RungeKutta4>().name), foldings,
+  growth.add({"along the rod", std::string(ode::info<ode::RungeKutta4>().name), foldings,
               [=](double n) { return late_rate<ode::RungeKutta4>(along, rate, n, 1 / (64 * rate)); }});
-  growth.add({"along the rod", std::string(ode::brief<ode::Fehlberg78>().name), foldings,
+  growth.add({"along the rod", std::string(ode::info<ode::Fehlberg78>().name), foldings,
               [=](double n) { return late_rate<ode::Fehlberg78>(along, rate, n, 1e-12); }});
   return growth;
 }
@@ -125,25 +125,28 @@ Quantity runaway(const Given<double>& rod) {
 /// The horizon is a quarter turn at the book's speed. From w = sqrt(2K/m) = 4.47 on the mass runs away.
 Scene scene() {
   return {
-      slide,
-      2,
-      centimeter,
-      "w",
-      {0.25, 0.75, 1.5, 3, 4.25},
-      {"s", "c"},
-      {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
-      {{"chapters/03_rigid_body_motion/15_turning_rod/models.hpp"},
-       {{"no spring", "turning_rod::NoSpring<double>{{{m, c, K, w, s}}}"},
-        {"spring's end on the axis", "turning_rod::EndOnTheAxis<double>{{{m, c, K, w, s}}}"},
-        {"rigid spring", "turning_rod::RigidSpring<double>{{{m, c, K, w, s}}}"},
-        {"listing as printed", "turning_rod::AsListed<double>{{{m, c, K, w, s}}}"},
-        {"listing with the other rest length",
-         "turning_rod::listed_with_other_rest_length<double>({m, c, K, w, s})"},
-        {"along the rod", "turning_rod::AlongTheRod<double>{{{m, c, K, w, s}}}"},
-        {"along the rod, with the work", "turning_rod::AlongTheRodWithWork<double>{{{m, c, K, w, s}}}"},
-        {"in the turning plane", "turning_rod::InTheTurningPlane<double>{{{m, c, K, w, s}}}"},
-        {"Cartesian with constraints", "turning_rod::CartesianWithConstraints<double>{{{m, c, K, w, s}}}"}}},
-      turning_rod::draw<Parameters>};
+      .motion = slide,
+      .horizon = 2,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "w",
+      .sweep_values = {0.25, 0.75, 1.5, 3, 4.25},
+      .perturbed_parameters = {"s", "c"},
+      .axes = {{"x1", "x2", "x3"}, "s", {{"m", {0, 1, 2}}}},
+      .listing = {{"chapters/03_rigid_body_motion/15_turning_rod/models.hpp"},
+                  {{"no spring", "turning_rod::NoSpring<double>{{{m, c, K, w, s}}}"},
+                   {"spring's end on the axis", "turning_rod::EndOnTheAxis<double>{{{m, c, K, w, s}}}"},
+                   {"rigid spring", "turning_rod::RigidSpring<double>{{{m, c, K, w, s}}}"},
+                   {"listing as printed", "turning_rod::AsListed<double>{{{m, c, K, w, s}}}"},
+                   {"listing with the other rest length",
+                    "turning_rod::listed_with_other_rest_length<double>({m, c, K, w, s})"},
+                   {"along the rod", "turning_rod::AlongTheRod<double>{{{m, c, K, w, s}}}"},
+                   {"along the rod, with the work",
+                    "turning_rod::AlongTheRodWithWork<double>{{{m, c, K, w, s}}}"},
+                   {"in the turning plane", "turning_rod::InTheTurningPlane<double>{{{m, c, K, w, s}}}"},
+                   {"Cartesian with constraints",
+                    "turning_rod::CartesianWithConstraints<double>{{{m, c, K, w, s}}}"}}},
+      .draw = turning_rod::draw<Parameters>,
+  };
 }
 
 Findings study(const Parameters& given, const Reference& truth) {

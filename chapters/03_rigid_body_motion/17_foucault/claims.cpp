@@ -24,8 +24,8 @@ struct Lagrangian : Given<double> {
   T operator()(const Two<T>& q, const Two<T>& v) const {
     const Axes<T> axes(q);
     const Space<T> turning{T(0.0), T(w()[1]), T(w()[2])};
-    const Space<T> u = sum(axis_velocity(q, v), outer(turning, axes.R));
-    return 0.5 * m * L * L * inner(u, u) + m * g * L * axes.R[2];
+    const Space<T> u = sum(axis_velocity(q, v), cross(turning, axes.R));
+    return 0.5 * m * L * L * dot(u, u) + m * g * L * axes.R[2];
   }
 };
 
@@ -35,7 +35,7 @@ struct KineticEnergy {
   template <class T>
   T operator()(const Two<T>& q, const Two<T>& v) const {
     const Space<T> u = axis_velocity(q, v);
-    return 0.5 * m * L * L * inner(u, u);
+    return 0.5 * m * L * L * dot(u, u);
   }
 };
 
@@ -128,7 +128,7 @@ using Samples = std::vector<Sample>;
 void geometry(Claims& claims, const Samples& samples) {
   const std::string dual = "dual numbers", nested = "nested dual numbers";
   const auto products = [](const Space<double>& P, const Space<double>& Q, const Space<double>& R) {
-    return values(inner(P, P), inner(Q, Q), inner(R, R), inner(P, Q), inner(P, R), inner(Q, R));
+    return values(dot(P, P), dot(Q, Q), dot(R, R), dot(P, Q), dot(P, R), dot(Q, R));
   };
   claims.formula<Sample>(
       "axes", 2189, "$P$, $Q$ and $R$ are coordinate axes", samples,
@@ -233,7 +233,9 @@ void geometry(Claims& claims, const Samples& samples) {
 }
 
 void forces(Claims& claims, const Samples& samples) {
-  const auto cross = [](double factor) { return [=](S s) { return times(factor, outer(s.w(), s.free_v)); }; };
+  const auto cross_product = [](double factor) {
+    return [=](S s) { return times(factor, cross(s.w(), s.free_v)); };
+  };
   claims.formula<Sample>(
       "force", 2241,
       R"(to the forces, gravity and rod, the turning axes add $-2w\times\dot r$, to first order in $\omega$)",
@@ -241,10 +243,10 @@ void forces(Claims& claims, const Samples& samples) {
       {.quantity = "what the turning axes add to the acceleration",
        .truth = {R"($\ddot r$ less the acceleration in axes that do not turn, its part linear in $\omega$)",
                  [](S s) { return s.coriolis_acceleration(-1); }},
-       .printed = {R"($-2w\times\dot r$)", cross(-2)},
+       .printed = {R"($-2w\times\dot r$)", cross_product(-2)},
        .near_misses = {
-           {R"($+2w\times\dot r$)", cross(2)},
-           {R"($-w\times\dot r$)", cross(-1)},
+           {R"($+2w\times\dot r$)", cross_product(2)},
+           {R"($-w\times\dot r$)", cross_product(-1)},
            {R"($\ddot r$ less the acceleration in axes that do not turn, to all orders in $\omega$)",
             [](S s) { return sum(s.free_a, times(-1.0, s.inertial_acceleration(1))); }}}});
   const auto second_difference = [](int power) {
@@ -271,7 +273,7 @@ void forces(Claims& claims, const Samples& samples) {
   const auto with_earth = [](double west, double north) {
     return [=](S s) {
       const double c = cos(s.p.lambda), d = -sin(s.p.lambda);
-      return times(2 * s.p.omega, outer(Space<double>{west * c, north * c, d}, s.free_v));
+      return times(2 * s.p.omega, cross(Space<double>{west * c, north * c, d}, s.free_v));
     };
   };
   claims.formula<Sample>(
@@ -385,9 +387,9 @@ void equations(Claims& claims, const Samples& samples, double seed) {
            R"(by $mL^2$.)"});
   const auto newton = [](double turning) {
     return [=](S s) {
-      auto r = sum(s.acceleration(), times(turning, outer(s.w(), times(s.p.L, axis_velocity(s.q, s.v)))));
+      auto r = sum(s.acceleration(), times(turning, cross(s.w(), times(s.p.L, axis_velocity(s.q, s.v)))));
       r[2] -= s.p.g;
-      return values(inner(r, s.axes().P) / s.p.L, -inner(r, s.axes().Q) / s.p.L);
+      return values(dot(r, s.axes().P) / s.p.L, -dot(r, s.axes().Q) / s.p.L);
     };
   };
   claims.formula<Sample>(
@@ -474,15 +476,15 @@ struct ConeSample {
   double inertia(const Space<double>& u, const Space<double>& v) const {
     return integral([&](double x, double y, double z) {
       const auto at = in_world(x, y, z);
-      return inner(at, at) * inner(u, v) - inner(at, u) * inner(at, v);
+      return dot(at, at) * dot(u, v) - dot(at, u) * dot(at, v);
     });
   }
   /// Of the swing about the vertex, the cone not turning about its own axis, in the turning axes.
   double kinetic_energy() const {
-    const auto spin = outer(motion.axes().R, axis_velocity(motion.q, motion.v));
+    const auto spin = cross(motion.axes().R, axis_velocity(motion.q, motion.v));
     return integral([&](double x, double y, double z) {
-      const auto u = outer(spin, in_world(x, y, h() - z));
-      return inner(u, u) / 2;
+      const auto u = cross(spin, in_world(x, y, h() - z));
+      return dot(u, u) / 2;
     });
   }
 };
@@ -712,8 +714,7 @@ void tensor(Claims& claims, const Cones& cones) {
       const double x = swapped ? s.Izz() : s.Ixx(), z = swapped ? s.Ixx() : s.Izz();
       const auto A = s.motion.axes();
       return six([&](const auto& u, const auto& v) {
-        return x * (inner(A.P, u) * inner(A.P, v) + inner(A.Q, u) * inner(A.Q, v)) +
-               z * inner(A.R, u) * inner(A.R, v);
+        return x * (dot(A.P, u) * dot(A.P, v) + dot(A.Q, u) * dot(A.Q, v)) + z * dot(A.R, u) * dot(A.R, v);
       });
     };
   };
@@ -742,8 +743,7 @@ void tensor(Claims& claims, const Cones& cones) {
     return [=](C s) {
       const auto A = s.motion.axes();
       const auto w = s.motion.w();
-      return s.Ixx() * (first * square(inner(A.P, w)) + square(inner(A.Q, w))) +
-             s.Izz() * square(inner(A.R, w));
+      return s.Ixx() * (first * square(dot(A.P, w)) + square(dot(A.Q, w))) + s.Izz() * square(dot(A.R, w));
     };
   };
   claims.formula<ConeSample>(

@@ -65,25 +65,28 @@ engines::Staging staging(const Parameters& p) {
 /// coordinate.
 Scene scene() {
   return {
-      swinging_bob,
-      16,
-      centimeter,
-      "theta_dot",
-      {3, 1, 0.25, 0.125, 0.0625},
-      {"theta", "phi", "theta_dot"},
-      {{"x", "y"}, "s", {{"m", {0, 1}}}},
-      {{"chapters/03_rigid_body_motion/17_foucault/models.hpp"},
-       {{"averaged",
-         "foucault::SmallAngle<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, true}"},
-        {"small angle",
-         "foucault::SmallAngle<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
-        {"two angles as published",
-         "foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0}"},
-        {"two angles", "foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
-        {"Cartesian with constraint",
-         "foucault::Cartesian<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}},
-      foucault::draw<Parameters>,
-      staging};
+      .motion = swinging_bob,
+      .horizon = 16,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "theta_dot",
+      .sweep_values = {3, 1, 0.25, 0.125, 0.0625},
+      .perturbed_parameters = {"theta", "phi", "theta_dot"},
+      .axes = {{"x", "y"}, "s", {{"m", {0, 1}}}},
+      .listing =
+          {{"chapters/03_rigid_body_motion/17_foucault/models.hpp"},
+           {{"averaged",
+             "foucault::SmallAngle<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, true}"},
+            {"small angle",
+             "foucault::SmallAngle<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
+            {"two angles as published",
+             "foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}, 0}"},
+            {"two angles",
+             "foucault::TwoAngles<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"},
+            {"Cartesian with constraint",
+             "foucault::Cartesian<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}},
+      .draw = foucault::draw<Parameters>,
+      .staging = staging,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

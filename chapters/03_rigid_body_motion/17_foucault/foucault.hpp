@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/17_foucault/models.hpp"
-#include "chapters/03_rigid_body_motion/shared/two_coordinates.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 #include "chapters/exercise.hpp"
 
 /// What the methods and the claims of exercise 3.17 share: the cone, and the published energy and force.
 namespace oddity::ex03_17 {
 
-using foucault::Axes, foucault::Given, foucault::inner, foucault::outer;
+using foucault::Axes, foucault::Given;
 
 template <class T>
 using Space = std::array<T, 3>;
@@ -58,14 +58,14 @@ struct BookEnergy : BookCone {
   T operator()(const Two<T>& q, const Two<T>& v) const {
     const Axes<T> a(q);
     const Space<T> earth{T(w[0]), T(w[1]), T(w[2])}, rate = axis_velocity(q, v);
-    const T p = inner(a.P, earth), s = inner(a.Q, earth), t = inner(a.R, earth);
-    return 0.5 * (L * L + swing * Ixx) * inner(rate, rate) + 0.5 * (Ixx * (p * p + s * s) + Izz * t * t);
+    const T p = dot(a.P, earth), s = dot(a.Q, earth), t = dot(a.R, earth);
+    return 0.5 * (L * L + swing * Ixx) * dot(rate, rate) + 0.5 * (Ixx * (p * p + s * s) + Izz * t * t);
   }
 };
 
 /// The generalized Coriolis force on a point of unit mass at L.
 inline Pair coriolis(double L, const Space<double>& w, const Pair& q, const Pair& v) {
-  const double wR = inner(Axes<double>(q).R, w), s = sin(q[1]);
+  const double wR = dot(Axes<double>(q).R, w), s = sin(q[1]);
   return {-2 * L * L * s * v[1] * wR, 2 * L * L * s * v[0] * wR};
 }
 

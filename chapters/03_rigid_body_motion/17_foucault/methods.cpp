@@ -82,12 +82,12 @@ Quantity bob(const Given<double>& p, const Horizon& horizon, const Reference& tr
       .by<ode::RungeKutta4>(published, TwoAngles<double>{p, 0}, Outcome::inaccurate, no_centrifugal)
       .by<ode::DormandPrince54>(published, TwoAngles<double>{p, 0}, Outcome::inaccurate, no_centrifugal)
       .by<ode::Fehlberg78>(published, TwoAngles<double>{p, 0}, Outcome::inaccurate, no_centrifugal)
-      .by_common(angles, TwoAngles<double>{p}, Outcome::drifted)
-      .by_others(
+      .by_engine_integrators(angles, TwoAngles<double>{p}, Outcome::drifted)
+      .by_remaining_integrators(
           angles, TwoAngles<double>{p},
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
            {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
-      .by_common(cartesian, Cartesian<double>{p}, Outcome::drifted);
+      .by_engine_integrators(cartesian, Cartesian<double>{p}, Outcome::drifted);
   return q.add(Breakdown{
       "The published equations leave out the centrifugal force. At the default $\\omega$, of one turn in 100 s, "
       "it shows within seconds.",

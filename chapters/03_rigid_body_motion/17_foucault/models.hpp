@@ -11,15 +11,6 @@
 /// is about the vertical, from west to north; phi from the lower vertical.
 namespace oddity::foucault {
 
-template <class T>
-T inner(const std::array<T, 3>& a, const std::array<T, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class T>
-std::array<T, 3> outer(const std::array<T, 3>& a, const std::array<T, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// The book's three axes; the bob is at L R.
 template <class T>
 struct Axes {
@@ -89,9 +80,9 @@ struct TwoAngles {
   }
   auto conserved(const State& x, const T&) const {
     const T s = sin(x[1]);
-    const auto turned = outer(p.w(), Axes<T>({x[0], x[1]}).R);
+    const auto turned = cross(p.w(), Axes<T>({x[0], x[1]}).R);
     return energy_of<T>(p.L * p.L * (s * s * x[2] * x[2] + x[3] * x[3]) / 2,
-                        -p.L * p.L * centrifugal * inner(turned, turned) / 2 - p.g * p.L * cos(x[1]));
+                        -p.L * p.L * centrifugal * dot(turned, turned) / 2 - p.g * p.L * cos(x[1]));
   }
 };
 
@@ -117,8 +108,8 @@ struct Cartesian {
   std::array<T, 4> flat(const State& s) const { return {s[0], s[1], s[3], s[4]}; }
   std::array<T, 2> observe(const State& s, const T&) const { return {s[0], s[1]}; }
   auto conserved(const State& s, const T&) const {
-    const std::array<T, 3> r{s[0], s[1], s[2]}, u{s[3], s[4], s[5]}, turned = outer(p.w(), r);
-    return energy_of<T>(inner(u, u) / 2, -inner(turned, turned) / 2 - p.g * s[2]);
+    const std::array<T, 3> r{s[0], s[1], s[2]}, u{s[3], s[4], s[5]}, turned = cross(p.w(), r);
+    return energy_of<T>(dot(u, u) / 2, -dot(turned, turned) / 2 - p.g * s[2]);
   }
   T off_constraint(const State& s, const T&) const { return abs(hypot(s[0], s[1], s[2]) - p.L); }
 };

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
-#include "chapters/03_rigid_body_motion/shared/two_coordinates.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 #include "reference/text.hpp"
 #include "solvers/linear.hpp"
 
@@ -35,7 +35,8 @@ struct Sample {
   }
   /// The terms of lengths, energies and forces, added up, the accelerations being the forces over a mass.
   double size() const {
-    const double mass = p.m2 + p.m3 + p.turn1() + 2 * p.turn2(), speed = abs(v[0]) + abs(v[1]);
+    const double mass = p.m2 + p.m3 + p.inertia_over_square_1() + 2 * p.inertia_over_square_2(),
+                 speed = abs(v[0]) + abs(v[1]);
     const double pulls = (p.m2 + p.m3) * p.g + p.c1 * (abs(p.K1) + p.L1 + abs(q[0])) +
                          2 * p.c2 * (abs(p.K2) + p.L2 + abs(q[1]) + 2 * abs(q[0]));
     return floor + mass * (speed * speed + abs(a[0]) + abs(a[1])) + pulls * (1 + mass / std::min(p.m2, p.m3));
@@ -263,8 +264,9 @@ void energies(Claims& claims, const Samples& samples) {
   // with the pulleys' moments times these powers of R^2
   const auto momenta = [](S s, const Pair& v, double sign, double first = -1, double second = -1) {
     const double R1 = s.p.R1 * s.p.R1, R2 = s.p.R2 * s.p.R2;
-    return values(s.p.m2 * v[0] + s.p.I1 * pow(R1, first) * v[0] + s.p.turn2() * (v[0] - v[1]),
-                  s.p.m3 * v[1] + s.p.I2 * pow(R2, second) * (v[1] - sign * v[0]));
+    return values(
+        s.p.m2 * v[0] + s.p.I1 * pow(R1, first) * v[0] + s.p.inertia_over_square_2() * (v[0] - v[1]),
+        s.p.m3 * v[1] + s.p.I2 * pow(R2, second) * (v[1] - sign * v[0]));
   };
   claims.formula<Sample>(
       "dT_dydot", 2483,
@@ -354,8 +356,8 @@ void forces(Claims& claims, const Samples& samples) {
        .corrected = {"$m_2g$ less the upper rope's tension, plus those of the lower rope's two sides",
                      [](S s) {
                        const Pair a = s.by_tensions();
-                       return s.p.m2 * s.p.g - (s.pull1() + s.p.turn1() * a[0]) + s.pull2() +
-                              (s.pull2() + s.p.turn2() * (a[1] - a[0]));
+                       return s.p.m2 * s.p.g - (s.pull1() + s.p.inertia_over_square_1() * a[0]) + s.pull2() +
+                              (s.pull2() + s.p.inertia_over_square_2() * (a[1] - a[0]));
                      }},
        .near_misses = {{first + ", plus $2" + second + "$", with_second_spring(2)}},
        .kind = Fault::counterexample,
@@ -366,7 +368,7 @@ void forces(Claims& claims, const Samples& samples) {
   const auto on_mass = [](double sign) {
     return [=](S s) {
       const Pair a = s.by_tensions();
-      return s.p.m3 * s.p.g - s.pull2() + sign * s.p.turn2() * (a[1] - a[0]);
+      return s.p.m3 * s.p.g - s.pull2() + sign * s.p.inertia_over_square_2() * (a[1] - a[0]);
     };
   };
   claims.formula<Sample>(
@@ -415,7 +417,8 @@ void equations(Claims& claims, const Samples& samples) {
   };
   const auto first = [=](double lever) {
     return twice([=](S s, const Pair& a) {
-      return s.p.m2 * a[0] + s.p.turn1() * a[0] + s.p.turn2() * (a[0] - a[1]) - lever * s.pull2();
+      return s.p.m2 * a[0] + s.p.inertia_over_square_1() * a[0] +
+             s.p.inertia_over_square_2() * (a[0] - a[1]) - lever * s.pull2();
     });
   };
   claims.formula<Sample>(

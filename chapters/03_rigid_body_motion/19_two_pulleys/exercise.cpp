@@ -51,7 +51,8 @@ Given<double> asked(const Parameters& p) {
 
 Eigen::Matrix2d mass_matrix(const Given<double>& p) {
   Eigen::Matrix2d m;
-  m << p.m2 + p.turn1() + p.turn2(), -p.turn2(), -p.turn2(), p.m3 + p.turn2();
+  m << p.m2 + p.inertia_over_square_1() + p.inertia_over_square_2(), -p.inertia_over_square_2(),
+      -p.inertia_over_square_2(), p.m3 + p.inertia_over_square_2();
   return m;
 }
 Eigen::Matrix2d stiffness(const Given<double>& p) {
@@ -109,13 +110,14 @@ Quantity swing(const Parameters& given, const Horizon& horizon, const Reference&
       .closed_form("normal modes", NormalModes(p))
       .closed_form("normal modes, pulleys without inertia", NormalModes(without_inertia(p)),
                    Outcome::inaccurate, "the pulleys' inertia slows the oscillation")
-      .by_common("two coordinates", TwoCoordinates<double>{p}, Outcome::drifted, Outcome::inaccurate)
-      .by_others(
+      .by_engine_integrators("two coordinates", TwoCoordinates<double>{p}, Outcome::drifted,
+                             Outcome::inaccurate)
+      .by_remaining_integrators(
           "two coordinates", TwoCoordinates<double>{p},
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
            {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
-      .by_few("four coordinates with tensions", FourCoordinates<double>{p}, Outcome::drifted,
-              Outcome::inaccurate)
+      .by_core_integrators("four coordinates with tensions", FourCoordinates<double>{p}, Outcome::drifted,
+                           Outcome::inaccurate)
       .by<ode::RungeKutta4>(published, TwoCoordinates<double>{p, 0}, Outcome::diverged, why)
       .by<ode::Fehlberg78>(published, TwoCoordinates<double>{p, 0}, Outcome::diverged, why);
   y.add(Breakdown{
@@ -161,24 +163,26 @@ Quantity frequencies(const std::string& name, const std::string& says, const Giv
 
 Scene scene() {
   return {
-      swing,
-      8,
-      centimeter,
-      "c1",
-      {10, 40, 160, 1000, 10000},
-      {"y2", "y3", "v2"},
-      {{"y2", "y3"}, "s", {{"m", {0}}, {"m", {1}}}},
-      {{"chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"},
-       {{"two coordinates",
-         "two_pulleys::TwoCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}}"},
-        {"four coordinates with tensions",
-         "two_pulleys::FourCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}}"},
-        {"published equations",
-         "two_pulleys::TwoCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, "
-         "v2, v3}, 0}"}},
-       {{"normal modes", "which needs GSL's eigenvalues"},
-        {"normal modes, pulleys without inertia", "which needs GSL's eigenvalues"}}},
-      two_pulleys::draw<Parameters>};
+      .motion = swing,
+      .horizon = 8,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "c1",
+      .sweep_values = {10, 40, 160, 1000, 10000},
+      .perturbed_parameters = {"y2", "y3", "v2"},
+      .axes = {{"y2", "y3"}, "s", {{"m", {0}}, {"m", {1}}}},
+      .listing =
+          {{"chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"},
+           {{"two coordinates",
+             "two_pulleys::TwoCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}}"},
+            {"four coordinates with tensions",
+             "two_pulleys::FourCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}}"},
+            {"published equations",
+             "two_pulleys::TwoCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, "
+             "v2, v3}, 0}"}},
+           {{"normal modes", "which needs GSL's eigenvalues"},
+            {"normal modes, pulleys without inertia", "which needs GSL's eigenvalues"}}},
+      .draw = two_pulleys::draw<Parameters>,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

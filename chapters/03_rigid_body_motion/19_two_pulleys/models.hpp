@@ -13,8 +13,8 @@ template <class T>
 struct Given {
   T m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3;
 
-  T turn1() const { return I1 / (R1 * R1); }
-  T turn2() const { return I2 / (R2 * R2); }
+  T inertia_over_square_1() const { return I1 / (R1 * R1); }
+  T inertia_over_square_2() const { return I2 / (R2 * R2); }
   template <class X>
   X stretch1(const std::array<X, 2>& y) const {
     return y[0] + (K1 - L1);
@@ -36,7 +36,8 @@ struct Given {
   /// The accelerations of the two depths by generalized forces on them.
   template <class X>
   std::array<X, 2> accelerations(const std::array<X, 2>& force) const {
-    const T t = turn2(), small = m2 + turn1() + t, large = m3 + t, det = small * large - t * t;
+    const T t = inertia_over_square_2(), small = m2 + inertia_over_square_1() + t, large = m3 + t,
+            det = small * large - t * t;
     return {(large * force[0] + t * force[1]) / det, (t * force[0] + small * force[1]) / det};
   }
 };

@@ -1,7 +1,7 @@
 #include "chapters/claims.hpp"
 
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/pipe_and_disk.hpp"
-#include "chapters/03_rigid_body_motion/shared/two_coordinates.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 #include "reference/text.hpp"
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/integrate.hpp"
@@ -12,11 +12,6 @@ namespace {
 
 template <class T>
 using Vector = std::array<T, 3>;
-
-template <class T>
-T dot(const Vector<T>& a, const Vector<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// A rigid disk on a pipe, in any motion.
 struct Sample {
@@ -39,8 +34,7 @@ struct Sample {
   }
   double inertia(double moment) const { return (m * L * L + moment) * sin(phi) * sin(phi); }
   double size() const {
-    return 8 * (1 + m * L * (L + g) + mu2 + L * 5) * (1 + dot<double>({v[0], v[1], 0}, {v[0], v[1], 0})) *
-           (1 + 1 / inertia(mu2));
+    return 8 * (1 + m * L * (L + g) + mu2 + L * 5) * (1 + v[0] * v[0] + v[1] * v[1]) * (1 + 1 / inertia(mu2));
   }
   std::string where() const {
     return R"($\phi$ = )" + rounded(phi, 4) + R"(, $\theta$ = )" + rounded(q[0], 4) + R"(, $\dot\theta$ = )" +
@@ -114,10 +108,10 @@ Reading unchanged(const std::string& text, const std::string& what, double seed,
                                 const auto x = s.after_two_seconds(along_x);
                                 return values(x[first], x[first + 1]);
                               }};
-  Worst worst(what + " after 2 s", later.text, "at the start", 512);
+  WorstSample worst(what + " after 2 s", later.text, "at the start", 512);
   for (const Sample& s : draw<Sample>(20, seed)) {
     const std::array start{s.q[0], s.q[1], s.v[0], s.v[1]};
-    worst.see(later.of(s), {start[first], start[first + 1]}, size_of_terms(later, s), s.where());
+    worst.add(later.of(s), {start[first], start[first + 1]}, size_of_terms(later, s), s.where());
   }
   return {text, {worst.check()}};
 }

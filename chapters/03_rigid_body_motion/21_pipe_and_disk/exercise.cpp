@@ -75,12 +75,13 @@ Quantity under_force(const std::string& name, const std::string& says, const Giv
   motion.need = {1e-8 * size_of(motion.reference.value), says_need};
   Ladder ladder(motion, horizon, halving("step", 0.125, 10), tolerances(3, 11));
   ladder.closed_form(constant, ConstantSpeeds<double>{disk}, Outcome::inaccurate, "the force turns the pipe")
-      .by_common(one, OneAngle<double>{disk});
+      .by_engine_integrators(one, OneAngle<double>{disk});
   if (tried == Tried::whole_catalog)
-    ladder.by_others(one, OneAngle<double>{disk},
-                     {{"linearly implicit Euler", Outcome::inaccurate,
-                       "its order is too low for this need at this step"}});
-  ladder.by_common(two, TwoAngles<double>{disk}).by_common(cartesian, Center<double>{disk});
+    ladder.by_remaining_integrators(one, OneAngle<double>{disk},
+                                    {{"linearly implicit Euler", Outcome::inaccurate,
+                                      "its order is too low for this need at this step"}});
+  ladder.by_engine_integrators(two, TwoAngles<double>{disk})
+      .by_engine_integrators(cartesian, Center<double>{disk});
   return motion;
 }
 
@@ -126,21 +127,24 @@ Quantity wind(const Parameters& p, const Horizon& horizon, const Reference& trut
 
 Scene scene() {
   return {
-      wind,
-      seconds,
-      centimeter,
-      "phi",
-      {1.5, 1, 0.5, 0.2, 0.1, 0.05},
-      {"theta", "theta_dot", "psi_dot"},
-      {{"x", "y", "psi"}, "s", {{"m", {0, 1}}, {"rad", {2}}}},
-      {{"chapters/03_rigid_body_motion/21_pipe_and_disk/models.hpp"},
-       {{"constant speeds",
-         "pipe_and_disk::ConstantSpeeds<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
-        {"one angle", "pipe_and_disk::OneAngle<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
-        {"two angles", "pipe_and_disk::TwoAngles<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
-        {"Cartesian center",
-         "pipe_and_disk::Center<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"}}},
-      pipe_and_disk::draw<Parameters>};
+      .motion = wind,
+      .horizon = seconds,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "phi",
+      .sweep_values = {1.5, 1, 0.5, 0.2, 0.1, 0.05},
+      .perturbed_parameters = {"theta", "theta_dot", "psi_dot"},
+      .axes = {{"x", "y", "psi"}, "s", {{"m", {0, 1}}, {"rad", {2}}}},
+      .listing = {{"chapters/03_rigid_body_motion/21_pipe_and_disk/models.hpp"},
+                  {{"constant speeds",
+                    "pipe_and_disk::ConstantSpeeds<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
+                   {"one angle",
+                    "pipe_and_disk::OneAngle<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
+                   {"two angles",
+                    "pipe_and_disk::TwoAngles<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"},
+                   {"Cartesian center",
+                    "pipe_and_disk::Center<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"}}},
+      .draw = pipe_and_disk::draw<Parameters>,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

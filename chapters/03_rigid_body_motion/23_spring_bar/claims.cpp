@@ -1,7 +1,7 @@
 #include "chapters/claims.hpp"
 
 #include "chapters/03_rigid_body_motion/23_spring_bar/spring_bar.hpp"
-#include "chapters/03_rigid_body_motion/shared/lagrangian.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 #include "reference/text.hpp"
 #include "solvers/quadrature.hpp"
 
@@ -59,7 +59,7 @@ struct Sample {
     return m * r * r * lagrange_acceleration(energies(sign), angle, rate);
   }
   /// d/dt dL/dtheta' - dL/dtheta.
-  double left_side() const { return momentum_rate(energies(-1), q, v, a) - d_dq(energies(-1), q, v); }
+  double left_side() const { return rate_of_df_dv(energies(-1), q, v, a) - df_dq(energies(-1), q, v); }
 };
 using S = const Sample&;
 

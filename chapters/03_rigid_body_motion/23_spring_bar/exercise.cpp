@@ -58,10 +58,12 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
   Ladder(mass, horizon, halving("step", 0.125, 10), tolerances())
       .closed_form("small oscillation", SmallOscillation<double>{bar}, Outcome::inaccurate,
                    "the frequency depends on the amplitude, and the spring is softer above than below")
-      .by_common("one angle", OneAngle<double>{bar}, Outcome::drifted)
-      .by_others("one angle", OneAngle<double>{bar},
-                 {{"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
-      .by_common("Cartesian with constraint", CartesianWithConstraint<double>{bar}, Outcome::drifted);
+      .by_engine_integrators("one angle", OneAngle<double>{bar}, Outcome::drifted)
+      .by_remaining_integrators(
+          "one angle", OneAngle<double>{bar},
+          {{"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
+      .by_engine_integrators("Cartesian with constraint", CartesianWithConstraint<double>{bar},
+                             Outcome::drifted);
   return with_float(std::move(mass), horizon, bar,
                     {"small oscillation", "one angle", "Cartesian with constraint"});
 }
@@ -151,20 +153,22 @@ engines::Staging staging(const Parameters& p) {
 
 Scene scene() {
   return {
-      swing,
-      4,
-      centimeter,
-      "c",
-      {20, 50, 100, 300, 1000, 2500},
-      {"theta0", "m", "h"},
-      {{"x", "y"}, "s", {{"m", {0, 1}}}},
-      {{"chapters/03_rigid_body_motion/23_spring_bar/models.hpp"},
-       {{"small oscillation", "spring_bar::SmallOscillation<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
-        {"one angle", "spring_bar::OneAngle<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
-        {"Cartesian with constraint",
-         "spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}}"}}},
-      spring_bar::draw<Parameters>,
-      staging};
+      .motion = swing,
+      .horizon = 4,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "c",
+      .sweep_values = {20, 50, 100, 300, 1000, 2500},
+      .perturbed_parameters = {"theta0", "m", "h"},
+      .axes = {{"x", "y"}, "s", {{"m", {0, 1}}}},
+      .listing = {{"chapters/03_rigid_body_motion/23_spring_bar/models.hpp"},
+                  {{"small oscillation",
+                    "spring_bar::SmallOscillation<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
+                   {"one angle", "spring_bar::OneAngle<double>{{m, r, s, c, h, g, ell, theta0, w0}}"},
+                   {"Cartesian with constraint",
+                    "spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}}"}}},
+      .draw = spring_bar::draw<Parameters>,
+      .staging = staging,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

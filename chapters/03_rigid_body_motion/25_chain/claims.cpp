@@ -161,13 +161,13 @@ template <class Left, class Right>
 Check accelerations(const std::string& left, const std::string& right, double seed, int least, int most,
                     const Left& by_left, const Right& by_right) {
   Random random(seed);
-  Worst worst(R"($\ddot\theta$)", left, right);
+  WorstSample worst(R"($\ddot\theta$)", left, right);
   for (int i = 0; i < 60; ++i) {
     const int n = least + i % (most - least + 1);
     const Sample s(random, n);
     const Value expected = by_right(s);
     const double size = std::max(size_of(expected), 10.0);
-    worst.see(by_left(s), expected,
+    worst.add(by_left(s), expected,
               {1e-10 * size, "a ten-thousandth of a millionth: condition $10^4$ or less"}, size,
               "$n$ = " + std::to_string(n) + ", " + s.where());
   }

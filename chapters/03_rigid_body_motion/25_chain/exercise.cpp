@@ -77,23 +77,25 @@ engines::Staging staging(const Parameters& p) {
 
 Scene scene() {
   return {
-      hanging_of,
-      4,
-      centimeter,
-      "theta1",
-      {0.0625, 0.25, 0.5, 1, 1.5},
-      {"theta1", "theta2", "theta3"},
-      {{"x1", "y1", "x2", "y2", "x3", "y3"}, "s", {{"m", {0, 1}}, {"m", {2, 3}}, {"m", {4, 5}}}},
-      {{"chapters/03_rigid_body_motion/25_chain/models.hpp"},
-       {{"dense mass matrix",
-         "chain::Angles<double, chain::Equations::dense>{{{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, "
-         "theta3}, {omega1, omega2, omega3}}}"},
-        {"tensions",
-         "chain::Angles<double, chain::Equations::tensions>{{{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, "
-         "theta3}, {omega1, omega2, omega3}}}"}},
-       {{"normal modes", "which needs GSL's eigenvalues"}}},
-      chain::draw<Parameters>,
-      staging};
+      .motion = hanging_of,
+      .horizon = 4,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "theta1",
+      .sweep_values = {0.0625, 0.25, 0.5, 1, 1.5},
+      .perturbed_parameters = {"theta1", "theta2", "theta3"},
+      .axes = {{"x1", "y1", "x2", "y2", "x3", "y3"}, "s", {{"m", {0, 1}}, {"m", {2, 3}}, {"m", {4, 5}}}},
+      .listing =
+          {{"chapters/03_rigid_body_motion/25_chain/models.hpp"},
+           {{"dense mass matrix",
+             "chain::Angles<double, chain::Equations::dense>{{{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, "
+             "theta3}, {omega1, omega2, omega3}}}"},
+            {"tensions",
+             "chain::Angles<double, chain::Equations::tensions>{{{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, "
+             "theta3}, {omega1, omega2, omega3}}}"}},
+           {{"normal modes", "which needs GSL's eigenvalues"}}},
+      .draw = chain::draw<Parameters>,
+      .staging = staging,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

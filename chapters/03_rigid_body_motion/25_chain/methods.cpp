@@ -421,10 +421,11 @@ Quantity hanging(const Triple& start, const Horizon& horizon, const Reference& t
                         trajectory(truth, "03_25_chain", inputs(start), horizon), {1e-6, "a micrometre"});
   Ladder(q, horizon, halving("step", 0x1p-4, 9), tolerances(3, 11))
       .closed_form("normal modes", NormalModes(start), inaccurate, "the angles are not small")
-      .by_common("dense mass matrix", Dense{start}, inaccurate, ok)
-      .by_common("tensions", Tensions{start}, inaccurate, ok)
-      .by_others("tensions", Tensions{start},
-                 {{"linearly implicit Euler", inaccurate, "of order 1, and it damps every swing"}});
+      .by_engine_integrators("dense mass matrix", Dense{start}, inaccurate, ok)
+      .by_engine_integrators("tensions", Tensions{start}, inaccurate, ok)
+      .by_remaining_integrators(
+          "tensions", Tensions{start},
+          {{"linearly implicit Euler", inaccurate, "of order 1, and it damps every swing"}});
   return q.add(Breakdown{
       "Independent normal modes describe small angles only: at a quarter to half a radian they are off "
       "by centimetres within four seconds.",

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "chapters/03_rigid_body_motion/27_two_bodies/two_bodies.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 #include "chapters/scene.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/linear.hpp"
@@ -73,32 +74,10 @@ struct Sample {
     for (std::size_t i = 0; i < 3; ++i) square += (x[i + 3] - x[i]) * (x[i + 3] - x[i]);
     return X(-G * m1 * m2) / sqrt(square);
   }
-  /// d/dt dT/dv_i - d(T - V)/dq_i along a motion with the accelerations a.
-  double unbalanced(std::size_t i, const std::array<double, 3>& a, const std::array<double, 3>& speed) const {
-    using Nested = Dual<Dual<double>>;
-    std::array<Nested, 3> by_speed, with_speed, by_place, still;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double one = k == i;
-      by_speed[k] = Nested(Dual<double>(q[k], speed[k]));
-      with_speed[k] = Nested(Dual<double>(speed[k], a[k]), Dual<double>(one));
-      by_place[k] = Nested(Dual<double>(q[k]), Dual<double>(one));
-      still[k] = Nested(Dual<double>(speed[k]));
-    }
-    return kinetic(by_speed, with_speed).slope.slope -
-           (kinetic(by_place, still) - potential(by_place)).slope.value;
-  }
   /// (r'', theta'', phi'') by Lagrange's equations.
   std::array<double, 3> lagrange(const std::array<double, 3>& speed) const {
-    Eigen::MatrixXd M(3, 3);
-    Eigen::VectorXd f(3);
-    for (int i = 0; i < 3; ++i) f(i) = -unbalanced(static_cast<std::size_t>(i), {0, 0, 0}, speed);
-    for (int j = 0; j < 3; ++j) {
-      std::array<double, 3> a{0, 0, 0};
-      a[static_cast<std::size_t>(j)] = 1;
-      for (int i = 0; i < 3; ++i) M(i, j) = unbalanced(static_cast<std::size_t>(i), a, speed) + f(i);
-    }
-    const Eigen::VectorXd a = solve(Factorization::partial_pivot_lu, M, f).value;
-    return {a(0), a(1), a(2)};
+    return lagrange_accelerations(
+        [this](const auto& at, const auto& rates) { return kinetic(at, rates) - potential(at); }, q, speed);
   }
   /// In how many independent ways the positions move with r, theta and phi.
   int freedoms() const {

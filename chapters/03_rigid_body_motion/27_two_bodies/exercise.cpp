@@ -144,27 +144,30 @@ Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& t
   Quantity q =
       path("path", "as asked", asked(p), horizon, truth, steps, {inaccurate, inaccurate, inaccurate, ok, ok});
   Ladder(q, horizon, steps, tolerances(4, 12))
-      .by_others("two bodies", BothBodies<double>{asked(p)},
-                 {{"linearly implicit Euler", inaccurate, "of order 1, and the orbit shrinks"}});
+      .by_remaining_integrators(
+          "two bodies", BothBodies<double>{asked(p)},
+          {{"linearly implicit Euler", inaccurate, "of order 1, and the orbit shrinks"}});
   return with_float(std::move(q), horizon, asked(p),
                     {"Kepler's equation, Newton from pi", "(r, u, phi)", "", "two bodies"});
 }
 
 Scene scene() {
-  return {path_of,
-          4,
-          centimeter,
-          "phi0_dot",
-          {1.7, 1.5, 1, 0.5, 0.25, 0.17},
-          {"r0", "r0_dot", "phi0_dot"},
-          {{"x", "y"}, "s", {{"m", {0, 1}}}},
-          {{"chapters/03_rigid_body_motion/27_two_bodies/models.hpp"},
-           {{"Kepler's equation, Newton from pi",
-             "two_bodies::ByKeplersEquation<double>({G, m1, m2, r0, r0_dot, phi0, phi0_dot})"},
-            {"(r, u, phi)", "two_bodies::Published<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"},
-            {"two bodies", "two_bodies::BothBodies<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"}},
-           {{"Levi-Civita's coordinates", "which needs Newton's method for the time of every frame"}}},
-          two_bodies::draw<Parameters>};
+  return {
+      .motion = path_of,
+      .horizon = 4,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "phi0_dot",
+      .sweep_values = {1.7, 1.5, 1, 0.5, 0.25, 0.17},
+      .perturbed_parameters = {"r0", "r0_dot", "phi0_dot"},
+      .axes = {{"x", "y"}, "s", {{"m", {0, 1}}}},
+      .listing = {{"chapters/03_rigid_body_motion/27_two_bodies/models.hpp"},
+                  {{"Kepler's equation, Newton from pi",
+                    "two_bodies::ByKeplersEquation<double>({G, m1, m2, r0, r0_dot, phi0, phi0_dot})"},
+                   {"(r, u, phi)", "two_bodies::Published<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"},
+                   {"two bodies", "two_bodies::BothBodies<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"}},
+                  {{"Levi-Civita's coordinates", "which needs Newton's method for the time of every frame"}}},
+      .draw = two_bodies::draw<Parameters>,
+  };
 }
 
 /// The time of a turn of phi, against Kepler's third law with the sum of the masses.

@@ -171,7 +171,7 @@ double energy_of_rod(const Sample& s, double l) {
 Reading against_primitives(const std::string& text, std::size_t component, bool centered, bool by_length,
                            double seed) {
   Random random(seed);
-  Worst worst(component == 0 ? R"($\mu_0$)" : R"($\mu_2$)", text, "primitives of the moments");
+  WorstSample worst(component == 0 ? R"($\mu_0$)" : R"($\mu_2$)", text, "primitives of the moments");
   for (int i = 0; i < 60; ++i) {
     Sample s(random);
     s.wire.k = 0;
@@ -180,7 +180,7 @@ Reading against_primitives(const std::string& text, std::size_t component, bool 
     const double mass =
         by_length ? s.wire.over_mass([](double) { return 1; })
                   : gauss_legendre([&](double u) { return s.wire.density(u); }, 0, s.wire.end(), 32).value;
-    worst.see(component == 0 ? mass : s.mu2(centered ? Point{} : Point{-s.center[0], -s.center[1]}),
+    worst.add(component == 0 ? mass : s.mu2(centered ? Point{} : Point{-s.center[0], -s.center[1]}),
               exact[component], 1 + s.size(), s.where());
   }
   return {text, {worst.check()}};
@@ -189,10 +189,10 @@ Reading against_primitives(const std::string& text, std::size_t component, bool 
 /// A multiple of the integral of |v|^2 against the energy of 2000 particles.
 Reading of_particles(const std::string& text, double factor, double seed) {
   Random random(seed);
-  Worst worst("$T$", text, "2000 particles");
+  WorstSample worst("$T$", text, "2000 particles");
   for (int i = 0; i < 30; ++i) {
     const Sample s(random);
-    worst.see(integrated_energy(s, factor), s.of_particles(), {1e-4, "the midpoint rule's truncation"}, 1,
+    worst.add(integrated_energy(s, factor), s.of_particles(), {1e-4, "the midpoint rule's truncation"}, 1,
               s.where());
   }
   return {text, {worst.check()}};
@@ -209,11 +209,11 @@ double friction_at(const Sample& s, double u, double speed) {
 Reading friction_moment(double seed, int panels) {
   Random random(seed);
   const std::string text = "Simpson's rule, " + std::to_string(panels) + " panels";
-  Worst worst("moment of rough friction on a moving wire", text, "QAG");
+  WorstSample worst("moment of rough friction on a moving wire", text, "QAG");
   for (int i = 0; i < 30; ++i) {
     const Sample s(random);
     const auto f = [&](double u) { return friction_at(s, u, 1); };
-    worst.see(simpson(f, 0, s.wire.end(), panels).value, qag(f, 0, s.wire.end(), 1e-12).value,
+    worst.add(simpson(f, 0, s.wire.end(), panels).value, qag(f, 0, s.wire.end(), 1e-12).value,
               {1e-6, "the truncation of Simpson's rule where a point of the wire all but rests"}, 1,
               s.where());
   }
@@ -223,14 +223,14 @@ Reading friction_moment(double seed, int panels) {
 /// The moment at a multiple of the sample's velocities against `part` of that at the velocities themselves.
 Check friction_at_speed(const std::string& by, double seed, double speed, double part) {
   Random random(seed);
-  Worst worst("moment of rough friction", by + ", by Gauss and Legendre",
-              shortest(part) + " times that of the moving wire, by Gauss and Legendre");
+  WorstSample worst("moment of rough friction", by + ", by Gauss and Legendre",
+                    shortest(part) + " times that of the moving wire, by Gauss and Legendre");
   for (int i = 0; i < 30; ++i) {
     const Sample s(random);
     const auto moment = [&](double times) {
       return gauss_legendre([&](double u) { return friction_at(s, u, times); }, 0, s.wire.end(), 64).value;
     };
-    worst.see(moment(speed), part * moment(1), s.mu0 * s.wire.q * (1 + s.wire.q), s.where());
+    worst.add(moment(speed), part * moment(1), s.mu0 * s.wire.q * (1 + s.wire.q), s.where());
   }
   return worst.check();
 }

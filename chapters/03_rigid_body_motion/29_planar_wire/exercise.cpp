@@ -46,21 +46,25 @@ engines::Staging staging(const Parameters& p) {
 
 Scene scene() {
   return {
-      fall_of,
-      2,
-      centimeter,
-      "w",
-      {1, 3, 6, 10, 20},
-      {"u", "v", "w"},
-      {{"x", "y"}, "s", {{"m", {0, 1}}}},
-      {{"chapters/03_rigid_body_motion/29_planar_wire/models.hpp"},
-       {{"center alone", "planar_wire::PointMass<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
-        {"free fall", "planar_wire::FreeFall<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
-        {"x, y, theta", "planar_wire::Generalized<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
-        {"two particles and a rod",
-         "planar_wire::TwoParticles<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"}}},
-      planar_wire::draw<Parameters>,
-      staging};
+      .motion = fall_of,
+      .horizon = 2,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "w",
+      .sweep_values = {1, 3, 6, 10, 20},
+      .perturbed_parameters = {"u", "v", "w"},
+      .axes = {{"x", "y"}, "s", {{"m", {0, 1}}}},
+      .listing = {{"chapters/03_rigid_body_motion/29_planar_wire/models.hpp"},
+                  {{"center alone",
+                    "planar_wire::PointMass<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
+                   {"free fall",
+                    "planar_wire::FreeFall<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
+                   {"x, y, theta",
+                    "planar_wire::Generalized<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"},
+                   {"two particles and a rod",
+                    "planar_wire::TwoParticles<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"}}},
+      .draw = planar_wire::draw<Parameters>,
+      .staging = staging,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

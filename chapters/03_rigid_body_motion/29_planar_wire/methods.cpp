@@ -123,11 +123,12 @@ Quantity fall(const Given& given, const Horizon& horizon, const Reference& truth
       .closed_form("center alone", planar_wire::PointMass<double>{wire}, Outcome::inaccurate,
                    "the wire turns")
       .closed_form("free fall", planar_wire::FreeFall<double>{wire})
-      .by_common("x, y, theta", planar_wire::Generalized<double>{wire})
-      .by_others("x, y, theta", planar_wire::Generalized<double>{wire},
-                 {{"linearly implicit Euler", Outcome::inaccurate,
-                   "its order is too low for this need at this step"}})
-      .by_common("two particles and a rod", planar_wire::TwoParticles<double>{wire}, Outcome::inaccurate);
+      .by_engine_integrators("x, y, theta", planar_wire::Generalized<double>{wire})
+      .by_remaining_integrators("x, y, theta", planar_wire::Generalized<double>{wire},
+                                {{"linearly implicit Euler", Outcome::inaccurate,
+                                  "its order is too low for this need at this step"}})
+      .by_engine_integrators("two particles and a rod", planar_wire::TwoParticles<double>{wire},
+                             Outcome::inaccurate);
   return q;
 }
 

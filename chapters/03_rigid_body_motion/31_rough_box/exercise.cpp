@@ -65,23 +65,26 @@ engines::Staging staging(const Parameters& p) {
 
 Scene scene() {
   return {
-      slide_of,
-      1.25,
-      centimeter,
-      "mu",
-      {0.2, 0.3, 0.5, 0.7, 1},
-      {"u0", "v0", "w0"},
-      {{"x", "y", "theta"}, "s", {{"m", {0, 1}}, {"rad", {2}}}},
-      {{"chapters/03_rigid_body_motion/31_rough_box/models.hpp"},
-       {{"sliding and spinning apart", "rough_box::Uncoupled<double>{{{a, b}, mu, g, u0, v0, w0}}"},
-        {"friction at full speed only", "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}}"},
-        {"friction regularized at 1 cm/s", "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}, 0.01}"}},
-       {{"steps with a stick test", "which needs a loop of its own"},
-        {"stopped by event", "which needs a search for events"},
-        {"time stretched by the speed", "which needs Newton's method for the time of every frame"}},
-       {{"stopped by event", "rough_box::UntilRest<double>{{{{a, b}, mu, g, u0, v0, w0}}}"}}},
-      rough_box::draw<Parameters>,
-      staging};
+      .motion = slide_of,
+      .horizon = 1.25,
+      .game_tolerance = centimeter,
+      .sweep_parameter = "mu",
+      .sweep_values = {0.2, 0.3, 0.5, 0.7, 1},
+      .perturbed_parameters = {"u0", "v0", "w0"},
+      .axes = {{"x", "y", "theta"}, "s", {{"m", {0, 1}}, {"rad", {2}}}},
+      .listing =
+          {{"chapters/03_rigid_body_motion/31_rough_box/models.hpp"},
+           {{"sliding and spinning apart", "rough_box::Uncoupled<double>{{{a, b}, mu, g, u0, v0, w0}}"},
+            {"friction at full speed only", "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}}"},
+            {"friction regularized at 1 cm/s",
+             "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}, 0.01}"}},
+           {{"steps with a stick test", "which needs a loop of its own"},
+            {"stopped by event", "which needs a search for events"},
+            {"time stretched by the speed", "which needs Newton's method for the time of every frame"}},
+           {{"stopped by event", "rough_box::UntilRest<double>{{{{a, b}, mu, g, u0, v0, w0}}}"}}},
+      .draw = rough_box::draw<Parameters>,
+      .staging = staging,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -6,6 +6,7 @@
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/drawing.hpp"
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
+#include "chapters/03_rigid_body_motion/shared/top_parameters.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
@@ -15,20 +16,9 @@ namespace oddity {
 
 namespace ex03_33 {
 
-constexpr Parameter parameters[] = {
-    {"m", 1, "kg", "mass", 0.1, 10},
-    {"l", 0.25, "m", "from the tip to the center of mass", 0.01, 1},
-    {"mu1", 0.125, "kg m^2", "moment across the axis, about the tip", 0.01, 10},
-    {"mu3", 0.0625, "kg m^2", "moment about the axis", 0.001, 10},
-    {"g", 9.81, "m/s^2", "gravity", 0.1, 30},
-    {"theta", 0.25, "rad", "precession angle at the start", -10, 10},
-    {"phi", 0.5, "rad", "tilt at the start", 0.1, 3},
-    {"psi", 0.75, "rad", "spin angle at the start", -10, 10},
-    {"dtheta", 0.5, "rad/s", "its rate", -10, 10},
-    {"dphi", 0.25, "rad/s", "its rate", -10, 10},
-    {"dpsi", 30, "rad/s", "its rate", 1, 100},
+constexpr auto parameters = top_parameters({
     {"seed", 333, "", "seed of the random samples", 0, 1e9, whole_number},
-};
+});
 
 }  // namespace ex03_33
 
@@ -72,26 +62,28 @@ engines::Staging staged(const Parameters& p) { return staging({asked(p)}); }
 
 Scene scene() {
   return {
-      axis_of,
-      duration,
-      degree,
-      "dpsi",
-      {5, 10, 20, 30, 60, 100},
-      {"phi", "dtheta", "dpsi"},
-      {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
-      {{"chapters/03_rigid_body_motion/33_heavy_top/models.hpp"},
-       {{"mean precession of a fast top",
-         "heavy_top::MeanPrecession<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
-        {"one angle, precession by quadrature",
-         "heavy_top::OneAngle<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
-        {"Euler angles",
-         "heavy_top::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
-        {"rigid body, quaternion",
-         "heavy_top::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
-        {"axis and angular momentum",
-         "heavy_top::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"}}},
-      heavy_top::draw<Parameters>,
-      staged};
+      .motion = axis_of,
+      .horizon = duration,
+      .game_tolerance = degree,
+      .sweep_parameter = "dpsi",
+      .sweep_values = {5, 10, 20, 30, 60, 100},
+      .perturbed_parameters = {"phi", "dtheta", "dpsi"},
+      .axes = {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
+      .listing =
+          {{"chapters/03_rigid_body_motion/33_heavy_top/models.hpp"},
+           {{"mean precession of a fast top",
+             "heavy_top::MeanPrecession<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+            {"one angle, precession by quadrature",
+             "heavy_top::OneAngle<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+            {"Euler angles",
+             "heavy_top::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+            {"rigid body, quaternion",
+             "heavy_top::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"},
+            {"axis and angular momentum",
+             "heavy_top::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"}}},
+      .draw = heavy_top::draw<Parameters>,
+      .staging = staged,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

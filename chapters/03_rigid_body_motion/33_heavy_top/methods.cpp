@@ -345,12 +345,13 @@ Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
   Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
       .closed_form("mean precession of a fast top", MeanPrecession<double>{top}, Outcome::inaccurate,
                    R"(the axis nods, and its mean rate is $mg\ell/(\mu_3c)$ in the limit of fast spin only)")
-      .by_common("one angle, precession by quadrature", OneAngle<double>{top}, Outcome::drifted)
-      .by_others("one angle, precession by quadrature", OneAngle<double>{top},
-                 {{"modified midpoint", Outcome::inaccurate, low_order},
-                  {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps the nodding"}})
-      .by_common(euler_angles, EulerAngles<double>{{top}})
-      .by_common(rigid_body, RigidBody<double>{{top}}, Outcome::drifted)
+      .by_engine_integrators("one angle, precession by quadrature", OneAngle<double>{top}, Outcome::drifted)
+      .by_remaining_integrators(
+          "one angle, precession by quadrature", OneAngle<double>{top},
+          {{"modified midpoint", Outcome::inaccurate, low_order},
+           {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps the nodding"}})
+      .by_engine_integrators(euler_angles, EulerAngles<double>{{top}})
+      .by_engine_integrators(rigid_body, RigidBody<double>{{top}}, Outcome::drifted)
       .by<ode::ExplicitEuler>(momentum_model, AxisAndMomentum<double>{{top}}, Outcome::inaccurate, low_order)
       .by<ode::RungeKutta4>(momentum_model, AxisAndMomentum<double>{{top}})
       .by<ode::DormandPrince54>(momentum_model, AxisAndMomentum<double>{{top}})

@@ -14,15 +14,6 @@ template <class T>
 using Vector = std::array<T, 3>;
 
 template <class T>
-T dot(const Vector<T>& a, const Vector<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class T>
-Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-template <class T>
 using Matrix = std::array<std::array<T, 3>, 3>;
 
 template <class T>
@@ -253,7 +244,8 @@ struct AxisAndMomentum {
   }
   template <class X>
   void operator()(const std::array<X, 6>& x, std::array<X, 6>& dxdt, const X& t) const {
-    const Vector<X> d{x[0], x[1], x[2]}, turn = cross({x[3], x[4], x[5]}, d), torque = cross(d, p.force(t));
+    const Vector<X> d{x[0], x[1], x[2]}, turn = cross(Vector<X>{x[3], x[4], x[5]}, d),
+                                         torque = cross(d, p.force(t));
     dxdt = {turn[0] / p.mu1, turn[1] / p.mu1, turn[2] / p.mu1,
             p.l * torque[0], p.l * torque[1], p.l * torque[2]};
   }

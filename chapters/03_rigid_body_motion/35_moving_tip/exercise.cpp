@@ -6,6 +6,7 @@
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/drawing.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
+#include "chapters/03_rigid_body_motion/shared/top_parameters.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
@@ -13,22 +14,11 @@ namespace oddity {
 
 namespace ex03_35 {
 
-constexpr Parameter parameters[] = {
-    {"m", 1, "kg", "mass", 0.1, 10},
-    {"l", 0.25, "m", "from the tip to the center of mass", 0.01, 1},
-    {"mu1", 0.125, "kg m^2", "moment across the axis, about the tip", 0.01, 10},
-    {"mu3", 0.0625, "kg m^2", "moment about the axis", 0.001, 10},
-    {"g", 9.81, "m/s^2", "gravity", 0.1, 30},
-    {"theta", 0.25, "rad", "precession angle at the start", -10, 10},
-    {"phi", 0.5, "rad", "tilt at the start", 0.1, 3},
-    {"psi", 0.75, "rad", "spin angle at the start", -10, 10},
-    {"dtheta", 0.5, "rad/s", "its rate", -10, 10},
-    {"dphi", 0.25, "rad/s", "its rate", -10, 10},
-    {"dpsi", 30, "rad/s", "its rate", 1, 100},
+constexpr auto parameters = top_parameters({
     {"A", 0.0625, "m", R"(amplitude of the tip, the book's $\alpha$)", 1e-4, 1},
     {"lambda", 3, "rad/s", "its frequency", 0.1, 30},
     {"seed", 335, "", "seed of the random samples", 0, 1e9, whole_number},
-};
+});
 
 Top asked(const Parameters& p) {
   return {p["m"],   p["l"],      p["mu1"],  p["mu3"],  p["g"], p["theta"], p["phi"],
@@ -45,29 +35,31 @@ engines::Staging staged(const Parameters& p) { return ex03_33::staging(asked(p))
 
 Scene scene() {
   return {
-      axis_of,
-      ex03_33::duration,
-      degree,
-      "lambda",
-      {0.5, 1.5, 3, 6, 10, 14},
-      {"phi", "dtheta", "dpsi"},
-      {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
-      {{"chapters/03_rigid_body_motion/35_moving_tip/models.hpp"},
-       {{"fixed tip, as proposed",
-         "moving_tip::AxisAndMomentum<double>{moving_tip::with_fixed_tip<double>({m, l, mu1, mu3, g, theta, phi, psi, "
-         "dtheta, dphi, dpsi, A, lambda})}"},
-        {"small tilt",
-         "moving_tip::SmallTilt<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
-        {"first order in A",
-         "moving_tip::FirstOrderInA<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
-        {"Euler angles",
-         "moving_tip::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
-        {"rigid body, quaternion",
-         "moving_tip::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
-        {"axis and angular momentum",
-         "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}},
-      moving_tip::draw<Parameters>,
-      staged};
+      .motion = axis_of,
+      .horizon = ex03_33::duration,
+      .game_tolerance = degree,
+      .sweep_parameter = "lambda",
+      .sweep_values = {0.5, 1.5, 3, 6, 10, 14},
+      .perturbed_parameters = {"phi", "dtheta", "dpsi"},
+      .axes = {{"x", "y", "z"}, "s", {{"rad", {0, 1, 2}}}},
+      .listing =
+          {{"chapters/03_rigid_body_motion/35_moving_tip/models.hpp"},
+           {{"fixed tip, as proposed",
+             "moving_tip::AxisAndMomentum<double>{moving_tip::with_fixed_tip<double>({m, l, mu1, mu3, g, theta, phi, psi, "
+             "dtheta, dphi, dpsi, A, lambda})}"},
+            {"small tilt",
+             "moving_tip::SmallTilt<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+            {"first order in A",
+             "moving_tip::FirstOrderInA<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+            {"Euler angles",
+             "moving_tip::EulerAngles<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+            {"rigid body, quaternion",
+             "moving_tip::RigidBody<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"},
+            {"axis and angular momentum",
+             "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}},
+      .draw = moving_tip::draw<Parameters>,
+      .staging = staged,
+  };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {

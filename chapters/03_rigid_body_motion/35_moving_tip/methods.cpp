@@ -43,8 +43,8 @@ Quantity shaken_axis(const std::string& name, const std::string& says, const Top
       .by<ode::RungeKutta4>(first, linear, off, squares)
       .by<ode::DormandPrince54>(first, linear, off, squares)
       .by<ode::Fehlberg78>(first, linear, off, squares)
-      .by_common(tilted, EulerAngles<double>{top})
-      .by_common(quaternion, RigidBody<double>{top}, Outcome::drifted)
+      .by_engine_integrators(tilted, EulerAngles<double>{top})
+      .by_engine_integrators(quaternion, RigidBody<double>{top}, Outcome::drifted)
       .by<ode::ExplicitEuler>(momentum, full, off, order)
       .by<ode::RungeKutta4>(momentum, full)
       .by<ode::DormandPrince54>(momentum, full)
@@ -163,7 +163,7 @@ Quantity deviation(const Top& top, const Reference& truth) {
 Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
   Quantity q = shaken_axis("axis", "unit vector along the axis at four times", top, horizon, truth);
   Ladder(q, horizon, shaken_steps(), tolerances(3, 11))
-      .by_others(
+      .by_remaining_integrators(
           "axis and angular momentum", AxisAndMomentum<double>{top},
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
            {"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps the nodding"}});

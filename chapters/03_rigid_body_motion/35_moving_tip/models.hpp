@@ -10,8 +10,7 @@
 /// The models of exercise 3.35, the top of 3.33 whose tip is moved: those that 3.33 has for it, and two more.
 namespace oddity::moving_tip {
 
-using heavy_top::AxisAndMomentum, heavy_top::EulerAngles, heavy_top::RigidBody, heavy_top::Vector,
-    heavy_top::cross, heavy_top::dot;
+using heavy_top::AxisAndMomentum, heavy_top::EulerAngles, heavy_top::RigidBody, heavy_top::Vector;
 
 /// The exercise's parameters: those of 3.33, and the tip's amplitude and frequency A and lambda.
 template <class T>

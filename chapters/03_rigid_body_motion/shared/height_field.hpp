@@ -1,7 +1,7 @@
 #pragma once
 
 #include "chapters/03_rigid_body_motion/shared/height_field_models.hpp"
-#include "chapters/03_rigid_body_motion/shared/two_coordinates.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 
 namespace oddity::height_field {
 

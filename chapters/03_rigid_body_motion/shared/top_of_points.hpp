@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 #include "chapters/claims.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
 
 namespace oddity::top {
 
-using heavy_top::Matrix, heavy_top::Vector, heavy_top::cross, heavy_top::dot, heavy_top::rotation;
+using heavy_top::Matrix, heavy_top::Vector, heavy_top::rotation;
 
 struct Point {
   double m;
@@ -52,44 +53,6 @@ struct Points {
   }
 };
 
-/// d/dt dL/dv - dL/dq along a motion with the accelerations a; lagrangian(q, v, t) is generic.
-template <class L>
-Vector<double> lagrange_left(const L& lagrangian, const Vector<double>& q, const Vector<double>& v,
-                             const Vector<double>& a, double t) {
-  using Along = Dual<double>;
-  using Outer = Dual<Along>;
-  Vector<double> left;
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::array<Outer, 3> x, dx;
-    std::array<Along, 3> y, dy;
-    for (std::size_t i = 0; i < 3; ++i) {
-      x[i] = Outer(Along(q[i], v[i]));
-      dx[i] = Outer(Along(v[i], a[i]), Along(i == k ? 1.0 : 0.0));
-      y[i] = Along(q[i], i == k ? 1.0 : 0.0);
-      dy[i] = Along(v[i]);
-    }
-    left[k] = lagrangian(x, dx, Outer(Along(t, 1))).slope.slope - lagrangian(y, dy, Along(t)).slope;
-  }
-  return left;
-}
-
-/// The accelerations for which it is zero: it is linear in them.
-template <class L>
-Vector<double> lagrange_accelerations(const L& lagrangian, const Vector<double>& q, const Vector<double>& v,
-                                      double t) {
-  const Vector<double> rest = lagrange_left(lagrangian, q, v, {0, 0, 0}, t);
-  std::array<Vector<double>, 3> columns;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Vector<double> unit{0, 0, 0};
-    unit[k] = 1;
-    columns[k] = lagrange_left(lagrangian, q, v, unit, t);
-    for (std::size_t i = 0; i < 3; ++i) columns[k][i] -= rest[i];
-  }
-  const auto& [c0, c1, c2] = columns;
-  const double det = dot(c0, cross(c1, c2));
-  return {-dot(rest, cross(c1, c2)) / det, -dot(c0, cross(rest, c2)) / det, -dot(c0, cross(c1, rest)) / det};
-}
-
 /// A random top at a random instant of a motion with random accelerations, away from the vertical.
 struct Sample {
   Points body;
@@ -124,8 +87,8 @@ struct Sample {
     const auto lagrangian = [this](const auto& x, const auto& dx, const auto& s) {
       return body.kinetic(x, dx, s) - body.potential(x, s);
     };
-    kinetic = lagrange_left(of_motion, q, v, a, t);
-    truth = lagrange_accelerations(lagrangian, q, v, t);
+    kinetic = lagrange_left_side(of_motion, q, v, a, t);
+    truth = lagrange_accelerations(lagrangian, q, v, {}, t);
   }
 
   /// R^T R' of the motion, in which the angular velocity in body coordinates stands.

@@ -14,14 +14,14 @@ using fields::Point, fields::Triple;
 
 inline constexpr auto inverse_square = []<class T>(const Triple<T>& x) {
   using std::sqrt;
-  const T r = sqrt(fields::dot(x, x)), cube = r * r * r;
+  const T r = sqrt(dot(x, x)), cube = r * r * r;
   return Triple<T>{x[0] / cube, x[1] / cube, x[2] / cube};
 };
 
 /// A published formula for the three derivatives; s is x.x, x one of the coordinates.
 template <double (*derivative)(double s, double x)>
 Point each(const Point& x) {
-  const double s = fields::dot(x, x);
+  const double s = dot(x, x);
   return {derivative(s, x[0]), derivative(s, x[1]), derivative(s, x[2])};
 }
 inline double quotient(double s, double x) {

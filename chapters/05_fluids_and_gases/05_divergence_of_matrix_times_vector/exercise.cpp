@@ -179,8 +179,7 @@ Exercise exercise_5_5() {
   using namespace ex05_05;
   return {"Divergence of a matrix times a vector",
           "Show that $\\nabla\\cdot(M\\mathbf f) = (M^T\\nabla)\\cdot\\mathbf f$ for a constant matrix $M$. "
-          "Below "
-          "$f_{2,1}$ is the derivative of $f_2$ by $x_1$.",
+          "Below $f_{2,1}$ is the derivative of $f_2$ by $x_1$.",
           parameters,
           {},
           study};

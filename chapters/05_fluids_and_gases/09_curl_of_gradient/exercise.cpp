@@ -47,10 +47,10 @@ constexpr auto peano = []<class T>(const Triple<T>& x) {
 
 /// Difference quotients of Peano's slopes at the origin, by x of dp/dy and by y of dp/dx, down to 2^-400.
 Check peano_orders() {
-  Worst worst("second derivatives at the origin", "by $y$, then by $x$", "by $x$, then by $y$");
+  WorstSample worst("second derivatives at the origin", "by $y$, then by $x$", "by $x$, then by $y$");
   for (int k = 10; k <= 400; k += 10) {
     const double t = std::ldexp(1.0, -k);
-    worst.see(along(peano, Point{t, 0, 0}, axes[1]) / t, along(peano, Point{0, t, 0}, axes[0]) / t, 1,
+    worst.add(along(peano, Point{t, 0, 0}, axes[1]) / t, along(peano, Point{0, t, 0}, axes[0]) / t, 1,
               "quotient over $2^{-" + std::to_string(k) + "}$");
   }
   return worst.check();
@@ -224,9 +224,8 @@ Exercise exercise_5_9() {
   using namespace ex05_09;
   return {
       "Curl of a gradient",
-      "Show that $\\nabla\\times\\nabla\\varphi = 0$. Below $\\varphi_{,12}$ is the derivative of $\\varphi$ by "
-      "$x_1$, "
-      "then by $x_2$.",
+      "Show that $\\nabla\\times\\nabla\\varphi = 0$. Below $\\varphi_{,12}$ is the derivative of "
+      "$\\varphi$ by $x_1$, then by $x_2$.",
       field_parameters,
       {},
       study};

@@ -149,11 +149,11 @@ class Tensorial {
 
   Check compare(const Said& said) const {
     const IndexExpression expression(said.right, said.free);
-    Worst worst("$" + typeset_left(said) + "$", "the operators, along a turned frame",
-                "the index expression as it is written");
+    WorstSample worst("$" + typeset_left(said) + "$", "the operators, along a turned frame",
+                      "the index expression as it is written");
     for (const Sampled& s : samples_) {
       const Point left = s.left.at(said.left);
-      worst.see(left, expression.value(s.tensors), expression.size(s.tensors), s.where);
+      worst.add(left, expression.value(s.tensors), expression.size(s.tensors), s.where);
     }
     return worst.check();
   }
@@ -178,8 +178,8 @@ class Tensorial {
 
 /// Only the free index occurs once, every other one twice.
 Check well_formed(const std::string& expression, const std::string& free) {
-  return never("indices that occur once or thrice, but the free one",
-               IndexExpression(expression, free).ill_formed(), 1);
+  return no_violations("indices that occur once or thrice, but the free one",
+                       IndexExpression(expression, free).ill_formed(), 1);
 }
 Claim summed(const std::string& expression, const std::string& near) {
   const auto reading = [](const std::string& text) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "chapters/numbers.hpp"
 #include "chapters/random.hpp"
 #include "solvers/dual.hpp"
 
@@ -22,17 +23,6 @@ template <class T>
 using Matrix = std::array<Triple<T>, 3>;
 
 constexpr Frame axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-
-template <class A, class B>
-auto dot(const Triple<A>& a, const Triple<B>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class A, class B>
-auto cross(const Triple<A>& a, const Triple<B>& b) {
-  using T = decltype(a[0] * b[0]);
-  return Triple<T>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 inline double length(const Point& x) { return std::hypot(x[0], x[1], x[2]); }
 

@@ -190,7 +190,7 @@ Reading Proof::reading(const std::vector<Row>& rows, const std::string& by) cons
     lines.emplace_back(read_terms(row.left, samples[0]), read_terms(row.right, samples[0]));
     quantity += (quantity.empty() ? "$" : ", $") + typeset(row.left, names) + "$";
   }
-  Worst worst(quantity, by, "the line as it is written");
+  WorstSample worst(quantity, by, "the line as it is written");
   for (const Sample& s : samples) {
     std::vector<double> left, right;
     double size = 0;
@@ -199,7 +199,7 @@ Reading Proof::reading(const std::vector<Row>& rows, const std::string& by) cons
       right.push_back(value_of(r, s));
       size = std::max(size, size_of(r, s));
     }
-    worst.see(left, right, size, s.where);
+    worst.add(left, right, size, s.where);
   }
   return {written(rows, names), {worst.check()}};
 }

@@ -47,16 +47,16 @@ Answer answer_for(const std::vector<Sphere>& spheres, const Find& find) {
   std::vector<double> value;
   long tests = 0;
   for (const Sphere& s : spheres) {
-    const Hits found = find(s);
+    const Candidates found = find(s);
     put(value, found.ids);
     tests += found.tests;
   }
   return {Value(std::move(value)), tests};
 }
 
-template <class Reach, class Test>
+template <class BroadPhaseRange, class Test>
 Method by(std::string model, std::string algorithm, const std::vector<Sphere>& spheres, const Grid& grid,
-          Reach range, Test test, Outcome expected = Outcome::ok, std::string why = {}) {
+          BroadPhaseRange range, Test test, Outcome expected = Outcome::ok, std::string why = {}) {
   return {std::move(model),
           std::move(algorithm),
           no_knob(),
@@ -210,7 +210,7 @@ Answer query(const std::vector<Lattice>& all, const std::vector<Sphere>& spheres
   Answer counts;
   std::vector<double> value;
   for (const Sphere& s : spheres) {
-    const Hits found = find(s, filled.grid);
+    const Candidates found = find(s, filled.grid);
     counts.evaluations += found.tests;
     int held = 0;
     for (long id : found.ids)

@@ -54,7 +54,7 @@ Body random_masses(Random& random) {
 
 struct Sample {
   Body body;
-  Hit hit;
+  Contact hit;
   Vector3d normal;
   double f;
 
@@ -114,20 +114,20 @@ double near_point(const G& g, const Vector3d& p) {
 
 /// The integral of g with `weight` of a delta function at either point.
 template <class G>
-double sifted(const G& g, const Hit& hit, double weight = 0.5) {
+double sifted(const G& g, const Contact& hit, double weight = 0.5) {
   return weight * near_point(g, hit.p0) + weight * near_point(g, hit.p1);
 }
 
 double smooth(const Vector3d& x) { return std::exp(0.5 * x[0]) * std::cos(x[1]) + x[2] * x[2] * x[0]; }
 
 Reading property(const std::string& text, const std::vector<Sample>& all, double weight, bool at_midpoint) {
-  Worst worst(R"($\int G(X)\,\delta(X,S)\,dX$)",
-              "narrow cubes about both points, weight " + shortest(weight) + " each",
-              at_midpoint ? "$G(M)$" : R"($\frac12(G(P_0)+G(P_1))$)");
+  WorstSample worst(R"($\int G(X)\,\delta(X,S)\,dX$)",
+                    "narrow cubes about both points, weight " + shortest(weight) + " each",
+                    at_midpoint ? "$G(M)$" : R"($\frac12(G(P_0)+G(P_1))$)");
   for (const Sample& s : all) {
     const double mean =
         at_midpoint ? smooth((s.hit.p0 + s.hit.p1) / 2) : (smooth(s.hit.p0) + smooth(s.hit.p1)) / 2;
-    worst.see(
+    worst.add(
         sifted(smooth, s.hit, weight), mean,
         {width * width, "the cube's half side squared times a sixth of $G$'s Laplacian, which is below 6"}, 3,
         "$P_0$ = (" + rounded(s.hit.p0[0], 4) + ", ...)");
@@ -141,7 +141,7 @@ constexpr double pulse = 1e-6;
 
 /// What a pulse shared evenly by the two points, moving with the body, does to v (from 0) or to w (from 3).
 Vector3d by_motion(const Sample& s, std::size_t from, double first = 0.5) {
-  Hit hit = s.hit;
+  Contact hit = s.hit;
   hit.first = first;
   const auto after = after_pulse(s.body, hit, pulse).value;
   return {after[from], after[from + 1], after[from + 2]};
@@ -169,10 +169,10 @@ Tolerance of_w(const Sample& s) {
 
 /// A formula for v+ (from 0) or w+ (from 3) against the motion.
 Check against_motion(const std::vector<Sample>& all, const Formula<Sample>& by, std::size_t from) {
-  Worst worst(from == 0 ? "$v^+$" : "$w^+$", by.text, "motion under half the pulse at either point");
+  WorstSample worst(from == 0 ? "$v^+$" : "$w^+$", by.text, "motion under half the pulse at either point");
   for (const Sample& s : all) {
     const double scale = from == 0 ? s.body.v.norm() + s.kick() : s.body.w.norm() + s.twist();
-    worst.see(by.of(s), Value(by_motion(s, from)), from == 0 ? of_v(s) : of_w(s), scale, s.where());
+    worst.add(by.of(s), Value(by_motion(s, from)), from == 0 ? of_v(s) : of_w(s), scale, s.where());
   }
   return worst.check();
 }
@@ -222,9 +222,9 @@ void linear_lines(Claims& claims, const std::vector<Sample>& all) {
            motion(integrals + ", their sum", [](const Sample& s) { return linear_integral(s, 1); })}});
 
   const auto means = [&](const std::string& text, double share) {
-    Worst worst("$v^+$", text, integrals + ", their mean");
+    WorstSample worst("$v^+$", text, integrals + ", their mean");
     for (const Sample& s : all)
-      worst.see(Value(linear(s, 2 * share)), Value(linear_integral(s, 0.5)),
+      worst.add(Value(linear(s, 2 * share)), Value(linear_integral(s, 0.5)),
                 rounding((s.body.v.norm() + 2 * s.kick()) / width, 16), s.body.v.norm() + s.kick(),
                 s.where());
     return Reading{text, {worst.check()}};

@@ -214,11 +214,9 @@ Exercise exercise_6_5() {
   using namespace ex06_05;
   return {"Contact at two points",
           "Two bodies touch at two points $P_0$, $P_1$. Find the delta function of the set and with it the "
-          "velocities "
-          "$v^+$, $w^+$ after the impulse; compare with contact along the segment $P_0P_1$. Below $fN$ "
-          "is the impulse, $m$ and $J$ are the mass and the inertia tensor, and $r(P)$ is the arm of $P$ "
-          "from the "
-          "center of mass.",
+          "velocities $v^+$, $w^+$ after the impulse; compare with contact along the segment $P_0P_1$. "
+          "Below $fN$ is the impulse, $m$ and $J$ are the mass and the inertia tensor, and $r(P)$ is the "
+          "arm of $P$ from the center of mass.",
           parameters,
           {},
           study};

@@ -43,7 +43,7 @@ struct Body {
 };
 
 /// The impulse f N shared by two points: `first` of it at P0, the rest at P1.
-struct Hit {
+struct Contact {
   Vector3d p0, p1, impulse;
   double first = 0.5;
 };
@@ -52,7 +52,7 @@ struct Hit {
 struct Pulse {
   using State = std::array<double, 12>;
   Body body;
-  Hit hit;
+  Contact hit;
   double length;
   Matrix3d inverse_inertia = inverse(body.inertia);
 
@@ -86,7 +86,7 @@ struct Pulse {
 };
 
 /// (v+, w+) after a pulse of the given length, by Runge-Kutta steps of a 128th of it.
-inline Solved<std::array<double, 6>> after_pulse(const Body& body, const Hit& hit, double length) {
+inline Solved<std::array<double, 6>> after_pulse(const Body& body, const Contact& hit, double length) {
   const Pulse pulse{body, hit, length};
   const auto end = ode::integrate<ode::RungeKutta4>(pulse, pulse.start(), 0, 1, 1.0 / 128);
   const Vector3d w = pulse.angular_velocity(end.value);

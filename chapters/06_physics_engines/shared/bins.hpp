@@ -97,15 +97,15 @@ inline bool touches_factored(const Sphere& s, const Index& i, double h) {
 
 inline bool always(const Sphere&, const Index&, double) { return true; }
 
-struct Hits {
+struct Candidates {
   std::vector<long> ids = {};  ///< ascending
   long tests = 0;              ///< sphere-box tests
 };
 
 /// Every bin of the range, put to the test.
-template <class Reach, class Test>
-Hits hits(const Sphere& s, const Grid& grid, const Reach& range, const Test& test) {
-  Hits found;
+template <class BroadPhaseRange, class Test>
+Candidates hits(const Sphere& s, const Grid& grid, const BroadPhaseRange& range, const Test& test) {
+  Candidates found;
   const Span x = range(s.c[0], s.r, grid), y = range(s.c[1], s.r, grid), z = range(s.c[2], s.r, grid);
   for (int i = x.low; i <= x.high; ++i)
     for (int j = y.low; j <= y.high; ++j)
@@ -119,8 +119,8 @@ Hits hits(const Sphere& s, const Grid& grid, const Reach& range, const Test& tes
 inline Span every_bin(double, double, const Grid& grid) { return all_of(grid); }
 
 /// No test at all: row by row, the interval that the sphere leaves in it. `tests` counts the rows.
-inline Hits hits_by_rows(const Sphere& s, const Grid& grid) {
-  Hits found;
+inline Candidates hits_by_rows(const Sphere& s, const Grid& grid) {
+  Candidates found;
   const Span x = reach(s.c[0], s.r, grid), y = reach(s.c[1], s.r, grid);
   for (int i = x.low; i <= x.high; ++i)
     for (int j = y.low; j <= y.high; ++j) {

@@ -23,8 +23,9 @@ Findings study(const Parameters& p, const Reference&) {
       "Crosswise clearing never divides, and so squares the size of the entries column by column: after a "
       "dozen columns they are out of the range of a double. Division by the pivot keeps their size.",
       "crosswise, forward and back", 53, Outcome::non_finite, "pivoted, LU, rows exchanged", 0});
-  return {
-      claims(random), {solution("system", static_cast<std::size_t>(p["n"]), false, random), large}, roots()};
+  return {claims(random),
+          in_operations({solution("system", static_cast<std::size_t>(p["n"]), false, random), large}),
+          roots()};
 }
 
 }  // namespace ex07_01

@@ -5,6 +5,7 @@
 // a b = b a is exact, a + (b + c) = (a + b) + c is not.
 
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "chapters/07_linear_algebra/shared/double_double.hpp"
 #include "chapters/07_linear_algebra/shared/matrices.hpp"
 #include "chapters/claims.hpp"
+#include "solvers/counted.hpp"
 
 namespace oddity {
 
@@ -210,9 +212,15 @@ std::vector<Claim> claims(const Random& random) {
 
 // ---- in floating point ------------------------------------------------------------------------------------
 
+/// The operations of a product of two matrices; those of one sum are as many in any order.
+long work_of_product(int n) {
+  const Matrix<Counted<double>> factor{n};
+  return operations_of([&] { return product(factor, factor, Order::ascending); }).all_but_additions();
+}
+
 /// How many entries of (AB)^T and B^T A^T are not the same double.
 template <class T>
-Answer differing(int n, double decades, Random random, Order left, Order right) {
+Answer differing(int n, double decades, Random random, Order left, Order right, long work) {
   const auto entry = [&](int, int) {
     return T(random.magnitude(std::pow(10, -decades / 2), std::pow(10, decades / 2)));
   };
@@ -221,7 +229,7 @@ Answer differing(int n, double decades, Random random, Order left, Order right) 
   double count = 0;
   for (std::size_t i = 0; i < one.entries.size(); ++i)
     count += static_cast<double>(one.entries[i]) != static_cast<double>(other.entries[i]);
-  return {count, 2L * n * n * n};
+  return {count, work};
 }
 
 Quantity same_bits(double decades, const Random& random) {
@@ -234,10 +242,14 @@ Quantity same_bits(double decades, const Random& random) {
              {},
              {}};
   const Knob sizes = doubling("n", 2, 5);
+  std::map<double, long> work;  // of both sides
+  for (double n : sizes.settings) work[n] = 2 * work_of_product(static_cast<int>(n));
   const auto add = [&]<class T>(T, std::string model, std::string algorithm, Order left, Order right,
                                 Outcome expected, std::string why) {
     q.add({std::move(model), std::move(algorithm), sizes,
-           [=](double n) { return differing<T>(static_cast<int>(n), decades, random, left, right); },
+           [=](double n) {
+             return differing<T>(static_cast<int>(n), decades, random, left, right, work.at(n));
+           },
            expected, std::move(why)});
   };
   const Outcome equal = Outcome::ok, differ = Outcome::inaccurate;
@@ -303,6 +315,7 @@ Quantity identity(int size, Random random) {
              {1e-9, "nine decimals"},
              {},
              {}};
+  const long work = work_of_product(n);
   const auto add = [&]<class T>(T, std::string model, std::string algorithm, Order order, Outcome expected,
                                 std::string why) {
     const auto number = [](const Matrix<Whole>& m) {
@@ -313,7 +326,7 @@ Quantity identity(int size, Random random) {
              std::vector<double> all;
              for (const T& x : transposed(product(left, right, order)).entries)
                all.push_back(static_cast<double>(x));
-             return Answer{all, static_cast<long>(all.size()) * left.n};
+             return Answer{all, work};
            },
            expected, std::move(why)});
   };
@@ -333,7 +346,8 @@ Quantity identity(int size, Random random) {
 
 Findings study(const Parameters& p, const Reference&) {
   const Random random(p["seed"]);
-  return {claims(random), {same_bits(p["decades"], random), identity(static_cast<int>(p["m"]), random)}};
+  return {claims(random),
+          in_operations({same_bits(p["decades"], random), identity(static_cast<int>(p["m"]), random)})};
 }
 
 }  // namespace ex07_03

@@ -155,7 +155,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       "The three products are equal, but not equally good: that of the two long sides cancels terms of size "
       "one down to $s$. Take the short side.",
       "edges, w x u", 53, Outcome::inaccurate, "edges, v x w", 53});
-  return {claims(Random(p["seed"])), {far, thin, twice_area(flat(1, 1e-6), truth)}, roots()};
+  return {claims(Random(p["seed"])), in_operations({far, thin, twice_area(flat(1, 1e-6), truth)}), roots()};
 }
 
 }  // namespace ex07_05

@@ -184,8 +184,8 @@ Findings study(const Parameters& chosen, const Reference& truth) {
       "it gets them back.",
       "factorization, LU, rows exchanged", 0, Outcome::inaccurate, "factorization, LU, refined", 3});
   return {claims(Random(chosen["seed"])),
-          {coefficients("coefficients", chosen["gap"], Outcome::ok, truth),
-           dual_coefficients(chosen["gap"], truth), nearly, left_over(1e-10, truth)}};
+          in_operations({coefficients("coefficients", chosen["gap"], Outcome::ok, truth),
+                         dual_coefficients(chosen["gap"], truth), nearly, left_over(1e-10, truth)})};
 }
 
 }  // namespace ex07_07

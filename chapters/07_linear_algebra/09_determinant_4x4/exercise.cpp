@@ -170,8 +170,8 @@ Findings study(const Parameters& p, const Reference& truth) {
       R"(The 24 terms are up to $5\cdot10^{-5}$ and cancel to $9\cdot10^{-16}$; every expansion loses )"
       R"(digits with them. Elimination of this positive definite matrix keeps them.)",
       "expansion, 24 terms", 53, Outcome::inaccurate, "elimination, LU, rows exchanged", 0});
-  return {claims(random),
-          {hilbert("hilbert", p["s"], truth), shifted, determinant_one(static_cast<int>(p["m"]), random)}};
+  return {claims(random), in_operations({hilbert("hilbert", p["s"], truth), shifted,
+                                         determinant_one(static_cast<int>(p["m"]), random)})};
 }
 
 }  // namespace ex07_09

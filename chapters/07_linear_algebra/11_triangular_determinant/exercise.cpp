@@ -141,11 +141,12 @@ std::vector<Claim> claims(const Random& random) {
         m(m.n - 1, 0) = 5;
         return others(m);
       }));
-  add("submatrix", 3965, "without its last row and column $U$ is upper triangular again", upper,
+  add("submatrix", 3965, "without its last row and column $U$ is upper triangular again", full,
       "sum of squares below the diagonal", zero,
-      in_whole("without the last row and column", [](M m) { return below(minor_of(m, m.n - 1, m.n - 1)); }),
+      in_whole("$U$, left by an elimination, without the last row and column",
+               [](M m) { return below(minor_of(eliminated(m, m.n - 1), m.n - 1, m.n - 1)); }),
       in_whole("without the last row and the first column",
-               [](M m) { return below(minor_of(m, m.n - 1, 0)); }));
+               [](M m) { return below(minor_of(eliminated(m, m.n - 1), m.n - 1, 0)); }));
   add("recursion", 3967, R"($\det U$ by the matrix $U'$ without the last row and column)", upper,
       R"($\det U$)", det,
       in_whole(R"($u_{nn}\det U'$)",
@@ -297,7 +298,8 @@ Quantity log_determinant(int n, int e, const Reference& truth, const Random& ran
 Findings study(const Parameters& p, const Reference& truth) {
   const Random random(p["seed"]);
   const int n = static_cast<int>(p["n"]), e = static_cast<int>(p["e"]);
-  return {claims(random), {determinant_quantity(n, e, truth), log_determinant(n, e, truth, random)}};
+  return {claims(random),
+          in_operations({determinant_quantity(n, e, truth), log_determinant(n, e, truth, random)})};
 }
 
 }  // namespace ex07_11

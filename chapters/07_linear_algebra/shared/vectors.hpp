@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "chapters/numbers.hpp"
+
 /// Vectors of three components, generic in the number type.
 namespace oddity::vectors {
 
@@ -23,14 +25,6 @@ Vector3<T> operator-(const Vector3<T>& a) {
 template <class T>
 Vector3<T> operator*(const T& x, const Vector3<T>& a) {
   return {x * a[0], x * a[1], x * a[2]};
-}
-template <class T>
-T dot(const Vector3<T>& a, const Vector3<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class T>
-Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 /// a . b x c.
 template <class T>

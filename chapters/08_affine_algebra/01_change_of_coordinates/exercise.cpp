@@ -256,7 +256,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   huge.add(Breakdown{"A radius by squares overflows at $10^{154}$; the matrix squares nothing.",
                      "polar coordinates, radius by squares", 0, Outcome::non_finite,
                      "matrix, entries 1/sqrt(2)", 0});
-  return {claims(p["seed"]), {coordinates_of(a, 0, truth, Outcome::ok), huge, full_turns()}};
+  return {claims(p["seed"]), in_operations({coordinates_of(a, 0, truth, Outcome::ok), huge, full_turns()})};
 }
 
 }  // namespace ex08_01

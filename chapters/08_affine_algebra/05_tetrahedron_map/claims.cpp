@@ -184,12 +184,12 @@ struct WholeEdges {
 /// The printed system by elimination, allowed the roundings that `power` of the condition number makes of
 /// one.
 Reading elimination(std::string text, const std::vector<Sample>& all, double power) {
-  Worst worst("$c_1,c_2,c_3$", "elimination of the normal equations", "ratios of volumes");
+  WorstSample worst("$c_1,c_2,c_3$", "elimination of the normal equations", "ratios of volumes");
   for (const Sample& s : all) {
     const Matrix3d v = s.t.edges();
     const auto c = solve(Factorization::partial_pivot_lu, v.transpose() * v, v.transpose() * s.v());
     const double size = 1 + s.c().cwiseAbs().maxCoeff();
-    worst.see(c.value, s.c(), rounding(size * std::pow(s.condition, power)), size, s.where());
+    worst.add(c.value, s.c(), rounding(size * std::pow(s.condition, power)), size, s.where());
   }
   return {std::move(text), {worst.check()}};
 }

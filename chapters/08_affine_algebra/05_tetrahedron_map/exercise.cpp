@@ -227,7 +227,9 @@ std::vector<Quantity> quantities(const Parameters& p) {
 
 // ---- the exercise ----------------------------------------------------------------------------------------
 
-Findings study(const Parameters& p, const Reference&) { return {claims(p["seed"]), quantities(p)}; }
+Findings study(const Parameters& p, const Reference&) {
+  return {claims(p["seed"]), in_operations(quantities(p))};
+}
 
 }  // namespace ex08_05
 

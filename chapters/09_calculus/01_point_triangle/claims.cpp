@@ -241,7 +241,7 @@ void minimum(Claims& claims, const std::vector<Sample>& all) {
                                             return by_regions(Quadratic<double>(x.w, x.p)).region ==
                                                    x.region();
                                           }),
-                           never("regions without a sample", std::ranges::count(put, 0), 7),
+                           no_violations("regions without a sample", std::ranges::count(put, 0), 7),
                            compare<Sample>("the determinant",
                                            {"$a_{00}a_{11}-a_{01}^2$",
                                             [](const Sample& x) {

@@ -226,7 +226,7 @@ std::vector<Quantity> quantities(const Parameters& p, const Reference& truth) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(p["seed"]), quantities(p, truth)};
+  return {claims(p["seed"]), in_operations(quantities(p, truth))};
 }
 
 }  // namespace ex09_01

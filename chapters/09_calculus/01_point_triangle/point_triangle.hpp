@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "chapters/exercise.hpp"
+#include "chapters/numbers.hpp"
 
 /// The point of a triangle closest to a point, by several algorithms, generic in the number type.
 namespace oddity::ex09_01 {
@@ -25,14 +26,6 @@ Vec<T> operator-(const Vec<T>& a, const Vec<T>& b) {
 template <class T>
 Vec<T> operator*(const T& k, const Vec<T>& a) {
   return {k * a[0], k * a[1], k * a[2]};
-}
-template <class T>
-T dot(const Vec<T>& a, const Vec<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class T>
-Vec<T> cross(const Vec<T>& a, const Vec<T>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 template <class T>
 T length(const Vec<T>& a) {

@@ -19,27 +19,27 @@ inline Quantity height(const Parameters& p, const Horizon& horizon, const Refere
                         {1e-6, "a micrometre"});
   Ladder(y, horizon, halving("step", 0.125, 9), tolerances())
       .closed_form("flights", Flights<double>{given})
-      .by_common("ball", Ball<double>{given})
-      .by_others("ball", Ball<double>{given})
-      .by_common("ball, at rest below 1 cm/s", ComingToRest<double>{{given}});
+      .by_engine_integrators("ball", Ball<double>{given})
+      .by_remaining_integrators("ball", Ball<double>{given})
+      .by_engine_integrators("ball, at rest below 1 cm/s", ComingToRest<double>{{given}});
   return y;
 }
 
 inline Scene scene(double horizon) {
-  return {height,
-          horizon,
-          centimeter,
-          "e",
-          {0.25, 0.5},
-          {"y0"},
-          {{"y"}, "s", {{"m", {0}}}},
-          {{"chapters/examples/bouncing_ball/models.hpp"},
-           {{"flights", "bouncing_ball::Flights<double>{{y0, g, e}}"}},
-           {{"ball", "which needs a search for events"},
-            {"ball, at rest below 1 cm/s", "which needs a search for events"}},
-           {{"ball", "bouncing_ball::Ball<double>{{y0, g, e}}"},
-            {"ball, at rest below 1 cm/s", "bouncing_ball::ComingToRest<double>{{{y0, g, e}}}"}}},
-          draw<Parameters>};
+  return {.motion = height,
+          .horizon = horizon,
+          .game_tolerance = centimeter,
+          .sweep_parameter = "e",
+          .sweep_values = {0.25, 0.5},
+          .perturbed_parameters = {"y0"},
+          .axes = {{"y"}, "s", {{"m", {0}}}},
+          .listing = {{"chapters/examples/bouncing_ball/models.hpp"},
+                      {{"flights", "bouncing_ball::Flights<double>{{y0, g, e}}"}},
+                      {{"ball", "which needs a search for events"},
+                       {"ball, at rest below 1 cm/s", "which needs a search for events"}},
+                      {{"ball", "bouncing_ball::Ball<double>{{y0, g, e}}"},
+                       {"ball, at rest below 1 cm/s", "bouncing_ball::ComingToRest<double>{{{y0, g, e}}}"}}},
+          .draw = draw<Parameters>};
 }
 
 }  // namespace oddity::bouncing_ball

@@ -35,7 +35,8 @@
   // ---- its drawings ----------------------------------------------------------------------------------------
 
   /** What is counted, as far as the knobs tell. */
-  function counted(methods) {
+  function counted(quantity, methods) {
+    if (quantity.operations) return 'multiplications, divisions and functions';
     const differs = methods.some((m) => m.algorithm.includes('difference'));
     const steps = methods.some((m) => m.knob === 'step');
     const nodes = methods.some((m) => m.knob === 'panels' || m.knob === 'points');
@@ -195,7 +196,7 @@
       at.axis === 'time'
         ? 'time'
         : at.axis === 'evaluations'
-          ? counted(methods)
+          ? counted(quantity, methods)
           : at.knob + (at.knob === 'step' && context.timeUnit ? ' [' + context.timeUnit + ']' : '');
     text(name, { x: (box.left + box.right) / 2, y: box.bottom + 36, 'text-anchor': 'middle', class: 'name' });
     text(errorName(quantity.unit), {

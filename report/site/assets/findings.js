@@ -49,7 +49,7 @@
   const inUnit = (x, unit, digits) => number(x, digits) + (hasUnit(unit) && x !== null ? ' ' + unit : '');
 
   /** "error [rad]". */
-  const errorName = (unit) => 'error' + (hasUnit(unit) ? ' [' + unit + ']' : '');
+  const errorName = (unit) => 'error' + (hasUnit(unit) ? ' [' + unit + ']' : ' (dimensionless)');
 
   /** What a game asks, in the words of a game: "1 cm", "1°". */
   function needOfGame(value, unit) {

@@ -68,7 +68,7 @@ std::string_view name_of(ode::Kind kind) {
       return "implicit fixed";
     case ode::Kind::implicit_controlled:
       return "implicit controlled";
-    case ode::Kind::driven:
+    case ode::Kind::self_stepping:
       return "driven";
   }
   return "";
