@@ -401,3 +401,24 @@ TEST_CASE("nothing of a table runs or breaks out", "[commands]") {
       }
     }
 }
+
+TEST_CASE("parts of the suite's results are put together and judged as a whole", "[commands]") {
+  const ScratchFolder scratch;
+  const std::string one = (scratch.path() / "1.json").string(), two = (scratch.path() / "2.json").string(),
+                    all = (scratch.path() / "all.json").string(), both = "verify '[2.1],[5.7]'";
+  REQUIRE(run("verify '[2.1]' --results " + one).status == 0);
+  REQUIRE(run("verify '[5.7]' --results " + two).status == 0);
+  const Ran judged = run(both + " --from " + two + " --from " + one + " --results " + all);
+  INFO(judged.output);
+  CHECK(judged.status == 0);
+  const Ran again = run(both + " --from " + all);
+  CHECK(again.status == 0);
+  CHECK(says(again, "in 2 test cases"));
+  CHECK(says(run(both + " --from " + one), "exercise 5.7 is in none of the files"));
+  CHECK(says(run(both + " --from " + one + " --from " + all), "exercise 2.1 is there twice"));
+  const Ran listed = run("verify --shard 48/48 --list-test-names-only");
+  CHECK(says(listed, "9.1"));
+  CHECK_FALSE(says(listed, "8.5"));
+  CHECK(says(run("verify --shard 49/49 --list-tests"), "there are 48 exercises"));
+  CHECK(says(run("verify --shard 3 --list-tests"), "a part of the whole"));
+}

@@ -390,6 +390,19 @@ std::string meant_tags(const std::vector<std::string>& words, const Verdicts& ap
   return "";
 }
 
+/// Of a run, or of the files that are to be judged instead.
+Results results_of(const SuiteRequest& request, const std::vector<Task>& tasks) {
+  if (!request.from.empty()) {
+    std::vector<Number> numbers;
+    for (const Task& task : tasks) numbers.push_back(task.entry->number);
+    return merged_results(request.from, numbers);
+  }
+  const Reference truth(request.reference_folder);
+  return with_progress([&](const Progress& progress) {
+    return with_stability(run(tasks, truth, !request.results_file.empty(), progress), tasks, truth, progress);
+  });
+}
+
 }  // namespace
 
 int verify(const SuiteRequest& request) {
@@ -406,11 +419,7 @@ int verify(const SuiteRequest& request) {
                    meant_tags(request.catch_arguments, judged.approved));
 
   if (!request.results_file.empty()) require_writable(request.results_file);
-  const Reference truth(folder);
-  const std::vector<Task> tasks = tasks_of(selected);
-  Results results = with_progress([&](const Progress& progress) {
-    return with_stability(run(tasks, truth, !request.results_file.empty(), progress), tasks, truth, progress);
-  });
+  Results results = results_of(request, tasks_of(selected));
   if (request.approve) {
     approve(results, folder);
     judged = on_record(folder);

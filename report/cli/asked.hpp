@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "report/study/need.hpp"
+#include "report/study/parallel.hpp"
 #include "report/study/run.hpp"
 
 /// What the command line's words mean. All throw BadInput, with what they may have meant instead.
@@ -30,6 +31,9 @@ struct AskedNeed {
 constexpr double most_frames = 1e6;  ///< that a need may ask for: an hour at 277 frames per second
 /// For an exercise that has a motion, at the task's parameters.
 Need need_of(const Task&, const AskedNeed&);
+
+/// "2/7".
+Shard shard_of(const std::string& text);
 
 /// A chapter that has exercises.
 int chapter_of(const std::string& chapter);

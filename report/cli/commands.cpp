@@ -30,7 +30,8 @@ struct Session {
   std::string folder = reference_folder().string();
   std::string exercise = {}, chapter = {};
   std::vector<std::string> exercises = {}, overrides = {};
-  std::string results = {};
+  std::string results = {}, shard = {};
+  std::vector<std::string> from = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
@@ -121,6 +122,17 @@ void require_test_specifications(const std::vector<std::string>& words) {
                      "]' with its quotes, for exercise " + words[i]);
 }
 
+/// "[2.1],[2.15]": every so many-th exercise.
+std::string tags_of_shard(const std::string& text) {
+  const Shard shard = shard_of(text);
+  std::string tags;
+  for (std::size_t i = shard.number - 1; i < registry().size(); i += shard.of)
+    tags += (tags.empty() ? "[" : ",[") + to_string(registry()[i].number) + "]";
+  if (tags.empty())
+    throw BadInput("--shard " + text + ": there are " + std::to_string(registry().size()) + " exercises");
+  return tags;
+}
+
 void add_verify(CLI::App& app, Session& s) {
   auto* verify = verb(
       app, "verify",
@@ -132,14 +144,22 @@ void add_verify(CLI::App& app, Session& s) {
       "Columns: exercise, claim, line (of the solutions), verdict, on_record, kind, root, says, why; a row "
       "for each claim.\n"
       "Examples:\n  oddity verify '[ch3]~[scene]'\n  oddity verify '[3.5]' -s\n  oddity verify -r markdown "
-      "-o report.md\n  oddity verify '[erratum]' --csv",
+      "-o report.md\n  oddity verify '[erratum]' --csv\n"
+      "  oddity verify --shard 1/2 --results 1.json; oddity verify --shard 2/2 --results 2.json; oddity verify --from "
+      "1.json --from 2.json --results all.json",
       [&] {
         auto words = app.get_subcommand("verify")->remaining();
         require_test_specifications(words);
         if (s.json || s.csv) words.insert(words.end(), {"--reporter", s.json ? "claims-json" : "claims-csv"});
-        s.status = s.suite({words, s.folder, s.results, s.approve});
+        if (!s.shard.empty()) words.push_back(tags_of_shard(s.shard));
+        s.status = s.suite({words, s.folder, s.results, {s.from.begin(), s.from.end()}, s.approve});
       });
   add_path(*verify, "--results", s.results, "also keep everything that is found in this file, as JSON");
+  add_value(*verify, "--shard", s.shard, "I/N", "this share of all exercises alone, such as 2/7");
+  add_value(
+      *verify, "--from", s.from, "FILE",
+      "judge these results, one file for each --from, instead of running; with --results put them together")
+      ->allow_extra_args(false);
   verify->add_flag("--approve", s.approve,
                    "put what this run finds for the selected exercises on record: verdicts, limits and maps");
   add_formats(*verify, s, "print the claims and their verdicts");

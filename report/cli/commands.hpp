@@ -15,6 +15,7 @@ struct SuiteRequest {
   std::vector<std::string> catch_arguments;
   std::filesystem::path reference_folder;
   std::filesystem::path results_file;
+  std::vector<std::filesystem::path> from = {};  ///< results to judge instead of a run's; none: run
   bool approve = false;  ///< bring the records of the selected exercises to agree with the run
 };
 

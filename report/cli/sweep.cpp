@@ -151,17 +151,6 @@ std::string how_far(const Plan& plan, const std::vector<std::size_t>& missing, c
          folder.string() + "\n";
 }
 
-/// "2/7".
-sweep::Shard shard_of(const std::string& text) {
-  const auto slash = text.find('/');
-  const auto number = number_in(text.substr(0, slash)),
-             of = slash == std::string::npos ? std::optional<double>() : number_in(text.substr(slash + 1));
-  if (!number || !of || *number < 1 || *of < *number || *number != std::round(*number) ||
-      *of != std::round(*of))
-    throw BadInput("--shard is a part of the whole, such as 1/4 to 4/4, and is '" + text + "'");
-  return {static_cast<std::size_t>(*number), static_cast<std::size_t>(*of)};
-}
-
 void print_slurm(const Words& w, const Plan& plan) {
   const double longest = *std::ranges::max_element(plan.seconds);
   const double minutes = 2 * (sum(plan.seconds) / w.slurm + longest) / 60 + 1;  // estimates err

@@ -1,5 +1,6 @@
 #include <array>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -521,6 +522,22 @@ Results read_results(const fs::path& file) {
   std::ostringstream text;
   text << in.rdbuf();
   return results_from_json(text.str(), file.string());
+}
+
+Results merged_results(const std::vector<fs::path>& files, const std::vector<Number>& exercises) {
+  std::map<Number, std::pair<ExerciseResult, fs::path>> parts;
+  for (const fs::path& file : files)
+    for (ExerciseResult& e : read_results(file).exercises)
+      if (const auto [before, fresh] = parts.try_emplace(e.number, std::move(e), file); !fresh)
+        throw BadInput("exercise " + to_string(before->first) + " is there twice: in " +
+                       before->second.second.string() + " and in " + file.string());
+  Results results;
+  for (const Number& number : exercises) {
+    const auto part = parts.find(number);
+    if (part == parts.end()) throw BadInput("exercise " + to_string(number) + " is in none of the files");
+    results.exercises.push_back(std::move(part->second.first));
+  }
+  return results;
 }
 
 }  // namespace oddity

@@ -33,6 +33,11 @@ class Stage {
   std::mutex mutex_;
 };
 
+/// One of so many machines.
+struct Shard {
+  std::size_t number = 1, of = 1;
+};
+
 /// Calls f(0), ..., f(count - 1) in parallel, and throws the first exception thrown inside.
 void in_parallel(std::size_t count, const std::function<void(std::size_t)>& f);
 

@@ -244,5 +244,8 @@ Results results_from_json(const std::string& text, const std::string& place);
 
 /// Throws BadInput when the file cannot be read.
 Results read_results(const std::filesystem::path& file);
+/// The results of these exercises, each from the one file that has it. Throws BadInput, naming it, for one
+/// that is in none, or in two.
+Results merged_results(const std::vector<std::filesystem::path>& files, const std::vector<Number>&);
 
 }  // namespace oddity

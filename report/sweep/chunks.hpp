@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "report/study/parallel.hpp"
 #include "report/sweep/plan.hpp"
 
 /// A sweep's folder: plan.json, and a file for each chunk that is done, whole or not there.
@@ -26,10 +27,7 @@ std::optional<std::vector<Tile>> kept(const std::filesystem::path& folder, const
 /// Those that are not kept, the heaviest first.
 std::vector<std::size_t> missing(const std::filesystem::path& folder, const Plan&);
 
-/// One of so many machines: the chunks in the order of their weight are dealt out like cards.
-struct Shard {
-  std::size_t number = 1, of = 1;
-};
+/// The chunks in the order of their weight, dealt out like cards.
 std::vector<std::size_t> dealt(const Plan&, const std::vector<std::size_t>& chunks, const Shard&);
 
 /// Works out these chunks and keeps them, each thread one after the other. Throws what a chunk throws, when
