@@ -15,18 +15,18 @@ namespace oddity {
 
 namespace {
 
-constexpr int numbers[] = {10, 30, 100, 300, 1000, 3000, 10'000};
-constexpr double g = 9.81, r = 1, none = std::numeric_limits<double>::quiet_NaN();
+constexpr int chain_lengths[] = {10, 30, 100, 300, 1000, 3000, 10'000};
+constexpr double chain_gravity = 9.81, chain_link = 1, not_timed = std::numeric_limits<double>::quiet_NaN();
 
 /// Seconds a run, of the fastest of some batches.
 template <class F>
 double seconds(const F& f, int runs) {
-  using Clock = std::chrono::steady_clock;
   double least = std::numeric_limits<double>::infinity();
   for (int batch = 0; batch < 5; ++batch) {
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < runs; ++i) f();
-    least = std::min(least, std::chrono::duration<double>(Clock::now() - start).count() / runs);
+    least = std::min(least,
+                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / runs);
   }
   return least;
 }
@@ -37,7 +37,7 @@ double time_of_tensions(int n) {
   volatile double last = 0;
   return seconds(
       [&] {
-        chain::by_tensions(p.m, p.r, g, p.theta, p.omega, alpha);
+        chain::by_tensions(p.m, p.r, chain_gravity, p.theta, p.omega, alpha);
         last = alpha.back();
       },
       std::max(1, 20'000 / n));
@@ -59,7 +59,7 @@ double time_of_dense() {
   volatile double last = 0;
   return seconds(
       [&] {
-        chain::by_mass_matrix(mu, lengths, g, theta, omega, alpha);
+        chain::by_mass_matrix(mu, lengths, chain_gravity, theta, omega, alpha);
         last = alpha.back();
       },
       std::max(1, 300 / static_cast<int>(n)));
@@ -69,17 +69,17 @@ double time_of_dense(int n) {
   return n == 10    ? time_of_dense<10>()
          : n == 30  ? time_of_dense<30>()
          : n == 100 ? time_of_dense<100>()
-                    : none;
+                    : not_timed;
 }
 
 /// By halves to half a percent.
 double stable_step(int n) {
   constexpr int steps = 600;
-  const double theory = chain::stable_step_of_links(n, g, r);
+  const double theory = chain::stable_step_of_links(n, chain_gravity, chain_link);
   double low = 0.9 * theory, high = 1.1 * theory;
   while (high - low > 0.005 * theory) {
     const double middle = (low + high) / 2;
-    (chain::growth_of_links(n, g, r, middle, steps) < 4 ? low : high) = middle;
+    (chain::growth_of_links(n, chain_gravity, chain_link, middle, steps) < 4 ? low : high) = middle;
   }
   return (low + high) / 2;
 }
@@ -89,9 +89,9 @@ double stable_step(int n) {
 ChainBench bench_chains(const Progress& progress) {
   constexpr int rounds = 9;
   ChainBench bench;
-  for (int n : numbers)
+  for (int n : chain_lengths)
     bench.chains.push_back({n, std::numeric_limits<double>::infinity(), time_of_dense(n), 9 * 8.0 * n,
-                            stable_step(n), chain::stable_step_of_links(n, g, r)});
+                            stable_step(n), chain::stable_step_of_links(n, chain_gravity, chain_link)});
   for (int round = 0; round < rounds; ++round) {
     if (progress) progress("timing chains", static_cast<std::size_t>(round), rounds);
     std::vector<double> links, times;

@@ -15,12 +15,12 @@ namespace oddity {
 
 namespace {
 
-constexpr double digits = 1e-12, none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::string_view ours = "Taylor series";
-constexpr long most_evaluations = 3'000'000;
+constexpr double series_error = 1e-12, no_ratio = std::numeric_limits<double>::quiet_NaN();
+constexpr std::string_view taylor_series = "Taylor series";
+constexpr long most_of_series_race = 3'000'000;
 
 /// From coarse to fine: tolerances of half decades, or steps.
-std::vector<double> settings(const Method& method, double horizon) {
+std::vector<double> settings_to_try(const Method& method, double horizon) {
   std::vector<double> all;
   if (method.knob.name == "tolerance")
     for (int k = 16; k <= 31; ++k) all.push_back(std::pow(10, -k / 2.0));
@@ -30,16 +30,15 @@ std::vector<double> settings(const Method& method, double horizon) {
 }
 
 double seconds(const Method& method, double setting, int runs) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < runs; ++i) static_cast<void>(method.run(setting));
-  return std::chrono::duration<double>(Clock::now() - start).count() / runs;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / runs;
 }
 
 /// A method at a setting.
-struct Side {
+struct SeriesSide {
   const Method* method = nullptr;
-  double setting = none, seconds = none;
+  double setting = no_ratio, seconds = no_ratio;
   Trial trial = {};
 
   int runs() const { return static_cast<int>(std::ceil(1e-3 / std::max(seconds, 1e-6))); }
@@ -51,32 +50,32 @@ struct Side {
 };
 
 /// The method at the coarsest setting from which on its error stays small enough.
-Side coarsest(const Quantity& motion, const Method& method, double allowed, double horizon) {
-  Side side;
-  for (double setting : settings(method, horizon)) {
+SeriesSide coarsest(const Quantity& motion, const Method& method, double allowed, double horizon) {
+  SeriesSide side;
+  for (double setting : settings_to_try(method, horizon)) {
     Trial trial = run(motion, method, setting);
     const long evaluations = trial.answer.evaluations;
     if (!(trial.error <= allowed))
       side = {};
     else if (!side.method)
-      side = {&method, setting, none, std::move(trial)};
-    if (evaluations > most_evaluations) break;
+      side = {&method, setting, no_ratio, std::move(trial)};
+    if (evaluations > most_of_series_race) break;
   }
   if (side.method) side.seconds = seconds(method, side.setting, 3);
   return side;
 }
 
 SeriesRace race(const std::string& scene, const Quantity& motion, const std::string& model, double horizon) {
-  const double allowed = digits * size_of(motion.reference.value);
-  Side series, other;
+  const double allowed = series_error * size_of(motion.reference.value);
+  SeriesSide series, other;
   for (const Method& method : motion.methods) {
     if (method.model != model || method.precision != Precision::in_double) continue;
-    Side side = coarsest(motion, method, allowed, horizon);
+    SeriesSide side = coarsest(motion, method, allowed, horizon);
     if (!side.method) continue;
-    Side& best = method.algorithm == ours ? series : other;
+    SeriesSide& best = method.algorithm == taylor_series ? series : other;
     if (!best.method || side.seconds < best.seconds) best = std::move(side);
   }
-  SeriesRace result{scene, model, {}, {}, none, none};
+  SeriesRace result{scene, model, {}, {}, no_ratio, no_ratio};
   if (series.method && other.method) {
     constexpr int rounds = 11;
     std::vector<double> ratios, times, times_of_other;
@@ -108,10 +107,10 @@ std::vector<SeriesRace> race_series(const Reference& truth, const Progress& prog
     if (!entry.exercise.scene) continue;
     const Scene& scene = *entry.exercise.scene;
     const Quantity moving = motion(scene, Parameters(entry.exercise.parameters), truth);
-    const auto by_series = std::ranges::find(moving.methods, ours, &Method::algorithm);
+    const auto by_series = std::ranges::find(moving.methods, taylor_series, &Method::algorithm);
     const std::string number = to_string(entry.number);
     if (by_series == moving.methods.end())
-      races.push_back({number, "not analytic", {}, {}, none, none});
+      races.push_back({number, "not analytic", {}, {}, no_ratio, no_ratio});
     else
       races.push_back(race(number, moving, by_series->model, scene.horizon));
   }
