@@ -6,6 +6,7 @@
 
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/in_long_double.hpp"
 #include "reference/text.hpp"
 #include "reference/truth.hpp"
 #include "report/study/parallel.hpp"
@@ -23,7 +24,8 @@ constexpr double needless = 1e-6;
 
 int digits_for(const Need& need) {
   const double least = need.relative ? need.error : std::min(need.error_in("m"), need.error_in("rad"));
-  return std::clamp(12 + static_cast<int>(std::ceil(-std::log10(least))), 14, truth::spot_digits);
+  return std::clamp(12 + static_cast<int>(std::ceil(-std::log10(least))), digits_in_long_double + 1,
+                    truth::spot_digits);
 }
 
 double game_error(std::string_view unit) { return unit == "m" ? centimeter : degree; }
@@ -57,10 +59,11 @@ Start Starts::start(const Parameters& p) const {
     start.motion.need = {*std::ranges::min_element(start.motion.needs), "asked for"};
     return start;
   };
-  const int digits = digits_for(need_);
-  Start start = made(truth_.to_digits(digits));
-  const bool enough = start.motion.reference_error <= needless * start.motion.need.allowed;
-  return enough || digits == truth::spot_digits ? start : made(truth_);
+  for (int digits : {digits_in_long_double, digits_for(need_)}) {
+    Start start = made(truth_.to_digits(digits));
+    if (start.motion.reference_error <= needless * start.motion.need.allowed) return start;
+  }
+  return made(truth_);
 }
 
 Start Starts::asked() const {
