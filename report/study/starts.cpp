@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <span>
 
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
@@ -19,6 +19,13 @@ constexpr double nearby = 0.1;
 
 /// The true motion's error is a millionth of the need at most, or it is made with all digits.
 constexpr double needless = 1e-6;
+
+std::vector<Start> known(std::span<std::optional<Start>> made) {
+  std::vector<Start> all;
+  for (auto& one : made)
+    if (one) all.push_back(std::move(*one));
+  return all;
+}
 
 }  // namespace
 
@@ -98,22 +105,39 @@ Quantity Starts::one_frame() const {
   return motion(scene(), task_.parameters, frame, Reference::nothing());
 }
 
+std::optional<Start> Starts::known_start(const Parameters& p) const {
+  try {
+    return start(p);
+  } catch (const OutOfTime&) {
+    throw;
+  } catch (const std::exception&) {  // no reference there
+    return {};
+  }
+}
+
 std::vector<Start> Starts::beside(int count) {
   std::vector<Parameters> drawn;
   for (int i = 0; i < count; ++i) drawn.push_back(draw());
   std::vector<std::optional<Start>> made(drawn.size());
-  in_parallel(drawn.size(), [&](std::size_t i) {
-    try {
-      made[i] = start(drawn[i]);
-    } catch (const OutOfTime&) {
-      throw;
-    } catch (const std::exception&) {  // no reference there
-    }
+  in_parallel(drawn.size(), [&](std::size_t i) { made[i] = known_start(drawn[i]); });
+  return known(made);
+}
+
+Starts::First Starts::first(int seen, int unseen, const std::function<void()>& one_made) {
+  std::vector<Parameters> drawn;
+  for (int i = 0; i < seen + unseen; ++i) drawn.push_back(draw());
+  std::optional<Start> at_asked;
+  std::vector<std::optional<Start>> made(drawn.size());
+  in_parallel(1 + drawn.size(), [&](std::size_t i) {
+    if (i == 0)
+      at_asked = asked();
+    else
+      made[i - 1] = known_start(drawn[i - 1]);
+    one_made();
   });
-  std::vector<Start> known;
-  for (auto& one : made)
-    if (one) known.push_back(std::move(*one));
-  return known;
+  const std::span all(made);
+  const auto first = static_cast<std::size_t>(seen);
+  return {std::move(*at_asked), known(all.first(first)), known(all.subspan(first))};
 }
 
 }  // namespace oddity
