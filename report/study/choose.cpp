@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <ranges>
+#include <thread>
 #include <utility>
 
 #include "chapters/scene.hpp"
@@ -97,10 +98,9 @@ class Search {
         price_(price),
         progress_(progress),
         deadline_(need.time_limit),
-        motions_(progress, "making the true motions", 1 + seen_beside + unseen_starts),
         truth_(truth.watched([this] {
           deadline_.check();
-          motions_.beat();
+          if (motions_) motions_->beat();
         })),
         starts_(task, need, truth_) {
     seen_.reserve(1 + seen_beside + rounds * unseen_starts);  // tries_ point into the first
@@ -130,9 +130,24 @@ class Search {
   }
 
  private:
+  /// Of so many true motions, where they take long: by a part of one.
+  std::string expected_time(int motions) const {
+    constexpr double lengthy = 10'000, part = 0.02;  // frames
+    if (need_.frames() < lengthy) return "";
+    double seconds = 0;
+    {
+      const Stopwatch watch(seconds);
+      starts_.beginning(part);
+    }
+    const double threads = std::clamp<double>(std::thread::hardware_concurrency(), 1, motions);
+    return ", about " + rounded(std::ceil(seconds / part * motions / threads), 2) + " s in all";
+  }
+
   void make_starts() {
     const Stopwatch watch(spent_.truths);
-    auto first = starts_.first(seen_beside, unseen_starts, [this] { motions_.add(); });
+    constexpr int all = 1 + seen_beside + unseen_starts;
+    motions_.emplace(progress_, "making the true motions" + expected_time(all), all);
+    auto first = starts_.first(seen_beside, unseen_starts, [this] { motions_->add(); });
     seen_.push_back(std::move(first.asked));
     std::ranges::move(first.seen, std::back_inserter(seen_));
     unseen_ = std::move(first.unseen);
@@ -187,7 +202,7 @@ class Search {
 
   /// With ever more work, until something holds that the objective wants.
   void try_all(const std::string& stage) {
-    constexpr double little = 64, more = 8;
+    constexpr double little = 16, more = 4;
     const auto wanted = [&](const Tries& tries) {
       return std::ranges::any_of(tries.tried, [&](const Tried& t) { return meets_objective(t); });
     };
@@ -436,7 +451,7 @@ class Search {
   const Price& price_;
   const Progress& progress_;
   Deadline deadline_;
-  Stage motions_;
+  std::optional<Stage> motions_;
   Reference truth_;
   Starts starts_;
   std::vector<Start> seen_, unseen_;
