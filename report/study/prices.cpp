@@ -22,8 +22,8 @@ std::string processor() {
   return "processor";
 }
 
-/// By its size and time: to read all of it takes longer than many an answer.
-std::string program() {
+/// The program by its file: to read all of it takes longer than many an answer.
+std::string program_by_file() {
   std::error_code unreadable;
   const fs::path file = fs::read_symlink("/proc/self/exe", unreadable);
   const auto size = fs::file_size(file, unreadable);
@@ -40,9 +40,14 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 }  // namespace
 
+std::string checksum_of_program() {
+  std::ifstream in("/proc/self/exe", std::ios::binary);
+  return checksum(std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
 std::string machine_and_program() {
-  static const std::string text =
-      processor() + " x " + std::to_string(std::thread::hardware_concurrency()) + ", program " + program();
+  static const std::string text = processor() + " x " + std::to_string(std::thread::hardware_concurrency()) +
+                                  ", program " + program_by_file();
   return text;
 }
 
