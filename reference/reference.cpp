@@ -10,6 +10,7 @@
 #include "reference/book.hpp"
 #include "reference/csv.hpp"
 #include "reference/files.hpp"
+#include "reference/in_long_double.hpp"
 #include "reference/text.hpp"
 #include "reference/to_write.hpp"
 #include "reference/truth.hpp"
@@ -282,6 +283,8 @@ Known Reference::motion(std::string_view name, const std::vector<double>& inputs
   if (auto known = tabulated(*rows, inputs, times)) return *known;
   const truth::Truth truth = maker->make();
   require_count(name, truth, inputs.size() + 1);
+  if (digits_ <= digits_in_long_double)
+    if (auto known = motion_in_long_double(name, inputs, times, compared_times, tick_)) return *known;
   const std::string key = cache_.empty() ? "" : motion_key(name, inputs, times, digits_);
   if (!cache_.empty())
     if (auto kept = kept_motion(cache_, key)) {

@@ -1,11 +1,9 @@
 #include "reference/truth.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 #include "reference/make/motions.hpp"
-#include "reference/text.hpp"
 
 namespace oddity::truth {
 
@@ -16,14 +14,6 @@ Number power_of_ten_above(const Number& x) {
   if (x == 0) return 0;
   return pow(Number(10), ceil(log10(x)));
 }
-
-std::string digits_of(const Number& x, int digits) {
-  return x == 0 ? "0" : x.str(digits, std::ios_base::fmtflags(0));
-}
-
-}  // namespace
-
-namespace {
 
 /// The largest component; 1 where all vanish but for the working precision, and give no scale.
 Number size_of(const Numbers& value) {
@@ -73,34 +63,6 @@ Made make_motion(const Truth& truth, const std::vector<double>& inputs_but_time,
   }
   made.error = power_of_ten_above(made.error);
   return made;
-}
-
-std::string heading(const std::string& name, const Truth& truth) {
-  std::ostringstream out;
-  out << "# " << truth.quantity << "\n"
-      << "# formula: " << truth.formula << "\n"
-      << "# made by: reference/make/" << name << ".cpp, working with " << working_digits << " digits (MPFR)\n"
-      << "# first route: " << truth.first_route << "\n"
-      << "# second route: " << truth.second_route << "\n"
-      << "# error: bounds the disagreement of the two routes, rounded up to a power of ten\n"
-      << "# inputs: the double nearest to the decimal shown, taken as exact\n";
-  for (const std::string& input : truth.inputs) out << input << ",";
-  out << "component,value,error,unit\n";
-  return out.str();
-}
-
-std::string table(const std::string& name, const Truth& truth) {
-  std::ostringstream out;
-  out << heading(name, truth);
-  for (const std::vector<double>& row : truth.rows) {
-    const Made made = make_row(truth, row, table_digits);
-    for (std::size_t i = 0; i < made.value.size(); ++i) {
-      for (double input : row) out << shortest(input) << ",";
-      out << truth.components[i].name << "," << digits_of(made.value[i], 40) << ","
-          << digits_of(made.error, 2) << "," << truth.components[i].unit << "\n";
-    }
-  }
-  return out.str();
 }
 
 }  // namespace oddity::truth

@@ -1,6 +1,11 @@
 #pragma once
 
+#ifdef ODDITY_LONG_DOUBLE
+#include <cmath>
+#include <limits>
+#else
 #include <boost/multiprecision/mpfr.hpp>
+#endif
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -8,13 +13,23 @@
 #include <vector>
 
 /// How the reference tables are made. One file of reference/make makes one table of the same name.
+///
+/// The makers of motions are compiled twice: with 60 digits, and in long double under another name than
+/// `truth` (reference/in_long_double.hpp).
 namespace oddity::truth {
 
+#ifdef ODDITY_LONG_DOUBLE
+using Number = long double;
+constexpr unsigned working_digits = std::numeric_limits<Number>::digits10;
+using std::abs, std::acos, std::asin, std::atan2, std::ceil, std::cos, std::cosh, std::exp, std::isfinite,
+    std::ldexp, std::log, std::log10, std::pow, std::round, std::sin, std::sinh, std::sqrt;
+#else
 constexpr unsigned working_digits = 60;
 /// On the stack: to allocate a number on the heap takes as long as to multiply two.
 using Backend =
     boost::multiprecision::mpfr_float_backend<working_digits, boost::multiprecision::allocate_stack>;
 using Number = boost::multiprecision::number<Backend, boost::multiprecision::et_off>;
+#endif
 using Numbers = std::vector<Number>;
 
 class Motions;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "reference/make/checkpoints.hpp"
 #include "reference/make/extrapolation.hpp"
 
@@ -20,7 +23,9 @@ struct Box {
 /// steps shrink towards it and grow again, and every digit costs many of them. So a table has 31, and a value
 /// made on the spot 15. Both ways err alike there, by more than they differ: the second one works to two
 /// digits less, and their disagreement bounds the first one's error.
-inline Precision worked_to(Precision asked) { return {asked.digits > spot_digits ? 31 : 15, asked.kept}; }
+inline Precision worked_to(Precision asked) {
+  return {asked.digits > spot_digits ? 31 : std::min(asked.digits, 15), asked.kept};
+}
 
 /// The integral of the distance from a point along an edge that it sees at the distance k, from y1 to y2.
 inline Number along_edge(const Number& k, const Number& y1, const Number& y2) {
@@ -69,7 +74,9 @@ Numbers until(const Number& t, const Rhs& rhs, const Numbers& start, std::size_t
   for (std::size_t k = 1; k <= pieces; ++k) {
     const Numbers next = at_piece(k);
     if (next[clock] > t) {
-      for (Number left = t - x[clock]; left > pow(Number(10), -digits - 4); left = t - x[clock])
+      const Number close =
+          std::max<Number>(pow(Number(10), -digits - 4), 8 * t * std::numeric_limits<Number>::epsilon());
+      for (Number left = t - x[clock]; left > close; left = t - x[clock])
         x = solve_extrapolation(rhs, x, 0, Number(left / rhs(x, 0)[clock]), digits);
       return x;
     }

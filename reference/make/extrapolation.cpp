@@ -1,8 +1,12 @@
 #include "reference/make/extrapolation.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
+
+#include "reference/text.hpp"
 
 namespace oddity::truth {
 
@@ -31,12 +35,24 @@ Numbers modified_midpoint(const Rhs& rhs, const Numbers& x0, const Number& t, co
   return smoothed;
 }
 
-constexpr int columns = 24;
+/// With many digits a step settles a few columns before the last, as one that does not settle costs as much
+/// as one that does: measured on a pendulum at 26 to 50 digits. In long double, where every column adds its
+/// roundings, early: measured on Foucault's pendulum over ten minutes.
+constexpr bool has_many_digits = std::numeric_limits<Number>::digits10 > 30;
+constexpr int columns = has_many_digits ? 24 : 12, wanted = has_many_digits ? 21 : 8;
 
-/// One big step, extrapolated to zero substep (Aitken-Neville in h^2). The column at which it settled; more
-/// than there are when it does not.
+/// To what a state of this size can settle at best.
+Number roundings(const Numbers& x) {
+  Number size = 0;
+  for (const Number& component : x) size = std::max<Number>(size, abs(component));
+  return 256 * std::numeric_limits<Number>::epsilon() * size;
+}
+
+/// One big step, extrapolated to zero substep (Aitken-Neville in h^2), until it changes by no more than the
+/// tolerance, or by roundings. The column at which it settled; more than there are when it does not.
 int extrapolated_step(const Rhs& rhs, Numbers& x, const Number& t, const Number& big,
                       const Number& tolerance) {
+  const Number enough = std::max(tolerance, roundings(x));
   std::vector<Numbers> row;
   for (int k = 1; k <= columns; ++k) {
     std::vector<Numbers> next{modified_midpoint(rhs, x, t, big, 2 * k)};
@@ -51,7 +67,7 @@ int extrapolated_step(const Rhs& rhs, Numbers& x, const Number& t, const Number&
     if (k > 3) {
       bool settled = true;  // false for a NaN
       for (std::size_t i = 0; i < x.size(); ++i)
-        settled = settled && abs(next.back()[i] - row.back()[i]) <= tolerance;
+        settled = settled && abs(next.back()[i] - row.back()[i]) <= enough;
       if (settled) {
         x = next.back();
         return k;
@@ -62,10 +78,7 @@ int extrapolated_step(const Rhs& rhs, Numbers& x, const Number& t, const Number&
   return columns + 1;
 }
 
-/// The next step, so that it settles a few columns before the last: a step that does not settle costs as much
-/// as one that does. Measured on a pendulum at 26 to 50 digits, this takes the fewest evaluations.
 Number next_step(const Number& step, int settled_at) {
-  constexpr int wanted = 21;
   return settled_at > columns ? Number(step / 2) : Number(step * std::pow(1.1, wanted - settled_at));
 }
 
@@ -73,26 +86,31 @@ Number next_step(const Number& step, int settled_at) {
 
 namespace {
 
+Number first_step(const Number& t0, const Number& t1) { return (t1 - t0) / 4; }
+
 /// Right-hand sides, counted.
 struct Budget {
   long all, spent = 0;
 };
 
-Numbers advance(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits, Budget& budget) {
+/// `big` is the step to begin with, and then that to go on with.
+Numbers advance(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits, Budget& budget,
+                Number& big) {
   const Number tolerance = pow(Number(10), -digits - 3);
   const Rhs counted = [&](const Numbers& y, const Number& t) {
     if (++budget.spent > budget.all)
       throw BudgetSpent("extrapolation: the budget of " + std::to_string(budget.all) +
-                        " right-hand sides is spent at t = " + t0.str(6) + " of " + t1.str(6));
+                        " right-hand sides is spent at t = " + rounded(static_cast<double>(t0), 6) + " of " +
+                        rounded(static_cast<double>(t1), 6));
     return rhs(y, t);
   };
-  Number big = (t1 - t0) / 4;
   while (t0 != t1) {
     const bool last = abs(big) >= abs(Number(t1 - t0));
     const Number step = last ? Number(t1 - t0) : big;
     const int settled_at = extrapolated_step(counted, x, t0, step, tolerance);
     if (settled_at <= columns) t0 = last ? t1 : Number(t0 + step);
-    big = next_step(step, settled_at);
+    const Number next = next_step(step, settled_at);
+    if (!last || settled_at > columns || abs(next) > abs(big)) big = next;
     if (abs(big) < pow(Number(10), -20)) throw std::runtime_error("extrapolation: the step became too small");
   }
   return x;
@@ -102,7 +120,8 @@ Numbers advance(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digi
 
 Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits, long budget) {
   Budget counted{budget};
-  return advance(rhs, std::move(x), std::move(t0), t1, digits, counted);
+  Number big = first_step(t0, t1);
+  return advance(rhs, std::move(x), std::move(t0), t1, digits, counted, big);
 }
 
 namespace {
@@ -118,6 +137,7 @@ struct ExtrapolatedPath : Path {
   };
   std::vector<State> known;
   Budget budget;
+  Number big = 0;
 
   ExtrapolatedPath(const Numbers& x0, const Number& t0, long evaluations)
       : known{{t0, x0}}, budget{evaluations} {}
@@ -126,7 +146,8 @@ struct ExtrapolatedPath : Path {
     const auto comes_before = [&](const State& s) { return abs(s.t - known[0].t) <= abs(t - known[0].t); };
     const State from = *std::ranges::find_if(known.rbegin(), known.rend(), comes_before);
     if (from.t == t) return from.x;
-    known.push_back({t, advance(rhs, from.x, from.t, t, digits, budget)});
+    if (big == 0) big = first_step(from.t, t);
+    known.push_back({t, advance(rhs, from.x, from.t, t, digits, budget, big)});
     return known.back().x;
   }
 };

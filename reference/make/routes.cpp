@@ -19,7 +19,7 @@ Number elliptic_k(const Number& k) {
 }
 
 Number integral(const std::function<Number(const Number&)>& f, const Number& a, const Number& b, int digits) {
-  boost::math::quadrature::tanh_sinh<Number> rule(15, pow(Number(10), -120));
+  thread_local boost::math::quadrature::tanh_sinh<Number> rule(15, pow(Number(10), -120));
   return rule.integrate(f, a, b, Number(pow(Number(10), -digits - 4)));
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "reference/truth.hpp"
 
 /// A body's path about a fixed center that attracts it by mu/r^2, by Kepler's equation in universal
@@ -36,9 +39,11 @@ inline Numbers by_universal_kepler(const Number& mu, const Orbiter& a, const Num
     const Number z = alpha * chi * chi, c3 = stumpff(3, z);
     return (chi * chi * chi * c3 + s * chi * chi * stumpff(2, z) + r0 * chi * (1 - z * c3)) / root;
   };
+  const Number close =
+      std::max<Number>(pow(Number(10), -digits - 8), 2 * std::numeric_limits<Number>::epsilon());
   Number low = 0, high = 1;
   while (time(high) < t) high *= 2;
-  while (high - low > high * pow(Number(10), -digits - 8)) {
+  while (high - low > high * close) {
     const Number middle = (low + high) / 2;
     (time(middle) < t ? low : high) = middle;
   }

@@ -216,6 +216,7 @@ void add_choose_methods(CLI::App& choose, AskedNeed& need) {
   add_value(choose, "--exclude", need.exclude, "WORD", "no models or algorithms that have this; repeatable")
       ->allow_extra_args(false);
   add_value(choose, "--time-limit", need.time_limit, "TIME", "give up after this long: 60s");
+  choose.add_flag("--explain", need.explain, "say what was tried, and where the time went");
   choose.add_flag("--measure", need.measure,
                   "time the methods anew; unless asked, times of an earlier run are taken, so that the same "
                   "question gets the same answer");

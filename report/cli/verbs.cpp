@@ -188,6 +188,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
                   : format == Format::csv  ? choice_csv(choice)
                   : format == Format::code ? code_of(task, choice, command)
                                            : choice_text(choice, all_rows, output()));
+  if (asked.explain && format == Format::text) std::cout << "\n" << explanation_text(choice);
   if (!programs.empty()) std::cout << engine_answer(beside(choice, programs, task, truth), output());
   return choice.chosen ? 0 : 1;
 }

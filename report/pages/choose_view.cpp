@@ -314,6 +314,27 @@ std::string choice_text(const Choice& choice, bool all_rows, const Screen& scree
          wrapped(grounds, screen, 4);
 }
 
+std::string explanation_text(const Choice& choice) {
+  const Explanation& e = choice.explanation;
+  const auto part = [](const std::string& name, double seconds, const std::string& what) {
+    return "  " + name + ": " + shown_time(seconds) + "; " + what + ".\n";
+  };
+  const auto counted = [](long count, const std::string& one) {
+    return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+  };
+  return "How it was found, in " + shown_time(e.truths + e.search + e.timing + e.tests + e.rest) + ":\n" +
+         part("true motions", e.truths,
+              counted(e.starts, "start") + ", known to " + rounded(e.truth_error, 2) +
+                  " of what is asked: " + e.truth_by) +
+         part("search", e.search,
+              counted(e.methods, "method") + " at " + counted(e.settings, "setting") + ", " +
+                  counted(e.evaluations, "evaluation") + " on the start asked for; " +
+                  std::to_string(e.left) + " not followed to finer settings, as they cost too much already") +
+         part("times", e.timing, counted(e.timed, "method") + " and settings, " + choice.prices_are) +
+         part("tests on other starts", e.tests, counted(e.rounds, "round")) +
+         part("what stands beside it", e.rest, "an engine's step, float, restarts, chaos");
+}
+
 std::string choice_json(const Choice& choice) {
   Json json{{"need", need_of(choice)}, {"chosen", nullptr}};
   if (choice.chosen) {
@@ -334,6 +355,21 @@ std::string choice_json(const Choice& choice) {
   json["chosen_on"] = choice.seen;
   json["tested_on"] = choice.unseen;
   json["times"] = choice.prices_are;
+  const Explanation& e = choice.explanation;
+  json["explanation"] = {{"truths",
+                          {{"seconds", e.truths},
+                           {"starts", e.starts},
+                           {"error_in_needs", from(e.truth_error)},
+                           {"by", e.truth_by}}},
+                         {"search",
+                          {{"seconds", e.search},
+                           {"methods", e.methods},
+                           {"settings", e.settings},
+                           {"evaluations", e.evaluations},
+                           {"left", e.left}}},
+                         {"times", {{"seconds", e.timing}, {"timed", e.timed}}},
+                         {"tests", {{"seconds", e.tests}, {"rounds", e.rounds}}},
+                         {"rest", {{"seconds", e.rest}}}};
   return json.dump(2) + "\n";
 }
 

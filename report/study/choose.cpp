@@ -1,10 +1,12 @@
 #include "report/study/choose.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <iterator>
 #include <ranges>
+#include <thread>
 #include <utility>
 
 #include "chapters/scene.hpp"
@@ -12,6 +14,7 @@
 #include "reference/text.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/time.hpp"
+#include "report/study/tries.hpp"
 #include "solvers/ode/catalog.hpp"
 
 namespace oddity {
@@ -71,6 +74,21 @@ bool wanted(const Need& need, const Method& method) {
   return !named_by(need.exclude, method) && !(need.one_step && is_multistep(method.algorithm));
 }
 
+/// Adds the time of its life.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() {
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 /// Everything tried, and the search through a method's settings.
 class Search {
  public:
@@ -80,48 +98,78 @@ class Search {
         price_(price),
         progress_(progress),
         deadline_(need.time_limit),
-        motions_(progress, "making the true motions", 1 + seen_beside),
         truth_(truth.watched([this] {
           deadline_.check();
-          motions_.beat();
+          if (motions_) motions_->beat();
         })),
-        starts_(task, need, truth_),
-        seen_{starts_.asked()} {
-    seen_.reserve(1 + seen_beside + rounds * unseen_starts);  // methods_ points into the first
-    motions_.add();
-    std::ranges::move(starts_.beside(seen_beside), std::back_inserter(seen_));
+        starts_(task, need, truth_) {
+    seen_.reserve(1 + seen_beside + rounds * unseen_starts);  // tries_ point into the first
+    make_starts();
     const Quantity& motion = seen_.front().motion;
     for (const auto* methods : {&motion.methods, &motion.methods_in_float})
       for (const Method& method : *methods)
-        if (wanted(need, method) && can_be_judged(method)) methods_.push_back(&method);
-    if (methods_.empty()) throw BadInput("no method is left; this scene has " + names());
-    if (need.criterion == Criterion::constraint && std::ranges::none_of(methods_, is_constrained))
+        if (wanted(need, method) && can_be_judged(method)) tries_.emplace_back(method, need);
+    if (tries_.empty()) throw BadInput("no method is left; this scene has " + names());
+    if (need.criterion == Criterion::constraint && std::ranges::none_of(tries_, is_constrained))
       throw BadInput("no model " + std::string(need.only.empty() && need.exclude.empty() ? "here" : "left") +
                      " has a constraint to be off: all coordinates are free, or hold it by construction");
   }
 
   Choice choose() {
-    try_all("trying the methods", [](const Method&) { return 0.0; });
-    std::vector<Start> unseen;
-    std::optional<Tried> chosen;
-    bool by_objective = true;
-    for (int round = 0; round < rounds; ++round) {
-      measure();
-      by_objective = true;
-      if (!(chosen = pick(true))) by_objective = false, chosen = pick(false);
-      if (!chosen) break;
-      unseen = starts_.beside(unseen_starts);
-      const Tried test = oddity::attempt(unseen, method(*chosen), chosen->setting, need_);
-      chosen->unseen_error = test.error;
-      if (test.holds() && !unseen.empty()) break;
-      std::ranges::move(unseen, std::back_inserter(seen_));
-      try_again();
-      chosen.reset();
+    try_all("trying the methods");
+    Picked picked;
+    for (int round = 1;; ++round) {
+      picked = pick_cheapest();
+      if (!picked.chosen || holds_elsewhere(*picked.chosen)) break;
+      picked.chosen.reset();
+      if (round == rounds) break;
+      take_more_starts();
+      try_all("trying them on more starts");
     }
-    return summary(chosen, by_objective, unseen);
+    return summary(picked);
   }
 
  private:
+  /// Of so many true motions, where they take long: by a part of one.
+  std::string expected_time(int motions) const {
+    constexpr double lengthy = 10'000, part = 0.02;  // frames
+    if (need_.frames() < lengthy) return "";
+    double seconds = 0;
+    {
+      const Stopwatch watch(seconds);
+      starts_.beginning(part);
+    }
+    const double threads = std::clamp<double>(std::thread::hardware_concurrency(), 1, motions);
+    return ", about " + rounded(std::ceil(seconds / part * motions / threads), 2) + " s in all";
+  }
+
+  void make_starts() {
+    const Stopwatch watch(spent_.truths);
+    constexpr int all = 1 + seen_beside + unseen_starts;
+    motions_.emplace(progress_, "making the true motions" + expected_time(all), all);
+    auto first = starts_.first(seen_beside, unseen_starts, [this] { motions_->add(); });
+    seen_.push_back(std::move(first.asked));
+    std::ranges::move(first.seen, std::back_inserter(seen_));
+    unseen_ = std::move(first.unseen);
+  }
+
+  /// The unseen are seen from now on.
+  void take_more_starts() {
+    const Stopwatch watch(spent_.truths);
+    std::ranges::move(unseen_, std::back_inserter(seen_));
+    unseen_ = starts_.beside(unseen_starts);
+    for (Tries& tries : tries_) tries.again(need_);
+  }
+
+  /// On the starts that it was not chosen on.
+  bool holds_elsewhere(Tried& chosen) {
+    const Stopwatch watch(spent_.tests);
+    ++spent_.rounds;
+    const Tried test = oddity::attempt(unseen_, method(chosen), chosen.setting, need_);
+    chosen.unseen_error = test.error;
+    return test.holds() && !unseen_.empty();
+  }
+
   const Method& method(const Tried& tried) const {
     return *method_of(seen_.front().motion, tried.model, tried.algorithm);
   }
@@ -133,7 +181,7 @@ class Search {
     return all;
   }
 
-  static bool is_constrained(const Method* m) { return static_cast<bool>(m->off_constraint); }
+  static bool is_constrained(const Tries& t) { return static_cast<bool>(t.method().off_constraint); }
 
   /// By its energy only what has something conserved that was watched: some of it is lost at the coarsest
   /// setting.
@@ -142,78 +190,77 @@ class Search {
            run(seen_.front().motion, m, settings(m, need_).front()).answer.drift != 0;
   }
 
-  /// Every method from the setting from(method) on, in parallel, each on to the first that holds with the
-  /// margin.
-  template <class From>
-  void try_all(const std::string& stage, const From& from) {
-    Stage tally(progress_, stage, methods_.size());
-    std::vector<std::vector<Tried>> tried(methods_.size());
-    in_parallel(methods_.size(), [&](std::size_t m) {
-      const double first = from(*methods_[m]);
-      bool reached = first == 0;
-      for (double setting : settings(*methods_[m], need_)) {
-        reached = reached || setting == first;
-        if (!reached) continue;
-        deadline_.check();
-        tried[m].push_back(oddity::attempt(seen_, *methods_[m], setting, need_));
-        if (holds_with_margin(tried[m].back()) || hopeless(tried[m].back())) break;
-      }
+  /// Every method, in parallel, on to the first setting that holds with the margin or takes more work.
+  void try_all(const std::string& stage, double most_evaluations) {
+    const Stopwatch watch(spent_.search);
+    Stage tally(progress_, stage, tries_.size());
+    parallel_for_each(tries_, [&](Tries& tries) {
+      tries.go_on(most_evaluations, seen_, need_, [this] { deadline_.check(); });
       tally.add();
     });
-    for (auto& of_one : tried) std::ranges::move(of_one, std::back_inserter(all_));
   }
 
-  bool holds_with_margin(const Tried& t) const { return t.holds() && t.error <= 1 / need_.margin(); }
+  /// With ever more work, until something holds that the objective wants.
+  void try_all(const std::string& stage) {
+    constexpr double little = 16, more = 4;
+    const auto wanted = [&](const Tries& tries) {
+      return std::ranges::any_of(tries.tried, [&](const Tried& t) { return meets_objective(t); });
+    };
+    for (double most = little;; most *= more) {
+      try_all(stage, most);
+      if (std::ranges::any_of(tries_, wanted) || std::ranges::all_of(tries_, &Tries::is_over)) return;
+    }
+  }
 
-  /// The settings that held, on the starts as they are now; a method whose setting fails goes on to finer
-  /// ones.
-  void try_again() {
-    const std::vector<Tried> before = std::exchange(all_, {});
-    try_all("trying them on more starts", [&](const Method& m) {
-      for (const Tried& tried : before)
-        if (tried.holds() && same(tried, m)) return tried.setting;
-      return 0.0;
+  /// One setting more of each that fails at a lower cost. Whether there was one.
+  bool try_on(double seconds_per_frame) {
+    const Stopwatch watch(spent_.search);
+    std::atomic<bool> any = false;
+    parallel_for_each(tries_, [&](Tries& tries) {
+      if (tries.is_over() || !(tries.tried.back().seconds_per_frame < seconds_per_frame)) return;
+      tries.go_on(tries.expected_evaluations(), seen_, need_, [this] { deadline_.check(); });
+      any = true;
     });
+    return any;
   }
 
-  static bool same(const Tried& tried, const Method& method) {
-    return tried.model == method.model && tried.algorithm == method.algorithm;
-  }
-
-  /// What a method was tried at that is worth knowing.
-  struct Found {
-    Tried *first = nullptr, *with_margin = nullptr;  ///< the coarsest settings that hold
-    Tried* before = nullptr;                         ///< the one before the first
-    Tried* best = nullptr;                           ///< the least error of those that came to an end
-    Tried* representative() const { return with_margin ? with_margin : first ? first : best; }
+  struct Picked {
+    std::optional<Tried> chosen = {};
+    bool by_objective = true;
   };
 
-  Found found(const Method& m) {
-    Found found;
-    Tried* last = nullptr;
-    for (Tried& t : all_) {
-      if (!same(t, m)) continue;
-      if (t.holds() && !found.first) found.first = &t, found.before = last;
-      if (holds_with_margin(t) && !found.with_margin) found.with_margin = &t;
-      if (came_to_an_end(t) && (!found.best || t.error < found.best->error)) found.best = &t;
-      last = came_to_an_end(t) ? &t : nullptr;
+  Picked pick() {
+    if (auto chosen = pick(true)) return {chosen, true};
+    return {pick(false), false};
+  }
+
+  /// When all that fails costs more than what is chosen, finer settings of it cannot be cheaper.
+  Picked pick_cheapest() {
+    while (true) {
+      measure();
+      Picked picked = pick();
+      const bool settled = picked.chosen && picked.by_objective;
+      if (!try_on(settled ? noisy_tie * picked.chosen->seconds_per_frame : need_.budget)) return picked;
     }
-    return found;
   }
 
   /// What may be chosen, and what may stand beside it.
   std::vector<Tried*> to_be_timed() {
     std::vector<Tried*> wanted;
-    for (const Method* m : methods_) {
-      const Found f = found(*m);
-      for (Tried* t : {f.representative(), f.first, f.before})
-        if (t && std::ranges::find(wanted, t) == wanted.end()) wanted.push_back(t);
+    for (Tries& tries : tries_) {
+      const auto f = tries.found(need_);
+      Tried* last = tries.is_over() ? nullptr : &tries.tried.back();
+      for (Tried* t : {f.representative(), f.first, f.before, last})
+        if (t && std::isnan(t->seconds_per_frame) && std::ranges::find(wanted, t) == wanted.end())
+          wanted.push_back(t);
     }
     return wanted;
   }
 
   void measure() {
+    const Stopwatch watch(spent_.timing);
     const std::vector<Tried*> wanted = to_be_timed();
+    spent_.timed += static_cast<int>(wanted.size());
     Stage tally(progress_, "timing them", wanted.size());
     for (Tried* tried : wanted) {
       deadline_.check();
@@ -224,16 +271,13 @@ class Search {
     }
   }
 
-  /// What broke off has no cost to compare.
-  static bool came_to_an_end(const Tried& tried) {
-    return tried.outcome != Outcome::non_finite && tried.outcome != Outcome::stalled &&
-           tried.outcome != Outcome::raised && tried.outcome != Outcome::chattering &&
-           tried.outcome != Outcome::grazing;
+  bool meets_objective(const Tried& t) const {
+    return t.holds() &&
+           (need_.objective == Objective::cheapest || (is_simple(t) && holds_with_margin(t, need_)));
   }
 
   bool eligible(const Tried& t, bool by_objective) const {
-    if (!t.holds() || !(t.seconds_per_frame <= need_.budget)) return false;
-    return !by_objective || need_.objective == Objective::cheapest || (is_simple(t) && holds_with_margin(t));
+    return t.seconds_per_frame <= need_.budget && (by_objective ? meets_objective(t) : t.holds());
   }
 
   static bool ties_with(const Tried& t, const Tried& fastest) {
@@ -249,9 +293,10 @@ class Search {
   /// The cheapest; of near ties the more accurate, and of those as accurate within a tenth the simpler.
   std::optional<Tried> pick(bool by_objective) {
     ties_.clear();
-    const auto fastest = least(all_, [&](const Tried& t) { return eligible(t, by_objective); });
+    const std::vector<Tried> all = all_tried();
+    const auto fastest = least(all, [&](const Tried& t) { return eligible(t, by_objective); });
     if (!fastest) return {};
-    for (const Tried& t : all_)
+    for (const Tried& t : all)
       if (eligible(t, by_objective) && ties_with(t, *fastest)) ties_.push_back(t);
     const double error = std::ranges::min_element(ties_, {}, &Tried::error)->error;
     const auto best = std::ranges::min_element(ties_, {}, [&](const Tried& t) {
@@ -260,6 +305,12 @@ class Search {
     const Tried chosen = *best;
     ties_.erase(best);
     return chosen;
+  }
+
+  std::vector<Tried> all_tried() const {
+    std::vector<Tried> all;
+    for (const Tries& tries : tries_) std::ranges::copy(tries.tried, std::back_inserter(all));
+    return all;
   }
 
   template <class Range, class Predicate>
@@ -273,9 +324,10 @@ class Search {
   /// What comes nearest to a need that nothing meets: within the budget the smallest error, but what holds
   /// and costs too much comes first.
   std::optional<Tried> miss() const {
-    if (auto held = least(all_, [](const Tried& t) { return t.holds(); })) return held;
-    const auto nearest = std::ranges::min_element(all_, {}, &Tried::error);
-    return nearest == all_.end() ? std::nullopt : std::optional(*nearest);
+    const std::vector<Tried> all = all_tried();
+    if (auto held = least(all, [](const Tried& t) { return t.holds(); })) return held;
+    const auto nearest = std::ranges::min_element(all, {}, &Tried::error);
+    return nearest == all.end() ? std::nullopt : std::optional(*nearest);
   }
 
   /// Of the first model that an engine's step fits: semi-implicit Euler at 60, 120 and 240 Hz.
@@ -336,7 +388,25 @@ class Search {
     return lost.value_or(std::numeric_limits<double>::infinity());
   }
 
-  Choice summary(const std::optional<Tried>& chosen, bool by_objective, const std::vector<Start>& unseen) {
+  /// Of all but the time of the rest.
+  Explanation explanation() const {
+    Explanation all = spent_;
+    const Quantity& motion = seen_.front().motion;
+    all.truth_by = motion.reference.by;
+    all.truth_error = motion.reference_error / motion.need.allowed;
+    all.starts = static_cast<int>(seen_.size() + unseen_.size());
+    all.methods = static_cast<int>(tries_.size());
+    for (const Tries& tries : tries_) {
+      all.settings += static_cast<int>(tries.tried.size());
+      if (!tries.is_over()) ++all.left;
+      for (const Tried& t : tries.tried)
+        all.evaluations += std::lround(t.evaluations_per_frame * need_.frames());
+    }
+    return all;
+  }
+
+  Choice summary(const Picked& picked) {
+    const std::optional<Tried>& chosen = picked.chosen;
     const Quantity& motion = seen_.front().motion;
     Choice choice;
     choice.need = need_;
@@ -344,11 +414,12 @@ class Search {
     for (std::string_view unit : motion.units()) choice.units.emplace_back(unit);
     choice.needs = motion.needs;
     choice.chosen = chosen;
-    choice.by_objective = by_objective;
+    choice.by_objective = picked.by_objective;
     for (const Start& s : seen_) choice.seen.push_back(s.says);
-    for (const Start& s : unseen) choice.unseen.push_back(s.says);
-    for (const Method* m : methods_)
-      if (const Tried* t = found(*m).representative()) choice.tried.push_back(*t);
+    for (const Start& s : unseen_)
+      if (chosen) choice.unseen.push_back(s.says);
+    for (Tries& tries : tries_)
+      if (const Tried* t = tries.found(need_).representative()) choice.tried.push_back(*t);
     if (chosen)  // at another setting where its margin does not matter
       for (Tried& t : choice.tried)
         if (t.model == chosen->model && t.algorithm == chosen->algorithm) t = *chosen;
@@ -357,6 +428,7 @@ class Search {
     });
     choice.engine = engine();
     choice.predictable = predictable();
+    choice.explanation = explanation();
     if (!chosen) {
       choice.nearest_miss = miss();
       return choice;
@@ -364,7 +436,7 @@ class Search {
     choice.ties = ties_;
     choice.restart = restart(*chosen);
     choice.in_float = chosen_in_float(*chosen);
-    for (const Tried& tried : all_)
+    for (const Tried& tried : all_tried())
       if (!tried.holds() && came_to_an_end(tried) && tried.seconds_per_frame < chosen->seconds_per_frame &&
           (!choice.next_cheaper || tried.seconds_per_frame > choice.next_cheaper->seconds_per_frame))
         choice.next_cheaper = tried;
@@ -379,19 +451,21 @@ class Search {
   const Price& price_;
   const Progress& progress_;
   Deadline deadline_;
-  Stage motions_;
+  std::optional<Stage> motions_;
   Reference truth_;
   Starts starts_;
-  std::vector<Start> seen_;
-  std::vector<const Method*> methods_;
-  std::vector<Tried> all_, ties_;
+  std::vector<Start> seen_, unseen_;
+  std::vector<Tries> tries_;
+  std::vector<Tried> ties_;
+  Explanation spent_;
 };
 
 }  // namespace
 
 Time measured_price(const Method& method, double setting) {
-  Time best = time(method, setting);
-  for (int more = 0; more < 2 && best.seconds < 0.01; ++more) {
+  constexpr double brief = 1e-4, lengthy = 2e-3;  // s, a run
+  Time best = time(method, setting, lengthy);
+  for (int more = 0; more < 2 && best.seconds < brief; ++more) {
     const Time again = time(method, setting);
     best = {std::min(best.seconds, again.seconds), std::min(best.spread, again.spread)};
   }
@@ -400,7 +474,13 @@ Time measured_price(const Method& method, double setting) {
 
 Choice choose(const Task& task, const Need& need, const Reference& truth, const Price& price,
               const Progress& progress) {
-  Choice choice = Search(task, need, truth, price, progress).choose();
+  double all = 0;
+  Choice choice = [&] {
+    const Stopwatch watch(all);
+    return Search(task, need, truth, price, progress).choose();
+  }();
+  Explanation& took = choice.explanation;
+  took.rest = all - took.truths - took.search - took.timing - took.tests;
   choice.exercise = to_string(task.entry->number);
   choice.time_unit = task.entry->exercise.scene->axes.time;
   return choice;

@@ -12,6 +12,18 @@
 /// What to use for a scene: the model, algorithm and setting that hold for a need.
 namespace oddity {
 
+/// How an answer was found, and what it took.
+struct Explanation {
+  double truths = 0, search = 0, timing = 0, tests = 0, rest = 0;  ///< s
+  std::string truth_by;                                            ///< of the start asked for
+  double truth_error = 0;                                          ///< in needs
+  int starts = 0, methods = 0, settings = 0;                       ///< tried
+  int left = 0;  ///< methods that were not followed to their finest setting, as they cost more already
+  long evaluations = 0;  ///< of right-hand sides and closed forms, on the start asked for
+  int timed = 0;         ///< methods and settings
+  int rounds = 0;        ///< of tests, the last of which held if anything is chosen
+};
+
 struct Choice {
   Need need;
   std::string exercise, quantity, time_unit;
@@ -35,6 +47,7 @@ struct Choice {
       predictable;  ///< of a chaotic motion: until when a start known to 1e-9 tells the path
   std::vector<std::string> seen, unseen;
   std::string prices_are = {};  ///< where they come from
+  Explanation explanation = {};
 
   /// How many times better than asked the chosen one was on starts that it was not chosen on.
   double margin() const { return 1 / chosen->unseen_error; }
@@ -43,7 +56,7 @@ struct Choice {
 /// What a method costs over the whole horizon [s].
 using Price = std::function<Time(const Method&, double setting)>;
 
-/// Measured on this machine: of three times over, the least disturbed.
+/// Measured on this machine: what is brief three times over, of which the least disturbed counts.
 Time measured_price(const Method&, double setting);
 
 /// Chooses on the task's start and two beside it, tests on three others (the scene's `starts`, each up to a
@@ -58,6 +71,8 @@ std::string asked_text(const Choice&);
 std::string answer_text(const Choice&, const Screen& = {});
 /// The choice as a sentence and a table, for a terminal; the table's first rows, or all.
 std::string choice_text(const Choice&, bool all_rows, const Screen& = {});
+/// What was tried and where the time went.
+std::string explanation_text(const Choice&);
 std::string choice_json(const Choice&);
 std::string choice_csv(const Choice&);
 

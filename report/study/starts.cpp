@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <span>
 
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/in_long_double.hpp"
 #include "reference/text.hpp"
 #include "reference/truth.hpp"
 #include "report/study/parallel.hpp"
@@ -19,11 +20,19 @@ constexpr double nearby = 0.1;
 /// The true motion's error is a millionth of the need at most, or it is made with all digits.
 constexpr double needless = 1e-6;
 
+std::vector<Start> known(std::span<std::optional<Start>> made) {
+  std::vector<Start> all;
+  for (auto& one : made)
+    if (one) all.push_back(std::move(*one));
+  return all;
+}
+
 }  // namespace
 
 int digits_for(const Need& need) {
   const double least = need.relative ? need.error : std::min(need.error_in("m"), need.error_in("rad"));
-  return std::clamp(12 + static_cast<int>(std::ceil(-std::log10(least))), 14, truth::spot_digits);
+  return std::clamp(12 + static_cast<int>(std::ceil(-std::log10(least))), digits_in_long_double + 1,
+                    truth::spot_digits);
 }
 
 double game_error(std::string_view unit) { return unit == "m" ? centimeter : degree; }
@@ -57,10 +66,11 @@ Start Starts::start(const Parameters& p) const {
     start.motion.need = {*std::ranges::min_element(start.motion.needs), "asked for"};
     return start;
   };
-  const int digits = digits_for(need_);
-  Start start = made(truth_.to_digits(digits));
-  const bool enough = start.motion.reference_error <= needless * start.motion.need.allowed;
-  return enough || digits == truth::spot_digits ? start : made(truth_);
+  for (int digits : {digits_in_long_double, digits_for(need_)}) {
+    Start start = made(truth_.to_digits(digits));
+    if (start.motion.reference_error <= needless * start.motion.need.allowed) return start;
+  }
+  return made(truth_);
 }
 
 Start Starts::asked() const {
@@ -95,22 +105,44 @@ Quantity Starts::one_frame() const {
   return motion(scene(), task_.parameters, frame, Reference::nothing());
 }
 
+Quantity Starts::beginning(double part) const {
+  const Horizon shorter{part * need_.horizon, 1, need_.frames_per_second};
+  return motion(scene(), task_.parameters, shorter, truth_.to_digits(digits_in_long_double));
+}
+
+std::optional<Start> Starts::known_start(const Parameters& p) const {
+  try {
+    return start(p);
+  } catch (const OutOfTime&) {
+    throw;
+  } catch (const std::exception&) {  // no reference there
+    return {};
+  }
+}
+
 std::vector<Start> Starts::beside(int count) {
   std::vector<Parameters> drawn;
   for (int i = 0; i < count; ++i) drawn.push_back(draw());
   std::vector<std::optional<Start>> made(drawn.size());
-  in_parallel(drawn.size(), [&](std::size_t i) {
-    try {
-      made[i] = start(drawn[i]);
-    } catch (const OutOfTime&) {
-      throw;
-    } catch (const std::exception&) {  // no reference there
-    }
+  in_parallel(drawn.size(), [&](std::size_t i) { made[i] = known_start(drawn[i]); });
+  return known(made);
+}
+
+Starts::First Starts::first(int seen, int unseen, const std::function<void()>& one_made) {
+  std::vector<Parameters> drawn;
+  for (int i = 0; i < seen + unseen; ++i) drawn.push_back(draw());
+  std::optional<Start> at_asked;
+  std::vector<std::optional<Start>> made(drawn.size());
+  in_parallel(1 + drawn.size(), [&](std::size_t i) {
+    if (i == 0)
+      at_asked = asked();
+    else
+      made[i - 1] = known_start(drawn[i - 1]);
+    one_made();
   });
-  std::vector<Start> known;
-  for (auto& one : made)
-    if (one) known.push_back(std::move(*one));
-  return known;
+  const std::span all(made);
+  const auto first = static_cast<std::size_t>(seen);
+  return {std::move(*at_asked), known(all.first(first)), known(all.subspan(first))};
 }
 
 }  // namespace oddity

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,14 +39,23 @@ class Starts {
   Start asked() const;
   /// `count` starts drawn afresh, less those of which no true motion is known.
   std::vector<Start> beside(int count);
+  /// The start asked for and two sets of others beside it, all made at once; `made` is called after each.
+  struct First {
+    Start asked;
+    std::vector<Start> seen, unseen;
+  };
+  First first(int seen, int unseen, const std::function<void()>& made);
   /// The motion with one of the start's parameters changed by a part of itself, without a reference.
   Quantity disturbed(double part) const;
   /// The first frame alone, without a reference.
   Quantity one_frame() const;
+  /// A part of the motion asked for, from its start.
+  Quantity beginning(double part) const;
 
  private:
   Parameters draw();
   Start start(const Parameters&) const;
+  std::optional<Start> known_start(const Parameters&) const;
   const Scene& scene() const { return *task_.entry->exercise.scene; }
   Horizon horizon() const { return {need_.horizon, 1, need_.frames_per_second}; }
 

@@ -24,7 +24,7 @@ struct Nothing {
 
 }  // namespace
 
-Time time(const Method& method, double setting) {
+Time time(const Method& method, double setting, double once_from) {
   constexpr std::chrono::microseconds batch{100};
   constexpr std::size_t batches = 5;
   const auto once = [&] {
@@ -36,7 +36,7 @@ Time time(const Method& method, double setting) {
   const auto runs = static_cast<long>(
       std::clamp(std::chrono::duration<double>(batch).count() / std::max(first, 1e-8), 1.0, 1e4));
   std::vector<double> seconds;
-  const std::size_t count = first > 0.05 ? 1 : batches;
+  const std::size_t count = first > once_from ? 1 : batches;
   for (std::size_t b = 0; b < count; ++b) {
     const auto start = Clock::now();
     for (long i = 0; i < runs; ++i) static_cast<void>(method.run(setting));

@@ -6,8 +6,8 @@
 namespace oddity {
 
 /// The method at one setting, over batches each as long as a tenth of a millisecond or one run; a run of more
-/// than a twentieth of a second is timed once, and has no spread. To mean anything it has to run alone.
-Time time(const Method&, double setting);
+/// than `once_from` seconds is timed once, and has no spread. To mean anything it has to run alone.
+Time time(const Method&, double setting, double once_from = 0.05);
 
 /// s, what a call of a right-hand side takes through the seam between algorithms and models, which are
 /// compiled apart: one that computes nothing, over batches of a hundred thousand. What the compiler could

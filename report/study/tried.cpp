@@ -108,9 +108,10 @@ Tried attempt(const std::vector<Start>& starts, const Method& method, double set
     tried.errors.resize(start.motion.units().size(), 0);
     for (std::size_t i = 0; i < errors.size(); ++i)
       tried.errors[i] = std::isfinite(errors[i]) ? std::max(tried.errors[i], errors[i]) : unbounded;
-    if (tried.holds() && !(error <= 1)) {
+    if (!(error <= 1)) {
       tried.outcome = failure(trial);
       tried.where = start.says;
+      break;
     }
   }
   return tried;

@@ -11,9 +11,9 @@ namespace oddity {
 /// tolerances by decades, or the method's own.
 std::vector<double> settings(const Method&, const Need&);
 
-/// The method at a setting over the starts: its worst error by the need's criterion, the first end that does
-/// not hold, and its work on the first start. The time is not measured. Throws BadInput where the criterion
-/// does not fit the motion.
+/// The method at a setting over the starts, up to the first on which it does not hold: its worst error by the
+/// need's criterion, how it ended, and its work on the first start. The time is not measured. Throws BadInput
+/// where the criterion does not fit the motion.
 Tried attempt(const std::vector<Start>&, const Method&, double setting, const Need&);
 
 /// "2 steps per frame", "tolerance 1e-06", "-".

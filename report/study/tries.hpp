@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "report/study/tried.hpp"
+
+namespace oddity {
+
+/// Holds, and as much better than asked as the need's margin wants it.
+bool holds_with_margin(const Tried&, const Need&);
+
+/// What broke off has no cost to compare.
+bool came_to_an_end(const Tried&);
+
+/// A method on its way through its settings, from coarse to fine, to the first that holds with the margin.
+class Tries {
+ public:
+  Tries(const Method&, const Need&);
+
+  /// Goes on while a setting is expected to take no more than so many evaluations per frame. `check` is
+  /// called before each, and throws to end it.
+  void go_on(double most_evaluations, const std::vector<Start>&, const Need&,
+             const std::function<void()>& check);
+
+  const Method& method() const { return *method_; }
+  /// It holds with the margin, or no finer setting can help.
+  bool is_over() const { return is_over_; }
+  /// Of the next setting, per frame.
+  double expected_evaluations() const;
+  /// Back to the first setting that holds, to be tried again on more starts: what failed on some fails on
+  /// more.
+  void again(const Need&);
+
+  std::vector<Tried> tried;  ///< a setting each, from coarse to fine
+
+  /// What is worth knowing of them.
+  struct Found {
+    Tried *first = nullptr, *with_margin = nullptr;  ///< the coarsest settings that hold
+    Tried* before = nullptr;                         ///< the one before the first
+    Tried* best = nullptr;                           ///< the least error of those that came to an end
+    Tried* representative() const { return with_margin ? with_margin : first ? first : best; }
+  };
+  Found found(const Need&);
+
+ private:
+  const Method* method_;
+  std::vector<double> left_;  ///< settings, the next last
+  bool is_over_ = false;
+};
+
+}  // namespace oddity

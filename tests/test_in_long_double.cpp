@@ -1,0 +1,136 @@
+// Motions in long double: through the rows of the tables, and as far off as they say.
+
+#include <algorithm>
+#include <map>
+
+#include "chapters/contents.hpp"
+#include "chapters/random.hpp"
+#include "chapters/scene.hpp"
+#include "reference/bad_input.hpp"
+#include "reference/in_long_double.hpp"
+#include "reference/truth.hpp"
+#include "report/study/parallel.hpp"
+#include "tests/catch.hpp"
+
+using namespace oddity;
+
+namespace {
+
+constexpr std::size_t compared = 48;
+
+const Reference& known() {
+  static const Reference all(std::string(ODDITY_SOURCE) + "/reference");
+  return all;
+}
+
+/// A motion that a table has rows of.
+struct Rows {
+  std::string table;
+  std::vector<double> inputs, times;
+};
+
+std::vector<Rows> motions_of(const truth::Entry& entry) {
+  std::map<std::vector<double>, std::vector<double>> motions;
+  for (std::vector<double> row : entry.make().rows) {
+    const double t = row.back();
+    row.pop_back();
+    if (t >= 0) motions[row].push_back(t);
+  }
+  std::vector<Rows> all;
+  for (auto& [inputs, times] : motions) {
+    std::ranges::sort(times);
+    all.push_back({std::string(entry.name), inputs, times});
+  }
+  return all;
+}
+
+/// Up to `count` random ones of every table that long double has.
+std::vector<Rows> random_motions(int count) {
+  Random random(15);
+  std::vector<Rows> all;
+  for (const truth::Entry& entry : truth::registry()) {
+    if (entry.make().inputs.back() != "t") continue;
+    std::vector<Rows> motions = motions_of(entry);
+    for (int i = 0; i < count && !motions.empty(); ++i) {
+      const auto at =
+          std::min(motions.size() - 1,
+                   static_cast<std::size_t>(random.between(0, static_cast<double>(motions.size()))));
+      all.push_back(motions[at]);
+      motions.erase(motions.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+  }
+  return all;
+}
+
+struct Compared {
+  bool made = false;
+  double off = 0, error = 0, size = 0;  ///< the largest
+};
+
+/// With the rows; `off` in the sum of both errors.
+Compared with_the_rows(const Rows& motion) {
+  const auto made = motion_in_long_double(motion.table, motion.inputs, motion.times, compared, {});
+  if (!made) return {};
+  Compared all{true, 0, made->error, 0};
+  const std::size_t parts = made->value.size() / motion.times.size();
+  for (std::size_t k = 0; k < motion.times.size(); ++k) {
+    std::vector<double> row = motion.inputs;
+    row.push_back(motion.times[k]);
+    const Known stored = known()(motion.table, row);
+    for (std::size_t i = 0; i < parts; ++i) {
+      const double off = std::abs(made->value[k * parts + i] - stored.value[i]);
+      all.off = std::max(all.off, off / (made->error + stored.error));
+      all.size = std::max(all.size, std::abs(stored.value[i]));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("random motions in long double go through the rows of their tables", "[truth]") {
+  const std::vector<Rows> motions = random_motions(2);
+  std::vector<Compared> all(motions.size());
+  in_parallel(motions.size(), [&](std::size_t i) { all[i] = with_the_rows(motions[i]); });
+  int exact = 0;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    if (!all[i].made) continue;
+    INFO(motions[i].table << " to t = " << motions[i].times.back() << ", error " << all[i].error);
+    CHECK(all[i].off <= 1);
+    if (all[i].error < 1e-9 * std::max(1.0, all[i].size)) ++exact;
+  }
+  CHECK(exact >= 36);
+}
+
+TEST_CASE("every scene's motion is had in long double", "[truth]") {
+  for (const Entry& entry : registry()) {
+    if (!entry.exercise.scene) continue;
+    const Quantity seen = motion(*entry.exercise.scene, Parameters(entry.exercise.parameters), {1, 1, 60},
+                                 known().to_digits(digits_in_long_double));
+    INFO(to_string(entry.number) << ": " << seen.reference.by);
+    CHECK(seen.reference.by.find("in long double") != std::string::npos);
+    CHECK(seen.reference_error < 1e-10);
+  }
+}
+
+TEST_CASE("what long double cannot follow is known by the error", "[truth]") {
+  const Rows wide{"03_25_chain",
+                  {1, 0.75, 0.5, 1, 0.75, 0.5, 9.8125, 2.5, 2, 2.5, 3, 0, 0, 0},
+                  {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
+  const Compared all = with_the_rows(wide);
+  REQUIRE(all.made);
+  CHECK(all.off <= 1);
+  CHECK(all.error > 1e-9);
+}
+
+TEST_CASE("no motion in long double where there is none", "[truth]") {
+  CHECK_FALSE(motion_in_long_double("04_99_nothing", {1}, std::vector{1.0}, compared, {}));
+  // A hill without a second half axis.
+  CHECK_FALSE(motion_in_long_double("03_11_hill", {1, 0, 10, 0, 0, 2, 2}, std::vector{1.0}, compared, {}));
+}
+
+TEST_CASE("what the tick throws ends a motion in long double", "[truth]") {
+  const auto over = [] { throw OutOfTime("over"); };
+  CHECK_THROWS_AS(motion_in_long_double("03_05_swing", {0.7, 1, 9.81}, std::vector{1.0}, compared, over),
+                  OutOfTime);
+}
