@@ -26,6 +26,12 @@ int digits_for(const Need& need) {
   return std::clamp(12 + static_cast<int>(std::ceil(-std::log10(least))), 14, truth::spot_digits);
 }
 
+Need game_need() {
+  Need need{degree};
+  need.errors = {{"m", centimeter}};
+  return need;
+}
+
 double game_error(std::string_view unit) { return unit == "m" ? centimeter : degree; }
 
 std::vector<double> needs_of(const Need& need, const Quantity& motion) {
