@@ -250,7 +250,8 @@ void add_site(CLI::App& app, Session& s) {
 void add_chart(CLI::App& app, Session& s) {
   auto* chart = verb(
       app, "chart", "Draw error against work and against time, with the tables behind the charts.",
-      columns_of_trials() + "Examples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv",
+      columns_of_trials() +
+          "Of scenes that engines have run on, their pictures as well.\nExamples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv",
       [&] {
         if (s.format() == verbs::Format::text)
           verbs::chart(s.folder, s.exercises, s.all_rows ? Curves::all : Curves::few, s.chart_out);

@@ -89,16 +89,26 @@ std::vector<OwnSteps> own_steps(const Task& task, const Reference& truth) {
   return all;
 }
 
+std::vector<fs::path> write_pictures(const std::vector<EngineContest>& contests, const OwnByScene& own,
+                                     const fs::path& folder) {
+  fs::create_directories(folder / "engines");
+  std::vector<fs::path> files;
+  for (const auto& pictures : {engine_pictures(contests, own), engine_pictures_of_times(contests)})
+    for (const auto& [name, svg] : pictures) {
+      files.push_back(folder / name);
+      write_whole(files.back(), svg);
+    }
+  return files;
+}
+
 void write_page(const std::vector<EngineContest>& contests, const std::vector<double>& rates,
                 const Reference& truth, const fs::path& page) {
   OwnByScene own;
   for (const EngineContest& c : contests)
     if (exercise_number(c.scene)) own[c.scene] = own_steps(task_of(c.scene, {}), truth);
-  fs::create_directories(page.parent_path() / "engines");
+  write_pictures(contests, own, page.parent_path());
   write_whole(page,
               engines_page(contests, own, rates, surprises_in(source_folder() / "solvers/engines/found")));
-  for (const auto& pictures : {engine_pictures(contests, own), engine_pictures_of_times(contests)})
-    for (const auto& [name, svg] : pictures) write_whole(page.parent_path() / name, svg);
   std::cout << "the page is " << page.string() << "\n";
 }
 
@@ -161,6 +171,21 @@ std::vector<EngineContest> engines_kept(const std::vector<std::string>& scenes) 
 }
 
 }  // namespace
+
+std::vector<fs::path> draw_engines(const std::vector<Task>& tasks, const Reference& truth,
+                                   const fs::path& folder) {
+  std::vector<EngineContest> kept;
+  if (fs::exists(engines_file())) kept = read_engines(engines_file());
+  OwnByScene own;
+  std::vector<EngineContest> asked;
+  for (const Task& task : tasks)
+    for (const EngineContest& contest : kept)
+      if (contest.scene == to_string(task.entry->number)) {
+        asked.push_back(contest);
+        own[contest.scene] = own_steps(Task(*task.entry), truth);
+      }
+  return asked.empty() ? std::vector<fs::path>() : write_pictures(asked, own, folder);
+}
 
 void engines(const fs::path& folder, const AskedEngines& asked, Format format) {
   std::vector<std::string> scenes = asked.scenes;

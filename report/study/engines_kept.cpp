@@ -79,9 +79,9 @@ ordered_json kept(const EngineSeries& s) {
           {"trials", trials}};
 }
 EngineSeries series_from(const ordered_json& j) {
-  EngineSeries s{j.at("engine"),  j.at("version"),  j.at("precision"),   j.at("variant"),
-                 j.at("says"),    j.at("defaults"), j.at("webassembly"), j.at("stated_order"),
-                 j.at("lasting"), j.at("friction"), j.at("cannot")};
+  EngineSeries s{j.at("engine"),         j.at("version"),         j.at("precision"),   j.at("variant"),
+                 j.at("says"),           j.at("defaults"),        j.at("webassembly"), j.at("stated_order"),
+                 j.value("lasting", ""), j.value("friction", ""), j.at("cannot")};
   for (const auto& t : j.at("trials")) s.trials.push_back(trial_from(t));
   summarize(s);
   return s;
@@ -125,8 +125,8 @@ std::vector<EngineContest> read_engines(const fs::path& file) {
                       j.at("frames_per_second"),
                       {},
                       {},
-                      j.at("differs"),
-                      j.at("rubs")};
+                      j.value("differs", ""),
+                      j.value("rubs", false)};
       for (const auto& s : j.at("series")) c.series.push_back(series_from(s));
       if (const auto& least = j.at("least"); !least.is_null())
         c.least =
