@@ -5,11 +5,16 @@
 # not compared, and named.
 set -euo pipefail
 program=$1
-record=$(cd "$(dirname "${BASH_SOURCE[0]}")/../reference/approved" && pwd)/engines.csv
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+record=$root/reference/approved/engines.csv
+if ! compgen -G "$(dirname "$program")/engines/engine_*" >/dev/null && [ ! -d "$root/solvers/engines/node_modules" ]; then
+  echo "no engine is built; ./oddity engines installs and builds them"
+  exit 77
+fi
 now=$(mktemp)
 trap 'rm -f "$now"' EXIT
 
-"$program" engines --rows >"$now" || exit 77  # as the program said
+"$program" engines --rows >"$now"
 awk -F, '
   function key() { return $1 "," $2 "," $3 "," $4 }
   function rest(  i, text) { for (i = 6; i <= NF; ++i) text = text "," $i; return text }

@@ -36,7 +36,7 @@ struct Session {
               maps_out = report_folder().string(), site_out = site_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
   std::string engine = {};
-  bool page = false, lanes = false;
+  bool page = false, lanes = false, kept = false;
   std::vector<double> rates{60, 240};
   int finest = 32;
   AskedNeed need = {};
@@ -276,7 +276,8 @@ void add_site(CLI::App& app, Session& s) {
 void add_chart(CLI::App& app, Session& s) {
   auto* chart = verb(
       app, "chart", "Draw error against work and against time, with the tables behind the charts.",
-      columns_of_trials() + "Examples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv",
+      columns_of_trials() +
+          "Of scenes that engines have run on, their pictures as well.\nExamples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv",
       [&] {
         if (s.format() == verbs::Format::text)
           verbs::chart(s.folder, s.exercises, s.all_rows ? Curves::all : Curves::few, s.chart_out);
@@ -343,19 +344,22 @@ void add_engines(CLI::App& app, Session& s) {
       "trial and unit.\n"
       "Examples:\n  oddity engines\n  oddity engines 3.33 'free body' --hz 60,240,960",
       [&] {
-        verbs::engines(s.folder, s.exercises, s.rates, s.finest, s.all_rows, s.rows,
-                       s.page ? report_folder() / "engines.md" : std::filesystem::path(), s.format());
+        verbs::engines(s.folder,
+                       {s.exercises, s.rates, s.finest, s.all_rows, s.rows, s.kept,
+                        s.page ? report_folder() / "engines.md" : std::filesystem::path()},
+                       s.format());
       });
   engines->add_option(
       "scene", s.exercises,
-      "exercises, or: free body, bouncing ball, chain of 10, chain of 100; unless any is named, all but "
-      "the last, which takes half an hour");
+      "exercises, or: free body, bouncing ball, box on corners, chain of 10, chain of 100; unless any is "
+      "named, all but the last, which takes long");
   engines->add_option("--hz", s.rates, "the rates to show")->delimiter(',')->type_name("RATE");
   engines->add_option("--finest", s.finest, "steps per frame to go to, by doubling")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
   engines->add_flag("--all", s.all_rows, "every variant, not the defaults and the best of each engine");
   auto* rows = engines->add_flag("--rows", s.rows, "the rows of engines.csv, instead");
+  engines->add_flag("--kept", s.kept, "what earlier runs kept, and nothing is run");
   engines->add_flag("--report", s.page, "write the page engines.md of the report");
   add_formats(*engines, s, "every trial");
   set_apart(*engines, rows, {"--json", "--csv", "--report"});

@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <iostream>
+#include <limits>
 
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
@@ -11,6 +12,7 @@
 #include "reference/similar.hpp"
 #include "report/cli/settings.hpp"
 #include "report/cli/verbs.hpp"
+#include "report/pages/engines_page.hpp"
 #include "report/pages/engines_view.hpp"
 #include "report/study/prices.hpp"
 #include "report/study/progress.hpp"
@@ -19,9 +21,10 @@ namespace oddity::verbs {
 
 namespace {
 
-/// What a game asks.
-Need game_need() {
-  return {.error = degree, .errors = {{"m", centimeter}, {"rad", degree}}, .objective = Objective::simple};
+Need simple_need() {
+  Need need = game_need();
+  need.objective = Objective::simple;
+  return need;
 }
 
 std::vector<EngineProgram> all_engines() {
@@ -49,8 +52,8 @@ std::optional<Instead> instead_of(const Choice& choice) {
 
 /// What `choose` takes for the scene, at the prices kept.
 std::optional<Instead> instead(const Task& task, const Reference& truth, const Progress& progress) {
-  KeptPrices prices(prices_folder(), price_key(task, game_need()), false);
-  const Choice choice = oddity::choose(task, game_need(), truth, std::ref(prices), progress);
+  KeptPrices prices(prices_folder(), price_key(task, simple_need()), false);
+  const Choice choice = oddity::choose(task, simple_need(), truth, std::ref(prices), progress);
   prices.keep();
   return instead_of(choice);
 }
@@ -70,12 +73,51 @@ std::vector<EngineContest> with_earlier(const std::vector<EngineContest>& contes
   return all;
 }
 
+/// By the algorithms that engines and their critics name, with the steps that engines are tried with.
+std::vector<OwnSteps> own_steps(const Task& task, const Reference& truth) {
+  const Need need = simple_need();
+  const std::vector<Start> start{Starts(task, need, truth).asked()};
+  std::vector<OwnSteps> all{{"symplectic Euler", {}}, {"Runge-Kutta 4", {}}};
+  for (auto& [algorithm, errors] : all)
+    for (int steps = 1; steps <= EngineTask{}.finest; steps *= 2) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Method& method : start.front().motion.methods)
+        if (method.algorithm == algorithm)
+          least = std::min(least, attempt(start, method, 1 / (need.frames_per_second * steps), need).error);
+      errors.emplace_back(steps, least);
+    }
+  return all;
+}
+
+std::vector<fs::path> write_pictures(const std::vector<EngineContest>& contests, const OwnByScene& own,
+                                     const fs::path& folder) {
+  fs::create_directories(folder / "engines");
+  std::vector<fs::path> files;
+  for (const auto& pictures : {engine_pictures(contests, own), engine_pictures_of_times(contests)})
+    for (const auto& [name, svg] : pictures) {
+      files.push_back(folder / name);
+      write_whole(files.back(), svg);
+    }
+  return files;
+}
+
+void write_page(const std::vector<EngineContest>& contests, const std::vector<double>& rates,
+                const Reference& truth, const fs::path& page) {
+  OwnByScene own;
+  for (const EngineContest& c : contests)
+    if (exercise_number(c.scene)) own[c.scene] = own_steps(task_of(c.scene, {}), truth);
+  write_pictures(contests, own, page.parent_path());
+  write_whole(page,
+              engines_page(contests, own, rates, surprises_in(source_folder() / "solvers/engines/found")));
+  std::cout << "the page is " << page.string() << "\n";
+}
+
 EngineContest engines_on(const std::string& scene, const std::vector<EngineProgram>& programs,
                          const EngineTask& asked, const Reference& truth, const Progress& progress) {
   if (!exercise_number(scene))
-    return run(programs, further_engine_scene(scene, game_need()), asked, progress);
+    return run(programs, further_engine_scene(scene, simple_need()), asked, progress);
   const Task task = task_of(scene, {});
-  EngineContest result = run(programs, engine_scene(task, game_need(), truth), asked, progress);
+  EngineContest result = run(programs, engine_scene(task, simple_need(), truth), asked, progress);
   result.least = instead(task, truth, progress);
   return result;
 }
@@ -105,24 +147,56 @@ EngineContest beside(const Choice& choice, const std::vector<EngineProgram>& pro
   return tried;
 }
 
-void engines(const fs::path& folder, const std::vector<std::string>& scenes, const std::vector<double>& rates,
-             int finest, bool all, bool rows, const fs::path& page, Format format) {
+namespace {
+
+/// What is asked, in the order asked: run anew, and kept as soon as it is there.
+std::vector<EngineContest> engines_run(const AskedEngines& asked, const std::vector<std::string>& scenes,
+                                       const Reference& truth) {
   const std::vector<EngineProgram> programs = all_engines();
-  std::vector<std::string> asked = scenes;
-  if (asked.empty()) {
-    asked = scenes_for_engines();
-    std::erase(asked, "chain of 100");  // takes half an hour, and is there by its name
+  std::vector<EngineContest> contests;
+  for (const std::string& scene : scenes) {
+    contests.push_back(with_progress([&](const Progress& progress) {
+      return engines_on(scene, programs, {.finest = asked.finest}, truth, progress);
+    }));
+    write(with_earlier(contests), engines_file());
+  }
+  return contests;
+}
+
+/// The same of what earlier runs kept.
+std::vector<EngineContest> engines_kept(const std::vector<std::string>& scenes) {
+  std::vector<EngineContest> contests = read_engines(engines_file());
+  std::erase_if(contests, [&](const EngineContest& c) { return std::ranges::count(scenes, c.scene) == 0; });
+  return contests;
+}
+
+}  // namespace
+
+std::vector<fs::path> draw_engines(const std::vector<Task>& tasks, const Reference& truth,
+                                   const fs::path& folder) {
+  std::vector<EngineContest> kept;
+  if (fs::exists(engines_file())) kept = read_engines(engines_file());
+  OwnByScene own;
+  std::vector<EngineContest> asked;
+  for (const Task& task : tasks)
+    for (const EngineContest& contest : kept)
+      if (contest.scene == to_string(task.entry->number)) {
+        asked.push_back(contest);
+        own[contest.scene] = own_steps(Task(*task.entry), truth);
+      }
+  return asked.empty() ? std::vector<fs::path>() : write_pictures(asked, own, folder);
+}
+
+void engines(const fs::path& folder, const AskedEngines& asked, Format format) {
+  std::vector<std::string> scenes = asked.scenes;
+  if (scenes.empty()) {
+    scenes = scenes_for_engines();
+    if (!asked.kept) std::erase(scenes, "chain of 100");  // it is there by its name
   }
   const Reference truth(folder, motions_folder());
-  std::vector<EngineContest> contests, kept;
-  for (const std::string& scene : asked) {
-    contests.push_back(with_progress([&](const Progress& progress) {
-      return engines_on(scene, programs, {.finest = finest}, truth, progress);
-    }));
-    kept = with_earlier(contests);
-    write(kept, engines_file());  // the whole takes an hour: what is there is not lost
-  }
-  if (rows) {
+  const std::vector<EngineContest> contests =
+      asked.kept ? engines_kept(scenes) : engines_run(asked, scenes, truth);
+  if (asked.rows) {
     std::cout << engine_rows(contests);
     return;
   }
@@ -130,10 +204,8 @@ void engines(const fs::path& folder, const std::vector<std::string>& scenes, con
   const auto table = [&] { return engines_table(contests); };
   std::cout << (format == Format::json  ? to_json(table())
                 : format == Format::csv ? to_csv(table())
-                                        : engines_text(contests, rates, all, screen));
-  if (page.empty()) return;
-  write_whole(page, engines_page(kept, rates, surprises_in(source_folder() / "solvers/engines/found")));
-  std::cout << "the page is " << page.string() << "\n";
+                                        : engines_text(contests, asked.rates, asked.all, screen));
+  if (!asked.page.empty()) write_page(with_earlier(contests), asked.rates, truth, asked.page);
 }
 
 }  // namespace oddity::verbs

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,5 +13,9 @@ namespace oddity::verbs {
 std::vector<EngineProgram> engines_named(const std::string& name);
 /// The engines on the scene of a choice, with its need.
 EngineContest beside(const Choice&, const std::vector<EngineProgram>&, const Task&, const Reference&);
+
+/// Pictures of what earlier runs of engines kept of the tasks' scenes, as the exercises have them.
+std::vector<std::filesystem::path> draw_engines(const std::vector<Task>&, const Reference&,
+                                                const std::filesystem::path& folder);
 
 }  // namespace oddity::verbs

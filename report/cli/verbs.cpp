@@ -233,6 +233,8 @@ void chart(const fs::path& folder, const std::vector<std::string>& exercises, Cu
   const auto pages =
       with_progress([&](const Progress& progress) { return write_charts(results, curves, out, progress); });
   for (const fs::path& page : pages) std::cout << page.string() << "\n";
+  for (const fs::path& picture : draw_engines(tasks, Reference(folder, motions_folder()), out))
+    std::cout << picture.string() << "\n";
 }
 
 void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, Format format) {

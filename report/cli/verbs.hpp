@@ -54,10 +54,16 @@ int bench(const fs::path& folder, Format);
 /// The same of models in lanes, of all scenes when there are no numbers.
 int bench_lanes(const std::vector<std::string>& scenes, Format);
 
-/// Other people's engines on these scenes, by number or name; all of them when there are none. `rates` are
-/// the table's [1/s]; `all` shows every variant; `rows` is what is put on record instead; `page` is where it
-/// is told as a page, unless empty.
-void engines(const fs::path& folder, const std::vector<std::string>& scenes, const std::vector<double>& rates,
-             int finest, bool all, bool rows, const fs::path& page, Format);
+struct AskedEngines {
+  std::vector<std::string> scenes;  ///< by number or name; none: all
+  std::vector<double> rates;        ///< 1/s, of the table
+  int finest;                       ///< steps per frame
+  bool all;                         ///< every variant
+  bool rows;                        ///< what is put on record, instead
+  bool kept;                        ///< nothing is run: it is what earlier runs kept
+  fs::path page;                    ///< where it is told as a page, unless empty
+};
+/// Other people's engines on scenes.
+void engines(const fs::path& folder, const AskedEngines&, Format);
 
 }  // namespace oddity::verbs

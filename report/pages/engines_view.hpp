@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,17 +20,6 @@ Table engines_table(const std::vector<EngineContest>&);
 /// measured order, stated order, the rate [1/s] from which it is enough, how it ends at one step a frame, and
 /// whether runs and snapshots give the same bits.
 std::string engine_rows(const std::vector<EngineContest>&);
-
-/// What one would not expect of an engine, and the program that shows it.
-struct Surprise {
-  std::string file, says;
-};
-/// Those of a folder, each told by its file's first lines.
-std::vector<Surprise> surprises_in(const std::filesystem::path& folder);
-
-/// The same tables as a page, with what is said of each engine.
-std::string engines_page(const std::vector<EngineContest>&, const std::vector<double>& rates,
-                         const std::vector<Surprise>&);
 
 /// What one who has this engine gets, a line a variant, beside what was chosen for the scene.
 std::string engine_answer(const EngineContest&, const Screen&);

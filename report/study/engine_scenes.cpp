@@ -92,6 +92,88 @@ EngineScene bouncing_ball(const Need& need) {
       {{"m", {0}}}, see, 1e-12, "flights in closed form");
 }
 
+// ---- a box on its corners ---------------------------------------------------------------------------------
+
+/// The box of exercise 3.31, with Coulomb's friction at its four corners instead of under its whole foot.
+/// They carry what is linear over the foot and balances the friction's moment, which acts `h` below the
+/// center: N = g/4 - h (Fx x/(4 a^2) + Fy y/(4 b^2)), for 1 kg and in the box's axes.
+class OnCorners {
+ public:
+  using State = std::array<double, 6>;  ///< x, y, theta, and their velocities
+  static constexpr double a = 0.3, b = 0.2, h = 0.02, mu = 0.3, g = 9.81, inertia = (a * a + b * b) / 3;
+  static constexpr State start{0, 0, 0, 2, 0.5, 10};
+
+  void operator()(const State& s, State& dsdt, double) const {
+    const double c = std::cos(s[2]), i = std::sin(s[2]);
+    const double u = c * s[3] + i * s[4], v = c * s[4] - i * s[3];
+    std::array<std::array<double, 2>, 4> along;
+    double sum[2]{}, over_x[2]{}, over_y[2]{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto [x, y] = corners[k];
+      const double slip[2]{u - s[5] * y, v + s[5] * x}, speed = std::hypot(slip[0], slip[1]);
+      for (std::size_t j = 0; j < 2; ++j) {
+        along[k][j] = speed > 0 ? -slip[j] / speed : 0;
+        sum[j] += along[k][j], over_x[j] += x * along[k][j], over_y[j] += y * along[k][j];
+      }
+    }
+    const double p = mu * h / (4 * a * a),
+                 q = mu * h / (4 * b * b);  // (1 + p over_x, q over_y) F = mu g/4 sum
+    const double det = (1 + p * over_x[0]) * (1 + q * over_y[1]) - q * over_y[0] * p * over_x[1];
+    const double Fx = mu * g / 4 * (sum[0] * (1 + q * over_y[1]) - sum[1] * q * over_y[0]) / det;
+    const double Fy = mu * g / 4 * (sum[1] * (1 + p * over_x[0]) - sum[0] * p * over_x[1]) / det;
+    double moment = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto [x, y] = corners[k];
+      const double N = g / 4 - h * (Fx * x / (4 * a * a) + Fy * y / (4 * b * b));
+      moment += mu * N * (x * along[k][1] - y * along[k][0]);
+    }
+    dsdt = {s[3], s[4], s[5], c * Fx - i * Fy, i * Fx + c * Fy, moment / inertia};
+  }
+
+  /// x, y and theta at every frame. It rests where a step would stop it.
+  std::vector<double> seen(const Need& need, int steps_per_frame) const {
+    boost::numeric::odeint::runge_kutta4<State> stepper;
+    const double dt = 1 / (need.frames_per_second * steps_per_frame);
+    State s = start;
+    bool rests = false;
+    std::vector<double> seen;
+    for (int frame = 0; frame < need.frames(); ++frame) {
+      for (int i = 0; i < steps_per_frame && !rests; ++i) {
+        stepper.do_step(*this, s, 0, dt);
+        rests = std::hypot(s[3], s[4], a * s[5]) < 4 * mu * g * dt;
+      }
+      seen.insert(seen.end(), s.begin(), s.begin() + 3);
+    }
+    return seen;
+  }
+
+ private:
+  static constexpr std::array<std::array<double, 2>, 4> corners{{{a, b}, {a, -b}, {-a, b}, {-a, -b}}};
+};
+
+EngineScene box_on_corners(const Need& need) {
+  using Box = OnCorners;
+  Body box{1,
+           {(Box::b * Box::b + Box::h * Box::h) / 3, (Box::a * Box::a + Box::h * Box::h) / 3, Box::inertia}};
+  box.start = {.position = {0, 0, Box::h},
+               .velocity = {Box::start[3], Box::start[4], 0},
+               .spin = {0, 0, Box::start[5]}};
+  box.shape = {Shape::box, {Box::a, Box::b, Box::h}};
+  const auto seen = Box().seen(need, 400), again = Box().seen(need, 200);
+  const auto see = [&](double t) {
+    const auto at = static_cast<std::ptrdiff_t>(3 * std::lround(t * need.frames_per_second) - 3);
+    return std::vector(seen.begin() + at, seen.begin() + at + 3);
+  };
+  const auto observe = [](std::span<const State> states, double) {
+    const auto [w, x, y, z] = states[0].orientation;
+    return std::vector{states[0].position[0], states[0].position[1], 2 * std::atan2(z, w)};
+  };
+  return at_every_frame(
+      "box on corners", "the box of 3.31 with Coulomb's friction at its four corners", need,
+      {{.gravity = {0, 0, -Box::g}, .bodies = {box}, .floor = {0, 0, 1}, .friction = Box::mu}, observe},
+      {{"m", {0, 1}}, {"rad", {2}}}, see, distance(seen, again), "Runge-Kutta 4 at two steps");
+}
+
 // ---- chains of many links ---------------------------------------------------------------------------------
 
 /// n links of 1 m in all and 1 kg in all, straight at 0.5 rad from the vertical, let go.
@@ -183,6 +265,7 @@ const std::vector<std::pair<std::string, Make>>& makers() {
   static const std::vector<std::pair<std::string, Make>> all{
       {"free body", engines::free_body},
       {"bouncing ball", engines::bouncing_ball},
+      {"box on corners", engines::box_on_corners},
       {"chain of 10", [](const Need& need) { return engines::chain_of(10, need); }},
       {"chain of 100", [](const Need& need) { return engines::chain_of(100, need); }}};
   return all;

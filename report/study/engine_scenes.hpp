@@ -26,7 +26,8 @@ void require_engine_scene(const Entry&);
 /// The exercise's scene. Throws BadInput where it has none for engines.
 EngineScene engine_scene(const Task&, const Need&, const Reference&);
 
-/// Scenes that the book has not: "free body", "bouncing ball", "chain of 10", "chain of 100".
+/// Scenes that the book has not: "free body", "bouncing ball", "box on corners", "chain of 10", "chain of
+/// 100".
 std::vector<std::string> further_engine_scenes();
 /// One of these. Throws BadInput for another.
 EngineScene further_engine_scene(const std::string& name, const Need&);

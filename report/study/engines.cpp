@@ -43,11 +43,11 @@ EngineProgram about(std::vector<std::string> command) {
                        json.at("name"),
                        json.at("version"),
                        json.at("precision"),
-                       json.at("plane"),
                        json.value("behind", "") == "WebAssembly",
                        {}};
   for (const auto& v : json.at("variants"))
-    engine.variants.push_back({v.at("name"), v.at("says"), v.at("order"), v.at("defaults")});
+    engine.variants.push_back({v.at("name"), v.at("says"), v.at("order"), v.at("defaults"),
+                               v.value("lasting", ""), v.value("friction", "")});
   return engine;
 }
 
@@ -71,6 +71,22 @@ struct Energy {
   double kinetic = 0, potential = 0;
 };
 
+struct Slid {
+  double distance, speed;
+};
+/// What the body has slid in its joint since the start.
+Slid slid(const World& world, int body, const std::vector<State>& states) {
+  const Joint& joint = *std::ranges::find(world.joints, body, &Joint::b);
+  const auto moved = [&](int of) {
+    if (of == ground) return State{};
+    const auto i = static_cast<std::size_t>(of);
+    return State{.position = states[i].position - world.bodies[i].start.position,
+                 .velocity = states[i].velocity};
+  };
+  const State a = moved(joint.a), b = moved(joint.b);
+  return {dot(joint.axis, b.position - a.position), dot(joint.axis, b.velocity - a.velocity)};
+}
+
 Energy energy(const World& world, const std::vector<State>& states) {
   Energy e;
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -87,6 +103,16 @@ Energy energy(const World& world, const std::vector<State>& states) {
     const double stretch = length(along) - spring.rest;
     e.potential += spring.stiffness * stretch * stretch / 2;
   }
+  for (const Rope& rope : world.ropes) {
+    double stretch = rope.length - rope.rest;
+    for (const auto& [body, factor] : rope.parts) stretch += factor * slid(world, body, states).distance;
+    e.potential += rope.stiffness * stretch * stretch / 2;
+  }
+  for (const Joint& joint : world.joints)
+    if (joint.wheel != 0) {
+      const double speed = slid(world, joint.b, states).speed;
+      e.kinetic += joint.wheel * speed * speed / 2;
+    }
   return e;
 }
 
@@ -109,8 +135,8 @@ double off(const World& world, const Joint& joint, const std::vector<State>& sta
   if (joint.kind == Joint::rod)
     return std::abs(length(Point(world, joint.b, joint.end).now(states) - a) - length(joint.end - joint.at));
   const Vector apart = Point(world, joint.b, joint.at).now(states) - a;
-  if (joint.kind != Joint::cylinder) return length(apart);
-  return length(apart - dot(apart, joint.axis) * joint.axis);  // its axis does not turn
+  if (joint.kind != Joint::cylinder && joint.kind != Joint::slide) return length(apart);
+  return length(apart - dot(apart, joint.axis) * joint.axis);  // the axis does not turn
 }
 
 double off_joints(const World& world, const std::vector<std::vector<State>>& frames) {
@@ -165,8 +191,7 @@ Outcome outcome_of(const EngineTrial& trial, std::size_t frames, const EngineSce
 }
 
 void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply& reply) {
-  trial.observed = observed(contest, reply.frames);
-  trial.errors = contest.motion.errors(trial.observed);
+  trial.errors = contest.motion.errors(observed(contest, reply.frames));
   trial.in_needs = contest.motion.in_needs(trial.errors);
   trial.outcome = outcome_of(trial, reply.frames.size(), contest);
   trial.energy = engines::energy_change(contest.staging.world, reply.frames);
@@ -179,35 +204,27 @@ void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply&
   trial.restored = reply.restored;
 }
 
-/// The law of the finest trials that show one: at least three, whose slopes agree within 0.15 from one to the
-/// next, above thirty times the least error.
-std::optional<PowerLaw> law_of(const EngineSeries& series) {
-  std::vector<double> step, error;
-  for (const EngineTrial& t : series.trials)
-    if (std::isfinite(t.in_needs)) step.push_back(1.0 / t.steps_per_frame), error.push_back(t.in_needs);
-  std::optional<PowerLaw> law;
-  std::size_t longest = 2;
-  for (std::size_t first = 0; first < step.size(); ++first)
-    for (std::size_t last = first + longest; last < step.size(); ++last) {
-      const std::span x = std::span(step).subspan(first, last - first + 1);
-      const std::span y = std::span(error).subspan(first, x.size());
-      const PowerLaw fitted = power_law(x, y);
-      bool follows = fitted.exponent > 0.25;
-      for (std::size_t i = 1; i < x.size(); ++i)
-        follows = follows && std::abs(std::log2(y[i - 1] / y[i]) - fitted.exponent) < 0.15;
-      if (follows) law = fitted, longest = last - first;
-    }
-  return law;
-}
-
-void summarize(EngineSeries& series) {
-  series.floor = std::numeric_limits<double>::infinity();
-  for (const EngineTrial& t : series.trials)
-    if (t.in_needs < series.floor) series.floor = t.in_needs;
-  series.law = law_of(series);
+/// The adapters in JavaScript beside the runner and what they share.
+std::vector<std::string> adapters_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& file : fs::directory_iterator(folder)) {
+    const std::string name = file.path().stem().string();
+    if (file.path().extension() == ".mjs" && name != "runner" && name != "simulation") names.push_back(name);
+  }
+  return names;
 }
 
 }  // namespace
+
+void summarize(EngineSeries& series) {
+  series.floor = std::numeric_limits<double>::infinity();
+  std::vector<double> step, error;
+  for (const EngineTrial& t : series.trials) {
+    if (t.in_needs < series.floor) series.floor = t.in_needs;
+    step.push_back(1.0 / t.steps_per_frame), error.push_back(t.in_needs);
+  }
+  series.law = asymptotic_law(step, error);
+}
 
 std::vector<EngineProgram> engines_found(const fs::path& folder, const fs::path& source) {
   std::vector<std::vector<std::string>> commands;
@@ -217,9 +234,8 @@ std::vector<EngineProgram> engines_found(const fs::path& folder, const fs::path&
         commands.push_back({file.path().string()});
   const fs::path of_node = source / "solvers/engines";
   if (fs::is_directory(of_node / "node_modules"))
-    for (const char* name : {"box2d", "jolt", "mujoco", "rapier"})
-      if (fs::exists(of_node / (std::string(name) + ".mjs")))
-        commands.push_back({"node", (of_node / "runner.mjs").string(), name});
+    for (const std::string& name : adapters_in(of_node))
+      commands.push_back({"node", (of_node / "runner.mjs").string(), name});
   std::ranges::sort(commands);
   std::vector<EngineProgram> found;
   for (auto& command : commands) found.push_back(about(std::move(command)));
@@ -227,21 +243,22 @@ std::vector<EngineProgram> engines_found(const fs::path& folder, const fs::path&
   return found;
 }
 
-EngineTrial run(const EngineProgram& engine, const EngineVariant& variant, const EngineScene& contest,
-                int steps_per_frame, const EngineTask& task) {
+namespace {
+
+EngineTrial tried(const EngineProgram& engine, const EngineVariant& variant, const EngineScene& contest,
+                  int steps_per_frame, int runs, double limit) {
   EngineTrial trial{steps_per_frame};
   trial.in_needs = trial.energy = trial.off_joint = trial.seconds_per_frame = nan;
-  const bool timed = steps_per_frame <= last_timed;
   const engines::Request request{contest.staging.world,
                                  variant.name,
                                  static_cast<int>(contest.need.frames()),
                                  contest.need.frames_per_second,
                                  steps_per_frame,
-                                 timed ? task.timed : 1,
+                                 runs,
                                  steps_per_frame == 1};
   const bool native = !engine.webassembly;  // a WebAssembly engine reserves addresses that it does not use
   const Ended ended =
-      answer(engine.command, nlohmann::json(request).dump(), milliseconds(task.limit), native ? memory : 0);
+      answer(engine.command, nlohmann::json(request).dump(), milliseconds(limit), native ? memory : 0);
   if (!ended.ok) {
     const bool late = ended.how.starts_with("no answer");
     trial.outcome = late ? Outcome::stalled : Outcome::raised;
@@ -259,6 +276,14 @@ EngineTrial run(const EngineProgram& engine, const EngineVariant& variant, const
   if (!reply.cannot.empty()) throw CannotBeHad(reply.cannot);
   judge(trial, contest, reply);
   return trial;
+}
+
+}  // namespace
+
+EngineTrial run(const EngineProgram& engine, const EngineVariant& variant, const EngineScene& contest,
+                int steps_per_frame, const EngineTask& task) {
+  const int runs = steps_per_frame <= last_timed ? task.timed : 1;
+  return tried(engine, variant, contest, steps_per_frame, runs, task.limit);
 }
 
 const EngineTrial* EngineSeries::first_enough() const {
@@ -285,19 +310,32 @@ void go_on(Entrant& entrant, const EngineScene& scene, int last, const EngineTas
     for (; steps <= last; steps *= 2) {
       if (!series.trials.empty() && series.trials.back().outcome == Outcome::stalled) return;
       series.trials.push_back(run(*entrant.engine, *entrant.variant, scene, steps, task));
-      if (steps > 1) series.trials.back().observed.clear();
     }
   } catch (const CannotBeHad& reason) {
     series.cannot = reason.what();
   }
 }
 
+/// What the tables tell the price of: where it is finer than all that was timed, it runs once more, alone.
+void time_what_is_enough(Entrant& entrant, const EngineScene& scene, const EngineTask& task) {
+  const EngineTrial* const enough = entrant.series.first_enough();
+  if (!enough || enough->steps_per_frame <= last_timed) return;
+  EngineTrial& trial = entrant.series.trials[static_cast<std::size_t>(enough - entrant.series.trials.data())];
+  const EngineTrial alone = tried(*entrant.engine, *entrant.variant, scene, trial.steps_per_frame, task.timed,
+                                  task.timed * task.limit);
+  trial.seconds_per_frame = alone.seconds_per_frame;
+  trial.spread = alone.spread;
+  trial.same_bits = trial.same_bits && alone.same_bits;
+}
+
 std::vector<Entrant> entrants(const std::vector<EngineProgram>& programs) {
   std::vector<Entrant> all;
   for (const EngineProgram& e : programs)
     for (const EngineVariant& v : e.variants)
-      all.push_back(
-          {&e, &v, {e.name, e.version, e.precision, v.name, v.says, v.defaults, e.webassembly, v.order}});
+      all.push_back({&e,
+                     &v,
+                     {e.name, e.version, e.precision, v.name, v.says, v.defaults, e.webassembly, v.order,
+                      v.lasting, v.friction}});
   return all;
 }
 
@@ -308,6 +346,8 @@ EngineContest run(const std::vector<EngineProgram>& programs, const EngineScene&
   EngineContest result{
       scene.scene, scene.title, {}, scene.motion.needs, scene.need.horizon, scene.need.frames_per_second,
       {},          {}};
+  result.differs = scene.staging.differs;
+  result.rubs = scene.staging.world.friction != 0;
   for (std::string_view unit : scene.motion.units()) result.units.emplace_back(unit);
   std::vector<Entrant> all = entrants(programs);
   Stage stage(progress, "engines on " + scene.scene, 2 * all.size());
@@ -320,129 +360,11 @@ EngineContest run(const std::vector<EngineProgram>& programs, const EngineScene&
     stage.add();
   });
   for (Entrant& one : all) {
+    time_what_is_enough(one, scene, task);
     summarize(one.series);
     result.series.push_back(std::move(one.series));
   }
   return result;
-}
-
-// ---- kept -------------------------------------------------------------------------------------------------
-
-namespace {
-
-/// Not a number is null.
-ordered_json kept(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
-double number(const ordered_json& json) { return json.is_null() ? nan : json.get<double>(); }
-
-ordered_json kept(const std::vector<double>& numbers) {
-  ordered_json all = ordered_json::array();
-  for (double x : numbers) all.push_back(kept(x));
-  return all;
-}
-std::vector<double> numbers(const ordered_json& json) {
-  std::vector<double> all;
-  for (const auto& x : json) all.push_back(number(x));
-  return all;
-}
-
-Outcome outcome_named(const std::string& name) {
-  using enum Outcome;
-  for (Outcome o : {ok, inaccurate, non_finite, stalled, raised})
-    if (name_of(o) == name) return o;
-  throw BadInput("there is no outcome '" + name + "'");
-}
-
-ordered_json kept(const EngineTrial& t) {
-  return {{"steps_per_frame", t.steps_per_frame},
-          {"outcome", name_of(t.outcome)},
-          {"message", t.message},
-          {"errors", kept(t.errors)},
-          {"in_needs", kept(t.in_needs)},
-          {"energy", kept(t.energy)},
-          {"off_joint", kept(t.off_joint)},
-          {"seconds_per_frame", kept(t.seconds_per_frame)},
-          {"spread", kept(t.spread)},
-          {"same_bits", t.same_bits},
-          {"restored", t.restored},
-          {"observed", kept(t.observed)}};
-}
-EngineTrial trial_from(const ordered_json& j) {
-  return {j.at("steps_per_frame"),   outcome_named(j.at("outcome")),
-          j.at("message"),           numbers(j.at("errors")),
-          number(j.at("in_needs")),  number(j.at("energy")),
-          number(j.at("off_joint")), number(j.at("seconds_per_frame")),
-          number(j.at("spread")),    j.at("same_bits"),
-          j.at("restored"),          numbers(j.at("observed"))};
-}
-
-ordered_json kept(const EngineSeries& s) {
-  ordered_json trials = ordered_json::array();
-  for (const EngineTrial& t : s.trials) trials.push_back(kept(t));
-  return {{"engine", s.engine},
-          {"version", s.version},
-          {"precision", s.precision},
-          {"variant", s.variant},
-          {"says", s.says},
-          {"defaults", s.defaults},
-          {"webassembly", s.webassembly},
-          {"stated_order", s.stated_order},
-          {"cannot", s.cannot},
-          {"trials", trials}};
-}
-EngineSeries series_from(const ordered_json& j) {
-  EngineSeries s{j.at("engine"),   j.at("version"),     j.at("precision"),    j.at("variant"), j.at("says"),
-                 j.at("defaults"), j.at("webassembly"), j.at("stated_order"), j.at("cannot")};
-  for (const auto& t : j.at("trials")) s.trials.push_back(trial_from(t));
-  summarize(s);
-  return s;
-}
-
-}  // namespace
-
-void write(const std::vector<EngineContest>& contests, const fs::path& file) {
-  ordered_json all = ordered_json::array();
-  for (const EngineContest& c : contests) {
-    ordered_json series = ordered_json::array();
-    for (const EngineSeries& s : c.series) series.push_back(kept(s));
-    all.push_back({{"scene", c.scene},
-                   {"title", c.title},
-                   {"units", c.units},
-                   {"needs", c.needs},
-                   {"horizon", c.horizon},
-                   {"frames_per_second", c.frames_per_second},
-                   {"series", series},
-                   {"least", c.least ? ordered_json{{"says", c.least->says},
-                                                    {"errors", kept(c.least->errors)},
-                                                    {"seconds_per_frame", kept(c.least->seconds_per_frame)}}
-                                     : ordered_json(nullptr)}});
-  }
-  write_whole(file, all.dump(1) + "\n");
-}
-
-std::vector<EngineContest> read_engines(const fs::path& file) {
-  std::ifstream in(file);
-  if (!in) throw BadInput("cannot read " + file.string() + "; 'oddity engines' writes it");
-  try {
-    std::vector<EngineContest> contests;
-    for (const auto& j : ordered_json::parse(in)) {
-      EngineContest c{j.at("scene"),
-                      j.at("title"),
-                      j.at("units"),
-                      j.at("needs"),
-                      j.at("horizon"),
-                      j.at("frames_per_second"),
-                      {},
-                      {}};
-      for (const auto& s : j.at("series")) c.series.push_back(series_from(s));
-      if (const auto& least = j.at("least"); !least.is_null())
-        c.least =
-            Instead{least.at("says"), numbers(least.at("errors")), number(least.at("seconds_per_frame"))};
-      contests.push_back(std::move(c));
-    }
-    return contests;
-  } catch (const nlohmann::json::exception& error) {
-    throw BadInput(file.string() + ": not what 'oddity engines' writes: " + error.what());
-  }
 }
 
 }  // namespace oddity

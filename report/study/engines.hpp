@@ -17,12 +17,12 @@ struct EngineVariant {
   std::string name, says;
   int order = 0;  ///< as its manual has it; 0: not said
   bool defaults = true;
+  std::string lasting = {}, friction = {};  ///< what no finer step takes away, and the same of its friction
 };
 
 struct EngineProgram {
   std::vector<std::string> command;
   std::string name, version, precision;
-  bool plane = false;
   bool webassembly = false;  ///< its times are not those of a native program
   std::vector<EngineVariant> variants;
 };
@@ -35,16 +35,15 @@ std::vector<EngineProgram> engines_found(const std::filesystem::path& folder,
 struct EngineTrial {
   int steps_per_frame = 1;
   Outcome outcome = Outcome::ok;
-  std::string message = {};           ///< why it is no more than an outcome
-  std::vector<double> errors = {};    ///< the largest in each of the motion's units, over all frames
-  double in_needs = 0;                ///< the error in needs
-  double energy = 0;                  ///< by how much it changes, as a part of what moves; NaN where it may
-  double off_joint = 0;               ///< m, how far joints come apart
-  double seconds_per_frame = 0;       ///< the median of its runs
-  double spread = 0;                  ///< of these
-  bool same_bits = true;              ///< in all runs
-  std::string restored = {};          ///< "same bits", "other bits", "not offered"; empty: not asked
-  std::vector<double> observed = {};  ///< at every frame, as far as it came; kept where it is to be played
+  std::string message = {};         ///< why it is no more than an outcome
+  std::vector<double> errors = {};  ///< the largest in each of the motion's units, over all frames
+  double in_needs = 0;              ///< the error in needs
+  double energy = 0;                ///< by how much it changes, as a part of what moves; NaN where it may
+  double off_joint = 0;             ///< m, how far joints come apart
+  double seconds_per_frame = 0;     ///< the median of its runs
+  double spread = 0;                ///< of these
+  bool same_bits = true;            ///< in all runs
+  std::string restored = {};        ///< "same bits", "other bits", "not offered"; empty: not asked
 };
 
 /// A variant's trials on a scene, from coarse to fine.
@@ -52,22 +51,30 @@ struct EngineSeries {
   std::string engine, version, precision, variant, says;
   bool defaults = true, webassembly = false;
   int stated_order = 0;
+  std::string lasting = {}, friction = {};
   std::string cannot = {};  ///< why the engine has no such scene; then no trials
   std::vector<EngineTrial> trials = {};
-  std::optional<PowerLaw> law = {};  ///< of the error over the step, where it follows one
+  std::optional<PowerLaw> law = {};  ///< of the error over the step, in its asymptotic range
   double floor = 0;                  ///< the least error, in needs
 
-  /// Its error becomes as small as is asked, and a tenth of that.
-  bool converges() const { return floor < 0.1; }
   /// The first trial that holds, and all finer ones.
   const EngineTrial* first_enough() const;
 };
+
+/// The law and the least error of its trials.
+void summarize(EngineSeries&);
 
 /// What `choose` has instead.
 struct Instead {
   std::string says;  ///< "one angle by Runge-Kutta 4, 1 step per frame"
   std::vector<double> errors;
   double seconds_per_frame = 0;
+};
+
+/// What our own models make of the steps that engines take: by an algorithm, the least over the models.
+struct OwnSteps {
+  std::string algorithm;
+  std::vector<std::pair<int, double>> errors;  ///< steps per frame, and the error in needs
 };
 
 struct EngineContest {
@@ -77,12 +84,20 @@ struct EngineContest {
   double horizon = 0, frames_per_second = 60;
   std::vector<EngineSeries> series;
   std::optional<Instead> least = {};
+  std::string differs = {};  ///< what is other than in the scene however fine the step
+  bool rubs = false;
 };
+
+/// Why no rate tried is enough, as far as it can be told: what is said of its settings counts where another
+/// variant of the engine without that does better, and rounding where double does, or where finer steps err
+/// more. Empty where its error still falls; "not explained" where nothing is known.
+std::string why_never(const EngineContest&, const EngineSeries&);
 
 /// How far to go.
 struct EngineTask {
-  int finest = 32;    ///< steps per frame; from 1 on, by doubling
-  int timed = 5;      ///< runs of trials of at most 4 steps per frame; others run once
+  int finest = 32;  ///< steps per frame; from 1 on, by doubling
+  /// Runs of a trial of at most 4 steps per frame, and of the first that is enough; others run once.
+  int timed = 5;
   double limit = 60;  ///< s for one trial
 };
 

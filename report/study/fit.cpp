@@ -72,6 +72,19 @@ bool is_asymptotic(const Points& p, const Fit& fit) {
   return true;
 }
 
+/// The finest of the longest runs of trials that follow their law so, over a factor of four in the knob.
+std::optional<Fit> longest(const Points& points, bool (*follows)(const Points&, const Fit&)) {
+  std::optional<Fit> best;
+  for (std::size_t first = 0; first < points.x.size(); ++first)
+    for (std::size_t last = first + 2; last < points.x.size(); ++last) {
+      if (best && last - first < best->last - best->first) continue;
+      const Fit fit{points.law(first, last), first, last};
+      const bool wide = points.x[first] / points.x[last] >= 4 * (1 - 1e-9);
+      if (wide && fit.exponent >= 0.25 && follows(points, fit)) best = fit;
+    }
+  return best;
+}
+
 }  // namespace
 
 double error_floor(const QuantityResult& q) {
@@ -101,18 +114,11 @@ PowerLaw power_law(std::span<const double> x, std::span<const double> y) {
 
 std::optional<Fit> fit(const QuantityResult& q, const MethodResult& m) {
   if (m.trials.size() < 3 || m.trials.front().knob.empty()) return {};
-  const Points points = points_of(q, m);
-  std::optional<Fit> best;
-  for (std::size_t first = 0; first < points.x.size(); ++first)
-    for (std::size_t last = first + 2; last < points.x.size(); ++last) {
-      if (best && last - first < best->last - best->first) continue;
-      const Fit fit{points.law(first, last), first, last};
-      const bool wide = points.x[first] / points.x[last] >= 4 * (1 - 1e-9);
-      if (wide && fit.exponent >= 0.25 &&
-          (scatters(m) ? follows_scattered(points, fit) : is_asymptotic(points, fit)))
-        best = fit;
-    }
-  return best;
+  return longest(points_of(q, m), scatters(m) ? follows_scattered : is_asymptotic);
+}
+
+std::optional<Fit> asymptotic_law(std::span<const double> x, std::span<const double> y) {
+  return longest({{x.begin(), x.end()}, {y.begin(), y.end()}}, is_asymptotic);
 }
 
 std::string shown_fit(const MethodResult& m, const std::optional<Fit>& fit) {

@@ -37,6 +37,9 @@ double error_floor(const QuantityResult&);
 /// None where the exponent is below 1/4.
 std::optional<Fit> fit(const QuantityResult&, const MethodResult&);
 
+/// The law of y over x, both from coarse to fine, in its asymptotic range: under the same terms.
+std::optional<Fit> asymptotic_law(std::span<const double> x, std::span<const double> y);
+
 /// "order 3.99", "error ~ tol^0.98", "error ~ (1/samples)^0.51"; empty for none.
 std::string shown_fit(const MethodResult&, const std::optional<Fit>&);
 

@@ -26,12 +26,6 @@ std::string game_in_words(const Quantity& motion) {
   return words;
 }
 
-Need game_need() {
-  Need need{degree};
-  need.errors = {{"m", centimeter}};
-  return need;
-}
-
 /// The models of a motion in the order of its ladder.
 std::vector<std::string> models_of(const Quantity& motion) {
   std::vector<std::string> models;

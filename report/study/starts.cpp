@@ -35,6 +35,12 @@ int digits_for(const Need& need) {
                     truth::spot_digits);
 }
 
+Need game_need() {
+  Need need{degree};
+  need.errors = {{"m", centimeter}};
+  return need;
+}
+
 double game_error(std::string_view unit) { return unit == "m" ? centimeter : degree; }
 
 std::vector<double> needs_of(const Need& need, const Quantity& motion) {

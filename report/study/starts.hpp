@@ -21,6 +21,9 @@ struct Start {
 /// What a game asks of a position [m] and of an angle [rad]; of an orbit [AU], a degree of the Earth's.
 double game_error(std::string_view unit);
 
+/// A centimetre and a degree at every frame, over 10 s at 60 frames a second.
+Need game_need();
+
 /// The need in each of the motion's units.
 std::vector<double> needs_of(const Need&, const Quantity& motion);
 

@@ -128,7 +128,7 @@ Engine engine() {
       {{"defaults",
         "8 iterations for velocities and 3 for positions, as Hello Box2D suggests; what is slow for half a "
         "second sleeps, edges and boxes have a skin of 1 cm, and nothing bounces below 1 m/s",
-        1, true},
+        1, true, "nothing bounces below 1 m/s"},
        {"50 iterations",
         "50 and 20 iterations (Hello Box2D, Simulating the World); no sleep, no skins, and what is slow "
         "bounces too (restitutionThreshold)",

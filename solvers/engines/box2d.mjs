@@ -118,10 +118,11 @@ export const about = {
   plane: true,
   variants: [
     { name: 'defaults', order: 1, defaults: true,
+      lasting: 'joints are springs, and nothing bounces below 1 m/s',
       says: '4 substeps of semi-implicit Euler, as Hello Box2D has them; joints are springs of 60 Hz; what ' +
         'is slow for half a second sleeps, nothing bounces below 1 m/s, or turns by more than 45 degrees ' +
         'in a substep' },
-    { name: '16 substeps', order: 1, defaults: false,
+    { name: '16 substeps', order: 1, defaults: false, lasting: 'joints are springs',
       says: '16 substeps (World, Simulation); no sleep, what is slow bounces too (restitutionThreshold), ' +
         'no cap on spins (allowFastRotation); joints stay springs: JavaScript has no constraintHertz' },
   ],

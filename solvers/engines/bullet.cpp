@@ -134,7 +134,7 @@ Engine engine() {
       {{"defaults",
         "10 iterations; what is slower than 0.8 m/s and 1 rad/s for 2 s sleeps; nothing bounces below 0.2 "
         "m/s, a contact brakes before it touches, and one that is less than 4 cm deep gives speed",
-        1, true},
+        1, true, "a contact brakes before it touches"},
        {"100 iterations",
         "100 iterations (m_numIterations) and no sleep (DISABLE_DEACTIVATION); what is slow bounces too "
         "(m_restitutionVelocityThreshold), contacts act when they touch (setContactProcessingThreshold) "

@@ -261,7 +261,7 @@ Engine engine() {
       {{"defaults",
         "velocities are damped by 0.04/s and by 0.04 of their squares, and are 100 m/s and rad/s at most; "
         "a contact brakes before it touches, and gives speed where it is deep",
-        1, true},
+        1, true, "velocities are damped, and a contact brakes before it touches"},
        {"no damping",
         "no damping (setLinearDamping, setAngularDamping), and no bound (setMaxCoordinateVelocity); what "
         "is slow bounces too (m_restitutionVelocityThreshold), contacts act when they touch "

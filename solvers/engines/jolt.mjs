@@ -140,20 +140,23 @@ class InJolt {
 
 const installed = new URL('node_modules/jolt-physics/package.json', import.meta.url);
 
+const friction = 'all friction is in the middle: sliding and spinning are braked apart';
+
 export const about = {
   name: 'Jolt',
   version: JSON.parse(readFileSync(installed, 'utf8')).version,
   precision: 'float',
   plane: false,
   variants: [
-    { name: 'defaults', order: 1, defaults: true,
+    { name: 'defaults', order: 1, defaults: true, friction,
+      lasting: 'damping, a cap on spins, no gyroscopic forces, no slow bounces',
       says: 'symplectic Euler; all velocities are damped by 0.05 /s, spins capped at 47 rad/s, what is ' +
         'slower than 1 m/s does not bounce, gyroscopic forces are left out, contacts have a slop of 2 cm, ' +
         'bodies may fall asleep' },
-    { name: 'nothing left out', order: 1, defaults: false,
+    { name: 'nothing left out', order: 1, defaults: false, friction,
       says: 'damping 0, no cap on spins, mApplyGyroscopicForce, every contact bounces, no slop or margin ' +
         'in contacts (BodyCreationSettings, PhysicsSettings); nothing sleeps' },
-    { name: '8 collision steps', order: 1, defaults: false,
+    { name: '8 collision steps', order: 1, defaults: false, friction,
       says: 'nothing left out, and each step in 8 (The Simulation Step)' },
   ],
 };

@@ -22,12 +22,19 @@ std::string text(const std::array<double, n>& numbers) {
 }
 std::string text(double x) { return text(std::array{x}); }
 
+/// A slide's coordinate. A tendon's length of -1 would mean none given: here lengths are far from that.
+double slide_at_start(int body) { return 100.0 * (1 + body); }
+
 /// A rod is two hinges across it at its one end and a ball joint at its other, in series: it has no mass.
+/// What a slide turns is its armature.
 std::string joint(const Joint& j) {
   const std::string anchor = "pos=" + text(j.at), axis = anchor + "axis=" + text(j.axis);
   if (j.kind == Joint::hinge) return "<joint type='hinge' " + axis + "/>";
   if (j.kind == Joint::cylinder)
     return "<joint type='slide' " + axis + "/><joint type='hinge' " + axis + "/>";
+  if (j.kind == Joint::slide)
+    return "<joint type='slide' name='" + std::to_string(j.b) + "' ref=" + text(slide_at_start(j.b)) +
+           "armature=" + text(j.wheel) + axis + "/>";
   if (j.kind == Joint::ball) return "<joint type='ball' " + anchor + "/>";
   const Universal across(j);
   return "<joint type='hinge' " + anchor + "axis=" + text(across.first) + "/><joint type='hinge' " + anchor +
@@ -51,6 +58,21 @@ std::string springs(const World& world) {
     out += "<spatial stiffness=" + text(world.springs[i].stiffness) +
            "springlength=" + text(world.springs[i].rest) + "><site site='a" + std::to_string(i) +
            "'/><site site='b" + std::to_string(i) + "'/></spatial>";
+  return out;
+}
+
+std::string ropes(const World& world) {
+  std::string out;
+  for (const Rope& rope : world.ropes) {
+    std::string slides;
+    double at_start = 0;
+    for (const auto& [body, factor] : rope.parts) {
+      slides += "<joint joint='" + std::to_string(body) + "' coef=" + text(factor) + "/>";
+      at_start += factor * slide_at_start(body);
+    }
+    out += "<fixed stiffness=" + text(rope.stiffness) +
+           "springlength=" + text(rope.rest - rope.length + at_start) + ">" + slides + "</fixed>";
+  }
   return out;
 }
 
@@ -86,8 +108,17 @@ std::vector<std::string> xml(const World& world, const std::string& options) {
     out += "<geom type='plane' size='1 1 1' zaxis=" + text(world.floor) + "friction=" + text(world.friction) +
            "/>";
   files.push_back(out + sites(world, ground) + limbs(world, tree(world), ground, files) +
-                  "</worldbody><tendon>" + springs(world) + "</tendon></mujoco>");
+                  "</worldbody><tendon>" + springs(world) + ropes(world) + "</tendon></mujoco>");
   return files;
+}
+
+/// At the start.
+double slide_speed(const World& world, const Joint& j) {
+  const auto along = [&](int body) {
+    const Vector& v = world.bodies[static_cast<std::size_t>(body)].start.velocity;
+    return j.axis[0] * v[0] + j.axis[1] * v[1] + j.axis[2] * v[2];
+  };
+  return along(j.b) - (j.a == ground ? 0 : along(j.a));
 }
 
 /// As the manual's chapter on solver settings has them against slip.
@@ -121,7 +152,7 @@ class InMuJoCo final : public Simulation {
     for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
       bodies_.push_back(mj_name2id(m_, mjOBJ_BODY, std::to_string(i).c_str()));
     set_gravity(world.gravity);
-    start(world.bodies);
+    start(world);
   }
   ~InMuJoCo() override {
     for (mjData* d : {d_, saved_})
@@ -156,11 +187,11 @@ class InMuJoCo final : public Simulation {
 
  private:
   /// The joints' velocities are those that the bodies' momenta give.
-  void start(const std::vector<Body>& bodies) {
+  void start(const World& world) {
     mj_forward(m_, d_);
     seen_ = true;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const Body& b = bodies[i];
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+      const Body& b = world.bodies[i];
       mjtNum in_body[3], momentum[3];
       mju_rotVecMatT(in_body, b.start.spin.data(), d_->ximat + 9 * bodies_[i]);
       for (std::size_t k = 0; k < 3; ++k) in_body[k] *= b.inertia[k];
@@ -169,6 +200,10 @@ class InMuJoCo final : public Simulation {
       apply(static_cast<int>(i), {b.mass * v[0], b.mass * v[1], b.mass * v[2]},
             {momentum[0], momentum[1], momentum[2]}, b.start.position);
     }
+    for (const Joint& j : world.joints)
+      if (j.kind == Joint::slide)
+        d_->qfrc_applied[m_->jnt_dofadr[mj_name2id(m_, mjOBJ_JOINT, std::to_string(j.b).c_str())]] +=
+            j.wheel * slide_speed(world, j);
     mj_solveM(m_, d_, d_->qvel, d_->qfrc_applied, 1);
     mju_zero(d_->qfrc_applied, m_->nv);
     seen_ = false;
@@ -200,13 +235,14 @@ Engine engine() {
           "double",
           false,
           {{"defaults", "semi-implicit Euler; contacts are springs of 0.02 s, their friction is a pyramid's",
-            1, true},
+            1, true, "", "friction is a pyramid's"},
            {"implicit", "integrator implicit in velocities (Computation, Numerical integration)" + contacts,
             1, false},
            {"RK4", "integrator of 4th order (Computation, Numerical integration)" + contacts, 4, false}},
           [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {
             return std::make_unique<InMuJoCo>(world, variant);
-          }};
+          },
+          true};
 }
 
 }  // namespace oddity::engines

@@ -4,12 +4,13 @@
 import loadMujoco from '@mujoco/mujoco';
 
 import {
-  NotExpressible, after, back, beside, cross, directionIn, ground, isZero, minus, pointIn, start, turned,
+  NotExpressible, after, back, beside, cross, directionIn, dot, ground, isZero, minus, pointIn, start, turned,
   unit,
 } from './simulation.mjs';
 
 const mujoco = await loadMujoco();
-const whole = mujoco.mjtState.mjSTATE_INTEGRATION.value, aBody = mujoco.mjtObj.mjOBJ_BODY.value;
+const whole = mujoco.mjtState.mjSTATE_INTEGRATION.value, aBody = mujoco.mjtObj.mjOBJ_BODY.value,
+  aJoint = mujoco.mjtObj.mjOBJ_JOINT.value;
 
 const numbers = (list) => list.join(' ');
 
@@ -38,14 +39,23 @@ function hangers(world) {
   return hangers;
 }
 
-/// A rod is two hinges across it at its one end and a ball joint at its other: it has no mass.
-function joints({ kind, at, axis, end }, s) {
-  const one = (type, at, axis) =>
-    `<joint type="${type}" pos="${numbers(pointIn(s, at))}" axis="${numbers(directionIn(s, axis))}"/>`;
+/// A slide's coordinate. A tendon's length of -1 would mean none given: here lengths are far from that.
+const slideAtStart = (body) => 100 * (1 + body);
+
+/// What a slide turns is its armature. A rod is two hinges across it at its one end and a ball joint at its other: it has no mass.
+function joints({ kind, b, at, axis, end, wheel }, s) {
+  const one = (type, at, axis, more = '') =>
+    `<joint type="${type}" ${more} pos="${numbers(pointIn(s, at))}" axis="${numbers(directionIn(s, axis))}"/>`;
   if (kind === 'cylinder') return one('slide', at, axis) + one('hinge', at, axis);
+  if (kind === 'slide') return one(kind, at, axis, `name="${b}" ref="${slideAtStart(b)}" armature="${wheel}"`);
   if (kind !== 'rod') return one(kind, at, axis);
   const rod = unit(minus(end, at)), across = beside(rod);
   return one('hinge', at, across) + one('hinge', at, cross(rod, across)) + one('ball', end, rod);
+}
+
+/// At the start.
+function slideSpeed(world, { a, b, axis }) {
+  return dot(axis, minus(start(world, b).velocity, start(world, a).velocity));
 }
 
 /// The world in MuJoCo's own language.
@@ -69,8 +79,13 @@ function xml(world, options) {
   const floor = `<geom type="plane" size="1 1 1" zaxis="${numbers(world.floor)}" ${touching}/>`;
   const springs = world.springs.map(({ stiffness, rest }, i) => `<spatial stiffness="${stiffness}"
     springlength="${rest}"><site site="a${i}"/><site site="b${i}"/></spatial>`);
+  const ropes = world.ropes.map(({ parts, length, stiffness, rest }) => {
+    const atStart = parts.reduce((sum, { body, factor }) => sum + factor * slideAtStart(body), 0);
+    const slides = parts.map(({ body, factor }) => `<joint joint="${body}" coef="${factor}"/>`);
+    return `<fixed stiffness="${stiffness}" springlength="${rest - length + atStart}">${slides.join('')}</fixed>`;
+  });
   return `<mujoco><option ${options}/><worldbody>${isZero(world.floor) ? '' : floor}${on(ground)}</worldbody>
-    <tendon>${springs.join('')}</tendon></mujoco>`;
+    <tendon>${springs.join('')}${ropes.join('')}</tendon></mujoco>`;
 }
 
 class InMujoco {
@@ -128,6 +143,10 @@ class InMujoco {
       const along = turned(back(orientation), spin).map((w, i) => inertia[i] * w);
       this.apply(body, velocity.map((v) => mass * v), turned(orientation, along), position);
     });
+    for (const joint of world.joints)
+      if (joint.kind === 'slide')
+        data.qfrc_applied[model.jnt_dofadr[mujoco.mj_name2id(model, aJoint, `${joint.b}`)]] +=
+          joint.wheel * slideSpeed(world, joint);
     mujoco.mj_solveM(model, data, data.qvel, data.qfrc_applied);
     data.qfrc_applied.fill(0);
     this.seen = false;
@@ -144,17 +163,20 @@ class InMujoco {
   }
 }
 
+const friction = "friction is a pyramid's";
+
 export const about = {
   name: 'MuJoCo',
   version: mujoco.mj_versionString(),
   precision: 'double',
   plane: false,
+  ropes: true,
   variants: [
-    { name: 'defaults', order: 1, defaults: true,
+    { name: 'defaults', order: 1, defaults: true, friction,
       says: 'semi-implicit Euler; contacts of 0.02 s, or of two steps if that is longer; pyramidal cone' },
-    { name: 'implicit', order: 1, defaults: false,
+    { name: 'implicit', order: 1, defaults: false, friction,
       says: 'integrator implicit in velocities (Computation, Numerical integration)' },
-    { name: 'RK4', order: 4, defaults: false,
+    { name: 'RK4', order: 4, defaults: false, friction,
       says: 'integrator of 4th order (Computation, Numerical integration); a push stays during a step' },
   ],
 };

@@ -112,18 +112,21 @@ class InRapier {
   }
 }
 
+const friction = 'all friction is in the middle: sliding and spinning are braked apart';
+
 export const about = {
   name: 'Rapier',
   version: RAPIER.version(),
   precision: 'float',
   plane: false,
   variants: [
-    { name: 'defaults', order: 1, defaults: true,
+    { name: 'defaults', order: 1, defaults: true, friction,
       says: 'createImpulseJoint; a step is 4 substeps of symplectic Euler (numSolverIterations), bodies ' +
         'may fall asleep; a rod is a rope, the same while it is taut' },
-    { name: '16 substeps', order: 1, defaults: false,
+    { name: '16 substeps', order: 1, defaults: false, friction,
       says: 'numSolverIterations 16, in the guide the way to stiffer joints; nothing sleeps (setCanSleep)' },
-    { name: 'joints as coordinates', order: 1, defaults: false,
+    { name: 'joints as coordinates', order: 1, defaults: false, friction,
+      lasting: '0.1 N m s of damping in joints',
       says: 'createMultibodyJoint, for accuracy in the guide (Joint constraints); it damps whatever turns ' +
         'in a joint by 0.1 N m s, which JavaScript cannot switch off, and starts at rest; nothing sleeps' },
   ],

@@ -142,6 +142,8 @@ std::string restored(const Request& request) {
 Reply reply(const Request& request) {
   Reply reply;
   try {
+    if (!request.world.ropes.empty() && !engine().ropes)
+      throw NotExpressible("no rope that turns its pulleys");
     for (int i = 0; i < request.runs; ++i) {
       Run run(request);
       run.to_frame(request.frames);
@@ -160,7 +162,12 @@ json about() {
   const Engine e = engine();
   json variants = json::array();
   for (const Variant& v : e.variants)
-    variants.push_back({{"name", v.name}, {"says", v.says}, {"order", v.order}, {"defaults", v.defaults}});
+    variants.push_back({{"name", v.name},
+                        {"says", v.says},
+                        {"order", v.order},
+                        {"defaults", v.defaults},
+                        {"lasting", v.lasting},
+                        {"friction", v.friction}});
   return {{"name", e.name},
           {"version", e.version},
           {"precision", e.precision},

@@ -5,14 +5,16 @@
 // simulation.hpp has it, or throws NotExpressible. Of hasSprings, save and restore it has what the engine
 // has; and it has free(), as nothing else destroys what is behind WebAssembly.
 
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { performance } from 'node:perf_hooks';
 
 import {
   NotExpressible, cross, ground, isZero, minus, plus, pointIn, start, times, turned,
 } from './simulation.mjs';
 
-const engines = ['box2d', 'jolt', 'mujoco', 'rapier'];
+const engines = readdirSync(new URL('.', import.meta.url))
+  .filter((file) => file.endsWith('.mjs') && !['runner.mjs', 'simulation.mjs'].includes(file))
+  .map((file) => file.slice(0, -'.mjs'.length));
 
 const whereNow = (simulation, { body, inBody }) => {
   if (body === ground) return inBody;
@@ -113,9 +115,10 @@ function restored(make, request) {
   return sameBits(first, second) ? 'same bits' : 'other bits';
 }
 
-function reply(make, request) {
+function reply(about, make, request) {
   const reply = { frames: [], seconds: [], same_bits: true, restored: '', cannot: '' };
   try {
+    if (request.world.ropes.length > 0 && !about.ropes) throw new NotExpressible('no rope that turns its pulleys');
     for (let i = 0; i < request.runs; ++i) {
       const run = new Run(make, request).toFrame(request.frames);
       reply.seconds.push(run.seconds);
@@ -144,5 +147,5 @@ if (aboutIt === '--about') {
   if (!about.variants.some((v) => v.name === request.variant))
     throw new Error(`runner.mjs: ${about.name} has no variant "${request.variant}"; it has ` +
       about.variants.map((v) => `"${v.name}"`).join(', '));
-  write(JSON.stringify(reply(make, request)));
+  write(JSON.stringify(reply(about, make, request)));
 }

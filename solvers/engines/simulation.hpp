@@ -33,7 +33,9 @@ struct Variant {
   std::string name;  ///< "defaults", "50 iterations", "implicit": of few words
   std::string says;  ///< what is set, in the manual's words for it, and where the manual is
   int order = 0;  ///< of the error over the step, as the manual or the integrator's name has it; 0: not said
-  bool defaults = true;  ///< what a user gets who sets nothing but the step
+  bool defaults = true;       ///< what a user gets who sets nothing but the step
+  std::string lasting = {};   ///< of what is set, what no finer step takes away: "velocities are damped"
+  std::string friction = {};  ///< the same of its friction
 };
 
 struct Engine {
@@ -44,6 +46,7 @@ struct Engine {
   std::vector<Variant> variants;
   /// Throws NotExpressible.
   std::unique_ptr<Simulation> (*make)(const World&, const std::string& variant, double step) = nullptr;
+  bool ropes = false;  ///< it has slides and ropes; else it is not asked for them
 };
 
 /// The engine lacks what the world asks for: "no joint that keeps a distance".

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 /// A scene as other people's engines are given it, once for all of them: SI units, right-handed axes.
@@ -44,6 +45,7 @@ struct Joint {
     hinge,     ///< b turns about `axis` through `at`
     ball,      ///< b turns about the point `at`
     cylinder,  ///< b turns about `axis` through `at`, and slides along it
+    slide,     ///< b moves along `axis`, and does not turn
     rod,  ///< the distance of `at` on a and `end` on b stays; neither turns a body where it is its center
   };
   Kind kind = hinge;
@@ -52,6 +54,7 @@ struct Joint {
   Vector at{};
   Vector axis{0, 0, 1};
   Vector end{};
+  double wheel = 0;  ///< of a slide: moment of inertia over radius^2 of what it turns [kg]
 };
 
 /// From `at` on a to `end` on b.
@@ -64,11 +67,24 @@ struct Spring {
   double rest = 0;       ///< m
 };
 
+/// A spring at the end of a rope that runs over wheels without slipping.
+struct Rope {
+  struct Part {
+    int body;
+    double factor;  ///< by how much the body's slide lengthens the spring
+  };
+  std::vector<Part> parts;
+  double length = 0;     ///< of the spring at the start [m]
+  double stiffness = 0;  ///< N/m
+  double rest = 0;       ///< m
+};
+
 struct World {
   Vector gravity{};
   std::vector<Body> bodies = {};
   std::vector<Joint> joints = {};
   std::vector<Spring> springs = {};
+  std::vector<Rope> ropes = {};
   Vector floor{};          ///< the normal of what fills all below the plane through the origin; zero: none
   double friction = 0;     ///< between any two
   double restitution = 0;  ///< likewise
@@ -83,6 +99,7 @@ struct World {
 struct Staging {
   World world;
   std::function<std::vector<double>(std::span<const State>, double t)> observe;
+  std::string differs = {};  ///< what no fine step takes away, where engines have it other than the scene
 };
 
 }  // namespace oddity::engines

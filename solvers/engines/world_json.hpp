@@ -11,14 +11,17 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Shape::Kind, {{Shape::none, "none"}, {Shape::ball, 
 NLOHMANN_JSON_SERIALIZE_ENUM(Joint::Kind, {{Joint::hinge, "hinge"},
                                            {Joint::ball, "ball"},
                                            {Joint::cylinder, "cylinder"},
+                                           {Joint::slide, "slide"},
                                            {Joint::rod, "rod"}})
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(State, position, orientation, velocity, spin)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Shape, kind, half)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Body, mass, inertia, start, shape)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Joint, kind, a, b, at, axis, end)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Joint, kind, a, b, at, axis, end, wheel)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Spring, a, b, at, end, stiffness, rest)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(World, gravity, bodies, joints, springs, floor, friction, restitution,
-                                   shaking, frequency, turning)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rope::Part, body, factor)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rope, parts, length, stiffness, rest)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(World, gravity, bodies, joints, springs, ropes, floor, friction,
+                                   restitution, shaking, frequency, turning)
 
 /// What an engine's program is asked, as one line of JSON on its standard input.
 struct Request {

@@ -13,6 +13,7 @@
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
+#include "solvers/engines/turns.hpp"
 #include "solvers/linear.hpp"
 
 namespace oddity {
@@ -161,6 +162,28 @@ Quantity frequencies(const std::string& name, const std::string& says, const Giv
   return q;
 }
 
+/// The pulleys' turns are inertia of the two slides: the small pulley's, and the mass's upon it.
+engines::Staging staging(const Parameters& given) {
+  using namespace engines;
+  const Given<double> p = asked(given);
+  const auto falling = [](double mass, double depth, double speed) {
+    Body body{mass, {1, 1, 1}};
+    body.start.position[1] = -depth;
+    body.start.velocity[1] = -speed;
+    return body;
+  };
+  const Vector down{0, -1, 0};
+  return {{.gravity = p.g * down,
+           .bodies = {falling(p.m2, p.y2, p.v2), falling(p.m3, p.y3, p.v3)},
+           .joints = {{.kind = Joint::slide, .axis = down, .wheel = p.inertia_over_square_1()},
+                      {.kind = Joint::slide, .a = 0, .b = 1, .axis = down, .wheel = p.inertia_over_square_2()}},
+           .ropes = {{{{0, 1}}, p.y2 + p.K1, p.c1, p.L1},
+                     {{{1, 1}, {0, -1}}, p.y3 - 2 * p.y2 + p.K2, p.c2, p.L2}}},
+          [](std::span<const State> seen, double) {
+            return std::vector{-seen[0].position[1], -seen[1].position[1]};
+          }};
+}
+
 Scene scene() {
   return {
       .motion = swing,
@@ -182,6 +205,7 @@ Scene scene() {
            {{"normal modes", "which needs GSL's eigenvalues"},
             {"normal modes, pulleys without inertia", "which needs GSL's eigenvalues"}}},
       .draw = two_pulleys::draw<Parameters>,
+      .staging = staging,
   };
 }
 

@@ -49,18 +49,22 @@ Quantity slide_of(const Parameters& p, const Horizon& horizon, const Reference& 
       Outcome::ok);
 }
 
-/// A flat box. An engine has the friction at its corners, not under its whole foot.
+/// A flat box.
 engines::Staging staging(const Parameters& p) {
   using namespace engines;
   const double a = p["a"], b = p["b"], h = b / 10;
   Body box{1, {(b * b + h * h) / 3, (a * a + h * h) / 3, (a * a + b * b) / 3}};
   box.start = {.position = {0, 0, h}, .velocity = {p["u0"], p["v0"], 0}, .spin = {0, 0, p["w0"]}};
   box.shape = {Shape::box, {a, b, h}};
-  return {{.gravity = {0, 0, -p["g"]}, .bodies = {box}, .floor = {0, 0, 1}, .friction = p["mu"]},
-          [](std::span<const State> seen, double) {
-            const auto [w, x, y, z] = seen[0].orientation;
-            return std::vector{seen[0].position[0], seen[0].position[1], 2 * std::atan2(z, w)};
-          }};
+  return {
+      {.gravity = {0, 0, -p["g"]}, .bodies = {box}, .floor = {0, 0, 1}, .friction = p["mu"]},
+      [](std::span<const State> seen, double) {
+        const auto [w, x, y, z] = seen[0].orientation;
+        return std::vector{seen[0].position[0], seen[0].position[1], 2 * std::atan2(z, w)};
+      },
+      "Engines have this box's friction at its four corners, or all of it in their middle with a moment about "
+      "that; the scene has it under the whole foot. At the corners its lever is longer, and the box turns less. "
+      "The scene \"box on corners\" judges engines by four corners."};
 }
 
 Scene scene() {

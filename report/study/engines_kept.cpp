@@ -1,0 +1,142 @@
+// What engines did, as JSON.
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "reference/bad_input.hpp"
+#include "reference/files.hpp"
+#include "report/study/engines.hpp"
+
+namespace oddity {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Not a number is null.
+ordered_json kept(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
+double number(const ordered_json& json) { return json.is_null() ? nan : json.get<double>(); }
+
+ordered_json kept(const std::vector<double>& numbers) {
+  ordered_json all = ordered_json::array();
+  for (double x : numbers) all.push_back(kept(x));
+  return all;
+}
+std::vector<double> numbers(const ordered_json& json) {
+  std::vector<double> all;
+  for (const auto& x : json) all.push_back(number(x));
+  return all;
+}
+
+Outcome outcome_named(const std::string& name) {
+  using enum Outcome;
+  for (Outcome o : {ok, inaccurate, non_finite, stalled, raised})
+    if (name_of(o) == name) return o;
+  throw BadInput("there is no outcome '" + name + "'");
+}
+
+ordered_json kept(const EngineTrial& t) {
+  return {{"steps_per_frame", t.steps_per_frame},
+          {"outcome", name_of(t.outcome)},
+          {"message", t.message},
+          {"errors", kept(t.errors)},
+          {"in_needs", kept(t.in_needs)},
+          {"energy", kept(t.energy)},
+          {"off_joint", kept(t.off_joint)},
+          {"seconds_per_frame", kept(t.seconds_per_frame)},
+          {"spread", kept(t.spread)},
+          {"same_bits", t.same_bits},
+          {"restored", t.restored}};
+}
+EngineTrial trial_from(const ordered_json& j) {
+  return {j.at("steps_per_frame"),   outcome_named(j.at("outcome")),
+          j.at("message"),           numbers(j.at("errors")),
+          number(j.at("in_needs")),  number(j.at("energy")),
+          number(j.at("off_joint")), number(j.at("seconds_per_frame")),
+          number(j.at("spread")),    j.at("same_bits"),
+          j.at("restored")};
+}
+
+ordered_json kept(const EngineSeries& s) {
+  ordered_json trials = ordered_json::array();
+  for (const EngineTrial& t : s.trials) trials.push_back(kept(t));
+  return {{"engine", s.engine},
+          {"version", s.version},
+          {"precision", s.precision},
+          {"variant", s.variant},
+          {"says", s.says},
+          {"defaults", s.defaults},
+          {"webassembly", s.webassembly},
+          {"stated_order", s.stated_order},
+          {"lasting", s.lasting},
+          {"friction", s.friction},
+          {"cannot", s.cannot},
+          {"trials", trials}};
+}
+EngineSeries series_from(const ordered_json& j) {
+  EngineSeries s{j.at("engine"),         j.at("version"),         j.at("precision"),   j.at("variant"),
+                 j.at("says"),           j.at("defaults"),        j.at("webassembly"), j.at("stated_order"),
+                 j.value("lasting", ""), j.value("friction", ""), j.at("cannot")};
+  for (const auto& t : j.at("trials")) s.trials.push_back(trial_from(t));
+  summarize(s);
+  return s;
+}
+
+}  // namespace
+
+void write(const std::vector<EngineContest>& contests, const fs::path& file) {
+  ordered_json all = ordered_json::array();
+  for (const EngineContest& c : contests) {
+    ordered_json series = ordered_json::array();
+    for (const EngineSeries& s : c.series) series.push_back(kept(s));
+    all.push_back({{"scene", c.scene},
+                   {"title", c.title},
+                   {"units", c.units},
+                   {"needs", c.needs},
+                   {"horizon", c.horizon},
+                   {"frames_per_second", c.frames_per_second},
+                   {"differs", c.differs},
+                   {"rubs", c.rubs},
+                   {"series", series},
+                   {"least", c.least ? ordered_json{{"says", c.least->says},
+                                                    {"errors", kept(c.least->errors)},
+                                                    {"seconds_per_frame", kept(c.least->seconds_per_frame)}}
+                                     : ordered_json(nullptr)}});
+  }
+  write_whole(file, all.dump(1) + "\n");
+}
+
+std::vector<EngineContest> read_engines(const fs::path& file) {
+  std::ifstream in(file);
+  if (!in) throw BadInput("cannot read " + file.string() + "; 'oddity engines' writes it");
+  try {
+    std::vector<EngineContest> contests;
+    for (const auto& j : ordered_json::parse(in)) {
+      EngineContest c{j.at("scene"),
+                      j.at("title"),
+                      j.at("units"),
+                      j.at("needs"),
+                      j.at("horizon"),
+                      j.at("frames_per_second"),
+                      {},
+                      {},
+                      j.value("differs", ""),
+                      j.value("rubs", false)};
+      for (const auto& s : j.at("series")) c.series.push_back(series_from(s));
+      if (const auto& least = j.at("least"); !least.is_null())
+        c.least =
+            Instead{least.at("says"), numbers(least.at("errors")), number(least.at("seconds_per_frame"))};
+      contests.push_back(std::move(c));
+    }
+    return contests;
+  } catch (const nlohmann::json::exception& error) {
+    throw BadInput(file.string() + ": not what 'oddity engines' writes: " + error.what());
+  }
+}
+
+}  // namespace oddity
