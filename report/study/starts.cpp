@@ -50,6 +50,21 @@ std::vector<double> needs_of(const Need& need, const Quantity& motion) {
   return needs;
 }
 
+Quantity known_motion(const Scene& scene, const Parameters& p, const Horizon& horizon, const Need& need,
+                      const Reference& truth) {
+  const auto made = [&](const Reference& known) {
+    Quantity seen = motion(scene, p, horizon, known);
+    seen.needs = needs_of(need, seen);
+    seen.need = {*std::ranges::min_element(seen.needs), "asked for"};
+    return seen;
+  };
+  for (int digits : {digits_in_long_double, digits_for(need)}) {
+    Quantity seen = made(truth.to_digits(digits));
+    if (seen.reference_error <= needless * seen.need.allowed) return seen;
+  }
+  return made(truth);
+}
+
 Starts::Starts(const Task& task, const Need& need, const Reference& truth)
     : task_(task), need_(need), truth_(truth) {
   if (!task.entry->exercise.scene)
@@ -66,17 +81,7 @@ Start Starts::start(const Parameters& p) const {
   std::string says;
   for (std::string_view name : scene().perturbed_parameters)
     says += (says.empty() ? "" : ", ") + std::string(name) + " = " + rounded(p[name], 4);
-  const auto made = [&](const Reference& truth) {
-    Start start{says, motion(scene(), p, horizon(), truth)};
-    start.motion.needs = needs_of(need_, start.motion);
-    start.motion.need = {*std::ranges::min_element(start.motion.needs), "asked for"};
-    return start;
-  };
-  for (int digits : {digits_in_long_double, digits_for(need_)}) {
-    Start start = made(truth_.to_digits(digits));
-    if (start.motion.reference_error <= needless * start.motion.need.allowed) return start;
-  }
-  return made(truth_);
+  return {says, known_motion(scene(), p, horizon(), need_, truth_)};
 }
 
 Start Starts::asked() const {

@@ -31,7 +31,10 @@ std::vector<double> needs_of(const Need&, const Quantity& motion);
 /// millionfold.
 int digits_for(const Need&);
 
-/// The starts of one choice: the one asked for, and others beside it, whose `starts` parameters are each up
+/// The scene's motion with what was asked as its need, and with no more digits of its truth than that takes.
+Quantity known_motion(const Scene&, const Parameters&, const Horizon&, const Need&, const Reference&);
+
+/// The starts of one choice: the one asked for, and others beside it, whose perturbed parameters are each up
 /// to a tenth off.
 class Starts {
  public:

@@ -50,14 +50,6 @@ Horizon horizon_of(const Asked& asked) {
                          : Horizon{asked.need.horizon, 1, asked.need.frames_per_second};
 }
 
-/// The scene's motion with what was asked as the need.
-Quantity motion_of(const Asked& asked, const Parameters& parameters, const Reference& truth) {
-  Quantity seen = motion(scene_of(asked), parameters, horizon_of(asked), truth);
-  seen.needs = needs_of(asked.need, seen);
-  seen.need = {*std::ranges::min_element(seen.needs), "asked for"};
-  return seen;
-}
-
 /// Of a method: step or tolerance.
 bool is_setting(const Axis& axis) { return axis.name == "step" || axis.name == "tolerance"; }
 
@@ -68,8 +60,7 @@ Time counted_price(const Method& method, double setting) {
 
 class Looks {
  public:
-  Looks(const Asked& asked, const Reference& truth)
-      : asked_(asked), truth_(truth.to_digits(digits_for(asked.need))), whole_truth_(truth) {}
+  Looks(const Asked& asked, const Reference& truth) : asked_(asked), truth_(truth) {}
 
   Ended operator()(int x, int y) {
     Task task = task_of(asked_);
@@ -95,7 +86,7 @@ class Looks {
 
  private:
   Ended chosen(const Task& task) const {
-    const Choice choice = choose(task, asked_.need, whole_truth_, counted_price);
+    const Choice choice = choose(task, asked_.need, truth_, counted_price);
     if (!choice.chosen) return {"nothing holds"};
     return {choice.chosen->model + ", " + choice.chosen->algorithm, choice.chosen->error,
             choice.chosen->evaluations_per_frame};
@@ -114,11 +105,12 @@ class Looks {
     constexpr std::size_t most_kept = 256;
     if (const auto known = motions_.find(key); known != motions_.end()) return known->second;
     if (motions_.size() >= most_kept) motions_.clear();
-    return motions_[key] = std::make_shared<const Quantity>(motion_of(asked_, parameters, truth_));
+    return motions_[key] = std::make_shared<const Quantity>(
+               known_motion(scene_of(asked_), parameters, horizon_of(asked_), asked_.need, truth_));
   }
 
   const Asked asked_;
-  const Reference truth_, whole_truth_;
+  const Reference truth_;
   std::map<std::vector<double>, std::shared_ptr<const Quantity>> motions_;
 };
 
@@ -205,7 +197,7 @@ void require_sense(const Asked& asked) {
   if (asked.axes.size() == 2 && asked.axes[0].name == asked.axes[1].name)
     throw BadInput("the axis " + asked.axes[0].name + " is given twice");
   const Task task = task_of(asked);
-  const Quantity seen = motion_of(asked, task.parameters, Reference::nothing());
+  const Quantity seen = motion(scene_of(asked), task.parameters, horizon_of(asked), Reference::nothing());
   const Method* method = asked.algorithm.empty() ? nullptr : method_of(seen, asked.model, asked.algorithm);
   if (!asked.algorithm.empty() && !method) {
     std::string names;
