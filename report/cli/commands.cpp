@@ -292,8 +292,8 @@ void add_bench(CLI::App& app, Session& s) {
   auto* bench = verb(
       app, "bench", "Measure how fast this build is: against loops by hand, its best methods, the suite.",
       "Times mean something only on an idle machine. The exit code is 1 when a limit is broken.\n"
-      "Columns: part (race, contest or suite), subject, measured, value, half_width (of its quartiles), unit, "
-      "at_most, verdict (holds, undecided or BROKEN, where there is a limit); a row for each number.\n"
+      "Columns: part (race, contest, series, chain or suite), subject, measured, value, half_width (of its "
+      "quartiles), unit, at_most, verdict (holds, undecided or BROKEN, where there is a limit); a row for each number.\n"
       "Examples:\n  oddity bench\n  oddity bench --csv",
       [&] { s.status = verbs::bench(s.folder, s.format()); });
   add_formats(*bench, s, "the numbers measured");
