@@ -152,12 +152,12 @@ TEST_CASE("the cost stated is the operations made", "[taylor]") {
       [&]<int... order>(std::integer_sequence<int, order...>) {
         ((order == k ? compute<order>(node, rows) : void()), ...);
       }
-      (std::make_integer_sequence<int, Series::most_orders>());
+      (std::make_integer_sequence<int, most_orders>());
       return 0;
     });
     return std::pair{node, count};
   };
-  for (int k = 0; k < Series::most_orders; ++k)
+  for (int k = 0; k < most_orders; ++k)
     for (bool has_a : {true, false})
       for (bool square : {true, false})
         for (Operation operation :

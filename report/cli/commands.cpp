@@ -320,7 +320,7 @@ void add_bench(CLI::App& app, Session& s) {
       app, "bench",
       "Measure how fast this build is: against loops by hand, its best methods, the suite; or lanes.",
       "Times mean something only on an idle machine. The exit code is 1 when a limit is broken.\n"
-      "Columns: part (race, contest or suite), subject, measured, value, half_width (of its quartiles), unit, "
+      "Columns: part (race, contest, series, chain or suite), subject, measured, value, half_width (of its quartiles), unit, "
       "at_most, verdict (holds, undecided or BROKEN, where there is a limit); a row for each number.\n"
       "With --lanes: scene, model, algorithm, precision, registers, width, taken (the widest), seconds_alone and "
       "seconds (a body a frame), share (of the width that lanes are faster), at_least, verdict, bodies, "

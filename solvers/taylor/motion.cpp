@@ -33,8 +33,9 @@ int best_order(const Program& program, double tolerance) {
     return static_cast<double>(work + program.overhead(order)) / share_of_radius(tolerance, order);
   };
   int best = least;
-  for (int order = least + 1; order <= Series::most_orders; ++order)
-    if (price(order) < price(best)) best = order;
+  double lowest = price(least);
+  for (int order = least + 1; order <= most_orders; ++order)
+    if (const double now = price(order); now < lowest) best = order, lowest = now;
   return best;
 }
 

@@ -103,22 +103,48 @@ Program::Program(const Recording& recording) {
   for (const Recorded& derivative : recording.derivatives)
     derivatives_.push_back({row_of(derivative.node()), derivative.constant()});
   by_hand_ = std::max(by_hand_, 1L);
+  price();
 }
 
-long Program::cost(int order) const {
-  long sum = 0;
-  for (int k = 0; k < order; ++k) {
-    for (const Instruction& instruction : instructions_) sum += cost_of(instruction.node, k);
-    sum += static_cast<long>(unknowns()) * Weights::multiplication;
+/// Operations of one kind cost alike, but for the scales of a linear one, which are the same at all orders
+/// but 0.
+void Program::price() {
+  struct Kind {
+    Node node;
+    long count;
+  };
+  std::vector<Kind> kinds;
+  long linear_at_0 = 0, linear_later = 0;
+  for (const Instruction& instruction : instructions_) {
+    const Node& node = instruction.node;
+    if (node.operation == Operation::linear) {
+      linear_at_0 += cost_of(node, 0);
+      linear_later += cost_of(node, 1);
+      continue;
+    }
+    const auto same = std::ranges::find_if(kinds, [&](const Kind& kind) {
+      const Node& other = kind.node;
+      return other.operation == node.operation && (other.a < 0) == (node.a < 0) &&
+             (other.a == other.b) == (node.a == node.b);
+    });
+    if (same == kinds.end())
+      kinds.push_back({node, 1});
+    else
+      ++same->count;
   }
-  return sum;
+  for (int k = 0; k < most_orders; ++k) {
+    long sum =
+        static_cast<long>(unknowns()) * Weights::multiplication + (k == 0 ? linear_at_0 : linear_later);
+    for (const Kind& kind : kinds) sum += kind.count * cost_of(kind.node, k);
+    costs_[static_cast<std::size_t>(k + 1)] = costs_[static_cast<std::size_t>(k)] + sum;
+  }
 }
 
-constexpr std::array<void (*)(Series&), Series::most_orders> Series::advance_by_order =
-    []<int... k>(std::integer_sequence<int, k...>)->std::array<void (*)(Series&), Series::most_orders> {
+constexpr std::array<void (*)(Series&), most_orders> Series::advance_by_order =
+    []<int... k>(std::integer_sequence<int, k...>)->std::array<void (*)(Series&), most_orders> {
   return {&advance<k>...};
 }
-(std::make_integer_sequence<int, Series::most_orders>());
+(std::make_integer_sequence<int, most_orders>());
 
 Series::Series(Program program) : program_(std::move(program)) {
   memory_.resize(static_cast<std::size_t>(program_.rows_ * stride));

@@ -15,6 +15,8 @@ struct Weights {
   static constexpr long addition = 1, multiplication = 1, division = 4, root = 4, function = 8;
 };
 
+inline constexpr int most_orders = 32;
+
 /// What coefficient k of an operation costs.
 long cost_of(const Node& node, int k);
 
@@ -27,7 +29,7 @@ class Program {
   /// What the right-hand side costs when it is written by hand, its repetitions and constants taken out.
   long cost_by_hand() const { return by_hand_; }
   /// What the series up to an order cost.
-  long cost(int order) const;
+  long cost(int order) const { return costs_[static_cast<std::size_t>(order)]; }
   /// What it takes to get from operation to operation, in additions as well: it decides nothing but the
   /// order.
   long overhead(int order) const { return 20L * order * static_cast<long>(instructions_.size()); }
@@ -44,8 +46,11 @@ class Program {
     double constant;
   };
 
+  void price();
+
   std::vector<Instruction> instructions_;  ///< their nodes' operands are rows
   std::vector<Derivative> derivatives_;
+  std::array<long, most_orders + 1> costs_{};
   int rows_ = 0;  ///< of which the unknowns' are the first, and the time's the next
   long by_hand_ = 0;
 };
@@ -53,8 +58,6 @@ class Program {
 /// The series of a motion about one of its points. All coefficients lie in one piece of memory.
 class Series {
  public:
-  static constexpr int most_orders = 32;
-
   explicit Series(Program program);
   Series(const Series&) = delete;
   Series(Series&&) = default;
