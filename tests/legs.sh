@@ -51,6 +51,13 @@ leg_engines() {  # other people's engines do on the scenes what is on record of 
   ctest --test-dir build/release --build-config engines --tests-regex '^engines$' --output-on-failure
 }
 
+leg_sweep() {  # sweeps with HDF5 and under mpirun
+  ./oddity packages libhdf5-dev libopenmpi-dev openmpi-bin || exit 77
+  cmake --preset release -DODDITY_HDF5=ON -DODDITY_MPI=ON >/dev/null
+  cmake --build build/release --parallel "$jobs" --target oddity_tests
+  build/release/tests/oddity_tests '[sweep]'
+}
+
 leg_syntax() {  # g++: every source alone, without precompiled headers; compile_commands.json has all of them
   ./oddity packages
   build developer generated_sources

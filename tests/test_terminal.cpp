@@ -226,7 +226,7 @@ TEST_CASE("the completion knows the verbs, their options and the exercises", "[t
                  words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _oddity; echo ${COMPREPLY[*]}'")
         .output;
   };
-  CHECK(completed("\"\"") == "list verify solve chart stability choose bench engines report site new help\n");
+  CHECK(completed("\"\"") == "list verify solve chart stability choose bench engines sweep report site new help\n");
   CHECK(completed("solve --") == "--help --json --csv\n");
   CHECK(completed("solve 3.3") == "3.3 3.31 3.33 3.35\n");
 }
@@ -240,7 +240,7 @@ TEST_CASE("the manual page has every verb and no path of this build", "[terminal
   CHECK(made.status == 0);
   const std::string text = shell("cat " + page).output;
   for (const char* verb : {"list", "verify", "solve", "chart", "stability", "choose", "bench", "engines",
-                           "report", "site", "new"})
+                           "sweep", "report", "site", "new"})
     CHECK(text.find(".SS " + std::string(verb) + "\n") != std::string::npos);
   CHECK(text.find(ODDITY_SOURCE "/") == std::string::npos);
 }

@@ -16,6 +16,7 @@
 #include "report/cli/asked.hpp"
 #include "report/cli/help.hpp"
 #include "report/cli/settings.hpp"
+#include "report/cli/sweep.hpp"
 #include "report/cli/verbs.hpp"
 #include "report/cli/words.hpp"
 
@@ -326,6 +327,18 @@ void add_engines(CLI::App& app, Session& s) {
   set_apart(*engines, rows, {"--json", "--csv", "--report"});
 }
 
+void add_sweep(CLI::App& app, Session& s) {
+  auto* sweep = verb(
+      app, "sweep", "Map a scene densely over one or two of its numbers, on as many machines as there are.",
+      "A plan divides the map into chunks; any number of runs, threads, MPI ranks and machines work them out; what "
+      "comes of it is the same, byte for byte.\n"
+      "Examples:\n  oddity sweep plan /tmp/map 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' --over "
+      "a=1deg..179deg:1000 --over step=1ms..2.5s:1000 --looks 4\n  oddity sweep run /tmp/map\n  oddity sweep merge "
+      "/tmp/map\n  oddity sweep draw /tmp/map\n  oddity sweep plan --help",
+      [] {});
+  add_sweep_verbs(*sweep, s.folder);
+}
+
 void add_new(CLI::App& app, Session& s) {
   auto* begin =
       verb(app, "new", "Begin an exercise of your own: files that compile, and say what is to be written.",
@@ -430,6 +443,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
   add_choose(app, session);
   add_bench(app, session);
   add_engines(app, session);
+  add_sweep(app, session);
   add_report(app, session);
   add_site(app, session);
   add_new(app, session);

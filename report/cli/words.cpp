@@ -18,17 +18,32 @@ std::vector<std::string> names_of_verbs(const CLI::App& app) {
   return names;
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
 void require_verb(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> names = names_of_verbs(app);
   if (std::ranges::find(names, word) != names.end()) return;
   if (exercise_number(word)) throw BadInput("no verb '" + word + "'; did you mean 'solve " + word + "'?");
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  throw BadInput("no verb '" + word + "'; the verbs are: " + all + did_you_mean(word, names));
+  throw BadInput("no verb '" + word + "'; the verbs are: " + joined(names) + did_you_mean(word, names));
+}
+
+/// "sweep plan ", with those above it; nothing for the program itself.
+std::string typed_before_options(const CLI::App& app) {
+  return app.get_parent() ? typed_before_options(*app.get_parent()) + app.get_name() + " " : "";
 }
 
 std::string help_of(const CLI::App& app) {
-  return "'oddity " + (app.get_parent() ? app.get_name() + " " : "") + "--help' says more";
+  return "'oddity " + typed_before_options(app) + "--help' says more";
+}
+
+/// The verb that was used, or the one within it.
+const CLI::App& innermost(const CLI::App& app) {
+  const auto used = app.get_subcommands();
+  return used.empty() ? app : innermost(*used.front());
 }
 
 std::string refusal(const CLI::App& app, const std::string& word) {
@@ -75,9 +90,11 @@ void require_a_verb(const CLI::App& app, const std::vector<std::string>& words) 
 }
 
 std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
-  const auto used = app.get_subcommands();
-  const CLI::App& verb = used.empty() ? app : *used.front();
-  const std::vector<std::string> unknown = verb.remaining();
+  const CLI::App& verb = innermost(app);
+  const std::vector<std::string> unknown = verb.remaining(), within = names_of_verbs(verb);
+  if (verb.get_parent() && !within.empty())
+    return verb.get_name() + " needs one of its verbs: " + joined(within) +
+           (unknown.empty() ? "" : did_you_mean(unknown.front(), within)) + "; " + help_of(verb);
   if (!unknown.empty() && !verb.get_allow_extras()) return refusal(verb, unknown.front());
   const std::string says = error.what();
   if (error.get_name() == "ArgumentMismatch")

@@ -22,11 +22,6 @@ std::string processor() {
   return "processor";
 }
 
-std::string program() {
-  std::ifstream in("/proc/self/exe", std::ios::binary);
-  return checksum(std::string(std::istreambuf_iterator<char>(in), {}));
-}
-
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   std::istringstream in(line);
@@ -36,9 +31,14 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 }  // namespace
 
+std::string checksum_of_program() {
+  std::ifstream in("/proc/self/exe", std::ios::binary);
+  return checksum(std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
 std::string machine_and_program() {
   static const std::string text =
-      processor() + " x " + std::to_string(std::thread::hardware_concurrency()) + ", program " + program();
+      processor() + " x " + std::to_string(std::thread::hardware_concurrency()) + ", program " + checksum_of_program();
   return text;
 }
 

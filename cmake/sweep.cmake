@@ -1,0 +1,38 @@
+# What sweeps are the better for, and can do without: HDF5 for merged maps; and MPI, which is known to a library beside
+# the program that is loaded under mpirun alone.
+
+if(NOT ODDITY_HDF5 STREQUAL OFF)
+  enable_language(C)
+  if(ODDITY_HDF5 STREQUAL AUTO)
+    find_package(HDF5 QUIET COMPONENTS C)
+  else()
+    find_package(HDF5 REQUIRED COMPONENTS C)
+  endif()
+endif()
+if(HDF5_FOUND)
+  message(STATUS "HDF5 ${HDF5_VERSION}: sweeps are merged into its files")
+  set_property(SOURCE report/sweep/hdf5.cpp APPEND PROPERTY COMPILE_DEFINITIONS ODDITY_HDF5)
+  set_property(SOURCE report/sweep/hdf5.cpp APPEND PROPERTY INCLUDE_DIRECTORIES ${HDF5_C_INCLUDE_DIRS})
+  set_property(SOURCE report/sweep/hdf5.cpp PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+  target_link_libraries(oddity_report PUBLIC ${HDF5_C_LIBRARIES})
+else()
+  message(STATUS "HDF5 not used: sweeps are merged into CSV")
+endif()
+
+if(NOT ODDITY_MPI STREQUAL OFF)
+  if(ODDITY_MPI STREQUAL AUTO)
+    find_package(MPI QUIET COMPONENTS C)
+  else()
+    find_package(MPI REQUIRED COMPONENTS C)
+  endif()
+endif()
+if(MPI_C_FOUND)
+  message(STATUS "MPI ${MPI_C_VERSION}: sweeps are dealt out under mpirun")
+  add_library(oddity_mpi MODULE report/sweep/mpi/deal.cpp)
+  target_link_libraries(oddity_mpi PRIVATE oddity_options MPI::MPI_C)
+  target_compile_definitions(oddity_mpi PRIVATE OMPI_SKIP_MPICXX)  # its bindings for C++, which are no more
+  add_dependencies(oddity oddity_mpi)
+  install(TARGETS oddity_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_BINDIR})  # beside the program
+else()
+  message(STATUS "MPI not used: sweeps are dealt out by --shard")
+endif()

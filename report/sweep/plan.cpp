@@ -1,0 +1,347 @@
+#include "report/sweep/plan.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "chapters/scene.hpp"
+#include "reference/bad_input.hpp"
+#include "reference/files.hpp"
+#include "reference/text.hpp"
+#include "report/study/choose.hpp"
+#include "report/study/prices.hpp"
+#include "report/study/starts.hpp"
+
+namespace oddity::sweep {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr int tile_side = 64;  // cells
+constexpr int format = 1;
+
+/// How a cell ends whose true motion cannot be found.
+constexpr std::string_view no_truth = "truth not known";
+
+const Entry& entry_of(const std::string& exercise) {
+  for (const Entry& entry : registry())
+    if (to_string(entry.number) == exercise) return entry;
+  throw BadInput("the sweep is of exercise " + exercise + ", which this program does not have");
+}
+
+const Scene& scene_of(const Asked& asked) { return *entry_of(asked.exercise).exercise.scene; }
+
+Task task_of(const Asked& asked) {
+  Task task(entry_of(asked.exercise));
+  for (const auto& [name, value] : asked.parameters) task.parameters.set(name, value);
+  return task;
+}
+
+Horizon horizon_of(const Asked& asked) {
+  return asked.looks > 0 ? Horizon{asked.need.horizon, asked.looks}
+                         : Horizon{asked.need.horizon, 1, asked.need.frames_per_second};
+}
+
+/// The scene's motion with what was asked as the need.
+Quantity motion_of(const Asked& asked, const Parameters& parameters, const Reference& truth) {
+  Quantity seen = motion(scene_of(asked), parameters, horizon_of(asked), truth);
+  seen.needs = needs_of(asked.need, seen);
+  seen.need = {*std::ranges::min_element(seen.needs), "asked for"};
+  return seen;
+}
+
+/// Of a method: step or tolerance.
+bool is_setting(const Axis& axis) { return axis.name == "step" || axis.name == "tolerance"; }
+
+/// What a method costs, in evaluations.
+Time counted_price(const Method& method, double setting) {
+  return {1e-9 * static_cast<double>(method.run(setting).evaluations), 0};
+}
+
+class Looks {
+ public:
+  Looks(const Asked& asked, const Reference& truth)
+      : asked_(asked), truth_(truth.to_digits(digits_for(asked.need))), whole_truth_(truth) {}
+
+  Ended operator()(int x, int y) {
+    Task task = task_of(asked_);
+    double setting = asked_.setting;
+    std::vector<double> key;
+    for (std::size_t i = 0; i < asked_.axes.size(); ++i) {
+      const double value = asked_.axes[i].at(i == 0 ? x : y);
+      if (is_setting(asked_.axes[i])) {
+        setting = value;
+      } else {
+        task.parameters.set(asked_.axes[i].name, value);
+        key.push_back(value);
+      }
+    }
+    try {
+      return asked_.algorithm.empty() ? chosen(task) : tried(task, key, setting);
+    } catch (const OutOfTime&) {
+      throw;
+    } catch (const std::exception&) {
+      return {std::string(no_truth)};
+    }
+  }
+
+ private:
+  Ended chosen(const Task& task) const {
+    const Choice choice = choose(task, asked_.need, whole_truth_, counted_price);
+    if (!choice.chosen) return {"nothing holds"};
+    return {choice.chosen->model + ", " + choice.chosen->algorithm, choice.chosen->error,
+            choice.chosen->evaluations_per_frame};
+  }
+
+  Ended tried(const Task& task, const std::vector<double>& key, double setting) {
+    const Quantity& seen = *motion_at(task.parameters, key);
+    const Method* method = method_of(seen, asked_.model, asked_.algorithm);
+    if (!method) return {"no such method there"};
+    const Trial trial = run(seen, *method, setting);
+    return {std::string(name_of(trial.outcome)), trial.in_needs,
+            static_cast<double>(trial.answer.evaluations)};
+  }
+
+  std::shared_ptr<const Quantity> motion_at(const Parameters& parameters, const std::vector<double>& key) {
+    constexpr std::size_t most_kept = 256;
+    if (const auto known = motions_.find(key); known != motions_.end()) return known->second;
+    if (motions_.size() >= most_kept) motions_.clear();
+    return motions_[key] = std::make_shared<const Quantity>(motion_of(asked_, parameters, truth_));
+  }
+
+  const Asked asked_;
+  const Reference truth_, whole_truth_;
+  std::map<std::vector<double>, std::shared_ptr<const Quantity>> motions_;
+};
+
+// ---- how long it takes ------------------------------------------------------------------------------------
+
+double seconds_of(const std::function<void()>& work) {
+  const auto begun = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
+
+long tiles_of(int cells) { return (cells + tile_side - 1) / tile_side; }
+
+/// How long a tile at each height takes, and how long a column's truth does: by cells of a few columns, a row
+/// of tiles apart at most.
+struct Speed {
+  std::vector<double> tiles;  ///< s, from below
+  double truth = 0;           ///< s for a column; for a cell where no axis is the method's setting
+
+  Speed(const Asked& asked, const Reference& truth_source, int width, int height) {
+    const auto look = looks_at(asked, truth_source);
+    const bool shared = std::ranges::any_of(asked.axes, is_setting);
+    const long rows = tiles_of(height), probes = std::min<long>(rows, 8);
+    std::vector<double> at_probe;
+    for (long probe = 0; probe < probes; ++probe) {
+      const int y = probes == 1 ? height / 2 : static_cast<int>((height - 1) * probe / (probes - 1));
+      const int x = static_cast<int>((2 * probe + 1) * width / (2 * probes));
+      const double first = seconds_of([&] { look(x, y); });
+      const double again = seconds_of([&] { look(x, y); });  // its truth is there now
+      truth += std::max(0.0, first - again) / static_cast<double>(probes);
+      at_probe.push_back(shared ? again : first);
+    }
+    const double looked = asked.every_cell ? 1 : 0.03;
+    for (long row = 0; row < rows; ++row) {
+      const auto probe = static_cast<std::size_t>(rows == 1 ? 0 : row * (probes - 1) / (rows - 1));
+      const double cells = tile_side * std::min(height, tile_side);
+      tiles.push_back(at_probe[probe] * std::max(4.0, looked * cells));
+    }
+    truth *= shared ? (asked.every_cell ? 1 : 0.3) : 0;
+  }
+};
+
+void divide(Plan& plan, const Speed& speed, double seconds_a_chunk) {
+  const long columns = tiles_of(plan.width()), rows = tiles_of(plan.height());
+  double all = 0;
+  for (double tile : speed.tiles) all += tile;
+  const double column = all + tile_side * speed.truth;
+  const double most =
+      std::clamp(column * static_cast<double>(columns) / 64, std::min(1.0, seconds_a_chunk), seconds_a_chunk);
+  double seconds = 0;
+  plan.first_tile = {0};
+  for (long tile = 0; tile < columns * rows; ++tile) {
+    const bool enters = seconds == 0 || tile % rows == 0;  // a column, with truths to be found
+    seconds += speed.tiles[static_cast<std::size_t>(tile % rows)] + (enters ? tile_side * speed.truth : 0);
+    if (seconds < most && tile + 1 < columns * rows) continue;
+    plan.first_tile.push_back(tile + 1);
+    plan.seconds.push_back(seconds);
+    seconds = 0;
+  }
+}
+
+// ---- what may be asked ------------------------------------------------------------------------------------
+
+void require_axis(const Asked& asked, const Axis& axis, const Method* method) {
+  const std::string name = "the axis " + axis.name;
+  if (axis.count < 2) throw BadInput(name + " needs two cells or more");
+  if (axis.by_factor && !(axis.from > 0 && axis.to > 0))
+    throw BadInput(name + " goes by a factor, and needs ends above zero");
+  if (is_setting(axis)) {
+    if (!method || method->knob.name != axis.name)
+      throw BadInput(name + ": " +
+                     (method ? asked.algorithm + " has " +
+                                   (method->knob.name.empty() ? "no setting" : "a " + method->knob.name)
+                             : "what is chosen has a setting of its own"));
+    if (!(axis.from > 0 && axis.to > 0)) throw BadInput(name + " needs ends above zero");
+    return;
+  }
+  Task task = task_of(asked);
+  for (int cell = 0; cell < axis.count; ++cell) task.parameters.set(axis.name, axis.at(cell));
+}
+
+void require_sense(const Asked& asked) {
+  if (asked.axes.empty() || asked.axes.size() > 2) throw BadInput("a sweep is over one or two numbers");
+  if (asked.axes.size() == 2 && asked.axes[0].name == asked.axes[1].name)
+    throw BadInput("the axis " + asked.axes[0].name + " is given twice");
+  const Task task = task_of(asked);
+  const Quantity seen = motion_of(asked, task.parameters, Reference::nothing());
+  const Method* method = asked.algorithm.empty() ? nullptr : method_of(seen, asked.model, asked.algorithm);
+  if (!asked.algorithm.empty() && !method) {
+    std::string names;
+    for (const Method& m : seen.methods)
+      names += "\n  --model \"" + m.model + "\" --algorithm \"" + m.algorithm + "\"";
+    throw BadInput("exercise " + asked.exercise + " has no method \"" + asked.model + ", " + asked.algorithm +
+                   "\"; it has:" + names);
+  }
+  for (const Axis& axis : asked.axes) require_axis(asked, axis, method);
+  if (method && !method->knob.name.empty() && std::ranges::none_of(asked.axes, is_setting) &&
+      !(asked.setting > 0))
+    throw BadInput(asked.algorithm + " needs a " + method->knob.name + ": as an axis, or by --setting");
+}
+
+// ---- the file ---------------------------------------------------------------------------------------------
+
+std::string checksum_of_tables(const fs::path& tables) {
+  std::map<std::string, std::string> files;
+  for (const auto& file : fs::recursive_directory_iterator(tables / "tables")) {
+    std::ifstream in(file.path(), std::ios::binary);
+    files[file.path().filename().string()] = std::string(std::istreambuf_iterator<char>(in), {});
+  }
+  std::string all;
+  for (const auto& [name, text] : files) all += name + "\n" + text;
+  return checksum(all);
+}
+
+std::string fingerprint_of(const std::string& asked, const fs::path& tables) {
+  return "program " + checksum_of_program() + ", tables " + checksum_of_tables(tables) + ", asked " +
+         checksum(asked);
+}
+
+Json from(const Axis& axis) {
+  return {{"name", axis.name}, {"unit", axis.unit},   {"from", axis.from},
+          {"to", axis.to},     {"count", axis.count}, {"by_factor", axis.by_factor}};
+}
+
+Json from(const Asked& asked) {
+  Json json{{"exercise", asked.exercise}, {"parameters", Json::object()}};
+  for (const auto& [name, value] : asked.parameters) json["parameters"][name] = value;
+  json["model"] = asked.model;
+  json["algorithm"] = asked.algorithm;
+  json["setting"] = asked.setting;
+  json["error"] = asked.need.error;
+  json["errors"] = Json::object();
+  for (const auto& [unit, error] : asked.need.errors) json["errors"][unit] = error;
+  json["horizon"] = asked.need.horizon;
+  json["frames_per_second"] = asked.need.frames_per_second;
+  json["looks"] = asked.looks;
+  json["every_cell"] = asked.every_cell;
+  for (const Axis& axis : asked.axes) json["axes"].push_back(from(axis));
+  return json;
+}
+
+Asked asked_in(const Json& json) {
+  Asked asked;
+  asked.exercise = json.at("exercise");
+  for (const auto& [name, value] : json.at("parameters").items()) asked.parameters.emplace_back(name, value);
+  asked.model = json.at("model");
+  asked.algorithm = json.at("algorithm");
+  asked.setting = json.at("setting");
+  asked.need.error = json.at("error");
+  for (const auto& [unit, error] : json.at("errors").items()) asked.need.errors[unit] = error;
+  asked.need.horizon = json.at("horizon");
+  asked.need.frames_per_second = json.at("frames_per_second");
+  asked.need.objective = Objective::simple;
+  asked.looks = json.at("looks");
+  asked.every_cell = json.at("every_cell");
+  for (const Json& axis : json.at("axes"))
+    asked.axes.push_back({axis.at("name"), axis.at("unit"), axis.at("from"), axis.at("to"), axis.at("count"),
+                          axis.at("by_factor")});
+  return asked;
+}
+
+}  // namespace
+
+double Axis::at(int cell) const {
+  const double part = count < 2 ? 0 : static_cast<double>(cell) / (count - 1);
+  if (cell == count - 1) return to;
+  return by_factor ? from * std::pow(to / from, part) : from + (to - from) * part;
+}
+
+/// Column after column, each from below.
+Cells Plan::tile(long number) const {
+  const long rows = tiles_of(height());
+  const int x = static_cast<int>(number / rows) * tile_side, y = static_cast<int>(number % rows) * tile_side;
+  return {x, y, std::min(x + tile_side, width()) - 1, std::min(y + tile_side, height()) - 1};
+}
+
+Look looks_at(const Asked& asked, const Reference& truth) {
+  return [looks = std::make_shared<Looks>(asked, truth)](int x, int y) { return (*looks)(x, y); };
+}
+
+Plan planned(const Asked& asked, const Reference& truth, const fs::path& tables, double seconds_a_chunk) {
+  require_sense(asked);
+  Plan plan{asked, {}, {}, fingerprint_of(from(asked).dump(), tables)};
+  divide(plan, Speed(asked, truth, plan.width(), plan.height()), seconds_a_chunk);
+  return plan;
+}
+
+std::string to_json(const Asked& asked) { return from(asked).dump(); }
+
+std::string to_json(const Plan& plan) {
+  return Json{{"format", format},
+              {"fingerprint", plan.fingerprint},
+              {"asked", from(plan.asked)},
+              {"first_tile", plan.first_tile},
+              {"seconds", plan.seconds}}
+             .dump(1) +
+         "\n";
+}
+
+Plan read_plan(const fs::path& file, const fs::path& tables) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw BadInput("there is no plan " + file.string() + "; 'oddity sweep plan' makes one");
+  Plan plan;
+  try {
+    const Json json = Json::parse(in);
+    if (json.at("format") != format) throw std::runtime_error("of another format");
+    plan.asked = asked_in(json.at("asked"));
+    plan.first_tile = json.at("first_tile").get<std::vector<long>>();
+    plan.seconds = json.at("seconds").get<std::vector<double>>();
+    plan.fingerprint = json.at("fingerprint");
+    const bool whole = plan.first_tile.size() == plan.seconds.size() + 1 && !plan.seconds.empty() &&
+                       plan.first_tile.front() == 0 && std::ranges::is_sorted(plan.first_tile) &&
+                       plan.tiles() == tiles_of(plan.width()) * tiles_of(plan.height());
+    if (!whole) throw std::runtime_error("its chunks are not those of its cells");
+  } catch (const std::exception& error) {
+    throw BadInput(file.string() + " is no plan of a sweep: " + error.what());
+  }
+  if (const std::string here = fingerprint_of(from(plan.asked).dump(), tables); here != plan.fingerprint)
+    throw BadInput(file.string() +
+                   " is the plan of another program, of other tables or of another question: (" +
+                   plan.fingerprint + "), and here is (" + here + "); plan it anew");
+  require_sense(plan.asked);
+  return plan;
+}
+
+}  // namespace oddity::sweep
