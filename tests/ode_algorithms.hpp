@@ -43,8 +43,8 @@ constexpr bool multistep = requires {
 
 /// It begins with low order and few digits, which stay in the rest of the motion.
 template <class Algorithm>
-constexpr bool changes_order = Algorithm::kind == Kind::self_stepping && !HasPlain<Algorithm> &&
-                               !std::is_same_v<Algorithm, Taylor>;
+constexpr bool changes_order =
+    Algorithm::kind == Kind::self_stepping && !HasPlain<Algorithm> && !std::is_same_v<Algorithm, Taylor>;
 
 /// A setting that solves the problems of this folder well: a small step, or a small tolerance.
 template <class Algorithm>

@@ -173,15 +173,16 @@ engines::Staging staging(const Parameters& given) {
     return body;
   };
   const Vector down{0, -1, 0};
-  return {{.gravity = p.g * down,
-           .bodies = {falling(p.m2, p.y2, p.v2), falling(p.m3, p.y3, p.v3)},
-           .joints = {{.kind = Joint::slide, .axis = down, .wheel = p.inertia_over_square_1()},
-                      {.kind = Joint::slide, .a = 0, .b = 1, .axis = down, .wheel = p.inertia_over_square_2()}},
-           .ropes = {{{{0, 1}}, p.y2 + p.K1, p.c1, p.L1},
-                     {{{1, 1}, {0, -1}}, p.y3 - 2 * p.y2 + p.K2, p.c2, p.L2}}},
-          [](std::span<const State> seen, double) {
-            return std::vector{-seen[0].position[1], -seen[1].position[1]};
-          }};
+  return {
+      {.gravity = p.g * down,
+       .bodies = {falling(p.m2, p.y2, p.v2), falling(p.m3, p.y3, p.v3)},
+       .joints = {{.kind = Joint::slide, .axis = down, .wheel = p.inertia_over_square_1()},
+                  {.kind = Joint::slide, .a = 0, .b = 1, .axis = down, .wheel = p.inertia_over_square_2()}},
+       .ropes = {{{{0, 1}}, p.y2 + p.K1, p.c1, p.L1},
+                 {{{1, 1}, {0, -1}}, p.y3 - 2 * p.y2 + p.K2, p.c2, p.L2}}},
+      [](std::span<const State> seen, double) {
+        return std::vector{-seen[0].position[1], -seen[1].position[1]};
+      }};
 }
 
 Scene scene() {

@@ -66,7 +66,8 @@ inline double growth_of_links(int n, double g, double r, double step, int steps)
   constexpr double little = 1e-30;  // so small that sines are their angles and squares vanish
   const Numbers m(links, 1.0), lengths(links, r);
   Motion<Numbers> x{Numbers(links), Numbers(links)};
-  for (std::size_t k = 0; k < links; ++k) x.omega[k] = little * (k % 2 == 0 ? 1 : -1) * (1.0 + static_cast<double>(k % 3));
+  for (std::size_t k = 0; k < links; ++k)
+    x.omega[k] = little * (k % 2 == 0 ? 1 : -1) * (1.0 + static_cast<double>(k % 3));
   const auto size = [&] {
     double sum = 0;
     for (std::size_t k = 0; k < links; ++k)
