@@ -35,8 +35,7 @@ std::string of_one(double error, const std::string& unit) {
 
 std::string pictured(const std::vector<double>& errors, const std::vector<std::string>& units) {
   std::string text;
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    text += (i == 0 ? "" : ", ") + of_one(errors[i], units[i]);
+  for (std::size_t i = 0; i < errors.size(); ++i) text += (i == 0 ? "" : ", ") + of_one(errors[i], units[i]);
   return text;
 }
 
