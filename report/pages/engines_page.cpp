@@ -149,21 +149,23 @@ std::string scene_part(const EngineContest& c, const OwnByScene& own, const std:
 
 std::string introduction(const std::vector<EngineContest>& contests) {
   return "# Engines on trial\n\n"
-         "Other people's physics engines on scenes of the book, each set up once for all of them, judged at every "
-         "frame against the same references as oddity's own models. `./oddity engines --report` makes this page.\n\n"
-         "Of each engine stand its defaults, and below these the best of its variants where that is better; names "
-         "with * run behind WebAssembly, and their times are not those of native programs. *Enough from* is the "
-         "rate from which on every finer one holds. Where none does, it says why: *beyond* where the error still "
-         "falls; what is said of a variant's settings where another without these does better; rounding where "
-         "double does better, or finer steps err more. " +
+         "Other people's physics engines on scenes of the book, each set up once for all of them, judged at "
+         "every frame against the same references as oddity's own models. `./oddity engines --report` makes "
+         "this page.\n\n"
+         "Of each engine stand its defaults, and below these the best of its variants where that is better; "
+         "names with * run behind WebAssembly, and their times are not those of native programs. *Enough "
+         "from* is the rate from which on every finer one holds. Where none does, it says why: *beyond* "
+         "where the error still falls; what is said of a variant's settings where another without these "
+         "does better; rounding where double does better, or finer steps err more. " +
          not_explained(contests) +
-         " The *order* is of the error over the step in its asymptotic range, beside the one that the manual or the "
-         "integrator's name states; *least error* is the least of all rates tried, in parts of what is enough; "
-         "*energy* and *joints off* are at one step a frame; *a frame* is the time at the rate from which it is "
-         "enough, or at one step a frame; *costs* is that beside the model below the table. What is not of an "
-         "engine, the forces of turning axes and a gravity that is shaken, acts by its value at the beginning of "
-         "each step: there every engine is of first order. In the pictures what errs by less than a millionth of what "
-         "is enough stands at that, and engines that err alike share a curve.\n\n";
+         " The *order* is of the error over the step in its asymptotic range, beside the one that the "
+         "manual or the integrator's name states; *least error* is the least of all rates tried, in parts "
+         "of what is enough; *energy* and *joints off* are at one step a frame; *a frame* is the time at "
+         "the rate from which it is enough, or at one step a frame; *costs* is that beside the model below "
+         "the table. What is not of an engine, the forces of turning axes and a gravity that is shaken, "
+         "acts by its value at the beginning of each step: there every engine is of first order. In the "
+         "pictures what errs by less than a millionth of what is enough stands at that, and engines that "
+         "err alike share a curve.\n\n";
 }
 
 }  // namespace
@@ -172,8 +174,9 @@ std::string engines_page(const std::vector<EngineContest>& contests, const OwnBy
                          const std::vector<double>& rates, const std::vector<Surprise>& surprises) {
   std::string text =
       introduction(contests) +
-      "## All scenes\n\nThe steps a second from which the defaults are enough; *finer* where the error "
-      "still falls at the finest step, nothing where the engine has no such scene.\n\n" +
+      "## All scenes\n\n"
+      "The steps a second from which the defaults are enough; *finer* where the error still falls at the "
+      "finest step, nothing where the engine has no such scene.\n\n" +
       enough_table(contests) + "![How engines end](engines/map.svg)\n\nWhat replaces them:\n\n" +
       replaced_table(contests);
   for (const EngineContest& c : contests) text += scene_part(c, own, rates);

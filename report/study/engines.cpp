@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include "reference/bad_input.hpp"
-#include "reference/files.hpp"
-#include "reference/text.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/run_program.hpp"
 #include "solvers/engines/turns.hpp"
@@ -16,7 +13,6 @@
 namespace oddity {
 
 namespace fs = std::filesystem;
-using nlohmann::ordered_json;
 
 namespace {
 
@@ -38,7 +34,7 @@ EngineProgram about(std::vector<std::string> command) {
   words.push_back("--about");
   const Ended ended = run_program(words, "", std::chrono::seconds(30));
   if (!ended.ok) throw BadInput(command.back() + " --about: " + ended.how + " " + ended.words);
-  const auto json = ordered_json::parse(ended.output);
+  const auto json = nlohmann::json::parse(ended.output);
   EngineProgram engine{std::move(command),
                        json.at("name"),
                        json.at("version"),

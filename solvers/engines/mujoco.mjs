@@ -42,12 +42,15 @@ function hangers(world) {
 /// A slide's coordinate. A tendon's length of -1 would mean none given: here lengths are far from that.
 const slideAtStart = (body) => 100 * (1 + body);
 
-/// What a slide turns is its armature. A rod is two hinges across it at its one end and a ball joint at its other: it has no mass.
+/// What a slide turns is its armature. A rod is two hinges across it at its one end and a ball joint at its
+/// other: it has no mass.
 function joints({ kind, b, at, axis, end, wheel }, s) {
   const one = (type, at, axis, more = '') =>
-    `<joint type="${type}" ${more} pos="${numbers(pointIn(s, at))}" axis="${numbers(directionIn(s, axis))}"/>`;
+    `<joint type="${type}" ${more} pos="${numbers(pointIn(s, at))}"
+      axis="${numbers(directionIn(s, axis))}"/>`;
   if (kind === 'cylinder') return one('slide', at, axis) + one('hinge', at, axis);
-  if (kind === 'slide') return one(kind, at, axis, `name="${b}" ref="${slideAtStart(b)}" armature="${wheel}"`);
+  if (kind === 'slide')
+    return one(kind, at, axis, `name="${b}" ref="${slideAtStart(b)}" armature="${wheel}"`);
   if (kind !== 'rod') return one(kind, at, axis);
   const rod = unit(minus(end, at)), across = beside(rod);
   return one('hinge', at, across) + one('hinge', at, cross(rod, across)) + one('ball', end, rod);
@@ -82,7 +85,8 @@ function xml(world, options) {
   const ropes = world.ropes.map(({ parts, length, stiffness, rest }) => {
     const atStart = parts.reduce((sum, { body, factor }) => sum + factor * slideAtStart(body), 0);
     const slides = parts.map(({ body, factor }) => `<joint joint="${body}" coef="${factor}"/>`);
-    return `<fixed stiffness="${stiffness}" springlength="${rest - length + atStart}">${slides.join('')}</fixed>`;
+    return `<fixed stiffness="${stiffness}" springlength="${rest - length + atStart}">
+      ${slides.join('')}</fixed>`;
   });
   return `<mujoco><option ${options}/><worldbody>${isZero(world.floor) ? '' : floor}${on(ground)}</worldbody>
     <tendon>${springs.join('')}${ropes.join('')}</tendon></mujoco>`;

@@ -118,7 +118,8 @@ function restored(make, request) {
 function reply(about, make, request) {
   const reply = { frames: [], seconds: [], same_bits: true, restored: '', cannot: '' };
   try {
-    if (request.world.ropes.length > 0 && !about.ropes) throw new NotExpressible('no rope that turns its pulleys');
+    if (request.world.ropes.length > 0 && !about.ropes)
+      throw new NotExpressible('no rope that turns its pulleys');
     for (let i = 0; i < request.runs; ++i) {
       const run = new Run(make, request).toFrame(request.frames);
       reply.seconds.push(run.seconds);

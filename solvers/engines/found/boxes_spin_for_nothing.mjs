@@ -1,13 +1,14 @@
-// Jolt 1.1 and Rapier 0.21: a box that slides at 2 m/s and spins at 10 rad/s comes to rest as soon as one that
-// only slides, and turns as far as one that only spins. All friction acts in the middle of what touches, and a
-// moment beside it. With friction at its four corners it would go more than half as far again.
+// Jolt 1.1 and Rapier 0.21: a box that slides at 2 m/s and spins at 10 rad/s comes to rest as soon as one
+// that only slides, and turns as far as one that only spins. All friction acts in the middle of what touches,
+// and a moment beside it. With friction at its four corners it would go more than half as far again.
 //   node found/boxes_spin_for_nothing.mjs
 
 const zero = [0, 0, 0];
 const world = (speed, spin) => ({
   gravity: [0, 0, -9.81], floor: [0, 0, 1], friction: 0.3, restitution: 0, joints: [], springs: [],
   bodies: [{ mass: 1, inertia: [0.0135, 0.0301, 0.0433], shape: { kind: 'box', half: [0.3, 0.2, 0.02] },
-    start: { position: [0, 0, 0.02], orientation: [1, 0, 0, 0], velocity: [speed, 0, 0], spin: [0, 0, spin] } }],
+    start: { position: [0, 0, 0.02], orientation: [1, 0, 0, 0], velocity: [speed, 0, 0],
+      spin: [0, 0, spin] } }],
 });
 
 for (const [engine, variant] of [['jolt', 'nothing left out'], ['rapier', '16 substeps']]) {
