@@ -37,8 +37,8 @@ std::string checksum_of_program() {
 }
 
 std::string machine_and_program() {
-  static const std::string text =
-      processor() + " x " + std::to_string(std::thread::hardware_concurrency()) + ", program " + checksum_of_program();
+  static const std::string text = processor() + " x " + std::to_string(std::thread::hardware_concurrency()) +
+                                  ", program " + checksum_of_program();
   return text;
 }
 
