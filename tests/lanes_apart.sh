@@ -17,4 +17,8 @@ for object in "$build"/CMakeFiles/oddity_lanes.dir/lanes/Avx*_*.o; do
     exit 1
   fi
 done
+if [ "$found" = 0 ] && [ "$(uname -m)" = x86_64 ]; then
+  echo "lanes_apart: $build has no objects of lanes for AVX2 and AVX-512: build oddity_lanes first" >&2
+  exit 1
+fi
 echo "lanes_apart: $found objects share no inline function"
