@@ -229,6 +229,49 @@ TEST_CASE("a precision is asked for, and what is chosen in double is tried in fl
   CHECK(answer_text(choose_for(need)).find("in double only") != std::string::npos);
 }
 
+TEST_CASE("what fails at a higher cost than the chosen one's is not followed to finer settings", "[choose]") {
+  Need need = asked(5e-4, 10);
+  const auto steps_of = [](const Choice& choice) {
+    const auto stepping = std::ranges::find(choice.tried, "stepping", &Tried::model);
+    return stepping == choice.tried.end() ? 0 : std::lround(1 / (stepping->setting * 10));
+  };
+  const Choice left = choose_for(need);
+  CHECK(left.chosen->model == "rich");
+  CHECK(left.explanation.left == 1);
+  CHECK(steps_of(left) == 16);
+  need.exclude = {"coarse", "rich"};
+  const Choice followed = choose_for(need);
+  REQUIRE(followed.chosen);
+  CHECK(followed.explanation.left == 0);
+  CHECK(steps_of(followed) == 256);
+}
+
+TEST_CASE("what fails at a lower cost than the chosen one's is followed", "[choose]") {
+  const auto price = [](const Method& m, double setting) -> Time {
+    return {m.model == "stepping" ? 1e-9 / setting : 1, 0};
+  };
+  const Choice choice = choose_for(asked(5e-4, 10), 1, price);
+  REQUIRE(choice.chosen);
+  CHECK(choice.chosen->model == "stepping");
+}
+
+TEST_CASE("an answer explains what was tried and where its time went", "[choose]") {
+  const Choice choice = choose_for(asked(0.05, 10));
+  const Explanation& e = choice.explanation;
+  CHECK(e.starts == 6);
+  CHECK(e.methods == 4);
+  CHECK(e.rounds == 1);
+  CHECK(e.settings >= e.methods);
+  CHECK(e.timed >= 1);
+  CHECK(e.evaluations > 0);
+  CHECK(e.truth_by == "exact");
+  CHECK(e.truth_error == 1e-16 / 0.05);
+  const std::string text = explanation_text(choice);
+  CHECK(text.find("true motions: ") != std::string::npos);
+  CHECK(text.find("4 methods at ") != std::string::npos);
+  CHECK(choice_json(choice).find("\"explanation\"") != std::string::npos);
+}
+
 TEST_CASE("an answer that takes too long is no answer", "[choose]") {
   Need need = asked(0.05, 10);
   need.time_limit = 1e-9;

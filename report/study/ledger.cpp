@@ -8,6 +8,7 @@
 
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/in_long_double.hpp"
 #include "reference/text.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/tried.hpp"
@@ -166,7 +167,7 @@ class Along {
       : task_(task),
         scene_(*task.entry->exercise.scene),
         need_(need),
-        truth_(truth.to_digits(digits_for(need))),
+        truth_(truth),
         truest_(std::move(truest)),
         solvers_(solvers),
         lines_(lines(task, scene_)) {}
@@ -298,7 +299,8 @@ class Along {
   /// Not a number where the true motion takes more work to make than it is given.
   double by_reference(const std::string& model, const Parameter& p, double at) const {
     try {
-      return error(model, motion(p, at, truth_));
+      const Quantity seen = motion(p, at, truth_.to_digits(digits_in_long_double));
+      return error(model, is_known_well(seen) ? seen : motion(p, at, truth_.to_digits(digits_for(need_))));
     } catch (const BadInput&) {
       return std::numeric_limits<double>::quiet_NaN();
     }

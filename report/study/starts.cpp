@@ -17,9 +17,6 @@ namespace {
 
 constexpr double nearby = 0.1;
 
-/// The true motion's error is a millionth of the need at most, or it is made with all digits.
-constexpr double needless = 1e-6;
-
 std::vector<Start> known(std::span<std::optional<Start>> made) {
   std::vector<Start> all;
   for (auto& one : made)
@@ -28,6 +25,11 @@ std::vector<Start> known(std::span<std::optional<Start>> made) {
 }
 
 }  // namespace
+
+bool is_known_well(const Quantity& motion) {
+  constexpr double part = 1e-6;
+  return motion.reference_error <= part * *std::ranges::min_element(motion.needs);
+}
 
 int digits_for(const Need& need) {
   const double least = need.relative ? need.error : std::min(need.error_in("m"), need.error_in("rad"));
@@ -60,7 +62,7 @@ Quantity known_motion(const Scene& scene, const Parameters& p, const Horizon& ho
   };
   for (int digits : {digits_in_long_double, digits_for(need)}) {
     Quantity seen = made(truth.to_digits(digits));
-    if (seen.reference_error <= needless * seen.need.allowed) return seen;
+    if (is_known_well(seen)) return seen;
   }
   return made(truth);
 }

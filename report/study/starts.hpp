@@ -27,6 +27,9 @@ Need game_need();
 /// The need in each of the motion's units.
 std::vector<double> needs_of(const Need&, const Quantity& motion);
 
+/// The true motion's error is so far below the motion's needs that it decides nothing.
+bool is_known_well(const Quantity& motion);
+
 /// Digits with which a true motion's error is a millionth of the need, where errors grow by less than a
 /// millionfold.
 int digits_for(const Need&);
