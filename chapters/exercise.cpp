@@ -280,7 +280,7 @@ std::vector<double> Quantity::errors(const Value& value, const Value& truth) con
   if (norms.empty()) return {distance(value, truth)};
   const auto all = units();
   const std::size_t parts = truth.size() / static_cast<std::size_t>(samples);
-  if (value.size() != truth.size() || !finite(value) || !finite(truth))
+  if (value.size() != truth.size() || parts == 0 || !finite(value) || !finite(truth))
     return std::vector<double>(all.size(), std::numeric_limits<double>::quiet_NaN());
   std::vector<double> errors(all.size(), 0);
   for (std::size_t first = 0; first < truth.size(); first += parts)

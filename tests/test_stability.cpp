@@ -101,9 +101,9 @@ struct Watched : Silent {
 /// An error of `a` at the step 1: at the game's centimetre by its last bit.
 constexpr Parameter at_an_edge[] = {{"a", 0.01, "m", "error at a step of 1", 0.001, 0.1}};
 Quantity error_of_a(const Parameters& p, const Horizon&, const Reference&) {
-  Quantity q{"place", "m", "a place", {"zero", 0.0}, 0, {1e-6, "a micrometre"}};
+  Quantity q{"place", "m", "a place", {"zero", Value{0, 0, 0, 0}}, 0, {1e-6, "a micrometre"}};
   Method m = method([](double) { return false; });
-  m.run = [a = p["a"]](double step) { return Answer{a * step}; };
+  m.run = [a = p["a"]](double step) { return Answer{Value(std::vector(4, a * step))}; };
   return q.add(m);
 }
 const Entry edge{{3, 99},
