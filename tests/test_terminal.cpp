@@ -226,7 +226,8 @@ TEST_CASE("the completion knows the verbs, their options and the exercises", "[t
                  words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _oddity; echo ${COMPREPLY[*]}'")
         .output;
   };
-  CHECK(completed("\"\"") == "list verify solve chart stability choose bench engines sweep report site new help\n");
+  CHECK(completed("\"\"") ==
+        "list verify solve chart stability choose bench engines sweep report site new help\n");
   CHECK(completed("solve --") == "--help --json --csv\n");
   CHECK(completed("solve 3.3") == "3.3 3.31 3.33 3.35\n");
 }

@@ -145,7 +145,7 @@ std::string cannot_text(const EngineContest& contest) {
 }
 
 std::string need_text(const EngineContest& contest) {
-  return "WorstSample error over " + rounded(contest.horizon, 6) + " s at every frame; enough is " +
+  return "Worst error over " + rounded(contest.horizon, 6) + " s at every frame; enough is " +
          pictured(contest.needs, contest.units) + ".";
 }
 

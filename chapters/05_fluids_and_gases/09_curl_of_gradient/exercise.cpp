@@ -222,13 +222,12 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 Exercise exercise_5_9() {
   using namespace ex05_09;
-  return {
-      "Curl of a gradient",
-      "Show that $\\nabla\\times\\nabla\\varphi = 0$. Below $\\varphi_{,12}$ is the derivative of "
-      "$\\varphi$ by $x_1$, then by $x_2$.",
-      field_parameters,
-      {},
-      study};
+  return {"Curl of a gradient",
+          "Show that $\\nabla\\times\\nabla\\varphi = 0$. Below $\\varphi_{,12}$ is the derivative of "
+          "$\\varphi$ by $x_1$, then by $x_2$.",
+          field_parameters,
+          {},
+          study};
 }
 
 }  // namespace oddity
