@@ -28,6 +28,7 @@ if(NOT ODDITY_MPI STREQUAL OFF)
 endif()
 if(MPI_C_FOUND)
   message(STATUS "MPI ${MPI_C_VERSION}: sweeps are dealt out under mpirun")
+  include(GNUInstallDirs)
   add_library(oddity_mpi MODULE report/sweep/mpi/deal.cpp)
   target_link_libraries(oddity_mpi PRIVATE oddity_options MPI::MPI_C)
   target_compile_definitions(oddity_mpi PRIVATE OMPI_SKIP_MPICXX)  # its bindings for C++, which are no more
