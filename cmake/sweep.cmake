@@ -1,14 +1,8 @@
 # What sweeps are the better for, and can do without: HDF5 for merged maps; and MPI, which is known to a library beside
 # the program that is loaded under mpirun alone.
 
-if(NOT ODDITY_HDF5 STREQUAL OFF)
-  enable_language(C)
-  if(ODDITY_HDF5 STREQUAL AUTO)
-    find_package(HDF5 QUIET COMPONENTS C)
-  else()
-    find_package(HDF5 REQUIRED COMPONENTS C)
-  endif()
-endif()
+enable_language(C)  # which both are looked for with
+find_optional(ODDITY_HDF5 HDF5 COMPONENTS C)
 if(HDF5_FOUND)
   message(STATUS "HDF5 ${HDF5_VERSION}: sweeps are merged into its files")
   set_property(SOURCE report/sweep/hdf5.cpp APPEND PROPERTY COMPILE_DEFINITIONS ODDITY_HDF5)
@@ -19,13 +13,7 @@ else()
   message(STATUS "HDF5 not used: sweeps are merged into CSV")
 endif()
 
-if(NOT ODDITY_MPI STREQUAL OFF)
-  if(ODDITY_MPI STREQUAL AUTO)
-    find_package(MPI QUIET COMPONENTS C)
-  else()
-    find_package(MPI REQUIRED COMPONENTS C)
-  endif()
-endif()
+find_optional(ODDITY_MPI MPI COMPONENTS C)
 if(MPI_C_FOUND)
   message(STATUS "MPI ${MPI_C_VERSION}: sweeps are dealt out under mpirun")
   include(GNUInstallDirs)

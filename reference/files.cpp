@@ -80,9 +80,13 @@ std::string checksum(std::string_view text) {
   return hex.str();
 }
 
+void write_sealed(const fs::path& file, const std::string& text) {
+  write_whole(file, text + checksum(text) + "\n");
+}
+
 void keep_sealed(const fs::path& file, const std::string& text) {
   try {
-    write_whole(file, text + checksum(text) + "\n");
+    write_sealed(file, text);
   } catch (const BadInput&) {  // it will be made again
   }
 }

@@ -37,10 +37,11 @@ void require_writable_folder(const std::filesystem::path& folder);
 /// Writes the whole file or none of it. Throws BadInput when it cannot be written.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
-/// Of a text, for files that this machine alone reads again.
+/// Of a text, for files that this program alone reads again.
 std::string checksum(std::string_view text);
-/// Writes the text's lines and, in one more, their checksum. Where the file cannot be written nothing is
-/// kept.
+/// Writes the text's lines and, in one more, their checksum. Throws BadInput when it cannot be written.
+void write_sealed(const std::filesystem::path& file, const std::string& text);
+/// The same, of what can be made again: where the file cannot be written nothing is kept.
 void keep_sealed(const std::filesystem::path& file, const std::string& text);
 /// What was kept in the file; nothing when it is not there, or is not what was written.
 std::optional<std::string> read_sealed(const std::filesystem::path& file);

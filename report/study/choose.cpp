@@ -323,11 +323,23 @@ class Search {
 
   /// What comes nearest to a need that nothing meets: within the budget the smallest error, but what holds
   /// and costs too much comes first.
-  std::optional<Tried> miss() const {
-    const std::vector<Tried> all = all_tried();
+  static std::optional<Tried> miss(const std::vector<Tried>& all) {
     if (auto held = least(all, [](const Tried& t) { return t.holds(); })) return held;
     const auto nearest = std::ranges::min_element(all, {}, &Tried::error);
     return nearest == all.end() ? std::nullopt : std::optional(*nearest);
+  }
+
+  /// What does not hold was left at the first start on which it failed: its error is that of all.
+  void judge_failure(Tried& tried) const {
+    if (tried.holds()) return;
+    const Tried whole = oddity::attempt(seen_, method(tried), tried.setting, need_);
+    tried.error = whole.error;
+    tried.errors = whole.errors;
+    tried.outcome = whole.outcome;
+    tried.where = whole.where;
+  }
+  void judge_failures(std::vector<Tried>& rows) const {
+    parallel_for_each(rows, [this](Tried& tried) { judge_failure(tried); });
   }
 
   /// Of the first model that an engine's step fits: semi-implicit Euler at 60, 120 and 240 Hz.
@@ -426,11 +438,12 @@ class Search {
     std::ranges::stable_sort(choice.tried, {}, [](const Tried& t) {
       return std::isnan(t.seconds_per_frame) ? std::numeric_limits<double>::infinity() : t.seconds_per_frame;
     });
+    judge_failures(choice.tried);
     choice.engine = engine();
     choice.predictable = predictable();
     choice.explanation = explanation();
     if (!chosen) {
-      choice.nearest_miss = miss();
+      choice.nearest_miss = miss(choice.tried);
       return choice;
     }
     choice.ties = ties_;
@@ -440,6 +453,7 @@ class Search {
       if (!tried.holds() && came_to_an_end(tried) && tried.seconds_per_frame < chosen->seconds_per_frame &&
           (!choice.next_cheaper || tried.seconds_per_frame > choice.next_cheaper->seconds_per_frame))
         choice.next_cheaper = tried;
+    if (choice.next_cheaper) judge_failure(*choice.next_cheaper);
     choice.next_richer = least(choice.tried, [&](const Tried& t) {
       return t.holds() && t.model != chosen->model && t.seconds_per_frame > chosen->seconds_per_frame &&
              !same_cost(t, *chosen);

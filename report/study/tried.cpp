@@ -91,7 +91,8 @@ std::vector<double> settings(const Method& method, const Need& need) {
   return all;
 }
 
-Tried attempt(const std::vector<Start>& starts, const Method& method, double setting, const Need& need) {
+Tried attempt(const std::vector<Start>& starts, const Method& method, double setting, const Need& need,
+              Over over) {
   Tried tried{method.model, method.algorithm, method.knob.name, setting};
   tried.constrained = static_cast<bool>(method.off_constraint);
   tried.precision = method.precision;
@@ -104,15 +105,15 @@ Tried attempt(const std::vector<Start>& starts, const Method& method, double set
       tried.evaluations_per_frame = static_cast<double>(trial.answer.evaluations) / need.frames();
     const std::vector<double> errors = as_far_as_known(start.motion, trial);
     const double error = here ? judged(start.motion, *here, trial, errors, need) : unbounded;
+    if (!(error <= 1) && (tried.holds() || error > tried.error)) {
+      tried.outcome = failure(trial);
+      tried.where = start.says;
+    }
     tried.error = std::max(tried.error, error);
     tried.errors.resize(start.motion.units().size(), 0);
     for (std::size_t i = 0; i < errors.size(); ++i)
       tried.errors[i] = std::isfinite(errors[i]) ? std::max(tried.errors[i], errors[i]) : unbounded;
-    if (!(error <= 1)) {
-      tried.outcome = failure(trial);
-      tried.where = start.says;
-      break;
-    }
+    if (!tried.holds() && over == Over::until_one_fails) break;
   }
   return tried;
 }

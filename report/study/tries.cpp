@@ -27,7 +27,7 @@ void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, con
                   const std::function<void()>& check) {
   while (!is_over_ && expected_evaluations() <= most_evaluations) {
     check();
-    tried.push_back(attempt(starts, *method_, left_.back(), need));
+    tried.push_back(attempt(starts, *method_, left_.back(), need, Over::until_one_fails));
     left_.pop_back();
     is_over_ = left_.empty() || holds_with_margin(tried.back(), need) || hopeless(tried.back());
   }

@@ -104,7 +104,7 @@ std::vector<Tile> worked_out(const Plan& plan, std::size_t chunk, const Look& lo
 void keep(const fs::path& folder, const Plan& plan, std::size_t chunk, const std::vector<Tile>& tiles) {
   std::string text = head_of(plan, chunk);
   for (const Tile& tile : tiles) add(text, tile);
-  write_whole(chunk_file(folder, chunk), text + checksum(text) + "\n");
+  write_sealed(chunk_file(folder, chunk), text);
 }
 
 std::optional<std::vector<Tile>> kept(const fs::path& folder, const Plan& plan, std::size_t chunk) {
