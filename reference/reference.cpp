@@ -24,7 +24,7 @@ namespace {
 /// The columns of a table: its inputs, then these.
 std::vector<std::string> columns_of(const truth::Truth& truth) {
   std::vector<std::string> columns = truth.inputs;
-  for (const char* column : {"component", "value", "error", "unit"}) columns.emplace_back(column);
+  for (const char* column : {"component", "value", "error", "bound", "unit"}) columns.emplace_back(column);
   return columns;
 }
 
@@ -54,6 +54,8 @@ std::map<std::vector<double>, Known> read(const fs::path& file, const truth::Tru
     if (!std::ranges::all_of(inputs, [](double x) { return std::isfinite(x); }) || !std::isfinite(value) ||
         !std::isfinite(error) || !(error > 0))
       throw BadInput(row.place + ": inputs and value must be finite, error finite and positive");
+    if (const std::string& bound = row.cells[n + 3]; bound != "enclosure" && bound != "agreement")
+      throw BadInput(row.place + ": the error is bounded by an enclosure or by agreement, not by " + bound);
     Known& known = rows[inputs];
     if (known.value.size() == truth.components.size())
       throw BadInput(row.place + ": a second row for these inputs");

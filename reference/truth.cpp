@@ -7,20 +7,18 @@
 
 namespace oddity::truth {
 
-namespace {
-
-/// The smallest power of ten that is not below x.
 Number power_of_ten_above(const Number& x) {
   if (x == 0) return 0;
   return pow(Number(10), ceil(log10(x)));
 }
 
-/// The largest component; 1 where all vanish but for the working precision, and give no scale.
 Number size_of(const Numbers& value) {
   Number size = 0;
   for (const Number& x : value) size = std::max<Number>(size, abs(x));
   return size < pow(Number(10), 12 - static_cast<int>(working_digits)) ? Number(1) : size;
 }
+
+namespace {
 
 /// Both routes at the same inputs: raises `error` to their disagreement, and to what so many digits leave
 /// open of the largest component.

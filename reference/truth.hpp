@@ -1,12 +1,15 @@
 #pragma once
 
-#ifdef ODDITY_LONG_DOUBLE
+#if defined(ODDITY_LONG_DOUBLE)
 #include <cmath>
 #include <limits>
+#elif defined(ODDITY_BALLS)
+#include "reference/enclosures/ball.hpp"
 #else
 #include <boost/multiprecision/mpfr.hpp>
 #endif
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,15 +17,19 @@
 
 /// How the reference tables are made. One file of reference/make makes one table of the same name.
 ///
-/// The makers of motions are compiled twice: with 60 digits, and in long double under another name than
-/// `truth` (reference/in_long_double.hpp).
+/// The makers are compiled with 60 digits; in balls where Arb is installed
+/// (reference/enclosures/enclose.hpp); and those of motions in long double (reference/in_long_double.hpp);
+/// each under a name of its own for `truth`.
 namespace oddity::truth {
 
-#ifdef ODDITY_LONG_DOUBLE
+#if defined(ODDITY_LONG_DOUBLE)
 using Number = long double;
 constexpr unsigned working_digits = std::numeric_limits<Number>::digits10;
 using std::abs, std::acos, std::asin, std::atan2, std::ceil, std::cos, std::cosh, std::exp, std::isfinite,
-    std::ldexp, std::log, std::log10, std::pow, std::round, std::sin, std::sinh, std::sqrt;
+    std::fmin, std::ldexp, std::log, std::log10, std::pow, std::round, std::sin, std::sinh, std::sqrt;
+#elif defined(ODDITY_BALLS)
+using Number = Ball;
+constexpr unsigned working_digits = 60;
 #else
 constexpr unsigned working_digits = 60;
 /// On the stack: to allocate a number on the heap takes as long as to multiply two.
@@ -59,7 +66,8 @@ struct Component {
   std::string unit;
 };
 
-/// What one table holds and how it is made: two routes that share nothing.
+/// What one table holds and how it is made: two routes that share nothing, and how the value is enclosed, of
+/// which only what is proved of every number in its balls may be part.
 struct Truth {
   std::string quantity;  ///< one sentence
   std::string formula;
@@ -70,6 +78,8 @@ struct Truth {
   Route first;
   std::string second_route;
   Route second;
+  std::string enclosure = {};  ///< by what; empty: not at all
+  Route enclosed = {};
 };
 
 /// A table's maker. `home` is the folder outside the tree that it is from, which has the tree's folders in
@@ -101,10 +111,19 @@ using Tick = std::function<void()>;
 Made make_motion(const Truth&, const std::vector<double>& inputs_but_time, const std::vector<double>& times,
                  int digits, std::size_t compared, const Tick& tick = {});
 
+/// The smallest power of ten that is not below x.
+Number power_of_ten_above(const Number& x);
+/// The largest component; 1 where all vanish but for the working precision, and give no scale.
+Number size_of(const Numbers& value);
+
 /// The table's provenance and the line that names its columns.
 std::string heading(const std::string& name, const Truth&);
+/// Bounds on the distance of decimals from the exact components at the inputs; none where they are not
+/// enclosed.
+using Distances = std::function<std::optional<std::vector<double>>(const std::vector<double>& inputs,
+                                                                   const std::vector<std::string>& decimals)>;
 /// The whole table as CSV text.
-std::string table(const std::string& name, const Truth&);
+std::string table(const std::string& name, const Truth&, const Distances& = {});
 
 /// Digits asked of both routes for a table, and for a value made on the spot.
 constexpr int table_digits = 42;

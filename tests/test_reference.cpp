@@ -36,7 +36,7 @@ std::string complaint_of(const std::string& table, const std::string& text) {
 }
 
 constexpr const char* quarter = "03_05_quarter_period";
-const std::string header = "# a comment\n\na,component,value,error,unit\n";
+const std::string header = "# a comment\n\na,component,value,error,bound,unit\n";
 
 }  // namespace
 
@@ -46,7 +46,7 @@ TEST_CASE("a table is read around its comments and empty lines", "[reference]") 
   const ScratchFolder folder;
   fs::copy(tables, folder.path(), fs::copy_options::recursive);
   folder.file("tables/" + std::string(quarter) + ".csv",
-              header + "0.5,I,2.25,1e-20,1\n# in between\n\n0.75,I,+2.5,1e-20,1\n");
+              header + "0.5,I,2.25,1e-20,enclosure,1\n# in between\n\n0.75,I,+2.5,1e-20,agreement,1\n");
   const Reference read(folder.path());
   CHECK(read(quarter, {0.5}).value == std::vector{2.25});
   CHECK(read(quarter, {0.75}).value == std::vector{2.5});
@@ -64,28 +64,31 @@ TEST_CASE("a missing table names its file", "[reference]") {
 TEST_CASE("a broken line names file and line, and what would be right", "[reference]") {
   const auto said = [](const std::string& text) { return complaint_of(quarter, text); };
   const std::string file = "03_05_quarter_period.csv";
-  CHECK(said("a,value\n1,2\n") == file + ":1: the columns must be a,component,value,error,unit");
-  CHECK(said("b,component,value,error,unit\n1,I,2,1e-9,1\n") ==
-        file + ":1: the columns must be a,component,value,error,unit");
-  CHECK(said(header + "0.5,I,2.25,1e-20\n") == file + ":4: 4 cells where the header has 5");
-  CHECK(said(header + "0.5,I,2.25,1e-9,1\n\n0.5,I,2.25,1e-9,1,1\n") ==
-        file + ":6: 6 cells where the header has 5");
-  CHECK(said(header + "half,I,2.25,1e-9,1\n") == file + ":4: 'half' in column 1 is not a number");
-  CHECK(said(header + "0.5,I,2.25 ,1e-9,1\n") == file + ":4: '2.25 ' in column 3 is not a number");
-  CHECK(said(header + "0.5,I,,1e-9,1\n") == file + ":4: '' in column 3 is not a number");
-  CHECK(said(header + "0.5,J,2.25,1e-9,1\n") == file + ":4: component J where I must be");
-  CHECK(said(header + "0.5,I,2.25,1e-9,1\n0.5,I,2.25,1e-9,1\n") ==
+  CHECK(said("a,value\n1,2\n") == file + ":1: the columns must be a,component,value,error,bound,unit");
+  CHECK(said("b,component,value,error,bound,unit\n1,I,2,1e-9,agreement,1\n") ==
+        file + ":1: the columns must be a,component,value,error,bound,unit");
+  CHECK(said(header + "0.5,I,2.25,1e-20\n") == file + ":4: 4 cells where the header has 6");
+  CHECK(said(header + "0.5,I,2.25,1e-9,agreement,1\n\n0.5,I,2.25,1e-9,agreement,1,1\n") ==
+        file + ":6: 7 cells where the header has 6");
+  CHECK(said(header + "half,I,2.25,1e-9,agreement,1\n") == file + ":4: 'half' in column 1 is not a number");
+  CHECK(said(header + "0.5,I,2.25 ,1e-9,agreement,1\n") == file + ":4: '2.25 ' in column 3 is not a number");
+  CHECK(said(header + "0.5,I,,1e-9,agreement,1\n") == file + ":4: '' in column 3 is not a number");
+  CHECK(said(header + "0.5,J,2.25,1e-9,agreement,1\n") == file + ":4: component J where I must be");
+  CHECK(said(header + "0.5,I,2.25,1e-9,agreement,1\n0.5,I,2.25,1e-9,agreement,1\n") ==
         file + ":5: a second row for these inputs");
+  CHECK(said(header + "0.5,I,2.25,1e-9,guess,1\n") ==
+        file + ":4: the error is bounded by an enclosure or by agreement, not by guess");
   const std::string quote = file + ":4: not a line of CSV: ";
-  CHECK(said(header + "0.5,\"I,2.25,1e-9,1\n") == quote + "a quotation mark is not closed");
-  CHECK(said(header + "0.5,I\\x,2.25,1e-9,1\n").find(quote) == 0);
+  CHECK(said(header + "0.5,\"I,2.25,1e-9,agreement,1\n") == quote + "a quotation mark is not closed");
+  CHECK(said(header + "0.5,I\\x,2.25,1e-9,agreement,1\n").find(quote) == 0);
 }
 
 TEST_CASE("a number that is none, or a negative error, names file and line", "[reference]") {
   const std::string complaint =
       "03_05_quarter_period.csv:4: inputs and value must be finite, error finite and positive";
-  for (const char* row : {"0.5,I,2,0,1", "0.5,I,nan,1e-9,1", "0.5,I,inf,1e-9,1", "nan,I,2,1e-9,1",
-                          "inf,I,2,1e-9,1", "0.5,I,2,-1e-9,1", "0.5,I,2,nan,1", "0.5,I,2,inf,1"})
+  for (const char* row : {"0.5,I,2,0,agreement,1", "0.5,I,nan,1e-9,agreement,1", "0.5,I,inf,1e-9,agreement,1",
+                          "nan,I,2,1e-9,agreement,1", "inf,I,2,1e-9,agreement,1", "0.5,I,2,-1e-9,agreement,1",
+                          "0.5,I,2,nan,agreement,1", "0.5,I,2,inf,agreement,1"})
     CHECK(complaint_of(quarter, header + row + "\n") == complaint);
 }
 

@@ -86,8 +86,25 @@ TEST_CASE("a table's text is its provenance, its header and its rows", "[referen
         "# second route: second\n"
         "# error: bounds the disagreement of the two routes, rounded up to a power of ten\n"
         "# inputs: the double nearest to the decimal shown, taken as exact\n"
-        "x,component,value,error,unit\n"
-        "1,x,0.3333333333333333333333333333333333333333,1e-42,1\n");
+        "x,component,value,error,bound,unit\n"
+        "1,x,0.3333333333333333333333333333333333333333,1e-42,agreement,1\n");
+}
+
+TEST_CASE("a table's errors are distances from an enclosure where there is one", "[reference]") {
+  truth::Truth third = two_routes(gives(truth::Number(1) / 3), gives(truth::Number(1) / 3));
+  third.enclosure = "a third";
+  third.enclosed = third.first;
+  const std::string text = truth::table(
+      "00_00_test", third, [](const std::vector<double>&, const std::vector<std::string>& decimals) {
+        CHECK(decimals == std::vector<std::string>{"0.3333333333333333333333333333333333333333"});
+        return std::optional(std::vector{3.4e-41});
+      });
+  CHECK(
+      text.find(
+          "# enclosure: a third, in balls (Arb)\n"
+          "# error: bounds the distance from all numbers in the enclosure, rounded up to a power of ten\n") !=
+      std::string::npos);
+  CHECK(text.ends_with("\n1,x,0.3333333333333333333333333333333333333333,1e-40,enclosure,1\n"));
 }
 
 TEST_CASE("a row made on the spot agrees with the table's", "[reference]") {
@@ -114,7 +131,7 @@ constexpr int digits_again = 18;
 
 struct TableText {
   std::string heading;
-  std::vector<std::vector<std::string>> rows;  ///< inputs, component, value, error, unit
+  std::vector<std::vector<std::string>> rows;  ///< inputs, component, value, error, bound, unit
 };
 
 TableText parsed(std::istream& in) {
@@ -167,7 +184,7 @@ std::vector<MadeAgain> all_made_again() {
 void compare(const std::vector<std::string>& stored, const MadeAgain& again, std::size_t row,
              std::size_t component) {
   const auto& inputs = again.truth.rows[row];
-  REQUIRE(stored.size() == inputs.size() + 4);
+  REQUIRE(stored.size() == inputs.size() + 5);
   for (std::size_t i = 0; i < inputs.size(); ++i) CHECK(stored[i] == shortest(inputs[i]));
   CHECK(stored[inputs.size()] == again.truth.components[component].name);
   CHECK(stored.back() == again.truth.components[component].unit);

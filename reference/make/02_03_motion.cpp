@@ -53,7 +53,9 @@ Truth truth_02_03_motion() {
       "spherical coordinates with theta = t, phi = arccot(t)",
       by_angles,
       "central differences of the position, extrapolated, and the chord to the pole",
-      by_positions};
+      by_positions,
+      "the first route",
+      by_angles};
 }
 
 }  // namespace oddity::truth

@@ -51,7 +51,9 @@ Truth truth_02_05_angular_velocity() {
       "2 q' q* of the unit quaternion",
       by_quaternion,
       "the skew part of R(t + h) R(t - h)^T / 2h, extrapolated",
-      by_matrices};
+      by_matrices,
+      "the first route",
+      by_quaternion};
 }
 
 }  // namespace oddity::truth

@@ -34,7 +34,9 @@ Truth truth_02_07_angular_velocity() {
           "latitude and longitude of r and their rates",
           by_angles,
           "the skew part of R(t + h) R(t - h)^T / 2h, extrapolated, R from positions",
-          by_positions};
+          by_positions,
+          "the first route",
+          by_angles};
 }
 
 }  // namespace oddity::truth

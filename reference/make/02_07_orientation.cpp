@@ -34,7 +34,9 @@ Truth truth_02_07_orientation() {
           "latitude and longitude of r and their rates",
           by_angles,
           "central differences of the position, extrapolated",
-          by_positions};
+          by_positions,
+          "the first route",
+          by_angles};
 }
 
 }  // namespace oddity::truth

@@ -56,7 +56,9 @@ Truth truth_02_11_rotated_normal() {
           "Rodrigues' formula, applied to a x b",
           by_rodrigues,
           "two reflections, applied to a and b",
-          by_reflections};
+          by_reflections,
+          "the first route",
+          by_rodrigues};
 }
 
 }  // namespace oddity::truth

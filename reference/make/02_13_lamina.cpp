@@ -58,7 +58,9 @@ Truth truth_02_13_lamina() {
           "columns: polynomials in x",
           by_columns,
           "rows: double-exponential quadrature over y",
-          by_rows};
+          by_rows,
+          "the first route",
+          by_columns};
 }
 
 }  // namespace oddity::truth

@@ -62,7 +62,9 @@ Truth truth_02_15_tetrahedron() {
       "vertices and center of mass",
       by_vertices,
       "slices: double-exponential quadrature over the height",
-      by_slices};
+      by_slices,
+      "the first route",
+      by_vertices};
 }
 
 }  // namespace oddity::truth

@@ -39,7 +39,9 @@ Truth truth_02_17_work() {
           "antiderivatives in sine and cosine",
           by_antiderivative,
           "double-exponential quadrature of the power, piece by piece",
-          by_quadrature};
+          by_quadrature,
+          "the first route",
+          by_antiderivative};
 }
 
 }  // namespace oddity::truth

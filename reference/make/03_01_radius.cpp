@@ -49,7 +49,9 @@ Truth truth_03_01_radius() {
       "polar equation",
       by_polar_equation,
       "bisection along the ray for x^2 + y^2 = (p - e x)^2",
-      by_bisection};
+      by_bisection,
+      "the first route",
+      by_polar_equation};
 }
 
 }  // namespace oddity::truth

@@ -14,7 +14,7 @@ Numbers by_bisection(const std::vector<double>& in, int digits) {
     const Number middle = (low + high) / 2;
     (middle - e * sin(middle) < M ? low : high) = middle;
   }
-  return {(low + high) / 2};
+  return {between(low, high)};
 }
 
 Numbers by_taylor(const std::vector<double>& in, int digits) {
@@ -35,7 +35,9 @@ Truth truth_03_03_eccentric_anomaly() {
           "bisection",
           by_bisection,
           "Taylor series of dE/dM = 1/(1 - e cos E) from M = pi",
-          by_taylor};
+          by_taylor,
+          "the first route, each sign proved",
+          by_bisection};
 }
 
 }  // namespace oddity::truth

@@ -67,7 +67,9 @@ Truth truth_03_03_orbit() {
           "Kepler's equation in universal variables, by bisection",
           by_kepler,
           "Taylor series of the Cartesian equation of motion, whole periods left out",
-          by_taylor};
+          by_taylor,
+          "the first route, each sign proved and the rest of each series bounded",
+          by_kepler};
 }
 
 }  // namespace oddity::truth

@@ -47,7 +47,9 @@ Truth truth_03_03_period() {
           "semi-major axis from the energy",
           by_kepler,
           "integral of the time over a turn, dt = d theta/(h u^2), by the trapezoidal rule",
-          by_turn};
+          by_turn,
+          "the first route",
+          by_kepler};
 }
 
 }  // namespace oddity::truth

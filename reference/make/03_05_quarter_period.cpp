@@ -36,7 +36,9 @@ Truth truth_03_05_quarter_period() {
           "sqrt(2) K(k) by the arithmetic-geometric mean",
           by_agm,
           "double-exponential quadrature of the singular integrand from its end",
-          by_quadrature};
+          by_quadrature,
+          "the first route",
+          by_agm};
 }
 
 }  // namespace oddity::truth

@@ -37,6 +37,12 @@ Numbers by_taylor(const std::vector<double>& in, int digits) {
   throw std::runtime_error("Newton's method does not find the bead at the origin");
 }
 
+Numbers by_time(const std::vector<double>& in, Precision digits) {
+  const Number q0 = in[0], g = in[1];
+  const auto rhs = [&](const auto&, const auto& u) { return std::vector{seconds_per_u(q0, g, u)}; };
+  return solve_taylor(rhs, {Number(0)}, 0, 1, digits + 4);
+}
+
 }  // namespace arrival_03_07
 
 Truth truth_03_07_arrival() {
@@ -53,7 +59,9 @@ Truth truth_03_07_arrival() {
       "double-exponential quadrature of the singular integrand from its end",
       by_quadrature,
       "Newton's method, kept in a bracket, on Taylor series of the Cartesian equations with two multipliers",
-      by_taylor};
+      by_taylor,
+      "Taylor series of the time over u, q = q0 (1 - u^2), their remainders bounded",
+      by_time};
 }
 
 }  // namespace oddity::truth

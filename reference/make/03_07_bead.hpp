@@ -18,15 +18,16 @@ struct HeldBead {
     const T x2 = x * x, x3 = x2 * x, x4 = x2 * x2, v2 = v * v;
     const T r1 = Number(2) * v2, r2 = Number(6) * x * v2 + g;
     const T g11 = Number(4) * x2 + Number(1), g12 = Number(6) * x3, g22 = Number(9) * x4 + Number(1);
-    const T determinant = g11 * g22 - g12 * g12;
+    const T determinant = Number(9) * x4 + Number(4) * x2 + Number(1);  // g11 g22 - g12^2
     const T m1 = (g22 * r1 - g12 * r2) / determinant, m2 = (g11 * r2 - g12 * r1) / determinant;
     return {s[3], s[4], s[5], -(Number(2) * x * m1) - Number(3) * x2 * m2, m1, m2 - g};
   }
 };
 
 /// dt/du on the energy's level, q = q0 (1 - u^2): smooth where the bead starts.
-inline Number seconds_per_u(const Number& q0, const Number& g, const Number& u) {
-  const Number q = q0 * (1 - u * u);
+template <class T>
+T seconds_per_u(const Number& q0, const Number& g, const T& u) {
+  const T q = q0 * (1 - u * u);
   return 2 * sqrt(q0) * sqrt((1 + 4 * q * q + 9 * q * q * q * q) / (2 * g * (q0 * q0 + q0 * q + q * q)));
 }
 

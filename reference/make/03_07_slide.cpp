@@ -37,7 +37,9 @@ Truth truth_03_07_slide() {
           "Taylor series of the Cartesian equations with two multipliers",
           by_taylor,
           "extrapolated midpoint rule on the energy's first-order equation in u, q = q0 (1 - u^2)",
-          by_energy};
+          by_energy,
+          "the first route, the remainders bounded",
+          by_taylor};
 }
 
 }  // namespace oddity::truth

@@ -44,7 +44,9 @@ Truth truth_03_09_ball() {
           "the closed form in 60 digits",
           by_closed_form,
           "Taylor series of the equation of motion",
-          by_taylor};
+          by_taylor,
+          "the first route",
+          by_closed_form};
 }
 
 }  // namespace oddity::truth

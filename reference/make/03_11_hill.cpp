@@ -59,7 +59,9 @@ Truth truth_03_11_hill() {
           "Taylor series of the accelerations",
           by_taylor,
           "extrapolated midpoint rule on Hamilton's equations",
-          by_momenta};
+          by_momenta,
+          "the first route, the remainders bounded",
+          by_taylor};
 }
 
 }  // namespace oddity::truth

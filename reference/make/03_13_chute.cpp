@@ -66,7 +66,9 @@ Truth truth_03_13_chute() {
       "Taylor series of the Cartesian equations with the multiplier",
       by_taylor,
       "uniform acceleration along the axis, extrapolated midpoint rule on the angle about it",
-      by_angle};
+      by_angle,
+      "the first route, the remainders bounded",
+      by_taylor};
 }
 
 }  // namespace oddity::truth

@@ -74,7 +74,9 @@ Truth truth_03_15_slide() {
           "Taylor series of the equation along the rod",
           by_taylor,
           "extrapolated midpoint rule on the Cartesian equations with two turning constraints",
-          by_extrapolation};
+          by_extrapolation,
+          "the first route, the remainders bounded",
+          by_taylor};
 }
 
 }  // namespace oddity::truth

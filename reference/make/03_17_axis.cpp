@@ -14,6 +14,10 @@ Numbers from_the_product(const std::vector<double>& in, const Numbers& s) {
           2};
 }
 
+Numbers by_product(const std::vector<double>& in, Precision digits) {
+  return from_the_product(in, foucault::by_taylor(in, digits));
+}
+
 /// The mean of the directions of a and of b, brought to within a quarter turn.
 Numbers from_the_circles(const std::vector<double>& in, const Numbers& s) {
   const Number w = sqrt(Number(in[3]) / Number(in[1])), half_turn = pi();
@@ -33,13 +37,13 @@ Truth truth_03_17_axis() {
           {{"alpha", "rad"}},
           {{0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0, 3600}},
           foucault::first_route,
-          [](const std::vector<double>& in, Precision digits) {
-            return from_the_product(in, foucault::by_taylor(in, digits));
-          },
+          by_product,
           foucault::second_route,
           [](const std::vector<double>& in, Precision digits) {
             return from_the_circles(in, foucault::by_extrapolation(in, digits));
-          }};
+          },
+          "the first route, the remainders bounded",
+          by_product};
 }
 
 }  // namespace oddity::truth

@@ -5,6 +5,9 @@ namespace oddity::truth {
 namespace bob_03_17 {
 
 Numbers plane(Numbers s) { return {s[0], s[1]}; }
+Numbers by_taylor(const std::vector<double>& in, Precision digits) {
+  return plane(foucault::by_taylor(in, digits));
+}
 
 }  // namespace bob_03_17
 
@@ -24,18 +27,19 @@ Truth truth_03_17_bob() {
       row.push_back(t);
       rows.push_back(row);
     }
-  return {
-      "horizontal position, to the west and to the north, of a Foucault pendulum's bob",
-      foucault::formula,
-      foucault::inputs,
-      {{"x", "m"}, {"y", "m"}},
-      rows,
-      foucault::first_route,
-      [](const std::vector<double>& in, Precision digits) { return plane(foucault::by_taylor(in, digits)); },
-      foucault::second_route,
-      [](const std::vector<double>& in, Precision digits) {
-        return plane(foucault::by_extrapolation(in, digits));
-      }};
+  return {"horizontal position, to the west and to the north, of a Foucault pendulum's bob",
+          foucault::formula,
+          foucault::inputs,
+          {{"x", "m"}, {"y", "m"}},
+          rows,
+          foucault::first_route,
+          by_taylor,
+          foucault::second_route,
+          [](const std::vector<double>& in, Precision digits) {
+            return plane(foucault::by_extrapolation(in, digits));
+          },
+          "the first route, the remainders bounded",
+          by_taylor};
 }
 
 }  // namespace oddity::truth

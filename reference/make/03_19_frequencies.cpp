@@ -49,7 +49,9 @@ Truth truth_03_19_frequencies() {
           "the roots of the determinant in 60 digits",
           by_determinant,
           "bisection on the number of negative pivots of K - w^2 M",
-          by_inertia};
+          by_inertia,
+          "the first route",
+          by_determinant};
 }
 
 }  // namespace oddity::truth

@@ -76,7 +76,9 @@ Truth truth_03_19_pulleys() {
           "functions of the matrix M^-1 K in 60 digits",
           by_modes,
           "Taylor series of Newton's laws with the ropes' tensions",
-          by_taylor};
+          by_taylor,
+          "the first route",
+          by_modes};
 }
 
 }  // namespace oddity::truth

@@ -77,7 +77,9 @@ Truth truth_03_21_disk() {
           "Taylor series of the angle's equation, the spin from its conserved momentum",
           by_taylor,
           "extrapolated midpoint rule on the center's Cartesian equations and the spin's",
-          by_center};
+          by_center,
+          "the first route, the remainders bounded",
+          by_taylor};
 }
 
 }  // namespace oddity::truth

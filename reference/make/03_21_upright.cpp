@@ -46,7 +46,9 @@ Truth truth_03_21_upright() {
           "momentum about the vertical",
           by_momentum,
           "Taylor series of a rigid body's quaternion and of Euler's equations",
-          by_quaternion};
+          by_quaternion,
+          "the first route",
+          by_momentum};
 }
 
 }  // namespace oddity::truth

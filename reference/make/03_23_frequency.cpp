@@ -34,7 +34,9 @@ Truth truth_03_23_frequency() {
           "the second derivative by hand",
           by_hand,
           "extrapolated second differences of the potential energy",
-          by_differences};
+          by_differences,
+          "the first route",
+          by_hand};
 }
 
 }  // namespace oddity::truth

@@ -70,7 +70,9 @@ Truth truth_03_23_swing() {
       "Taylor series of the equation of the angle",
       by_taylor,
       "extrapolated midpoint rule on the Cartesian equations with one constraint",
-      by_extrapolation};
+      by_extrapolation,
+      "the first route, the remainders bounded",
+      by_taylor};
 }
 
 }  // namespace oddity::truth

@@ -97,7 +97,9 @@ Truth truth_03_25_accelerations() {
           "tensions, eliminated from the pivot on",
           by_tensions,
           "articulated recursion from the free end",
-          by_articulation};
+          by_articulation,
+          "the first route",
+          by_tensions};
 }
 
 }  // namespace oddity::truth

@@ -29,6 +29,12 @@ Numbers by_tensions(const std::vector<double>& in, Precision asked) {
       }));
 }
 
+Numbers enclosed(const std::vector<double>& in, Precision digits) {
+  const TripleStart start(in);
+  const ChainTensions rhs{start.chain};
+  return rhs.positions(solve_taylor(rhs, rhs.start(start.theta, start.omega), 0, Number(in[14]), digits + 4));
+}
+
 Numbers by_angles(const std::vector<double>& in, Precision asked) {
   static Checkpoints kept;
   const TripleStart start(in);
@@ -68,7 +74,9 @@ Truth truth_03_25_chain() {
       "Taylor series in Cartesian coordinates with tensions",
       by_tensions,
       "extrapolated midpoint rule in the angles, dense mass matrix",
-      by_angles};
+      by_angles,
+      "the first route, the remainders bounded",
+      enclosed};
 }
 
 }  // namespace oddity::truth

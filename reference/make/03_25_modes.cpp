@@ -63,7 +63,9 @@ Truth truth_03_25_modes() {
       "the characteristic cubic, by cosines",
       by_cubic,
       "the masses on a string, Sturm's count bisected",
-      by_string};
+      by_string,
+      "the first route",
+      by_cubic};
 }
 
 }  // namespace oddity::truth

@@ -58,7 +58,9 @@ Truth truth_03_27_two_bodies() {
           "Kepler's equation in universal variables, by bisection",
           by_kepler,
           "Taylor series of the two bodies in Cartesian coordinates",
-          by_taylor};
+          by_taylor,
+          "the first route, each sign proved and the rest of each series bounded",
+          by_kepler};
 }
 
 }  // namespace oddity::truth

@@ -44,7 +44,9 @@ Truth truth_03_29_fall() {
           "parabola of the center and uniform turning, the center of mass by primitives",
           by_center,
           "Taylor series of two particles and a rod, the inertia by quadrature",
-          by_particles};
+          by_particles,
+          "the first route",
+          by_center};
 }
 
 }  // namespace oddity::truth

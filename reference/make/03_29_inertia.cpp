@@ -30,7 +30,9 @@ Truth truth_03_29_inertia() {
       "primitives",
       by_primitives,
       "double-exponential quadrature over x, over the angle, over y",
-      by_quadrature};
+      by_quadrature,
+      "the first route",
+      by_primitives};
 }
 
 }  // namespace oddity::truth

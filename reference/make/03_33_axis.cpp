@@ -9,6 +9,9 @@ std::vector<double> at_rest(std::vector<double> in) {
   in.insert(in.end() - 1, 2, 0.0);
   return in;
 }
+Numbers by_momentum(const std::vector<double>& in, Precision digits) {
+  return axis_by_momentum(at_rest(in), digits);
+}
 
 }  // namespace axis_03_33
 
@@ -35,11 +38,11 @@ Truth truth_03_33_axis() {
       {{"x", "1"}, {"y", "1"}, {"z", "1"}},
       rows,
       "Taylor series of the axis and the angular momentum",
-      [](const std::vector<double>& in, Precision digits) { return axis_by_momentum(at_rest(in), digits); },
+      by_momentum,
       "extrapolated midpoint rule on the quaternion and Euler's equations in body coordinates",
-      [](const std::vector<double>& in, Precision digits) {
-        return axis_by_quaternion(at_rest(in), digits);
-      }};
+      [](const std::vector<double>& in, Precision digits) { return axis_by_quaternion(at_rest(in), digits); },
+      "the first route, the remainders bounded",
+      by_momentum};
 }
 
 }  // namespace oddity::truth

@@ -60,7 +60,9 @@ Truth truth_03_33_bounds() {
           "Viete's trigonometric solution",
           by_angles,
           "bisection between the start and the poles",
-          by_bisection};
+          by_bisection,
+          "the first route",
+          by_angles};
 }
 
 }  // namespace oddity::truth

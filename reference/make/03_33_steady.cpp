@@ -42,7 +42,9 @@ Truth truth_03_33_steady() {
           "the quadratic's formula",
           by_formula,
           "Newton's method on the balance of torques",
-          by_newton};
+          by_newton,
+          "the first route",
+          by_formula};
 }
 
 }  // namespace oddity::truth

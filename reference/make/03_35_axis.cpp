@@ -34,7 +34,9 @@ Truth truth_03_35_axis() {
       "Taylor series of the axis and the angular momentum",
       axis_by_momentum,
       "extrapolated midpoint rule on the quaternion and Euler's equations in body coordinates",
-      axis_by_quaternion};
+      axis_by_quaternion,
+      "the first route, the remainders bounded",
+      axis_by_momentum};
 }
 
 }  // namespace oddity::truth

@@ -59,7 +59,9 @@ Truth truth_05_03_cube_flux() {
           "arc tangents at the corners of the faces",
           by_corners,
           "double-exponential quadrature over one coordinate of each face",
-          by_quadrature};
+          by_quadrature,
+          "the first route",
+          by_corners};
 }
 
 }  // namespace oddity::truth

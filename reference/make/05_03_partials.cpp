@@ -34,6 +34,15 @@ Numbers by_cauchy(const std::vector<double>& in, int) {
   return all;
 }
 
+Numbers by_dual_numbers(const std::vector<double>& in, int) {
+  const Triple<Number> x = point(in);
+  const Number r = length(x);
+  Numbers all;
+  for (std::size_t i = 0; i < 3; ++i)
+    all.push_back(r * r * r * slope_by_dual_numbers(field<Dual<Number>>, x, i)[i]);
+  return all;
+}
+
 }  // namespace partials_05_03
 
 Truth truth_05_03_partials() {
@@ -48,7 +57,9 @@ Truth truth_05_03_partials() {
           "differences, extrapolated to step zero",
           by_differences,
           "Cauchy's integral over a circle of radius |x|/16, by the trapezoid rule",
-          by_cauchy};
+          by_cauchy,
+          "derivatives by dual numbers",
+          by_dual_numbers};
 }
 
 }  // namespace oddity::truth

@@ -35,7 +35,9 @@ Truth truth_05_03_spheroid_flux() {
           "solid angle of the surface as seen from the origin",
           by_solid_angle,
           "double-exponential quadrature over the latitude",
-          by_quadrature};
+          by_quadrature,
+          "the first route",
+          by_solid_angle};
 }
 
 }  // namespace oddity::truth

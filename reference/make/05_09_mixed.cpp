@@ -41,6 +41,24 @@ Numbers by_cauchy(const std::vector<double>& in, int) {
   return all;
 }
 
+Numbers by_dual_numbers(const std::vector<double>& in, int) {
+  using Second = Dual<Dual<Number>>;
+  const Waves<Second> waves{{{Number(in[0]), 0}, {0, 0}}};
+  const Triple<Number> x{Number(in[1]), Number(in[2]), Number(in[3])};
+  Numbers all;
+  for (const auto& order : orders) {
+    const auto inner = [&](const Triple<Dual<Number>>& y) {
+      const auto phi = [&](const Triple<Second>& z) {
+        const Second value = waves.phi(z);
+        return Triple<Second>{value, value, value};
+      };
+      return slope_by_dual_numbers(phi, y, order[0]);
+    };
+    all.push_back(slope_by_dual_numbers(inner, x, order[1])[0]);
+  }
+  return all;
+}
+
 }  // namespace mixed_05_09
 
 Truth truth_05_09_mixed() {
@@ -58,7 +76,9 @@ Truth truth_05_09_mixed() {
           "differences of differences, each extrapolated to step zero",
           by_differences,
           "Cauchy's integral of Cauchy's integral over circles, by the trapezoid rule",
-          by_cauchy};
+          by_cauchy,
+          "derivatives by dual numbers of dual numbers",
+          by_dual_numbers};
 }
 
 }  // namespace oddity::truth

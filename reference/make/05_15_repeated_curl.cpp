@@ -107,7 +107,9 @@ Truth truth_05_15_repeated_curl() {
           "closed form: (k x)^n p sin(k.x + 1/2 + n pi/2) + (l x)^n q exp(l.x)",
           by_waves,
           "curls of the power series about x, in three variables",
-          by_series};
+          by_series,
+          "the first route",
+          by_waves};
 }
 
 }  // namespace oddity::truth

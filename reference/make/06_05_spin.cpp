@@ -61,7 +61,9 @@ Truth truth_06_05_spin() {
           "the midpoint, Cramer's rule in the world's axes",
           by_midpoint,
           "double-exponential quadrature over the segment in the box's axes",
-          by_segment};
+          by_segment,
+          "the first route",
+          by_midpoint};
 }
 
 }  // namespace oddity::truth

@@ -54,7 +54,9 @@ Truth truth_07_05_normal() {
           "cross product of two edges",
           by_edges,
           "P x Q + Q x R + R x P",
-          by_vertices};
+          by_vertices,
+          "the first route",
+          by_edges};
 }
 
 }  // namespace oddity::truth

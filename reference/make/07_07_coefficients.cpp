@@ -47,6 +47,8 @@ Numbers both(const std::vector<double>& in, const auto& coefficients) {
   return all;
 }
 
+Numbers by_triple_products(const std::vector<double>& in, int) { return both(in, over); }
+
 std::vector<double> nearly_dependent(double gap) {
   return {0.83,
           -0.41,
@@ -74,9 +76,11 @@ Truth truth_07_07_coefficients() {
           {{"x", "1"}, {"y", "1"}, {"z", "1"}, {"x'", "1"}, {"y'", "1"}, {"z'", "1"}},
           rows,
           "triple products",
-          [](const std::vector<double>& in, int) { return both(in, over); },
+          by_triple_products,
           "elimination with exchange of rows",
-          [](const std::vector<double>& in, int) { return both(in, solved); }};
+          [](const std::vector<double>& in, int) { return both(in, solved); },
+          "the first route",
+          by_triple_products};
 }
 
 }  // namespace oddity::truth

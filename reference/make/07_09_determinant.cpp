@@ -73,6 +73,8 @@ Truth truth_07_09_determinant() {
       "elimination with exchange of rows",
       by_elimination,
       "expansion by cofactors of the first row",
+      by_cofactors,
+      "the second route",
       by_cofactors};
 }
 

@@ -46,7 +46,9 @@ Truth truth_07_11_determinant() {
           "product",
           by_product,
           "exponential of the sum of logarithms",
-          by_logarithms};
+          by_logarithms,
+          "the first route",
+          by_product};
 }
 
 }  // namespace oddity::truth

@@ -33,6 +33,8 @@ Truth truth_07_11_log_determinant() {
       "logarithm of the product",
       by_product,
       "sum of the logarithms",
+      by_logarithms,
+      "the second route",
       by_logarithms};
 }
 

@@ -28,7 +28,9 @@ Truth truth_08_01_coordinates() {
           "projections on the turned axes",
           by_projection,
           "polar coordinates",
-          by_angle};
+          by_angle,
+          "the first route",
+          by_projection};
 }
 
 }  // namespace oddity::truth

@@ -44,7 +44,7 @@ Numbers by_plane_and_edges(const std::vector<double>& in, int) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Point &a = x.v[i], &b = x.v[(i + 1) % 3];
     inside = inside && dot(cross(n, minus(b, a)), minus(x.p, a)) >= 0;
-    nearest = std::min<Number>(nearest, to_segment(a, b, x.p));
+    nearest = fmin(nearest, to_segment(a, b, x.p));
   }
   return {inside ? Number(abs(dot(n, minus(x.p, x.v[0]))) / length(n)) : nearest};
 }
@@ -99,7 +99,9 @@ Truth truth_09_01_distance() {
           "perpendicular to the plane, or the nearest of the three edges",
           by_plane_and_edges,
           "bisection of the derivative over s of the minimum over t",
-          by_bisection};
+          by_bisection,
+          "the first route, each comparison decided",
+          by_plane_and_edges};
 }
 
 }  // namespace oddity::truth

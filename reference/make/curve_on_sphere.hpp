@@ -1,8 +1,5 @@
 #pragma once
 
-#include <boost/math/special_functions/cos_pi.hpp>
-#include <boost/math/special_functions/sin_pi.hpp>
-
 #include "reference/make/even_limit.hpp"
 #include "reference/make/routes.hpp"
 
@@ -19,7 +16,7 @@ struct Angles {
     const Number d = (1 - t * t) * (1 - t * t) + t * t * t * t, d_dot = 4 * t * (2 * t * t - 1);
     cosine = (1 - t * t) / sqrt(d), sine = t * t / sqrt(d);
     rate = 2 * t / d, rate_dot = (2 * d - 2 * t * d_dot) / (d * d);
-    const Number c = boost::math::cos_pi(t), s = boost::math::sin_pi(t);
+    const Number c = cos_pi(t), s = sin_pi(t);
     r = {cosine * c, cosine * s, sine};
     north = {-sine * c, -sine * s, cosine};
     east = {-s, c, 0};
@@ -40,7 +37,7 @@ inline Matrix frame_by_angles(const Number& t) {
 
 inline Vector position(const Number& t) {
   const Number s = t * t, c = 1 - s;
-  return scaled(1 / sqrt(c * c + s * s), Vector{c * boost::math::cos_pi(t), c * boost::math::sin_pi(t), s});
+  return scaled(1 / sqrt(c * c + s * s), Vector{c * cos_pi(t), c * sin_pi(t), s});
 }
 /// The velocity's direction from positions alone.
 inline Matrix frame_by_positions(const Number& t, int digits) {

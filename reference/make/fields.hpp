@@ -1,15 +1,26 @@
 #pragma once
 
 #include <array>
+#ifndef ODDITY_BALLS
 #include <boost/multiprecision/complex_adaptor.hpp>
+#endif
 
+#include "reference/make/dual.hpp"
 #include "reference/make/routes.hpp"
 
 /// Derivatives of fields in high precision by two routes that know no rule of differentiation:
 /// extrapolated differences on the line, and Cauchy's integral on a circle around the point in the complex
-/// plane. Fields are entire functions, generic in their number type.
+/// plane. A third one, by dual numbers, encloses them. Fields are entire functions, generic in their number
+/// type.
 namespace oddity::truth {
 
+#ifdef ODDITY_BALLS
+using Complex = Number;
+inline Complex complex(const Number&, const Number& = 0) {
+  throw NotEnclosed("Cauchy's integral by the trapezoid rule does not bound its error");
+}
+inline Number real(const Complex& z) { return z; }
+#else
 /// Boost's complex numbers want their parts on the heap.
 using Part = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<working_digits>,
                                            boost::multiprecision::et_off>;
@@ -20,6 +31,7 @@ inline Complex complex(const Number& real, const Number& imaginary = 0) {
 }
 inline Number real(const Complex& z) { return Number(z.real()); }
 inline Complex operator*(const Number& a, const Complex& z) { return complex(a) * z; }
+#endif
 
 template <class T>
 using Triple = std::array<T, 3>;
@@ -85,6 +97,19 @@ Triple<Complex> slope_by_cauchy(const Field& h, const Triple<Complex>& z, std::s
   return mean;
 }
 
+/// d h_i / d x_j at x, h: Triple<Dual<T>> -> Triple<Dual<T>>, by the rules of differentiation.
+template <class T, class Field>
+Triple<T> slope_by_dual_numbers(const Field& h, const Triple<T>& x, std::size_t j) {
+  Triple<Dual<T>> there;
+  for (std::size_t i = 0; i < 3; ++i) there[i] = {x[i], T{}};
+  if constexpr (std::same_as<T, Number>)
+    there[j].dx = 1;
+  else
+    there[j].dx.x = 1;
+  const Triple<Dual<T>> slope = h(there);
+  return {slope[0].dx, slope[1].dx, slope[2].dx};
+}
+
 /// Row j: the slopes of a field along x_j.
 using Slopes = Triple<Triple<Number>>;
 
@@ -98,8 +123,17 @@ template <class Field, class Combine>
 Truth field_truth(std::string quantity, std::string formula, std::vector<std::string> components,
                   const std::string& unit, std::vector<std::string> more_inputs,
                   std::vector<std::vector<double>> rows, Field field, Combine combine) {
-  Truth truth{
-      std::move(quantity), std::move(formula), {"w", "x0", "x1", "x2"}, {}, std::move(rows), {}, {}, {}, {}};
+  Truth truth{std::move(quantity),
+              std::move(formula),
+              {"w", "x0", "x1", "x2"},
+              {},
+              std::move(rows),
+              {},
+              {},
+              {},
+              {},
+              {},
+              {}};
   for (std::string& name : components) truth.components.push_back({std::move(name), unit});
   truth.inputs.insert(truth.inputs.end(), more_inputs.begin(), more_inputs.end());
   truth.first_route = "differences of the whole field, extrapolated to step zero";
@@ -122,6 +156,15 @@ Truth field_truth(std::string quantity, std::string formula, std::vector<std::st
           slope_by_cauchy(field(Waves<Complex>{complex(waves.w)}, in), z, j, radius_for(waves.w));
       slopes[j] = {real(slope[0]), real(slope[1]), real(slope[2])};
     }
+    return combine(slopes, waves, x);
+  };
+  truth.enclosure = "derivatives by dual numbers";
+  truth.enclosed = [=](const std::vector<double>& in, int) {
+    const Waves<Number> waves{Number(in[0])};
+    const Triple<Number> x{Number(in[1]), Number(in[2]), Number(in[3])};
+    Slopes slopes;
+    for (std::size_t j = 0; j < 3; ++j)
+      slopes[j] = slope_by_dual_numbers(field(Waves<Dual<Number>>{{waves.w, 0}}, in), x, j);
     return combine(slopes, waves, x);
   };
   return truth;

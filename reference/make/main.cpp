@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "reference/bad_input.hpp"
+#include "reference/enclosures/enclose.hpp"
 #include "reference/files.hpp"
 #include "reference/interrupted.hpp"
 #include "reference/truth.hpp"
@@ -23,6 +24,17 @@ bool registered(const std::string& name) {
   return std::ranges::any_of(registry(), [&](const Entry& entry) { return entry.name == name; });
 }
 
+/// From the enclosures of this table, where Arb is installed.
+Distances distances([[maybe_unused]] const std::string& name) {
+#ifdef ODDITY_ARB
+  return [name](const std::vector<double>& inputs, const std::vector<std::string>& decimals) {
+    return oddity::distances_from_exact(name, inputs, decimals);
+  };
+#else
+  return {};
+#endif
+}
+
 }  // namespace
 
 /// make_reference FOLDER [TABLE...]: makes the named tables, or all of them, in FOLDER/tables.
@@ -41,7 +53,7 @@ int main(int argc, char** argv) {
     if (wanted.empty() && !entry.home.empty()) continue;  // whose tables are not the tree's
     const fs::path file = folder / "tables" / (name + ".csv");
     try {
-      oddity::write_whole(file, table(name, entry.make()));
+      oddity::write_whole(file, table(name, entry.make(), distances(name)));
     } catch (const oddity::BadInput& error) {
       return bad_input(error.what());
     } catch (const std::exception& error) {

@@ -1,6 +1,9 @@
 #include "reference/make/routes.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/special_functions/cos_pi.hpp>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
+#include <boost/math/special_functions/sin_pi.hpp>
 #include <stdexcept>
 
 namespace oddity::truth {
@@ -17,6 +20,10 @@ Number elliptic_k(const Number& k) {
   }
   return pi() / (a + b);
 }
+
+Number jacobi_cd(const Number& k, const Number& u) { return boost::math::jacobi_cd(k, u); }
+Number cos_pi(const Number& x) { return boost::math::cos_pi(x); }
+Number sin_pi(const Number& x) { return boost::math::sin_pi(x); }
 
 Number integral(const std::function<Number(const Number&)>& f, const Number& a, const Number& b, int digits) {
   thread_local boost::math::quadrature::tanh_sinh<Number> rule(15, pow(Number(10), -120));

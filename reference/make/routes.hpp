@@ -11,6 +11,23 @@ Number pi();
 /// Throws std::domain_error unless |k| < 1.
 Number elliptic_k(const Number& k);
 
+/// Jacobi's elliptic function cd(u, k).
+Number jacobi_cd(const Number& k, const Number& u);
+
+/// cos(pi x) and sin(pi x).
+Number cos_pi(const Number& x);
+Number sin_pi(const Number& x);
+
+#ifndef ODDITY_BALLS
+/// A sum whose terms left out come to no more than `rest`: in balls that widens it.
+inline Number within(const Number& sum, const Number& rest) {
+  static_cast<void>(rest);
+  return sum;
+}
+/// A root that is known to lie between the two: in balls all that does.
+inline Number between(const Number& low, const Number& high) { return (low + high) / 2; }
+#endif
+
 /// The integral of f over [a, b] by double-exponential quadrature; f is never called at a or b, and may be
 /// infinite there.
 Number integral(const std::function<Number(const Number&)>& f, const Number& a, const Number& b, int digits);

@@ -1,77 +1,15 @@
 #pragma once
 
+#ifdef ODDITY_BALLS
+#include "reference/enclosures/motion.hpp"
+#else
 #include <vector>
 
 #include "reference/make/motions.hpp"
+#include "reference/make/tape.hpp"
 
-/// Initial value problems by Taylor series in high precision: every right-hand side is recorded once on a
-/// tape whose nodes then give the coefficients of its series, order by order.
+/// Initial value problems by Taylor series in high precision.
 namespace oddity::truth {
-
-/// The record of a right-hand side.
-class Tape {
- public:
-  enum class Op {
-    constant,
-    variable,
-    add,
-    subtract,
-    multiply,
-    divide,
-    scale,
-    square_root,
-    sine,
-    cosine,
-    exponential
-  };
-  struct Node {
-    Op op;
-    int a = -1;  ///< operand
-    int b = -1;  ///< second operand; for sine and cosine the other one of the pair
-    Number constant = 0;
-  };
-
-  int put(Node node);
-  /// Computes coefficient k of every node, those below k being known.
-  void advance(int k);
-  void set(int node, int k, Number x) {
-    series_[static_cast<std::size_t>(node)][static_cast<std::size_t>(k)] = std::move(x);
-  }
-  const Number& get(int node, int k) const {
-    return series_[static_cast<std::size_t>(node)][static_cast<std::size_t>(k)];
-  }
-  const Numbers& series(int node) const { return series_[static_cast<std::size_t>(node)]; }
-  void resize(int order);
-
- private:
-  Number coefficient(std::size_t node, int k) const;
-  std::vector<Node> nodes_;
-  std::vector<Numbers> series_;
-};
-
-/// A number on a tape; right-hand sides are generic in their number type and take these as well as Number.
-struct Jet {
-  Tape* tape = nullptr;
-  int node = -1;
-};
-
-Jet operator+(Jet, Jet);
-Jet operator-(Jet, Jet);
-Jet operator*(Jet, Jet);
-Jet operator/(Jet, Jet);
-Jet operator+(Jet, const Number&);
-Jet operator+(const Number&, Jet);
-Jet operator-(Jet, const Number&);
-Jet operator-(const Number&, Jet);
-Jet operator*(Jet, const Number&);
-Jet operator*(const Number&, Jet);
-Jet operator/(Jet, const Number&);
-Jet operator/(const Number&, Jet);
-Jet operator-(Jet);
-Jet sqrt(Jet);
-Jet sin(Jet);
-Jet cos(Jet);
-Jet exp(Jet);
 
 /// Expansions that one solution may cost: some ten seconds of work.
 constexpr long most_expansions = 6'000;
@@ -144,3 +82,4 @@ Numbers solve_taylor(const Rhs& rhs, const Numbers& x0, const Number& t0, const 
 }
 
 }  // namespace oddity::truth
+#endif

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "reference/truth.hpp"
+#include "reference/make/routes.hpp"
 
 /// A body's path about a fixed center that attracts it by mu/r^2, by Kepler's equation in universal
 /// variables, z = alpha chi^2, alpha = 2/r0 - v0^2/mu [Bate, Mueller, White, Fundamentals of Astrodynamics,
@@ -12,7 +12,8 @@
 /// with Stumpff's functions C2, C3. It holds for ellipse, parabola and hyperbola, and needs no perihelion.
 namespace oddity::truth {
 
-/// C_k(z) = sum over j of (-z)^j / (2j + k)!, k = 2 or 3.
+/// C_k(z) = sum over j of (-z)^j / (2j + k)!, k = 2 or 3; for small z each term is less than half the one
+/// before.
 inline Number stumpff(int k, const Number& z) {
   if (abs(z) > 1) {
     const Number w = sqrt(abs(z)), s = z > 0 ? sin(w) : sinh(w), c = z > 0 ? cos(w) : cosh(w);
@@ -23,7 +24,7 @@ inline Number stumpff(int k, const Number& z) {
     term *= -z / ((2 * j + k - 1) * (2 * j + k));
     sum += term;
   }
-  return sum;
+  return within(sum, abs(term));
 }
 
 /// Place and velocity in the plane.
@@ -47,7 +48,7 @@ inline Numbers by_universal_kepler(const Number& mu, const Orbiter& a, const Num
     const Number middle = (low + high) / 2;
     (time(middle) < t ? low : high) = middle;
   }
-  const Number chi = (low + high) / 2, z = alpha * chi * chi;
+  const Number chi = between(low, high), z = alpha * chi * chi;
   const Number f = 1 - chi * chi * stumpff(2, z) / r0, g = t - chi * chi * chi * stumpff(3, z) / root;
   return {f * a.x + g * a.vx, f * a.y + g * a.vy};
 }

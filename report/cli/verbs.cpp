@@ -23,6 +23,7 @@
 #include "report/pages/readable.hpp"
 #include "report/pages/tables.hpp"
 #include "report/pages/text_view.hpp"
+#include "report/pages/true_values.hpp"
 #include "report/pages/write_report.hpp"
 #include "report/site/site.hpp"
 #include "report/study/choose.hpp"
@@ -130,9 +131,10 @@ Results trials_of(const fs::path& folder, const std::vector<Task>& tasks) {
   });
 }
 
-fs::path report_of(const Results& results, Edition edition, const fs::path& out) {
-  return with_progress(
-      [&](const Progress& progress) { return write_report(results, edition, out, progress); });
+fs::path report_of(const Results& results, const fs::path& folder, Edition edition, const fs::path& out) {
+  return with_progress([&](const Progress& progress) {
+    return write_report(results, edition, out, progress, true_values(folder));
+  });
 }
 
 fs::path site_of(const Results& results, const fs::path& folder, const fs::path& out) {
@@ -201,7 +203,7 @@ void report(const fs::path& folder, const std::string& chapter, Edition edition,
   Results results = last_results(folder, number == 0);
   if (number != 0)
     std::erase_if(results.exercises, [&](const ExerciseResult& e) { return e.number.chapter != number; });
-  std::cout << "the report is in " << report_of(results, edition, out).string() << "\n";
+  std::cout << "the report is in " << report_of(results, folder, edition, out).string() << "\n";
 }
 
 void site(const fs::path& folder, const fs::path& out) {
@@ -220,7 +222,7 @@ void require_room_for_all(const fs::path& report_out, const fs::path& site_out) 
 void publish(const fs::path& folder, const fs::path& report_out, const fs::path& site_out, bool as_on_record,
              const std::function<double()>& seconds) {
   const Results results = last_results(folder, true);
-  const fs::path report = report_of(results, Edition::whole, report_out),
+  const fs::path report = report_of(results, folder, Edition::whole, report_out),
                  site = site_of(results, folder, site_out);
   std::cout << closing_screen(results, {as_on_record, seconds(), site, report}, output());
 }

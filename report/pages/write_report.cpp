@@ -16,7 +16,7 @@ void make_folder(const fs::path& folder) {
 }
 
 fs::path write_report(const Results& results, Edition edition, const fs::path& folder,
-                      const Progress& progress) {
+                      const Progress& progress, const std::string& true_values) {
   make_folder(folder);
   const auto write = [&](const std::string& name, const std::string& text) {
     write_whole(folder / name, text);
@@ -30,7 +30,7 @@ fs::path write_report(const Results& results, Edition edition, const fs::path& f
   write("models.md", ledger_page(results));
   write("stability.md", stability_page(results));
   if (edition == Edition::whole) write("times.md", times_page(results));
-  return write("README.md", index_page(results, edition));
+  return write("README.md", index_page(results, edition) + true_values);
 }
 
 std::vector<fs::path> write_charts(const Results& results, Curves curves, const fs::path& folder,

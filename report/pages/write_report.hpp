@@ -15,13 +15,13 @@ void make_folder(const std::filesystem::path& folder);
 
 /// Writes the report's pages and charts into `folder` and returns the page to open first. Each file is whole
 /// or not there. Throws BadInput when the folder cannot be written.
-///   README.md                    the front page
+///   README.md                    the front page, with what is to be said about the true values
 ///   3.5.md, ...                  a page an exercise
 ///   errata.md, models.md, stability.md, algorithms.md
 ///   times.md                     in the whole edition alone
 ///   charts/
 std::filesystem::path write_report(const Results&, Edition, const std::filesystem::path& folder,
-                                   const Progress& progress = {});
+                                   const Progress& progress = {}, const std::string& true_values = {});
 
 /// Writes the charts of all quantities that have a choice, and a page an exercise, "3.5.md", with the tables
 /// behind them. Returns the pages. Each file is whole or not there. Throws BadInput as above.

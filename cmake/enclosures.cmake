@@ -1,0 +1,23 @@
+# The makers in balls, under another name, for whoever makes tables: where Arb is installed.
+
+list(APPEND CMAKE_MODULE_PATH ${PROJECT_SOURCE_DIR}/cmake)
+find_optional(ODDITY_ARB Arb)
+if(NOT Arb_FOUND)
+  message(STATUS "Arb not used: a table made anew has its errors from the agreement of two routes")
+  return()
+endif()
+message(STATUS "Arb: tables are made with enclosures")
+file(GLOB enclosure_files CONFIGURE_DEPENDS reference/enclosures/*.cpp)
+register_truths(${PROJECT_BINARY_DIR}/truths_in_balls.cpp ${truth_files})
+add_library(oddity_enclosures STATIC ${enclosure_files} ${truth_files} reference/make/tape.cpp
+  reference/make/checkpoints.cpp ${PROJECT_BINARY_DIR}/truths_in_balls.cpp)
+target_compile_definitions(oddity_enclosures PRIVATE ODDITY_BALLS truth=truth_in_balls)
+target_include_directories(oddity_enclosures SYSTEM PRIVATE ${ARB_INCLUDE_DIR})
+target_link_libraries(oddity_enclosures PRIVATE oddity_options Boost::headers Eigen3::Eigen ${ARB_LIBRARIES} ${MPFR} ${GMP})
+target_compile_options(oddity_enclosures PRIVATE ${modest})
+compile_headers_once(oddity_enclosures reference/make/routes.hpp reference/make/taylor.hpp)
+compile_files_together(oddity_enclosures BATCH)
+add_library(oddity_enclosed INTERFACE)
+target_link_libraries(oddity_enclosed INTERFACE oddity_enclosures)
+target_compile_definitions(oddity_enclosed INTERFACE ODDITY_ARB)
+target_link_libraries(make_reference PRIVATE oddity_enclosed)

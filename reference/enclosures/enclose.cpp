@@ -1,0 +1,74 @@
+#include "reference/enclosures/enclose.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include "reference/truth.hpp"
+
+namespace oddity {
+
+namespace {
+
+using truth::Ball;
+
+/// The radii wanted and needed, over the largest component and over the component itself.
+constexpr double wanted = 1e-41, needed = 1e-20;
+/// Components of which none is larger are zero as far as a table shows, and give no scale.
+constexpr double vanishing = 1e-48;
+
+struct Effort {
+  slong bits;
+  int digits;
+};
+/// What the first one does not decide, or leaves too wide, the next one may.
+constexpr Effort efforts[] = {{224, 46}, {352, 72}, {640, 120}, {2048, 120}};
+
+double radius_of(const Ball& x) { return truth::greatest_size(x - truth::midpoint(x)); }
+
+bool narrow(const truth::Numbers& balls) {
+  double size = 0;
+  for (const Ball& x : balls) size = std::max(size, truth::greatest_size(x));
+  if (size < vanishing) size = 1;
+  return std::ranges::all_of(balls, [&](const Ball& x) {
+    const double radius = radius_of(x), own = truth::greatest_size(x);
+    return radius <= wanted * size && (radius <= needed * own || own <= wanted * size);
+  });
+}
+
+truth::Numbers enclosed(const truth::Truth& truth, const std::vector<double>& inputs) {
+  std::string reason = "the balls are too wide";
+  for (const Effort& effort : efforts) {
+    Ball::bits = effort.bits;
+    try {
+      truth::Numbers balls = truth.enclosed(inputs, effort.digits);
+      if (narrow(balls)) return balls;
+    } catch (const truth::Undecided& error) {
+      reason = error.what();
+    }
+  }
+  throw std::runtime_error("no enclosure with " + std::to_string(std::prev(std::end(efforts))->bits) +
+                           " bits: " + reason);
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> distances_from_exact(std::string_view table,
+                                                        const std::vector<double>& inputs,
+                                                        const std::vector<std::string>& decimals) {
+  const auto& all = truth::registry();
+  const auto found = std::ranges::find(all, table, &truth::Entry::name);
+  if (found == all.end()) return {};
+  const truth::Truth truth = found->make();
+  if (!truth.enclosed) return {};
+  const truth::Numbers balls = enclosed(truth, inputs);
+  if (balls.size() != decimals.size())
+    throw std::logic_error("an enclosure of " + std::to_string(balls.size()) + " components for " +
+                           std::to_string(decimals.size()) + " of the table");
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    distances.push_back(truth::greatest_size(balls[i] - truth::decimal(decimals[i])));
+  return distances;
+}
+
+}  // namespace oddity

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "reference/truth.hpp"
+
+namespace oddity::truth {
+
+using Rows = std::vector<Numbers>;
+
+/// States known to be center + axes sides, the sides balls about zero: turned with the flow, it does not
+/// swell as a box would [Lohner, in: Computer Arithmetic and Self-Validating Numerical Methods, 1990].
+class Parallelepiped {
+ public:
+  explicit Parallelepiped(const Numbers& box);
+
+  const Numbers& center() const { return center_; }
+  /// The box around it.
+  Numbers hull() const;
+  /// Its image under a map whose slopes over all of it, a row an unknown, are known.
+  void map(const Numbers& image_of_center, const Rows& slopes);
+
+ private:
+  Numbers center_;
+  Rows axes_;
+  Numbers sides_;
+};
+
+}  // namespace oddity::truth

@@ -1,0 +1,135 @@
+// The tables' enclosures, made again: the printed digits lie in them, and a wrong digit does not.
+
+#ifdef ODDITY_ARB
+
+#include "reference/enclosures/enclose.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "reference/csv.hpp"
+#include "tests/catch.hpp"
+
+using namespace oddity;
+
+namespace {
+
+struct Row {
+  std::vector<double> inputs, errors;
+  std::vector<std::string> decimals, bounds;
+};
+
+std::vector<Row> rows_of(const std::filesystem::path& file) {
+  const CsvFile csv = read_csv(file);
+  const auto& columns = csv.header.cells;
+  const auto n = static_cast<std::size_t>(std::ranges::find(columns, "component") - columns.begin());
+  std::vector<Row> rows;
+  for (const CsvRow& line : csv.rows) {
+    std::vector<double> inputs;
+    for (std::size_t i = 0; i < n; ++i) inputs.push_back(line.number(i));
+    if (rows.empty() || rows.back().inputs != inputs) rows.push_back({inputs, {}, {}, {}});
+    rows.back().decimals.push_back(line.cells[n + 1]);
+    rows.back().errors.push_back(line.number(n + 2));
+    rows.back().bounds.push_back(line.cells[n + 3]);
+  }
+  return rows;
+}
+
+struct Table {
+  std::string name;
+  std::vector<Row> rows;
+};
+
+const std::vector<Table>& tables() {
+  static const std::vector<Table> all = [] {
+    std::vector<Table> read;
+    for (const auto& file : std::filesystem::directory_iterator(ODDITY_SOURCE "/reference/tables"))
+      read.push_back({file.path().stem().string(), rows_of(file.path())});
+    return read;
+  }();
+  return all;
+}
+
+/// Friction has no Taylor series where the instantaneous center crosses an edge of the box.
+const std::set<std::string> not_enclosed{"03_31_rest", "03_31_slide"};
+/// Motions: an enclosure takes up to a minute.
+const std::set<std::string> slow{"03_07_slide", "03_17_axis", "03_25_chain", "03_25_growth"};
+
+bool has_motions(const std::string& table) {
+  return slow.contains(table) ||
+         std::set<std::string>{"03_05_swing", "03_11_hill",  "03_13_chute", "03_15_slide", "03_17_bob",
+                               "03_21_disk",  "03_23_swing", "03_33_axis",  "03_35_axis"}
+             .contains(table);
+}
+
+/// The decimal with its digit of this number, the first that is not zero being 1, one more or, a nine, one
+/// less.
+std::string with_wrong_digit(std::string decimal, int number) {
+  int seen = 0;
+  for (char& c : decimal) {
+    if (c == 'e') break;
+    if (c < '0' || c > '9' || (seen == 0 && c == '0')) continue;
+    if (++seen == number) {
+      c = static_cast<char>(c == '9' ? '8' : c + 1);
+      return decimal;
+    }
+  }
+  return "";
+}
+
+std::vector<double> distances(const Table& table, const Row& row, const std::vector<std::string>& decimals) {
+  const auto all = distances_from_exact(table.name, row.inputs, decimals);
+  REQUIRE(all);
+  return *all;
+}
+
+}  // namespace
+
+TEST_CASE("every value is enclosed but those of a box with friction", "[enclosures]") {
+  for (const Table& table : tables())
+    for (const Row& row : table.rows) {
+      INFO(table.name);
+      for (std::size_t i = 0; i < row.bounds.size(); ++i) {
+        CHECK(row.bounds[i] == (not_enclosed.contains(table.name) ? "agreement" : "enclosure"));
+        const double size = std::abs(std::stod(row.decimals[i]));
+        if (row.bounds[i] == "enclosure" && size > 1e-20) CHECK(row.errors[i] <= 1e-20 * size);
+      }
+    }
+}
+
+TEST_CASE("printed digits lie in the enclosures made again", "[enclosures]") {
+  for (const Table& table : tables()) {
+    if (not_enclosed.contains(table.name)) {
+      CHECK_FALSE(distances_from_exact(table.name, table.rows.front().inputs, table.rows.front().decimals));
+      continue;
+    }
+    if (slow.contains(table.name)) continue;
+    const std::size_t rows = has_motions(table.name) ? 1 : table.rows.size();
+    for (std::size_t k = 0; k < rows; ++k) {
+      const auto all = distances(table, table.rows[k], table.rows[k].decimals);
+      INFO(table.name << ", row " << k);
+      for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] <= table.rows[k].errors[i]);
+    }
+  }
+}
+
+TEST_CASE("a wrong digit lies in no enclosure", "[enclosures]") {
+  for (const Table& table : tables()) {
+    if (not_enclosed.contains(table.name) || slow.contains(table.name)) continue;
+    const Row& row = table.rows.front();
+    const std::size_t last = row.decimals.size() - 1;
+    for (int digit : {1, 9, 16, 20}) {
+      auto decimals = row.decimals;
+      decimals[last] = with_wrong_digit(row.decimals[last], digit);
+      if (decimals[last].empty()) continue;  // a number of fewer digits
+      INFO(table.name << ", digit " << digit << " of " << row.decimals[last]);
+      CHECK(distances(table, row, decimals)[last] > row.errors[last]);
+    }
+  }
+}
+
+TEST_CASE("a table that does not exist has no enclosure", "[enclosures]") {
+  CHECK_FALSE(distances_from_exact("03_05_nothing", {1}, {"1"}));
+}
+
+#endif
