@@ -202,6 +202,23 @@ test('a trial of the chart plays, and its row lights', async () => {
   await page.close();
 });
 
+test('a row of the table plays, and its point in the chart lights', async () => {
+  const { page, faults } = await open(browser, '3.5.html', { reduced: true });
+  const place = await page.waitForSelector('.trials[data-quantity=swing]');
+  await place.scrollIntoView();
+  const summary = await page.waitForSelector('.trials[data-quantity=swing] summary');
+  await summary.click();
+  const row = await page.waitForSelector('.trials[data-quantity=swing] tbody tr[data-outcome=o]:nth-child(n + 5)');
+  await page.evaluate(() => document.addEventListener('oddity:play', (event) => { window.played = event.detail; }));
+  await row.scrollIntoView();
+  await row.click();
+  const played = await page.waitForFunction(() => window.played).then((handle) => handle.jsonValue());
+  assert.ok((await row.evaluate((node) => node.innerText)).includes(played.algorithm));
+  assert.ok((await page.$$('figure.chart[data-quantity=swing] .lit')).length > 0);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
 test('a cell of the map plays', async () => {
   const { page, faults } = await open(browser, '3.5.html', { reduced: true });
   await page.$eval('figure.map', (map) => map.scrollIntoView());
