@@ -235,6 +235,23 @@ test('a cell of the map plays', async () => {
   await page.close();
 });
 
+test('engines play beside the models, where they have been run', async (t) => {
+  const { page, faults } = await open(browser, '3.5.html', { reduced: true });
+  await page.waitForSelector('.player-rows [data-end]');
+  const pressed = await page.$$eval('.player-actions button', (all) => {
+    const one = all.find((b) => b.textContent === 'as engines do');
+    if (one) one.click();
+    return !!one;
+  });
+  if (pressed) {
+    const rows = await page.$$eval('.player-rows > *', (all) => all.map((row) => row.innerText));
+    assert.ok(rows.length >= 2 && rows.slice(1).every((row) => /recorded/.test(row)), rows.join('; '));
+    assert.ok(rows.every((row) => /at worst/.test(row)), rows.join('; '));
+  } else t.diagnostic('no engine has been run: ./oddity engines');
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
 test('a player is worked by keys alone', async () => {
   const { page, faults } = await open(browser, '3.5.html', { reduced: true });
   await page.waitForSelector('.player-rows [data-end]');
