@@ -1,8 +1,5 @@
-#include <array>
-
 #include "reference/make/03_25_chain.hpp"
 #include "reference/make/checkpoints.hpp"
-#include "reference/make/dual.hpp"
 #include "reference/make/extrapolation.hpp"
 #include "reference/make/taylor.hpp"
 
@@ -69,45 +66,6 @@ Numbers by_angles(const std::vector<double>& in, int) {
               });
 }
 
-/// The chain's equations with their slopes by theta1.
-struct WithSlopes {
-  ChainTensions chain;
-
-  template <class T>
-  std::vector<T> operator()(const std::vector<T>& x, const T& t) const {
-    const std::size_t n = x.size() / 2;
-    std::vector<Dual<T>> state;
-    for (std::size_t i = 0; i < n; ++i) state.push_back({x[i], x[n + i]});
-    std::vector<T> all, slopes;
-    for (const Dual<T>& speed : chain(state, Dual<T>{t, t})) {  // which the chain does not look at
-      all.push_back(speed.x);
-      slopes.push_back(speed.dx);
-    }
-    all.insert(all.end(), slopes.begin(), slopes.end());
-    return all;
-  }
-};
-
-Numbers by_slope(const std::vector<double>& in, Precision digits) {
-  const TripleStart triple(in);
-  const ChainTensions chain{triple.chain};
-  Numbers x = chain.start(triple.theta, triple.omega);
-  const std::size_t n = x.size();
-  x.resize(2 * n);
-  for (std::size_t i : {0u, 6u}) {
-    x[n + i] = -x[i + 1];
-    x[n + i + 1] = x[i];
-  }
-  const Numbers end = solve_taylor(WithSlopes{chain}, x, 0, Number(in[14]), digits + 4);
-  std::array<Number, 2> slope{0, 0};
-  Number largest = 0;
-  for (std::size_t k = 0; k < n / 2; ++k) {
-    slope[k % 2] += end[n + k];
-    largest = std::max<Number>(largest, abs(slope[k % 2]));
-  }
-  return {log(largest) / in[14]};
-}
-
 }  // namespace growth_03_25
 
 Truth truth_03_25_growth() {
@@ -127,9 +85,7 @@ Truth truth_03_25_growth() {
       "two Taylor trajectories in Cartesian coordinates, 2e-20 rad apart",
       by_tensions,
       "two trajectories by the extrapolated midpoint rule in the angles, dense mass matrix, 2e-19 rad apart",
-      by_angles,
-      "Taylor series of the motion with its slope by theta1, their remainders bounded",
-      by_slope};
+      by_angles};
 }
 
 }  // namespace oddity::truth
