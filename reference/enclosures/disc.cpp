@@ -140,8 +140,11 @@ double largest(const std::vector<double>& all) { return *std::ranges::max_elemen
 
 }  // namespace
 
-double Disc::step(double tolerance, int order) const {
-  return 0.99 * radius * std::min(0.5, std::pow(tolerance / largest(reach), 1.0 / (order + 1)));
+double Disc::step(const std::vector<Limit>& limits) const {
+  double part = 0.5;
+  for (const Limit& limit : limits)
+    part = std::min(part, std::pow(limit.tolerance / largest(reach), 1.0 / (limit.order + 1)));
+  return 0.99 * part * radius;
 }
 
 double Disc::remainder(std::size_t unknown, double h, int order) const {
@@ -149,8 +152,8 @@ double Disc::remainder(std::size_t unknown, double h, int order) const {
   return reach[unknown] * std::pow(q, order + 1) / (1 - q) * (1 + 0x1p-30);
 }
 
-Disc disc_about(const Recorded& problem, const Numbers& x0, const Number& t0, double apart, double tolerance,
-                int order, double guess) {
+Disc disc_about(const Recorded& problem, const Numbers& x0, const Number& t0, double apart,
+                const std::vector<Limit>& limits, double guess) {
   Picard picard(problem, x0, t0);
   Disc best, disc{0, std::vector<double>(x0.size(), apart)};
   double stride = guess / 16;
@@ -158,7 +161,7 @@ Disc disc_about(const Recorded& problem, const Numbers& x0, const Number& t0, do
     const auto reach = after(picard, disc.reach, disc.radius, stride);
     if (reach) {
       disc = {(disc.radius + stride) / upwards, *reach};
-      if (best.radius == 0 || disc.step(tolerance, order) > best.step(tolerance, order))
+      if (best.radius == 0 || disc.step(limits) > best.step(limits))
         best = disc;
       else
         break;

@@ -19,7 +19,8 @@ struct FewerBits {
   ~FewerBits() { Ball::bits = all; }
 };
 
-constexpr int order_of_slopes = 18;
+constexpr int order_of_slopes = 22;
+constexpr double largest_error_of_slopes = 1e-3;
 constexpr long most_steps = 300'000;
 
 double largest_size(const Numbers& x) {
@@ -82,10 +83,11 @@ Number TaylorProblem::step(Parallelepiped& states, const Number& t, const Number
   const double size = largest_size(center), apart = size * 0x1p-18;
   for (std::size_t i = 0; i < hull.size(); ++i)
     if (!(greatest_size(hull[i] - center[i]) <= apart / 2)) throw Undecided("the enclosure becomes too wide");
-  const double tolerance = size * std::pow(10, -digits);
-  const Disc disc = disc_about(motion_, center, t, apart, tolerance, order, radius);
+  const std::vector<Limit> limits{{order, size * std::pow(10, -digits)},
+                                  {order_of_slopes, largest_error_of_slopes * apart / 2}};
+  const Disc disc = disc_about(motion_, center, t, apart, limits, radius);
   radius = disc.radius;
-  const double longest = disc.step(tolerance, order), left = middle_of(t1 - t);
+  const double longest = disc.step(limits), left = middle_of(t1 - t);
   if (longest < std::abs(left) * 1e-6) throw Undecided("the steps become too short");
   const bool last = std::abs(left) <= longest;
   const Number end = last ? t1 : t + Number(std::copysign(longest, left)), h = end - t;
