@@ -63,8 +63,8 @@ leg_syntax() {  # g++: every source alone, without precompiled headers; compile_
   build developer generated_sources
   local listed missing
   listed=$(sed -n 's|^ *"file": "'"$PWD"'/\(.*\)".*|\1|p' build/developer/compile_commands.json | sort -u)
-  # but those of the page's module, which another compiler makes, and of engines, which may not be here
-  missing=$(comm -23 <(sources '*.cpp' ':!report/site/module/*' ':!tests/site/nudged.cpp' ':!solvers/engines/*' | sort) <(echo "$listed"))
+  # but those of the page's module, which another compiler makes, and of engines and libclang, which may not be here
+  missing=$(comm -23 <(sources '*.cpp' ':!report/site/module/*' ':!tests/site/nudged.cpp' ':!solvers/engines/*' ':!tests/mutation/*' | sort) <(echo "$listed"))
   [ -z "$missing" ] || { echo "not in compile_commands.json: $missing"; return 1; }
   sed -n 's|^ *"command": "\(.*\)",$|\1|p' build/developer/compile_commands.json | sed 's|\\"|"|g; s|\\\\|\\|g' |
     (cd build/developer && xargs -d '\n' -P "$jobs" -n 1 bash -c 'eval "$0 -fsyntax-only"')
@@ -105,6 +105,12 @@ leg_thread() {  # thread sanitizer: a part of the suite in parallel
   ./oddity packages
   build thread oddity
   TSAN_OPTIONS=halt_on_error=1 build/thread/oddity verify "${SUITE:-[3.5],[3.1],[2.13],[7.1]}"
+}
+
+leg_mutate() {  # libclang: mutants drawn by the commit's name, of which the suite has to notice each; SAMPLE=300, PATHS for a part
+  ./oddity packages libclang-dev || exit 77
+  build release oddity_mutate
+  build/release/oddity_mutate --sample "${SAMPLE:-300}" ${PATHS:-}
 }
 
 leg_odr() {  # link-time optimization: no name has two definitions in the program

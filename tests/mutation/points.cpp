@@ -213,12 +213,16 @@ class Collector {
     switch (clang_getCursorKind(c)) {
       case CXCursor_BinaryOperator:
       case CXCursor_CompoundAssignOperator:
-      case CXCursor_CallExpr:
         consider_operation(file, c, e, around);
         break;
+      case CXCursor_CallExpr:
+        if (clang_Cursor_getNumArguments(c) == 1)
+          consider_sign(file, c, e, around);
+        else
+          consider_operation(file, c, e, around);
+        break;
       case CXCursor_UnaryOperator:
-        if (file.text[e.begin] == '-' && file.text[e.begin + 1] != '-')
-          add(file, around, {Shape::prefix, "negative", e, {e.begin, e.begin + 1}, {}, {"- left out"}});
+        consider_sign(file, c, e, around);
         break;
       case CXCursor_IntegerLiteral:
       case CXCursor_FloatingLiteral:
@@ -234,13 +238,20 @@ class Collector {
     consider_statement(file, c, e, around);
   }
 
+  void consider_sign(Mutable& file, CXCursor c, Extent e, const Around& around) {
+    if (file.text[e.begin] != '-' || file.text[e.begin + 1] == '-' || !number(c)) return;
+    const bool call = is(c, {CXCursor_CallExpr});
+    const auto operand = extent_of(call ? clang_Cursor_getArgument(c, 0) : children_of(c).at(0));
+    if (!operand || operand->begin == e.begin || operand->end != e.end) return;  // a conversion of -a + b
+    add(file, around, {Shape::prefix, "negative", e, {e.begin, e.begin + 1}, {}, {"- left out"}});
+  }
+
   static std::optional<std::pair<CXCursor, CXCursor>> operands_of(CXCursor c) {
     if (!is(c, {CXCursor_CallExpr})) {
       const auto children = children_of(c);
       return children.size() == 2 ? std::optional(std::pair(children[0], children[1])) : std::nullopt;
     }
-    if (!text_of(clang_getCursorSpelling(c)).starts_with("operator") || clang_Cursor_getNumArguments(c) != 2)
-      return {};
+    if (clang_Cursor_getNumArguments(c) != 2) return {};
     return std::pair(clang_Cursor_getArgument(c, 0), clang_Cursor_getArgument(c, 1));
   }
 
@@ -325,10 +336,9 @@ class Collector {
       return;
     const auto last = file.text.find_last_not_of(" \n", e.begin - 1);
     const char before = last == std::string::npos ? ';' : file.text[last];
-    const bool begins = before == ';' || before == '{' || before == '}' || before == ')';
-    const bool of_for = file.text.substr(last > 3 ? last - 4 : 0, 6).find("for (") != std::string::npos;
-    if (!begins || of_for) return;
-    add(file, around, {Shape::statement, "", e, {}, {}, {"statement left out"}});
+    const bool in_block = is(around.parent, {CXCursor_CompoundStmt});  // else it may be part of a loop's head
+    if (before == ')' || (in_block && (before == ';' || before == '{' || before == '}')))
+      add(file, around, {Shape::statement, "", e, {}, {}, {"statement left out"}});
   }
 
   std::string tree_;
@@ -383,7 +393,8 @@ std::vector<Mutable> mutable_files(const fs::path& tree, const fs::path& compile
   for (const auto& entry : nlohmann::json::parse(read(commands))) {
     const std::string file = entry["file"], command = entry["command"];
     if (file.find("cmake_pch") != file.npos || file.find("/lanes/") != file.npos ||
-        file.find("/walk/") != file.npos || command.find("ODDITY_LONG_DOUBLE") != command.npos)
+        file.find("/walk/") != file.npos || file.find("/tests/") != file.npos ||
+        file.find("/module/") != file.npos || command.find("ODDITY_LONG_DOUBLE") != command.npos)
       continue;
     if (!shows_wanted(file, read(file), tree.string() + "/", wanted)) continue;
     std::cerr << "reading " << file << "\n";
