@@ -17,11 +17,13 @@ namespace m = oddity::mutation;
 
 int main() {
   double sum = 1;
-  m::add(1, sum, 2.0);
-  constexpr double compiled = m::plus(3, 1.0, 1.0);
-  std::printf("%g %g %g ", sum, m::over(6, 6.0, 3.0), m::minus(9, m::constant(12, 4), 3.0));
+  m::assignment(1, sum, 2.0, ODDITY_ASSIGNMENT(+=), ODDITY_ASSIGNMENT(-=));
+  constexpr double compiled = m::operation(3, 1.0, 1.0, ODDITY_OPERATION(+), ODDITY_OPERATION(-));
+  const double ratio = m::operation(6, 6.0, 3.0, ODDITY_OPERATION(/), ODDITY_OPERATION(*));
+  const double less = m::operation(9, m::constant(12, 4), 3.0, ODDITY_OPERATION(-), ODDITY_OPERATION(+));
+  std::printf("%g %g %g ", sum, ratio, less);
   std::printf("%d %d %d ", m::less(13, 2, 2), m::equal(15, 1, 1), (m::chosen(16)) || (1 > 2));
-  std::printf("%g %d %g %g", m::negative(17, 5.0), m::index(18, 2), m::constant(19, 0.5), compiled);
+  std::printf("%g %d %g %g", m::negative(17, 5.0, ODDITY_NEGATIVE), m::index(18, 2), m::constant(19, 0.5), compiled);
 }
 )";
 

@@ -1,4 +1,5 @@
 #pragma once
+#pragma GCC system_header  // whose mutants the compiler need not warn of
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -53,27 +54,47 @@ constexpr bool chosen(int mutant) {
 template <class A, class B>
 concept Same = std::same_as<std::remove_cvref_t<A>, std::remove_cvref_t<B>>;
 
-// a op b: another operator, and either operand alone.
-#define ODDITY_MUTANT_OPERATOR(name, op, other)                               \
-  template <class A, class B>                                                 \
-  constexpr auto name(int first, const A& a, const B& b)->decltype(a op b) {  \
-    using Result = decltype(a op b);                                          \
-    if (among(first, 3)) {                                                    \
-      if constexpr (requires { requires Same<decltype(a other b), Result>; }) \
-        if (chosen(first)) return a other b;                                  \
-      if constexpr (Same<A, Result>)                                          \
-        if (chosen(first + 1)) return a;                                      \
-      if constexpr (Same<B, Result>)                                          \
-        if (chosen(first + 2)) return b;                                      \
-    }                                                                         \
-    return a op b;                                                            \
+// Operators as functions, made where they stand in the source: their names are looked up there.
+#define ODDITY_OPERATION(op) [](const auto& x, const auto& y) -> decltype(x op y) { return x op y; }
+#define ODDITY_ASSIGNMENT(op) [](auto&& x, const auto& y) -> decltype(x op y) { return x op y; }
+#define ODDITY_NEGATIVE [](const auto& x) -> decltype(-x) { return -x; }
+
+/// op(a, b): another operator, and either operand alone.
+template <class A, class B, class Op, class Other>
+constexpr auto operation(int first, const A& a, const B& b, const Op& op, const Other& other)
+    -> decltype(op(a, b)) {
+  using Result = decltype(op(a, b));
+  if (among(first, 3)) {
+    if constexpr (requires { requires Same<decltype(other(a, b)), Result>; })
+      if (chosen(first)) return other(a, b);
+    if constexpr (Same<A, Result>)
+      if (chosen(first + 1)) return a;
+    if constexpr (Same<B, Result>)
+      if (chosen(first + 2)) return b;
   }
-ODDITY_MUTANT_OPERATOR(plus, +, -)
-ODDITY_MUTANT_OPERATOR(minus, -, +)
-ODDITY_MUTANT_OPERATOR(times, *, /)
-ODDITY_MUTANT_OPERATOR(over, /, *)
-ODDITY_MUTANT_OPERATOR(remainder, %, *)
-#undef ODDITY_MUTANT_OPERATOR
+  return op(a, b);
+}
+
+/// op(a, b) that changes a: another operator, and not at all.
+template <class A, class B, class Op, class Other>
+constexpr auto assignment(int first, A&& a, const B& b, const Op& op, const Other& other)
+    -> decltype(op(a, b)) {
+  using Result = decltype(op(a, b));
+  if (among(first, 2)) {
+    if constexpr (requires { requires std::same_as<decltype(other(a, b)), Result>; })
+      if (chosen(first)) return other(a, b);
+    if constexpr (std::same_as<A, Result>)
+      if (chosen(first + 1)) return a;
+  }
+  return op(a, b);
+}
+
+template <class A, class Op>
+constexpr auto negative(int mutant, const A& a, const Op& op) -> decltype(op(a)) {
+  if constexpr (Same<A, decltype(op(a))>)
+    if (chosen(mutant)) return a;
+  return op(a);
+}
 
 // a op b as a condition: at the border, and the opposite.
 #define ODDITY_MUTANT_COMPARISON(name, op, border, opposite)                     \
@@ -104,32 +125,6 @@ ODDITY_MUTANT_COMPARISON(at_least, >=, >, <)
 ODDITY_MUTANT_EQUALITY(equal, ==, !=)
 ODDITY_MUTANT_EQUALITY(unequal, !=, ==)
 #undef ODDITY_MUTANT_EQUALITY
-
-// a op b that changes a: another operator, and not at all.
-#define ODDITY_MUTANT_ASSIGNMENT(name, op, other)                                     \
-  template <class A, class B>                                                         \
-  constexpr auto name(int first, A&& a, const B& b)->decltype(a op b) {               \
-    using Result = decltype(a op b);                                                  \
-    if (among(first, 2)) {                                                            \
-      if constexpr (requires { requires std::same_as<decltype(a other b), Result>; }) \
-        if (chosen(first)) return a other b;                                          \
-      if constexpr (std::same_as<A, Result>)                                          \
-        if (chosen(first + 1)) return a;                                              \
-    }                                                                                 \
-    return a op b;                                                                    \
-  }
-ODDITY_MUTANT_ASSIGNMENT(add, +=, -=)
-ODDITY_MUTANT_ASSIGNMENT(subtract, -=, +=)
-ODDITY_MUTANT_ASSIGNMENT(multiply, *=, /=)
-ODDITY_MUTANT_ASSIGNMENT(divide, /=, *=)
-#undef ODDITY_MUTANT_ASSIGNMENT
-
-template <class A>
-constexpr auto negative(int mutant, const A& a) -> decltype(-a) {
-  if constexpr (Same<A, decltype(-a)>)
-    if (chosen(mutant)) return a;
-  return -a;
-}
 
 /// A whole number one larger, another twice as large; 0 becomes 1.
 template <class A>

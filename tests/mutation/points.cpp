@@ -37,27 +37,34 @@ std::string trimmed(const std::string& s) {
 }
 
 struct Operator {
-  std::string_view function;
-  std::vector<std::string> mutations;
+  Shape shape;
+  std::string other;     ///< what it becomes
+  std::string function;  ///< of mutant.hpp
+  std::vector<std::string> mutations(const std::string& op) const {
+    const std::string to = op + " to " + other;
+    switch (shape) {
+      case Shape::operation:
+        return {to, op + " to its left", op + " to its right"};
+      case Shape::assignment:
+        return {to, op + " left out"};
+      default:
+        break;
+    }
+    if (op == "==" || op == "!=") return {to};
+    return {op + " to " + (op.size() == 1 ? op + "=" : op.substr(0, 1)), to};
+  }
 };
 
-/// The operators whose operands both are computed, with what mutant.hpp makes of them.
+/// The operators whose operands both are computed.
 const std::map<std::string, Operator> operators{
-    {"+", {"plus", {"+ to -", "+ to its left", "+ to its right"}}},
-    {"-", {"minus", {"- to +", "- to its left", "- to its right"}}},
-    {"*", {"times", {"* to /", "* to its left", "* to its right"}}},
-    {"/", {"over", {"/ to *", "/ to its left", "/ to its right"}}},
-    {"%", {"remainder", {"% to *", "% to its left", "% to its right"}}},
-    {"<", {"less", {"< to <=", "< to >="}}},
-    {"<=", {"at_most", {"<= to <", "<= to >"}}},
-    {">", {"greater", {"> to >=", "> to <="}}},
-    {">=", {"at_least", {">= to >", ">= to <"}}},
-    {"==", {"equal", {"== to !="}}},
-    {"!=", {"unequal", {"!= to =="}}},
-    {"+=", {"add", {"+= to -=", "+= left out"}}},
-    {"-=", {"subtract", {"-= to +=", "-= left out"}}},
-    {"*=", {"multiply", {"*= to /=", "*= left out"}}},
-    {"/=", {"divide", {"/= to *=", "/= left out"}}},
+    {"+", {Shape::operation, "-", "operation"}},     {"-", {Shape::operation, "+", "operation"}},
+    {"*", {Shape::operation, "/", "operation"}},     {"/", {Shape::operation, "*", "operation"}},
+    {"%", {Shape::operation, "*", "operation"}},     {"+=", {Shape::assignment, "-=", "assignment"}},
+    {"-=", {Shape::assignment, "+=", "assignment"}}, {"*=", {Shape::assignment, "/=", "assignment"}},
+    {"/=", {Shape::assignment, "*=", "assignment"}}, {"<", {Shape::comparison, ">=", "less"}},
+    {"<=", {Shape::comparison, ">", "at_most"}},     {">", {Shape::comparison, "<=", "greater"}},
+    {">=", {Shape::comparison, "<", "at_least"}},    {"==", {Shape::comparison, "!=", "equal"}},
+    {"!=", {Shape::comparison, "==", "unequal"}},
 };
 
 /// Collects the points of every wanted file of a translation unit.
@@ -243,7 +250,7 @@ class Collector {
     const bool call = is(c, {CXCursor_CallExpr});
     const auto operand = extent_of(call ? clang_Cursor_getArgument(c, 0) : children_of(c).at(0));
     if (!operand || operand->begin == e.begin || operand->end != e.end) return;  // a conversion of -a + b
-    add(file, around, {Shape::prefix, "negative", e, {e.begin, e.begin + 1}, {}, {"- left out"}});
+    add(file, around, {Shape::sign, "negative", e, {e.begin, e.begin + 1}, {}, {}, {"- left out"}});
   }
 
   static std::optional<std::pair<CXCursor, CXCursor>> operands_of(CXCursor c) {
@@ -278,6 +285,7 @@ class Collector {
            e,
            {a->end, b->begin},
            {},
+           {},
            {op + " without its left", op + " without its right"}});
       return;
     }
@@ -285,13 +293,15 @@ class Collector {
     const bool equality = op == "==" || op == "!=";
     if (known == operators.end() || (!equality && (!number(operands->first) || !number(operands->second))))
       return;
+    const Operator& known_op = known->second;
     add(file, around,
-        {Shape::operation,
-         std::string(known->second.function),
+        {known_op.shape,
+         known_op.function,
          e,
          {a->end, b->begin},
+         {op, known_op.other},
          {},
-         known->second.mutations});
+         known_op.mutations(op)});
   }
 
   void consider_literal(Mutable& file, CXCursor c, Extent e, const Around& around) {
@@ -309,9 +319,10 @@ class Collector {
            e,
            {},
            {},
+           {},
            {"index " + literal + (literal == "0" ? " to 1" : " less 1")}});
     else
-      add(file, around, {Shape::literal, "constant", e, {}, {}, {"constant " + literal}});
+      add(file, around, {Shape::literal, "constant", e, {}, {}, {}, {"constant " + literal}});
   }
 
   void consider_condition(Mutable& file, CXCursor c, Extent e, const Around& around) {
@@ -325,7 +336,7 @@ class Collector {
     const CXCursorKind kind = clang_getCursorKind(children[0]);
     if (kind == CXCursor_BinaryOperator || operands_of(children[0])) return;  // whose own mutants do as much
     if (clang_getCursorType(children[0]).kind != CXType_Bool) return;
-    add(file, around, {Shape::condition, "", *condition, {}, {}, {"the opposite condition"}});
+    add(file, around, {Shape::condition, "", *condition, {}, {}, {}, {"the opposite condition"}});
   }
 
   void consider_statement(Mutable& file, CXCursor c, Extent e, const Around& around) {
@@ -338,7 +349,7 @@ class Collector {
     const char before = last == std::string::npos ? ';' : file.text[last];
     const bool in_block = is(around.parent, {CXCursor_CompoundStmt});  // else it may be part of a loop's head
     if (before == ')' || (in_block && (before == ';' || before == '{' || before == '}')))
-      add(file, around, {Shape::statement, "", e, {}, {}, {"statement left out"}});
+      add(file, around, {Shape::statement, "", e, {}, {}, {}, {"statement left out"}});
   }
 
   std::string tree_;

@@ -15,20 +15,23 @@ struct Extent {
 };
 
 enum class Shape {
-  operation,  ///< a op b becomes function(i, a, b)
-  prefix,     ///< -a becomes function(i, a)
-  literal,    ///< 2 becomes function(i, 2)
-  logic,      ///< a && b: of either operand it is taken for granted that it decides nothing
-  condition,  ///< if (a): its opposite
-  statement   ///< f(); or a = b; is left out
+  operation,   ///< a op b becomes operation(i, a, b, op, another)
+  assignment,  ///< a op= b becomes assignment(i, a, b, op=, another)
+  comparison,  ///< a < b becomes less(i, a, b)
+  sign,        ///< -a becomes negative(i, a, op)
+  literal,     ///< 2 becomes function(i, 2)
+  logic,       ///< a && b: of either operand it is taken for granted that it decides nothing
+  condition,   ///< if (a): its opposite
+  statement    ///< f(); or a = b; is left out
 };
 
 /// A place in a file and the mutants there, one for each entry of `mutations`: "+ to -".
 struct Point {
   Shape shape;
-  std::string function;  ///< of mutant.hpp
+  std::string function;  ///< of mutant.hpp, or && or ||
   Extent whole, op;
-  std::string within;  ///< the function of the source that it is in
+  std::string operators[2];  ///< the operator, and what it becomes
+  std::string within;        ///< the function of the source that it is in
   std::vector<std::string> mutations;
 };
 

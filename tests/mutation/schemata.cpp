@@ -59,11 +59,19 @@ std::string call(const std::string& function, int mutant) {
 void edit(Edits& edits, const Point& p, int mutant) {
   switch (p.shape) {
     case Shape::operation:
+    case Shape::assignment: {
+      const std::string make = p.shape == Shape::operation ? ", ODDITY_OPERATION(" : ", ODDITY_ASSIGNMENT(";
+      edits.around(p.whole, call(p.function, mutant) + ", ",
+                   make + p.operators[0] + ")" + make + p.operators[1] + "))");
+      edits.instead(p.op, ", ");
+      break;
+    }
+    case Shape::comparison:
       edits.around(p.whole, call(p.function, mutant) + ", ", ")");
       edits.instead(p.op, ", ");
       break;
-    case Shape::prefix:
-      edits.around(p.whole, call(p.function, mutant) + ", ", ")");
+    case Shape::sign:
+      edits.around(p.whole, call(p.function, mutant) + ", ", ", ODDITY_NEGATIVE)");
       edits.instead(p.op, "");
       break;
     case Shape::literal:
@@ -80,7 +88,7 @@ void edit(Edits& edits, const Point& p, int mutant) {
       edits.around(p.whole, "(" + call("chosen", mutant) + ") != (", "))");
       break;
     case Shape::statement:
-      edits.around(p.whole, "if (" + call("chosen", mutant) + ")) {} else ", "");
+      edits.around({p.whole.begin, p.whole.end + 1}, "{ if (!" + call("chosen", mutant) + ")) ", " }");
       break;
   }
 }
@@ -125,7 +133,7 @@ std::vector<Mutant> mutants_of(const std::vector<Mutable>& files) {
     std::map<std::string, int> alike;
     for (const Point& p : file.points)
       for (const std::string& mutation : p.mutations) {
-        const unsigned at = p.shape == Shape::operation ? p.op.begin + 1 : p.whole.begin;
+        const unsigned at = std::max(p.op.end, p.whole.begin);  // the operator's line, if it has one
         Mutant m{
             static_cast<int>(all.size()) + 1, file.file, p.within, line_of(file.text, at), mutation, 1, 0};
         m.at = 1 + static_cast<int>(std::count(file.text.begin(), file.text.begin() + at, '\n'));
@@ -154,7 +162,7 @@ bool write_schemata(const fs::path& tree, const std::vector<Mutable>& files, con
   std::map<std::string, std::string> mutated;
   int first = 1;
   for (const Mutable& file : files) {
-    mutated[file.file] = schema(file, first);
+    if (!file.points.empty()) mutated[file.file] = schema(file, first);
     for (const Point& p : file.points) first += static_cast<int>(p.mutations.size());
   }
   bool changed = false;
