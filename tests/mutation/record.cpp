@@ -62,6 +62,7 @@ std::string room_of(const Mutant& m) { return m.file.substr(0, m.file.find('/'))
 
 Reasons read_reasons(const fs::path& file) {
   Reasons reasons;
+  if (!fs::exists(file)) return reasons;
   for (const CsvRow& row : read_named(file, "reason").rows) {
     if (row.cells[name_cells].empty()) throw BadInput(row.place + ": a survivor needs a reason");
     if (!reasons.emplace(name_in(row), row.cells[name_cells]).second)
@@ -71,14 +72,12 @@ Reasons read_reasons(const fs::path& file) {
 }
 
 Outcomes::Outcomes(fs::path file, bool killed_alone) : file_(std::move(file)) {
-  if (fs::exists(file_))
-    for (const CsvRow& row : read_named(file_, "outcome,by").rows) {
-      const Judgement judgement{fate_in(row), row.cells[name_cells + 1]};
-      all_.erase(name_in(row));
-      if (!killed_alone || judgement.fate == Fate::killed) all_[name_in(row)] = judgement;
-    }
-  else
-    std::ofstream(file_) << name_columns << ",outcome,by\n";
+  if (!fs::exists(file_)) return;
+  for (const CsvRow& row : read_named(file_, "outcome,by").rows) {
+    const Judgement judgement{fate_in(row), row.cells[name_cells + 1]};
+    all_.erase(name_in(row));
+    if (!killed_alone || judgement.fate == Fate::killed) all_[name_in(row)] = judgement;
+  }
 }
 
 const Judgement* Outcomes::of(const Mutant& m) const {
@@ -88,7 +87,9 @@ const Judgement* Outcomes::of(const Mutant& m) const {
 
 void Outcomes::add(const Mutant& m, const Judgement& judgement) {
   all_[m.name()] = judgement;
+  const bool fresh = !fs::exists(file_);
   std::ofstream out(file_, std::ios::app);
+  if (fresh) out << name_columns << ",outcome,by\n";
   out << cells_of(m) << "," << name_of(judgement.fate) << "," << quoted(judgement.by) << std::endl;
   if (!out) throw BadInput("cannot write to " + file_.string());
 }
