@@ -46,15 +46,15 @@ std::string home_of(const std::string& file) {
   return found[1].str() + "." + found[3].str();
 }
 
-/// `oddity verify` of one exercise with a mutant, 0 for none. A limit of the processor's time, unlike one of
-/// the clock's, does not depend on what else the machine does.
+/// `oddity verify` of one exercise, and of the register, which misses claims, with a mutant, 0 for none. A
+/// limit of the processor's time, unlike one of the clock's, does not depend on what else the machine does.
 Ended verify(const fs::path& program, const std::string& tag, int mutant, const fs::path& reached,
              double seconds) {
   setenv("ODDITY_MUTANT", std::to_string(mutant).c_str(), 1);
   setenv("ODDITY_MUTANTS_REACHED", reached.c_str(), 1);
   const long most = std::lround(std::ceil(seconds));
   return run_program({"prlimit", "--core=0", "--cpu=" + std::to_string(most) + ":" + std::to_string(most + 1),
-                      program.string(), "verify", "[" + tag + "]"},
+                      program.string(), "verify", "[" + tag + "],[register]"},
                      "", std::chrono::seconds(60 * most), memory);
 }
 
