@@ -125,9 +125,9 @@ Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::
                   const truth::Tick& tick, const Make& make) {
   truth::Made made;
   bool ticking = false;
-  const auto watched = [&] {
+  const auto watched = [&](double done) {
     ticking = true;
-    if (tick) tick();
+    if (tick) tick(done);
     ticking = false;
   };
   try {
@@ -239,7 +239,7 @@ Reference::Reference(const fs::path& folder, fs::path cache)
   tables_ = std::make_shared<Tables>(std::move(tables));
 }
 
-Reference Reference::watched(std::function<void()> tick) const {
+Reference Reference::watched(std::function<void(double)> tick) const {
   Reference copy = *this;
   copy.tick_ = std::move(tick);
   return copy;
