@@ -35,8 +35,8 @@ std::string listed(const std::vector<std::string>& words) {
 }
 
 std::string listed(const std::vector<double>& numbers) {
-  std::vector<std::string> words;
-  for (double x : numbers) words.push_back(shortest(x));
+  std::vector<std::string> words(numbers.size());
+  std::ranges::transform(numbers, words.begin(), shortest);
   return listed(words);
 }
 
@@ -291,7 +291,7 @@ Known Reference::motion(std::string_view name, const std::vector<double>& inputs
       kept->source = source_of(truth);
       return *kept;
     }
-  const Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick& tick) {
+  Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick& tick) {
     return truth::make_motion(truth, inputs, {times.begin(), times.end()}, digits_, compared_times,
                               tick_ ? tick : truth::Tick());
   });
