@@ -119,10 +119,45 @@ TEST_CASE("A recorded motion is the one that was run, to one part in 65535 of it
     const std::string bytes = bytes_of(paths[i]["values"]);
     const double least = paths[i]["least"][0], most = paths[i]["most"][0];
     REQUIRE(bytes.size() == 2 * run.size());
-    for (std::size_t k = 0; k < run.size(); ++k)
-      CHECK(std::abs(least + (most - least) * number_at(bytes, 2 * k, 2) / 65535 - run[k]) <
-            (most - least) / 65535);
+    std::uint32_t now = 0;
+    for (std::size_t k = 0; k < run.size(); ++k) {
+      now = (now + number_at(bytes, k, 1) + 256 * number_at(bytes, run.size() + k, 1)) % 65536;
+      CHECK(std::abs(least + (most - least) * now / 65535 - run[k]) < (most - least) / 65535);
+    }
   }
+}
+
+TEST_CASE("What an engine did as it comes is a recorded motion, twenty times a second", "[site][engines]") {
+  EngineSeries series;
+  series.engine = "Some";
+  series.version = "1.2";
+  series.trials.resize(1);
+  series.trials.back().errors = {0.5};
+  for (int frame = 1; frame <= 450; ++frame) series.trials.back().path.push_back(frame / 450.0);
+  EngineSeries tuned = series;
+  tuned.defaults = false;
+  EngineContest contest;
+  EngineSeries in_double = series;
+  in_double.engine += " in double";
+  contest.series = {series, tuned, in_double};
+  const auto paths_of = [&](const std::string& scene) {
+    contest.scene = scene;
+    const Json data = argument(
+        "exercise", exercise_data(pendulum(), known(), Styles(results()), false, std::span(&contest, 1)));
+    std::vector<Json> paths;
+    for (const Json& path : data["scene"]["paths"])
+      if (path["model"] == "physics engine, as it comes") paths.push_back(path);
+    return paths;
+  };
+  const std::vector<Json> paths = paths_of("3.5");
+  REQUIRE(paths.size() == 1);
+  CHECK(paths[0]["frames"] == 200);
+  CHECK(paths[0]["setting"] == 1 / 60.0);
+  CHECK(paths[0]["error"] == 0.5);
+  CHECK(paths[0]["least"][0] == Approx(3 / 450.0).epsilon(1e-5));
+  CHECK(paths[0]["most"][0] == 1);
+  CHECK(bytes_of(paths[0]["values"]).size() == 2 * 150);  // as far as it came
+  CHECK(paths_of("3.7").empty());
 }
 
 TEST_CASE("Without models the motions are drawn: the bob is where its angle says", "[site]") {

@@ -58,10 +58,17 @@ std::optional<Instead> instead(const Task& task, const Reference& truth, const P
   return instead_of(choice);
 }
 
+}  // namespace
+
+std::vector<EngineContest> kept_engines() {
+  return fs::exists(engines_file()) ? read_engines(engines_file()) : std::vector<EngineContest>();
+}
+
+namespace {
+
 /// These, and what earlier runs kept of other scenes, in the order in which all would run.
 std::vector<EngineContest> with_earlier(const std::vector<EngineContest>& contests) {
-  std::vector<EngineContest> earlier;
-  if (fs::exists(engines_file())) earlier = read_engines(engines_file());
+  const std::vector<EngineContest> earlier = kept_engines();
   std::vector<EngineContest> all;
   for (const std::string& scene : scenes_for_engines())
     for (const auto* some : {&contests, &std::as_const(earlier)}) {
@@ -174,8 +181,7 @@ std::vector<EngineContest> engines_kept(const std::vector<std::string>& scenes) 
 
 std::vector<fs::path> draw_engines(const std::vector<Task>& tasks, const Reference& truth,
                                    const fs::path& folder) {
-  std::vector<EngineContest> kept;
-  if (fs::exists(engines_file())) kept = read_engines(engines_file());
+  const std::vector<EngineContest> kept = kept_engines();
   OwnByScene own;
   std::vector<EngineContest> asked;
   for (const Task& task : tasks)

@@ -137,7 +137,7 @@ fs::path report_of(const Results& results, Edition edition, const fs::path& out)
 
 fs::path site_of(const Results& results, const fs::path& folder, const fs::path& out) {
   return with_progress([&](const Progress& progress) {
-    return write_site(results, Reference(folder, motions_folder()), out, progress);
+    return write_site(results, Reference(folder, motions_folder()), out, progress, kept_engines());
   });
 }
 

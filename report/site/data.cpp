@@ -19,14 +19,15 @@
 //     truth      {end, frames, values}: the true observables at frame 0, 1, ..., frames, one time after the
 //                other, by the reference; values are floats, least byte first, in base64
 //     paths      [{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]: recorded
-//                motions, of what the module has not, from frame 1 on as far as they come; values are whole
-//                numbers of 16 bits, least byte first, in base64, from 0 for the observable's `least` to
-//                65535 for its `most`
+//                motions, of what the module has not and of other people's engines, from frame 1 on as far
+//                as they come, these with their precision; values are whole numbers of 16 bits, from 0 for the observable's `least` to
+//                65535 for its `most`, each less that of the frame before, in base64: first all their low
+//                bytes, and then all their high ones
 //     drawn      where the page has no models to draw by: {space, things: [{kind, size, letter, trail,
 //                points: how many}], still, moving, least, most, truth, paths}; the places of the things'
 //                points, one after the other, x, y and in space z, are `still` but for those at the indices
-//                `moving`; these are in `truth` from frame 0 on and in each of `paths`, written as values of
-//                paths are, between `least` and `most`
+//                `moving`; these are in `truth` from frame 0 on and in each of `paths`: whole numbers of
+//                16 bits, least byte first, in base64, between `least` and `most`
 //   stability    null, or {limits: [{model, algorithm, shown, stable, unstable, theory, within, tongues:
 //                [[from, to]]}], parameter, unit, steps: [step], map: [{model, algorithm, rows: [[value,
 //                theory, outcomes], ...]}]}; `shown` is the largest stable step in words; a theory of null
@@ -210,6 +211,9 @@ std::vector<double> true_motion(const Scene& scene, const Parameters& parameters
   return all;
 }
 
+/// The model of what engines do, which have their own.
+constexpr const char* engine_model = "physics engine, as it comes";
+
 /// From 0 for the least to 65535 for the most.
 std::uint32_t quantized(double x, double least, double most) {
   return most > least ? static_cast<std::uint32_t>(std::lround(65535 * (x - least) / (most - least))) : 0;
@@ -222,13 +226,20 @@ Json from(const Path& path, std::size_t observables, std::size_t frames) {
     least[i % observables] = std::min(least[i % observables], path.value[i]);
     most[i % observables] = std::max(most[i % observables], path.value[i]);
   }
-  std::string bytes;
-  for (std::size_t i = 0; i < path.value.size(); ++i)
-    append(bytes, quantized(path.value[i], least[i % observables], most[i % observables]), 2);
-  return {{"model", path.model},       {"algorithm", path.algorithm},  {"knob", path.knob},
-          {"setting", path.setting},   {"error", brief(path.error)},   {"outcome", letter(path.outcome)},
-          {"frames", frames},          {"least", brief_all(least, 6)}, {"most", brief_all(most, 6)},
-          {"values", in_base64(bytes)}};
+  std::string low, high;  // what changes little has high bytes that pack well
+  std::vector<std::uint32_t> before(observables, 0);
+  for (std::size_t i = 0; i < path.value.size(); ++i) {
+    const std::size_t k = i % observables;
+    const std::uint32_t now = quantized(path.value[i], least[k], most[k]);
+    append(low, (now - before[k]) & 0xff, 1);
+    append(high, (now - before[k]) >> 8 & 0xff, 1);
+    before[k] = now;
+  }
+  return {{"model", path.model},        {"algorithm", path.algorithm},
+          {"knob", path.knob},          {"setting", path.setting},
+          {"error", brief(path.error)}, {"outcome", letter(path.outcome)},
+          {"frames", frames},           {"least", brief_all(least, 6)},
+          {"most", brief_all(most, 6)}, {"values", in_base64(low + high)}};
 }
 
 // ---- how it looks -----------------------------------------------------------------------------------------
@@ -380,7 +391,37 @@ bool in_module(const Scene& scene, const Path& path) {
                               [&](const auto& listed) { return listed.first == path.model; }));
 }
 
-Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& truth, bool drawn) {
+/// Engines as their users get them, at a step a frame: twenty times a second, for the eye.
+Json engine_paths(const EngineContest& contest, const Scene& scene) {
+  constexpr std::size_t every = 3;
+  const std::size_t observables = scene.axes.observables.size();
+  const auto frames = static_cast<std::size_t>(std::lround(scene.horizon * contest.frames_per_second));
+  Json paths = Json::array();
+  if (frames % every != 0) return paths;
+  for (const EngineSeries& series : contest.series) {
+    if (!series.defaults || series.trials.empty() || series.trials.front().path.empty()) continue;
+    if (series.engine.ends_with(" in double")) continue;  // to the eye they are as in float
+    const EngineTrial& trial = series.trials.front();
+    Path path{engine_model,
+              series.engine + " " + series.version,
+              "step",
+              1 / contest.frames_per_second,
+              trial.errors.front(),
+              trial.outcome,
+              {}};
+    std::vector<double> seen;
+    const std::size_t known = std::min(frames, trial.path.size() / observables);
+    for (std::size_t frame = every; frame <= known; frame += every)
+      for (std::size_t i = 0; i < observables; ++i) seen.push_back(trial.path[(frame - 1) * observables + i]);
+    path.value = Value(std::move(seen));
+    paths.push_back(from(path, observables, frames / every));
+    paths.back()["precision"] = series.precision;
+  }
+  return paths;
+}
+
+Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& truth, bool drawn,
+              std::span<const EngineContest> contests) {
   const auto moving = motion_of(e);
   if (!entry.exercise.scene || moving == e.quantities.end()) return nullptr;
   const Scene& scene = *entry.exercise.scene;
@@ -391,6 +432,9 @@ Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& trut
   for (const Path& path : shown.paths)
     if (drawn || !in_module(scene, path))
       paths.push_back(from(path, scene.axes.observables.size(), shown.times.size()));
+  for (const EngineContest& contest : contests)
+    if (!drawn && contest.scene == to_string(e.number))
+      for (Json& path : engine_paths(contest, scene)) paths.push_back(std::move(path));
   Json json{{"quantity", moving - e.quantities.begin()},
             {"horizon", scene.horizon},
             {"time_unit", scene.axes.time},
@@ -456,7 +500,8 @@ Json from(const std::optional<Ledger>& ledger) {
   return rows;
 }
 
-Json data_of(const ExerciseResult& e, const Reference& truth, const Styles& styles, bool drawn) {
+Json data_of(const ExerciseResult& e, const Reference& truth, const Styles& styles, bool drawn,
+             std::span<const EngineContest> contests) {
   const Entry* entry = entry_of(e.number);
   Json quantities = Json::array();
   for (const QuantityResult& q : e.quantities) quantities.push_back(from(q));
@@ -466,20 +511,21 @@ Json data_of(const ExerciseResult& e, const Reference& truth, const Styles& styl
           {"parameters", e.scene ? parameters_of(*entry) : Json::array()},
           {"styles", styles_of(e.quantities, styles)},
           {"quantities", quantities},
-          {"scene", scene_of(e, *entry, truth, drawn)},
+          {"scene", scene_of(e, *entry, truth, drawn, contests)},
           {"stability", from(e.stability)},
           {"least", from(e.ledger)}};
 }
 
 }  // namespace
 
-std::string exercise_data(const ExerciseResult& e, const Reference& truth, const Styles& styles, bool drawn) {
-  return packed_call("exercise", data_of(e, truth, styles, drawn));
+std::string exercise_data(const ExerciseResult& e, const Reference& truth, const Styles& styles, bool drawn,
+                          std::span<const EngineContest> contests) {
+  return packed_call("exercise", data_of(e, truth, styles, drawn, contests));
 }
 
 std::string example_data(const ExerciseResult& e, bool drawn) {
   const Results alone{.exercises = {e}};
-  Json data = data_of(e, Reference::nothing(), Styles(alone), drawn);
+  Json data = data_of(e, Reference::nothing(), Styles(alone), drawn, {});
   const auto row = [](const char* model, const char* algorithm, double setting) {
     return Json{{"model", model}, {"algorithm", algorithm}, {"precision", "double"}, {"setting", setting}};
   };

@@ -1,18 +1,21 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
 #include "report/charts/chart_style.hpp"
+#include "report/study/engines.hpp"
 #include "report/study/results.hpp"
 
 namespace oddity {
 
 /// data/3.5.js: oddity.exercise({...}), everything that the page's scripts show of an exercise. Its layout
 /// stands at the head of data.cpp. `drawn`: with the scene's recorded motions as they look, for a page that
-/// has no models to draw by.
-std::string exercise_data(const ExerciseResult&, const Reference&, const Styles&, bool drawn);
+/// has no models to draw by; else with what other people's engines made of the scene, where that was kept.
+std::string exercise_data(const ExerciseResult&, const Reference&, const Styles&, bool drawn,
+                          std::span<const EngineContest> = {});
 
 /// The same of the example that is no exercise (example.hpp).
 std::string example_data(const ExerciseResult&, bool drawn);

@@ -30,7 +30,7 @@ std::map<std::string, std::string> site_pages(const Results& results) {
 }
 
 fs::path write_site(const Results& results, const Reference& truth, const fs::path& folder,
-                    const Progress& progress) {
+                    const Progress& progress, std::span<const EngineContest> contests) {
   for (const char* room : {"", "assets", "data"}) require_writable_folder(folder / room);
   for (const auto& [name, text] : site_pages(results)) write_whole(folder / name, text);
   write_whole(folder / "errata.json", errata_json(results));
@@ -38,9 +38,9 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
   const Styles styles(results);
   std::size_t written = 0;
   for (const ExerciseResult& e : results.exercises) {
-    if (progress) progress("writing the site", written++, results.exercises.size());
+    if (progress) progress("writing the site", static_cast<double>(written++), results.exercises.size());
     write_whole(folder / "data" / (to_string(e.number) + ".js"),
-                exercise_data(e, truth, styles, !has_module()));
+                exercise_data(e, truth, styles, !has_module(), contests));
   }
   write_whole(folder / "data" / (example_name + std::string(".js")),
               example_data(example_result(), !has_module()));

@@ -8,6 +8,7 @@
 
 #include "reference/reference.hpp"
 #include "report/pages/code.hpp"
+#include "report/study/engines.hpp"
 #include "report/study/run.hpp"
 
 /// The report that runs: one folder, opened by double click, which asks nothing of the net. Pages, scripts
@@ -28,9 +29,10 @@ std::span<const EmbeddedFile> embedded_assets();
 /// All pages by the names of their files, typeset.
 std::map<std::string, std::string> site_pages(const Results&);
 
-/// Writes the site into `folder` and returns the page to open first. Each file is whole or not there. Throws
+/// Writes the site into `folder`, with what engines did on its scenes, and returns the page to open first. Each file is whole or not there. Throws
 /// BadInput when the folder cannot be written.
 std::filesystem::path write_site(const Results&, const Reference&, const std::filesystem::path& folder,
-                                 const Progress& progress = {});
+                                 const Progress& progress = {},
+                                 std::span<const EngineContest> contests = {});
 
 }  // namespace oddity

@@ -187,7 +187,8 @@ Outcome outcome_of(const EngineTrial& trial, std::size_t frames, const EngineSce
 }
 
 void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply& reply) {
-  trial.errors = contest.motion.errors(observed(contest, reply.frames));
+  std::vector<double> seen = observed(contest, reply.frames);
+  trial.errors = contest.motion.errors(seen);
   trial.in_needs = contest.motion.in_needs(trial.errors);
   trial.outcome = outcome_of(trial, reply.frames.size(), contest);
   trial.energy = engines::energy_change(contest.staging.world, reply.frames);
@@ -198,6 +199,7 @@ void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply&
   trial.spread = (seconds.back() - seconds.front()) / contest.need.frames();
   trial.same_bits = reply.same_bits;
   trial.restored = reply.restored;
+  trial.path = std::move(seen);
 }
 
 /// The adapters in JavaScript beside the runner and what they share.
@@ -306,6 +308,7 @@ void go_on(Entrant& entrant, const EngineScene& scene, int last, const EngineTas
     for (; steps <= last; steps *= 2) {
       if (!series.trials.empty() && series.trials.back().outcome == Outcome::stalled) return;
       series.trials.push_back(run(*entrant.engine, *entrant.variant, scene, steps, task));
+      if (steps > 1 || !series.defaults) series.trials.back().path.clear();
     }
   } catch (const CannotBeHad& reason) {
     series.cannot = reason.what();

@@ -44,6 +44,8 @@ struct EngineTrial {
   double spread = 0;                ///< of these
   bool same_bits = true;            ///< in all runs
   std::string restored = {};        ///< "same bits", "other bits", "not offered"; empty: not asked
+  /// The observables, frame after frame, for the eye: of a step per frame with the engine's defaults alone.
+  std::vector<double> path = {};
 };
 
 /// A variant's trials on a scene, from coarse to fine.

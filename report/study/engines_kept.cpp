@@ -7,6 +7,7 @@
 
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
+#include "reference/text.hpp"
 #include "report/study/engines.hpp"
 
 namespace oddity {
@@ -40,6 +41,13 @@ Outcome outcome_named(const std::string& name) {
   throw BadInput("there is no outcome '" + name + "'");
 }
 
+/// For the eye, seven digits are enough.
+std::vector<double> shortened(std::vector<double> path) {
+  for (double& x : path)
+    if (std::isfinite(x)) x = *number_in(rounded(x, 7));
+  return path;
+}
+
 ordered_json kept(const EngineTrial& t) {
   return {{"steps_per_frame", t.steps_per_frame},
           {"outcome", name_of(t.outcome)},
@@ -51,7 +59,8 @@ ordered_json kept(const EngineTrial& t) {
           {"seconds_per_frame", kept(t.seconds_per_frame)},
           {"spread", kept(t.spread)},
           {"same_bits", t.same_bits},
-          {"restored", t.restored}};
+          {"restored", t.restored},
+          {"path", kept(shortened(t.path))}};
 }
 EngineTrial trial_from(const ordered_json& j) {
   return {j.at("steps_per_frame"),   outcome_named(j.at("outcome")),
@@ -59,7 +68,7 @@ EngineTrial trial_from(const ordered_json& j) {
           number(j.at("in_needs")),  number(j.at("energy")),
           number(j.at("off_joint")), number(j.at("seconds_per_frame")),
           number(j.at("spread")),    j.at("same_bits"),
-          j.at("restored")};
+          j.at("restored"),          numbers(j.value("path", ordered_json::array()))};
 }
 
 ordered_json kept(const EngineSeries& s) {

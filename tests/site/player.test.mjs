@@ -74,6 +74,8 @@ test('floats come out of base64', () => {
   assert.deepEqual([...oddity.floats(bytes.toString('base64'))], [1.5, -2, NaN]);
   const wholes = Buffer.from(new Uint16Array([0, 1, 65535]).buffer);
   assert.deepEqual([...oddity.wholes(wholes.toString('base64'))], [0, 1, 65535]);
+  const changes = Buffer.from([5, 0, 0xff, 0, 0, 1, 0xff, 0]);  // +5, +256; -1, +0
+  assert.deepEqual([...oddity.fromChanges(changes.toString('base64'), 2)], [5, 256, 4, 256]);
 });
 
 test('steps divide the intervals of a trial evenly and are seen at least once a frame', () => {

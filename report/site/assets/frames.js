@@ -17,6 +17,17 @@
     return Float64Array.from({ length: view.byteLength / 2 }, (_, i) => view.getUint16(2 * i, true));
   };
 
+  /** Whole numbers of 16 bits of which base64 has the changes from frame to frame, `count` in each: all their low
+      bytes, and then all their high ones. */
+  oddity.fromChanges = function (base64, count) {
+    const view = viewOf(base64);
+    const size = view.byteLength / 2;
+    const values = new Float64Array(size);
+    for (let i = 0; i < size; i += 1)
+      values[i] = ((i < count ? 0 : values[i - count]) + view.getUint8(i) + 256 * view.getUint8(size + i)) % 65536;
+    return values;
+  };
+
   /** 0, frame, 2 frame, ..., horizon. */
   oddity.frameTimes = function (horizon, frames) {
     return Float64Array.from({ length: frames + 1 }, (_, i) => horizon * i / frames);

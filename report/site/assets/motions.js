@@ -6,6 +6,7 @@
   const kept = 60;          // motions in the cache
   const published = /as (printed|published)|^published|of the printed listing/;
   const finest = 'Fehlberg 7(8)';
+  const byEngine = 'physics engine, as it comes';
   const sevenDigits = 1.2e-7;
   const tenDigits = 1e-10;
   const doubles = 1e-11;      // of the size, what a tolerance of 1e-12 leaves
@@ -25,7 +26,7 @@
     const resolution = new Float64Array(count);
     if (least) {
       for (let k = 0; k < count; k += 1) resolution[k] = (most[k] - least[k]) / 65535;
-      oddity.wholes(path.values).forEach((x, i) => { observed[count + i] = least[i % count] + x * resolution[i % count]; });
+      oddity.fromChanges(path.values, count).forEach((x, i) => { observed[count + i] = least[i % count] + x * resolution[i % count]; });
     } else {
       observed.set(oddity.floats(path.values), count);
     }
@@ -61,7 +62,7 @@
   function recordedMethods(paths, others) {
     return paths
       .filter((p) => !others.some((m) => m.model === p.model && m.algorithm === p.algorithm))
-      .map((p) => ({ model: p.model, algorithm: p.algorithm, knob: p.knob, precisions: ['double'], path: p }));
+      .map((p) => ({ model: p.model, algorithm: p.algorithm, knob: p.knob, precisions: [p.precision || 'double'], path: p }));
   }
 
   /** An outcome's name, by the letter that stands for it. */
@@ -206,7 +207,7 @@
 
     /** A recorded motion that is right, and then one that is not. */
     function fromRecorded(rows) {
-      const others = methods.filter((m) => m.path && !rows.some((r) => r.model === m.model));
+      const others = methods.filter((m) => m.path && m.model !== byEngine && !rows.some((r) => r.model === m.model));
       const right = others.filter((m) => isOk(m.path.outcome));
       const wrong = others.filter((m) => !isOk(m.path.outcome))
         .sort((a, b) => published.test(b.model) - published.test(a.model));
@@ -226,6 +227,14 @@
       return right ? [asRow(find(right.model, right.algorithm), 1e-9), ...printed].slice(0, 4) : printed.slice(0, 4);
     }
 
+    /** Other people's engines, the worst of them and the best, beside what is enough; null where none was run. */
+    function asEngines() {
+      const ran = algorithmsOf(byEngine).sort((a, b) => b.path.error - a.path.error);
+      if (!ran.length) return null;
+      const some = [...new Set([ran[0], ran[ran.length >> 1], ran[ran.length - 1]])];
+      return [...opening().slice(0, 1), ...some.map((m) => asRow(m))];
+    }
+
     /** The truth at any time. */
     const seeTruth = data.example ? oddity.between : oddity.throughSix;
 
@@ -234,7 +243,7 @@
       ? (parameters, t, observed) => engine.draw(data.number, parameters, t, observed) : oddity.asPoints(data);
 
     return { data, scene, quantity, frame, looks, defaults, models, methods, find, algorithmsOf, usual, run, truth, judge, floors, floorsOf, richest,
-      reference, seeTruth, apart, isDefault, opening, asPublished, drawing, recordedOnly: !computed.length,
+      reference, seeTruth, apart, isDefault, opening, asPublished, asEngines, drawing, recordedOnly: !computed.length,
       space: drawing(defaults, 0, reference.observed.slice(count, 2 * count)).space };
   };
 

@@ -265,6 +265,9 @@
       const doing = [this.addButton];
       if (published) doing.push(worded('as published', 'the published version beside the right one',
         () => this.preset(published, 'The published version is beside the right one')));
+      const engines = motions.asEngines();
+      if (engines) doing.push(worded('as engines do', 'physics engines with what a user gets, at a step a frame, beside what is enough',
+        () => this.preset(engines, 'Recorded: physics engines with what a user gets, at a step a frame')));
       doing.push(worded('as it opened', 'parameters and methods as the page has them first', () => this.preset(motions.opening(), 'As it opened')));
       if (!motions.recordedOnly) doing.push(worded('break it', 'the smallest step with which the first method breaks', () => this.breakIt()));
       const copying = [worded('copy link', 'an address that opens the player as it is now', () => this.link())];
