@@ -430,6 +430,14 @@ void complain(const std::string& what) {
   std::cerr << wrapped("oddity: " + what + "\n", screen_of(STDERR_FILENO), 2);
 }
 
+/// Memory for a thread as well, of which TBB says so in words alone.
+bool lacks_memory(const std::exception& error) {
+  const auto* of_system = dynamic_cast<const std::system_error*>(&error);
+  return dynamic_cast<const std::bad_alloc*>(&error) ||
+         (of_system && of_system->code() == std::errc::resource_unavailable_try_again) ||
+         std::string_view(error.what()).starts_with("pthread_create has failed");
+}
+
 int answer(CLI::App& app, Session& session, const std::vector<std::string>& words) {
   try {
     require_a_verb(app, words);
@@ -447,6 +455,10 @@ int answer(CLI::App& app, Session& session, const std::vector<std::string>& word
     complain(error.path1().string() + ": " + error.code().message());
     return 2;
   } catch (const std::exception& error) {
+    if (lacks_memory(error)) {
+      complain("there is not enough memory for this");
+      return 2;
+    }
     complain("internal error: " + std::string(error.what()));
     return 1;
   }

@@ -511,6 +511,8 @@ Results results_from_json(const std::string& text, const std::string& place) {
     Results results{{}, number(json.at("seam"))};
     for (const Json& e : json.at("exercises")) results.exercises.push_back(exercise(e));
     return results;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw BadInput(place + ": not a results file: " + error.what());
   }

@@ -310,24 +310,27 @@ std::string to_json(const Plan& plan) {
          "\n";
 }
 
-Plan read_plan(const fs::path& file, const fs::path& tables) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw BadInput("there is no plan " + file.string() + "; 'oddity sweep plan' makes one");
-  Plan plan;
+Plan plan_from_json(const std::string& text, const std::string& place) {
   try {
-    const Json json = Json::parse(in);
+    const Json json = Json::parse(text);
     if (json.at("format") != format) throw std::runtime_error("of another format");
-    plan.asked = asked_in(json.at("asked"));
-    plan.first_tile = json.at("first_tile").get<std::vector<long>>();
-    plan.seconds = json.at("seconds").get<std::vector<double>>();
-    plan.fingerprint = json.at("fingerprint");
+    Plan plan{asked_in(json.at("asked")), json.at("first_tile"), json.at("seconds"), json.at("fingerprint")};
     const bool whole = plan.first_tile.size() == plan.seconds.size() + 1 && !plan.seconds.empty() &&
                        plan.first_tile.front() == 0 && std::ranges::is_sorted(plan.first_tile) &&
                        plan.tiles() == tiles_of(plan.width()) * tiles_of(plan.height());
     if (!whole) throw std::runtime_error("its chunks are not those of its cells");
+    return plan;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
-    throw BadInput(file.string() + " is no plan of a sweep: " + error.what());
+    throw BadInput(place + " is no plan of a sweep: " + error.what());
   }
+}
+
+Plan read_plan(const fs::path& file, const fs::path& tables) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw BadInput("there is no plan " + file.string() + "; 'oddity sweep plan' makes one");
+  Plan plan = plan_from_json({std::istreambuf_iterator<char>(in), {}}, file.string());
   if (const std::string here = fingerprint_of(from(plan.asked).dump(), tables); here != plan.fingerprint)
     throw BadInput(file.string() +
                    " is the plan of another program, of other tables or of another question: (" +
