@@ -17,6 +17,7 @@
 #include "report/study/choose.hpp"
 #include "report/study/prices.hpp"
 #include "report/study/starts.hpp"
+#include "report/study/whole_in_json.hpp"
 
 namespace oddity::sweep {
 
@@ -264,12 +265,21 @@ Asked asked_in(const Json& json) {
   asked.need.horizon = json.at("horizon");
   asked.need.frames_per_second = json.at("frames_per_second");
   asked.need.objective = Objective::simple;
-  asked.looks = json.at("looks");
+  asked.looks = whole<int>(json.at("looks"));
   asked.every_cell = json.at("every_cell");
   for (const Json& axis : json.at("axes"))
-    asked.axes.push_back({axis.at("name"), axis.at("unit"), axis.at("from"), axis.at("to"), axis.at("count"),
-                          axis.at("by_factor")});
+    asked.axes.push_back({axis.at("name"), axis.at("unit"), axis.at("from"), axis.at("to"),
+                          whole<int>(axis.at("count")), axis.at("by_factor")});
+  const bool sensible = (asked.axes.size() == 1 || asked.axes.size() == 2) && asked.looks >= 0 &&
+                        std::ranges::all_of(asked.axes, [](const Axis& axis) { return axis.count >= 2; });
+  if (!sensible) throw std::runtime_error("it has not one or two axes of two cells or more");
   return asked;
+}
+
+std::vector<long> wholes(const Json& json) {
+  std::vector<long> all;
+  for (const Json& one : json) all.push_back(whole<long>(one));
+  return all;
 }
 
 }  // namespace
@@ -314,7 +324,8 @@ Plan plan_from_json(const std::string& text, const std::string& place) {
   try {
     const Json json = Json::parse(text);
     if (json.at("format") != format) throw std::runtime_error("of another format");
-    Plan plan{asked_in(json.at("asked")), json.at("first_tile"), json.at("seconds"), json.at("fingerprint")};
+    Plan plan{asked_in(json.at("asked")), wholes(json.at("first_tile")), json.at("seconds"),
+              json.at("fingerprint")};
     const bool whole = plan.first_tile.size() == plan.seconds.size() + 1 && !plan.seconds.empty() &&
                        plan.first_tile.front() == 0 && std::ranges::is_sorted(plan.first_tile) &&
                        plan.tiles() == tiles_of(plan.width()) * tiles_of(plan.height());

@@ -29,7 +29,7 @@ void must(const Ended& ended) {
 }
 
 /// With the times at which they were written, by which the program knows what is stale.
-void copy(const fs::path& from, const fs::path& to) {
+void copy_as_it_is(const fs::path& from, const fs::path& to) {
   fs::create_directories(to.parent_path());
   must(run({{"/bin/cp", "-a", from.string(), to.string()}}));
 }
@@ -37,11 +37,11 @@ void copy(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 Installed::Installed(fs::path root) : root_(std::move(root)) {
-  copy(ODDITY_PROGRAM, root_ / "bin/oddity");
-  copy(ODDITY_MAKER, root_ / "bin/make_reference");
+  copy_as_it_is(ODDITY_PROGRAM, root_ / "bin/oddity");
+  copy_as_it_is(ODDITY_MAKER, root_ / "bin/make_reference");
   for (const char* room : {"tables", "approved"})
-    copy(ODDITY_SOURCE "/reference/" + std::string(room), tables() / room);
-  if (fs::exists(ODDITY_MODULE)) copy(ODDITY_MODULE, root_ / "share/oddity/models.js");
+    copy_as_it_is(ODDITY_SOURCE "/reference/" + std::string(room), tables() / room);
+  if (fs::exists(ODDITY_MODULE)) copy_as_it_is(ODDITY_MODULE, root_ / "share/oddity/models.js");
   fs::create_directories(root_ / "bin/engines");
   std::ofstream(root_ / "bin/engines/engine_dying") << dying_engine;
   fs::permissions(root_ / "bin/engines/engine_dying", fs::perms::owner_all);
@@ -62,10 +62,10 @@ void Installed::put_results(const fs::path& folder) const {
   const fs::path results = "cache/oddity/results.json", made = root_ / "made";
   if (!fs::exists(made)) {
     if (fs::exists(ODDITY_SOURCE "/build/results.json"))
-      copy(ODDITY_SOURCE "/build/results.json", made / results);
+      copy_as_it_is(ODDITY_SOURCE "/build/results.json", made / results);
     must(run({"report", "--out", (root_ / "report").string()}, made));
   }
-  copy(made / results, folder / results);
+  copy_as_it_is(made / results, folder / results);
 }
 
 std::vector<Verb> verbs(const Installed& program) {
