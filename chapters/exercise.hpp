@@ -92,7 +92,7 @@ class Parameters {
 
 // ---- the book's side --------------------------------------------------------------------------------------
 
-/// A value, and how it was come by.
+/// A value, and how it was obtained.
 struct Route {
   std::string by;
   Value value;
@@ -285,6 +285,8 @@ struct Method {
   // Of a method in float only:
   /// What roundings may add to the error that the like method in double has, in the quantity's largest unit.
   std::function<double(double setting)> roundings = {};
+  /// Numbers that a body's state has; 0: a closed form keeps none.
+  std::size_t state_size = 0;
 };
 
 /// The name in float of an algorithm.

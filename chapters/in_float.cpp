@@ -95,6 +95,7 @@ void add_in_float(Quantity& motion, const std::vector<std::string_view>& names,
                       return model->run(algorithm, setting);
                     }};
       single.precision = Precision::in_float;
+      single.state_size = m.state_size;
       single.roundings = [model = models[i]](double setting) { return model->roundings(setting); };
       motion.add(std::move(single));
     }

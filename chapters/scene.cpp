@@ -175,9 +175,17 @@ Ladder& Ladder::add(std::string name, Any model, ode::AlgorithmInfo algorithm, O
     off_constraint = [model, algorithm, horizon = horizon_](double setting) {
       return model->off_constraint(algorithm.name, horizon, setting);
     };
-  quantity_.add(Method{std::move(name), std::string(algorithm.name), has_tolerance ? tolerances_ : steps_,
-                       run, expected, std::move(why), std::move(unstable_steps), std::move(disturbances),
-                       std::move(off_constraint)});
+  Method method{std::move(name),
+                std::string(algorithm.name),
+                has_tolerance ? tolerances_ : steps_,
+                run,
+                expected,
+                std::move(why),
+                std::move(unstable_steps),
+                std::move(disturbances),
+                std::move(off_constraint)};
+  method.state_size = model->unknowns();
+  quantity_.add(std::move(method));
   return *this;
 }
 

@@ -107,6 +107,7 @@ Answer observe_closed_form(const Model& model, const Horizon& horizon) {
 class AnyModel {
  public:
   virtual ~AnyModel() = default;
+  virtual std::size_t unknowns() const = 0;
   virtual bool partitioned() const = 0;
   virtual bool constrained() const = 0;
   /// It can be recorded for Taylor series.
@@ -127,6 +128,7 @@ class ModelOf : public AnyModel, public ode::AnySystem<n> {
  public:
   using typename ode::AnySystem<n>::State;
 
+  std::size_t unknowns() const final { return n; }
   virtual State start() const = 0;
   /// Adds the observables to those seen.
   virtual void observe(const State& x, double t, std::vector<double>& seen) const = 0;

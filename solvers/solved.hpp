@@ -15,7 +15,7 @@ enum class Ending {
   grazing      ///< a guard touches zero: whether it crosses, the algorithm cannot tell
 };
 
-/// What every solver returns: a value, and the truth about how it was come by.
+/// What every solver returns: a value, and how it was obtained.
 template <class T>
 struct Solved {
   T value{};

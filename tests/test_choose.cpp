@@ -90,6 +90,36 @@ TEST_CASE("the cheapest method that holds is chosen, and tested elsewhere", "[ch
   CHECK(choice.next_richer->model == "rich");
 }
 
+TEST_CASE("what restarts cost a method counts as often as runs are ended", "[choose]") {
+  // One evaluation a frame after 30 to begin with; the other takes two, from the first frame on.
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    const auto frames = static_cast<std::size_t>(horizon.count());
+    Quantity q{"place", "m",        "", {"exact", Value(std::vector<double>(frames, p["a"]))},
+               1e-16,   {1e-6, ""}, {}, {}};
+    const auto exact = [](double) { return 1e-9; };
+    for (long each : {1, 2})
+      q.add(method(each == 1 ? "with a history" : "without", "exact", no_knob(), p["a"], horizon.count(),
+                   exact, [=](double) { return each * horizon.count() + (each == 1 ? 30 : 0); }));
+    return q;
+  };
+  const Entry contacts{{3, 98},
+                       "",
+                       {"contacts", "", parameters,
+                        Scene{scene, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}}, nullptr}};
+  const Task task(contacts);
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  Need need = asked(0.01, 100);
+  const auto chosen = [&] { return *choose(task, need, truth, counted_cost).chosen; };
+  CHECK(chosen().model == "with a history");
+  CHECK(chosen().seconds_per_frame == Approx(1.03e-9));
+  need.restart_every = 10;
+  CHECK(chosen().model == "with a history");
+  CHECK(chosen().seconds_per_frame == Approx(1.03e-9 * (1 + 29.97 / 1.03 / 100)));
+  need.restart_every = 2;
+  CHECK(chosen().model == "without");
+  CHECK(chosen().seconds_per_frame == Approx(2e-9));
+}
+
 TEST_CASE("a coarse model that fails beside the start asked for is not chosen", "[choose]") {
   const Choice choice = choose_for(asked(0.005, 1));
   REQUIRE(choice.chosen);

@@ -376,6 +376,8 @@ Need need_of(const Task& task, const AskedNeed& asked) {
                          : "--horizon may be " + rounded(most_frames / need.frames_per_second, 6) + " " +
                                time + " at that rate"));
   }
+  if (!asked.restart_every.empty())
+    need.restart_every = positive("--restart-every", asked.restart_every, time);
   need.bodies = whole_of("--bodies", asked.bodies, 1, 1'000'000);
   if (!asked.budget.empty()) {
     if (number_in(asked.budget)) throw BadInput("--budget needs a unit, such as " + asked.budget + "us");

@@ -22,6 +22,7 @@ Task task_of(const std::string& exercise, const std::vector<std::string>& overri
 /// A need as it is written; an empty text was not given. Either an error or digits.
 struct AskedNeed {
   std::string error = {}, digits = {}, horizon = "10", frames_per_second = "60", budget = {}, bodies = "1";
+  std::string restart_every = {};
   std::string criterion = "path", time_limit = {};
   std::vector<std::string> only = {}, exclude = {};
   std::string precision = "double";

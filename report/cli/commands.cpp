@@ -197,6 +197,9 @@ void add_choose_need(CLI::App& choose, AskedNeed& need) {
       "so many bodies alike, all of them in each frame: in lanes, where these have the method; else one "
       "after the other")
       ->capture_default_str();
+  add_value(choose, "--restart-every", need.restart_every, "TIME",
+            "contacts end a run this often: what starting anew costs a method is added to its time; its "
+            "error is that of a run without them");
   add_value(choose, "--criterion", need.criterion, "WORD",
             "what has to hold: path; energy (whatever is conserved); period; bounded (nothing explodes); "
             "constraint (lengths that are held)")

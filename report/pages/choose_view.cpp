@@ -104,6 +104,10 @@ std::string listed(const std::vector<std::string>& starts) {
   return text;
 }
 
+std::size_t bytes_of_state(const Tried& tried) {
+  return tried.state_size * (tried.precision == Precision::in_float ? sizeof(float) : sizeof(double));
+}
+
 /// How the bodies that were asked for are computed, where there are several.
 std::string bodies_text(const Choice& choice) {
   if (choice.need.bodies == 1) return "";
@@ -112,7 +116,9 @@ std::string bodies_text(const Choice& choice) {
   return "  " + std::to_string(choice.need.bodies) + " bodies: " +
          (registers ? "side by side in lanes of " + std::string(lanes::name_of(*registers))
                     : "one after the other, as lanes do not have this method") +
-         ", " + shown_time(best.seconds_per_frame / static_cast<double>(choice.need.bodies)) + " each.\n";
+         ", " + shown_time(best.seconds_per_frame / static_cast<double>(choice.need.bodies)) + " and " +
+         (best.state_size == 0 ? "no state" : std::to_string(bytes_of_state(best)) + " bytes of state") +
+         " each.\n";
 }
 
 std::string margin_text(const Choice& choice) {
@@ -224,6 +230,7 @@ Json from(const Tried& t, const Choice& choice) {
           {"holds", t.holds()},
           {"outcome", name_of(t.outcome)},
           {"evaluations_per_frame", t.evaluations_per_frame},
+          {"state_bytes", bytes_of_state(t)},
           {"seconds_per_frame", from(t.seconds_per_frame)},
           {"spread", from(t.spread)}};
 }
@@ -247,6 +254,7 @@ Json need_of(const Choice& choice) {
           {"frames_per_second", choice.need.frames_per_second},
           {"budget", from(choice.need.budget)},
           {"bodies", choice.need.bodies},
+          {"restart_every", from(choice.need.restart_every)},
           {"objective", choice.need.objective == Objective::simple ? "simple" : "cheapest"}};
 }
 
@@ -265,6 +273,9 @@ std::string asked_text(const Choice& choice) {
          shortest(need.frames_per_second) + " frames per " +
          (choice.time_unit == "s" ? "second" : choice.time_unit) +
          (need.bodies == 1 ? "" : ", " + std::to_string(need.bodies) + " bodies") +
+         (std::isfinite(need.restart_every)
+              ? ", started anew every " + shortest(need.restart_every) + " " + choice.time_unit
+              : "") +
          (std::isfinite(need.budget) ? ", for at most " + shown_time(need.budget) + " per frame" : "");
 }
 
@@ -282,7 +293,8 @@ std::string answer_text(const Choice& choice, const Screen& screen) {
         "that holds.\n";
   if (choice.restart > 0.5)
     text += "  every restart, as after a contact, costs it " + rounded(choice.restart, 3) +
-            " evaluations more.\n";
+            " evaluations more" + (std::isfinite(choice.need.restart_every) ? ", which its time has" : "") +
+            ".\n";
   if (choice.next_cheaper) text += "  next cheaper: " + failing_of(*choice.next_cheaper, choice) + ".\n";
   if (const auto& richer = choice.next_richer)
     text += "  next richer: " + described(*richer, choice.need) + ", " + cost_of(*richer) + ": " +

@@ -265,8 +265,9 @@ class Search {
     for (Tried* tried : wanted) {
       deadline_.check();
       const Time time = price_(method(*tried), tried->setting);
-      tried->seconds_per_frame = time.seconds / need_.frames();
-      tried->spread = std::isfinite(time.spread) ? time.spread / need_.frames() : 0;
+      const double with_restarts = 1 + restarting(*tried);
+      tried->seconds_per_frame = with_restarts * time.seconds / need_.frames();
+      tried->spread = std::isfinite(time.spread) ? with_restarts * time.spread / need_.frames() : 0;
       tally.add();
     }
   }
@@ -370,6 +371,13 @@ class Search {
     if (!first) return 0;
     return std::max(0.0, static_cast<double>(run(one_frame, *first, chosen.setting).answer.evaluations) -
                              chosen.evaluations_per_frame);
+  }
+
+  /// What the restarts asked for add to the time, as a part of it.
+  double restarting(const Tried& tried) const {
+    const double frames = need_.restart_every * need_.frames_per_second;
+    if (!std::isfinite(frames) || tried.evaluations_per_frame == 0) return 0;
+    return restart(tried) / tried.evaluations_per_frame / frames;
   }
 
   /// Where a motion is chaotic, the time after which a start known to 1e-9 no longer tells the path to the

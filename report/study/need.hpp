@@ -35,10 +35,11 @@ struct Need {
   bool relative = false;
   double horizon = 10;            ///< s
   double frames_per_second = 60;  ///< a step divides the frame evenly, and every method is at every frame
-  double budget = std::numeric_limits<double>::infinity();   ///< s per frame
-  long bodies = 1;                                           ///< alike, all of them in each frame
-  std::map<std::string, double, std::less<>> errors = {};    ///< by unit: {"m", 0.01}
-  std::map<std::string, ShownUnit, std::less<>> shown = {};  ///< the units asked in, by the motion's
+  double budget = std::numeric_limits<double>::infinity();         ///< s per frame
+  long bodies = 1;                                                 ///< alike, all of them in each frame
+  double restart_every = std::numeric_limits<double>::infinity();  ///< s: contacts or changes end a run
+  std::map<std::string, double, std::less<>> errors = {};          ///< by unit: {"m", 0.01}
+  std::map<std::string, ShownUnit, std::less<>> shown = {};        ///< the units asked in, by the motion's
   Criterion criterion = Criterion::path;
   Objective objective = Objective::cheapest;
   std::vector<std::string> only = {}, exclude = {};             ///< words of models and algorithms

@@ -121,6 +121,7 @@ struct Tried {
   double unseen_error = std::numeric_limits<double>::quiet_NaN();  ///< over the starts it was not chosen on
   bool constrained = false;                                        ///< of a model in redundant coordinates
   Precision precision = Precision::in_double;
+  std::size_t state_size = 0;  ///< numbers; 0: a closed form keeps none
 
   bool holds() const { return outcome == Outcome::ok; }
 };

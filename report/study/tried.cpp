@@ -96,6 +96,7 @@ Tried attempt(const std::vector<Start>& starts, const Method& method, double set
   Tried tried{method.model, method.algorithm, method.knob.name, setting};
   tried.constrained = static_cast<bool>(method.off_constraint);
   tried.precision = method.precision;
+  tried.state_size = method.state_size;
   for (const Start& start : starts) {
     const Method* here = method_of(start.motion, method.model, method.algorithm);
     const Trial trial =

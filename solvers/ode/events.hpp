@@ -36,8 +36,8 @@ Solved<Event<std::array<double, n>>> find_event(
 /// The first time after t0 and up to t1 at which g(x, t), continuous, becomes zero or changes its sign, and
 /// the state there. Each step is sampled inside by its cubic, so that a double crossing is seen when it lasts
 /// a quarter of a step; the time is then found by Brent's method on states that the algorithm itself computes
-/// from the step's start (by one step of its plain stepper where it has one), and is as good as they are:
-/// there is no error estimate. `raised` when g keeps its sign; the value then is t1 and the state there.
+/// from the step's start (by one step of its plain stepper where it has one), and has their accuracy: there
+/// is no error estimate. `raised` when g keeps its sign; the value then is t1 and the state there.
 template <class Algorithm, class System, std::size_t n, class G>
 Solved<Event<std::array<double, n>>> find_event(const System& system, const std::array<double, n>& start,
                                                 double t0, double t1, double setting, const G& g) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <boost/numeric/odeint/stepper/base/symplectic_rkn_stepper_base.hpp>  // which the next forgets
+#include <boost/numeric/odeint/stepper/base/symplectic_rkn_stepper_base.hpp>  // missing in the header below
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 #include <string_view>
 

@@ -38,6 +38,28 @@ for (const scene of scenes)
     await page.close();
   });
 
+test('how long four methods take when a slider moves', async (t) => {
+  for (const scene of scenes) {
+    const { page } = await open(browser, `${scene}.html`, { reduced: true });
+    await page.waitForSelector('.player-rows [data-end]');
+    if (!(await page.$('.player-parameters input[type=range]:not([disabled])'))) { await page.close(); continue; }
+    await page.$$eval('.player-actions button', (all) => {
+      const add = all.find((one) => one.textContent === 'add a method');
+      while (!add.disabled) add.click();
+    });
+    await page.focus('.player-parameters input[type=range]');
+    const took = [];
+    for (let i = 0; i < 10; ++i) {
+      await page.keyboard.press('ArrowRight');
+      await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+      took.push(Number(await page.$eval('.player', (player) => player.dataset.computed)));
+    }
+    took.sort((a, b) => a - b);
+    t.diagnostic(`${scene}: ${took[5]} ms, at most ${took[9]} ms`);
+    await page.close();
+  }
+});
+
 test('a slider changes every method of its scene', async () => {
   const { page, faults } = await open(browser, '3.5.html', { reduced: true });
   await page.waitForSelector('.player-parameters input[type=range]');
@@ -176,6 +198,75 @@ test('a trial of the chart plays, and its row lights', async () => {
   const row = await page.$eval('.player-rows', (rows) => [...rows.querySelectorAll('select')].map((s) => s.selectedOptions[0].textContent));
   assert.ok(row.includes(played.model), `${played.model} is none of ${row}`);
   assert.ok((await page.$$('figure.chart[data-quantity=swing] .lit')).length > 0);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('a row of the table plays, and its point in the chart lights', async () => {
+  const { page, faults } = await open(browser, '3.5.html', { reduced: true });
+  const place = await page.waitForSelector('.trials[data-quantity=swing]');
+  await place.scrollIntoView();
+  const summary = await page.waitForSelector('.trials[data-quantity=swing] summary');
+  await summary.click();
+  const row = await page.waitForSelector('.trials[data-quantity=swing] tbody tr[data-outcome=o]:nth-child(n + 5)');
+  await page.evaluate(() => document.addEventListener('oddity:play', (event) => { window.played = event.detail; }));
+  await row.scrollIntoView();
+  await row.click();
+  const played = await page.waitForFunction(() => window.played).then((handle) => handle.jsonValue());
+  assert.ok((await row.evaluate((node) => node.innerText)).includes(played.algorithm));
+  assert.ok((await page.$$('figure.chart[data-quantity=swing] .lit')).length > 0);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('a cell of the map plays', async () => {
+  const { page, faults } = await open(browser, '3.5.html', { reduced: true });
+  await page.$eval('figure.map', (map) => map.scrollIntoView());
+  const cell = await page.waitForSelector('figure.map .panel td.cell-X');
+  await page.evaluate(() => document.addEventListener('oddity:play', (event) => { window.played = event.detail; }));
+  await cell.scrollIntoView();
+  await cell.click();
+  const played = await page.waitForFunction(() => window.played).then((handle) => handle.jsonValue());
+  assert.equal(played.algorithm, await cell.evaluate((node) => node.closest('.panel').querySelector('p').textContent));
+  await page.waitForFunction((name) => [...document.querySelectorAll('.player-rows select')]
+    .some((s) => s.selectedOptions[0].textContent.startsWith(name)), {}, played.algorithm);
+  assert.ok((await page.$$('figure.map .lit')).length > 0);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('a player is worked by keys alone', async () => {
+  const { page, faults } = await open(browser, '3.5.html', { reduced: true });
+  await page.waitForSelector('.player-rows [data-end]');
+  const at = () => page.evaluate(() => {
+    const { outlineStyle, outlineWidth, boxShadow } = getComputedStyle(document.activeElement);
+    return { text: document.activeElement.textContent, inPlayer: !!document.activeElement.closest('.player'),
+      play: document.activeElement.classList.contains('player-play'),
+      seen: (outlineStyle !== 'none' && parseFloat(outlineWidth) > 0) || boxShadow !== 'none' };
+  });
+  const reached = [];
+  let outside = 0;
+  for (let i = 0; i < 400 && (outside < 5 || !reached.length); ++i) {
+    await page.keyboard.press('Tab');
+    const place = await at();
+    if (!place.inPlayer) { if (reached.length) ++outside; continue; }
+    assert.ok(place.seen, `no focus is seen at ${place.text}`);
+    reached.push(place);
+    if (place.play) {
+      const before = await clock(page);
+      await page.keyboard.press('Space');
+      await page.waitForFunction((t) => parseFloat(document.querySelector('.player-clock').textContent.replace(/^t = /, '')) !== t, {}, before);
+      await page.keyboard.press('Space');
+    }
+    if (place.text === 'break it') {
+      await page.keyboard.press('Enter');
+      await page.waitForFunction(() => document.querySelector('.player-says').textContent.length > 0);
+    }
+  }
+  assert.ok(reached.some((place) => place.play) && reached.some((place) => place.text === 'break it'));
+  const all = await page.$$eval('.player :is(button, select, input, canvas[tabindex="0"])', (them) => them
+    .filter((one) => !one.disabled && one.offsetParent !== null && !(one.tabIndex < 0)).length);
+  assert.ok(reached.length >= all, `${reached.length} of ${all} controls are reached`);
   assert.deepEqual(faults, []);
   await page.close();
 });

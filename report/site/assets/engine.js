@@ -99,10 +99,13 @@
     return new Float64Array(wasm.memory.buffer, address, count).slice();
   }
 
+  const decoder = new TextDecoder();
+
   function text(address, length) {
+    if (length === 0) return '';
     const bytes = new Uint8Array(wasm.memory.buffer);
     const end = length === undefined ? bytes.indexOf(0, address) : address + length;
-    return new TextDecoder().decode(bytes.subarray(address, end));
+    return decoder.decode(bytes.subarray(address, end));
   }
 
   function put(values) {
@@ -178,18 +181,20 @@
 
   // ---- a drawing ----------------------------------------------------------------------------------------------
 
+  // Hundreds of these are made whenever a parameter moves: plain loops, as destructuring takes many times as long.
   function drawing(scene, parameters, t, observed) {
     put(valuesOf(scene, parameters).concat([t], Array.from(observed)));
     const address = guarded(() => wasm.draw(scene.index), () => 0);
     if (!address) return null;
     const all = new Float64Array(wasm.memory.buffer, address);
+    const primitives = new Array(all[1]);
     let at = 2;
-    const primitives = [];
-    for (let i = 0; i < all[1]; ++i) {
-      const [kind, size, trail, letter, length, count] = all.subarray(at, at += 6);
-      const points = [];
-      for (let k = 0; k < count; ++k) points.push(Array.from(all.subarray(at, at += 3)));
-      primitives.push({kind: kinds[kind], points, size, letter: text(letter, length), trail: trail === 1});
+    for (let i = 0; i < primitives.length; ++i) {
+      const points = new Array(all[at + 5]);
+      const letter = text(all[at + 3], all[at + 4]);
+      primitives[i] = {kind: kinds[all[at]], points, size: all[at + 1], letter, trail: all[at + 2] === 1};
+      at += 6;
+      for (let k = 0; k < points.length; ++k, at += 3) points[k] = [all[at], all[at + 1], all[at + 2]];
     }
     return {space: all[0] === 1, primitives};
   }
