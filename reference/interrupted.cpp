@@ -61,16 +61,9 @@ class Access {
   sigset_t before_{};
 };
 
-/// Only calls that a signal's handler may make. The register stays closed: nothing new begins.
+/// Only calls that a signal's handler may make.
 extern "C" void tidy(int signal) {
-  Register& all = at_work();
-  while (all.busy.test_and_set(std::memory_order_acquire)) {
-  }
-  for (pid_t program : all.programs) {
-    kill(program, SIGKILL);
-    waitpid(program, nullptr, 0);
-  }
-  for (const char* file : all.files) unlink(file);
+  tidy_up();
   if (signal == SIGINT) {
     constexpr std::string_view says = "\noddity: interrupted; every file that was written is whole\n";
     static_cast<void>(!write(STDERR_FILENO, says.data(), says.size()));
@@ -86,6 +79,18 @@ extern "C" void tidy(int signal) {
 }
 
 }  // namespace
+
+/// The register stays closed.
+void tidy_up() {
+  Register& all = at_work();
+  while (all.busy.test_and_set(std::memory_order_acquire)) {
+  }
+  for (pid_t program : all.programs) {
+    kill(program, SIGKILL);
+    waitpid(program, nullptr, 0);
+  }
+  for (const char* file : all.files) unlink(file);
+}
 
 void tidy_when_interrupted() {
   at_work();

@@ -11,6 +11,9 @@ namespace oddity {
 /// then the run, as it would have.
 void tidy_when_interrupted();
 
+/// The same at once, for a run that can go no further: nothing new begins. It takes no memory.
+void tidy_up();
+
 /// A file that is written for this run alone. It is gone at the end, and when an interruption comes, unless
 /// it was renamed. What a killed run has left of it is written over.
 class Unfinished {
