@@ -12,8 +12,8 @@ namespace oddity {
 void require_writable(const std::filesystem::path& file);
 /// The same for files in a folder, which is made.
 void require_writable_folder(const std::filesystem::path& folder);
-/// Writes the whole file or none of it: under its name with ".part", until it is whole and takes its name. Where
-/// two runs write it at once, one is after the other. Throws BadInput when it cannot be written.
+/// Writes the whole file or none of it: under its name with ".part", until it is whole and takes its name.
+/// Where two runs write it at once, one is after the other. Throws BadInput when it cannot be written.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
 /// Of a text, for files that this program alone reads again.
