@@ -18,6 +18,7 @@ void fuzz::read(std::string_view input) {
   static const oddity::sweep::Plan plan = small_plan();
   const std::string text = plan.fingerprint + "\nchunk 0\n" + std::string(input) + "\n";
   const auto chunk = file("sweep/chunks/000000.txt", text + oddity::checksum(text) + "\n");
-  for (const oddity::sweep::Tile& tile : kept(chunk.parent_path().parent_path(), plan, 0).value())
+  const auto tiles = kept(chunk.parent_path().parent_path(), plan, 0);
+  for (const oddity::sweep::Tile& tile : tiles.value())
     require(tile.ended.size() == 35 && tile.looked.size() == 35);
 }
