@@ -11,6 +11,7 @@
 #include "reference/csv.hpp"
 #include "reference/files.hpp"
 #include "reference/in_long_double.hpp"
+#include "reference/table.hpp"
 #include "reference/text.hpp"
 #include "reference/to_write.hpp"
 #include "reference/truth.hpp"
@@ -40,8 +41,9 @@ std::string listed(const std::vector<double>& numbers) {
   return listed(words);
 }
 
-/// The rows of a table, each with all of its components in their order.
-std::map<std::vector<double>, Known> read(const fs::path& file, const truth::Truth& truth) {
+}  // namespace
+
+std::map<std::vector<double>, Known> read_table(const fs::path& file, const truth::Truth& truth) {
   const CsvFile csv = read_csv(file);
   if (const auto columns = columns_of(truth); csv.header.cells != columns)
     throw BadInput(csv.header.place + ": the columns must be " + listed(columns));
@@ -69,6 +71,8 @@ std::map<std::vector<double>, Known> read(const fs::path& file, const truth::Tru
                      " at " + listed(inputs));
   return rows;
 }
+
+namespace {
 
 const truth::Entry* maker_of(std::string_view table) {
   const auto& all = truth::registry();
@@ -176,7 +180,12 @@ std::optional<Known> kept_motion(const fs::path& cache, const std::string& key) 
   if (!text || !text->starts_with(key + "\n")) return {};
   std::istringstream lines(text->substr(key.size() + 1));
   Known known;
-  for (std::string line; std::getline(lines, line);) known.value.push_back(number_in(line).value());
+  for (std::string line; std::getline(lines, line);)
+    if (const auto x = number_in(line))
+      known.value.push_back(*x);
+    else
+      return {};
+  if (known.value.empty()) return {};
   known.error = known.value.front();
   known.value.erase(known.value.begin());
   return known;
@@ -234,7 +243,7 @@ Reference::Reference(const fs::path& folder, fs::path cache)
     if (!fs::exists(file))
       throw BadInput("cannot read " + file.string() + ": it is not there; build/release/make_reference " +
                      folder.string() + " " + name + " makes it");
-    tables.emplace(name, read(file, entry.make()));
+    tables.emplace(name, read_table(file, entry.make()));
   }
   tables_ = std::make_shared<Tables>(std::move(tables));
 }

@@ -113,6 +113,30 @@ leg_mutate() {  # libclang: mutants drawn by the commit's name, of which the sui
   build/release/oddity_mutate --sample "${SAMPLE:-300}" ${PATHS:-}
 }
 
+leg_fuzz() {  # libFuzzer: every reader for FUZZ_SECONDS (60) with sanitizers, from the inputs in tests/fuzz/corpus
+  tools clang
+  build release fuzz
+  local target name found
+  found=$(mktemp -d)
+  for target in build/release/tests/fuzz_*; do
+    name=${target##*fuzz_}
+    mkdir -p "$found/$name"
+    "$target" -max_total_time="${FUZZ_SECONDS:-60}" -timeout=1 -rss_limit_mb=1024 -print_final_stats=1 -verbosity=0 \
+      -artifact_prefix="build/fuzz_$name-" "$found/$name" "tests/fuzz/corpus/$name"
+  done
+  rm -r "$found"
+}
+
+leg_faults() {  # kills, full disks, too little memory and more, at every verb that writes; ODDITY_KILLS (20)
+  build release oddity_faults
+  build/release/tests/oddity_faults
+}
+
+leg_properties() {  # what holds at all parameters, at ODDITY_SETS (1000) random ones of every scene
+  build release oddity_tests
+  ODDITY_SETS=${ODDITY_SETS:-1000} build/release/tests/oddity_tests '[properties]'
+}
+
 leg_odr() {  # link-time optimization: no name has two definitions in the program
   ./oddity packages
   build odr oddity

@@ -8,6 +8,8 @@
 #include <cctype>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <exception>
 #include <iostream>
 
 #include "chapters/contents.hpp"
@@ -433,6 +435,35 @@ void complain(const std::string& what) {
   std::cerr << wrapped("oddity: " + what + "\n", screen_of(STDERR_FILENO), 2);
 }
 
+/// Memory for a thread as well, of which TBB says so in words alone.
+bool lacks_memory(const std::exception& error) {
+  const auto* of_system = dynamic_cast<const std::system_error*>(&error);
+  return dynamic_cast<const std::bad_alloc*>(&error) ||
+         (of_system && of_system->code() == std::errc::resource_unavailable_try_again) ||
+         std::string_view(error.what()).starts_with("pthread_create has failed");
+}
+
+int no_memory() {
+  constexpr std::string_view says = "oddity: there is not enough memory for this\n";
+  static_cast<void>(!write(STDERR_FILENO, says.data(), says.size()));
+  return 2;
+}
+
+const std::terminate_handler usual_end = std::get_terminate();
+
+/// Where memory is lacking in a destructor or in a thread of its own: a JSON's takes some to be destroyed.
+[[noreturn]] void end_without_memory() {
+  try {
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    tidy_up();
+    _exit(no_memory());
+  } catch (...) {
+  }
+  usual_end();
+  std::abort();
+}
+
 int answer(CLI::App& app, Session& session, const std::vector<std::string>& words) {
   try {
     require_a_verb(app, words);
@@ -450,6 +481,7 @@ int answer(CLI::App& app, Session& session, const std::vector<std::string>& word
     complain(error.path1().string() + ": " + error.code().message());
     return 2;
   } catch (const std::exception& error) {
+    if (lacks_memory(error)) throw std::bad_alloc();
     complain("internal error: " + std::string(error.what()));
     return 1;
   }
@@ -457,7 +489,8 @@ int answer(CLI::App& app, Session& session, const std::vector<std::string>& word
 
 }  // namespace
 
-int command_line(int argc, char** argv, const Suite& suite) {
+int command_line(int argc, char** argv, const Suite& suite) try {
+  std::set_terminate(end_without_memory);
   occupy_standard_streams();
   tidy_when_interrupted();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
@@ -492,6 +525,8 @@ int command_line(int argc, char** argv, const Suite& suite) {
   session.command = typed(words_of(argc, argv));
   const int status = answer(app, session, words_of(argc, argv));
   return output_arrived() ? status : 2;
+} catch (const std::bad_alloc&) {
+  return no_memory();
 }
 
 }  // namespace oddity
