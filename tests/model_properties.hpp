@@ -45,13 +45,14 @@ double affordable(const Model& model, double horizon) {
   return end;
 }
 
-/// There by the tolerance and back; nothing where the algorithm does not reach both ends.
+/// There by the tolerance and back from that end, times a number about one; nothing where the algorithm does
+/// not reach both ends.
 template <class Model>
-std::optional<Value> there_and_back(const Model& model, double end, double tolerance) {
+std::optional<Value> there_and_back(const Model& model, double end, double tolerance, double times = 1) {
   const Answer there = type_erased(Bare<Model>{model})->run("Fehlberg 7(8)", {end, 1}, tolerance);
   if (!there.reached()) return {};
   FromTheEnd<Model> back{model, end, {}};
-  std::ranges::copy(there.value, back.last.begin());
+  std::ranges::transform(there.value, back.last.begin(), [&](double x) { return times * x; });
   const Answer again = type_erased(back)->run("Fehlberg 7(8)", {end, 1}, tolerance);
   if (!again.reached()) return {};
   return again.value;
@@ -89,17 +90,20 @@ class AtRandom {
     });
   }
 
-  /// Twice the tolerance at least errs as much as there is between the two, whatever the motion makes of it.
+  /// A tolerance that is much coarser errs at least as much, and so does a thousand roundings at the end,
+  /// whatever the motion makes of either.
   template <class Model>
   std::string not_back(const Model& model) const {
     if constexpr (
         Integrable<Model> && !requires { Model::not_analytic; } &&
         !requires { model.guards(model.start(), 0.0); }) {
       const double end = affordable(Bare<Model>{model}, entry_.exercise.scene->horizon);
-      const auto fine = there_and_back(model, end, 1e-13), coarse = there_and_back(model, end, 1e-10);
-      if (!fine || !coarse) return "";
+      const auto fine = there_and_back(model, end, 1e-13), coarse = there_and_back(model, end, 1e-9);
+      const auto nudged = there_and_back(model, end, 1e-13, 1 + 0x1p-42);
+      if (!fine || !coarse || !nudged) return "";
       const double off = distance(*fine, Value(model.start()));
-      const double allowed = 2 * distance(*fine, *coarse) + rounding(size_of(*fine), 4096).allowed;
+      const double allowed = 2 * distance(*fine, *coarse) + distance(*fine, *nudged) +
+                             rounding(size_of(*fine), 4096).allowed;
       if (off <= allowed) return "";
       return "after " + shortest(end) + " it is off by " + shortest(off) + ", and " + shortest(allowed) +
              " is allowed";
