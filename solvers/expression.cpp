@@ -26,20 +26,26 @@ Expression Expression::exact(double value) {
 }
 
 Expression Expression::decimal(const std::string& written) {
-  const std::size_t point = written.find('.');
-  if (point == std::string::npos) return whole(written);
-  std::string digits = written.substr(0, point) + written.substr(point + 1);
-  const bool good =
-      digits.size() <= 15 && std::ranges::all_of(digits, [](char c) { return '0' <= c && c <= '9'; });
+  const std::size_t point = std::min(written.find('.'), written.size()),
+                    places = written.size() - std::min(point + 1, written.size());
+  std::string digits = written;
+  if (point < written.size()) digits.erase(point, 1);
+  const bool good = !digits.empty() && digits.size() <= 15 &&
+                    std::ranges::all_of(digits, [](char c) { return '0' <= c && c <= '9'; });
   if (!good) throw std::logic_error("'" + written + "' is no decimal of at most 15 digits");
   digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
-  return whole(digits) / whole("1" + std::string(written.size() - point - 1, '0'));
+  return places == 0 ? whole(digits) : whole(digits) / whole("1" + std::string(places, '0'));
 }
 
 std::size_t Expression::depth() const {
   std::size_t deepest = 0;
   for (const Expression& part : node_->of) deepest = std::max(deepest, part.depth());
   return deepest + 1;
+}
+
+void Expression::require_no_integral() const {
+  if (node_->what == "integral") throw std::logic_error("an integral within another cannot be recorded");
+  for (const Expression& part : node_->of) part.require_no_integral();
 }
 
 std::string Expression::infix(std::string (Expression::*text)() const) const {

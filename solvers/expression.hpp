@@ -37,11 +37,14 @@ class Expression {
   friend Expression log(const Expression& a) { return {"log", {a}}; }
   friend Expression atan(const Expression& a) { return {"atan", {a}}; }
 
-  /// The integral of body(x) over x from a to b.
+  /// The integral of body(x) over x from a to b. Throws std::logic_error where the body has an integral
+  /// itself: their letters could be the same.
   template <class Body>
   friend Expression integral(const Body& body, const Expression& a, const Expression& b) {
     const Expression x = letter("x" + std::to_string(a.depth() + b.depth()));
-    return {"integral", {x, body(x), a, b}};
+    const Expression inside = body(x);
+    inside.require_no_integral();
+    return {"integral", {x, inside, a, b}};
   }
 
   std::string coq() const;   ///< over the reals, with Coquelicot's RInt
@@ -58,6 +61,7 @@ class Expression {
   static Expression exact(double);
   static Expression whole(const std::string& digits);
   std::size_t depth() const;
+  void require_no_integral() const;
   std::string infix(std::string (Expression::*text)() const) const;
   bool is_infix() const {
     return !node_->leaf() && std::string("+-*/").find(node_->what) != std::string::npos;
