@@ -21,7 +21,7 @@ struct Proved {
   std::string why = {};                   ///< not ok: what Coq said
 };
 
-/// Has coqc check the text, within a minute of its own for each; what passed is kept in `folder` by the
+/// Has coqc check the text, within five minutes; what passed is kept in `folder` by the
 /// checksum of its text. Writes folder/name.v.
 Proved prove(const std::filesystem::path& folder, const std::string& name, const std::string& text);
 
