@@ -17,6 +17,7 @@
 #include "reference/interrupted.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/help.hpp"
+#include "report/cli/prove.hpp"
 #include "report/cli/settings.hpp"
 #include "report/cli/sweep.hpp"
 #include "report/cli/verbs.hpp"
@@ -35,7 +36,8 @@ struct Session {
   std::string results = {}, shard = {};
   std::vector<std::string> from = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
-              maps_out = report_folder().string(), site_out = site_folder().string();
+              maps_out = report_folder().string(), site_out = site_folder().string(),
+              proofs_out = (results_file().parent_path() / "proofs").string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
   std::string engine = {};
   bool page = false, lanes = false, kept = false;
@@ -382,6 +384,19 @@ void add_sweep(CLI::App& app, Session& s) {
   add_sweep_verbs(*sweep, s.folder);
 }
 
+void add_prove(CLI::App& app, Session& s) {
+  auto* prove = verb(
+      app, "prove", "Prove by Coq what claims' formulas come to, and ask PARI/GP as a witness.",
+      "Each statement is printed from the code that the suite evaluates, as a file for Coq and a script for gp: "
+      "the corrected reading is near what is true, or equal; the printed one is far, by the bound at least. "
+      "Without coqc or gp the files are written, and what to install is said. What was proved is kept.\n"
+      "Examples:\n  oddity prove 3.5\n  oddity prove --out /tmp/proofs",
+      [&] { s.status = verbs::prove(s.folder, s.exercise, s.proofs_out, s.approve); });
+  prove->add_option("exercise", s.exercise, "such as 3.5; all that have statements when there is none");
+  add_path(*prove, "--out", s.proofs_out, "the folder to write to");
+  prove->add_flag("--approve", s.approve, "put on record what Coq accepted: reference/approved/proofs.csv");
+}
+
 void add_new(CLI::App& app, Session& s) {
   auto* begin =
       verb(app, "new", "Begin an exercise of your own: files that compile, and say what is to be written.",
@@ -518,6 +533,7 @@ int command_line(int argc, char** argv, const Suite& suite) try {
   add_bench(app, session);
   add_engines(app, session);
   add_sweep(app, session);
+  add_prove(app, session);
   add_report(app, session);
   add_site(app, session);
   add_new(app, session);

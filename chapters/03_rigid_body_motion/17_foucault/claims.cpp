@@ -5,6 +5,7 @@
 #include <functional>
 #include <numbers>
 
+#include "chapters/03_rigid_body_motion/17_foucault/cone.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "reference/text.hpp"
 #include "solvers/quadrature.hpp"
@@ -429,7 +430,7 @@ struct ConeSample {
   std::string where() const {
     return "$h$ = " + rounded(h(), 4) + ", $r$ = " + rounded(r(), 4) + ", " + motion.where();
   }
-  double rho(double z) const { return r() * (1 - z / h()); }
+  double rho(double z) const { return radius(r(), h(), z); }
 
   /// Over the cone from z = low on, in cylindrical coordinates by Gauss's rule.
   double integral(const Density& f, double low = 0) const {
@@ -500,7 +501,7 @@ auto of_height(double factor) {
 }
 
 void center_of_mass(Claims& claims, const Cones& cones) {
-  const double halving = 1 - 1 / std::cbrt(2.0);
+  const double halving = halving_height<double>();
   const std::string root = "a center of mass that halves the volume";
   const auto of_volume = [](double factor) { return [=](C s) { return s.mass() * factor; }; };
   claims.formula<ConeSample>("cone_mass", 2299, "the cone's volume", cones,
@@ -529,7 +530,7 @@ void center_of_mass(Claims& claims, const Cones& cones) {
       {.quantity = "the volume above the center of mass",
        .truth = {"volume and center of mass by quadrature", [](C s) { return s.volume_above(s.center()); }},
        .printed = {"$1/2$ of the whole", of_volume(1.0 / 2)},
-       .corrected = {"$27/64$ of the whole", of_volume(27.0 / 64)},
+       .corrected = {"$27/64$ of the whole", of_volume(above_center<double>())},
        .near_misses = {{"$9/16$ of the whole", of_volume(9.0 / 16)}},
        .kind = Fault::counterexample,
        .root = root,
@@ -557,7 +558,7 @@ void center_of_mass(Claims& claims, const Cones& cones) {
       "L", 2319, "$L$, from the joint, which is the vertex, to the center of mass", cones,
       {.truth = {"$h$ less the height of the center of mass by quadrature",
                  [](C s) { return s.h() - s.center(); }},
-       .printed = {"$h/2^{1/3}$", of_height(1 / std::cbrt(2.0))},
+       .printed = {"$h/2^{1/3}$", of_height(printed_length<double>())},
        .corrected = {"$3h/4$", of_height(0.75)},
        .near_misses = {{"$2h/3$", of_height(2.0 / 3)}},
        .kind = Fault::formula,
