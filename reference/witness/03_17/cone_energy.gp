@@ -10,4 +10,5 @@ R = axis(th, phi); W = cross(R, rates);
 w = spin*[cos(lambda), 0, -sin(lambda)]; along = intnum(z = 0, h, Pi*(r*(1 - z/h))^4/2);
 of(J, w) = J*(dot(w, w) - dot(R, w)^2)/2 + along*dot(R, w)^2/2;
 L = 3*h/4; moving = m/2*L^2*dot(rates, rates);
-formula([h, r, th, phi, u, v, lambda, spin], across(h)*dot(W, W)/2, moving + of(across(0), w), moving + of(3*m*(h^2 + 4*r^2)/80, W));
+printed = moving + of(across(0), w); corrected = moving + of(3*m*(h^2 + 4*r^2)/80, W);
+formula([h, r, th, phi, u, v, lambda, spin], across(h)*dot(W, W)/2, printed, corrected);

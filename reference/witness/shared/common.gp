@@ -32,7 +32,8 @@ both(check, at, right, printed) = say("both", check, at, right, printed);
 one(check, at, right, printed) = say("right", check, at, right, printed);
 \\ The suite has neither at these letters. The corrected formula, written out again, has to be right.
 formula(at, right, printed, corrected) = {
-  if(apart(right, corrected) > 1e-30*(1 + apart(right, 0*right)), error("the corrected formula is wrong: ", corrected, " for ", right));
+  if(apart(right, corrected) > 1e-30*(1 + apart(right, 0*right)),
+    error("the corrected formula is wrong: ", corrected, " for ", right));
   say("formula", "", at, right, printed);
 }
 \\ A counterexample, or a case that is left out: what is, and what it should be by what is printed.
