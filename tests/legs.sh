@@ -51,6 +51,11 @@ leg_engines() {  # other people's engines do on the scenes what is on record of 
   ctest --test-dir build/release --build-config engines --tests-regex '^engines$' --output-on-failure
 }
 
+leg_witness() {  # PARI/GP says of the errata what is on record
+  tools pari-gp
+  tests/witness.sh
+}
+
 leg_sweep() {  # sweeps with HDF5 and under mpirun
   ./oddity packages libhdf5-dev libopenmpi-dev openmpi-bin || exit 77
   cmake --preset release -DODDITY_HDF5=ON -DODDITY_MPI=ON >/dev/null
