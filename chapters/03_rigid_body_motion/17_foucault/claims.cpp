@@ -74,9 +74,9 @@ struct Sample {
     return free + (1 + m) * (1 + size * accelerations) / abs(sin_phi());
   }
   std::string where() const {
-    return R"($\lambda$ = )" + rounded(p.lambda, 4) + R"(, $\omega$ = )" + rounded(p.omega, 4) +
-           R"(, $\theta$ = )" + rounded(q[0], 4) + R"(, $\phi$ = )" + rounded(q[1], 4) +
-           R"(, $\dot\theta$ = )" + rounded(v[0], 4) + R"(, $\dot\phi$ = )" + rounded(v[1], 4);
+    return R"($\lambda$ = )" + shortest(p.lambda) + R"(, $\omega$ = )" + shortest(p.omega) +
+           R"(, $\theta$ = )" + shortest(q[0]) + R"(, $\phi$ = )" + shortest(q[1]) + R"(, $\dot\theta$ = )" +
+           shortest(v[0]) + R"(, $\dot\phi$ = )" + shortest(v[1]);
   }
   Axes<double> axes() const { return Axes<double>(q); }
   Space<double> w() const { return p.w(); }
@@ -428,7 +428,7 @@ struct ConeSample {
     return {relative * terms, "the quadratures' tolerance, relative to the terms"};
   }
   std::string where() const {
-    return "$h$ = " + rounded(h(), 4) + ", $r$ = " + rounded(r(), 4) + ", " + motion.where();
+    return "$h$ = " + shortest(h()) + ", $r$ = " + shortest(r()) + ", " + motion.where();
   }
   double rho(double z) const { return radius(r(), h(), z); }
 

@@ -2,4 +2,4 @@
 read("reference/witness/shared/common.gp");
 read("reference/witness/shared/cone.gp");
 
-formula([h, r], across(center), m*(2*h^2 + 3*r^2)/20, 3*m*(h^2 + 4*r^2)/80);
+both("printed 1", letters, across(center), m*(2*h^2 + 3*r^2)/20, 3*m*(h^2 + 4*r^2)/80);

@@ -2,4 +2,4 @@
 read("reference/witness/shared/common.gp");
 read("reference/witness/shared/cone.gp");
 
-formula([h, r], volume(center), volume()/2, 27/64*volume());
+both("printed 1", letters, volume(center), volume()/2, 27/64*volume());

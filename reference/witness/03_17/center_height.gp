@@ -2,4 +2,4 @@
 read("reference/witness/shared/common.gp");
 read("reference/witness/shared/cone.gp");
 
-formula([h, r], center, h*(1 - 2^(-1/3)), h/4);
+both("printed 1", letters, center, h*(1 - 2^(-1/3)), h/4);

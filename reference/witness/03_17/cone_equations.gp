@@ -3,6 +3,6 @@
 read("reference/witness/shared/common.gp");
 read("reference/witness/shared/cone.gp");
 
-g = 981/100; phi = 2/3; L = 3*h/4;
+g = 981/100; L = 3*h/4;
 torque = intnum(z = 0, h, -(h - z)*g*sin(phi)*Pi*(r*(1 - z/h))^2);
 formula([h, r, g, phi], torque/across(h), -g*sin(phi)/(h/2^(1/3)), -g*L*sin(phi)/(L^2 + 3*(h^2 + 4*r^2)/80));

@@ -25,17 +25,18 @@ say(seen, check, at, right, printed) = {
   print(seen, ",", check, ",", words(at), ",", words(right), ",", words(printed));
 }
 
+compare(right, corrected) = {
+  if(apart(right, corrected) > 1e-30*(1 + apart(right, 0*right)),
+    error("the corrected formula is wrong: ", corrected, " for ", right));
+}
+
 \\ The suite's check of this name ("printed 1": the first of what is printed) has both at these letters, which are
 \\ those of its `where`.
-both(check, at, right, printed) = say("both", check, at, right, printed);
+both(check, at, right, printed, corrected = right) = compare(right, corrected); say("both", check, at, right, printed);
 \\ The suite has what is right alone.
 one(check, at, right, printed) = say("right", check, at, right, printed);
 \\ The suite has neither at these letters. The corrected formula, written out again, has to be right.
-formula(at, right, printed, corrected) = {
-  if(apart(right, corrected) > 1e-30*(1 + apart(right, 0*right)),
-    error("the corrected formula is wrong: ", corrected, " for ", right));
-  say("formula", "", at, right, printed);
-}
+formula(at, right, printed, corrected) = compare(right, corrected); say("formula", "", at, right, printed);
 \\ A counterexample, or a case that is left out: what is, and what it should be by what is printed.
 case(at, right, printed) = say("case", "", at, right, printed);
 
