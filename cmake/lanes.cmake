@@ -3,7 +3,7 @@
 
 set(lanes ${PROJECT_BINARY_DIR}/lanes)
 set(lanes_sets One Baseline)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT CMAKE_BUILD_TYPE STREQUAL Mutated)
   list(APPEND lanes_sets Avx2 Avx512)
 endif()
 set(lanes_flags_Avx2 -mavx2)

@@ -1,14 +1,17 @@
 #include "reference/files.hpp"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <sstream>
 #include <system_error>
-#include <utility>
 
 #include "reference/bad_input.hpp"
+#include "reference/interrupted.hpp"
 
 namespace oddity {
 
@@ -19,59 +22,62 @@ namespace {
 /// What the system says of its last failure.
 std::string last_failure() { return std::error_code(errno, std::generic_category()).message(); }
 
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw BadInput("cannot write " + file.string() + ": " + why);
+}
+
+void require(bool written, const fs::path& file) {
+  if (!written) refuse(file, last_failure());
+}
+
 void make_folder_of(const fs::path& file) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (error) throw BadInput("cannot make the folder " + file.parent_path().string() + ": " + error.message());
 }
 
-void require(bool written, const fs::path& file) {
-  if (!written) throw BadInput("cannot write " + file.string() + ": " + last_failure());
+/// Makes its folder, and throws BadInput when that cannot be, or when something else than a file has the
+/// name.
+void require_place(const fs::path& file) {
+  make_folder_of(file);
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::is_directory(status)) refuse(file, "it is a folder");
+  if (fs::exists(status) && !fs::is_regular_file(status)) refuse(file, "it is not a regular file");
+}
+
+std::string part_of(const fs::path& file) { return file.string() + ".part"; }
+
+bool took_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(descriptor, text.data(), text.size());
+    if (written < 0 && errno != EINTR) return false;
+    text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+  }
+  const int other = dup(descriptor);  // a disk on the net may say only as a file is closed that it is full
+  return other >= 0 && close(other) == 0;
 }
 
 }  // namespace
 
-PartFile::PartFile(fs::path file)
-    : file_(std::move(file)), part_(file_.string() + ".part"), unfinished_(part_.string()) {
-  make_folder_of(file_);
-  std::error_code error;
-  const fs::file_status status = fs::status(file_, error);
-  if (fs::is_directory(status)) throw BadInput("cannot write " + file_.string() + ": it is a folder");
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    throw BadInput("cannot write " + file_.string() + ": it is not a regular file");
-}
-
-PartFile::~PartFile() {
-  std::error_code ignored;
-  if (!part_.empty()) fs::remove(part_, ignored);
-}
-
-void PartFile::keep() {
-  std::error_code error;
-  fs::rename(part_, file_, error);
-  if (error) throw BadInput("cannot write " + file_.string() + ": " + error.message());
-  part_.clear();
-}
-
 void require_writable(const fs::path& file) {
-  const PartFile part(file);
-  require(std::ofstream(part.path()).is_open(), file);
+  require_place(file);
+  require(Unfinished(part_of(file)).descriptor() >= 0, file);
 }
 
 void require_writable_folder(const fs::path& folder) {
-  const PartFile part(folder / "is_it_writable");
-  if (!std::ofstream(part.path()).is_open())
+  const fs::path file = folder / "is_it_writable";
+  require_place(file);
+  if (Unfinished(part_of(file)).descriptor() < 0)
     throw BadInput("cannot write in the folder " + folder.string() + ": " + last_failure());
 }
 
 void write_whole(const fs::path& file, const std::string& text) {
-  PartFile part(file);
-  std::ofstream out(part.path(), std::ios::binary);
-  require(out.is_open(), file);
-  out << text;
-  out.close();
-  require(!out.fail(), file);
-  part.keep();
+  require_place(file);
+  Unfinished part(part_of(file));
+  require(part.descriptor() >= 0, file);
+  require(ftruncate(part.descriptor(), 0) == 0 && took_all(part.descriptor(), text), file);
+  require(part.rename(file.string()), file);
 }
 
 std::string checksum(std::string_view text) {

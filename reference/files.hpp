@@ -5,36 +5,15 @@
 #include <string>
 #include <string_view>
 
-#include "reference/interrupted.hpp"
-
 /// Files that are there whole or not at all, whatever interrupts the run.
 namespace oddity {
-
-/// A file under its name with ".part", until it is whole and takes its name; gone if it never is, also when
-/// the run is interrupted (reference/interrupted.hpp).
-class PartFile {
- public:
-  /// Makes its folder. Throws BadInput when that cannot be, or when something else than a file has the name.
-  explicit PartFile(std::filesystem::path file);
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-  ~PartFile();
-
-  /// Where to write until it is whole.
-  const std::filesystem::path& path() const { return part_; }
-  /// It is whole. Throws BadInput when it cannot take its name.
-  void keep();
-
- private:
-  std::filesystem::path file_, part_;
-  Unfinished unfinished_;
-};
 
 /// Throws BadInput when the file could not be written, so that no run is lost for it; makes its folder.
 void require_writable(const std::filesystem::path& file);
 /// The same for files in a folder, which is made.
 void require_writable_folder(const std::filesystem::path& folder);
-/// Writes the whole file or none of it. Throws BadInput when it cannot be written.
+/// Writes the whole file or none of it: under its name with ".part", until it is whole and takes its name.
+/// Where two runs write it at once, one is after the other. Throws BadInput when it cannot be written.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
 /// Of a text, for files that this program alone reads again.

@@ -122,7 +122,9 @@ class UnitReader {
 
   std::optional<Unit> factor() {
     if (take("(")) {
+      if (++open_ > most_open) return std::nullopt;
       const auto inside = product();
+      --open_;
       return take(")") ? inside : std::nullopt;
     }
     if (take("solar mass")) return named("solar mass");
@@ -151,7 +153,9 @@ class UnitReader {
     return std::abs(power) <= 9 ? std::optional(power) : std::nullopt;
   }
 
+  static constexpr int most_open = 4;  // parentheses: so no power is beyond what an int holds
   std::string_view left_;
+  int open_ = 0;
 };
 
 std::string fitting(std::string_view unit, const Unit& wanted) {
@@ -179,8 +183,11 @@ double in_unit(std::string_view text, std::string_view unit) {
 
   const Unit wanted = UnitReader(unit.empty() ? "1" : unit).whole().value();
   const auto given = UnitReader(written).whole();
-  if (given && given->powers == wanted.powers)
-    return static_cast<double>(static_cast<long double>(value) * (given->size / wanted.size));
+  if (given && given->powers == wanted.powers) {
+    const auto converted = static_cast<double>(static_cast<long double>(value) * (given->size / wanted.size));
+    if (std::isfinite(converted) || !std::isfinite(value)) return converted;
+    throw BadInput(quoted + " is beyond what a number can hold");
+  }
   throw BadInput(
       quoted + (given ? " has a unit that does not fit" : " is not a number, nor one with a unit") +
       (wanted.powers.empty() ? ": this one has no unit" : "; units that fit: " + fitting(unit, wanted)));

@@ -11,6 +11,7 @@
 #include "reference/csv.hpp"
 #include "reference/files.hpp"
 #include "reference/in_long_double.hpp"
+#include "reference/table.hpp"
 #include "reference/text.hpp"
 #include "reference/to_write.hpp"
 #include "reference/truth.hpp"
@@ -35,13 +36,14 @@ std::string listed(const std::vector<std::string>& words) {
 }
 
 std::string listed(const std::vector<double>& numbers) {
-  std::vector<std::string> words;
-  for (double x : numbers) words.push_back(shortest(x));
+  std::vector<std::string> words(numbers.size());
+  std::ranges::transform(numbers, words.begin(), shortest);
   return listed(words);
 }
 
-/// The rows of a table, each with all of its components in their order.
-std::map<std::vector<double>, Known> read(const fs::path& file, const truth::Truth& truth) {
+}  // namespace
+
+std::map<std::vector<double>, Known> read_table(const fs::path& file, const truth::Truth& truth) {
   const CsvFile csv = read_csv(file);
   if (const auto columns = columns_of(truth); csv.header.cells != columns)
     throw BadInput(csv.header.place + ": the columns must be " + listed(columns));
@@ -71,6 +73,8 @@ std::map<std::vector<double>, Known> read(const fs::path& file, const truth::Tru
                      " at " + listed(inputs));
   return rows;
 }
+
+namespace {
 
 const truth::Entry* maker_of(std::string_view table) {
   const auto& all = truth::registry();
@@ -127,9 +131,9 @@ Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::
                   const truth::Tick& tick, const Make& make) {
   truth::Made made;
   bool ticking = false;
-  const auto watched = [&] {
+  const auto watched = [&](double done) {
     ticking = true;
-    if (tick) tick();
+    if (tick) tick(done);
     ticking = false;
   };
   try {
@@ -178,7 +182,12 @@ std::optional<Known> kept_motion(const fs::path& cache, const std::string& key) 
   if (!text || !text->starts_with(key + "\n")) return {};
   std::istringstream lines(text->substr(key.size() + 1));
   Known known;
-  for (std::string line; std::getline(lines, line);) known.value.push_back(number_in(line).value());
+  for (std::string line; std::getline(lines, line);)
+    if (const auto x = number_in(line))
+      known.value.push_back(*x);
+    else
+      return {};
+  if (known.value.empty()) return {};
   known.error = known.value.front();
   known.value.erase(known.value.begin());
   return known;
@@ -236,12 +245,12 @@ Reference::Reference(const fs::path& folder, fs::path cache)
     if (!fs::exists(file))
       throw BadInput("cannot read " + file.string() + ": it is not there; build/release/make_reference " +
                      folder.string() + " " + name + " makes it");
-    tables.emplace(name, read(file, entry.make()));
+    tables.emplace(name, read_table(file, entry.make()));
   }
   tables_ = std::make_shared<Tables>(std::move(tables));
 }
 
-Reference Reference::watched(std::function<void()> tick) const {
+Reference Reference::watched(std::function<void(double)> tick) const {
   Reference copy = *this;
   copy.tick_ = std::move(tick);
   return copy;
@@ -293,7 +302,7 @@ Known Reference::motion(std::string_view name, const std::vector<double>& inputs
       kept->source = source_of(truth);
       return *kept;
     }
-  const Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick& tick) {
+  Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick& tick) {
     return truth::make_motion(truth, inputs, {times.begin(), times.end()}, digits_, compared_times,
                               tick_ ? tick : truth::Tick());
   });

@@ -51,6 +51,11 @@ leg_engines() {  # other people's engines do on the scenes what is on record of 
   ctest --test-dir build/release --build-config engines --tests-regex '^engines$' --output-on-failure
 }
 
+leg_witness() {  # PARI/GP says of the errata what is on record
+  tools pari-gp
+  tests/witness.sh
+}
+
 leg_sweep() {  # sweeps with HDF5 and under mpirun
   ./oddity packages libhdf5-dev libopenmpi-dev openmpi-bin || exit 77
   cmake --preset release -DODDITY_HDF5=ON -DODDITY_MPI=ON >/dev/null
@@ -58,13 +63,20 @@ leg_sweep() {  # sweeps with HDF5 and under mpirun
   build/release/tests/oddity_tests '[sweep]'
 }
 
+leg_prove() {  # Coq proves what is stated of claims and refuses what is nearly the same, and PARI agrees
+  tools coq libcoq-interval libcoq-coquelicot pari-gp
+  ./oddity prove
+  cmake --build build/release --parallel "$jobs" --target oddity_tests
+  build/release/tests/oddity_tests '[proofs]'
+}
+
 leg_syntax() {  # g++: every source alone, without precompiled headers; compile_commands.json has all of them
   ./oddity packages
   build developer generated_sources
   local listed missing
   listed=$(sed -n 's|^ *"file": "'"$PWD"'/\(.*\)".*|\1|p' build/developer/compile_commands.json | sort -u)
-  # but those of the page's module, which another compiler makes, and of engines, which may not be here
-  missing=$(comm -23 <(sources '*.cpp' ':!report/site/module/*' ':!tests/site/nudged.cpp' ':!solvers/engines/*' | sort) <(echo "$listed"))
+  # but those of the page's module, which another compiler makes, and of engines and libclang, which may not be here
+  missing=$(comm -23 <(sources '*.cpp' ':!report/site/module/*' ':!tests/site/nudged.cpp' ':!solvers/engines/*' ':!tests/mutation/*' | sort) <(echo "$listed"))
   [ -z "$missing" ] || { echo "not in compile_commands.json: $missing"; return 1; }
   sed -n 's|^ *"command": "\(.*\)",$|\1|p' build/developer/compile_commands.json | sed 's|\\"|"|g; s|\\\\|\\|g' |
     (cd build/developer && xargs -d '\n' -P "$jobs" -n 1 bash -c 'eval "$0 -fsyntax-only"')
@@ -105,6 +117,36 @@ leg_thread() {  # thread sanitizer: a part of the suite in parallel
   ./oddity packages
   build thread oddity
   TSAN_OPTIONS=halt_on_error=1 build/thread/oddity verify "${SUITE:-[3.5],[3.1],[2.13],[7.1]}"
+}
+
+leg_mutate() {  # libclang: mutants drawn by the commit's name, of which the suite has to notice each; SAMPLE=300, PATHS for a part
+  ./oddity packages libclang-dev || exit 77
+  build release oddity_mutate
+  build/release/oddity_mutate --sample "${SAMPLE:-300}" ${PATHS:-}
+}
+
+leg_fuzz() {  # libFuzzer: every reader for FUZZ_SECONDS (60) with sanitizers, from the inputs in tests/fuzz/corpus
+  tools clang
+  build release fuzz
+  local target name found
+  found=$(mktemp -d)
+  for target in build/release/tests/fuzz_*; do
+    name=${target##*fuzz_}
+    mkdir -p "$found/$name"
+    "$target" -max_total_time="${FUZZ_SECONDS:-60}" -timeout=1 -rss_limit_mb=1024 -print_final_stats=1 -verbosity=0 \
+      -artifact_prefix="build/fuzz_$name-" "$found/$name" "tests/fuzz/corpus/$name"
+  done
+  rm -r "$found"
+}
+
+leg_faults() {  # kills, full disks, too little memory and more, at every verb that writes; ODDITY_KILLS (20)
+  build release oddity_faults
+  build/release/tests/oddity_faults
+}
+
+leg_properties() {  # what holds at all parameters, at ODDITY_SETS (1000) random ones of every scene
+  build release oddity_tests
+  ODDITY_SETS=${ODDITY_SETS:-1000} build/release/tests/oddity_tests '[properties]'
 }
 
 leg_odr() {  # link-time optimization: no name has two definitions in the program

@@ -113,7 +113,7 @@ TEST_CASE("the choice says how many bodies go how", "[lanes]") {
   const std::string text = answer_text(choice), json = choice_json(choice);
   INFO(text << json);
   CHECK(has(text, "10000 bodies: side by side in lanes of " + std::string(lanes::name_of(lanes::widest())) +
-                      ", 10 ns each"));
+                      ", 10 ns and no state each"));
   CHECK(has(json, "\"bodies\": 10000"));
   CHECK(has(json, "\"lanes\": \"" + std::string(lanes::name_of(lanes::widest())) + "\""));
   choice.chosen->algorithm = "Adams-Bashforth 4";

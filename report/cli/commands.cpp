@@ -8,6 +8,8 @@
 #include <cctype>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <exception>
 #include <iostream>
 
 #include "chapters/contents.hpp"
@@ -15,6 +17,7 @@
 #include "reference/interrupted.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/help.hpp"
+#include "report/cli/prove.hpp"
 #include "report/cli/settings.hpp"
 #include "report/cli/sweep.hpp"
 #include "report/cli/verbs.hpp"
@@ -33,7 +36,8 @@ struct Session {
   std::string results = {}, shard = {};
   std::vector<std::string> from = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
-              maps_out = report_folder().string(), site_out = site_folder().string();
+              maps_out = report_folder().string(), site_out = site_folder().string(),
+              proofs_out = (results_file().parent_path() / "proofs").string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
   std::string engine = {};
   bool page = false, lanes = false, kept = false;
@@ -380,6 +384,19 @@ void add_sweep(CLI::App& app, Session& s) {
   add_sweep_verbs(*sweep, s.folder);
 }
 
+void add_prove(CLI::App& app, Session& s) {
+  auto* prove = verb(
+      app, "prove", "Prove by Coq what claims' formulas come to, and ask PARI/GP as a witness.",
+      "Each statement is printed from the code that the suite evaluates, as a file for Coq and a script for gp: "
+      "the corrected reading is near what is true, or equal; the printed one is far, by the bound at least. "
+      "Without coqc or gp the files are written, and what to install is said. What was proved is kept.\n"
+      "Examples:\n  oddity prove 3.5\n  oddity prove --out /tmp/proofs",
+      [&] { s.status = verbs::prove(s.folder, s.exercise, s.proofs_out, s.approve); });
+  prove->add_option("exercise", s.exercise, "such as 3.5; all that have statements when there is none");
+  add_path(*prove, "--out", s.proofs_out, "the folder to write to");
+  prove->add_flag("--approve", s.approve, "put on record what Coq accepted: reference/approved/proofs.csv");
+}
+
 void add_new(CLI::App& app, Session& s) {
   auto* begin =
       verb(app, "new", "Begin an exercise of your own: files that compile, and say what is to be written.",
@@ -433,6 +450,35 @@ void complain(const std::string& what) {
   std::cerr << wrapped("oddity: " + what + "\n", screen_of(STDERR_FILENO), 2);
 }
 
+/// Memory for a thread as well, of which TBB says so in words alone.
+bool lacks_memory(const std::exception& error) {
+  const auto* of_system = dynamic_cast<const std::system_error*>(&error);
+  return dynamic_cast<const std::bad_alloc*>(&error) ||
+         (of_system && of_system->code() == std::errc::resource_unavailable_try_again) ||
+         std::string_view(error.what()).starts_with("pthread_create has failed");
+}
+
+int no_memory() {
+  constexpr std::string_view says = "oddity: there is not enough memory for this\n";
+  static_cast<void>(!write(STDERR_FILENO, says.data(), says.size()));
+  return 2;
+}
+
+const std::terminate_handler usual_end = std::get_terminate();
+
+/// Where memory is lacking in a destructor or in a thread of its own: a JSON's takes some to be destroyed.
+[[noreturn]] void end_without_memory() {
+  try {
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    tidy_up();
+    _exit(no_memory());
+  } catch (...) {
+  }
+  usual_end();
+  std::abort();
+}
+
 int answer(CLI::App& app, Session& session, const std::vector<std::string>& words) {
   try {
     require_a_verb(app, words);
@@ -450,6 +496,7 @@ int answer(CLI::App& app, Session& session, const std::vector<std::string>& word
     complain(error.path1().string() + ": " + error.code().message());
     return 2;
   } catch (const std::exception& error) {
+    if (lacks_memory(error)) throw std::bad_alloc();
     complain("internal error: " + std::string(error.what()));
     return 1;
   }
@@ -457,7 +504,8 @@ int answer(CLI::App& app, Session& session, const std::vector<std::string>& word
 
 }  // namespace
 
-int command_line(int argc, char** argv, const Suite& suite) {
+int command_line(int argc, char** argv, const Suite& suite) try {
+  std::set_terminate(end_without_memory);
   occupy_standard_streams();
   tidy_when_interrupted();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
@@ -485,6 +533,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
   add_bench(app, session);
   add_engines(app, session);
   add_sweep(app, session);
+  add_prove(app, session);
   add_report(app, session);
   add_site(app, session);
   add_new(app, session);
@@ -492,6 +541,8 @@ int command_line(int argc, char** argv, const Suite& suite) {
   session.command = typed(words_of(argc, argv));
   const int status = answer(app, session, words_of(argc, argv));
   return output_arrived() ? status : 2;
+} catch (const std::bad_alloc&) {
+  return no_memory();
 }
 
 }  // namespace oddity

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -95,6 +97,21 @@ std::string some_free(int chapter) {
                  "; nothing was written. Free are " + some_free(number.chapter) + " and more");
 }
 
+std::string text_in(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Whether a run of `new` that was ended left them so: the last are missing, and those before as it writes
+/// them.
+bool left_unfinished(const std::vector<NewFile>& files) {
+  const auto is_there = [](const NewFile& file) { return fs::exists(file.path); };
+  const auto missing = std::ranges::find_if_not(files, is_there);
+  return missing != files.end() && std::none_of(missing, files.end(), is_there) &&
+         std::all_of(files.begin(), missing,
+                     [](const NewFile& file) { return text_in(file.path) == file.text; });
+}
+
 /// The text, with each word of `words` where its pattern is; the first pattern that fits counts.
 std::string with_words(std::string_view text,
                        std::span<const std::pair<std::string_view, std::string>> words) {
@@ -124,8 +141,6 @@ std::vector<NewFile> new_files(const NewExercise& asked) {
     refuse(number, std::string(found->exercise.title) + ", " + std::string(found->file));
   const std::string chapter = chapter_folder(asked, number, home),
                     there = folder_of(home / "chapters" / chapter, number.index);
-  if (!there.empty()) refuse(number, (home / "chapters" / chapter / there).string());
-
   const std::string nn = two_digits(number.chapter), mm = two_digits(number.index);
   const std::string short_number = std::to_string(number.chapter) + "_" + std::to_string(number.index);
   using Words = std::vector<std::pair<std::string_view, std::string>>;
@@ -146,8 +161,12 @@ std::vector<NewFile> new_files(const NewExercise& asked) {
   for (const EmbeddedFile& file : embedded_templates()) {
     if ((file.path.find("my_scene") != std::string_view::npos) != asked.scene) continue;
     files.push_back({home / with_words(file.path, words), with_words(file.text, words)});
-    if (fs::exists(files.back().path)) refuse(number, files.back().path.string());
   }
+  const bool unfinished = left_unfinished(files);
+  if (!there.empty() && !(unfinished && there == mm + "_" + asked.slug))
+    refuse(number, (home / "chapters" / chapter / there).string());
+  for (const NewFile& file : files)
+    if (!unfinished && fs::exists(file.path)) refuse(number, file.path.string());
   return files;
 }
 

@@ -50,6 +50,15 @@ bool stale(const fs::path& results, const fs::path& folder) {
   return false;
 }
 
+/// None where another version wrote the file, or it was damaged.
+Results readable_results(const fs::path& file) {
+  try {
+    return read_results(file);
+  } catch (const BadInput&) {
+    return {};
+  }
+}
+
 /// The last results where they are fresh, else those of a new run; if wanted with the ledgers, which a run of
 /// the suite does not need and does not make.
 Results last_results(const fs::path& folder, bool ledgers) {
@@ -57,7 +66,7 @@ Results last_results(const fs::path& folder, bool ledgers) {
   const Reference truth(folder, motions_folder());
   const std::vector<Task> tasks(registry().begin(), registry().end());
   Results results;
-  if (fs::exists(file) && !stale(file, folder)) results = read_results(file);
+  if (fs::exists(file) && !stale(file, folder)) results = readable_results(file);
   const bool fresh = std::ranges::equal(results.exercises, tasks, [](const auto& e, const Task& task) {
     return e.number == task.entry->number;  // a run of a part may have written the file
   });

@@ -9,6 +9,7 @@
 #include "reference/files.hpp"
 #include "reference/text.hpp"
 #include "report/study/engines.hpp"
+#include "report/study/whole_in_json.hpp"
 
 namespace oddity {
 
@@ -63,12 +64,18 @@ ordered_json kept(const EngineTrial& t) {
           {"path", kept(shortened(t.path))}};
 }
 EngineTrial trial_from(const ordered_json& j) {
-  return {j.at("steps_per_frame"),   outcome_named(j.at("outcome")),
-          j.at("message"),           numbers(j.at("errors")),
-          number(j.at("in_needs")),  number(j.at("energy")),
-          number(j.at("off_joint")), number(j.at("seconds_per_frame")),
-          number(j.at("spread")),    j.at("same_bits"),
-          j.at("restored"),          numbers(j.value("path", ordered_json::array()))};
+  return {whole<int>(j.at("steps_per_frame")),
+          outcome_named(j.at("outcome")),
+          j.at("message"),
+          numbers(j.at("errors")),
+          number(j.at("in_needs")),
+          number(j.at("energy")),
+          number(j.at("off_joint")),
+          number(j.at("seconds_per_frame")),
+          number(j.at("spread")),
+          j.at("same_bits"),
+          j.at("restored"),
+          numbers(j.value("path", ordered_json::array()))};
 }
 
 ordered_json kept(const EngineSeries& s) {
@@ -88,12 +95,24 @@ ordered_json kept(const EngineSeries& s) {
           {"trials", trials}};
 }
 EngineSeries series_from(const ordered_json& j) {
-  EngineSeries s{j.at("engine"),         j.at("version"),         j.at("precision"),   j.at("variant"),
-                 j.at("says"),           j.at("defaults"),        j.at("webassembly"), j.at("stated_order"),
-                 j.value("lasting", ""), j.value("friction", ""), j.at("cannot")};
+  EngineSeries s{
+      j.at("engine"),         j.at("version"),         j.at("precision"),   j.at("variant"),
+      j.at("says"),           j.at("defaults"),        j.at("webassembly"), whole<int>(j.at("stated_order")),
+      j.value("lasting", ""), j.value("friction", ""), j.at("cannot")};
   for (const auto& t : j.at("trials")) s.trials.push_back(trial_from(t));
   summarize(s);
   return s;
+}
+
+/// Every error has its unit.
+void require_sizes(const EngineContest& c) {
+  const auto fits = [&](const std::vector<double>& errors) {
+    return errors.empty() || errors.size() == c.units.size();
+  };
+  bool all = c.needs.size() == c.units.size() && (!c.least || fits(c.least->errors));
+  for (const EngineSeries& s : c.series)
+    for (const EngineTrial& t : s.trials) all = all && fits(t.errors) && t.steps_per_frame > 0;
+  if (!all) throw std::runtime_error("an error without its unit, or a frame without steps");
 }
 
 }  // namespace
@@ -140,10 +159,13 @@ std::vector<EngineContest> read_engines(const fs::path& file) {
       if (const auto& least = j.at("least"); !least.is_null())
         c.least =
             Instead{least.at("says"), numbers(least.at("errors")), number(least.at("seconds_per_frame"))};
+      require_sizes(c);
       contests.push_back(std::move(c));
     }
     return contests;
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
     throw BadInput(file.string() + ": not what 'oddity engines' writes: " + error.what());
   }
 }

@@ -8,6 +8,7 @@
 #include "reference/bad_input.hpp"
 #include "report/pages/markup.hpp"
 #include "report/study/results.hpp"
+#include "report/study/whole_in_json.hpp"
 
 namespace oddity {
 
@@ -110,7 +111,8 @@ Json from(const JudgedClaim& judged) {
           {"checks", checks}};
 }
 JudgedClaim claim(const Json& json) {
-  JudgedClaim judged{{json.at("id"), json.at("line"), json.at("says")}, named(json.at("verdict"), verdicts)};
+  JudgedClaim judged{{json.at("id"), whole<int>(json.at("line")), json.at("says")},
+                     named(json.at("verdict"), verdicts)};
   judged.claim.why = json.at("why");
   judged.claim.not_checkable = json.at("not_checkable");
   judged.claim.kind = named(json.at("kind"), faults);
@@ -156,7 +158,7 @@ TimedTrial trial(const Json& json) {
   t.final_error = number(json.at("final_error"));
   t.error_estimate = number(json.at("error_estimate"));
   t.drift = number(json.at("drift"));
-  t.evaluations = json.at("evaluations");
+  t.evaluations = whole<long>(json.at("evaluations"));
   t.time.seconds = number(json.at("seconds"));
   t.time.spread = number(json.at("spread"));
   t.outcome = named(json.at("outcome"), outcomes);
@@ -282,7 +284,7 @@ Trajectory trajectory(const Json& json) {
                numbers(json.at("judged_at")),
                numbers(json.at("times")),
                {},
-               json.at("truest"),
+               whole<std::size_t>(json.at("truest")),
                number(json.at("close"))};
   for (const Json& p : json.at("paths"))
     t.paths.push_back({p.at("model"), p.at("algorithm"), p.at("knob"), number(p.at("setting")),
@@ -347,13 +349,13 @@ QuantityResult quantity(const Json& json) {
   std::size_t next = 0;
   for (const Json& m : json.at("methods")) {
     MethodResult method{m.at("model"), m.at("algorithm"), named(m.at("expected"), outcomes), m.at("why"), {}};
-    for (std::size_t i = 0; i < m.at("trials"); ++i)
+    for (std::size_t i = 0; i < whole<std::size_t>(m.at("trials")); ++i)
       method.trials.push_back(trial(json.at("trials").at(next++)));
     require(!method.trials.empty(), "a method has no trials");
     q.methods.push_back(std::move(method));
   }
   for (const Json& m : json.at("in_float")) {
-    FloatResult one{m.at("model"), m.at("algorithm"), m.at("in_double"), {}};
+    FloatResult one{m.at("model"), m.at("algorithm"), whole<std::size_t>(m.at("in_double")), {}};
     require(one.in_double < q.methods.size(), "a method in float has no like one in double");
     for (const Json& t : m.at("trials")) one.trials.push_back(trial(t));
     require(one.trials.size() == q.methods[one.in_double].trials.size(),
@@ -363,7 +365,8 @@ QuantityResult quantity(const Json& json) {
   for (const Json& b : json.at("breakdowns"))
     q.breakdowns.push_back(
         {b.at("says"), named(b.at("expected"), outcomes), trial(b.at("broken")), trial(b.at("cured"))});
-  q.samples = json.at("samples");
+  q.samples = whole<int>(json.at("samples"));
+  require(q.samples > 0, "a motion is seen at no time");
   q.by_norms = json.at("by_norms");
   q.in_operations = json.at("in_operations");
   if (!json.at("trajectory").is_null()) q.trajectory = trajectory(json.at("trajectory"));
@@ -511,6 +514,8 @@ Results results_from_json(const std::string& text, const std::string& place) {
     Results results{{}, number(json.at("seam"))};
     for (const Json& e : json.at("exercises")) results.exercises.push_back(exercise(e));
     return results;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw BadInput(place + ": not a results file: " + error.what());
   }

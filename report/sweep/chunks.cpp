@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <exception>
 #include <mutex>
 #include <numeric>
@@ -59,21 +60,29 @@ struct Line {
       if (!(text >> word)) throw std::runtime_error("a line is short: " + line);
     std::getline(text >> std::ws, rest);
   }
-  double number(std::size_t i) const { return number_in(words[i]).value(); }
-  long whole(std::size_t i) const { return static_cast<long>(number(i)); }
+  double number(std::size_t i) const {
+    if (const auto x = number_in(words[i])) return *x;
+    throw std::runtime_error("'" + words[i] + "' is no number");
+  }
+  long whole(std::size_t i, double most) const {
+    const double x = number(i);
+    if (0 <= x && x <= most && x == std::floor(x)) return static_cast<long>(x);
+    throw std::runtime_error("'" + words[i] + "' is no number of cells");
+  }
 };
 
 Tile read_tile(std::istream& in, const Cells& cells) {
   const auto count = static_cast<std::size_t>(cells.width()) * static_cast<std::size_t>(cells.height());
   Tile tile{cells, {}, {}};
   const Line head(in, 3);
-  tile.checked = head.whole(1);
-  tile.otherwise = head.whole(2);
+  tile.checked = head.whole(1, static_cast<double>(count));
+  tile.otherwise = head.whole(2, static_cast<double>(count));
   while (tile.ended.size() < count) {
     const Line line(in, 3);
     const bool looked = line.words[1] != "-";
     const Ended ended = looked ? Ended{line.rest, line.number(1), line.number(2)} : Ended{line.rest};
-    for (long i = 0; i < line.whole(0); ++i) {
+    const long run = line.whole(0, static_cast<double>(count - tile.ended.size()));
+    for (long i = 0; i < run; ++i) {
       tile.ended.push_back(ended);
       tile.looked.push_back(looked);
     }
@@ -115,8 +124,12 @@ std::optional<std::vector<Tile>> kept(const fs::path& folder, const Plan& plan, 
   if (!text->starts_with(head)) throw BadInput(file.string() + " is of another sweep");
   std::istringstream in(text->substr(head.size()));
   std::vector<Tile> tiles;
-  for (long tile = plan.first_tile[chunk]; tile < plan.first_tile[chunk + 1]; ++tile)
-    tiles.push_back(read_tile(in, plan.tile(tile)));
+  try {
+    for (long tile = plan.first_tile[chunk]; tile < plan.first_tile[chunk + 1]; ++tile)
+      tiles.push_back(read_tile(in, plan.tile(tile)));
+  } catch (const std::runtime_error& error) {
+    throw BadInput(file.string() + " is no chunk as a sweep writes it: " + error.what() + "; remove it");
+  }
   return tiles;
 }
 

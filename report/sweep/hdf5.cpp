@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "report/sweep/merge.hpp"
@@ -29,7 +31,7 @@ class Open {
 };
 
 void require(herr_t status, const std::string& what) {
-  if (status < 0) throw BadInput("HDF5 cannot write " + what + ": is the disk full?");
+  if (status < 0) throw BadInput("HDF5 cannot make " + what + ": is there not enough memory?");
 }
 
 template <class T>
@@ -79,17 +81,25 @@ void add_all(hid_t file, const Map& map) {
   add_text(file, "summary", summary(map));
 }
 
+/// The bytes of the file, which HDF5 makes in memory: of a full disk it does not always say.
+std::string bytes_of(hid_t file) {
+  require(H5Fflush(file, H5F_SCOPE_LOCAL), "a file in memory");
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  std::string bytes(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');
+  require(size > 0 && H5Fget_file_image(file, bytes.data(), bytes.size()) == size ? 0 : -1,
+          "a file in memory");
+  return bytes;
+}
+
 }  // namespace
 
 void write_hdf5(const Map& map, const std::filesystem::path& file) {
-  PartFile part(file);
   H5Eset_auto(H5E_DEFAULT, nullptr, nullptr);
-  {
-    const Open open(H5Fcreate(part.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-                    file.string());
-    add_all(open, map);
-  }
-  part.keep();
+  const Open access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, file.string());
+  require(H5Pset_fapl_core(access, 1 << 20, false), file.string());
+  const Open open(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, file.string());
+  add_all(open, map);
+  write_whole(file, bytes_of(open));
 }
 
 #else

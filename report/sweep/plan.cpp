@@ -17,6 +17,7 @@
 #include "report/study/choose.hpp"
 #include "report/study/prices.hpp"
 #include "report/study/starts.hpp"
+#include "report/study/whole_in_json.hpp"
 
 namespace oddity::sweep {
 
@@ -264,12 +265,21 @@ Asked asked_in(const Json& json) {
   asked.need.horizon = json.at("horizon");
   asked.need.frames_per_second = json.at("frames_per_second");
   asked.need.objective = Objective::simple;
-  asked.looks = json.at("looks");
+  asked.looks = whole<int>(json.at("looks"));
   asked.every_cell = json.at("every_cell");
   for (const Json& axis : json.at("axes"))
-    asked.axes.push_back({axis.at("name"), axis.at("unit"), axis.at("from"), axis.at("to"), axis.at("count"),
-                          axis.at("by_factor")});
+    asked.axes.push_back({axis.at("name"), axis.at("unit"), axis.at("from"), axis.at("to"),
+                          whole<int>(axis.at("count")), axis.at("by_factor")});
+  const bool sensible = (asked.axes.size() == 1 || asked.axes.size() == 2) && asked.looks >= 0 &&
+                        std::ranges::all_of(asked.axes, [](const Axis& axis) { return axis.count >= 2; });
+  if (!sensible) throw std::runtime_error("it has not one or two axes of two cells or more");
   return asked;
+}
+
+std::vector<long> wholes(const Json& json) {
+  std::vector<long> all;
+  for (const Json& one : json) all.push_back(whole<long>(one));
+  return all;
 }
 
 }  // namespace
@@ -310,24 +320,28 @@ std::string to_json(const Plan& plan) {
          "\n";
 }
 
-Plan read_plan(const fs::path& file, const fs::path& tables) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw BadInput("there is no plan " + file.string() + "; 'oddity sweep plan' makes one");
-  Plan plan;
+Plan plan_from_json(const std::string& text, const std::string& place) {
   try {
-    const Json json = Json::parse(in);
+    const Json json = Json::parse(text);
     if (json.at("format") != format) throw std::runtime_error("of another format");
-    plan.asked = asked_in(json.at("asked"));
-    plan.first_tile = json.at("first_tile").get<std::vector<long>>();
-    plan.seconds = json.at("seconds").get<std::vector<double>>();
-    plan.fingerprint = json.at("fingerprint");
+    Plan plan{asked_in(json.at("asked")), wholes(json.at("first_tile")), json.at("seconds"),
+              json.at("fingerprint")};
     const bool whole = plan.first_tile.size() == plan.seconds.size() + 1 && !plan.seconds.empty() &&
                        plan.first_tile.front() == 0 && std::ranges::is_sorted(plan.first_tile) &&
                        plan.tiles() == tiles_of(plan.width()) * tiles_of(plan.height());
     if (!whole) throw std::runtime_error("its chunks are not those of its cells");
+    return plan;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
-    throw BadInput(file.string() + " is no plan of a sweep: " + error.what());
+    throw BadInput(place + " is no plan of a sweep: " + error.what());
   }
+}
+
+Plan read_plan(const fs::path& file, const fs::path& tables) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw BadInput("there is no plan " + file.string() + "; 'oddity sweep plan' makes one");
+  Plan plan = plan_from_json({std::istreambuf_iterator<char>(in), {}}, file.string());
   if (const std::string here = fingerprint_of(from(plan.asked).dump(), tables); here != plan.fingerprint)
     throw BadInput(file.string() +
                    " is the plan of another program, of other tables or of another question: (" +

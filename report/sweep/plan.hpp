@@ -63,6 +63,8 @@ Plan planned(const Asked&, const Reference&, const std::filesystem::path& tables
 /// In one line.
 std::string to_json(const Asked&);
 std::string to_json(const Plan&);
+/// Throws BadInput when the text, which is that of `place`, is no plan.
+Plan plan_from_json(const std::string& text, const std::string& place);
 /// Throws BadInput when the file is no plan, or is of another program or other tables.
 Plan read_plan(const std::filesystem::path& file, const std::filesystem::path& tables);
 

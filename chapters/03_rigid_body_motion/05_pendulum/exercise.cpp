@@ -12,6 +12,7 @@
 
 #include "chapters/03_rigid_body_motion/05_pendulum/drawing.hpp"
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
+#include "chapters/03_rigid_body_motion/05_pendulum/quarter_period.hpp"
 #include "chapters/claims.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -39,12 +40,6 @@ constexpr Parameter parameters[] = {
 
 auto singular_integrand(double a) {
   return [a](double t) { return 1 / sqrt(cos(t) - cos(a)); };
-}
-
-/// The integrand after sin(t/2) = k sin(u): smooth on [0, pi/2].
-auto legendre_integrand(double a) {
-  const double k = sin(a / 2);
-  return [k](double u) { return std::numbers::sqrt2 / sqrt(1 - k * k * sin(u) * sin(u)); };
 }
 
 /// The book's integral over the last epsilon, to leading order.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <numbers>
 
+#include "chapters/03_rigid_body_motion/17_foucault/cone.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "reference/text.hpp"
 #include "solvers/quadrature.hpp"
@@ -73,9 +74,9 @@ struct Sample {
     return free + (1 + m) * (1 + size * accelerations) / abs(sin_phi());
   }
   std::string where() const {
-    return R"($\lambda$ = )" + rounded(p.lambda, 4) + R"(, $\omega$ = )" + rounded(p.omega, 4) +
-           R"(, $\theta$ = )" + rounded(q[0], 4) + R"(, $\phi$ = )" + rounded(q[1], 4) +
-           R"(, $\dot\theta$ = )" + rounded(v[0], 4) + R"(, $\dot\phi$ = )" + rounded(v[1], 4);
+    return R"($\lambda$ = )" + shortest(p.lambda) + R"(, $\omega$ = )" + shortest(p.omega) +
+           R"(, $\theta$ = )" + shortest(q[0]) + R"(, $\phi$ = )" + shortest(q[1]) + R"(, $\dot\theta$ = )" +
+           shortest(v[0]) + R"(, $\dot\phi$ = )" + shortest(v[1]);
   }
   Axes<double> axes() const { return Axes<double>(q); }
   Space<double> w() const { return p.w(); }
@@ -427,9 +428,9 @@ struct ConeSample {
     return {relative * terms, "the quadratures' tolerance, relative to the terms"};
   }
   std::string where() const {
-    return "$h$ = " + rounded(h(), 4) + ", $r$ = " + rounded(r(), 4) + ", " + motion.where();
+    return "$h$ = " + shortest(h()) + ", $r$ = " + shortest(r()) + ", " + motion.where();
   }
-  double rho(double z) const { return r() * (1 - z / h()); }
+  double rho(double z) const { return radius(r(), h(), z); }
 
   /// Over the cone from z = low on, in cylindrical coordinates by Gauss's rule.
   double integral(const Density& f, double low = 0) const {
@@ -500,7 +501,7 @@ auto of_height(double factor) {
 }
 
 void center_of_mass(Claims& claims, const Cones& cones) {
-  const double halving = 1 - 1 / std::cbrt(2.0);
+  const double halving = halving_height<double>();
   const std::string root = "a center of mass that halves the volume";
   const auto of_volume = [](double factor) { return [=](C s) { return s.mass() * factor; }; };
   claims.formula<ConeSample>("cone_mass", 2299, "the cone's volume", cones,
@@ -529,7 +530,7 @@ void center_of_mass(Claims& claims, const Cones& cones) {
       {.quantity = "the volume above the center of mass",
        .truth = {"volume and center of mass by quadrature", [](C s) { return s.volume_above(s.center()); }},
        .printed = {"$1/2$ of the whole", of_volume(1.0 / 2)},
-       .corrected = {"$27/64$ of the whole", of_volume(27.0 / 64)},
+       .corrected = {"$27/64$ of the whole", of_volume(above_center<double>())},
        .near_misses = {{"$9/16$ of the whole", of_volume(9.0 / 16)}},
        .kind = Fault::counterexample,
        .root = root,
@@ -557,7 +558,7 @@ void center_of_mass(Claims& claims, const Cones& cones) {
       "L", 2319, "$L$, from the joint, which is the vertex, to the center of mass", cones,
       {.truth = {"$h$ less the height of the center of mass by quadrature",
                  [](C s) { return s.h() - s.center(); }},
-       .printed = {"$h/2^{1/3}$", of_height(1 / std::cbrt(2.0))},
+       .printed = {"$h/2^{1/3}$", of_height(printed_length<double>())},
        .corrected = {"$3h/4$", of_height(0.75)},
        .near_misses = {{"$2h/3$", of_height(2.0 / 3)}},
        .kind = Fault::formula,

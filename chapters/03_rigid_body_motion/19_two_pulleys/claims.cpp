@@ -42,9 +42,14 @@ struct Sample {
     return floor + mass * (speed * speed + abs(a[0]) + abs(a[1])) + pulls * (1 + mass / std::min(p.m2, p.m3));
   }
   std::string where() const {
-    return "$m_2$ = " + rounded(p.m2, 4) + ", $m_3$ = " + rounded(p.m3, 4) + ", $c_1$ = " + rounded(p.c1, 4) +
-           ", $c_2$ = " + rounded(p.c2, 4) + ", $y_2$ = " + rounded(q[0], 4) +
-           ", $y_3$ = " + rounded(q[1], 4);
+    const std::pair<std::string_view, double> all[] = {
+        {"m_2", p.m2}, {"m_3", p.m3}, {"I_1", p.I1}, {"I_2", p.I2}, {"R_1", p.R1},
+        {"R_2", p.R2}, {"c_1", p.c1}, {"c_2", p.c2}, {"L_1", p.L1}, {"L_2", p.L2},
+        {"K_1", p.K1}, {"K_2", p.K2}, {"g", p.g},    {"y_2", q[0]}, {"y_3", q[1]}};
+    std::string text;
+    for (const auto& [letter, value] : all)
+      text += (text.empty() ? "$" : ", $") + std::string(letter) + "$ = " + shortest(value);
+    return text;
   }
 
   /// The springs between floor and rope, from the ropes' lengths alone.

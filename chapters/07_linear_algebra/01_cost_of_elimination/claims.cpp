@@ -1,5 +1,6 @@
 #include "chapters/claims.hpp"
 
+#include "chapters/07_linear_algebra/01_cost_of_elimination/cost_formulas.hpp"
 #include "chapters/07_linear_algebra/01_cost_of_elimination/cost_of_elimination.hpp"
 #include "reference/text.hpp"
 #include "solvers/counted.hpp"
@@ -8,25 +9,17 @@ namespace oddity::ex07_01 {
 
 namespace {
 
-/// What operations cost: so many multiplications, additions (and subtractions), divisions.
-struct Cost {
-  double mu = 0, alpha = 0, delta = 0;
+using Cost = CostOf<double>;
 
-  constexpr Cost() = default;
-  constexpr Cost(double m, double a, double d) : mu(m), alpha(a), delta(d) {}
-  Cost(const Operations& counted)
-      : mu(static_cast<double>(counted.multiplications)),
-        alpha(static_cast<double>(counted.additions)),
-        delta(static_cast<double>(counted.divisions)) {}
+constexpr Cost mu = cost<double>(1, 0, 0), alpha = cost<double>(0, 1, 0), delta = cost<double>(0, 0, 1),
+               entry = entry_cost<double>();
 
-  friend constexpr Cost operator+(Cost a, Cost b) {
-    return {a.mu + b.mu, a.alpha + b.alpha, a.delta + b.delta};
-  }
-  friend constexpr Cost operator*(double x, Cost a) { return {x * a.mu, x * a.alpha, x * a.delta}; }
-  friend constexpr Cost operator-(Cost a, Cost b) { return a + -1.0 * b; }
-};
-
-constexpr Cost mu{1, 0, 0}, alpha{0, 1, 0}, delta{0, 0, 1}, entry = 2 * mu + alpha;
+template <class Run>
+Cost counted_cost(const Run& run) {
+  const Operations counted = operations_of(run);
+  return {static_cast<double>(counted.multiplications), static_cast<double>(counted.additions),
+          static_cast<double>(counted.divisions)};
+}
 
 /// What the parts of crosswise elimination cost a system of n unknowns, by running them on counted numbers.
 struct Counts {
@@ -43,18 +36,18 @@ struct Counts {
   explicit Counts(std::size_t size) : n(static_cast<double>(size)) {
     const Rows<Counted<double>> start(size, std::vector<Counted<double>>(size + 1, 1.0));
     auto rows = start;
-    first_row = operations_of([&] { full_step(rows, 0); });
+    first_row = counted_cost([&] { full_step(rows, 0); });
     if (size > 1) {
       auto forward = rows;
-      forward_second = operations_of([&] { forward_step(forward, 1); });
-      full_second = operations_of([&] { full_step(rows, 1); });
+      forward_second = counted_cost([&] { forward_step(forward, 1); });
+      full_second = counted_cost([&] { full_step(rows, 1); });
     }
     rows = start;
-    full = operations_of([&] {
+    full = counted_cost([&] {
       for (std::size_t k = 0; k < size; ++k) full_step(rows, k);
     });
-    division = operations_of([&] { return divide(rows); });
-    forward_and_back = operations_of([&] { return solve_forward(start, Clearing::crosswise); });
+    division = counted_cost([&] { return divide(rows); });
+    forward_and_back = counted_cost([&] { return solve_forward(start, Clearing::crosswise); });
   }
 };
 
@@ -68,20 +61,9 @@ Formula<Counts> priced(std::string text, const std::function<Cost(double n)>& co
   return counted(std::move(text), [=](const Counts& c) { return cost(c.n); });
 }
 
-Cost printed_full(double n) { return (n - 1) * n * (n + 1) / 2 * entry; }
-Cost printed_total(double n) { return printed_full(n) + n * delta; }
-Cost printed_original(double n) {
-  return (n - 1) * n * (n + 1) / 3 * entry + n * (n - 1) / 2 * (mu + alpha) + n * delta;
-}
-Cost printed_difference(double n) {
-  return (n - 1) * n * (n + 1) / 6 * entry - n * (n - 1) / 2 * (mu + alpha);
-}
-Cost diagonals(double n) { return n * (n - 1) / 2 * mu; }
-
-/// Six times [n(n-1)/6][(2 mu + alpha) n + rest], so that all stays whole.
 Formula<Counts> six_times(const std::string& rest, Cost last) {
   return priced("$n(n-1)[(2\\mu+\\alpha)n" + rest + "]$",
-                [=](double n) { return n * (n - 1) * (n * entry + last); });
+                [=](double n) { return six_times_bracket(n, last); });
 }
 
 Cost sum_over_columns(const Counts& c) {
@@ -107,32 +89,29 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
       R"(forward elimination with the second row costs $(2\mu+\alpha)(n-1)(n-2)$)",
       {.truth = counted(count, &Counts::forward_second),
        .printed = priced(R"($(2\mu+\alpha)(n-1)(n-2)$)", [](double n) { return (n - 1) * (n - 2) * entry; }),
-       .near_misses = {priced(R"($(2\mu+\alpha)(n-1)(n-1)$, the row above cleared too)",
-                              [](double n) { return (n - 1) * (n - 1) * entry; })}});
-  claim(
-      "full_second_row", 3789, R"(full elimination with the second row costs $(2\mu+\alpha)(n-1)(n-1)$)",
-      {.truth = counted(count, &Counts::full_second),
-       .printed = priced(R"($(2\mu+\alpha)(n-1)(n-1)$)", [](double n) { return (n - 1) * (n - 1) * entry; }),
-       .corrected = priced(R"($(2\mu+\alpha)(n-1)(n-1)+\mu$)",
-                           [](double n) { return (n - 1) * (n - 1) * entry + mu; }),
-       .near_misses = {priced(R"($(2\mu+\alpha)(n-1)(n-1)+2\mu$)",
-                              [](double n) { return (n - 1) * (n - 1) * entry + 2 * mu; })},
-       .kind = Fault::left_out,
-       .root = uncounted,
-       .why =
-           R"(To clear $a_{12}$, row one becomes $a_{22}$ row one $-\,a_{12}$ row two. This multiplies )"
-           R"($a_{11}$ by $a_{22}$ too: one $\mu$ more than the entries to the right of the pivot take.)"});
+       .near_misses = {
+           priced(R"($(2\mu+\alpha)(n-1)(n-1)$, the row above cleared too)", printed_second_row<double>)}});
+  claim("full_second_row", 3789, R"(full elimination with the second row costs $(2\mu+\alpha)(n-1)(n-1)$)",
+        {.truth = counted(count, &Counts::full_second),
+         .printed = priced(R"($(2\mu+\alpha)(n-1)(n-1)$)", printed_second_row<double>),
+         .corrected = priced(R"($(2\mu+\alpha)(n-1)(n-1)+\mu$)", corrected_second_row<double>),
+         .near_misses = {priced(R"($(2\mu+\alpha)(n-1)(n-1)+2\mu$)",
+                                [](double n) { return (n - 1) * (n - 1) * entry + 2 * mu; })},
+         .kind = Fault::left_out,
+         .root = uncounted,
+         .why =
+             R"(To clear $a_{12}$, row one becomes $a_{22}$ row one $-\,a_{12}$ row two. This multiplies )"
+             R"($a_{11}$ by $a_{22}$ too: one $\mu$ more than the entries to the right of the pivot take.)"});
   claim("full_sum", 3791, R"($n(n-1)+(n-1)(n-1)+\ldots+1(n-1)=(n-1)n(n+1)/2$)",
         {.truth = counted("the sum, entry by entry", sum_over_columns),
-         .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2$)", printed_full),
+         .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2$)", printed_full<double>),
          .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/3$)",
                                 [](double n) { return (n - 1) * n * (n + 1) / 3 * entry; })}});
   claim(
       "full_cost", 3791, R"(full elimination costs $F=(2\mu+\alpha)(n-1)n(n+1)/2$)",
       {.truth = counted(count, &Counts::full),
-       .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2$)", printed_full),
-       .corrected = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\mu\,n(n-1)/2$)",
-                           [](double n) { return printed_full(n) + diagonals(n); }),
+       .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2$)", printed_full<double>),
+       .corrected = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\mu\,n(n-1)/2$)", corrected_full<double>),
        .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\mu\,n(n+1)/2$)",
                               [](double n) { return printed_full(n) + n * (n + 1) / 2 * mu; })},
        .kind = Fault::left_out,
@@ -145,37 +124,37 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
         {.truth = counted(count, &Counts::division),
          .printed = priced(R"($\delta n$)", [](double n) { return n * delta; }),
          .near_misses = {priced(R"($\delta(n-1)$)", [](double n) { return (n - 1) * delta; })}});
-  claim("full_total", 3797,
-        R"(full elimination and division cost $C'=F+B=(2\mu+\alpha)(n-1)n(n+1)/2+\delta n$)",
-        {.truth = counted(count, &Counts::total),
-         .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n$)", printed_total),
-         .corrected = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n+\mu\,n(n-1)/2$)",
-                             [](double n) { return printed_total(n) + diagonals(n); }),
-         .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n+\mu\,n(n+1)/2$)",
-                                [](double n) { return printed_total(n) + n * (n + 1) / 2 * mu; })},
-         .kind = Fault::left_out,
-         .root = uncounted,
-         .why = R"($F$ leaves out $\mu\,n(n-1)/2$: for $n=3$ the total is $27\mu+12\alpha+3\delta$, not )"
-                R"($24\mu+12\alpha+3\delta$.)"});
   claim(
-      "original_total", 3801, "forward elimination and back substitution cost $C$",
-      {.truth = counted(count, &Counts::forward_and_back),
-       .printed = priced(R"($C=(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n-1)/2+\delta n$)", printed_original),
-       .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n+1)/2+\delta n$)",
-                              [](double n) { return printed_original(n) + n * (mu + alpha); })}});
+      "full_total", 3797,
+      R"(full elimination and division cost $C'=F+B=(2\mu+\alpha)(n-1)n(n+1)/2+\delta n$)",
+      {.truth = counted(count, &Counts::total),
+       .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n$)", printed_total<double>),
+       .corrected = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n+\mu\,n(n-1)/2$)", corrected_total<double>),
+       .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n+\mu\,n(n+1)/2$)",
+                              [](double n) { return printed_total(n) + n * (n + 1) / 2 * mu; })},
+       .kind = Fault::left_out,
+       .root = uncounted,
+       .why = R"($F$ leaves out $\mu\,n(n-1)/2$: for $n=3$ the total is $27\mu+12\alpha+3\delta$, not )"
+              R"($24\mu+12\alpha+3\delta$.)"});
+  claim("original_total", 3801, "forward elimination and back substitution cost $C$",
+        {.truth = counted(count, &Counts::forward_and_back),
+         .printed = priced(R"($C=(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n-1)/2+\delta n$)",
+                           printed_original<double>),
+         .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n+1)/2+\delta n$)",
+                                [](double n) { return printed_original(n) + n * (mu + alpha); })}});
 
   const auto difference = [](const Counts& c) { return printed_total(c.n) - printed_original(c.n); };
   claim(
       "difference", 3805, R"($C'-C$, both as printed, is $(2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)",
       {.truth = counted("$C'$ as printed less $C$ as printed", difference),
-       .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)", printed_difference),
+       .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)", printed_difference<double>),
        .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/6+(\mu+\alpha)n(n-1)/2$)",
                               [](double n) { return printed_difference(n) + n * (n - 1) * (mu + alpha); })}});
   claim("factored", 3805, R"(this is $[n(n-1)/6][(2\mu+\alpha)n-\mu]$; below both are taken six times)",
         {.truth =
              counted("six times $C'-C$, both as printed", [=](const Counts& c) { return 6 * difference(c); }),
-         .printed = six_times(R"(-\mu)", -1.0 * mu),
-         .corrected = six_times(R"(-\mu-2\alpha)", -1.0 * mu - 2 * alpha),
+         .printed = six_times(R"(-\mu)", printed_rest<double>()),
+         .corrected = six_times(R"(-\mu-2\alpha)", rest_of_totals<double>()),
          .near_misses = {six_times(R"(-\mu-\alpha)", -1.0 * mu - alpha)},
          .kind = Fault::formula,
          .root = "lost additions",
@@ -185,8 +164,8 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
         R"(full elimination costs $[n(n-1)/6][(2\mu+\alpha)n-\mu]$ more; below both are taken six times)",
         {.truth = counted("six times the difference of the counts",
                           [](const Counts& c) { return 6 * c.excess(); }),
-         .printed = six_times(R"(-\mu)", -1.0 * mu),
-         .corrected = six_times(R"(+2\mu-2\alpha)", 2 * mu - 2 * alpha),
+         .printed = six_times(R"(-\mu)", printed_rest<double>()),
+         .corrected = six_times(R"(+2\mu-2\alpha)", rest_of_counts<double>()),
          .near_misses = {six_times(R"(+\mu-2\alpha)", mu - 2 * alpha)},
          .kind = Fault::left_out,
          .root = uncounted,

@@ -12,7 +12,7 @@
 
   /** "1 cm" as {value: 0.01, text: "1cm"} in the base unit; null where it makes no sense. */
   function asked(text, base) {
-    const found = /^\s*([0-9]*\.?[0-9]+(?:e[-+]?[0-9]+)?)\s*(\S*)\s*$/i.exec(text);
+    const found = /^((?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)(?:e[-+]?[0-9]+)?)\s*((?:[^\s0-9.]\S*)?)$/i.exec(text.trim());
     if (!found) return null;
     const units = sizes[base] || {};
     const size = found[2] === '' || found[2] === base ? 1 : units[found[2]];

@@ -64,7 +64,7 @@
     return { least, most, value: near, place: (x) => Math.min(1, Math.max(0, place(x))) };
   };
 
-  const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+  const decimal = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 
   /** What was typed, as a number; null when it is none. A comma may stand for the point, and 1/60 is a number. */
   oddity.typed = function (text) {

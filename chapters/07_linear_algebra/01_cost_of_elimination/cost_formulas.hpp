@@ -1,0 +1,89 @@
+#pragma once
+
+/// The formulas of 7.1 for what elimination of n unknowns costs, generic in their number type: evaluated by
+/// the claims, and recorded for their proofs.
+namespace oddity::ex07_01 {
+
+/// What operations cost: so many multiplications, additions (and subtractions), divisions.
+template <class T>
+struct CostOf {
+  T mu = 0, alpha = 0, delta = 0;
+
+  friend constexpr CostOf operator+(const CostOf& a, const CostOf& b) {
+    return {a.mu + b.mu, a.alpha + b.alpha, a.delta + b.delta};
+  }
+  friend constexpr CostOf operator*(const T& x, const CostOf& a) {
+    return {x * a.mu, x * a.alpha, x * a.delta};
+  }
+  friend constexpr CostOf operator-(const CostOf& a, const CostOf& b) { return a + T(-1) * b; }
+};
+
+/// m multiplications, a additions and d divisions.
+template <class T>
+constexpr CostOf<T> cost(int m, int a, int d) {
+  return {T(m), T(a), T(d)};
+}
+/// To clear one entry of a row crosswise.
+template <class T>
+constexpr CostOf<T> entry_cost() {
+  return cost<T>(2, 1, 0);
+}
+template <class T>
+CostOf<T> diagonals(const T& n) {
+  return n * (n - 1) / 2 * cost<T>(1, 0, 0);
+}
+
+template <class T>
+CostOf<T> printed_second_row(const T& n) {
+  return (n - 1) * (n - 1) * entry_cost<T>();
+}
+template <class T>
+CostOf<T> corrected_second_row(const T& n) {
+  return printed_second_row(n) + cost<T>(1, 0, 0);
+}
+template <class T>
+CostOf<T> printed_full(const T& n) {
+  return (n - 1) * n * (n + 1) / 2 * entry_cost<T>();
+}
+template <class T>
+CostOf<T> corrected_full(const T& n) {
+  return printed_full(n) + diagonals(n);
+}
+template <class T>
+CostOf<T> printed_total(const T& n) {
+  return printed_full(n) + n * cost<T>(0, 0, 1);
+}
+template <class T>
+CostOf<T> corrected_total(const T& n) {
+  return printed_total(n) + diagonals(n);
+}
+template <class T>
+CostOf<T> printed_original(const T& n) {
+  return (n - 1) * n * (n + 1) / 3 * entry_cost<T>() + n * (n - 1) / 2 * cost<T>(1, 1, 0) +
+         n * cost<T>(0, 0, 1);
+}
+template <class T>
+CostOf<T> printed_difference(const T& n) {
+  return (n - 1) * n * (n + 1) / 6 * entry_cost<T>() - n * (n - 1) / 2 * cost<T>(1, 1, 0);
+}
+
+/// Six times [n(n-1)/6][(2 mu + alpha) n + rest], so that all stays whole.
+template <class T>
+CostOf<T> six_times_bracket(const T& n, const CostOf<T>& rest) {
+  return n * (n - 1) * (n * entry_cost<T>() + rest);
+}
+/// The rest as printed, as the printed totals have it, and as the counts have it.
+template <class T>
+CostOf<T> printed_rest() {
+  return cost<T>(-1, 0, 0);
+}
+template <class T>
+CostOf<T> rest_of_totals() {
+  return cost<T>(-1, -2, 0);
+}
+template <class T>
+CostOf<T> rest_of_counts() {
+  return cost<T>(2, -2, 0);
+}
+
+}  // namespace oddity::ex07_01

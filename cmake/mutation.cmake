@@ -1,0 +1,19 @@
+# oddity_mutate, where libclang is found (libclang-dev): tests/mutation/.
+
+find_path(ODDITY_LIBCLANG_INCLUDE clang-c/Index.h
+  PATHS /usr/lib/llvm-19/include /usr/lib/llvm-18/include /usr/lib/llvm-16/include /usr/lib/llvm-14/include)
+find_library(ODDITY_LIBCLANG NAMES clang libclang
+  PATHS /usr/lib/llvm-19/lib /usr/lib/llvm-18/lib /usr/lib/llvm-16/lib /usr/lib/llvm-14/lib)
+if(NOT ODDITY_LIBCLANG_INCLUDE OR NOT ODDITY_LIBCLANG)
+  message(STATUS "libclang not found: no oddity_mutate")
+  return()
+endif()
+message(STATUS "libclang: ${ODDITY_LIBCLANG}, for oddity_mutate")
+file(GLOB mutation_files CONFIGURE_DEPENDS tests/mutation/*.cpp)
+add_executable(oddity_mutate EXCLUDE_FROM_ALL ${mutation_files} report/study/run_program.cpp
+  reference/csv.cpp reference/files.cpp reference/interrupted.cpp)
+target_include_directories(oddity_mutate SYSTEM PRIVATE ${ODDITY_LIBCLANG_INCLUDE})
+target_compile_definitions(oddity_mutate PRIVATE
+  ODDITY_SOURCE="${PROJECT_SOURCE_DIR}" ODDITY_BUILT="${PROJECT_BINARY_DIR}")
+target_link_libraries(oddity_mutate PRIVATE oddity_options Boost::headers CLI11::CLI11 nlohmann_json::nlohmann_json
+  ${ODDITY_LIBCLANG})

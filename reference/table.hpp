@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <vector>
+
+#include "reference/reference.hpp"
+#include "reference/truth.hpp"
+
+namespace oddity {
+
+/// The rows of a table of true values, each with all of its components in their order. Throws BadInput, with
+/// the line, when it is not what the maker writes.
+std::map<std::vector<double>, Known> read_table(const std::filesystem::path& file, const truth::Truth& truth);
+
+}  // namespace oddity

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "reference/bad_input.hpp"
+
+/// What the targets share. A reader takes its input or refuses it by BadInput; whatever else happens is
+/// found.
+namespace fuzz {
+
+template <class Read>
+void refused_or_read(const Read& read) {
+  try {
+    read();
+  } catch (const oddity::BadInput&) {
+  }
+}
+
+/// What must be so, whatever the input.
+inline void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+/// A file of this process, in memory where there is such a folder.
+inline std::filesystem::path file(const std::string& name, std::string_view text) {
+  static const std::filesystem::path folder = [] {
+    const std::filesystem::path memory = "/dev/shm";
+    const std::filesystem::path own = (exists(memory) ? memory : std::filesystem::temp_directory_path()) /
+                                      ("oddity_fuzz_" + std::to_string(getpid()));
+    create_directories(own);
+    std::atexit([] { std::filesystem::remove_all("/dev/shm/oddity_fuzz_" + std::to_string(getpid())); });
+    return own;
+  }();
+  create_directories((folder / name).parent_path());
+  std::ofstream(folder / name, std::ios::binary) << text;
+  return folder / name;
+}
+
+/// A target's own.
+void read(std::string_view input);
+
+}  // namespace fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::refused_or_read([&] { fuzz::read({reinterpret_cast<const char*>(data), size}); });
+  return 0;
+}

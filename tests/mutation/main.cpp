@@ -1,0 +1,164 @@
+// oddity_mutate: whether the suite notices when a formula, a constant or a condition is wrong.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <iostream>
+#include <random>
+
+#include "chapters/random.hpp"
+#include "reference/bad_input.hpp"
+#include "reference/files.hpp"
+#include "reference/interrupted.hpp"
+#include "tests/mutation/record.hpp"
+
+using namespace oddity;
+using namespace oddity::mutation;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Request {
+  std::vector<std::string> paths{"chapters", "solvers", "report/study"};
+  int sample = 0;  ///< 0: all
+  std::string seed = "HEAD";
+  std::string program;
+  bool list = false, record = false;
+};
+
+const fs::path tree = ODDITY_SOURCE, built = ODDITY_BUILT, home = tree / "build/mutate";
+
+/// The sources of the rooms, but for those that the suite does not run: engines are programs of their own,
+/// lanes and drawings are for the page and for bench.
+bool wanted(const Request& request, const std::string& file) {
+  for (const char* other : {"solvers/engines/", "solvers/lanes/"})
+    if (file.starts_with(other)) return false;
+  if (file.ends_with("drawing.hpp")) return false;
+  return std::ranges::any_of(request.paths, [&](const std::string& path) {
+    return file == path || file.starts_with(path.ends_with('/') ? path : path + "/");
+  });
+}
+
+/// A number of the seed's text (FNV-1a).
+std::uint64_t number_of(const std::string& text) {
+  std::uint64_t n = 0xcbf29ce484222325u;
+  for (const unsigned char c : text) n = (n ^ c) * 0x100000001b3u;
+  return n;
+}
+
+/// Fisher and Yates's shuffle; the first `count`, in the order of their numbers.
+std::vector<Mutant> sample_of(std::vector<Mutant> all, int count, const std::string& seed) {
+  if (count == 0 || count >= static_cast<int>(all.size())) return all;
+  Random random(static_cast<double>(number_of(seed) >> 11));
+  for (int i = 0; i < count; ++i)
+    std::swap(all[static_cast<std::size_t>(i)],
+              all[static_cast<std::size_t>(i + random.below(static_cast<int>(all.size()) - i))]);
+  all.resize(static_cast<std::size_t>(count));
+  std::ranges::sort(all, {}, &Mutant::number);
+  return all;
+}
+
+std::string commit() {
+  FILE* git = popen(("git -C '" + tree.string() + "' rev-parse HEAD").c_str(), "r");
+  char text[64] = "";
+  if (git && !fgets(text, sizeof text, git)) text[0] = '\0';
+  if (git) pclose(git);
+  return std::string(text).substr(0, 40);
+}
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  char text[16];
+  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+  return text;
+}
+
+void shell(const std::string& command) {
+  if (std::system(command.c_str()) != 0) throw BadInput("this failed: " + command);
+}
+
+/// Compiles the mutated tree, at a level that costs the compiler little.
+fs::path compile(const fs::path& copy) {
+  const fs::path build = home / "build";
+  shell(
+      "cmake -S '" + copy.string() + "' -B '" + build.string() +
+      "' -G Ninja -DCMAKE_BUILD_TYPE=Mutated '-DCMAKE_CXX_FLAGS_MUTATED=-O1 -DNDEBUG -w' -DODDITY_FAST_BUILD=ON "
+      "-DODDITY_TESTS=OFF -DODDITY_MODULE=OFF -DODDITY_MPI=OFF -DODDITY_HDF5=OFF >&2");
+  shell("cmake --build '" + build.string() + "' --target oddity >&2");
+  return build / "oddity";
+}
+
+Request request_of(int argc, char** argv) {
+  Request request;
+  CLI::App app("Whether the suite notices when a formula, a constant or a condition is wrong",
+               "oddity_mutate");
+  app.add_option("paths", request.paths, "Files and folders of the tree that are mutated")
+      ->capture_default_str();
+  app.add_option("--sample", request.sample, "As many mutants, drawn at random; without it all")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", request.seed, "Which sample, by any word; HEAD is the commit's name")
+      ->capture_default_str();
+  app.add_option("--program", request.program, "The mutated tree's program, compiled already")
+      ->check(CLI::ExistingFile);
+  app.add_flag("--list", request.list, "Write the mutated tree, show its mutants, and end");
+  app.add_flag("--record", request.record, "Write the score to reference/approved/mutation.csv");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    std::exit(app.exit(e) == 0 ? 0 : 2);
+  }
+  if (request.seed == "HEAD") request.seed = commit();
+  return request;
+}
+
+int mutate(const Request& request) {
+  const std::vector<Mutable> files =
+      mutable_files(tree, built, [&](const std::string& file) { return wanted(request, file); });
+  const std::vector<Mutant> all = mutants_of(files);
+  if (all.empty()) throw BadInput("nothing can be mutated in these files");
+  const bool changed = write_schemata(tree, files, home / "tree");
+  const std::vector<Mutant> drawn = sample_of(all, request.sample, request.seed);
+  if (request.list) {
+    for (const Mutant& m : drawn)
+      std::cout << m.number << " " << m.file << ":" << m.at << ": " << m.mutation << "\n";
+    return 0;
+  }
+  const fs::path program = request.program.empty() ? compile(home / "tree") : fs::path(request.program);
+  if (changed) fs::remove_all(home / "reached");
+  Suite suite(program, home / "reached", all.size());
+  Outcomes outcomes(home / "outcomes.csv", changed);
+  const Reasons reasons = read_reasons(tree / "reference/approved/survivors.csv");
+  std::string unexplained;
+  std::size_t done = 0;
+  for (const Mutant& m : drawn) {
+    if (!outcomes.of(m)) outcomes.add(m, suite.judge(m));
+    const Judgement& judgement = *outcomes.of(m);
+    std::cout << ++done << "/" << drawn.size() << " " << m.number << " " << m.file << ":" << m.at << ": "
+              << m.mutation << ": " << name_of(judgement.fate)
+              << (judgement.by.empty() ? "" : " by " + judgement.by) << std::endl;
+    if (judgement.fate == Fate::survived && !reasons.contains(m.name())) unexplained += row_of(m);
+  }
+  const Scores scores = scores_of(all, outcomes, reasons);
+  std::cout << "\n" << text_of(scores);
+  if (request.record)
+    write_whole(tree / "reference/approved/mutation.csv", csv_of(scores, today(), commit()));
+  if (unexplained.empty()) return 0;
+  std::cout << "\nThese survive: mend what should have noticed, or give each a reason in "
+               "reference/approved/survivors.csv:\n"
+            << unexplained;
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tidy_when_interrupted();
+  try {
+    return mutate(request_of(argc, argv));
+  } catch (const BadInput& error) {
+    std::cerr << "oddity_mutate: " << error.what() << "\n";
+    return 2;
+  }
+}

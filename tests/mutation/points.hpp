@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Where a source can be mutated, as libclang reads it.
+namespace oddity::mutation {
+
+/// Part of a file's text, from `begin` up to `end`.
+struct Extent {
+  unsigned begin = 0, end = 0;
+  auto operator<=>(const Extent&) const = default;
+};
+
+enum class Shape {
+  operation,   ///< a op b becomes operation(i, a, b, op, another)
+  assignment,  ///< a op= b becomes assignment(i, a, b, op=, another)
+  comparison,  ///< a < b becomes less(i, a, b)
+  sign,        ///< -a becomes negative(i, a, op)
+  literal,     ///< 2 becomes function(i, 2)
+  logic,       ///< a && b: of either operand it is taken for granted that it decides nothing
+  condition,   ///< if (a): its opposite
+  statement    ///< f(); or a = b; is left out
+};
+
+/// A place in a file and the mutants there, one for each entry of `mutations`: "+ to -".
+struct Point {
+  Shape shape;
+  std::string function;  ///< of mutant.hpp, or && or ||
+  Extent whole, op;
+  std::string operators[2];  ///< the operator, and what it becomes
+  std::string within;        ///< the function of the source that it is in
+  std::vector<std::string> mutations;
+};
+
+/// A file that is to be mutated, and its points in their order.
+struct Mutable {
+  std::string file;  ///< as it is within the tree
+  std::string text;
+  std::vector<Point> points;
+  int left_out = 0;  ///< places of the same kinds that the compiler computes
+};
+
+/// Of the files of the tree that are wanted and that the compile commands reach. `compiled` is the folder of
+/// compile_commands.json. Throws BadInput when that is missing.
+std::vector<Mutable> mutable_files(const std::filesystem::path& tree, const std::filesystem::path& compiled,
+                                   const std::function<bool(const std::string& file)>& wanted);
+
+}  // namespace oddity::mutation

@@ -1,0 +1,180 @@
+#include "tests/mutation/schemata.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "reference/files.hpp"
+
+namespace oddity::mutation {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view header = "#include \"tests/mutation/mutant.hpp\"\n";
+
+/// A change of a file's text: `removed` characters from `at` on give way to `text`.
+struct Edit {
+  unsigned at;
+  long rank;  ///< of those at one place: what ends, what begins, what is taken away
+  unsigned removed;
+  std::string text;
+};
+
+class Edits {
+ public:
+  void around(const Extent& e, const std::string& before, const std::string& after) {
+    ++depth_;
+    all_.push_back({e.begin, depth_ - far, 0, before});
+    all_.push_back({e.end, -depth_ - far, 0, after});
+  }
+  void instead(const Extent& e, const std::string& text) {
+    all_.push_back({e.begin, 0, e.end - e.begin, text});
+  }
+
+  std::string of(const std::string& text) {
+    std::ranges::stable_sort(all_, {}, [](const Edit& e) { return std::pair(e.at, e.rank); });
+    std::string result;
+    unsigned at = 0;
+    for (const Edit& e : all_) {
+      result += text.substr(at, e.at - at) + e.text;
+      at = e.at + e.removed;
+    }
+    return result + text.substr(at);
+  }
+
+ private:
+  static constexpr long far = 1L << 40;
+  long depth_ = 0;  ///< what is within comes later
+  std::vector<Edit> all_;
+};
+
+std::string call(const std::string& function, int mutant) {
+  return "::oddity::mutation::" + function + "(" + std::to_string(mutant);
+}
+
+void edit(Edits& edits, const Point& p, int mutant) {
+  switch (p.shape) {
+    case Shape::operation:
+    case Shape::assignment: {
+      const std::string make = p.shape == Shape::operation ? ", ODDITY_OPERATION(" : ", ODDITY_ASSIGNMENT(";
+      edits.around(p.whole, call(p.function, mutant) + ", ",
+                   make + p.operators[0] + ")" + make + p.operators[1] + "))");
+      edits.instead(p.op, ", ");
+      break;
+    }
+    case Shape::comparison:
+      edits.around(p.whole, call(p.function, mutant) + ", ", ")");
+      edits.instead(p.op, ", ");
+      break;
+    case Shape::sign:
+      edits.around(p.whole, call(p.function, mutant) + ", ", ", ODDITY_NEGATIVE)");
+      edits.instead(p.op, "");
+      break;
+    case Shape::literal:
+      edits.around(p.whole, call(p.function, mutant) + ", ", ")");
+      break;
+    case Shape::logic: {
+      const bool both = p.function == "&&";  // a true operand decides nothing of it, a false one of ||
+      const std::string open = both ? "(" : "(!", then = both ? ") || (" : ") && (";
+      edits.around({p.whole.begin, p.op.begin}, open + call("chosen", mutant) + then, "))");
+      edits.around({p.op.end, p.whole.end}, open + call("chosen", mutant + 1) + then, "))");
+      break;
+    }
+    case Shape::condition:
+      edits.around(p.whole, "(" + call("chosen", mutant) + ") != (", "))");
+      break;
+    case Shape::statement:
+      edits.around({p.whole.begin, p.whole.end + 1}, "{ if (!" + call("chosen", mutant) + ")) ", " }");
+      break;
+  }
+}
+
+std::string line_of(const std::string& text, unsigned at) {
+  const auto end = text.find('\n', at);
+  auto begin = text.rfind('\n', at);
+  begin = begin == text.npos ? 0 : begin + 1;
+  begin = text.find_first_not_of(' ', begin);
+  return text.substr(begin, end - begin);
+}
+
+/// The texts of the tree's files but for what is built.
+std::vector<fs::path> sources_of(const fs::path& tree) {
+  static const std::set<std::string> left_out{"build", ".git", "node_modules", "book"};
+  std::vector<fs::path> files;
+  for (fs::recursive_directory_iterator at(tree), end; at != end; ++at) {
+    if (left_out.contains(at->path().filename().string())) {
+      at.disable_recursion_pending();
+      continue;
+    }
+    if (at->is_regular_file()) files.push_back(fs::relative(at->path(), tree));
+  }
+  return files;
+}
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+std::string Mutant::name() const {
+  return file + ": " + function + ": " + line + ": " + mutation +
+         (occurrence > 1 ? " (" + std::to_string(occurrence) + ")" : "");
+}
+
+std::vector<Mutant> mutants_of(const std::vector<Mutable>& files) {
+  std::vector<Mutant> all;
+  for (const Mutable& file : files) {
+    std::map<std::string, int> alike;
+    for (const Point& p : file.points)
+      for (const std::string& mutation : p.mutations) {
+        const unsigned at = std::max(p.op.end, p.whole.begin);  // the operator's line, if it has one
+        Mutant m{
+            static_cast<int>(all.size()) + 1, file.file, p.within, line_of(file.text, at), mutation, 1, 0};
+        m.at = 1 + static_cast<int>(std::count(file.text.begin(), file.text.begin() + at, '\n'));
+        m.occurrence = ++alike[m.name()];
+        all.push_back(std::move(m));
+      }
+  }
+  return all;
+}
+
+std::string schema(const Mutable& file, int first) {
+  Edits edits;
+  for (const Point& p : file.points) {
+    edit(edits, p, first);
+    first += static_cast<int>(p.mutations.size());
+  }
+  const std::string text = edits.of(file.text);
+  const std::string_view once = "#pragma once\n";
+  const auto at = text.find(once);
+  return at == text.npos
+             ? std::string(header) + text
+             : text.substr(0, at + once.size()) + std::string(header) + text.substr(at + once.size());
+}
+
+bool write_schemata(const fs::path& tree, const std::vector<Mutable>& files, const fs::path& copy) {
+  std::map<std::string, std::string> mutated;
+  int first = 1;
+  for (const Mutable& file : files) {
+    if (!file.points.empty()) mutated[file.file] = schema(file, first);
+    for (const Point& p : file.points) first += static_cast<int>(p.mutations.size());
+  }
+  bool changed = false;
+  for (const fs::path& file : sources_of(tree)) {
+    const auto found = mutated.find(file.string());
+    const std::string text = found == mutated.end() ? read(tree / file) : found->second;
+    if (fs::exists(copy / file) && read(copy / file) == text) continue;
+    write_whole(copy / file, text);
+    fs::permissions(copy / file, fs::status(tree / file).permissions());
+    changed = true;
+  }
+  return changed;
+}
+
+}  // namespace oddity::mutation

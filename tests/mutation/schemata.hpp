@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/mutation/points.hpp"
+
+namespace oddity::mutation {
+
+/// One mutant. What it is called by stays as it is when other lines change: file, function, text of the line,
+/// mutation, and which of those alike it is.
+struct Mutant {
+  int number = 0;  ///< in the tree of this run, from 1
+  std::string file, function, line, mutation;
+  int occurrence = 1;
+  int at = 0;  ///< its line's number
+
+  std::string name() const;
+};
+
+/// All mutants of the files, in their order.
+std::vector<Mutant> mutants_of(const std::vector<Mutable>& files);
+
+/// A file's text with all of its mutants in it, of which `first` is the first.
+std::string schema(const Mutable& file, int first);
+
+/// Writes a copy of the tree in which the files have their mutants. What is there already and is the same is
+/// not touched, so that little is compiled again. Whether anything was.
+bool write_schemata(const std::filesystem::path& tree, const std::vector<Mutable>& files,
+                    const std::filesystem::path& copy);
+
+}  // namespace oddity::mutation

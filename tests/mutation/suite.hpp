@@ -1,0 +1,50 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/mutation/schemata.hpp"
+
+/// The test cases that mutants are tried by.
+namespace oddity::mutation {
+
+/// What is left of a mutant by the test cases that reach it.
+enum class Fate { killed, survived, not_reached };
+std::string_view name_of(Fate);
+
+struct Judgement {
+  Fate fate = Fate::not_reached;
+  std::string by;  ///< the test case that killed it, and how: "3.5, status 1"
+};
+
+/// The suite of a mutated tree: `oddity verify`, an exercise at a time.
+class Suite {
+ public:
+  /// `program` is the mutated tree's; what the unmutated run takes and reaches is kept in `kept`, for mutants
+  /// of that `count`. Throws BadInput when a test case is red without a mutant.
+  Suite(std::filesystem::path program, std::filesystem::path kept, std::size_t count);
+
+  /// Runs the test cases that reach the mutant, those of its own exercise first and then the fastest, until
+  /// one notices.
+  Judgement judge(const Mutant&);
+
+ private:
+  struct TestCase {
+    std::string tag;      ///< "3.5"
+    double seconds = 0;   ///< of processor time, without a mutant
+    std::string reached;  ///< one byte a mutant
+  };
+
+  const TestCase& known(const std::string& tag);
+  std::vector<std::string> candidates(const Mutant&);
+
+  std::filesystem::path program_, kept_;
+  std::size_t count_;
+  std::vector<std::string> tags_;
+  std::map<std::string, TestCase> known_;
+};
+
+}  // namespace oddity::mutation

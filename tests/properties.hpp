@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <string>
+
+#include "chapters/contents.hpp"
+#include "chapters/random.hpp"
+#include "reference/bad_input.hpp"
+#include "reference/text.hpp"
+#include "tests/catch.hpp"
+
+/// What has to hold at all parameters within their ranges, tried at random ones; where it does not, the
+/// simplest parameters that are found are printed as a command. ODDITY_SETS says at how many, ODDITY_SEED at
+/// which.
+namespace oddity::properties {
+
+/// What is wrong at these parameters; empty where the property holds.
+using Property = std::function<std::string(const Parameters&)>;
+
+inline int in_environment(const char* name, int usual) {
+  const char* text = std::getenv(name);
+  return text && *text ? std::atoi(text) : usual;
+}
+
+/// Of all orders of magnitude alike, where the range has several.
+inline double random_value(const Parameter& p, Random& random) {
+  const double least = std::max(p.least, -1e3), most = std::min(p.most, 1e3);
+  const double x =
+      least > 0 && most > 20 * least ? random.magnitude(least, most) : random.between(least, most);
+  return std::clamp(p.whole ? std::round(x) : least > 0 ? std::abs(x) : x, least, most);
+}
+
+/// Seeds of the checks' own samples stay.
+inline Parameters random_parameters(const Exercise& exercise, Random& random) {
+  Parameters parameters(exercise.parameters);
+  for (const Parameter& p : exercise.parameters)
+    if (p.name != "seed") parameters.set(p.name, random_value(p, random));
+  return parameters;
+}
+
+/// Nothing where the parameters do not go together, which the exercise refuses.
+inline std::string wrong_at(const Parameters& parameters, const Property& property) {
+  try {
+    return property(parameters);
+  } catch (const BadInput&) {
+    return "";
+  }
+}
+
+/// Each parameter as the book has it, or else with fewer digits, as long as something is wrong.
+inline Parameters shrunk(Parameters failing, const Property& property) {
+  for (const Parameter& p : failing.declared())
+    for (const double simpler :
+         {p.value, number_in(rounded(failing[p.name], 1)).value(),
+          number_in(rounded(failing[p.name], 2)).value(), number_in(rounded(failing[p.name], 4)).value()}) {
+      if (!(p.least <= simpler && simpler <= p.most)) continue;
+      Parameters simple = failing;
+      simple.set(p.name, simpler);
+      if (wrong_at(simple, property).empty()) continue;
+      failing = simple;
+      break;
+    }
+  return failing;
+}
+
+inline std::string command(const Entry& entry, const Parameters& parameters) {
+  std::string words = "oddity solve " + to_string(entry.number);
+  for (const Parameter& p : parameters.declared())
+    if (parameters[p.name] != p.value)
+      words += " " + std::string(p.name) + "=" + shortest(parameters[p.name]);
+  return words;
+}
+
+/// Tries the property at so many parameters, unless the environment says at how many; shows the first that
+/// fails.
+inline void check(const Entry& entry, const std::string& says, int usual, const Property& property) {
+  Random random(in_environment("ODDITY_SEED", 1) * 1e4 + entry.number.chapter * 100 + entry.number.index);
+  for (int set = 0; set < in_environment("ODDITY_SETS", usual); ++set) {
+    const Parameters parameters = random_parameters(entry.exercise, random);
+    if (wrong_at(parameters, property).empty()) continue;
+    const Parameters simple = shrunk(parameters, property);
+    FAIL_CHECK(to_string(entry.number) << ": " << says << ", but not at set " << set << ": "
+                                       << wrong_at(simple, property) << "\n  " << command(entry, simple));
+    return;
+  }
+}
+
+inline const Entry& entry_of(std::string_view number) {
+  return *std::ranges::find(registry(), exercise_number(number), &Entry::number);
+}
+
+}  // namespace oddity::properties

@@ -1,0 +1,110 @@
+// What the fuzzers found in files and words, each in its least form: refused by what is wrong, and nothing
+// worse.
+
+#include <limits>
+
+#include "reference/files.hpp"
+#include "reference/quantity_text.hpp"
+#include "report/study/engines.hpp"
+#include "report/study/run.hpp"
+#include "report/sweep/chunks.hpp"
+#include "tests/catch.hpp"
+#include "tests/complaint.hpp"
+#include "tests/sample_results.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace oddity;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string replaced(std::string text, const std::string& old, const std::string& fresh) {
+  const auto at = text.find(old);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, old.size(), fresh);
+}
+
+sweep::Plan small_plan() {
+  sweep::Asked asked;
+  asked.exercise = "3.5";
+  asked.axes = {{"a", "rad", 0.5, 1, 7}, {"L", "m", 1, 2, 5}};
+  return {asked, {0, 1}, {1}, "fingerprint"};
+}
+
+/// What is said of a chunk of the small plan with these lines, sealed.
+std::string complaint_of_chunk(const std::string& lines) {
+  const ScratchFolder scratch;
+  write_sealed(sweep::chunk_file(scratch.path(), 0), "fingerprint\nchunk 0\n" + lines);
+  return complaint([&] { kept(scratch.path(), small_plan(), 0); });
+}
+
+}  // namespace
+
+TEST_CASE("a unit of a hundred thousand parentheses, or of powers of powers, is refused", "[hostile]") {
+  CHECK(has(complaint([] { in_unit("1" + std::string(100'000, '('), "m"); }), "nor one with a unit"));
+  std::string powers = "m";
+  for (int i = 0; i < 12; ++i) powers = "(" + powers + "^9)";
+  CHECK(has(complaint([&] { in_unit("1" + powers, "m"); }), "nor one with a unit"));
+  CHECK(in_unit("1 ((m))", "m") == 1);
+  CHECK(has(complaint([] { in_unit("1e308km", "m"); }), "is beyond what a number can hold"));
+}
+
+TEST_CASE("a plan whose numbers do not fit is none", "[hostile]") {
+  const std::string plan = to_json(small_plan());
+  CHECK(to_json(sweep::plan_from_json(plan, "plan")) == plan);
+  for (const auto& [old, fresh] : {std::pair{"\"count\": 7", "\"count\": 1e300"},
+                                   {"\"count\": 7", "\"count\": 7.5"},
+                                   {"\"count\": 7", "\"count\": -7"},
+                                   {"\"count\": 7", "\"count\": 4294967303"},
+                                   {"\"looks\": 0", "\"looks\": 1e99"},
+                                   {"\"looks\": 0", "\"looks\": -1"}})
+    CHECK(has(complaint([&] { sweep::plan_from_json(replaced(plan, old, fresh), "it"); }),
+              "it is no plan of a sweep: "));
+  sweep::Plan without = small_plan();
+  without.asked.axes.clear();
+  CHECK(has(complaint([&] { sweep::plan_from_json(to_json(without), "it"); }), "it is no plan of a sweep: "));
+}
+
+TEST_CASE("a chunk whose lines are not those of its cells is refused", "[hostile]") {
+  CHECK(complaint_of_chunk("tile 0 0\n35 - - ok\n") == "nothing");
+  for (const char* lines :
+       {"", "tile\n", "tile x 0\n35 - - ok\n", "tile 1e99 0\n35 - - ok\n", "tile 0 0\n36 - - ok\n",
+        "tile 0 0\n1e18 - - ok\n", "tile 0 0\n-1 - - ok\n", "tile 0 0\n34 - - ok\n", "tile 0 0\n1 x 1 ok\n"})
+    CHECK(has(complaint_of_chunk(lines), "is no chunk as a sweep writes it: "));
+}
+
+TEST_CASE("results whose whole numbers do not fit are none", "[hostile]") {
+  const std::string results = to_json(sample());
+  CHECK(to_json(results_from_json(results, "it")) == results);
+  const auto at = results.find("\"samples\": ");
+  REQUIRE(at != std::string::npos);
+  const std::string samples = results.substr(at, results.find(',', at) - at);
+  for (const char* number : {"1e300", "0", "-1", "1.5", "99999999999", "true"})
+    CHECK(has(complaint([&] {
+                results_from_json(replaced(results, samples, "\"samples\": " + std::string(number)), "it");
+              }),
+              "it: not a results file: "));
+}
+
+TEST_CASE("what engines did is refused where an error has no unit", "[hostile]") {
+  const ScratchFolder scratch;
+  const std::string trial =
+      R"({"steps_per_frame": 1, "outcome": "ok", "message": "", "errors": [1], "in_needs": 1,
+    "energy": null, "off_joint": 0, "seconds_per_frame": 1e-6, "spread": 0, "same_bits": true, "restored": ""})";
+  const std::string kept =
+      R"([{"scene": "free body", "title": "", "units": ["m"], "needs": [0.01], "horizon": 10,
+    "frames_per_second": 60, "least": null, "series": [{"engine": "E", "version": "1", "precision": "double",
+    "variant": "v", "says": "", "defaults": true, "webassembly": false, "stated_order": 1, "cannot": "", "trials": [)" +
+      trial + "]}]}]";
+  const auto said = [&](const std::string& text) {
+    return complaint([&] { read_engines(scratch.file("engines.json", text)); });
+  };
+  CHECK(said(kept) == "nothing");
+  for (const auto& [old, fresh] : {std::pair{"\"errors\": [1]", "\"errors\": [1, 2]"},
+                                   {"\"needs\": [0.01]", "\"needs\": []"},
+                                   {"\"steps_per_frame\": 1", "\"steps_per_frame\": 0"},
+                                   {"\"steps_per_frame\": 1", "\"steps_per_frame\": 1e300"},
+                                   {"\"stated_order\": 1", "\"stated_order\": 1e300"}})
+    CHECK(has(said(replaced(kept, old, fresh)), "not what 'oddity engines' writes: "));
+}

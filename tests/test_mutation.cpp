@@ -1,0 +1,73 @@
+// What a mutated source computes: what stood there, or the mutant that the environment names.
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "tests/catch.hpp"
+#include "tests/scratch_folder.hpp"
+
+namespace {
+
+constexpr const char* program = R"(#include "tests/mutation/mutant.hpp"
+
+#include <cstdio>
+
+namespace m = oddity::mutation;
+
+int main() {
+  double sum = 1;
+  m::assignment(1, sum, 2.0, ODDITY_ASSIGNMENT(+=), ODDITY_ASSIGNMENT(-=));
+  constexpr double compiled = m::operation(3, 1.0, 1.0, ODDITY_OPERATION(+), ODDITY_OPERATION(-));
+  const double ratio = m::operation(6, 6.0, 3.0, ODDITY_OPERATION(/), ODDITY_OPERATION(*));
+  const double less = m::operation(9, m::constant(12, 4), 3.0, ODDITY_OPERATION(-), ODDITY_OPERATION(+));
+  std::printf("%g %g %g ", sum, ratio, less);
+  std::printf("%d %d %d ", m::less(13, 2, 2), m::equal(15, 1, 1), (m::chosen(16)) || (1 > 2));
+  std::printf("%g %d %g %g", m::negative(17, 5.0, ODDITY_NEGATIVE), m::index(18, 2), m::constant(19, 0.5), compiled);
+}
+)";
+
+std::string output_of(const std::string& command) {
+  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  std::array<char, 4096> buffer{};
+  const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe);
+  const std::string output(buffer.data(), size);
+  return pclose(pipe) == 0 ? output : "failed: " + output;
+}
+
+}  // namespace
+
+TEST_CASE("a mutated source computes what stood there or its mutant, and notes the mutants that it reaches",
+          "[mutation]") {
+  const ScratchFolder scratch;
+  const std::string source = scratch.file("schema.cpp", program).string(), compiled = source + ".out";
+  REQUIRE(output_of(std::string(ODDITY_COMPILER) + " -std=c++20 -Wall -Wextra -Werror -I " + ODDITY_SOURCE +
+                    " -o " + compiled + " " + source) == "");
+  const auto with = [&](int mutant) {
+    return output_of("ODDITY_MUTANT=" + std::to_string(mutant) + " " + compiled);
+  };
+  CHECK(with(0) == "3 2 1 0 1 0 -5 2 0.5 2");
+  CHECK(with(1) == "-1 2 1 0 1 0 -5 2 0.5 2");  // += to -=
+  CHECK(with(2) == "1 2 1 0 1 0 -5 2 0.5 2");   // += left out
+  CHECK(with(3) == with(0));                    // which the compiler computed
+  CHECK(with(6) == "3 18 1 0 1 0 -5 2 0.5 2");  // / to *
+  CHECK(with(7) == "3 6 1 0 1 0 -5 2 0.5 2");   // / to its left
+  CHECK(with(8) == "3 3 1 0 1 0 -5 2 0.5 2");   // / to its right
+  CHECK(with(9) == "3 2 7 0 1 0 -5 2 0.5 2");   // - to +
+  CHECK(with(10) == with(0));                   // its left is a whole number, and its difference none
+  CHECK(with(11) == "3 2 3 0 1 0 -5 2 0.5 2");  // - to its right
+  CHECK(with(12) == "3 2 2 0 1 0 -5 2 0.5 2");  // constant 4
+  CHECK(with(13) == "3 2 1 1 1 0 -5 2 0.5 2");  // < to <=
+  CHECK(with(15) == "3 2 1 0 0 0 -5 2 0.5 2");  // == to !=
+  CHECK(with(16) == "3 2 1 0 1 1 -5 2 0.5 2");  // a condition
+  CHECK(with(17) == "3 2 1 0 1 0 5 2 0.5 2");   // - left out
+  CHECK(with(18) == "3 2 1 0 1 0 -5 1 0.5 2");  // index less 1
+  CHECK(with(19) == "3 2 1 0 1 0 -5 2 1 2");    // constant 0.5
+
+  const auto noted = scratch.file("reached", std::string(20, '\0'));
+  output_of("ODDITY_MUTANTS_REACHED=" + noted.string() + " " + compiled);
+  std::string reached;
+  std::ifstream in(noted, std::ios::binary);
+  for (char byte = 0; in.get(byte);) reached += byte == 0 ? '.' : 'x';
+  CHECK(reached == ".xx...xxxx.xxxxxxxxx");
+}
