@@ -58,6 +58,11 @@ leg_sweep() {  # sweeps with HDF5 and under mpirun
   build/release/tests/oddity_tests '[sweep]'
 }
 
+leg_prove() {  # Coq: every proof on record, checked anew
+  tools coq libcoq-interval libcoq-coquelicot
+  ./oddity prove
+}
+
 leg_syntax() {  # g++: every source alone, without precompiled headers; compile_commands.json has all of them
   ./oddity packages
   build developer generated_sources

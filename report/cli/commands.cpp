@@ -15,6 +15,7 @@
 #include "reference/interrupted.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/help.hpp"
+#include "report/cli/prove.hpp"
 #include "report/cli/settings.hpp"
 #include "report/cli/sweep.hpp"
 #include "report/cli/verbs.hpp"
@@ -33,7 +34,8 @@ struct Session {
   std::string results = {}, shard = {};
   std::vector<std::string> from = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
-              maps_out = report_folder().string(), site_out = site_folder().string();
+              maps_out = report_folder().string(), site_out = site_folder().string(),
+              proofs_out = proofs_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
   std::string engine = {};
   bool page = false, lanes = false, kept = false;
@@ -380,6 +382,22 @@ void add_sweep(CLI::App& app, Session& s) {
   add_sweep_verbs(*sweep, s.folder);
 }
 
+void add_prove(CLI::App& app, Session& s) {
+  auto* prove = verb(
+      app, "prove", "Prove claims by Coq, for all numbers and not for samples.",
+      "A file for each claim that a proof is had of, made of the formulas that the suite computes with, and checked by "
+      "coqc. The exit code is 1 when one is refused.\n"
+      "Columns: claim, proved, margin (of a printed value, which is off by no less), outcome, seconds, message.\n"
+      "Examples:\n  oddity prove\n  oddity prove 3.5 7.9 --out /tmp/proofs",
+      [&] {
+        s.status = verbs::prove(s.folder, {s.exercises, s.proofs_out, s.approve}, s.format());
+      });
+  add_exercises(*prove, s, "numbers, such as 3.5; all of which something is proved when none is given");
+  add_path(*prove, "--out", s.proofs_out, "the folder to write the files to");
+  prove->add_flag("--approve", s.approve, "put on record what is proved");
+  add_formats(*prove, s, "what is proved");
+}
+
 void add_new(CLI::App& app, Session& s) {
   auto* begin =
       verb(app, "new", "Begin an exercise of your own: files that compile, and say what is to be written.",
@@ -485,6 +503,7 @@ int command_line(int argc, char** argv, const Suite& suite) {
   add_bench(app, session);
   add_engines(app, session);
   add_sweep(app, session);
+  add_prove(app, session);
   add_report(app, session);
   add_site(app, session);
   add_new(app, session);

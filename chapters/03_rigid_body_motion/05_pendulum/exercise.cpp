@@ -14,6 +14,7 @@
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/claims.hpp"
 #include "chapters/in_float.hpp"
+#include "chapters/provable.hpp"
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
 #include "solvers/engines/turns.hpp"
@@ -42,9 +43,10 @@ auto singular_integrand(double a) {
 }
 
 /// The integrand after sin(t/2) = k sin(u): smooth on [0, pi/2].
-auto legendre_integrand(double a) {
-  const double k = sin(a / 2);
-  return [k](double u) { return std::numbers::sqrt2 / sqrt(1 - k * k * sin(u) * sin(u)); };
+template <class T>
+auto legendre_integrand(const T& a) {
+  const T k = sin(a / 2), root = sqrt(T(2));
+  return [k, root](const T& u) { return root / sqrt(1 - k * k * sin(u) * sin(u)); };
 }
 
 /// The book's integral over the last epsilon, to leading order.
@@ -279,6 +281,17 @@ std::vector<Claim> claims(const Reference& truth) {
   return claims.in_order();
 }
 
+Provables proofs() {
+  const Expression pi_in_coq = Expression::letter("PI"),
+                   whole = integral(legendre_integrand(pi_in_coq / 6), 0, pi_in_coq / 2, "u");
+  return {
+      {"3.5-value",
+       "Legendre's integral from 30 degrees is the corrected value to its last digit, and 1.4 above the printed one",
+       {{.name = "corrected", .follows = {near(whole, 2.260114, 5e-7)}, .tactic = "integral"},
+        {.name = "printed_differs", .follows = {apart(whole, 0.800275, 1.4)}, .tactic = "integral"}},
+       1.4}};
+}
+
 std::vector<Root> roots() {
   return {
       {"angle for its cosine",
@@ -299,6 +312,8 @@ Findings study(const Parameters& p, const Reference& truth) {
 }
 
 }  // namespace ex03_05
+
+Provables proofs_3_5() { return ex03_05::proofs(); }
 
 Exercise exercise_3_5() {
   using namespace ex03_05;

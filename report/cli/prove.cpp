@@ -1,0 +1,94 @@
+#include "report/cli/prove.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "reference/bad_input.hpp"
+#include "reference/files.hpp"
+#include "reference/proofs.hpp"
+#include "reference/text.hpp"
+#include "report/pages/table_text.hpp"
+#include "report/study/progress.hpp"
+#include "report/study/prove.hpp"
+
+namespace oddity::verbs {
+
+namespace {
+
+std::string exercise_of(const Provable& p) { return p.claim.substr(0, p.claim.find('-')); }
+
+Provables provables_of(const std::vector<Task>& tasks, bool all) {
+  Provables of_these = provables();
+  if (all) return of_these;
+  std::string known;
+  for (const Provable& p : of_these)
+    if (known.find(" " + exercise_of(p) + ",") == std::string::npos) known += " " + exercise_of(p) + ",";
+  for (const Task& task : tasks)
+    if (const std::string number = to_string(task.entry->number);
+        std::ranges::none_of(of_these, [&](const Provable& p) { return exercise_of(p) == number; }))
+      throw BadInput("nothing is proved of exercise " + number +
+                     "; of these something is:" + known.substr(0, known.size() - 1));
+  std::erase_if(of_these, [&](const Provable& p) {
+    return std::ranges::none_of(tasks,
+                                [&](const Task& t) { return to_string(t.entry->number) == exercise_of(p); });
+  });
+  return of_these;
+}
+
+/// On record are the proofs of all exercises, or of these in place of what was.
+void approve(const Provables& these, bool all, const fs::path& folder) {
+  ProvedClaims record;
+  if (!all && fs::exists(folder / "proofs.csv")) record = read_proofs(folder);
+  for (const Provable& p : these) record[p.claim] = {proof_hash(coq_file(p)), p.says, p.margin};
+  write_whole(folder / "proofs.csv", proofs_csv(record));
+  std::cout << "on record: " << (folder / "proofs.csv").string() << "\n";
+}
+
+Table table_of(const Provables& these, const std::vector<Checked>& checked) {
+  Table table{{"claim", "proved", "margin", "outcome", "seconds", "message"}, {}};
+  for (std::size_t i = 0; i < these.size(); ++i)
+    table.rows.push_back({these[i].claim, these[i].says, these[i].margin,
+                          std::string(checked[i].kept     ? "proved before"
+                                      : checked[i].proved ? "proved"
+                                                          : "NOT PROVED"),
+                          checked[i].seconds, checked[i].message});
+  return table;
+}
+
+std::string text_of(const Provables& these, const std::vector<Checked>& checked) {
+  std::vector<std::vector<std::string>> rows{{"claim", "what is proved", "outcome"}};
+  std::string failures;
+  long proved = 0;
+  for (std::size_t i = 0; i < these.size(); ++i) {
+    const Checked& c = checked[i];
+    proved += c.proved;
+    rows.push_back({c.claim, these[i].says, c.kept ? "proved before" : c.proved ? "proved" : "NOT PROVED"});
+    if (!c.proved) failures += "\n" + c.claim + ": " + c.message + "\n";
+  }
+  return aligned(rows, screen_of(STDOUT_FILENO), {.shorten = {"what is proved"}}) + failures + "\n" +
+         std::to_string(proved) + " of " + std::to_string(these.size()) + " proved\n";
+}
+
+}  // namespace
+
+int prove(const fs::path& folder, const AskedProofs& asked, Format format) {
+  const bool all = asked.exercises.empty();
+  const Provables these = provables_of(tasks_of(asked.exercises), all);
+  write_proofs(these, asked.out);
+  if (!coq_is_there())
+    throw BadInput(std::to_string(these.size()) + " files are written to " + asked.out.string() +
+                   ", and not checked: Coq or one of its libraries is missing; './oddity packages coq "
+                   "libcoq-interval libcoq-coquelicot' installs them");
+  const auto checked =
+      with_progress([&](const Progress& progress) { return oddity::prove(these, asked.out, progress); });
+  std::cout << (format == Format::json  ? to_json(table_of(these, checked))
+                : format == Format::csv ? to_csv(table_of(these, checked))
+                                        : text_of(these, checked));
+  if (!std::ranges::all_of(checked, &Checked::proved)) return 1;
+  if (asked.approve) approve(these, all, folder / "approved");
+  return 0;
+}
+
+}  // namespace oddity::verbs
