@@ -14,11 +14,11 @@ struct Ended {
   std::exception_ptr by;
 };
 
-truth::Tick watched(const std::function<void()>& tick) {
+truth::Tick watched(const std::function<void(double)>& tick) {
   if (!tick) return {};
-  return [&tick] {
+  return [&tick](double done) {
     try {
-      tick();
+      tick(done);
     } catch (...) {
       throw Ended{std::current_exception()};
     }
@@ -39,7 +39,7 @@ Known known(const truth::Truth& table, const truth::Made& made) {
 
 std::optional<Known> motion_in_long_double(std::string_view table, const std::vector<double>& inputs_but_time,
                                            std::span<const double> times, std::size_t compared,
-                                           const std::function<void()>& tick) {
+                                           const std::function<void(double)>& tick) {
   const auto& all = truth::registry();
   const auto found = std::ranges::find(all, table, &truth::Entry::name);
   if (found == all.end()) return {};

@@ -19,6 +19,6 @@ constexpr int digits_in_long_double = 14;
 /// Nothing where the table has no such motion, or a route does not come to its end in these numbers.
 std::optional<Known> motion_in_long_double(std::string_view table, const std::vector<double>& inputs_but_time,
                                            std::span<const double> times, std::size_t compared,
-                                           const std::function<void()>& tick);
+                                           const std::function<void(double)>& tick);
 
 }  // namespace oddity

@@ -35,8 +35,8 @@ std::string listed(const std::vector<std::string>& words) {
 }
 
 std::string listed(const std::vector<double>& numbers) {
-  std::vector<std::string> words;
-  for (double x : numbers) words.push_back(shortest(x));
+  std::vector<std::string> words(numbers.size());
+  std::ranges::transform(numbers, words.begin(), shortest);
   return listed(words);
 }
 
@@ -125,9 +125,9 @@ Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::
                   const truth::Tick& tick, const Make& make) {
   truth::Made made;
   bool ticking = false;
-  const auto watched = [&] {
+  const auto watched = [&](double done) {
     ticking = true;
-    if (tick) tick();
+    if (tick) tick(done);
     ticking = false;
   };
   try {
@@ -239,7 +239,7 @@ Reference::Reference(const fs::path& folder, fs::path cache)
   tables_ = std::make_shared<Tables>(std::move(tables));
 }
 
-Reference Reference::watched(std::function<void()> tick) const {
+Reference Reference::watched(std::function<void(double)> tick) const {
   Reference copy = *this;
   copy.tick_ = std::move(tick);
   return copy;
@@ -291,7 +291,7 @@ Known Reference::motion(std::string_view name, const std::vector<double>& inputs
       kept->source = source_of(truth);
       return *kept;
     }
-  const Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick& tick) {
+  Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick& tick) {
     return truth::make_motion(truth, inputs, {times.begin(), times.end()}, digits_, compared_times,
                               tick_ ? tick : truth::Tick());
   });

@@ -31,8 +31,9 @@ class Reference {
   /// at.
   static Reference nothing() { return {}; }
 
-  /// The same, which calls `tick` between pieces of its work; what that throws ends it.
-  Reference watched(std::function<void()> tick) const;
+  /// The same, which calls `tick` between pieces of its work, with the part of a motion that is done; what
+  /// that throws ends it.
+  Reference watched(std::function<void(double done)> tick) const;
 
   /// The same, with so many digits in what is computed on the spot.
   Reference to_digits(int digits) const;
@@ -58,7 +59,7 @@ class Reference {
 
   std::shared_ptr<const Tables> tables_ = std::make_shared<Tables>();
   std::filesystem::path cache_;
-  std::function<void()> tick_;
+  std::function<void(double)> tick_;
   int digits_;
 };
 

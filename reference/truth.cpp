@@ -54,7 +54,8 @@ Made make_motion(const Truth& truth, const std::vector<double>& inputs_but_time,
   Made made{{}, 0};
   const std::size_t stride = std::max<std::size_t>(1, times.size() / std::max<std::size_t>(1, compared));
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (tick) tick();
+    const double part = static_cast<double>(i) / static_cast<double>(times.size());
+    for (Motions* route : {&first, &second}) route->come_to(part);
     inputs.back() = times[i];
     const Numbers value = truth.first(inputs, {digits, &first});
     const bool is_compared = (times.size() - 1 - i) % stride == 0;

@@ -92,8 +92,8 @@ struct Made {
 };
 Made make_row(const Truth&, const std::vector<double>& inputs, int digits);
 
-/// Called between pieces of work; throws to end them.
-using Tick = std::function<void()>;
+/// Called between pieces of work, with the part of a motion that is done; throws to end it.
+using Tick = std::function<void(double done)>;
 
 /// A motion, whose last input is the time, at ascending `times`: one integration by each route. The first
 /// route's values, time after time; the second bounds their error at `compared` of the times, evenly spread,

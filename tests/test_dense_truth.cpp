@@ -384,9 +384,9 @@ TEST_CASE("a motion read back is the motion made, in every bit", "[truth]") {
   CHECK(again.error == kept.made.error);
   CHECK(again.source == kept.made.source);
   int ticks = 0;
-  swing(kept.reference.watched([&] { ++ticks; }));
+  swing(kept.reference.watched([&](double) { ++ticks; }));
   CHECK(ticks == 0);  // nothing was made
-  swing(known().watched([&] { ++ticks; }));
+  swing(known().watched([&](double) { ++ticks; }));
   CHECK(ticks > 0);
 }
 
@@ -469,7 +469,7 @@ TEST_CASE("what a watch throws ends the making of a motion, and nothing is kept"
     int ticks = 0;
     const auto ending_with = [&](const auto& exception) {
       ticks = 0;
-      return reference.watched([&ticks, last, exception] {
+      return reference.watched([&ticks, last, exception](double) {
         if (++ticks == last) throw exception;
       });
     };
@@ -484,6 +484,6 @@ TEST_CASE("what a watch throws ends the making of a motion, and nothing is kept"
 TEST_CASE("a long integration is watched on its way", "[truth]") {
   int ticks = 0;
   const std::vector<double> top{1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 0.5, 0.25, 31};
-  known().watched([&] { ++ticks; }).motion("03_33_axis", top, std::vector{2.0});
+  known().watched([&](double) { ++ticks; }).motion("03_33_axis", top, std::vector{2.0});
   CHECK(ticks > 10);
 }

@@ -130,7 +130,7 @@ TEST_CASE("no motion in long double where there is none", "[truth]") {
 }
 
 TEST_CASE("what the tick throws ends a motion in long double", "[truth]") {
-  const auto over = [] { throw OutOfTime("over"); };
+  const auto over = [](double) { throw OutOfTime("over"); };
   CHECK_THROWS_AS(motion_in_long_double("03_05_swing", {0.7, 1, 9.81}, std::vector{1.0}, compared, over),
                   OutOfTime);
 }

@@ -100,7 +100,7 @@ TEST_CASE("Taylor stops when its budget of expansions is spent, and says where",
   for (bool watched : {false, true}) {
     const long allowed = most_expansions * (watched ? 50 : 1);
     long ticks = 0;
-    Motions motion(watched ? Tick([&] {
+    Motions motion(watched ? Tick([&](double) {
       if (++ticks > 2 * most_expansions) throw std::logic_error("long enough");
     })
                            : Tick());

@@ -33,12 +33,18 @@ class Motions {
   long allowance() const { return tick_ ? 50 : 1; }
   /// To be called between pieces of work.
   void tick() const {
-    if (tick_) tick_();
+    if (tick_) tick_(done_);
+  }
+  /// So large a part of the request is done.
+  void come_to(double part) {
+    done_ = part;
+    tick();
   }
 
  private:
   using Key = std::tuple<std::type_index, int, bool, Number, Numbers>;
   Tick tick_;
+  double done_ = 0;
   std::map<Key, std::unique_ptr<Path>> paths_;
 };
 

@@ -336,7 +336,7 @@ std::vector<RaceResult> race(const std::vector<Race>& races, const Progress& pro
   std::vector<Timed> all;
   for (const Race& r : races) all.push_back({r});
   for (int round = 0; round < rounds; ++round) {
-    if (progress) progress("racing the integrators", static_cast<std::size_t>(round), rounds);
+    if (progress) progress("racing the integrators", round, rounds);
     for (Timed& timed : all)
       for (int b = 0; b < batches; ++b) timed.measure(counter);
   }
@@ -378,7 +378,7 @@ Bound SuiteTime::bound() const { return {"the suite on two threads", two_threads
 SuiteTime time_suite(const Reference& truth, const Progress& progress) {
   constexpr std::size_t whole_runs = 4;
   const auto tell = [&](std::size_t runs) {
-    if (progress) progress("timing the whole suite", runs, whole_runs);
+    if (progress) progress("timing the whole suite", static_cast<double>(runs), whole_runs);
   };
   tell(0);
   SuiteTime suite{{}, suite_seconds(truth, 1), {}};
@@ -389,7 +389,8 @@ SuiteTime time_suite(const Reference& truth, const Progress& progress) {
   }
   suite.two_threads = spread_of(two_threads);
   for (const Entry& entry : registry()) {
-    if (progress) progress("timing each exercise", suite.exercises.size(), registry().size());
+    if (progress)
+      progress("timing each exercise", static_cast<double>(suite.exercises.size()), registry().size());
     suite.exercises.push_back(time_exercise(entry, truth));
   }
   return suite;
@@ -412,7 +413,8 @@ Bench bench(const Reference& truth, const Progress& progress) {
   Bench result{Instructions().why_not(), race(all, progress), {}, {}};
   const std::vector<Contest> problems = contests(truth);
   for (const Contest& contest : problems) {
-    if (progress) progress("looking for the best methods", result.contests.size(), problems.size());
+    if (progress)
+      progress("looking for the best methods", static_cast<double>(result.contests.size()), problems.size());
     const auto hand = std::ranges::find_if(
         all, [&](const Race& r) { return r.model == contest.hand && r.algorithm == "Runge-Kutta 4"; });
     result.contests.push_back(compete(contest, *hand));

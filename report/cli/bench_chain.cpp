@@ -93,7 +93,7 @@ ChainBench bench_chains(const Progress& progress) {
     bench.chains.push_back({n, std::numeric_limits<double>::infinity(), time_of_dense(n), 9 * 8.0 * n,
                             stable_step(n), chain::stable_step_of_links(n, chain_gravity, chain_link)});
   for (int round = 0; round < rounds; ++round) {
-    if (progress) progress("timing chains", static_cast<std::size_t>(round), rounds);
+    if (progress) progress("timing chains", round, rounds);
     std::vector<double> links, times;
     for (ChainResult& one : bench.chains) {
       const double time = time_of_tensions(one.links);

@@ -162,8 +162,7 @@ bool LanesBench::broken() const { return std::ranges::any_of(results, &LanesResu
 LanesBench bench_lanes(const std::vector<std::string>& numbers, int rounds, const Progress& progress) {
   auto all = contestants(numbers);
   for (int round = 0; round < rounds; ++round) {
-    if (progress)
-      progress("models in lanes", static_cast<std::size_t>(round), static_cast<std::size_t>(rounds));
+    if (progress) progress("models in lanes", round, static_cast<std::size_t>(rounds));
     for (Contestant& one : all) one.measure();
   }
   LanesBench bench{lanes::widest(), {}};

@@ -103,7 +103,7 @@ std::vector<SeriesRace> race_series(const Reference& truth, const Progress& prog
   std::vector<SeriesRace> races;
   std::size_t done = 0;
   for (const Entry& entry : registry()) {
-    if (progress) progress("racing Taylor series to 1e-12", done++, registry().size());
+    if (progress) progress("racing Taylor series to 1e-12", static_cast<double>(done++), registry().size());
     if (!entry.exercise.scene) continue;
     const Scene& scene = *entry.exercise.scene;
     const Quantity moving = motion(scene, Parameters(entry.exercise.parameters), truth);

@@ -70,7 +70,7 @@ std::string picture_links(const ExerciseResult& e) {
 void draw_pictures(const Results& results, const fs::path& folder, const Progress& progress) {
   std::size_t done = 0;
   for (const ExerciseResult& e : results.exercises) {
-    if (progress) progress(drawing_charts, done++, results.exercises.size());
+    if (progress) progress(drawing_charts, static_cast<double>(done++), results.exercises.size());
     write_picture(folder / setup_file(e), setup_picture(e));
     write_picture(folder / frames_file(e), frames_picture(e));
     if (e.stability) draw_map(e, folder);

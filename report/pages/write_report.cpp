@@ -38,7 +38,7 @@ std::vector<fs::path> write_charts(const Results& results, Curves curves, const 
   make_folder(folder);
   std::vector<fs::path> pages;
   for (const ExerciseResult& e : results.exercises) {
-    if (progress) progress(drawing_charts, pages.size(), results.exercises.size());
+    if (progress) progress(drawing_charts, static_cast<double>(pages.size()), results.exercises.size());
     draw_charts(e, curves, results.seam, folder);
     pages.push_back(folder / exercise_file(e.number));
     write_whole(pages.back(), charts_page(e));

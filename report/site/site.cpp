@@ -38,7 +38,7 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
   const Styles styles(results);
   std::size_t written = 0;
   for (const ExerciseResult& e : results.exercises) {
-    if (progress) progress("writing the site", written++, results.exercises.size());
+    if (progress) progress("writing the site", static_cast<double>(written++), results.exercises.size());
     write_whole(folder / "data" / (to_string(e.number) + ".js"),
                 exercise_data(e, truth, styles, !has_module(), contests));
   }

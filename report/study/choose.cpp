@@ -98,9 +98,9 @@ class Search {
         price_(price),
         progress_(progress),
         deadline_(need.time_limit),
-        truth_(truth.watched([this] {
+        truth_(truth.watched([this](double done) {
           deadline_.check();
-          if (motions_) motions_->beat();
+          if (motions_) motions_->come_to(done);
         })),
         starts_(task, need, truth_) {
     seen_.reserve(1 + seen_beside + rounds * unseen_starts);  // tries_ point into the first
@@ -130,23 +130,10 @@ class Search {
   }
 
  private:
-  /// Of so many true motions, where they take long: by a part of one.
-  std::string expected_time(int motions) const {
-    constexpr double lengthy = 10'000, part = 0.02;  // frames
-    if (need_.frames() < lengthy) return "";
-    double seconds = 0;
-    {
-      const Stopwatch watch(seconds);
-      starts_.beginning(part);
-    }
-    const double threads = std::clamp<double>(std::thread::hardware_concurrency(), 1, motions);
-    return ", about " + rounded(std::ceil(seconds / part * motions / threads), 2) + " s in all";
-  }
-
   void make_starts() {
     const Stopwatch watch(spent_.truths);
     constexpr int all = 1 + seen_beside + unseen_starts;
-    motions_.emplace(progress_, "making the true motions" + expected_time(all), all);
+    motions_.emplace(progress_, "making the true motions", all);
     auto first = starts_.first(seen_beside, unseen_starts, [this] { motions_->add(); });
     seen_.push_back(std::move(first.asked));
     std::ranges::move(first.seen, std::back_inserter(seen_));

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <mutex>
 #include <string>
+#include <thread>
 
 #include "report/study/run.hpp"
 
@@ -15,21 +17,35 @@ class Stage {
   Stage(const Progress& progress, std::string stage, std::size_t all)
       : progress_(progress), stage_(std::move(stage)), all_(all) {}
   void add() {
-    if (!progress_) return;
     const std::lock_guard lock(mutex_);
-    progress_(stage_, ++done_, all_);
+    begun_.erase(std::this_thread::get_id());
+    ++done_;
+    tell();
   }
   /// Nothing is finished, but work goes on.
   void beat() {
-    if (!progress_) return;
     const std::lock_guard lock(mutex_);
-    progress_(stage_, done_, all_);
+    tell();
+  }
+  /// So large a part of this thread's piece is done.
+  void come_to(double part) {
+    const std::lock_guard lock(mutex_);
+    begun_[std::this_thread::get_id()] = part;
+    tell();
   }
 
  private:
+  void tell() const {
+    if (!progress_) return;
+    double done = static_cast<double>(done_);
+    for (const auto& [thread, part] : begun_) done += part;
+    progress_(stage_, done, all_);
+  }
+
   const Progress& progress_;
   std::string stage_;
   std::size_t all_, done_ = 0;
+  std::map<std::thread::id, double> begun_;
   std::mutex mutex_;
 };
 

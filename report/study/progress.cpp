@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "reference/text.hpp"
+
 namespace oddity {
 
 namespace {
@@ -34,10 +36,10 @@ ProgressBar::~ProgressBar() {
 }
 
 Progress ProgressBar::callback() {
-  return [this](const std::string& stage, std::size_t done, std::size_t all) { advance(stage, done, all); };
+  return [this](const std::string& stage, double done, std::size_t all) { advance(stage, done, all); };
 }
 
-void ProgressBar::advance(const std::string& stage, std::size_t done, std::size_t all) {
+void ProgressBar::advance(const std::string& stage, double done, std::size_t all) {
   const std::lock_guard lock(mutex_);
   if (stage != stage_) begun_ = Clock::now();
   stage_ = stage;
@@ -54,9 +56,8 @@ void ProgressBar::watch() {
 
 std::string ProgressBar::line() const {
   const double passed = std::chrono::duration<double>(Clock::now() - begun_).count();
-  const double left =
-      passed * static_cast<double>(all_ - done_) / static_cast<double>(std::max<std::size_t>(done_, 1));
-  return "oddity: " + stage_ + ", " + std::to_string(done_) + " of " + std::to_string(all_) +
+  const double left = passed * (static_cast<double>(all_) / done_ - 1);
+  return "oddity: " + stage_ + ", " + rounded(std::floor(done_), 9) + " of " + std::to_string(all_) +
          (done_ > 0 ? ", about " + shown(left) + " left" : ", " + shown(passed) + " so far");
 }
 

@@ -25,7 +25,7 @@ class ProgressBar {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void advance(const std::string& stage, std::size_t done, std::size_t all);
+  void advance(const std::string& stage, double done, std::size_t all);
   void watch();
   void show();
   void wipe();
@@ -37,7 +37,8 @@ class ProgressBar {
   std::condition_variable over_;
   bool is_over_ = false;
   std::string stage_ = {};
-  std::size_t done_ = 0, all_ = 0;
+  double done_ = 0;
+  std::size_t all_ = 0;
   Clock::time_point begun_ = Clock::now();  ///< of the stage
   std::size_t written_ = 0;                 ///< columns of the line
   std::thread clock_;                       ///< a stage may have pieces that take long

@@ -16,8 +16,9 @@ struct Task {
   explicit Task(const Entry& e) : entry(&e), parameters(e.exercise.parameters) {}
 };
 
-/// Called with how many of how many pieces of a stage's work are done; from several threads, one at a time.
-using Progress = std::function<void(const std::string& stage, std::size_t done, std::size_t all)>;
+/// Called with how many of how many pieces of a stage's work are done, and what parts of others; from several
+/// threads, one at a time.
+using Progress = std::function<void(const std::string& stage, double done, std::size_t all)>;
 
 /// The quantity's method of this model by this algorithm; null when it has none: what a motion offers depends
 /// on its parameters.

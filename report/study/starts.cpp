@@ -118,11 +118,6 @@ Quantity Starts::one_frame() const {
   return motion(scene(), task_.parameters, frame, Reference::nothing());
 }
 
-Quantity Starts::beginning(double part) const {
-  const Horizon shorter{part * need_.horizon, 1, need_.frames_per_second};
-  return motion(scene(), task_.parameters, shorter, truth_.to_digits(digits_in_long_double));
-}
-
 std::optional<Start> Starts::known_start(const Parameters& p) const {
   try {
     return start(p);

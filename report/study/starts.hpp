@@ -58,8 +58,6 @@ class Starts {
   Quantity disturbed(double part) const;
   /// The first frame alone, without a reference.
   Quantity one_frame() const;
-  /// A part of the motion asked for, from its start.
-  Quantity beginning(double part) const;
 
  private:
   Parameters draw();

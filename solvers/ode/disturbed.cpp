@@ -37,9 +37,10 @@ Trajectory<std::array<double, n>> in_steps(std::string_view algorithm, const Any
                                            const Watch<n>& watch) {
   if (system.guard_count() == 0)
     return precompiled<n>(algorithm)(system, start, std::array{t0, t1}, h, watch);
-  const double count = std::round((t1 - t0) / h);
+  const long count = std::lround((t1 - t0) / h);
   std::vector<double> times;
-  for (double i = 0; i <= count; ++i) times.push_back(i == count ? t1 : t0 + i * h);
+  for (long i = 0; i < count; ++i) times.push_back(t0 + static_cast<double>(i) * h);
+  times.push_back(t1);
   auto motion = integrate_with_events<n>(algorithm, system, start, times, h).trajectory;
   for (std::size_t i = 1; i < motion.value.size(); ++i)
     if (watch(times[i - 1], motion.value[i - 1], times[i], motion.value[i])) break;
