@@ -63,11 +63,9 @@ leg_sweep() {  # sweeps with HDF5 and under mpirun
   build/release/tests/oddity_tests '[sweep]'
 }
 
-leg_prove() {  # Coq proves what is stated of claims and refuses what is nearly the same, and PARI agrees
-  tools coq libcoq-interval libcoq-coquelicot pari-gp
+leg_prove() {  # Coq: every proof on record, checked anew
+  tools coq libcoq-interval libcoq-coquelicot
   ./oddity prove
-  cmake --build build/release --parallel "$jobs" --target oddity_tests
-  build/release/tests/oddity_tests '[proofs]'
 }
 
 leg_syntax() {  # g++: every source alone, without precompiled headers; compile_commands.json has all of them

@@ -102,8 +102,8 @@ class AtRandom {
       const auto nudged = there_and_back(model, end, 1e-13, 1 + 0x1p-42);
       if (!fine || !coarse || !nudged) return "";
       const double off = distance(*fine, Value(model.start()));
-      const double allowed = 2 * distance(*fine, *coarse) + distance(*fine, *nudged) +
-                             rounding(size_of(*fine), 4096).allowed;
+      const double allowed =
+          2 * distance(*fine, *coarse) + distance(*fine, *nudged) + rounding(size_of(*fine), 4096).allowed;
       if (off <= allowed) return "";
       return "after " + shortest(end) + " it is off by " + shortest(off) + ", and " + shortest(allowed) +
              " is allowed";

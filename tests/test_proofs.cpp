@@ -1,122 +1,94 @@
-// Proofs are about what the code computes: what is recorded, how it is printed, that Coq refuses what is
-// nearly the same, and that what is stated is what was proved.
 #include <algorithm>
-#include <numbers>
+#include <filesystem>
 
-#include "chapters/03_rigid_body_motion/05_pendulum/quarter_period.hpp"
-#include "chapters/contents.hpp"
-#include "chapters/proofs.hpp"
-#include "reference/verdicts.hpp"
-#include "report/study/proving.hpp"
-#include "report/study/run_program.hpp"
+#include "reference/proofs.hpp"
+#include "report/study/prove.hpp"
 #include "tests/catch.hpp"
+#include "tests/program.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace oddity;
 
-namespace {
-
-const std::filesystem::path approved = std::filesystem::path(ODDITY_SOURCE) / "reference/approved";
-
-Proof proof_named(const std::string& name) {
-  const std::vector<Proof> all = proofs();
-  const auto found = std::ranges::find_if(all, [&](const Proof& proof) { return name_of(proof) == name; });
-  REQUIRE(found != all.end());
-  return *found;
+TEST_CASE("an expression is written as Coq reads it", "[proofs]") {
+  const Expression x = Expression::letter("x"), y = Expression::letter("y");
+  CHECK((x - (y - x)).coq() == "x - (y - x)");
+  CHECK((x / (y * x)).coq() == "x / (y * x)");
+  CHECK((-(x + y) * x).coq() == "- (x + y) * x");
+  CHECK((x * -y).coq() == "x * - y");
+  CHECK(pow(-x, 2).coq() == "(- x) ^ 2");
+  CHECK((-pow(x, 2)).coq() == "- x ^ 2");
+  CHECK(pow(sin(x), 2).coq() == "(sin (x)) ^ 2");
+  CHECK((x * 0.25).coq() == "x * (25 / 100)");
+  CHECK((x - 3).coq() == "x - 3");
+  CHECK(Expression(-1.5).coq() == "- (15 / 10)");
+  CHECK(Expression(5e-7).coq() == "5 / 10000000");
+  CHECK_THROWS(Expression(1.0 / 0.0));
 }
 
-std::string answer_of_gp(const std::string& script) {
-  const Ended ended = run_program({"gp", "-q", "-f"}, script, std::chrono::minutes(1));
-  INFO(ended.how << ended.words);
-  REQUIRE(ended.ok);
-  return ended.output;
+TEST_CASE("every proof on record is of the formulas as they are now", "[proofs]") {
+  const ProvedClaims record = read_proofs(std::string(ODDITY_SOURCE) + "/reference/approved");
+  const Provables now = provables();
+  CHECK(record.size() == now.size());
+  for (const Provable& p : now) {
+    INFO(p.claim << ": prove it anew by oddity prove --approve");
+    const auto found = record.find(p.claim);
+    REQUIRE(found != record.end());
+    CHECK(found->second.hash == proof_hash(coq_file(p)));
+    CHECK(found->second.proved == p.says);
+    CHECK(found->second.margin == p.margin);
+  }
 }
 
-}  // namespace
-
-TEST_CASE("An expression is printed as it is computed", "[proofs]") {
-  const Expression x = Expression::letter("x");
-  CHECK((1 - x * x / 3).coq() == "(1 - ((x * x) / 3))");
-  CHECK((2 * sqrt(x) + 0.25).pari() == "((2 * sqrt(x)) + (256 / 1024))");
-  CHECK(Expression::decimal("0.800275").coq() == "(800275 / 1000000)");
-  CHECK(Expression::decimal("12").coq() == "12");
-  CHECK(Expression(-3).coq() == "(0 - 3)");
-  const Expression area =
-      integral([](const Expression& t) { return sin(t); }, Expression(0), Expression::pi());
-  CHECK(area.pari() == "intnum(x2 = 0, Pi, sin(x2))");
-  CHECK(area.coq() == "(RInt (fun x2 : R => (sin x2)) 0 PI)");
+TEST_CASE("what a proof may rest on", "[proofs]") {
+  CHECK(unknown_axioms("Axioms:\nClassicalDedekindReals.sig_forall_dec\n  : forall P : nat -> Prop,\n")
+            .empty());
+  CHECK(unknown_axioms("Closed under the global context\n").empty());
+  CHECK(unknown_axioms("Axioms:\nlie : 1 = 2\n") == std::vector<std::string>{"lie"});
 }
 
-TEST_CASE("An integral within another is refused, whose letters could be the same", "[proofs]") {
-  const auto inner = [](const Expression& t) {
-    return integral([&](const Expression& u) { return t * u; }, Expression(0), t);
+TEST_CASE("coqc refuses near misses, what is admitted and what is assumed", "[proofs]") {
+  if (!coq_is_there()) {
+    WARN("not run: Coq or one of its libraries is not installed");
+    return;
+  }
+  const ScratchFolder scratch;
+  const Expression x = Expression::letter("x"), y = Expression::letter("y");
+  const auto square = [&](double middle) {
+    return Lemma{.name = "square",
+                 .letters = "(x y : R)",
+                 .follows = {pow(x + y, 2) == pow(x, 2) + middle * x * y + pow(y, 2)},
+                 .tactic = "ring"};
   };
-  CHECK_THROWS_AS(integral(inner, Expression(0), Expression(1)), std::logic_error);
-}
-
-TEST_CASE("A rounded double is no exact number", "[proofs]") {
-  CHECK_THROWS_AS(Expression(std::numbers::pi), std::logic_error);
-  CHECK_THROWS_AS(Expression(0.1), std::logic_error);
-  CHECK_THROWS_AS(Expression(1e300), std::logic_error);
-  CHECK_THROWS_AS(Expression::decimal("1e5"), std::logic_error);
-  CHECK_THROWS_AS(Expression::decimal("-1.5"), std::logic_error);
-}
-
-TEST_CASE("Every proof is of a claim, and of a reading that its verdict has", "[proofs]") {
-  const Verdicts verdicts = read_verdicts(approved);
-  for (const Proof& proof : proofs()) {
-    INFO(name_of(proof));
-    REQUIRE(verdicts.contains(proof.claim));
-    const bool erratum = verdicts.at(proof.claim) == "erratum";
-    CHECK((proof.reading == "printed" || (erratum && proof.reading == "corrected")));
-    CHECK((proof.kind == Proof::Kind::far) == (erratum && proof.reading == "printed"));
+  const auto sine = [](double margin) {
+    return Lemma{.name = "sine", .follows = {apart(sin(Expression(1)), 0.8, margin)}, .tactic = "interval"};
+  };
+  Lemma admitted = square(3);
+  admitted.tactic = "admit). Admitted. Goal True. Proof. (exact I";
+  Provable assumed{"1.6-assumed", "by an axiom", {square(3)}, 0, "Axiom lie : forall x y : R, x = y.\n"};
+  assumed.lemmas[0].tactic = "apply lie";
+  const auto checked = prove({{"1.1-square", "true", {square(2)}},
+                              {"1.2-square", "false", {square(3)}},
+                              {"1.3-sine", "true", {sine(0.04)}},
+                              {"1.4-sine", "false", {sine(0.05)}},
+                              {"1.5-admitted", "not proved", {admitted}},
+                              assumed},
+                             scratch.path(), {});
+  for (const Checked& c : checked) {
+    INFO(c.claim << ": " << c.message);
+    CHECK(c.proved == (c.claim == "1.1-square" || c.claim == "1.3-sine"));
   }
+  CHECK(checked[4].message == "it rests on claim_1_5_admitted_square; ");
+  CHECK(checked[5].message == "it rests on lie; ");
 }
 
-TEST_CASE("What is stated is what was proved", "[proofs]") {
-  const auto record = read_proofs(approved);
-  CHECK(differences(proofs(), record).empty());
-  std::vector<Proof> changed = proofs();
-  changed.front().left = changed.front().left + Expression(1);
-  const std::vector<std::string> noticed = differences(changed, record);
-  REQUIRE(noticed.size() == 1);
-  CHECK(noticed.front() == name_of(changed.front()) + ": the statement is not the one that was proved");
-}
-
-TEST_CASE("What a proof must not assume is told", "[proofs]") {
-  CHECK(not_allowed({"classic", "Uint63.add_spec", "ClassicalDedekindReals.sig_not_dec"}).empty());
-  CHECK(not_allowed({"holds_admitted", "classic"}) == std::vector<std::string>{"holds_admitted"});
-}
-
-TEST_CASE("Coq proves a statement, and refuses one that is nearly the same", "[proofs]") {
-  if (!is_installed("coqc")) {
-    WARN("not run: coqc is not installed");
-    return;
-  }
-  const ScratchFolder folder;
-  Proof identity = proof_named("7.1-factored_corrected");
-  CHECK(prove(folder.path(), "true", coq_file(identity)).ok);
-  CHECK(prove(folder.path(), "true", coq_file(identity)).kept);
-  identity.right = identity.right + Expression::letter("n") * Expression::letter("mu");
-  CHECK_FALSE(prove(folder.path(), "false", coq_file(identity)).ok);
-  Proof far = proof_named("7.1-full_cost_printed");
-  CHECK(prove(folder.path(), "true", coq_file(far)).ok);
-  far.bound = "3.001";
-  CHECK_FALSE(prove(folder.path(), "false", coq_file(far)).ok);
-}
-
-TEST_CASE("PARI agrees with every statement, and with no printed value in place of the right one",
-          "[proofs]") {
-  if (!is_installed("gp")) {
-    WARN("not run: gp is not installed");
-    return;
-  }
-  for (Proof proof : proofs()) {
-    INFO(pari_script(proof));
-    CHECK(answer_of_gp(pari_script(proof)).ends_with("true\n"));
-    if (proof.kind != Proof::Kind::far) continue;
-    proof.kind = Proof::Kind::near;
-    proof.bound = "0.0000000001";
-    CHECK(answer_of_gp(pari_script(proof)).ends_with("false\n"));
-  }
+TEST_CASE("prove says what it cannot do", "[proofs]") {
+  const program::Ran none = program::run("prove 3.7");
+  CHECK(none.status == 2);
+  CHECK(program::says(none, "nothing is proved of exercise 3.7"));
+  const ScratchFolder scratch;
+  const program::Ran without =
+      program::shell("PATH=/nowhere $oddity prove 3.5 --out '" + scratch.path().string() + "'");
+  CHECK(without.status == 2);
+  CHECK(program::says(without, "libcoq-interval"));
+  CHECK(std::filesystem::exists(scratch.path() / "3.5-value.v"));
 }

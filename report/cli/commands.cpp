@@ -37,7 +37,7 @@ struct Session {
   std::vector<std::string> from = {};
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string(),
-              proofs_out = (results_file().parent_path() / "proofs").string();
+              proofs_out = proofs_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
   std::string engine = {};
   bool page = false, lanes = false, kept = false;
@@ -386,15 +386,18 @@ void add_sweep(CLI::App& app, Session& s) {
 
 void add_prove(CLI::App& app, Session& s) {
   auto* prove = verb(
-      app, "prove", "Prove by Coq what claims' formulas come to, and ask PARI/GP as a witness.",
-      "Each statement is printed from the code that the suite evaluates, as a file for Coq and a script for gp: "
-      "the corrected reading is near what is true, or equal; the printed one is far, by the bound at least. "
-      "Without coqc or gp the files are written, and what to install is said. What was proved is kept.\n"
-      "Examples:\n  oddity prove 3.5\n  oddity prove --out /tmp/proofs",
-      [&] { s.status = verbs::prove(s.folder, s.exercise, s.proofs_out, s.approve); });
-  prove->add_option("exercise", s.exercise, "such as 3.5; all that have statements when there is none");
-  add_path(*prove, "--out", s.proofs_out, "the folder to write to");
-  prove->add_flag("--approve", s.approve, "put on record what Coq accepted: reference/approved/proofs.csv");
+      app, "prove", "Prove claims by Coq, for all numbers and not for samples.",
+      "A file for each claim that a proof is had of, made of the formulas that the suite computes with, and checked by "
+      "coqc. The exit code is 1 when one is refused.\n"
+      "Columns: claim, proved, margin (of a printed value, which is off by no less), outcome, seconds, message.\n"
+      "Examples:\n  oddity prove\n  oddity prove 3.5 7.9 --out /tmp/proofs",
+      [&] {
+        s.status = verbs::prove(s.folder, {s.exercises, s.proofs_out, s.approve}, s.format());
+      });
+  add_exercises(*prove, s, "numbers, such as 3.5; all of which something is proved when none is given");
+  add_path(*prove, "--out", s.proofs_out, "the folder to write the files to");
+  prove->add_flag("--approve", s.approve, "put on record what is proved");
+  add_formats(*prove, s, "what is proved");
 }
 
 void add_new(CLI::App& app, Session& s) {

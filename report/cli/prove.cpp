@@ -1,87 +1,94 @@
 #include "report/cli/prove.hpp"
 
-#include <iostream>
-#include <optional>
+#include <unistd.h>
 
-#include "chapters/contents.hpp"
+#include <algorithm>
+#include <iostream>
+
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
-#include "report/cli/settings.hpp"
-#include "report/study/proving.hpp"
-#include "report/study/run_program.hpp"
+#include "reference/proofs.hpp"
+#include "reference/text.hpp"
+#include "report/pages/table_text.hpp"
+#include "report/study/progress.hpp"
+#include "report/study/prove.hpp"
 
 namespace oddity::verbs {
 
-namespace fs = std::filesystem;
-
 namespace {
 
-std::vector<Proof> proofs_of(const std::string& exercise) {
-  std::vector<Proof> asked;
-  std::string proved;
-  for (Proof& proof : oddity::proofs()) {
-    const std::string number = proof.claim.substr(0, proof.claim.find('-'));
-    if (!proved.ends_with(" " + number)) proved += (proved.empty() ? " " : ", ") + number;
-    if (exercise.empty() || exercise == number) asked.push_back(std::move(proof));
-  }
-  if (asked.empty())
-    throw BadInput("no claim of '" + exercise + "' has a statement to prove; there are some of" + proved);
-  return asked;
+std::string exercise_of(const Provable& p) { return p.claim.substr(0, p.claim.find('-')); }
+
+Provables provables_of(const std::vector<Task>& tasks, bool all) {
+  Provables of_these = provables();
+  if (all) return of_these;
+  std::string known;
+  for (const Provable& p : of_these)
+    if (known.find(" " + exercise_of(p) + ",") == std::string::npos) known += " " + exercise_of(p) + ",";
+  for (const Task& task : tasks)
+    if (const std::string number = to_string(task.entry->number);
+        std::ranges::none_of(of_these, [&](const Provable& p) { return exercise_of(p) == number; }))
+      throw BadInput("nothing is proved of exercise " + number +
+                     "; of these something is:" + known.substr(0, known.size() - 1));
+  std::erase_if(of_these, [&](const Provable& p) {
+    return std::ranges::none_of(tasks,
+                                [&](const Task& t) { return to_string(t.entry->number) == exercise_of(p); });
+  });
+  return of_these;
 }
 
-/// Whether PARI finds it to hold, in the script's last line.
-bool witnessed(const fs::path& script) {
-  const Ended ended = run_program({"gp", "-q", "-f", script.string()}, "", std::chrono::minutes(1));
-  return ended.ok && ended.output.ends_with("true\n");
+/// On record are the proofs of all exercises, or of these in place of what was.
+void approve(const Provables& these, bool all, const fs::path& folder) {
+  ProvedClaims record;
+  if (!all && fs::exists(folder / "proofs.csv")) record = read_proofs(folder);
+  for (const Provable& p : these) record[p.claim] = {proof_hash(coq_file(p)), p.says, p.margin};
+  write_whole(folder / "proofs.csv", proofs_csv(record));
+  std::cout << "on record: " << (folder / "proofs.csv").string() << "\n";
 }
 
-/// What one statement came to, as printed; whether anything is against it.
-bool settle(const Proof& proof, const fs::path& out, bool coq, bool gp) {
-  const std::string text = coq_file(proof);
-  const fs::path script = out / (name_of(proof) + ".gp");
-  write_whole(script, pari_script(proof));
-  std::string how = "written";
-  bool ok = true;
-  if (coq) {
-    const Proved proved = oddity::prove(out, name_of(proof), text);
-    ok = proved.ok;
-    how = proved.ok ? "proved" : "NOT PROVED, " + proved.why;
-  } else {
-    write_whole(out / (name_of(proof) + ".v"), text);
+Table table_of(const Provables& these, const std::vector<Checked>& checked) {
+  Table table{{"claim", "proved", "margin", "outcome", "seconds", "message"}, {}};
+  for (std::size_t i = 0; i < these.size(); ++i)
+    table.rows.push_back({these[i].claim, these[i].says, these[i].margin,
+                          std::string(checked[i].kept     ? "proved before"
+                                      : checked[i].proved ? "proved"
+                                                          : "NOT PROVED"),
+                          checked[i].seconds, checked[i].message});
+  return table;
+}
+
+std::string text_of(const Provables& these, const std::vector<Checked>& checked) {
+  std::vector<std::vector<std::string>> rows{{"claim", "what is proved", "outcome"}};
+  std::string failures;
+  long proved = 0;
+  for (std::size_t i = 0; i < these.size(); ++i) {
+    const Checked& c = checked[i];
+    proved += c.proved;
+    rows.push_back({c.claim, these[i].says, c.kept ? "proved before" : c.proved ? "proved" : "NOT PROVED"});
+    if (!c.proved) failures += "\n" + c.claim + ": " + c.message + "\n";
   }
-  if (gp) {
-    const bool agrees = witnessed(script);
-    ok = ok && agrees;
-    how += agrees ? ", PARI agrees" : ", PARI DISAGREES";
-  }
-  const std::string bound = proof.kind == Proof::Kind::identity ? "" : " by " + proof.bound;
-  std::cout << proof.claim << ", " << proof.reading << ": " << to_string(proof.kind) << bound << ": " << how
-            << "\n    " << proof.says << std::endl;
-  return ok;
+  return aligned(rows, screen_of(STDOUT_FILENO), {.shorten = {"what is proved"}}) + failures + "\n" +
+         std::to_string(proved) + " of " + std::to_string(these.size()) + " proved\n";
 }
 
 }  // namespace
 
-int prove(const fs::path& tables, const std::string& exercise, const fs::path& out, bool approve) {
-  const std::vector<Proof> asked = proofs_of(exercise);
-  const bool coq = is_installed("coqc"), gp = is_installed("gp");
-  const fs::path approved = tables / "approved";
-  if (approve && !(coq && exercise.empty()))
-    throw BadInput(
-        "--approve takes all exercises, and coqc: apt install coq libcoq-interval libcoq-coquelicot");
-  require_writable_folder(out);
-  bool ok = true;
-  for (const Proof& proof : asked) ok = settle(proof, out, coq, gp) && ok;
-  std::cout << asked.size() << " statements in " << out.string() << "\n";
-  if (!coq) std::cout << "Not checked: apt install coq libcoq-interval libcoq-coquelicot\n";
-  if (!gp) std::cout << "No second witness: apt install pari-gp\n";
-  if (approve && ok) write_whole(approved / "proofs.csv", proofs_csv(asked));
-  if (approve || !exercise.empty()) return ok ? 0 : 1;
-  for (const std::string& line : differences(asked, read_proofs(approved))) {
-    std::cout << line << "\n";
-    ok = false;
-  }
-  return ok ? 0 : 1;
+int prove(const fs::path& folder, const AskedProofs& asked, Format format) {
+  const bool all = asked.exercises.empty();
+  const Provables these = provables_of(tasks_of(asked.exercises), all);
+  write_proofs(these, asked.out);
+  if (!coq_is_there())
+    throw BadInput(std::to_string(these.size()) + " files are written to " + asked.out.string() +
+                   ", and not checked: Coq or one of its libraries is missing; './oddity packages coq "
+                   "libcoq-interval libcoq-coquelicot' installs them");
+  const auto checked =
+      with_progress([&](const Progress& progress) { return oddity::prove(these, asked.out, progress); });
+  std::cout << (format == Format::json  ? to_json(table_of(these, checked))
+                : format == Format::csv ? to_csv(table_of(these, checked))
+                                        : text_of(these, checked));
+  if (!std::ranges::all_of(checked, &Checked::proved)) return 1;
+  if (asked.approve) approve(these, all, folder / "approved");
+  return 0;
 }
 
 }  // namespace oddity::verbs

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
+#include "report/cli/verbs.hpp"
 
 namespace oddity::verbs {
 
-/// Writes a file of Coq's and a script of PARI's for each statement about the exercise's claims, of all when
-/// the number is empty, and has them checked where coqc and gp are installed. 0 when what was checked holds
-/// and all is as on record, else 1. `approve`: puts on record what Coq accepted; throws BadInput where it
-/// did not run, or not on all.
-int prove(const std::filesystem::path& tables, const std::string& exercise, const std::filesystem::path& out,
-          bool approve);
+struct AskedProofs {
+  std::vector<std::string> exercises = {};  ///< none: all of which something is proved
+  fs::path out = {};                        ///< where the files go
+  bool approve = false;                     ///< what is proved is put on record
+};
+/// Writes a Coq file for each claim and has it checked; 0 when all are proved, else 1.
+int prove(const fs::path& folder, const AskedProofs&, Format);
 
 }  // namespace oddity::verbs

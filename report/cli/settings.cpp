@@ -40,6 +40,7 @@ fs::path report_folder() { return kept() / "report"; }
 fs::path site_folder() { return kept() / "site"; }
 fs::path chart_folder() { return kept() / "charts"; }
 fs::path motions_folder() { return kept() / "motions"; }
+fs::path proofs_folder() { return kept() / "proofs"; }
 fs::path prices_folder() { return kept() / "prices"; }
 fs::path engines_folder() { return fs::read_symlink("/proc/self/exe").parent_path() / "engines"; }
 fs::path engines_file() { return kept() / "engines.json"; }

@@ -13,6 +13,7 @@ std::filesystem::path report_folder();     ///< the last report
 std::filesystem::path site_folder();       ///< the last report that runs
 std::filesystem::path chart_folder();      ///< the last charts
 std::filesystem::path motions_folder();    ///< true motions made on the spot, kept
+std::filesystem::path proofs_folder();     ///< Coq files, and which of them are proved
 std::filesystem::path prices_folder();     ///< what methods cost on this machine, kept
 std::filesystem::path engines_folder();    ///< the programs of other people's engines
 std::filesystem::path engines_file();      ///< what these did last

@@ -20,9 +20,9 @@
 //                other, by the reference; values are floats, least byte first, in base64
 //     paths      [{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]: recorded
 //                motions, of what the module has not and of other people's engines, from frame 1 on as far
-//                as they come, these with their precision; values are whole numbers of 16 bits, from 0 for the observable's `least` to
-//                65535 for its `most`, each less that of the frame before, in base64: first all their low
-//                bytes, and then all their high ones
+//                as they come, these with their precision; values are whole numbers of 16 bits, from 0 for
+//                the observable's `least` to 65535 for its `most`, each less that of the frame before, in
+//                base64: first all their low bytes, and then all their high ones
 //     drawn      where the page has no models to draw by: {space, things: [{kind, size, letter, trail,
 //                points: how many}], still, moving, least, most, truth, paths}; the places of the things'
 //                points, one after the other, x, y and in space z, are `still` but for those at the indices

@@ -29,10 +29,9 @@ std::span<const EmbeddedFile> embedded_assets();
 /// All pages by the names of their files, typeset.
 std::map<std::string, std::string> site_pages(const Results&);
 
-/// Writes the site into `folder`, with what engines did on its scenes, and returns the page to open first. Each file is whole or not there. Throws
-/// BadInput when the folder cannot be written.
+/// Writes the site into `folder`, with what engines did on its scenes, and returns the page to open first.
+/// Each file is whole or not there. Throws BadInput when the folder cannot be written.
 std::filesystem::path write_site(const Results&, const Reference&, const std::filesystem::path& folder,
-                                 const Progress& progress = {},
-                                 std::span<const EngineContest> contests = {});
+                                 const Progress& progress = {}, std::span<const EngineContest> contests = {});
 
 }  // namespace oddity

@@ -251,7 +251,7 @@ Cell Trials::two_at_once() {
         std::chrono::duration<double>(i % 3 == 0 ? 0 : random_.between(0, clean_.seconds)));
     Process other(command());
     const Ended first = one.wait(), second = other.wait();
-    judge(cell, "the first of two", first, {0}, false);
+    judge(cell, "the first of two", first, {0, verb_.once ? 2 : 0}, false);
     judge(cell, "the second of two", second, {0, verb_.once ? 2 : 0}, false);
   }
   return cell;

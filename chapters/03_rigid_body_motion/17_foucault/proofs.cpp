@@ -1,21 +1,22 @@
-#include "chapters/proofs.hpp"
-
 #include "chapters/03_rigid_body_motion/17_foucault/cone.hpp"
+#include "chapters/provable.hpp"
 
-namespace oddity::ex03_17 {
+// Of the cone with r = h = 1, whose volume is pi/3.
+namespace oddity {
+
+namespace ex03_17 {
 
 namespace {
 
-/// Of the cone with r = h = 1 above z: the volume, each slice of it times a weight.
+/// Above z, each slice times a weight.
 template <class Weight>
 Expression integral_above(const Expression& z, const Weight& weight) {
-  const Expression one = 1;
   return integral(
       [&](const Expression& x) {
-        const Expression rho = radius(one, one, x);
-        return Expression::pi() * rho * rho * weight(x);
+        const Expression rho = radius<Expression>(1, 1, x);
+        return pi_in_coq() * rho * rho * weight(x);
       },
-      z, one);
+      z, 1, "z");
 }
 
 /// Zero where `height` is that of the center of mass.
@@ -23,58 +24,38 @@ Expression moment_about(const Expression& height) {
   return integral_above(0, [&](const Expression& z) { return z - height; });
 }
 
-}  // namespace
-
-std::vector<Proof> proofs() {
-  using Kind = Proof::Kind;
-  const Expression quarter = Expression(1) / 4, volume = Expression::pi() / 3,
-                   printed = printed_length<Expression>();
-  const Expression above = integral_above(quarter, [](const Expression&) { return Expression(1); });
-  const std::string nearly = "0.0000000001", cone = " of the cone with r = h = 1 ";
-  const std::string moment = "the moment" + cone + "about the center of mass, ",
-                    part = "the volume" + cone + "above h/4, and ";
-  return {
-      {"3.17-center_halves", "printed", Kind::far, part + "1/2 of the whole", {}, above, volume / 2, "0.08"},
-      {"3.17-center_halves",
-       "corrected",
-       Kind::near,
-       part + "27/64 of the whole",
-       {},
-       above,
-       above_center<Expression>() * volume,
-       nearly},
-      {"3.17-center_height",
-       "printed",
-       Kind::far,
-       moment + "were it at 1 - 1/cbrt(2), and zero",
-       {},
-       moment_about(halving_height<Expression>()),
-       0,
-       "0.045"},
-      {"3.17-center_height",
-       "corrected",
-       Kind::near,
-       moment + "at 1/4, and zero",
-       {},
-       moment_about(quarter),
-       0,
-       nearly},
-      {"3.17-L",
-       "printed",
-       Kind::far,
-       moment + "were it 1/cbrt(2) from the vertex, and zero",
-       {},
-       moment_about(1 - printed),
-       0,
-       "0.045"},
-      {"3.17-L",
-       "corrected",
-       Kind::near,
-       moment + "3/4 from the vertex, and zero",
-       {},
-       moment_about(1 - Expression(3) / 4),
-       0,
-       nearly}};
+Lemma within(const Expression& x, const Expression& y) {
+  return {.name = "corrected", .follows = {near(x, y, 1e-10)}, .tactic = "integral"};
+}
+Lemma beyond(const Expression& x, const Expression& y, double margin) {
+  return {.name = "printed_differs", .follows = {apart(x, y, margin)}, .tactic = "integral"};
 }
 
-}  // namespace oddity::ex03_17
+}  // namespace
+
+Provables proofs() {
+  const Expression volume = pi_in_coq() / 3;
+  const Expression quarter = Expression(1) / 4, three_quarters = Expression(3) / 4;
+  const Expression above = integral_above(quarter, [](const Expression&) { return Expression(1); });
+  const std::string moment =
+      "the moment of volume about the corrected center is zero, about the printed one not";
+  return {{"3.17-center_halves",
+           "above the center of mass are 27/64 of the volume, and not a half",
+           {within(above, above_center<Expression>() * volume), beyond(above, volume / 2, 0.08)},
+           0.08},
+          {"3.17-center_height",
+           moment,
+           {within(moment_about(quarter), 0), beyond(moment_about(halving_height<Expression>()), 0, 0.045)},
+           0.045},
+          {"3.17-L",
+           moment,
+           {within(moment_about(1 - three_quarters), 0),
+            beyond(moment_about(1 - printed_length<Expression>()), 0, 0.045)},
+           0.045}};
+}
+
+}  // namespace ex03_17
+
+Provables proofs_3_17() { return ex03_17::proofs(); }
+
+}  // namespace oddity

@@ -4,7 +4,7 @@
 // form is compared on random fields g as well, where every index is seen.
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
-#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+#include "chapters/05_fluids_and_gases/shared/meanings.hpp"
 
 namespace oddity {
 
@@ -37,7 +37,7 @@ const Names names{{"fgrad_g", R"(((\mathbf f\cdot\nabla)\mathbf g))"},
                   {"slope1", R"((\partial\mathbf x/\partial x_1))"},
                   {"slope2", R"((\partial\mathbf x/\partial x_2))"}};
 
-std::vector<Claim> claims(Random random) {
+Proof proof_of_lines(Random random) {
   Proof proof("5.1", sampled(random, fill), names);
   const std::string turned = R"($\mathbf f\cdot\nabla$ along a turned frame)";
   proof.line(
@@ -62,6 +62,7 @@ std::vector<Claim> claims(Random random) {
            R"(Read as a dot product the line is the number $f_0+f_1+f_2$, 6 for $\mathbf f=(1,2,3)$, and )"
            R"(not the vector $\mathbf f$. The next line goes on without it.)",
        .kind = Fault::formula});
+  proof.lines.push_back({"dot", distributed, "meant"});
   for (std::size_t j = 0; j < 3; ++j) {
     const std::string by = digit(j), slope = "slope" + by + "#";
     proof.line(
@@ -79,7 +80,20 @@ std::vector<Claim> claims(Random random) {
   proof.line("identity", 3129, R"($(\mathbf f\cdot\nabla)\mathbf x=\mathbf f$)",
              each_component("along_f#", "f#"), R"(the position along $\mathbf f$, dual numbers)",
              {each_component("along_f#", "- f#"), each_component("along_f#", "div_x f#")});
-  return proof.claims.in_order();
+  return proof;
+}
+
+Provables proofs() {
+  Meanings m;
+  const CoqVector f = m.any_vector("f"), g = m.any_vector("g"), x = Meanings::position();
+  m.put("fgrad_g", advected(f, g));
+  m.put("fgrad_x", advected(f, x));
+  m.put("along_f", advected(f, x));
+  m.put("div_x", divergence(x));
+  m.put("f", f);
+  m.put_vector("g", g);
+  m.put_vector("x", x);
+  return m.proofs("5.1", proof_of_lines(Random(1)));
 }
 
 Quantity directional(const Parameters& p, const Reference& truth) {
@@ -106,10 +120,12 @@ Quantity directional(const Parameters& p, const Reference& truth) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(Random(p["seed"])), {directional(p, truth)}};
+  return {proof_of_lines(Random(p["seed"])).claims.in_order(), {directional(p, truth)}};
 }
 
 }  // namespace ex05_01
+
+Provables proofs_5_1() { return ex05_01::proofs(); }
 
 Exercise exercise_5_1() {
   using namespace ex05_01;

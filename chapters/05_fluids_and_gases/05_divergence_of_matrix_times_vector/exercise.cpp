@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
-#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+#include "chapters/05_fluids_and_gases/shared/meanings.hpp"
 
 namespace oddity {
 
@@ -81,7 +81,7 @@ const Names names{{"Mf", R"((M\mathbf f))"},
                   {"row1_f", R"(((M^T\mathbf e_1)\cdot\nabla\mathbf f))"},
                   {"row2_f", R"(((M^T\mathbf e_2)\cdot\nabla\mathbf f))"}};
 
-std::vector<Claim> claims(Random random) {
+Proof proof_of_lines(Random random) {
   Proof proof("5.5", sampled(random, fill), names);
   const std::string whole = R"($M\mathbf f$ differentiated as one field along a turned frame)";
   const std::string by_eigen = "the product by Eigen";
@@ -120,6 +120,7 @@ std::vector<Claim> claims(Random random) {
            R"(nothing is differentiated: for $M=I$ and $\mathbf f=\mathbf x$ the divergence is 3, and the )"
            R"(products $x_if_i$ add up to $|\mathbf x|^2$.)",
        .kind = Fault::lost_typography});
+  proof.lines.push_back({"constants_outside", constants, "meant"});
 
   proof.line("row_times_matrix", 3285, R"($g_im_{ij}$, summed over $i$, is $\mathbf g^TM$)",
              each_component("gTM#", "g0 m0# + g1 m1# + g2 m2#"), by_eigen);
@@ -142,7 +143,27 @@ std::vector<Claim> claims(Random random) {
       "identity", 3293,
       R"($\nabla\cdot(M\mathbf f)=(M^T\nabla)\cdot\mathbf f$: each $f_j$ along column $j$ of $M$, $M\mathbf e_j$)",
       {.printed = proof.reading(identity, whole), .near_misses = std::move(changes)});
-  return proof.claims.in_order();
+  proof.lines.push_back({"identity", identity});
+  return proof;
+}
+
+Provables proofs() {
+  Meanings m;
+  const CoqField phi = m.any_scalar("phi");
+  const CoqVector f = m.any_vector("f"), g = m.any_vector("g");
+  const std::array<CoqVector, 3> rows{m.any_numbers("m0"), m.any_numbers("m1"), m.any_numbers("m2")};
+  const CoqVector product{dot(rows[0], f), dot(rows[1], f), dot(rows[2], f)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const CoqVector column{rows[0][i], rows[1][i], rows[2][i]};
+    m.put("m" + digit(i), rows[i]);
+    m.put("column" + digit(i) + "_f", advected(column, f));
+  }
+  m.put("div_Mf", divergence(product));
+  m.put_vector("h", product);
+  m.put_vector("f", f);
+  m.put("g", g);
+  m.put_scalar("phi", phi);
+  return m.proofs("5.5", proof_of_lines(Random(1)));
 }
 
 Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
@@ -170,10 +191,12 @@ Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(Random(p["seed"])), {divergence_of_product(p, truth)}};
+  return {proof_of_lines(Random(p["seed"])).claims.in_order(), {divergence_of_product(p, truth)}};
 }
 
 }  // namespace ex05_05
+
+Provables proofs_5_5() { return ex05_05::proofs(); }
 
 Exercise exercise_5_5() {
   using namespace ex05_05;

@@ -5,7 +5,7 @@
 // differentiates the product in 60 digits by extrapolated differences and by Cauchy's integral.
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
-#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+#include "chapters/05_fluids_and_gases/shared/meanings.hpp"
 #include "solvers/counted_calls.hpp"
 
 namespace oddity {
@@ -28,7 +28,7 @@ const Names names{{"curl_phi_f", R"((\nabla\times\varphi\mathbf f))"},
                   {"curl_f", R"((\nabla\times\mathbf f))"},
                   {"grad_phi_x_f", R"((\nabla\varphi\times\mathbf f))"}};
 
-std::vector<Claim> claims(Random random) {
+Proof proof_of_lines(Random random) {
   Proof proof("5.7", sampled(random, fill), names);
   const std::string whole = R"($\varphi\mathbf f$ differentiated as one field along a turned frame)";
   const auto component = [&](const std::string& step, std::size_t i, int at, const std::string& says,
@@ -64,7 +64,20 @@ std::vector<Claim> claims(Random random) {
       "identity", 3367,
       R"($\nabla\times(\varphi\mathbf f)=\varphi\,\nabla\times\mathbf f+\nabla\varphi\times\mathbf f$)",
       each_component("curl_phi_f#", "phi curl_f# + grad_phi_x_f#"), whole);
-  return proof.claims.in_order();
+  return proof;
+}
+
+Provables proofs() {
+  Meanings m;
+  const CoqField phi = m.any_scalar("phi");
+  const CoqVector f = m.any_vector("f");
+  m.put("curl_phi_f", curl(times(phi, f)));
+  m.put_scalar("phi", phi);
+  m.put_vector("f", f);
+  m.put_vector("phi_f", times(phi, f));
+  m.put("curl_f", curl(f));
+  m.put("grad_phi_x_f", cross(gradient(phi), f));
+  return m.proofs("5.7", proof_of_lines(Random(1)));
 }
 
 Quantity curl_of_product(const Parameters& p, const Reference& truth) {
@@ -89,10 +102,12 @@ Quantity curl_of_product(const Parameters& p, const Reference& truth) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(Random(p["seed"])), {curl_of_product(p, truth)}};
+  return {proof_of_lines(Random(p["seed"])).claims.in_order(), {curl_of_product(p, truth)}};
 }
 
 }  // namespace ex05_07
+
+Provables proofs_5_7() { return ex05_07::proofs(); }
 
 Exercise exercise_5_7() {
   using namespace ex05_07;

@@ -5,7 +5,7 @@
 // are compared with determinants by LU.
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
-#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+#include "chapters/05_fluids_and_gases/shared/meanings.hpp"
 #include "solvers/counted_calls.hpp"
 #include "solvers/linear.hpp"
 
@@ -48,7 +48,7 @@ const Names names{{"div_fxg", R"(\nabla\cdot(\mathbf f\times\mathbf g))"},
                   {"curl_f", R"((\nabla\times\mathbf f))"},
                   {"curl_g", R"((\nabla\times\mathbf g))"}};
 
-std::vector<Claim> claims(Random random) {
+Proof proof_of_lines(Random random) {
   Proof proof("5.11", sampled(random, fill), names);
   const std::string whole = R"($\mathbf f\times\mathbf g$ differentiated as one field along a turned frame)";
   const std::string alone = "the bracket differentiated as one field";
@@ -90,7 +90,20 @@ std::vector<Claim> claims(Random random) {
       R"($\nabla\cdot(\mathbf f\times\mathbf g)=(\nabla\times\mathbf f)\cdot\mathbf g-(\nabla\times\mathbf g)\cdot\mathbf f$)",
       {{"div_fxg", "(curl_f0 g0 + curl_f1 g1 + curl_f2 g2) - (curl_g0 f0 + curl_g1 f1 + curl_g2 f2)"}},
       whole);
-  return proof.claims.in_order();
+  return proof;
+}
+
+Provables proofs() {
+  Meanings m;
+  const CoqVector f = m.any_vector("f"), g = m.any_vector("g");
+  m.put("div_fxg", divergence(cross(f, g)));
+  m.put("fxg", cross(f, g));
+  m.put_vector("f", f);
+  m.put_vector("g", g);
+  m.put_vector("h", cross(f, g));
+  m.put("curl_f", curl(f));
+  m.put("curl_g", curl(g));
+  return m.proofs("5.11", proof_of_lines(Random(1)));
 }
 
 Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
@@ -115,10 +128,12 @@ Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(Random(p["seed"])), {divergence_of_product(p, truth)}};
+  return {proof_of_lines(Random(p["seed"])).claims.in_order(), {divergence_of_product(p, truth)}};
 }
 
 }  // namespace ex05_11
+
+Provables proofs_5_11() { return ex05_11::proofs(); }
 
 Exercise exercise_5_11() {
   using namespace ex05_11;

@@ -4,7 +4,7 @@
 // partial derivatives along the axes. The sum is also compared as an expression, term by term.
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
-#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+#include "chapters/05_fluids_and_gases/shared/meanings.hpp"
 #include "solvers/counted_calls.hpp"
 
 namespace oddity {
@@ -77,7 +77,7 @@ const Names names{{"grad_fg", R"((\nabla(\mathbf f\cdot\mathbf g)))"},
                   {"fgrad_g", R"(((\mathbf f\cdot\nabla)\mathbf g))"},
                   {"ggrad_f", R"(((\mathbf g\cdot\nabla)\mathbf f))"}};
 
-std::vector<Claim> claims(Random random) {
+Proof proof_of_lines(Random random) {
   Proof proof("5.13", sampled(random, fill), names);
   const auto components = [&](const std::string& slug, std::array<int, 3> at, const std::string& says,
                               const std::string& left, const Components& right, const std::string& by) {
@@ -104,7 +104,20 @@ std::vector<Claim> claims(Random random) {
       "cancellation", 3681, "in the sum of (9) to (12) quite a few terms cancel; (8) is left",
       {.printed = {"8 of 14 terms cancel in each component", cancellation(proof.samples[0], true)},
        .near_misses = {{"without the fourth term", cancellation(proof.samples[0], false)}}});
-  return proof.claims.in_order();
+  return proof;
+}
+
+Provables proofs() {
+  Meanings m;
+  const CoqVector f = m.any_vector("f"), g = m.any_vector("g");
+  m.put("grad_fg", gradient(dot(f, g)));
+  m.put("f_x_curl_g", cross(f, curl(g)));
+  m.put("g_x_curl_f", cross(g, curl(f)));
+  m.put("fgrad_g", advected(f, g));
+  m.put("ggrad_f", advected(g, f));
+  m.put_vector("f", f);
+  m.put_vector("g", g);
+  return m.proofs("5.13", proof_of_lines(Random(1)));
 }
 
 Quantity gradient_of_product(const Parameters& p, const Reference& truth) {
@@ -129,10 +142,12 @@ Quantity gradient_of_product(const Parameters& p, const Reference& truth) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(Random(p["seed"])), {gradient_of_product(p, truth)}};
+  return {proof_of_lines(Random(p["seed"])).claims.in_order(), {gradient_of_product(p, truth)}};
 }
 
 }  // namespace ex05_13
+
+Provables proofs_5_13() { return ex05_13::proofs(); }
 
 Exercise exercise_5_13() {
   using namespace ex05_13;

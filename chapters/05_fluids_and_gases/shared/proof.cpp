@@ -184,17 +184,17 @@ std::string written(const std::vector<Row>& rows, const Names& names) {
 }  // namespace
 
 Reading Proof::reading(const std::vector<Row>& rows, const std::string& by) const {
-  std::vector<std::pair<Terms, Terms>> lines;
+  std::vector<std::pair<Terms, Terms>> sums;
   std::string quantity;
   for (const Row& row : rows) {
-    lines.emplace_back(read_terms(row.left, samples[0]), read_terms(row.right, samples[0]));
+    sums.emplace_back(read_terms(row.left, samples[0]), read_terms(row.right, samples[0]));
     quantity += (quantity.empty() ? "$" : ", $") + typeset(row.left, names) + "$";
   }
   WorstSample worst(quantity, by, "the line as it is written");
   for (const Sample& s : samples) {
     std::vector<double> left, right;
     double size = 0;
-    for (const auto& [l, r] : lines) {
+    for (const auto& [l, r] : sums) {
       left.push_back(value_of(l, s));
       right.push_back(value_of(r, s));
       size = std::max(size, size_of(r, s));
@@ -252,12 +252,14 @@ std::vector<Reading> Proof::single_changes(const std::vector<Row>& rows, const s
 
 void Proof::line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
                  const std::string& by) {
+  lines.push_back({.slug = slug, .rows = rows});
   claims.add(slug, at, std::move(says),
              {.printed = reading(rows, by), .near_misses = single_changes(rows, by)});
 }
 
 void Proof::line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
                  const std::string& by, const std::vector<std::vector<Row>>& near_misses) {
+  lines.push_back({.slug = slug, .rows = rows});
   Claim claim{.printed = reading(rows, by)};
   for (const auto& near : near_misses) claim.near_misses.push_back(reading(near, by));
   claims.add(slug, at, std::move(says), std::move(claim));

@@ -75,6 +75,13 @@ struct Row {
   std::string left, right;
 };
 
+/// A published line, by the slug of its claim.
+struct Line {
+  std::string slug;
+  std::vector<Row> rows;
+  std::string reading = "printed";
+};
+
 /// A row for each component, which `#` stands for.
 std::vector<Row> each_component(const std::string& left, const std::string& right);
 
@@ -93,6 +100,7 @@ class Proof {
   Claims claims;
   const std::vector<Sample> samples;
   const Names names;
+  std::vector<Line> lines = {};  ///< those that hold
 
   /// All rows, as one vector, at every sample, against the way that the left sides are come `by`.
   Reading reading(const std::vector<Row>& rows, const std::string& by) const;

@@ -4,6 +4,7 @@
 
 #include "chapters/07_linear_algebra/07_general_basis/general_basis.hpp"
 #include "chapters/07_linear_algebra/shared/vectors.hpp"
+#include "chapters/provable.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::ex07_07 {
@@ -13,12 +14,20 @@ namespace {
 using namespace vectors;
 using vectors::operator*;
 
-/// Whole numbers: a basis, and p put together from the vectors or from their cross products.
-struct Planted {
+/// A basis, and p put together from the vectors or from their cross products.
+template <class T>
+struct Letters {
+  Vector3<T> u, v, w;
+  T x, y, z;
+  Vector3<T> p;
+
+  Vector3<T> combination() const { return x * u + y * v + z * w; }
+  Vector3<T> dual_combination() const { return x * cross(u, v) + y * cross(v, w) + z * cross(w, u); }
+};
+
+/// Of whole numbers.
+struct Planted : Letters<double> {
   static constexpr bool whole = true;
-  Vector3<double> u, v, w;
-  double x, y, z;
-  Vector3<double> p;
 
   std::string where() const {
     std::string all;
@@ -40,11 +49,10 @@ std::vector<Planted> samples(Random random, bool dual) {
     return a;
   };
   while (all.size() < 300) {
-    Planted s{vector(), vector(), vector(), digit(), digit(), digit(), {}};
+    Planted s{{vector(), vector(), vector(), digit(), digit(), digit(), {}}};
     if (all.size() % 5 == 4) s.w = s.u + s.v + Vector3<double>{1, 0, 0};
     if (triple(s.u, s.v, s.w) == 0) continue;
-    s.p = dual ? s.x * cross(s.u, s.v) + s.y * cross(s.v, s.w) + s.z * cross(s.w, s.u)
-               : s.x * s.u + s.y * s.v + s.z * s.w;
+    s.p = dual ? s.dual_combination() : s.combination();
     all.push_back(s);
   }
   return all;
@@ -52,37 +60,43 @@ std::vector<Planted> samples(Random random, bool dual) {
 
 // ---- formulas, put together as they are written -----------------------------------------------------------
 
+/// In doubles, and as a proof has it.
 struct Term {
   std::string tex;
-  std::function<double(const Planted&)> of;
+  std::function<double(const Letters<double>&)> of;
+  std::function<Expression(const Letters<Expression>&)> recorded;
 
   operator Formula<Planted>() const { return {"$" + tex + "$", of}; }
 };
 
-struct Letter {
-  std::string name;
-  Vector3<double> Planted::*vector;
-};
+Term term(std::string tex, const auto& of) { return {std::move(tex), of, of}; }
 
-const Letter u{"u", &Planted::u}, v{"v", &Planted::v}, w{"w", &Planted::w}, p{"p", &Planted::p};
-const Term x{"x", &Planted::x}, y{"y", &Planted::y}, z{"z", &Planted::z};
+enum class Letter { u, v, w, p };
 
-Term volume(const Letter& a, const Letter& b, const Letter& c) {
-  return {a.name + "\\cdot " + b.name + "\\times " + c.name,
-          [i = a.vector, j = b.vector, k = c.vector](const Planted& s) {
-            return vectors::triple(s.*i, s.*j, s.*k);
-          }};
+template <class T>
+const Vector3<T>& vector(const Letters<T>& s, Letter letter) {
+  return letter == Letter::u ? s.u : letter == Letter::v ? s.v : letter == Letter::w ? s.w : s.p;
 }
-Term along(const Letter& a, const Letter& b) {
-  return {a.name + "\\cdot " + b.name,
-          [i = a.vector, j = b.vector](const Planted& s) { return dot(s.*i, s.*j); }};
+std::string name(Letter letter) { return std::string(1, "uvwp"[static_cast<int>(letter)]); }
+
+constexpr Letter u = Letter::u, v = Letter::v, w = Letter::w, p = Letter::p;
+const Term x = term("x", [](const auto&s) { return s.x; }), y = term("y", [](const auto&s) { return s.y; }),
+           z = term("z", [](const auto&s) { return s.z; });
+
+Term volume(Letter a, Letter b, Letter c) {
+  return term(name(a) + "\\cdot " + name(b) + "\\times " + name(c),
+              [=](const auto& s) { return vectors::triple(vector(s, a), vector(s, b), vector(s, c)); });
+}
+Term along(Letter a, Letter b) {
+  return term(name(a) + "\\cdot " + name(b), [=](const auto& s) { return dot(vector(s, a), vector(s, b)); });
 }
 Term operator*(const Term& a, const Term& b) {
-  return {a.tex + "\\," + b.tex, [f = a.of, g = b.of](const Planted& s) { return f(s) * g(s); }};
+  return {a.tex + "\\," + b.tex, [f = a.of, g = b.of](const auto& s) { return f(s) * g(s); },
+          [f = a.recorded, g = b.recorded](const auto& s) { return f(s) * g(s); }};
 }
 Term operator/(const Term& a, const Term& b) {
-  return {"\\frac{" + a.tex + "}{" + b.tex + "}",
-          [f = a.of, g = b.of](const Planted& s) { return f(s) / g(s); }};
+  return {"\\frac{" + a.tex + "}{" + b.tex + "}", [f = a.of, g = b.of](const auto& s) { return f(s) / g(s); },
+          [f = a.recorded, g = b.recorded](const auto& s) { return f(s) / g(s); }};
 }
 
 /// The volume times any vector q, and what the coefficients make of the basis.
@@ -90,63 +104,94 @@ const Vector3<double> any_q{3, -1, 4};
 const Formula<Planted> volume_times_q{R"($(u\cdot v\times w)\,q$)",
                                       [](const Planted& s) { return triple(s.u, s.v, s.w) * any_q; }};
 
+template <class T>
+Vector3<T> combined(const Letters<T>& s, const Vector3<T>& q, double last) {
+  return triple(q, s.v, s.w) * s.u + triple(q, s.w, s.u) * s.v + last * triple(q, s.u, s.v) * s.w;
+}
+template <class T>
+Vector3<T> dual_combined(const Letters<T>& s, const Vector3<T>& q, double last) {
+  return dot(s.w, q) * cross(s.u, s.v) + dot(s.u, q) * cross(s.v, s.w) + last * dot(s.v, q) * cross(s.w, s.u);
+}
 Formula<Planted> combination(std::string text, double last) {
-  return {std::move(text), [=](const Planted& s) {
-            return triple(any_q, s.v, s.w) * s.u + triple(any_q, s.w, s.u) * s.v +
-                   last * triple(any_q, s.u, s.v) * s.w;
-          }};
+  return {std::move(text), [=](const Planted& s) { return combined(s, any_q, last); }};
 }
 Formula<Planted> dual_combination(std::string text, double last) {
-  return {std::move(text), [=](const Planted& s) {
-            return dot(s.w, any_q) * cross(s.u, s.v) + dot(s.u, any_q) * cross(s.v, s.w) +
-                   last * dot(s.v, any_q) * cross(s.w, s.u);
-          }};
+  return {std::move(text), [=](const Planted& s) { return dual_combined(s, any_q, last); }};
 }
+
+struct Equation {
+  std::string slug;
+  int line;
+  Term left, right, near;
+
+  std::string tex() const { return "$" + left.tex + "=" + right.tex + "$"; }
+};
+
+/// Where p is put together from the basis, and where from its cross products.
+std::vector<Equation> equations(bool dual) {
+  if (!dual)
+    return {{"x_equation", 3863, volume(p, v, w), x * volume(u, v, w), x * volume(u, w, v)},
+            {"y_equation", 3865, volume(p, w, u), y * volume(v, w, u), y * volume(v, u, w)},
+            {"z_equation", 3867, volume(p, u, v), z * volume(w, u, v), z * volume(w, v, u)},
+            {"x", 3871, x, volume(p, v, w) / volume(u, v, w), volume(p, w, v) / volume(u, v, w)},
+            {"y", 3877, y, volume(p, w, u) / volume(v, w, u), volume(p, w, u) / volume(v, u, w)},
+            {"y_again", 3881, y, volume(u, p, w) / volume(u, v, w), volume(u, w, p) / volume(u, v, w)},
+            {"z", 3887, z, volume(p, u, v) / volume(w, u, v), volume(p, v, u) / volume(w, u, v)},
+            {"z_again", 3891, z, volume(u, v, p) / volume(u, v, w), volume(v, u, p) / volume(u, v, w)}};
+  return {{"dual_x_equation", 3901, along(w, p), x * volume(w, u, v), x * volume(w, v, u)},
+          {"dual_y_equation", 3903, along(u, p), y * volume(u, v, w), x * volume(u, v, w)},
+          {"dual_x", 3909, x, along(w, p) / volume(w, u, v), along(u, p) / volume(w, u, v)},
+          {"dual_y", 3917, y, along(u, p) / volume(u, v, w), along(v, p) / volume(u, v, w)},
+          {"dual_z", 3923, z, along(v, p) / volume(v, w, u), along(w, p) / volume(v, w, u)}};
+}
+
+/// A quotient over the volume whose fraction bar is lost.
+struct LostBar {
+  std::string slug;
+  int line;
+  Term unknown, top, near;
+
+  Term bottom() const { return volume(u, v, w); }
+  Term as_it_stands() const { return top * bottom(); }
+  Term meant() const { return top / bottom(); }
+};
+
+std::vector<LostBar> lost_bars() {
+  return {{"dual_x_again", 3913, x, along(w, p), along(w, p) / volume(v, u, w)},
+          {"dual_z_again", 3927, z, along(v, p), along(v, p) / volume(u, w, v)}};
+}
+
+/// z times the sum of v_i w_i u_i.
+const Term products_of_components = term(R"(z\sum_iv_iw_iu_i)", [](const auto& s) {
+  return s.z * (s.v[0] * s.w[0] * s.u[0] + s.v[1] * s.w[1] * s.u[1] + s.v[2] * s.w[2] * s.u[2]);
+});
 
 }  // namespace
 
 std::vector<Claim> claims(const Random& random) {
   Claims claims("7.7");
-  auto planted = samples(random, false);
-  const auto equation = [&](const char* slug, int line, const Term& left, const Term& right,
-                            const Term& near) {
-    claims.formula<Planted>(slug, line, "$" + left.tex + "=" + right.tex + "$", planted,
-                            {.truth = left, .printed = right, .near_misses = {near}});
-  };
+  const auto planted = samples(random, false), dual = samples(random, true);
+  for (const bool is_dual : {false, true})
+    for (const Equation& e : equations(is_dual))
+      claims.formula<Planted>(e.slug, e.line, e.tex(), is_dual ? dual : planted,
+                              {.truth = e.left, .printed = e.right, .near_misses = {e.near}});
   claims.formula<Planted>(
       "combination", 3857, "any vector $q$ over $u$, $v$, $w$, times their volume", planted,
       {.truth = volume_times_q,
        .printed = combination(R"($(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$)", 1),
        .near_misses = {combination(R"($(q\cdot v\times w)u+(q\cdot w\times u)v-(q\cdot u\times v)w$)", -1)}});
-  equation("x_equation", 3863, volume(p, v, w), x * volume(u, v, w), x * volume(u, w, v));
-  equation("y_equation", 3865, volume(p, w, u), y * volume(v, w, u), y * volume(v, u, w));
-  equation("z_equation", 3867, volume(p, u, v), z * volume(w, u, v), z * volume(w, v, u));
-  equation("x", 3871, x, volume(p, v, w) / volume(u, v, w), volume(p, w, v) / volume(u, v, w));
-  equation("y", 3877, y, volume(p, w, u) / volume(v, w, u), volume(p, w, u) / volume(v, u, w));
-  equation("y_again", 3881, y, volume(u, p, w) / volume(u, v, w), volume(u, w, p) / volume(u, v, w));
-  equation("z", 3887, z, volume(p, u, v) / volume(w, u, v), volume(p, v, u) / volume(w, u, v));
-  equation("z_again", 3891, z, volume(u, v, p) / volume(u, v, w), volume(v, u, p) / volume(u, v, w));
-
-  planted = samples(random, true);
   claims.formula<Planted>(
       "dual_combination", 3897,
-      R"(any vector $q$ over $u\times v$, $v\times w$, $w\times u$, times the volume)", planted,
+      R"(any vector $q$ over $u\times v$, $v\times w$, $w\times u$, times the volume)", dual,
       {.truth = volume_times_q,
        .printed =
            dual_combination(R"($(w\cdot q)\,u\times v+(u\cdot q)\,v\times w+(v\cdot q)\,w\times u$)", 1),
        .near_misses = {
            dual_combination(R"($(w\cdot q)\,u\times v+(u\cdot q)\,v\times w-(v\cdot q)\,w\times u$)", -1)}});
-  equation("dual_x_equation", 3901, along(w, p), x * volume(w, u, v), x * volume(w, v, u));
-  equation("dual_y_equation", 3903, along(u, p), y * volume(u, v, w), x * volume(u, v, w));
   claims.formula<Planted>(
-      "dual_z_equation", 3905, R"($v\cdot p=z\,v\cdot w\cdot u$)", planted,
+      "dual_z_equation", 3905, R"($v\cdot p=z\,v\cdot w\cdot u$)", dual,
       {.truth = along(v, p),
-       .printed = {R"($z\sum_iv_iw_iu_i$, components multiplied)",
-                   [](const Planted& s) {
-                     double sum = 0;
-                     for (std::size_t i = 0; i < 3; ++i) sum += s.v[i] * s.w[i] * s.u[i];
-                     return s.z * sum;
-                   }},
+       .printed = {"$" + products_of_components.tex + "$, components multiplied", products_of_components.of},
        .meant = z * volume(v, w, u),
        .near_misses = {z * volume(v, u, w)},
        .kind = Fault::formula,
@@ -154,26 +199,101 @@ std::vector<Claim> claims(const Random& random) {
            R"(A dot stands where the cross belongs: $v\cdot w\times u$. The solution for $z$ has it. With )"
            R"(twice the unit vectors for a basis the volume is 8, and no product of two dots is a number )"
            R"(at all.)"});
-  equation("dual_x", 3909, x, along(w, p) / volume(w, u, v), along(u, p) / volume(w, u, v));
-  const auto lost_bar = [&](const char* slug, int line, const Term& unknown, const Term& top,
-                            const Term& near) {
-    const Term bottom = volume(u, v, w), as_it_stands = top * bottom;
+  for (const LostBar& b : lost_bars())
     claims.formula<Planted>(
-        slug, line, "$" + unknown.tex + "=" + as_it_stands.tex + "$", planted,
-        {.truth = unknown,
-         .printed = as_it_stands,
-         .meant = top / bottom,
-         .near_misses = {near},
+        b.slug, b.line, "$" + b.unknown.tex + "=" + b.as_it_stands().tex + "$", dual,
+        {.truth = b.unknown,
+         .printed = b.as_it_stands(),
+         .meant = b.meant(),
+         .near_misses = {b.near},
          .kind = Fault::lost_typography,
-         .why = "The fraction bar is lost in the text at hand: $" + unknown.tex + "=(" + top.tex +
+         .why = "The fraction bar is lost in the text at hand: $" + b.unknown.tex + "=(" + b.top.tex +
                 R"()/(u\cdot v\times w)$, as in the line before it. As a product it is off by the square of )"
                 R"(the volume $u\cdot v\times w$: with twice the unit vectors for a basis, 64 times.)"});
-  };
-  lost_bar("dual_x_again", 3913, x, along(w, p), along(w, p) / volume(v, u, w));
-  equation("dual_y", 3917, y, along(u, p) / volume(u, v, w), along(v, p) / volume(u, v, w));
-  equation("dual_z", 3923, z, along(v, p) / volume(v, w, u), along(w, p) / volume(v, w, u));
-  lost_bar("dual_z_again", 3927, z, along(v, p), along(v, p) / volume(u, w, v));
   return claims.in_order();
 }
 
+// ---- proofs -----------------------------------------------------------------------------------------------
+
+namespace {
+
+Vector3<Expression> letters(const std::string& name) {
+  return {Expression::letter(name + "0"), Expression::letter(name + "1"), Expression::letter(name + "2")};
+}
+
+Letters<Expression> any_letters(bool dual) {
+  Letters<Expression> s{letters("u"),
+                        letters("v"),
+                        letters("w"),
+                        Expression::letter("x"),
+                        Expression::letter("y"),
+                        Expression::letter("z"),
+                        {}};
+  s.p = dual ? s.dual_combination() : s.combination();
+  return s;
+}
+
+/// Twice the unit vectors, and p of the coefficients one.
+Letters<Expression> twice_the_unit_vectors() {
+  Letters<Expression> s{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, 1, 1, 1, {}};
+  s.p = s.dual_combination();
+  return s;
+}
+
+/// For every basis: what `field` asks not to be zero is the volume, written another way.
+Lemma for_every_basis(std::string name, const std::vector<Proposition>& follows) {
+  const Letters<Expression> s = any_letters(false);
+  return {std::move(name),
+          "(u0 u1 u2 v0 v1 v2 w0 w1 w2 x y z q0 q1 q2 : R)",
+          {not_zero(triple(s.u, s.v, s.w))},
+          follows,
+          "field; match goal with H : _ <> 0 |- _ => contradict H; etransitivity; [| exact H]; ring end"};
+}
+Lemma equation(std::string name, const Term& left, const Term& right, bool dual) {
+  const Letters<Expression> s = any_letters(dual);
+  return for_every_basis(std::move(name), {left.recorded(s) == right.recorded(s)});
+}
+Lemma vectors_equal(const Vector3<Expression>& a, const Vector3<Expression>& b) {
+  return for_every_basis("printed", {a[0] == b[0], a[1] == b[1], a[2] == b[2]});
+}
+Lemma differs(const Term& printed, const Term& truth, double margin) {
+  const Letters<Expression> s = twice_the_unit_vectors();
+  return {.name = "printed_differs",
+          .follows = {apart(printed.recorded(s), truth.recorded(s), margin)},
+          .tactic = by_arithmetic};
+}
+
+}  // namespace
+
+Provables proofs() {
+  const std::string holds = "it holds for every basis";
+  Provables all;
+  for (const bool dual : {false, true})
+    for (const Equation& e : equations(dual))
+      all.push_back({"7.7-" + e.slug, holds, {equation("printed", e.left, e.right, dual)}});
+  const Letters<Expression> s = any_letters(false);
+  const Vector3<Expression> q = letters("q"), volume_times = triple(s.u, s.v, s.w) * q;
+  all.push_back({"7.7-combination", holds, {vectors_equal(combined(s, q, 1), volume_times)}});
+  all.push_back({"7.7-dual_combination", holds, {vectors_equal(dual_combined(s, q, 1), volume_times)}});
+  const std::string meant =
+      "as meant it holds for every basis; as printed it is off for twice the unit vectors";
+  all.push_back({"7.7-dual_z_equation",
+                 meant,
+                 {equation("meant", along(v, p), z * volume(v, w, u), true),
+                  differs(products_of_components, along(v, p), 8)},
+                 8});
+  for (const LostBar& b : lost_bars())
+    all.push_back({"7.7-" + b.slug,
+                   meant,
+                   {equation("meant", b.unknown, b.meant(), true), differs(b.as_it_stands(), b.unknown, 63)},
+                   63});
+  return all;
+}
+
 }  // namespace oddity::ex07_07
+
+namespace oddity {
+
+Provables proofs_7_7() { return ex07_07::proofs(); }
+
+}  // namespace oddity

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "chapters/07_linear_algebra/09_determinant_4x4/determinant_4x4.hpp"
+#include "chapters/provable.hpp"
 
 namespace oddity::ex07_09 {
 
@@ -106,30 +107,38 @@ Formula<Sample> in_whole(std::string text, const std::function<Whole(const Matri
   return {std::move(text), [=](const Sample& s) { return values(of(s.m)); }};
 }
 
+/// In every number that can be negated.
+template <class T>
+T sum_of(const std::vector<Term>& all, const Matrix4<T>& m) {
+  T sum = 0;
+  for (const Term& term : all) sum += term.negative ? -term_of(term, m) : term_of(term, m);
+  return sum;
+}
+
 Formula<Sample> terms(std::string text, const std::vector<Term>& all) {
-  return in_whole(std::move(text), [=](const Matrix4<Whole>& m) {
-    Whole sum = 0;
-    for (const Term& term : all) sum += (term.negative ? -1 : 1) * term_of(term, m);
-    return sum;
-  });
+  return in_whole(std::move(text), [=](const Matrix4<Whole>& m) { return sum_of(all, m); });
 }
 
 const Formula<Sample> elimination = in_whole("fraction-free elimination", by_bareiss);
 
 /// The sum over all permutations, with or without their signs, their order found by counting inversions.
+template <class T>
+T sum_over_permutations(const Matrix4<T>& m, bool with_signs) {
+  std::array<std::size_t, 4> s{0, 1, 2, 3};
+  T sum = 0;
+  do {
+    int inversions = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j) inversions += s[i] > s[j];
+    const T product = m[s[0]][0] * m[s[1]][1] * m[s[2]][2] * m[s[3]][3];
+    sum += with_signs && inversions % 2 == 1 ? -product : product;
+  } while (std::next_permutation(s.begin(), s.end()));
+  return sum;
+}
+
 Formula<Sample> over_permutations(std::string text, bool with_signs) {
-  return in_whole(std::move(text), [=](const Matrix4<Whole>& m) {
-    std::array<std::size_t, 4> s{0, 1, 2, 3};
-    Whole sum = 0;
-    do {
-      int inversions = 0;
-      for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = i + 1; j < 4; ++j) inversions += s[i] > s[j];
-      const Whole product = m[s[0]][0] * m[s[1]][1] * m[s[2]][2] * m[s[3]][3];
-      sum += with_signs && inversions % 2 == 1 ? -product : product;
-    } while (std::next_permutation(s.begin(), s.end()));
-    return sum;
-  });
+  return in_whole(std::move(text),
+                  [=](const Matrix4<Whole>& m) { return sum_over_permutations(m, with_signs); });
 }
 
 /// "+ a11 a22" as $+a_{11}a_{22}$.
@@ -247,4 +256,71 @@ std::vector<Claim> claims(const Random& random) {
   return claims.in_order();
 }
 
+namespace {
+
+/// A matrix of letters at these places, zero elsewhere.
+Matrix4<Expression> letters_at(const auto& is_there, std::string& letters) {
+  Matrix4<Expression> m;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      if (is_there(i, j)) {
+        const std::string name = "a" + std::to_string(i + 1) + std::to_string(j + 1);
+        letters += (letters.empty() ? "(" : " ") + name;
+        m[i][j] = Expression::letter(name);
+      }
+  letters += " : R)";
+  return m;
+}
+
+/// Of every matrix of numbers, by cofactors of the first row.
+Lemma determinant_is(std::string name, const auto& sum, const auto& is_there) {
+  Lemma lemma{.name = std::move(name), .tactic = "ring"};
+  const Matrix4<Expression> m = letters_at(is_there, lemma.letters);
+  lemma.follows = {by_cofactors(m) == sum(m)};
+  return lemma;
+}
+
+Provable proof_of_row(const Row& row) {
+  const Term term = parsed(row.term);
+  const auto is_there = [&](std::size_t i, std::size_t j) {
+    for (std::size_t k = 0; k < 4; ++k)
+      if (term.rows[k] == i && term.columns[k] == j) return true;
+    return false;
+  };
+  return {"7.9-term_" + std::string(row.permutation),
+          "it is the determinant where all other entries are zero",
+          {determinant_is(
+              "printed", [&](const auto& m) { return sum_of({term}, m); }, is_there)}};
+}
+
+}  // namespace
+
+Provables proofs() {
+  const auto everywhere = [](std::size_t, std::size_t) { return true; };
+  const std::vector<Term> all = printed_terms();
+  Matrix4<Expression> ones;
+  for (auto& row : ones) row.fill(1);
+  Provables proofs{
+      {"7.9-formula",
+       "the signed sum over all permutations is the determinant; of a matrix of ones one term is not",
+       {determinant_is(
+            "meant", [](const auto& m) { return sum_over_permutations(m, true); }, everywhere),
+        {.name = "printed_differs",
+         .follows = {apart(sum_of({all[0]}, ones), by_cofactors(ones), 1)},
+         .tactic = by_arithmetic}},
+       1},
+      {"7.9-table",
+       "the sum of the 24 printed terms is the determinant",
+       {determinant_is(
+           "printed", [&](const auto& m) { return sum_of(all, m); }, everywhere)}}};
+  for (const Row& row : table) proofs.push_back(proof_of_row(row));
+  return proofs;
+}
+
 }  // namespace oddity::ex07_09
+
+namespace oddity {
+
+Provables proofs_7_9() { return ex07_09::proofs(); }
+
+}  // namespace oddity

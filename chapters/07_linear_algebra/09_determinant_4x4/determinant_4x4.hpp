@@ -42,6 +42,23 @@ T term_of(const Term& t, const Matrix4<T>& m) {
          m[t.rows[3]][t.columns[3]];
 }
 
+/// Rows r and s, columns c and d.
+template <class T>
+T minor_2(const Matrix4<T>& m, std::size_t r, std::size_t s, std::size_t c, std::size_t d) {
+  return m[r][c] * m[s][d] - m[r][d] * m[s][c];
+}
+
+/// Along the first row, and along the first rows of its minors.
+template <class T>
+T by_cofactors(const Matrix4<T>& m) {
+  const auto minor_3 = [&](std::size_t c, std::size_t d, std::size_t e) {
+    return m[1][c] * minor_2(m, 2, 3, d, e) - m[1][d] * minor_2(m, 2, 3, c, e) +
+           m[1][e] * minor_2(m, 2, 3, c, d);
+  };
+  return m[0][0] * minor_3(1, 2, 3) - m[0][1] * minor_3(0, 2, 3) + m[0][2] * minor_3(0, 1, 3) -
+         m[0][3] * minor_3(0, 1, 2);
+}
+
 std::vector<Claim> claims(const Random&);
 
 }  // namespace oddity::ex07_09

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// A number that records what is computed with it, as the proof assistant Coq writes it. A formula that is
+/// generic in its number type is checked in double and proved as it is recorded.
+namespace oddity {
+
+class Expression {
+ public:
+  Expression() : Expression(0.0) {}
+  /// The shortest decimal that reads back as the same double, as an exact fraction. Throws std::logic_error
+  /// where it is not finite.
+  Expression(double);
+  /// A letter, or a term that Coq reads as one.
+  static Expression letter(std::string name) { return {std::move(name), Level::atom}; }
+
+  const std::string& coq() const { return text_; }
+
+  friend Expression operator+(const Expression&, const Expression&);
+  friend Expression operator-(const Expression&, const Expression&);
+  friend Expression operator*(const Expression&, const Expression&);
+  friend Expression operator/(const Expression&, const Expression&);
+  friend Expression operator-(const Expression&);
+  Expression& operator+=(const Expression& x) { return *this = *this + x; }
+  friend Expression pow(const Expression&, int exponent);
+  friend Expression function(std::string_view name, const Expression&);
+
+ private:
+  /// What binds stronger comes first.
+  enum class Level { atom, power, sign, product, sum };
+  Expression(std::string text, Level level) : text_(std::move(text)), level_(level) {}
+  /// In parentheses unless it binds as strongly as this.
+  std::string within(Level) const;
+
+  std::string text_;
+  Level level_;
+};
+
+inline Expression sqrt(const Expression& x) { return function("sqrt", x); }
+inline Expression sin(const Expression& x) { return function("sin", x); }
+inline Expression cos(const Expression& x) { return function("cos", x); }
+inline Expression exp(const Expression& x) { return function("exp", x); }
+inline Expression log(const Expression& x) { return function("ln", x); }
+inline Expression atan(const Expression& x) { return function("atan", x); }
+inline Expression abs(const Expression& x) { return function("Rabs", x); }
+
+/// Of a number above zero.
+inline Expression cbrt(const Expression& x) {
+  return Expression::letter("(Rpower (" + x.coq() + ") (1 / 3))");
+}
+inline Expression pi_in_coq() { return Expression::letter("PI"); }
+
+/// The integral over the letter `name` of what `integrand` makes of it.
+template <class F>
+Expression integral(const F& integrand, const Expression& from, const Expression& to,
+                    const std::string& name) {
+  const std::string inner = integrand(Expression::letter(name)).coq();
+  return Expression::letter("(RInt (fun " + name + " => " + inner + ") (" + from.coq() + ") (" + to.coq() +
+                            "))");
+}
+
+using Expressions = std::vector<Expression>;
+
+}  // namespace oddity

@@ -1,0 +1,111 @@
+#include "report/study/prove.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <sstream>
+#include <system_error>
+
+#include "reference/files.hpp"
+#include "reference/proofs.hpp"
+#include "report/study/parallel.hpp"
+#include "report/study/run_program.hpp"
+
+namespace oddity {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::chrono::minutes most_time{5};
+
+fs::path file_of(const fs::path& folder, const std::string& claim) { return folder / (claim + ".v"); }
+/// Says of which file it was proved.
+fs::path seal_of(const fs::path& folder, const std::string& claim) { return folder / (claim + ".proved"); }
+
+/// coqc takes names of modules alone, and leaves what it compiled beside them: both in a folder of its own.
+Ended coqc(const std::string& text, const fs::path& folder) {
+  const fs::path file = folder / "proof.v";
+  write_whole(file, text);
+  const Ended ended = run_program({"coqc", "-q", "-w", "none", file.string()}, "", most_time);
+  fs::remove_all(folder);
+  return ended;
+}
+
+Checked checked(const Provable& provable, const fs::path& folder) {
+  Checked result;
+  result.claim = provable.claim;
+  const std::string text = coq_file(provable), hash = proof_hash(text);
+  if (read_sealed(seal_of(folder, provable.claim)) == hash + "\n") {
+    result.proved = result.kept = true;
+    return result;
+  }
+  const auto begun = std::chrono::steady_clock::now();
+  const Ended ended = coqc(text, folder / (provable.claim + ".part"));
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  if (!ended.ok) {
+    result.message = "coqc: " + ended.how + ": " + ended.words;
+    return result;
+  }
+  for (const std::string& axiom : unknown_axioms(ended.output))
+    result.message += "it rests on " + axiom + "; ";
+  result.proved = result.message.empty();
+  if (result.proved) keep_sealed(seal_of(folder, provable.claim), hash + "\n");
+  return result;
+}
+
+bool is_known(const std::string& axiom) {
+  static constexpr std::array<std::string_view, 8> known{
+      "ClassicalDedekindReals.sig_",
+      "FunctionalExtensionality.functional_extensionality_dep",
+      "Classical_Prop.classic",
+      "Uint63.",
+      "PrimInt63.",
+      "FloatAxioms.",
+      "PrimFloat.",
+      "ClassicalEpsilon.constructive_indefinite_description"};
+  return std::ranges::any_of(known, [&](std::string_view name) { return axiom.starts_with(name); });
+}
+
+}  // namespace
+
+std::vector<std::string> unknown_axioms(const std::string& printed) {
+  std::vector<std::string> unknown;
+  std::istringstream lines(printed);
+  for (std::string line; std::getline(lines, line);) {
+    const bool begins = !line.empty() && line[0] != ' ' && line != "Axioms:" && line[0] != ':' &&
+                        line != "Closed under the global context";
+    const std::string name = line.substr(0, line.find(' '));
+    if (begins && !is_known(name)) unknown.push_back(name);
+  }
+  return unknown;
+}
+
+bool coq_is_there() {
+  const fs::path folder = fs::temp_directory_path() / ("oddity_coq_" + std::to_string(getpid()));
+  try {
+    return coqc(coq_file({"0.0-nothing", "whether the libraries are there"}), folder).ok;
+  } catch (const std::system_error&) {
+    fs::remove_all(folder);
+    return false;
+  }
+}
+
+void write_proofs(const Provables& provables, const fs::path& folder) {
+  for (const Provable& p : provables) write_whole(file_of(folder, p.claim), coq_file(p));
+}
+
+std::vector<Checked> prove(const Provables& provables, const fs::path& folder, const Progress& progress) {
+  write_proofs(provables, folder);
+  std::vector<Checked> all(provables.size());
+  Stage stage(progress, "proofs", provables.size());
+  in_parallel(provables.size(), [&](std::size_t i) {
+    all[i] = checked(provables[i], folder);
+    stage.add();
+  });
+  return all;
+}
+
+}  // namespace oddity
