@@ -67,11 +67,12 @@ void Parameters::set(std::string_view name, double value) {
   const std::size_t i = index(name);
   const Parameter& p = declared_[i];
   if (!(std::isfinite(value) && p.least <= value && value <= p.most))
-    throw BadInput("parameter " + std::string(name) + " = " + shortest(value) +
-                   " is out of its range: " + shortest(p.least) + " to " + shortest(p.most) +
+    throw BadInput("parameter " + std::string(name) + " = " + format_shortest(value) +
+                   " is out of its range: " + format_shortest(p.least) + " to " + format_shortest(p.most) +
                    (p.unit.empty() || p.unit == "1" ? "" : " " + std::string(p.unit)));
   if (p.whole && value != std::round(value))
-    throw BadInput("parameter " + std::string(name) + " = " + shortest(value) + " is not a whole number");
+    throw BadInput("parameter " + std::string(name) + " = " + format_shortest(value) +
+                   " is not a whole number");
   values_[i] = value;
 }
 
@@ -85,7 +86,8 @@ Tolerance printed_decimals(int decimals) {
 }
 
 Tolerance rounding(double scale, double ulps) {
-  return {ulps * epsilon * scale, rounded(ulps, 4) + " roundings of terms of size " + rounded(scale, 3)};
+  return {ulps * epsilon * scale,
+          format_significant(ulps, 4) + " roundings of terms of size " + format_significant(scale, 3)};
 }
 
 bool Check::holds() const {
@@ -164,7 +166,7 @@ Knob no_knob() { return {"", {0}}; }
 Knob tolerances(int first, int last, int stride) {
   Knob knob{"tolerance", {}};
   for (int digits = first; digits <= last; digits += stride)
-    knob.settings.push_back(*number_in("1e-" + std::to_string(digits)));
+    knob.settings.push_back(*parse_number("1e-" + std::to_string(digits)));
   return knob;
 }
 

@@ -76,7 +76,7 @@ inline Known trajectory(const Reference& truth, std::string_view name, const std
 /// "4 times up to 10 s".
 inline std::string times_up_to(const Horizon& horizon, const std::string& unit = "s") {
   const std::string times = horizon.count() == 1 ? " time up to " : " times up to ";
-  return std::to_string(horizon.count()) + times + shortest(horizon.end) + " " + unit;
+  return std::to_string(horizon.count()) + times + format_shortest(horizon.end) + " " + unit;
 }
 
 /// A method that needs no steps: see(t, answer) gives the observables at each of the horizon's times, and

@@ -10,7 +10,7 @@
 namespace oddity {
 
 double CsvRow::number(std::size_t i) const {
-  if (const auto x = number_in(cells[i])) return *x;
+  if (const auto x = parse_number(cells[i])) return *x;
   throw BadInput(place + ": '" + cells[i] + "' in column " + std::to_string(i + 1) + " is not a number");
 }
 

@@ -34,7 +34,8 @@ std::string proofs_csv(const ProvedClaims& proofs) {
       "has another. margin: what the printed value is off by, at the least.\n"
       "claim,hash,proved,margin\n";
   for (const auto& [claim, p] : proofs)
-    text += claim + "," + p.hash + ",\"" + p.proved + "\"," + (p.margin > 0 ? shortest(p.margin) : "") + "\n";
+    text += claim + "," + p.hash + ",\"" + p.proved + "\"," +
+            (p.margin > 0 ? format_shortest(p.margin) : "") + "\n";
   return text;
 }
 

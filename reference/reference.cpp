@@ -37,7 +37,7 @@ std::string listed(const std::vector<std::string>& words) {
 
 std::string listed(const std::vector<double>& numbers) {
   std::vector<std::string> words(numbers.size());
-  std::ranges::transform(numbers, words.begin(), shortest);
+  std::ranges::transform(numbers, words.begin(), format_shortest);
   return listed(words);
 }
 
@@ -104,7 +104,7 @@ std::string source_of(const truth::Truth& truth) {
 /// "3.5" of 03_05_swing.
 std::string exercise_of(std::string_view table) {
   const auto number = [&](std::size_t at) {
-    return shortest(number_in(table.substr(at, 2)).value_or(no_number));
+    return format_shortest(parse_number(table.substr(at, 2)).value_or(no_number));
   };
   return number(0) + "." + number(3);
 }
@@ -112,7 +112,7 @@ std::string exercise_of(std::string_view table) {
 /// Whose values are made on the spot where there is no table.
 bool of_ones_own(std::string_view table) {
   const auto number = [&](std::size_t at) {
-    return static_cast<int>(number_in(table.substr(at, 2)).value());
+    return static_cast<int>(parse_number(table.substr(at, 2)).value());
   };
   return !is_published(number(0), number(3));
 }
@@ -121,7 +121,7 @@ bool of_ones_own(std::string_view table) {
 std::string named(const truth::Truth& truth, const std::vector<double>& inputs) {
   std::string all;
   for (std::size_t i = 0; i < inputs.size(); ++i)
-    all += (all.empty() ? "" : ", ") + truth.inputs[i] + " = " + shortest(inputs[i]);
+    all += (all.empty() ? "" : ", ") + truth.inputs[i] + " = " + format_shortest(inputs[i]);
   return all;
 }
 
@@ -183,7 +183,7 @@ std::optional<Known> kept_motion(const fs::path& cache, const std::string& key) 
   std::istringstream lines(text->substr(key.size() + 1));
   Known known;
   for (std::string line; std::getline(lines, line);)
-    if (const auto x = number_in(line))
+    if (const auto x = parse_number(line))
       known.value.push_back(*x);
     else
       return {};
@@ -194,8 +194,8 @@ std::optional<Known> kept_motion(const fs::path& cache, const std::string& key) 
 }
 
 void keep_motion(const fs::path& cache, const std::string& key, const Known& known) {
-  std::string text = key + "\n" + shortest(known.error) + "\n";
-  for (double x : known.value) text += shortest(x) + "\n";
+  std::string text = key + "\n" + format_shortest(known.error) + "\n";
+  for (double x : known.value) text += format_shortest(x) + "\n";
   keep_sealed(kept_file(cache, key), text);
 }
 

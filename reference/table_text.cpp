@@ -63,7 +63,7 @@ std::string table(const std::string& name, const Truth& truth, const Distances& 
   for (const std::vector<double>& row : truth.rows) {
     const std::vector<Cell> all = cells(truth, row, distances);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      for (double input : row) out << shortest(input) << ",";
+      for (double input : row) out << format_shortest(input) << ",";
       out << truth.components[i].name << "," << all[i].value << "," << all[i].error << "," << all[i].bound
           << "," << truth.components[i].unit << "\n";
     }

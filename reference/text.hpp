@@ -8,21 +8,21 @@
 namespace oddity {
 
 /// The shortest decimal that reads back as the same double ("inf", "nan" included).
-inline std::string shortest(double x) {
+inline std::string format_shortest(double x) {
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, x).ptr;
   return {buffer, end};
 }
 
 /// `digits` significant digits, in the shorter of fixed and scientific notation.
-inline std::string rounded(double x, int digits) {
+inline std::string format_significant(double x, int digits) {
   char buffer[64];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, digits).ptr;
   return {buffer, end};
 }
 
 /// The whole text as a number, or nothing. A leading '+' is accepted.
-inline std::optional<double> number_in(std::string_view text) {
+inline std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double x{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);

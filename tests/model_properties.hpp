@@ -105,8 +105,8 @@ class AtRandom {
       const double allowed =
           2 * distance(*fine, *coarse) + distance(*fine, *nudged) + rounding(size_of(*fine), 4096).allowed;
       if (off <= allowed) return "";
-      return "after " + shortest(end) + " it is off by " + shortest(off) + ", and " + shortest(allowed) +
-             " is allowed";
+      return "after " + format_shortest(end) + " it is off by " + format_shortest(off) + ", and " +
+             format_shortest(allowed) + " is allowed";
     }
     return "";
   }
@@ -117,7 +117,7 @@ class AtRandom {
       const double end = affordable(model, entry_.exercise.scene->horizon);
       const Answer answer = type_erased(model)->run("Fehlberg 7(8)", {end, 4}, 1e-12);
       if (!answer.reached() || answer.drift <= 1e-6) return "";
-      return "after " + shortest(end) + " it has changed by " + shortest(answer.drift) +
+      return "after " + format_shortest(end) + " it has changed by " + format_shortest(answer.drift) +
              " of what moves in it";
     }
     return "";

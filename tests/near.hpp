@@ -13,9 +13,9 @@ struct Near {
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Near& near) {
-  return out << oddity::shortest(near.got) << " near " << oddity::shortest(near.expected) << " within "
-             << oddity::rounded(near.allowed, 3) << " (off by "
-             << oddity::rounded(near.got - near.expected, 3) << ")";
+  return out << oddity::format_shortest(near.got) << " near " << oddity::format_shortest(near.expected)
+             << " within " << oddity::format_significant(near.allowed, 3) << " (off by "
+             << oddity::format_significant(near.got - near.expected, 3) << ")";
 }
 
 inline Near near(double got, double expected, double allowed) { return {got, expected, allowed}; }
@@ -32,8 +32,8 @@ struct Within {
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Within& within) {
-  return out << oddity::shortest(within.got) << " within " << oddity::shortest(within.low) << " and "
-             << oddity::shortest(within.high);
+  return out << oddity::format_shortest(within.got) << " within " << oddity::format_shortest(within.low)
+             << " and " << oddity::format_shortest(within.high);
 }
 
 inline Within within(double got, double low, double high) { return {got, low, high}; }

@@ -52,9 +52,9 @@ inline std::string wrong_at(const Parameters& parameters, const Property& proper
 /// Each parameter as the book has it, or else with fewer digits, as long as something is wrong.
 inline Parameters shrunk(Parameters failing, const Property& property) {
   for (const Parameter& p : failing.declared())
-    for (const double simpler :
-         {p.value, number_in(rounded(failing[p.name], 1)).value(),
-          number_in(rounded(failing[p.name], 2)).value(), number_in(rounded(failing[p.name], 4)).value()}) {
+    for (const double simpler : {p.value, parse_number(format_significant(failing[p.name], 1)).value(),
+                                 parse_number(format_significant(failing[p.name], 2)).value(),
+                                 parse_number(format_significant(failing[p.name], 4)).value()}) {
       if (!(p.least <= simpler && simpler <= p.most)) continue;
       Parameters simple = failing;
       simple.set(p.name, simpler);
@@ -69,7 +69,7 @@ inline std::string command(const Entry& entry, const Parameters& parameters) {
   std::string words = "oddity solve " + to_string(entry.number);
   for (const Parameter& p : parameters.declared())
     if (parameters[p.name] != p.value)
-      words += " " + std::string(p.name) + "=" + shortest(parameters[p.name]);
+      words += " " + std::string(p.name) + "=" + format_shortest(parameters[p.name]);
   return words;
 }
 

@@ -92,8 +92,8 @@ TEST_CASE("the cheapest method is chosen for a scene with events", "[events]") {
   REQUIRE(stepped.chosen);
   CHECK(stepped.chosen->algorithm == "velocity Verlet");
   CHECK(stepped.chosen->error < 1e-9);
-  const auto euler = std::ranges::find(stepped.tried, "explicit Euler", &Tried::algorithm);
-  REQUIRE(euler != stepped.tried.end());
+  const auto euler = std::ranges::find(stepped.candidates, "explicit Euler", &Candidate::algorithm);
+  REQUIRE(euler != stepped.candidates.end());
   CHECK(euler->error > stepped.chosen->error * 1e3);
 }
 

@@ -1,11 +1,11 @@
-// Where the ledger says that a model stops being enough for a game, against formulas and integrations of this
-// file's own, at every frame.
+// Where the page of cheapest models says that a model stops being enough for a game, against formulas and
+// integrations of this file's own, at every frame.
 
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
 #include <functional>
 
-#include "report/study/ledger.hpp"
+#include "report/study/cheapest_models.hpp"
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/integrate.hpp"
 #include "tests/catch.hpp"
@@ -18,18 +18,18 @@ namespace {
 constexpr double pi = 3.14159265358979323846, degree = pi / 180, centimeter = 0.01;
 constexpr int frames = 600;  // ten seconds
 
-const Ledger& ledger_of(Number number) {
-  static std::map<Number, Ledger> made;
+const CheapestModels& cheapest_models_of(Number number) {
+  static std::map<Number, CheapestModels> made;
   static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   if (!made.contains(number)) {
     const auto entry = std::ranges::find_if(registry(), [&](const Entry& e) { return e.number == number; });
-    made.emplace(number, ledger(Task(*entry), truth).value());
+    made.emplace(number, cheapest_models(Task(*entry), truth).value());
   }
   return made.at(number);
 }
 
 std::optional<BreakEven> break_even(Number number, const std::string& model, const std::string& parameter) {
-  for (const BreakEven& found : ledger_of(number).break_evens)
+  for (const BreakEven& found : cheapest_models_of(number).break_evens)
     if (found.model == model && found.parameter == parameter) return found;
   return {};
 }
@@ -44,7 +44,7 @@ double crossing(const std::function<double(double)>& f, double limit, double low
   return (low + high) / 2;
 }
 
-/// The ledger's intervals are where the largest error at any frame is within the limit, but for 0.2 % beside
+/// The page's intervals are where the largest error at any frame is within the limit, but for 0.2 % beside
 /// their ends.
 void check_intervals(const BreakEven& found, const std::function<double(double)>& largest_error,
                      double limit) {
@@ -183,7 +183,7 @@ double fixed_tip(double lambda) {
 
 }  // namespace
 
-TEST_CASE("where a pendulum's closed forms stop being enough", "[ledger][slow]") {
+TEST_CASE("where a pendulum's closed forms stop being enough", "[cheapest][slow]") {
   for (const auto& [model, error, low, high] :
        {std::tuple("small angle", &small_angle, 0.1, 0.5),
         std::tuple("amplitude-corrected", &amplitude_corrected, 0.5, 2.0)}) {
@@ -196,13 +196,13 @@ TEST_CASE("where a pendulum's closed forms stop being enough", "[ledger][slow]")
   }
 }
 
-TEST_CASE("where a small oscillation stops being enough", "[ledger][slow]") {
+TEST_CASE("where a small oscillation stops being enough", "[cheapest][slow]") {
   const auto found = break_even({3, 23}, "small oscillation", "theta0");
   REQUIRE(found);
   check_intervals(*found, small_oscillation, centimeter);
 }
 
-TEST_CASE("a mean precession is nowhere enough for good", "[ledger][slow]") {
+TEST_CASE("a mean precession is nowhere enough for good", "[cheapest][slow]") {
   const auto found = break_even({3, 33}, "mean precession", "dpsi");
   if (found && found->parameter == "dpsi") {
     check_intervals(*found, mean_precession, degree);
@@ -212,7 +212,7 @@ TEST_CASE("a mean precession is nowhere enough for good", "[ledger][slow]") {
   }
 }
 
-TEST_CASE("a fixed tip is judged by its own motion, not by an algorithm's", "[ledger][slow]") {
+TEST_CASE("a fixed tip is judged by its own motion, not by an algorithm's", "[cheapest][slow]") {
   const auto found = break_even({3, 35}, "fixed tip, as proposed", "lambda");
   if (found && found->parameter == "lambda")
     check_intervals(*found, fixed_tip, degree);

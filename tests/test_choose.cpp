@@ -131,8 +131,8 @@ TEST_CASE("a coarse model that fails beside the start asked for is not chosen", 
 
 TEST_CASE("steps divide the frame, and the first that holds is taken", "[choose]") {
   const Choice choice = choose_for(asked(0.06, 0.1), 5);
-  const auto stepping = std::ranges::find(choice.tried, "stepping", &Tried::model);
-  REQUIRE(stepping != choice.tried.end());
+  const auto stepping = std::ranges::find(choice.candidates, "stepping", &Candidate::model);
+  REQUIRE(stepping != choice.candidates.end());
   CHECK(stepping->holds());
   CHECK(std::round(1 / (stepping->setting * 10)) == 10);
 }
@@ -228,7 +228,7 @@ TEST_CASE("a precision is asked for, and what is chosen in double is tried in fl
   need.only = {"stepping"};
   const auto precisions = [](const Choice& choice) {
     std::set<Precision> all;
-    for (const Tried& t : choice.tried) all.insert(t.precision);
+    for (const Candidate& t : choice.candidates) all.insert(t.precision);
     return all;
   };
   const Choice in_double = choose_for(need);
@@ -262,8 +262,8 @@ TEST_CASE("a precision is asked for, and what is chosen in double is tried in fl
 TEST_CASE("what fails at a higher cost than the chosen one's is not followed to finer settings", "[choose]") {
   Need need = asked(5e-4, 10);
   const auto steps_of = [](const Choice& choice) {
-    const auto stepping = std::ranges::find(choice.tried, "stepping", &Tried::model);
-    return stepping == choice.tried.end() ? 0 : std::lround(1 / (stepping->setting * 10));
+    const auto stepping = std::ranges::find(choice.candidates, "stepping", &Candidate::model);
+    return stepping == choice.candidates.end() ? 0 : std::lround(1 / (stepping->setting * 10));
   };
   const Choice left = choose_for(need);
   CHECK(left.chosen->model == "rich");

@@ -43,7 +43,7 @@ Choice choice_of(const Method& method) {
   choice.need = need_of_a_second();
   choice.quantity = "motion";
   choice.time_unit = "s";
-  choice.chosen = Tried{method.model, method.algorithm, method.knob.name};
+  choice.chosen = Candidate{method.model, method.algorithm, method.knob.name};
   choice.chosen->setting = method.knob.name == "step" ? 1 / (frames_per_second * steps) : 0;
   choice.chosen->unseen_error = 0.5;
   choice.chosen->precision = method.precision;

@@ -117,8 +117,8 @@ TEST_CASE("choosing by what is held: a length at every frame, or by construction
   CHECK(text.find("with what is held off by 1 mm at most, at every frame") != std::string::npos);
   CHECK(text.find(" mm") != std::string::npos);
   CHECK(text.substr(0, text.find("As an engine")).find("held by construction") == std::string::npos);
-  const auto euler = std::ranges::find(held.tried, "explicit Euler", &Tried::algorithm);
-  REQUIRE(euler != held.tried.end());
+  const auto euler = std::ranges::find(held.candidates, "explicit Euler", &Candidate::algorithm);
+  REQUIRE(euler != held.candidates.end());
   CHECK(euler->evaluations_per_frame > held.chosen->evaluations_per_frame);
 
   const Choice all = chosen({}, "3.5", "1mm");

@@ -10,7 +10,7 @@
 #include "report/pages/engines_page.hpp"
 #include "report/pages/engines_view.hpp"
 #include "report/study/engines.hpp"
-#include "report/study/starts.hpp"
+#include "report/study/initial_conditions.hpp"
 #include "solvers/engines/turns.hpp"
 #include "tests/catch.hpp"
 #include "tests/complaint.hpp"

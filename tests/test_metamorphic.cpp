@@ -528,10 +528,10 @@ void check_same(const Choice& a, const Choice& b, double time) {
 
 TEST_CASE("a pendulum let go where its energy is zero is chosen for as any other", "[metamorphic]") {
   const Choice level = chosen_in({""}, 5, {{"a", std::numbers::pi / 2}});
-  for (const Tried& tried : level.tried) {
-    if (tried.algorithm != "Fehlberg 7(8)") continue;
-    INFO(tried.model);
-    CHECK(tried.outcome == Outcome::ok);
+  for (const Candidate& candidate : level.candidates) {
+    if (candidate.algorithm != "Fehlberg 7(8)") continue;
+    INFO(candidate.model);
+    CHECK(candidate.outcome == Outcome::ok);
   }
   check_same(level, chosen_in({""}, 5, {{"a", 1.5707963}}), 1);
   check_same(level, chosen_in(longer, 5, {{"a", std::numbers::pi / 2}}), 1);

@@ -14,9 +14,9 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 std::string more_than(double off, double allowed, double t) {
-  return off <= allowed
-             ? ""
-             : "at t = " + shortest(t) + " by " + shortest(off) + ", more than " + shortest(allowed);
+  return off <= allowed ? ""
+                        : "at t = " + format_shortest(t) + " by " + format_shortest(off) + ", more than " +
+                              format_shortest(allowed);
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ TEST_CASE("without friction the ball goes round an ellipse, and from the other s
           const auto here = damped_ball::OneForm<double>{rubbed}.at(t),
                      there = damped_ball::OneForm<double>{mirrored}.at(t);
           if (here[0] != -there[0] || here[1] != -there[1])
-            wrong = "at t = " + shortest(t) + " it is not mirrored";
+            wrong = "at t = " + format_shortest(t) + " it is not mirrored";
         }
         return wrong;
       });

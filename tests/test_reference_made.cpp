@@ -185,7 +185,7 @@ void compare(const std::vector<std::string>& stored, const MadeAgain& again, std
              std::size_t component) {
   const auto& inputs = again.truth.rows[row];
   REQUIRE(stored.size() == inputs.size() + 5);
-  for (std::size_t i = 0; i < inputs.size(); ++i) CHECK(stored[i] == shortest(inputs[i]));
+  for (std::size_t i = 0; i < inputs.size(); ++i) CHECK(stored[i] == format_shortest(inputs[i]));
   CHECK(stored[inputs.size()] == again.truth.components[component].name);
   CHECK(stored.back() == again.truth.components[component].unit);
   const truth::Number value(stored[inputs.size() + 1]), error(stored[inputs.size() + 2]);

@@ -7,7 +7,7 @@
 #include "report/pages/markdown.hpp"
 #include "report/pages/markup.hpp"
 #include "report/pages/write_report.hpp"
-#include "report/study/ledger.hpp"
+#include "report/study/cheapest_models.hpp"
 #include "report/study/stability.hpp"
 #include "tests/catch.hpp"
 #include "tests/hostile.hpp"
@@ -83,8 +83,8 @@ int pages_with(const std::string& text) {
       INFO(place.to_string() << " = " << text);
       for (const std::string& page :
            {index_page(*results), exercise_page_text(*results, results->exercises[0]),
-            errata_page_text(*results), single_page(*results), times_page(*results), ledger_page(*results),
-            stability_page(*results), charts_page(results->exercises[0])})
+            errata_page_text(*results), single_page(*results), times_page(*results),
+            cheapest_models_page(*results), stability_page(*results), charts_page(results->exercises[0])})
         CHECK(broken_out(page) == std::vector<std::string>());
     }
   return written;

@@ -48,7 +48,7 @@ std::vector<std::string> words(const std::string& text) {
 std::vector<double> numbers(const std::string& text) {
   std::vector<double> all;
   for (const std::string& word : words(text))
-    if (const auto x = number_in(word))
+    if (const auto x = parse_number(word))
       all.push_back(*x);
     else
       return {};
@@ -61,7 +61,7 @@ std::vector<double> letters(std::string_view where) {
   for (auto i = where.find(" = "); i != where.npos; i = where.find(" = ", i)) {
     i += 3;
     const auto end = std::min(where.find(',', i), where.size());
-    if (const auto x = number_in(where.substr(i, end - i))) all.push_back(*x);
+    if (const auto x = parse_number(where.substr(i, end - i))) all.push_back(*x);
   }
   return all;
 }

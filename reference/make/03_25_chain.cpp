@@ -6,13 +6,14 @@
 #include "reference/make/extrapolation.hpp"
 #include "reference/make/taylor.hpp"
 
-// Positions of the triple pendulum's masses after the time t. Nearby starts part exponentially: both routes
-// work with digits to spare.
+// Positions of the triple pendulum's masses after the time t. Neighbouring trajectories diverge
+// exponentially: both routes work with digits to spare.
 namespace oddity::truth {
 
 namespace chain_03_25 {
 
-/// Past 4 s neighbours of the wide start part so fast that 42 digits would take minutes a row.
+/// Past 4 s neighbouring trajectories of the large-angle start diverge so fast that 42 digits would take
+/// minutes a row.
 Precision digits_at(double t, Precision asked) {
   return {t > 4 ? std::min(asked.digits, 32) : asked.digits, asked.kept};
 }

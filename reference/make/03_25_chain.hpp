@@ -99,8 +99,8 @@ struct ChainTensions {
       const T speed = dot(n + k, n + k);
       right.push_back(k == 0 ? speed - x[1] * c.g : speed);
       if (k == 0) continue;
-      const T beside = dot(k, k - 1) * weight(k - 1), factor = beside / diagonal[k - 1];
-      diagonal[k] = diagonal[k] - factor * beside;
+      const T coupling = dot(k, k - 1) * weight(k - 1), factor = coupling / diagonal[k - 1];
+      diagonal[k] = diagonal[k] - factor * coupling;
       right[k] = right[k] + factor * right[k - 1];
     }
     std::vector<T> s = right;

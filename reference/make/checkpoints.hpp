@@ -9,7 +9,7 @@
 
 #include "reference/truth.hpp"
 
-/// A motion that is looked at at many times is integrated once.
+/// Motions sampled at many times are integrated only once.
 namespace oddity::truth {
 
 /// States along motions, kept from call to call. For many threads.

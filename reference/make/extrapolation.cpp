@@ -99,9 +99,10 @@ Numbers advance(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digi
   const Number tolerance = pow(Number(10), -digits - 3);
   const Rhs counted = [&](const Numbers& y, const Number& t) {
     if (++budget.spent > budget.all)
-      throw BudgetSpent("extrapolation: the budget of " + std::to_string(budget.all) +
-                        " right-hand sides is spent at t = " + rounded(static_cast<double>(t0), 6) + " of " +
-                        rounded(static_cast<double>(t1), 6));
+      throw BudgetSpent(
+          "extrapolation: the budget of " + std::to_string(budget.all) +
+          " right-hand sides is spent at t = " + format_significant(static_cast<double>(t0), 6) + " of " +
+          format_significant(static_cast<double>(t1), 6));
     return rhs(y, t);
   };
   while (t0 != t1) {

@@ -57,7 +57,8 @@ void require_budget(long spent, long budget, const Number& t, const Number& t1) 
   if (spent >= budget)
     throw BudgetSpent("Taylor series: the budget of " + std::to_string(budget) +
                       " expansions of the right-hand side is spent at t = " +
-                      rounded(static_cast<double>(t), 6) + " of " + rounded(static_cast<double>(t1), 6));
+                      format_significant(static_cast<double>(t), 6) + " of " +
+                      format_significant(static_cast<double>(t1), 6));
 }
 
 }  // namespace

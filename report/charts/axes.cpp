@@ -53,9 +53,9 @@ std::vector<double> ticks(const Scale& s, int about) {
 std::string tick_label(const Scale& s, double tick) {
   const double power = std::round(std::log10(std::abs(tick)));
   if (s.logarithmic && s.high / s.low > 50 && std::abs(power) > 2)
-    return with_powers("1e" + std::string(power < 0 ? "-" : "+") + shortest(std::abs(power)))
+    return with_powers("1e" + std::string(power < 0 ? "-" : "+") + format_shortest(std::abs(power)))
         .substr(std::string("1×").size());
-  return with_powers(rounded(tick, 4));
+  return with_powers(format_significant(tick, 4));
 }
 
 void add_axes(Svg& svg, const Plot& plot, const std::string& across, const std::string& upward) {

@@ -29,7 +29,7 @@ constexpr std::string_view style = R"(.drawing{--ink:#1f2328;--thing:#0072b2;--g
 .drawing .h{stroke:none;fill:currentColor}.drawing .v.h{fill:var(--thing)}.drawing .q.h{fill:var(--given)}
 )";
 
-std::string pixels(double x) { return shortest(std::round(10 * x) / 10); }
+std::string pixels(double x) { return format_shortest(std::round(10 * x) / 10); }
 
 std::string view_box(const Box& box) {
   return "viewBox=\"" + pixels(box.left) + " " + pixels(box.top) + " " + pixels(box.width()) + " " +
@@ -136,7 +136,7 @@ std::string frames_svg(const Entry& e, const Trajectory& t) {
     const double left = k * (width + gap);
     elements += "<svg x=\"" + pixels(left) + "\" y=\"0\" " + view_box(window) + ">\n" + sketch.elements() +
                 "</svg>\n<text class=\"n\" x=\"" + pixels(left + width / 2) + "\" y=\"" + pixels(high + 19) +
-                "\">" + rounded(times[now], 3) + " " + in_xml(t.time_unit) + "</text>\n";
+                "\">" + format_significant(times[now], 3) + " " + in_xml(t.time_unit) + "</text>\n";
   }
   return svg({0, 0, frames * (width + gap) - gap, high + below}, title_of(e, "the motion"), elements);
 }

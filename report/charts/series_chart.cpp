@@ -32,7 +32,8 @@ struct Growth {
     if (points.size() < 2) return "";
     const auto& [size, work] = points.back();
     const auto& [first_size, first_work] = points.front();
-    return " (work ~ n^" + rounded(std::log(work / first_work) / std::log(size / first_size), 3) + ")";
+    return " (work ~ n^" + format_significant(std::log(work / first_work) / std::log(size / first_size), 3) +
+           ")";
   }
 };
 
@@ -73,9 +74,9 @@ std::string series_finding(const std::vector<const QuantityResult*>& series) {
   std::pair<double, std::string> cheapest{INFINITY, ""};
   for (const Growth& g : growths(series)) {
     const auto& [size, work] = g.points.back();
-    cheapest = std::min(cheapest,
-                        {work / size, named(g.method->trials.back()) + " needs the least work: " +
-                                          with_commas(std::lround(work)) + " for n = " + rounded(size, 6)});
+    cheapest = std::min(cheapest, {work / size, named(g.method->trials.back()) + " needs the least work: " +
+                                                    with_commas(std::lround(work)) +
+                                                    " for n = " + format_significant(size, 6)});
   }
   return cheapest.second;
 }

@@ -136,13 +136,13 @@ void add_panel(Svg& svg, const Panel& p, const Stability& s, int height) {
   svg.path(theory, "theory");
   for (std::size_t i = 0; i < p.columns.size(); ++i)
     svg.text({middle_of(p.across, i, cell_width), p.down + height + 14.0},
-             with_powers(rounded(p.columns[i]->value, 3)), "dim small", Svg::Anchor::middle);
+             with_powers(format_significant(p.columns[i]->value, 3)), "dim small", Svg::Anchor::middle);
   svg.text({p.across + width / 2.0, p.down + height + 30.0}, axis_name(s.parameter, s.parameter_unit),
            "dim small", Svg::Anchor::middle);
   if (!p.first) return;
   for (std::size_t k = 0; k < s.steps.size(); ++k)
-    svg.text({p.across - 6.0, middle_of(p.down, k, cell_height) + 4}, with_powers(rounded(s.steps[k], 3)),
-             "dim small", Svg::Anchor::end);
+    svg.text({p.across - 6.0, middle_of(p.down, k, cell_height) + 4},
+             with_powers(format_significant(s.steps[k], 3)), "dim small", Svg::Anchor::end);
   svg.upward_text({14, p.down + height / 2.0}, axis_name("step", s.time_unit), "t");
 }
 
@@ -181,7 +181,7 @@ std::string finding_of(const Layout& layout, const Stability& s) {
   const std::string everywhere = "ok at every " + s.parameter;
   if (best == layout.panels.end() || longest_ok(*best, s) == 0) return "No method is " + everywhere;
   return best->columns[0]->algorithm + " (" + best->columns[0]->model + ") is " + everywhere +
-         " up to the longest step, " + rounded(longest_ok(*best, s), 3) + " " + s.time_unit;
+         " up to the longest step, " + format_significant(longest_ok(*best, s), 3) + " " + s.time_unit;
 }
 
 }  // namespace

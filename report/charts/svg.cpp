@@ -36,7 +36,7 @@ constexpr double headline_left = 12;
 
 long tenths(double x) { return std::lround(10 * x); }
 
-std::string in_pixels(long tenths) { return shortest(static_cast<double>(tenths) / 10); }
+std::string in_pixels(long tenths) { return format_shortest(static_cast<double>(tenths) / 10); }
 
 bool is_finite(Pixel p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 

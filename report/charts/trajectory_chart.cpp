@@ -267,7 +267,7 @@ std::string motion_finding(const QuantityResult& q) {
   const auto holds = [&](const Path& p) { return largest_error(t, p) <= t.close; };
   const auto good = std::ranges::count_if(t.paths, holds);
   const std::string need = with_powers(shown_error(t.close)) + unit_of(q) + " of the truth for " +
-                           rounded(t.times.back(), 3) + " " + t.time_unit;
+                           format_significant(t.times.back(), 3) + " " + t.time_unit;
   if (t.paths.size() == 1) return t.paths[0].model + " is the only model";
   if (good == static_cast<std::ptrdiff_t>(t.paths.size()))
     return "All " + std::to_string(good) + " models stay within " + need;

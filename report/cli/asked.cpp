@@ -123,7 +123,7 @@ double positive(const std::string& what, std::string_view text, std::string_view
 }
 
 int whole_of(const std::string& what, const std::string& text, int least, int most) {
-  const auto value = number_in(text);
+  const auto value = parse_number(text);
   if (!value || *value != std::round(*value) || *value < least || *value > most)
     throw BadInput(what + " must be a whole number from " + std::to_string(least) + " to " +
                    std::to_string(most) + ", and is '" + text + "'");
@@ -178,7 +178,7 @@ void set_errors(Need& need, const Entry& entry, const std::string& text) {
       motion(scene, Parameters(entry.exercise.parameters), {scene.horizon}, Reference::nothing());
   const auto units = seen.units();
   for (const std::string& one : words_between_commas(text)) {
-    if (number_in(one)) {
+    if (parse_number(one)) {
       need.error = positive("--error", one, "");
       continue;
     }
@@ -370,17 +370,18 @@ Need need_of(const Task& task, const AskedNeed& asked) {
   if (frames < 1) throw BadInput("the horizon is shorter than a frame");
   if (frames > most_frames) {
     const bool fast = need.frames_per_second > 1000;
-    throw BadInput("--horizon " + asked.horizon + " at --fps " + asked.frames_per_second + " asks for " +
-                   rounded(frames, 3) + " frames, of at most a million: " +
-                   (fast ? "--fps may be " + rounded(most_frames / need.horizon, 6) + " over that time"
-                         : "--horizon may be " + rounded(most_frames / need.frames_per_second, 6) + " " +
-                               time + " at that rate"));
+    throw BadInput(
+        "--horizon " + asked.horizon + " at --fps " + asked.frames_per_second + " asks for " +
+        format_significant(frames, 3) + " frames, of at most a million: " +
+        (fast ? "--fps may be " + format_significant(most_frames / need.horizon, 6) + " over that time"
+              : "--horizon may be " + format_significant(most_frames / need.frames_per_second, 6) + " " +
+                    time + " at that rate"));
   }
   if (!asked.restart_every.empty())
     need.restart_every = positive("--restart-every", asked.restart_every, time);
   need.bodies = whole_of("--bodies", asked.bodies, 1, 1'000'000);
   if (!asked.budget.empty()) {
-    if (number_in(asked.budget)) throw BadInput("--budget needs a unit, such as " + asked.budget + "us");
+    if (parse_number(asked.budget)) throw BadInput("--budget needs a unit, such as " + asked.budget + "us");
     need.budget = positive("--budget", asked.budget, "s");
   }
   return need;
@@ -399,8 +400,8 @@ int chapter_of(const std::string& chapter) {
 
 Shard shard_of(const std::string& text) {
   const auto slash = text.find('/');
-  const auto number = number_in(text.substr(0, slash)),
-             of = slash == std::string::npos ? std::optional<double>() : number_in(text.substr(slash + 1));
+  const auto number = parse_number(text.substr(0, slash)),
+             of = slash == std::string::npos ? std::optional<double>() : parse_number(text.substr(slash + 1));
   if (!number || !of || *number < 1 || *of < *number || *number != std::round(*number) ||
       *of != std::round(*of))
     throw BadInput("--shard is a part of the whole, such as 1/4 to 4/4, and is '" + text + "'");

@@ -134,7 +134,7 @@ Entrant cheapest(const Contest& contest, const Race& hand, const Error& error) {
     const Trial through = run(contest.through, contest.through.methods[m], setting);
     least = time;
     chosen = &method;
-    best.method = method.algorithm + ", " + method.knob.name + " " + rounded(setting, 2);
+    best.method = method.algorithm + ", " + method.knob.name + " " + format_significant(setting, 2);
     best.setting = setting;
     best.evaluations = end.answer.evaluations;
     best.final_error = end.error;
@@ -181,8 +181,8 @@ ExerciseTime time_exercise(const Entry& entry, const Reference& truth) {
         result.trials += time;
         if (time <= result.longest_trial) continue;
         result.longest_trial = time;
-        result.longest =
-            quantity.name + ": " + method.model + ", " + method.algorithm + " at " + rounded(setting, 3);
+        result.longest = quantity.name + ": " + method.model + ", " + method.algorithm + " at " +
+                         format_significant(setting, 3);
       }
   return result;
 }
@@ -297,7 +297,7 @@ std::string chains_text(const ChainBench& bench, const Screen& screen) {
   for (const ChainResult& c : bench.chains)
     rows.push_back({std::to_string(c.links), shown_time(c.tensions), shown_time(c.tensions / c.links),
                     std::isfinite(c.dense) ? shown_time(c.dense) : "-", fixed(c.bytes / c.links, 0),
-                    rounded(c.stable, 3) + " s", rounded(c.theory, 3) + " s"});
+                    format_significant(c.stable, 3) + " s", format_significant(c.theory, 3) + " s"});
   const Bound slope = slope_of(bench);
   return wrapped(
              "\nChains of n links: the accelerations by the rods' tensions and by the dense matrix, and the "

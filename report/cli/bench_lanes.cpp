@@ -126,12 +126,12 @@ std::string_view verdict_of(const LanesResult& r) {
   return r.holds() && r.same == r.bodies ? "holds" : r.broken() ? "BROKEN" : "undecided";
 }
 
-std::string in_nanoseconds(double seconds) { return rounded(seconds * 1e9, 3); }
+std::string in_nanoseconds(double seconds) { return format_significant(seconds * 1e9, 3); }
 
 /// "7.1 ns, 0.95", and how far that is from sure.
 std::string cell(const LanesResult& r) {
-  return in_nanoseconds(r.in_lanes.median) + " ns, " + rounded(r.share.median, 2) + " +- " +
-         rounded(r.share.half_width, 1);
+  return in_nanoseconds(r.in_lanes.median) + " ns, " + format_significant(r.share.median, 2) + " +- " +
+         format_significant(r.share.half_width, 1);
 }
 
 /// How many of those of fixed or of own steps hold, on one kind of register.
@@ -148,9 +148,10 @@ std::string summary(const LanesBench& bench, Registers registers) {
     if (all == 0) continue;
     text += (own ? "; by their own steps at least "
                  : std::string(lanes::name_of(registers)) + ": by fixed steps at least ") +
-            rounded(own ? of_own_steps : of_fixed_steps, 1) + " of the width in " + std::to_string(hold) +
-            " of " + std::to_string(all) + " (half of them from " + rounded(spread_of(shares).median, 2) +
-            " on, the least " + rounded(std::ranges::min(shares), 2) + ")";
+            format_significant(own ? of_own_steps : of_fixed_steps, 1) + " of the width in " +
+            std::to_string(hold) + " of " + std::to_string(all) + " (half of them from " +
+            format_significant(spread_of(shares).median, 2) + " on, the least " +
+            format_significant(std::ranges::min(shares), 2) + ")";
   }
   return text + "\n";
 }

@@ -44,8 +44,8 @@ struct SeriesSide {
   int runs() const { return static_cast<int>(std::ceil(1e-3 / std::max(seconds, 1e-6))); }
   SeriesEntrant entrant() const {
     if (!method) return {};
-    return {method->algorithm + ", " + method->knob.name + " " + rounded(setting, 2), trial.error, seconds,
-            trial.answer.evaluations};
+    return {method->algorithm + ", " + method->knob.name + " " + format_significant(setting, 2), trial.error,
+            seconds, trial.answer.evaluations};
   }
 };
 
@@ -95,7 +95,7 @@ SeriesRace race(const std::string& scene, const Quantity& motion, const std::str
   return result;
 }
 
-std::string two_decimals(double x) { return std::isfinite(x) ? rounded(x, 2) : "-"; }
+std::string two_decimals(double x) { return std::isfinite(x) ? format_significant(x, 2) : "-"; }
 
 }  // namespace
 

@@ -83,14 +83,14 @@ std::vector<EngineContest> with_earlier(const std::vector<EngineContest>& contes
 /// By the algorithms that engines and their critics name, with the steps that engines are tried with.
 std::vector<OwnSteps> own_steps(const Task& task, const Reference& truth) {
   const Need need = simple_need();
-  const std::vector<Start> start{Starts(task, need, truth).asked()};
+  const std::vector<Start> start{InitialConditions(task, need, truth).asked()};
   std::vector<OwnSteps> all{{"symplectic Euler", {}}, {"Runge-Kutta 4", {}}};
   for (auto& [algorithm, errors] : all)
     for (int steps = 1; steps <= EngineTask{}.finest; steps *= 2) {
       double least = std::numeric_limits<double>::infinity();
       for (const Method& method : start.front().motion.methods)
         if (method.algorithm == algorithm)
-          least = std::min(least, attempt(start, method, 1 / (need.frames_per_second * steps), need).error);
+          least = std::min(least, evaluate(start, method, 1 / (need.frames_per_second * steps), need).error);
       errors.emplace_back(steps, least);
     }
   return all;

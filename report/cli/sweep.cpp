@@ -15,8 +15,8 @@
 #include "reference/text.hpp"
 #include "report/charts/chart_parts.hpp"
 #include "report/cli/asked.hpp"
+#include "report/study/initial_conditions.hpp"
 #include "report/study/progress.hpp"
-#include "report/study/starts.hpp"
 #include "report/sweep/merge.hpp"
 #include "report/sweep/ranks.hpp"
 
@@ -68,7 +68,7 @@ sweep::Axis axis_of(const Task& task, const std::string& text) {
   std::string count = text.substr(colon + 1);
   axis.by_factor = setting || count.ends_with(":log");
   if (count.ends_with(":log")) count.resize(count.size() - 4);
-  const auto cells = number_in(count);
+  const auto cells = parse_number(count);
   if (!cells || *cells != std::round(*cells) || *cells < 2 || *cells > 1e6)
     throw BadInput("--over " + axis.name +
                    ": the number of cells is a whole one from 2 to 1000000, and is '" + count + "'");
@@ -102,14 +102,15 @@ sweep::Asked asked_of(const Words& w) {
   if (asked.axes.size() == 2 && (asked.axes[0].name == "step" || asked.axes[0].name == "tolerance"))
     std::swap(asked.axes[0], asked.axes[1]);
   if (!w.setting.empty())
-    asked.setting = in("--setting", w.setting, number_in(w.setting) ? "" : scene.axes.time);
+    asked.setting = in("--setting", w.setting, parse_number(w.setting) ? "" : scene.axes.time);
   return asked;
 }
 
 std::string duration(double seconds) {
-  if (seconds < 90) return rounded(seconds, 2) + " s";
-  if (seconds < 5400) return rounded(seconds / 60, 2) + " min";
-  return seconds < 100 * 3600 ? rounded(seconds / 3600, 2) + " h" : rounded(seconds / 86400, 3) + " days";
+  if (seconds < 90) return format_significant(seconds, 2) + " s";
+  if (seconds < 5400) return format_significant(seconds / 60, 2) + " min";
+  return seconds < 100 * 3600 ? format_significant(seconds / 3600, 2) + " h"
+                              : format_significant(seconds / 86400, 3) + " days";
 }
 
 double sum(const std::vector<double>& seconds) {

@@ -26,8 +26,8 @@
 #include "report/pages/true_values.hpp"
 #include "report/pages/write_report.hpp"
 #include "report/site/site.hpp"
+#include "report/study/cheapest_models.hpp"
 #include "report/study/choose.hpp"
-#include "report/study/ledger.hpp"
 #include "report/study/prices.hpp"
 #include "report/study/progress.hpp"
 #include "report/study/run.hpp"
@@ -59,9 +59,9 @@ Results readable_results(const fs::path& file) {
   }
 }
 
-/// The last results where they are fresh, else those of a new run; if wanted with the ledgers, which a run of
-/// the suite does not need and does not make.
-Results last_results(const fs::path& folder, bool ledgers) {
+/// The last results where they are fresh, else those of a new run; if wanted with the cheapest_models, which
+/// a run of the suite does not need and does not make.
+Results last_results(const fs::path& folder, bool cheapest_models) {
   const fs::path file = results_file();
   const Reference truth(folder, motions_folder());
   const std::vector<Task> tasks(registry().begin(), registry().end());
@@ -74,12 +74,13 @@ Results last_results(const fs::path& folder, bool ledgers) {
     results = with_progress([&](const Progress& progress) {
       return with_stability(run(tasks, truth, true, progress), tasks, truth, progress);
     });
-  const bool lacking = ledgers && std::ranges::any_of(results.exercises, [](const ExerciseResult& e) {
-                         return e.scene && !e.ledger;
+  const bool lacking = cheapest_models && std::ranges::any_of(results.exercises, [](const ExerciseResult& e) {
+                         return e.scene && !e.cheapest_models;
                        });
   if (lacking)
-    results = with_progress(
-        [&](const Progress& progress) { return with_ledgers(std::move(results), tasks, truth, progress); });
+    results = with_progress([&](const Progress& progress) {
+      return with_cheapest_models(std::move(results), tasks, truth, progress);
+    });
   if (lacking || !fresh) write_whole(file, to_json(results));
   return results;
 }
@@ -87,9 +88,9 @@ Results last_results(const fs::path& folder, bool ledgers) {
 /// "0.001 to 3.14", "whole, 2 to 100"; empty when any number will do.
 std::string range_of(const Parameter& p) {
   const bool from = std::isfinite(p.least), to = std::isfinite(p.most);
-  const std::string ends = from && to ? shortest(p.least) + " to " + shortest(p.most)
-                           : from     ? "from " + shortest(p.least)
-                           : to       ? "up to " + shortest(p.most)
+  const std::string ends = from && to ? format_shortest(p.least) + " to " + format_shortest(p.most)
+                           : from     ? "from " + format_shortest(p.least)
+                           : to       ? "up to " + format_shortest(p.most)
                                       : "";
   return (p.whole ? "whole" : "") + std::string(p.whole && !ends.empty() ? ", " : "") + ends;
 }
@@ -100,7 +101,7 @@ std::string in_list(const Entry& entry, const Screen& screen) {
       (entry.exercise.scene ? " (scene)" : "") + (of_the_book(entry.number) ? "" : " (own)") + "\n";
   for (const Parameter& p : entry.exercise.parameters) {
     const std::string range = range_of(p);
-    text += "      " + std::string(p.name) + " = " + shortest(p.value) +
+    text += "      " + std::string(p.name) + " = " + format_shortest(p.value) +
             (p.unit.empty() || p.unit == "1" ? "" : " " + std::string(p.unit)) + "  " +
             readable(std::string(p.says)) + (range.empty() ? "" : " (" + range + ")") + "\n";
   }

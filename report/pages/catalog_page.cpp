@@ -15,7 +15,7 @@ std::string setting_of(ode::Kind kind) { return ode::has_tolerance(kind) ? "tole
 
 std::string limit_cell(double limit) {
   if (std::isnan(limit)) return "-";
-  return std::isinf(limit) ? "all" : limit == 0 ? "none" : rounded(limit, 7);
+  return std::isinf(limit) ? "all" : limit == 0 ? "none" : format_significant(limit, 7);
 }
 
 std::string evaluations_cell(const ode::CatalogEntry& a) {

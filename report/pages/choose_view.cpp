@@ -16,11 +16,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t first_rows = 5;
 
-std::string times_as(double factor) { return rounded(factor, 2) + " times"; }
+std::string times_as(double factor) { return format_significant(factor, 2) + " times"; }
 
-std::string described(const Tried& tried, const Need& need) {
-  const std::string setting = shown_setting(tried, need);
-  return tried.model + " by " + tried.algorithm + (setting == "-" ? "" : ", " + setting);
+std::string described(const Candidate& candidate, const Need& need) {
+  const std::string setting = shown_setting(candidate, need);
+  return candidate.model + " by " + candidate.algorithm + (setting == "-" ? "" : ", " + setting);
 }
 
 /// The unit asked in, or the motion's own.
@@ -40,7 +40,7 @@ std::string errors_of(const std::vector<double>& errors, const Choice& choice) {
   return text;
 }
 
-std::string percent(double part) { return rounded(100 * part, 2) + " %"; }
+std::string percent(double part) { return format_significant(100 * part, 2) + " %"; }
 
 /// How far what is held is off, in the unit asked in.
 std::string off_constraint(double off, const Choice& choice) {
@@ -52,32 +52,34 @@ std::string off_constraint(double off, const Choice& choice) {
 
 /// The error that decides: of the path in its units, of energy and period as a part, of what is held as a
 /// length.
-std::string error_of(const Tried& tried, const Choice& choice) {
+std::string error_of(const Candidate& candidate, const Choice& choice) {
   switch (choice.need.criterion) {
     case Criterion::path:
-      return errors_of(tried.errors, choice);
+      return errors_of(candidate.errors, choice);
     case Criterion::energy:
     case Criterion::period:
-      return std::isfinite(tried.error) ? percent(tried.error * choice.need.error) : "-";
+      return std::isfinite(candidate.error) ? percent(candidate.error * choice.need.error) : "-";
     case Criterion::constraint:
-      if (!std::isfinite(tried.error)) return "-";
-      return tried.constrained ? off_constraint(tried.error * choice.need.error, choice)
-                               : "held by construction";
+      if (!std::isfinite(candidate.error)) return "-";
+      return candidate.constrained ? off_constraint(candidate.error * choice.need.error, choice)
+                                   : "held by construction";
     case Criterion::bounded:
       break;
   }
-  return std::isfinite(tried.error) ? "bounded" : "-";
+  return std::isfinite(candidate.error) ? "bounded" : "-";
 }
 
-std::string cost_of(const Tried& tried) {
-  const std::string evaluations = rounded(tried.evaluations_per_frame, 3);
-  return shown_time(tried.seconds_per_frame) + " per frame (" + evaluations +
+std::string cost_of(const Candidate& candidate) {
+  const std::string evaluations = format_significant(candidate.evaluations_per_frame, 3);
+  return shown_time(candidate.seconds_per_frame) + " per frame (" + evaluations +
          (evaluations == "1" ? " evaluation)" : " evaluations)");
 }
 
-std::string failing_of(const Tried& tried, const Choice& choice) {
-  return described(tried, choice.need) + ", " + cost_of(tried) + ": " + std::string(name_of(tried.outcome)) +
-         (std::isfinite(tried.error) ? ", error " + error_of(tried, choice) : "") + " at " + tried.where;
+std::string failing_of(const Candidate& candidate, const Choice& choice) {
+  return described(candidate, choice.need) + ", " + cost_of(candidate) + ": " +
+         std::string(name_of(candidate.outcome)) +
+         (std::isfinite(candidate.error) ? ", error " + error_of(candidate, choice) : "") + " at " +
+         candidate.where;
 }
 
 std::string what_holds(const Choice& choice) {
@@ -104,14 +106,14 @@ std::string listed(const std::vector<std::string>& starts) {
   return text;
 }
 
-std::size_t bytes_of_state(const Tried& tried) {
-  return tried.state_size * (tried.precision == Precision::in_float ? sizeof(float) : sizeof(double));
+std::size_t bytes_of_state(const Candidate& candidate) {
+  return candidate.state_size * (candidate.precision == Precision::in_float ? sizeof(float) : sizeof(double));
 }
 
 /// How the bodies that were asked for are computed, where there are several.
 std::string bodies_text(const Choice& choice) {
   if (choice.need.bodies == 1) return "";
-  const Tried& best = *choice.chosen;
+  const Candidate& best = *choice.chosen;
   const auto registers = lanes::registers_of(choice.exercise, best.model, best.algorithm);
   return "  " + std::to_string(choice.need.bodies) + " bodies: " +
          (registers ? "side by side in lanes of " + std::string(lanes::name_of(*registers))
@@ -131,7 +133,7 @@ std::string in_float_text(const Choice& choice) {
   if (choice.chosen->precision == Precision::in_float || choice.need.criterion == Criterion::constraint)
     return "";
   if (!choice.in_float) return "  in float: oddity has this method in double only.\n";
-  const Tried& single = *choice.in_float;
+  const Candidate& single = *choice.in_float;
   if (single.holds()) return "  in float: error " + error_of(single, choice) + ", holds.\n";
   return "  in float: " + std::string(name_of(single.outcome)) +
          (std::isfinite(single.error) ? ", error " + error_of(single, choice) : "") + " at " + single.where +
@@ -141,7 +143,7 @@ std::string in_float_text(const Choice& choice) {
 std::string ties_text(const Choice& choice) {
   std::string text;
   std::set<std::string> seen;
-  for (const Tried& t : choice.ties) {
+  for (const Candidate& t : choice.ties) {
     const std::string one = described(t, choice.need);
     if (seen.insert(one).second)
       text += (text.empty() ? "  costs the same, within a quarter or the spread: " : "; ") + one + " (" +
@@ -153,7 +155,7 @@ std::string ties_text(const Choice& choice) {
 std::string miss_text(const Choice& choice, const Screen& screen) {
   std::string text = screen.styled(Style::bad, "Nothing here meets that.") + "\n";
   if (!choice.nearest_miss) return text;
-  const Tried& miss = *choice.nearest_miss;
+  const Candidate& miss = *choice.nearest_miss;
   if (!miss.holds()) return text + "  nearest miss: " + failing_of(miss, choice) + ".\n";
   return text + "  nearest miss: " + described(miss, choice.need) + " is as accurate, but costs " +
          cost_of(miss) + ", " + times_as(miss.seconds_per_frame / choice.need.budget) + " the budget.\n";
@@ -161,10 +163,10 @@ std::string miss_text(const Choice& choice, const Screen& screen) {
 
 std::string chaos_text(const Choice& choice) {
   if (!choice.predictable) return "";
-  const std::string until =
-      std::isfinite(*choice.predictable)
-          ? "is off by the error asked for after " + rounded(*choice.predictable, 3) + " " + choice.time_unit
-          : "still tells the path to the error asked for at the end";
+  const std::string until = std::isfinite(*choice.predictable)
+                                ? "is off by the error asked for after " +
+                                      format_significant(*choice.predictable, 3) + " " + choice.time_unit
+                                : "still tells the path to the error asked for at the end";
   return "  the motion is chaotic: one from a start that differs by a thousand-millionth " + until +
          ". A game may do better to ask for --criterion energy or bounded.\n";
 }
@@ -174,29 +176,30 @@ std::string engine_text(const Choice& choice) {
     return "As an engine does today: no model of this scene is one that semi-implicit Euler fits.\n";
   std::string text =
       "As an engine does today, semi-implicit Euler on the model \"" + choice.engine.front().model + "\":\n";
-  for (const Tried& t : choice.engine)
-    text += "  at " + rounded(1 / t.setting, 4) + " Hz: error " + error_of(t, choice) +
+  for (const Candidate& t : choice.engine)
+    text += "  at " + format_significant(1 / t.setting, 4) + " Hz: error " + error_of(t, choice) +
             (t.holds() ? ", holds\n" : ", " + std::string(name_of(t.outcome)) + "\n");
   return text;
 }
 
-std::string verdict_of(const Tried& tried, const Choice& choice) {
-  if (choice.chosen && tried.model == choice.chosen->model && tried.algorithm == choice.chosen->algorithm)
+std::string verdict_of(const Candidate& candidate, const Choice& choice) {
+  if (choice.chosen && candidate.model == choice.chosen->model &&
+      candidate.algorithm == choice.chosen->algorithm)
     return "chosen";
-  if (!tried.holds()) return std::string(name_of(tried.outcome)) + " at " + tried.where;
-  return tried.seconds_per_frame > choice.need.budget ? "over the budget" : "holds";
+  if (!candidate.holds()) return std::string(name_of(candidate.outcome)) + " at " + candidate.where;
+  return candidate.seconds_per_frame > choice.need.budget ? "over the budget" : "holds";
 }
 
 /// The rows that a reader looks for first: those that hold, the chosen one among them.
-std::vector<Tried> rows_of(const Choice& choice, bool all_rows) {
-  if (all_rows) return choice.tried;
-  std::vector<Tried> rows;
-  for (const Tried& t : choice.tried)
+std::vector<Candidate> rows_of(const Choice& choice, bool all_rows) {
+  if (all_rows) return choice.candidates;
+  std::vector<Candidate> rows;
+  for (const Candidate& t : choice.candidates)
     if (t.holds() && rows.size() < first_rows) rows.push_back(t);
-  const auto is_chosen = [&](const Tried& t) { return verdict_of(t, choice) == "chosen"; };
+  const auto is_chosen = [&](const Candidate& t) { return verdict_of(t, choice) == "chosen"; };
   if (choice.chosen && std::ranges::none_of(rows, is_chosen))
-    rows.back() = *std::ranges::find_if(choice.tried, is_chosen);
-  for (const Tried& t : choice.tried)
+    rows.back() = *std::ranges::find_if(choice.candidates, is_chosen);
+  for (const Candidate& t : choice.candidates)
     if (!t.holds() && rows.size() < first_rows) rows.push_back(t);
   return rows;
 }
@@ -219,7 +222,7 @@ Json units_of(const Choice& choice) {
   return json;
 }
 
-Json from(const Tried& t, const Choice& choice) {
+Json from(const Candidate& t, const Choice& choice) {
   return {{"model", t.model},
           {"algorithm", t.algorithm},
           {"precision", name_of(t.precision)},
@@ -235,9 +238,9 @@ Json from(const Tried& t, const Choice& choice) {
           {"spread", from(t.spread)}};
 }
 
-Json from(const std::vector<Tried>& all, const Choice& choice) {
+Json from(const std::vector<Candidate>& all, const Choice& choice) {
   Json json = Json::array();
-  for (const Tried& t : all) json.push_back(from(t, choice));
+  for (const Candidate& t : all) json.push_back(from(t, choice));
   return json;
 }
 
@@ -269,18 +272,18 @@ std::string csv_cell(const std::string& text) {
 
 std::string asked_text(const Choice& choice) {
   const Need& need = choice.need;
-  return what_holds(choice) + ", over " + shortest(need.horizon) + " " + choice.time_unit + " at " +
-         shortest(need.frames_per_second) + " frames per " +
+  return what_holds(choice) + ", over " + format_shortest(need.horizon) + " " + choice.time_unit + " at " +
+         format_shortest(need.frames_per_second) + " frames per " +
          (choice.time_unit == "s" ? "second" : choice.time_unit) +
          (need.bodies == 1 ? "" : ", " + std::to_string(need.bodies) + " bodies") +
          (std::isfinite(need.restart_every)
-              ? ", started anew every " + shortest(need.restart_every) + " " + choice.time_unit
+              ? ", started anew every " + format_shortest(need.restart_every) + " " + choice.time_unit
               : "") +
          (std::isfinite(need.budget) ? ", for at most " + shown_time(need.budget) + " per frame" : "");
 }
 
 std::string answer_text(const Choice& choice, const Screen& screen) {
-  const Tried& best = *choice.chosen;
+  const Candidate& best = *choice.chosen;
   std::string text =
       "Take " + screen.styled(Style::heading, described(best, choice.need)) + ": " + cost_of(best);
   if (std::isfinite(choice.need.budget))
@@ -292,7 +295,7 @@ std::string answer_text(const Choice& choice, const Screen& screen) {
         "cheapest "
         "that holds.\n";
   if (choice.restart > 0.5)
-    text += "  every restart, as after a contact, costs it " + rounded(choice.restart, 3) +
+    text += "  every restart, as after a contact, costs it " + format_significant(choice.restart, 3) +
             " evaluations more" + (std::isfinite(choice.need.restart_every) ? ", which its time has" : "") +
             ".\n";
   if (choice.next_cheaper) text += "  next cheaper: " + failing_of(*choice.next_cheaper, choice) + ".\n";
@@ -304,14 +307,16 @@ std::string answer_text(const Choice& choice, const Screen& screen) {
 }
 
 std::string choice_text(const Choice& choice, bool all_rows, const Screen& screen) {
-  const std::vector<Tried> shown_rows = rows_of(choice, all_rows);
+  const std::vector<Candidate> shown_rows = rows_of(choice, all_rows);
   std::vector<std::vector<std::string>> rows{
       {"model", "algorithm", "setting", "error", "evaluations per frame", "time per frame", ""}};
-  for (const Tried& tried : shown_rows)
-    rows.push_back({tried.model, tried.algorithm, shown_setting(tried, choice.need), error_of(tried, choice),
-                    rounded(tried.evaluations_per_frame, 3), shown_time(tried.seconds_per_frame),
-                    screen.styled(tried.holds() ? Style::good : Style::bad, verdict_of(tried, choice))});
-  const std::size_t hidden = choice.tried.size() - shown_rows.size();
+  for (const Candidate& candidate : shown_rows)
+    rows.push_back(
+        {candidate.model, candidate.algorithm, shown_setting(candidate, choice.need),
+         error_of(candidate, choice), format_significant(candidate.evaluations_per_frame, 3),
+         shown_time(candidate.seconds_per_frame),
+         screen.styled(candidate.holds() ? Style::good : Style::bad, verdict_of(candidate, choice))});
+  const std::size_t hidden = choice.candidates.size() - shown_rows.size();
   const std::string answer = choice.chosen ? answer_text(choice, screen) : miss_text(choice, screen);
   const std::string grounds = engine_text(choice) + "\nchosen on: " + listed(choice.seen) +
                               (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) +
@@ -336,7 +341,7 @@ std::string explanation_text(const Choice& choice) {
   };
   return "How it was found, in " + shown_time(e.truths + e.search + e.timing + e.tests + e.rest) + ":\n" +
          part("true motions", e.truths,
-              counted(e.starts, "start") + ", known to " + rounded(e.truth_error, 2) +
+              counted(e.starts, "start") + ", known to " + format_significant(e.truth_error, 2) +
                   " of what is asked: " + e.truth_by) +
          part("search", e.search,
               counted(e.methods, "method") + " at " + counted(e.settings, "setting") + ", " +
@@ -361,7 +366,7 @@ std::string choice_json(const Choice& choice) {
   }
   json["in_float"] = choice.in_float ? from(*choice.in_float, choice) : Json(nullptr);
   json["ties"] = from(choice.ties, choice);
-  json["candidates"] = from(choice.tried, choice);
+  json["candidates"] = from(choice.candidates, choice);
   json["engine"] = from(choice.engine, choice);
   json["predictable"] = choice.predictable ? from(*choice.predictable) : Json(nullptr);
   json["chosen_on"] = choice.seen;
@@ -389,13 +394,13 @@ std::string choice_csv(const Choice& choice) {
   std::string text = "model,algorithm,precision,setting";
   for (const std::string& unit : choice.units) text += ",error [" + shown_unit(unit, choice).symbol + "]";
   text += ",holds,outcome,evaluations per frame,seconds per frame,chosen\n";
-  for (const Tried& t : choice.tried) {
+  for (const Candidate& t : choice.candidates) {
     text += csv_cell(t.model) + "," + csv_cell(t.algorithm) + "," + std::string(name_of(t.precision)) + "," +
             csv_cell(shown_setting(t, choice.need));
     for (std::size_t i = 0; i < t.errors.size(); ++i)
-      text += "," + shortest(t.errors[i] / shown_unit(choice.units[i], choice).size);
+      text += "," + format_shortest(t.errors[i] / shown_unit(choice.units[i], choice).size);
     text += std::string(t.holds() ? ",1," : ",0,") + std::string(name_of(t.outcome)) + "," +
-            shortest(t.evaluations_per_frame) + "," + shortest(t.seconds_per_frame) +
+            format_shortest(t.evaluations_per_frame) + "," + format_shortest(t.seconds_per_frame) +
             (verdict_of(t, choice) == "chosen" ? ",1\n" : ",0\n");
   }
   return text;

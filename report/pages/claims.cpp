@@ -30,7 +30,7 @@ double scale_of(const Check& c) {
 std::string difference_of(const Check& c) {
   const double difference = c.difference();
   if (c.tolerance.allowed == 0) return difference == 0 ? "equal" : "differ by " + shown_error(difference);
-  const std::string scale = scale_of(c) > 0 ? " at a scale of " + rounded(scale_of(c), 3) : "";
+  const std::string scale = scale_of(c) > 0 ? " at a scale of " + format_significant(scale_of(c), 3) : "";
   return (std::isfinite(difference) ? "differ by " + shown_error(difference) + scale : "cannot be compared") +
          ", allowed " + shown_error(c.tolerance.allowed);
 }
@@ -52,7 +52,7 @@ std::string in_words(const std::string& text) {
 
 /// "It fails in 30 of 201 samples."
 std::string failures(const Check& c) {
-  return "It fails in " + rounded(c.left.value[0], 12) + " of" +
+  return "It fails in " + format_significant(c.left.value[0], 12) + " of" +
          c.left.by.substr(std::string("violations in").size()) + ".\n\n";
 }
 

@@ -133,8 +133,8 @@ std::string failures(const Results& results, const Screen& screen) {
 std::string what_a_game_may_use(const Results& results, const Screen& screen) {
   std::map<std::string, long> scenes;
   for (const ExerciseResult& e : results.exercises)
-    if (e.ledger && !e.ledger->least.empty() && e.ledger->least.front().least) {
-      const Tried& least = *e.ledger->least.front().least;
+    if (e.cheapest_models && !e.cheapest_models->least.empty() && e.cheapest_models->least.front().least) {
+      const Candidate& least = *e.cheapest_models->least.front().least;
       ++scenes[least.knob.empty() ? "a closed form" : least.algorithm];
     }
   std::vector<std::pair<std::string, long>> sorted(scenes.begin(), scenes.end());

@@ -120,7 +120,7 @@ std::string as_comment(const std::string& text) {
 }
 
 std::string literal(double x, const std::string& number) {
-  return number == "double" ? shortest(x) : number + "(" + shortest(x) + ")";
+  return number == "double" ? format_shortest(x) : number + "(" + format_shortest(x) + ")";
 }
 
 /// The parameters and the model that they make.
@@ -186,11 +186,11 @@ std::string main_text(const Task& task, const Need& need, const Plain* algorithm
   const auto put = [&](const std::string& placeholder, const std::string& what) {
     text.replace(text.find(placeholder), placeholder.size(), what);
   };
-  put("$frames", shortest(need.frames()));
-  put("$rate", shortest(need.frames_per_second));
+  put("$frames", format_shortest(need.frames()));
+  put("$rate", format_shortest(need.frames_per_second));
   put("$names", header_line(*task.entry->exercise.scene));
   if (algorithm) {
-    put("$steps", shortest(std::round(1 / (step * need.frames_per_second))));
+    put("$steps", format_shortest(std::round(1 / (step * need.frames_per_second))));
     put("$algorithm", std::string(algorithm->type));
   }
   return text;

@@ -43,7 +43,7 @@ const std::vector<OwnSteps>& own_in(const OwnByScene& own, const std::string& sc
 std::string rate_cell(const EngineContest& contest, const EngineSeries& s) {
   if (!s.cannot.empty()) return "";
   if (const EngineTrial* first = s.first_enough())
-    return rounded(first->steps_per_frame * contest.frames_per_second, 6);
+    return format_significant(first->steps_per_frame * contest.frames_per_second, 6);
   return why_never(contest, s).empty() ? "finer" : "never";
 }
 
@@ -83,7 +83,7 @@ std::string replaced_table(const std::vector<EngineContest>& contests) {
           t && (!paid || t->seconds_per_frame < paid->seconds_per_frame))
         best = &s, paid = t;
     rows.push_back({c.scene + " " + c.title, best ? full_name(*best) : "none",
-                    best ? rounded(paid->steps_per_frame * c.frames_per_second, 6) + " Hz" : "",
+                    best ? format_significant(paid->steps_per_frame * c.frames_per_second, 6) + " Hz" : "",
                     best ? shown_time(paid->seconds_per_frame) : "", c.least->says,
                     shown_time(c.least->seconds_per_frame),
                     best ? two_digits(paid->seconds_per_frame / c.least->seconds_per_frame) + "x" : ""});

@@ -12,7 +12,7 @@
 namespace oddity {
 
 std::string two_digits(double x) {
-  const std::string text = rounded(x, 2);
+  const std::string text = format_significant(x, 2);
   const double size = std::abs(std::stod(text));
   return size >= 100 && size < 1e6 ? std::to_string(std::lround(std::stod(text))) : text;
 }
@@ -57,7 +57,7 @@ std::string shown(const EngineTrial* trial, const EngineContest& contest) {
 /// The rate, or why none is enough.
 std::string enough_from(const EngineSeries& series, const EngineContest& contest) {
   const auto rate = [&](const EngineTrial& t) {
-    return rounded(t.steps_per_frame * contest.frames_per_second, 6) + " Hz";
+    return format_significant(t.steps_per_frame * contest.frames_per_second, 6) + " Hz";
   };
   if (const EngineTrial* first = series.first_enough()) return rate(*first);
   const std::string why = why_never(contest, series);
@@ -66,7 +66,7 @@ std::string enough_from(const EngineSeries& series, const EngineContest& contest
 
 std::string order_of(const EngineSeries& series) {
   const std::string stated = series.stated_order > 0 ? " (" + std::to_string(series.stated_order) + ")" : "";
-  return (series.law ? rounded(series.law->exponent, 2) : "-") + stated;
+  return (series.law ? format_significant(series.law->exponent, 2) : "-") + stated;
 }
 
 /// Of the coarsest trial that is enough, else of the coarsest.
@@ -112,7 +112,7 @@ std::vector<const EngineSeries*> shown_of(const EngineContest& contest, bool all
 std::vector<std::vector<std::string>> rows_of(const EngineContest& contest, const std::vector<double>& rates,
                                               bool all) {
   std::vector<std::vector<std::string>> rows{{"engine", "numbers"}};
-  for (double rate : rates) rows[0].push_back("at " + rounded(rate, 6) + " Hz");
+  for (double rate : rates) rows[0].push_back("at " + format_significant(rate, 6) + " Hz");
   for (const char* head :
        {"enough from", "order (stated)", "least error", "energy", "joints off", "a frame", "costs"})
     rows[0].emplace_back(head);
@@ -152,7 +152,7 @@ std::string cannot_text(const EngineContest& contest) {
 }
 
 std::string need_text(const EngineContest& contest) {
-  return "Worst error over " + rounded(contest.horizon, 6) + " s at every frame; enough is " +
+  return "Worst error over " + format_significant(contest.horizon, 6) + " s at every frame; enough is " +
          pictured(contest.needs, contest.units) + ".";
 }
 

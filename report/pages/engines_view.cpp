@@ -62,12 +62,13 @@ std::string engine_rows(const std::vector<EngineContest>& contests) {
       if (s.trials.empty()) continue;
       const EngineTrial* enough = s.first_enough();
       const bool same = std::ranges::all_of(s.trials, &EngineTrial::same_bits);
-      table.rows.push_back({c.scene, plain(s.engine), plain(s.version), plain(s.variant),
-                            s.law ? rounded(s.law->exponent, 2) : "-",
-                            s.stated_order > 0 ? std::to_string(s.stated_order) : "-",
-                            enough ? rounded(enough->steps_per_frame * c.frames_per_second, 6) : "never",
-                            std::string(name_of(s.trials.front().outcome)), same ? "same" : "other",
-                            s.trials.front().restored});
+      table.rows.push_back(
+          {c.scene, plain(s.engine), plain(s.version), plain(s.variant),
+           s.law ? format_significant(s.law->exponent, 2) : "-",
+           s.stated_order > 0 ? std::to_string(s.stated_order) : "-",
+           enough ? format_significant(enough->steps_per_frame * c.frames_per_second, 6) : "never",
+           std::string(name_of(s.trials.front().outcome)), same ? "same" : "other",
+           s.trials.front().restored});
     }
   return to_csv(table);
 }
@@ -75,7 +76,7 @@ std::string engine_rows(const std::vector<EngineContest>& contests) {
 namespace {
 
 std::string in_hertz(const EngineTrial& t, const EngineContest& contest) {
-  return rounded(t.steps_per_frame * contest.frames_per_second, 6) + " Hz";
+  return format_significant(t.steps_per_frame * contest.frames_per_second, 6) + " Hz";
 }
 
 /// "it errs by 3.2 deg", or how it ended instead.

@@ -78,7 +78,7 @@ std::string parameters_text(const ExerciseResult& e) {
   for (const ParameterValue& p : e.parameters)
     if (p.name != "seed")
       text += (text.empty() ? "" : "; ") +
-              code(p.name + "=" + rounded(p.value, 6) +
+              code(p.name + "=" + format_significant(p.value, 6) +
                    (p.unit.empty() || p.unit == "1" ? "" : " " + typeset_unit(p.unit))) +
               " " + escaped(p.says, false);
   return text.empty() ? "" : "Parameters: " + text + ".\n\n";
@@ -86,8 +86,8 @@ std::string parameters_text(const ExerciseResult& e) {
 
 /// What a game needs of the scene, in a sentence.
 std::string for_games(const ExerciseResult& e) {
-  if (!e.ledger || e.ledger->least.empty()) return "";
-  const LeastModel& row = e.ledger->least.front();
+  if (!e.cheapest_models || e.cheapest_models->least.empty()) return "";
+  const CheapestModel& row = e.cheapest_models->least.front();
   const std::string places = " ([models](models.md#" + heading_anchor(e) + ")" +
                              (e.stability ? ", [stability](stability.md#" + heading_anchor(e) + ")" : "") +
                              ").\n\n";
@@ -117,7 +117,7 @@ std::string body(const ExerciseResult& e, const std::string& level, bool pages) 
   return text + expected_failures(e);
 }
 
-/// The exercises before and after, and the way back.
+/// The exercises before and after, and the index.
 std::string ways(const Results& results, const ExerciseResult& e) {
   const auto& all = results.exercises;
   const auto here =
@@ -204,11 +204,11 @@ std::string worst_errata(const Results& results, Links links) {
 std::string scenes_table(const Results& results, Links links) {
   std::vector<std::vector<std::string>> rows;
   for (const ExerciseResult& e : results.exercises) {
-    if (!e.ledger || e.ledger->least.empty()) continue;
-    const LeastModel& row = e.ledger->least.front();
+    if (!e.cheapest_models || e.cheapest_models->least.empty()) continue;
+    const CheapestModel& row = e.cheapest_models->least.front();
     rows.push_back({link_to(e, links), row.least ? escaped(row.least->model) : "*none here*",
                     row.least ? escaped(row.least->algorithm) : "",
-                    row.least ? rounded(row.least->evaluations_per_frame, 3) : ""});
+                    row.least ? format_significant(row.least->evaluations_per_frame, 3) : ""});
   }
   if (rows.empty()) return "";
   return unfold("<b>For games</b>: the simplest model that is enough, a row a scene",
@@ -226,13 +226,14 @@ bool has_scenes(const Results& results) {
                              [](const ExerciseResult& e) { return e.stability.has_value(); });
 }
 
-bool has_ledgers(const Results& results) {
-  return std::ranges::any_of(results.exercises, [](const ExerciseResult& e) { return e.ledger.has_value(); });
+bool has_cheapest_models(const Results& results) {
+  return std::ranges::any_of(results.exercises,
+                             [](const ExerciseResult& e) { return e.cheapest_models.has_value(); });
 }
 
 std::string other_pages(const Results& results, Edition edition) {
   std::string text = "[All errata and misprints](errata.md)";
-  if (has_ledgers(results)) text += " · [which model is enough](models.md)";
+  if (has_cheapest_models(results)) text += " · [which model is enough](models.md)";
   if (has_scenes(results)) text += " · [which steps are stable](stability.md)";
   text += " · [the algorithms and their libraries](algorithms.md)";
   if (edition == Edition::whole) text += " · [times](times.md)";

@@ -240,9 +240,9 @@ std::string fits_table(const QuantityResult& q) {
   std::vector<std::vector<std::string>> rows;
   for (const MethodResult& m : q.methods)
     if (const auto f = fit(q, m))
-      rows.push_back(
-          {escaped(m.model), escaped(m.algorithm), escaped(shown_fit(m, f)), error_cell(f->factor),
-           knob_cell(m.trials[f->first]) + " to " + with_powers(rounded(m.trials[f->last].setting, 4))});
+      rows.push_back({escaped(m.model), escaped(m.algorithm), escaped(shown_fit(m, f)), error_cell(f->factor),
+                      knob_cell(m.trials[f->first]) + " to " +
+                          with_powers(format_significant(m.trials[f->last].setting, 4))});
   if (rows.empty()) return "";
   return "Fitted: error = factor × knob^exponent, for a knob that counts, factor × (1/knob)^exponent.\n\n" +
          table({"model", "algorithm", "fit", "factor", "over"}, rows, "3");

@@ -27,7 +27,7 @@ bool coloured(bool terminal) {
 }
 
 std::size_t width_of_terminal(int descriptor) {
-  const auto asked = number_in(environment("COLUMNS"));
+  const auto asked = parse_number(environment("COLUMNS"));
   if (asked && *asked >= 1 && *asked < 1e4) return static_cast<std::size_t>(*asked);
   winsize size{};
   if (ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;

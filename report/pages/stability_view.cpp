@@ -15,7 +15,7 @@ namespace oddity {
 namespace {
 
 std::string shown_theory(const Limit& l) {
-  return std::isinf(l.theory()) ? "every step" : l.theory() == 0 ? "none" : rounded(l.theory(), 3);
+  return std::isinf(l.theory()) ? "every step" : l.theory() == 0 ? "none" : format_significant(l.theory(), 3);
 }
 
 std::string in_unit(const std::string& value, const std::string& unit) {
@@ -40,7 +40,7 @@ std::vector<std::string> limit_cells(const Stability& s, const Limit& l) {
           shown_theory(l),
           shown_tongues(l),
           error_of(l.at, s.unit),
-          l.within ? rounded(l.within->setting, 3) : "none found",
+          l.within ? format_significant(l.within->setting, 3) : "none found",
           how_it_breaks(l, s),
           shown_cure(l, s.unit)};
 }
@@ -79,7 +79,7 @@ std::vector<std::pair<std::string, std::string>> reasons(const Stability& s) {
 
 /// "0.0481 to 0.0641".
 std::string shown_soft(const Between& soft) {
-  return rounded(soft.least, 3) + " to " + rounded(soft.most, 3);
+  return format_significant(soft.least, 3) + " to " + format_significant(soft.most, 3);
 }
 
 /// Which limits have no sharp value, and which hold for the time shown only; one sentence each.
@@ -89,13 +89,13 @@ std::vector<std::string> reservations(const Stability& s) {
     const std::string name = l.model + ", " + l.algorithm + ": ", unit = " " + s.time_unit;
     if (l.soft)
       all.push_back(name + "no sharp limit" +
-                    (l.unstable > 0 ? ", at " + rounded(l.unstable, 3) + unit + " it is lost after " +
-                                          rounded(l.lost, 2) + unit
+                    (l.unstable > 0 ? ", at " + format_significant(l.unstable, 3) + unit +
+                                          " it is lost after " + format_significant(l.lost, 2) + unit
                                     : "") +
                     "; for other observers it is " + shown_soft(*l.soft) + unit);
     if (!l.goes_on && !std::isinf(l.step()))
-      all.push_back(name + "the motion does not go on alike; it is watched for the " + rounded(l.watched, 3) +
-                    unit + " shown, and the limit is of that time");
+      all.push_back(name + "the motion does not go on alike; it is watched for the " +
+                    format_significant(l.watched, 3) + unit + " shown, and the limit is of that time");
   }
   return all;
 }
@@ -109,9 +109,9 @@ std::string letters_and_theory(const MapRow& row, const std::vector<double>& ste
 }
 
 std::string map_text(const Stability& s, const Screen& screen) {
-  std::string text = "\nmap: each letter a step, from " + rounded(s.steps.front(), 3) + " " + s.time_unit +
-                     ", halved and halved again, to " + rounded(s.steps.back(), 3) + " " + s.time_unit +
-                     "; the bar is theory's limit\n ";
+  std::string text = "\nmap: each letter a step, from " + format_significant(s.steps.front(), 3) + " " +
+                     s.time_unit + ", halved and halved again, to " + format_significant(s.steps.back(), 3) +
+                     " " + s.time_unit + "; the bar is theory's limit\n ";
   for (Outcome outcome : outcomes_of_a_map)
     text += " " + std::string(1, letter_of(outcome)) + " " + std::string(name_of(outcome));
   std::vector<std::vector<std::string>> rows{{"model", "algorithm", s.parameter, "steps"}};
@@ -120,7 +120,8 @@ std::string map_text(const Stability& s, const Screen& screen) {
     const bool first = !last || last->model != row.model || last->algorithm != row.algorithm;
     last = &row;
     rows.push_back({first ? row.model : "", first ? row.algorithm : "",
-                    in_unit(rounded(row.value, 4), s.parameter_unit), letters_and_theory(row, s.steps)});
+                    in_unit(format_significant(row.value, 4), s.parameter_unit),
+                    letters_and_theory(row, s.steps)});
   }
   return wrapped(text + "\n", screen, 4) + aligned(rows, screen, {{"model", "algorithm"}, {}, true});
 }
@@ -130,16 +131,16 @@ std::string cell(const std::string& text) {
   return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
 }
 
-std::string step_cell(double step) { return rounded(step, 3); }
+std::string step_cell(double step) { return format_significant(step, 3); }
 
 /// "0.676 (0.639)": measured, and by theory where it differs; "~" before what is not sharp.
 std::string limit_text(const Limit& l) {
   const std::string measured = std::isinf(l.step()) ? "every step"
                                : l.stable == 0      ? "none"
-                                                    : rounded(l.stable, 3);
+                                                    : format_significant(l.stable, 3);
   const std::string theory = std::isinf(l.theory()) ? "every step"
                              : l.theory() == 0      ? "none"
-                                                    : rounded(l.theory(), 3);
+                                                    : format_significant(l.theory(), 3);
   const std::string sign = l.stable == 0 || std::isinf(l.step()) ? ""
                            : l.soft                              ? "\\~"
                            : l.unstable > 0                      ? ""
@@ -150,7 +151,8 @@ std::string limit_text(const Limit& l) {
 /// The limit, the error there, and the longest step that is good enough, a line each.
 std::string limit_lines(const Limit& l) {
   return limit_text(l) + (l.at ? "<br>error " + with_powers(shown_error(l.at->error)) : "") +
-         (l.within ? "<br>good to " + with_powers(rounded(l.within->setting, 3)) : "<br>good nowhere");
+         (l.within ? "<br>good to " + with_powers(format_significant(l.within->setting, 3))
+                   : "<br>good nowhere");
 }
 
 /// A row a model, a column an algorithm.
@@ -177,7 +179,7 @@ std::string limits_table(const Stability& s) {
 /// What a game asks: "0.0175 rad"; in several units in words.
 std::string game_need(const Stability& s) {
   if (s.unit.find(',') != std::string::npos) return "one centimetre and one degree";
-  return in_unit(with_powers(rounded(s.close, 3)), typeset_unit(s.unit));
+  return in_unit(with_powers(format_significant(s.close, 3)), typeset_unit(s.unit));
 }
 
 std::string stability_of_scene(const ExerciseResult& e) {
@@ -229,18 +231,19 @@ std::string letters(const MapRow& row) {
 std::string shown_step(const Limit& l) {
   if (std::isinf(l.step())) return "every step";
   if (l.stable == 0) return "none";
-  return (l.unstable > 0 ? "" : "at least ") + rounded(l.stable, 3) + (l.soft ? ", not sharp" : "");
+  return (l.unstable > 0 ? "" : "at least ") + format_significant(l.stable, 3) +
+         (l.soft ? ", not sharp" : "");
 }
 
 std::string shown_tongues(const Limit& l) {
   std::string text;
   for (const ode::Tongue& t : l.tongues) {
     if (!text.empty()) text += ", ";
-    const std::string from = t.from == 0 ? "" : rounded(t.from, 3);
+    const std::string from = t.from == 0 ? "" : format_significant(t.from, 3);
     if (std::isinf(t.to))
       text += t.from == 0 ? "every step" : "from " + from;
     else
-      text += t.from == 0 ? "to " + rounded(t.to, 3) : from + " to " + rounded(t.to, 3);
+      text += t.from == 0 ? "to " + format_significant(t.to, 3) : from + " to " + format_significant(t.to, 3);
   }
   return text.empty() ? "no step" : text;
 }
@@ -251,9 +254,10 @@ std::string how_it_breaks(const Limit& l, const Stability& s) {
   if (!l.broken) return "";
   const TimedTrial& t = *l.broken;
   const std::string unit = " " + s.time_unit;
-  return "at " + rounded(l.unstable, 3) + unit + " neighbouring motions have parted after " +
-         rounded(l.lost, 2) + unit + "; the motion at " + rounded(t.setting, 3) + unit + ": " + beyond(l) +
-         ", " + (t.message.empty() ? "error " + in_unit(shown_error(t.error), s.unit) : t.message);
+  return "at " + format_significant(l.unstable, 3) + unit + " neighbouring motions have parted after " +
+         format_significant(l.lost, 2) + unit + "; the motion at " + format_significant(t.setting, 3) + unit +
+         ": " + beyond(l) + ", " +
+         (t.message.empty() ? "error " + in_unit(shown_error(t.error), s.unit) : t.message);
 }
 
 std::string shown_cure(const Limit& l, const std::string& unit) {
@@ -277,16 +281,16 @@ std::string stability_text(const ExerciseResult& e, const Screen& screen) {
   std::string notes;
   for (const auto& [reason, names] : reasons(s)) notes += "\n  " + names + ": " + reason + "\n";
   for (const std::string& line : reservations(s)) notes += "\n  " + line + "\n";
-  return heading_of(e, screen) + s.quantity + " over " + rounded(s.horizon, 4) + " " + s.time_unit +
-         "; needed to " + in_unit(rounded(s.close, 3), s.unit) + "\n\n" + limits_text(s, screen) +
-         wrapped(notes, screen, 4) + map_text(s, screen);
+  return heading_of(e, screen) + s.quantity + " over " + format_significant(s.horizon, 4) + " " +
+         s.time_unit + "; needed to " + in_unit(format_significant(s.close, 3), s.unit) + "\n\n" +
+         limits_text(s, screen) + wrapped(notes, screen, 4) + map_text(s, screen);
 }
 
 std::string limit_row(const ExerciseResult& e, const Limit& l) {
   return to_string(e.number) + "," + cell(l.model) + "," + cell(l.algorithm) + "," + step_cell(l.step()) +
          "," + step_cell(l.theory()) + "," + cell(shown_tongues(l)) + "," +
          (l.goes_on || std::isinf(l.step()) ? "" : step_cell(l.watched)) + "," +
-         (l.soft ? shown_soft(*l.soft) : "") + "," + (l.at ? rounded(l.at->error, 2) : "") + "," +
+         (l.soft ? shown_soft(*l.soft) : "") + "," + (l.at ? format_significant(l.at->error, 2) : "") + "," +
          (l.within ? step_cell(l.within->setting) : "") + "," + beyond(l) + "," + cell(l.why) + "\n";
 }
 
@@ -299,8 +303,8 @@ std::string limit_rows(const Results& results) {
 }
 
 std::string map_row(const ExerciseResult& e, const MapRow& row) {
-  return to_string(e.number) + "," + cell(row.model) + "," + cell(row.algorithm) + "," + shortest(row.value) +
-         "," + letters(row) + "\n";
+  return to_string(e.number) + "," + cell(row.model) + "," + cell(row.algorithm) + "," +
+         format_shortest(row.value) + "," + letters(row) + "\n";
 }
 
 std::string map_rows(const Results& results) {

@@ -10,7 +10,7 @@ namespace oddity {
 namespace {
 
 struct CsvCell {
-  std::string operator()(double x) const { return shortest(x); }
+  std::string operator()(double x) const { return format_shortest(x); }
   std::string operator()(long n) const { return std::to_string(n); }
   std::string operator()(const std::string& text) const {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;

@@ -15,7 +15,7 @@ std::string text_of(std::string_view view) { return std::string(view); }
 
 std::string value_text(const Value& value) {
   std::string text;
-  for (double x : value) text += (text.empty() ? "" : " ") + shortest(x);
+  for (double x : value) text += (text.empty() ? "" : " ") + format_shortest(x);
   return text;
 }
 

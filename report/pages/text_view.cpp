@@ -85,7 +85,7 @@ std::string quantity_text(const QuantityResult& q, const Screen& screen) {
 
 std::string shown(const Value& value, int digits) {
   constexpr std::size_t most = 4;
-  const auto component = [digits](double x) { return std::isnan(x) ? "nan" : rounded(x, digits); };
+  const auto component = [digits](double x) { return std::isnan(x) ? "nan" : format_significant(x, digits); };
   if (value.size() == 1) return component(value[0]);
   std::string text = "(";
   for (std::size_t i = 0; i < std::min(value.size(), most); ++i)
@@ -100,20 +100,20 @@ std::string with_short_numbers(const std::string& text) {
   for (std::sregex_iterator found(text.begin(), text.end(), number), end; found != end; ++found) {
     out.append(from, text.begin() + found->position());
     const std::string digits = found->str(), significand = found->str(1);
-    const auto value = number_in(digits);
-    out += value && significand.size() > 10 ? rounded(*value, 6) : digits;
+    const auto value = parse_number(digits);
+    out += value && significand.size() > 10 ? format_significant(*value, 6) : digits;
     from = text.begin() + found->position() + found->length();
   }
   return out.append(from, text.end());
 }
 
-std::string shown_error(double error) { return std::isfinite(error) ? rounded(error, 2) : "-"; }
+std::string shown_error(double error) { return std::isfinite(error) ? format_significant(error, 2) : "-"; }
 
 std::string shown_time(double seconds) {
   if (!std::isfinite(seconds)) return "-";
-  if (seconds < 1e-6) return rounded(seconds * 1e9, 3) + " ns";
-  if (seconds < 1e-3) return rounded(seconds * 1e6, 3) + " us";
-  return seconds < 1 ? rounded(seconds * 1e3, 3) + " ms" : rounded(seconds, 3) + " s";
+  if (seconds < 1e-6) return format_significant(seconds * 1e9, 3) + " ns";
+  if (seconds < 1e-3) return format_significant(seconds * 1e6, 3) + " us";
+  return seconds < 1 ? format_significant(seconds * 1e3, 3) + " ms" : format_significant(seconds, 3) + " s";
 }
 
 std::string instants(const QuantityResult& q) {
@@ -121,7 +121,7 @@ std::string instants(const QuantityResult& q) {
 }
 
 std::string shown_knob(const TimedTrial& t) {
-  return t.knob.empty() ? "-" : t.knob + " " + rounded(t.setting, 4);
+  return t.knob.empty() ? "-" : t.knob + " " + format_significant(t.setting, 4);
 }
 
 std::string shown(Outcome outcome, const Screen& screen) {
@@ -139,8 +139,8 @@ std::string heading_of(const ExerciseResult& e, const Screen& screen) {
 std::string text_view(const ExerciseResult& e, const Screen& screen) {
   std::string text = heading_of(e, screen);
   for (const ParameterValue& p : e.parameters)
-    text += wrapped("  " + p.name + " = " + shortest(p.value) + (p.unit.empty() ? "" : " " + p.unit) + "  " +
-                        p.says + "\n",
+    text += wrapped("  " + p.name + " = " + format_shortest(p.value) + (p.unit.empty() ? "" : " " + p.unit) +
+                        "  " + p.says + "\n",
                     screen, 6);
   if (!e.failure.empty()) text += "  " + screen.styled(Style::bad, "FAILED") + ": " + e.failure + "\n";
   text += claims_text(e, screen);

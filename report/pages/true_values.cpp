@@ -51,7 +51,7 @@ std::string true_values(const fs::path& folder) {
       "## The true values\n\nOf the " + std::to_string(all.values) + " values in the reference tables " +
       std::to_string(all.enclosed) +
       " are enclosed: computed with numbers that carry a proved bound of their error, the widest " +
-      rounded(all.widest, 1) + " of the largest component beside it.";
+      format_significant(all.widest, 1) + " of the largest component beside it.";
   if (!all.agreed.empty()) {
     text += " The other " + std::to_string(all.values - all.enclosed) + " rest on two routes that agree:";
     for (const std::string& table : all.agreed)

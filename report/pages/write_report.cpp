@@ -3,7 +3,7 @@
 #include "reference/files.hpp"
 #include "report/pages/catalog_page.hpp"
 #include "report/pages/pictures.hpp"
-#include "report/study/ledger.hpp"
+#include "report/study/cheapest_models.hpp"
 #include "report/study/stability.hpp"
 
 namespace oddity {
@@ -27,7 +27,7 @@ fs::path write_report(const Results& results, Edition edition, const fs::path& f
     write(exercise_file(e.number), exercise_page_text(results, e));
   write("errata.md", errata_page_text(results));
   write("algorithms.md", catalog_page());
-  write("models.md", ledger_page(results));
+  write("models.md", cheapest_models_page(results));
   write("stability.md", stability_page(results));
   if (edition == Edition::whole) write("times.md", times_page(results));
   return write("README.md", index_page(results, edition) + true_values);

@@ -17,7 +17,9 @@ namespace {
 using html::element;
 
 std::string number_text(double x, int digits) {
-  return std::isfinite(x) ? with_powers(rounded(x, digits)) : std::isnan(x) ? "not a number" : "infinite";
+  return std::isfinite(x) ? with_powers(format_significant(x, digits))
+         : std::isnan(x)  ? "not a number"
+                          : "infinite";
 }
 
 std::string value_text(const Value& value) { return in_xml(with_powers(shown(value, 7))); }
@@ -30,7 +32,8 @@ bool is_count(const Check& c) { return c.right.by == "none" && c.left.by.starts_
 /// "holds in all 200 samples", "fails in 24 of 5760 samples".
 std::string count_text(const Check& c) {
   const std::string of = c.left.by.substr(std::string("violations in ").size());
-  if (c.left.value[0] != 0) return in_xml("fails in " + rounded(c.left.value[0], 12) + " of " + of);
+  if (c.left.value[0] != 0)
+    return in_xml("fails in " + format_significant(c.left.value[0], 12) + " of " + of);
   return in_xml(of.starts_with("1 ") ? "holds in its one" + of.substr(1) : "holds in all " + of);
 }
 

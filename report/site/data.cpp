@@ -56,8 +56,8 @@
 #include "report/pages/readable.hpp"
 #include "report/site/example.hpp"
 #include "report/site/script.hpp"
+#include "report/study/initial_conditions.hpp"
 #include "report/study/stability.hpp"
-#include "report/study/starts.hpp"
 
 namespace oddity {
 
@@ -71,7 +71,7 @@ Json from(double x) {
   return std::abs(x) < 1e9 && x == std::round(x) ? Json(std::lround(x)) : Json(x);
 }
 Json brief(double x, int digits = 4) {
-  return std::isfinite(x) ? from(std::stod(rounded(x, digits))) : Json(nullptr);
+  return std::isfinite(x) ? from(std::stod(format_significant(x, digits))) : Json(nullptr);
 }
 Json brief_all(const std::vector<double>& numbers, int digits = 4) {
   Json all = Json::array();
@@ -481,15 +481,15 @@ Json from(const std::optional<Stability>& stability) {
           {"map", map}};
 }
 
-Json from(const std::optional<Ledger>& ledger) {
-  if (!ledger) return nullptr;
+Json from(const std::optional<CheapestModels>& cheapest_models) {
+  if (!cheapest_models) return nullptr;
   Json rows = Json::array();
-  for (const LeastModel& row : ledger->least) {
+  for (const CheapestModel& row : cheapest_models->least) {
     if (!row.least) continue;
     rows.push_back({{"says", row.says},
                     {"horizon", row.need.horizon},
                     {"fps", row.need.frames_per_second},
-                    {"unit", typeset_unit(ledger->unit)},
+                    {"unit", typeset_unit(cheapest_models->unit)},
                     {"model", row.least->model},
                     {"algorithm", row.least->algorithm},
                     {"knob", row.least->knob},
@@ -513,7 +513,7 @@ Json data_of(const ExerciseResult& e, const Reference& truth, const Styles& styl
           {"quantities", quantities},
           {"scene", scene_of(e, *entry, truth, drawn, contests)},
           {"stability", from(e.stability)},
-          {"least", from(e.ledger)}};
+          {"least", from(e.cheapest_models)}};
 }
 
 }  // namespace

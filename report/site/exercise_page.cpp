@@ -72,7 +72,7 @@ std::string letters_of(const ExerciseResult& e) {
   if (e.parameters.empty()) return "";
   std::string text;
   for (const ParameterValue& p : e.parameters)
-    text += "<div><dt><var>" + in_xml(p.name) + "</var> = " + rounded(p.value, 6) +
+    text += "<div><dt><var>" + in_xml(p.name) + "</var> = " + format_significant(p.value, 6) +
             (p.unit.empty() || p.unit == "1" ? "" : " " + in_xml(typeset_unit(p.unit))) + "</dt>" +
             element("dd", "", html::text(p.says)) + "</div>";
   return element("dl", " class=\"letters\"", text) + "\n";

@@ -11,8 +11,8 @@
 #include "report/site/claims_section.hpp"
 #include "report/site/moving_picture.hpp"
 #include "report/site/page.hpp"
+#include "report/study/candidate.hpp"
 #include "report/study/findings.hpp"
-#include "report/study/tried.hpp"
 
 namespace oddity {
 
@@ -136,7 +136,9 @@ std::string unit_after(const std::string& unit) {
 }
 
 std::string ends_of(const BreakEven& b) {
-  const auto with_unit = [&](double x) { return with_powers(rounded(x, 3)) + unit_after(b.parameter_unit); };
+  const auto with_unit = [&](double x) {
+    return with_powers(format_significant(x, 3)) + unit_after(b.parameter_unit);
+  };
   std::string text;
   for (const Interval& enough : b.enough) {
     const bool from_start = enough.from == b.looked.from, to_end = enough.to == b.looked.to;
@@ -144,17 +146,18 @@ std::string ends_of(const BreakEven& b) {
     text += from_start && to_end ? "everywhere"
             : from_start         ? "up to " + with_unit(enough.to)
             : to_end             ? "from " + with_unit(enough.from) + " on"
-                                 : with_powers(rounded(enough.from, 3)) + " to " + with_unit(enough.to);
+                     : with_powers(format_significant(enough.from, 3)) + " to " + with_unit(enough.to);
   }
   return text;
 }
 
-std::string simpler_cell(const Ledger& ledger) {
+std::string simpler_cell(const CheapestModels& cheapest_models) {
   std::string items;
-  for (const BreakEven& b : ledger.break_evens)
+  for (const BreakEven& b : cheapest_models.break_evens)
     items += element("li", "", in_xml(b.model) + ": <var>" + in_xml(b.parameter) + "</var> " + ends_of(b));
   std::string never;
-  for (const std::string& model : ledger.never) never += (never.empty() ? "nowhere: " : "; ") + in_xml(model);
+  for (const std::string& model : cheapest_models.never)
+    never += (never.empty() ? "nowhere: " : "; ") + in_xml(model);
   if (!never.empty()) items += element("li", "", never);
   return items.empty() ? "" : element("ul", "", items);
 }
@@ -163,11 +166,12 @@ std::string fault_cell(const ExerciseResult& e) {
   const Path* path = published_path(e);
   const auto findings = findings_of(e);
   if (path && broken_by(e) > 0) {
-    const std::string off =
-        path->outcome == Outcome::ok || path->outcome == Outcome::inaccurate
-            ? "off by " + with_powers(shown_error(path->error)) +
-                  (e.ledger->unit.find(',') == std::string::npos ? unit_after(e.ledger->unit) : "")
-            : std::string(name_of(path->outcome));
+    const std::string off = path->outcome == Outcome::ok || path->outcome == Outcome::inaccurate
+                                ? "off by " + with_powers(shown_error(path->error)) +
+                                      (e.cheapest_models->unit.find(',') == std::string::npos
+                                           ? unit_after(e.cheapest_models->unit)
+                                           : "")
+                                : std::string(name_of(path->outcome));
     return html::link(to_string(e.number) + ".html#findings", "<em>" + in_xml(path->model) + "</em>: " + off);
   }
   if (findings.empty()) return "";
@@ -178,17 +182,18 @@ std::string fault_cell(const ExerciseResult& e) {
 }
 
 std::string game_row(const ExerciseResult& e) {
-  const LeastModel& game = e.ledger->least.front();
+  const CheapestModel& game = e.cheapest_models->least.front();
   const std::string number = exercise_link(e);
-  if (!game.least) return html::row({number, "none here", "", "", simpler_cell(*e.ledger), fault_cell(e)});
-  const Tried& least = *game.least;
+  if (!game.least)
+    return html::row({number, "none here", "", "", simpler_cell(*e.cheapest_models), fault_cell(e)});
+  const Candidate& least = *game.least;
   std::string errors;
   for (double error : least.errors) errors += (errors.empty() ? "" : ", ") + with_powers(shown_error(error));
   return html::row(
       {number, in_xml(least.model),
        in_xml(least.algorithm) +
            (least.knob.empty() ? "" : ", " + in_xml(with_powers(shown_setting(least, game.need)))),
-       rounded(least.evaluations_per_frame, 3), simpler_cell(*e.ledger), fault_cell(e)},
+       format_significant(least.evaluations_per_frame, 3), simpler_cell(*e.cheapest_models), fault_cell(e)},
       "3");
 }
 
@@ -197,7 +202,7 @@ std::string for_games(const Results& results) {
                     {"scene", "model that is enough", "algorithm", "evaluations per frame",
                      "where simpler models hold", "fault of the published version"}};
   for (const ExerciseResult& e : results.exercises)
-    if (e.ledger && !e.ledger->least.empty()) table.rows.push_back(game_row(e));
+    if (e.cheapest_models && !e.cheapest_models->least.empty()) table.rows.push_back(game_row(e));
   if (table.rows.empty()) return "";
   return "<section id=\"games\">\n<h2>What it means for games</h2>\n<p>The simplest model that stays within one "
          "centimetre and one degree at every frame over 10 s at 60 frames per second, and the algorithm that needs the "

@@ -21,7 +21,7 @@ using html::element;
 
 std::string limit_text(double limit) {
   if (std::isnan(limit)) return "-";
-  return std::isinf(limit) ? "all" : limit == 0 ? "none" : rounded(limit, 5);
+  return std::isinf(limit) ? "all" : limit == 0 ? "none" : format_significant(limit, 5);
 }
 
 html::Table catalog_table() {

@@ -67,7 +67,7 @@ class View {
   double scale_ = 1;
 };
 
-std::string pixels(double x) { return rounded(std::round(std::clamp(x, -999.0, 999.0)), 3); }
+std::string pixels(double x) { return format_significant(std::round(std::clamp(x, -999.0, 999.0)), 3); }
 std::string pair(Spot s) { return pixels(s.x) + "," + pixels(s.y); }
 
 std::string points_text(const Drawing::Primitive& p, const View& view, const Drawing& drawing) {
@@ -92,7 +92,7 @@ std::string shape(const std::string& tag, const std::string& still, std::vector<
     text += " " + attribute.name + "=\"" + attribute.values.front() + "\"";
     if (std::ranges::all_of(attribute.values, [&](const auto& v) { return v == attribute.values.front(); }))
       continue;
-    changes += "<animate attributeName=\"" + attribute.name + "\" dur=\"" + rounded(seconds, 3) +
+    changes += "<animate attributeName=\"" + attribute.name + "\" dur=\"" + format_significant(seconds, 3) +
                "s\" begin=\"indefinite\" repeatCount=\"indefinite\" values=\"";
     for (const std::string& value : attribute.values) changes += value + ";";
     changes.back() = '"';

@@ -80,7 +80,7 @@ std::string scene_text(const Entry& entry) {
   const Quantity moving = motion(scene, Parameters(entry.exercise.parameters), Reference::nothing());
   std::string letters, models;
   for (const Parameter& p : entry.exercise.parameters)
-    letters += "{" + literal_of(p.name) + ", " + shortest(p.value) + "}, ";
+    letters += "{" + literal_of(p.name) + ", " + format_shortest(p.value) + "}, ";
   const auto played = played_models(scene);
   for (std::size_t i = 0; i < played.size(); ++i) {
     const auto [model, algorithm] = model_and_algorithm(moving, played[i].first);

@@ -46,7 +46,7 @@ std::string play_button(const QuantityResult& q, const TimedTrial& t) {
       q.methods, [&](const MethodResult& m) { return m.model == t.model && m.algorithm == t.algorithm; });
   if (!q.trajectory || method == q.methods.end()) return "";
   return " <button type=\"button\" hidden data-play=\"" + std::to_string(method - q.methods.begin()) + " " +
-         shortest(t.setting) + "\">play</button>";
+         format_shortest(t.setting) + "\">play</button>";
 }
 
 std::string trial_text(const std::string& what, const QuantityResult& q, const TimedTrial& t) {
@@ -118,8 +118,8 @@ std::string limit_row_of(const Limit& l) {
       {in_xml(l.algorithm), in_xml(shown_step(l)),
        std::isinf(theory) ? "every step"
        : theory == 0      ? "none"
-                          : rounded(theory, 3),
-       l.within ? rounded(l.within->setting, 3) : "none found", beyond(l),
+                          : format_significant(theory, 3),
+       l.within ? format_significant(l.within->setting, 3) : "none found", beyond(l),
        !l.cure ? "" : in_xml((l.cure->model == l.model ? "" : l.cure->model + ", ") + l.cure->algorithm)},
       "123");
 }
@@ -158,7 +158,7 @@ std::string summary_of(const Stability& s) {
   if (longest)
     text += (every > 0 ? " Of the others, the" : " The") + std::string(" largest stable step is that of ") +
             in_xml(longest->algorithm) + " on “" + in_xml(longest->model) +
-            "”: " + rounded(longest->step(), 3) + " " + in_xml(s.time_unit) + ".";
+            "”: " + format_significant(longest->step(), 3) + " " + in_xml(s.time_unit) + ".";
   return text +
          " Stable says nothing about accuracy: <em>needed to</em> is the largest step that keeps the error within " +
          with_unit_of(short_error(s.close), s.unit) + ".";

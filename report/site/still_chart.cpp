@@ -186,7 +186,7 @@ std::string still_map(const Stability& s) {
     return a.model == b.model && a.algorithm == b.algorithm;
   };
   for (const MapRow& row : s.map)
-    if (same(row, s.map.front())) head += element("th", "", rounded(row.value, 3));
+    if (same(row, s.map.front())) head += element("th", "", format_significant(row.value, 3));
   for (std::size_t i = 0; i < s.map.size(); ++i) {
     const MapRow& row = s.map[i];
     if (i == 0 || !same(row, s.map[i - 1]))
@@ -197,8 +197,8 @@ std::string still_map(const Stability& s) {
   return "<noscript>" +
          element("p", "",
                  "How each trial ends over <var>" + in_xml(s.parameter) + "</var>: a letter a step, from " +
-                     rounded(s.steps.front(), 3) + unit + " to " + rounded(s.steps.back(), 3) + unit + key +
-                     ".") +
+                     format_significant(s.steps.front(), 3) + unit + " to " +
+                     format_significant(s.steps.back(), 3) + unit + key + ".") +
          "<div class=\"wide\"><table class=\"still\"><tr><th>method</th>" + head + "</tr>\n" + rows +
          "</tr></table></div></noscript>";
 }

@@ -34,7 +34,7 @@ class Deadline {
   void check() const {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
     if (passed.count() > seconds_)
-      throw OutOfTime("no answer within the time limit of " + shortest(seconds_) +
+      throw OutOfTime("no answer within the time limit of " + format_shortest(seconds_) +
                       " s: ask for a shorter horizon, a lower frame rate or fewer methods (--only)");
   }
 
@@ -57,7 +57,7 @@ bool is_multistep(std::string_view algorithm) {
   return algorithm.starts_with("Adams-") || algorithm.starts_with("ms") || algorithm.starts_with("CVODE");
 }
 
-bool is_simple(const Tried& t) {
+bool is_simple(const Candidate& t) {
   return (t.knob.empty() || t.knob == "step") && !is_multistep(t.algorithm) &&
          !t.algorithm.starts_with("linearly implicit");
 }
@@ -149,16 +149,16 @@ class Search {
   }
 
   /// On the starts that it was not chosen on.
-  bool holds_elsewhere(Tried& chosen) {
+  bool holds_elsewhere(Candidate& chosen) {
     const Stopwatch watch(spent_.tests);
     ++spent_.rounds;
-    const Tried test = oddity::attempt(unseen_, method(chosen), chosen.setting, need_);
+    const Candidate test = oddity::evaluate(unseen_, method(chosen), chosen.setting, need_);
     chosen.unseen_error = test.error;
     return test.holds() && !unseen_.empty();
   }
 
-  const Method& method(const Tried& tried) const {
-    return *method_of(seen_.front().motion, tried.model, tried.algorithm);
+  const Method& method(const Candidate& candidate) const {
+    return *method_of(seen_.front().motion, candidate.model, candidate.algorithm);
   }
 
   std::string names() const {
@@ -191,7 +191,7 @@ class Search {
   void try_all(const std::string& stage) {
     constexpr double little = 16, more = 4;
     const auto wanted = [&](const Tries& tries) {
-      return std::ranges::any_of(tries.tried, [&](const Tried& t) { return meets_objective(t); });
+      return std::ranges::any_of(tries.candidates, [&](const Candidate& t) { return meets_objective(t); });
     };
     for (double most = little;; most *= more) {
       try_all(stage, most);
@@ -204,7 +204,7 @@ class Search {
     const Stopwatch watch(spent_.search);
     std::atomic<bool> any = false;
     parallel_for_each(tries_, [&](Tries& tries) {
-      if (tries.is_over() || !(tries.tried.back().seconds_per_frame < seconds_per_frame)) return;
+      if (tries.is_over() || !(tries.candidates.back().seconds_per_frame < seconds_per_frame)) return;
       tries.go_on(tries.expected_evaluations(), seen_, need_, [this] { deadline_.check(); });
       any = true;
     });
@@ -212,7 +212,7 @@ class Search {
   }
 
   struct Picked {
-    std::optional<Tried> chosen = {};
+    std::optional<Candidate> chosen = {};
     bool by_objective = true;
   };
 
@@ -232,12 +232,12 @@ class Search {
   }
 
   /// What may be chosen, and what may stand beside it.
-  std::vector<Tried*> to_be_timed() {
-    std::vector<Tried*> wanted;
+  std::vector<Candidate*> to_be_timed() {
+    std::vector<Candidate*> wanted;
     for (Tries& tries : tries_) {
       const auto f = tries.found(need_);
-      Tried* last = tries.is_over() ? nullptr : &tries.tried.back();
-      for (Tried* t : {f.representative(), f.first, f.before, last})
+      Candidate* last = tries.is_over() ? nullptr : &tries.candidates.back();
+      for (Candidate* t : {f.representative(), f.first, f.before, last})
         if (t && std::isnan(t->seconds_per_frame) && std::ranges::find(wanted, t) == wanted.end())
           wanted.push_back(t);
     }
@@ -246,97 +246,98 @@ class Search {
 
   void measure() {
     const Stopwatch watch(spent_.timing);
-    const std::vector<Tried*> wanted = to_be_timed();
+    const std::vector<Candidate*> wanted = to_be_timed();
     spent_.timed += static_cast<int>(wanted.size());
     Stage tally(progress_, "timing them", wanted.size());
-    for (Tried* tried : wanted) {
+    for (Candidate* candidate : wanted) {
       deadline_.check();
-      const Time time = price_(method(*tried), tried->setting);
-      const double with_restarts = 1 + restarting(*tried);
-      tried->seconds_per_frame = with_restarts * time.seconds / need_.frames();
-      tried->spread = std::isfinite(time.spread) ? with_restarts * time.spread / need_.frames() : 0;
+      const Time time = price_(method(*candidate), candidate->setting);
+      const double with_restarts = 1 + restarting(*candidate);
+      candidate->seconds_per_frame = with_restarts * time.seconds / need_.frames();
+      candidate->spread = std::isfinite(time.spread) ? with_restarts * time.spread / need_.frames() : 0;
       tally.add();
     }
   }
 
-  bool meets_objective(const Tried& t) const {
+  bool meets_objective(const Candidate& t) const {
     return t.holds() &&
            (need_.objective == Objective::cheapest || (is_simple(t) && holds_with_margin(t, need_)));
   }
 
-  bool eligible(const Tried& t, bool by_objective) const {
+  bool eligible(const Candidate& t, bool by_objective) const {
     return t.seconds_per_frame <= need_.budget && (by_objective ? meets_objective(t) : t.holds());
   }
 
-  static bool ties_with(const Tried& t, const Tried& fastest) {
+  static bool ties_with(const Candidate& t, const Candidate& fastest) {
     const double times = t.seconds_per_frame / fastest.seconds_per_frame;
     return times <= near_tie || (times <= noisy_tie && t.seconds_per_frame - t.spread <=
                                                            fastest.seconds_per_frame + fastest.spread);
   }
 
-  static bool same_cost(const Tried& t, const Tried& other) {
+  static bool same_cost(const Candidate& t, const Candidate& other) {
     return ties_with(t, other) && ties_with(other, t);
   }
 
   /// The cheapest; of near ties the more accurate, and of those as accurate within a tenth the simpler.
-  std::optional<Tried> pick(bool by_objective) {
+  std::optional<Candidate> pick(bool by_objective) {
     ties_.clear();
-    const std::vector<Tried> all = all_tried();
-    const auto fastest = least(all, [&](const Tried& t) { return eligible(t, by_objective); });
+    const std::vector<Candidate> all = all_tried();
+    const auto fastest = least(all, [&](const Candidate& t) { return eligible(t, by_objective); });
     if (!fastest) return {};
-    for (const Tried& t : all)
+    for (const Candidate& t : all)
       if (eligible(t, by_objective) && ties_with(t, *fastest)) ties_.push_back(t);
-    const double error = std::ranges::min_element(ties_, {}, &Tried::error)->error;
-    const auto best = std::ranges::min_element(ties_, {}, [&](const Tried& t) {
+    const double error = std::ranges::min_element(ties_, {}, &Candidate::error)->error;
+    const auto best = std::ranges::min_element(ties_, {}, [&](const Candidate& t) {
       return std::tuple(t.error > 1.1 * error, !is_simple(t), simplicity(t.algorithm), t.error);
     });
-    const Tried chosen = *best;
+    const Candidate chosen = *best;
     ties_.erase(best);
     return chosen;
   }
 
-  std::vector<Tried> all_tried() const {
-    std::vector<Tried> all;
-    for (const Tries& tries : tries_) std::ranges::copy(tries.tried, std::back_inserter(all));
+  std::vector<Candidate> all_tried() const {
+    std::vector<Candidate> all;
+    for (const Tries& tries : tries_) std::ranges::copy(tries.candidates, std::back_inserter(all));
     return all;
   }
 
   template <class Range, class Predicate>
-  static std::optional<Tried> least(const Range& range, const Predicate& predicate) {
-    std::optional<Tried> best;
-    for (const Tried& tried : range)
-      if (predicate(tried) && (!best || tried.seconds_per_frame < best->seconds_per_frame)) best = tried;
+  static std::optional<Candidate> least(const Range& range, const Predicate& predicate) {
+    std::optional<Candidate> best;
+    for (const Candidate& candidate : range)
+      if (predicate(candidate) && (!best || candidate.seconds_per_frame < best->seconds_per_frame))
+        best = candidate;
     return best;
   }
 
   /// What comes nearest to a need that nothing meets: within the budget the smallest error, but what holds
   /// and costs too much comes first.
-  static std::optional<Tried> miss(const std::vector<Tried>& all) {
-    if (auto held = least(all, [](const Tried& t) { return t.holds(); })) return held;
-    const auto nearest = std::ranges::min_element(all, {}, &Tried::error);
+  static std::optional<Candidate> miss(const std::vector<Candidate>& all) {
+    if (auto held = least(all, [](const Candidate& t) { return t.holds(); })) return held;
+    const auto nearest = std::ranges::min_element(all, {}, &Candidate::error);
     return nearest == all.end() ? std::nullopt : std::optional(*nearest);
   }
 
   /// What does not hold was left at the first start on which it failed: its error is that of all.
-  void judge_failure(Tried& tried) const {
-    if (tried.holds()) return;
-    const Tried whole = oddity::attempt(seen_, method(tried), tried.setting, need_);
-    tried.error = whole.error;
-    tried.errors = whole.errors;
-    tried.outcome = whole.outcome;
-    tried.where = whole.where;
+  void judge_failure(Candidate& candidate) const {
+    if (candidate.holds()) return;
+    const Candidate whole = oddity::evaluate(seen_, method(candidate), candidate.setting, need_);
+    candidate.error = whole.error;
+    candidate.errors = whole.errors;
+    candidate.outcome = whole.outcome;
+    candidate.where = whole.where;
   }
-  void judge_failures(std::vector<Tried>& rows) const {
-    parallel_for_each(rows, [this](Tried& tried) { judge_failure(tried); });
+  void judge_failures(std::vector<Candidate>& rows) const {
+    parallel_for_each(rows, [this](Candidate& candidate) { judge_failure(candidate); });
   }
 
   /// Of the first model that an engine's step fits: semi-implicit Euler at 60, 120 and 240 Hz.
-  std::vector<Tried> engine() const {
-    std::vector<Tried> rows;
+  std::vector<Candidate> engine() const {
+    std::vector<Candidate> rows;
     for (const Method& m : seen_.front().motion.methods) {
       if (m.algorithm != "symplectic Euler") continue;
       for (double rate : {60.0, 120.0, 240.0})
-        rows.push_back(oddity::attempt(
+        rows.push_back(oddity::evaluate(
             seen_, m, 1 / (need_.frames_per_second * std::ceil(rate / need_.frames_per_second)), need_));
       break;
     }
@@ -344,15 +345,15 @@ class Search {
   }
 
   /// Nothing where the method is in double only, or what is asked, as the distance from a constraint, is.
-  std::optional<Tried> chosen_in_float(const Tried& chosen) const {
+  std::optional<Candidate> chosen_in_float(const Candidate& chosen) const {
     if (need_.criterion == Criterion::constraint) return {};
     const Method* single = method_of(seen_.front().motion, chosen.model, oddity::in_float(chosen.algorithm));
     if (!single) return {};
-    return oddity::attempt(seen_, *single, chosen.setting, need_);
+    return oddity::evaluate(seen_, *single, chosen.setting, need_);
   }
 
   /// What the first frame of a run costs beside the steady evaluations.
-  double restart(const Tried& chosen) const {
+  double restart(const Candidate& chosen) const {
     const Quantity one_frame = starts_.one_frame();
     const Method* first = method_of(one_frame, chosen.model, chosen.algorithm);
     if (!first) return 0;
@@ -361,10 +362,10 @@ class Search {
   }
 
   /// What the restarts asked for add to the time, as a part of it.
-  double restarting(const Tried& tried) const {
+  double restarting(const Candidate& candidate) const {
     const double frames = need_.restart_every * need_.frames_per_second;
-    if (!std::isfinite(frames) || tried.evaluations_per_frame == 0) return 0;
-    return restart(tried) / tried.evaluations_per_frame / frames;
+    if (!std::isfinite(frames) || candidate.evaluations_per_frame == 0) return 0;
+    return restart(candidate) / candidate.evaluations_per_frame / frames;
   }
 
   /// Where a motion is chaotic, the time after which a start known to 1e-9 no longer tells the path to the
@@ -404,16 +405,16 @@ class Search {
     all.starts = static_cast<int>(seen_.size() + unseen_.size());
     all.methods = static_cast<int>(tries_.size());
     for (const Tries& tries : tries_) {
-      all.settings += static_cast<int>(tries.tried.size());
+      all.settings += static_cast<int>(tries.candidates.size());
       if (!tries.is_over()) ++all.left;
-      for (const Tried& t : tries.tried)
+      for (const Candidate& t : tries.candidates)
         all.evaluations += std::lround(t.evaluations_per_frame * need_.frames());
     }
     return all;
   }
 
   Choice summary(const Picked& picked) {
-    const std::optional<Tried>& chosen = picked.chosen;
+    const std::optional<Candidate>& chosen = picked.chosen;
     const Quantity& motion = seen_.front().motion;
     Choice choice;
     choice.need = need_;
@@ -426,30 +427,31 @@ class Search {
     for (const Start& s : unseen_)
       if (chosen) choice.unseen.push_back(s.says);
     for (Tries& tries : tries_)
-      if (const Tried* t = tries.found(need_).representative()) choice.tried.push_back(*t);
+      if (const Candidate* t = tries.found(need_).representative()) choice.candidates.push_back(*t);
     if (chosen)  // at another setting where its margin does not matter
-      for (Tried& t : choice.tried)
+      for (Candidate& t : choice.candidates)
         if (t.model == chosen->model && t.algorithm == chosen->algorithm) t = *chosen;
-    std::ranges::stable_sort(choice.tried, {}, [](const Tried& t) {
+    std::ranges::stable_sort(choice.candidates, {}, [](const Candidate& t) {
       return std::isnan(t.seconds_per_frame) ? std::numeric_limits<double>::infinity() : t.seconds_per_frame;
     });
-    judge_failures(choice.tried);
+    judge_failures(choice.candidates);
     choice.engine = engine();
     choice.predictable = predictable();
     choice.explanation = explanation();
     if (!chosen) {
-      choice.nearest_miss = miss(choice.tried);
+      choice.nearest_miss = miss(choice.candidates);
       return choice;
     }
     choice.ties = ties_;
     choice.restart = restart(*chosen);
     choice.in_float = chosen_in_float(*chosen);
-    for (const Tried& tried : all_tried())
-      if (!tried.holds() && came_to_an_end(tried) && tried.seconds_per_frame < chosen->seconds_per_frame &&
-          (!choice.next_cheaper || tried.seconds_per_frame > choice.next_cheaper->seconds_per_frame))
-        choice.next_cheaper = tried;
+    for (const Candidate& candidate : all_tried())
+      if (!candidate.holds() && came_to_an_end(candidate) &&
+          candidate.seconds_per_frame < chosen->seconds_per_frame &&
+          (!choice.next_cheaper || candidate.seconds_per_frame > choice.next_cheaper->seconds_per_frame))
+        choice.next_cheaper = candidate;
     if (choice.next_cheaper) judge_failure(*choice.next_cheaper);
-    choice.next_richer = least(choice.tried, [&](const Tried& t) {
+    choice.next_richer = least(choice.candidates, [&](const Candidate& t) {
       return t.holds() && t.model != chosen->model && t.seconds_per_frame > chosen->seconds_per_frame &&
              !same_cost(t, *chosen);
     });
@@ -462,10 +464,10 @@ class Search {
   Deadline deadline_;
   std::optional<Stage> motions_;
   Reference truth_;
-  Starts starts_;
+  InitialConditions starts_;
   std::vector<Start> seen_, unseen_;
   std::vector<Tries> tries_;
-  std::vector<Tried> ties_;
+  std::vector<Candidate> ties_;
   Explanation spent_;
 };
 

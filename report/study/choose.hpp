@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "report/pages/screen.hpp"
-#include "report/study/tried.hpp"
+#include "report/study/candidate.hpp"
 
 /// What to use for a scene: the model, algorithm and setting that hold for a need.
 namespace oddity {
@@ -29,19 +29,19 @@ struct Choice {
   std::string exercise, quantity, time_unit;
   std::vector<std::string> units;  ///< of the motion's errors
   std::vector<double> needs;       ///< the error asked for in each of them
-  std::vector<Tried>
-      tried;  ///< every method at its cheapest setting that holds, or else at its best; by cost
-  std::optional<Tried> chosen;
+  std::vector<Candidate>
+      candidates;  ///< every method at its cheapest setting that holds, or else at its best; by cost
+  std::optional<Candidate> chosen;
   bool by_objective =
       true;  ///< false: nothing that the objective wants holds, and this is the cheapest that does
-  std::vector<Tried>
+  std::vector<Candidate>
       ties;  ///< what costs the same within a quarter, or within the spread, and was passed over
-  std::optional<Tried>
+  std::optional<Candidate>
       next_cheaper;  ///< the most expensive of those that are cheaper, come to an end and fail
-  std::optional<Tried> next_richer;   ///< the cheapest other model that holds
-  std::optional<Tried> nearest_miss;  ///< when nothing is chosen
-  std::vector<Tried> engine;          ///< semi-implicit Euler at 60, 120 and 240 Hz, as engines have it
-  std::optional<Tried> in_float;      ///< the chosen one in float at its setting, unless it is in float
+  std::optional<Candidate> next_richer;   ///< the cheapest other model that holds
+  std::optional<Candidate> nearest_miss;  ///< when nothing is chosen
+  std::vector<Candidate> engine;          ///< semi-implicit Euler at 60, 120 and 240 Hz, as engines have it
+  std::optional<Candidate> in_float;      ///< the chosen one in float at its setting, unless it is in float
   double restart = 0;  ///< evaluations that a restart of the chosen one costs beside the steady ones
   std::optional<double>
       predictable;  ///< of a chaotic motion: until when a start known to 1e-9 tells the path

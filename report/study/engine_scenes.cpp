@@ -13,7 +13,7 @@
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/similar.hpp"
-#include "report/study/starts.hpp"
+#include "report/study/initial_conditions.hpp"
 #include "solvers/engines/turns.hpp"
 
 namespace oddity {
@@ -285,7 +285,7 @@ void require_engine_scene(const Entry& entry) {
 
 EngineScene engine_scene(const Task& task, const Need& need, const Reference& truth) {
   require_engine_scene(*task.entry);
-  Starts starts(task, need, truth);
+  InitialConditions starts(task, need, truth);
   return {to_string(task.entry->number), std::string(task.entry->exercise.title), need,
           task.entry->exercise.scene->staging(task.parameters), starts.asked().motion};
 }

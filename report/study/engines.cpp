@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t memory = 4'000'000'000;
 constexpr int last_timed = 4;  ///< steps per frame
 
@@ -114,7 +113,7 @@ Energy energy(const World& world, const std::vector<State>& states) {
 
 /// By how much it changes at most, as a part of the largest kinetic energy.
 double energy_change(const World& world, const std::vector<std::vector<State>>& frames) {
-  if (!conserves(world)) return nan;
+  if (!conserves(world)) return not_a_number;
   const Energy start = energy(world, frames.front());
   double change = 0, moving = 0;
   for (const auto& states : frames) {
@@ -122,7 +121,7 @@ double energy_change(const World& world, const std::vector<std::vector<State>>& 
     change = std::max(change, std::abs(now.kinetic + now.potential - start.kinetic - start.potential));
     moving = std::max(moving, now.kinetic);
   }
-  return moving > 0 ? change / moving : nan;
+  return moving > 0 ? change / moving : not_a_number;
 }
 
 /// How far the joint's ends are apart, or a rod's length is off.
@@ -246,7 +245,7 @@ namespace {
 EngineTrial tried(const EngineProgram& engine, const EngineVariant& variant, const EngineScene& contest,
                   int steps_per_frame, int runs, double limit) {
   EngineTrial trial{steps_per_frame};
-  trial.in_needs = trial.energy = trial.off_joint = trial.seconds_per_frame = nan;
+  trial.in_needs = trial.energy = trial.off_joint = trial.seconds_per_frame = not_a_number;
   const engines::Request request{contest.staging.world,
                                  variant.name,
                                  static_cast<int>(contest.need.frames()),

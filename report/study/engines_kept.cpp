@@ -18,11 +18,9 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Not a number is null.
 ordered_json kept(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
-double number(const ordered_json& json) { return json.is_null() ? nan : json.get<double>(); }
+double number(const ordered_json& json) { return json.is_null() ? not_a_number : json.get<double>(); }
 
 ordered_json kept(const std::vector<double>& numbers) {
   ordered_json all = ordered_json::array();
@@ -45,7 +43,7 @@ Outcome outcome_named(const std::string& name) {
 /// For the eye, seven digits are enough.
 std::vector<double> shortened(std::vector<double> path) {
   for (double& x : path)
-    if (std::isfinite(x)) x = *number_in(rounded(x, 7));
+    if (std::isfinite(x)) x = *parse_number(format_significant(x, 7));
   return path;
 }
 

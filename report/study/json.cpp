@@ -168,7 +168,7 @@ TimedTrial trial(const Json& json) {
   return t;
 }
 
-Json from(const Tried& t) {
+Json from(const Candidate& t) {
   return {{"model", t.model},
           {"algorithm", t.algorithm},
           {"knob", t.knob},
@@ -178,16 +178,16 @@ Json from(const Tried& t) {
           {"outcome", name_of(t.outcome)},
           {"evaluations_per_frame", from(t.evaluations_per_frame)}};
 }
-Tried tried(const Json& json) {
-  Tried t{json.at("model"), json.at("algorithm"), json.at("knob"), number(json.at("setting")),
-          number(json.at("error_in_needs"))};
+Candidate candidate(const Json& json) {
+  Candidate t{json.at("model"), json.at("algorithm"), json.at("knob"), number(json.at("setting")),
+              number(json.at("error_in_needs"))};
   for (double error : value(json.at("errors"))) t.errors.push_back(error);
   t.outcome = named(json.at("outcome"), outcomes);
   t.evaluations_per_frame = number(json.at("evaluations_per_frame"));
   return t;
 }
 
-Json from(const LeastModel& row) {
+Json from(const CheapestModel& row) {
   Json json{{"for", row.says},
             {"error_asked", from(row.need.error)},
             {"relative", row.need.relative},
@@ -197,14 +197,14 @@ Json from(const LeastModel& row) {
   if (row.in_float) json["in_float"] = from(*row.in_float);
   return json;
 }
-LeastModel least_model(const Json& json) {
-  LeastModel row{json.at("for"),
-                 {number(json.at("error_asked")), json.at("relative"), number(json.at("horizon")),
-                  number(json.at("frames_per_second"))},
-                 {}};
-  if (json.contains("least")) row.least = tried(json.at("least"));
+CheapestModel cheapest_model(const Json& json) {
+  CheapestModel row{json.at("for"),
+                    {number(json.at("error_asked")), json.at("relative"), number(json.at("horizon")),
+                     number(json.at("frames_per_second"))},
+                    {}};
+  if (json.contains("least")) row.least = candidate(json.at("least"));
   if (json.contains("in_float")) {
-    row.in_float = tried(json.at("in_float"));
+    row.in_float = candidate(json.at("in_float"));
     row.in_float->precision = Precision::in_float;
   }
   return row;
@@ -243,17 +243,20 @@ BreakEven break_even(const Json& json) {
   return b;
 }
 
-Json from(const Ledger& ledger) {
+Json from(const CheapestModels& cheapest_models) {
   Json least = Json::array(), break_evens = Json::array();
-  for (const LeastModel& row : ledger.least) least.push_back(from(row));
-  for (const BreakEven& b : ledger.break_evens) break_evens.push_back(from(b));
-  return {{"unit", ledger.unit}, {"least", least}, {"break_evens", break_evens}, {"never", ledger.never}};
+  for (const CheapestModel& row : cheapest_models.least) least.push_back(from(row));
+  for (const BreakEven& b : cheapest_models.break_evens) break_evens.push_back(from(b));
+  return {{"unit", cheapest_models.unit},
+          {"least", least},
+          {"break_evens", break_evens},
+          {"never", cheapest_models.never}};
 }
-Ledger ledger(const Json& json) {
-  Ledger ledger{json.at("unit"), {}, {}, json.at("never")};
-  for (const Json& row : json.at("least")) ledger.least.push_back(least_model(row));
-  for (const Json& b : json.at("break_evens")) ledger.break_evens.push_back(break_even(b));
-  return ledger;
+CheapestModels cheapest_models(const Json& json) {
+  CheapestModels cheapest_models{json.at("unit"), {}, {}, json.at("never")};
+  for (const Json& row : json.at("least")) cheapest_models.least.push_back(cheapest_model(row));
+  for (const Json& b : json.at("break_evens")) cheapest_models.break_evens.push_back(break_even(b));
+  return cheapest_models;
 }
 
 Json from(const Trajectory& t) {
@@ -475,7 +478,7 @@ Json from(const ExerciseResult& e) {
           {"quantities", quantities},
           {"failure", e.failure},
           {"stability", e.stability ? from(*e.stability) : Json(nullptr)},
-          {"ledger", e.ledger ? from(*e.ledger) : Json(nullptr)}};
+          {"ledger", e.cheapest_models ? from(*e.cheapest_models) : Json(nullptr)}};
 }
 ExerciseResult exercise(const Json& json) {
   const auto number_of = exercise_number(json.at("number").get<std::string>());
@@ -492,7 +495,7 @@ ExerciseResult exercise(const Json& json) {
     require(files.insert(file_name(e.quantities.back().name)).second, "two quantities have one name");
   }
   if (!json.at("stability").is_null()) e.stability = stability(json.at("stability"));
-  if (!json.at("ledger").is_null()) e.ledger = ledger(json.at("ledger"));
+  if (!json.at("ledger").is_null()) e.cheapest_models = cheapest_models(json.at("ledger"));
   return e;
 }
 

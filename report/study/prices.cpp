@@ -52,11 +52,11 @@ std::string machine_and_program() {
 }
 
 std::string price_key(const Task& task, const Need& need) {
-  std::string key = to_string(task.entry->number) + " over " + shortest(need.horizon) + " at " +
-                    shortest(need.frames_per_second) + " frames" +
+  std::string key = to_string(task.entry->number) + " over " + format_shortest(need.horizon) + " at " +
+                    format_shortest(need.frames_per_second) + " frames" +
                     (need.bodies == 1 ? "" : " of " + std::to_string(need.bodies) + " bodies");
   for (const Parameter& p : task.parameters.declared())
-    key += ", " + std::string(p.name) + " = " + shortest(task.parameters[p.name]);
+    key += ", " + std::string(p.name) + " = " + format_shortest(task.parameters[p.name]);
   return key + "; " + machine_and_program();
 }
 
@@ -77,7 +77,8 @@ std::map<KeptPrices::Which, Time> KeptPrices::in_file() const {
   for (std::string line; std::getline(lines, line);) {
     const auto cells = cells_of(line);
     if (cells.size() != 5) continue;
-    const auto setting = number_in(cells[2]), seconds = number_in(cells[3]), spread = number_in(cells[4]);
+    const auto setting = parse_number(cells[2]), seconds = parse_number(cells[3]),
+               spread = parse_number(cells[4]);
     if (setting && seconds && spread && *seconds > 0)
       prices[{cells[0], cells[1], *setting}] = {*seconds, *spread};
   }
@@ -102,8 +103,8 @@ void KeptPrices::keep() const {
   std::string text = key_ + "\n";
   for (const auto& [which, time] : all)
     if (std::isfinite(time.seconds))
-      text += std::get<0>(which) + "\t" + std::get<1>(which) + "\t" + shortest(std::get<2>(which)) + "\t" +
-              shortest(time.seconds) + "\t" + shortest(time.spread) + "\n";
+      text += std::get<0>(which) + "\t" + std::get<1>(which) + "\t" + format_shortest(std::get<2>(which)) +
+              "\t" + format_shortest(time.seconds) + "\t" + format_shortest(time.spread) + "\n";
   keep_sealed(file_, text);
 }
 

@@ -57,7 +57,8 @@ void ProgressBar::watch() {
 std::string ProgressBar::line() const {
   const double passed = std::chrono::duration<double>(Clock::now() - begun_).count();
   const double left = passed * (static_cast<double>(all_) / done_ - 1);
-  return "oddity: " + stage_ + ", " + rounded(std::floor(done_), 9) + " of " + std::to_string(all_) +
+  return "oddity: " + stage_ + ", " + format_significant(std::floor(done_), 9) + " of " +
+         std::to_string(all_) +
          (done_ > 0 ? ", about " + shown(left) + " left" : ", " + shown(passed) + " so far");
 }
 

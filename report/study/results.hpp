@@ -13,6 +13,8 @@
 /// runs.
 namespace oddity {
 
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
 struct JudgedClaim {
   Claim claim;
   Verdict verdict = Verdict::unsettled;
@@ -108,7 +110,7 @@ struct QuantityResult {
 std::string instants(const QuantityResult&);
 
 /// A method at one setting, over several starts.
-struct Tried {
+struct Candidate {
   std::string model, algorithm, knob;
   double setting = 0;
   double error = 0;  ///< the largest over the starts it was chosen on, in units of what was asked
@@ -128,11 +130,11 @@ struct Tried {
 
 /// The first model of the ladder, from the least on, that holds for a need by any algorithm, with the least
 /// work.
-struct LeastModel {
+struct CheapestModel {
   std::string says;  ///< "1 degree", "10 digits"
   Need need;
-  std::optional<Tried> least;          ///< none: nothing here holds
-  std::optional<Tried> in_float = {};  ///< the same in float; none: it is in double only
+  std::optional<Candidate> least;          ///< none: nothing here holds
+  std::optional<Candidate> in_float = {};  ///< the same in float; none: it is in double only
 };
 
 /// Values of a parameter between which a model is enough.
@@ -153,9 +155,9 @@ struct BreakEven {
   std::string why = {};
 };
 
-struct Ledger {
-  std::string unit;               ///< of the observables
-  std::vector<LeastModel> least;  ///< over 10 s at 60 frames per second: for a game, and for 10 digits
+struct CheapestModels {
+  std::string unit;                  ///< of the observables
+  std::vector<CheapestModel> least;  ///< over 10 s at 60 frames per second: for a game, and for 10 digits
   std::vector<BreakEven> break_evens;
   std::vector<std::string> never;  ///< models that are not enough for a game wherever it was looked
 };
@@ -226,7 +228,7 @@ struct ExerciseResult {
   std::vector<JudgedClaim> claims;
   std::vector<QuantityResult> quantities;
   std::string failure;  ///< an exception that ended the study; empty: none
-  std::optional<Ledger> ledger = {};
+  std::optional<CheapestModels> cheapest_models = {};
   std::optional<Stability> stability = {};
   std::vector<Root> roots = {};  ///< of the errata
 };

@@ -90,7 +90,7 @@ Ended run_program(const std::vector<std::string>& command, const std::string& in
   }
   const double seconds = std::chrono::duration<double>(limit).count();
   return {!late && WIFEXITED(status) && WEXITSTATUS(status) == 0,
-          late                  ? "no answer within " + rounded(seconds, 3) + " s"
+          late                  ? "no answer within " + format_significant(seconds, 3) + " s"
           : WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
                                 : "status " + std::to_string(WEXITSTATUS(status)),
           said.read(4000), answered.read(std::string::npos)};

@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "chapters/scene.hpp"
+#include "report/study/initial_conditions.hpp"
 #include "report/study/parallel.hpp"
-#include "report/study/starts.hpp"
 
 namespace oddity {
 
@@ -204,12 +204,12 @@ void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria
       return because(
           "resonance: a turn of the method's own motion takes a whole number of its steps, so that every "
           "turn errs alike and the errors add up",
-          rounded(*steps, 3) + " steps a turn");
+          format_significant(*steps, 3) + " steps a turn");
   if (limit.soft) return;  // the mark says it
   limit.why = not_explained;
   const double along = first_lost_along_truth(limit, disturbances);
-  const std::string from =
-      std::isinf(along) ? "no step tried is lost there" : "lost there from " + rounded(along, 2) + " on";
+  const std::string from = std::isinf(along) ? "no step tried is lost there"
+                                             : "lost there from " + format_significant(along, 2) + " on";
   const bool frozen =
       shorter ? nearer(along, limit.stable, theory) && agree(along, limit.stable)
               : along >= limit.stable || (nearer(along, limit.stable, theory) && agree(along, limit.stable));
@@ -226,7 +226,7 @@ void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria
       return because(
           "before it is lost the method's own motion is so much faster than the true one that theory's "
           "limit along it is less than half",
-          rounded(own, 2));
+          format_significant(own, 2));
   if (nearer(along, theory, limit.stable) && agree(along, theory))
     because(
         "theory is right of the true motion, whose disturbances are lost where it says, but the method makes "

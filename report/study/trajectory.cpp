@@ -40,7 +40,7 @@ Answer again(const Quantity& seen, const TimedTrial& t) {
 /// Everything that a picture shows, and no more digits.
 Value to_be_drawn(const Value& value) {
   std::vector<double> drawn;
-  for (double x : value) drawn.push_back(number_in(rounded(x, 7)).value_or(x));
+  for (double x : value) drawn.push_back(parse_number(format_significant(x, 7)).value_or(x));
   return drawn;
 }
 

@@ -4,12 +4,14 @@
 
 namespace oddity {
 
-bool holds_with_margin(const Tried& t, const Need& need) { return t.holds() && t.error <= 1 / need.margin(); }
+bool holds_with_margin(const Candidate& t, const Need& need) {
+  return t.holds() && t.error <= 1 / need.margin();
+}
 
-bool came_to_an_end(const Tried& tried) {
-  return tried.outcome != Outcome::non_finite && tried.outcome != Outcome::stalled &&
-         tried.outcome != Outcome::raised && tried.outcome != Outcome::chattering &&
-         tried.outcome != Outcome::grazing;
+bool came_to_an_end(const Candidate& candidate) {
+  return candidate.outcome != Outcome::non_finite && candidate.outcome != Outcome::stalled &&
+         candidate.outcome != Outcome::raised && candidate.outcome != Outcome::chattering &&
+         candidate.outcome != Outcome::grazing;
 }
 
 Tries::Tries(const Method& method, const Need& need) : method_(&method), left_(settings(method, need)) {
@@ -18,8 +20,8 @@ Tries::Tries(const Method& method, const Need& need) : method_(&method), left_(s
 }
 
 double Tries::expected_evaluations() const {
-  if (is_over_ || tried.empty()) return 0;
-  const Tried& last = tried.back();
+  if (is_over_ || candidates.empty()) return 0;
+  const Candidate& last = candidates.back();
   return last.evaluations_per_frame * (last.knob == "step" ? last.setting / left_.back() : 1);
 }
 
@@ -27,18 +29,18 @@ void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, con
                   const std::function<void()>& check) {
   while (!is_over_ && expected_evaluations() <= most_evaluations) {
     check();
-    tried.push_back(attempt(starts, *method_, left_.back(), need, Over::until_one_fails));
+    candidates.push_back(evaluate(starts, *method_, left_.back(), need, Over::until_one_fails));
     left_.pop_back();
-    is_over_ = left_.empty() || holds_with_margin(tried.back(), need) || hopeless(tried.back());
+    is_over_ = left_.empty() || holds_with_margin(candidates.back(), need) || hopeless(candidates.back());
   }
 }
 
 void Tries::again(const Need& need) {
-  const Tried* first = found(need).first;
-  while (first && !tried.empty()) {
-    const bool was_first = &tried.back() == first;
-    left_.push_back(tried.back().setting);
-    tried.pop_back();
+  const Candidate* first = found(need).first;
+  while (first && !candidates.empty()) {
+    const bool was_first = &candidates.back() == first;
+    left_.push_back(candidates.back().setting);
+    candidates.pop_back();
     is_over_ = false;
     if (was_first) break;
   }
@@ -46,8 +48,8 @@ void Tries::again(const Need& need) {
 
 Tries::Found Tries::found(const Need& need) {
   Found found;
-  Tried* last = nullptr;
-  for (Tried& t : tried) {
+  Candidate* last = nullptr;
+  for (Candidate& t : candidates) {
     if (t.holds() && !found.first) found.first = &t, found.before = last;
     if (holds_with_margin(t, need) && !found.with_margin) found.with_margin = &t;
     if (came_to_an_end(t) && (!found.best || t.error < found.best->error)) found.best = &t;

@@ -3,15 +3,15 @@
 #include <functional>
 #include <vector>
 
-#include "report/study/tried.hpp"
+#include "report/study/candidate.hpp"
 
 namespace oddity {
 
 /// Holds, and as much better than asked as the need's margin wants it.
-bool holds_with_margin(const Tried&, const Need&);
+bool holds_with_margin(const Candidate&, const Need&);
 
 /// What broke off has no cost to compare.
-bool came_to_an_end(const Tried&);
+bool came_to_an_end(const Candidate&);
 
 /// A method on its way through its settings, from coarse to fine, to the first that holds with the margin.
 class Tries {
@@ -32,14 +32,14 @@ class Tries {
   /// more.
   void again(const Need&);
 
-  std::vector<Tried> tried;  ///< a setting each, from coarse to fine
+  std::vector<Candidate> candidates;  ///< a setting each, from coarse to fine
 
   /// What is worth knowing of them.
   struct Found {
-    Tried *first = nullptr, *with_margin = nullptr;  ///< the coarsest settings that hold
-    Tried* before = nullptr;                         ///< the one before the first
-    Tried* best = nullptr;                           ///< the least error of those that came to an end
-    Tried* representative() const { return with_margin ? with_margin : first ? first : best; }
+    Candidate *first = nullptr, *with_margin = nullptr;  ///< the coarsest settings that hold
+    Candidate* before = nullptr;                         ///< the one before the first
+    Candidate* best = nullptr;                           ///< the least error of those that came to an end
+    Candidate* representative() const { return with_margin ? with_margin : first ? first : best; }
   };
   Found found(const Need&);
 

@@ -33,7 +33,8 @@ void add(std::string& text, const Tile& tile) {
     for (int x = c.first_x; x <= c.last_x;) {
       const Ended& ended = tile.ended[tile.place(x, y)];
       if (tile.looked[tile.place(x, y)]) {
-        text += "1 " + shortest(ended.error) + " " + shortest(ended.evaluations) + " " + ended.as + "\n";
+        text += "1 " + format_shortest(ended.error) + " " + format_shortest(ended.evaluations) + " " +
+                ended.as + "\n";
         ++x;
         continue;
       }
@@ -61,7 +62,7 @@ struct Line {
     std::getline(text >> std::ws, rest);
   }
   double number(std::size_t i) const {
-    if (const auto x = number_in(words[i])) return *x;
+    if (const auto x = parse_number(words[i])) return *x;
     throw std::runtime_error("'" + words[i] + "' is no number");
   }
   long whole(std::size_t i, double most) const {

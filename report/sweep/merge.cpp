@@ -88,7 +88,7 @@ class Merging {
   std::map<std::string, std::uint16_t> places_;
 };
 
-std::string percent(double part) { return rounded(100 * part, 2) + " %"; }
+std::string percent(double part) { return format_significant(100 * part, 2) + " %"; }
 
 }  // namespace
 

@@ -70,8 +70,8 @@ Kinds by_decades(const std::vector<double>& numbers) {
   Kinds all;
   for (std::size_t i = 0; i < shades.size(); ++i)
     all.kinds.push_back(
-        {shades[i], with_powers("1e" + shortest(from + decades * static_cast<double>(i))) + " to " +
-                        with_powers("1e" + shortest(from + decades * static_cast<double>(i + 1)))});
+        {shades[i], with_powers("1e" + format_shortest(from + decades * static_cast<double>(i))) + " to " +
+                        with_powers("1e" + format_shortest(from + decades * static_cast<double>(i + 1)))});
   all.kinds.push_back({unknown, "none, or not finite"});
   for (double x : numbers) {
     const double shade = x == 0 ? 0 : std::floor((std::log10(x) - from) / decades);
@@ -108,9 +108,10 @@ void add_cells(Svg& svg, const Map& map, const Kinds& kinds, double top, double 
     for (int x = 0, run = 0; x < map.width; x += run) {
       const std::uint16_t kind = kinds.of_cell[map.place(x, y)];
       for (run = 1; x + run < map.width && kinds.of_cell[map.place(x + run, y)] == kind;) ++run;
-      data[kind] += "M" + rounded(left + wide * x, 6) + " " + rounded(top + high * (map.height - 1 - y), 6) +
-                    "h" + rounded(wide * run, 5) + "v" + rounded(high, 5) + "h-" + rounded(wide * run, 5) +
-                    "z";
+      data[kind] += "M" + format_significant(left + wide * x, 6) + " " +
+                    format_significant(top + high * (map.height - 1 - y), 6) + "h" +
+                    format_significant(wide * run, 5) + "v" + format_significant(high, 5) + "h-" +
+                    format_significant(wide * run, 5) + "z";
     }
   for (std::size_t kind = 0; kind < data.size(); ++kind)
     if (!data[kind].empty()) svg.path(data[kind], "k" + std::to_string(kind));
@@ -122,7 +123,8 @@ void add_legend(Svg& svg, const Kinds& kinds, double top) {
     if (k.cells == 0) continue;
     svg.rectangle({legend_left, top}, 20, 17, "k" + std::to_string(kind));
     const double part = 100 * static_cast<double>(k.cells) / static_cast<double>(kinds.of_cell.size());
-    svg.text({legend_left + 26, top + 13}, shortened(k.says, 30) + ", " + rounded(part, 3) + " %", "t");
+    svg.text({legend_left + 26, top + 13}, shortened(k.says, 30) + ", " + format_significant(part, 3) + " %",
+             "t");
     top += legend_height;
   }
 }

@@ -15,8 +15,8 @@
 #include "reference/files.hpp"
 #include "reference/text.hpp"
 #include "report/study/choose.hpp"
+#include "report/study/initial_conditions.hpp"
 #include "report/study/prices.hpp"
-#include "report/study/starts.hpp"
 #include "report/study/whole_in_json.hpp"
 
 namespace oddity::sweep {

@@ -10,8 +10,8 @@ namespace oddity::ode {
 
 namespace detail {
 
-/// Odeint weighs its orders by their cost over the signed step, and so picks the dearest when time runs
-/// backward: here time itself is turned round instead.
+/// Odeint weighs its orders by their cost over the signed step, and so picks the most expensive when time
+/// runs backward: here time itself is turned round instead.
 template <class State>
 struct BulirschStoerEitherWay {
   boost::numeric::odeint::bulirsch_stoer<State> forward;

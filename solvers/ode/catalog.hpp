@@ -36,7 +36,7 @@ inline constexpr std::string_view work_of_series =
     "multiplication counts as 1, a division or a root as 4, a sine or an exponential as 8, as the Livermore loops "
     "weigh them.";
 
-/// The algorithms that this build does without, and why; empty when there are none.
+/// The algorithms not available in this build, and why; empty when there are none.
 std::string_view not_in_catalog();
 
 }  // namespace oddity::ode

@@ -18,7 +18,7 @@ class GslDriver {
   ~GslDriver();
   GslDriver(GslDriver&&) noexcept;
 
-  /// One accepted step from t, not beyond t1. What went wrong, or null.
+  /// One accepted step from t, not beyond t1. The error's message, or null.
   const char* advance(const RawProblem&, double* x, double& t, double t1);
   /// One step of h without control; x is not finite when it fails.
   void plain_step(const RawProblem&, double* x, double t, double h);

@@ -97,7 +97,7 @@ bool controlled_steps(TryStep& try_step, State& x, double t, double t1, double& 
 }
 
 /// Steps that a library's driver chooses, from t to t1: advance(x, t, t1) makes one of them, not beyond t1,
-/// and says what went wrong, or null.
+/// and says the error's message, or null.
 template <class Advance, class State, class OnStep>
 bool driven_steps(Advance& advance, State& x, double t, double t1, const long& evaluations,
                   Trajectory<State>& solved, const OnStep& on_step) {

@@ -19,7 +19,7 @@ class Motion {
   /// The tolerance is for a step's last term, absolute and relative to the state.
   Motion(Program program, double tolerance);
 
-  /// From x at t towards t1 to the step's end, or to t1 where that comes first; what went wrong, or null.
+  /// From x at t towards t1 to the step's end, or to t1 where that comes first; the error's message, or null.
   const char* advance(std::span<double> x, double& t, double t1);
   /// The work so far, in right-hand sides written by hand.
   long evaluations() const;

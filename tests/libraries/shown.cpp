@@ -17,7 +17,7 @@ void Shown::check(const std::string& words, bool hold, double measured) const {
   std::ranges::replace(installed, '_', '.');
   const auto finding = std::ranges::find(findings(), by, &Finding::shown_by);
   REQUIRE(finding != findings().end());
-  INFO(by << ", \"" << words << "\": measured " << oddity::rounded(measured, 3) << " with "
+  INFO(by << ", \"" << words << "\": measured " << oddity::format_significant(measured, 3) << " with "
           << finding->library << " " << installed);
   CHECK(finding->found.find(words) != std::string_view::npos);
   if (installed == finding->version)

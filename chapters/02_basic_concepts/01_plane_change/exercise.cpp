@@ -116,7 +116,7 @@ Quantity one_sided_limits(double h) {
 struct Sample {
   double t;
   std::array<double*, 1> letters() { return {&t}; }
-  std::string where() const { return "$t$ = " + shortest(t); }
+  std::string where() const { return "$t$ = " + format_shortest(t); }
   int side() const { return t < 0 ? before : after; }
   Local local() const { return ex02_01::local(side(), t); }
 };
@@ -142,8 +142,8 @@ class Limits {
   template <class F>
   Reading tends(const std::string& what, std::initializer_list<int> sides, const Vector3& to,
                 const F& f) const {
-    const std::string text =
-        "$" + what + R"(\to()" + shortest(to[0]) + "," + shortest(to[1]) + "," + shortest(to[2]) + ")$";
+    const std::string text = "$" + what + R"(\to()" + format_shortest(to[0]) + "," + format_shortest(to[1]) +
+                             "," + format_shortest(to[2]) + ")$";
     Reading reading{text, {}};
     for (int side : sides)
       reading.checks.push_back(limit("$" + what + (side < 0 ? "$ from below" : "$ from above"), to, h_,
@@ -156,7 +156,7 @@ class Limits {
   }
   /// The formulas of N at t for the limits from both sides.
   Reading normal_at(double t) const {
-    Reading reading{R"($\mathbf N$ at $t=)" + shortest(t) + "$", {}};
+    Reading reading{R"($\mathbf N$ at $t=)" + format_shortest(t) + "$", {}};
     for (int side : {before, after})
       reading.checks.push_back(limit(R"($\mathbf N$)", 1 / root(t) * in_plane(side, -3 * t * t, 1.0), h_,
                                      [=](double s) { return local(side, side * s).N; }));

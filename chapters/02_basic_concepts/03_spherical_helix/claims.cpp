@@ -18,7 +18,7 @@ using std::numbers::pi;
 struct Sample {
   double t;
   std::array<double*, 1> letters() { return {&t}; }
-  std::string where() const { return "$t$ = " + shortest(t); }
+  std::string where() const { return "$t$ = " + format_shortest(t); }
 };
 using OfTime = Formula<Sample>;
 

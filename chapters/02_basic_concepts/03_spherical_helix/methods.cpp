@@ -75,7 +75,7 @@ Quantity motion(double t, const Reference& truth) {
 Quantity colatitude(const std::string& name, double t, const Reference& truth) {
   Known known = truth("02_03_motion", {t});
   known.value.resize(1);
-  Quantity q = quantity(name, "rad", R"(the angle $\phi$ from the pole, $t$ = )" + shortest(t), known,
+  Quantity q = quantity(name, "rad", R"(the angle $\phi$ from the pole, $t$ = )" + format_shortest(t), known,
                         {1e-12 * known.value[0], "twelve digits"});
   const bool north = t > 1e4, south = t < -1e4;
   q.add({"t/sqrt(1 + t^2)", "acos", no_knob(),

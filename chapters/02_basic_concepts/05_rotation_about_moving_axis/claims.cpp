@@ -72,8 +72,8 @@ struct Moment {
   /// None: the sizes of terms are given.
   std::array<double*, 0> letters() { return {}; }
   std::string where() const {
-    return "$t$ = " + shortest(t) + R"(, $\theta$ = )" + rounded(theta, 4) + R"(, $|\dot{\mathbf D}|$ = )" +
-           rounded(lambda, 4);
+    return "$t$ = " + format_shortest(t) + R"(, $\theta$ = )" + format_significant(theta, 4) +
+           R"(, $|\dot{\mathbf D}|$ = )" + format_significant(lambda, 4);
   }
 };
 using M = const Moment&;
@@ -135,7 +135,7 @@ void lines(Claims& claims, const std::vector<Moment>& moments, const std::vector
   for (const Line& line : all) {
     const std::string miss = line.near == -1  ? "a sign flipped"
                              : line.near == 0 ? "a term dropped"
-                                              : shortest(line.near) + " in the place of 1";
+                                              : format_shortest(line.near) + " in the place of 1";
     claims.add(line.slug, line.number, line.says,
                {.printed = reading(line, "as printed", 1, moments),
                 .near_misses = {reading(line, miss, line.near, moments)}});

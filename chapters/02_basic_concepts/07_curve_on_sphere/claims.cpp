@@ -31,7 +31,7 @@ struct Sample {
     u = R.column(1), b = R.column(2), u_dot = R_dot.column(1), b_dot = R_dot.column(2);
     w = angular_velocity(m);
   }
-  std::string where() const { return "$t$ = " + shortest(t); }
+  std::string where() const { return "$t$ = " + format_shortest(t); }
 };
 using AtTime = Formula<Sample>;
 

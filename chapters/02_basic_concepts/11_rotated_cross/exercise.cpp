@@ -39,7 +39,7 @@ struct Sample {
   }
   std::array<double*, 7> letters() { return {&theta, &a[0], &a[1], &a[2], &b[0], &b[1], &b[2]}; }
   std::string where() const {
-    return R"($\theta$ = )" + rounded(theta, 6) + R"(, $\mathbf w$ = )" + shown(w);
+    return R"($\theta$ = )" + format_significant(theta, 6) + R"(, $\mathbf w$ = )" + shown(w);
   }
 
   double c() const { return std::cos(theta); }

@@ -44,7 +44,7 @@ std::array<Fraction, 6> by_rows_at(long z) {
 struct Cut {
   double left, z;
   std::array<double*, 2> letters() { return {&left, &z}; }
-  std::string where() const { return "left = " + shortest(left) + ", $z$ = " + shortest(z); }
+  std::string where() const { return "left = " + format_shortest(left) + ", $z$ = " + format_shortest(z); }
 };
 std::vector<Cut> cuts(double seed, double up = 1) {
   Random random(seed);
@@ -132,7 +132,7 @@ struct Column {
   double x;
   explicit Column(Random& random) : x(random.between(-1, 1)) {}
   std::array<double*, 1> letters() { return {&x}; }
-  std::string where() const { return "$x$ = " + shortest(x); }
+  std::string where() const { return "$x$ = " + format_shortest(x); }
 };
 const Formula<Column> inner_integral{"Gauss-Legendre of $y^2$ from $x^2$ to 1", [](const Column& c) {
                                        return sixteen([](double y) { return y * y; }, c.x * c.x, 1).value;
@@ -193,7 +193,7 @@ void steps(Claims& claims, double seed) {
 struct Point {
   double x, y;
   explicit Point(Random& random) : x(random.between(-2, 2)), y(random.between(-1, 2)) {}
-  std::string where() const { return "$(x,y)$ = (" + shortest(x) + ", " + shortest(y) + ")"; }
+  std::string where() const { return "$(x,y)$ = (" + format_shortest(x) + ", " + format_shortest(y) + ")"; }
   /// The point is in the lamina and in |x| <= bound, low(x) <= y <= 1, or in neither.
   bool alike(double bound, double (*low)(double)) const {
     return (x * x <= y && y <= 1) == (abs(x) <= bound && low(x) <= y && y <= 1);

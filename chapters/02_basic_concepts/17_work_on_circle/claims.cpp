@@ -20,7 +20,8 @@ struct Sample : Motion {
   std::array<double*, 3> letters() { return {&r, &w, &T}; }
   double size() const { return abs(r) * (10 + abs(x())); }  // of the work of a turn
   std::string where() const {
-    return "$r$ = " + shortest(r) + R"(, $\omega$ = )" + shortest(w) + ", $T$ = " + shortest(T);
+    return "$r$ = " + format_shortest(r) + R"(, $\omega$ = )" + format_shortest(w) +
+           ", $T$ = " + format_shortest(T);
   }
 };
 using Form = Formula<Sample>;

@@ -30,7 +30,8 @@ std::array<double, n> operator*(double s, std::array<double, n> a) {
 inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 
 inline std::string shown(const Vector& a) {
-  return "(" + rounded(a[0], 4) + ", " + rounded(a[1], 4) + ", " + rounded(a[2], 4) + ")";
+  return "(" + format_significant(a[0], 4) + ", " + format_significant(a[1], 4) + ", " +
+         format_significant(a[2], 4) + ")";
 }
 
 }  // namespace oddity::basic_vectors

@@ -24,8 +24,8 @@ struct Point : Ellipse {
 
   std::array<double*, 5> letters() { return {&e, &rho, &r, &x, &y}; }
   std::string where() const {
-    return "$e$ = " + shortest(e) + R"(, $\rho$ = )" + shortest(rho) + ", $x$ = " + shortest(x) +
-           ", $y$ = " + shortest(y) +
+    return "$e$ = " + format_shortest(e) + R"(, $\rho$ = )" + format_shortest(rho) +
+           ", $x$ = " + format_shortest(x) + ", $y$ = " + format_shortest(y) +
            (s > 0   ? ", on the orbit"
             : s < 0 ? ", on its mirror image"
                     : "");

@@ -187,9 +187,10 @@ Start random_start(Random& random, double transverse, double radial) {
 }
 
 std::string letters_of(const Start& s) {
-  return "$G$ = " + shortest(s.G) + ", $M$ = " + shortest(s.M) + ", $r_0$ = " + shortest(s.r0) +
-         R"(, $\dot r_0$ = )" + shortest(s.r0_dot) + R"(, $\theta_0$ = )" + shortest(s.theta0) +
-         R"(, $\dot\theta_0$ = )" + shortest(s.theta0_dot);
+  return "$G$ = " + format_shortest(s.G) + ", $M$ = " + format_shortest(s.M) +
+         ", $r_0$ = " + format_shortest(s.r0) + R"(, $\dot r_0$ = )" + format_shortest(s.r0_dot) +
+         R"(, $\theta_0$ = )" + format_shortest(s.theta0) + R"(, $\dot\theta_0$ = )" +
+         format_shortest(s.theta0_dot);
 }
 
 /// Bound orbits of eccentricity up to 0.95, of either sense, each followed in so many pieces.
@@ -215,9 +216,10 @@ std::vector<Later> orbits(double seed) {
     }
     const double push_x = random.normal(), push_y = random.normal(), m = abs(random.magnitude(1e-3, 1e3));
     const auto& [x, y, vx, vy] = states.back();
-    Later k{s,   {s.G, s.M, m, x, y, vx, vy, push_x, push_y, letters_of(s) + ", $t$ = " + shortest(end)},
-            end, angles.back(),
-            0,   0};
+    Later k{
+        s,   {s.G, s.M, m, x, y, vx, vy, push_x, push_y, letters_of(s) + ", $t$ = " + format_shortest(end)},
+        end, angles.back(),
+        0,   0};
     double best = 0;
     for (std::size_t one = pieces / 8; one < pieces; one += pieces / 8)
       for (std::size_t two = one + pieces / 8; two < pieces; two += pieces / 8) {
@@ -241,7 +243,7 @@ struct InSpace {
     a = gravity(abs(random.magnitude(0.1, 10)), q);
   }
   double size() const { return hypot(q[0], q[1], q[2]) * hypot(a[0], a[1], a[2]); }
-  std::string where() const { return R"($\mathbf r$ = ()" + shortest(q[0]) + ", ...)"; }
+  std::string where() const { return R"($\mathbf r$ = ()" + format_shortest(q[0]) + ", ...)"; }
   /// d/dt (r x v) = r x a.
   Value turned(double drag) const {
     std::array<double, 3> f = a;

@@ -190,7 +190,7 @@ Reading in_two_parts(const std::string& text, const Reference& truth, double (*t
     const double next_term = std::pow(epsilon, 2.5) / (30 * sqrt(sin(a)));
     worst.add(qag(singular_integrand(a), 0, a - epsilon, 1e-13).value + tail(epsilon), whole,
               {2 * next_term + 1e-12, R"(twice the first term left out, $\epsilon^{5/2}/(30\sqrt{\sin a})$)"},
-              1, R"($\epsilon$ = )" + shortest(epsilon));
+              1, R"($\epsilon$ = )" + format_shortest(epsilon));
   }
   return {text, {worst.check()}};
 }
@@ -198,7 +198,7 @@ Reading in_two_parts(const std::string& text, const Reference& truth, double (*t
 /// A node of the listing's sum.
 struct Node {
   double psi;
-  std::string where() const { return R"($\psi$ = )" + shortest(psi); }
+  std::string where() const { return R"($\psi$ = )" + format_shortest(psi); }
 };
 
 std::vector<Node> nodes() {

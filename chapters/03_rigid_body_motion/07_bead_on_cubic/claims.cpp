@@ -53,8 +53,8 @@ struct Sample {
         a(random.magnitude(0.01, 3)) {}
   std::array<double*, 5> letters() { return {&m, &g, &q, &v, &a}; }
   std::string where() const {
-    return "$m$ = " + shortest(m) + ", $g$ = " + shortest(g) + ", $q$ = " + shortest(q) + R"(, $\dot q$ = )" +
-           shortest(v) + R"(, $\ddot q$ = )" + shortest(a);
+    return "$m$ = " + format_shortest(m) + ", $g$ = " + format_shortest(g) + ", $q$ = " + format_shortest(q) +
+           R"(, $\dot q$ = )" + format_shortest(v) + R"(, $\ddot q$ = )" + format_shortest(a);
   }
   KineticEnergy T() const { return {m}; }
   Lagrangian L() const { return {m, g}; }
@@ -234,7 +234,9 @@ std::vector<State> book_run() {
 struct Step {
   int number;
   State from, to;
-  std::string where() const { return "step " + std::to_string(number) + ", to $q$ = " + rounded(to[0], 6); }
+  std::string where() const {
+    return "step " + std::to_string(number) + ", to $q$ = " + format_significant(to[0], 6);
+  }
 };
 
 /// q'' of the book's bead.
@@ -413,7 +415,7 @@ void arrivals(Claims& claims, const std::vector<State>& run, const Reference& tr
     other_q.q = q_up;
     other_v.v = v_up;
     claims.add(
-        slug, line, "the output at $t=" + shortest(printed.step / 1000.0) + "$",
+        slug, line, "the output at $t=" + format_shortest(printed.step / 1000.0) + "$",
         {.printed = row_reading(printed), .near_misses = {row_reading(other_q), row_reading(other_v)}});
   };
   row("row_2240", 1421, {2240, "0.00017622", "-1.41421347", "0.0002"}, "0.00017623", "-1.41421346");

@@ -37,7 +37,7 @@ struct Anywhere {
     x1 = x[0], x2 = x[1], v1 = v[0], v2 = v[1];
   }
   std::array<double*, 7> letters() { return {&m, &c, &a, &x1, &x2, &v1, &v2}; }
-  std::string where() const { return "$a$ = " + rounded(a, 4); }
+  std::string where() const { return "$a$ = " + format_significant(a, 4); }
   /// m x'' from the two energies.
   Value derived() const {
     const auto lagrangian = [this](const auto& q1, const auto& q2) {
@@ -57,7 +57,8 @@ struct Polynomial {
       : m(random.between(0.1, 3)), c(random.between(0.1, 3)), a(random.between(0.1, 9)) {}
   std::array<double*, 3> letters() { return {&m, &c, &a}; }
   std::string where() const {
-    return "$m$ = " + rounded(m, 4) + ", $c$ = " + rounded(c, 4) + ", $a$ = " + rounded(a, 4);
+    return "$m$ = " + format_significant(m, 4) + ", $c$ = " + format_significant(c, 4) +
+           ", $a$ = " + format_significant(a, 4);
   }
   std::complex<double> root(double sign, double factor = 4) const {
     return (-a + sign * sqrt(std::complex<double>(a * a - factor * m * c))) / (2 * m);
@@ -80,8 +81,8 @@ struct Coordinate {
         t(random.between(0.1, 5)) {}
   std::array<double*, 6> letters() { return {&m, &c, &a, &p, &v, &t}; }
   std::string where() const {
-    return "$m$ = " + rounded(m, 4) + ", $c$ = " + rounded(c, 4) + ", $a$ = " + rounded(a, 4) +
-           ", $t$ = " + rounded(t, 4);
+    return "$m$ = " + format_significant(m, 4) + ", $c$ = " + format_significant(c, 4) +
+           ", $a$ = " + format_significant(a, 4) + ", $t$ = " + format_significant(t, 4);
   }
 };
 struct OverDamped : Coordinate {
@@ -133,7 +134,8 @@ struct Constants {
   explicit Constants(Random& random)
       : a(random.between(4.1, 20)), k1(random.magnitude(1e-3, 1e3)), k2(random.magnitude(1e-3, 1e3)) {}
   std::string where() const {
-    return "$a$ = " + rounded(a, 4) + ", $K_1$ = " + rounded(k1, 4) + ", $K_2$ = " + rounded(k2, 4);
+    return "$a$ = " + format_significant(a, 4) + ", $K_1$ = " + format_significant(k1, 4) +
+           ", $K_2$ = " + format_significant(k2, 4);
   }
   double at(double t) const {
     const double root = sqrt(a * a - 16);
@@ -145,7 +147,9 @@ struct Constants {
 struct Frictions {
   double a, b;
   explicit Frictions(Random& random) : a(random.between(4.5, 60)), b(a * random.between(1.05, 3)) {}
-  std::string where() const { return "$a$ = " + rounded(a, 4) + " and " + rounded(b, 4); }
+  std::string where() const {
+    return "$a$ = " + format_significant(a, 4) + " and " + format_significant(b, 4);
+  }
   /// How far from the origin a ball let go at rest is after 5 s.
   static double left(double friction) { return abs(OneForm<double>{{1, 4, friction, 1, 1, 0, 0}}.at(5)[0]); }
 };
@@ -160,7 +164,7 @@ struct Oscillation {
         k2(random.between(-2, 2)),
         t(random.between(0, 5)) {}
   std::array<double*, 5> letters() { return {&alpha, &beta, &k1, &k2, &t}; }
-  std::string where() const { return "$t$ = " + rounded(t, 4); }
+  std::string where() const { return "$t$ = " + format_significant(t, 4); }
   /// x' with `last` times its last term.
   double rate(double last) const {
     const double e = std::exp(alpha * t), co = std::cos(beta * t), si = std::sin(beta * t);
@@ -177,7 +181,7 @@ struct StartOfOne {
         v(random.between(-2, 2)) {}
   std::array<double*, 4> letters() { return {&alpha, &beta, &p, &v}; }
   std::string where() const {
-    return R"($\alpha$ = )" + rounded(alpha, 4) + R"(, $\beta$ = )" + rounded(beta, 4);
+    return R"($\alpha$ = )" + format_significant(alpha, 4) + R"(, $\beta$ = )" + format_significant(beta, 4);
   }
   Value started(double sign) const {
     const auto x = oscillation(alpha, beta, p, (v - sign * alpha * p) / beta);
@@ -282,7 +286,7 @@ void solutions(Claims& claims, double seed, Random& random) {
   const Ball thrown{1, 4, 5, 1, 2, -9, -18};
   const auto passes = [&](std::string text, double time) -> Reading {
     return {std::move(text),
-            {{"$x$ at $t=" + rounded(time, 3) + "$",
+            {{"$x$ at $t=" + format_significant(time, 3) + "$",
               {"closed form", OneForm<double>{thrown}.at(time)},
               {"the origin", {0, 0}},
               rounding(2),
@@ -419,8 +423,8 @@ struct Vectors {
   }
   std::array<double*, 6> letters() { return {&p1, &p2, &v1, &v2, &alpha, &beta}; }
   std::string where() const {
-    return "$p$ = (" + rounded(p1, 4) + ", " + rounded(p2, 4) + "), $v$ = (" + rounded(v1, 4) + ", " +
-           rounded(v2, 4) + ")";
+    return "$p$ = (" + format_significant(p1, 4) + ", " + format_significant(p2, 4) + "), $v$ = (" +
+           format_significant(v1, 4) + ", " + format_significant(v2, 4) + ")";
   }
 };
 
@@ -434,7 +438,9 @@ struct Aside {
     t = random.between(0.1, 6);
   }
   std::array<double*, 6> letters() { return {&a, &t, &p1, &p2, &v1, &v2}; }
-  std::string where() const { return "$a$ = " + rounded(a, 4) + ", $t$ = " + rounded(t, 4); }
+  std::string where() const {
+    return "$a$ = " + format_significant(a, 4) + ", $t$ = " + format_significant(t, 4);
+  }
   double momentum() const {
     const auto x1 = damped_oscillation(1, 4, a, p1, v1), x2 = damped_oscillation(1, 4, a, p2, v2);
     return x1(t) * derivative(x2, t) - x2(t) * derivative(x1, t);
@@ -463,9 +469,9 @@ void arrivals(Claims& claims, double seed, Random& random) {
     const double s = any.between(-2, 2), angle = any.between(0, 2 * pi);
     const double p1 = i % 3 == 0 ? 0 : std::cos(angle), p2 = i % 3 == 1 ? 0 : std::sin(angle);
     const double c = any.between(1, 4), a = any.between(0.1, 0.9);
-    directions.push_back(
-        {{1, c, a, p1, p2, s * p1, s * p2},
-         "$p$ = (" + rounded(p1, 4) + ", " + rounded(p2, 4) + "), $v$ = " + rounded(s, 4) + " $p$"});
+    directions.push_back({{1, c, a, p1, p2, s * p1, s * p2},
+                          "$p$ = (" + format_significant(p1, 4) + ", " + format_significant(p2, 4) +
+                              "), $v$ = " + format_significant(s, 4) + " $p$"});
   }
   const auto along = [&](std::string text, const std::function<std::array<double, 2>(const Ball&)>& way) {
     return arrives(std::move(text), directions, [=](const Start& s) {
@@ -502,8 +508,8 @@ void arrivals(Claims& claims, double seed, Random& random) {
   for (int i = 0; i < 50; ++i) {
     const double s = any.between(-2, 2), p = any.between(0.2, 2);
     const double c = any.between(1, 4), a = any.between(0.1, 0.9);
-    oblique.push_back(
-        {{1, c, a, p, 2 * p, s * p, 2 * s * p}, "$v$ = " + rounded(s, 4) + " $p$, $a$ = " + rounded(a, 4)});
+    oblique.push_back({{1, c, a, p, 2 * p, s * p, 2 * s * p},
+                       "$v$ = " + format_significant(s, 4) + " $p$, $a$ = " + format_significant(a, 4)});
   }
   const auto principal = [](const Start& s) {
     return std::atan(-s.beta() * s.ball.p1 / (s.ball.v1 - s.alpha() * s.ball.p1));
@@ -530,7 +536,8 @@ void arrivals(Claims& claims, double seed, Random& random) {
     const double p = any.magnitude(0.2, 2), a = any.between(0.1, 0.9), c = any.between(1, 4), alpha = -a / 2,
                  v = i % 5 == 0 ? alpha * p : any.between(-2, 2);
     on_axis.push_back({{1, c, a, p, 0, v, 0},
-                       "$p$ = " + rounded(p, 4) + R"(, $v-\alpha p$ = )" + rounded(v - alpha * p, 4)});
+                       "$p$ = " + format_significant(p, 4) + R"(, $v-\alpha p$ = )" +
+                           format_significant(v - alpha * p, 4)});
   }
   const auto of_pair = [&](std::string text, double (*angle)(double y, double x)) {
     return arrives(std::move(text), on_axis, [=](const Start& s) {
@@ -588,7 +595,8 @@ void arrivals(Claims& claims, double seed, Random& random) {
   for (int i = 0; i < 100; ++i) {
     const double p = any.between(0.2, 2), v = any.between(-2, 2);
     const double c = any.between(1, 4), a = any.between(0.1, 0.9);
-    starts.push_back({{1, c, a, p, 0, v, 0}, "$p$ = " + rounded(p, 4) + ", $v$ = " + rounded(v, 4)});
+    starts.push_back(
+        {{1, c, a, p, 0, v, 0}, "$p$ = " + format_significant(p, 4) + ", $v$ = " + format_significant(v, 4)});
   }
   const auto turned = [&](std::string text, int power, double sign) -> Reading {
     WorstSample worst(R"(the pair less its part along $(-\sin\beta t,\cos\beta t)$)", text, "zero");

@@ -34,8 +34,9 @@ struct Sample {
     return {&hill.a1, &hill.a2, &g, &t, &x[0], &x[1], &v[0], &v[1], &a[0], &a[1]};
   }
   std::string where() const {
-    return "$a$ = (" + rounded(hill.a1, 4) + ", " + rounded(hill.a2, 4) + "), $v$ = (" + rounded(v[0], 4) +
-           ", " + rounded(v[1], 4) + "), $t$ = " + rounded(t, 4);
+    return "$a$ = (" + format_significant(hill.a1, 4) + ", " + format_significant(hill.a2, 4) + "), $v$ = (" +
+           format_significant(v[0], 4) + ", " + format_significant(v[1], 4) +
+           "), $t$ = " + format_significant(t, 4);
   }
   double A1() const { return hill.a1 * hill.a1; }
   double A2() const { return hill.a2 * hill.a2; }
@@ -241,8 +242,8 @@ struct Path {
                 : std::numeric_limits<double>::quiet_NaN();
   }
   std::string where() const {
-    return "$a$ = (" + rounded(hill.a1, 4) + ", " + rounded(hill.a2, 4) + "), $v$ = (" + rounded(v[0], 4) +
-           ", " + rounded(v[1], 4) + ")";
+    return "$a$ = (" + format_significant(hill.a1, 4) + ", " + format_significant(hill.a2, 4) + "), $v$ = (" +
+           format_significant(v[0], 4) + ", " + format_significant(v[1], 4) + ")";
   }
   bool round() const { return hill.a1 == hill.a2; }
   bool is(bool straight) const { return straight ? stray < 1e-9 : stray > 1e-6; }

@@ -68,7 +68,9 @@ struct OnCylinder {
       for (double& x : *point) all.push_back(&x);
     return all;
   }
-  std::string where() const { return "$R$ = " + rounded(R, 4) + ", $t$ = " + rounded(t, 4); }
+  std::string where() const {
+    return "$R$ = " + format_significant(R, 4) + ", $t$ = " + format_significant(t, 4);
+  }
   double y1() const { return dot(U, Y); }
   double y2() const { return dot(V, Y); }
   double y3() const { return dot(D, Y); }
@@ -98,8 +100,9 @@ struct OnChute {
     return {&chute.R, &chute.L, &chute.H, &g, &x1, &x2, &x3, &v1, &v2, &k, &phi, &way};
   }
   std::string where() const {
-    return R"($\theta$ = )" + rounded(theta(), 4) + ", $R$ = " + rounded(chute.R, 4) +
-           ", $x_2$ = " + rounded(x2, 4) + ", $v$ = (" + rounded(v1, 4) + ", " + rounded(v2, 4) + ")";
+    return R"($\theta$ = )" + format_significant(theta(), 4) + ", $R$ = " + format_significant(chute.R, 4) +
+           ", $x_2$ = " + format_significant(x2, 4) + ", $v$ = (" + format_significant(v1, 4) + ", " +
+           format_significant(v2, 4) + ")";
   }
   /// (x1'', x2'') from the Lagrangian of the height, with friction and a side wind over the mass.
   Value accelerations(double friction = 0, double wind = 0) const {

@@ -80,8 +80,9 @@ struct Sample {
         t(random.between(-5, 5)) {}
   std::array<double*, 11> letters() { return {&m, &a, &b, &c, &K, &w, &ell, &s, &v, &A, &t}; }
   std::string where() const {
-    return "$c$ = " + shortest(c) + ", $w$ = " + shortest(w) + R"(, $\ell$ = )" + shortest(ell) +
-           ", $s$ = " + shortest(s) + R"(, $\dot s$ = )" + shortest(v) + ", $t$ = " + shortest(t);
+    return "$c$ = " + format_shortest(c) + ", $w$ = " + format_shortest(w) + R"(, $\ell$ = )" +
+           format_shortest(ell) + ", $s$ = " + format_shortest(s) + R"(, $\dot s$ = )" + format_shortest(v) +
+           ", $t$ = " + format_shortest(t);
   }
 
   Rod<double> spring(double rest_length) const { return {{m, c, K, w, s}, rest_length}; }
@@ -416,8 +417,8 @@ Check stays_on(const std::string& start, double s, double K, double w = quarter)
 Check passes(double end, double s, double K, const std::string& time) {
   const auto rod = along(s, 1, K);
   const auto beyond = [=](const auto& x, double) { return x[0] - end; };
-  return as_written(R"(the time at which $\lambda=$ )" + shortest(end) + R"(, from $\lambda=$ )" +
-                        shortest(s) + " with $K=$ " + shortest(K),
+  return as_written(R"(the time at which $\lambda=$ )" + format_shortest(end) + R"(, from $\lambda=$ )" +
+                        format_shortest(s) + " with $K=$ " + format_shortest(K),
                     time,
                     {"the equation of motion and its event",
                      ode::find_event<ode::Fehlberg78>(rod, rod.start(), 0, 3, 1e-12, beyond).value.time});

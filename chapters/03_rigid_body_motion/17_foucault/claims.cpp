@@ -74,9 +74,9 @@ struct Sample {
     return free + (1 + m) * (1 + size * accelerations) / abs(sin_phi());
   }
   std::string where() const {
-    return R"($\lambda$ = )" + shortest(p.lambda) + R"(, $\omega$ = )" + shortest(p.omega) +
-           R"(, $\theta$ = )" + shortest(q[0]) + R"(, $\phi$ = )" + shortest(q[1]) + R"(, $\dot\theta$ = )" +
-           shortest(v[0]) + R"(, $\dot\phi$ = )" + shortest(v[1]);
+    return R"($\lambda$ = )" + format_shortest(p.lambda) + R"(, $\omega$ = )" + format_shortest(p.omega) +
+           R"(, $\theta$ = )" + format_shortest(q[0]) + R"(, $\phi$ = )" + format_shortest(q[1]) +
+           R"(, $\dot\theta$ = )" + format_shortest(v[0]) + R"(, $\dot\phi$ = )" + format_shortest(v[1]);
   }
   Axes<double> axes() const { return Axes<double>(q); }
   Space<double> w() const { return p.w(); }
@@ -428,7 +428,7 @@ struct ConeSample {
     return {relative * terms, "the quadratures' tolerance, relative to the terms"};
   }
   std::string where() const {
-    return "$h$ = " + shortest(h()) + ", $r$ = " + shortest(r()) + ", " + motion.where();
+    return "$h$ = " + format_shortest(h()) + ", $r$ = " + format_shortest(r()) + ", " + motion.where();
   }
   double rho(double z) const { return radius(r(), h(), z); }
 

@@ -48,7 +48,7 @@ struct Sample {
         {"K_1", p.K1}, {"K_2", p.K2}, {"g", p.g},    {"y_2", q[0]}, {"y_3", q[1]}};
     std::string text;
     for (const auto& [letter, value] : all)
-      text += (text.empty() ? "$" : ", $") + std::string(letter) + "$ = " + shortest(value);
+      text += (text.empty() ? "$" : ", $") + std::string(letter) + "$ = " + format_shortest(value);
     return text;
   }
 

@@ -37,8 +37,9 @@ struct Sample {
     return 8 * (1 + m * L * (L + g) + mu2 + L * 5) * (1 + v[0] * v[0] + v[1] * v[1]) * (1 + 1 / inertia(mu2));
   }
   std::string where() const {
-    return R"($\phi$ = )" + rounded(phi, 4) + R"(, $\theta$ = )" + rounded(q[0], 4) + R"(, $\dot\theta$ = )" +
-           rounded(v[0], 4) + R"(, $\dot\psi$ = )" + rounded(v[1], 4);
+    return R"($\phi$ = )" + format_significant(phi, 4) + R"(, $\theta$ = )" + format_significant(q[0], 4) +
+           R"(, $\dot\theta$ = )" + format_significant(v[0], 4) + R"(, $\dot\psi$ = )" +
+           format_significant(v[1], 4);
   }
   Sample upright() const {
     Sample up = *this;

@@ -28,10 +28,11 @@ struct Sample {
   std::array<double*, 10> letters() { return {&m, &r, &s, &c, &h, &g, &ell, &q, &v, &a}; }
   double size() const { return m * g * r + c * (s + h + ell) * (s + h + ell) + m * r * r * (v * v + abs(a)); }
   std::string where() const {
-    return R"($m,r,s,c,h,g,\ell$ = )" + rounded(m, 4) + ", " + rounded(r, 4) + ", " + rounded(s, 4) + ", " +
-           rounded(c, 4) + ", " + rounded(h, 4) + ", " + rounded(g, 4) + ", " + rounded(ell, 4) +
-           R"(; $\theta,\dot\theta,\ddot\theta$ = )" + rounded(q, 4) + ", " + rounded(v, 4) + ", " +
-           rounded(a, 4);
+    return R"($m,r,s,c,h,g,\ell$ = )" + format_significant(m, 4) + ", " + format_significant(r, 4) + ", " +
+           format_significant(s, 4) + ", " + format_significant(c, 4) + ", " + format_significant(h, 4) +
+           ", " + format_significant(g, 4) + ", " + format_significant(ell, 4) +
+           R"(; $\theta,\dot\theta,\ddot\theta$ = )" + format_significant(q, 4) + ", " +
+           format_significant(v, 4) + ", " + format_significant(a, 4);
   }
 
   double length(double angle) const { return hypot(s * cos(angle) - s, s * sin(angle) + h); }

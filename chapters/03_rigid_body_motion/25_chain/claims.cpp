@@ -30,8 +30,8 @@ struct Sample {
     }
   }
   std::string where() const {
-    return R"($\theta$ = ()" + rounded(theta[0], 4) + R"(, ...), $\omega$ = ()" + rounded(omega[0], 4) +
-           ", ...)";
+    return R"($\theta$ = ()" + format_significant(theta[0], 4) + R"(, ...), $\omega$ = ()" +
+           format_significant(omega[0], 4) + ", ...)";
   }
 
   /// The rod k pointing down, turned by theta, as a complex number x + i y.

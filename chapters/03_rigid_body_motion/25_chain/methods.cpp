@@ -190,7 +190,8 @@ Answer seconds_per_digit(const Triple& c, const Horizon& seconds, const Value& t
   return answer;
 }
 
-// ---- how fast neighbours part -----------------------------------------------------------------------------
+// ---- how fast neighbours diverge
+// -----------------------------------------------------------------------------
 
 /// The state and its derivative by theta1(0), carried along by dual numbers.
 struct Variational {
@@ -246,8 +247,8 @@ struct Predicts {
 
 Quantity prediction(double t, const Reference& truth, const Predicts& expected) {
   const Horizon once{t, 1};
-  const std::string seconds = shortest(t) + " s";
-  Quantity q = quantity("chaos_" + shortest(t) + "s", "m",
+  const std::string seconds = format_shortest(t) + " s";
+  Quantity q = quantity("chaos_" + format_shortest(t) + "s", "m",
                         "positions " + seconds + " after rest at (2, 2.5, 3) rad, in three precisions",
                         trajectory(truth, "03_25_chain", inputs(chaotic), once), {1e-2, "a centimetre"});
   const Knob steps = halving("step", 0x1p-3, 4);
@@ -272,7 +273,7 @@ Known parting(double t, const Reference& truth) {
   return known;
 }
 
-/// What the digits from the precision A to B buy, against the rate at which neighbours part from t0 to t1.
+/// What the digits from the precision A to B buy, against the rate at which neighbours diverge from t0 to t1.
 template <class A, class B>
 Quantity horizon_by_digits(const std::string& name, const std::string& from_A_to_B, double t0, double t1,
                            const Reference& truth) {
@@ -282,8 +283,8 @@ Quantity horizon_by_digits(const std::string& name, const std::string& from_A_to
   const double per_digit = std::numbers::ln10 * (t1 - t0) / (rate.value[0] - parting(t0, truth).value[0]);
   rate.error *= per_digit * per_digit * t1 / (std::numbers::ln10 * (t1 - t0));
   rate.value = {per_digit};
-  rate.source = R"($\ln10$ over the growth rate of neighbours from )" + shortest(t0) + " to " + shortest(t1) +
-                " s, " + rate.source;
+  rate.source = R"($\ln10$ over the growth rate of neighbours from )" + format_shortest(t0) + " to " +
+                format_shortest(t1) + " s, " + rate.source;
   Quantity q =
       quantity(name, "s",
                "how much further ahead, to a centimetre, each decimal digit " + from_A_to_B +
@@ -302,8 +303,8 @@ struct AlgorithmsPredict {
 
 Quantity by_algorithm(double t, const Reference& truth, const AlgorithmsPredict& expected) {
   const Horizon once{t, 1};
-  Quantity q = quantity("chaos_" + shortest(t) + "s_by_algorithm", "m",
-                        "positions " + shortest(t) + " s after rest at (2, 2.5, 3) rad, by algorithm",
+  Quantity q = quantity("chaos_" + format_shortest(t) + "s_by_algorithm", "m",
+                        "positions " + format_shortest(t) + " s after rest at (2, 2.5, 3) rad, by algorithm",
                         trajectory(truth, "03_25_chain", inputs(chaotic), once), {1e-2, "a centimetre"});
   const auto why = [](Outcome outcome) {
     return outcome == ok ? "" : "what it errs by at first has grown to the size of the motion";
@@ -322,7 +323,7 @@ Quantity growth(double t, const Reference& truth) {
   at.push_back(t);
   Quantity q = quantity(
       "growth", "1/s",
-      "rate at which a change of theta1 grows within " + shortest(t) +
+      "rate at which a change of theta1 grows within " + format_shortest(t) +
           R"( s of rest at (2, 2.5, 3) rad: $\ln|\partial\mathbf x/\partial\theta_1|/t$, $\mathbf x$ the )"
           R"(position)",
       truth("03_25_growth", at), {1e-3, "a thousandth per second"});
@@ -435,7 +436,7 @@ Quantity hanging(const Triple& start, const Horizon& horizon, const Reference& t
 std::vector<Quantity> quantities(const Triple& start, const Reference& truth) {
   Quantity lost = prediction(8, truth, {inaccurate, inaccurate, ok});
   lost.add(Breakdown{
-      "Neighbours part up to seventyfold a second: whatever the algorithm, double is decimetres off after "
+      "Neighbours diverge up to seventyfold a second: whatever the algorithm, double is decimetres off after "
       "eight seconds, and no shorter step helps. Digits do: each buys half a second or more.",
       "double, extrapolated midpoint, order 20", 0x1p-6, inaccurate,
       "long double, extrapolated midpoint, order 20", 0x1p-6});

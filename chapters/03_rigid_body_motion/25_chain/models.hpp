@@ -22,30 +22,30 @@ void by_tensions(const Lengths& m, const Lengths& r, const G& g, const Angles& t
   using X = std::decay_t<decltype(theta[0])>;
   const std::size_t n = theta.size();
   const X gravity = X(g), one = X(1);
-  Angles diagonal = theta, tension = theta, across = theta, light = theta;
+  Angles diagonal = theta, tension = theta, normal = theta, inverse_mass = theta;
   for (std::size_t k = 0; k < n; ++k) {
-    light[k] = one / X(m[k]);
-    diagonal[k] = k == 0 ? light[0] : light[k] + light[k - 1];
+    inverse_mass[k] = one / X(m[k]);
+    diagonal[k] = k == 0 ? inverse_mass[0] : inverse_mass[k] + inverse_mass[k - 1];
     tension[k] = X(r[k]) * omega[k] * omega[k];
     if (k == 0) {
       tension[0] += gravity * cos(theta[0]);
       continue;
     }
-    const X turn = theta[k] - theta[k - 1], beside = light[k - 1] * cos(turn),
-            factor = beside / diagonal[k - 1];
-    across[k] = light[k - 1] * sin(turn);
-    diagonal[k] -= factor * beside;
+    const X turn = theta[k] - theta[k - 1], coupling = inverse_mass[k - 1] * cos(turn),
+            factor = coupling / diagonal[k - 1];
+    normal[k] = inverse_mass[k - 1] * sin(turn);
+    diagonal[k] -= factor * coupling;
     tension[k] += factor * tension[k - 1];
-    alpha[k] = beside;  // kept for the way back
+    alpha[k] = coupling;  // kept for the back substitution
   }
   for (std::size_t k = n; k-- > 0;) {
     if (k + 1 < n) tension[k] += alpha[k + 1] * tension[k + 1];
     tension[k] /= diagonal[k];
   }
   for (std::size_t k = 0; k < n; ++k) {
-    X push = k == 0 ? -gravity * sin(theta[0]) : -tension[k - 1] * across[k];
-    if (k + 1 < n) push += tension[k + 1] * across[k + 1];
-    alpha[k] = push / X(r[k]);
+    X force = k == 0 ? -gravity * sin(theta[0]) : -tension[k - 1] * normal[k];
+    if (k + 1 < n) force += tension[k + 1] * normal[k + 1];
+    alpha[k] = force / X(r[k]);
   }
 }
 

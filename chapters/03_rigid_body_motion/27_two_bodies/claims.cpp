@@ -38,8 +38,8 @@ struct Sample {
     return forces * (1 + speed) * (1 + 1 / (r * r)) / (sine * sine);
   }
   std::string where() const {
-    return "$m_1$ = " + rounded(m1, 4) + ", $m_2$ = " + rounded(m2, 4) + ", $r$ = " + rounded(q[0], 4) +
-           R"(, $\dot\varphi$ = )" + rounded(v[2], 4);
+    return "$m_1$ = " + format_significant(m1, 4) + ", $m_2$ = " + format_significant(m2, 4) +
+           ", $r$ = " + format_significant(q[0], 4) + R"(, $\dot\varphi$ = )" + format_significant(v[2], 4);
   }
 
   /// Of r'', before what cancels whatever the letters are.
@@ -116,7 +116,8 @@ struct Later {
   }
   Tolerance tolerance(double) const { return by_integration; }
   std::string where() const {
-    return "$m_1$ = " + rounded(b.m1, 4) + ", $m_2$ = " + rounded(b.m2, 4) + ", $r_0$ = " + rounded(b.r0, 4);
+    return "$m_1$ = " + format_significant(b.m1, 4) + ", $m_2$ = " + format_significant(b.m2, 4) +
+           ", $r_0$ = " + format_significant(b.r0, 4);
   }
 };
 
@@ -145,7 +146,8 @@ struct PastThePole {
   }
   Tolerance tolerance(double) const { return by_integration; }
   std::string where() const {
-    return R"($\theta_0$ = )" + rounded(theta0, 4) + R"(, $\varphi_0$ = )" + rounded(b.phi0, 4);
+    return R"($\theta_0$ = )" + format_significant(theta0, 4) + R"(, $\varphi_0$ = )" +
+           format_significant(b.phi0, 4);
   }
   Value on_meridian(double theta, double from_axis) const {
     return {from_axis * std::cos(theta), from_axis * std::sin(theta), flat[0]};

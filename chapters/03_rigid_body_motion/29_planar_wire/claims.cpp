@@ -47,8 +47,9 @@ struct Sample {
     return std::string(wire.shape == Shape::straight     ? "straight"
                        : wire.shape == Shape::semicircle ? "semicircle"
                                                          : "parabola") +
-           ", $q$ = " + rounded(wire.q, 4) + ", density " + rounded(wire.d0, 4) + " (1 + " +
-           rounded(wire.k, 4) + R"( $s/L$), $\theta$ = )" + rounded(theta, 4);
+           ", $q$ = " + format_significant(wire.q, 4) + ", density " + format_significant(wire.d0, 4) +
+           " (1 + " + format_significant(wire.k, 4) + R"( $s/L$), $\theta$ = )" +
+           format_significant(theta, 4);
   }
   Point body(double u) const {
     const Point p = wire.point(u);
@@ -224,7 +225,7 @@ Reading friction_moment(double seed, int panels) {
 Check friction_at_speed(const std::string& by, double seed, double speed, double part) {
   Random random(seed);
   WorstSample worst("moment of rough friction", by + ", by Gauss and Legendre",
-                    shortest(part) + " times that of the moving wire, by Gauss and Legendre");
+                    format_shortest(part) + " times that of the moving wire, by Gauss and Legendre");
   for (int i = 0; i < 30; ++i) {
     const Sample s(random);
     const auto moment = [&](double times) {

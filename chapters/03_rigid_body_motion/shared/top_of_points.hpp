@@ -120,9 +120,9 @@ struct Sample {
     return terms + (terms + std::sqrt(dot(truth, truth))) / (std::min({1.0, mu1, mu3}) * sine * sine);
   }
   std::string where() const {
-    return R"($\theta,\phi,\psi$ = )" + rounded(q[0], 4) + ", " + rounded(q[1], 4) + ", " + rounded(q[2], 4) +
-           R"(, $\ell$ = )" + rounded(l, 4) + R"(, $\mu_1$ = )" + rounded(mu1, 4) + R"(, $\mu_3$ = )" +
-           rounded(mu3, 4);
+    return R"($\theta,\phi,\psi$ = )" + format_significant(q[0], 4) + ", " + format_significant(q[1], 4) +
+           ", " + format_significant(q[2], 4) + R"(, $\ell$ = )" + format_significant(l, 4) +
+           R"(, $\mu_1$ = )" + format_significant(mu1, 4) + R"(, $\mu_3$ = )" + format_significant(mu3, 4);
   }
 };
 

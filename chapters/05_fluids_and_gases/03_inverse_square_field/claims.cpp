@@ -50,7 +50,7 @@ struct Away {
 
   std::array<double*, 3> letters() { return {&x[0], &x[1], &x[2]}; }
   double size() const { return std::pow(length(x), -power); }
-  std::string where() const { return R"($|\mathbf x|$ = )" + shortest(length(x)); }
+  std::string where() const { return R"($|\mathbf x|$ = )" + format_shortest(length(x)); }
 };
 
 /// Sizes within `range` of 1 either way.

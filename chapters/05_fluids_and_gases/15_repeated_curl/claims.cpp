@@ -49,8 +49,8 @@ Sampled sample(Random& random, int number) {
   const VectorField g(random, random.magnitude(1e-6, 1e6), 1);
   const Point x = random.point(), a = random.point(), b = random.point(), c = random.point();
   const Frame r = random_frame(random), mirror{r[1], r[0], r[2]};
-  Sampled s{"draw " + std::to_string(number) + " at (" + shortest(x[0]) + ", " + shortest(x[1]) + ", " +
-                shortest(x[2]) + ")",
+  Sampled s{"draw " + std::to_string(number) + " at (" + format_shortest(x[0]) + ", " +
+                format_shortest(x[1]) + ", " + format_shortest(x[2]) + ")",
             {},
             {}};
   const auto put = [&](const std::string& name, const Point& v) {

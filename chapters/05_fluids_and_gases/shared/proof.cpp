@@ -28,8 +28,8 @@ std::vector<Sample> sampled(Random random, const std::function<void(Sample&, con
     drawn.x = random.point();
     drawn.frame = random_frame(random);
     drawn.m = {random.point(), random.point(), random.point()};
-    all.push_back({"draw " + std::to_string(n) + " at (" + shortest(drawn.x[0]) + ", " +
-                   shortest(drawn.x[1]) + ", " + shortest(drawn.x[2]) + ")"});
+    all.push_back({"draw " + std::to_string(n) + " at (" + format_shortest(drawn.x[0]) + ", " +
+                   format_shortest(drawn.x[1]) + ", " + format_shortest(drawn.x[2]) + ")"});
     fill(all.back(), drawn);
   }
   return all;

@@ -32,7 +32,7 @@ struct Solid {
 
   explicit Solid(Random& random) : c(random.point(10)), r(std::abs(random.magnitude(1e-3, 1e3))) {}
   std::array<double*, 4> letters() { return {&c[0], &c[1], &c[2], &r}; }
-  std::string where() const { return "$r$ = " + shortest(r); }
+  std::string where() const { return "$r$ = " + format_shortest(r); }
 
   /// On each axis two planes, `distance` from the center.
   Value planes(double distance) const {
@@ -47,7 +47,8 @@ struct Center {
 
   explicit Center(Random& random) : c(random.point(8)) {}
   std::string where() const {
-    return "$c$ = (" + shortest(c[0]) + ", " + shortest(c[1]) + ", " + shortest(c[2]) + ")";
+    return "$c$ = (" + format_shortest(c[0]) + ", " + format_shortest(c[1]) + ", " + format_shortest(c[2]) +
+           ")";
   }
 
   /// For r = 4 in a world of 16, the bins' side from 1/4 to 4: what the range costs never rises.
@@ -160,13 +161,13 @@ double mean_in_closed_form(double ratio, int half) {
 /// A sphere's radius over the bin's side.
 struct Ratio {
   double ratio;
-  std::string where() const { return "$r/h$ = " + shortest(ratio); }
+  std::string where() const { return "$r/h$ = " + format_shortest(ratio); }
 };
 
 void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& spheres, const Grid& grid) {
   const auto small = [&](double largest) {
     return in_all<Lattice>(
-        "the range is at most a fiftieth of 4096 bins, $r$ up to " + shortest(largest) + " bins",
+        "the range is at most a fiftieth of 4096 bins, $r$ up to " + format_shortest(largest) + " bins",
         random_spheres(p["seed"], 400, 8, largest), [](const Lattice& s) {
           const Grid sixteen{1, 8};
           return 50 * hits(s.sphere(), sixteen, reach, always).tests <= sixteen.count();

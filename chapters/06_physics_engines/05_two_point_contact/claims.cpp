@@ -73,7 +73,7 @@ struct Sample {
     for (int i = 0; i < 9; ++i) all.push_back(&body.inertia(i / 3, i % 3));
     return all;
   }
-  std::string where() const { return "$f$ = " + rounded(f, 6); }
+  std::string where() const { return "$f$ = " + format_significant(f, 6); }
 };
 
 std::vector<Sample> samples(double seed, int count, Body (*make_body)(Random&)) {
@@ -122,7 +122,7 @@ double smooth(const Vector3d& x) { return std::exp(0.5 * x[0]) * std::cos(x[1]) 
 
 Reading property(const std::string& text, const std::vector<Sample>& all, double weight, bool at_midpoint) {
   WorstSample worst(R"($\int G(X)\,\delta(X,S)\,dX$)",
-                    "narrow cubes about both points, weight " + shortest(weight) + " each",
+                    "narrow cubes about both points, weight " + format_shortest(weight) + " each",
                     at_midpoint ? "$G(M)$" : R"($\frac12(G(P_0)+G(P_1))$)");
   for (const Sample& s : all) {
     const double mean =
@@ -130,7 +130,7 @@ Reading property(const std::string& text, const std::vector<Sample>& all, double
     worst.add(
         sifted(smooth, s.hit, weight), mean,
         {width * width, "the cube's half side squared times a sixth of $G$'s Laplacian, which is below 6"}, 3,
-        "$P_0$ = (" + rounded(s.hit.p0[0], 4) + ", ...)");
+        "$P_0$ = (" + format_significant(s.hit.p0[0], 4) + ", ...)");
   }
   return {text, {worst.check()}};
 }

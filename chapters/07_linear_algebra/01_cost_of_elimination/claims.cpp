@@ -29,7 +29,7 @@ struct Counts {
   Cost forward_and_back = {};
 
   static constexpr bool whole = true;
-  std::string where() const { return "$n$ = " + shortest(n); }
+  std::string where() const { return "$n$ = " + format_shortest(n); }
   Cost total() const { return full + division; }
   Cost excess() const { return total() - forward_and_back; }
 
@@ -192,7 +192,8 @@ struct Prices {
 
   bool full_costs_more() const { return six_excess.mu * mu + six_excess.alpha * alpha >= 0; }
   std::string where() const {
-    return R"($\mu$ = )" + shortest(mu) + R"(, $\alpha$ = )" + shortest(alpha) + ", $n$ = " + shortest(n);
+    return R"($\mu$ = )" + format_shortest(mu) + R"(, $\alpha$ = )" + format_shortest(alpha) +
+           ", $n$ = " + format_shortest(n);
   }
 };
 

@@ -29,7 +29,7 @@ struct Edges {
   double size() const { return 1 + dot(u, u) + dot(v, v) + dot(w, w); }
   std::string where() const {
     const auto shown = [](const Vector3<double>& x) {
-      return "(" + shortest(x[0]) + ", " + shortest(x[1]) + ", " + shortest(x[2]) + ")";
+      return "(" + format_shortest(x[0]) + ", " + format_shortest(x[1]) + ", " + format_shortest(x[2]) + ")";
     };
     return "$u$ = " + shown(u) + ", $v$ = " + shown(v) + ", $w$ = " + shown(w);
   }

@@ -32,8 +32,8 @@ struct Planted : Letters<double> {
   std::string where() const {
     std::string all;
     for (const auto& [name, a] : {std::pair{"u", u}, {"v", v}, {"w", w}, {"p", p}})
-      all += (all.empty() ? "$" : ", $") + std::string(name) + "$ = (" + shortest(a[0]) + ", " +
-             shortest(a[1]) + ", " + shortest(a[2]) + ")";
+      all += (all.empty() ? "$" : ", $") + std::string(name) + "$ = (" + format_shortest(a[0]) + ", " +
+             format_shortest(a[1]) + ", " + format_shortest(a[2]) + ")";
     return all;
   }
 };

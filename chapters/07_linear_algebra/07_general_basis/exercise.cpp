@@ -122,7 +122,7 @@ Quantity coefficients(std::string name, double gap, Outcome in_doubles, const Re
   const Basis s = nearly_dependent(gap);
   const Eigen::MatrixXd m = columns(s.a, s.b, s.c);
   const Known known = known_coefficients(s, false, truth);
-  const std::string condition_number = rounded(condition(m), 2);
+  const std::string condition_number = format_significant(condition(m), 2);
   Quantity q = quantity(std::move(name), "", "coefficients over $u$, $v$, $w$; condition " + condition_number,
                         known, {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
   q.add(triple_products(s, [](const auto&... a) { return cramer(a...); }));

@@ -110,10 +110,10 @@ Quantity hilbert(std::string name, double s, const Reference& truth) {
       m[static_cast<std::size_t>(i - 1)][static_cast<std::size_t>(j - 1)] = entries.back();
     }
   const Known known = truth("07_09_determinant", entries);
-  Quantity q =
-      quantity(std::move(name), "",
-               "determinant of the Hilbert matrix $1/(i+j-1+" + shortest(s) + ")$, its entries rounded",
-               known, {1e-9 * std::abs(known.value[0]), "nine significant digits"});
+  Quantity q = quantity(
+      std::move(name), "",
+      "determinant of the Hilbert matrix $1/(i+j-1+" + format_shortest(s) + ")$, its entries rounded", known,
+      {1e-9 * std::abs(known.value[0]), "nine significant digits"});
   add_methods(q, m, printed_sum(), Outcome::ok, "");
   return q;
 }

@@ -59,7 +59,7 @@ struct Frames {
       for (int i = 0; i < 2; ++i) (*x)[i] = random.between(-largest, largest);
   }
   double size() const { return 4 * largest; }
-  std::string where() const { return "size " + rounded(largest, 3); }
+  std::string where() const { return "size " + format_significant(largest, 3); }
 };
 
 /// The coordinates of the first frame's origin on the second's axes, the two origins `apart`.
@@ -76,7 +76,9 @@ struct Point {
 
   explicit Point(Random& random) : a1(random.magnitude(1e-3, 1e3)), a2(random.magnitude(1e-3, 1e3)) {}
   std::array<double*, 2> letters() { return {&a1, &a2}; }
-  std::string where() const { return "$a$ = (" + rounded(a1, 4) + ", " + rounded(a2, 4) + ")"; }
+  std::string where() const {
+    return "$a$ = (" + format_significant(a1, 4) + ", " + format_significant(a2, 4) + ")";
+  }
 };
 
 Formula<Point> times(std::string text, const Matrix2d& matrix) {

@@ -152,7 +152,9 @@ const Pair axes{column({1, 0}), column({0, 1}), false};
 struct Carrier {
   MatrixXd v;
   explicit Carrier(Random& random) : v(whole(random, 2, 1)) {}
-  std::string where() const { return "$v$ = (" + shortest(v(0, 0)) + ", " + shortest(v(1, 0)) + ")"; }
+  std::string where() const {
+    return "$v$ = (" + format_shortest(v(0, 0)) + ", " + format_shortest(v(1, 0)) + ")";
+  }
   /// It carries points of the lines `normal . x = constant` into points of them just when it has this
   /// direction.
   bool stays_along(const MatrixXd& direction, const MatrixXd& normal) const {
@@ -175,7 +177,7 @@ Reading ranks(std::string text, double rank) {
 /// A point (1 + t, 4) of A1 = (1, 4) + V1; A2 is the line x = -2.
 struct Walker {
   double t;
-  std::string where() const { return "$t$ = " + shortest(t); }
+  std::string where() const { return "$t$ = " + format_shortest(t); }
   double distance() const {
     const MatrixXd x = column({1, 4}) + t * axes.first - column({-2, 7});
     const auto along = solve(Factorization::householder_qr, axes.second, x.col(0));
@@ -331,14 +333,14 @@ Findings study(const Parameters& p, const Reference&) {
       "$(10^8,1)$ and $(10^8+1,1)$ have the determinant $-1$ and the sine $10^{-16}$: to singular values, "
       "at any tolerance, they are parallel. Whole numbers are decided in whole numbers.",
       "ranks, singular values", 1e-12, wrong, "ranks, elimination in integers", 0});
-  Quantity rounded =
+  Quantity format_significant =
       parallel("rounded_multiples", "are $v$ and its rounded multiple parallel?", "as they were made",
                rounded_multiples(p["seed"]), wrong, ok, "the multiple is rounded, and exactness is no help");
-  rounded.add(Breakdown{
+  format_significant.add(Breakdown{
       "Exact arithmetic on rounded numbers judges the rounding. Where the data are measured or computed, "
       "only a tolerance above their error makes sense.",
       "ranks, elimination in integers", 0, wrong, "ranks, singular values", 1e-12});
-  return {claims(p["seed"]), {random, nearly, rounded}};
+  return {claims(p["seed"]), {random, nearly, format_significant}};
 }
 
 }  // namespace ex08_03

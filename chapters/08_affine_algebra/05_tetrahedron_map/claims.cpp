@@ -45,7 +45,7 @@ struct Sample {
       for (int i = 0; i < 3; ++i) all.push_back(&(*x)[i]);
     return all;
   }
-  std::string where() const { return "condition " + rounded(condition, 3); }
+  std::string where() const { return "condition " + format_significant(condition, 3); }
 };
 
 Vector3d vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }

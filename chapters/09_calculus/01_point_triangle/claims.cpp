@@ -21,7 +21,8 @@ struct Sample {
     return all;
   }
   std::string where() const {
-    return "region " + std::to_string(region()) + ", $s,t$ = " + rounded(s, 6) + ", " + rounded(t, 6);
+    return "region " + std::to_string(region()) + ", $s,t$ = " + format_significant(s, 6) + ", " +
+           format_significant(t, 6);
   }
   Vec<double> edge(std::size_t i) const { return w.v[i] - w.v[0]; }
   Vec<double> normal() const { return cross(edge(1), edge(2)); }

@@ -21,7 +21,8 @@ struct Sample {
   explicit Sample(Random& random)
       : a(random.between(0.1, 10)), b(random.between(0.1, 10)), gamma(random.between(0.1, 3)) {}
   std::string where() const {
-    return "a = " + shortest(a) + ", b = " + shortest(b) + ", gamma = " + shortest(gamma);
+    return "a = " + format_shortest(a) + ", b = " + format_shortest(b) +
+           ", gamma = " + format_shortest(gamma);
   }
   std::array<double*, 3> letters() { return {&a, &b, &gamma}; }
 };

@@ -1,4 +1,4 @@
-#include "report/study/starts.hpp"
+#include "report/study/initial_conditions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ Quantity known_motion(const Scene& scene, const Parameters& p, const Horizon& ho
   return made(truth);
 }
 
-Starts::Starts(const Task& task, const Need& need, const Reference& truth)
+InitialConditions::InitialConditions(const Task& task, const Need& need, const Reference& truth)
     : task_(task), need_(need), truth_(truth) {
   if (!task.entry->exercise.scene)
     throw BadInput("exercise " + to_string(task.entry->number) + " has no motion to choose a method for");
@@ -75,26 +75,26 @@ Starts::Starts(const Task& task, const Need& need, const Reference& truth)
        {std::pair("error", need.error), std::pair("horizon", need.horizon),
         std::pair("frame rate", need.frames_per_second), std::pair("budget", need.budget)})
     if (!(value > 0))
-      throw BadInput("the " + std::string(name) + " must be positive, and is " + shortest(value));
+      throw BadInput("the " + std::string(name) + " must be positive, and is " + format_shortest(value));
   if (need.horizon * need.frames_per_second < 1) throw BadInput("the horizon is shorter than a frame");
 }
 
-Start Starts::start(const Parameters& p) const {
+Start InitialConditions::start(const Parameters& p) const {
   std::string says;
   for (std::string_view name : scene().perturbed_parameters)
-    says += (says.empty() ? "" : ", ") + std::string(name) + " = " + rounded(p[name], 4);
+    says += (says.empty() ? "" : ", ") + std::string(name) + " = " + format_significant(p[name], 4);
   return {says, known_motion(scene(), p, horizon(), need_, truth_)};
 }
 
-Start Starts::asked() const {
+Start InitialConditions::asked() const {
   Start asked = start(task_.parameters);
   if (asked.motion.need.allowed < asked.motion.reference_error)
-    throw BadInput("the true motion is known to " + rounded(asked.motion.reference_error, 2) +
+    throw BadInput("the true motion is known to " + format_significant(asked.motion.reference_error, 2) +
                    ", and the error asked for is smaller");
   return asked;
 }
 
-Parameters Starts::draw() {
+Parameters InitialConditions::draw() {
   Parameters p = task_.parameters;
   for (std::string_view name : scene().perturbed_parameters) {
     const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
@@ -104,7 +104,7 @@ Parameters Starts::draw() {
   return p;
 }
 
-Quantity Starts::disturbed(double part) const {
+Quantity InitialConditions::disturbed(double part) const {
   Parameters p = task_.parameters;
   const std::string_view name = scene().perturbed_parameters.front();
   const double value = p[name], change = part * (value == 0 ? 1 : std::abs(value));
@@ -113,12 +113,12 @@ Quantity Starts::disturbed(double part) const {
   return motion(scene(), p, horizon(), Reference::nothing());
 }
 
-Quantity Starts::one_frame() const {
+Quantity InitialConditions::one_frame() const {
   const Horizon frame{1 / need_.frames_per_second, 1, need_.frames_per_second};
   return motion(scene(), task_.parameters, frame, Reference::nothing());
 }
 
-std::optional<Start> Starts::known_start(const Parameters& p) const {
+std::optional<Start> InitialConditions::known_start(const Parameters& p) const {
   try {
     return start(p);
   } catch (const OutOfTime&) {
@@ -128,7 +128,7 @@ std::optional<Start> Starts::known_start(const Parameters& p) const {
   }
 }
 
-std::vector<Start> Starts::beside(int count) {
+std::vector<Start> InitialConditions::beside(int count) {
   std::vector<Parameters> drawn;
   for (int i = 0; i < count; ++i) drawn.push_back(draw());
   std::vector<std::optional<Start>> made(drawn.size());
@@ -136,7 +136,8 @@ std::vector<Start> Starts::beside(int count) {
   return known(made);
 }
 
-Starts::First Starts::first(int seen, int unseen, const std::function<void()>& one_made) {
+InitialConditions::First InitialConditions::first(int seen, int unseen,
+                                                  const std::function<void()>& one_made) {
   std::vector<Parameters> drawn;
   for (int i = 0; i < seen + unseen; ++i) drawn.push_back(draw());
   std::optional<Start> at_asked;

@@ -1,4 +1,4 @@
-#include "report/study/tried.hpp"
+#include "report/study/candidate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,6 @@ namespace oddity {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// Steps per frame, from one on, none much more than half as many again as the one before.
@@ -24,7 +23,7 @@ double period(const Value& value, const Value& truth, int frames) {
   const std::size_t parts = truth.size() / static_cast<std::size_t>(frames);
   double mean = 0;
   for (std::size_t i = 0; i < truth.size(); i += parts) mean += truth[i] / frames;
-  double first = nan, last = nan;
+  double first = not_a_number, last = not_a_number;
   int passages = 0;
   for (std::size_t i = parts; i < value.size(); i += parts) {
     const double before = value[i - parts] - mean, now = value[i] - mean;
@@ -32,7 +31,7 @@ double period(const Value& value, const Value& truth, int frames) {
     last = static_cast<double>(i / parts) - now / (now - before);
     if (++passages == 1) first = last;
   }
-  return passages < 2 ? nan : (last - first) / (passages - 1);
+  return passages < 2 ? not_a_number : (last - first) / (passages - 1);
 }
 
 /// The trial's errors in each unit, none smaller than that of the truth it is judged by.
@@ -91,42 +90,43 @@ std::vector<double> settings(const Method& method, const Need& need) {
   return all;
 }
 
-Tried attempt(const std::vector<Start>& starts, const Method& method, double setting, const Need& need,
-              Over over) {
-  Tried tried{method.model, method.algorithm, method.knob.name, setting};
-  tried.constrained = static_cast<bool>(method.off_constraint);
-  tried.precision = method.precision;
-  tried.state_size = method.state_size;
+Candidate evaluate(const std::vector<Start>& starts, const Method& method, double setting, const Need& need,
+                   Over over) {
+  Candidate candidate{method.model, method.algorithm, method.knob.name, setting};
+  candidate.constrained = static_cast<bool>(method.off_constraint);
+  candidate.precision = method.precision;
+  candidate.state_size = method.state_size;
   for (const Start& start : starts) {
     const Method* here = method_of(start.motion, method.model, method.algorithm);
-    const Trial trial =
-        here ? run(start.motion, *here, setting)
-             : Trial{method.model, method.algorithm, {}, setting, {}, {}, nan, nan, nan, Outcome::raised};
+    const Trial trial = here ? run(start.motion, *here, setting)
+                             : Trial{method.model, method.algorithm, {},           setting,        {}, {},
+                                     not_a_number, not_a_number,     not_a_number, Outcome::raised};
     if (&start == &starts.front())
-      tried.evaluations_per_frame = static_cast<double>(trial.answer.evaluations) / need.frames();
+      candidate.evaluations_per_frame = static_cast<double>(trial.answer.evaluations) / need.frames();
     const std::vector<double> errors = as_far_as_known(start.motion, trial);
     const double error = here ? judged(start.motion, *here, trial, errors, need) : unbounded;
-    if (!(error <= 1) && (tried.holds() || error > tried.error)) {
-      tried.outcome = failure(trial);
-      tried.where = start.says;
+    if (!(error <= 1) && (candidate.holds() || error > candidate.error)) {
+      candidate.outcome = failure(trial);
+      candidate.where = start.says;
     }
-    tried.error = std::max(tried.error, error);
-    tried.errors.resize(start.motion.units().size(), 0);
+    candidate.error = std::max(candidate.error, error);
+    candidate.errors.resize(start.motion.units().size(), 0);
     for (std::size_t i = 0; i < errors.size(); ++i)
-      tried.errors[i] = std::isfinite(errors[i]) ? std::max(tried.errors[i], errors[i]) : unbounded;
-    if (!tried.holds() && over == Over::until_one_fails) break;
+      candidate.errors[i] = std::isfinite(errors[i]) ? std::max(candidate.errors[i], errors[i]) : unbounded;
+    if (!candidate.holds() && over == Over::until_one_fails) break;
   }
-  return tried;
+  return candidate;
 }
 
-std::string shown_setting(const Tried& tried, const Need& need) {
-  if (tried.knob != "step") return tried.knob.empty() ? "-" : tried.knob + " " + shortest(tried.setting);
-  const double steps = std::round(1 / (tried.setting * need.frames_per_second));
-  return shortest(steps) + (steps == 1 ? " step" : " steps") + " per frame";
+std::string shown_setting(const Candidate& candidate, const Need& need) {
+  if (candidate.knob != "step")
+    return candidate.knob.empty() ? "-" : candidate.knob + " " + format_shortest(candidate.setting);
+  const double steps = std::round(1 / (candidate.setting * need.frames_per_second));
+  return format_shortest(steps) + (steps == 1 ? " step" : " steps") + " per frame";
 }
 
-bool hopeless(const Tried& tried) {
-  return tried.outcome == Outcome::raised || tried.evaluations_per_frame > 1e5;
+bool hopeless(const Candidate& candidate) {
+  return candidate.outcome == Outcome::raised || candidate.evaluations_per_frame > 1e5;
 }
 
 }  // namespace oddity

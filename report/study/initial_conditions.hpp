@@ -39,10 +39,10 @@ Quantity known_motion(const Scene&, const Parameters&, const Horizon&, const Nee
 
 /// The starts of one choice: the one asked for, and others beside it, whose perturbed parameters are each up
 /// to a tenth off.
-class Starts {
+class InitialConditions {
  public:
   /// Throws BadInput when the task's exercise has no motion, or the need makes no sense.
-  Starts(const Task&, const Need&, const Reference&);
+  InitialConditions(const Task&, const Need&, const Reference&);
 
   /// The start asked for. Throws BadInput when no true motion is known there, or not as exactly as asked.
   Start asked() const;

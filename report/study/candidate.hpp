@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "report/study/starts.hpp"
+#include "report/study/initial_conditions.hpp"
 
 namespace oddity {
 
@@ -17,12 +17,13 @@ enum class Over { all_starts, until_one_fails };
 /// The method at a setting over the starts: its worst error by the need's criterion, how and on which start
 /// it ended worst where it does not hold, and its work on the first start. The time is not measured. Throws
 /// BadInput where the criterion does not fit the motion.
-Tried attempt(const std::vector<Start>&, const Method&, double setting, const Need&, Over = Over::all_starts);
+Candidate evaluate(const std::vector<Start>&, const Method&, double setting, const Need&,
+                   Over = Over::all_starts);
 
 /// "2 steps per frame", "tolerance 1e-06", "-".
-std::string shown_setting(const Tried&, const Need&);
+std::string shown_setting(const Candidate&, const Need&);
 
-/// It is no use to try finer settings: the method cannot be run here, or its work is out of all proportion.
-bool hopeless(const Tried&);
+/// Refinement is pointless: the method cannot run here, or costs far too much.
+bool hopeless(const Candidate&);
 
 }  // namespace oddity

@@ -4,8 +4,8 @@
 #include "report/pages/markdown.hpp"
 #include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
-#include "report/study/ledger.hpp"
-#include "report/study/tried.hpp"
+#include "report/study/candidate.hpp"
+#include "report/study/cheapest_models.hpp"
 
 namespace oddity {
 
@@ -18,37 +18,38 @@ std::string with_unit(const std::string& number, const std::string& unit) {
                                     : " (" + escaped(typeset_unit(unit)) + ")");
 }
 
-std::string error_of(const Tried& tried, const Need& need, const Ledger& ledger) {
-  if (need.relative) return with_powers(shown_error(tried.error * need.error)) + " of the motion";
+std::string error_of(const Candidate& candidate, const Need& need, const CheapestModels& cheapest_models) {
+  if (need.relative) return with_powers(shown_error(candidate.error * need.error)) + " of the motion";
   std::string text;
-  for (double error : tried.errors) text += (text.empty() ? "" : ", ") + with_powers(shown_error(error));
-  return text + (ledger.unit == "1" ? "" : " " + escaped(typeset_unit(ledger.unit)));
+  for (double error : candidate.errors) text += (text.empty() ? "" : ", ") + with_powers(shown_error(error));
+  return text + (cheapest_models.unit == "1" ? "" : " " + escaped(typeset_unit(cheapest_models.unit)));
 }
 
 /// What it errs by in float, and whether that holds.
-std::string in_float(const LeastModel& row, const Ledger& ledger) {
+std::string in_float(const CheapestModel& row, const CheapestModels& cheapest_models) {
   if (!row.in_float) return "in double only";
-  return error_of(*row.in_float, row.need, ledger) +
+  return error_of(*row.in_float, row.need, cheapest_models) +
          (row.in_float->holds() ? ", holds" : ", **" + std::string(name_of(row.in_float->outcome)) + "**");
 }
 
-std::vector<std::string> least_row(const LeastModel& row, const Ledger& ledger) {
+std::vector<std::string> least_row(const CheapestModel& row, const CheapestModels& cheapest_models) {
   if (!row.least) return {escaped(row.says), "*none here*", "", "", "", "", ""};
   return {escaped(row.says),
           escaped(row.least->model),
           escaped(row.least->algorithm),
           with_powers(escaped(shown_setting(*row.least, row.need))),
-          error_of(*row.least, row.need, ledger),
-          rounded(row.least->evaluations_per_frame, 3),
-          in_float(row, ledger)};
+          error_of(*row.least, row.need, cheapest_models),
+          format_significant(row.least->evaluations_per_frame, 3),
+          in_float(row, cheapest_models)};
 }
 
 /// "up to 0.21", "from 109 on", "between 3 and 4".
 std::string interval_text(const Interval& enough, const BreakEven& b) {
   const bool from_start = enough.from == b.looked.from, to_end = enough.to == b.looked.to;
-  if (from_start) return "up to " + with_unit(rounded(enough.to, 3), b.parameter_unit);
-  if (to_end) return "from " + with_unit(rounded(enough.from, 3), b.parameter_unit) + " on";
-  return "between " + rounded(enough.from, 4) + " and " + with_unit(rounded(enough.to, 4), b.parameter_unit);
+  if (from_start) return "up to " + with_unit(format_significant(enough.to, 3), b.parameter_unit);
+  if (to_end) return "from " + with_unit(format_significant(enough.from, 3), b.parameter_unit) + " on";
+  return "between " + format_significant(enough.from, 4) + " and " +
+         with_unit(format_significant(enough.to, 4), b.parameter_unit);
 }
 
 /// What speaks against the ends that were found: the model's errors there by the reference.
@@ -57,7 +58,7 @@ std::string reservations(const BreakEven& b) {
   std::string text;
   const auto disagree = [&](const char* side, double error) {
     text += " The reference disagrees: where the model " + std::string(side) + ", its error is " +
-            rounded(error, 3) + " of what is allowed.";
+            format_significant(error, 3) + " of what is allowed.";
   };
   long missing = 0;
   for (double error : b.holding) {
@@ -78,7 +79,8 @@ std::string break_even_text(const BreakEven& b) {
   for (std::size_t i = 0; i < b.enough.size(); ++i)
     where += (i == 0 ? " " : i + 1 == b.enough.size() ? " and " : ", ") + interval_text(b.enough[i], b);
   return "- *" + escaped(b.model) + "* is enough for " + code(b.parameter) + where + " (of " +
-         with_powers(rounded(b.looked.from, 3)) + " to " + with_powers(rounded(b.looked.to, 3)) + ")." +
+         with_powers(format_significant(b.looked.from, 3)) + " to " +
+         with_powers(format_significant(b.looked.to, 3)) + ")." +
          (b.why.empty() ? "" : " Outside it gives no motion (" + escaped(b.why) + ").") + reservations(b) +
          "\n";
 }
@@ -90,20 +92,20 @@ std::string never_text(const std::vector<std::string>& models) {
 }
 
 std::string section(const ExerciseResult& e) {
-  const Ledger& ledger = *e.ledger;
+  const CheapestModels& cheapest_models = *e.cheapest_models;
   std::vector<std::vector<std::string>> rows;
-  for (const LeastModel& row : ledger.least) rows.push_back(least_row(row, ledger));
+  for (const CheapestModel& row : cheapest_models.least) rows.push_back(least_row(row, cheapest_models));
   std::string text =
       "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" +
       table({"for", "model", "algorithm", "setting", "error", "evaluations per frame", "in float"}, rows,
             "5");
-  for (const BreakEven& b : ledger.break_evens) text += break_even_text(b);
-  return text + never_text(ledger.never) + "\n";
+  for (const BreakEven& b : cheapest_models.break_evens) text += break_even_text(b);
+  return text + never_text(cheapest_models.never) + "\n";
 }
 
 }  // namespace
 
-std::string ledger_page(const Results& results) {
+std::string cheapest_models_page(const Results& results) {
   std::string text =
       "# The cheapest sufficient model\n\n"
       "For each scene, the first of its models, from the simplest on, that holds at every frame over 10 s at 60 "
@@ -114,7 +116,7 @@ std::string ledger_page(const Results& results) {
       "border is known to one in a thousand. `oddity choose` adds times on your machine, starts of your own and a "
       "margin.\n\n";
   for (const ExerciseResult& e : results.exercises)
-    if (e.ledger) text += section(e);
+    if (e.cheapest_models) text += section(e);
   return text + "[All exercises](README.md)\n";
 }
 

@@ -1,4 +1,4 @@
-#include "report/study/ledger.hpp"
+#include "report/study/cheapest_models.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include "reference/bad_input.hpp"
 #include "reference/in_long_double.hpp"
 #include "reference/text.hpp"
+#include "report/study/candidate.hpp"
 #include "report/study/parallel.hpp"
-#include "report/study/tried.hpp"
 
 namespace oddity {
 
@@ -36,26 +36,29 @@ std::vector<std::string> models_of(const Quantity& motion) {
 }
 
 /// The cheapest setting of any of the model's algorithms that holds, by counted work.
-std::optional<Tried> cheapest(const std::vector<Start>& start, const std::string& model, const Need& need) {
-  std::optional<Tried> best;
+std::optional<Candidate> cheapest(const std::vector<Start>& start, const std::string& model,
+                                  const Need& need) {
+  std::optional<Candidate> best;
   for (const Method& method : start.front().motion.methods) {
     if (method.model != model) continue;
     for (double setting : settings(method, need)) {
-      const Tried tried = attempt(start, method, setting, need);
-      if (tried.holds() && (!best || tried.evaluations_per_frame < best->evaluations_per_frame)) best = tried;
-      if (tried.holds() || hopeless(tried)) break;
+      const Candidate candidate = evaluate(start, method, setting, need);
+      if (candidate.holds() && (!best || candidate.evaluations_per_frame < best->evaluations_per_frame))
+        best = candidate;
+      if (candidate.holds() || hopeless(candidate)) break;
     }
   }
   return best;
 }
 
-std::optional<Tried> again_in_float(const std::vector<Start>& start, const Tried& found, const Need& need) {
+std::optional<Candidate> again_in_float(const std::vector<Start>& start, const Candidate& found,
+                                        const Need& need) {
   const Method* single = method_of(start.front().motion, found.model, in_float(found.algorithm));
   if (!single) return {};
-  return attempt(start, *single, found.setting, need);
+  return evaluate(start, *single, found.setting, need);
 }
 
-LeastModel least_model(std::vector<Start>& start, const std::string& says, const Need& need) {
+CheapestModel cheapest_model(std::vector<Start>& start, const std::string& says, const Need& need) {
   Quantity& motion = start.front().motion;
   motion.needs = needs_of(need, motion);
   motion.need.allowed = *std::ranges::min_element(motion.needs);
@@ -159,7 +162,7 @@ std::vector<double> spaced(double a, double b, int count) {
   return values;
 }
 
-/// A scene's models beside each other over the ledger's horizon, one parameter moved.
+/// A scene's models beside each other over the page's horizon, one parameter moved.
 class Along {
  public:
   Along(const Task& task, const Need& need, const Reference& truth, std::string truest,
@@ -343,29 +346,30 @@ std::string truest_model(const Quantity& motion, const Solvers& solvers) {
 
 }  // namespace
 
-std::optional<Ledger> ledger(const Task& task, const Reference& truth) {
+std::optional<CheapestModels> cheapest_models(const Task& task, const Reference& truth) {
   if (!task.entry->exercise.scene) return {};
   const Need game = game_need(), digits{1e-10, true};
-  const Starts starts(task, game, truth);
+  const InitialConditions starts(task, game, truth);
   std::vector<Start> start{starts.asked()};
   const Quantity motion = start.front().motion;
-  Ledger ledger{motion.unit, {}, {}, {}};
+  CheapestModels cheapest_models{motion.unit, {}, {}, {}};
   const Solvers solvers = solvers_of(motion);
   const Along along(task, game, truth, truest_model(motion, solvers), solvers);
-  ledger.least.push_back(least_model(start, game_in_words(motion), game));
-  ledger.least.push_back(least_model(start, "10 digits", digits));
+  cheapest_models.least.push_back(cheapest_model(start, game_in_words(motion), game));
+  cheapest_models.least.push_back(cheapest_model(start, "10 digits", digits));
   for (const std::string& model : models_of(motion)) {
     auto found = along.break_evens(model);
-    std::ranges::move(found, std::back_inserter(ledger.break_evens));
+    std::ranges::move(found, std::back_inserter(cheapest_models.break_evens));
     if (!found.empty()) continue;
     const auto by_model = solved(motion, model, solvers);
-    if (!by_model || !(motion.in_needs(motion.errors(by_model->value)) <= 1)) ledger.never.push_back(model);
+    if (!by_model || !(motion.in_needs(motion.errors(by_model->value)) <= 1))
+      cheapest_models.never.push_back(model);
   }
-  return ledger;
+  return cheapest_models;
 }
 
-Results with_ledgers(Results results, std::span<const Task> tasks, const Reference& truth,
-                     const Progress& progress) {
+Results with_cheapest_models(Results results, std::span<const Task> tasks, const Reference& truth,
+                             const Progress& progress) {
   struct Page {
     const Task* task;
     ExerciseResult* result;
@@ -375,7 +379,7 @@ Results with_ledgers(Results results, std::span<const Task> tasks, const Referen
     if (tasks[i].entry->exercise.scene) pages.push_back({&tasks[i], &results.exercises[i]});
   Stage tally(progress, "looking for the least models", pages.size());
   parallel_for_each(pages, [&](const Page& page) {
-    page.result->ledger = ledger(*page.task, truth);
+    page.result->cheapest_models = cheapest_models(*page.task, truth);
     tally.add();
   });
   return results;
