@@ -108,14 +108,13 @@ std::vector<fs::path> write_pictures(const std::vector<EngineContest>& contests,
   return files;
 }
 
-void write_page(const std::vector<EngineContest>& contests, const std::vector<double>& rates,
-                const Reference& truth, const fs::path& page) {
+void write_page(const std::vector<EngineContest>& contests, const Reference& truth, const fs::path& page) {
   OwnByScene own;
   for (const EngineContest& c : contests)
     if (exercise_number(c.scene)) own[c.scene] = own_steps(task_of(c.scene, {}), truth);
   write_pictures(contests, own, page.parent_path());
-  write_whole(page,
-              engines_page(contests, own, rates, surprises_in(source_folder() / "solvers/engines/found")));
+  for (const auto& [name, csv] : engine_trials(contests)) write_whole(page.parent_path() / name, csv);
+  write_whole(page, engines_page(contests, surprises_in(source_folder() / "solvers/engines/found")));
   std::cout << "the page is " << page.string() << "\n";
 }
 
@@ -211,7 +210,7 @@ void engines(const fs::path& folder, const AskedEngines& asked, Format format) {
   std::cout << (format == Format::json  ? to_json(table())
                 : format == Format::csv ? to_csv(table())
                                         : engines_text(contests, asked.rates, asked.all, screen));
-  if (!asked.page.empty()) write_page(with_earlier(contests), asked.rates, truth, asked.page);
+  if (!asked.page.empty()) write_page(with_earlier(contests), truth, asked.page);
 }
 
 }  // namespace oddity::verbs

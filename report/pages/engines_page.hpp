@@ -14,15 +14,17 @@ namespace oddity {
 struct Surprise {
   std::string file, says;
 };
-/// Those of a folder, each told by its file's first lines.
+/// Those of a folder, each told by its file's first line.
 std::vector<Surprise> surprises_in(const std::filesystem::path& folder);
 
 /// What our own models make of an engine's steps, by scene.
 using OwnByScene = std::map<std::string, std::vector<OwnSteps>>;
 
-/// The tables of all scenes, and what is said of each engine. Its pictures are in `engines/` beside it.
-std::string engines_page(const std::vector<EngineContest>&, const OwnByScene&,
-                         const std::vector<double>& rates, const std::vector<Surprise>&);
+/// What one wants to know first of all scenes, and what was found. Its pictures and trials are in `engines/`
+/// beside it.
+std::string engines_page(const std::vector<EngineContest>&, const std::vector<Surprise>&);
+/// A table of each scene's trials, by the file's name.
+std::map<std::string, std::string> engine_trials(const std::vector<EngineContest>&);
 
 /// The page's pictures by their names; and, where they hold times, those that it does not show.
 std::map<std::string, std::string> engine_pictures(const std::vector<EngineContest>&, const OwnByScene&);

@@ -1,5 +1,9 @@
-// Box2D 2.4: no body moves by more than 2 m or turns by more than a quarter in a step: what is faster is
-// slowed for good. And b2_version is 2.4.0 in 2.4.1. g++ box2d_caps.cpp -lbox2d
+// Box2D 2.4: what is fast is slowed for good.
+//
+// No body moves by more than 2 m or turns by more than a quarter in a step: what is faster is slowed for
+// good. And b2_version is 2.4.0 in 2.4.1.
+//   g++ box2d_caps.cpp -lbox2d
+
 #include <box2d/box2d.h>
 
 #include <cstdio>

@@ -1,6 +1,10 @@
-// Bullet: a ball that should leave the floor at 0.8 of its speed does not leave it where steps are fine: a
-// contact within 2 cm acts before it touches, and its bounce is less by distance / step. Where steps are
-// coarse it is found deep in, and leaves too fast. g++ bullet_bounce.cpp $(pkg-config --cflags --libs bullet)
+// Bullet: balls bounce too little, or too fast.
+//
+// A ball that should leave the floor at 0.8 of its speed does not leave it where steps are fine: a contact
+// within 2 cm acts before it touches, and its bounce is less by distance / step. Where steps are coarse it
+// is found deep in, and leaves too fast.
+//   g++ bullet_bounce.cpp $(pkg-config --cflags --libs bullet)
+
 #include <btBulletDynamicsCommon.h>
 
 #include <cstdio>

@@ -1,6 +1,9 @@
-// Bullet: a btMultiBody thrown at 50 m/s through nothing is damped, by 0.04/s and by 0.04 of its speed; and
-// one thrown at 200 m/s flies at 100 (setMaxCoordinateVelocity).
-// g++ bullet_multibody.cpp $(pkg-config --cflags --libs bullet)
+// Bullet: multibodies are damped and capped unasked.
+//
+// A btMultiBody thrown at 50 m/s through nothing is damped, by 0.04/s and by 0.04 of its speed; and one
+// thrown at 200 m/s flies at 100 (setMaxCoordinateVelocity).
+//   g++ bullet_multibody.cpp $(pkg-config --cflags --libs bullet)
+
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>

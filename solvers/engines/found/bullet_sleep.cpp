@@ -1,6 +1,9 @@
-// Bullet: a pendulum let go at 0.1 rad swings for two seconds, and then hangs still where it is: all that is
+// Bullet: a small pendulum falls asleep on its way.
+//
+// A pendulum let go at 0.1 rad swings for two seconds, and then hangs still where it is: all that is
 // slower than 0.8 m/s and 1 rad/s for so long is put to sleep, forces or not.
-// g++ bullet_sleep.cpp $(pkg-config --cflags --libs bullet)
+//   g++ bullet_sleep.cpp $(pkg-config --cflags --libs bullet)
+
 #include <btBulletDynamicsCommon.h>
 #include <cstdio>
 

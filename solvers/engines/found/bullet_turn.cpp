@@ -1,6 +1,9 @@
-// Bullet: a body keeps its spin, and turns by less: where a step would turn it by more than 45 degrees,
+// Bullet: fast bodies turn by less than they spin.
+//
+// A body keeps its spin, and turns by less: where a step would turn it by more than 45 degrees,
 // btTransformUtil::integrateTransform cuts the angle in one of the two places where it stands.
-// g++ bullet_turn.cpp $(pkg-config --cflags --libs bullet)
+//   g++ bullet_turn.cpp $(pkg-config --cflags --libs bullet)
+
 #include <btBulletDynamicsCommon.h>
 #include <cstdio>
 

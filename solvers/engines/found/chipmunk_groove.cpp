@@ -1,7 +1,10 @@
-// Chipmunk 7: a bead in a groove, which a gear joint keeps from turning, is lost where the joint's point is 1
-// m from the bead; with all of a joint's error put right in one step, at every step size. At the bead's
-// center the same joint holds. And Debian's library says on standard output that it is a debug build. g++
-// chipmunk_groove.cpp -lchipmunk
+// Chipmunk 7: a bead leaves its groove.
+//
+// A bead in a groove, which a gear joint keeps from turning, is lost where the joint's point is 1 m from
+// the bead; with all of a joint's error put right in one step, at every step size. At the bead's center
+// the same joint holds. And Debian's library says on standard output that it is a debug build.
+//   g++ chipmunk_groove.cpp -lchipmunk
+
 #include <chipmunk/chipmunk.h>
 
 #include <cmath>

@@ -1,6 +1,9 @@
-// DART 6.12: by default balls collide as polyhedra (FCL between meshes): one that should roll on at 5/7 of
-// its speed sinks in by millimetres, leaves its line and all but stops. DARTCollisionDetector has it round.
-// g++ -std=c++17 -O2 -I/usr/include/eigen3 dart_balls_are_polyhedra.cpp -ldart && ./a.out
+// DART 6.12: balls are polyhedra.
+//
+// By default balls collide as polyhedra (FCL between meshes): one that should roll on at 5/7 of its speed
+// sinks in by millimetres, leaves its line and all but stops. DARTCollisionDetector has it round.
+//   g++ -std=c++17 -O2 -I/usr/include/eigen3 dart_balls_are_polyhedra.cpp -ldart && ./a.out
+
 #include <cstdio>
 #include <dart/collision/dart/DARTCollisionDetector.hpp>
 #include <dart/constraint/ConstraintSolver.hpp>

@@ -1,6 +1,9 @@
-// MuJoCo 2.2.2: by default friction is a pyramid: a box that slides along the diagonal of its contact's axes
-// goes 41 % farther than one along an axis. cone="elliptic" cures it.
-// g++ -std=c++20 mujoco_friction_has_directions.cpp -lmujoco && ./a.out
+// MuJoCo 2.2: friction depends on the direction.
+//
+// By default friction is a pyramid: a box that slides along the diagonal of its contact's axes goes 41 %
+// farther than one along an axis. cone="elliptic" cures it.
+//   g++ -std=c++20 mujoco_friction_has_directions.cpp -lmujoco && ./a.out
+
 #include <mujoco/mujoco.h>
 
 #include <cmath>

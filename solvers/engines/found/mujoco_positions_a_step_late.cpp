@@ -1,6 +1,9 @@
-// MuJoCo 2.2.2: after mj_step, xpos is where the bodies were before the step; qpos is where they are.
-// mj_kinematics brings xpos up to date.
-// g++ -std=c++20 mujoco_positions_a_step_late.cpp -lmujoco && ./a.out
+// MuJoCo 2.2: positions are a step late.
+//
+// After mj_step, xpos is where the bodies were before the step; qpos is where they are. mj_kinematics
+// brings xpos up to date.
+//   g++ -std=c++20 mujoco_positions_a_step_late.cpp -lmujoco && ./a.out
+
 #include <mujoco/mujoco.h>
 
 #include <cstdio>

@@ -1,6 +1,9 @@
-// MuJoCo 2.2.2: "RK4" is of second order where bodies turn in space (free and ball joints); 4th with hinges.
-// It averages the stages' spins and turns the body once by them, as if turns commuted.
-// g++ -std=c++20 mujoco_rk4_is_of_second_order.cpp -lmujoco && ./a.out
+// MuJoCo 2.2: RK4 is of second order in space.
+//
+// "RK4" is of second order where bodies turn in space (free and ball joints); 4th with hinges. It averages
+// the stages' spins and turns the body once by them, as if turns commuted.
+//   g++ -std=c++20 mujoco_rk4_is_of_second_order.cpp -lmujoco && ./a.out
+
 #include <mujoco/mujoco.h>
 
 #include <cmath>

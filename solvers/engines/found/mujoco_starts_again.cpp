@@ -1,6 +1,9 @@
-// MuJoCo 2.2.2: where a motion diverges, mj_step sets the world back to its start and goes on from there,
-// with the time at zero; what tells is a line in MUJOCO_LOG.TXT and d->warning. Here a spring is too stiff
-// for a step. g++ -std=c++20 mujoco_starts_again.cpp -lmujoco && ./a.out
+// MuJoCo 2.2: a motion that diverges starts again.
+//
+// Where a motion diverges, mj_step sets the world back to its start and goes on from there, with the time
+// at zero; what tells is a line in MUJOCO_LOG.TXT and d->warning. Here a spring is too stiff for a step.
+//   g++ -std=c++20 mujoco_starts_again.cpp -lmujoco && ./a.out
+
 #include <mujoco/mujoco.h>
 
 #include <cstdio>

@@ -1,6 +1,10 @@
-// ODE: dWorldQuickStep gives other bits for the same world a second time: it goes through the joints in an
-// order drawn from one random generator for all worlds, which a new world does not start anew (dRandSetSeed
-// does). g++ ode_seed.cpp -lode
+// ODE: quick steps do not repeat themselves.
+//
+// dWorldQuickStep gives other bits for the same world a second time: it goes through the joints in an
+// order drawn from one random generator for all worlds, which a new world does not start anew
+// (dRandSetSeed does).
+//   g++ ode_seed.cpp -lode
+
 #include <ode/ode.h>
 
 #include <cstdio>

@@ -1,5 +1,9 @@
-// ODE: a body of constant spin turns by 2 atan(spin h / 2) in a step, 7 % less at 60 rad/s and 60 Hz;
-// dBodySetFiniteRotationMode turns it by spin h. g++ ode_turn.cpp -lode
+// ODE: fast bodies turn by less than they spin.
+//
+// A body of constant spin turns by 2 atan(spin h / 2) in a step, 7 % less at 60 rad/s and 60 Hz;
+// dBodySetFiniteRotationMode turns it by spin h.
+//   g++ ode_turn.cpp -lode
+
 #include <ode/ode.h>
 
 #include <cmath>

@@ -1,6 +1,10 @@
-// Simbody 3.7 as Debian 12 has it: its time stepper for rigid contacts writes a trace of every step to the
-// standard output: the library was built without NDEBUG. g++ -std=c++17 -O2 -w -I/usr/include/simbody
-// simbody_traces.cpp -lSimTKsimbody -lSimTKmath -lSimTKcommon
+// Simbody 3.7: Debian's traces every step.
+//
+// Its time stepper for rigid contacts writes a trace of every step to the standard output: the library was
+// built without NDEBUG.
+//   g++ -std=c++17 -O2 -w -I/usr/include/simbody simbody_traces.cpp -lSimTKsimbody -lSimTKmath
+//   -lSimTKcommon
+
 #include <Simbody.h>
 
 using namespace SimTK;
