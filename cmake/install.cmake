@@ -6,6 +6,8 @@ include(CMakePackageConfigHelpers)
 install(TARGETS oddity RUNTIME)
 install(DIRECTORY reference/ DESTINATION ${CMAKE_INSTALL_DATADIR}/oddity/reference
   FILES_MATCHING PATTERN "*.csv" PATTERN make EXCLUDE)
+install(DIRECTORY tests/mutation tests/fuzz tests/faults DESTINATION ${CMAKE_INSTALL_DATADIR}/oddity/tests
+  FILES_MATCHING PATTERN "mutation.csv" PATTERN "record.csv" PATTERN corpus EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/models.js DESTINATION ${CMAKE_INSTALL_DATADIR}/oddity OPTIONAL)
 
 # ---- the models, loops and lanes, and the headers that they include ---------------------------------------

@@ -78,7 +78,7 @@ TEST_CASE("choose asks for what is held as a length", "[commands]") {
 
 TEST_CASE("every verb has help with an example", "[commands]") {
   for (const std::string verb : {"list", "verify", "solve", "chart", "report", "site", "stability", "choose",
-                                 "bench", "engines", "sweep", "prove", "new"}) {
+                                 "bench", "engines", "sweep", "prove", "trust", "new"}) {
     const Ran ran = run(verb + " --help");
     INFO(ran.output);
     CHECK(ran.status == 0);

@@ -227,7 +227,7 @@ TEST_CASE("the completion knows the verbs, their options and the exercises", "[t
         .output;
   };
   CHECK(completed("\"\"") ==
-        "list verify solve chart stability choose bench engines sweep prove report site new help\n");
+        "list verify solve chart stability choose bench engines sweep prove trust report site new help\n");
   CHECK(completed("solve --") == "--help --json --csv\n");
   CHECK(completed("solve 3.3") == "3.3 3.31 3.33 3.35\n");
 }
@@ -241,7 +241,7 @@ TEST_CASE("the manual page has every verb and no path of this build", "[terminal
   CHECK(made.status == 0);
   const std::string text = shell("cat " + page).output;
   for (const char* verb : {"list", "verify", "solve", "chart", "stability", "choose", "bench", "engines",
-                           "sweep", "report", "site", "new"})
+                           "sweep", "prove", "trust", "report", "site", "new"})
     CHECK(text.find(".SS " + std::string(verb) + "\n") != std::string::npos);
   CHECK(text.find(ODDITY_SOURCE "/") == std::string::npos);
 }

@@ -390,6 +390,18 @@ void add_sweep(CLI::App& app, Session& s) {
   add_sweep_verbs(*sweep, s.folder);
 }
 
+void add_trust(CLI::App& app, Session& s) {
+  auto* trust = verb(
+      app, "trust", "Say how far the results may be trusted, and what that rests on.",
+      "What is proved, enclosed, witnessed, mutated, fuzzed and survived, with the figures on record. The last "
+      "results are taken where they are fresh, else everything runs first.\n"
+      "Columns: part, subject, count, of, says, date, commit, rests_on; a row for each part, and for each of its "
+      "kinds, rooms, targets or faults.\n"
+      "Examples:\n  oddity trust\n  oddity trust --json",
+      [&] { verbs::trust(s.folder, s.format()); });
+  add_formats(*trust, s, "all figures");
+}
+
 void add_prove(CLI::App& app, Session& s) {
   auto* prove = verb(
       app, "prove", "Prove claims by Coq, for all numbers and not for samples.",
@@ -543,6 +555,7 @@ int command_line(int argc, char** argv, const Suite& suite) try {
   add_engines(app, session);
   add_sweep(app, session);
   add_prove(app, session);
+  add_trust(app, session);
   add_report(app, session);
   add_site(app, session);
   add_new(app, session);

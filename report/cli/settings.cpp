@@ -35,6 +35,7 @@ fs::path reference_folder() {
   const fs::path installed = installed_tables();
   return installed.empty() ? source_folder() / "reference" : installed;
 }
+fs::path records_folder() { return reference_folder().parent_path() / "tests"; }
 fs::path results_file() { return kept() / "results.json"; }
 fs::path report_folder() { return kept() / "report"; }
 fs::path site_folder() { return kept() / "site"; }

@@ -8,6 +8,7 @@ namespace oddity {
 
 std::filesystem::path source_folder();     ///< the tree
 std::filesystem::path reference_folder();  ///< the tables
+std::filesystem::path records_folder();    ///< what came of the tests that take long
 std::filesystem::path results_file();      ///< the last run's results
 std::filesystem::path report_folder();     ///< the last report
 std::filesystem::path site_folder();       ///< the last report that runs

@@ -8,6 +8,7 @@
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
+#include "reference/proofs.hpp"
 #include "reference/text.hpp"
 #include "reference/to_write.hpp"
 #include "report/cli/asked.hpp"
@@ -24,7 +25,7 @@
 #include "report/pages/readable.hpp"
 #include "report/pages/tables.hpp"
 #include "report/pages/text_view.hpp"
-#include "report/pages/true_values.hpp"
+#include "report/pages/trust.hpp"
 #include "report/pages/write_report.hpp"
 #include "report/site/site.hpp"
 #include "report/study/cheapest_models.hpp"
@@ -144,13 +145,14 @@ Results trials_of(const fs::path& folder, const std::vector<Task>& tasks) {
 
 fs::path report_of(const Results& results, const fs::path& folder, Edition edition, const fs::path& out) {
   return with_progress([&](const Progress& progress) {
-    return write_report(results, edition, out, progress, true_values(folder));
+    return write_report(results, edition, out, progress, read_trust(folder, records_folder()));
   });
 }
 
 fs::path site_of(const Results& results, const fs::path& folder, const fs::path& out) {
   return with_progress([&](const Progress& progress) {
-    return write_site(results, Reference(folder, motions_folder()), out, progress, kept_engines());
+    return write_site(results, Reference(folder, motions_folder()), out, progress, kept_engines(),
+                      read_proofs(folder / "approved"));
   });
 }
 
@@ -215,6 +217,14 @@ void report(const fs::path& folder, const std::string& chapter, Edition edition,
   if (number != 0)
     std::erase_if(results.exercises, [&](const ExerciseResult& e) { return e.number.chapter != number; });
   std::cout << "the report is in " << report_of(results, folder, edition, out).string() << "\n";
+}
+
+void trust(const fs::path& folder, Format format) {
+  require_writable(results_file());
+  const Trust on_record = read_trust(folder, records_folder());
+  const Results results = last_results(folder, false);
+  if (format != Format::text) return print(trust_table(results, on_record), format);
+  std::cout << trust_text(results, on_record, output());
 }
 
 void site(const fs::path& folder, const fs::path& out) {

@@ -30,6 +30,8 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
            const AskedNeed&, Format, bool all_rows, const std::string& engine, const std::string& command);
 /// Of all chapters when the text is empty.
 void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out);
+/// What is proved, enclosed, witnessed and survived, and what that rests on.
+void trust(const fs::path& folder, Format);
 /// The report that runs, of all exercises.
 void site(const fs::path& folder, const fs::path& out);
 /// Throws BadInput when the report, the site or the results could not be written, before a run.

@@ -18,11 +18,6 @@ namespace {
 
 // ---- evidence ---------------------------------------------------------------------------------------------
 
-/// Of a claim that holds for every sample or fails: `left` counts the samples that violate it.
-bool counts_violations(const Check& c) {
-  return c.right.by == "none" && c.left.by.starts_with("violations in ");
-}
-
 double scale_of(const Check& c) {
   return c.scale > 0 ? c.scale : std::max(size_of(c.left.value), size_of(c.right.value));
 }
@@ -98,7 +93,7 @@ std::string title_of(Verdict verdict) {
 }
 
 /// What is wrong, what is right unless a table has it already, and how it shows.
-std::string in_full(const JudgedClaim& judged, bool in_table) {
+std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims& proved) {
   const Claim& claim = judged.claim;
   const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
   const Reading& right = right_reading(judged);
@@ -108,7 +103,8 @@ std::string in_full(const JudgedClaim& judged, bool in_table) {
                                 : (judged.verdict == Verdict::misprint ? " *Meant:* " : " *Right:* ") +
                                       escaped(right.text, false) + ".";
   return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
-         "** (" + kind + "line " + std::to_string(claim.line) + "): " + escaped(claim.says, false) + "." +
+         "** (" + kind + "line " + std::to_string(claim.line) +
+         (proved.contains(claim.id) ? ", proved by Coq" : "") + "): " + escaped(claim.says, false) + "." +
          meant + "\n\n" + prose(claim.why) + "\n\n" + numbers_of(judged);
 }
 
@@ -121,11 +117,12 @@ std::string compared_with(const JudgedClaim& judged) {
 }
 
 /// A line a claim, those that were compared with the same together.
-std::string confirmed_lines(const ExerciseResult& e) {
+std::string confirmed_lines(const ExerciseResult& e, const ProvedClaims& proved) {
   std::vector<std::pair<std::string, std::string>> groups;
   for (const JudgedClaim& c : e.claims) {
     if (c.verdict != Verdict::confirmed) continue;
-    const std::string line = "<br>" + escaped(c.claim.says, false);
+    const std::string mark = proved.contains(c.claim.id) ? "†" : "";
+    const std::string line = "<br>" + mark + escaped(c.claim.says, false);
     const std::string with = compared_with(c);
     const auto same = std::ranges::find(groups, with, &std::pair<std::string, std::string>::first);
     if (same == groups.end())
@@ -202,27 +199,31 @@ std::string answer(const ExerciseResult& e) {
   return text + "\n\n" + table({"what is wrong", "as printed", "right", "what one would see"}, rows);
 }
 
-std::string wrong_claims(const ExerciseResult& e) {
+std::string wrong_claims(const ExerciseResult& e, const ProvedClaims& proved) {
   std::set<const Claim*> in_table;
   for (const Finding& f : findings_of(e)) in_table.insert(&f.claims.front()->claim);
   std::string text;
   for (Verdict verdict : {Verdict::erratum, Verdict::misprint, Verdict::unsettled})
     for (const JudgedClaim& c : e.claims)
-      if (c.verdict == verdict) text += in_full(c, in_table.contains(&c.claim));
+      if (c.verdict == verdict) text += in_full(c, in_table.contains(&c.claim), proved);
   return text;
 }
 
-std::string other_claims(const ExerciseResult& e) {
+std::string other_claims(const ExerciseResult& e, const ProvedClaims& proved) {
   std::string open;
-  int confirmed = 0;
+  int confirmed = 0, by_coq = 0;
   for (const JudgedClaim& c : e.claims) {
     if (c.verdict == Verdict::not_checkable)
       open += "Not checkable, " + code(c.claim.id) + " (line " + std::to_string(c.claim.line) +
               "): " + escaped(c.claim.says, false) + ": " + escaped(c.claim.not_checkable, false) + ".\n\n";
-    confirmed += c.verdict == Verdict::confirmed;
+    if (c.verdict != Verdict::confirmed) continue;
+    ++confirmed;
+    by_coq += proved.contains(c.claim.id);
   }
   if (confirmed == 0) return open;
-  return open + folded(counted(confirmed, "confirmed claim", "confirmed claims"), confirmed_lines(e));
+  return open + folded(counted(confirmed, "confirmed claim", "confirmed claims") +
+                           (by_coq == 0 ? "" : ", " + std::to_string(by_coq) + " proved by Coq (†)"),
+                       confirmed_lines(e, proved));
 }
 
 std::string errata_table(const Results& results, Links links) {

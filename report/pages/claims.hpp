@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/proofs.hpp"
 #include "report/study/findings.hpp"
 
 /// What comes of the claims, as Markdown.
@@ -23,10 +24,10 @@ std::string link_to(const ExerciseResult&, const Claim&, Links);
 
 /// The verdict in a line, and each erratum in a row: printed, right, and what one would see.
 std::string answer(const ExerciseResult&);
-/// Everything wrong in full, each with its anchor, its reason and its numbers.
-std::string wrong_claims(const ExerciseResult&);
+/// Everything wrong in full, each with its anchor, its reason and its numbers. What is proved says so.
+std::string wrong_claims(const ExerciseResult&, const ProvedClaims&);
 /// What is confirmed, folded up: a line a claim, with what it was compared with. What cannot be checked.
-std::string other_claims(const ExerciseResult&);
+std::string other_claims(const ExerciseResult&, const ProvedClaims&);
 
 /// All errata by root, a row each.
 std::string errata_table(const Results&, Links);

@@ -104,14 +104,14 @@ std::string question(const ExerciseResult& e) {
 }
 
 /// All beneath an exercise's question; the sections' headings are of this level.
-std::string body(const ExerciseResult& e, const std::string& level, bool pages) {
+std::string body(const ExerciseResult& e, const std::string& level, bool pages, const ProvedClaims& proved) {
   if (!e.failure.empty()) return "**The study failed:** " + escaped(e.failure, false) + "\n\n";
   std::string text;
   if (!e.claims.empty()) text += level + " The answer\n\n" + answer(e);
   if (pages) text += for_games(e);
-  if (const std::string wrong = wrong_claims(e); !wrong.empty())
+  if (const std::string wrong = wrong_claims(e, proved); !wrong.empty())
     text += level + " What is wrong, and why\n\n" + wrong;
-  text += other_claims(e);
+  text += other_claims(e, proved);
   if (!e.quantities.empty()) text += level + " What is computed\n\n";
   for (const QuantityResult& q : e.quantities) text += quantity_text(e, q, pages);
   return text + expected_failures(e);
@@ -235,7 +235,7 @@ std::string other_pages(const Results& results, Edition edition) {
   std::string text = "[All errata and misprints](errata.md)";
   if (has_cheapest_models(results)) text += " · [which model is enough](models.md)";
   if (has_scenes(results)) text += " · [which steps are stable](stability.md)";
-  text += " · [the algorithms and their libraries](algorithms.md)";
+  text += " · [the algorithms and their libraries](algorithms.md) · [what all this rests on](trust.md)";
   if (edition == Edition::whole) text += " · [times](times.md)";
   return text + "\n\n";
 }
@@ -263,9 +263,9 @@ std::string index_page(const Results& results, Edition edition) {
          unfold("<b>How to read this</b>", legend() + "\n");
 }
 
-std::string exercise_page_text(const Results& results, const ExerciseResult& e) {
+std::string exercise_page_text(const Results& results, const ExerciseResult& e, const ProvedClaims& proved) {
   return "# " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" + ways(results, e) + "\n" +
-         question(e) + picture_links(e) + body(e, "##", true);
+         question(e) + picture_links(e) + body(e, "##", true, proved);
 }
 
 std::string errata_page_text(const Results& results) {
@@ -320,7 +320,7 @@ std::string single_page(const Results& results) {
     text += "## Errata\n\n" + errata_table(results, Links::within);
   for (const ExerciseResult& e : results.exercises)
     text += "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" + question(e) +
-            body(e, "###", false);
+            body(e, "###", false, {});
   return text + "## How to read this\n\n" + legend();
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "reference/proofs.hpp"
 #include "report/study/results.hpp"
 
 /// Markdown for GitHub, drawn from results alone. Every page but the one of times is the same from run to
@@ -14,8 +15,9 @@ enum class Edition { whole, book };
 /// The report's front page, of one screen: what was found, the errata that matter most, and what can be
 /// unfolded: an answer for each scene, a row for each exercise.
 std::string index_page(const Results&, Edition = Edition::whole);
-/// An exercise's page: the question, the answer, the findings, the claims, what is computed.
-std::string exercise_page_text(const Results&, const ExerciseResult&);
+/// An exercise's page: the question, the answer, the findings, the claims, what is computed. Claims that are
+/// proved say so.
+std::string exercise_page_text(const Results&, const ExerciseResult&, const ProvedClaims& = {});
 /// All errata by root, the misprints by number.
 std::string errata_page_text(const Results&);
 /// For each quantity the fastest method within the need, in the run at hand.

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
+
+#include "report/study/trust.hpp"
 
 namespace oddity {
 
-/// What bounds the errors of the reference tables in `folder`/tables, in Markdown: how many values are
-/// enclosed, and how narrowly, and which are not. Throws BadInput when a table is broken.
-std::string true_values(const std::filesystem::path& folder);
+/// What bounds the errors of the reference tables, in Markdown: how many values are enclosed, and how
+/// narrowly, and which are not. Empty where there are no tables.
+std::string true_values(const Bounds&);
 
 }  // namespace oddity

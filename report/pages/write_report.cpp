@@ -3,6 +3,7 @@
 #include "reference/files.hpp"
 #include "report/pages/catalog_page.hpp"
 #include "report/pages/pictures.hpp"
+#include "report/pages/trust.hpp"
 #include "report/study/cheapest_models.hpp"
 #include "report/study/stability.hpp"
 
@@ -16,7 +17,7 @@ void make_folder(const fs::path& folder) {
 }
 
 fs::path write_report(const Results& results, Edition edition, const fs::path& folder,
-                      const Progress& progress, const std::string& true_values) {
+                      const Progress& progress, const Trust& trust) {
   make_folder(folder);
   const auto write = [&](const std::string& name, const std::string& text) {
     write_whole(folder / name, text);
@@ -24,13 +25,14 @@ fs::path write_report(const Results& results, Edition edition, const fs::path& f
   };
   draw_pictures(results, folder, progress);
   for (const ExerciseResult& e : results.exercises)
-    write(exercise_file(e.number), exercise_page_text(results, e));
+    write(exercise_file(e.number), exercise_page_text(results, e, trust.standings.proved()));
   write("errata.md", errata_page_text(results));
   write("algorithms.md", catalog_page());
+  write("trust.md", trust_page(results, trust));
   write("models.md", cheapest_models_page(results));
   write("stability.md", stability_page(results));
   if (edition == Edition::whole) write("times.md", times_page(results));
-  return write("README.md", index_page(results, edition) + true_values);
+  return write("README.md", index_page(results, edition));
 }
 
 std::vector<fs::path> write_charts(const Results& results, Curves curves, const fs::path& folder,

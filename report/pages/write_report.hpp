@@ -6,6 +6,7 @@
 #include "report/charts/chart.hpp"
 #include "report/pages/markdown.hpp"
 #include "report/study/run.hpp"
+#include "report/study/trust.hpp"
 
 namespace oddity {
 
@@ -15,13 +16,13 @@ void make_folder(const std::filesystem::path& folder);
 
 /// Writes the report's pages and charts into `folder` and returns the page to open first. Each file is whole
 /// or not there. Throws BadInput when the folder cannot be written.
-///   README.md                    the front page, with what is to be said about the true values
+///   README.md                    the front page
 ///   3.5.md, ...                  a page an exercise
-///   errata.md, models.md, stability.md, algorithms.md
+///   errata.md, trust.md, models.md, stability.md, algorithms.md
 ///   times.md                     in the whole edition alone
 ///   charts/
 std::filesystem::path write_report(const Results&, Edition, const std::filesystem::path& folder,
-                                   const Progress& progress = {}, const std::string& true_values = {});
+                                   const Progress& progress = {}, const Trust& trust = {});
 
 /// Writes the charts of all quantities that have a choice, and a page an exercise, "3.5.md", with the tables
 /// behind them. Returns the pages. Each file is whole or not there. Throws BadInput as above.

@@ -27,8 +27,6 @@ std::string words(const std::string& text) { return html::text(with_powers(with_
 
 std::string class_of(Verdict verdict) { return html::anchor(name_of(verdict)); }
 
-bool is_count(const Check& c) { return c.right.by == "none" && c.left.by.starts_with("violations in "); }
-
 /// "holds in all 200 samples", "fails in 24 of 5760 samples".
 std::string count_text(const Check& c) {
   const std::string of = c.left.by.substr(std::string("violations in ").size());
@@ -60,7 +58,7 @@ std::string difference_text(const Check& c) {
 /// Beside the check before it only what is new.
 std::string comparison_of(const Reading& reading, bool with_values, const Check* before = nullptr) {
   const Check& c = hardest(reading);
-  if (is_count(c)) return count_text(c);
+  if (counts_violations(c)) return count_text(c);
   if (before && before->right.by == c.right.by)
     return element("b", "", value_text(c.left.value)) + ": " + difference_text(c);
   const std::string of = c.where.starts_with("worst of ") ? ", " + c.where.substr(0, c.where.find(':')) : "";
@@ -118,12 +116,17 @@ std::string sides(const JudgedClaim& judged) {
   return element("dl", " class=\"sides\"", text);
 }
 
-std::string finding_text(const JudgedClaim& judged) {
+/// What Coq has proved says so.
+std::string mark_of(const Claim& claim, const ProvedClaims& proved) {
+  return proved.contains(claim.id) ? ", Coq" : "";
+}
+
+std::string finding_text(const JudgedClaim& judged, const ProvedClaims& proved) {
   const Claim& claim = judged.claim;
   const std::string kind = name_of(claim.kind).empty() ? "" : in_xml(name_of(claim.kind)) + ", ";
   return element("article", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
                  "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind + "line " +
-                     std::to_string(claim.line) + " " +
+                     std::to_string(claim.line) + mark_of(claim, proved) + " " +
                      html::link("#" + claim_anchor_of(claim), in_xml(claim.id)) + "</p>" +
                      (says_what_is_printed(claim)
                           ? ""
@@ -133,16 +136,17 @@ std::string finding_text(const JudgedClaim& judged) {
          "\n";
 }
 
-std::string root_text(const Finding& finding) {
+std::string root_text(const Finding& finding, const ProvedClaims& proved) {
   std::string text = element("h3", "", html::text(finding.title())) + "\n";
   if (!finding.shows().empty()) text += element("p", " class=\"shows\"", html::prose(finding.shows())) + "\n";
-  for (const JudgedClaim* c : finding.claims) text += finding_text(*c);
+  for (const JudgedClaim* c : finding.claims) text += finding_text(*c, proved);
   return element("section", " class=\"root\"", text) + "\n";
 }
 
-std::string others_text(const ExerciseResult& e, Verdict verdict, const std::string& title) {
+std::string others_text(const ExerciseResult& e, Verdict verdict, const std::string& title,
+                        const ProvedClaims& proved) {
   std::string text;
-  for (const JudgedClaim* c : claims_of(e, verdict)) text += finding_text(*c);
+  for (const JudgedClaim* c : claims_of(e, verdict)) text += finding_text(*c, proved);
   return text.empty() ? ""
                       : element("section", " class=\"root\"", element("h3", "", title) + "\n" + text) + "\n";
 }
@@ -151,14 +155,15 @@ bool is_finding(Verdict verdict) {
   return verdict == Verdict::erratum || verdict == Verdict::misprint || verdict == Verdict::unsettled;
 }
 
-std::string claim_text(const JudgedClaim& judged) {
+std::string claim_text(const JudgedClaim& judged, const ProvedClaims& proved) {
   const Claim& claim = judged.claim;
   return element(
              "details",
              id_attribute(claim) +
                  (judged.verdict == Verdict::confirmed ? "" : " class=\"" + class_of(judged.verdict) + "\""),
              element("summary", "",
-                     html::text(claim.says) + " <small>" + std::to_string(claim.line) + "</small>") +
+                     html::text(claim.says) + " <small>" + std::to_string(claim.line) +
+                         mark_of(claim, proved) + "</small>") +
                  element("p", "", evidence_of(judged))) +
          "\n";
 }
@@ -167,27 +172,29 @@ std::string claim_text(const JudgedClaim& judged) {
 
 std::string claim_anchor_of(const Claim& claim) { return html::anchor(claim.id); }
 
-std::string findings_section(const ExerciseResult& e) {
+std::string findings_section(const ExerciseResult& e, const ProvedClaims& proved) {
   std::string text;
-  for (const Finding& finding : findings_of(e)) text += root_text(finding);
-  text += others_text(e, Verdict::misprint, "Misprints") + others_text(e, Verdict::unsettled, "Unsettled");
+  for (const Finding& finding : findings_of(e)) text += root_text(finding, proved);
+  text += others_text(e, Verdict::misprint, "Misprints", proved) +
+          others_text(e, Verdict::unsettled, "Unsettled", proved);
   if (text.empty()) return "";
   return "<section id=\"findings\">\n<h2>What is wrong</h2>\n<div class=\"filter\"></div>\n" + text +
          "</section>\n";
 }
 
-std::string claims_section(const ExerciseResult& e) {
+std::string claims_section(const ExerciseResult& e, const ProvedClaims& proved) {
   std::string text;
   long confirmed = 0;
   for (const JudgedClaim& c : e.claims)
-    if (!is_finding(c.verdict)) text += claim_text(c), confirmed += c.verdict == Verdict::confirmed;
+    if (!is_finding(c.verdict)) text += claim_text(c, proved), confirmed += c.verdict == Verdict::confirmed;
   if (text.empty()) return "";
+  const bool marks = text.find(", Coq</small>") != std::string::npos;
   return "<section id=\"claims\">\n<h2>" +
          std::string(confirmed == 0 ? "What cannot be checked" : "What is confirmed") + "</h2>\n<p>" +
-         (confirmed == 0
-              ? std::string("Open a claim to see why.")
-              : counted(confirmed, "claim", "claims") +
-                    " of the solution, each with its line. Open one to see what it was compared with.") +
+         (confirmed == 0 ? std::string("Open a claim to see why.")
+                         : counted(confirmed, "claim", "claims") + " of the solution, each with its line" +
+                               (marks ? ", and Coq where that has proved it" : "") +
+                               ". Open one to see what it was compared with.") +
          "</p>\n<div class=\"claims\">\n" + text + "</div>\n</section>\n";
 }
 

@@ -129,9 +129,9 @@ most 5 µm from the truth, and the motion goes on.</li>
 
 }  // namespace
 
-std::string exercise_page(const Results& results, const ExerciseResult& e) {
+std::string exercise_page(const Results& results, const ExerciseResult& e, const ProvedClaims& proved) {
   const std::string number = to_string(e.number), drawing = setup_drawing(e);
-  const std::string sections = player_section(e) + findings_section(e) + claims_section(e) +
+  const std::string sections = player_section(e) + findings_section(e, proved) + claims_section(e, proved) +
                                quantities_section(e) + stability_section(e);
   std::string head = element("p", " class=\"where\"", chapter_line(e)) + "\n<h1><span>" + number +
                      "</span> " + in_xml(e.title) + "</h1>\n" + counts_line(e) + "\n" +

@@ -2,12 +2,13 @@
 
 #include <string>
 
+#include "reference/proofs.hpp"
 #include "report/study/results.hpp"
 
 namespace oddity {
 
 /// 3.5.html: the question, the set-up, the player, the findings, the claims, the quantities, the limits.
-std::string exercise_page(const Results&, const ExerciseResult&);
+std::string exercise_page(const Results&, const ExerciseResult&, const ProvedClaims& = {});
 
 /// The page of the example that is no exercise (example.hpp).
 std::string example_page(const ExerciseResult&);

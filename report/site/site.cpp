@@ -17,22 +17,23 @@ namespace oddity {
 
 namespace fs = std::filesystem;
 
-std::map<std::string, std::string> site_pages(const Results& results) {
+std::map<std::string, std::string> site_pages(const Results& results, const ProvedClaims& proved) {
   std::map<std::string, std::string> pages{{"index.html", front_page(results)},
                                            {"errata.html", errata_page(results)},
                                            {"chooser.html", chooser_page(results)},
                                            {"algorithms.html", algorithms_page()}};
   for (const ExerciseResult& e : results.exercises)
-    pages[to_string(e.number) + ".html"] = exercise_page(results, e);
+    pages[to_string(e.number) + ".html"] = exercise_page(results, e, proved);
   pages[example_name + std::string(".html")] = example_page(example_result());
   html::typeset(pages);
   return pages;
 }
 
 fs::path write_site(const Results& results, const Reference& truth, const fs::path& folder,
-                    const Progress& progress, std::span<const EngineContest> contests) {
+                    const Progress& progress, std::span<const EngineContest> contests,
+                    const ProvedClaims& proved) {
   for (const char* room : {"", "assets", "data"}) require_writable_folder(folder / room);
-  for (const auto& [name, text] : site_pages(results)) write_whole(folder / name, text);
+  for (const auto& [name, text] : site_pages(results, proved)) write_whole(folder / name, text);
   write_whole(folder / "errata.json", errata_json(results));
   write_whole(folder / "errata.schema.json", errata_schema());
   const Styles styles(results);

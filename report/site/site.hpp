@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "reference/proofs.hpp"
 #include "reference/reference.hpp"
 #include "report/pages/code.hpp"
 #include "report/study/engines.hpp"
@@ -26,12 +27,13 @@ namespace oddity {
 /// The files of report/site/assets.
 std::span<const EmbeddedFile> embedded_assets();
 
-/// All pages by the names of their files, typeset.
-std::map<std::string, std::string> site_pages(const Results&);
+/// All pages by the names of their files, typeset. Claims that are proved say so.
+std::map<std::string, std::string> site_pages(const Results&, const ProvedClaims& = {});
 
 /// Writes the site into `folder`, with what engines did on its scenes, and returns the page to open first.
 /// Each file is whole or not there. Throws BadInput when the folder cannot be written.
 std::filesystem::path write_site(const Results&, const Reference&, const std::filesystem::path& folder,
-                                 const Progress& progress = {}, std::span<const EngineContest> contests = {});
+                                 const Progress& progress = {}, std::span<const EngineContest> contests = {},
+                                 const ProvedClaims& = {});
 
 }  // namespace oddity

@@ -109,6 +109,10 @@ const Reading& right_reading(const JudgedClaim& judged) {
                                               : judged.claim.printed;
 }
 
+bool counts_violations(const Check& c) {
+  return c.right.by == "none" && c.left.by.starts_with("violations in ");
+}
+
 bool says_what_is_printed(const Claim& claim) {
   std::string_view printed = claim.printed.text;
   if (printed.size() > 2 && printed.find('$', 1) == printed.size() - 1 && printed.starts_with('$'))

@@ -40,6 +40,9 @@ struct Tally {
 /// What the decision about a claim rests on: what was meant by a misprint, what is right for an erratum.
 const Reading& right_reading(const JudgedClaim&);
 
+/// Of a claim that holds for every sample or fails: `left` counts the samples that violate it.
+bool counts_violations(const Check&);
+
 /// What is printed stands in the claim's own words.
 bool says_what_is_printed(const Claim&);
 

@@ -56,20 +56,22 @@ Checked checked(const Provable& provable, const fs::path& folder) {
   return result;
 }
 
+constexpr std::array<std::string_view, 8> known{"ClassicalDedekindReals.sig_",
+                                                "FunctionalExtensionality.functional_extensionality_dep",
+                                                "Classical_Prop.classic",
+                                                "Uint63.",
+                                                "PrimInt63.",
+                                                "FloatAxioms.",
+                                                "PrimFloat.",
+                                                "ClassicalEpsilon.constructive_indefinite_description"};
+
 bool is_known(const std::string& axiom) {
-  static constexpr std::array<std::string_view, 8> known{
-      "ClassicalDedekindReals.sig_",
-      "FunctionalExtensionality.functional_extensionality_dep",
-      "Classical_Prop.classic",
-      "Uint63.",
-      "PrimInt63.",
-      "FloatAxioms.",
-      "PrimFloat.",
-      "ClassicalEpsilon.constructive_indefinite_description"};
   return std::ranges::any_of(known, [&](std::string_view name) { return axiom.starts_with(name); });
 }
 
 }  // namespace
+
+std::span<const std::string_view> known_axioms() { return known; }
 
 std::vector<std::string> unknown_axioms(const std::string& printed) {
   std::vector<std::string> unknown;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "chapters/provable.hpp"
@@ -18,6 +20,9 @@ struct Checked {
   double seconds = 0;   ///< on the clock
   std::string message;  ///< why it is not proved
 };
+
+/// These axioms begin so, in the words of Coq.
+std::span<const std::string_view> known_axioms();
 
 /// The axioms that proofs about real numbers rest on: of Coq's reals, of classical logic, and those that say
 /// that the processor's integers and doubles are as they are specified. Anything else in what `Print

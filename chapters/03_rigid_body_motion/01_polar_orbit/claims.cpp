@@ -3,12 +3,14 @@
 // the foci, the apsides, the highest point of the orbit (d(r sin theta)/d theta = 0 by dual numbers and
 // Brent's method).
 
-#include "chapters/claims.hpp"
-
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include "chapters/03_rigid_body_motion/01_polar_orbit/polar_orbit.hpp"
+#include "chapters/claims.hpp"
+#include "chapters/recorded.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/roots.hpp"
@@ -19,10 +21,13 @@ using std::abs, std::cos, std::hypot, std::pow, std::sin, std::sqrt, std::number
 
 /// A point of sign 1 lies on the orbit, of sign -1 on the mirror image r = e rho / (1 - e cos theta), of sign
 /// 0 anywhere: there only rewritings hold.
-struct Point : Ellipse {
-  double r, x, y, s;
+template <class T>
+struct PointOf : EllipseOf<T> {
+  using EllipseOf<T>::e, EllipseOf<T>::rho;
+  T r, x, y;
+  double s;
 
-  std::array<double*, 5> letters() { return {&e, &rho, &r, &x, &y}; }
+  std::array<T*, 5> letters() { return {&e, &rho, &r, &x, &y}; }
   std::string where() const {
     return "$e$ = " + format_shortest(e) + R"(, $\rho$ = )" + format_shortest(rho) +
            ", $x$ = " + format_shortest(x) + ", $y$ = " + format_shortest(y) +
@@ -31,10 +36,10 @@ struct Point : Ellipse {
                     : "");
   }
 
-  double nearest() const { return e * rho / (1 + e); }
-  double farthest() const { return e * rho / (1 - e); }
-  double half_length() const { return (nearest() + farthest()) / 2; }
-  double to_middle() const { return (farthest() - nearest()) / 2; }
+  T nearest() const { return e * rho / (1 + e); }
+  T farthest() const { return e * rho / (1 - e); }
+  T half_length() const { return (nearest() + farthest()) / 2; }
+  T to_middle() const { return (farthest() - nearest()) / 2; }
   /// r sin theta where its derivative is zero.
   double half_height() const {
     const auto height = [&](auto theta) { return orbit(e, rho, theta) * sin(theta); };
@@ -42,26 +47,34 @@ struct Point : Ellipse {
   }
   double sum_with_focus(double focus) const { return r + hypot(x - focus, y); }
 
-  double r2() const { return s == 0 ? x * x + y * y : r * r; }
-  double e4() const { return e * e * e * e; }
-  double sum() const { return e * e * (rho * rho + x * x); }
-  double difference() const { return e * e * (rho * rho - x * x); }
-  double linear() const { return s * 2 * e * e * rho * x; }
+  T r2() const { return s == 0 ? x * x + y * y : r * r; }
+  T e4() const { return e * e * e * e; }
+  T sum() const { return e * e * (rho * rho + x * x); }
+  T difference() const { return e * e * (rho * rho - x * x); }
+  T linear() const { return s * 2 * e * e * rho * x; }
   // What is zero on both curves, line by line; `square` is the first of its terms.
-  double last() const { return 2 * sum() * r2(); }
-  double of_square(double square) const { return square * square + r2() * r2() - last(); }
-  double opened(double fourth) const {
+  T last() const { return 2 * sum() * r2(); }
+  T of_square(const T& square) const { return square * square + r2() * r2() - last(); }
+  T opened(double fourth) const {
     return sum() * sum() - 4 * e4() * x * x * (rho * rho + x * x) + fourth * e4() * pow(x, 4) + r2() * r2() -
            last();
   }
-  double gathered(double factor) const {
+  T gathered(double factor) const {
     return sum() * sum() - factor * e4() * rho * rho * x * x + r2() * r2() - last();
   }
-  double closed(double sign) const { return pow(sum() + sign * r2(), 2) - 4 * e4() * rho * rho * x * x; }
-  double expanded(double sign) const {
+  T closed(double sign) const { return pow(sum() + sign * r2(), 2) - 4 * e4() * rho * rho * x * x; }
+  T expanded(double sign) const {
     return pow(difference(), 2) + r2() * r2() - sign * 2 * difference() * r2();
   }
 };
+using Point = PointOf<double>;
+using Line = Recorded<PointOf>;
+
+Line written(std::string text, const auto& of, std::function<double(const Point&)> terms = {}) {
+  Line made = recorded<PointOf>(std::move(text), of);
+  made.terms = std::move(terms);
+  return made;
+}
 
 enum class On { orbit, both, anywhere };
 
@@ -80,188 +93,226 @@ std::vector<Point> points(double seed, On on) {
   return all;
 }
 
-Value twice(double x) { return {x, x}; }
+template <class T>
+std::array<T, 2> twice(const T& x) {
+  return {x, x};
+}
+template <class T>
+std::array<T, 2> two(const T& x, const std::type_identity_t<T>& y) {
+  return {x, y};
+}
 
 // ---- line by line -----------------------------------------------------------------------------------------
 
-void to_the_second_squaring(Claims& claims, const std::vector<Point>& orbit_alone,
-                            const std::vector<Point>& both) {
-  using P = const Point&;
-  claims.formula<Point>(
-      "multiplied", 857, R"(the polar equation multiplied out, $x=r\cos\theta$)", orbit_alone,
-      {.truth = {R"($e\rho$)", [](P p) { return twice(p.e * p.rho); }},
+/// Two sides of a line that are equal on a curve.
+struct Stated {
+  std::string slug;
+  On on;
+  Line printed, truth;
+};
+
+/// The claims, and those of their lines that can be proved.
+struct Table {
+  double seed;
+  Claims claims{"3.1"};
+  std::vector<Point> orbit_alone = points(seed, On::orbit), both = points(seed, On::both),
+                     anywhere = points(seed, On::anywhere);
+  std::vector<Stated> stated = {};
+
+  void line(const std::string& slug, int at, std::string says, On on, const Line& truth, const Line& printed,
+            const Line& near, std::string quantity = {}) {
+    stated.push_back({slug, on, printed, truth});
+    claims.formula<Point>(
+        slug, at, std::move(says), on == On::orbit ? orbit_alone : both,
+        {.quantity = std::move(quantity), .truth = truth, .printed = printed, .near_misses = {near}});
+  }
+};
+
+void to_the_second_squaring(Table& t) {
+  t.claims.formula<Point>(
+      "multiplied", 857, R"(the polar equation multiplied out, $x=r\cos\theta$)", t.orbit_alone,
+      {.truth = {R"($e\rho$)", [](const auto& p) { return twice(p.e * p.rho); }},
        .printed = {R"($e\rho=r(1+e\cos\theta)=r+ex$)",
-                   [](P p) { return values(p.r * (1 + p.e * cos(std::atan2(p.y, p.x))), p.r + p.e * p.x); }},
-       .near_misses = {{R"($e\rho=r-ex$)", [](P p) { return twice(p.r - p.e * p.x); }}}});
-  const auto squared = [](std::string text, double middle) -> Formula<Point> {
-    return {std::move(text),
-            [=](P p) { return p.r * p.r + middle * p.e * p.x * p.r + p.e * p.e * p.x * p.x; },
-            [](P p) { return p.r * p.r + p.e * p.e * p.x * p.x; }};
+                   [](const auto& p) {
+                     return two(p.r * (1 + p.e * cos(std::atan2(p.y, p.x))), p.r + p.e * p.x);
+                   }},
+       .near_misses = {{R"($e\rho=r-ex$)", [](const auto& p) { return twice(p.r - p.e * p.x); }}}});
+  const auto squared = [](std::string text, double middle) {
+    return written(
+        std::move(text),
+        [=](const auto& p) { return p.r * p.r + middle * p.e * p.x * p.r + p.e * p.e * p.x * p.x; },
+        [](const Point& p) { return p.r * p.r + p.e * p.e * p.x * p.x; });
   };
-  claims.formula<Point>("squared", 861, "its square", orbit_alone,
-                        {.truth = {R"($e^2\rho^2$)", [](P p) { return p.e * p.e * p.rho * p.rho; }},
-                         .printed = squared(R"($e^2\rho^2=r^2+2exr+e^2x^2$)", 2),
-                         .near_misses = {squared(R"($e^2\rho^2=r^2+exr+e^2x^2$)", 1)}});
-  claims.formula<Point>(
-      "solved", 863, "this solved for the middle term", orbit_alone,
-      {.truth = {"$2exr$ at the point", [](P p) { return 2 * p.e * p.x * p.r; }},
-       .printed = {R"($2exr=e^2(\rho^2-x^2)-r^2$)", [](P p) { return p.difference() - p.r2(); }},
-       .near_misses = {{R"($2exr=e^2(\rho^2+x^2)-r^2$)", [](P p) { return p.sum() - p.r2(); }}}});
-  claims.formula<Point>("distance", 865, "$r$ by the coordinates", orbit_alone,
-                        {.truth = {"$r$ by the polar equation", [](P p) { return p.r; }},
-                         .printed = {R"($\sqrt{x^2+y^2}$)", [](P p) { return sqrt(p.x * p.x + p.y * p.y); }},
-                         .near_misses = {{"$|x|+|y|$", [](P p) { return abs(p.x) + abs(p.y); }}}});
-  claims.formula<Point>(
-      "squared_again", 869, "the square of $2exr$, and its three terms", both,
-      {.truth = {"$4e^2x^2r^2$ at the point", [](P p) { return twice(4 * p.e * p.e * p.x * p.x * p.r2()); }},
-       .printed = {R"($[e^2(\rho^2-x^2)-r^2]^2=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2-x^2)r^2$)",
-                   [](P p) { return values(pow(p.difference() - p.r2(), 2), p.expanded(1)); },
-                   [](P p) { return pow(p.difference(), 2) + p.r2() * p.r2(); }},
-       .near_misses = {{R"($[e^2(\rho^2-x^2)+r^2]^2=[e^2(\rho^2-x^2)]^2+r^4+2e^2(\rho^2-x^2)r^2$)",
-                        [](P p) { return values(pow(p.difference() + p.r2(), 2), p.expanded(-1)); }}}});
+  t.line("squared", 861, "its square", On::orbit,
+         written(R"($e^2\rho^2$)", [](const auto& p) { return p.e * p.e * p.rho * p.rho; }),
+         squared(R"($e^2\rho^2=r^2+2exr+e^2x^2$)", 2), squared(R"($e^2\rho^2=r^2+exr+e^2x^2$)", 1));
+  t.line("solved", 863, "this solved for the middle term", On::orbit,
+         written("$2exr$ at the point", [](const auto& p) { return 2 * p.e * p.x * p.r; }),
+         written(R"($2exr=e^2(\rho^2-x^2)-r^2$)", [](const auto& p) { return p.difference() - p.r2(); }),
+         written(R"($2exr=e^2(\rho^2+x^2)-r^2$)", [](const auto& p) { return p.sum() - p.r2(); }));
+  t.claims.formula<Point>(
+      "distance", 865, "$r$ by the coordinates", t.orbit_alone,
+      {.truth = {"$r$ by the polar equation", [](const auto& p) { return p.r; }},
+       .printed = {R"($\sqrt{x^2+y^2}$)", [](const auto& p) { return sqrt(p.x * p.x + p.y * p.y); }},
+       .near_misses = {{"$|x|+|y|$", [](const auto& p) { return abs(p.x) + abs(p.y); }}}});
+  t.line("squared_again", 869, "the square of $2exr$, and its three terms", On::both,
+         written("$4e^2x^2r^2$ at the point",
+                 [](const auto& p) { return twice(4 * p.e * p.e * p.x * p.x * p.r2()); }),
+         written(R"($[e^2(\rho^2-x^2)-r^2]^2=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2-x^2)r^2$)",
+                 [](const auto& p) { return two(pow(p.difference() - p.r2(), 2), p.expanded(1)); },
+                 [](const Point& p) { return pow(p.difference(), 2) + p.r2() * p.r2(); }),
+         written(R"($[e^2(\rho^2-x^2)+r^2]^2=[e^2(\rho^2-x^2)]^2+r^4+2e^2(\rho^2-x^2)r^2$)",
+                 [](const auto& p) { return two(pow(p.difference() + p.r2(), 2), p.expanded(-1)); }));
 }
 
 /// Lines that rewrite the one before: anywhere they equal it, and on both curves they are zero.
-void rewritten(Claims& claims, const std::vector<Point>& anywhere, const std::vector<Point>& both) {
-  using P = const Point&;
-  const auto line = [&](std::string_view slug, int number, std::string says, const Formula<Point>& before,
-                        const Formula<Point>& printed, const Formula<Point>& near) {
+void rewritten(Table& t) {
+  const Line nothing = written("0", [](const auto& p) { return 0 * p.e; });
+  const auto line = [&](const std::string& slug, int number, std::string says, const Line& before,
+                        const Line& printed, const Line& near) {
+    t.stated.push_back({slug, On::anywhere, printed, before});
+    t.stated.push_back({slug, On::both, printed, nothing});
     const auto reading = [&](Formula<Point> now) -> Reading {
-      now.terms = [](P p) { return p.sum() * p.sum() + p.r2() * p.r2(); };
+      now.terms = [](const auto& p) { return p.sum() * p.sum() + p.r2() * p.r2(); };
       return {now.text,
-              {compare("the line", now, before, anywhere),
+              {compare<Point>("the line", now, before, t.anywhere),
                compare<Point>("zero on both curves, its last term set apart",
                               {R"(all terms but $2e^2(\rho^2+x^2)r^2$)",
-                               [of = now.of](P p) { return of(p)[0] + p.last(); }},
-                              {"that term", [](P p) { return p.last(); }}, both)}};
+                               [of = now.of](const auto& p) { return of(p)[0] + p.last(); }},
+                              {"that term", [](const auto& p) { return p.last(); }}, t.both)}};
     };
-    claims.add(slug, number, std::move(says), {.printed = reading(printed), .near_misses = {reading(near)}});
+    t.claims.add(slug, number, std::move(says),
+                 {.printed = reading(printed), .near_misses = {reading(near)}});
   };
   const std::string before = "the line before";
   const auto regrouped = [](double factor) {
-    return [=](P p) { return p.of_square(p.sum() - factor * p.e * p.e * p.x * p.x); };
+    return [=](const auto& p) { return p.of_square(p.sum() - factor * p.e * p.e * p.x * p.x); };
   };
-  line(
-      "subtracted", 873, "$4e^2x^2r^2$ subtracted from the square",
-      {"the line before, less $4e^2x^2r^2$",
-       [](P p) { return p.expanded(1) - 4 * p.e * p.e * p.x * p.x * p.r2(); }},
-      {R"($0=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)", [](P p) { return p.of_square(p.difference()); }},
-      {R"($0=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2-x^2)r^2$)", [](P p) { return p.expanded(1); }});
+  line("subtracted", 873, "$4e^2x^2r^2$ subtracted from the square",
+       written("the line before, less $4e^2x^2r^2$",
+               [](const auto& p) { return p.expanded(1) - 4 * p.e * p.e * p.x * p.x * p.r2(); }),
+       written(R"($0=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)",
+               [](const auto& p) { return p.of_square(p.difference()); }),
+       written(R"($0=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2-x^2)r^2$)",
+               [](const auto& p) { return p.expanded(1); }));
   line("regrouped", 875, R"($\rho^2-x^2$ regrouped)",
-       {before, [](P p) { return p.of_square(p.difference()); }},
-       {R"($0=[e^2(\rho^2+x^2-2x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)", regrouped(2)},
-       {R"($0=[e^2(\rho^2+x^2-x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)", regrouped(1)});
-  const auto opened = [](double fourth) { return [=](P p) { return p.opened(fourth); }; };
-  line("opened", 877, "the square opened", {before, regrouped(2)},
-       {R"($0=e^4(\rho^2+x^2)^2-4e^4x^2(\rho^2+x^2)+4e^4x^4+r^4-2e^2(\rho^2+x^2)r^2$)", opened(4)},
-       {R"($0=e^4(\rho^2+x^2)^2-4e^4x^2(\rho^2+x^2)-4e^4x^4+r^4-2e^2(\rho^2+x^2)r^2$)", opened(-4)});
-  const auto gathered = [](double factor) { return [=](P p) { return p.gathered(factor); }; };
-  line("gathered", 879, "its terms gathered", {before, opened(4)},
-       {R"($0=e^4(\rho^2+x^2)^2-4e^4\rho^2x^2+r^4-2e^2(\rho^2+x^2)r^2$)", gathered(4)},
-       {R"($0=e^4(\rho^2+x^2)^2-2e^4\rho^2x^2+r^4-2e^2(\rho^2+x^2)r^2$)", gathered(2)});
-  line("closed", 881, "a square completed again", {before, gathered(4)},
-       {R"($0=[e^2(\rho^2+x^2)-r^2]^2-4e^4\rho^2x^2$)", [](P p) { return p.closed(-1); }},
-       {R"($0=[e^2(\rho^2+x^2)+r^2]^2-4e^4\rho^2x^2$)", [](P p) { return p.closed(1); }});
+       written(before, [](const auto& p) { return p.of_square(p.difference()); }),
+       written(R"($0=[e^2(\rho^2+x^2-2x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)", regrouped(2)),
+       written(R"($0=[e^2(\rho^2+x^2-x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)", regrouped(1)));
+  const auto opened = [](double fourth) { return [=](const auto& p) { return p.opened(fourth); }; };
+  line("opened", 877, "the square opened", written(before, regrouped(2)),
+       written(R"($0=e^4(\rho^2+x^2)^2-4e^4x^2(\rho^2+x^2)+4e^4x^4+r^4-2e^2(\rho^2+x^2)r^2$)", opened(4)),
+       written(R"($0=e^4(\rho^2+x^2)^2-4e^4x^2(\rho^2+x^2)-4e^4x^4+r^4-2e^2(\rho^2+x^2)r^2$)", opened(-4)));
+  const auto gathered = [](double factor) { return [=](const auto& p) { return p.gathered(factor); }; };
+  line("gathered", 879, "its terms gathered", written(before, opened(4)),
+       written(R"($0=e^4(\rho^2+x^2)^2-4e^4\rho^2x^2+r^4-2e^2(\rho^2+x^2)r^2$)", gathered(4)),
+       written(R"($0=e^4(\rho^2+x^2)^2-2e^4\rho^2x^2+r^4-2e^2(\rho^2+x^2)r^2$)", gathered(2)));
+  line("closed", 881, "a square completed again", written(before, gathered(4)),
+       written(R"($0=[e^2(\rho^2+x^2)-r^2]^2-4e^4\rho^2x^2$)", [](const auto& p) { return p.closed(-1); }),
+       written(R"($0=[e^2(\rho^2+x^2)+r^2]^2-4e^4\rho^2x^2$)", [](const auto& p) { return p.closed(1); }));
 }
 
-void to_the_ellipse(Claims& claims, const std::vector<Point>& orbit_alone, const std::vector<Point>& both) {
-  using P = const Point&;
-  claims.formula<Point>("moved", 883, "its last term moved", both,
-                        {.truth = {R"($4e^4\rho^2x^2$ at the point)",
-                                   [](P p) { return 4 * p.e4() * p.rho * p.rho * p.x * p.x; }},
-                         .printed = {R"($4e^4\rho^2x^2=[e^2(\rho^2+x^2)-r^2]^2$)",
-                                     [](P p) { return pow(p.sum() - p.r2(), 2); }},
-                         .near_misses = {{R"($4e^4\rho^2x^2=[e^2(\rho^2-x^2)-r^2]^2$)",
-                                          [](P p) { return pow(p.difference() - p.r2(), 2); }}}});
-  claims.formula<Point>(
-      "root", 885, "the root of that, with $+$ on the orbit and $-$ on its mirror image", both,
-      {.truth = {R"($\pm2e^2\rho x$ at the point)", [](P p) { return p.linear(); }},
-       .printed = {R"($\pm2e^2\rho x=e^2(\rho^2+x^2)-r^2$)", [](P p) { return p.sum() - p.r2(); }},
-       .near_misses = {{R"($\mp2e^2\rho x=e^2(\rho^2+x^2)-r^2$)", [](P p) { return p.r2() - p.sum(); }}}});
+void to_the_ellipse(Table& t) {
+  t.line("moved", 883, "its last term moved", On::both,
+         written(R"($4e^4\rho^2x^2$ at the point)",
+                 [](const auto& p) { return 4 * p.e4() * p.rho * p.rho * p.x * p.x; }),
+         written(R"($4e^4\rho^2x^2=[e^2(\rho^2+x^2)-r^2]^2$)",
+                 [](const auto& p) { return pow(p.sum() - p.r2(), 2); }),
+         written(R"($4e^4\rho^2x^2=[e^2(\rho^2-x^2)-r^2]^2$)",
+                 [](const auto& p) { return pow(p.difference() - p.r2(), 2); }));
+  t.line("root", 885, "the root of that, with $+$ on the orbit and $-$ on its mirror image", On::both,
+         written(R"($\pm2e^2\rho x$ at the point)", [](const auto& p) { return p.linear(); }),
+         written(R"($\pm2e^2\rho x=e^2(\rho^2+x^2)-r^2$)", [](const auto& p) { return p.sum() - p.r2(); }),
+         written(R"($\mp2e^2\rho x=e^2(\rho^2+x^2)-r^2$)", [](const auto& p) { return p.r2() - p.sum(); }));
 
-  const auto both_sizes = [](bool squared) {
-    return [=](P p) { return twice((squared ? p.e * p.e : 1) * p.rho * p.rho); };
+  const auto both_sizes = [](std::string text, bool squared) {
+    return written(std::move(text),
+                   [=](const auto& p) { return twice((squared ? p.e * p.e : 1) * p.rho * p.rho); });
   };
-  claims.formula<Point>("collected", 889, "the terms collected", both,
-                        {.quantity = R"($(1-e^2)x^2\pm2e^2\rho x+y^2=r^2-e^2x^2\pm2e^2\rho x$)",
-                         .truth = {"the two sums at the point",
-                                   [](P p) {
-                                     return values(p.q() * p.x * p.x + p.linear() + p.y * p.y,
-                                                   p.r2() - p.e * p.e * p.x * p.x + p.linear());
-                                   }},
-                         .printed = {R"($=e^2\rho^2$)", both_sizes(true)},
-                         .near_misses = {{R"($=\rho^2$)", both_sizes(false)}}});
-  const auto constant = [](double sign) {
-    return [=](P p) { return p.e * p.e * p.rho * p.rho / (sign < 0 ? p.q() : 1 + p.e * p.e); };
+  t.line("collected", 889, "the terms collected", On::both,
+         written("the two sums at the point",
+                 [](const auto& p) {
+                   return two(p.q() * p.x * p.x + p.linear() + p.y * p.y,
+                              p.r2() - p.e * p.e * p.x * p.x + p.linear());
+                 }),
+         both_sizes(R"($=e^2\rho^2$)", true), both_sizes(R"($=\rho^2$)", false),
+         R"($(1-e^2)x^2\pm2e^2\rho x+y^2=r^2-e^2x^2\pm2e^2\rho x$)");
+  const auto constant = [](std::string text, double sign) {
+    return written(std::move(text), [=](const auto& p) {
+      return p.e * p.e * p.rho * p.rho / (sign < 0 ? p.q() : 1 + p.e * p.e);
+    });
   };
-  claims.formula<Point>("divided", 891, "these divided by $1-e^2$", both,
-                        {.quantity = R"($x^2\pm\frac{2e^2\rho}{1-e^2}x+\frac{y^2}{1-e^2}$)",
-                         .truth = {"the sum at the point",
-                                   [](P p) { return p.x * p.x + p.linear() / p.q() + p.y * p.y / p.q(); }},
-                         .printed = {R"($=\frac{e^2\rho^2}{1-e^2}$)", constant(-1)},
-                         .near_misses = {{R"($=\frac{e^2\rho^2}{1+e^2}$)", constant(1)}}});
-  const auto fourth = [](P p) { return p.e4() * p.rho * p.rho / (p.q() * p.q()); };
-  claims.formula<Point>(
-      "completed", 905, "the square completed", both,
-      {.quantity = R"($\Big(x\pm\frac{e^2\rho}{1-e^2}\Big)^2+\frac{y^2}{1-e^2}$)",
-       .truth = {"the sum of squares at the point",
-                 [](P p) { return twice(pow(p.x + p.s * p.c(), 2) + p.y * p.y / p.q()); }},
-       .printed = {R"($=\frac{e^2\rho^2}{1-e^2}+\frac{e^4\rho^2}{(1-e^2)^2}=\frac{e^2\rho^2}{(1-e^2)^2}$)",
-                   [=](P p) {
-                     const double square = p.e * p.e * p.rho * p.rho;
-                     return values(square / p.q() + fourth(p), square / (p.q() * p.q()));
-                   }},
-       .near_misses = {{R"($=\frac{e^4\rho^2}{(1-e^2)^2}$)", [=](P p) { return twice(fourth(p)); }}}});
-  claims.formula<Point>(
-      "axes", 927, "half the length $a$ and half the height $b$ of the orbit", orbit_alone,
+  t.line("divided", 891, "these divided by $1-e^2$", On::both,
+         written("the sum at the point",
+                 [](const auto& p) { return p.x * p.x + p.linear() / p.q() + p.y * p.y / p.q(); }),
+         constant(R"($=\frac{e^2\rho^2}{1-e^2}$)", -1), constant(R"($=\frac{e^2\rho^2}{1+e^2}$)", 1),
+         R"($x^2\pm\frac{2e^2\rho}{1-e^2}x+\frac{y^2}{1-e^2}$)");
+  const auto fourth = [](const auto& p) { return p.e4() * p.rho * p.rho / (p.q() * p.q()); };
+  t.line("completed", 905, "the square completed", On::both,
+         written("the sum of squares at the point",
+                 [](const auto& p) { return twice(pow(p.x + p.s * p.c(), 2) + p.y * p.y / p.q()); }),
+         written(R"($=\frac{e^2\rho^2}{1-e^2}+\frac{e^4\rho^2}{(1-e^2)^2}=\frac{e^2\rho^2}{(1-e^2)^2}$)",
+                 [=](const auto& p) {
+                   const auto square = p.e * p.e * p.rho * p.rho;
+                   return two(square / p.q() + fourth(p), square / (p.q() * p.q()));
+                 }),
+         written(R"($=\frac{e^4\rho^2}{(1-e^2)^2}$)", [=](const auto& p) { return twice(fourth(p)); }),
+         R"($\Big(x\pm\frac{e^2\rho}{1-e^2}\Big)^2+\frac{y^2}{1-e^2}$)");
+  t.claims.formula<Point>(
+      "axes", 927, "half the length $a$ and half the height $b$ of the orbit", t.orbit_alone,
       {.truth = {"half the way between the apsides, and the highest point by Brent's method",
-                 [](P p) { return values(p.half_length(), p.half_height()); }},
-       .printed = {R"($a=e\rho/(1-e^2)$, $b=a\sqrt{1-e^2}$)", [](P p) { return values(p.a(), p.b()); }},
-       .near_misses = {
-           {R"($a=e\rho/(1-e^2)$, $b=a(1-e^2)$)", [](P p) { return values(p.a(), p.a() * p.q()); }}}});
-  claims.formula<Point>("ratio", 929, "$a^2/b^2$", orbit_alone,
-                        {.truth = {"the apsides and the highest point by Brent's method",
-                                   [](P p) { return pow(p.half_length() / p.half_height(), 2); }},
-                         .printed = {"$1/(1-e^2)$", [](P p) { return 1 / p.q(); }},
-                         .near_misses = {{"$1/(1+e^2)$", [](P p) { return 1 / (1 + p.e * p.e); }}}});
-  claims.formula<Point>(
-      "c", 929, "the length $c$", orbit_alone,
-      {.truth = {R"(from the origin to the middle of the apsides, $r(0)$ and $r(\pi)$)",
-                 [](P p) { return twice(p.to_middle()); }, &Point::farthest},
-       .printed = {R"($ae=e^2\rho/(1-e^2)$)", [](P p) { return values(p.a() * p.e, p.c()); }},
-       .near_misses = {{"$ae^2$", [](P p) { return twice(p.a() * p.e * p.e); }}}});
-  claims.formula<Point>(
-      "scaled", 931, R"($(x\pm c)^2+a^2y^2/b^2$)", both,
-      {.truth = {"the sum at the point",
-                 [](P p) { return pow(p.x + p.s * p.c(), 2) + p.a() * p.a() / (p.b() * p.b()) * p.y * p.y; }},
-       .printed = {"$a^2$", [](P p) { return p.a() * p.a(); }},
-       .near_misses = {{"$b^2$", [](P p) { return p.b() * p.b(); }}}});
-  const auto ellipse = [](double sign) {
-    return [=](P p) { return pow((p.x + sign * p.s * p.c()) / p.a(), 2) + p.y * p.y / (p.b() * p.b()); };
+                 [](const auto& p) { return values(p.half_length(), p.half_height()); }},
+       .printed = {R"($a=e\rho/(1-e^2)$, $b=a\sqrt{1-e^2}$)",
+                   [](const auto& p) { return values(p.a(), p.b()); }},
+       .near_misses = {{R"($a=e\rho/(1-e^2)$, $b=a(1-e^2)$)",
+                        [](const auto& p) { return values(p.a(), p.a() * p.q()); }}}});
+  t.claims.formula<Point>(
+      "ratio", 929, "$a^2/b^2$", t.orbit_alone,
+      {.truth = {"the apsides and the highest point by Brent's method",
+                 [](const auto& p) { return pow(p.half_length() / p.half_height(), 2); }},
+       .printed = {"$1/(1-e^2)$", [](const auto& p) { return 1 / p.q(); }},
+       .near_misses = {{"$1/(1+e^2)$", [](const auto& p) { return 1 / (1 + p.e * p.e); }}}});
+  t.line("c", 929, "the length $c$", On::orbit,
+         written(R"(from the origin to the middle of the apsides, $r(0)$ and $r(\pi)$)",
+                 [](const auto& p) { return twice(p.to_middle()); }, &Point::farthest),
+         written(R"($ae=e^2\rho/(1-e^2)$)", [](const auto& p) { return two(p.a() * p.e, p.c()); }),
+         written("$ae^2$", [](const auto& p) { return twice(p.a() * p.e * p.e); }));
+  t.line("scaled", 931, R"($(x\pm c)^2+a^2y^2/b^2$)", On::both,
+         written("the sum at the point",
+                 [](const auto& p) {
+                   return pow(p.x + p.s * p.c(), 2) + p.a() * p.a() / (p.b() * p.b()) * p.y * p.y;
+                 }),
+         written("$a^2$", [](const auto& p) { return p.a() * p.a(); }),
+         written("$b^2$", [](const auto& p) { return p.b() * p.b(); }));
+  const auto ellipse = [](std::string text, double sign) {
+    return written(std::move(text), [=](const auto& p) {
+      return pow((p.x + sign * p.s * p.c()) / p.a(), 2) + p.y * p.y / (p.b() * p.b());
+    });
   };
-  claims.formula<Point>("ellipse", 935, "the ellipse", both,
-                        {.truth = {"1", [](P) { return 1.0; }},
-                         .printed = {R"($(x\pm c)^2/a^2+y^2/b^2=1$)", ellipse(1)},
-                         .near_misses = {{R"($(x\mp c)^2/a^2+y^2/b^2=1$)", ellipse(-1)}}});
+  t.line("ellipse", 935, "the ellipse", On::both,
+         written("1", [](const auto& p) { return decltype(p.r)(1); }),
+         ellipse(R"($(x\pm c)^2/a^2+y^2/b^2=1$)", 1), ellipse(R"($(x\mp c)^2/a^2+y^2/b^2=1$)", -1));
 
   /// A point of the ellipse of this sign in the polar equation.
   const auto fits = [&](double sign) {
-    const auto there = [=](P p) { return std::pair(-sign * p.c() + p.a() * p.x / p.r, p.b() * p.y / p.r); };
+    const auto there = [=](const auto& p) {
+      return std::pair(-sign * p.c() + p.a() * p.x / p.r, p.b() * p.y / p.r);
+    };
     return compare<Point>(
         "distance from the origin",
         {sign > 0 ? "points of the ellipse of the plus sign" : "points of the ellipse of the minus sign",
-         [=](P p) {
+         [=](const auto& p) {
            const auto [x, y] = there(p);
            return hypot(x, y);
          }},
         {"the polar equation at their angles",
-         [=](P p) {
+         [=](const auto& p) {
            const auto [x, y] = there(p);
            return orbit(p.e, p.rho, std::atan2(y, x));
          }},
-        orbit_alone);
+        t.orbit_alone);
   };
-  claims.add(
+  t.claims.add(
       "two_solutions", 887, "the signs of the root that are solutions",
       {.printed = {"both", {fits(1), fits(-1)}},
        .corrected = {"the plus sign alone", {fits(1)}},
@@ -276,10 +327,18 @@ void to_the_ellipse(Claims& claims, const std::vector<Point>& orbit_alone, const
 
 // ---- what is said about it --------------------------------------------------------------------------------
 
-void about_the_ellipse(Claims& claims, const std::vector<Point>& samples) {
-  using P = const Point&;
+const Line middle_of_apsides = written(
+    "the middle of the apsides", [](const auto& p) { return two(-p.to_middle(), 0); }, &Point::farthest);
+
+Line on_the_axis(std::string text, double factor) {
+  return written(std::move(text), [=](const auto& p) { return two(factor * p.c(), 0); });
+}
+
+void about_the_ellipse(Table& t) {
+  Claims& claims = t.claims;
+  const std::vector<Point>& samples = t.orbit_alone;
   const auto positive = [](std::string text, double factor) -> Statement<Point> {
-    return {std::move(text), [=](P p) {
+    return {std::move(text), [=](const auto& p) {
               const Ellipse ellipse{factor * p.e, p.rho};
               return ellipse.a() > 0 && ellipse.b() > 0;
             }};
@@ -287,55 +346,53 @@ void about_the_ellipse(Claims& claims, const std::vector<Point>& samples) {
   claims.statement<Point>("positive", 941, "$a>0$ and $b>0$", samples,
                           {.printed = positive("for $0<e<1$", 1),
                            .near_misses = {positive("for $0<e<1.25$", 1.25), positive("for $e=0$", 0)}});
-  const auto at = [](std::string text, double factor) -> Formula<Point> {
-    return {std::move(text), [=](P p) { return values(factor * p.c(), 0); }};
-  };
   claims.formula<Point>(
       "center", 941, "the center of the ellipse $(x+c)^2/a^2+y^2/b^2=1$", samples,
-      {.truth = {"the middle of the apsides", [](P p) { return values(-p.to_middle(), 0); },
-                 &Point::farthest},
-       .printed = at("$(c,0)$", 1),
-       .corrected = at("$(-c,0)$", -1),
-       .near_misses = {at("$(-2c,0)$", -2)},
+      {.truth = middle_of_apsides,
+       .printed = on_the_axis("$(c,0)$", 1),
+       .corrected = on_the_axis("$(-c,0)$", -1),
+       .near_misses = {on_the_axis("$(-2c,0)$", -2)},
        .kind = Fault::formula,
        .root = "the sign of the center",
        .why =
            R"($(x\pm c)^2$ is zero at $x=\mp c$. The orbit has the plus sign: its center, midway between the )"
            R"(apsides, is $(-c,0)$, away from the perihelion at $\theta=0$.)"});
-  const auto axes = [](std::string text, double length, double (*height)(P)) -> Formula<Point> {
-    return {std::move(text), [=](P p) { return values(length * p.a(), height(p)); }};
+  const auto axes = [](std::string text, double length, double (*height)(const Point&)) -> Formula<Point> {
+    return {std::move(text), [=](const auto& p) { return values(length * p.a(), height(p)); }};
   };
   claims.formula<Point>(
       "major_axis", 941, "the lengths of the major and the minor axis", samples,
       {.truth = {R"($r(0)+r(\pi)$, and twice the highest point by Brent's method)",
-                 [](P p) { return values(p.nearest() + p.farthest(), 2 * p.half_height()); }},
-       .printed = axes("$a$ and $b$", 1, [](P p) { return p.b(); }),
-       .corrected = axes("$2a$ and $2b$", 2, [](P p) { return 2 * p.b(); }),
-       .near_misses = {axes("$2a$ and $2a(1-e^2)$", 2, [](P p) { return 2 * p.a() * p.q(); })},
+                 [](const auto& p) { return values(p.nearest() + p.farthest(), 2 * p.half_height()); }},
+       .printed = axes("$a$ and $b$", 1, [](const Point& p) { return p.b(); }),
+       .corrected = axes("$2a$ and $2b$", 2, [](const Point& p) { return 2 * p.b(); }),
+       .near_misses = {axes("$2a$ and $2a(1-e^2)$", 2, [](const Point& p) { return 2 * p.a() * p.q(); })},
        .kind = Fault::term,
        .root = "axes for semi-axes",
        .why =
            R"($a$ and $b$ are the semi-axes: $r(0)+r(\pi)=2e\rho/(1-e^2)=2a$. (The solution of 3.3 has $2a$ )"
            R"(and $2b$.))"});
-  claims.formula<Point>(
-      "focal_distance", 943, "the distance from the center to the origin", samples,
-      {.truth = {"from the origin to the middle of the apsides", &Point::to_middle, &Point::farthest},
-       .printed = {"$c$", [](P p) { return p.c(); }},
-       .near_misses = {{"$b$", [](P p) { return p.b(); }}}});
-  const Formula<Point> apart{R"($r(0)+r(\pi)$)", [](P p) { return p.nearest() + p.farthest(); }};
+  t.line("focal_distance", 943, "the distance from the center to the origin", On::orbit,
+         written(
+             "from the origin to the middle of the apsides", [](const auto& p) { return p.to_middle(); },
+             &Point::farthest),
+         written("$c$", [](const auto& p) { return p.c(); }),
+         written("$b$", [](const auto& p) { return p.b(); }));
+  const Formula<Point> all_apart{R"($r(0)+r(\pi)$)",
+                                 [](const auto& p) { return p.nearest() + p.farthest(); }};
   const auto foci = [](std::string text, double other) -> Formula<Point> {
-    return {std::move(text), [=](P p) { return p.sum_with_focus(other * p.c()); }};
+    return {std::move(text), [=](const auto& p) { return p.sum_with_focus(other * p.c()); }};
   };
   claims.formula<Point>("origin_is_focus", 943,
                         "the origin is a focus: with another point it completes a constant sum", samples,
                         {.quantity = "sum of the distances to the two",
-                         .truth = apart,
+                         .truth = all_apart,
                          .printed = foci("with its mirror in the center, $(-2c,0)$", -2),
                          .near_misses = {foci("with the center, $(-c,0)$", -1)}});
   claims.formula<Point>(
       "other_focus", 943, "the other focus of the ellipse $(x+c)^2/a^2+y^2/b^2=1$", samples,
       {.quantity = "sum of the distances to the two foci",
-       .truth = apart,
+       .truth = all_apart,
        .printed = foci("$(2c,0)$", 2),
        .corrected = foci("$(-2c,0)$", -2),
        .near_misses = {foci("$(-c,0)$", -1)},
@@ -346,15 +403,16 @@ void about_the_ellipse(Claims& claims, const std::vector<Point>& samples) {
            R"($2a-4c$ at the perihelion; those to the origin and $(-2c,0)$ add up to $2a$ everywhere.)"});
 }
 
-std::vector<Claim> claims(double seed) {
-  Claims all("3.1");
-  const auto orbit_alone = points(seed, On::orbit), both = points(seed, On::both);
-  to_the_second_squaring(all, orbit_alone, both);
-  rewritten(all, points(seed, On::anywhere), both);
-  to_the_ellipse(all, orbit_alone, both);
-  about_the_ellipse(all, orbit_alone);
-  return all.in_order();
+Table table(double seed) {
+  Table t{seed};
+  to_the_second_squaring(t);
+  rewritten(t);
+  to_the_ellipse(t);
+  about_the_ellipse(t);
+  return t;
 }
+
+std::vector<Claim> claims(double seed) { return table(seed).claims.in_order(); }
 
 std::vector<Root> roots() {
   return {
@@ -370,3 +428,82 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_01
+
+// ---- proofs -----------------------------------------------------------------------------------------------
+
+namespace oddity {
+
+namespace ex03_01 {
+
+namespace {
+
+/// With r by the polar equation of its curve.
+PointOf<Expression> any_point(double sign) {
+  const auto letter = Expression::letter;
+  PointOf<Expression> p{{letter("e"), letter("rho")}, letter("r"), letter("x"), letter("y"), sign};
+  if (sign != 0) p.r = p.e * p.rho - sign * p.e * p.x;
+  return p;
+}
+
+/// A field's equation, knowing y^2 and the square of the root of 1 - e^2.
+std::string by_squares(const Expression& q) {
+  const std::string root = sqrt(q).coq(), positive = "sqrt_lt_R0, Rmult_lt_0_compat; lra);\n  ";
+  return "\n  assert (root : " + root + " * " + root + " = " + q.coq() +
+         ") by (apply sqrt_sqrt, Rlt_le, Rmult_lt_0_compat; lra);\n  assert (" + root +
+         " <> 0) by (apply Rgt_not_eq, " + positive + "field [H2 root]; repeat split; lra";
+}
+
+Lemma on_curve(std::string name, const Line& left, const Line& right, double sign) {
+  const PointOf<Expression> p = any_point(sign);
+  Lemma lemma{.name = std::move(name),
+              .letters = "(e rho r x y : R)",
+              .given = {above(p.e, 0), above(1 - p.e, 0), above(p.rho, 0)},
+              .follows = equal(left.recorded(p), right.recorded(p)),
+              .tactic = "field; repeat split; lra"};
+  if (sign == 0) return lemma;
+  lemma.given.push_back(p.y * p.y == p.r * p.r - p.x * p.x);
+  lemma.tactic = by_squares(p.q());
+  return lemma;
+}
+
+std::vector<Lemma> lemmas_of(const Stated& s) {
+  if (s.on == On::anywhere) return {on_curve("anywhere", s.printed, s.truth, 0)};
+  std::vector<Lemma> all{on_curve("orbit", s.printed, s.truth, 1)};
+  if (s.on == On::both) all.push_back(on_curve("mirror_image", s.printed, s.truth, -1));
+  return all;
+}
+
+Provable proof_of_center() {
+  const PointOf<Expression> p{{0.5, 1}, 0, 0, 0, 0};
+  const Expression printed = on_the_axis("", 1).recorded(p)[0], right = middle_of_apsides.recorded(p)[0];
+  return {
+      "3.1-center",
+      "the corrected center is in the middle of the apsides of every orbit; for e = 1/2 and rho = 1 the printed "
+      "one is off",
+      {on_curve("corrected", on_the_axis("", -1), middle_of_apsides, 0),
+       {.name = "printed_differs", .follows = {apart(printed, right, 0.6)}, .tactic = "interval"}},
+      0.6};
+}
+
+}  // namespace
+
+Provables proofs() {
+  Provables all{proof_of_center()};
+  for (const Stated& s : table(1).stated) {
+    const std::string claim = "3.1-" + s.slug;
+    auto found = std::ranges::find(all, claim, &Provable::claim);
+    if (found == all.end()) {
+      all.push_back({claim, s.on == On::orbit ? "it holds on every orbit"
+                                              : "it holds on every orbit and its mirror image"});
+      found = all.end() - 1;
+    }
+    for (Lemma& lemma : lemmas_of(s)) found->lemmas.push_back(std::move(lemma));
+  }
+  return all;
+}
+
+}  // namespace ex03_01
+
+Provables proofs_3_1() { return ex03_01::proofs(); }
+
+}  // namespace oddity

@@ -15,13 +15,18 @@ T orbit(double e, double rho, const T& theta) {
 }
 
 /// The ellipse (x + c)^2/a^2 + y^2/b^2 = 1 of an orbit.
-struct Ellipse {
-  double e, rho;
-  double q() const { return (1 - e) * (1 + e); }
-  double a() const { return e * rho / q(); }
-  double b() const { return a() * std::sqrt(q()); }
-  double c() const { return e * e * rho / q(); }
+template <class T>
+struct EllipseOf {
+  T e, rho;
+  T q() const { return (1 - e) * (1 + e); }
+  T a() const { return e * rho / q(); }
+  T b() const {
+    using std::sqrt;
+    return a() * sqrt(q());
+  }
+  T c() const { return e * e * rho / q(); }
 };
+using Ellipse = EllipseOf<double>;
 
 // claims.cpp
 std::vector<Claim> claims(double seed);

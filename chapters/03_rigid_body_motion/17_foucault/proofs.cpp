@@ -51,7 +51,12 @@ Provables proofs() {
            moment,
            {within(moment_about(1 - three_quarters), 0),
             beyond(moment_about(1 - printed_length<Expression>()), 0, 0.045)},
-           0.045}};
+           0.045},
+          {"3.17-L_decimals",
+           "the cube root is 0.7937 to its last digit",
+           {{.name = "printed",
+             .follows = {near(printed_length<Expression>(), 0.7937, 5e-5)},
+             .tactic = "interval"}}}};
 }
 
 }  // namespace ex03_17

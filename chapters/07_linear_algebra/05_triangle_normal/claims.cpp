@@ -1,9 +1,9 @@
-#include "chapters/claims.hpp"
-
 #include <cmath>
 
 #include "chapters/07_linear_algebra/05_triangle_normal/triangle_normal.hpp"
 #include "chapters/07_linear_algebra/shared/vectors.hpp"
+#include "chapters/claims.hpp"
+#include "chapters/recorded.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::ex07_05 {
@@ -15,17 +15,22 @@ using namespace vectors;
 /// Whole numbers of 128 bits.
 __extension__ typedef __int128 Whole;
 
-/// Three vectors of whole numbers.
-struct Edges {
-  static constexpr bool whole = true;
-  Vector3<double> u, v, w;
+}  // namespace
 
-  Vector3<double> normal() const { return cross(u, v); }
-  /// u and v, by their Gram determinant in whole numbers.
-  bool independent() const {
-    const auto a = cast<Whole>(u), b = cast<Whole>(v);
-    return dot(a, a) * dot(b, b) != dot(a, b) * dot(a, b);
-  }
+template <class T>
+T gram_determinant(const Vector3<T>& a, const Vector3<T>& b) {
+  return dot(a, a) * dot(b, b) - dot(a, b) * dot(a, b);
+}
+
+/// Three vectors of whole numbers.
+template <class T>
+struct EdgesOf {
+  static constexpr bool whole = true;
+  Vector3<T> u, v, w;
+
+  Vector3<T> normal() const { return cross(u, v); }
+  /// u and v, in whole numbers.
+  bool independent() const { return gram_determinant(cast<Whole>(u), cast<Whole>(v)) != 0; }
   double size() const { return 1 + dot(u, u) + dot(v, v) + dot(w, w); }
   std::string where() const {
     const auto shown = [](const Vector3<double>& x) {
@@ -34,6 +39,10 @@ struct Edges {
     return "$u$ = " + shown(u) + ", $v$ = " + shown(v) + ", $w$ = " + shown(w);
   }
 };
+
+namespace {
+
+using Edges = EdgesOf<double>;
 
 /// Of all sizes up to a million, every tenth v nearly parallel to u; w closes the triangle or is random.
 std::vector<Edges> samples(Random random, bool closed) {
@@ -63,18 +72,29 @@ std::vector<Edges> some_on_a_line(std::vector<Edges> all) {
 }
 
 using Vectors = Formula<Edges>;
+using Line = Recorded<EdgesOf>;
+
+Line line(std::string text, const auto& of) { return recorded<EdgesOf>(std::move(text), of); }
+
+const Line zero = line("$0$", [](const auto&s) { return decltype(s.normal()){}; }),
+           times_zero = line(R"($u\times0$)", [](const auto&s) { return cross(s.u, decltype(s.u){}); }),
+           bracket = line(R"($u\times(u+v+w)$)", [](const auto&s) { return cross(s.u, s.u + s.v + s.w); }),
+           three = line(R"($u\times u+u\times v+u\times w$)",
+                        [](const auto&s) { return cross(s.u, s.u) + cross(s.u, s.v) + cross(s.u, s.w); }),
+           uv = line(R"($u\times v$)", [](const auto&s) { return s.normal(); }),
+           stray_cross = line(R"($u\times(u+{\times}v+w)$, with a cross and no plus: $u\times(u\times v+w)$)",
+                              [](const auto&s) { return cross(s.u, cross(s.u, s.v) + s.w); }),
+           wrong_letter = line(R"($0+u\times v-w\times v$)",
+                               [](const auto&s) { return cross(s.u, s.v) - cross(s.w, s.v); }),
+           two = line(R"($0+u\times v-w\times u$)",
+                      [](const auto&s) { return cross(s.u, s.v) - cross(s.w, s.u); }),
+           wu = line(R"($w\times u$)", [](const auto&s) { return cross(s.w, s.u); }),
+           vw = line(R"($v\times w$)", [](const auto&s) { return cross(s.v, s.w); }),
+           // The three vectors as the vertices P, Q, R of a triangle.
+    walk =
+        line("$(Q-P)+(R-Q)+(P-R)$", [](const auto&s) { return ((s.v - s.u) + (s.w - s.v)) + (s.u - s.w); });
 
 void lines(Claims& claims, const std::vector<Edges>& open, const std::vector<Edges>& closed) {
-  const Vectors zero{"$0$",
-                     [](const Edges&) {
-                       return Value{0, 0, 0};
-                     }},
-      times_zero{R"($u\times0$)", [](const Edges&s) { return cross(s.u, Vector3<double>{}); }},
-      bracket{R"($u\times(u+v+w)$)", [](const Edges&s) { return cross(s.u, s.u + s.v + s.w); }},
-      three{R"($u\times u+u\times v+u\times w$)",
-            [](const Edges&s) { return cross(s.u, s.u) + cross(s.u, s.v) + cross(s.u, s.w); }},
-      uv{R"($u\times v$)", &Edges::normal};
-
   claims
       .formula<Edges>("zero", 3839, R"($u\times0=0$)", open,
                       {.truth = times_zero,
@@ -83,8 +103,7 @@ void lines(Claims& claims, const std::vector<Edges>& open, const std::vector<Edg
       .formula<Edges>(
           "inserted", 3841, R"($u\times0$ is the product of $u$ with the sum of the three)", closed,
           {.truth = zero,
-           .printed = {R"($u\times(u+{\times}v+w)$, with a cross and no plus: $u\times(u\times v+w)$)",
-                       [](const Edges& s) { return cross(s.u, cross(s.u, s.v) + s.w); }},
+           .printed = stray_cross,
            .meant = bracket,
            .near_misses = {{R"($u\times(u+v-w)$)",
                             [](const Edges& s) { return cross(s.u, s.u + s.v - s.w); }}},
@@ -100,10 +119,8 @@ void lines(Claims& claims, const std::vector<Edges>& open, const std::vector<Edg
       .formula<Edges>(
           "reduced", 3845, R"($u\times u+u\times v+u\times w$ without what is zero)", open,
           {.truth = three,
-           .printed = {R"($0+u\times v-w\times v$)",
-                       [](const Edges& s) { return cross(s.u, s.v) - cross(s.w, s.v); }},
-           .meant = {R"($0+u\times v-w\times u$)",
-                     [](const Edges& s) { return cross(s.u, s.v) - cross(s.w, s.u); }},
+           .printed = wrong_letter,
+           .meant = two,
            .near_misses = {{R"($0+u\times v+w\times u$)",
                             [](const Edges& s) { return cross(s.u, s.v) + cross(s.w, s.u); }}},
            .kind = Fault::formula,
@@ -111,19 +128,17 @@ void lines(Claims& claims, const std::vector<Edges>& open, const std::vector<Edg
                   R"($2\,u\times v$, and not zero. The next line has $w\times u$.)"})
       .formula<Edges>("first_pair", 3847, R"($u\times v=w\times u$)", closed,
                       {.truth = uv,
-                       .printed = {R"($w\times u$)", [](const Edges& s) { return cross(s.w, s.u); }},
+                       .printed = wu,
                        .near_misses = {{R"($u\times w$)", [](const Edges& s) { return cross(s.u, s.w); }}}})
       .formula<Edges>("second_pair", 3851, R"($u\times v=v\times w$)", closed,
                       {.truth = uv,
-                       .printed = {R"($v\times w$)", [](const Edges& s) { return cross(s.v, s.w); }},
+                       .printed = vw,
                        .near_misses = {{R"($w\times v$)", [](const Edges& s) { return cross(s.w, s.v); }}}})
-      // The three vectors as the vertices P, Q, R of a triangle, and the walk around it.
       .formula<Edges>(
           "closed_walk", 3853,
           "once around a triangle $PQR$ the net distance traveled, that is the displacement, is zero", open,
           {.truth = zero,
-           .printed = {"$(Q-P)+(R-Q)+(P-R)$",
-                       [](const Edges& s) { return ((s.v - s.u) + (s.w - s.v)) + (s.u - s.w); }},
+           .printed = walk,
            .near_misses = {{"$(Q-P)+(R-Q)+(R-P)$, the last edge backwards",
                             [](const Edges& s) { return ((s.v - s.u) + (s.w - s.v)) + (s.w - s.u); }},
                            {"$|Q-P|+|R-Q|+|P-R|$, the distance that is walked", [](const Edges& s) {
@@ -135,50 +150,48 @@ void lines(Claims& claims, const std::vector<Edges>& open, const std::vector<Edg
 }
 
 /// A formula in whole numbers of 128 bits, as two halves of 52 bits.
-using InWhole =
-    std::function<Whole(const Vector3<Whole>& u, const Vector3<Whole>& v, const Vector3<Whole>& w)>;
-
-Vectors in_whole(std::string text, const InWhole& of) {
-  return {std::move(text), [=](const Edges& s) {
+Line in_whole(std::string text, const auto& of) {
+  return {std::move(text),
+          [=](const Edges& s) {
             constexpr Whole base = Whole{1} << 52;
-            const auto u = cast<Whole>(s.u), v = cast<Whole>(s.v), w = cast<Whole>(s.w);
-            const Whole x = of(u, v, w);
+            const Whole x = of(EdgesOf<Whole>{cast<Whole>(s.u), cast<Whole>(s.v), cast<Whole>(s.w)});
             return values(x / base, x % base);
-          }};
+          },
+          [=](const EdgesOf<Expression>& s) { return expressions(of(s)); }};
 }
 
+Line times_length(int factor) {
+  return in_whole("$" + std::to_string(factor) + R"(|u\times v|^2$)",
+                  [=](const auto& s) { return factor * dot(s.normal(), s.normal()); });
+}
+
+const Line nothing = in_whole("$0$", [](const auto&s) { return 0 * s.u[0]; }),
+           squared = in_whole(R"($|u\times v|^2$)", [](const auto&s) { return dot(s.normal(), s.normal()); }),
+           volume = in_whole(R"($u\cdot v\times w$)", [](const auto&s) { return triple(s.u, s.v, s.w); }),
+           leaning = in_whole(R"($(n\cdot u)^2+(n\cdot v)^2+(n\cdot w)^2$, $n=u\times v$)",
+                              [](const auto&s) {
+                                const auto n = s.normal();
+                                return dot(n, s.u) * dot(n, s.u) + dot(n, s.v) * dot(n, s.v) +
+                                       dot(n, s.w) * dot(n, s.w);
+                              }),
+           pairs = in_whole(R"($(w\times v)\cdot(v\times w)+(u\times w)\cdot(w\times u)+3|u\times v|^2$)",
+                            [](const auto&s) {
+                              return dot(cross(s.w, s.v), cross(s.v, s.w)) +
+                                     dot(cross(s.u, s.w), cross(s.w, s.u)) + 3 * dot(s.normal(), s.normal());
+                            }),
+           heron =
+               in_whole("$16\\,\\text{area}^2$ by Heron, from the lengths of the sides", [](const auto&s) {
+                 const auto a = dot(s.u, s.u), b = dot(s.v, s.v), c = dot(s.w, s.w);
+                 return 2 * (a * b + b * c + c * a) - a * a - b * b - c * c;
+               });
+
 void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<Edges>& closed) {
-  using W = const Vector3<Whole>&;
-  const auto length = [](W u, W v, W) { return dot(cross(u, v), cross(u, v)); };
-  const auto times_length = [=](int factor) {
-    return in_whole("$" + std::to_string(factor) + R"(|u\times v|^2$)",
-                    [=](W u, W v, W w) { return factor * length(u, v, w); });
-  };
-  const Vectors zero = in_whole("$0$", [](W, W, W) { return Whole{0}; }),
-                squared = in_whole(R"($|u\times v|^2$)", length),
-                volume = in_whole(R"($u\cdot v\times w$)", [](W u, W v, W w) { return triple(u, v, w); }),
-                leaning =
-                    in_whole(R"($(n\cdot u)^2+(n\cdot v)^2+(n\cdot w)^2$, $n=u\times v$)",
-                             [](W u, W v, W w) {
-                               const auto n = cross(u, v);
-                               return dot(n, u) * dot(n, u) + dot(n, v) * dot(n, v) + dot(n, w) * dot(n, w);
-                             }),
-                pairs =
-                    in_whole(R"($(w\times v)\cdot(v\times w)+(u\times w)\cdot(w\times u)+3|u\times v|^2$)",
-                             [](W u, W v, W w) {
-                               return dot(cross(w, v), cross(v, w)) + dot(cross(u, w), cross(w, u)) +
-                                      3 * dot(cross(u, v), cross(u, v));
-                             }),
-                heron = in_whole("$16\\,\\text{area}^2$ by Heron, from the lengths of the sides",
-                                 [](W u, W v, W w) {
-                                   const Whole a = dot(u, u), b = dot(v, v), c = dot(w, w);
-                                   return 2 * (a * b + b * c + c * a) - a * a - b * b - c * c;
-                                 });
   const auto in_plane = [&](const std::vector<Edges>& samples) {
-    return compare(R"($u\cdot v\times w$, in halves of 52 bits)", volume, zero, samples);
+    return compare<Edges>(R"($u\cdot v\times w$, in halves of 52 bits)", volume, nothing, samples);
   };
   const auto perpendicular = [&](const std::vector<Edges>& samples) {
-    return compare(R"(what $u\times v$ has along the edges, in halves of 52 bits)", leaning, zero, samples);
+    return compare<Edges>(R"(what $u\times v$ has along the edges, in halves of 52 bits)", leaning, nothing,
+                          samples);
   };
   claims
       .add("plane", 3853, "the three vectors lie in a plane",
@@ -188,8 +201,8 @@ void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<
            "any two of the edges give a normal vector, of the same length (in the order of the walk)",
            {.printed = {"perpendicular to all edges, the same length by every two",
                         {perpendicular(closed),
-                         compare("the squared length by every two edges, in halves of 52 bits", pairs,
-                                 squared, closed)}},
+                         compare<Edges>("the squared length by every two edges, in halves of 52 bits", pairs,
+                                        squared, closed)}},
             .near_misses = {{"for any $u$, $v$, $w$", {perpendicular(open)}},
                             {"in either order the same vector",
                              {compare<Edges>(
@@ -224,6 +237,79 @@ void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<
 
 }  // namespace
 
+// ---- proofs -----------------------------------------------------------------------------------------------
+
+namespace {
+
+using Letters = EdgesOf<Expression>;
+
+Letters any_letters(bool closed) {
+  const auto letters = [](const std::string& name) {
+    return Vector3<Expression>{Expression::letter(name + "0"), Expression::letter(name + "1"),
+                               Expression::letter(name + "2")};
+  };
+  Letters s{letters("u"), letters("v"), letters("w")};
+  if (closed) s.w = -(s.u + s.v);
+  return s;
+}
+
+Lemma holds(std::string name, std::vector<Proposition> follows) {
+  return {.name = std::move(name),
+          .letters = "(u0 u1 u2 v0 v1 v2 w0 w1 w2 : R)",
+          .follows = std::move(follows),
+          .tactic = "ring"};
+}
+Lemma holds(std::string name, const Line& left, const Line& right, bool closed) {
+  const Letters s = any_letters(closed);
+  return holds(std::move(name), equal(left.recorded(s), right.recorded(s)));
+}
+
+/// By 1 or more in the last component, where u and v are the first unit vectors and w closes the triangle.
+Lemma differs(const Line& printed, const Line& truth) {
+  const Letters s{{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}};
+  return {.name = "printed_differs",
+          .follows = {apart(printed.recorded(s)[2], truth.recorded(s)[2], 1)},
+          .tactic = by_arithmetic};
+}
+
+/// Vectors on one line have no normal; where the Gram determinant is not zero, there is one.
+Provable proof_of_triangle() {
+  const Letters on_a_line{{1, 0, 0}, {2, 0, 0}, {-3, 0, 0}}, s = any_letters(true);
+  Lemma normal = holds("corrected", {not_zero(squared.recorded(s)[0])});
+  normal.given = {not_zero(gram_determinant(s.u, s.v))};
+  normal.tactic = "match goal with H : _ <> 0 |- _ => contradict H; etransitivity; [| exact H]; ring end";
+  return {
+      "7.5-triangle",
+      "three vectors on one line with the sum zero have the product zero; of two that are independent it is not",
+      {holds("printed_fails", equal(uv.recorded(on_a_line), zero.recorded(on_a_line))), normal}};
+}
+
+}  // namespace
+
+Provables proofs() {
+  const std::string any = "it holds for any three vectors", sum = "it holds for any three whose sum is zero",
+                    off = "; of the unit vectors the printed line is off by one";
+  return {{"7.5-zero", any, {holds("printed", times_zero, zero, false)}},
+          {"7.5-inserted",
+           "as meant " + sum + off,
+           {holds("meant", bracket, zero, true), differs(stray_cross, zero)},
+           1},
+          {"7.5-expanded", any, {holds("printed", three, bracket, false)}},
+          {"7.5-reduced",
+           "as meant " + any + off,
+           {holds("meant", two, three, false), differs(wrong_letter, three)},
+           1},
+          {"7.5-first_pair", sum, {holds("printed", wu, uv, true)}},
+          {"7.5-second_pair", sum, {holds("printed", vw, uv, true)}},
+          {"7.5-closed_walk", any, {holds("printed", walk, zero, false)}},
+          {"7.5-plane", sum, {holds("printed", volume, nothing, true)}},
+          {"7.5-any_two_edges",
+           sum,
+           {holds("perpendicular", leaning, nothing, true), holds("lengths", pairs, squared, true)}},
+          {"7.5-twice_area", sum, {holds("printed", times_length(4), heron, true)}},
+          proof_of_triangle()};
+}
+
 std::vector<Claim> claims(const Random& random) {
   const auto open = samples(random, false), closed = samples(random, true);
   Claims claims("7.5");
@@ -239,3 +325,9 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex07_05
+
+namespace oddity {
+
+Provables proofs_7_5() { return ex07_05::proofs(); }
+
+}  // namespace oddity

@@ -1,0 +1,218 @@
+#include "report/pages/trust.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "reference/text.hpp"
+#include "report/pages/markup.hpp"
+#include "report/pages/true_values.hpp"
+#include "report/study/findings.hpp"
+#include "report/study/prove.hpp"
+
+namespace oddity {
+
+namespace {
+
+/// So many of so many.
+struct Share {
+  std::string subject;
+  long count = 0, of = 0;
+  std::string says = {};
+  std::string date = {}, commit = {};
+};
+
+struct Part {
+  std::string name;
+  Share all;
+  std::string rests_on;
+  std::vector<Share> shares = {};
+};
+using Parts = std::vector<Part>;
+
+const std::string not_on_record = "not on record";
+
+// ---- claims -----------------------------------------------------------------------------------------------
+
+std::string axioms() {
+  std::string text;
+  for (const std::string_view axiom : known_axioms())
+    text += (text.empty() ? "" : ", ") + std::string(axiom) + (axiom.ends_with('.') ? "*" : "");
+  return text;
+}
+
+std::string rests_on(Standing standing) {
+  switch (standing) {
+    case Standing::proved:
+      return "Coq's kernel, and no other axioms than these: " + axioms();
+    case Standing::provable:
+    case Standing::computed:
+      return "two routes and near misses over samples";
+    case Standing::wording:
+      return "reading";
+    case Standing::unclassed:
+      return "nothing yet: approved/unproved.csv needs a row";
+  }
+  return "";
+}
+
+std::string printed_off(const Results& results, const ProvedClaims& proved) {
+  long off = 0;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims)
+      if (const auto found = proved.find(c.claim.id); found != proved.end()) off += found->second.margin > 0;
+  return off == 0 ? "" : counted(off, "printed value is", "printed values are") + " proved wrong by a margin";
+}
+
+/// For each standing how many claims have it, and why they are not proved.
+Parts claims_by_standing(const Results& results, const Standings& standings) {
+  std::map<Standing, std::map<std::string, long>> whys;
+  long all = 0;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims) {
+      const Basis basis = standings.of(c.claim);
+      ++whys[basis.standing][basis.why];
+      ++all;
+    }
+  Parts parts;
+  for (const auto& [standing, counts] : whys) {
+    Part part{std::string(name_of(standing)), {"claims", 0, all}, rests_on(standing)};
+    for (const auto& [why, count] : counts) {
+      part.all.count += count;
+      if (standing != Standing::proved) part.shares.push_back({why, count, all});
+    }
+    std::ranges::stable_sort(part.shares, std::ranges::greater(), &Share::count);
+    if (standing == Standing::proved) part.all.says = printed_off(results, standings.proved());
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+// ---- records ----------------------------------------------------------------------------------------------
+
+Parts values_by_bound(const Bounds& bounds) {
+  const auto all = static_cast<long>(bounds.values), enclosed = static_cast<long>(bounds.enclosed);
+  Part agreed{"agreed", {"values of the tables", all - enclosed, all}, "two routes in 60 digits that agree"};
+  for (const std::string& table : bounds.agreed)
+    agreed.all.says += (agreed.all.says.empty() ? "" : ", ") + table;
+  return {{"enclosed",
+           {"values of the tables", enclosed, all,
+            enclosed == 0 ? "" : "within " + format_significant(bounds.widest, 1) + " of the row's largest"},
+           "Arb's ball arithmetic, and Picard's operator for motions"},
+          std::move(agreed)};
+}
+
+Part errata_witnessed(const Results& results, const Witnessed& w) {
+  long errata = 0;
+  for (const ExerciseResult& e : results.exercises)
+    errata += static_cast<long>(claims_of(e, Verdict::erratum).size());
+  return {"witnessed",
+          {"errata", w.right_and_printed + w.by_verdict, errata},
+          "scripts of PARI/GP that know nothing of this code",
+          {{"at the suite's letters, to ten digits", w.right_and_printed, errata},
+           {"at letters of their own", w.by_verdict, errata},
+           {"nothing to compute", w.words, errata}}};
+}
+
+/// The shares of a record, added up.
+Part recorded(std::string name, const std::string& subject, std::string rests_on, std::vector<Share> shares) {
+  Part part{std::move(name), {subject}, std::move(rests_on), std::move(shares)};
+  for (const Share& s : part.shares) part.all.count += s.count, part.all.of += s.of;
+  if (part.shares.empty()) part.all.says = not_on_record;
+  for (const Share& s : part.shares)
+    if (s.date >= part.all.date) part.all.date = s.date, part.all.commit = s.commit;
+  return part;
+}
+
+Part mutants_killed(const std::vector<Mutated>& record) {
+  std::vector<Share> shares;
+  for (const Mutated& m : record)
+    shares.push_back({m.subject, m.killed, m.tried,
+                      std::to_string(m.with_reason) + " survived with a reason, " +
+                          std::to_string(m.survived) + " without; " + std::to_string(m.not_reached) +
+                          " not reached; " + std::to_string(m.mutants) + " in all",
+                      m.date, m.commit});
+  return recorded("killed", "mutants tried", "libclang's reading of the sources, and the suite", shares);
+}
+
+Part inputs_survived(const std::vector<Fuzzed>& record) {
+  std::vector<Share> shares;
+  for (const Fuzzed& f : record)
+    shares.push_back({f.subject, f.inputs - f.crashes, f.inputs,
+                      "in " + format_significant(f.seconds, 3) + " s", f.date, f.commit});
+  return recorded("fuzzed", "inputs read without a crash",
+                  "libFuzzer, with sanitizers of addresses and undefined behaviour", shares);
+}
+
+Part faults_survived(const std::vector<Faulted>& record) {
+  std::vector<Share> shares;
+  for (const Faulted& f : record)
+    shares.push_back({f.subject + ", " + f.fault, f.trials - f.failures, f.trials, "", f.date, f.commit});
+  return recorded("survived", "faults", "the files, exit codes and messages that each verb left", shares);
+}
+
+Parts parts_of(const Results& results, const Trust& trust) {
+  Parts parts = claims_by_standing(results, trust.standings);
+  for (Part& part : values_by_bound(trust.bounds)) parts.push_back(std::move(part));
+  parts.push_back(errata_witnessed(results, trust.witnessed));
+  parts.push_back(mutants_killed(trust.mutated));
+  parts.push_back(inputs_survived(trust.fuzzed));
+  parts.push_back(faults_survived(trust.faulted));
+  return parts;
+}
+
+// ---- views ------------------------------------------------------------------------------------------------
+
+std::string amount(const Share& s) {
+  return s.says == not_on_record ? "" : std::to_string(s.count) + " of " + std::to_string(s.of);
+}
+
+std::string when(const Share& s) { return s.date.empty() ? "" : s.date + ", " + s.commit; }
+
+std::string in_a_line(const Part& part) {
+  constexpr std::size_t most = 16;
+  std::string text = "- **" + part.name + "**: " + amount(part.all) + (amount(part.all).empty() ? "" : " ") +
+                     escaped(part.all.subject, false);
+  if (!part.all.says.empty()) text += ", " + escaped(part.all.says, false);
+  if (!part.all.date.empty()) text += " (" + when(part.all) + ")";
+  text += "; rests on " + escaped(part.rests_on, false);
+  if (part.shares.size() > 1 && part.shares.size() <= most)
+    for (const Share& s : part.shares)
+      text += (&s == part.shares.data() ? ": " : "; ") + escaped(s.subject, false) + " " +
+              std::to_string(s.count);
+  return text + ".\n";
+}
+
+std::vector<Cell> cells(const Part& part, const Share& s) {
+  return {part.name, s.subject, s.count, s.of, s.says, s.date, s.commit, part.rests_on};
+}
+
+}  // namespace
+
+std::string trust_text(const Results& results, const Trust& trust, const Screen& screen) {
+  std::vector<std::vector<std::string>> rows{{"", "how many", "", "", "on record"}};
+  std::string rests;
+  for (const Part& part : parts_of(results, trust)) {
+    rows.push_back({part.name, amount(part.all), part.all.subject, part.all.says, when(part.all)});
+    rests += wrapped("  " + part.name + ": " + part.rests_on + "\n", screen, 4);
+  }
+  return aligned(rows, screen, {.shorten = {""}}) + "\nWhat each rests on:\n" + rests;
+}
+
+Table trust_table(const Results& results, const Trust& trust) {
+  Table table{{"part", "subject", "count", "of", "says", "date", "commit", "rests_on"}, {}};
+  for (const Part& part : parts_of(results, trust)) {
+    table.rows.push_back(cells(part, part.all));
+    for (const Share& share : part.shares) table.rows.push_back(cells(part, share));
+  }
+  return table;
+}
+
+std::string trust_page(const Results& results, const Trust& trust) {
+  std::string text =
+      "# What all this rests on\n\n`oddity trust --csv` has all figures. *Provable* is what nobody has written a proof "
+      "of yet; no proof is to be had of what is *computed*.\n\n";
+  for (const Part& part : parts_of(results, trust)) text += in_a_line(part);
+  return text + "\n" + true_values(trust.bounds) + "\n[All exercises](README.md)\n";
+}
+
+}  // namespace oddity

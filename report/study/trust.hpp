@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "report/study/standing.hpp"
+
+/// What is on record of how far the program may be trusted. Records that are not there are empty.
+namespace oddity {
+
+/// What bounds the errors of the reference tables.
+struct Bounds {
+  std::size_t values = 0, enclosed = 0;
+  double widest = 0;             ///< error of an enclosed value, over the largest component of its row
+  std::set<std::string> agreed;  ///< tables with values that are not
+};
+
+/// Errata that PARI/GP was asked about.
+struct Witnessed {
+  long right_and_printed = 0;  ///< both sides to ten digits, or what is right alone
+  long by_verdict = 0;         ///< at letters of its own
+  long words = 0;              ///< there is nothing to compute
+};
+
+/// What was tried at a date and a commit.
+struct Tried {
+  std::string date, commit, subject;
+};
+struct Mutated : Tried {  ///< a room
+  long mutants = 0, tried = 0, killed = 0, with_reason = 0, survived = 0, not_reached = 0;
+};
+struct Fuzzed : Tried {  ///< a target
+  long inputs = 0, crashes = 0;
+  double seconds = 0;
+};
+struct Faulted : Tried {  ///< a verb
+  std::string fault;
+  long trials = 0, failures = 0;
+};
+
+struct Trust {
+  Standings standings = {};
+  Bounds bounds = {};
+  Witnessed witnessed = {};
+  std::vector<Mutated> mutated = {};
+  std::vector<Fuzzed> fuzzed = {};
+  std::vector<Faulted> faulted = {};
+};
+
+/// Of the folder of the reference tables, and of that with the tests' records: mutation/mutation.csv,
+/// fuzz/record.csv, faults/record.csv. Throws BadInput naming file and line when one is broken.
+Trust read_trust(const std::filesystem::path& reference, const std::filesystem::path& tests);
+
+}  // namespace oddity

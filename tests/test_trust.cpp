@@ -1,0 +1,112 @@
+#include "report/pages/trust.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "chapters/contents.hpp"
+#include "reference/reference.hpp"
+#include "report/pages/markdown.hpp"
+#include "report/site/claims_section.hpp"
+#include "tests/catch.hpp"
+#include "tests/complaint.hpp"
+#include "tests/sample_results.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace oddity;
+
+namespace {
+
+const std::filesystem::path tables = std::filesystem::path(ODDITY_SOURCE) / "reference";
+constexpr const char* one_proof = "claim,hash,proved,margin\n9.9-y,0,\"it is two\",1\n";
+constexpr const char* header = "claims,stated,standing,why\n";
+
+Trust trust_with(const ScratchFolder& tests) {
+  const ScratchFolder reference;
+  reference.file("proofs.csv", one_proof);
+  reference.file("unproved.csv",
+                 std::string(header) + "9.9,numbers,provable,so\nall,words,wording,as said\n");
+  Trust trust = read_trust(tables, tests.path());
+  trust.standings = Standings(reference.path());
+  return trust;
+}
+
+}  // namespace
+
+TEST_CASE("every claim is proved, or it is on record why not", "[trust]") {
+  const Standings standings(tables / "approved");
+  const Reference truth(tables);
+  std::set<std::string> asked;
+  for (const Entry& entry : registry()) {
+    if (!of_the_book(entry.number)) continue;
+    for (const Claim& claim : entry.exercise.study(Parameters(entry.exercise.parameters), truth).claims) {
+      const Basis basis = standings.of(claim);
+      INFO(claim.id << ": give it a row in reference/approved/unproved.csv, or give one to all "
+                    << stated_in(claim) << " of " << to_string(entry.number));
+      CHECK(basis.standing != Standing::unclassed);
+      asked.insert(basis.row);
+    }
+  }
+  for (const auto& [row, basis] : standings.rows()) {
+    INFO("no claim needs the row '" << row << "' of reference/approved/unproved.csv: take it out");
+    CHECK(asked.contains(row));
+  }
+}
+
+TEST_CASE("a broken row of unproved.csv is named", "[trust]") {
+  const auto said = [](const std::string& rows) {
+    const ScratchFolder folder;
+    folder.file("proofs.csv", one_proof);
+    const std::string file = folder.file("unproved.csv", header + rows).string();
+    const std::string all = complaint([&] { Standings{folder.path()}; });
+    return all.starts_with(file) ? all.substr(file.size()) : all;
+  };
+  CHECK(said("1.1,cases,guessed,so\n") == ":2: 'guessed' is none of provable, computed and wording");
+  CHECK(said("1.1,signs,computed,so\n") == ":2: 'signs' is none of formulas, numbers, cases and words");
+  CHECK(said("1.1,cases,computed,so\n1.1,cases,provable,so\n") == ":3: a second row of 1.1 cases");
+}
+
+TEST_CASE("trust counts what is on record, and says what is not", "[trust]") {
+  const ScratchFolder tests;
+  for (const char* room : {"mutation", "fuzz"}) std::filesystem::create_directories(tests.path() / room);
+  tests.file("mutation/mutation.csv",
+             "date,commit,room,mutants,tried,killed,with_reason,survived,not_reached\n"
+             "2026-01-02,abc,chapters,30,20,17,2,1,5\n2026-01-03,def,solvers,10,10,9,0,1,0\n");
+  tests.file("fuzz/record.csv",
+             "date,commit,target,inputs,seconds,crashes\n2026-01-02,abc,plan,1000,2.5,1\n");
+  const Trust trust = trust_with(tests);
+  const std::string text = to_csv(trust_table(sample(), trust));
+  const auto has = [&](const std::string& row) {
+    INFO(row << " in\n" << text);
+    CHECK(text.find("\n" + row + ",") != std::string::npos);
+  };
+  has("proved,claims,1,3,1 printed value is proved wrong by a margin");
+  has("provable,so,1,3");
+  has("wording,as said,1,3");
+  has("killed,mutants tried,26,30,,2026-01-03,def");
+  has("killed,chapters,17,20,\"2 survived with a reason, 1 without; 5 not reached; 30 in all\"");
+  has("fuzzed,plan,999,1000,in 2.5 s,2026-01-02,abc");
+  has("survived,faults,0,0,not on record");
+  CHECK(
+      trust_page(sample(), trust).find("- **killed**: 26 of 30 mutants tried (2026-01-03, def); rests on") !=
+      std::string::npos);
+}
+
+TEST_CASE("a record without a column is named", "[trust]") {
+  const ScratchFolder tests;
+  std::filesystem::create_directories(tests.path() / "faults");
+  tests.file("faults/record.csv", "date,commit,verb,fault,trials\n2026-01-02,abc,solve,killed,10\n");
+  CHECK(complaint([&] {
+          read_trust(tables, tests.path());
+        }).ends_with("record.csv:1: there is no column failures"));
+}
+
+TEST_CASE("what is proved says so in the report and on the site", "[trust]") {
+  const ProvedClaims proved{{"9.9-x", {"0", "it is one"}}, {"9.9-y", {"0", "it is two", 1}}};
+  const Results results = sample();
+  const std::string page = exercise_page_text(results, results.exercises[0], proved);
+  CHECK(page.find("`9.9-y`** (line 2, proved by Coq)") != std::string::npos);
+  CHECK(page.find("1 confirmed claim, 1 proved by Coq (†)") != std::string::npos);
+  CHECK(exercise_page_text(results, results.exercises[0]).find("Coq") == std::string::npos);
+  CHECK(claims_section(results.exercises[0], proved).find("<small>1, Coq</small>") != std::string::npos);
+}
