@@ -3,6 +3,8 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 
 #include "chapters/contents.hpp"
 #include "chapters/scene.hpp"
@@ -375,6 +377,23 @@ TEST_CASE("the engines' page has each engine's error and rate, and what was foun
   CHECK(page.find("(engines/3.5.svg)") != std::string::npos);
   CHECK(engine_pictures({contest}, {}).count("engines/3.5.svg") == 1);
   CHECK(engine_trials({contest}).at("engines/3.5.csv").find("Third,1,double,defaults") != std::string::npos);
+}
+
+TEST_CASE("an engine's adapter is a hundred lines at most", "[engines]") {
+  // Those above set up a world by more calls, a kind of body, joint or contact each: they shall not grow.
+  const std::map<std::string, int> longer{
+      {"box2d.cpp", 122}, {"box2d.mjs", 108},  {"bullet_multibody.cpp", 133}, {"chipmunk.cpp", 110},
+      {"dart.cpp", 168},  {"jolt.mjs", 148},   {"mujoco.cpp", 125},           {"mujoco.mjs", 179},
+      {"ode.cpp", 139},   {"rapier.mjs", 123}, {"simbody.cpp", 219}};
+  const std::filesystem::path folder = std::filesystem::path(ODDITY_SOURCE) / "solvers/engines";
+  std::ifstream variants(folder / "variants.json");
+  const auto adapters = nlohmann::json::parse(variants);
+  for (const auto& [adapter, _] : adapters.items()) {
+    INFO(adapter);
+    const std::string text = text_of(folder / adapter);
+    const auto found = longer.find(adapter);
+    CHECK(std::ranges::count(text, '\n') <= (found == longer.end() ? 100 : found->second));
+  }
 }
 
 TEST_CASE("what an engine did is told in words, also where it gave no answer", "[engines]") {

@@ -13,13 +13,13 @@ b2Vec2 vector(const Vector& v) { return {static_cast<float>(v[0]), static_cast<f
 
 class InBox2d final : public Simulation {
  public:
-  InBox2d(const World& world, bool fine)
-      : fine_(fine),
+  InBox2d(const World& world, const std::string& variant)
+      : fine_(variant != "defaults"),
         friction_(static_cast<float>(world.friction)),
         restitution_(static_cast<float>(world.restitution)),
         world_(vector(world.gravity)) {
     expect_in_plane(world);
-    world_.SetAllowSleeping(!fine);
+    world_.SetAllowSleeping(!fine_);
     const b2BodyDef still;
     ground_ = world_.CreateBody(&still);
     for (const Body& b : world.bodies) add(b);
@@ -70,19 +70,16 @@ class InBox2d final : public Simulation {
     bodies_.push_back(body);
   }
   void add(const Joint& j) {
-    if (j.kind == Joint::rod) {
-      b2DistanceJointDef rod;
-      rod.Initialize(of(j.a), of(j.b), vector(j.at), vector(j.end));
-      world_.CreateJoint(&rod);
-    } else if (j.kind == Joint::cylinder) {
-      b2PrismaticJointDef cylinder;
-      cylinder.Initialize(of(j.a), of(j.b), vector(j.at), vector(j.axis));
-      world_.CreateJoint(&cylinder);
-    } else {
-      b2RevoluteJointDef hinge;
-      hinge.Initialize(of(j.a), of(j.b), vector(j.at));
-      world_.CreateJoint(&hinge);
-    }
+    if (j.kind == Joint::rod)
+      join(b2DistanceJointDef(), j, vector(j.end));
+    else if (j.kind == Joint::cylinder)
+      join(b2PrismaticJointDef(), j, vector(j.axis));
+    else
+      join(b2RevoluteJointDef(), j);
+  }
+  void join(auto joint, const Joint& j, auto... more) {
+    joint.Initialize(of(j.a), of(j.b), vector(j.at), more...);
+    world_.CreateJoint(&joint);
   }
   void add(const Spring& s) {
     b2DistanceJointDef spring;
@@ -119,23 +116,7 @@ class InBox2d final : public Simulation {
 
 }  // namespace
 
-Engine engine() {
-  return {
-      "Box2D",
-      VERSION_OF_FILE,  // b2_version is 2.4.0 in 2.4.1 too
-      "float",
-      true,
-      {{"defaults",
-        "8 iterations for velocities and 3 for positions, as Hello Box2D suggests; what is slow for half a "
-        "second sleeps, edges and boxes have a skin of 1 cm, and nothing bounces below 1 m/s",
-        1, true, "nothing bounces below 1 m/s"},
-       {"50 iterations",
-        "50 and 20 iterations (Hello Box2D, Simulating the World); no sleep, no skins, and what is slow "
-        "bounces too (restitutionThreshold)",
-        1, false}},
-      [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {
-        return std::make_unique<InBox2d>(world, variant != "defaults");
-      }};
-}
+/// b2_version is 2.4.0 in 2.4.1 too.
+Engine engine() { return {"Box2D", VERSION_OF_FILE, "float", true, make<InBox2d>}; }
 
 }  // namespace oddity::engines

@@ -1,25 +1,13 @@
 // Box2D 3 as box2d3-wasm 5.2 [manual: box2d.org/documentation]: the plane in float, bodies and joints held by
 // velocities in substeps.
 
-import { readFileSync } from 'node:fs';
 import initBox2d from 'box2d3-wasm';
 
-import { NotExpressible, cross, ground, isZero, minus, pointIn, start } from './simulation.mjs';
+import {
+  cross, expectInPlane, ground, installedVersion, isZero, minus, pointIn, start, variantsOf,
+} from './simulation.mjs';
 
 const b2 = await initBox2d();
-
-const flat = ([, , z]) => z === 0;
-const upright = ([x, y]) => x === 0 && y === 0;
-
-/// A ball joint is a hinge in the plane; and on a cylinder joint nothing turns, as its axis lies in it.
-function inPlane({ gravity, shaking, turning, floor, bodies, joints, springs }) {
-  return [gravity, shaking, floor].every(flat) && upright(turning) &&
-    bodies.every(({ start: { position, velocity, spin, orientation } }) =>
-      flat(position) && flat(velocity) && upright(spin) && upright(orientation.slice(1))) &&
-    joints.every(({ kind, at, axis, end }) => flat(at) && (kind !== 'hinge' || upright(axis)) &&
-      (kind !== 'cylinder' || flat(axis)) && (kind !== 'rod' || flat(end))) &&
-    springs.every(({ at, end }) => flat(at) && flat(end));
-}
 
 const vector = ([x, y]) => new b2.b2Vec2(x, y);
 const angle = ([w, , , z]) => 2 * Math.atan2(z, w);
@@ -35,7 +23,7 @@ const xy0 = (value) => read(value, ({ x, y }) => [x, y, 0]);
 
 class InBox2d {
   constructor(world, variant) {
-    if (!inPlane(world)) throw new NotExpressible('the plane of x and y alone');
+    expectInPlane(world);
     this.best = variant !== 'defaults';
     this.substeps = this.best ? 16 : 4;
     const def = b2.b2DefaultWorldDef();
@@ -109,23 +97,12 @@ class InBox2d {
   }
 }
 
-const installed = new URL('node_modules/box2d3-wasm/package.json', import.meta.url);
-
 export const about = {
   name: 'Box2D 3',
-  version: `box2d3-wasm ${JSON.parse(readFileSync(installed, 'utf8')).version}`,
+  version: `box2d3-wasm ${installedVersion('box2d3-wasm')}`,
   precision: 'float',
   plane: true,
-  variants: [
-    { name: 'defaults', order: 1, defaults: true,
-      lasting: 'joints are springs, and nothing bounces below 1 m/s',
-      says: '4 substeps of semi-implicit Euler, as Hello Box2D has them; joints are springs of 60 Hz; what ' +
-        'is slow for half a second sleeps, nothing bounces below 1 m/s, or turns by more than 45 degrees ' +
-        'in a substep' },
-    { name: '16 substeps', order: 1, defaults: false, lasting: 'joints are springs',
-      says: '16 substeps (World, Simulation); no sleep, what is slow bounces too (restitutionThreshold), ' +
-        'no cap on spins (allowFastRotation); joints stay springs: JavaScript has no constraintHertz' },
-  ],
+  variants: variantsOf('box2d.mjs'),
 };
 
 export const make = (world, variant) => new InBox2d(world, variant);

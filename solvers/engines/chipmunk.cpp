@@ -18,10 +18,11 @@ struct Freed {
 
 class InChipmunk final : public Simulation {
  public:
-  InChipmunk(const World& world, bool fine) : friction_(world.friction), restitution_(world.restitution) {
+  InChipmunk(const World& world, const std::string& variant)
+      : friction_(world.friction), restitution_(world.restitution) {
     expect_in_plane(world);
     set_gravity(world.gravity);
-    if (fine) {
+    if (variant != "defaults") {
       cpSpaceSetIterations(space_.get(), 50);
       cpSpaceSetCollisionSlop(space_.get(), 1e-4);
     }
@@ -103,19 +104,7 @@ class InChipmunk final : public Simulation {
 }  // namespace
 
 Engine engine() {
-  return {"Chipmunk",
-          cpVersionString,
-          CP_USE_DOUBLES ? "double" : "float",
-          true,
-          {{"defaults",
-            "10 iterations; a joint's error shrinks by a tenth in 1/60 s, and shapes may overlap by 0.1 m", 1,
-            true},
-           {"50 iterations",
-            "50 iterations (cpSpaceSetIterations); shapes may overlap by 0.1 mm (cpSpaceSetCollisionSlop)", 1,
-            false}},
-          [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {
-            return std::make_unique<InChipmunk>(world, variant != "defaults");
-          }};
+  return {"Chipmunk", cpVersionString, CP_USE_DOUBLES ? "double" : "float", true, make<InChipmunk>};
 }
 
 }  // namespace oddity::engines

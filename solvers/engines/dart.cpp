@@ -163,20 +163,6 @@ class InDart final : public Simulation {
 
 }  // namespace
 
-Engine engine() {
-  const std::string apart = "friction has two directions, each limited by itself";
-  return {"DART",
-          DART_VERSION,
-          "double",
-          false,
-          {{"defaults",
-            "semi-implicit Euler; FCL finds contacts between meshes, also of balls; no bounce below 0.1 m/s",
-            1, true, "balls are polyhedra", apart},
-           {"native collision detector", "the same with DARTCollisionDetector, whose balls are round", 1,
-            false, "", apart}},
-          [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {
-            return std::make_unique<InDart>(world, variant);
-          }};
-}
+Engine engine() { return {"DART", DART_VERSION, "double", false, make<InDart>}; }
 
 }  // namespace oddity::engines

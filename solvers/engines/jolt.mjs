@@ -1,10 +1,9 @@
 // Jolt as jolt-physics 1.1 [manual: jrouwe.github.io/JoltPhysics]: bodies and joints held by velocities, in
 // float. The vectors and settings that a world is made with are not destroyed: the program ends soon.
 
-import { readFileSync } from 'node:fs';
 import initJolt from 'jolt-physics';
 
-import { beside, ground, isZero, minus } from './simulation.mjs';
+import { beside, ground, installedVersion, isZero, minus, variantsOf } from './simulation.mjs';
 
 const Jolt = await initJolt();
 const layer = 0;  // all are in one, and touch each other
@@ -138,27 +137,12 @@ class InJolt {
   }
 }
 
-const installed = new URL('node_modules/jolt-physics/package.json', import.meta.url);
-
-const friction = 'all friction is in the middle: sliding and spinning are braked apart';
-
 export const about = {
   name: 'Jolt',
-  version: JSON.parse(readFileSync(installed, 'utf8')).version,
+  version: installedVersion('jolt-physics'),
   precision: 'float',
   plane: false,
-  variants: [
-    { name: 'defaults', order: 1, defaults: true, friction,
-      lasting: 'damping, a cap on spins, no gyroscopic forces, no slow bounces',
-      says: 'symplectic Euler; all velocities are damped by 0.05 /s, spins capped at 47 rad/s, what is ' +
-        'slower than 1 m/s does not bounce, gyroscopic forces are left out, contacts have a slop of 2 cm, ' +
-        'bodies may fall asleep' },
-    { name: 'nothing left out', order: 1, defaults: false, friction,
-      says: 'damping 0, no cap on spins, mApplyGyroscopicForce, every contact bounces, no slop or margin ' +
-        'in contacts (BodyCreationSettings, PhysicsSettings); nothing sleeps' },
-    { name: '8 collision steps', order: 1, defaults: false, friction,
-      says: 'nothing left out, and each step in 8 (The Simulation Step)' },
-  ],
+  variants: variantsOf('jolt.mjs'),
 };
 
 export const make = (world, variant) => new InJolt(world, variant);

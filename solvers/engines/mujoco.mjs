@@ -5,7 +5,7 @@ import loadMujoco from '@mujoco/mujoco';
 
 import {
   NotExpressible, after, back, beside, cross, directionIn, dot, ground, isZero, minus, pointIn, start, turned,
-  unit,
+  unit, variantsOf,
 } from './simulation.mjs';
 
 const mujoco = await loadMujoco();
@@ -167,22 +167,13 @@ class InMujoco {
   }
 }
 
-const friction = "friction is a pyramid's";
-
 export const about = {
   name: 'MuJoCo',
   version: mujoco.mj_versionString(),
   precision: 'double',
   plane: false,
   ropes: true,
-  variants: [
-    { name: 'defaults', order: 1, defaults: true, friction,
-      says: 'semi-implicit Euler; contacts of 0.02 s, or of two steps if that is longer; pyramidal cone' },
-    { name: 'implicit', order: 1, defaults: false, friction,
-      says: 'integrator implicit in velocities (Computation, Numerical integration)' },
-    { name: 'RK4', order: 4, defaults: false, friction,
-      says: 'integrator of 4th order (Computation, Numerical integration); a push stays during a step' },
-  ],
+  variants: variantsOf('mujoco.mjs'),
 };
 
 export const make = (world, variant, step) => new InMujoco(world, variant, step);

@@ -30,8 +30,6 @@ class InOde final : public Simulation {
     dWorldDestroy(world_);
     dCloseODE();
   }
-  InOde(const InOde&) = delete;
-  InOde& operator=(const InOde&) = delete;
 
   void set_gravity(const Vector& g) override { dWorldSetGravity(world_, g[0], g[1], g[2]); }
   void push(int body, const Vector& f, const Vector& at) override {
@@ -134,23 +132,8 @@ class InOde final : public Simulation {
 }  // namespace
 
 Engine engine() {
-  const std::string apart = "friction has two directions, each limited by itself";
-  return {"ODE",
-          dODE_VERSION,
-          dCheckConfiguration("ODE_double_precision") ? "double" : "float",
-          false,
-          {{"defaults", "dWorldStep: all joints at once; ERP 0.2, CFM 1e-10 in double", 1, true, "", apart},
-           {"finite rotations",
-            "dWorldStep; bodies turn by the angle about their spin in a step, not by a first-order change "
-            "(dBodySetFiniteRotationMode)",
-            1, false, "", apart},
-           {"quick step",
-            "dWorldQuickStep, as games use: 20 iterations, in an order that one random generator for all "
-            "worlds draws",
-            1, false, "20 iterations", apart}},
-          [](const World& world, const std::string& variant, double) -> std::unique_ptr<Simulation> {
-            return std::make_unique<InOde>(world, variant);
-          }};
+  const bool in_double = dCheckConfiguration("ODE_double_precision");
+  return {"ODE", dODE_VERSION, in_double ? "double" : "float", false, make<InOde>};
 }
 
 }  // namespace oddity::engines

@@ -6,7 +6,7 @@
 
 import RAPIER from '@dimforge/rapier3d-compat';
 
-import { NotExpressible, after, ground, isZero, minus, start } from './simulation.mjs';
+import { NotExpressible, after, ground, isZero, minus, start, variantsOf } from './simulation.mjs';
 
 await RAPIER.init();
 
@@ -112,24 +112,12 @@ class InRapier {
   }
 }
 
-const friction = 'all friction is in the middle: sliding and spinning are braked apart';
-
 export const about = {
   name: 'Rapier',
   version: RAPIER.version(),
   precision: 'float',
   plane: false,
-  variants: [
-    { name: 'defaults', order: 1, defaults: true, friction,
-      says: 'createImpulseJoint; a step is 4 substeps of symplectic Euler (numSolverIterations), bodies ' +
-        'may fall asleep; a rod is a rope, the same while it is taut' },
-    { name: '16 substeps', order: 1, defaults: false, friction,
-      says: 'numSolverIterations 16, in the guide the way to stiffer joints; nothing sleeps (setCanSleep)' },
-    { name: 'joints as coordinates', order: 1, defaults: false, friction,
-      lasting: '0.1 N m s of damping in joints',
-      says: 'createMultibodyJoint, for accuracy in the guide (Joint constraints); it damps whatever turns ' +
-        'in a joint by 0.1 N m s, which JavaScript cannot switch off, and starts at rest; nothing sleeps' },
-  ],
+  variants: variantsOf('rapier.mjs'),
 };
 
 export const make = (world, variant, step) => new InRapier(world, variant, step);

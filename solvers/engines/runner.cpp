@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 
 #include "solvers/engines/simulation.hpp"
@@ -159,20 +160,13 @@ Reply reply(const Request& request) {
 }
 
 json about() {
+  std::ifstream file(VARIANTS);
   const Engine e = engine();
-  json variants = json::array();
-  for (const Variant& v : e.variants)
-    variants.push_back({{"name", v.name},
-                        {"says", v.says},
-                        {"order", v.order},
-                        {"defaults", v.defaults},
-                        {"lasting", v.lasting},
-                        {"friction", v.friction}});
   return {{"name", e.name},
           {"version", e.version},
           {"precision", e.precision},
           {"plane", e.plane},
-          {"variants", variants}};
+          {"variants", json::parse(file).at(ADAPTER)}};
 }
 
 }  // namespace

@@ -214,26 +214,6 @@ std::string version() {
 
 }  // namespace
 
-Engine engine() {
-  return {"Simbody",
-          version(),
-          "double",
-          false,
-          {{"defaults",
-            "RungeKuttaMersonIntegrator to an accuracy of 1e-3: it chooses its steps itself. Debian's build "
-            "has its assertions on",
-            0, true, "it chooses its steps itself, to 1e-3"},
-           {"accuracy 1e-9", "the same with setAccuracy", 0, false},
-           {"CPodes, accuracy 1e-9", "CPodesIntegrator, backward differences, with setAccuracy", 0, false},
-           {"Runge-Kutta-Merson, fixed steps", "the same with setFixedStepSize", 4, false},
-           {"Verlet, fixed steps", "VerletIntegrator with setFixedStepSize", 2, false},
-           {"semi-explicit Euler", "SemiExplicitEulerTimeStepper, the one that has rigid contacts", 1, false},
-           {"semi-explicit Euler, tolerance 1e-9",
-            "the same with setConstraintTolerance; twice that are its speeds of capture and of sliding", 1,
-            false}},
-          [](const World& world, const std::string& variant, double step) -> std::unique_ptr<Simulation> {
-            return std::make_unique<InSimbody>(world, variant, step);
-          }};
-}
+Engine engine() { return {"Simbody", version(), "double", false, make<InSimbody>}; }
 
 }  // namespace oddity::engines

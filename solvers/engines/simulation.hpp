@@ -3,7 +3,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <vector>
+#include <type_traits>
 
 #include "solvers/engines/world.hpp"
 
@@ -13,6 +13,9 @@ namespace oddity::engines {
 /// A world in an engine's hands.
 class Simulation {
  public:
+  Simulation() = default;
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
   virtual ~Simulation() = default;
   /// m/s^2, from now on.
   virtual void set_gravity(const Vector&) = 0;
@@ -28,23 +31,20 @@ class Simulation {
   virtual void restore() {}
 };
 
-/// One way to use an engine.
-struct Variant {
-  std::string name;  ///< "defaults", "50 iterations", "implicit": of few words
-  std::string says;  ///< what is set, in the manual's words for it, and where the manual is
-  int order = 0;  ///< of the error over the step, as the manual or the integrator's name has it; 0: not said
-  bool defaults = true;       ///< what a user gets who sets nothing but the step
-  std::string lasting = {};   ///< of what is set, what no finer step takes away: "velocities are damped"
-  std::string friction = {};  ///< the same of its friction
-};
+/// Throws NotExpressible. The variant is one of those that variants.json has of the engine.
+template <class In>
+std::unique_ptr<Simulation> make(const World& world, const std::string& variant, double step) {
+  if constexpr (std::is_constructible_v<In, const World&, const std::string&, double>)
+    return std::make_unique<In>(world, variant, step);
+  else
+    return std::make_unique<In>(world, variant);
+}
 
 struct Engine {
   std::string name;       ///< "Bullet"
   std::string version;    ///< as the library says it
   std::string precision;  ///< "float", "double"
   bool plane = false;     ///< it knows x and y alone
-  std::vector<Variant> variants;
-  /// Throws NotExpressible.
   std::unique_ptr<Simulation> (*make)(const World&, const std::string& variant, double step) = nullptr;
   bool ropes = false;  ///< it has slides and ropes; else it is not asked for them
 };

@@ -1,6 +1,13 @@
 // What the adapters in JavaScript share: simulation.hpp and the vectors of runner.cpp, in this language.
 
+import { readFileSync } from 'node:fs';
+
 export const ground = -1;
+
+const json = (file) => JSON.parse(readFileSync(new URL(file, import.meta.url), 'utf8'));
+/// The ways to use an engine, of an adapter's name.
+export const variantsOf = (adapter) => json('variants.json')[adapter];
+export const installedVersion = (npmModule) => json(`node_modules/${npmModule}/package.json`).version;
 
 /// The engine lacks what the world asks for: "no joint that keeps a distance".
 export class NotExpressible extends Error {}
@@ -39,3 +46,18 @@ export const start = (world, body) => body === ground ? atRest : world.bodies[bo
 /// A point of the world, and a direction, in the axes of a body.
 export const pointIn = ({ position, orientation }, at) => turned(back(orientation), minus(at, position));
 export const directionIn = ({ orientation }, axis) => turned(back(orientation), axis);
+
+const flat = ([, , z]) => z === 0;
+const upright = ([x, y]) => x === 0 && y === 0;
+
+/// For engines of the plane: a ball joint is a hinge there; and on a cylinder joint nothing turns, as its axis
+/// lies in it.
+export function expectInPlane({ gravity, shaking, turning, floor, bodies, joints, springs }) {
+  const inPlane = [gravity, shaking, floor].every(flat) && upright(turning) &&
+    bodies.every(({ start: { position, velocity, spin, orientation } }) =>
+      flat(position) && flat(velocity) && upright(spin) && upright(orientation.slice(1))) &&
+    joints.every(({ kind, at, axis, end }) => flat(at) && (kind !== 'hinge' || upright(axis)) &&
+      (kind !== 'cylinder' || flat(axis)) && (kind !== 'rod' || flat(end))) &&
+    springs.every(({ at, end }) => flat(at) && flat(end));
+  if (!inPlane) throw new NotExpressible('the plane of x and y alone');
+}
