@@ -117,10 +117,13 @@ leg_thread() {  # thread sanitizer: a part of the suite in parallel
   TSAN_OPTIONS=halt_on_error=1 build/thread/oddity verify "${SUITE:-[3.5],[3.1],[2.13],[7.1]}"
 }
 
-leg_mutate() {  # libclang: mutants drawn by the commit's name, of which the suite has to notice each; SAMPLE=300, PATHS for a part
+leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of which the suite has to notice each; SAMPLE (300), MINUTES (20), PATHS
   ./oddity packages libclang-dev || exit 77
   build release oddity_mutate
-  build/release/oddity_mutate --sample "${SAMPLE:-300}" ${PATHS:-}
+  local recorded chapter
+  mapfile -t recorded < <(sed -n 's/^[^#,]*,[^,]*,\(chapters\/[^,]*\),.*/\1/p' tests/mutation/mutation.csv)
+  chapter=${recorded[0x$(git rev-parse --short=6 HEAD | cut -c1-6) % ${#recorded[@]}]}
+  build/release/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-20}" ${PATHS:-$chapter}
 }
 
 leg_fuzz() {  # libFuzzer: every reader for FUZZ_SECONDS (60) with sanitizers, from the inputs in tests/fuzz/corpus

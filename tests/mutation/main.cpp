@@ -22,7 +22,9 @@ namespace {
 
 struct Request {
   std::vector<std::string> paths{"chapters", "solvers", "report/study"};
-  int sample = 0;  ///< 0: all
+  std::string in;      ///< "": anywhere
+  int sample = 0;      ///< 0: all
+  double minutes = 0;  ///< 0: as long as it takes
   std::string seed = "HEAD";
   std::string program;
   bool list = false, record = false;
@@ -30,33 +32,32 @@ struct Request {
 
 const fs::path tree = ODDITY_SOURCE, built = ODDITY_BUILT, home = tree / "build/mutate";
 
+/// Whether the path is the file, or a folder that it is in.
+bool within(const std::string& file, const std::string& path) {
+  return file == path || file.starts_with(path.ends_with('/') ? path : path + "/");
+}
+
 /// The sources of the rooms, but for those that the suite does not run: engines are programs of their own,
 /// lanes and drawings are for the page and for bench.
 bool wanted(const Request& request, const std::string& file) {
   for (const char* other : {"solvers/engines/", "solvers/lanes/"})
     if (file.starts_with(other)) return false;
   if (file.ends_with("drawing.hpp")) return false;
-  return std::ranges::any_of(request.paths, [&](const std::string& path) {
-    return file == path || file.starts_with(path.ends_with('/') ? path : path + "/");
-  });
+  return std::ranges::any_of(request.paths, [&](const std::string& path) { return within(file, path); });
 }
 
-/// A number of the seed's text (FNV-1a).
-std::uint64_t number_of(const std::string& text) {
-  std::uint64_t n = 0xcbf29ce484222325u;
-  for (const unsigned char c : text) n = (n ^ c) * 0x100000001b3u;
-  return n;
-}
-
-/// Fisher and Yates's shuffle; the first `count`, in the order of their numbers.
-std::vector<Mutant> sample_of(std::vector<Mutant> all, int count, const std::string& seed) {
-  if (count == 0 || count >= static_cast<int>(all.size())) return all;
-  Random random(static_cast<double>(number_of(seed) >> 11));
+/// The first of Fisher and Yates's shuffle, in its order: what a run that is ended has tried is a fair sample
+/// too.
+std::vector<Mutant> drawn_of(std::vector<Mutant> all, const Request& request) {
+  if (!request.in.empty()) std::erase_if(all, [&](const Mutant& m) { return !within(m.file, request.in); });
+  if (all.empty())
+    throw BadInput("--in " + request.in + ": no mutants there; a path is within " + tree.string());
+  const int size = static_cast<int>(all.size());
+  const int count = request.sample == 0 ? size : std::min(request.sample, size);
+  Random random(static_cast<double>(number_of(request.seed) >> 11));
   for (int i = 0; i < count; ++i)
-    std::swap(all[static_cast<std::size_t>(i)],
-              all[static_cast<std::size_t>(i + random.below(static_cast<int>(all.size()) - i))]);
+    std::swap(all[static_cast<std::size_t>(i)], all[static_cast<std::size_t>(i + random.below(size - i))]);
   all.resize(static_cast<std::size_t>(count));
-  std::ranges::sort(all, {}, &Mutant::number);
   return all;
 }
 
@@ -96,14 +97,18 @@ Request request_of(int argc, char** argv) {
                "oddity_mutate");
   app.add_option("paths", request.paths, "Files and folders of the tree that are mutated")
       ->capture_default_str();
+  app.add_option("--in", request.in, "Try those of this file or folder alone, of all that are compiled");
   app.add_option("--sample", request.sample, "As many mutants, drawn at random; without it all")
       ->check(CLI::PositiveNumber);
   app.add_option("--seed", request.seed, "Which sample, by any word; HEAD is the commit's name")
       ->capture_default_str();
+  app.add_option("--minutes", request.minutes,
+                 "Begin no other mutant after so long; compiling is not counted")
+      ->check(CLI::PositiveNumber);
   app.add_option("--program", request.program, "The mutated tree's program, compiled already")
       ->check(CLI::ExistingFile);
   app.add_flag("--list", request.list, "Write the mutated tree, show its mutants, and end");
-  app.add_flag("--record", request.record, "Write the score to reference/approved/mutation.csv");
+  app.add_flag("--record", request.record, "Write scores and survivors to tests/mutation/*.csv");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -113,41 +118,73 @@ Request request_of(int argc, char** argv) {
   return request;
 }
 
+void list(const std::vector<Mutant>& drawn) {
+  for (const Mutant& m : drawn)
+    std::cout << m.number << " " << m.file << ":" << m.at << ": " << m.mutation << "\n";
+}
+
+/// Tries those drawn that have no outcome yet, and returns the survivors that are not on record.
+std::vector<Mutant> try_all(const std::vector<Mutant>& drawn, const Request& request, Suite& suite,
+                            Outcomes& outcomes, const Survivors& known) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::chrono::duration<double, std::ratio<60>> box(request.minutes);
+  std::vector<Mutant> unknown;
+  std::size_t done = 0;
+  for (const Mutant& m : drawn) {
+    if (!outcomes.of(m)) {
+      if (request.minutes > 0 && std::chrono::steady_clock::now() - begin > box) {
+        std::cout << "ended after " << request.minutes << " minutes\n";
+        break;
+      }
+      outcomes.add(m, suite.judge(m));
+    }
+    const Judgement& judgement = *outcomes.of(m);
+    std::cout << ++done << "/" << drawn.size() << " " << m.number << " " << m.file << ":" << m.at << ": "
+              << m.mutation << ": " << name_of(judgement.fate)
+              << (judgement.by.empty() ? "" : " by " + judgement.by) << std::endl;
+    if (judgement.fate == Fate::survived && !known.contains(m.id())) unknown.push_back(m);
+  }
+  return unknown;
+}
+
+/// Rows of rooms that this run did not try stay as they are.
+void record(const std::vector<Mutant>& all, const Outcomes& outcomes, const Survivors& known) {
+  const fs::path folder = tree / "tests/mutation";
+  const Survivors survivors = updated(known, all, outcomes);
+  Scores scores = read_scores(folder / "mutation.csv");
+  for (auto [room, score] : scores_of(all, outcomes, survivors)) {
+    score.date = today();
+    score.commit = commit();
+    scores[room] = score;
+  }
+  write_whole(folder / "survivors.csv", csv_of(survivors));
+  write_whole(folder / "mutation.csv", csv_of(scores));
+}
+
 int mutate(const Request& request) {
   const std::vector<Mutable> files =
       mutable_files(tree, built, [&](const std::string& file) { return wanted(request, file); });
   const std::vector<Mutant> all = mutants_of(files);
   if (all.empty()) throw BadInput("nothing can be mutated in these files");
   const bool changed = write_schemata(tree, files, home / "tree");
-  const std::vector<Mutant> drawn = sample_of(all, request.sample, request.seed);
+  const std::vector<Mutant> drawn = drawn_of(all, request);
   if (request.list) {
-    for (const Mutant& m : drawn)
-      std::cout << m.number << " " << m.file << ":" << m.at << ": " << m.mutation << "\n";
+    list(drawn);
     return 0;
   }
   const fs::path program = request.program.empty() ? compile(home / "tree") : fs::path(request.program);
   if (changed) fs::remove_all(home / "reached");
   Suite suite(program, home / "reached", all.size());
   Outcomes outcomes(home / "outcomes.csv", changed);
-  const Reasons reasons = read_reasons(tree / "reference/approved/survivors.csv");
-  std::string unexplained;
-  std::size_t done = 0;
-  for (const Mutant& m : drawn) {
-    if (!outcomes.of(m)) outcomes.add(m, suite.judge(m));
-    const Judgement& judgement = *outcomes.of(m);
-    std::cout << ++done << "/" << drawn.size() << " " << m.number << " " << m.file << ":" << m.at << ": "
-              << m.mutation << ": " << name_of(judgement.fate)
-              << (judgement.by.empty() ? "" : " by " + judgement.by) << std::endl;
-    if (judgement.fate == Fate::survived && !reasons.contains(m.name())) unexplained += row_of(m);
-  }
-  const Scores scores = scores_of(all, outcomes, reasons);
-  std::cout << "\n" << text_of(scores);
-  if (request.record)
-    write_whole(tree / "reference/approved/mutation.csv", csv_of(scores, today(), commit()));
-  if (unexplained.empty()) return 0;
-  std::cout << "\nThese survive: mend what should have noticed, or give each a reason in "
-               "reference/approved/survivors.csv:\n"
-            << unexplained;
+  const Survivors known = read_survivors(tree / "tests/mutation/survivors.csv");
+  const std::vector<Mutant> unknown = try_all(drawn, request, suite, outcomes, known);
+  std::cout << "\n" << text_of(scores_of(all, outcomes, known));
+  if (request.record) record(all, outcomes, known);
+  if (unknown.empty()) return 0;
+  std::cout
+      << "\nThese survive and are not in tests/mutation/survivors.csv: mend what should have noticed, or "
+         "write them down by --record, each with its reason:\n";
+  for (const Mutant& m : unknown) std::cout << m.id() << " " << m.name() << "\n";
   return 1;
 }
 

@@ -75,6 +75,7 @@ class Collector {
 
   /// Visits what the unit declares in files that no unit before has shown.
   void visit(CXTranslationUnit unit) {
+    opened_ = {};
     seen_before_ = {};
     for (const auto& [name, file] : files_) seen_before_.insert(name);
     visit_children(clang_getTranslationUnitCursor(unit), {});
@@ -107,7 +108,12 @@ class Collector {
     CXFile file = nullptr;
     clang_getSpellingLocation(clang_getCursorLocation(c), &file, nullptr, nullptr, nullptr);
     if (!file) return nullptr;
-    const std::string path = fs::weakly_canonical(text_of(clang_getFileName(file))).string();
+    const auto [known, unknown] = opened_.try_emplace(file, nullptr);
+    if (unknown) known->second = open(fs::weakly_canonical(text_of(clang_getFileName(file))).string());
+    return known->second;
+  }
+
+  Mutable* open(const std::string& path) {
     if (!path.starts_with(tree_)) return nullptr;
     const std::string name = path.substr(tree_.size());
     if (seen_before_.contains(name) || !wanted_(name)) return nullptr;
@@ -356,6 +362,7 @@ class Collector {
   std::function<bool(const std::string&)> wanted_;
   std::map<std::string, Mutable> files_;
   std::set<std::string> seen_before_;
+  std::map<CXFile, Mutable*> opened_;  ///< this unit's files; none for those that are not wanted
 };
 
 /// What clang has to know of a compile command: the language, the folders, the definitions.

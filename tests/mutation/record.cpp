@@ -1,8 +1,10 @@
 #include "tests/mutation/record.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
+#include <tuple>
 
 #include "reference/bad_input.hpp"
 #include "reference/csv.hpp"
@@ -13,9 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t name_cells = 5;
-constexpr std::string_view name_columns = "file,function,line,mutation,occurrence";
-
 std::string quoted(const std::string& cell) {
   std::string text = "\"";
   for (const char c : cell) {
@@ -25,101 +24,112 @@ std::string quoted(const std::string& cell) {
   return text + "\"";
 }
 
-std::string cells_of(const Mutant& m) {
-  return m.file + "," + quoted(m.function) + "," + quoted(m.line) + "," + quoted(m.mutation) + "," +
-         std::to_string(m.occurrence);
-}
-
-std::string name_in(const CsvRow& row) {
-  Mutant m;
-  m.file = row.cells[0];
-  m.function = row.cells[1];
-  m.line = row.cells[2];
-  m.mutation = row.cells[3];
-  m.occurrence = static_cast<int>(row.number(4));
-  return m.name();
-}
-
-CsvFile read_named(const fs::path& file, const std::string& others) {
+/// The rows of a file that has these columns; none where there is no file.
+std::vector<CsvRow> rows_of(const fs::path& file, const std::string& right) {
+  if (!fs::exists(file)) return {};
   const CsvFile csv = read_csv(file);
   std::string columns;
   for (const std::string& cell : csv.header.cells) columns += (columns.empty() ? "" : ",") + cell;
-  const std::string right = std::string(name_columns) + "," + others;
   if (columns != right) throw BadInput(csv.header.place + ": its columns are " + columns + ", not " + right);
-  return csv;
+  return csv.rows;
 }
 
 Fate fate_in(const CsvRow& row) {
   for (const Fate f : {Fate::killed, Fate::survived, Fate::not_reached})
-    if (name_of(f) == row.cells[name_cells]) return f;
-  throw BadInput(row.place + ": '" + row.cells[name_cells] + "' is not killed, survived or not reached");
+    if (name_of(f) == row.cells[1]) return f;
+  throw BadInput(row.place + ": '" + row.cells[1] + "' is not killed, survived or not reached");
 }
 
-/// chapters, solvers, reference or report.
-std::string room_of(const Mutant& m) { return m.file.substr(0, m.file.find('/')); }
+const std::string survivor_columns = "id,room,file,change,reason";
+const std::string outcome_columns = "id,outcome,by";
+const std::string score_columns = "date,commit,room,mutants,tried,killed,with_reason,survived,not_reached";
 
 }  // namespace
 
-Reasons read_reasons(const fs::path& file) {
-  Reasons reasons;
-  if (!fs::exists(file)) return reasons;
-  for (const CsvRow& row : read_named(file, "reason").rows) {
-    if (row.cells[name_cells].empty()) throw BadInput(row.place + ": a survivor needs a reason");
-    if (!reasons.emplace(name_in(row), row.cells[name_cells]).second)
+Survivors read_survivors(const fs::path& file) {
+  Survivors survivors;
+  for (const CsvRow& row : rows_of(file, survivor_columns))
+    if (!survivors.emplace(row.cells[0], Survivor{row.cells[1], row.cells[2], row.cells[3], row.cells[4]})
+             .second)
       throw BadInput(row.place + ": this survivor has a row already");
+  return survivors;
+}
+
+Survivors updated(Survivors survivors, const std::vector<Mutant>& all, const Outcomes& outcomes) {
+  for (const Mutant& m : all) {
+    const Judgement* judgement = outcomes.of(m);
+    if (!judgement) continue;
+    if (judgement->fate == Fate::survived)
+      survivors.try_emplace(m.id(), Survivor{m.room(), m.file, m.change(), ""});
+    else
+      survivors.erase(m.id());
   }
-  return reasons;
+  return survivors;
+}
+
+std::string csv_of(const Survivors& survivors) {
+  std::vector<std::pair<std::string, Survivor>> rows(survivors.begin(), survivors.end());
+  std::ranges::sort(rows, {}, [](const auto& row) { return std::tie(row.second.file, row.second.change); });
+  std::string text =
+      "# Mutants that the suite does not notice, as oddity_mutate --record found them. `reason` is written by "
+      "hand: why nothing\n# has to notice; where it is empty, something should. `change`: function, line, what is "
+      "made of it.\n" +
+      survivor_columns + "\n";
+  for (const auto& [id, s] : rows)
+    text += id + "," + s.room + "," + s.file + "," + quoted(s.change) + "," + quoted(s.reason) + "\n";
+  return text;
 }
 
 Outcomes::Outcomes(fs::path file, bool killed_alone) : file_(std::move(file)) {
-  if (!fs::exists(file_)) return;
-  for (const CsvRow& row : read_named(file_, "outcome,by").rows) {
-    const Judgement judgement{fate_in(row), row.cells[name_cells + 1]};
-    all_.erase(name_in(row));
-    if (!killed_alone || judgement.fate == Fate::killed) all_[name_in(row)] = judgement;
+  for (const CsvRow& row : rows_of(file_, outcome_columns)) {
+    const Judgement judgement{fate_in(row), row.cells[2]};
+    all_.erase(row.cells[0]);
+    if (!killed_alone || judgement.fate == Fate::killed) all_[row.cells[0]] = judgement;
   }
 }
 
 const Judgement* Outcomes::of(const Mutant& m) const {
-  const auto at = all_.find(m.name());
+  const auto at = all_.find(m.id());
   return at == all_.end() ? nullptr : &at->second;
 }
 
 void Outcomes::add(const Mutant& m, const Judgement& judgement) {
-  all_[m.name()] = judgement;
+  all_[m.id()] = judgement;
   const bool fresh = !fs::exists(file_);
   std::ofstream out(file_, std::ios::app);
-  if (fresh) out << name_columns << ",outcome,by\n";
-  out << cells_of(m) << "," << name_of(judgement.fate) << "," << quoted(judgement.by) << std::endl;
+  if (fresh) out << outcome_columns << "\n";
+  out << m.id() << "," << name_of(judgement.fate) << "," << quoted(judgement.by) << std::endl;
   if (!out) throw BadInput("cannot write to " + file_.string());
 }
 
-Scores scores_of(const std::vector<Mutant>& all, const Outcomes& outcomes, const Reasons& reasons) {
+Scores scores_of(const std::vector<Mutant>& all, const Outcomes& outcomes, const Survivors& survivors) {
   Scores scores;
   for (const Mutant& m : all) {
-    Score& score = scores[room_of(m)];
+    Score& score = scores[m.room()];
     ++score.mutants;
     const Judgement* judgement = outcomes.of(m);
     if (!judgement) continue;
     ++score.tried;
+    const auto known = survivors.find(m.id());
     if (judgement->fate == Fate::killed)
       ++score.killed;
     else if (judgement->fate == Fate::not_reached)
       ++score.not_reached;
     else
-      ++(reasons.contains(m.name()) ? score.with_reason : score.survived);
+      ++(known != survivors.end() && !known->second.reason.empty() ? score.with_reason : score.survived);
   }
+  std::erase_if(scores, [](const auto& room) { return room.second.tried == 0; });
   return scores;
 }
 
 std::string text_of(const Scores& scores) {
   std::ostringstream out;
-  out << std::left << std::setw(10) << "room" << std::right;
+  out << std::left << std::setw(32) << "room" << std::right;
   for (const char* column : {"mutants", "tried", "killed", "with reason", "survived", "not reached"})
     out << std::setw(13) << column;
   out << "\n";
   for (const auto& [room, s] : scores) {
-    out << std::left << std::setw(10) << room << std::right;
+    out << std::left << std::setw(32) << room << std::right;
     for (const int n : {s.mutants, s.tried, s.killed, s.with_reason, s.survived, s.not_reached})
       out << std::setw(13) << n;
     out << "\n";
@@ -127,16 +137,27 @@ std::string text_of(const Scores& scores) {
   return out.str();
 }
 
-std::string csv_of(const Scores& scores, const std::string& date, const std::string& commit) {
+Scores read_scores(const fs::path& file) {
+  Scores scores;
+  for (const CsvRow& row : rows_of(file, score_columns)) {
+    const auto count = [&](std::size_t i) { return static_cast<int>(row.number(i)); };
+    scores[row.cells[2]] = {row.cells[0], row.cells[1], count(3), count(4),
+                            count(5),     count(6),     count(7), count(8)};
+  }
+  return scores;
+}
+
+std::string csv_of(const Scores& scores) {
   std::ostringstream out;
-  out << "# Mutants tried by the suite, as oddity_mutate --record wrote it; with_reason: survivors of survivors.csv.\n"
-      << "date,commit,room,mutants,tried,killed,with_reason,survived,not_reached\n";
+  out << "# Mutants and what the suite made of those tried, drawn at random, as oddity_mutate --record wrote it "
+         "at that commit.\n"
+         "# tried = killed + with_reason + survived + not_reached. with_reason: survivors that have a reason in "
+         "survivors.csv;\n# not_reached: no exercise runs that code. Rooms without a row were not tried.\n"
+      << score_columns << "\n";
   for (const auto& [room, s] : scores)
-    out << date << "," << commit << "," << room << "," << s.mutants << "," << s.tried << "," << s.killed
+    out << s.date << "," << s.commit << "," << room << "," << s.mutants << "," << s.tried << "," << s.killed
         << "," << s.with_reason << "," << s.survived << "," << s.not_reached << "\n";
   return out.str();
 }
-
-std::string row_of(const Mutant& m) { return cells_of(m) + ",\n"; }
 
 }  // namespace oddity::mutation

@@ -9,9 +9,12 @@
 
 namespace oddity::mutation {
 
-/// The survivors on record: by name of the mutant, why nothing has to notice it.
-using Reasons = std::map<std::string, std::string>;
-Reasons read_reasons(const std::filesystem::path& file);
+/// A row of survivors.csv: a mutant that nothing notices, and why nothing has to, or "" where it should be.
+struct Survivor {
+  std::string room, file, change, reason;
+};
+using Survivors = std::map<std::string, Survivor>;  ///< by id
+Survivors read_survivors(const std::filesystem::path& file);
 
 /// What became of mutants in this run and before. Each is written down at once, so that a run that is
 /// interrupted goes on where it was.
@@ -27,17 +30,23 @@ class Outcomes {
   std::map<std::string, Judgement> all_;
 };
 
-/// What became of the mutants tried, room by room.
+/// The survivors on record as this run leaves them: those killed now are gone, new ones have no reason yet.
+Survivors updated(Survivors, const std::vector<Mutant>& all, const Outcomes&);
+std::string csv_of(const Survivors&);
+
+/// What became of the mutants tried in one room, and when.
 struct Score {
+  std::string date, commit;
   int mutants = 0, tried = 0, killed = 0, with_reason = 0, survived = 0, not_reached = 0;
 };
-using Scores = std::map<std::string, Score>;
-Scores scores_of(const std::vector<Mutant>& all, const Outcomes&, const Reasons&);
+using Scores = std::map<std::string, Score>;  ///< by room
+/// Of the rooms of which a mutant was tried.
+Scores scores_of(const std::vector<Mutant>& all, const Outcomes&, const Survivors&);
 
-/// A table for people, and the same as CSV with what the run was.
+/// A table for people.
 std::string text_of(const Scores&);
-std::string csv_of(const Scores&, const std::string& date, const std::string& commit);
-/// A row of survivors.csv whose reason is still to be written.
-std::string row_of(const Mutant&);
+/// The scores on record, and as they are written there.
+Scores read_scores(const std::filesystem::path& file);
+std::string csv_of(const Scores&);
 
 }  // namespace oddity::mutation

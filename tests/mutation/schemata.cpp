@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iomanip>
 #include <map>
 #include <set>
+#include <sstream>
 #include <tuple>
 
 #include "reference/files.hpp"
@@ -122,9 +124,28 @@ std::string read(const fs::path& file) {
 
 }  // namespace
 
-std::string Mutant::name() const {
-  return file + ": " + function + ": " + line + ": " + mutation +
+std::string Mutant::change() const {
+  return function + ": " + line + ": " + mutation +
          (occurrence > 1 ? " (" + std::to_string(occurrence) + ")" : "");
+}
+
+std::string Mutant::name() const { return file + ": " + change(); }
+
+std::string Mutant::id() const {
+  std::ostringstream id;
+  id << std::hex << std::setfill('0') << std::setw(16) << number_of(name());
+  return id.str();
+}
+
+std::string Mutant::room() const {
+  const auto folder = file.rfind('/'), first = file.find('/'), second = file.find('/', first + 1);
+  return file.substr(0, std::min(folder, second));
+}
+
+std::uint64_t number_of(const std::string& text) {
+  std::uint64_t n = 0xcbf29ce484222325u;
+  for (const unsigned char c : text) n = (n ^ c) * 0x100000001b3u;
+  return n;
 }
 
 std::vector<Mutant> mutants_of(const std::vector<Mutable>& files) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,7 +18,13 @@ struct Mutant {
   int at = 0;  ///< its line's number
 
   std::string name() const;
+  std::string change() const;  ///< its name within the file
+  std::string id() const;      ///< a number of its name, as records have it
+  std::string room() const;    ///< its folder, two levels deep at most
 };
+
+/// A number of a text, the same on every machine (FNV-1a).
+std::uint64_t number_of(const std::string& text);
 
 /// All mutants of the files, in their order.
 std::vector<Mutant> mutants_of(const std::vector<Mutable>& files);
