@@ -104,8 +104,8 @@ std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims
                                       escaped(right.text, false) + ".";
   return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
          "** (" + kind + "line " + std::to_string(claim.line) +
-         (proved.contains(claim.id) ? ", proved by Coq" : "") + "): " + escaped(claim.says, false) + "." +
-         meant + "\n\n" + prose(claim.why) + "\n\n" + numbers_of(judged);
+         (proved.contains(claim.id) ? ", proved" : "") + "): " + escaped(claim.says, false) + "." + meant +
+         "\n\n" + prose(claim.why) + "\n\n" + numbers_of(judged);
 }
 
 /// What a confirmed claim was compared with: another route, or samples.
@@ -222,7 +222,7 @@ std::string other_claims(const ExerciseResult& e, const ProvedClaims& proved) {
   }
   if (confirmed == 0) return open;
   return open + folded(counted(confirmed, "confirmed claim", "confirmed claims") +
-                           (by_coq == 0 ? "" : ", " + std::to_string(by_coq) + " proved by Coq (†)"),
+                           (by_coq == 0 ? "" : ", " + std::to_string(by_coq) + " proved (†)"),
                        confirmed_lines(e, proved));
 }
 

@@ -148,8 +148,8 @@ std::string legend() {
          "*grazing* (whether an event happens is below the algorithm's error). A motion is judged at the few "
          "times that are named with it, and may err more between them; the cheapest models, and `oddity "
          "choose`, judge every frame.\n\n"
-         "A page shows at most eight methods of a quantity. All trials are in the results file "
-         "(`oddity verify --results FILE`) and on the pages of `oddity site`; `oddity chart` draws them all.\n";
+         "A page shows at most eight methods of a quantity; `oddity site` has all trials, and `oddity chart` draws "
+         "them. Coq has proved what is marked † or *proved*.\n";
 }
 
 std::string unfold(const std::string& summary, const std::string& text) {
@@ -297,7 +297,7 @@ std::string times_page(const Results& results) {
   return "# Times\n\nFor each quantity the fastest method within the need. A time is the median of several "
          "batches, measured alone in the run that made this report. "
          "Times differ from run to run and from machine to machine; the counted work on the other pages "
-         "does not. `oddity chart` draws all methods by time.\n\n" +
+         "does not.\n\n" +
          table({"quantity", "fastest", "time"}, rows, "2") + "[All exercises](README.md)\n";
 }
 

@@ -5,7 +5,6 @@
 
 #include "reference/text.hpp"
 #include "report/pages/markup.hpp"
-#include "report/pages/true_values.hpp"
 #include "report/study/findings.hpp"
 #include "report/study/prove.hpp"
 
@@ -43,14 +42,14 @@ std::string axioms() {
 std::string rests_on(Standing standing) {
   switch (standing) {
     case Standing::proved:
-      return "Coq's kernel, and no other axioms than these: " + axioms();
+      return "Coq's kernel and these axioms: " + axioms();
     case Standing::provable:
     case Standing::computed:
       return "two routes and near misses over samples";
     case Standing::wording:
       return "reading";
     case Standing::unclassed:
-      return "nothing yet: approved/unproved.csv needs a row";
+      return "nothing: approved/unproved.csv needs a row";
   }
   return "";
 }
@@ -60,7 +59,7 @@ std::string printed_off(const Results& results, const ProvedClaims& proved) {
   for (const ExerciseResult& e : results.exercises)
     for (const JudgedClaim& c : e.claims)
       if (const auto found = proved.find(c.claim.id); found != proved.end()) off += found->second.margin > 0;
-  return off == 0 ? "" : counted(off, "printed value is", "printed values are") + " proved wrong by a margin";
+  return off == 0 ? "" : counted(off, "printed value is", "printed values are") + " proved wrong";
 }
 
 /// For each standing how many claims have it, and why they are not proved.
@@ -107,7 +106,7 @@ Part errata_witnessed(const Results& results, const Witnessed& w) {
     errata += static_cast<long>(claims_of(e, Verdict::erratum).size());
   return {"witnessed",
           {"errata", w.right_and_printed + w.by_verdict, errata},
-          "scripts of PARI/GP that know nothing of this code",
+          "PARI/GP's own scripts",
           {{"at the suite's letters, to ten digits", w.right_and_printed, errata},
            {"at letters of their own", w.by_verdict, errata},
            {"nothing to compute", w.words, errata}}};
@@ -131,7 +130,7 @@ Part mutants_killed(const std::vector<Mutated>& record) {
                           std::to_string(m.survived) + " without; " + std::to_string(m.not_reached) +
                           " not reached; " + std::to_string(m.mutants) + " in all",
                       m.date, m.commit});
-  return recorded("killed", "mutants tried", "libclang's reading of the sources, and the suite", shares);
+  return recorded("killed", "mutants tried", "libclang and the suite", shares);
 }
 
 Part inputs_survived(const std::vector<Fuzzed>& record) {
@@ -139,15 +138,14 @@ Part inputs_survived(const std::vector<Fuzzed>& record) {
   for (const Fuzzed& f : record)
     shares.push_back({f.subject, f.inputs - f.crashes, f.inputs,
                       "in " + format_significant(f.seconds, 3) + " s", f.date, f.commit});
-  return recorded("fuzzed", "inputs read without a crash",
-                  "libFuzzer, with sanitizers of addresses and undefined behaviour", shares);
+  return recorded("fuzzed", "inputs read without a crash", "libFuzzer and sanitizers", shares);
 }
 
 Part faults_survived(const std::vector<Faulted>& record) {
   std::vector<Share> shares;
   for (const Faulted& f : record)
     shares.push_back({f.subject + ", " + f.fault, f.trials - f.failures, f.trials, "", f.date, f.commit});
-  return recorded("survived", "faults", "the files, exit codes and messages that each verb left", shares);
+  return recorded("survived", "faults", "files, exit codes and messages", shares);
 }
 
 Parts parts_of(const Results& results, const Trust& trust) {
@@ -168,18 +166,27 @@ std::string amount(const Share& s) {
 
 std::string when(const Share& s) { return s.date.empty() ? "" : s.date + ", " + s.commit; }
 
+/// "derivatives 200, limits 11, others 3".
+std::string largest(const std::vector<Share>& shares) {
+  constexpr std::size_t most = 2;
+  if (shares.size() < 2) return "";
+  std::string text;
+  long others = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (i < most)
+      text +=
+          (i == 0 ? ": " : "; ") + escaped(shares[i].subject, false) + " " + std::to_string(shares[i].count);
+    else
+      others += shares[i].count;
+  return text + (others > 0 ? "; others " + std::to_string(others) : "");
+}
+
 std::string in_a_line(const Part& part) {
-  constexpr std::size_t most = 16;
   std::string text = "- **" + part.name + "**: " + amount(part.all) + (amount(part.all).empty() ? "" : " ") +
                      escaped(part.all.subject, false);
   if (!part.all.says.empty()) text += ", " + escaped(part.all.says, false);
   if (!part.all.date.empty()) text += " (" + when(part.all) + ")";
-  text += "; rests on " + escaped(part.rests_on, false);
-  if (part.shares.size() > 1 && part.shares.size() <= most)
-    for (const Share& s : part.shares)
-      text += (&s == part.shares.data() ? ": " : "; ") + escaped(s.subject, false) + " " +
-              std::to_string(s.count);
-  return text + ".\n";
+  return text + largest(part.shares) + ". *By " + escaped(part.rests_on, false) + ".*\n";
 }
 
 std::vector<Cell> cells(const Part& part, const Share& s) {
@@ -209,10 +216,9 @@ Table trust_table(const Results& results, const Trust& trust) {
 
 std::string trust_page(const Results& results, const Trust& trust) {
   std::string text =
-      "# What all this rests on\n\n`oddity trust --csv` has all figures. *Provable* is what nobody has written a proof "
-      "of yet; no proof is to be had of what is *computed*.\n\n";
+      "# What all this rests on\n\n`oddity trust --csv` has all figures. *Provable*: nobody has written the proof yet.\n\n";
   for (const Part& part : parts_of(results, trust)) text += in_a_line(part);
-  return text + "\n" + true_values(trust.bounds) + "\n[All exercises](README.md)\n";
+  return text + "\n[All exercises](README.md)\n";
 }
 
 }  // namespace oddity
