@@ -123,13 +123,12 @@ void list(const std::vector<Mutant>& drawn) {
     std::cout << m.number << " " << m.file << ":" << m.at << ": " << m.mutation << "\n";
 }
 
-/// Tries those drawn that have no outcome yet, and returns the survivors that are not on record.
+/// Tries those drawn that have no outcome yet, and returns all that have one now: the first of those drawn.
 std::vector<Mutant> try_all(const std::vector<Mutant>& drawn, const Request& request, Suite& suite,
-                            Outcomes& outcomes, const Survivors& known) {
+                            Outcomes& outcomes) {
   const auto begin = std::chrono::steady_clock::now();
   const std::chrono::duration<double, std::ratio<60>> box(request.minutes);
-  std::vector<Mutant> unknown;
-  std::size_t done = 0;
+  std::vector<Mutant> tried;
   for (const Mutant& m : drawn) {
     if (!outcomes.of(m)) {
       if (request.minutes > 0 && std::chrono::steady_clock::now() - begin > box) {
@@ -139,20 +138,21 @@ std::vector<Mutant> try_all(const std::vector<Mutant>& drawn, const Request& req
       outcomes.add(m, suite.judge(m));
     }
     const Judgement& judgement = *outcomes.of(m);
-    std::cout << ++done << "/" << drawn.size() << " " << m.number << " " << m.file << ":" << m.at << ": "
-              << m.mutation << ": " << name_of(judgement.fate)
+    tried.push_back(m);
+    std::cout << tried.size() << "/" << drawn.size() << " " << m.number << " " << m.file << ":" << m.at
+              << ": " << m.mutation << ": " << name_of(judgement.fate)
               << (judgement.by.empty() ? "" : " by " + judgement.by) << std::endl;
-    if (judgement.fate == Fate::survived && !known.contains(m.id())) unknown.push_back(m);
   }
-  return unknown;
+  return tried;
 }
 
 /// Rows of rooms that this run did not try stay as they are.
-void record(const std::vector<Mutant>& all, const Outcomes& outcomes, const Survivors& known) {
+void record(const std::vector<Mutant>& all, const std::vector<Mutant>& tried, const Outcomes& outcomes,
+            const Survivors& known) {
   const fs::path folder = tree / "tests/mutation";
-  const Survivors survivors = updated(known, all, outcomes);
+  const Survivors survivors = updated(known, tried, outcomes);
   Scores scores = read_scores(folder / "mutation.csv");
-  for (auto [room, score] : scores_of(all, outcomes, survivors)) {
+  for (auto [room, score] : scores_of(all, tried, outcomes, survivors)) {
     score.date = today();
     score.commit = commit();
     scores[room] = score;
@@ -177,9 +177,12 @@ int mutate(const Request& request) {
   Suite suite(program, home / "reached", all.size());
   Outcomes outcomes(home / "outcomes.csv", changed);
   const Survivors known = read_survivors(tree / "tests/mutation/survivors.csv");
-  const std::vector<Mutant> unknown = try_all(drawn, request, suite, outcomes, known);
-  std::cout << "\n" << text_of(scores_of(all, outcomes, known));
-  if (request.record) record(all, outcomes, known);
+  const std::vector<Mutant> tried = try_all(drawn, request, suite, outcomes);
+  std::cout << "\n" << text_of(scores_of(all, tried, outcomes, known));
+  if (request.record) record(all, tried, outcomes, known);
+  std::vector<Mutant> unknown;
+  for (const Mutant& m : tried)
+    if (outcomes.of(m)->fate == Fate::survived && !known.contains(m.id())) unknown.push_back(m);
   if (unknown.empty()) return 0;
   std::cout
       << "\nThese survive and are not in tests/mutation/survivors.csv: mend what should have noticed, or "

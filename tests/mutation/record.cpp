@@ -55,10 +55,9 @@ Survivors read_survivors(const fs::path& file) {
   return survivors;
 }
 
-Survivors updated(Survivors survivors, const std::vector<Mutant>& all, const Outcomes& outcomes) {
-  for (const Mutant& m : all) {
+Survivors updated(Survivors survivors, const std::vector<Mutant>& tried, const Outcomes& outcomes) {
+  for (const Mutant& m : tried) {
     const Judgement* judgement = outcomes.of(m);
-    if (!judgement) continue;
     if (judgement->fate == Fate::survived)
       survivors.try_emplace(m.id(), Survivor{m.room(), m.file, m.change(), ""});
     else
@@ -102,14 +101,14 @@ void Outcomes::add(const Mutant& m, const Judgement& judgement) {
   if (!out) throw BadInput("cannot write to " + file_.string());
 }
 
-Scores scores_of(const std::vector<Mutant>& all, const Outcomes& outcomes, const Survivors& survivors) {
+Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& tried, const Outcomes& outcomes,
+                 const Survivors& survivors) {
   Scores scores;
-  for (const Mutant& m : all) {
+  for (const Mutant& m : all) ++scores[m.room()].mutants;
+  for (const Mutant& m : tried) {
     Score& score = scores[m.room()];
-    ++score.mutants;
-    const Judgement* judgement = outcomes.of(m);
-    if (!judgement) continue;
     ++score.tried;
+    const Judgement* judgement = outcomes.of(m);
     const auto known = survivors.find(m.id());
     if (judgement->fate == Fate::killed)
       ++score.killed;

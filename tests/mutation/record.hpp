@@ -31,7 +31,7 @@ class Outcomes {
 };
 
 /// The survivors on record as this run leaves them: those killed now are gone, new ones have no reason yet.
-Survivors updated(Survivors, const std::vector<Mutant>& all, const Outcomes&);
+Survivors updated(Survivors, const std::vector<Mutant>& tried, const Outcomes&);
 std::string csv_of(const Survivors&);
 
 /// What became of the mutants tried in one room, and when.
@@ -41,7 +41,8 @@ struct Score {
 };
 using Scores = std::map<std::string, Score>;  ///< by room
 /// Of the rooms of which a mutant was tried.
-Scores scores_of(const std::vector<Mutant>& all, const Outcomes&, const Survivors&);
+Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& tried, const Outcomes&,
+                 const Survivors&);
 
 /// A table for people.
 std::string text_of(const Scores&);

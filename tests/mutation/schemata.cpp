@@ -117,6 +117,12 @@ std::vector<fs::path> sources_of(const fs::path& tree) {
   return files;
 }
 
+/// Whether what the suite computes may depend on the file.
+bool computed(const std::string& file) {
+  static const std::set<std::string> rooms{"chapters", "solvers", "reference", "report"};
+  return rooms.contains(file.substr(0, file.find('/')));
+}
+
 std::string read(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -193,7 +199,7 @@ bool write_schemata(const fs::path& tree, const std::vector<Mutable>& files, con
     if (fs::exists(copy / file) && read(copy / file) == text) continue;
     write_whole(copy / file, text);
     fs::permissions(copy / file, fs::status(tree / file).permissions());
-    changed = true;
+    changed |= computed(file.string());
   }
   return changed;
 }

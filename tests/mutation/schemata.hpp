@@ -33,7 +33,7 @@ std::vector<Mutant> mutants_of(const std::vector<Mutable>& files);
 std::string schema(const Mutable& file, int first);
 
 /// Writes a copy of the tree in which the files have their mutants. What is there already and is the same is
-/// not touched, so that little is compiled again. Whether anything was.
+/// not touched, so that little is compiled again. Whether anything was that the suite computes with.
 bool write_schemata(const std::filesystem::path& tree, const std::vector<Mutable>& files,
                     const std::filesystem::path& copy);
 
