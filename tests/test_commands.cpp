@@ -320,7 +320,7 @@ TEST_CASE("a broken table is named with its line and ends with 2", "[commands]")
   replace_in(folder / "tables/03_05_quarter_period.csv", "1,I,2.3687", "1,I,x2.3687");
   const Ran broken = run("--reference " + folder.string() + " verify '[3.5]'");
   CHECK(broken.status == 2);
-  CHECK(says(broken, "03_05_quarter_period.csv:11: 'x2.3687"));
+  CHECK(says(broken, "03_05_quarter_period.csv:12: 'x2.3687"));
   fs::remove(folder / "tables/03_05_quarter_period.csv");
   const Ran missing = run("--reference " + folder.string() + " verify '[3.5]'");
   CHECK(missing.status == 2);

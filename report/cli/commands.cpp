@@ -40,7 +40,7 @@ struct Session {
               proofs_out = proofs_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
   std::string engine = {};
-  bool page = false, lanes = false, kept = false;
+  bool page = false, lanes = false, verbs = false, kept = false;
   std::vector<double> rates{60, 240};
   int finest = 32;
   AskedNeed need = {};
@@ -325,18 +325,24 @@ void add_stability(CLI::App& app, Session& s) {
 void add_bench(CLI::App& app, Session& s) {
   auto* bench = verb(
       app, "bench",
-      "Measure how fast this build is: against loops by hand, its best methods, the suite; or lanes.",
+      "Measure how fast this build is: against loops by hand, its best methods, the suite; or lanes, or the verbs.",
       "Times mean something only on an idle machine. The exit code is 1 when a limit is broken.\n"
       "Columns: part (race, contest, series, chain or suite), subject, measured, value, half_width (of its quartiles), unit, "
       "at_most, verdict (holds, undecided or BROKEN, where there is a limit); a row for each number.\n"
       "With --lanes: scene, model, algorithm, precision, registers, width, taken (the widest), seconds_alone and "
       "seconds (a body a frame), share (of the width that lanes are faster), at_least, verdict, bodies, "
       "same_bits (how many have them), and the half_width of each time and share.\n"
-      "Examples:\n  oddity bench\n  oddity bench --csv\n  oddity bench --lanes 3.5 3.33",
+      "With --verbs: part (verb or growth), subject, amount (of what grows), seconds, cpu_seconds, peak_bytes, "
+      "failure (how it ended, unless well).\n"
+      "Examples:\n  oddity bench\n  oddity bench --csv\n  oddity bench --lanes 3.5 3.33\n  oddity bench --verbs",
       [&] {
-        s.status = s.lanes ? verbs::bench_lanes(s.exercises, s.format()) : verbs::bench(s.folder, s.format());
+        s.status = s.lanes   ? verbs::bench_lanes(s.exercises, s.format())
+                   : s.verbs ? verbs::bench_verbs(s.format())
+                             : verbs::bench(s.folder, s.format());
       });
   auto* lanes = bench->add_flag("--lanes", s.lanes, "the scenes' models in lanes, beside each alone");
+  bench->add_flag("--verbs", s.verbs, "time and peak memory of each verb, and how its work grows")
+      ->excludes(lanes);
   bench->add_option("scenes", s.exercises, "with --lanes, these scenes, by number; else all")->needs(lanes);
   add_formats(*bench, s, "the numbers measured");
 }

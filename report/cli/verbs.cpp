@@ -13,6 +13,7 @@
 #include "report/cli/asked.hpp"
 #include "report/cli/bench.hpp"
 #include "report/cli/bench_lanes.hpp"
+#include "report/cli/bench_verbs.hpp"
 #include "report/cli/engines.hpp"
 #include "report/cli/settings.hpp"
 #include "report/lanes/price.hpp"
@@ -306,6 +307,16 @@ int bench_lanes(const std::vector<std::string>& scenes, Format format) {
   else
     print(lanes_table(result), format);
   return result.broken();
+}
+
+int bench_verbs(Format format) {
+  const VerbsBench result =
+      with_progress([](const Progress& progress) { return oddity::bench_verbs(progress); });
+  if (format == Format::text)
+    std::cout << verbs_view(result, output());
+  else
+    print(verbs_table(result), format);
+  return std::ranges::any_of(result.verbs, [](const VerbCost& v) { return !v.failure.empty(); });
 }
 
 }  // namespace oddity::verbs

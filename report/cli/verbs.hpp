@@ -53,6 +53,8 @@ void create(NewExercise);
 int bench(const fs::path& folder, Format);
 /// The same of models in lanes, of all scenes when there are no numbers.
 int bench_lanes(const std::vector<std::string>& scenes, Format);
+/// Of each verb as a program of its own; 1 when one failed.
+int bench_verbs(Format);
 
 struct AskedEngines {
   std::vector<std::string> scenes;  ///< by number or name; none: all

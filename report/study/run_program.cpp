@@ -65,6 +65,10 @@ pid_t spawn(const std::vector<std::string>& command, int input, int output, int 
   return child;
 }
 
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 }  // namespace
 
 Ended run_program(const std::vector<std::string>& command, const std::string& input,
@@ -81,7 +85,8 @@ Ended run_program(const std::vector<std::string>& command, const std::string& in
   const auto deadline = std::chrono::steady_clock::now() + limit;
   int status = 0;
   bool late = false;
-  while (waitpid(child, &status, WNOHANG) == 0) {
+  rusage used{};
+  while (wait4(child, &status, WNOHANG, &used) == 0) {
     if (!late && std::chrono::steady_clock::now() > deadline) {
       late = true;
       kill(child, SIGKILL);
@@ -93,7 +98,10 @@ Ended run_program(const std::vector<std::string>& command, const std::string& in
           late                  ? "no answer within " + format_significant(seconds, 3) + " s"
           : WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
                                 : "status " + std::to_string(WEXITSTATUS(status)),
-          said.read(4000), answered.read(std::string::npos)};
+          said.read(4000),
+          answered.read(std::string::npos),
+          seconds_of(used.ru_utime) + seconds_of(used.ru_stime),
+          1024.0 * static_cast<double>(used.ru_maxrss)};
 }
 
 }  // namespace oddity

@@ -6,12 +6,13 @@
 
 namespace oddity {
 
-/// How a program ended, and what it said on standard error.
+/// How a program ended, what it said on standard error, and what it took.
 struct Ended {
   bool ok = false;
   std::string how;  ///< "status 1", "signal 9", "no answer within 60 s"
   std::string words;
   std::string output;  ///< standard output
+  double cpu_seconds = 0, peak_bytes = 0;
 };
 
 /// Runs a program, without a shell, with `input` on its standard input; it is killed at the limit. It gets no
