@@ -2,8 +2,12 @@
 
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/03_rigid_body_motion/09_damped_ball/models.hpp"
+#include "chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"
+#include "chapters/03_rigid_body_motion/25_chain/models.hpp"
+#include "chapters/03_rigid_body_motion/27_two_bodies/models.hpp"
 #include "chapters/examples/bouncing_ball/models.hpp"
 #include "chapters/scene.hpp"
+#include "tests/models_in_numbers.hpp"
 #include "tests/properties.hpp"
 
 using namespace oddity;
@@ -19,7 +23,87 @@ std::string more_than(double off, double allowed, double t) {
                               format_shortest(allowed);
 }
 
+/// The parameters, the time and the observables that make of a motion another one, each by its factor.
+struct Map {
+  std::vector<double> parameters;
+  double time;
+  std::vector<double> observables;
+};
+
+/// Powers of the units of mass, length and time.
+using Dimensions = std::array<int, 3>;
+
+/// Of a power of two whose roots are powers of two as well, so that not a bit changes.
+double in_other_units(const Dimensions& d) { return std::ldexp(1, 4 * d[0] + 8 * d[1] - 12 * d[2]); }
+
+Map other_units(const std::vector<Dimensions>& parameters, const std::vector<Dimensions>& observables) {
+  Map map{{}, in_other_units({0, 0, 1}), {}};
+  for (const Dimensions& d : parameters) map.parameters.push_back(in_other_units(d));
+  for (const Dimensions& d : observables) map.observables.push_back(in_other_units(d));
+  return map;
+}
+
+/// Every model of a scene makes of the mapped parameters the mapped motion, in every bit.
+template <template <class> class Given>
+void check_map(std::string_view number, const std::string& says, const Map& map) {
+  const Entry& entry = entry_of(number);
+  properties::check(entry, says, 20, [&](const Parameters& p) {
+    std::vector<double> values, mapped;
+    for (std::size_t i = 0; i < map.parameters.size(); ++i) {
+      values.push_back(p[entry.exercise.parameters[i].name]);
+      mapped.push_back(map.parameters[i] * values[i]);
+    }
+    const double end = entry.exercise.scene->horizon / 200;
+    std::string wrong;
+    const auto look = [&](const auto& model, const auto& other) {
+      const auto here = models_test::at_end<double>(model, end),
+                 there = models_test::at_end<double>(other, map.time * end);
+      for (std::size_t k = 0; k < map.observables.size() && wrong.empty(); ++k)
+        if (const double expected = map.observables[k] * here[k];
+            there[k] != expected && !(std::isnan(there[k]) && std::isnan(expected)))
+          wrong = "observable " + std::to_string(k + 1) + " is " + format_shortest(there[k]) + " and not " +
+                  format_shortest(expected);
+    };
+    std::apply(
+        [&](const auto&... model) {
+          std::apply([&](const auto&... other) { (look(model, other), ...); },
+                     models(models_test::given<Given, double>(mapped)));
+        },
+        models(models_test::given<Given, double>(values)));
+    return wrong;
+  });
+}
+
+constexpr Dimensions number{}, mass{1, 0, 0}, length{0, 1, 0}, speed{0, 1, -1}, acceleration{0, 1, -2},
+    angular_speed{0, 0, -1}, stiffness{1, 0, -2}, damping{1, 0, -1}, inertia{1, 2, 0};
+
 }  // namespace
+
+TEST_CASE("in other units a motion is the same, in every bit", "[properties]") {
+  const std::string says = "numbers in other units give the motion in these";
+  check_map<pendulum::Given>("3.5", says, other_units({number, length, acceleration}, {number}));
+  check_map<damped_ball::Given>(
+      "3.9", says, other_units({mass, stiffness, damping, length, length, speed, speed}, {length, length}));
+  check_map<two_pulleys::Given>(
+      "3.19", says,
+      other_units({mass, mass, inertia, inertia, length, length, stiffness, stiffness, length, length, length,
+                   length, acceleration, length, length, speed, speed},
+                  {length, length}));
+  check_map<chain::Given>("3.25", says,
+                          other_units({mass, mass, mass, length, length, length, acceleration, length, number,
+                                       number, number, angular_speed, angular_speed, angular_speed},
+                                      {length, length, length, length, length, length}));
+  check_map<two_bodies::Given>(
+      "3.27", says,
+      other_units({{-1, 3, -2}, mass, mass, length, speed, number, angular_speed}, {length, length}));
+}
+
+TEST_CASE("a mirrored start gives the mirrored motion, in every bit", "[properties]") {
+  const std::string says = "mirrored at the start, it is mirrored for ever";
+  check_map<chain::Given>("3.25", says,
+                          {{1, 1, 1, 1, 1, 1, 1, 1, -1, -1, -1, -1, -1, -1}, 1, {-1, 1, -1, 1, -1, 1}});
+  check_map<two_bodies::Given>("3.27", says, {{1, 1, 1, 1, 1, -1, -1}, 1, {1, -1}});
+}
 
 TEST_CASE("a small swing is the small angle's, but for its longer period", "[properties]") {
   properties::check(
