@@ -22,9 +22,9 @@ Given<To> rounded_to(const Given<From>& given) {
   constexpr std::size_t n = sizeof(Given<From>) / sizeof(From);
   static_assert(sizeof(Given<To>) == n * sizeof(To));
   const auto numbers = std::bit_cast<std::array<From, n>>(given);
-  std::array<To, n> format_significant;
-  for (std::size_t i = 0; i < n; ++i) format_significant[i] = static_cast<To>(numbers[i]);
-  return std::bit_cast<Given<To>>(format_significant);
+  std::array<To, n> rounded;
+  for (std::size_t i = 0; i < n; ++i) rounded[i] = static_cast<To>(numbers[i]);
+  return std::bit_cast<Given<To>>(rounded);
 }
 
 /// What roundings do to a motion, as the model in double shows it.
@@ -73,8 +73,8 @@ class IntegratedInFloat : public ModelInFloat {
  public:
   using InDouble = std::shared_ptr<const ModelOf<n>>;
 
-  IntegratedInFloat(const Horizon& horizon, InDouble exact, InDouble format_significant)
-      : ModelInFloat(horizon), exact_(std::move(exact)), rounded_(std::move(format_significant)) {}
+  IntegratedInFloat(const Horizon& horizon, InDouble exact, InDouble rounded)
+      : ModelInFloat(horizon), exact_(std::move(exact)), rounded_(std::move(rounded)) {}
   bool has(std::string_view algorithm) const final;
   Answer run(std::string_view algorithm, double setting) const final;
   double roundings(double setting) const final;
@@ -92,9 +92,8 @@ class Integrated final : public IntegratedInFloat<std::tuple_size_v<typename InD
   static constexpr std::size_t n = std::tuple_size_v<typename InDouble::State>;
 
  public:
-  Integrated(const Horizon& horizon, const InFloat& model, const InDouble& exact,
-             const InDouble& format_significant)
-      : IntegratedInFloat<n>(horizon, type_erased(exact), type_erased(format_significant)), model_(model) {}
+  Integrated(const Horizon& horizon, const InFloat& model, const InDouble& exact, const InDouble& rounded)
+      : IntegratedInFloat<n>(horizon, type_erased(exact), type_erased(rounded)), model_(model) {}
 
  private:
   const ode::AnySystem<n, float>& system() const override { return model_; }
@@ -108,8 +107,8 @@ template <class InFloat, class InDouble>
 class ClosedFormInFloat final : public ModelInFloat {
  public:
   ClosedFormInFloat(const Horizon& horizon, const InFloat& model, const InDouble& exact,
-                    const InDouble& format_significant)
-      : ModelInFloat(horizon), model_(model), exact_(exact), rounded_(format_significant) {}
+                    const InDouble& rounded)
+      : ModelInFloat(horizon), model_(model), exact_(exact), rounded_(rounded) {}
   bool has(std::string_view algorithm) const override { return algorithm == "closed form"; }
   Answer run(std::string_view, double) const override {
     return observe_at_times(horizon(), [this](double t, Answer& answer) {
@@ -138,13 +137,11 @@ class ClosedFormInFloat final : public ModelInFloat {
 
 template <class InFloat, class InDouble>
 std::shared_ptr<const ModelInFloat> model_in_float(const Horizon& horizon, const InFloat& model,
-                                                   const InDouble& exact,
-                                                   const InDouble& format_significant) {
+                                                   const InDouble& exact, const InDouble& rounded) {
   if constexpr (ClosedForm<InDouble>)
-    return std::make_shared<const ClosedFormInFloat<InFloat, InDouble>>(horizon, model, exact,
-                                                                        format_significant);
+    return std::make_shared<const ClosedFormInFloat<InFloat, InDouble>>(horizon, model, exact, rounded);
   else
-    return std::make_shared<const Integrated<InFloat, InDouble>>(horizon, model, exact, format_significant);
+    return std::make_shared<const Integrated<InFloat, InDouble>>(horizon, model, exact, rounded);
 }
 
 void add_in_float(Quantity&, const std::vector<std::string_view>& names,
@@ -163,11 +160,11 @@ Quantity with_float(Quantity motion, const Horizon& horizon, const Given<double>
                     const std::vector<std::string_view>& names, Outcome at_finest = Outcome::inaccurate) {
   const auto in_float = rounded_to<float>(given);
   const auto floats = models(in_float);
-  const auto exact = models(given), format_significant = models(rounded_to<double>(in_float));
+  const auto exact = models(given), rounded = models(rounded_to<double>(in_float));
   std::vector<std::shared_ptr<const ModelInFloat>> all;
   [&]<std::size_t... i>(std::index_sequence<i...>) {
-    (all.push_back(detail::model_in_float(horizon, std::get<i>(floats), std::get<i>(exact),
-                                          std::get<i>(format_significant))),
+    (all.push_back(
+         detail::model_in_float(horizon, std::get<i>(floats), std::get<i>(exact), std::get<i>(rounded))),
      ...);
   }
   (std::make_index_sequence<std::tuple_size_v<decltype(exact)>>());

@@ -161,6 +161,7 @@ Reply reply(const Request& request) {
 
 json about() {
   std::ifstream file(VARIANTS);
+  if (!file) throw std::runtime_error("cannot read " VARIANTS ", which has the engine's settings");
   const Engine e = engine();
   return {{"name", e.name},
           {"version", e.version},

@@ -333,14 +333,14 @@ Findings study(const Parameters& p, const Reference&) {
       "$(10^8,1)$ and $(10^8+1,1)$ have the determinant $-1$ and the sine $10^{-16}$: to singular values, "
       "at any tolerance, they are parallel. Whole numbers are decided in whole numbers.",
       "ranks, singular values", 1e-12, wrong, "ranks, elimination in integers", 0});
-  Quantity format_significant =
+  Quantity rounded =
       parallel("rounded_multiples", "are $v$ and its rounded multiple parallel?", "as they were made",
                rounded_multiples(p["seed"]), wrong, ok, "the multiple is rounded, and exactness is no help");
-  format_significant.add(Breakdown{
+  rounded.add(Breakdown{
       "Exact arithmetic on rounded numbers judges the rounding. Where the data are measured or computed, "
       "only a tolerance above their error makes sense.",
       "ranks, elimination in integers", 0, wrong, "ranks, singular values", 1e-12});
-  return {claims(p["seed"]), {random, nearly, format_significant}};
+  return {claims(p["seed"]), {random, nearly, rounded}};
 }
 
 }  // namespace ex08_03
