@@ -113,9 +113,9 @@ TEST_CASE("links to nowhere are found", "[report]") {
 }
 
 TEST_CASE("the book is short enough to read", "[report]") {
-  // The whole report has a row of times for each quantity beside it.
-  CHECK(words_of(book) <= 57'500);
-  CHECK(words_of(book) + words_of(book.parent_path()) <= 60'000);  // as wc -w counts, with the engines' page
+  // As wc -w counts. The whole report has the engines' page and one of times beside it.
+  constexpr std::size_t times = 1'750;
+  CHECK(words_of(book) + words_of(book.parent_path()) + times <= 60'000);
   CHECK(bytes_of(book) <= 8'000'000);
 }
 

@@ -284,21 +284,25 @@ std::string errata_page_text(const Results& results) {
 
 std::string times_page(const Results& results) {
   std::vector<std::vector<std::string>> rows;
-  for (const ExerciseResult& e : results.exercises)
+  for (const ExerciseResult& e : results.exercises) {
+    std::string fastest;
     for (const QuantityResult& q : e.quantities) {
       const TimedTrial* best = nullptr;
       for (const MethodResult& m : q.methods)
         if (const TimedTrial& t = best_of(m, Cost::time); !best || preferable(t, *best, Cost::time))
           best = &t;
       if (!best || best->outcome != Outcome::ok) continue;
-      rows.push_back({"[" + to_string(e.number) + "](" + exercise_file(e.number) + ") " + code(q.name),
-                      escaped(best->model + ", " + best->algorithm), shown_time(best->time.seconds)});
+      fastest += (fastest.empty() ? "" : "<br>") + code(q.name) + " " + shown_time(best->time.seconds) +
+                 ", " + escaped(best->model + ", " + best->algorithm);
     }
+    if (!fastest.empty())
+      rows.push_back({"[" + to_string(e.number) + "](" + exercise_file(e.number) + ")", fastest});
+  }
   return "# Times\n\nFor each quantity the fastest method within the need. A time is the median of several "
          "batches, measured alone in the run that made this report. "
          "Times differ from run to run and from machine to machine; the counted work on the other pages "
          "does not.\n\n" +
-         table({"quantity", "fastest", "time"}, rows, "2") + "[All exercises](README.md)\n";
+         table({"exercise", "fastest"}, rows) + "[All exercises](README.md)\n";
 }
 
 std::string charts_page(const ExerciseResult& e) {

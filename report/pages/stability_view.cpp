@@ -184,11 +184,10 @@ std::string game_need(const Stability& s) {
 
 std::string stability_of_scene(const ExerciseResult& e) {
   const Stability& s = *e.stability;
-  std::string text =
-      "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n![how each method ends](" +
-      map_file(e) + ")\n\nLongest stable step \\[" + escaped(s.time_unit, false) +
-      "\\], and theory's where it differs; the error there; the longest step with an error of " +
-      escaped(game_need(s), false) + " at most:\n\n" + limits_table(s);
+  std::string text = "## " + to_string(e.number) + " " + escaped(e.title, false) +
+                     "\n\n![how each method ends](" + map_file(e) + ")\n\nLongest stable step \\[" +
+                     escaped(s.time_unit, false) + "\\]; good to " + escaped(game_need(s), false) + ":\n\n" +
+                     limits_table(s);
   for (const auto& [reason, names] : reasons(s)) text += "- " + escaped(names + ": " + reason, false) + ".\n";
   return text + (reasons(s).empty() ? "" : "\n");
 }
@@ -329,8 +328,8 @@ std::string stability_page(const Results& results) {
       "its own time. Theory's limit, in brackets, is the shortest step at which disturbances grow by the "
       "eigenvalues of the Jacobian along the motion. Where the two differ by more than a quarter, the reason "
       "stands below the table. The maps show how each method ends over the step and over the parameter that makes "
-      "the scene hard. *Good to*: up to this step all are within what a game asks, one centimetre or one degree; "
-      "*good nowhere*: none that was tried is. `oddity stability` prints how each method breaks, and what cures it.\n\n";
+      "the scene hard. Below a limit stands the error at that step. *Good to*: up to this step all are within what a game asks, "
+      "one centimetre or one degree; *good nowhere*: none that was tried is. `oddity stability` prints how each method breaks, and what cures it.\n\n";
   text += differences(results);
   for (const ExerciseResult& e : results.exercises)
     if (e.stability) text += stability_of_scene(e);

@@ -164,7 +164,7 @@ std::string amount(const Share& s) {
   return s.says == not_on_record ? "" : std::to_string(s.count) + " of " + std::to_string(s.of);
 }
 
-std::string when(const Share& s) { return s.date.empty() ? "" : s.date + ", " + s.commit; }
+std::string when(const Share& s) { return s.date.empty() ? "" : s.date + ", " + s.commit.substr(0, 7); }
 
 /// "derivatives 200, limits 11, others 3".
 std::string largest(const std::vector<Share>& shares) {
