@@ -1,8 +1,10 @@
 #include "reference/csv.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/tokenizer.hpp>
 #include <fstream>
+#include <set>
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
@@ -65,6 +67,31 @@ CsvFile read_csv(const std::filesystem::path& file) {
     throw BadInput("cannot read " + file.string() + ": it is not a file, or it cannot be read to its end");
   if (csv.rows.empty()) throw BadInput(file.string() + ": the table has no rows");
   return csv;
+}
+
+std::vector<CsvRow> read_rows(const std::filesystem::path& file, const std::vector<std::string>& columns,
+                              std::size_t keys) {
+  CsvFile csv = read_csv(file);
+  if (csv.header.cells != columns)
+    throw BadInput(csv.header.place + ": the columns must be " + boost::algorithm::join(columns, ","));
+  std::set<std::vector<std::string>> seen;
+  for (const CsvRow& row : csv.rows) {
+    const std::vector<std::string> key(row.cells.begin(),
+                                       row.cells.begin() + static_cast<std::ptrdiff_t>(keys));
+    if (!seen.insert(key).second)
+      throw BadInput(row.place + ": a second row for " + boost::algorithm::join(key, ", "));
+  }
+  return std::move(csv.rows);
+}
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\\") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
 }
 
 }  // namespace oddity

@@ -24,4 +24,12 @@ struct CsvFile {
 /// Throws BadInput naming the file, and the line where there is one, when it is missing or broken.
 CsvFile read_csv(const std::filesystem::path& file);
 
+/// The rows of a file that has exactly these columns; likewise, and when two rows begin with the same `keys`
+/// cells.
+std::vector<CsvRow> read_rows(const std::filesystem::path& file, const std::vector<std::string>& columns,
+                              std::size_t keys);
+
+/// The text as one cell that `read_csv` reads: quoted, and its backslashes doubled, where that has to be.
+std::string csv_cell(const std::string& text);
+
 }  // namespace oddity

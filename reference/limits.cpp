@@ -1,30 +1,11 @@
 #include "reference/limits.hpp"
 
-#include <set>
-
 #include "reference/bad_input.hpp"
 #include "reference/csv.hpp"
 
 namespace oddity {
 
 namespace {
-
-/// The rows of a file with exactly these columns, no two of which begin with the same `keys` cells.
-std::vector<CsvRow> rows_of(const std::filesystem::path& file, const std::vector<std::string>& columns,
-                            std::size_t keys) {
-  CsvFile csv = read_csv(file);
-  if (csv.header.cells != columns) {
-    std::string list;
-    for (const std::string& column : columns) list += (list.empty() ? "" : ",") + column;
-    throw BadInput(csv.header.place + ": the columns must be " + list);
-  }
-  std::set<std::vector<std::string>> seen;
-  for (const CsvRow& row : csv.rows)
-    if (!seen.emplace(row.cells.begin(), row.cells.begin() + static_cast<std::ptrdiff_t>(keys)).second)
-      throw BadInput(row.place + ": a second row for " + row.cells[0] + ", " + row.cells[1] + ", " +
-                     row.cells[2]);
-  return std::move(csv.rows);
-}
 
 double step_in(const CsvRow& row, std::size_t i) {
   const double step = row.number(i);
@@ -40,10 +21,10 @@ std::optional<double> number_or_none(const CsvRow& row, std::size_t i) {
 
 Limits read_limits(const std::filesystem::path& folder) {
   Limits limits;
-  for (const CsvRow& row : rows_of(folder / "limits.csv",
-                                   {"exercise", "model", "algorithm", "step", "theory", "unstable", "watched",
-                                    "soft", "error", "needed", "beyond", "why"},
-                                   3))
+  for (const CsvRow& row : read_rows(folder / "limits.csv",
+                                     {"exercise", "model", "algorithm", "step", "theory", "unstable",
+                                      "watched", "soft", "error", "needed", "beyond", "why"},
+                                     3))
     limits.push_back({row.cells[0], row.cells[1], row.cells[2], step_in(row, 3), step_in(row, 4),
                       row.cells[5], number_or_none(row, 6), row.cells[7], number_or_none(row, 8),
                       number_or_none(row, 9), row.cells[10], row.cells[11], row.place});
@@ -53,7 +34,7 @@ Limits read_limits(const std::filesystem::path& folder) {
 Maps read_maps(const std::filesystem::path& folder) {
   Maps maps;
   for (const CsvRow& row :
-       rows_of(folder / "stability_maps.csv", {"exercise", "model", "algorithm", "value", "outcomes"}, 4))
+       read_rows(folder / "stability_maps.csv", {"exercise", "model", "algorithm", "value", "outcomes"}, 4))
     maps.push_back({row.cells[0], row.cells[1], row.cells[2], row.number(3), row.cells[4], row.place});
   return maps;
 }

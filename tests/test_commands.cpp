@@ -359,6 +359,22 @@ TEST_CASE("a map that changes makes the suite red", "[commands]") {
   CHECK(run("--reference " + folder.string() + " verify '[3.5]'").status == 1);
 }
 
+TEST_CASE("an error, a count, a line or a near miss other than on record makes the suite red", "[commands]") {
+  for (const auto& [old, fresh] : std::array<std::array<std::string, 2>, 5>{
+           {{"explicit Euler\",step 0.125 0.0625 0.03125", "explicit Euler\",step 0.125 0.0625 0.03"},
+            {",80 160 320 640", ",80 160 320 641"},
+            {"claim value,1373,1.46", "claim value,1374,1.46"},
+            {"claim value,1373,1.46", "claim value,1373,1.56"},
+            {"swing: breakdown 1", "swing: breakdown 9"}}}) {
+    const ScratchFolder scratch;
+    const fs::path folder = tables(scratch);
+    replace_in(folder / "approved/errors.csv", old, fresh);
+    const Ran red = run("--reference " + folder.string() + " verify '[3.5]'");
+    CHECK(red.status == 1);
+    CHECK(says(red, "verify --approve would write"));
+  }
+}
+
 TEST_CASE("a true value that changes makes the suite red", "[commands]") {
   const ScratchFolder scratch;
   const fs::path folder = tables(scratch);

@@ -17,6 +17,7 @@
 #include "report/pages/tables.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/approve.hpp"
+#include "report/study/errors.hpp"
 #include "report/study/perturb_results.hpp"
 #include "report/study/progress.hpp"
 #include "report/study/run.hpp"
@@ -37,6 +38,7 @@ struct Judged {
   Verdicts approved;
   Limits limits;
   Maps maps;
+  std::vector<ErrorsOnRecord> errors;
 };
 Judged* suite = nullptr;
 
@@ -195,6 +197,28 @@ void verify_stability(const ExerciseResult& e) {
   for (const MapRow& row : e.stability->map) verify_map(e, row);
 }
 
+/// Everything is as far off as is on record, and nothing is on record that is not there. Of one's own
+/// exercises only what is on record is asked.
+void verify_errors(const ExerciseResult& e) {
+  const std::string number = to_string(e.number);
+  std::set<std::string> seen;
+  for (const ErrorsOnRecord& row : errors_of(e)) {
+    seen.insert(row.of);
+    const auto on_record = std::ranges::find_if(
+        suite->errors, [&](const ErrorsOnRecord& r) { return r.exercise == number && r.of == row.of; });
+    INFO("errors.csv would have: " << text_of(row));
+    if (on_record != suite->errors.end()) {
+      INFO("on record is:          " << text_of(*on_record));
+      CHECK(agree(row, *on_record));
+    } else if (of_the_book(e.number)) {
+      FAIL_CHECK("errors.csv has no such row");
+    }
+  }
+  for (const ErrorsOnRecord& row : suite->errors)
+    if (row.exercise == number && !seen.contains(row.of))
+      FAIL_CHECK(row.place << ": there is nothing that this row is about: " << row.of);
+}
+
 /// A path as it is within the tree, if it is.
 std::string without_tree(std::string path) {
   const std::string tree = source_folder().string() + "/";
@@ -250,6 +274,7 @@ void verify_exercise(Number number) {
   }
   for (const QuantityResult& q : e.quantities) verify_quantity(q);
   verify_stability(e);
+  verify_errors(e);
 }
 
 /// Every odd exercise of the book is encoded, and every verdict on record belongs to a claim.
@@ -345,17 +370,20 @@ void add_own(Judged& judged) {
       std::ranges::move(read_limits(own), std::back_inserter(judged.limits));
     if (fs::exists(own / "stability_maps.csv"))
       std::ranges::move(read_maps(own), std::back_inserter(judged.maps));
+    if (fs::exists(own / "errors.csv"))
+      std::ranges::move(read_errors(own), std::back_inserter(judged.errors));
   }
 }
 
 Judged on_record(const fs::path& folder) {
   const fs::path approved = folder / "approved";
-  Judged judged{folder, {}, read_verdicts(approved), read_limits(approved), read_maps(approved)};
+  Judged judged{
+      folder, {}, read_verdicts(approved), read_limits(approved), read_maps(approved), read_errors(approved)};
   add_own(judged);
   return judged;
 }
 
-/// Writes what agrees with the results into the three files of records, and says what that changed.
+/// Writes what agrees with the results into the files of records, and says what that changed.
 void approve(const Results& results, const fs::path& folder) {
   const auto changes = approvals(results, folder);
   for (const Approval& change : changes) write_whole(change.file, change.text);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "reference/csv.hpp"
 #include "reference/text.hpp"
 #include "report/pages/markup.hpp"
 #include "report/pages/table_text.hpp"
@@ -124,11 +125,6 @@ std::string map_text(const Stability& s, const Screen& screen) {
                     letters_and_theory(row, s.steps)});
   }
   return wrapped(text + "\n", screen, 4) + aligned(rows, screen, {{"model", "algorithm"}, {}, true});
-}
-
-/// A cell of a CSV file, quoted where it has to be.
-std::string cell(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
 }
 
 std::string step_cell(double step) { return format_significant(step, 3); }
@@ -286,11 +282,11 @@ std::string stability_text(const ExerciseResult& e, const Screen& screen) {
 }
 
 std::string limit_row(const ExerciseResult& e, const Limit& l) {
-  return to_string(e.number) + "," + cell(l.model) + "," + cell(l.algorithm) + "," + step_cell(l.step()) +
-         "," + step_cell(l.theory()) + "," + cell(shown_tongues(l)) + "," +
+  return to_string(e.number) + "," + csv_cell(l.model) + "," + csv_cell(l.algorithm) + "," +
+         step_cell(l.step()) + "," + step_cell(l.theory()) + "," + csv_cell(shown_tongues(l)) + "," +
          (l.goes_on || std::isinf(l.step()) ? "" : step_cell(l.watched)) + "," +
          (l.soft ? shown_soft(*l.soft) : "") + "," + (l.at ? format_significant(l.at->error, 2) : "") + "," +
-         (l.within ? step_cell(l.within->setting) : "") + "," + beyond(l) + "," + cell(l.why) + "\n";
+         (l.within ? step_cell(l.within->setting) : "") + "," + beyond(l) + "," + csv_cell(l.why) + "\n";
 }
 
 std::string limit_rows(const Results& results) {
@@ -302,7 +298,7 @@ std::string limit_rows(const Results& results) {
 }
 
 std::string map_row(const ExerciseResult& e, const MapRow& row) {
-  return to_string(e.number) + "," + cell(row.model) + "," + cell(row.algorithm) + "," +
+  return to_string(e.number) + "," + csv_cell(row.model) + "," + csv_cell(row.algorithm) + "," +
          format_shortest(row.value) + "," + letters(row) + "\n";
 }
 

@@ -8,6 +8,7 @@
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/own.hpp"
+#include "report/study/errors.hpp"
 #include "report/study/stability.hpp"
 
 namespace oddity {
@@ -68,6 +69,12 @@ bool approvable(const ExerciseResult& e) {
          std::ranges::all_of(e.quantities, [](const QuantityResult& q) { return finite(q.reference.value); });
 }
 
+/// None where there is no file yet.
+std::vector<ErrorsOnRecord> errors_on_record(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / "errors.csv")) return {};
+  return read_errors(folder);
+}
+
 /// The rows of `of` that `in` lacks.
 RowTexts missing(const RowTexts& of, const RowTexts& in) {
   const std::set<std::string> known(in.begin(), in.end());
@@ -82,10 +89,12 @@ std::vector<Approval> approvals_in(const std::filesystem::path& folder, const st
   const auto of_stability = [](std::string (*text)(const Results&)) {
     return [text](const ExerciseResult& e) { return lines_of(text(Results{{e}})); };
   };
+  const std::vector<ErrorsOnRecord> errors = errors_on_record(folder / "approved");
   const std::vector<std::pair<std::string, std::function<RowTexts(const ExerciseResult&)>>> files{
       {"verdicts.csv", verdict_rows},
       {"limits.csv", of_stability(limit_rows)},
-      {"stability_maps.csv", of_stability(map_rows)}};
+      {"stability_maps.csv", of_stability(map_rows)},
+      {"errors.csv", [&](const ExerciseResult& e) { return error_rows(e, errors); }}};
   std::vector<Approval> all;
   for (const auto& [name, rows_of] : files) {
     Approval approval{folder / "approved" / name, {}, {}, {}};

@@ -6,7 +6,8 @@
 
 #include "report/study/results.hpp"
 
-/// What is on record in verdicts.csv, limits.csv and stability_maps.csv, brought to agree with a run.
+/// What is on record in verdicts.csv, limits.csv, stability_maps.csv and errors.csv, brought to agree with a
+/// run.
 namespace oddity {
 
 /// A file as it would be, and the rows by which that differs from what it is.
@@ -16,7 +17,7 @@ struct Approval {
   std::vector<std::string> added, removed;
 };
 
-/// One for each of the three files that would change; exercises from outside the tree have files of their
+/// One for each of the four files that would change; exercises from outside the tree have files of their
 /// own, which need not be there yet. The rows of the run's exercises are replaced, all others stay; exercises
 /// are in the order of their numbers. An exercise that raised, or a quantity of which has no reference, keeps
 /// its rows; an unsettled claim gets none. Throws BadInput when a file of the tree cannot be read.

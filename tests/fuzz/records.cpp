@@ -1,4 +1,5 @@
-// What the suite is held to: verdicts, limits or maps, by the first byte.
+// What the suite is held to: verdicts, limits, errors or maps, by the first byte.
+#include "reference/errors.hpp"
 #include "reference/limits.hpp"
 #include "reference/verdicts.hpp"
 #include "tests/fuzz/fuzz.hpp"
@@ -12,6 +13,9 @@ void fuzz::read(std::string_view input) {
       break;
     case 'l':
       oddity::read_limits(file("limits.csv", text).parent_path());
+      break;
+    case 'e':
+      oddity::read_errors(file("errors.csv", text).parent_path());
       break;
     default:
       oddity::read_maps(file("stability_maps.csv", text).parent_path());

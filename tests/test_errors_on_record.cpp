@@ -1,0 +1,107 @@
+#include <cmath>
+
+#include "reference/errors.hpp"
+#include "report/study/errors.hpp"
+#include "tests/catch.hpp"
+#include "tests/complaint.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace oddity;
+
+namespace {
+
+ErrorsOnRecord row(std::vector<std::optional<double>> errors, std::vector<std::optional<double>> work,
+                   std::string at = "step 0.5 0.25") {
+  return {"3.5", "swing: one angle, Runge-Kutta 4", std::move(at), std::move(errors), std::move(work)};
+}
+
+/// A quantity 1 by a method of two trials that err by a tenth and by nothing but roundings, and a breakdown
+/// of them.
+ExerciseResult an_exercise() {
+  TimedTrial coarse, fine;
+  coarse.model = fine.model = "model";
+  coarse.algorithm = fine.algorithm = "algorithm";
+  coarse.knob = fine.knob = "step";
+  coarse.setting = 0.5, coarse.error = 0.1, coarse.evaluations = 3;
+  fine.setting = 0.25, fine.error = 1e-15, fine.evaluations = 6;
+  QuantityResult q;
+  q.name = "swing";
+  q.reference.value = Value{1.0};
+  q.methods.push_back({"model", "algorithm", Outcome::ok, "", {coarse, fine}});
+  q.breakdowns.push_back({"it breaks", Outcome::inaccurate, coarse, fine});
+  Check wrong;
+  wrong.left.value = Value{3.0};
+  wrong.right.value = Value{1.0};
+  wrong.tolerance = {1e-3, ""};
+  JudgedClaim claim;
+  claim.claim.id = "3.5-value";
+  claim.claim.line = 7;
+  claim.claim.near_misses.push_back({"wrong", {wrong}});
+  ExerciseResult e;
+  e.number = {3, 5};
+  e.claims.push_back(claim);
+  e.quantities.push_back(q);
+  return e;
+}
+
+std::vector<std::string> texts_of(const ExerciseResult& e) {
+  std::vector<std::string> texts;
+  for (const ErrorsOnRecord& r : errors_of(e)) texts.push_back(text_of(r));
+  return texts;
+}
+
+}  // namespace
+
+TEST_CASE("wrong readings, trials and breakdowns have a row of errors each", "[errors]") {
+  const std::vector<std::string> rows{"3.5,claim value,7,2,",
+                                      "3.5,\"swing: model, algorithm\",step 0.5 0.25,0.1 0,3 6",
+                                      "3.5,swing: breakdown 1,step 0.5 0.25,0.1 0,3 6"};
+  CHECK(texts_of(an_exercise()) == rows);
+  CHECK(error_rows(an_exercise(), {}) == rows);
+}
+
+TEST_CASE("errors agree within 2 %, work exactly or within 10 % of a tolerance's, last bits with all",
+          "[errors]") {
+  const ErrorsOnRecord kept = row({0.1, std::nullopt}, {10, 20});
+  CHECK(agree(row({0.1019, 7}, {10, 20}), kept));
+  CHECK_FALSE(agree(row({0.1021, 7}, {10, 20}), kept));
+  CHECK_FALSE(agree(row({-0.1, 7}, {10, 20}), kept));
+  CHECK_FALSE(agree(row({NAN, 7}, {10, 20}), kept));
+  CHECK_FALSE(agree(row({0.1, 7}, {10, 21}), kept));
+  CHECK_FALSE(agree(row({0.1}, {10, 20}), kept));
+  CHECK_FALSE(agree(row({0.1, 7}, {10, 20}, "step 0.5 0.125"), kept));
+  CHECK(agree(row({NAN, INFINITY}, {10, 20}), row({NAN, INFINITY}, {10, 20})));
+  CHECK_FALSE(agree(row({0, 1e-3}, {10, 20}), row({1e-9, 1e-3}, {10, 20})));
+  const ErrorsOnRecord by_tolerance = row({0.1}, {100}, "tolerance 1e-3");
+  CHECK(agree(row({0.1}, {109}, "tolerance 1e-3"), by_tolerance));
+  CHECK_FALSE(agree(row({0.1}, {111}, "tolerance 1e-3"), by_tolerance));
+}
+
+TEST_CASE("what is put on record keeps rows that agree, and what last bits decide", "[errors]") {
+  const ExerciseResult e = an_exercise();
+  std::vector<ErrorsOnRecord> kept = errors_of(e);
+  kept[1].errors = {0.1011, std::nullopt};
+  CHECK(error_rows(e, kept)[1] == "3.5,\"swing: model, algorithm\",step 0.5 0.25,0.101 ~,3 6");
+  kept[1].errors = {0.3, std::nullopt};
+  CHECK(error_rows(e, kept)[1] == "3.5,\"swing: model, algorithm\",step 0.5 0.25,0.1 ~,3 6");
+}
+
+TEST_CASE("errors on record are read, broken ones named by line", "[errors]") {
+  const ScratchFolder folder;
+  const std::string head = "exercise,of,at,errors,work\n";
+  const std::string file =
+      folder.file("errors.csv", head + "3.5,\"swing: a, b\",step 0.5 0.25,nan ~,80 160\n").string();
+  const std::vector<ErrorsOnRecord> read = read_errors(folder.path());
+  REQUIRE(read.size() == 1);
+  CHECK(read[0].of == "swing: a, b");
+  CHECK(text_of(read[0]) == "3.5,\"swing: a, b\",step 0.5 0.25,nan ~,80 160");
+  CHECK(read[0].place == file + ":2");
+  const auto said = [&](const std::string& text) {
+    folder.file("errors.csv", text);
+    const std::string all = complaint([&] { read_errors(folder.path()); });
+    return all.starts_with(file) ? all.substr(file.size()) : all;
+  };
+  CHECK(said(head + "3.5,a,1,0.1 x,\n") == ":2: 'x' is neither a number nor ~");
+  CHECK(said(head + "3.5,a,1,1,\n3.5,a,2,1,\n") == ":3: a second row for 3.5, a");
+  CHECK(said("exercise,of\n3.5,a\n") == ":1: the columns must be exercise,of,at,errors,work");
+}
