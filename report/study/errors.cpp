@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "reference/csv.hpp"
 #include "reference/text.hpp"
@@ -14,12 +15,18 @@ using Numbers = std::vector<std::optional<double>>;
 
 std::string with_blank(const std::string& text) { return text.empty() ? "" : text + " "; }
 
+// Rounding decides an error below 1e-10 of the size; results files know one kind of error that is not finite.
+double recorded(double error, double size) {
+  if (!std::isfinite(error)) return std::numeric_limits<double>::infinity();
+  return error <= 1e-10 * size ? 0 : error;
+}
+
 ErrorsOnRecord wrong_readings(const Claim& claim, const std::string& number) {
   ErrorsOnRecord row{
       number, "claim " + claim.id.substr(number.size() + 1), std::to_string(claim.line), {}, {}};
   const auto add = [&](const Reading& reading) {
     for (const Check& check : reading.checks)
-      if (!check.holds()) row.errors.push_back(check.difference());
+      if (!check.holds()) row.errors.push_back(recorded(check.difference(), 0));
   };
   for (const Reading* reading : {&claim.printed, &claim.meant, &claim.corrected}) add(*reading);
   std::ranges::for_each(claim.near_misses, add);
@@ -27,15 +34,14 @@ ErrorsOnRecord wrong_readings(const Claim& claim, const std::string& number) {
 }
 
 void add(ErrorsOnRecord& row, const TimedTrial& t, const QuantityResult& q) {
-  const double as_good_as_none = 1e-10 * size_of(q.reference.value);
   const bool same_knob = row.at.find(t.knob + " ") != std::string::npos;
   row.at = with_blank(row.at) + (same_knob ? "" : with_blank(t.knob)) + format_significant(t.setting, 6);
-  row.errors.push_back(t.error <= as_good_as_none ? 0 : t.error);
+  row.errors.push_back(recorded(t.error, size_of(q.reference.value)));
   row.work.push_back(static_cast<double>(t.evaluations));
 }
 
 bool same(std::optional<double> x, std::optional<double> on_record, double tolerance) {
-  if (!x || !on_record || *x == *on_record || (std::isnan(*x) && std::isnan(*on_record))) return true;
+  if (!x || !on_record || *x == *on_record) return true;
   return std::abs(*x - *on_record) <= tolerance * std::abs(*on_record);
 }
 
