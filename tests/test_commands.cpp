@@ -360,12 +360,13 @@ TEST_CASE("a map that changes makes the suite red", "[commands]") {
 }
 
 TEST_CASE("an error, a count, a line or a near miss other than on record makes the suite red", "[commands]") {
-  for (const auto& [old, fresh] : std::array<std::array<std::string, 2>, 5>{
-           {{"explicit Euler\",step 0.125 0.0625 0.03125", "explicit Euler\",step 0.125 0.0625 0.03"},
-            {",80 160 320 640", ",80 160 320 641"},
-            {"claim value,1373,1.46", "claim value,1374,1.46"},
-            {"claim value,1373,1.46", "claim value,1373,1.56"},
-            {"swing: breakdown 1", "swing: breakdown 9"}}}) {
+  for (const auto& [old, fresh] :
+       std::array<std::array<std::string, 2>, 5>{{{"swing: one angle, explicit Euler\",step 0.125 0.0625",
+                                                   "swing: one angle, explicit Euler\",step 0.125 0.06"},
+                                                  {"0.0077,80 160 320 640", "0.0077,80 160 320 641"},
+                                                  {"claim value,1373,1.46", "claim value,1374,1.46"},
+                                                  {"claim value,1373,1.46", "claim value,1373,1.56"},
+                                                  {"swing: breakdown 1", "swing: breakdown 9"}}}) {
     const ScratchFolder scratch;
     const fs::path folder = tables(scratch);
     replace_in(folder / "approved/errors.csv", old, fresh);

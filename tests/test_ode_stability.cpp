@@ -172,6 +172,13 @@ TEST_CASE("two motions that start together part where theory says", "[solvers]")
   for (double h : {0.1, 1.0, 10.0}) CHECK(std::isinf(lost("linearly implicit Euler", h)));
 }
 
+TEST_CASE("a disturbance is watched to the very end of its span", "[solvers]") {
+  const Adapted<AnySystem<2>, Oscillator> oscillation{Oscillator{}};
+  for (double span : {1 / 3.0, std::numbers::pi, 2000 / 6.37232938609, 2000 / 9.0, 6726.69})
+    for (int part = 1; part <= 5; ++part)
+      CHECK(Disturbed<2>(oscillation, {1, 0}, span / part).span() == span / part);
+}
+
 TEST_CASE("where the Jacobian stands still a disturbance of the true motion is lost where theory says",
           "[solvers]") {
   const Adapted<AnySystem<2>, Oscillator> oscillation{Oscillator{}};

@@ -164,8 +164,9 @@ void add_verify(CLI::App& app, Session& s) {
       *verify, "--from", s.from, "FILE",
       "judge these results, one file for each --from, instead of running; with --results put them together")
       ->allow_extra_args(false);
-  verify->add_flag("--approve", s.approve,
-                   "put what this run finds for the selected exercises on record: verdicts, limits, maps and errors");
+  verify->add_flag(
+      "--approve", s.approve,
+      "put what this run finds for the selected exercises on record: verdicts, limits, maps and errors");
   add_formats(*verify, s, "print the claims and their verdicts");
   verify->allow_extras();
 }

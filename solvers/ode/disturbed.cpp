@@ -64,7 +64,8 @@ Disturbed<n>::Disturbed(const AnySystem<n>& system, const State& start, double s
     : system_(system), criteria_(criteria), start_(start) {
   constexpr std::size_t pieces = 1000;
   constexpr double tolerance = 1e-10;
-  for (std::size_t i = 0; i <= pieces; ++i) times_.push_back(span * static_cast<double>(i) / pieces);
+  for (std::size_t i = 0; i < pieces; ++i) times_.push_back(span * static_cast<double>(i) / pieces);
+  times_.push_back(span);
   long steps = 0;  // a model that chatters about rest would take millions
   const auto enough = [&](double, const State&, double, const State& x) {
     for (std::size_t k = 0; k < n; ++k) sizes_[k] = std::max(sizes_[k], std::abs(x[k]));

@@ -178,15 +178,22 @@ double predicted_until(const Triple& c, const Horizon& seconds, const Value& tru
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Seconds that each decimal digit adds to the prediction, from the precision A to B.
+/// Seconds that each decimal digit adds to the prediction, from the precision A to B: the mean over several
+/// steps next to this one, since each rounds in its own way.
 template <class A, class B>
 Answer seconds_per_digit(const Triple& c, const Horizon& seconds, const Value& truth, double close,
                          double step) {
+  constexpr int runs = 8;
   Answer answer;
-  const double less = predicted_until<A>(c, seconds, truth, close, step, answer.evaluations);
-  const double more = predicted_until<B>(c, seconds, truth, close, step, answer.evaluations);
-  answer.value = (more - less) / std::log10(static_cast<double>(std::numeric_limits<A>::epsilon()) /
-                                            static_cast<double>(std::numeric_limits<B>::epsilon()));
+  double more = 0;
+  for (int i = 0; i < runs; ++i) {
+    const double h = 1 / (1 / step + i);
+    more += (predicted_until<B>(c, seconds, truth, close, h, answer.evaluations) -
+             predicted_until<A>(c, seconds, truth, close, h, answer.evaluations)) /
+            runs;
+  }
+  answer.value = more / std::log10(static_cast<double>(std::numeric_limits<A>::epsilon()) /
+                                   static_cast<double>(std::numeric_limits<B>::epsilon()));
   return answer;
 }
 
