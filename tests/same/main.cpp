@@ -5,10 +5,8 @@
 //   letter           of a map
 //   limit            the largest stable step, by more than 5 %
 //   value            any number at all; the last column is by how much
-//   error            how far off the second run's methods and wrong readings are, other than errors.csv has
-//   it
-// Ends with 1 where a verdict, a check, what is expected or an error differs; the others are fragile, and
-// only listed. With --bits, every number has to be the same, and any difference is an error.
+// Ends with 1 where a verdict, a check or what is expected differs; the others are fragile, and only listed.
+// With --bits, every number has to be the same, and any difference is an error.
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +17,7 @@
 #include <vector>
 
 #include "reference/bad_input.hpp"
-#include "reference/csv.hpp"
-#include "reference/errors.hpp"
 #include "reference/text.hpp"
-#include "report/study/errors.hpp"
 #include "report/study/results.hpp"
 #include "report/study/stability.hpp"
 
@@ -32,8 +27,7 @@ using namespace oddity;
 
 class Differences {
  public:
-  Differences(const Results& a, const Results& b, std::vector<ErrorsOnRecord> on_record)
-      : on_record_(std::move(on_record)) {
+  Differences(const Results& a, const Results& b) {
     same_size("exercises", a.exercises, b.exercises);
     for (std::size_t i = 0; i < a.exercises.size(); ++i) exercise(a.exercises[i], b.exercises[i]);
   }
@@ -76,7 +70,6 @@ class Differences {
     same_size("quantities", a.quantities, b.quantities);
     for (std::size_t i = 0; i < a.quantities.size(); ++i) quantity(a.quantities[i], b.quantities[i]);
     if (a.stability && b.stability) stability(*a.stability, *b.stability);
-    if (!on_record_.empty()) errors(b);
   }
 
   void claim(const JudgedClaim& a, const JudgedClaim& b) {
@@ -140,16 +133,6 @@ class Differences {
            std::string(1, letter_of(a.outcomes[k])), std::string(1, letter_of(b.outcomes[k])));
   }
 
-  void errors(const ExerciseResult& e) {
-    for (const ErrorsOnRecord& row : errors_of(e)) {
-      const auto known = std::ranges::find_if(
-          on_record_, [&](const ErrorsOnRecord& r) { return r.exercise == row.exercise && r.of == row.of; });
-      if (known != on_record_.end() && !agree(row, *known))
-        text("error", row.of, csv_cell(text_of(*known)), csv_cell(text_of(row)));
-    }
-  }
-
-  std::vector<ErrorsOnRecord> on_record_;
   std::string at_;
 };
 
@@ -158,15 +141,13 @@ class Differences {
 int main(int argc, char** argv) try {
   const bool bits = argc == 4 && argv[1] == std::string("--bits");
   if (argc != 3 && !bits) throw BadInput("two files of results: oddity_same [--bits] FIRST.json SECOND.json");
-  Differences found(read_results(argv[argc - 2]), read_results(argv[argc - 1]),
-                    bits ? std::vector<ErrorsOnRecord>() : read_errors(ODDITY_SOURCE "/reference/approved"));
+  Differences found(read_results(argv[argc - 2]), read_results(argv[argc - 1]));
   std::cout << found.rows;
   bool wrong = false;
   std::cerr << found.compared << " compared";
   for (const auto& [kind, count] : found.counts) {
     std::cerr << ", " << count << " differ in " << kind;
-    wrong = wrong || bits || kind == "verdict" || kind == "holds" || kind == "expected" || kind == "error" ||
-            kind == "failure";
+    wrong = wrong || bits || kind == "verdict" || kind == "holds" || kind == "expected" || kind == "failure";
   }
   std::cerr << (found.counts.empty() ? ", all the same\n" : "\n");
   return wrong ? 1 : 0;
