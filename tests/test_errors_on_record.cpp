@@ -36,6 +36,7 @@ ExerciseResult an_exercise() {
   JudgedClaim claim;
   claim.claim.id = "3.5-value";
   claim.claim.line = 7;
+  claim.verdict = Verdict::confirmed;
   claim.claim.near_misses.push_back({"wrong", {wrong}});
   ExerciseResult e;
   e.number = {3, 5};
@@ -58,6 +59,9 @@ TEST_CASE("wrong readings, trials and breakdowns have a row of errors each", "[e
                                       "3.5,swing: breakdown 1,step 0.5 0.25,0.1 0,3 6"};
   CHECK(texts_of(an_exercise()) == rows);
   CHECK(error_rows(an_exercise(), {}) == rows);
+  ExerciseResult unsettled = an_exercise();
+  unsettled.claims[0].verdict = Verdict::unsettled;
+  CHECK(texts_of(unsettled) == std::vector(rows.begin() + 1, rows.end()));
 }
 
 TEST_CASE("errors agree within 2 %, work exactly or within 10 % of a tolerance's, last bits with all",

@@ -174,9 +174,8 @@ TEST_CASE("two motions that start together part where theory says", "[solvers]")
 
 TEST_CASE("a disturbance is watched to the very end of its span", "[solvers]") {
   const Adapted<AnySystem<2>, Oscillator> oscillation{Oscillator{}};
-  for (double span : {1 / 3.0, std::numbers::pi, 2000 / 6.37232938609, 2000 / 9.0, 6726.69})
-    for (int part = 1; part <= 5; ++part)
-      CHECK(Disturbed<2>(oscillation, {1, 0}, span / part).span() == span / part);
+  for (double part : {1.0, 87.0, 129.0, 157.0, 174.0})  // 1000 / 87 * 1000 / 1000 is not 1000 / 87
+    CHECK(Disturbed<2>(oscillation, {1, 0}, 1000 / part).span() == 1000 / part);
 }
 
 TEST_CASE("where the Jacobian stands still a disturbance of the true motion is lost where theory says",

@@ -67,7 +67,8 @@ void leave_to_last_bits(Numbers& numbers, const Numbers& on_record) {
 std::vector<ErrorsOnRecord> errors_of(const ExerciseResult& e) {
   const std::string number = to_string(e.number);
   std::vector<ErrorsOnRecord> rows;
-  for (const JudgedClaim& c : e.claims) rows.push_back(wrong_readings(c.claim, number));
+  for (const JudgedClaim& c : e.claims)
+    if (c.verdict != Verdict::unsettled) rows.push_back(wrong_readings(c.claim, number));
   for (const QuantityResult& q : e.quantities) {
     for (const MethodResult& m : q.methods) {
       ErrorsOnRecord& row = rows.emplace_back(number, q.name + ": " + m.model + ", " + m.algorithm);

@@ -78,14 +78,15 @@ class Scan {
 /// The first loss of stability from below, as the measurement has it; and between which limits it lies for
 /// observers who watch half or twice as long, or for whom another size is too large.
 void measure(Limit& limit, const Disturbances& disturbances, double interval) {
-  constexpr double fewest_steps = 16, most_steps = 200'000;
+  constexpr double fewest_steps = 16, many_steps = 20'000, most_steps = 200'000;
   limit.watched = disturbances.span;
   limit.goes_on = disturbances.goes_on;
   limit.longest = std::min(interval, disturbances.span / fewest_steps);
   const double finest = std::max(ode::finest / disturbances.fastest, disturbances.span / most_steps);
   const double theory = limit.theory();
-  const double first =
-      std::min(std::max(theory < limit.longest ? theory / 4 : limit.longest / 50, finest), limit.longest);
+  // From where theory is silent, or from many steps where it is singular.
+  const double below = theory < limit.longest ? theory / 4 : limit.longest / 50;
+  const double first = std::min(std::max({below, disturbances.span / many_steps, finest}), limit.longest);
   Scan scan(disturbances, first, finest, limit.longest);
   // Told from none to a factor of two: the mode varies.
   const auto told = [&](const Edge& edge) {
