@@ -17,7 +17,7 @@ using Motion = ode::Trajectory<std::array<double, n>>;
 /// To twelve digits, as far as it comes in 100,000 steps: a model that chatters about rest would take
 /// millions.
 template <std::size_t n>
-Motion<n> accurate(const ModelOf<n>& model, const std::array<double, n>& start,
+Motion<n> accurate(const ModelInterfaceOf<n>& model, const std::array<double, n>& start,
                    std::span<const double> times) {
   using State = std::array<double, n>;
   long steps = 0;
@@ -27,7 +27,8 @@ Motion<n> accurate(const ModelOf<n>& model, const std::array<double, n>& start,
 
 /// How far two motions are apart at most, as each is observed; infinity where one of them ends early.
 template <std::size_t n>
-double apart(const ModelOf<n>& model, const Motion<n>& a, const Motion<n>& b, std::span<const double> times) {
+double apart(const ModelInterfaceOf<n>& model, const Motion<n>& a, const Motion<n>& b,
+             std::span<const double> times) {
   if (a.value.size() != times.size() || b.value.size() != times.size() || !a.reached() || !b.reached())
     return std::numeric_limits<double>::infinity();
   std::vector<double> here, there;

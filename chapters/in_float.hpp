@@ -71,7 +71,7 @@ namespace detail {
 template <std::size_t n>
 class IntegratedInFloat : public ModelInFloat {
  public:
-  using InDouble = std::shared_ptr<const ModelOf<n>>;
+  using InDouble = std::shared_ptr<const ModelInterfaceOf<n>>;
 
   IntegratedInFloat(const Horizon& horizon, InDouble exact, InDouble rounded)
       : ModelInFloat(horizon), exact_(std::move(exact)), rounded_(std::move(rounded)) {}

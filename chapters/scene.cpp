@@ -8,19 +8,20 @@
 namespace oddity {
 
 template <std::size_t n>
-Answer ModelOf<n>::run(std::string_view algorithm, const Horizon& horizon, double setting) const {
+Answer ModelInterfaceOf<n>::run(std::string_view algorithm, const Horizon& horizon, double setting) const {
   const auto times = horizon.times();
   return observed(times, moved(algorithm, times, setting));
 }
 
 template <std::size_t n>
-auto ModelOf<n>::moved(std::string_view algorithm, std::span<const double> times, double setting) const
-    -> ode::Trajectory<State> {
+auto ModelInterfaceOf<n>::moved(std::string_view algorithm, std::span<const double> times,
+                                double setting) const -> ode::Trajectory<State> {
   return ode::integrate_with_events<n>(algorithm, *this, start(), times, setting).trajectory;
 }
 
 template <std::size_t n>
-double ModelOf<n>::off_constraint(std::string_view algorithm, const Horizon& horizon, double setting) const {
+double ModelInterfaceOf<n>::off_constraint(std::string_view algorithm, const Horizon& horizon,
+                                           double setting) const {
   const auto times = horizon.times();
   const auto motion = moved(algorithm, times, setting).value;
   double most = motion.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
@@ -33,7 +34,8 @@ double ModelOf<n>::off_constraint(std::string_view algorithm, const Horizon& hor
 }
 
 template <std::size_t n>
-Answer ModelOf<n>::observed(std::span<const double> times, const ode::Trajectory<State>& trajectory) const {
+Answer ModelInterfaceOf<n>::observed(std::span<const double> times,
+                                     const ode::Trajectory<State>& trajectory) const {
   Answer answer{{}, trajectory.evaluations, trajectory.error_estimate,
                 0,  trajectory.ending,      trajectory.message};
   std::vector<double> seen;
@@ -44,7 +46,7 @@ Answer ModelOf<n>::observed(std::span<const double> times, const ode::Trajectory
 }
 
 template <std::size_t n>
-double ModelOf<n>::drift(std::span<const double> times, std::span<const State> motion) const {
+double ModelInterfaceOf<n>::drift(std::span<const double> times, std::span<const State> motion) const {
   if (motion.empty()) return 0;
   const std::vector<Conserved<double>> at_start = conserved(motion[0], times[0]);
   if (at_start.empty()) return 0;
@@ -59,7 +61,7 @@ double ModelOf<n>::drift(std::span<const double> times, std::span<const State> m
 }
 
 template <std::size_t n>
-auto ModelOf<n>::accurate_motion(std::span<const double> times) const -> ode::Trajectory<State> {
+auto ModelInterfaceOf<n>::accurate_motion(std::span<const double> times) const -> ode::Trajectory<State> {
   long steps = 0;  // a model that chatters about rest would take millions
   const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
   constexpr std::string_view algorithm = "Dormand-Prince 5(4)";
@@ -68,7 +70,7 @@ auto ModelOf<n>::accurate_motion(std::span<const double> times) const -> ode::Tr
 }
 
 template <std::size_t n>
-std::vector<double> ModelOf<n>::moving(double end) const {
+std::vector<double> ModelInterfaceOf<n>::moving(double end) const {
   const std::lock_guard lock(mutex_);
   auto& most = moving_[end];
   if (!most.empty()) return most;
@@ -84,13 +86,14 @@ std::vector<double> ModelOf<n>::moving(double end) const {
 }
 
 template <std::size_t n>
-ode::Spectrum ModelOf<n>::spectrum(double end) const {
+ode::Spectrum ModelInterfaceOf<n>::spectrum(double end) const {
   const auto times = Horizon{end, 64}.times();
   return spectrum_along(times, accurate_motion(times).value);
 }
 
 template <std::size_t n>
-ode::Spectrum ModelOf<n>::spectrum_along(std::span<const double> times, std::span<const State> states) const {
+ode::Spectrum ModelInterfaceOf<n>::spectrum_along(std::span<const double> times,
+                                                  std::span<const State> states) const {
   ode::Spectrum spectrum{times.back() / static_cast<double>(times.size()), {}};
   const auto rhs = [&](const double* x, double* dxdt, double t) {
     State state{}, derivative{};
@@ -104,8 +107,8 @@ ode::Spectrum ModelOf<n>::spectrum_along(std::span<const double> times, std::spa
 }
 
 template <std::size_t n>
-Disturbances ModelOf<n>::disturbances(std::string_view algorithm, double end,
-                                      const ode::Criteria& criteria) const {
+Disturbances ModelInterfaceOf<n>::disturbances(std::string_view algorithm, double end,
+                                               const ode::Criteria& criteria) const {
   const ode::Spectrum shown = spectrum(end);
   const double fastest = ode::fastest(shown), later = criteria.radians / fastest;
   auto disturbed = std::make_shared<const ode::Disturbed<n>>(*this, start(), end, criteria);
@@ -145,7 +148,7 @@ Disturbances ModelOf<n>::disturbances(std::string_view algorithm, double end,
 }
 
 #define ODDITY_MODEL(n, type) template class type<n>;
-ODDITY_FOR_UNKNOWNS(ODDITY_MODEL, ModelOf)
+ODDITY_FOR_UNKNOWNS(ODDITY_MODEL, ModelInterfaceOf)
 
 bool is_other_algorithm(std::string_view name) {
   bool found = false;
@@ -154,8 +157,8 @@ bool is_other_algorithm(std::string_view name) {
   return found;
 }
 
-Ladder& Ladder::add(std::string name, Any model, ode::AlgorithmInfo algorithm, Outcome expected,
-                    std::string why) {
+SceneMethods& SceneMethods::add(std::string name, Any model, ode::AlgorithmInfo algorithm, Outcome expected,
+                                std::string why) {
   std::function<std::vector<ode::Tongue>()> unstable_steps;
   std::function<Disturbances(const ode::Criteria&)> disturbances;
   const bool has_tolerance = ode::has_tolerance(algorithm.kind);
@@ -189,8 +192,8 @@ Ladder& Ladder::add(std::string name, Any model, ode::AlgorithmInfo algorithm, O
   return *this;
 }
 
-Ladder& Ladder::by_fixed_steps(const std::string& name, const Any& model, Outcome first_order,
-                               Outcome second_order) {
+SceneMethods& SceneMethods::by_fixed_steps(const std::string& name, const Any& model, Outcome first_order,
+                                           Outcome second_order) {
   const auto too_low = [](Outcome expected) -> std::string {
     return expected == Outcome::ok ? "" : "its order is too low for this need at this step";
   };
@@ -202,8 +205,8 @@ Ladder& Ladder::by_fixed_steps(const std::string& name, const Any& model, Outcom
   return by<ode::RungeKutta4>(name, model);
 }
 
-Ladder& Ladder::by_engine_integrators(const std::string& name, const Any& model, Outcome first_order,
-                                      Outcome second_order) {
+SceneMethods& SceneMethods::by_engine_integrators(const std::string& name, const Any& model,
+                                                  Outcome first_order, Outcome second_order) {
   return by_fixed_steps(name, model, first_order, second_order)
       .by<ode::CashKarp54>(name, model)
       .by<ode::DormandPrince54>(name, model)
@@ -211,15 +214,15 @@ Ladder& Ladder::by_engine_integrators(const std::string& name, const Any& model,
       .by<ode::BulirschStoer>(name, model);
 }
 
-Ladder& Ladder::by_core_integrators(const std::string& name, const Any& model, Outcome first_order,
-                                    Outcome second_order) {
+SceneMethods& SceneMethods::by_core_integrators(const std::string& name, const Any& model,
+                                                Outcome first_order, Outcome second_order) {
   return by_fixed_steps(name, model, first_order, second_order)
       .by<ode::DormandPrince54>(name, model)
       .by<ode::Fehlberg78>(name, model);
 }
 
-Ladder& Ladder::by_remaining_integrators(const std::string& name, const Any& model,
-                                         const std::vector<ExpectedFailure>& exceptions) {
+SceneMethods& SceneMethods::by_remaining_integrators(const std::string& name, const Any& model,
+                                                     const std::vector<ExpectedFailure>& exceptions) {
   const auto named = [&](std::string_view algorithm) {
     return std::ranges::find(exceptions, algorithm, &ExpectedFailure::algorithm);
   };

@@ -104,9 +104,9 @@ Answer observe_closed_form(const Model& model, const Horizon& horizon) {
 }
 
 /// A model as the precompiled algorithms see it.
-class AnyModel {
+class ModelInterface {
  public:
-  virtual ~AnyModel() = default;
+  virtual ~ModelInterface() = default;
   virtual std::size_t unknowns() const = 0;
   virtual bool partitioned() const = 0;
   virtual bool constrained() const = 0;
@@ -124,7 +124,7 @@ class AnyModel {
 
 /// A model of n unknowns.
 template <std::size_t n>
-class ModelOf : public AnyModel, public ode::AnySystem<n> {
+class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
  public:
   using typename ode::AnySystem<n>::State;
 
@@ -162,7 +162,7 @@ class ModelOf : public AnyModel, public ode::AnySystem<n> {
 };
 
 template <class Model>
-using ModelLike = ModelOf<std::tuple_size_v<typename Model::State>>;
+using ModelLike = ModelInterfaceOf<std::tuple_size_v<typename Model::State>>;
 
 template <class Model>
 class TypeErased final : public ode::Adapted<ModelLike<Model>, Model> {
@@ -208,20 +208,20 @@ Answer observe_integrated(const Model& model, const Horizon& horizon, double set
   return type_erased(model)->run(ode::info<Algorithm>().name, horizon, setting);
 }
 
-/// One of those that Ladder::by_remaining_integrators tries.
+/// One of those that SceneMethods::by_remaining_integrators tries.
 bool is_other_algorithm(std::string_view name);
 
 /// A scene's models and algorithms as the methods of one quantity.
-class Ladder {
+class SceneMethods {
  public:
-  Ladder(Quantity& quantity, Horizon horizon, Knob steps, Knob tolerances)
+  SceneMethods(Quantity& quantity, Horizon horizon, Knob steps, Knob tolerances)
       : quantity_(quantity), horizon_(horizon), steps_(std::move(steps)), tolerances_(std::move(tolerances)) {
     quantity_.samples = horizon_.count();
   }
 
   template <ClosedForm Model>
-  Ladder& closed_form(std::string name, const Model& model, Outcome expected = Outcome::ok,
-                      std::string why = {}) {
+  SceneMethods& closed_form(std::string name, const Model& model, Outcome expected = Outcome::ok,
+                            std::string why = {}) {
     const Horizon horizon = horizon_;
     quantity_.add(Method{std::move(name), "closed form", no_knob(),
                          [model, horizon](double) { return observe_closed_form(model, horizon); }, expected,
@@ -231,23 +231,25 @@ class Ladder {
 
   /// The model by one algorithm.
   template <class Algorithm, class Model>
-  Ladder& by(std::string name, const Model& model, Outcome expected = Outcome::ok, std::string why = {}) {
+  SceneMethods& by(std::string name, const Model& model, Outcome expected = Outcome::ok,
+                   std::string why = {}) {
     return by<Algorithm>(std::move(name), any(model), expected, std::move(why));
   }
 
   /// The model by the explicit algorithms that engines use, as far as it allows them, with what those of
   /// order 1 and of order 2 are expected to end as.
   template <class Model>
-  Ladder& by_engine_integrators(const std::string& name, const Model& model,
-                                Outcome first_order = Outcome::inaccurate,
-                                Outcome second_order = Outcome::ok) {
+  SceneMethods& by_engine_integrators(const std::string& name, const Model& model,
+                                      Outcome first_order = Outcome::inaccurate,
+                                      Outcome second_order = Outcome::ok) {
     return by_engine_integrators(name, any(model), first_order, second_order);
   }
 
   /// The same without Cash-Karp and Bulirsch-Stoer.
   template <class Model>
-  Ladder& by_core_integrators(const std::string& name, const Model& model,
-                              Outcome first_order = Outcome::inaccurate, Outcome second_order = Outcome::ok) {
+  SceneMethods& by_core_integrators(const std::string& name, const Model& model,
+                                    Outcome first_order = Outcome::inaccurate,
+                                    Outcome second_order = Outcome::ok) {
     return by_core_integrators(name, any(model), first_order, second_order);
   }
 
@@ -261,28 +263,32 @@ class Ladder {
   /// The model by the rest of the catalog, as far as it allows it: expected to end ok, but for the
   /// exceptions. Throws std::logic_error for an exception that names none of these algorithms.
   template <class Model>
-  Ladder& by_remaining_integrators(const std::string& name, const Model& model,
-                                   const std::vector<ExpectedFailure>& exceptions = {}) {
+  SceneMethods& by_remaining_integrators(const std::string& name, const Model& model,
+                                         const std::vector<ExpectedFailure>& exceptions = {}) {
     return by_remaining_integrators(name, any(model), exceptions);
   }
 
  private:
-  using Any = std::shared_ptr<const AnyModel>;
+  using Any = std::shared_ptr<const ModelInterface>;
   template <class Model>
   static Any any(const Model& model) {
     return type_erased(model);
   }
 
   template <class Algorithm>
-  Ladder& by(std::string name, Any model, Outcome expected = Outcome::ok, std::string why = {}) {
+  SceneMethods& by(std::string name, Any model, Outcome expected = Outcome::ok, std::string why = {}) {
     return add(std::move(name), std::move(model), ode::info<Algorithm>(), expected, std::move(why));
   }
-  Ladder& by_engine_integrators(const std::string& name, const Any&, Outcome first_order,
-                                Outcome second_order);
-  Ladder& by_core_integrators(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
-  Ladder& by_fixed_steps(const std::string& name, const Any&, Outcome first_order, Outcome second_order);
-  Ladder& by_remaining_integrators(const std::string& name, const Any&, const std::vector<ExpectedFailure>&);
-  Ladder& add(std::string name, Any model, ode::AlgorithmInfo algorithm, Outcome expected, std::string why);
+  SceneMethods& by_engine_integrators(const std::string& name, const Any&, Outcome first_order,
+                                      Outcome second_order);
+  SceneMethods& by_core_integrators(const std::string& name, const Any&, Outcome first_order,
+                                    Outcome second_order);
+  SceneMethods& by_fixed_steps(const std::string& name, const Any&, Outcome first_order,
+                               Outcome second_order);
+  SceneMethods& by_remaining_integrators(const std::string& name, const Any&,
+                                         const std::vector<ExpectedFailure>&);
+  SceneMethods& add(std::string name, Any model, ode::AlgorithmInfo algorithm, Outcome expected,
+                    std::string why);
 
   Quantity& quantity_;
   Horizon horizon_;

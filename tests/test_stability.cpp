@@ -286,7 +286,7 @@ TEST_CASE("who watches longer, or to whom less is too large, has another limit, 
 TEST_CASE("a limit does not depend on a conserved quantity", "[stability]") {
   const auto limits = [](const auto& model) {
     Quantity quantity = motion();
-    Ladder(quantity, {4}, halving("step", 1, 4), tolerances()).by_engine_integrators("model", model);
+    SceneMethods(quantity, {4}, halving("step", 1, 4), tolerances()).by_engine_integrators("model", model);
     std::vector<double> all;
     for (const Method& m : quantity.methods)
       if (m.disturbances) all.push_back(limit_of(quantity, m, 1).step());

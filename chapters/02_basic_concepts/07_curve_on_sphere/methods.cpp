@@ -138,7 +138,7 @@ Quantity orientation(const Parameters& p, const Horizon& horizon, const Referenc
                true_orientation(pace, horizon, truth), {1e-8, "a five hundredth of a second of arc"});
   const AsMatrix<double> as_matrix{{{pace}}}, as_listed{{{pace}, true}};
   const AsQuaternion<double> as_quaternion{{{pace}}};
-  Ladder(q, horizon, steps, tolerances())
+  SceneMethods(q, horizon, steps, tolerances())
       .closed_form("frame", Frame<double>{{pace}})
       .by_engine_integrators("matrix", as_matrix, Outcome::drifted)
       .by_engine_integrators("quaternion", as_quaternion, Outcome::drifted)

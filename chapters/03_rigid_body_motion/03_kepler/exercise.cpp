@@ -58,16 +58,16 @@ struct EqualSteps {
 };
 
 template <class Model>
-void integrated(Ladder& ladder, const std::string& name, const Model& model, const EqualSteps& equal) {
+void integrated(SceneMethods& methods, const std::string& name, const Model& model, const EqualSteps& equal) {
   const std::string order = "its order is too low for this need at this step";
-  ladder.by<ode::ExplicitEuler>(name, model, equal.euler, order)
+  methods.by<ode::ExplicitEuler>(name, model, equal.euler, order)
       .template by<ode::RungeKutta4>(
           name, model, equal.runge_kutta,
           equal.runge_kutta == Outcome::ok ? "" : "even these steps are too long at the perihelion")
       .template by<ode::DormandPrince54>(name, model)
       .template by<ode::Fehlberg78>(name, model);
   if constexpr (ode::Partitioned<Model, typename Model::State>)
-    ladder.template by<ode::SymplecticEuler>(name, model, Outcome::inaccurate, order)
+    methods.template by<ode::SymplecticEuler>(name, model, Outcome::inaccurate, order)
         .template by<ode::VelocityVerlet>(name, model, Outcome::inaccurate, order)
         .template by<ode::BulirschStoer>(name, model);
 }
@@ -88,13 +88,13 @@ Quantity path(const std::string& name, const std::string& says, const Start& s, 
   solved("Newton from pi", [](double e, double M) { return by_newton(e, M, pi, 50); });
   solved("Newton from M + 0.85 e", [](double e, double M) { return by_newton(e, M, M + 0.85 * e, 50); });
   solved("Brent", [](double e, double M) { return bracketed(e, M, 1e-14); });
-  Ladder ladder(where, horizon, steps, tolerances());
-  ladder.by<ode::Fehlberg78>("equation (7) as printed", OneAngleAsPrinted<double>(s), Outcome::inaccurate,
-                             R"($V_0$ has the wrong sign, and the perihelion is not at $\theta=0$)");
-  integrated(ladder, "equation (7)", OneAngle<double>(s), expected.angle);
-  integrated(ladder, "equation (2)", Distance<double>{s}, expected.distance);
-  integrated(ladder, "polar", Polar<double>{s}, expected.polar);
-  integrated(ladder, "Cartesian", Cartesian<double>{s}, expected.cartesian);
+  SceneMethods methods(where, horizon, steps, tolerances());
+  methods.by<ode::Fehlberg78>("equation (7) as printed", OneAngleAsPrinted<double>(s), Outcome::inaccurate,
+                              R"($V_0$ has the wrong sign, and the perihelion is not at $\theta=0$)");
+  integrated(methods, "equation (7)", OneAngle<double>(s), expected.angle);
+  integrated(methods, "equation (2)", Distance<double>{s}, expected.distance);
+  integrated(methods, "polar", Polar<double>{s}, expected.polar);
+  integrated(methods, "Cartesian", Cartesian<double>{s}, expected.cartesian);
   return where;
 }
 
@@ -107,7 +107,7 @@ Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& tr
   const Knob steps = halving("step", 0.125, 9);
   Quantity where = path("path", "near the Earth's orbit unless asked otherwise", s, horizon, truth, steps,
                         {{}, {}, {}, {Outcome::drifted, Outcome::ok}});
-  Ladder(where, horizon, steps, tolerances())
+  SceneMethods(where, horizon, steps, tolerances())
       .by<ode::CashKarp54>("Cartesian", Cartesian<double>{s})
       .by_remaining_integrators(
           "Cartesian", Cartesian<double>{s},

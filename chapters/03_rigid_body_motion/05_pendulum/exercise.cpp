@@ -127,7 +127,7 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
   Quantity angle = quantity("swing", "rad", "angle at " + times_up_to(horizon),
                             trajectory(truth, "03_05_swing", {given.a, given.L, given.g}, horizon),
                             {1e-6, "a fifth of a second of arc"});
-  Ladder(angle, horizon, halving("step", 0.125, 9), tolerances())
+  SceneMethods(angle, horizon, halving("step", 0.125, 9), tolerances())
       .closed_form("small angle", SmallAngle<double>{given}, Outcome::inaccurate,
                    "the period grows with the amplitude")
       .closed_form("amplitude-corrected", AmplitudeCorrected<double>{given}, Outcome::inaccurate,

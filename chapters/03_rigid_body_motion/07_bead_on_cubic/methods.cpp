@@ -101,7 +101,7 @@ Quantity slide(const Given<double>& bead, const Horizon& horizon, const Referenc
   Quantity position = quantity("slide", "m", "position at " + times_up_to(horizon),
                                trajectory(truth, "03_07_slide", {bead.q0, bead.g}, horizon), {});
   position.need = {1e-7 * size_of(position.reference.value), "a ten-millionth of the farthest coordinate"};
-  Ladder(position, horizon, halving("step", 0.125, 9), tolerances())
+  SceneMethods(position, horizon, halving("step", 0.125, 9), tolerances())
       .closed_form("straight tangent", StraightTangent<double>{bead}, Outcome::inaccurate,
                    "the curve bends away")
       .by<ode::Fehlberg78>(stuck, EnergyInQ<double>{bead}, Outcome::inaccurate, "the bead never moves")

@@ -17,7 +17,7 @@ Quantity path(const std::string& name, const std::string& says, const Ball& b, c
               const Reference& truth) {
   Quantity q = quantity(name, "m", says, true_path(b, horizon, truth), {1e-8, "a hundredth of a micrometre"});
   const double d = b.a * b.a - 4 * b.m * b.c;
-  Ladder(q, horizon, halving("step", 0.125, 11), tolerances(3, 11))
+  SceneMethods(q, horizon, halving("step", 0.125, 11), tolerances(3, 11))
       .closed_form("closed form, one for all regimes", OneForm<double>{b})
       .closed_form("two exponentials", TwoExponentials<double>{b}, d > 0 ? Outcome::ok : Outcome::non_finite,
                    d > 0 ? "" : "there are no two real roots")
@@ -67,7 +67,7 @@ Quantity near_critical_path(const Ball& b, const Horizon& horizon, const Referen
   Quantity q =
       quantity("near_critical", "m", "the same with friction $10^{-13}$ of itself above the critical",
                true_path(b, horizon, truth), {1e-12, "twelve decimals"});
-  Ladder(q, horizon, no_knob(), no_knob())
+  SceneMethods(q, horizon, no_knob(), no_knob())
       .closed_form("one form for all regimes", OneForm<double>{b})
       .closed_form("two exponentials", TwoExponentials<double>{b}, Outcome::inaccurate,
                    "its two terms nearly cancel where the roots nearly meet");

@@ -42,13 +42,13 @@ Quantity path(const std::string& name, const std::string& says, const Case<doubl
       trajectory(truth, "03_11_hill", {c.hill.a1, c.hill.a2, c.g, c.p[0], c.p[1], c.v[0], c.v[1]}, horizon),
       {});
   position.need = {1e-8 * size_of(position.reference.value), "eight digits of the farthest coordinate"};
-  Ladder ladder(position, horizon, halving("step", 0.125, 9), tolerances(3, 11));
+  SceneMethods methods(position, horizon, halving("step", 0.125, 9), tolerances(3, 11));
   if (straight)
-    ladder.closed_form(line, StraightLine<double>{c});
+    methods.closed_form(line, StraightLine<double>{c});
   else
-    ladder.closed_form(line, StraightLine<double>{c}, Outcome::inaccurate,
-                       "the hill pushes, and not along the line");
-  ladder.by_engine_integrators(plane, in_plane(c), straight ? Outcome::ok : Outcome::inaccurate)
+    methods.closed_form(line, StraightLine<double>{c}, Outcome::inaccurate,
+                        "the hill pushes, and not along the line");
+  methods.by_engine_integrators(plane, in_plane(c), straight ? Outcome::ok : Outcome::inaccurate)
       .by_engine_integrators(space, InSpace<double>{c})
       .by_core_integrators("momenta", in_momenta(c));
   return position;
@@ -67,7 +67,7 @@ Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& tr
       path("slower",
            "position at " + times_up_to(horizon) + ", from the top at a part of the straight path's speed", c,
            false, horizon, truth);
-  Ladder(position, horizon, halving("step", 0.125, 9), tolerances(3, 11))
+  SceneMethods(position, horizon, halving("step", 0.125, 9), tolerances(3, 11))
       .by_remaining_integrators(plane, in_plane(c),
                                 {{"modified midpoint", Outcome::inaccurate, low_order},
                                  {"linearly implicit Euler", Outcome::inaccurate, low_order}});

@@ -19,15 +19,16 @@ Quantity slide(const std::string& name, const std::string& says, const Given<dou
   return position;
 }
 
-/// The ladder up to the angle; the height field and space are the caller's.
-Ladder swinging(Quantity& position, const Given<double>& c, const Horizon& horizon) {
-  Ladder ladder(position, horizon, halving("step", 0.125, 10), tolerances(3, 11));
-  ladder.closed_form(center, CenterLine<double>{c}, Outcome::inaccurate, "the ball is beside the center line")
+/// The methods up to the angle; the height field and space are the caller's.
+SceneMethods swinging(Quantity& position, const Given<double>& c, const Horizon& horizon) {
+  SceneMethods methods(position, horizon, halving("step", 0.125, 10), tolerances(3, 11));
+  methods
+      .closed_form(center, CenterLine<double>{c}, Outcome::inaccurate, "the ball is beside the center line")
       .closed_form(small, SmallAngle<double>{c}, Outcome::inaccurate, "the period grows with the amplitude")
       .closed_form(exact_angle, EllipticAngle<double>(c))
       .by_engine_integrators(about, Angle<double>{c})
       .by_engine_integrators(space, InSpace<double>{c});
-  return ladder;
+  return methods;
 }
 
 const std::string low_order = "its order is too low for this need at this step";
@@ -62,7 +63,7 @@ Quantity below_rim(const Given<double>& c, const Horizon& horizon, const Referen
 
 Quantity on_center(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
   Quantity position = slide("center", "the same from the center line", c, horizon, truth);
-  Ladder(position, horizon, halving("step", 0.125, 10), tolerances(3, 11))
+  SceneMethods(position, horizon, halving("step", 0.125, 10), tolerances(3, 11))
       .closed_form(center, CenterLine<double>{c})
       .closed_form(small, SmallAngle<double>{c})
       .closed_form(exact_angle, EllipticAngle<double>(c))
@@ -77,7 +78,7 @@ Quantity on_center(const Given<double>& c, const Horizon& horizon, const Referen
 Quantity from_rim(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
   const std::string why = "at $|x_2|=R$ the height's slope is infinite";
   Quantity position = slide("rim", "the same from the rim, $x_2=R$", c, horizon, truth);
-  Ladder(position, horizon, halving("step", 0.125, 10), tolerances(3, 11))
+  SceneMethods(position, horizon, halving("step", 0.125, 10), tolerances(3, 11))
       .closed_form(small, SmallAngle<double>{c}, Outcome::inaccurate, "the period grows with the amplitude")
       .closed_form(exact_angle, EllipticAngle<double>(c))
       .by<ode::RungeKutta4>(about, Angle<double>{c})

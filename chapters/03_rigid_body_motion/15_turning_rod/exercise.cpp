@@ -44,7 +44,7 @@ Quantity slide(const Parameters& p, const Horizon& horizon, const Reference& tru
   Quantity place = quantity("slide", "m", "position at " + times_up_to(horizon),
                             trajectory(truth, "03_15_slide", inputs(rod), horizon), {});
   place.need = {5e-7 * size_of(place.reference.value), "six digits, as many as are printed"};
-  Ladder(place, horizon, halving("step", 0.125, 9), tolerances())
+  SceneMethods(place, horizon, halving("step", 0.125, 9), tolerances())
       .closed_form("no spring", NoSpring<double>{{rod}}, Outcome::inaccurate,
                    "the spring does most of the work")
       .closed_form("spring's end on the axis", EndOnTheAxis<double>{{rod}}, Outcome::inaccurate,
@@ -74,7 +74,7 @@ Quantity stiff_spring(const Given<double>& rod, const Horizon& horizon, const Re
                             trajectory(truth, "03_15_slide", inputs(rod), horizon), {1e-3, "a millimetre"});
   const AlongTheRod<double> along{{rod}};
   const std::string name = "along the rod", rigid = "rigid spring";
-  Ladder(place, horizon, halving("step", 0.0625, 6), tolerances())
+  SceneMethods(place, horizon, halving("step", 0.0625, 6), tolerances())
       .closed_form(rigid, RigidSpring<double>{{rod}})
       .by<ode::RungeKutta4>(name, along)
       .by<ode::DormandPrince54>(name, along)

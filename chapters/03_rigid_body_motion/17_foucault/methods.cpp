@@ -75,7 +75,7 @@ const std::string turns_at_once =
 Quantity bob(const Given<double>& p, const Horizon& horizon, const Reference& truth) {
   Quantity q = quantity("bob", "m", "horizontal position at " + times_up_to(horizon),
                         trajectory(truth, "03_17_bob", p.inputs(), horizon), {1e-6, "a micrometre"});
-  Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
+  SceneMethods(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
       .closed_form("averaged", SmallAngle<double>{p, true}, Outcome::inaccurate, small)
       .closed_form("small angle", SmallAngle<double>{p}, Outcome::inaccurate, small)
       .by<ode::ExplicitEuler>(published, TwoAngles<double>{p, 0}, Outcome::drifted, no_centrifugal)
@@ -102,7 +102,7 @@ Quantity bob_on_earth(const Horizon& horizon, const Reference& truth) {
       quantity("bob_on_earth", "m", "the same for the Pantheon's pendulum: 67 m, let go 3 m aside",
                trajectory(truth, "03_17_bob", pantheon.inputs(), horizon),
                {1e-5, "a hundredth of a millimetre; the centrifugal force is worth a quarter of it"});
-  Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
+  SceneMethods(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
       .closed_form("averaged", SmallAngle<double>{pantheon, true}, Outcome::inaccurate, small)
       .closed_form("small angle", SmallAngle<double>{pantheon}, Outcome::inaccurate, small)
       .by<ode::RungeKutta4>(cartesian, Cartesian<double>{pantheon})
@@ -119,7 +119,7 @@ Quantity push(Given<double> p, const Horizon& horizon, const Reference& truth) {
       quantity("pushed_from_below", "m", R"(the same, pushed from the lowest point by $\dot\phi=0.75$ rad/s)",
                trajectory(truth, "03_17_bob", p.inputs(), horizon), {1e-6, "a micrometre"});
   const std::string why = R"(at the lowest point the first equation is divided by $\sin\phi=0$)";
-  Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
+  SceneMethods(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
       .by<ode::RungeKutta4>(angles, TwoAngles<double>{p}, Outcome::non_finite, why)
       .by<ode::Fehlberg78>(angles, TwoAngles<double>{p}, Outcome::non_finite, why)
       .by<ode::RungeKutta4>(cartesian, Cartesian<double>{p})
@@ -141,14 +141,14 @@ Quantity hours(const Reference& truth) {
   const SeenAsAxis<Cartesian<double>> full{{pantheon}};
   const SeenAsAxis<TwoAngles<double>> two{{pantheon}};
   const Knob steps = halving("step", 1, 4);
-  Ladder(q, horizon, steps, tolerances(5, 9))
+  SceneMethods(q, horizon, steps, tolerances(5, 9))
       .closed_form("averaged", AxisTurning{pantheon})
       .closed_form("averaged, with Airy's term", AxisTurning{pantheon, 3.0 / 8})
       .by<ode::RungeKutta4>(cartesian, full)
       .by<ode::DormandPrince54>(cartesian, full)
       .by<ode::Fehlberg78>(cartesian, full)
       .by<ode::RungeKutta4>(angles, two, Outcome::non_finite, turns_at_once);
-  Ladder(q, horizon, steps, tolerances(7, 7)).by<ode::Fehlberg78>(angles, two);
+  SceneMethods(q, horizon, steps, tolerances(7, 7)).by<ode::Fehlberg78>(angles, two);
   return q.add(Breakdown{
       "Let go at rest, the bob passes the lowest point at a distance of 0.4 mm, where $\\theta$ changes by half "
       "a turn within a millisecond. Steps that serve the swing overflow there; error control finds its way, "
@@ -167,7 +167,7 @@ Quantity cone_swing(Given<double> p, const Cone& cone, const Horizon& horizon, c
   point.L = cone.L();
   book.L = book_cone(cone).L;
   const std::string why = "the cone's own turning has inertia";
-  Ladder(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
+  SceneMethods(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
       .by<ode::RungeKutta4>("point mass at (L^2 + Ixx)/L", Direction{{p}})
       .by<ode::Fehlberg78>("point mass at (L^2 + Ixx)/L", Direction{{p}})
       .by<ode::Fehlberg78>("point mass at the center of mass", Direction{{point}}, Outcome::inaccurate, why)

@@ -107,7 +107,7 @@ Quantity swing(const Parameters& given, const Horizon& horizon, const Reference&
       quantity("depths", "m", "depth of the small pulley and of the mass at " + times_up_to(horizon),
                trajectory(truth, "03_19_pulleys", inputs, horizon), {1e-8, "a hundredth of a micrometre"});
   const std::string published = "published equations", why = "the second spring does not pull the pulley";
-  Ladder(y, horizon, halving("step", 0.125, 11), tolerances(3, 11))
+  SceneMethods(y, horizon, halving("step", 0.125, 11), tolerances(3, 11))
       .closed_form("normal modes", NormalModes(p))
       .closed_form("normal modes, pulleys without inertia", NormalModes(without_inertia(p)),
                    Outcome::inaccurate, "the pulleys' inertia slows the oscillation")

@@ -58,7 +58,7 @@ Quantity under_gravity(const Given<double>& disk, const Reference& truth) {
   Quantity motion = quantity("gravity", "m, m, rad", "center and spin at four times, gravity alone",
                              true_motion(disk, horizon, truth), {});
   motion.need = {1e-8 * size_of(motion.reference.value), says_need};
-  Ladder(motion, horizon, halving("step", 0.125, 9), tolerances(3, 11))
+  SceneMethods(motion, horizon, halving("step", 0.125, 9), tolerances(3, 11))
       .closed_form(constant, ConstantSpeeds<double>{disk})
       .by<ode::ExplicitEuler>(two, TwoAngles<double>{disk})
       .by<ode::RungeKutta4>(two, TwoAngles<double>{disk})
@@ -73,14 +73,14 @@ Quantity under_force(const std::string& name, const std::string& says, const Giv
                      const Horizon& horizon, const Reference& truth, Tried tried = Tried::common) {
   Quantity motion = quantity(name, "m, m, rad", says, true_motion(disk, horizon, truth), {});
   motion.need = {1e-8 * size_of(motion.reference.value), says_need};
-  Ladder ladder(motion, horizon, halving("step", 0.125, 10), tolerances(3, 11));
-  ladder.closed_form(constant, ConstantSpeeds<double>{disk}, Outcome::inaccurate, "the force turns the pipe")
+  SceneMethods methods(motion, horizon, halving("step", 0.125, 10), tolerances(3, 11));
+  methods.closed_form(constant, ConstantSpeeds<double>{disk}, Outcome::inaccurate, "the force turns the pipe")
       .by_engine_integrators(one, OneAngle<double>{disk});
   if (tried == Tried::whole_catalog)
-    ladder.by_remaining_integrators(one, OneAngle<double>{disk},
-                                    {{"linearly implicit Euler", Outcome::inaccurate,
-                                      "its order is too low for this need at this step"}});
-  ladder.by_engine_integrators(two, TwoAngles<double>{disk})
+    methods.by_remaining_integrators(one, OneAngle<double>{disk},
+                                     {{"linearly implicit Euler", Outcome::inaccurate,
+                                       "its order is too low for this need at this step"}});
+  methods.by_engine_integrators(two, TwoAngles<double>{disk})
       .by_engine_integrators(cartesian, Center<double>{disk});
   return motion;
 }
@@ -108,7 +108,7 @@ Quantity upright(Given<double> disk, const Reference& truth) {
       trajectory(truth, "03_21_upright", {disk.r, disk.theta, disk.theta_dot, disk.psi_dot}, horizon), {});
   motion.need = {1e-8 * disk.r, "a hundred-millionth of the radius"};
   const std::string why = "$0/0$: nothing resists the angle of an upright pipe";
-  Ladder(motion, horizon, halving("step", 0.125, 4), tolerances(3, 11))
+  SceneMethods(motion, horizon, halving("step", 0.125, 4), tolerances(3, 11))
       .closed_form(constant, RimMark<ConstantSpeeds<double>>{{disk}})
       .by<ode::RungeKutta4>(two, RimMark<TwoAngles<double>>{{disk}}, Outcome::non_finite, why)
       .by<ode::DormandPrince54>(two, RimMark<TwoAngles<double>>{{disk}}, Outcome::non_finite, why);

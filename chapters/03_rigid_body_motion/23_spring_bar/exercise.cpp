@@ -55,7 +55,7 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
   const Given<double> bar = asked(p);
   Quantity mass = quantity("swing", "m", "position of the mass at four times",
                            true_swing(bar, horizon, truth), {1e-6, "a micrometre"});
-  Ladder(mass, horizon, halving("step", 0.125, 10), tolerances())
+  SceneMethods(mass, horizon, halving("step", 0.125, 10), tolerances())
       .closed_form("small oscillation", SmallOscillation<double>{bar}, Outcome::inaccurate,
                    "the frequency depends on the amplitude, and the spring is softer above than below")
       .by_engine_integrators("one angle", OneAngle<double>{bar}, Outcome::drifted)
@@ -73,7 +73,7 @@ Quantity stiff_swing(const Given<double>& bar, const Reference& truth) {
   Quantity mass = quantity("stiff", "m", "position after 0.25, 0.5, 0.75 and 1 s on a stiff spring",
                            true_swing(bar, horizon, truth), {1e-6, "a micrometre"});
   const std::string one = "one angle", damps = "stable at every step, but it takes the swing's energy away";
-  Ladder(mass, horizon, halving("step", 0.0625, 11), tolerances(2, 10))
+  SceneMethods(mass, horizon, halving("step", 0.0625, 11), tolerances(2, 10))
       .by<ode::ExplicitEuler>(one, OneAngle<double>{bar}, Outcome::drifted, "it gains energy at every step")
       .by<ode::VelocityVerlet>(one, OneAngle<double>{bar}, Outcome::inaccurate,
                                "its order is too low for this need at this step")

@@ -68,7 +68,7 @@ Quantity small_swing(const Triple& like, const Reference& truth) {
   start.omega = {0, 0, 0};
   Quantity q = quantity("small_swing", "m", "the same from angles of a thousandth",
                         trajectory(truth, "03_25_chain", inputs(start), horizon), {1e-6, "a micrometre"});
-  Ladder(q, horizon, halving("step", 0x1p-4, 7), tolerances(3, 9))
+  SceneMethods(q, horizon, halving("step", 0x1p-4, 7), tolerances(3, 9))
       .closed_form("normal modes", NormalModes(start))
       .by<ode::RungeKutta4>("tensions", Tensions{start})
       .by<ode::DormandPrince54>("tensions", Tensions{start});
@@ -317,7 +317,7 @@ Quantity by_algorithm(double t, const Reference& truth, const AlgorithmsPredict&
     return outcome == ok ? "" : "what it errs by at first has grown to the size of the motion";
   };
   const Tensions model{chaotic};
-  Ladder(q, once, halving("step", 0x1p-6, 6), tolerances(5, 13))
+  SceneMethods(q, once, halving("step", 0x1p-6, 6), tolerances(5, 13))
       .by<ode::RungeKutta4>("tensions", model, expected.runge_kutta, why(expected.runge_kutta))
       .by<ode::DormandPrince54>("tensions", model, expected.dormand_prince, why(expected.dormand_prince))
       .by<ode::Fehlberg78>("tensions", model, expected.fehlberg, why(expected.fehlberg))
@@ -427,7 +427,7 @@ Quantity cost(int n, double g, const Reference& truth) {
 Quantity hanging(const Triple& start, const Horizon& horizon, const Reference& truth) {
   Quantity q = quantity("motion", "m", "positions of the masses at four times",
                         trajectory(truth, "03_25_chain", inputs(start), horizon), {1e-6, "a micrometre"});
-  Ladder(q, horizon, halving("step", 0x1p-4, 9), tolerances(3, 11))
+  SceneMethods(q, horizon, halving("step", 0x1p-4, 9), tolerances(3, 11))
       .closed_form("normal modes", NormalModes(start), inaccurate, "the angles are not small")
       .by_engine_integrators("dense mass matrix", Dense{start}, inaccurate, ok)
       .by_engine_integrators("tensions", Tensions{start}, inaccurate, ok)

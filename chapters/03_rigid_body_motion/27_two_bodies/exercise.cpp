@@ -119,7 +119,7 @@ Quantity path(const std::string& name, const std::string& says, const Bodies& b,
   q.add({"Levi-Civita's coordinates", "Runge-Kutta 4 in fictitious time", steps,
          [=](double step) { return by_levi_civita(s, horizon, step); }});
   const std::string why = expected.runge_kutta == ok ? "" : steep;
-  Ladder(q, horizon, std::move(steps), tolerances(4, 12))
+  SceneMethods(q, horizon, std::move(steps), tolerances(4, 12))
       .by<ode::ExplicitEuler>(published, Published<double>{b}, expected.euler, order)
       .by<ode::RungeKutta4>(published, Published<double>{b}, expected.runge_kutta, why)
       .by<ode::DormandPrince54>(published, Published<double>{b})
@@ -143,7 +143,7 @@ Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& t
   const Knob steps = halving("step", 0x1p-4, 9);
   Quantity q =
       path("path", "as asked", asked(p), horizon, truth, steps, {inaccurate, inaccurate, inaccurate, ok, ok});
-  Ladder(q, horizon, steps, tolerances(4, 12))
+  SceneMethods(q, horizon, steps, tolerances(4, 12))
       .by_remaining_integrators(
           "two bodies", BothBodies<double>{asked(p)},
           {{"linearly implicit Euler", inaccurate, "of order 1, and the orbit shrinks"}});

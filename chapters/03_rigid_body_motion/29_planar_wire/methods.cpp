@@ -119,7 +119,7 @@ Quantity fall(const Given& given, const Horizon& horizon, const Reference& truth
   const auto wire = planar_wire::thrown(given);
   Quantity q =
       quantity("fall", "m", "position of the wire's first end at four times", known, {1e-6, "a micrometre"});
-  Ladder(q, horizon, halving("step", 0.125, 10), tolerances())
+  SceneMethods(q, horizon, halving("step", 0.125, 10), tolerances())
       .closed_form("center alone", planar_wire::PointMass<double>{wire}, Outcome::inaccurate,
                    "the wire turns")
       .closed_form("free fall", planar_wire::FreeFall<double>{wire})

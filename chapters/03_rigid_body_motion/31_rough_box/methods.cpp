@@ -235,7 +235,7 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
   const std::string soft_1 = "friction regularized at 1 cm/s", order = "its order is too low for this need",
                     trembles = "at the stop friction changes its sign at every step: the box trembles",
                     creeps = "below a centimetre a second friction is too weak";
-  Ladder(q, horizon, steps, tolerances(2, 4, 1))
+  SceneMethods(q, horizon, steps, tolerances(2, 4, 1))
       .closed_form("sliding and spinning apart", Uncoupled<double>{box},
                    box.w0 == 0 || box.sliding_time() == 0 ? ok : inaccurate,
                    "each motion takes friction's direction away from the other, and both last longer")
@@ -243,7 +243,7 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
       .by<ode::RungeKutta4>(in_time, full, inaccurate, trembles)
       .by<ode::DormandPrince54>(in_time, full, inaccurate, trembles)
       .by<ode::Fehlberg78>(in_time, full, inaccurate, trembles);
-  Ladder(q, horizon, steps, tolerances())
+  SceneMethods(q, horizon, steps, tolerances())
       .by<ode::ExplicitEuler>(soft_1, softened, inaccurate, creeps)
       .by<ode::RungeKutta4>(soft_1, softened, inaccurate, creeps)
       .by<ode::DormandPrince54>(soft_1, softened, inaccurate, creeps)
@@ -267,7 +267,7 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
          inaccurate, order});
   q.add({sticks, midpoint, steps,
          [=](double h) { return slide_with_stick_test(box, Stepping::midpoint, horizon, h); }});
-  Ladder(q, horizon, steps, tolerances())
+  SceneMethods(q, horizon, steps, tolerances())
       .by<ode::RungeKutta4>(event, UntilRest<double>{{box}})
       .by<ode::DormandPrince54>(event, UntilRest<double>{{box}})
       .by<ode::Fehlberg78>(event, UntilRest<double>{{box}});

@@ -91,7 +91,7 @@ Quantity height(const Top& top, const Reference& truth) {
   known.value = {known.value[2], known.value[5], known.value[8], known.value[11]};
   Quantity q = quantity("height", "1", R"($\cos\phi$ after 1, 2, 3 and 4 s)", known,
                         {1e-7, "a fiftieth of a second of arc"});
-  Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
+  SceneMethods(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
       .closed_form("Jacobi's sn", HeightByJacobi(top))
       .by<ode::SymplecticEuler>("one angle", Nutation<double>{top}, Outcome::inaccurate, low_order)
       .by<ode::VelocityVerlet>("one angle", Nutation<double>{top}, Outcome::inaccurate, low_order)
@@ -283,7 +283,7 @@ Quantity struck_upright(const Top& top, const Reference& truth) {
   Quantity q = quantity("struck_upright", "1",
                         "axis of the same top struck while it stands upright with a spin of 16 rad/s",
                         true_axis(upright, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
-  Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
+  SceneMethods(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
       .by<ode::RungeKutta4>(euler_angles, EulerAngles<double>{{upright}}, Outcome::non_finite, divides)
       .by<ode::DormandPrince54>(euler_angles, EulerAngles<double>{{upright}}, Outcome::non_finite, divides)
       .by<ode::RungeKutta4>(rigid_body, RigidBody<double>{{upright}})
@@ -304,7 +304,7 @@ Quantity past_the_vertical(const Top& top, const Reference& truth) {
   const Horizon horizon{4};
   Quantity q = quantity("past_the_vertical", "1", "axis of the same top that passes close to the vertical",
                         true_axis(grazing, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
-  Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
+  SceneMethods(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
       .by<ode::RungeKutta4>(euler_angles, EulerAngles<double>{{grazing}})
       .by<ode::Fehlberg78>(euler_angles, EulerAngles<double>{{grazing}})
       .by<ode::RungeKutta4>(rigid_body, RigidBody<double>{{grazing}})
@@ -327,7 +327,7 @@ Quantity looping(const Top& top, const Reference& truth) {
   const Horizon horizon{4};
   Quantity q = quantity("looping", "1", "axis of the same top hanging below its tip, its spin slow",
                         true_axis(hanging, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
-  Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
+  SceneMethods(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
       .by<ode::Fehlberg78>("one angle, precession by quadrature", OneAngle<double>{hanging})
       .by<ode::RungeKutta4>(euler_angles, EulerAngles<double>{{hanging}})
       .by<ode::Fehlberg78>(euler_angles, EulerAngles<double>{{hanging}})
@@ -342,7 +342,7 @@ Quantity looping(const Top& top, const Reference& truth) {
 Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
   Quantity q = quantity("axis", "1", "unit vector along the axis at four times",
                         true_axis(top, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
-  Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
+  SceneMethods(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
       .closed_form("mean precession of a fast top", MeanPrecession<double>{top}, Outcome::inaccurate,
                    R"(the axis nods, and its mean rate is $mg\ell/(\mu_3c)$ in the limit of fast spin only)")
       .by_engine_integrators("one angle, precession by quadrature", OneAngle<double>{top}, Outcome::drifted)

@@ -33,7 +33,7 @@ Quantity shaken_axis(const std::string& name, const std::string& says, const Top
   constexpr Outcome off = Outcome::inaccurate;
   Quantity q = quantity(name, "1", says, trajectory(truth, "03_35_axis", inputs(top), horizon),
                         {1e-7, "a fiftieth of a second of arc"});
-  Ladder(q, horizon, shaken_steps(), tolerances(3, 11))
+  SceneMethods(q, horizon, shaken_steps(), tolerances(3, 11))
       .by<ode::ExplicitEuler>(fixed_tip, proposed, off, separate)
       .by<ode::RungeKutta4>(fixed_tip, proposed, off, separate)
       .by<ode::DormandPrince54>(fixed_tip, proposed, off, separate)
@@ -66,7 +66,7 @@ Quantity nearly_upright(Top top, const Reference& truth) {
       quantity("nearly_upright", "1", "axis of the same top let go one degree off the vertical, A / 16",
                trajectory(truth, "03_35_axis", inputs(top), horizon),
                {1e-4, "twenty seconds of arc: nothing that is seen"});
-  Ladder(q, horizon, halving("step", 0.03125, 8), tolerances(3, 9))
+  SceneMethods(q, horizon, halving("step", 0.03125, 8), tolerances(3, 9))
       .by<ode::Fehlberg78>(fixed_tip, AxisAndMomentum<double>{with_fixed_tip(top)}, Outcome::inaccurate,
                            separate)
       .closed_form("small tilt", SmallTilt<double>{top})
@@ -162,7 +162,7 @@ Quantity deviation(const Top& top, const Reference& truth) {
 
 Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
   Quantity q = shaken_axis("axis", "unit vector along the axis at four times", top, horizon, truth);
-  Ladder(q, horizon, shaken_steps(), tolerances(3, 11))
+  SceneMethods(q, horizon, shaken_steps(), tolerances(3, 11))
       .by_remaining_integrators(
           "axis and angular momentum", AxisAndMomentum<double>{top},
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},

@@ -17,7 +17,7 @@ inline Quantity height(const Parameters& p, const Horizon& horizon, const Refere
   const Value truth = observe_closed_form(Flights<double>{given}, horizon).value;
   Quantity y = quantity("height", "m", "height at " + times_up_to(horizon), closed_form(truth, 1e-14),
                         {1e-6, "a micrometre"});
-  Ladder(y, horizon, halving("step", 0.125, 9), tolerances())
+  SceneMethods(y, horizon, halving("step", 0.125, 9), tolerances())
       .closed_form("flights", Flights<double>{given})
       .by_engine_integrators("ball", Ball<double>{given})
       .by_remaining_integrators("ball", Ball<double>{given})

@@ -38,8 +38,8 @@ std::vector<double> evenly(double end, int count) {
 }  // namespace
 
 template <std::size_t n>
-Motion ModelOf<n>::run(std::string_view algorithm, Precision precision, double setting,
-                       std::span<const double> times) const {
+Motion ModelInterfaceOf<n>::run(std::string_view algorithm, Precision precision, double setting,
+                                std::span<const double> times) const {
   const Known by = known(algorithm);
   if (!by.found) return refused("the module does not have this algorithm");
   if (by.partitioned && !this->partitioned()) return refused("the model is not partitioned");
@@ -49,8 +49,8 @@ Motion ModelOf<n>::run(std::string_view algorithm, Precision precision, double s
 }
 
 template <std::size_t n>
-auto ModelOf<n>::moved(std::string_view algorithm, Precision precision, double setting,
-                       std::span<const double> times) const -> ode::Trajectory<State> {
+auto ModelInterfaceOf<n>::moved(std::string_view algorithm, Precision precision, double setting,
+                                std::span<const double> times) const -> ode::Trajectory<State> {
   if (precision == Precision::in_double) return integrate(algorithm, times, setting, {});
   const auto narrow = (*ode::in_float<n>(algorithm))(system_in_float(), start_in_float(), times, setting);
   ode::Trajectory<State> widened{{}, narrow.evaluations, narrow.error_estimate,
@@ -63,7 +63,8 @@ auto ModelOf<n>::moved(std::string_view algorithm, Precision precision, double s
 }
 
 template <std::size_t n>
-Motion ModelOf<n>::seen(const ode::Trajectory<State>& trajectory, std::span<const double> times) const {
+Motion ModelInterfaceOf<n>::seen(const ode::Trajectory<State>& trajectory,
+                                 std::span<const double> times) const {
   Motion motion;
   motion.states = trajectory.value.size();
   motion.whole = motion.states - (trajectory.reached() || motion.states == 0 ? 0 : 1);
@@ -79,8 +80,8 @@ Motion ModelOf<n>::seen(const ode::Trajectory<State>& trajectory, std::span<cons
 }
 
 template <std::size_t n>
-std::vector<double> ModelOf<n>::drift(const ode::Trajectory<State>& trajectory,
-                                      std::span<const double> times) const {
+std::vector<double> ModelInterfaceOf<n>::drift(const ode::Trajectory<State>& trajectory,
+                                               std::span<const double> times) const {
   if (trajectory.value.empty()) return {};
   const auto at_start = conserved(trajectory.value[0], times[0]);
   if (at_start.empty()) return {};
@@ -92,7 +93,7 @@ std::vector<double> ModelOf<n>::drift(const ode::Trajectory<State>& trajectory,
 }
 
 template <std::size_t n>
-const std::vector<double>& ModelOf<n>::moving(double end) const {
+const std::vector<double>& ModelInterfaceOf<n>::moving(double end) const {
   auto& most = moving_[end];
   if (!most.empty()) return most;
   long steps = 0;  // a model that chatters about rest would take millions
@@ -109,6 +110,6 @@ const std::vector<double>& ModelOf<n>::moving(double end) const {
 }
 
 #define ODDITY_MODEL(n, type) template class type<n>;
-ODDITY_FOR_UNKNOWNS(ODDITY_MODEL, ModelOf)
+ODDITY_FOR_UNKNOWNS(ODDITY_MODEL, ModelInterfaceOf)
 
 }  // namespace oddity::module

@@ -82,7 +82,7 @@ class Formula final : public Model {
 
 /// A model of n unknowns: compiled once for each n, behind the seam that the program's algorithms have.
 template <std::size_t n>
-class ModelOf : public Model, public ode::AnySystem<n> {
+class ModelInterfaceOf : public Model, public ode::AnySystem<n> {
  public:
   using typename ode::AnySystem<n>::State;
 
@@ -114,8 +114,8 @@ class ModelOf : public Model, public ode::AnySystem<n> {
 };
 
 template <class InDouble, class InFloat, std::size_t n>
-class Integrated final : public ode::Adapted<ModelOf<n>, InDouble> {
-  using Base = ode::Adapted<ModelOf<n>, InDouble>;
+class Integrated final : public ode::Adapted<ModelInterfaceOf<n>, InDouble> {
+  using Base = ode::Adapted<ModelInterfaceOf<n>, InDouble>;
 
  public:
   using typename Base::State, Base::system;

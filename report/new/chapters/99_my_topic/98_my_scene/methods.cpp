@@ -12,7 +12,7 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
   Quantity x = quantity("swing", "m", "stretch at " + times_up_to(horizon),
                         trajectory(truth, "99_98_my_scene", {p["c"], p["m"], p["x0"]}, horizon),
                         {1e-5, "a hundredth of a millimetre"});
-  Ladder(x, horizon, halving("step", 0.125, 9), tolerances())
+  SceneMethods(x, horizon, halving("step", 0.125, 9), tolerances())
       .by<ode::RungeKutta4>("mass on a spring", mass)
       .by<ode::Fehlberg78>("mass on a spring", mass);
   return x;
