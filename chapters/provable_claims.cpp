@@ -1,0 +1,36 @@
+#include "chapters/provable_claims.hpp"
+
+#include <cmath>
+
+namespace oddity {
+
+std::string quantified(const std::vector<std::string>& names) {
+  std::string all = "(";
+  for (const std::string& name : names) all += name + " ";
+  return all + ": R)";
+}
+
+Lemma off_at(const Expressions& printed, const Expressions& truth, const Value& difference, double& margin) {
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < difference.size(); ++i)
+    if (std::abs(difference[i]) > std::abs(difference[largest])) largest = i;
+  const double size = 0.99 * std::abs(difference[largest]);
+  const double digit = std::pow(10, 1 - std::floor(std::log10(size)));
+  margin = std::floor(size * digit) / digit;
+  return {.name = "printed_differs",
+          .follows = {apart(printed.at(largest), truth.at(largest), margin)},
+          .tactic = "interval"};
+}
+
+std::string by_angles(const std::vector<std::string>& angles, const std::string& field) {
+  std::string tactic, known;
+  for (const std::string& angle : angles) {
+    tactic += "\n  assert (circle_" + angle + " : sin (" + angle + ") * sin (" + angle + ") = 1 - cos (" +
+              angle + ") * cos (" + angle + ")) by (pose proof (sin2_cos2 (" + angle +
+              ")) as all; unfold Rsqr in all; lra);";
+    known += " circle_" + angle;
+  }
+  return tactic + "\n  " + field + (known.empty() ? "" : " [" + known.substr(1) + "]");
+}
+
+}  // namespace oddity

@@ -1,0 +1,177 @@
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "chapters/claims.hpp"
+#include "chapters/provable.hpp"
+#include "chapters/shortened.hpp"
+
+/// Claims whose formulas are generic in their number type, stated once: computed over samples of doubles, and
+/// proved for all values of the letters. A sample is `template <class T> struct Of` with letters() that
+/// returns an array of T*.
+namespace oddity {
+
+template <class... Numbers>
+requires(std::same_as<Numbers, Shortened> || ...) std::vector<Shortened> values(Numbers... x) {
+  return {Shortened(x)...};
+}
+
+namespace detail {
+
+template <class X>
+Expressions recorded_value(const X& x) {
+  if constexpr (std::convertible_to<X, Shortened>) {
+    return {Shortened(x).expression()};
+  } else {
+    Expressions all;
+    for (const auto& component : x) all.push_back(Shortened(component).expression());
+    return all;
+  }
+}
+
+}  // namespace detail
+
+/// A formula that is recorded as well where it takes a sample of expressions.
+template <template <class> class Of>
+struct ProvableFormula : Formula<Of<double>> {
+  std::function<Expressions(const Of<Shortened>&)> recorded;
+
+  ProvableFormula() = default;
+  template <class F>
+  ProvableFormula(std::string written, const F& f, std::function<double(const Of<double>&)> size = {})
+      : Formula<Of<double>>{std::move(written), f, std::move(size)} {
+    if constexpr (std::invocable<const F&, const Of<Shortened>&>)
+      recorded = [f](const Of<Shortened>& s) { return detail::recorded_value(f(s)); };
+  }
+};
+
+template <template <class> class Of>
+struct ProvableClaim {
+  std::string quantity = {};
+  ProvableFormula<Of> truth;
+  ProvableFormula<Of> printed;
+  ProvableFormula<Of> meant = {};
+  ProvableFormula<Of> corrected = {};
+  std::vector<ProvableFormula<Of>> near_misses = {};
+  Fault kind = Fault::none;
+  std::string root = {};
+  std::string why = {};
+};
+
+/// What proofs of an exercise's formulas have in common.
+template <template <class> class Of>
+struct ForAll {
+  Of<Shortened> any;
+  std::string letters;                    ///< "(x y : R)"
+  std::vector<Proposition> given = {};    ///< of them
+  std::string tactic;                     ///< that proves the right formulas
+  std::string says;                       ///< "it holds for any ..."
+  Of<double> example{};                   ///< where printed formulas are off
+  std::vector<std::string> without = {};  ///< claims left out
+};
+
+/// The sample of these letters, in their order.
+template <template <class> class Of>
+Of<Shortened> lettered(const std::vector<std::string>& names) {
+  Of<Shortened> any{};
+  std::size_t i = 0;
+  for (Shortened* letter : any.letters()) *letter = Shortened::letter(names.at(i++));
+  return any;
+}
+std::string quantified(const std::vector<std::string>& names);
+
+/// The difference's largest component at an example, for a proof that there is one.
+Lemma off_at(const Expressions& printed, const Expressions& truth, const Value& difference, double& margin);
+
+/// Decides that a sum of products of what is above zero is not zero.
+inline constexpr const char* by_positive_terms =
+    "try (apply Rgt_not_eq; ring_simplify; "
+    "repeat apply Rplus_lt_0_compat; repeat apply Rmult_lt_0_compat; try apply pow_lt; lra)";
+
+/// The squares of these angles' sines by their cosines, and a field's or ring's equation that uses them.
+std::string by_angles(const std::vector<std::string>& angles, const std::string& field = "field");
+
+template <template <class> class Of>
+class ProvableClaims {
+ public:
+  using Samples = std::vector<Of<double>>;
+
+  explicit ProvableClaims(Claims& claims) : claims_(claims) {}
+
+  void formula(std::string_view slug, int line, std::string says, const Samples& samples,
+               const ProvableClaim<Of>& c) {
+    std::vector<Formula<Of<double>>> near(c.near_misses.begin(), c.near_misses.end());
+    claims_.formula<Of<double>>(slug, line, std::move(says), samples,
+                                {.quantity = c.quantity,
+                                 .truth = c.truth,
+                                 .printed = c.printed,
+                                 .meant = c.meant,
+                                 .corrected = c.corrected,
+                                 .near_misses = std::move(near),
+                                 .kind = c.kind,
+                                 .root = c.root,
+                                 .why = c.why});
+    stated_.emplace_back(slug, c);
+  }
+
+  /// Of all whose formulas are recorded, and say more than x = x. `exercise`: "3.5".
+  Provables proofs(const std::string& exercise, const ForAll<Of>& all) const {
+    Provables proved;
+    for (const auto& [slug, claim] : stated_)
+      if (const std::string id = exercise + "-" + slug;
+          provable(claim) && !among(all.without, slug) && !is_itself(claim, all))
+        proved.push_back(claim.meant.of || claim.corrected.of ? of_wrong(id, claim, all)
+                                                              : of_right(id, claim, all));
+    return proved;
+  }
+
+ private:
+  static bool among(const std::vector<std::string>& slugs, const std::string& slug) {
+    return std::ranges::find(slugs, slug) != slugs.end();
+  }
+  static const ProvableFormula<Of>& right(const ProvableClaim<Of>& c) {
+    return c.meant.of ? c.meant : c.corrected.of ? c.corrected : c.printed;
+  }
+  static bool provable(const ProvableClaim<Of>& c) {
+    return c.truth.recorded && c.printed.recorded && right(c).recorded;
+  }
+  static bool is_itself(const ProvableClaim<Of>& c, const ForAll<Of>& all) {
+    return std::ranges::equal(right(c).recorded(all.any), c.truth.recorded(all.any), {}, &Expression::coq,
+                              &Expression::coq);
+  }
+  static Lemma equation(std::string name, const ProvableClaim<Of>& c, const ForAll<Of>& all) {
+    return {std::move(name), all.letters, all.given,
+            equal(right(c).recorded(all.any), c.truth.recorded(all.any)), all.tactic};
+  }
+  static Provable of_right(const std::string& id, const ProvableClaim<Of>& c, const ForAll<Of>& all) {
+    return {id, all.says, {equation("printed", c, all)}};
+  }
+  static Provable of_wrong(const std::string& id, const ProvableClaim<Of>& c, const ForAll<Of>& all) {
+    Of<double> example = all.example;
+    Of<Shortened> recorded{};
+    auto numbers = example.letters();
+    std::size_t i = 0;
+    for (Shortened* letter : recorded.letters()) *letter = *numbers[i++];
+    const Value printed = c.printed.of(example), truth = c.truth.of(example);
+    Value difference = printed;
+    for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= truth[k];
+    double margin = 0;
+    Lemma off = off_at(c.printed.recorded(recorded), c.truth.recorded(recorded), difference, margin);
+    const std::string reading = c.meant.of ? "meant" : "corrected";
+    return {id,
+            "as " + reading + " " + all.says + "; as printed it is off at an example",
+            {equation(reading, c, all), std::move(off)},
+            margin};
+  }
+
+  Claims& claims_;
+  std::vector<std::pair<std::string, ProvableClaim<Of>>> stated_;
+};
+
+}  // namespace oddity
