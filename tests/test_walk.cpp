@@ -1,10 +1,13 @@
 // The walks of CONTRIBUTING.md, with what its page fills in: from what `new` writes to green exercises, and
 // how an exercise of one's own is shown. What `new` writes is compiled as it is into the same program.
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "tests/catch.hpp"
+#include "tests/near.hpp"
 #include "tests/program.hpp"
 #include "tests/scratch_folder.hpp"
 
@@ -89,10 +92,31 @@ TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
   CHECK(says(oddity("verify --approve '[4.1]'"), "every row was on record already"));
   CHECK(oddity("verify '[own]~[ch99]'").status == 0);
   CHECK(says(oddity("choose 4.1 --criterion energy --error 0.01 --horizon 1"), "Take "));
+  const Ran beside = oddity("choose 4.1 --error 1cm --engine euler");
+  CHECK(
+      says(beside, "on Euler 1, defaults (double): at 60 Hz it errs by 1 cm; 2 steps a frame bring 0.42 cm"));
   const Ran page = oddity("verify '[4.1]' -r markdown");
   CHECK(says(page, "0 exercises and 1 of one's own, 1 claim"));
   CHECK(says(page, "[4.1 Spring](#41-spring) (own)"));
   CHECK_FALSE(says(page, "The solutions have no exercises in this chapter"));
+}
+
+TEST_CASE("the engine of CONTRIBUTING.md throws as its page says", "[walk]") {
+  const std::string engine = std::string(ODDITY_WALK_FOLDER) + "/engines/engine_euler";
+  const ScratchFolder scratch;
+  const std::string page = text_of(fs::path(ODDITY_SOURCE) / "CONTRIBUTING.md");
+  const auto begin = page.find("{\"variant\": \"defaults\""), end = page.find("```", begin);
+  REQUIRE(begin < end);
+  std::string request = page.substr(begin, end - begin);
+  std::ranges::replace(request, '\n', ' ');
+  std::ofstream(scratch.path() / "throw.json") << request << "\n";
+  CHECK(says(shell(engine + " --about"), "\"name\":\"Euler\""));
+  const Ran thrown = shell(engine + " < " + (scratch.path() / "throw.json").string());
+  INFO(thrown.output);
+  REQUIRE(thrown.status == 0);
+  const auto last = nlohmann::json::parse(thrown.output)["frames"].back()[0]["position"];
+  CHECK(near(last[0].get<double>(), 4, 1e-12));
+  CHECK(near(last[1].get<double>(), 2.095 - 0.0204375, 1e-12));
 }
 
 TEST_CASE("what new writes runs as it is, from outside the tree, and says what is still to be written",

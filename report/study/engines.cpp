@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 
 #include "reference/bad_input.hpp"
@@ -201,13 +202,13 @@ void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply&
   trial.path = std::move(seen);
 }
 
-/// The adapters in JavaScript beside the runner and what they share.
+/// The adapters in JavaScript: those that have settings.
 std::vector<std::string> adapters_in(const fs::path& folder) {
+  std::ifstream file(folder / "variants.json");
+  const auto settings = nlohmann::json::parse(file);
   std::vector<std::string> names;
-  for (const auto& file : fs::directory_iterator(folder)) {
-    const std::string name = file.path().stem().string();
-    if (file.path().extension() == ".mjs" && name != "runner" && name != "simulation") names.push_back(name);
-  }
+  for (const auto& [adapter, _] : settings.items())
+    if (adapter.ends_with(".mjs")) names.push_back(fs::path(adapter).stem().string());
   return names;
 }
 
