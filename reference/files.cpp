@@ -121,4 +121,15 @@ void write_to_device(const fs::path& path, const std::string& text) {
   require(!out.fail(), path);
 }
 
+PassingFolder::PassingFolder() {
+  std::string name = (fs::temp_directory_path() / "oddity_XXXXXX").string();
+  if (!mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), name);
+  path_ = name;
+}
+
+PassingFolder::~PassingFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
 }  // namespace oddity

@@ -16,6 +16,21 @@ void require_writable_folder(const std::filesystem::path& folder);
 /// Where two runs write it at once, one is after the other. Throws BadInput when it cannot be written.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
+/// A folder of the system's temporary ones, gone with this. Throws std::system_error when none can be made.
+class PassingFolder {
+ public:
+  PassingFolder();
+  ~PassingFolder();
+  PassingFolder(const PassingFolder&) = delete;
+  PassingFolder& operator=(const PassingFolder&) = delete;
+
+  /// The path of a file in it.
+  std::string operator/(std::string_view name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// Of a text, for files that this program alone reads again.
 std::string checksum(std::string_view text);
 /// Writes the text's lines and, in one more, their checksum. Throws BadInput when it cannot be written.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "reference/files.hpp"
 #include "reference/text.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/fit.hpp"
@@ -19,25 +20,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Words = std::vector<std::string>;
-
-/// A folder that is gone with this.
-class PassingFolder {
- public:
-  PassingFolder() : path_((fs::temp_directory_path() / "oddity_bench_XXXXXX").string()) {
-    if (!mkdtemp(path_.data())) throw std::system_error(errno, std::generic_category(), path_);
-  }
-  ~PassingFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  PassingFolder(const PassingFolder&) = delete;
-  PassingFolder& operator=(const PassingFolder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (fs::path(path_) / name).string(); }
-
- private:
-  std::string path_;
-};
 
 VerbCost cost_of(const Words& words) {
   Words command{fs::read_symlink("/proc/self/exe").string()};

@@ -1,11 +1,7 @@
 #include "report/site/formulas.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -14,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "reference/files.hpp"
 #include "report/pages/markup.hpp"
 #include "report/site/page.hpp"
 #include "report/study/run_program.hpp"
@@ -156,23 +153,6 @@ const all = JSON.parse(fs.readFileSync(0, 'utf8')).map((tex) => {
 fs.writeFileSync(process.argv[1], JSON.stringify(all));
 )js";
 
-/// A file that is gone with this.
-struct Passing {
-  fs::path path;
-  ~Passing() {
-    std::error_code ignored;
-    fs::remove(path, ignored);
-  }
-};
-
-Passing passing_file() {
-  std::string name = (fs::temp_directory_path() / "oddity_formulas_XXXXXX").string();
-  const int descriptor = mkstemp(name.data());
-  if (descriptor < 0) throw std::system_error(errno, std::generic_category(), name);
-  close(descriptor);
-  return {name};
-}
-
 /// Calls with each marked formula of the text, and gives the text with what it returns in its place.
 template <class Replacement>
 std::string with_formulas(const std::string& text, const Replacement& replacement) {
@@ -192,15 +172,15 @@ std::map<std::string, std::string> typeset_by_katex(const std::set<std::string>&
   using nlohmann::json;
   const std::vector<std::string> list(formulas.begin(), formulas.end());
   if (list.empty() || !fs::exists("/usr/share/nodejs/katex")) return {};
-  const Passing out = passing_file();
+  const PassingFolder folder;
+  const fs::path out = folder / "formulas.json";
   try {
     const std::string input = json(list).dump(-1, ' ', true, json::error_handler_t::replace);
-    if (!run_program({"node", "-e", typesetter, out.path.string()}, input, std::chrono::seconds(60)).ok)
-      return {};
+    if (!run_program({"node", "-e", typesetter, out.string()}, input, std::chrono::seconds(60)).ok) return {};
   } catch (const std::system_error&) {
     return {};
   }
-  std::ifstream file(out.path);
+  std::ifstream file(out);
   const json answers = json::parse(file);
   std::map<std::string, std::string> made;
   for (std::size_t i = 0; i < list.size(); ++i) {

@@ -1,7 +1,5 @@
 #include "report/study/prove.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -25,13 +23,12 @@ fs::path file_of(const fs::path& folder, const std::string& claim) { return fold
 /// Says of which file it was proved.
 fs::path seal_of(const fs::path& folder, const std::string& claim) { return folder / (claim + ".proved"); }
 
-/// coqc takes names of modules alone, and leaves what it compiled beside them: both in a folder of its own.
-Ended coqc(const std::string& text, const fs::path& folder) {
+/// coqc takes names of modules alone, and leaves what it compiled beside them.
+Ended coqc(const std::string& text) {
+  const PassingFolder folder;
   const fs::path file = folder / "proof.v";
   write_whole(file, text);
-  const Ended ended = run_program({"coqc", "-q", "-w", "none", file.string()}, "", most_time);
-  fs::remove_all(folder);
-  return ended;
+  return run_program({"coqc", "-q", "-w", "none", file.string()}, "", most_time);
 }
 
 Checked checked(const Provable& provable, const fs::path& folder) {
@@ -43,7 +40,7 @@ Checked checked(const Provable& provable, const fs::path& folder) {
     return result;
   }
   const auto begun = std::chrono::steady_clock::now();
-  const Ended ended = coqc(text, folder / (provable.claim + ".part"));
+  const Ended ended = coqc(text);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   if (!ended.ok) {
     result.message = "coqc: " + ended.how + ": " + ended.words;
@@ -52,7 +49,7 @@ Checked checked(const Provable& provable, const fs::path& folder) {
   for (const std::string& axiom : unknown_axioms(ended.output))
     result.message += "it rests on " + axiom + "; ";
   result.proved = result.message.empty();
-  if (result.proved) keep_sealed(seal_of(folder, provable.claim), hash + "\n");
+  if (result.proved) write_sealed(seal_of(folder, provable.claim), hash + "\n");
   return result;
 }
 
@@ -86,11 +83,9 @@ std::vector<std::string> unknown_axioms(const std::string& printed) {
 }
 
 bool coq_is_there() {
-  const fs::path folder = fs::temp_directory_path() / ("oddity_coq_" + std::to_string(getpid()));
   try {
-    return coqc(coq_file({"0.0-nothing", "whether the libraries are there"}), folder).ok;
+    return coqc(coq_file({"0.0-nothing", "whether the libraries are there"})).ok;
   } catch (const std::system_error&) {
-    fs::remove_all(folder);
     return false;
   }
 }

@@ -19,6 +19,15 @@ echo '{"name": "Dying", "version": "1", "precision": "double",
        "variants": [{"name": "defaults", "says": "", "order": 1, "defaults": true}]}'
 )";
 
+/// A proof assistant that takes its time and believes everything: what is looked at is what oddity writes.
+constexpr const char* believing_coqc = "#!/bin/sh\nsleep 0.05\necho Closed under the global context\n";
+
+void write_program(const fs::path& file, const char* text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+  fs::permissions(file, fs::perms::owner_all);
+}
+
 std::string replaced(std::string text, const std::string& old, const std::string& fresh) {
   if (const auto at = text.find(old); at != std::string::npos) text.replace(at, old.size(), fresh);
   return text;
@@ -42,15 +51,16 @@ Installed::Installed(fs::path root) : root_(std::move(root)) {
   for (const char* room : {"tables", "approved"})
     copy_as_it_is(ODDITY_SOURCE "/reference/" + std::string(room), tables() / room);
   if (fs::exists(ODDITY_MODULE)) copy_as_it_is(ODDITY_MODULE, root_ / "share/oddity/models.js");
-  fs::create_directories(root_ / "bin/engines");
-  std::ofstream(root_ / "bin/engines/engine_dying") << dying_engine;
-  fs::permissions(root_ / "bin/engines/engine_dying", fs::perms::owner_all);
+  write_program(root_ / "bin/engines/engine_dying", dying_engine);
+  write_program(root_ / "tools/coqc", believing_coqc);
 }
 
 Command Installed::command(const Verb& verb, const fs::path& folder) const {
   Command command{{(root_ / "bin" / verb.program).string()}};
   for (const std::string& word : verb.words) command.words.push_back(replaced(word, "{}", folder.string()));
   command.environment["XDG_CACHE_HOME"] = (folder / "cache").string();
+  const char* path = std::getenv("PATH");
+  command.environment["PATH"] = (root_ / "tools").string() + ":" + (path ? path : "");
   return command;
 }
 
@@ -119,6 +129,7 @@ std::vector<Verb> verbs(const Installed& program) {
        .prepare = with_tables},
       {.name = "new", .words = {"new", "20.1", "comet", "--topic", "space", "--in", "{}/out"}, .once = true},
       {.name = "engines", .words = {"engines", "free body", "--finest", "1"}},
+      {.name = "prove", .words = {"prove", "3.1", "--out", "{}/out"}},
   };
 }
 
