@@ -2,7 +2,7 @@
 // by dual numbers from the curve alone, and with the wire's forces in Cartesian coordinates; the statements
 // about the motion with the book's own run.
 
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,19 +14,20 @@
 namespace oddity::ex03_07 {
 
 using namespace bead_on_cubic;
-using std::abs, std::sqrt;
+using std::abs, std::pow, std::sqrt;
 
 // ---- the Lagrangian ---------------------------------------------------------------------------------------
 
 /// The bead's velocity for q' = v.
 template <class T>
-std::array<T, 3> velocity(const T& q, const T& v) {
+std::array<T, 3> velocity(const T& q, const std::type_identity_t<T>& v) {
   const auto x = curve(Dual<T>(q, v));
   return {x[0].slope, x[1].slope, x[2].slope};
 }
 
+template <class M>
 struct KineticEnergy {
-  double m;
+  M m;
   template <class T>
   T operator()(const T& q, const T& v, const T&) const {
     const auto u = velocity(q, v);
@@ -34,84 +35,86 @@ struct KineticEnergy {
   }
 };
 
+template <class M>
 struct Lagrangian {
-  double m, g;
+  M m, g;
   template <class T>
   T operator()(const T& q, const T& v, const T& t) const {
-    return KineticEnergy{m}(q, v, t) - m * g * curve(q)[2];
+    return KineticEnergy<M>{m}(q, v, t) - m * g * curve(q)[2];
   }
 };
 
 /// A bead somewhere on the curve, and any q''.
-struct Sample {
-  double m, g, q, v, a;
-  explicit Sample(Random& random)
+template <class T>
+struct SampleOf {
+  T m, g, q, v, a;
+  SampleOf() = default;
+  explicit SampleOf(Random& random)
       : m(abs(random.magnitude(0.1, 10))),
         g(abs(random.magnitude(0.1, 10))),
         q(random.magnitude(0.01, 2)),
         v(random.magnitude(0.01, 3)),
         a(random.magnitude(0.01, 3)) {}
-  std::array<double*, 5> letters() { return {&m, &g, &q, &v, &a}; }
+  std::array<T*, 5> letters() { return {&m, &g, &q, &v, &a}; }
   std::string where() const {
     return "$m$ = " + format_shortest(m) + ", $g$ = " + format_shortest(g) + ", $q$ = " + format_shortest(q) +
            R"(, $\dot q$ = )" + format_shortest(v) + R"(, $\ddot q$ = )" + format_shortest(a);
   }
-  KineticEnergy T() const { return {m}; }
-  Lagrangian L() const { return {m, g}; }
-  double bend() const { return 2 * q + 9 * q * q * q; }
+  KineticEnergy<T> kinetic() const { return {m}; }
+  Lagrangian<T> lagrangian() const { return {m, g}; }
+  T bend() const { return 2 * q + 9 * q * q * q; }
   /// x'' by Lagrange's equation.
-  std::array<double, 3> acceleration() const {
-    const Dual<double> along(q, v), speed(v, lagrange_acceleration(L(), q, v));
+  std::array<T, 3> acceleration() const {
+    const Dual<T> along(q, v), speed(v, lagrange_acceleration(lagrangian(), q, v));
     const auto u = velocity(along, speed);
     return {u[0].slope, u[1].slope, u[2].slope};
   }
   /// The power of the force on the bead, each of its terms taken as `of` it.
   template <class Of>
-  double power(const Of& of) const {
+  T power(const Of& of) const {
     const auto x = acceleration(), u = velocity(q, v);
     return m * (of(u[0] * x[0]) + of(u[1] * x[1]) + of(u[2] * x[2]));
   }
   /// q'' by the exercise's equation.
-  double published() const {
-    std::array<double, 2> rate;
-    OneCoordinate<double>{{q, g}}(std::array{q, v}, rate, 0.0);
+  T published() const {
+    std::array<T, 2> rate;
+    OneCoordinate<T>{{q, g}}(std::array{q, v}, rate, T(0));
     return rate[1];
   }
   /// x'' = q'' from gravity and the wire's two forces.
-  double by_forces() const {
+  T by_forces() const {
     const auto x = curve(q), u = velocity(q, v);
     const std::array state{x[0], x[1], x[2], u[0], u[1], u[2]};
     auto rate = state;
-    CartesianWithConstraints<double>{{q, g}}(state, rate, 0.0);
+    CartesianWithConstraints<T>{{q, g}}(state, rate, T(0));
     return rate[3];
   }
 };
+using Sample = SampleOf<double>;
+using Table = ProvableClaims<SampleOf>;
 
-void formulas(Claims& claims, double seed) {
-  const auto samples = draw<Sample>(200, seed);
-  const Formula<Sample> energy{R"($\frac m2|\dot x|^2$, $\dot x$ by dual numbers)",
-                               [](const Sample& s) { return s.T()(s.q, s.v, 0.0); }};
+void energies(Table& table, const std::vector<Sample>& samples) {
+  const ProvableFormula<SampleOf> energy{R"($\frac m2|\dot x|^2$, $\dot x$ by dual numbers)",
+                                         [](const auto& s) { return s.kinetic()(s.q, s.v, s.v); }};
 
-  claims.formula<Sample>(
+  table.formula(
       "tangent", 1375, "the tangent $dx/dq$ of the curve", samples,
-      {.truth = {"the curve by dual numbers", [](const Sample& s) { return velocity(s.q, 1.0); }},
-       .printed = {"$(1,2q,3q^2)$", [](const Sample& s) { return values(1, 2 * s.q, 3 * s.q * s.q); }},
-       .near_misses = {
-           {"$(1,2q,2q^2)$", [](const Sample& s) { return values(1, 2 * s.q, 2 * s.q * s.q); }}}});
-  claims.formula<Sample>(
+      {.truth = {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, 1); }},
+       .printed = {"$(1,2q,3q^2)$", [](const auto& s) { return values(1, 2 * s.q, 3 * s.q * s.q); }},
+       .near_misses = {{"$(1,2q,2q^2)$", [](const auto& s) { return values(1, 2 * s.q, 2 * s.q * s.q); }}}});
+  table.formula(
       "velocity", 1375, R"(the bead's velocity $\dot x$)", samples,
-      {.truth = {"the curve by dual numbers", [](const Sample& s) { return velocity(s.q, s.v); }},
+      {.truth = {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, s.v); }},
        .printed = {R"($\dot q\,(1,2q,3q^2)$)",
-                   [](const Sample& s) { return values(s.v, 2 * s.q * s.v, 3 * s.q * s.q * s.v); }},
-       .near_misses = {
-           {"$(1,2q,3q^2)$", [](const Sample& s) { return values(1, 2 * s.q, 3 * s.q * s.q); }}}});
-  const auto by_speed = [](std::string text, double factor, double power) -> Formula<Sample> {
-    return {std::move(text), [=](const Sample& s) {
+                   [](const auto& s) { return values(s.v, 2 * s.q * s.v, 3 * s.q * s.q * s.v); }},
+       .near_misses = {{"$(1,2q,3q^2)$", [](const auto& s) { return values(1, 2 * s.q, 3 * s.q * s.q); }}}});
+  const auto by_speed = [](std::string text, double factor, int power) -> ProvableFormula<SampleOf> {
+    return {std::move(text), [=](const auto& s) {
               const auto u = velocity(s.q, s.v);
-              return factor * s.m * std::pow(std::hypot(u[0], u[1], u[2]), power);
+              return factor * s.m * pow(sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]), power);
             }};
   };
-  claims.formula<Sample>(
+  table.formula(
       "kinetic_energy_by_speed", 1379, R"(the kinetic energy $T$ by the speed $|\dot x|$)", samples,
       {.truth = energy,
        .printed = by_speed(R"($\frac m2|\dot x|$)", 0.5, 1),
@@ -121,57 +124,57 @@ void formulas(Claims& claims, double seed) {
        .why =
            R"(The speed's exponent is missing; the next form of the line, with $\dot q^2$, comes from the )"
            R"(square. A bead twice as fast has four times the energy, and by the printed form twice.)"});
-  claims.formula<Sample>("kinetic_energy", 1381, R"(the kinetic energy $T$ by $q$ and $\dot q$)", samples,
-                         {.truth = energy,
-                          .printed = {R"($\frac m2(1+4q^2+9q^4)\dot q^2$)",
-                                      [](const Sample& s) { return s.m / 2 * metric(s.q) * s.v * s.v; }},
-                          .near_misses = {{R"($\frac m2(1+4q^2+9q^2)\dot q^2$)", [](const Sample& s) {
-                                             return s.m / 2 * (1 + 13 * s.q * s.q) * s.v * s.v;
-                                           }}}});
-  claims.formula<Sample>(
+  table.formula("kinetic_energy", 1381, R"(the kinetic energy $T$ by $q$ and $\dot q$)", samples,
+                {.truth = energy,
+                 .printed = {R"($\frac m2(1+4q^2+9q^4)\dot q^2$)",
+                             [](const auto& s) { return s.m / 2 * metric(s.q) * s.v * s.v; }},
+                 .near_misses = {{R"($\frac m2(1+4q^2+9q^2)\dot q^2$)", [](const auto& s) {
+                                    return s.m / 2 * (1 + 13 * s.q * s.q) * s.v * s.v;
+                                  }}}});
+  table.formula(
       "dT_dq", 1385, R"($\partial T/\partial q$)", samples,
-      {.truth = {"$T$ by dual numbers", [](const Sample& s) { return df_dq(s.T(), s.q, s.v); }},
-       .printed = {R"($2m(2q+9q^3)\dot q^2$)",
-                   [](const Sample& s) { return 2 * s.m * s.bend() * s.v * s.v; }},
+      {.truth = {"$T$ by dual numbers", [](const auto& s) { return df_dq(s.kinetic(), s.q, s.v); }},
+       .printed = {R"($2m(2q+9q^3)\dot q^2$)", [](const auto& s) { return 2 * s.m * s.bend() * s.v * s.v; }},
        .near_misses = {
-           {R"($m(2q+9q^3)\dot q^2$)", [](const Sample& s) { return s.m * s.bend() * s.v * s.v; }}}});
-  claims.formula<Sample>(
+           {R"($m(2q+9q^3)\dot q^2$)", [](const auto& s) { return s.m * s.bend() * s.v * s.v; }}}});
+  table.formula(
       "dT_dqdot", 1387, R"($\partial T/\partial\dot q$)", samples,
-      {.truth = {"$T$ by dual numbers", [](const Sample& s) { return df_dv(s.T(), s.q, s.v); }},
-       .printed = {R"($m(1+4q^2+9q^4)\dot q$)", [](const Sample& s) { return s.m * metric(s.q) * s.v; }},
-       .near_misses = {{R"($\frac m2(1+4q^2+9q^4)\dot q$)",
-                        [](const Sample& s) { return s.m / 2 * metric(s.q) * s.v; }}}});
+      {.truth = {"$T$ by dual numbers", [](const auto& s) { return df_dv(s.kinetic(), s.q, s.v); }},
+       .printed = {R"($m(1+4q^2+9q^4)\dot q$)", [](const auto& s) { return s.m * metric(s.q) * s.v; }},
+       .near_misses = {
+           {R"($\frac m2(1+4q^2+9q^4)\dot q$)", [](const auto& s) { return s.m / 2 * metric(s.q) * s.v; }}}});
   const auto rate = [](double factor) {
-    return [=](const Sample& s) { return s.m * (metric(s.q) * s.a + factor * s.bend() * s.v * s.v); };
+    return [=](const auto& s) { return s.m * (metric(s.q) * s.a + factor * s.bend() * s.v * s.v); };
   };
-  claims.formula<Sample>("momentum_rate", 1393, R"($\frac d{dt}\,\partial T/\partial\dot q$)", samples,
-                         {.truth = {"$T$ by nested dual numbers",
-                                    [](const Sample& s) { return rate_of_df_dv(s.T(), s.q, s.v, s.a); }},
-                          .printed = {R"($m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2$)", rate(4)},
-                          .near_misses = {{R"($m(1+4q^2+9q^4)\ddot q+2m(2q+9q^3)\dot q^2$)", rate(2)}}});
-  claims.formula<Sample>(
-      "force", 1395, "the generalized force of gravity", samples,
-      {.truth = {R"($\partial L/\partial q$ at rest by dual numbers)",
-                 [](const Sample& s) { return df_dq(s.L(), s.q, 0); }},
-       .printed = {"$-3mgq^2$", [](const Sample& s) { return -3 * s.m * s.g * s.q * s.q; }},
-       .near_misses = {{"$3mgq^2$", [](const Sample& s) { return 3 * s.m * s.g * s.q * s.q; }}}});
+  table.formula("momentum_rate", 1393, R"($\frac d{dt}\,\partial T/\partial\dot q$)", samples,
+                {.truth = {"$T$ by nested dual numbers",
+                           [](const auto& s) { return rate_of_df_dv(s.kinetic(), s.q, s.v, s.a); }},
+                 .printed = {R"($m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2$)", rate(4)},
+                 .near_misses = {{R"($m(1+4q^2+9q^4)\ddot q+2m(2q+9q^3)\dot q^2$)", rate(2)}}});
+  table.formula("force", 1395, "the generalized force of gravity", samples,
+                {.truth = {R"($\partial L/\partial q$ at rest by dual numbers)",
+                           [](const auto& s) { return df_dq(s.lagrangian(), s.q, 0); }},
+                 .printed = {"$-3mgq^2$", [](const auto& s) { return -3 * s.m * s.g * s.q * s.q; }},
+                 .near_misses = {{"$3mgq^2$", [](const auto& s) { return 3 * s.m * s.g * s.q * s.q; }}}});
   const auto sides = [](double factor) {
-    return [=](const Sample& s) {
+    return [=](const auto& s) {
       return s.m * (metric(s.q) * s.a + factor * s.bend() * s.v * s.v + 3 * s.g * s.q * s.q);
     };
   };
-  claims.formula<Sample>(
+  table.formula(
       "lagrange_equation", 1407, "what is zero by Lagrange's equation", samples,
       {.truth = {R"($\frac d{dt}\,\partial L/\partial\dot q-\partial L/\partial q$ by nested dual numbers)",
-                 [](const Sample& s) {
-                   return rate_of_df_dv(s.L(), s.q, s.v, s.a) - df_dq(s.L(), s.q, s.v);
+                 [](const auto& s) {
+                   return rate_of_df_dv(s.lagrangian(), s.q, s.v, s.a) - df_dq(s.lagrangian(), s.q, s.v);
                  }},
        .printed = {R"($m(1+4q^2+9q^4)\ddot q+(4m-2m)(2q+9q^3)\dot q^2+3mgq^2$)", sides(4 - 2)},
        .near_misses = {{R"($m(1+4q^2+9q^4)\ddot q+(4m+2m)(2q+9q^3)\dot q^2+3mgq^2$)", sides(4 + 2)}}});
+}
 
+void accelerations(Claims& claims, const std::vector<Sample>& samples) {
   const Formula<Sample> solved{R"($-(3gq^2+2q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", &Sample::published},
       lagrange{R"(Lagrange's equation by nested dual numbers, at any mass)",
-               [](const Sample&s) { return lagrange_acceleration(s.L(), s.q, s.v); }},
+               [](const Sample&s) { return lagrange_acceleration(s.lagrangian(), s.q, s.v); }},
       forces{"gravity and the wire's two forces in Cartesian coordinates", &Sample::by_forces};
   const auto solved_by = [&](std::string text, double square, double gravity) -> Reading {
     const Formula<Sample> formula{text, [=](const Sample& s) {
@@ -240,7 +243,7 @@ struct Step {
 };
 
 /// q'' of the book's bead.
-double force(const State& x) { return lagrange_acceleration(Lagrangian{1, 1}, x[0], x[1]); }
+double force(const State& x) { return lagrange_acceleration(Lagrangian<double>{1, 1}, x[0], x[1]); }
 
 /// A second of the book's bead.
 struct Second {
@@ -449,10 +452,27 @@ void arrivals(Claims& claims, const std::vector<State>& run, const Reference& tr
 std::vector<Claim> claims(double seed, const Reference& truth) {
   Claims all("3.7");
   const auto run = book_run();
-  formulas(all, seed);
+  const auto samples = draw<Sample>(200, seed);
+  Table table(all);
+  energies(table, samples);
+  accelerations(all, samples);
   run_down(all, run);
   arrivals(all, run, truth);
   return all.in_order();
+}
+
+Provables proofs() {
+  Claims claims("3.7");
+  Table table(claims);
+  energies(table, {});
+  const std::vector<std::string> names{"m", "g", "q", "v", "a"};
+  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
+                       .letters = quantified(names),
+                       .tactic = "try rewrite pow2_sqrt by nra; field",
+                       .says = "it holds for every bead in any motion on the curve"};
+  double x = 0;
+  for (double* letter : all.example.letters()) *letter = x += 0.5;
+  return table.proofs("3.7", all);
 }
 
 std::vector<Root> roots() {
@@ -466,3 +486,9 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_07
+
+namespace oddity {
+
+Provables proofs_3_7() { return ex03_07::proofs(); }
+
+}  // namespace oddity
