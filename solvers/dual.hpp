@@ -148,8 +148,8 @@ T derivative(const F& f, const T& x) {
 }
 
 /// f''(x).
-template <class F>
-double second_derivative(const F& f, double x) {
+template <class F, class T>
+T second_derivative(const F& f, const T& x) {
   return derivative([&](const auto& y) { return derivative(f, y); }, x);
 }
 

@@ -2,7 +2,7 @@
 // differentiated by nested dual numbers from the hill's height alone; its statements about paths are tried on
 // integrated motions.
 
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include <cmath>
 
@@ -18,19 +18,21 @@ using std::abs;
 // ---- the equations ----------------------------------------------------------------------------------------
 
 /// A hill, a place, a velocity, an acceleration, and a time.
-struct Sample {
-  Hill<double> hill;
-  double g, t;
-  Pair x, v, a;
+template <class T>
+struct SampleOf {
+  Hill<T> hill;
+  T g, t;
+  Two<T> x, v, a;
 
-  explicit Sample(Random& random)
+  SampleOf() = default;
+  explicit SampleOf(Random& random)
       : hill{random.between(0.5, 3), random.between(0.5, 3)},
         g(random.between(0.5, 20)),
         t(random.magnitude(0.1, 3)),
         x{random.magnitude(0.1, 3), random.magnitude(0.1, 3)},
         v{random.magnitude(0.1, 3), random.magnitude(0.1, 3)},
         a{random.magnitude(0.1, 3), random.magnitude(0.1, 3)} {}
-  std::array<double*, 10> letters() {
+  std::array<T*, 10> letters() {
     return {&hill.a1, &hill.a2, &g, &t, &x[0], &x[1], &v[0], &v[1], &a[0], &a[1]};
   }
   std::string where() const {
@@ -38,41 +40,42 @@ struct Sample {
            format_significant(v[0], 4) + ", " + format_significant(v[1], 4) +
            "), $t$ = " + format_significant(t, 4);
   }
-  double A1() const { return hill.a1 * hill.a1; }
-  double A2() const { return hill.a2 * hill.a2; }
-  double K() const { return v[0] * v[0] / A1() + v[1] * v[1] / A2(); }
+  T A1() const { return hill.a1 * hill.a1; }
+  T A2() const { return hill.a2 * hill.a2; }
+  T K() const { return v[0] * v[0] / A1() + v[1] * v[1] / A2(); }
   /// Zero by Lagrange's equations.
-  Pair lagrange(const Pair& at, const Pair& acceleration) const {
-    return lagrange_left_side(height_field::Lagrangian<Hill<double>>{hill, g}, at, v, acceleration);
+  Two<T> lagrange(const Two<T>& at, const Two<T>& acceleration) const {
+    return lagrange_left_side(height_field::Lagrangian<Hill<T>, T>{hill, g}, at, v, acceleration);
   }
-  Pair on_line() const { return lagrange({v[0] * t, v[1] * t}, {0, 0}); }
+  Two<T> on_line() const { return lagrange({v[0] * t, v[1] * t}, {T(0), T(0)}); }
   /// The velocity along v with which the line is straight.
-  Pair right() const { return from_the_top<double>({hill.a1, hill.a2, g, v[0], v[1], 1}).v; }
+  Two<T> right() const { return from_the_top<T>({hill.a1, hill.a2, g, v[0], v[1], T(1)}).v; }
 };
+using Sample = SampleOf<double>;
+using Table = ProvableClaims<SampleOf>;
 
-void equations(Claims& claims, double seed) {
-  const auto samples = draw<Sample>(200, seed);
-  claims.formula<Sample>(
+void equations(Table& table, const std::vector<Sample>& samples) {
+  table.formula(
       "derivatives", 1543, "the first two derivatives of $(v_1t,v_2t)$", samples,
       {.truth = {"dual numbers",
-                 [](const Sample& s) {
+                 [](const auto& s) {
                    const auto x = [&](std::size_t i) {
                      return [&s, i](const auto& t) { return s.v[i] * t; };
                    };
                    return values(derivative(x(0), s.t), derivative(x(1), s.t), second_derivative(x(0), s.t),
                                  second_derivative(x(1), s.t));
                  }},
-       .printed = {"$(v_1,v_2)$ and $(0,0)$", [](const Sample& s) { return values(s.v[0], s.v[1], 0, 0); }},
-       .near_misses = {{"$(v_1t,v_2t)$ and $(v_1,v_2)$", [](const Sample& s) {
-                          return values(s.v[0] * s.t, s.v[1] * s.t, s.v[0], s.v[1]);
-                        }}}});
+       .printed = {"$(v_1,v_2)$ and $(0,0)$", [](const auto& s) { return values(s.v[0], s.v[1], 0, 0); }},
+       .near_misses = {{"$(v_1t,v_2t)$ and $(v_1,v_2)$",
+                        [](const auto& s) { return values(s.v[0] * s.t, s.v[1] * s.t, s.v[0], s.v[1]); }}}});
 
   const std::string lagrange =
       R"($\frac d{dt}\frac{\partial L}{\partial\dot x_1}-\frac{\partial L}{\partial x_1}$ )"
       "by nested dual numbers";
   /// `power` of a1 below 4 x1; `squares` of the speeds in the bracket.
-  const auto equation = [](std::string text, double sign, int power, double squares) -> Formula<Sample> {
-    return {std::move(text), [=](const Sample& s) {
+  const auto equation = [](std::string text, double sign, int power,
+                           double squares) -> ProvableFormula<SampleOf> {
+    return {std::move(text), [=](const auto& s) {
               return s.a[0] +
                      sign * 4 * s.x[0] / (power == 1 ? s.hill.a1 : s.A1()) *
                          ((s.x[0] * s.a[0] + squares * s.v[0] * s.v[0]) / s.A1() +
@@ -80,13 +83,13 @@ void equations(Claims& claims, double seed) {
                      2 * s.g * s.x[0] / s.A1();
             }};
   };
-  claims.formula<Sample>(
+  table.formula(
       "first_equation", 1545,
       R"(the first equation of motion, with )"
       R"($B=\frac{x_1\ddot x_1+\dot x_1^2}{a_1^2}+\frac{x_2\ddot x_2+\dot x_2^2}{a_2^2}$)",
       samples,
       {.quantity = "what is zero by the first equation of motion",
-       .truth = {lagrange, [](const Sample& s) { return s.lagrange(s.x, s.a)[0]; }},
+       .truth = {lagrange, [](const auto& s) { return s.lagrange(s.x, s.a)[0]; }},
        .printed = equation(R"($0=\ddot x_1+\frac{4x_1}{a_1}B-\frac{2gx_1}{a_1^2}$)", 1, 1, 1),
        .meant = equation(R"($0=\ddot x_1+\frac{4x_1}{a_1^2}B-\frac{2gx_1}{a_1^2}$)", 1, 2, 1),
        .near_misses = {equation(R"($0=\ddot x_1-\frac{4x_1}{a_1^2}B-\frac{2gx_1}{a_1^2}$)", -1, 2, 1),
@@ -97,17 +100,17 @@ void equations(Claims& claims, double seed) {
            R"($x_3=-x_1^2/a_1^2-x_2^2/a_2^2$ this is Lagrange's equation to the last digit. On a hill with )"
            R"($a_1=2$ the printed factor is twice too large.)"});
 
-  const auto on_line = [](std::string text, double gravity) -> Formula<Sample> {
-    return {std::move(text), [=](const Sample& s) {
+  const auto on_line = [](std::string text, double gravity) -> ProvableFormula<SampleOf> {
+    return {std::move(text), [=](const auto& s) {
               return 4 * s.v[0] * s.t / s.A1() * s.K() - gravity * s.g * s.v[0] * s.t / s.A1();
             }};
   };
-  claims.formula<Sample>(
+  table.formula(
       "substituted", 1563, "the first equation on $(v_1t,v_2t)$", samples,
       {.quantity = "what is zero by the first equation on $(v_1t,v_2t)$",
-       .truth = {lagrange, [](const Sample& s) { return s.on_line()[0]; }},
+       .truth = {lagrange, [](const auto& s) { return s.on_line()[0]; }},
        .printed = {R"($0=0+4v_1t\,a_1^2(v_1^2a_1^2+v_2^2a_2^2)-2gv_1t/a_1^2$, as products)",
-                   [](const Sample& s) {
+                   [](const auto& s) {
                      return 4 * s.v[0] * s.t * s.A1() *
                                 (s.v[0] * s.v[0] * s.A1() + s.v[1] * s.v[1] * s.A2()) -
                             2 * s.g * s.v[0] * s.t / s.A1();
@@ -284,10 +287,26 @@ void paths(Claims& claims, double seed) {
 
 std::vector<Claim> claims(double seed) {
   Claims all("3.11");
-  equations(all, seed);
+  Table table(all);
+  equations(table, draw<Sample>(200, seed));
   conditions(all, seed);
   paths(all, seed);
   return all.in_order();
+}
+
+Provables proofs() {
+  Claims claims("3.11");
+  Table table(claims);
+  equations(table, {});
+  const std::vector<std::string> names{"a1", "a2", "g", "t", "x1", "x2", "v1", "v2", "w1", "w2"};
+  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
+                       .letters = quantified(names),
+                       .tactic = std::string("field; repeat split; ") + by_positive_terms,
+                       .says = "it holds for any particle on any such hill"};
+  all.given = {above(all.any.hill.a1.expression(), 0), above(all.any.hill.a2.expression(), 0)};
+  double x = 1;
+  for (double* letter : all.example.letters()) *letter = x += 0.25;
+  return table.proofs("3.11", all);
 }
 
 std::vector<Root> roots() {
@@ -302,3 +321,9 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_11
+
+namespace oddity {
+
+Provables proofs_3_11() { return ex03_11::proofs(); }
+
+}  // namespace oddity

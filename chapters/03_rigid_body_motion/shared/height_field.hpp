@@ -6,10 +6,10 @@
 namespace oddity::height_field {
 
 /// The Lagrangian of a point on a surface, for a unit mass, of the height alone.
-template <class Surface>
+template <class Surface, class G = double>
 struct Lagrangian {
   Surface surface;
-  double g;
+  G g;
 
   template <class T>
   T operator()(const Two<T>& q, const Two<T>& v) const {
