@@ -39,7 +39,7 @@ function(add_engine name)
   set(engine_programs ${engine_programs} engine_${name} PARENT_SCOPE)
 endfunction()
 
-add_engine(box2d HEADER box2d/box2d.h LIBRARIES box2d)
+add_engine(box2d SOURCES box2d box2d_world HEADER box2d/box2d.h LIBRARIES box2d)
 add_engine(bullet HEADER btBulletDynamicsCommon.h INCLUDE bullet LIBRARIES BulletDynamics BulletCollision LinearMath)
 add_engine(bullet_double SOURCES bullet HEADER btBulletDynamicsCommon.h INCLUDE bullet
   DEFINES BT_USE_DOUBLE_PRECISION LIBRARIES BulletDynamics-float64 BulletCollision-float64 LinearMath-float64)
