@@ -46,7 +46,7 @@ add_engine(bullet_double SOURCES bullet HEADER btBulletDynamicsCommon.h INCLUDE 
 add_engine(bullet_multibody SOURCES bullet_multibody bullet_tree HEADER btBulletDynamicsCommon.h INCLUDE bullet LIBRARIES BulletDynamics BulletCollision LinearMath)
 add_engine(bullet_multibody_double SOURCES bullet_multibody bullet_tree HEADER btBulletDynamicsCommon.h INCLUDE bullet
   DEFINES BT_USE_DOUBLE_PRECISION LIBRARIES BulletDynamics-float64 BulletCollision-float64 LinearMath-float64)
-add_engine(chipmunk HEADER chipmunk/chipmunk.h LIBRARIES chipmunk)
+add_engine(chipmunk SOURCES chipmunk chipmunk_world HEADER chipmunk/chipmunk.h LIBRARIES chipmunk)
 add_engine(ode HEADER ode/ode.h LIBRARIES ode)
 add_engine(mujoco SOURCES mujoco mujoco_xml HEADER mujoco/mujoco.h LIBRARIES mujoco)
 add_engine(simbody HEADER Simbody.h INCLUDE simbody LIBRARIES SimTKsimbody SimTKmath SimTKcommon)
