@@ -47,7 +47,7 @@ add_engine(bullet_multibody SOURCES bullet_multibody bullet_tree HEADER btBullet
 add_engine(bullet_multibody_double SOURCES bullet_multibody bullet_tree HEADER btBulletDynamicsCommon.h INCLUDE bullet
   DEFINES BT_USE_DOUBLE_PRECISION LIBRARIES BulletDynamics-float64 BulletCollision-float64 LinearMath-float64)
 add_engine(chipmunk SOURCES chipmunk chipmunk_world HEADER chipmunk/chipmunk.h LIBRARIES chipmunk)
-add_engine(ode HEADER ode/ode.h LIBRARIES ode)
+add_engine(ode SOURCES ode ode_world HEADER ode/ode.h LIBRARIES ode)
 add_engine(mujoco SOURCES mujoco mujoco_xml HEADER mujoco/mujoco.h LIBRARIES mujoco)
 add_engine(simbody HEADER Simbody.h INCLUDE simbody LIBRARIES SimTKsimbody SimTKmath SimTKcommon)
 add_engine(dart HEADER Eigen/Dense INCLUDE eigen3 LIBRARIES dart)  # its headers lie beside eigen3
