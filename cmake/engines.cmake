@@ -50,6 +50,6 @@ add_engine(chipmunk SOURCES chipmunk chipmunk_world HEADER chipmunk/chipmunk.h L
 add_engine(ode SOURCES ode ode_world HEADER ode/ode.h LIBRARIES ode)
 add_engine(mujoco SOURCES mujoco mujoco_xml HEADER mujoco/mujoco.h LIBRARIES mujoco)
 add_engine(simbody HEADER Simbody.h INCLUDE simbody LIBRARIES SimTKsimbody SimTKmath SimTKcommon)
-add_engine(dart HEADER Eigen/Dense INCLUDE eigen3 LIBRARIES dart)  # its headers lie beside eigen3
+add_engine(dart SOURCES dart dart_world HEADER Eigen/Dense INCLUDE eigen3 LIBRARIES dart)  # its headers lie beside eigen3
 
 add_custom_target(engines DEPENDS ${engine_programs})
