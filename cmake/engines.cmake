@@ -48,7 +48,7 @@ add_engine(bullet_multibody_double SOURCES bullet_multibody bullet_tree HEADER b
   DEFINES BT_USE_DOUBLE_PRECISION LIBRARIES BulletDynamics-float64 BulletCollision-float64 LinearMath-float64)
 add_engine(chipmunk SOURCES chipmunk chipmunk_world HEADER chipmunk/chipmunk.h LIBRARIES chipmunk)
 add_engine(ode SOURCES ode ode_world HEADER ode/ode.h LIBRARIES ode)
-add_engine(mujoco SOURCES mujoco mujoco_xml HEADER mujoco/mujoco.h LIBRARIES mujoco)
+add_engine(mujoco SOURCES mujoco mujoco_model mujoco_xml HEADER mujoco/mujoco.h LIBRARIES mujoco)
 add_engine(simbody SOURCES simbody simbody_world HEADER Simbody.h INCLUDE simbody LIBRARIES SimTKsimbody SimTKmath SimTKcommon)
 add_engine(dart SOURCES dart dart_world HEADER Eigen/Dense INCLUDE eigen3 LIBRARIES dart)  # its headers lie beside eigen3
 
