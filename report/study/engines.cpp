@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 
 #include "reference/bad_input.hpp"
@@ -201,13 +202,15 @@ void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply&
   trial.path = std::move(seen);
 }
 
-/// The adapters in JavaScript beside the runner and what they share.
+/// The adapters in JavaScript, by their settings.
 std::vector<std::string> adapters_in(const fs::path& folder) {
+  const fs::path settings = folder / "variants.json";
+  std::ifstream file(settings);
+  const auto adapters = nlohmann::json::parse(file, nullptr, false);
+  if (!adapters.is_object()) throw BadInput(settings.string() + " is not an object in JSON");
   std::vector<std::string> names;
-  for (const auto& file : fs::directory_iterator(folder)) {
-    const std::string name = file.path().stem().string();
-    if (file.path().extension() == ".mjs" && name != "runner" && name != "simulation") names.push_back(name);
-  }
+  for (const auto& [adapter, _] : adapters.items())
+    if (adapter.ends_with(".mjs")) names.push_back(fs::path(adapter).stem().string());
   return names;
 }
 

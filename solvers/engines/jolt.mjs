@@ -3,7 +3,7 @@
 
 import initJolt from 'jolt-physics';
 
-import { beside, ground, installedVersion, isZero, minus, variantsOf } from './simulation.mjs';
+import { beside, ground, installedVersion, isZero, minus } from './simulation.mjs';
 
 const Jolt = await initJolt();
 const layer = 0;  // all are in one, and touch each other
@@ -141,8 +141,6 @@ export const about = {
   name: 'Jolt',
   version: installedVersion('jolt-physics'),
   precision: 'float',
-  plane: false,
-  variants: variantsOf('jolt.mjs'),
 };
 
 export const make = (world, variant) => new InJolt(world, variant);

@@ -5,7 +5,7 @@ import loadMujoco from '@mujoco/mujoco';
 
 import {
   NotExpressible, after, back, beside, cross, directionIn, dot, ground, isZero, minus, pointIn, start, turned,
-  unit, variantsOf,
+  unit,
 } from './simulation.mjs';
 
 const mujoco = await loadMujoco();
@@ -171,9 +171,7 @@ export const about = {
   name: 'MuJoCo',
   version: mujoco.mj_versionString(),
   precision: 'double',
-  plane: false,
   ropes: true,
-  variants: variantsOf('mujoco.mjs'),
 };
 
 export const make = (world, variant, step) => new InMujoco(world, variant, step);

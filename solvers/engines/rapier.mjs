@@ -6,7 +6,7 @@
 
 import RAPIER from '@dimforge/rapier3d-compat';
 
-import { NotExpressible, after, ground, isZero, minus, start, variantsOf } from './simulation.mjs';
+import { NotExpressible, after, ground, isZero, minus, start } from './simulation.mjs';
 
 await RAPIER.init();
 
@@ -116,8 +116,6 @@ export const about = {
   name: 'Rapier',
   version: RAPIER.version(),
   precision: 'float',
-  plane: false,
-  variants: variantsOf('rapier.mjs'),
 };
 
 export const make = (world, variant, step) => new InRapier(world, variant, step);
