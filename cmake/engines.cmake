@@ -1,5 +1,6 @@
 # Other people's engines, each as a program of its own beside oddity, which needs none of them:
 #   engines/engine_NAME of solvers/engines/NAME.cpp, where its library is found; its settings are in variants.json.
+#   Of several SOURCES the first is the adapter.
 # `--target engines` builds all that were found. Nothing else depends on them.
 
 set(engine_programs "")
