@@ -1,5 +1,6 @@
 # Other people's engines, each as a program of its own beside oddity, which needs none of them:
 #   engines/engine_NAME of solvers/engines/NAME.cpp, where its library is found; its settings are in variants.json.
+#   Of several SOURCES the first is the adapter.
 # `--target engines` builds all that were found. Nothing else depends on them.
 
 set(engine_programs "")
@@ -39,17 +40,17 @@ function(add_engine name)
   set(engine_programs ${engine_programs} engine_${name} PARENT_SCOPE)
 endfunction()
 
-add_engine(box2d HEADER box2d/box2d.h LIBRARIES box2d)
+add_engine(box2d SOURCES box2d box2d_world HEADER box2d/box2d.h LIBRARIES box2d)
 add_engine(bullet HEADER btBulletDynamicsCommon.h INCLUDE bullet LIBRARIES BulletDynamics BulletCollision LinearMath)
 add_engine(bullet_double SOURCES bullet HEADER btBulletDynamicsCommon.h INCLUDE bullet
   DEFINES BT_USE_DOUBLE_PRECISION LIBRARIES BulletDynamics-float64 BulletCollision-float64 LinearMath-float64)
 add_engine(bullet_multibody SOURCES bullet_multibody bullet_tree HEADER btBulletDynamicsCommon.h INCLUDE bullet LIBRARIES BulletDynamics BulletCollision LinearMath)
 add_engine(bullet_multibody_double SOURCES bullet_multibody bullet_tree HEADER btBulletDynamicsCommon.h INCLUDE bullet
   DEFINES BT_USE_DOUBLE_PRECISION LIBRARIES BulletDynamics-float64 BulletCollision-float64 LinearMath-float64)
-add_engine(chipmunk HEADER chipmunk/chipmunk.h LIBRARIES chipmunk)
-add_engine(ode HEADER ode/ode.h LIBRARIES ode)
-add_engine(mujoco SOURCES mujoco mujoco_xml HEADER mujoco/mujoco.h LIBRARIES mujoco)
-add_engine(simbody HEADER Simbody.h INCLUDE simbody LIBRARIES SimTKsimbody SimTKmath SimTKcommon)
-add_engine(dart HEADER Eigen/Dense INCLUDE eigen3 LIBRARIES dart)  # its headers lie beside eigen3
+add_engine(chipmunk SOURCES chipmunk chipmunk_world HEADER chipmunk/chipmunk.h LIBRARIES chipmunk)
+add_engine(ode SOURCES ode ode_world HEADER ode/ode.h LIBRARIES ode)
+add_engine(mujoco SOURCES mujoco mujoco_model mujoco_xml HEADER mujoco/mujoco.h LIBRARIES mujoco)
+add_engine(simbody SOURCES simbody simbody_world HEADER Simbody.h INCLUDE simbody LIBRARIES SimTKsimbody SimTKmath SimTKcommon)
+add_engine(dart SOURCES dart dart_world HEADER Eigen/Dense INCLUDE eigen3 LIBRARIES dart)  # its headers lie beside eigen3
 
 add_custom_target(engines DEPENDS ${engine_programs})

@@ -202,12 +202,14 @@ void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply&
   trial.path = std::move(seen);
 }
 
-/// The adapters in JavaScript: those that have settings.
+/// The adapters in JavaScript, by their settings.
 std::vector<std::string> adapters_in(const fs::path& folder) {
-  std::ifstream file(folder / "variants.json");
-  const auto settings = nlohmann::json::parse(file);
+  const fs::path settings = folder / "variants.json";
+  std::ifstream file(settings);
+  const auto adapters = nlohmann::json::parse(file, nullptr, false);
+  if (!adapters.is_object()) throw BadInput(settings.string() + " is not an object in JSON");
   std::vector<std::string> names;
-  for (const auto& [adapter, _] : settings.items())
+  for (const auto& [adapter, _] : adapters.items())
     if (adapter.ends_with(".mjs")) names.push_back(fs::path(adapter).stem().string());
   return names;
 }

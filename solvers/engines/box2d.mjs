@@ -4,13 +4,12 @@
 import initBox2d from 'box2d3-wasm';
 
 import {
-  cross, expectInPlane, ground, installedVersion, isZero, minus, pointIn, start, variantsOf,
+  aboutZ, angle, cross, expectInPlane, ground, installedVersion, isZero, minus, pointIn, start,
 } from './simulation.mjs';
 
 const b2 = await initBox2d();
 
 const vector = ([x, y]) => new b2.b2Vec2(x, y);
-const angle = ([w, , , z]) => 2 * Math.atan2(z, w);
 /// b2MakeRot has a sine of its own, off by up to 1.7e-3.
 const turn = (angle) => Object.assign(new b2.b2Rot(), { c: Math.cos(angle), s: Math.sin(angle) });
 /// A value of Box2D's, which is ours to delete.
@@ -26,8 +25,7 @@ class InBox2d {
     expectInPlane(world);
     this.best = variant !== 'defaults';
     this.substeps = this.best ? 16 : 4;
-    const def = b2.b2DefaultWorldDef();
-    def.gravity = vector(world.gravity);
+    const def = Object.assign(b2.b2DefaultWorldDef(), { gravity: vector(world.gravity) });
     if (this.best) Object.assign(def, { enableSleep: false, restitutionThreshold: 0 });
     this.id = b2.b2CreateWorld(def);
     this.ground = b2.b2CreateBody(this.id, b2.b2DefaultBodyDef());
@@ -47,10 +45,10 @@ class InBox2d {
   }
   step(seconds) { b2.b2World_Step(this.id, seconds, this.substeps); }
   state(body) {
-    const id = this.of(body), half = read(b2.b2Body_GetRotation(id), ({ c, s }) => Math.atan2(s, c) / 2);
+    const id = this.of(body), angle = read(b2.b2Body_GetRotation(id), ({ c, s }) => Math.atan2(s, c));
     return {
       position: xy0(b2.b2Body_GetPosition(id)),
-      orientation: [Math.cos(half), 0, 0, Math.sin(half)],
+      orientation: aboutZ(angle),
       velocity: xy0(b2.b2Body_GetLinearVelocity(id)),
       spin: [0, 0, b2.b2Body_GetAngularVelocity(id)],
     };
@@ -82,27 +80,21 @@ class InBox2d {
 
   joint(world, { kind, a, b, at, axis, end }) {
     const [type, far] = { rod: ['Distance', end], cylinder: ['Prismatic', at] }[kind] ?? ['Revolute', at];
-    const def = b2[`b2Default${type}JointDef`](), base = def.base;
+    const def = b2[`b2Default${type}JointDef`]();
     const frame = (body, at) => Object.assign(new b2.b2Transform(), {
       p: vector(pointIn(start(world, body), at)),
       q: turn((kind === 'cylinder' ? Math.atan2(axis[1], axis[0]) : 0) -
         angle(start(world, body).orientation)),
     });
-    Object.assign(base, {
+    def.base = Object.assign(def.base, {
       bodyIdA: this.of(a), bodyIdB: this.of(b), localFrameA: frame(a, at), localFrameB: frame(b, far),
     });
-    def.base = base;
     if (kind === 'rod') def.length = Math.hypot(...minus(end, at));
     b2[`b2Create${type}Joint`](this.id, def);
   }
 }
 
-export const about = {
-  name: 'Box2D 3',
-  version: `box2d3-wasm ${installedVersion('box2d3-wasm')}`,
-  precision: 'float',
-  plane: true,
-  variants: variantsOf('box2d.mjs'),
-};
+const version = `box2d3-wasm ${installedVersion('box2d3-wasm')}`;
+export const about = { name: 'Box2D 3', version, precision: 'float', plane: true };
 
 export const make = (world, variant) => new InBox2d(world, variant);

@@ -6,7 +6,7 @@ namespace oddity::engines {
 
 namespace {
 
-class InBullet final : public Simulation {
+class InBullet final : public BulletSimulation<btSequentialImpulseConstraintSolver, btDiscreteDynamicsWorld> {
  public:
   InBullet(const World& world, const std::string& variant) : fine_(variant != "defaults") {
     if (fine_) {
@@ -15,9 +15,9 @@ class InBullet final : public Simulation {
       world_.getSolverInfo().m_splitImpulsePenetrationThreshold = 0;
     }
     set_gravity(world.gravity);
-    for (const Body& b : world.bodies) add(b);
+    for (const Body& b : world.bodies) add(b, world);
     if (world.floor != Vector{}) bodies_.push_back(floor_of(world, fine_, shapes_));
-    for (const auto& body : bodies_) rub(*body, world), world_.addRigidBody(body.get());
+    for (const auto& body : bodies_) world_.addRigidBody(body.get());
     for (const Joint& j : world.joints) add(j);
   }
   ~InBullet() override {
@@ -25,18 +25,13 @@ class InBullet final : public Simulation {
     for (const auto& body : bodies_) world_.removeRigidBody(body.get());
   }
 
-  void set_gravity(const Vector& g) override { world_.setGravity(vector(g)); }
   void push(int body, const Vector& force, const Vector& at) override {
     of(body).applyForce(vector(force), vector(at) - of(body).getCenterOfMassPosition());
   }
-  void step(double seconds) override { world_.stepSimulation(btScalar(seconds), 1, btScalar(seconds)); }
   State state(int body) const override {
     const btRigidBody& b = of(body);
-    const btQuaternion q = b.getOrientation();
-    return {vector(b.getCenterOfMassPosition()),
-            {q.w(), q.x(), q.y(), q.z()},
-            vector(b.getLinearVelocity()),
-            vector(b.getAngularVelocity())};
+    return engines::state(b.getCenterOfMassPosition(), b.getOrientation(), b.getLinearVelocity(),
+                          b.getAngularVelocity());
   }
 
  private:
@@ -50,12 +45,13 @@ class InBullet final : public Simulation {
     return of(body).getCenterOfMassTransform().inverse() * in_world;
   }
 
-  void add(const Body& b) {
+  void add(const Body& b, const World& world) {
     shapes_.push_back(shaped(b.shape));
     const btRigidBody::btRigidBodyConstructionInfo info(btScalar(b.mass), nullptr, shapes_.back().get(),
                                                         vector(b.inertia));
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& body = *bodies_.back();
+    rub(body, world);
     body.setCenterOfMassTransform(place(b.start));
     body.setLinearVelocity(vector(b.start.velocity));
     body.setAngularVelocity(vector(b.start.spin));
@@ -83,12 +79,6 @@ class InBullet final : public Simulation {
   }
 
   bool fine_;
-  btDefaultCollisionConfiguration configuration_;
-  btCollisionDispatcher dispatcher_{&configuration_};
-  btDbvtBroadphase broadphase_;
-  btSequentialImpulseConstraintSolver solver_;
-  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
-  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
 };

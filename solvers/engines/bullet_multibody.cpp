@@ -5,30 +5,24 @@
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
-#include <map>
-
 #include "solvers/engines/bullet_tree.hpp"
 
 namespace oddity::engines {
 
 namespace {
 
-class InBullet final : public Simulation {
+class InBullet final : public BulletSimulation<btMultiBodyConstraintSolver, btMultiBodyDynamicsWorld> {
  public:
-  InBullet(const World& world, const std::string& variant) : variant_(variant) {
+  InBullet(const World& world, const std::string& variant) : variant_(variant), links_(world.bodies.size()) {
     set_gravity(world.gravity);
     if (variant != "defaults") {
       world_.getSolverInfo().m_restitutionVelocityThreshold = 0;
       world_.getSolverInfo().m_erp2 = 0;
     }
-    std::vector<std::vector<Limb>> trees;
-    for (const Limb& limb : tree(world)) {
-      if (trees.empty() || !limb.joint) trees.emplace_back();
-      trees.back().push_back(limb);
-    }
-    links_.resize(world.bodies.size());
-    for (const auto& limbs : trees) add(world, limbs);
-    if (world.floor != Vector{}) add_floor(world);
+    for (const auto& limbs : trees(world)) add(world, limbs);
+    if (world.floor == Vector{}) return;
+    floor_ = floor_of(world, variant != "defaults", shapes_);
+    world_.addRigidBody(floor_.get());
   }
   ~InBullet() override {
     for (const auto& collider : colliders_) world_.removeCollisionObject(collider.get());
@@ -36,14 +30,12 @@ class InBullet final : public Simulation {
     if (floor_) world_.removeRigidBody(floor_.get());
   }
 
-  void set_gravity(const Vector& g) override { world_.setGravity(vector(g)); }
   void push(int body, const Vector& force, const Vector& at) override {
     const auto [in, link] = of(body);
     const btVector3 f = vector(force), torque = (vector(at) - in->localPosToWorld(link, {0, 0, 0})).cross(f);
     link < 0 ? in->addBaseForce(f) : in->addLinkForce(link, f);
     link < 0 ? in->addBaseTorque(torque) : in->addLinkTorque(link, torque);
   }
-  void step(double seconds) override { world_.stepSimulation(btScalar(seconds), 1, btScalar(seconds)); }
   State state(int body) const override {
     const auto [in, link] = of(body);
     const auto size = static_cast<std::size_t>(in->getNumLinks() + 1), i = static_cast<std::size_t>(link + 1);
@@ -52,10 +44,8 @@ class InBullet final : public Simulation {
     btQuaternion to_local = btQuaternion::getIdentity();
     for (int k = link; k >= 0; k = in->getParent(k)) to_local = to_local * in->getParentToLocalRot(k);
     const btQuaternion q = (to_local * in->getWorldToBaseRot()).inverse();
-    return {vector(in->localPosToWorld(link, {0, 0, 0})),
-            {q.w(), q.x(), q.y(), q.z()},
-            vector(quatRotate(q, velocities[i])),
-            vector(quatRotate(q, spins[i]))};
+    return engines::state(in->localPosToWorld(link, {0, 0, 0}), q, quatRotate(q, velocities[i]),
+                          quatRotate(q, spins[i]));
   }
 
  private:
@@ -66,21 +56,8 @@ class InBullet final : public Simulation {
   const Place& of(int body) const { return links_[static_cast<std::size_t>(body)]; }
 
   void add(const World& world, const std::vector<Limb>& limbs) {
-    const auto body_of = [&](int i) -> const Body& { return world.bodies[static_cast<std::size_t>(i)]; };
-    const bool fixed = limbs[0].joint.has_value();
-    int count = 0;
-    for (const Limb& limb : limbs)
-      if (limb.joint)
-        count += limb.joint->kind == Joint::rod ? 3 : limb.joint->kind == Joint::cylinder ? 2 : 1;
-    BulletTree tree(fixed ? Link() : Link(body_of(limbs[0].body)), fixed, count);
-    std::map<int, Link> made;
-    made[ground] = Link();
-    for (const Limb& limb : limbs) {
-      Link& link = made[limb.body] = Link(body_of(limb.body));
-      if (limb.joint) tree.add(*limb.joint, made[limb.parent], link);
-    }
-    bodies_.push_back(tree.finished());
-    btMultiBody& body = *bodies_.back();
+    BulletTree tree(world, limbs);
+    btMultiBody& body = *bodies_.emplace_back(tree.finished());
     if (variant_ != "defaults") {
       body.setLinearDamping(0);
       body.setAngularDamping(0);
@@ -89,12 +66,12 @@ class InBullet final : public Simulation {
     body.useRK4Integration(variant_ == "Runge-Kutta 4");
     world_.addMultiBody(&body);
     for (const Limb& limb : limbs) {
-      links_[static_cast<std::size_t>(limb.body)] = {&body, made[limb.body].index};
-      cover(world, limb.body, made[limb.body]);
+      links_[static_cast<std::size_t>(limb.body)] = {&body, tree.link(limb.body).index};
+      cover(world, limb.body, tree.link(limb.body));
     }
   }
   void cover(const World& world, int i, const Link& link) {
-    const Shape& shape = world.bodies[static_cast<std::size_t>(i)].shape;
+    const Shape& shape = body_of(world, i).shape;
     if (shape.kind == Shape::none) return;
     shapes_.push_back(shaped(shape));
     colliders_.push_back(std::make_unique<btMultiBodyLinkCollider>(of(i).in, link.index));
@@ -107,19 +84,8 @@ class InBullet final : public Simulation {
     link.index < 0 ? of(i).in->setBaseCollider(&collider)
                    : void(of(i).in->getLink(link.index).m_collider = &collider);
   }
-  void add_floor(const World& world) {
-    floor_ = floor_of(world, variant_ != "defaults", shapes_);
-    rub(*floor_, world);
-    world_.addRigidBody(floor_.get());
-  }
 
   std::string variant_;
-  btDefaultCollisionConfiguration configuration_;
-  btCollisionDispatcher dispatcher_{&configuration_};
-  btDbvtBroadphase broadphase_;
-  btMultiBodyConstraintSolver solver_;
-  btMultiBodyDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
-  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;
   std::vector<std::unique_ptr<btMultiBody>> bodies_;
   std::unique_ptr<btRigidBody> floor_;

@@ -1,4 +1,4 @@
-// Joints of btMultiBody, with the speeds that they start with.
+// Links and joints of btMultiBody, with the speeds that they start with.
 
 #include "solvers/engines/bullet_tree.hpp"
 
@@ -19,7 +19,32 @@ Offsets offsets(const Link& a, const Link& b, const btVector3& pivot) {
           local(b, b.place.getOrigin() - pivot)};
 }
 
+int links_for(const Joint& j) { return j.kind == Joint::rod ? 3 : j.kind == Joint::cylinder ? 2 : 1; }
+
 }  // namespace
+
+std::vector<std::vector<Limb>> trees(const World& world) {
+  std::vector<std::vector<Limb>> trees;
+  for (const Limb& limb : tree(world)) {
+    if (trees.empty() || !limb.joint) trees.emplace_back();
+    trees.back().push_back(limb);
+  }
+  return trees;
+}
+
+BulletTree::BulletTree(const World& world, const std::vector<Limb>& limbs) {
+  const bool fixed = limbs[0].joint.has_value();
+  if (!fixed) base_ = Link(body_of(world, limbs[0].body));
+  int count = 0;
+  for (const Limb& limb : limbs)
+    if (limb.joint) count += links_for(*limb.joint);
+  body_ = std::make_unique<btMultiBody>(count, base_.mass, base_.inertia, fixed, false);
+  links_[ground] = Link();
+  for (const Limb& limb : limbs) {
+    Link& link = links_[limb.body] = Link(body_of(world, limb.body));
+    if (limb.joint) add(*limb.joint, links_[limb.parent], link);
+  }
+}
 
 void BulletTree::add(const Joint& j, const Link& a, Link& b) {
   const btVector3 at = vector(j.at), axis = vector(j.axis);

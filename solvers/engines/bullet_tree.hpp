@@ -2,6 +2,8 @@
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 
+#include <map>
+
 #include "solvers/engines/bullet.hpp"
 #include "solvers/engines/tree.hpp"
 
@@ -31,22 +33,25 @@ struct Link {
   btVector3 velocity_at(const btVector3& at) const { return velocity + spin.cross(at - place.getOrigin()); }
 };
 
+/// The limbs of each multibody: of a body that is free, or of one on the ground, with all that hangs on it.
+std::vector<std::vector<Limb>> trees(const World&);
+
 /// A multibody that is being made.
 class BulletTree {
  public:
-  BulletTree(const Link& base, bool fixed, int links)
-      : body_(std::make_unique<btMultiBody>(links, base.mass, base.inertia, fixed, false)), base_(base) {}
-
-  void add(const Joint&, const Link& a, Link& b);
+  BulletTree(const World&, const std::vector<Limb>&);
   std::unique_ptr<btMultiBody> finished();
+  const Link& link(int body) const { return links_.at(body); }
 
  private:
+  void add(const Joint&, const Link& a, Link& b);
   void revolute(const Link& a, Link& b, const btVector3& at, const btVector3& axis);
   void spherical(const Link& a, Link& b, const btVector3& at);
   void started(Link&, const btVector3& speed);
 
-  std::unique_ptr<btMultiBody> body_;
+  std::map<int, Link> links_;
   Link base_;
+  std::unique_ptr<btMultiBody> body_;
   int next_ = 0;
   std::vector<btVector3> speeds_;
 };

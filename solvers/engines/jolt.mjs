@@ -1,63 +1,33 @@
 // Jolt as jolt-physics 1.1 [manual: jrouwe.github.io/JoltPhysics]: bodies and joints held by velocities, in
-// float. The vectors and settings that a world is made with are not destroyed: the program ends soon.
+// float.
 
-import initJolt from 'jolt-physics';
+import { Jolt, JoltWorld, place, vector } from './jolt_world.mjs';
+import { installedVersion } from './simulation.mjs';
 
-import { beside, ground, installedVersion, isZero, minus, variantsOf } from './simulation.mjs';
-
-const Jolt = await initJolt();
-const layer = 0;  // all are in one, and touch each other
-
-const vector = ([x, y, z]) => new Jolt.Vec3(x, y, z);
-const place = ([x, y, z]) => new Jolt.RVec3(x, y, z);
-const turn = ([w, x, y, z]) => new Jolt.Quat(x, y, z, w);
 const list = (v) => [v.GetX(), v.GetY(), v.GetZ()];
 
 class InJolt {
   constructor(world, variant) {
-    this.defaults = variant === 'defaults';
     this.substeps = variant === '8 collision steps' ? 8 : 1;
-    this.world = world;
-    this.jolt = this.empty();
-    this.system = this.jolt.GetPhysicsSystem();
-    this.interface = this.system.GetBodyInterface();
+    this.world = new JoltWorld(world, variant === 'defaults');
     this.force = vector([0, 0, 0]), this.at = place([0, 0, 0]);
-    if (!this.defaults) {
-      const settings = this.system.GetPhysicsSettings();
-      Object.assign(settings,
-        { mMinVelocityForRestitution: 0, mPenetrationSlop: 0, mSpeculativeContactDistance: 0 });
-      this.system.SetPhysicsSettings(settings);
-    }
     this.setGravity(world.gravity);
-    this.bodies = world.bodies.map((b) => this.body(b));
-    for (const joint of world.joints) this.joint(joint);
-    for (const s of world.springs) {
-      const settings = new Jolt.DistanceConstraintSettings(), spring = settings.mLimitsSpringSettings;
-      spring.mMode = Jolt.ESpringMode_StiffnessAndDamping;
-      Object.assign(spring, { mStiffness: s.stiffness, mDamping: 0 });
-      this.hold(settings, s, { mPoint1: s.at, mPoint2: s.end }, {},
-        { mMinDistance: s.rest, mMaxDistance: s.rest });
-    }
-    if (!isZero(world.floor)) {
-      const plane = new Jolt.PlaneShape(new Jolt.Plane(vector(world.floor), 0));
-      this.add(new Jolt.BodyCreationSettings(plane, place([0, 0, 0]), turn([1, 0, 0, 0]),
-        Jolt.EMotionType_Static, layer));
-    }
   }
-  free() { Jolt.destroy(this.jolt); }
+  free() { Jolt.destroy(this.world.jolt); }
 
   setGravity([x, y, z]) {
     this.force.Set(x, y, z);
-    this.system.SetGravity(this.force);
+    this.world.system.SetGravity(this.force);
   }
   push(body, force, at) {
     this.force.Set(...force);
     this.at.Set(...at);
-    this.interface.AddForce(this.of(body).GetID(), this.force, this.at, Jolt.EActivation_Activate);
+    const id = this.world.of(body).GetID();
+    this.world.interface.AddForce(id, this.force, this.at, Jolt.EActivation_Activate);
   }
-  step(seconds) { this.jolt.Step(seconds, this.substeps); }
+  step(seconds) { this.world.jolt.Step(seconds, this.substeps); }
   state(body) {
-    const b = this.of(body), position = list(b.GetCenterOfMassPosition()), q = b.GetRotation();
+    const b = this.world.of(body), position = list(b.GetCenterOfMassPosition()), q = b.GetRotation();
     return {
       position,
       orientation: [q.GetW(), q.GetX(), q.GetY(), q.GetZ()],
@@ -67,82 +37,15 @@ class InJolt {
   }
   hasSprings() { return true; }
   save() {
-    this.system.SaveState(this.saved = new Jolt.StateRecorderImpl());
+    this.world.system.SaveState(this.saved = new Jolt.StateRecorderImpl());
     return true;
   }
   restore() {
     this.saved.Rewind();
-    this.system.RestoreState(this.saved);
-  }
-
-  of(body) { return body === ground ? this.jolt.sGetFixedToWorldBody() : this.bodies[body]; }
-
-  empty() {
-    const places = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
-    const pairs = new Jolt.ObjectLayerPairFilterTable(1);
-    places.MapObjectToBroadPhaseLayer(layer, new Jolt.BroadPhaseLayer(layer));
-    pairs.EnableCollision(layer, layer);
-    return new Jolt.JoltInterface(Object.assign(new Jolt.JoltSettings(), {
-      mBroadPhaseLayerInterface: places,
-      mObjectLayerPairFilter: pairs,
-      mObjectVsBroadPhaseLayerFilter: new Jolt.ObjectVsBroadPhaseLayerFilterTable(places, 1, pairs, 1),
-    }));
-  }
-
-  body({ mass, inertia, start: { position, orientation, velocity, spin }, shape: { kind, half } }) {
-    const shape = kind === 'ball' ? new Jolt.SphereShape(half[0])
-      : kind === 'box' ? new Jolt.BoxShape(vector(half)) : new Jolt.EmptyShapeSettings().Create().Get();
-    const settings = new Jolt.BodyCreationSettings(shape, place(position), turn(orientation),
-      Jolt.EMotionType_Dynamic, layer);
-    settings.mLinearVelocity = vector(velocity);
-    settings.mAngularVelocity = vector(spin);
-    settings.mOverrideMassProperties = Jolt.EOverrideMassProperties_MassAndInertiaProvided;
-    settings.mMassPropertiesOverride.mMass = mass;
-    settings.mMassPropertiesOverride.mInertia = Jolt.Mat44.prototype.sScaleVec3(vector(inertia));
-    if (!this.defaults)
-      Object.assign(settings, { mLinearDamping: 0, mAngularDamping: 0, mMaxAngularVelocity: 1e6,
-        mApplyGyroscopicForce: true, mAllowSleeping: false });
-    return this.add(settings);
-  }
-  add(settings) {
-    Object.assign(settings, { mFriction: this.world.friction, mRestitution: this.world.restitution });
-    const body = this.interface.CreateBody(settings);
-    this.interface.AddBody(body.GetID(), Jolt.EActivation_Activate);
-    return body;
-  }
-
-  joint(joint) {
-    const { kind, at, axis, end } = joint;
-    const length = Math.hypot(...minus(end, at)), normal = beside(axis);
-    if (kind === 'rod') {
-      this.hold(new Jolt.DistanceConstraintSettings(), joint, { mPoint1: at, mPoint2: end }, {},
-        { mMinDistance: length, mMaxDistance: length });
-    } else if (kind === 'ball') {
-      this.hold(new Jolt.PointConstraintSettings(), joint, { mPoint1: at, mPoint2: at });
-    } else if (kind === 'hinge') {
-      this.hold(new Jolt.HingeConstraintSettings(), joint, { mPoint1: at, mPoint2: at },
-        { mHingeAxis1: axis, mHingeAxis2: axis, mNormalAxis1: normal, mNormalAxis2: normal });
-    } else {
-      const settings = new Jolt.SixDOFConstraintSettings();
-      for (const fixed of ['TranslationY', 'TranslationZ', 'RotationY', 'RotationZ'])
-        settings.MakeFixedAxis(Jolt[`SixDOFConstraintSettings_EAxis_${fixed}`]);
-      this.hold(settings, joint, { mPosition1: at, mPosition2: at },
-        { mAxisX1: axis, mAxisX2: axis, mAxisY1: normal, mAxisY2: normal });
-    }
-  }
-  hold(settings, { a, b }, places, directions = {}, numbers = {}) {
-    for (const [name, at] of Object.entries(places)) settings[name] = place(at);
-    for (const [name, along] of Object.entries(directions)) settings[name] = vector(along);
-    this.system.AddConstraint(Object.assign(settings, numbers).Create(this.of(a), this.of(b)));
+    this.world.system.RestoreState(this.saved);
   }
 }
 
-export const about = {
-  name: 'Jolt',
-  version: installedVersion('jolt-physics'),
-  precision: 'float',
-  plane: false,
-  variants: variantsOf('jolt.mjs'),
-};
+export const about = { name: 'Jolt', version: installedVersion('jolt-physics'), precision: 'float' };
 
 export const make = (world, variant) => new InJolt(world, variant);

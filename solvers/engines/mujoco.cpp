@@ -1,11 +1,9 @@
 // MuJoCo 2.2 [manual: mujoco.readthedocs.io]: reduced coordinates, contacts as springs, in double.
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <limits>
 
-#include "solvers/engines/mujoco_xml.hpp"
+#include "solvers/engines/mujoco_model.hpp"
 #include "solvers/engines/simulation.hpp"
 #include "solvers/engines/turns.hpp"
 
@@ -13,38 +11,15 @@ namespace oddity::engines {
 
 namespace {
 
-/// As the manual's chapter on solver settings has them against slip.
-std::string options(const std::string& variant) {
-  if (variant == "defaults") return "";
-  return "integrator='" + variant + "' cone='elliptic' impratio='10' tolerance='1e-12'";
-}
-
-mjModel* compiled(const std::vector<std::string>& sources) {
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    mj_makeEmptyFileVFS(files.get(), std::to_string(i).c_str(), static_cast<int>(sources[i].size()));
-    std::ranges::copy(sources[i], static_cast<char*>(files->filedata[i]));
-  }
-  char error[500];
-  mjModel* const model =
-      mj_loadXML(std::to_string(sources.size() - 1).c_str(), files.get(), error, sizeof error);
-  mj_deleteVFS(files.get());
-  if (!model) throw NotExpressible(error);
-  return model;
-}
-
 class InMuJoCo final : public Simulation {
  public:
   InMuJoCo(const World& world, const std::string& variant)
-      : m_(compiled(mujoco_xml(world, options(variant)))), d_(mj_makeData(m_)) {
-    if (world.restitution != 0 && world.floor != Vector{})
-      throw NotExpressible("no coefficient of restitution: contacts are springs with dampers");
+      : m_(mujoco_model(world, variant)), d_(mj_makeData(m_)) {
     mju_user_warning = [](const char*) {};
     for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
       bodies_.push_back(mj_name2id(m_, mjOBJ_BODY, std::to_string(i).c_str()));
     set_gravity(world.gravity);
-    start(world);
+    set_off(world);
   }
   ~InMuJoCo() override {
     for (mjData* d : {d_, saved_})
@@ -77,7 +52,7 @@ class InMuJoCo final : public Simulation {
 
  private:
   /// The joints' velocities are those that the bodies' momenta give.
-  void start(const World& world) {
+  void set_off(const World& world) {
     mj_forward(m_, d_);
     seen_ = true;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
@@ -92,13 +67,10 @@ class InMuJoCo final : public Simulation {
     for (const Joint& j : world.joints)
       if (j.kind == Joint::slide)
         d_->qfrc_applied[m_->jnt_dofadr[mj_name2id(m_, mjOBJ_JOINT, std::to_string(j.b).c_str())]] +=
-            j.wheel * (dot(j.axis, velocity(world, j.b)) - dot(j.axis, velocity(world, j.a)));
+            j.wheel * (dot(j.axis, start(world, j.b).velocity) - dot(j.axis, start(world, j.a).velocity));
     mj_solveM(m_, d_, d_->qvel, d_->qfrc_applied, 1);
     mju_zero(d_->qfrc_applied, m_->nv);
     seen_ = false;
-  }
-  static Vector velocity(const World& world, int body) {
-    return body == ground ? Vector{} : world.bodies[static_cast<std::size_t>(body)].start.velocity;
   }
   void apply(int body, const Vector& force, const Vector& torque, const Vector& at) {
     see();

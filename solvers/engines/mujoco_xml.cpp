@@ -76,7 +76,7 @@ std::string ropes(const World& world) {
 }
 
 std::string body(const World& world, const Limb& limb) {
-  const Body& b = world.bodies[static_cast<std::size_t>(limb.body)];
+  const Body& b = body_of(world, limb.body);
   const std::string pose = "pos=" + text(b.start.position) + "quat=" + text(b.start.orientation);
   std::string out = "<body name='" + std::to_string(limb.body) + "' " + pose + "><inertial " + pose +
                     "mass=" + text(b.mass) + "diaginertia=" + text(b.inertia) + "/>" +

@@ -56,7 +56,7 @@ class Pushes {
     const State s = simulation.state(body);
     const Vector& w = world_.turning;
     const Vector acceleration = -2.0 * cross(w, s.velocity) - cross(w, cross(w, s.position));
-    simulation.push(body, world_.bodies[static_cast<std::size_t>(body)].mass * acceleration, s.position);
+    simulation.push(body, body_of(world_, body).mass * acceleration, s.position);
   }
 
   const World& world_;

@@ -1,19 +1,20 @@
 // runner.cpp for the engines that run in WebAssembly:
 //   node runner.mjs rapier --about     what it is
 //   node runner.mjs rapier             reads one request (world_json.hpp), writes one reply
-// An adapter, NAME.mjs, exports `about`, and `make(world, variant, step)`, which gives a simulation as
-// simulation.hpp has it, or throws NotExpressible. Of hasSprings, save and restore it has what the engine
-// has; and it has free(), as nothing else destroys what is behind WebAssembly.
+// An adapter, NAME.mjs, exports `about`, with `plane` and `ropes` where they are so, and
+// `make(world, variant, step)`, which gives a simulation as simulation.hpp has it, or throws NotExpressible.
+// Of hasSprings, save and restore it has what the engine has; and it has free(), as nothing else destroys
+// what is behind WebAssembly.
 
-import { readFileSync, readdirSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { performance } from 'node:perf_hooks';
 
 import {
-  NotExpressible, cross, ground, isZero, minus, plus, pointIn, start, times, turned,
+  NotExpressible, cross, ground, isZero, minus, plus, pointIn, settings, start, times, turned,
 } from './simulation.mjs';
 
-const engines = readdirSync(new URL('.', import.meta.url))
-  .filter((file) => file.endsWith('.mjs') && !['runner.mjs', 'simulation.mjs'].includes(file))
+const engines = Object.keys(settings)
+  .filter((file) => file.endsWith('.mjs'))
   .map((file) => file.slice(0, -'.mjs'.length));
 
 const whereNow = (simulation, { body, inBody }) => {
@@ -141,12 +142,13 @@ const [name, aboutIt] = process.argv.slice(2);
 if (!engines.includes(name))
   throw new Error(`runner.mjs: no engine "${name}"; there are ${engines.join(', ')}`);
 const { about, make } = await import(`./${name}.mjs`);
+const variants = settings[`${name}.mjs`];
 if (aboutIt === '--about') {
-  write(JSON.stringify({ ...about, behind: 'WebAssembly' }));
+  write(JSON.stringify({ plane: false, ...about, variants, behind: 'WebAssembly' }));
 } else {
   const request = JSON.parse(readFileSync(0, 'utf8'));
-  if (!about.variants.some((v) => v.name === request.variant))
+  if (!variants.some((v) => v.name === request.variant))
     throw new Error(`runner.mjs: ${about.name} has no variant "${request.variant}"; it has ` +
-      about.variants.map((v) => `"${v.name}"`).join(', '));
+      variants.map((v) => `"${v.name}"`).join(', '));
   write(JSON.stringify(reply(about, make, request)));
 }

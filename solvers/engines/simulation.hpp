@@ -4,11 +4,34 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "solvers/engines/world.hpp"
 
 /// What an adapter gives of its engine. runner.cpp makes a program of it, which oddity runs as a child.
 namespace oddity::engines {
+
+inline const Body& body_of(const World& world, int body) {
+  return world.bodies[static_cast<std::size_t>(body)];
+}
+/// Where a body starts; the ground at the origin.
+inline State start(const World& world, int body) {
+  return body == ground ? State{} : body_of(world, body).start;
+}
+
+/// What an engine has for each of the bodies, and for the ground.
+template <class T>
+class Handles {
+ public:
+  explicit Handles(T ground = {}) : ground_(ground) {}
+  void add(T body) { bodies_.push_back(body); }
+  T operator[](int body) const { return body == ground ? ground_ : bodies_[static_cast<std::size_t>(body)]; }
+  int size() const { return static_cast<int>(bodies_.size()); }
+
+ private:
+  T ground_;
+  std::vector<T> bodies_;
+};
 
 /// A world in an engine's hands.
 class Simulation {

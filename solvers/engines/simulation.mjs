@@ -5,8 +5,8 @@ import { readFileSync } from 'node:fs';
 export const ground = -1;
 
 const json = (file) => JSON.parse(readFileSync(new URL(file, import.meta.url), 'utf8'));
-/// The ways to use an engine, of an adapter's name.
-export const variantsOf = (adapter) => json('variants.json')[adapter];
+/// The ways to use each engine, by its adapter's file.
+export const settings = json('variants.json');
 export const installedVersion = (npmModule) => json(`node_modules/${npmModule}/package.json`).version;
 
 /// The engine lacks what the world asks for: "no joint that keeps a distance".
@@ -46,6 +46,10 @@ export const start = (world, body) => body === ground ? atRest : world.bodies[bo
 /// A point of the world, and a direction, in the axes of a body.
 export const pointIn = ({ position, orientation }, at) => turned(back(orientation), minus(at, position));
 export const directionIn = ({ orientation }, axis) => turned(back(orientation), axis);
+
+/// In the plane, about z.
+export const angle = ([w, , , z]) => 2 * Math.atan2(z, w);
+export const aboutZ = (angle) => [Math.cos(angle / 2), 0, 0, Math.sin(angle / 2)];
 
 const flat = ([, , z]) => z === 0;
 const upright = ([x, y]) => x === 0 && y === 0;

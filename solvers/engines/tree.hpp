@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solvers/engines/simulation.hpp"
+#include "solvers/engines/turns.hpp"
 
 /// A world for engines of reduced coordinates: every body hangs on the ground or on another by one joint.
 namespace oddity::engines {
@@ -45,20 +46,10 @@ inline std::vector<Limb> tree(const World& world) {
 struct Universal {
   Vector along, first, second;
   explicit Universal(const Joint& rod) {
-    const Vector u{rod.end[0] - rod.at[0], rod.end[1] - rod.at[1], rod.end[2] - rod.at[2]};
-    along = scaled(u, 1 / std::hypot(u[0], u[1], u[2]));
-    first = std::abs(along[2]) < 0.9 ? cross({0, 0, 1}) : cross({1, 0, 0});
-    first = scaled(first, 1 / std::hypot(first[0], first[1], first[2]));
-    second = first;
-    first = scaled(cross(first), -1);
-  }
-
- private:
-  static Vector scaled(const Vector& a, double s) { return {s * a[0], s * a[1], s * a[2]}; }
-  /// The rod's direction times b.
-  Vector cross(const Vector& b) const {
-    const Vector& a = along;
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    const auto unit = [](const Vector& a) { return 1 / std::hypot(a[0], a[1], a[2]) * a; };
+    along = unit(rod.end - rod.at);
+    second = unit(cross(along, std::abs(along[2]) < 0.9 ? Vector{0, 0, 1} : Vector{1, 0, 0}));
+    first = -1.0 * cross(along, second);
   }
 };
 
