@@ -1,4 +1,4 @@
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,27 +12,29 @@
 
 namespace oddity::ex03_17 {
 
-namespace {
-
 using std::numbers::pi;
 
 // ---- the point mass ---------------------------------------------------------------------------------------
 
 /// T - V of a mass m at L R(q) in axes that turn with omega k: |r' + w x r| is its speed in axes that do not.
-struct Lagrangian : Given<double> {
-  double m;
+template <class N>
+struct Lagrangian {
+  Given<N> p;
+  N m;
   template <class T>
   T operator()(const Two<T>& q, const Two<T>& v) const {
     const Axes<T> axes(q);
-    const Space<T> turning{T(0.0), T(w()[1]), T(w()[2])};
+    const auto w = p.w();
+    const Space<T> turning{T(0.0), T(w[1]), T(w[2])};
     const Space<T> u = sum(axis_velocity(q, v), cross(turning, axes.R));
-    return 0.5 * m * L * L * dot(u, u) + m * g * L * axes.R[2];
+    return 0.5 * m * p.L * p.L * dot(u, u) + m * p.g * p.L * axes.R[2];
   }
 };
 
 /// T in the turning axes alone.
+template <class N>
 struct KineticEnergy {
-  double m, L;
+  N m, L;
   template <class T>
   T operator()(const Two<T>& q, const Two<T>& v) const {
     const Space<T> u = axis_velocity(q, v);
@@ -40,17 +42,22 @@ struct KineticEnergy {
   }
 };
 
-Pair less(const Pair& a, const Pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
-double square(double x) { return x * x; }
+template <class T>
+Two<T> less(const Two<T>& a, const Two<T>& b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+inline double square(double x) { return x * x; }
 
 /// A pendulum anywhere in any motion.
-struct Sample {
-  Given<double> p;
-  double m;
-  Pair q, v, a;
-  Space<double> free_r, free_v, free_a;  ///< a point in any motion
+template <class T>
+struct SampleOf {
+  Given<T> p;
+  T m;
+  Two<T> q, v, a;
+  Space<T> free_r, free_v, free_a;  ///< a point in any motion
 
-  explicit Sample(Random& random)
+  SampleOf() = default;
+  explicit SampleOf(Random& random)
       : p{random.between(-1.5, 1.5), random.between(0.3, 3),  random.between(0.2, 2),
           random.between(1, 10),     random.between(-3, 3),   random.between(0.1, 3),
           random.magnitude(0.1, 2),  random.magnitude(0.1, 2)},
@@ -61,7 +68,7 @@ struct Sample {
         free_r(random.point()),
         free_v(random.point()),
         free_a(random.point()) {}
-  std::array<double*, 20> letters() {
+  std::array<T*, 20> letters() {
     return {&p.lambda,  &p.L,       &p.omega,   &p.g,       &m,         &q[0],      &q[1],
             &v[0],      &v[1],      &a[0],      &a[1],      &free_r[0], &free_r[1], &free_r[2],
             &free_v[0], &free_v[1], &free_v[2], &free_a[0], &free_a[1], &free_a[2]};
@@ -78,125 +85,132 @@ struct Sample {
            R"(, $\theta$ = )" + format_shortest(q[0]) + R"(, $\phi$ = )" + format_shortest(q[1]) +
            R"(, $\dot\theta$ = )" + format_shortest(v[0]) + R"(, $\dot\phi$ = )" + format_shortest(v[1]);
   }
-  Axes<double> axes() const { return Axes<double>(q); }
-  Space<double> w() const { return p.w(); }
-  double sin_phi() const { return sin(q[1]); }
-  double cos_phi() const { return cos(q[1]); }
-  double mL2() const { return m * p.L * p.L; }
+  Axes<T> axes() const { return Axes<T>(q); }
+  Space<T> w() const { return p.w(); }
+  T sin_phi() const { return sin(q[1]); }
+  T cos_phi() const { return cos(q[1]); }
+  T mL2() const { return m * p.L * p.L; }
   /// The book's b = -cos lambda sin theta sin phi + sin lambda cos phi.
-  double b() const { return -cos(p.lambda) * sin(q[0]) * sin_phi() + sin(p.lambda) * cos_phi(); }
+  T b() const { return -cos(p.lambda) * sin(q[0]) * sin_phi() + sin(p.lambda) * cos_phi(); }
 
-  KineticEnergy T() const { return {m, p.L}; }
+  KineticEnergy<T> kinetic() const { return {m, p.L}; }
   /// Lagrange's equations, left side less right side, at a multiple of omega.
-  Pair equations(double times) const {
-    Lagrangian turned{p, m};
-    turned.omega *= times;
+  Two<T> equations(double times) const {
+    Lagrangian<T> turned{p, m};
+    turned.p.omega *= times;
     return lagrange_left_side(turned, q, v, a);
   }
   /// The same without the terms in omega^2: they are quadratic in omega, and the odd part is the linear one.
-  Pair to_first_order() const {
-    const Pair still = equations(0), there = equations(1), back = equations(-1);
+  Two<T> to_first_order() const {
+    const Two<T> still = equations(0), there = equations(1), back = equations(-1);
     return {still[0] + (there[0] - back[0]) / 2, still[1] + (there[1] - back[1]) / 2};
   }
-  Pair generalized_force() const { return less(lagrange_left_side(T(), q, v, a), to_first_order()); }
+  Two<T> generalized_force() const { return less(lagrange_left_side(kinetic(), q, v, a), to_first_order()); }
   /// The second time derivative of r(t), given in the turning axes, in axes that do not turn.
-  Space<double> inertial_acceleration(double times) const {
-    using Along = Dual<double>;
+  Space<T> inertial_acceleration(double times) const {
+    using Along = Dual<T>;
     using Twice = Dual<Along>;
-    const double rate = times * p.omega, c = cos(p.lambda), s = sin(p.lambda);
+    const T rate = times * p.omega, c = cos(p.lambda), s = sin(p.lambda);
     Space<Twice> r;
     for (std::size_t i = 0; i < 3; ++i)
       r[i] = Twice(Along(free_r[i], free_v[i]), Along(free_v[i], free_a[i]));
-    const Twice angle(Along(0, rate), Along(rate, 0)), co = cos(angle), si = sin(angle);
+    const Twice angle(Along(T(0), rate), Along(rate, T(0))), co = cos(angle), si = sin(angle);
     const Twice along = (r[1] * c - r[2] * s) * (1.0 - co);
     const Space<Twice> x{r[0] * co + (c * r[2] + s * r[1]) * si, r[1] * co - s * r[0] * si + c * along,
                          r[2] * co - c * r[0] * si - s * along};
     return {x[0].slope.slope, x[1].slope.slope, x[2].slope.slope};
   }
   /// Its part linear in omega, times `sign`.
-  Space<double> coriolis_acceleration(double sign) const {
-    return times(0.5, sum(inertial_acceleration(sign), times(-1.0, inertial_acceleration(-sign))));
+  Space<T> coriolis_acceleration(double sign) const {
+    return ex03_17::times(
+        0.5, sum(inertial_acceleration(sign), ex03_17::times(-1.0, inertial_acceleration(-sign))));
   }
   /// (L R)'' by dual numbers.
-  Space<double> acceleration() const {
+  Space<T> acceleration() const {
     const auto u = axis_velocity(moving(q, v), moving(v, a));
     return {p.L * u[0].slope, p.L * u[1].slope, p.L * u[2].slope};
   }
 };
+using Sample = SampleOf<double>;
+using Table = ProvableClaims<SampleOf>;
+
+namespace {
+
 using S = const Sample&;
 using Samples = std::vector<Sample>;
 
-void geometry(Claims& claims, const Samples& samples) {
+void geometry(Table& table, const Samples& samples) {
   const std::string dual = "dual numbers", nested = "nested dual numbers";
-  const auto products = [](const Space<double>& P, const Space<double>& Q, const Space<double>& R) {
+  const auto products = [](const auto& P, const auto& Q, const auto& R) {
     return values(dot(P, P), dot(Q, Q), dot(R, R), dot(P, Q), dot(P, R), dot(Q, R));
   };
-  claims.formula<Sample>(
-      "axes", 2189, "$P$, $Q$ and $R$ are coordinate axes", samples,
-      {.quantity = R"($P\cdot P$, $Q\cdot Q$, $R\cdot R$, $P\cdot Q$, $P\cdot R$, $Q\cdot R$)",
-       .truth = {"those of orthonormal axes", [](S) { return values(1, 1, 1, 0, 0, 0); }},
-       .printed = {"$P$, $Q$ and $R$ as printed",
-                   [=](S s) { return products(s.axes().P, s.axes().Q, s.axes().R); }},
-       .near_misses = {{R"($Q$ with $-\sin\phi$)", [=](S s) {
-                          auto Q = s.axes().Q;
-                          Q[2] = -Q[2];
-                          return products(s.axes().P, Q, s.axes().R);
-                        }}}});
+  table.formula("axes", 2189, "$P$, $Q$ and $R$ are coordinate axes", samples,
+                {.quantity = R"($P\cdot P$, $Q\cdot Q$, $R\cdot R$, $P\cdot Q$, $P\cdot R$, $Q\cdot R$)",
+                 .truth = {"those of orthonormal axes", [](const auto&) { return values(1, 1, 1, 0, 0, 0); }},
+                 .printed = {"$P$, $Q$ and $R$ as printed",
+                             [=](const auto& s) { return products(s.axes().P, s.axes().Q, s.axes().R); }},
+                 .near_misses = {{R"($Q$ with $-\sin\phi$)", [=](const auto& s) {
+                                    auto Q = s.axes().Q;
+                                    Q[2] = -Q[2];
+                                    return products(s.axes().P, Q, s.axes().R);
+                                  }}}});
   const auto velocity = [](double sign) {
-    return [=](S s) {
+    return [=](const auto& s) {
       return times(s.p.L, sum(times(s.v[0] * s.sin_phi(), s.axes().P), times(-sign * s.v[1], s.axes().Q)));
     };
   };
-  claims.formula<Sample>("velocity", 2197, "the velocity in the turning axes", samples,
-                         {.truth = {R"($\frac{d}{dt}(LR)$ by dual numbers)",
-                                    [](S s) { return times(s.p.L, axis_velocity(s.q, s.v)); }},
-                          .printed = {R"($L(\dot\theta\sin\phi\,P-\dot\phi\,Q)$)", velocity(1)},
-                          .near_misses = {{R"($L(\dot\theta\sin\phi\,P+\dot\phi\,Q)$)", velocity(-1)}}});
+  table.formula("velocity", 2197, "the velocity in the turning axes", samples,
+                {.truth = {R"($\frac{d}{dt}(LR)$ by dual numbers)",
+                           [](const auto& s) { return times(s.p.L, axis_velocity(s.q, s.v)); }},
+                 .printed = {R"($L(\dot\theta\sin\phi\,P-\dot\phi\,Q)$)", velocity(1)},
+                 .near_misses = {{R"($L(\dot\theta\sin\phi\,P+\dot\phi\,Q)$)", velocity(-1)}}});
   const auto T = [](int power) {
-    return [=](S s) { return s.mL2() / 2 * (s.v[0] * s.v[0] * pow(s.sin_phi(), power) + s.v[1] * s.v[1]); };
-  };
-  claims.formula<Sample>(
-      "kinetic_energy", 2205, "the kinetic energy in the angles", samples,
-      {.truth = {R"($\frac m2|\frac{d}{dt}(LR)|^2$ by dual numbers)", [](S s) { return s.T()(s.q, s.v); }},
-       .printed = {R"($\frac{mL^2}2(\dot\theta^2\sin^2\phi+\dot\phi^2)$)", T(2)},
-       .near_misses = {{R"($\frac{mL^2}2(\dot\theta^2\sin\phi+\dot\phi^2)$)", T(1)}}});
-  claims.formula<Sample>(
-      "dT_dtheta", 2215, R"(the kinetic energy $T$ does not depend on $\theta$)", samples,
-      {.quantity = R"($\partial T/\partial\theta$)",
-       .truth = {"zero", [](S) { return values(0); }},
-       .printed = {dual, [](S s) { return df_dq(s.T(), s.q, s.v)[0]; }},
-       .near_misses = {{R"($\partial L/\partial\theta$ of the Lagrangian on the turning Earth)", [](S s) {
-                          return df_dq(Lagrangian{s.p, s.m}, s.q, s.v)[0];
-                        }}}});
-  const auto slopes = [](double twice) {
-    return [=](S s) {
-      const double t = s.v[0], sp = s.sin_phi();
-      return times(s.mL2(), Space<double>{twice * t * t * sp * s.cos_phi(), t * sp * sp, s.v[1]});
+    return [=](const auto& s) {
+      return s.mL2() / 2 * (s.v[0] * s.v[0] * pow(s.sin_phi(), power) + s.v[1] * s.v[1]);
     };
   };
-  claims.formula<Sample>(
+  table.formula("kinetic_energy", 2205, "the kinetic energy in the angles", samples,
+                {.truth = {R"($\frac m2|\frac{d}{dt}(LR)|^2$ by dual numbers)",
+                           [](const auto& s) { return s.kinetic()(s.q, s.v); }},
+                 .printed = {R"($\frac{mL^2}2(\dot\theta^2\sin^2\phi+\dot\phi^2)$)", T(2)},
+                 .near_misses = {{R"($\frac{mL^2}2(\dot\theta^2\sin\phi+\dot\phi^2)$)", T(1)}}});
+  table.formula(
+      "dT_dtheta", 2215, R"(the kinetic energy $T$ does not depend on $\theta$)", samples,
+      {.quantity = R"($\partial T/\partial\theta$)",
+       .truth = {"zero", [](const auto&) { return values(0); }},
+       .printed = {dual, [](const auto& s) { return df_dq(s.kinetic(), s.q, s.v)[0]; }},
+       .near_misses = {{R"($\partial L/\partial\theta$ of the Lagrangian on the turning Earth)", [](S s) {
+                          return df_dq(Lagrangian<double>{s.p, s.m}, s.q, s.v)[0];
+                        }}}});
+  const auto slopes = [](double twice) {
+    return [=](const auto& s) {
+      const auto t = s.v[0], sp = s.sin_phi(), mL2 = s.mL2();
+      return values(mL2 * (twice * t * t * sp * s.cos_phi()), mL2 * (t * sp * sp), mL2 * s.v[1]);
+    };
+  };
+  table.formula(
       "derivatives", 2217,
       R"($\partial T/\partial\phi$, $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$)",
       samples,
       {.truth = {dual,
-                 [](S s) {
-                   const Pair dv = df_dv(s.T(), s.q, s.v);
-                   return values(df_dq(s.T(), s.q, s.v)[1], dv[0], dv[1]);
+                 [](const auto& s) {
+                   const auto dv = df_dv(s.kinetic(), s.q, s.v);
+                   return values(df_dq(s.kinetic(), s.q, s.v)[1], dv[0], dv[1]);
                  }},
        .printed = {R"($mL^2\dot\theta^2\sin\phi\cos\phi$, $mL^2\dot\theta\sin^2\phi$, $mL^2\dot\phi$)",
                    slopes(1)},
        .near_misses = {{R"($2mL^2\dot\theta^2\sin\phi\cos\phi$ and the other two)", slopes(2)}}});
   const auto rates = [](double twice, int power) {
-    return [=](S s) {
-      const double sp = s.sin_phi();
+    return [=](const auto& s) {
+      const auto sp = s.sin_phi();
       return values(s.mL2() * (s.a[0] * pow(sp, power) + twice * s.v[0] * s.v[1] * sp * s.cos_phi()),
                     s.mL2() * s.a[1]);
     };
   };
-  claims.formula<Sample>(
+  table.formula(
       "momentum_rates", 2223,
       R"(the time derivatives of $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$)", samples,
-      {.truth = {nested, [](S s) { return rate_of_df_dv(s.T(), s.q, s.v, s.a); }},
+      {.truth = {nested, [](const auto& s) { return rate_of_df_dv(s.kinetic(), s.q, s.v, s.a); }},
        .printed = {R"($mL^2(\ddot\theta\sin^2\phi+2\dot\theta\dot\phi\sin\phi\cos\phi)$, $mL^2\ddot\phi$)",
                    rates(2, 2)},
        .near_misses = {
@@ -205,53 +219,54 @@ void geometry(Claims& claims, const Samples& samples) {
            {R"($mL^2(\ddot\theta\sin\phi+2\dot\theta\dot\phi\sin\phi\cos\phi)$, $mL^2\ddot\phi$)",
             rates(2, 1)}}});
   const auto lagrange = [=](double sign) {
-    return [=](S s) {
-      const Value rate = rates(2, 2)(s);
+    return [=](const auto& s) {
+      const auto rate = rates(2, 2)(s);
       return values(rate[0], rate[1] - sign * s.mL2() * s.v[0] * s.v[0] * s.sin_phi() * s.cos_phi());
     };
   };
-  claims.formula<Sample>(
+  table.formula(
       "left_sides", 2237, "the left sides of Lagrange's equations", samples,
-      {.truth = {nested, [](S s) { return lagrange_left_side(s.T(), s.q, s.v, s.a); }},
+      {.truth = {nested, [](const auto& s) { return lagrange_left_side(s.kinetic(), s.q, s.v, s.a); }},
        .printed = {R"($mL^2(\ddot\theta\sin^2\phi+2\dot\theta\dot\phi\sin\phi\cos\phi)$, )"
                    R"($mL^2(\ddot\phi-\dot\theta^2\sin\phi\cos\phi)$)",
                    lagrange(1)},
        .near_misses = {{R"(the same with $+\dot\theta^2\sin\phi\cos\phi$)", lagrange(-1)}}});
-  const auto six = [](const Space<double>& a, const Space<double>& b) {
-    return values(a[0], a[1], a[2], b[0], b[1], b[2]);
-  };
+  const auto six = [](const auto& a, const auto& b) { return values(a[0], a[1], a[2], b[0], b[1], b[2]); };
   const auto by_axes = [=](int power) {
-    return [=](S s) { return six(times(pow(s.sin_phi(), power), s.axes().P), times(-1.0, s.axes().Q)); };
+    return [=](const auto& s) {
+      return six(times(pow(s.sin_phi(), power), s.axes().P), times(-1.0, s.axes().Q));
+    };
   };
-  claims.formula<Sample>(
+  table.formula(
       "dR", 2257, R"($\partial R/\partial\theta$ and $\partial R/\partial\phi$)", samples,
-      {.truth = {dual,
-                 [=](S s) {
-                   return six(axis_velocity(s.q, Pair{1, 0}), axis_velocity(s.q, Pair{0, 1}));
-                 }},
+      {.truth =
+           {dual,
+            [=](const auto& s) {
+              return six(axis_velocity(s.q, decltype(s.q){1, 0}), axis_velocity(s.q, decltype(s.q){0, 1}));
+            }},
        .printed = {R"($\sin\phi\,P$ and $-Q$)", by_axes(1)},
        .near_misses = {{"$P$ and $-Q$", by_axes(0)}}});
 }
 
-void forces(Claims& claims, const Samples& samples) {
+void forces(Table& table, const Samples& samples) {
   const auto cross_product = [](double factor) {
-    return [=](S s) { return times(factor, cross(s.w(), s.free_v)); };
+    return [=](const auto& s) { return times(factor, cross(s.w(), s.free_v)); };
   };
-  claims.formula<Sample>(
+  table.formula(
       "force", 2241,
       R"(to the forces, gravity and rod, the turning axes add $-2w\times\dot r$, to first order in $\omega$)",
       samples,
       {.quantity = "what the turning axes add to the acceleration",
        .truth = {R"($\ddot r$ less the acceleration in axes that do not turn, its part linear in $\omega$)",
-                 [](S s) { return s.coriolis_acceleration(-1); }},
+                 [](const auto& s) { return s.coriolis_acceleration(-1); }},
        .printed = {R"($-2w\times\dot r$)", cross_product(-2)},
        .near_misses = {
            {R"($+2w\times\dot r$)", cross_product(2)},
            {R"($-w\times\dot r$)", cross_product(-1)},
            {R"($\ddot r$ less the acceleration in axes that do not turn, to all orders in $\omega$)",
-            [](S s) { return sum(s.free_a, times(-1.0, s.inertial_acceleration(1))); }}}});
+            [](const auto& s) { return sum(s.free_a, times(-1.0, s.inertial_acceleration(1))); }}}});
   const auto second_difference = [](int power) {
-    return [=](S s) {
+    return [=](const auto& s) {
       const auto at = [&](double t) {
         return sum(s.free_r, sum(times(t, s.free_v), times(t * t / 2, s.free_a)));
       };
@@ -259,10 +274,10 @@ void forces(Claims& claims, const Samples& samples) {
       return times(pow(Dt, -power), sum(sum(at(Dt), at(-Dt)), times(-2.0, at(0))));
     };
   };
-  claims.formula<Sample>(
+  table.formula(
       "second_derivative", 2243, "the force on the mass is $m\\,D^2r/Dt$", samples,
       {.quantity = "the acceleration",
-       .truth = {R"($\ddot r$ in the turning axes)", [](S s) { return s.free_a; }},
+       .truth = {R"($\ddot r$ in the turning axes)", [](const auto& s) { return s.free_a; }},
        .printed = {"$D^2r/Dt$, by differences with $Dt=1/2$", second_difference(1)},
        .meant = {"$D^2r/Dt^2$", second_difference(2)},
        .near_misses = {{"$D^2r/Dt^3$", second_difference(3)}},
@@ -272,16 +287,16 @@ void forces(Claims& claims, const Samples& samples) {
            R"($D^2r/Dt^2$. A second difference over a single $Dt$ has the unit of a velocity, and goes to zero )"
            R"(with $Dt$.)"});
   const auto with_earth = [](double west, double north) {
-    return [=](S s) {
-      const double c = cos(s.p.lambda), d = -sin(s.p.lambda);
-      return times(2 * s.p.omega, cross(Space<double>{west * c, north * c, d}, s.free_v));
+    return [=](const auto& s) {
+      const auto c = cos(s.p.lambda), d = -sin(s.p.lambda);
+      return times(2 * s.p.omega, cross(decltype(s.free_v){west * c, north * c, d}, s.free_v));
     };
   };
-  claims.formula<Sample>(
+  table.formula(
       "earth_rotation", 2419, R"(the Earth turns with $w=\omega[(\cos\lambda)-(\sin\lambda)k]$)", samples,
       {.quantity = R"($2w\times\dot r$)",
        .truth = {R"(the acceleration in axes that do not turn, its part linear in $\omega$)",
-                 [](S s) { return s.coriolis_acceleration(1); }},
+                 [](const auto& s) { return s.coriolis_acceleration(1); }},
        .printed = {R"(the cosine without a direction: $w=\omega(0,0,-\sin\lambda)$)", with_earth(0, 0)},
        .meant = {R"($w=\omega(\cos\lambda\,\jmath-\sin\lambda\,k)$, $\jmath$ to the north)",
                  with_earth(0, 1)},
@@ -297,32 +312,31 @@ void forces(Claims& claims, const Samples& samples) {
   const std::string by_lagrange =
       R"(Lagrange's equations on the turning Earth less their kinetic part, linear in $\omega$)";
   const auto force_theta = [](double sign) {
-    return [=](S s) { return sign * s.mL2() * s.sin_phi() * 2 * s.p.omega * s.v[1] * s.b(); };
+    return [=](const auto& s) { return sign * s.mL2() * s.sin_phi() * 2 * s.p.omega * s.v[1] * s.b(); };
   };
-  claims.formula<Sample>("force_theta", 2257, R"(the generalized force on $\theta$)", samples,
-                         {.truth = {by_lagrange, [](S s) { return s.generalized_force()[0]; }},
-                          .printed = {R"($(mL\sin\phi)\,2L\omega\dot\phi\,b$)" + b, force_theta(1)},
-                          .near_misses = {{R"($-(mL\sin\phi)\,2L\omega\dot\phi\,b$)", force_theta(-1)}}});
+  table.formula("force_theta", 2257, R"(the generalized force on $\theta$)", samples,
+                {.truth = {by_lagrange, [](const auto& s) { return s.generalized_force()[0]; }},
+                 .printed = {R"($(mL\sin\phi)\,2L\omega\dot\phi\,b$)" + b, force_theta(1)},
+                 .near_misses = {{R"($-(mL\sin\phi)\,2L\omega\dot\phi\,b$)", force_theta(-1)}}});
   const auto force_phi = [](double sign, double weight) {
-    return [=](S s) {
+    return [=](const auto& s) {
       return -s.m * s.p.L * s.sin_phi() * (2 * s.p.L * s.p.omega * s.v[0] * sign * s.b() + weight * s.p.g);
     };
   };
-  claims.formula<Sample>(
-      "force_phi", 2273, R"(the generalized force on $\phi$)", samples,
-      {.truth = {by_lagrange, [](S s) { return s.generalized_force()[1]; }},
-       .printed = {R"($-mL(2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)" + b, force_phi(1, 1)},
-       .near_misses = {{R"($-mL(-2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)", force_phi(-1, 1)},
-                       {R"($-mL(2L\omega\dot\theta\sin\phi\,b-g\sin\phi)$)", force_phi(1, -1)}}});
+  table.formula("force_phi", 2273, R"(the generalized force on $\phi$)", samples,
+                {.truth = {by_lagrange, [](const auto& s) { return s.generalized_force()[1]; }},
+                 .printed = {R"($-mL(2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)" + b, force_phi(1, 1)},
+                 .near_misses = {{R"($-mL(-2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)", force_phi(-1, 1)},
+                                 {R"($-mL(2L\omega\dot\theta\sin\phi\,b-g\sin\phi)$)", force_phi(1, -1)}}});
 }
 
 /// The first equation, left side less right side; theta'' times this power of sin phi.
-double first_equation(S s, double sign = 1, int power = 1) {
+auto first_equation(const auto& s, double sign = 1, int power = 1) {
   return s.a[0] * pow(s.sin_phi(), power) + 2 * s.v[0] * s.v[1] * s.cos_phi() -
          sign * 2 * s.p.omega * s.v[1] * s.b();
 }
 /// The second one, with g/L or what stands for it.
-double second_equation(S s, double pull, double sign = 1) {
+auto second_equation(const auto& s, const auto& pull, double sign = 1) {
   return s.a[1] - s.v[0] * s.v[0] * s.sin_phi() * s.cos_phi() +
          sign * 2 * s.p.omega * s.v[0] * s.sin_phi() * s.b() + pull * s.sin_phi();
 }
@@ -337,16 +351,7 @@ struct Passing : Sample {
   }
 };
 
-void equations(Claims& claims, const Samples& samples, double seed) {
-  const std::string b = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
-  claims.formula<Sample>(
-      "equation_theta", 2279, "the first equation of motion, left side less right side", samples,
-      {.truth = {R"(Lagrange's equation for $\theta$, linear in $\omega$, by $mL^2\sin\phi$)",
-                 [](S s) { return s.to_first_order()[0] / (s.mL2() * s.sin_phi()); }},
-       .printed = {R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi-2\omega\dot\phi\,b$)" + b,
-                   [](S s) { return first_equation(s); }},
-       .near_misses = {{R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi+2\omega\dot\phi\,b$)",
-                        [](S s) { return first_equation(s, -1); }}}});
+void cancellation(Claims& claims, double seed) {
   // every fourth motion at the lowest point, if asked for
   const auto cancelled = [seed](const std::string& text, bool lowest_too, int power) -> Reading {
     Random random(seed);
@@ -372,32 +377,44 @@ void equations(Claims& claims, const Samples& samples, double seed) {
            R"(any other.)",
        .kind = Fault::left_out,
        .root = "division at the lowest point"});
-  claims.formula<Sample>(
+}
+
+void equations(Table& table, const Samples& samples) {
+  const std::string b = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
+  table.formula("equation_theta", 2279, "the first equation of motion, left side less right side", samples,
+                {.truth = {R"(Lagrange's equation for $\theta$, linear in $\omega$, by $mL^2\sin\phi$)",
+                           [](const auto& s) { return s.to_first_order()[0] / (s.mL2() * s.sin_phi()); }},
+                 .printed = {R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi-2\omega\dot\phi\,b$)" + b,
+                             [](const auto& s) { return first_equation(s); }},
+                 .near_misses = {{R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi+2\omega\dot\phi\,b$)",
+                                  [](const auto& s) { return first_equation(s, -1); }}}});
+  table.formula(
       "equation_phi", 2281,
       R"($\ddot\phi-\dot\theta^2\sin\phi\cos\phi=-2\omega\dot\theta\sin\phi\,b-gL\sin\phi$)" + b, samples,
       {.quantity = "the second equation of motion, left side less right side",
        .truth = {R"(Lagrange's equation for $\phi$, linear in $\omega$, by $mL^2$)",
-                 [](S s) { return s.to_first_order()[1] / s.mL2(); }},
-       .printed = {R"($gL\sin\phi$, a product)", [](S s) { return second_equation(s, s.p.g * s.p.L); }},
-       .meant = {R"($(g/L)\sin\phi$)", [](S s) { return second_equation(s, s.p.g / s.p.L); }},
+                 [](const auto& s) { return s.to_first_order()[1] / s.mL2(); }},
+       .printed = {R"($gL\sin\phi$, a product)",
+                   [](const auto& s) { return second_equation(s, s.p.g * s.p.L); }},
+       .meant = {R"($(g/L)\sin\phi$)", [](const auto& s) { return second_equation(s, s.p.g / s.p.L); }},
        .near_misses = {{R"($(g/L)\sin\phi$ and $+2\omega\dot\theta\sin\phi\,b$)",
-                        [](S s) { return second_equation(s, s.p.g / s.p.L, -1); }}},
+                        [](const auto& s) { return second_equation(s, s.p.g / s.p.L, -1); }}},
        .kind = Fault::lost_typography,
        .why =
            R"($gL\sin\phi$ is $(g/L)\sin\phi$, its bar lost: the force before has $g\sin\phi$, and is divided )"
            R"(by $mL^2$.)"});
   const auto newton = [](double turning) {
-    return [=](S s) {
+    return [=](const auto& s) {
       auto r = sum(s.acceleration(), times(turning, cross(s.w(), times(s.p.L, axis_velocity(s.q, s.v)))));
       r[2] -= s.p.g;
       return values(dot(r, s.axes().P) / s.p.L, -dot(r, s.axes().Q) / s.p.L);
     };
   };
-  claims.formula<Sample>(
+  table.formula(
       "newton", 2283, "the two equations are those of Newton's law along $P$ and $Q$", samples,
       {.quantity = "both equations, left side less right side",
        .truth = {"in the angles, with $g/L$",
-                 [](S s) { return values(first_equation(s), second_equation(s, s.p.g / s.p.L)); }},
+                 [](const auto& s) { return values(first_equation(s), second_equation(s, s.p.g / s.p.L)); }},
        .printed = {R"($(\ddot r+2w\times\dot r-gk)\cdot(P,-Q)/L$, the acceleration by dual numbers)",
                    newton(2)},
        .near_misses = {{R"(the same with $w\times\dot r$ once)", newton(1)}}});
@@ -869,9 +886,11 @@ void cone_equations(Claims& claims, double seed) {
 std::vector<Claim> claims(double seed) {
   Claims claims("3.17");
   const auto samples = draw<Sample>(200, seed);
-  geometry(claims, samples);
-  forces(claims, samples);
-  equations(claims, samples, seed);
+  Table table(claims);
+  geometry(table, samples);
+  forces(table, samples);
+  equations(table, samples);
+  cancellation(claims, seed);
 
   const auto cones = draw<ConeSample>(3, seed);
   Cones by_qags(cones.begin(), cones.begin() + 2);  // adaptive rules are slow
@@ -881,6 +900,26 @@ std::vector<Claim> claims(double seed) {
   tensor(claims, cones);
   cone_equations(claims, seed);
   return claims.in_order();
+}
+
+Provables pendulum_proofs() {
+  Claims claims("3.17");
+  Table table(claims);
+  geometry(table, {});
+  forces(table, {});
+  equations(table, {});
+  const std::vector<std::string> names{"lambda", "L",  "omega", "g",  "m",  "theta", "phi", "v1", "v2", "a1",
+                                       "a2",     "r1", "r2",    "r3", "u1", "u2",    "u3",  "w1", "w2", "w3"};
+  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
+                       .letters = quantified(names),
+                       .tactic = "rewrite ?cos_0, ?sin_0; " + by_angles({"lambda", "theta", "phi"}) +
+                                 "; repeat split; first [ assumption | apply Rgt_not_eq; lra ]",
+                       .says = "it holds for every pendulum in any motion, but at its lowest point"};
+  all.given = {above(all.any.p.L.expression(), 0), above(all.any.m.expression(), 0),
+               not_zero(sin(all.any.q[1]).expression())};
+  double x = 0;
+  for (double* letter : all.example.letters()) *letter = x += 0.125;
+  return table.proofs("3.17", all);
 }
 
 std::vector<Root> roots() {

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/17_foucault/models.hpp"
 #include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 #include "chapters/exercise.hpp"
+#include "chapters/provable.hpp"
 
 /// What the methods and the claims of exercise 3.17 share: the cone, and the published energy and force.
 namespace oddity::ex03_17 {
@@ -21,7 +23,7 @@ Space<T> sum(const Space<T>& a, const Space<T>& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 template <class T>
-Space<T> times(const T& s, const Space<T>& a) {
+Space<T> times(const std::type_identity_t<T>& s, const Space<T>& a) {
   return {s * a[0], s * a[1], s * a[2]};
 }
 
@@ -77,6 +79,8 @@ Quantity cone_swing(Given<double>, const Cone&, const Horizon&, const Reference&
 Quantity inertia(const Cone&);
 
 std::vector<Claim> claims(double seed);
+/// Of what is claimed of the point mass.
+Provables pendulum_proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::ex03_17

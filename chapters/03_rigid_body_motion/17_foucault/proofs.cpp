@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <iterator>
+
 #include "chapters/03_rigid_body_motion/17_foucault/cone.hpp"
+#include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/provable.hpp"
 
 // Of the cone with r = h = 1, whose volume is pi/3.
@@ -61,6 +65,10 @@ Provables proofs() {
 
 }  // namespace ex03_17
 
-Provables proofs_3_17() { return ex03_17::proofs(); }
+Provables proofs_3_17() {
+  Provables all = ex03_17::pendulum_proofs();
+  std::ranges::move(ex03_17::proofs(), std::back_inserter(all));
+  return all;
+}
 
 }  // namespace oddity
