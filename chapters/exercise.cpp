@@ -2,6 +2,7 @@
 
 #include <array>
 #include <exception>
+#include <new>
 
 #include "reference/bad_input.hpp"
 #include "reference/reference.hpp"
@@ -311,6 +312,8 @@ Trial run(const Quantity& quantity, const Method& method, double setting) {
               Outcome::raised, method.precision};
   try {
     trial.answer = method.run(setting);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& exception) {
     trial.answer.ending = Ending::raised;
     trial.answer.message = exception.what();

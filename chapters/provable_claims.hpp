@@ -10,7 +10,6 @@
 
 #include "chapters/claims.hpp"
 #include "chapters/provable.hpp"
-#include "chapters/shortened.hpp"
 
 /// Claims whose formulas are generic in their number type, stated once: computed over samples of doubles, and
 /// proved for all values of the letters. A sample is `template <class T> struct Of` with letters() that

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "report/pages/markup.hpp"
 #include "report/site/page.hpp"
@@ -176,7 +177,11 @@ std::map<std::string, std::string> typeset_by_katex(const std::set<std::string>&
   const fs::path out = folder / "formulas.json";
   try {
     const std::string input = json(list).dump(-1, ' ', true, json::error_handler_t::replace);
-    if (!run_program({"node", "-e", typesetter, out.string()}, input, std::chrono::seconds(60)).ok) return {};
+    const Ended ended =
+        run_program({"node", "-e", typesetter, out.string()}, input, std::chrono::seconds(60));
+    if (!ended.ok)
+      throw BadInput("node, which typesets the site's formulas, ended by " + ended.how +
+                     "; it takes a gigabyte of addresses");
   } catch (const std::system_error&) {
     return {};
   }

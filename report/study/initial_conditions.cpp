@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <span>
 
 #include "chapters/scene.hpp"
@@ -122,6 +123,8 @@ std::optional<Start> InitialConditions::known_start(const Parameters& p) const {
   try {
     return start(p);
   } catch (const OutOfTime&) {
+    throw;
+  } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {  // no reference there
     return {};

@@ -1,5 +1,6 @@
 #include "report/study/run.hpp"
 
+#include <new>
 #include <numeric>
 
 #include "reference/bad_input.hpp"
@@ -31,6 +32,8 @@ Studied study(const Task& task, const Reference& truth) {
   try {
     studied.findings = task.entry->exercise.study(task.parameters, truth);
   } catch (const BadInput&) {
+    throw;
+  } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& exception) {
     studied.failure = exception.what();

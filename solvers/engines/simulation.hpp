@@ -23,7 +23,7 @@ inline State start(const World& world, int body) {
 template <class T>
 class Handles {
  public:
-  explicit Handles(T ground = {}) : ground_(ground) {}
+  explicit Handles(T of_ground = {}) : ground_(of_ground) {}
   void add(T body) { bodies_.push_back(body); }
   T operator[](int body) const { return body == ground ? ground_ : bodies_[static_cast<std::size_t>(body)]; }
   int size() const { return static_cast<int>(bodies_.size()); }
