@@ -1,5 +1,7 @@
 #pragma once
 
+#include <concepts>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -96,6 +98,7 @@ class Shortened {
   friend Shortened sqrt(const Shortened& x) { return sqrt(x.all_); }
   friend Shortened sin(const Shortened& x) { return sin(x.all_); }
   friend Shortened cos(const Shortened& x) { return cos(x.all_); }
+  friend Shortened hypot(const Shortened& x, const Shortened& y) { return sqrt(x * x + y * y); }
   friend Shortened abs(const Shortened& x) { return abs(x.all_); }
   friend Shortened exp(const Shortened& x) { return exp(x.all_); }
 
@@ -103,6 +106,15 @@ class Shortened {
   bool is(std::string_view number) const { return all_.coq() == number; }
   Expression all_;
 };
+
+/// Pi, exactly where numbers are expressions.
+template <class T>
+T pi_of() {
+  if constexpr (std::same_as<T, Shortened>)
+    return pi_in_coq();
+  else
+    return T(std::numbers::pi);
+}
 
 using Expressions = std::vector<Expression>;
 

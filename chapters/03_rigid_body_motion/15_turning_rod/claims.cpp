@@ -1,4 +1,4 @@
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,21 +17,29 @@ namespace {
 
 using namespace turning_rod;
 using std::numbers::pi, std::numbers::sqrt2;
-using Space = std::array<double, 3>;
+template <class T>
+using SpaceOf = std::array<T, 3>;
+using Space = SpaceOf<double>;
 
 constexpr double quarter = pi / 4;
 const Rod<double> book{{1, 1, 10, quarter, 2}};
 
-double length(const Space& x) { return sqrt(dot(x, x)); }
-Space times(double factor, const Space& x) { return {factor * x[0], factor * x[1], factor * x[2]}; }
+template <class T>
+T length(const SpaceOf<T>& x) {
+  return sqrt(dot(x, x));
+}
+template <class T>
+SpaceOf<T> times(const std::type_identity_t<T>& factor, const SpaceOf<T>& x) {
+  return {factor * x[0], factor * x[1], factor * x[2]};
+}
 
 // ---- the Lagrangian ---------------------------------------------------------------------------------------
 
 /// The rod's direction after turning by an angle: Rodrigues' formula for (1, 0, 1)/sqrt(2) about k.
 template <class T>
-std::array<T, 3> direction(const T& angle) {
-  const Space d{root_half<double>, 0, root_half<double>}, k{0, 0, 1};
-  const Space side{k[1] * d[2] - k[2] * d[1], k[2] * d[0] - k[0] * d[2], k[0] * d[1] - k[1] * d[0]};
+SpaceOf<T> direction(const T& angle) {
+  const T h = sqrt(T(2)) / 2, none = T(0);
+  const SpaceOf<T> d{h, none, h}, k{none, none, T(1)}, side = cross(k, d);
   const T c = cos(angle), s = sin(angle);
   const auto component = [&](std::size_t i) -> T {
     return d[i] * c + side[i] * s + k[i] * dot(k, d) * (1.0 - c);
@@ -39,34 +47,35 @@ std::array<T, 3> direction(const T& angle) {
   return {component(0), component(1), component(2)};
 }
 
-template <class T>
-std::array<T, 3> position(const T& s, const T& t, double w) {
+template <class T, class Speed>
+SpaceOf<T> position(const T& s, const T& t, const Speed& w) {
   const auto D = direction(T(w * t));
   return {s * D[0], s * D[1], s * D[2]};
 }
 
 /// The mass's velocity for s' = v, by dual numbers.
-template <class T>
-std::array<T, 3> velocity(const T& s, const T& v, const T& t, double w) {
+template <class T, class Speed>
+SpaceOf<T> velocity(const T& s, const T& v, const T& t, const Speed& w) {
   const auto x = position(Dual<T>(s, v), Dual<T>(t, T(1.0)), w);
   return {x[0].slope, x[1].slope, x[2].slope};
 }
 
 /// Minus the gradient of the spring's energy, by dual numbers.
-Space force_of(const Rod<double>& spring, const Space& x) {
-  Space f;
-  for (std::size_t i = 0; i < 3; ++i) {
-    std::array<Dual<double>, 3> y{x[0], x[1], x[2]};
-    y[i].slope = 1;
-    f[i] = -spring.energy(y).slope;
-  }
+template <class T>
+SpaceOf<T> force_of(const Rod<T>& spring, const SpaceOf<T>& x) {
+  SpaceOf<T> f;
+  for (std::size_t i = 0; i < 3; ++i) f[i] = -spring.energy(toward(x, i)).slope;
   return f;
 }
 
+}  // namespace
+
 /// A rod to (a, 0, a), a spring of any rest length, a start (b, 0, b), and a mass anywhere, with any s''.
-struct Sample {
-  double m, a, b, c, K, w, ell, s, v, A, t;
-  explicit Sample(Random& random)
+template <class T>
+struct SampleOf {
+  T m, a, b, c, K, w, ell, s, v, A, t;
+  SampleOf() = default;
+  explicit SampleOf(Random& random)
       : m(random.between(0.1, 5)),
         a(random.between(1, 5)),
         b(random.between(0.1, 5)),
@@ -78,112 +87,132 @@ struct Sample {
         v(random.magnitude(0.1, 5)),
         A(random.magnitude(0.1, 5)),
         t(random.between(-5, 5)) {}
-  std::array<double*, 11> letters() { return {&m, &a, &b, &c, &K, &w, &ell, &s, &v, &A, &t}; }
+  std::array<T*, 11> letters() { return {&m, &a, &b, &c, &K, &w, &ell, &s, &v, &A, &t}; }
   std::string where() const {
     return "$c$ = " + format_shortest(c) + ", $w$ = " + format_shortest(w) + R"(, $\ell$ = )" +
            format_shortest(ell) + ", $s$ = " + format_shortest(s) + R"(, $\dot s$ = )" + format_shortest(v) +
            ", $t$ = " + format_shortest(t);
   }
 
-  Rod<double> spring(double rest_length) const { return {{m, c, K, w, s}, rest_length}; }
-  auto T() const {
+  static T number(double x) { return T(x); }
+  static T pi() { return pi_of<T>(); }
+  static T root2() { return sqrt(T(2)); }
+
+  Rod<T> spring(const T& rest_length) const { return {{m, c, K, w, s}, rest_length}; }
+  auto kinetic() const {
     return [m = m, w = w]<class X>(const X& at, const X& rate, const X& time) {
       const auto u = ex03_15::velocity(at, rate, time, w);
       return 0.5 * m * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     };
   }
-  auto L() const {
+  auto lagrangian() const {
     return [*this]<class X>(const X& at, const X& rate, const X& time) {
-      return T()(at, rate, time) - spring(ell).energy(position(at, time, w));
+      return kinetic()(at, rate, time) - spring(ell).energy(position(at, time, w));
     };
   }
-  Space x() const { return position(s, t, w); }
-  Space from_end() const { return {x()[0] - c, x()[1], x()[2]}; }
-  double spring_length() const { return length(from_end()); }
-  Space velocity() const { return ex03_15::velocity(s, v, t, w); }
-  Space segment() const { return {a, 0, a}; }
+  SpaceOf<T> x() const { return position(s, t, w); }
+  SpaceOf<T> from_end() const { return {x()[0] - c, x()[1], x()[2]}; }
+  T spring_length() const { return length(from_end()); }
+  SpaceOf<T> velocity() const { return ex03_15::velocity(s, v, t, w); }
+  /// At rest on the segment, at the start.
+  SpaceOf<T> start_velocity() const { return ex03_15::velocity(T(root2() * b), T(0), T(0), T(pi() / 4)); }
+  SpaceOf<T> segment() const { return {a, T(0), a}; }
+  SpaceOf<T> start() const { return {b, T(0), b}; }
 
   // What the text prints, letter by letter.
-  Space D() const { return {cos(w * t) / sqrt2, sin(w * t) / sqrt2, 1 / sqrt2}; }
-  Space D_rate() const { return {-w * sin(w * t) / sqrt2, w * cos(w * t) / sqrt2, 0}; }
+  SpaceOf<T> D() const { return {cos(w * t) / root2(), sin(w * t) / root2(), 1 / root2()}; }
+  SpaceOf<T> D_rate() const { return {-w * sin(w * t) / root2(), w * cos(w * t) / root2(), T(0)}; }
   /// The projection of (c, 0, 0) on the rod.
-  double p() const { return c * cos(w * t) / sqrt2; }
+  T p() const { return c * cos(w * t) / root2(); }
   /// The generalized force with a projection, and the power of the root in it.
-  double F(double projection, int power = -1) const {
+  T F(const T& projection, int power = -1) const {
     return -K * (1 - ell * pow(sqrt(s * s - 2 * projection * s + c * c), power)) * (s - projection);
   }
-  double rest_length(double third) const { return sqrt((b - c) * (b - c) + third * third); }
+  T rest_length(const T& third) const { return sqrt((b - c) * (b - c) + third * third); }
 };
+
+namespace {
+
+using Sample = SampleOf<double>;
 using S = const Sample&;
 using Samples = std::vector<Sample>;
+using Table = ProvableClaims<SampleOf>;
 
 // ---- formulas ---------------------------------------------------------------------------------------------
 
-void geometry(Claims& claims, const Samples& samples) {
+void geometry(Table& table, const Samples& samples) {
   const std::string rodrigues = "Rodrigues' rotation about $k$", dual = "dual numbers";
-  const auto constant = [](const Value& value) { return [=](S) { return value; }; };
-  const double h = 1 / sqrt2;
+  const auto over_root2 = [](double x1, double x2, double x3) {
+    return [=](const auto& s) {
+      const auto h = 1 / s.root2();
+      return values(x1 * h, x2 * h, x3 * h);
+    };
+  };
+  const auto constant = [](const Value& value) { return [=](const auto&) { return value; }; };
 
-  claims.formula<Sample>(
-      "angle", 1741, "the angle between the segment and the axis", samples,
-      {.truth = {"that of $(a,0,a)$", [](S s) { return std::acos(s.a / hypot(s.a, s.a)); }},
-       .printed = {R"($\pi/4$)", constant(pi / 4)},
-       .near_misses = {{R"($\pi/3$)", constant(pi / 3)}}});
-  claims.formula<Sample>("initial_direction", 1741, "the initial direction", samples,
-                         {.truth = {"$(a,0,a)$ over its length",
-                                    [](S s) { return times(1 / length(s.segment()), s.segment()); }},
-                          .printed = {R"($(1,0,1)/\sqrt2$)", constant({h, 0, h})},
-                          .near_misses = {{"$(1,0,1)$", constant({1, 0, 1})}}});
-  claims.formula<Sample>("towards", 1745, "the direction after a quarter turn", samples,
-                         {.truth = {rodrigues, [](S) { return direction(pi / 2); }},
-                          .printed = {R"($(0,1,1)/\sqrt2$, in the $(x_2,x_3)$-plane)", constant({0, h, h})},
-                          .near_misses = {{R"($(0,-1,1)/\sqrt2$)", constant({0, -h, h})}}});
-  claims.formula<Sample>("direction", 1747, "$D(t)$", samples,
-                         {.truth = {rodrigues, [](S s) { return direction(s.w * s.t); }},
-                          .printed = {R"($(\cos\omega t,\sin\omega t,1)/\sqrt2$)", &Sample::D},
-                          .near_misses = {{R"($(\cos\omega t,-\sin\omega t,1)/\sqrt2$)",
-                                           [](S s) { return values(s.D()[0], -s.D()[1], s.D()[2]); }}}});
-  claims.formula<Sample>(
+  table.formula("angle", 1741, "the angle between the segment and the axis", samples,
+                {.truth = {"that of $(a,0,a)$", [](S s) { return std::acos(s.a / hypot(s.a, s.a)); }},
+                 .printed = {R"($\pi/4$)", constant(pi / 4)},
+                 .near_misses = {{R"($\pi/3$)", constant(pi / 3)}}});
+  table.formula("initial_direction", 1741, "the initial direction", samples,
+                {.truth = {"$(a,0,a)$ over its length",
+                           [](const auto& s) { return times(1 / length(s.segment()), s.segment()); }},
+                 .printed = {R"($(1,0,1)/\sqrt2$)", over_root2(1, 0, 1)},
+                 .near_misses = {{"$(1,0,1)$", constant({1, 0, 1})}}});
+  table.formula("towards", 1745, "the direction after a quarter turn", samples,
+                {.truth = {rodrigues, [](const auto& s) { return direction(s.pi() / 2); }},
+                 .printed = {R"($(0,1,1)/\sqrt2$, in the $(x_2,x_3)$-plane)", over_root2(0, 1, 1)},
+                 .near_misses = {{R"($(0,-1,1)/\sqrt2$)", over_root2(0, -1, 1)}}});
+  table.formula(
+      "direction", 1747, "$D(t)$", samples,
+      {.truth = {rodrigues, [](const auto& s) { return direction(s.w * s.t); }},
+       .printed = {R"($(\cos\omega t,\sin\omega t,1)/\sqrt2$)", [](const auto& s) { return s.D(); }},
+       .near_misses = {{R"($(\cos\omega t,-\sin\omega t,1)/\sqrt2$)",
+                        [](const auto& s) { return values(s.D()[0], -s.D()[1], s.D()[2]); }}}});
+  table.formula(
       "lambda_start", 1755, R"($x(0)$, with $\lambda(0)=bL/a$)", samples,
       {.truth = {R"($\lambda(0)D(0)$ with $L=|(a,0,a)|$ and $D$ by Rodrigues' rotation)",
-                 [](S s) { return position(s.b * hypot(s.a, s.a) / s.a, 0.0, s.w); }},
-       .printed = {"$(b,0,b)$", [](S s) { return values(s.b, 0, s.b); }},
-       .near_misses = {{R"($\lambda(0)=b$)", [](S s) { return times(s.b, direction(0.0)); }}}});
-  claims.formula<Sample>(
-      "velocity", 1765, R"(the velocity $\dot x$)", samples,
-      {.truth = {dual, &Sample::velocity},
-       .printed = {R"($\dot\lambda D+\lambda\dot D$)",
-                   [](S s) {
-                     const Space along = times(s.v, s.D()), across = times(s.s, s.D_rate());
-                     return values(along[0] + across[0], along[1] + across[1], along[2] + across[2]);
-                   }},
-       .near_misses = {{R"($\dot\lambda D$)", [](S s) { return times(s.v, s.D()); }}}});
-  claims.formula<Sample>("direction_rate", 1767, R"($\dot D$)", samples,
-                         {.truth = {dual, [](S s) { return velocity(1.0, 0.0, s.t, s.w); }},
-                          .printed = {R"($\omega(-\sin\omega t,\cos\omega t,0)/\sqrt2$)", &Sample::D_rate},
-                          .near_misses = {{R"($(-\sin\omega t,\cos\omega t,0)/\sqrt2$)",
-                                           [](S s) { return times(1 / s.w, s.D_rate()); }}}});
-  claims.formula<Sample>("segment_length", 1919, "$a$, $L$ being the length of $(a,0,a)$", samples,
-                         {.truth = {"$a$", [](S s) { return s.a; }},
-                          .printed = {R"($L/\sqrt2$)", [](S s) { return length(s.segment()) / sqrt2; }},
-                          .near_misses = {{"$L/2$", [](S s) { return length(s.segment()) / 2; }}}});
+                 [](const auto& s) { return position(s.b * length(s.segment()) / s.a, s.number(0), s.w); }},
+       .printed = {"$(b,0,b)$", [](const auto& s) { return s.start(); }},
+       .near_misses = {
+           {R"($\lambda(0)=b$)", [](const auto& s) { return times(s.b, direction(s.number(0))); }}}});
+  table.formula("velocity", 1765, R"(the velocity $\dot x$)", samples,
+                {.truth = {dual, [](const auto& s) { return s.velocity(); }},
+                 .printed = {R"($\dot\lambda D+\lambda\dot D$)",
+                             [](const auto& s) {
+                               const auto along = times(s.v, s.D()), across = times(s.s, s.D_rate());
+                               return values(along[0] + across[0], along[1] + across[1],
+                                             along[2] + across[2]);
+                             }},
+                 .near_misses = {{R"($\dot\lambda D$)", [](const auto& s) { return times(s.v, s.D()); }}}});
+  table.formula("direction_rate", 1767, R"($\dot D$)", samples,
+                {.truth = {dual, [](const auto& s) { return velocity(s.number(1), s.number(0), s.t, s.w); }},
+                 .printed = {R"($\omega(-\sin\omega t,\cos\omega t,0)/\sqrt2$)",
+                             [](const auto& s) { return s.D_rate(); }},
+                 .near_misses = {{R"($(-\sin\omega t,\cos\omega t,0)/\sqrt2$)",
+                                  [](const auto& s) { return times(1 / s.w, s.D_rate()); }}}});
+  table.formula("segment_length", 1919, "$a$, $L$ being the length of $(a,0,a)$", samples,
+                {.truth = {"$a$", [](const auto& s) { return s.a; }},
+                 .printed = {R"($L/\sqrt2$)", [](const auto& s) { return length(s.segment()) / s.root2(); }},
+                 .near_misses = {{"$L/2$", [](const auto& s) { return length(s.segment()) / 2; }}}});
 
-  const Formula<Sample> start{rodrigues, [](S) { return direction(0.0); }};
-  claims.formula<Sample>(
+  table.formula(
       "direction_again", 1845, R"($D(0)$ in the formula for $\dot\lambda(0)$)", samples,
-      {.truth = {rodrigues, [](S) { return direction(0.0); }},
-       .printed = {"$(a,0,a)$", &Sample::segment},
-       .meant = {R"($(1,0,1)/\sqrt2$)", constant({h, 0, h})},
+      {.truth = {rodrigues, [](const auto& s) { return direction(s.number(0)); }},
+       .printed = {"$(a,0,a)$", [](const auto& s) { return s.segment(); }},
+       .meant = {R"($(1,0,1)/\sqrt2$)", over_root2(1, 0, 1)},
        .near_misses = {{"$(1,0,1)/2$", constant({0.5, 0, 0.5})}},
        .kind = Fault::formula,
        .why =
            R"($D$ is a unit vector (1741), and $(a,0,a)$ has the length $L$, 4 in the listing. Multiplied by )"
            R"(zero it does no harm; for a mass that is thrown along the segment $\dot\lambda(0)$ would be )"
            R"(four times too large.)"});
-  const auto across = [](double factor) { return [=](S s) { return values(0, factor * pi * s.b / 4, 0); }; };
-  claims.formula<Sample>(
+  const auto across = [](double factor) {
+    return [=](const auto& s) { return values(0, factor * s.pi() * s.b / 4, 0); };
+  };
+  table.formula(
       "starts_at_rest", 1843, R"($\dot x(0)$)", samples,
-      {.truth = {dual, [](S s) { return velocity(sqrt2 * s.b, 0.0, 0.0, quarter); }},
+      {.truth = {dual, [](const auto& s) { return s.start_velocity(); }},
        .printed = {"$(0,0,0)$", across(0)},
        .corrected = {R"($(0,\pi b/4,0)$)", across(1)},
        .near_misses = {{R"($(0,-\pi b/4,0)$)", across(-1)}},
@@ -193,70 +222,68 @@ void geometry(Claims& claims, const Samples& samples) {
            R"(The segment turns at a constant speed from the start and takes the mass along: by the text's )"
            R"(own formula (1765) $\dot x(0)=\lambda(0)\dot D(0)=(0,\pi b/4,0)$, 1.11 m/s. The mass is at )"
            R"(rest on the segment only, and that is what $\dot\lambda(0)=0$ says.)"});
-  claims.formula<Sample>("lambda_dot", 1843, R"($\dot\lambda$)", samples,
-                         {.truth = {R"($\dot\lambda$ of the motion)", [](S s) { return s.v; }},
-                          .printed = {R"($D\cdot\dot x$, the velocity by dual numbers)",
-                                      [](S s) { return dot(s.D(), s.velocity()); }},
-                          .near_misses = {{R"($LD\cdot\dot x$)", [](S s) {
-                                             return sqrt2 * s.a * dot(direction(s.w * s.t), s.velocity());
-                                           }}}});
-  const auto speed = [](S s) { return pi * s.b / 4; };
-  claims.formula<Sample>(
+  table.formula("lambda_dot", 1843, R"($\dot\lambda$)", samples,
+                {.truth = {R"($\dot\lambda$ of the motion)", [](const auto& s) { return s.v; }},
+                 .printed = {R"($D\cdot\dot x$, the velocity by dual numbers)",
+                             [](const auto& s) { return dot(s.D(), s.velocity()); }},
+                 .near_misses = {{R"($LD\cdot\dot x$)", [](const auto& s) {
+                                    return s.root2() * s.a * dot(direction(s.w * s.t), s.velocity());
+                                  }}}});
+  const auto speed = [](const auto& s) { return s.pi() * s.b / 4; };
+  table.formula(
       "lambda_dot_start", 1845, R"($\dot\lambda(0)$)", samples,
       {.truth =
            {R"($D(0)\cdot\dot x(0)$ of a mass at rest on the segment, by Rodrigues' rotation and dual numbers)",
-            [](S s) { return dot(direction(0.0), velocity(sqrt2 * s.b, 0.0, 0.0, quarter)); }, speed},
+            [](const auto& s) { return dot(direction(s.number(0)), s.start_velocity()); }, speed},
        .printed = {R"($(a,0,a)\cdot(0,0,0)$)",
-                   [](S s) {
-                     return dot(s.segment(), Space{0, 0, 0});
-                   }},
+                   [](const auto& s) { return dot(s.segment(), times(0, s.segment())); }},
        .near_misses = {{R"(the speed $|\dot x(0)|$)", speed}}});
 }
 
-void energies(Claims& claims, const Samples& samples) {
+void energies(Table& table, const Samples& samples) {
   const std::string dual = "dual numbers";
   const auto T = [](double square) {
-    return [=](S s) { return s.m / 2 * (s.w * s.w * s.s * s.s / square + s.v * s.v); };
+    return [=](const auto& s) { return s.m / 2 * (s.w * s.w * s.s * s.s / square + s.v * s.v); };
   };
-  claims.formula<Sample>(
-      "kinetic_energy", 1787, "the kinetic energy $T$", samples,
-      {.truth = {R"($\frac m2|\dot x|^2$ by dual numbers)", [](S s) { return s.T()(s.s, s.v, s.t); }},
-       .printed = {R"($\frac m2(\omega^2\lambda^2/2+\dot\lambda^2)$)", T(2)},
-       .near_misses = {{R"($\frac m2(\omega^2\lambda^2+\dot\lambda^2)$)", T(1)}}});
-  claims.formula<Sample>(
+  table.formula("kinetic_energy", 1787, "the kinetic energy $T$", samples,
+                {.truth = {R"($\frac m2|\dot x|^2$ by dual numbers)",
+                           [](const auto& s) { return s.kinetic()(s.s, s.v, s.t); }},
+                 .printed = {R"($\frac m2(\omega^2\lambda^2/2+\dot\lambda^2)$)", T(2)},
+                 .near_misses = {{R"($\frac m2(\omega^2\lambda^2+\dot\lambda^2)$)", T(1)}}});
+  table.formula(
       "dT_dlambda", 1793, R"($\partial T/\partial\lambda$)", samples,
-      {.truth = {dual, [](S s) { return df_dq(s.T(), s.s, s.v, s.t); }},
-       .printed = {R"($m\omega^2\lambda/2$)", [](S s) { return s.m * s.w * s.w / 2 * s.s; }},
-       .near_misses = {{R"($m\omega^2\lambda$)", [](S s) { return s.m * s.w * s.w * s.s; }}}});
-  claims.formula<Sample>("dT_dlambdadot", 1799, R"($\partial T/\partial\dot\lambda$)", samples,
-                         {.truth = {dual, [](S s) { return df_dv(s.T(), s.s, s.v, s.t); }},
-                          .printed = {R"($m\dot\lambda$)", [](S s) { return s.m * s.v; }},
-                          .near_misses = {{R"($m\dot\lambda/2$)", [](S s) { return s.m * s.v / 2; }}}});
-  claims.formula<Sample>(
-      "momentum_rate", 1803, R"(the time derivative of $\partial T/\partial\dot\lambda$)", samples,
-      {.truth = {"nested dual numbers", [](S s) { return rate_of_df_dv(s.T(), s.s, s.v, s.A, s.t); },
-                 [](S s) { return s.m * abs(s.w) * (abs(s.v) + abs(s.w) * s.s); }},
-       .printed = {R"($m\ddot\lambda$)", [](S s) { return s.m * s.A; }},
-       .near_misses = {
-           {R"($m(\ddot\lambda+\omega\dot\lambda)$)", [](S s) { return s.m * (s.A + s.w * s.v); }}}});
+      {.truth = {dual, [](const auto& s) { return df_dq(s.kinetic(), s.s, s.v, s.t); }},
+       .printed = {R"($m\omega^2\lambda/2$)", [](const auto& s) { return s.m * s.w * s.w / 2 * s.s; }},
+       .near_misses = {{R"($m\omega^2\lambda$)", [](const auto& s) { return s.m * s.w * s.w * s.s; }}}});
+  table.formula("dT_dlambdadot", 1799, R"($\partial T/\partial\dot\lambda$)", samples,
+                {.truth = {dual, [](const auto& s) { return df_dv(s.kinetic(), s.s, s.v, s.t); }},
+                 .printed = {R"($m\dot\lambda$)", [](const auto& s) { return s.m * s.v; }},
+                 .near_misses = {{R"($m\dot\lambda/2$)", [](const auto& s) { return s.m * s.v / 2; }}}});
+  table.formula("momentum_rate", 1803, R"(the time derivative of $\partial T/\partial\dot\lambda$)", samples,
+                {.truth = {"nested dual numbers",
+                           [](const auto& s) { return rate_of_df_dv(s.kinetic(), s.s, s.v, s.A, s.t); },
+                           [](const auto& s) { return s.m * abs(s.w) * (abs(s.v) + abs(s.w) * s.s); }},
+                 .printed = {R"($m\ddot\lambda$)", [](const auto& s) { return s.m * s.A; }},
+                 .near_misses = {{R"($m(\ddot\lambda+\omega\dot\lambda)$)",
+                                  [](const auto& s) { return s.m * (s.A + s.w * s.v); }}}});
 }
 
-void spring(Claims& claims, const Samples& samples) {
+void spring(Claims& claims, Table& table, const Samples& samples) {
   const std::string right = R"($\sqrt{(b-c)^2+b^2}$)", wrong = R"($\sqrt{(b-c)^2+c^2}$)";
-  const auto by_b = [](S s) { return s.rest_length(s.b); };
-  const auto by_c = [](S s) { return s.rest_length(s.c); };
-  const Formula<Sample> distance{"the distance from $(c,0,0)$ to $(b,0,b)$", [](S s) {
-                                   return length({s.b - s.c, 0, s.b});
-                                 }};
-  claims.formula<Sample>("rest_length", 1817, R"(the rest length $\ell$)", samples,
-                         {.truth = distance, .printed = {right, by_b}, .near_misses = {{wrong, by_c}}});
-  claims.formula<Sample>(
+  const auto by_b = [](const auto& s) { return s.rest_length(s.b); };
+  const auto by_c = [](const auto& s) { return s.rest_length(s.c); };
+  const ProvableFormula<SampleOf> distance{"the distance from $(c,0,0)$ to $(b,0,b)$", [](const auto& s) {
+                                             return length(std::array{s.b - s.c, s.number(0), s.b});
+                                           }};
+  table.formula("rest_length", 1817, R"(the rest length $\ell$)", samples,
+                {.truth = distance, .printed = {right, by_b}, .near_misses = {{wrong, by_c}}});
+  table.formula(
       "rest_length_again", 1869, R"(the rest length $\ell$ in the summary)", samples,
       {.truth = distance,
        .printed = {wrong, by_c},
        .meant = {right, by_b},
        .near_misses = {{R"($\sqrt{(b+c)^2+b^2}$)",
-                        [](S s) { return sqrt((s.b + s.c) * (s.b + s.c) + s.b * s.b); }}},
+                        [](const auto& s) { return sqrt((s.b + s.c) * (s.b + s.c) + s.b * s.b); }}},
        .kind = Fault::formula,
        .why =
            R"(Line 1817 has $\sqrt{(b-c)^2+b^2}$, and the listing takes the distance itself. Whoever codes )"
@@ -264,16 +291,16 @@ void spring(Claims& claims, const Samples& samples) {
            R"(arrives 0.8 m too far down the segment.)"});
 
   const auto hooke = [](double sign, double rest, int power = -1) {
-    return [=](S s) {
-      const double r = s.spring_length();
+    return [=](const auto& s) {
+      const auto r = s.spring_length();
       return times(sign * s.K * (r - rest * s.ell) * pow(r, power), s.from_end());
     };
   };
-  claims.formula<Sample>(
+  table.formula(
       "force", 1821, R"(the force of the spring is $-K(r-\ell)(x-c\imath)\,r$ with $r=|x-c\imath|$)", samples,
       {.quantity = "the force of the spring",
        .truth = {"minus the gradient of the spring's energy, by dual numbers",
-                 [](S s) { return force_of(s.spring(s.ell), s.x()); }},
+                 [](const auto& s) { return force_of(s.spring(s.ell), s.x()); }},
        .printed = {"a product with $r$", hooke(-1, 1, 1)},
        .meant = {R"($-K(r-\ell)(x-c\imath)/r$)", hooke(-1, 1)},
        .near_misses = {{R"($+K(r-\ell)(x-c\imath)/r$)", hooke(1, 1)},
@@ -283,15 +310,17 @@ void spring(Claims& claims, const Samples& samples) {
            R"(The fraction bar is lost in the text at hand: $(x-c\imath)/|x-c\imath|$ is a direction, of )"
            R"(length 1. Multiplied by its length the force is $r^2$ times as large: twice where the motion )"
            R"(of the text ends, at $r=1.410$.)"});
-  const auto at_start = [](double third(S)) {
-    return [=](S s) { return force_of(s.spring(s.rest_length(third(s))), {s.b, 0, s.b}); };
+  const auto at_start = [](const auto& third) {
+    return [=](const auto& s) { return force_of(s.spring(s.rest_length(third(s))), s.start()); };
   };
-  claims.formula<Sample>(
-      "unstretched", 1823, "the force at the start is zero", samples,
-      {.quantity = "the force at the start",
-       .truth = {"zero", [](S) { return values(0, 0, 0); }, [](S s) { return s.K * (s.b + s.c); }},
-       .printed = {"with the rest length of line 1817, " + right, at_start([](S s) { return s.b; })},
-       .near_misses = {{"with the rest length of line 1869, " + wrong, at_start([](S s) { return s.c; })}}});
+  table.formula("unstretched", 1823, "the force at the start is zero", samples,
+                {.quantity = "the force at the start",
+                 .truth = {"zero", [](const auto&) { return values(0, 0, 0); },
+                           [](const auto& s) { return s.K * (s.b + s.c); }},
+                 .printed = {"with the rest length of line 1817, " + right,
+                             at_start([](const auto& s) { return s.b; })},
+                 .near_misses = {{"with the rest length of line 1869, " + wrong,
+                                  at_start([](const auto& s) { return s.c; })}}});
   claims.statement<Sample>(
       "force_towards", 1819, "the force is towards $(c,0,0)$", samples,
       {.printed = {R"($F\cdot(c\imath-x)>0$)",
@@ -314,16 +343,18 @@ void spring(Claims& claims, const Samples& samples) {
            R"(spring always pull has the mass 3.5 mm off at $t=2$.)"});
 }
 
-void equations(Claims& claims, const Samples& samples) {
+void equations(Table& table, const Samples& samples) {
   const auto force = [](double projections, int power = -1) {
-    return [=](S s) { return s.F(projections * s.p(), power); };
+    return [=](const auto& s) { return s.F(projections * s.p(), power); };
   };
-  claims.formula<Sample>(
+  table.formula(
       "generalized_force", 1829,
       R"(the generalized force is $-K(1-\ell\sqrt{\dots})(\lambda-c\cos(\omega t)/\sqrt2)$)", samples,
       {.quantity = "the generalized force",
        .truth = {R"(minus the derivative of the spring's energy by $\lambda$, by dual numbers)",
-                 [](S s) { return df_dq(s.L(), s.s, 0, s.t) - df_dq(s.T(), s.s, 0, s.t); }},
+                 [](const auto& s) {
+                   return df_dq(s.lagrangian(), s.s, 0, s.t) - df_dq(s.kinetic(), s.s, 0, s.t);
+                 }},
        .printed = {R"($1-\ell\sqrt{\dots}$, a product)", force(1, 1)},
        .meant = {R"($1-\ell/\sqrt{\dots}$)", force(1)},
        .near_misses = {{R"($1-\ell/\sqrt{\dots}$ and $c\cos\omega t$ for $c\cos(\omega t)/\sqrt2$)",
@@ -334,67 +365,86 @@ void equations(Claims& claims, const Samples& samples) {
            R"(rest, and the bracket 0; of the product the bracket is $1-\ell^2$, and the mass of the listing )"
            R"(starts with a push of 15 N that is not there.)"});
   const auto equation = [](double centrifugal) {
-    return [=](S s) { return s.m * s.A - centrifugal * s.m * s.w * s.w / 2 * s.s - s.F(s.p()); };
+    return [=](const auto& s) { return s.m * s.A - centrifugal * s.m * s.w * s.w / 2 * s.s - s.F(s.p()); };
   };
-  claims.formula<Sample>(
+  table.formula(
       "equation", 1839, "the difference of the sides of the equation of motion", samples,
       {.truth = {R"($\frac{d}{dt}\frac{\partial L}{\partial\dot\lambda}-\frac{\partial L}{\partial\lambda}$ )"
                  R"(by nested dual numbers)",
-                 [](S s) { return rate_of_df_dv(s.L(), s.s, s.v, s.A, s.t) - df_dq(s.L(), s.s, s.v, s.t); }},
+                 [](const auto& s) {
+                   return rate_of_df_dv(s.lagrangian(), s.s, s.v, s.A, s.t) -
+                          df_dq(s.lagrangian(), s.s, s.v, s.t);
+                 }},
        .printed = {R"($m\ddot\lambda-m\omega^2\lambda/2-F$)", equation(1)},
        .near_misses = {{R"($m\ddot\lambda-m\omega^2\lambda-F$)", equation(2)},
                        {R"($m\ddot\lambda-F$)", equation(0)}}});
   const auto summary = [](double square, int power = -1) {
-    return [=](S s) {
-      const double cosine = cos(pi * s.t / 4);
-      const double r = sqrt(s.s * s.s - 2 * s.s * cosine * s.c / sqrt2 + s.c * s.c);
-      return square / 32 * s.s - s.K / s.m * (1 - s.ell * pow(r, power)) * (s.s - cosine * s.c / sqrt2);
+    return [=](const auto& s) {
+      const auto cosine = cos(s.pi() * s.t / 4);
+      const auto r = sqrt(s.s * s.s - 2 * s.s * cosine * s.c / s.root2() + s.c * s.c);
+      return square * s.pi() * s.pi() / 32 * s.s -
+             s.K / s.m * (1 - s.ell * pow(r, power)) * (s.s - cosine * s.c / s.root2());
     };
   };
-  claims.formula<Sample>(
+  table.formula(
       "summary", 1853,
       R"($\ddot\lambda=\pi^2\lambda/32-(K/m)(1-\ell\sqrt{\dots})(\lambda-c\cos(\pi t/4)/\sqrt2)$)", samples,
       {.quantity = R"($\ddot\lambda$)",
        .truth = {R"(Lagrange's equation at $\omega=\pi/4$, by nested dual numbers)",
-                 [](Sample s) {
-                   s.w = quarter;
-                   return lagrange_acceleration(s.L(), s.s, s.v, s.t);
+                 [](auto s) {
+                   s.w = s.pi() / 4;
+                   return lagrange_acceleration(s.lagrangian(), s.s, s.v, s.t);
                  }},
-       .printed = {R"($1-\ell\sqrt{\dots}$, a product)", summary(pi * pi, 1)},
-       .meant = {R"($1-\ell/\sqrt{\dots}$)", summary(pi * pi)},
-       .near_misses = {{R"($1-\ell/\sqrt{\dots}$ and $\pi^2\lambda/16$)", summary(2 * pi * pi)}},
+       .printed = {R"($1-\ell\sqrt{\dots}$, a product)", summary(1, 1)},
+       .meant = {R"($1-\ell/\sqrt{\dots}$)", summary(1)},
+       .near_misses = {{R"($1-\ell/\sqrt{\dots}$ and $\pi^2\lambda/16$)", summary(2)}},
        .kind = Fault::lost_typography,
        .why =
            R"(The bar under $\ell$ is lost in the text at hand, as in the generalized force above. Besides, )"
            R"(the $\sqrt2$ inside the root is printed as the word sqrt.)"});
 
-  const auto code = [](double factor) { return [=](S s) { return s.c * sqrt(0.5) * cos(factor * s.t); }; };
-  claims.formula<Sample>(
+  const auto code = [](const auto& factor) {
+    return [=](const auto& s) { return s.c / s.root2() * cos(factor(s) * s.t); };
+  };
+  table.formula(
       "listing_cosine", 2079, R"(`tmp0`, which is `aux[3]*Cos(aux[0]*time)`, is $c\cos(\pi t/4)/\sqrt2$)",
       samples,
       {.quantity = "`tmp0`",
-       .truth = {R"($c\cos(\pi t/4)/\sqrt2$)", [](S s) { return s.c * cos(pi * s.t / 4) / sqrt2; }},
-       .printed = {R"(`Cos(aux[0]*time)`, `aux[0]` $=1/\sqrt2$)", code(sqrt(0.5))},
-       .corrected = {R"(`Cos(aux[1]*time)`, `aux[1]` $=\pi/4$)", code(0.25 * pi)},
-       .near_misses = {{R"(`Cos(aux[2]*time)`, `aux[2]` $=\pi^2/32$)", code(pi * pi / 32)}},
+       .truth = {R"($c\cos(\pi t/4)/\sqrt2$)",
+                 [](const auto& s) { return s.c * cos(s.pi() * s.t / 4) / s.root2(); }},
+       .printed = {R"(`Cos(aux[0]*time)`, `aux[0]` $=1/\sqrt2$)",
+                   code([](const auto& s) { return 1 / s.root2(); })},
+       .corrected = {R"(`Cos(aux[1]*time)`, `aux[1]` $=\pi/4$)",
+                     code([](const auto& s) { return s.pi() / 4; })},
+       .near_misses = {{R"(`Cos(aux[2]*time)`, `aux[2]` $=\pi^2/32$)",
+                        code([](const auto& s) { return s.pi() * s.pi() / 32; })}},
        .kind = Fault::listing,
        .root = "`aux[0]` for `aux[1]`",
        .why =
            R"(The code takes `aux[0]`, which is $1/\sqrt2$, for `aux[1]`, which is $\pi/4$: in its equation of )"
            R"(motion the spring sees the rod turn by 81 degrees, while the positions that it prints turn by )"
            R"(90.)"});
-  claims.formula<Sample>(
+  table.formula(
       "comment_root", 2093, "$r^2$ in the comment on `tmp4`", samples,
       {.truth = {R"(the square of the distance from $(c,0,0)$ to $x$)",
-                 [](S s) { return s.spring_length() * s.spring_length(); }},
+                 [](const auto& s) { return s.spring_length() * s.spring_length(); }},
        .printed = {R"($\lambda(\lambda-2p+c^2)$, $p=c\cos(\omega t)/\sqrt2$)",
-                   [](S s) { return s.s * (s.s - 2 * s.p() + s.c * s.c); }},
-       .meant = {R"($\lambda(\lambda-2p)+c^2$)", [](S s) { return s.s * (s.s - 2 * s.p()) + s.c * s.c; }},
-       .near_misses = {{R"($\lambda(\lambda-p)+c^2$)", [](S s) { return s.s * (s.s - s.p()) + s.c * s.c; }}},
+                   [](const auto& s) { return s.s * (s.s - 2 * s.p() + s.c * s.c); }},
+       .meant = {R"($\lambda(\lambda-2p)+c^2$)",
+                 [](const auto& s) { return s.s * (s.s - 2 * s.p()) + s.c * s.c; }},
+       .near_misses = {{R"($\lambda(\lambda-p)+c^2$)",
+                        [](const auto& s) { return s.s * (s.s - s.p()) + s.c * s.c; }}},
        .kind = Fault::formula,
        .why =
            R"(A parenthesis closes too late: read so, $r^2$ at the start would be 3.17, not 2.17, as $c=1$ )"
            R"(and $\lambda=2$ have it. The code below is right.)"});
+}
+
+void formulas(Claims& claims, Table& table, const Samples& samples) {
+  geometry(table, samples);
+  energies(table, samples);
+  spring(claims, table, samples);
+  equations(table, samples);
 }
 
 // ---- the motion -------------------------------------------------------------------------------------------
@@ -601,7 +651,7 @@ void output(Claims& claims, const Value& end) {
        .kind = Fault::listing,
        .root = "a clock set to zero"});
 
-  const double lambda = length({end[0], end[1], end[2]}), d = end[1];
+  const double lambda = length(Space{end[0], end[1], end[2]}), d = end[1];
   const Route true_lambda{R"($|x(2)|$ of the table)", lambda};
   const auto is_lambda = [&](const std::string& number) -> Reading {
     return {number, {as_written(R"($\lambda(2)$)", number, true_lambda)}};
@@ -658,16 +708,54 @@ void output(Claims& claims, const Value& end) {
 
 std::vector<Claim> claims(double seed, const Reference& truth) {
   Claims claims("3.15");
-  const auto samples = draw<Sample>(200, seed);
+  Table table(claims);
   const Value end = truth("03_15_slide", {book.m, book.c, book.K, book.w, book.s0, 2}).value;
-  geometry(claims, samples);
-  energies(claims, samples);
-  spring(claims, samples);
-  equations(claims, samples);
+  formulas(claims, table, draw<Sample>(200, seed));
   motion(claims, end);
   output(claims, end);
   return claims.in_order();
 }
+
+/// The root of 2 and the circle's equation, the spring's length as one letter, and then a field's equation.
+constexpr const char* by_rod = R"(
+  assert (two : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra);
+  assert (sqrt 2 > 0) by (apply sqrt_lt_R0; lra);
+  try replace (PI * t / 4) with (PI / 4 * t) by field;
+  assert (circle_w : sin (w * t) * sin (w * t) = 1 - cos (w * t) * cos (w * t))
+    by (pose proof (sin2_cos2 (w * t)) as all; unfold Rsqr in all; lra);
+  assert (circle : sin (PI / 4 * t) * sin (PI / 4 * t) = 1 - cos (PI / 4 * t) * cos (PI / 4 * t))
+    by (pose proof (sin2_cos2 (PI / 4 * t)) as all; unfold Rsqr in all; lra);
+  rewrite ?cos_0, ?sin_0, ?cos_PI2, ?sin_PI2;
+  try (replace (sqrt (a * a + a * a)) with (a * sqrt 2)
+         by (rewrite <- (sqrt_square (a * sqrt 2)) by (apply Rmult_le_pos; lra);
+             f_equal; ring [two]));
+  assert (far : forall C S, S * S = 1 - C * C -> s * s - 2 * (c * C / sqrt 2) * s + c * c > 0)
+    by (intros C S circle_C;
+        assert (c * c * (1 + S * S) > 0) by (apply Rmult_gt_0_compat; nra);
+        pose proof (pow2_ge_0 (s - c * C / sqrt 2));
+        replace (s * s - 2 * (c * C / sqrt 2) * s + c * c)
+          with ((s - c * C / sqrt 2) ^ 2 + c * c * (1 + S * S) / 2)
+          by (field [two circle_C]; lra);
+        lra);
+  let angle := lazymatch goal with
+    | |- context [cos (PI / 4 * ?x)] => constr:(PI / 4 * x)
+    | _ => constr:(w * t)
+    end in
+  set (r2 := s * s - 2 * (c * cos angle / sqrt 2) * s + c * c);
+  repeat match goal with
+    | |- context [sqrt ?x] =>
+        lazymatch x with
+        | IZR _ => fail
+        | _ => tryif is_var x then fail else replace x with r2 by (unfold r2; field [two circle_w circle]; lra)
+        end
+    end;
+  assert (r2 > 0) by (unfold r2; first [apply (far _ _ circle_w) | apply (far _ _ circle)]);
+  pose proof (sqrt_lt_R0 r2) as positive;
+  assert (root : sqrt r2 * sqrt r2 = r2) by (apply sqrt_sqrt; lra);
+  try rewrite root; unfold r2 in root;
+  try (assert (0 < sqrt ((b - c) * (b - c) + b * b)) by (apply sqrt_lt_R0; nra));
+  first [field [two circle_w circle] | unfold r2; field [two circle_w circle]];
+  repeat split; try lra; try (apply Rgt_not_eq; unfold r2 in *; lra))";
 
 std::vector<Root> roots() {
   return {
@@ -690,4 +778,27 @@ std::vector<Root> roots() {
        R"($45^\circ$.)"}};
 }
 
+Provables proofs() {
+  Claims claims("3.15");
+  Table table(claims);
+  formulas(claims, table, {});
+  const std::vector<std::string> names{"m", "a", "b", "c", "K", "w", "ell", "s", "v", "A", "t"};
+  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
+                       .letters = quantified(names),
+                       .tactic = by_rod,
+                       .says = "it holds for any mass on the rod and any spring",
+                       .without = {"summary", "unstretched"}};
+  for (const Shortened& positive : {all.any.m, all.any.a, all.any.b, all.any.c})
+    all.given.push_back(above(positive.expression(), 0));
+  double x = 0.25;
+  for (double* letter : all.example.letters()) *letter = x += 0.25;
+  return table.proofs("3.15", all);
+}
+
 }  // namespace oddity::ex03_15
+
+namespace oddity {
+
+Provables proofs_3_15() { return ex03_15::proofs(); }
+
+}  // namespace oddity
