@@ -144,12 +144,14 @@ Dual<T> pow(const Dual<T>& a, double exponent) {
 /// f'(x), f being generic in its number type.
 template <class F, class T>
 T derivative(const F& f, const T& x) {
+  static_assert(!std::integral<T>, "a derivative of whole numbers");
   return f(Dual<T>(x, T(1.0))).slope;
 }
 
 /// f''(x).
 template <class F, class T>
 T second_derivative(const F& f, const T& x) {
+  static_assert(!std::integral<T>, "a derivative of whole numbers");
   return derivative([&](const auto& y) { return derivative(f, y); }, x);
 }
 

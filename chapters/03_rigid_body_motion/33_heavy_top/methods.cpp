@@ -263,7 +263,7 @@ Quantity sleeping_threshold(const Top& top) {
                    const auto half = tan(0.5 * tilt);
                    return 0.5 * a * a * half * half + top.alpha() * cos(tilt);
                  },
-                 0);
+                 0.0);
            };
            return answer(brent(curvature, 0, 10 * exact, e * exact));
          }});
