@@ -238,6 +238,9 @@ TEST_CASE("why an engine never comes to a scene is told where the trials show it
   damped.lasting = "damping";
 
   CHECK(why_never(contest, falling).empty());
+  EngineSeries slow = rising;
+  slow.trials.back().outcome = Outcome::stalled;
+  CHECK(why_never(contest, slow).empty());
   CHECK(why_never(contest, rising) == "rounding in float");
   CHECK(why_never(contest, level) == "not explained");
   CHECK(why_never(contest, damped) == "damping");  // there is none without it

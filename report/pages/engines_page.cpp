@@ -121,9 +121,9 @@ std::string engines_page(const std::vector<EngineContest>& contests, const std::
       "# Engines on trial\n\n"
       "Other people's engines on the book's scenes; `./oddity engines --report` makes this page. A cell is the "
       "worst error in 10 s at 60 Hz, in centimeters or degrees, and the rate from which it is below 1: 2.3/240. "
-      "*Finer*: beyond the rates tried; *never*: `./oddity engines SCENE --kept --all` has the reason, and "
+      "*Finer*: beyond the rates tried, or beyond a minute of computing; *never*: `./oddity engines SCENE --kept --all` has the reason, and "
       "more; empty: the engine has no such scene; \\*: behind WebAssembly. Scenes lead to their pictures; "
-      "`engines/SCENE.csv` has all trials.\n\n" +
+      "`engines/SCENE.csv` has all trials, `solvers/engines/variants.json` all settings.\n\n" +
       defaults_table(contests) +
       "Lesser models instead of the cheapest native engine that is enough, and how many times cheaper:\n\n" +
       replaced_table(contests);

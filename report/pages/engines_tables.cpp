@@ -54,14 +54,16 @@ std::string shown(const EngineTrial* trial, const EngineContest& contest) {
   return std::string(name_of(trial->outcome));
 }
 
-/// The rate, or why none is enough.
+/// The rate, or why none is known to be enough.
 std::string enough_from(const EngineSeries& series, const EngineContest& contest) {
   const auto rate = [&](const EngineTrial& t) {
     return format_significant(t.steps_per_frame * contest.frames_per_second, 6) + " Hz";
   };
   if (const EngineTrial* first = series.first_enough()) return rate(*first);
   const std::string why = why_never(contest, series);
-  return why.empty() ? "beyond " + rate(series.trials.back()) : "never: " + why;
+  const EngineTrial& finest = series.trials.back();
+  if (finest.outcome == Outcome::stalled) return "not below " + rate(finest) + ", which takes too long";
+  return why.empty() ? "beyond " + rate(finest) : "never: " + why;
 }
 
 std::string order_of(const EngineSeries& series) {

@@ -99,7 +99,8 @@ std::string with_more_steps(const EngineSeries& s, const EngineContest& contest)
                ? ""
                : "; " + std::to_string(enough->steps_per_frame) + " steps a frame bring " +
                      pictured(enough->errors, contest.units);
-  const std::string why = why_never(contest, s);
+  const std::string why =
+      s.trials.back().outcome == Outcome::stalled ? "these take too long" : why_never(contest, s);
   return "; no more steps make that enough, up to " + std::to_string(s.trials.back().steps_per_frame) +
          " a frame" + (why.empty() ? "" : ": " + why);
 }

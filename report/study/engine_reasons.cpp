@@ -40,6 +40,7 @@ bool is_rounding(const EngineContest& contest, const EngineSeries& s) {
 }  // namespace
 
 std::string why_never(const EngineContest& contest, const EngineSeries& s) {
+  if (s.trials.back().outcome == Outcome::stalled) return "";
   if (!std::isfinite(finest(s))) return std::string(name_of(s.trials.back().outcome));
   if (!contest.differs.empty()) return "not the same scene";
   const std::optional<bool> better = better_without(contest, s);
