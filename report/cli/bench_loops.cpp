@@ -264,7 +264,7 @@ void add_races(std::vector<Race>& all, const std::string& name, const Model& mod
     velocity_verlet(hand, x, step, steps);
     return steps + 1;
   });
-  race.template operator()<ode::RungeKutta4>(1.05, [=](double* x) {
+  race.template operator()<ode::RungeKutta4>(1.02, [=](double* x) {
     hand.runge_kutta_4(x, step, steps);
     return 4 * steps;
   });

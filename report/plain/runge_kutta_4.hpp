@@ -18,7 +18,7 @@ struct RungeKutta4 {
 
   /// With the derivative k1 at x.
   void step(const Model& model, State& x, const State& k1, Number t, Number h) {
-    const Number half = h / 2, third = Number(1) / 3 * h, sixth = Number(1) / 6 * h;
+    const Number half = h / 2, third = h / 3, sixth = h / 6;
     State y{}, k2{}, k3{}, k4{};
     for (std::size_t i = 0; i < x.size(); ++i) y[i] = x[i] + half * k1[i];
     model(y, k2, t + half);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <boost/numeric/odeint/stepper/adams_bashforth.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4_classic.hpp>
 #include <string_view>
 
 #include "solvers/ode/facts.hpp"
@@ -31,7 +31,7 @@ struct AdamsBashforth4 {
     using Operations = typename odeint::operations_dispatcher<State>::operations_type;
     return detail::Restarting<odeint::adams_bashforth<order, State, Number, State, Number, Algebra,
                                                       Operations, odeint::initially_resizer,
-                                                      odeint::runge_kutta4<State, Number, State, Number>>>();
+                                                      odeint::runge_kutta4_classic<State, Number, State, Number>>>();
   }
   static Recurrence recurrence(std::complex<double> z) {
     Recurrence c;

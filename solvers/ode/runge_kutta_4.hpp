@@ -1,6 +1,6 @@
 #pragma once
 
-#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4_classic.hpp>
 #include <string_view>
 
 #include "solvers/ode/facts.hpp"
@@ -23,7 +23,7 @@ struct RungeKutta4 {
   template <class State>
   static auto stepper() {
     using Number = typename State::value_type;
-    return boost::numeric::odeint::runge_kutta4<State, Number, State, Number>();
+    return boost::numeric::odeint::runge_kutta4_classic<State, Number, State, Number>();
   }
 };
 
