@@ -20,6 +20,9 @@ inline constexpr int most_orders = 32;
 /// What coefficient k of an operation costs.
 long cost_of(const Node& node, int k);
 
+/// A product, or two at once, of two rows that are interleaved: with two such rows, or with one.
+enum class Products { one, of_both, of_first_with_both, of_both_with_second };
+
 /// What is left of a recording when nothing is computed that is not needed, in the order of computation.
 class Program {
  public:
@@ -32,13 +35,14 @@ class Program {
   long cost(int order) const { return costs_[static_cast<std::size_t>(order)]; }
   /// What it takes to get from operation to operation, in additions as well: it decides nothing but the
   /// order.
-  long overhead(int order) const { return 20L * order * static_cast<long>(instructions_.size()); }
+  long overhead(int order) const { return 20L * order * operations_; }
 
  private:
   friend class Series;
   struct Instruction {
     Node node;
     int result, second = -1, spare = -1;  ///< rows
+    Products products = Products::one;
   };
   /// An unknown's derivative: a row, or else a constant.
   struct Derivative {
@@ -46,11 +50,15 @@ class Program {
     double constant;
   };
 
+  void put(const Node& node, std::size_t i, std::vector<int>& rows);
+  void multiply(const std::vector<Node>& nodes, const std::vector<bool>& needed, std::size_t i,
+                std::vector<int>& rows);
   void price();
 
   std::vector<Instruction> instructions_;  ///< their nodes' operands are rows
   std::vector<Derivative> derivatives_;
   std::array<long, most_orders + 1> costs_{};
+  long operations_ = 0;
   int rows_ = 0;  ///< of which the unknowns' are the first, and the time's the next
   long by_hand_ = 0;
 };
@@ -72,21 +80,34 @@ class Series {
   void at(double h, double* x) const;
 
  private:
-  static constexpr std::ptrdiff_t stride = most_orders + 1;
+  /// Of two rows, which are interleaved.
+  static constexpr std::size_t stride = 2 * (most_orders + 1);
 
-  double* row(int i) { return memory_.data() + static_cast<std::ptrdiff_t>(i) * stride; }
-  const double* row(int i) const { return memory_.data() + static_cast<std::ptrdiff_t>(i) * stride; }
+  static std::size_t start(int row) {
+    const auto i = static_cast<std::size_t>(row);
+    return i / 2 * stride + i % 2;
+  }
+  Row<double> row(int i) { return {memory_.data() + start(i)}; }
+  Row<const double> row(int i) const { return {memory_.data() + start(i)}; }
   template <int k>
   static void advance(Series&);
   static const std::array<void (*)(Series&), most_orders> advance_by_order;
 
   struct Step {
+    std::size_t kernel;
     Node node;
     Rows<double> rows;
+  };
+  /// Of an unknown, or of two whose rows are interleaved, as their slopes' are.
+  struct Slope {
+    Row<double> from, to;
+    double constant;
+    bool two;
   };
 
   Program program_;
   std::vector<Step> steps_;
+  std::vector<Slope> slopes_;
   int order_ = 0;
   std::vector<double> memory_;
 };
