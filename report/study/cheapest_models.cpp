@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -12,6 +13,7 @@
 #include "reference/text.hpp"
 #include "report/study/candidate.hpp"
 #include "report/study/parallel.hpp"
+#include "solvers/ode/catalog.hpp"
 
 namespace oddity {
 
@@ -33,39 +35,6 @@ std::vector<std::string> models_of(const Quantity& motion) {
   for (const Method& method : motion.methods)
     if (std::ranges::find(models, method.model) == models.end()) models.push_back(method.model);
   return models;
-}
-
-/// The cheapest setting of any of the model's algorithms that holds, by counted work.
-std::optional<Candidate> cheapest(const std::vector<Start>& start, const std::string& model,
-                                  const Need& need) {
-  std::optional<Candidate> best;
-  for (const Method& method : start.front().motion.methods) {
-    if (method.model != model) continue;
-    for (double setting : settings(method, need)) {
-      const Candidate candidate = evaluate(start, method, setting, need);
-      if (candidate.holds() && (!best || candidate.evaluations_per_frame < best->evaluations_per_frame))
-        best = candidate;
-      if (candidate.holds() || hopeless(candidate)) break;
-    }
-  }
-  return best;
-}
-
-std::optional<Candidate> again_in_float(const std::vector<Start>& start, const Candidate& found,
-                                        const Need& need) {
-  const Method* single = method_of(start.front().motion, found.model, in_float(found.algorithm));
-  if (!single) return {};
-  return evaluate(start, *single, found.setting, need);
-}
-
-CheapestModel cheapest_model(std::vector<Start>& start, const std::string& says, const Need& need) {
-  Quantity& motion = start.front().motion;
-  motion.needs = needs_of(need, motion);
-  motion.need.allowed = *std::ranges::min_element(motion.needs);
-  for (const std::string& model : models_of(motion))
-    if (auto found = cheapest(start, model, need))
-      return {says, need, found, again_in_float(start, *found, need)};
-  return {says, need, {}};
 }
 
 /// A parameter, and values of it between which a model may stop being enough.
@@ -116,17 +85,62 @@ std::optional<Solved> solved(const Quantity& motion, const Method& method) {
   return found;
 }
 
-/// The motion as the model itself has it, by the algorithm that changes least or has no setting: what it errs
-/// by is the model's, not the algorithm's.
+/// What comes to many digits in few steps is first: series, then by order; closed forms before all.
+int promise(const Method& method) {
+  const auto all = ode::catalog();
+  const auto entry = std::ranges::find(all, method.algorithm, &ode::CatalogEntry::name);
+  constexpr int most = 100;
+  return entry == all.end() || entry->name == "Taylor series" ? most : entry->order;
+}
+
+/// The motion as the model itself has it, by the first algorithm that hardly changes or has no setting, or
+/// else by the one that changes least: what it errs by is the model's, not the algorithm's.
 std::optional<Solved> solved_best(const Quantity& motion, const std::string& model) {
+  std::vector<const Method*> methods;
+  for (const Method& method : motion.methods)
+    if (method.model == model) methods.push_back(&method);
+  std::ranges::stable_sort(methods, std::greater(), [](const Method* m) { return promise(*m); });
   std::optional<Solved> best;
-  for (const Method& method : motion.methods) {
-    if (method.model != model) continue;
-    auto found = solved(motion, method);
+  for (const Method* method : methods) {
+    auto found = solved(motion, *method);
     if (found && (!best || found->change < best->change)) best = std::move(found);
-    if (best && best->change == 0) break;
+    if (best && best->change <= 0.01 * exact_enough) break;
   }
   return best;
+}
+
+/// The cheapest setting of any of the model's algorithms that holds, by counted work.
+std::optional<Candidate> cheapest(const std::vector<Start>& start, const std::string& model,
+                                  const Need& need) {
+  std::optional<Candidate> best;
+  for (const Method& method : start.front().motion.methods) {
+    if (method.model != model) continue;
+    for (double setting : settings(method, need)) {
+      const Candidate candidate = evaluate(start, method, setting, need);
+      if (candidate.holds() && (!best || candidate.evaluations_per_frame < best->evaluations_per_frame))
+        best = candidate;
+      const bool costs_more = best && candidate.evaluations_per_frame >= best->evaluations_per_frame;
+      if (candidate.holds() || costs_more || hopeless(candidate)) break;
+    }
+  }
+  return best;
+}
+
+std::optional<Candidate> again_in_float(const std::vector<Start>& start, const Candidate& found,
+                                        const Need& need) {
+  const Method* single = method_of(start.front().motion, found.model, in_float(found.algorithm));
+  if (!single) return {};
+  return evaluate(start, *single, found.setting, need);
+}
+
+CheapestModel cheapest_model(std::vector<Start>& start, const std::string& says, const Need& need) {
+  Quantity& motion = start.front().motion;
+  motion.needs = needs_of(need, motion);
+  motion.need.allowed = *std::ranges::min_element(motion.needs);
+  for (const std::string& model : models_of(motion))
+    if (auto found = cheapest(start, model, need))
+      return {says, need, found, again_in_float(start, *found, need)};
+  return {says, need, {}};
 }
 
 /// The algorithms that solve a scene's models best at its defaults.
