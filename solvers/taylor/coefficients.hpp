@@ -179,6 +179,22 @@ template <int k, class T>
   }
 }
 
+/// The same with the rows of sine and cosine interleaved.
+template <int k>
+[[gnu::always_inline]] inline void sine_with_cosine(const Rows<double>& rows) {
+  using std::cos, std::sin;
+  const Row<double> a = rows.a, slope = rows.spare;
+  const Both both{rows.result.first};
+  if constexpr (k == 0) {
+    both.put(0, Two{sin(a[0]), cos(a[0])});
+  } else {
+    const double newest = slope[k] = k * a[k];
+    Two slopes = Two{newest, newest} * both[0];
+    if constexpr (k > 1) slopes += inside<k>(Twice{slope.first}, both);
+    both.put(k, Two{slopes[1], slopes[0]} * Two{1.0 / k, -1.0 / k});
+  }
+}
+
 /// r' = a' r; the spare row as above.
 template <int k, class T>
 [[gnu::always_inline]] inline void exponential(const Rows<T>& rows) {

@@ -122,6 +122,7 @@ Program::Program(const Recording& recording) {
 
 /// An operation, or an unknown, with rows of its own.
 void Program::put(const Node& node, std::size_t i, std::vector<int>& rows) {
+  if (node.operation == Operation::sine) rows_ += rows_ % 2;
   rows[i] = rows_++;
   if (node.operation == Operation::unknown) return;
   Instruction instruction{in_rows(node, rows), rows[i]};
@@ -202,6 +203,10 @@ void plain_sum(const Node&, const Rows<double>& rows) {
   rows.result[k] = rows.a[k] + rows.b[k];
 }
 template <int k>
+void sine(const Node&, const Rows<double>& rows) {
+  sine_with_cosine<k>(rows);
+}
+template <int k>
 void two_squares(const Node&, const Rows<double>& rows) {
   Both{rows.result.first}.put(k, square<k>(Both{rows.a.first}));
 }
@@ -212,29 +217,29 @@ void two_products(const Node&, const Rows<double>& rows) {
 
 /// How coefficient k is computed, by operation.
 template <int k>
-constexpr std::array<Kernel, 12> kernels{one<Operation::linear, k>,
+constexpr std::array<Kernel, 11> kernels{plain_sum<k>,
                                          one<Operation::multiply, k>,
                                          one<Operation::divide, k>,
                                          one<Operation::inverse_cube, k>,
                                          one<Operation::square_root, k>,
-                                         one<Operation::sine, k>,
+                                         sine<k>,
                                          one<Operation::exponential, k>,
-                                         plain_sum<k>,
                                          two_squares<k>,
                                          two_products<Both, Both, k>,
                                          two_products<Twice, Both, k>,
                                          two_products<Both, Twice, k>};
 
+/// Not among the kernels: a call would take as long.
+constexpr std::size_t linear_sum = kernels<0>.size();
+
 std::size_t kernel_of(const Node& node, Products products) {
-  constexpr std::array single{Operation::linear,       Operation::multiply,    Operation::divide,
-                              Operation::inverse_cube, Operation::square_root, Operation::sine,
-                              Operation::exponential};
-  const bool adds = node.operation == Operation::linear && node.b >= 0 && node.alpha == 1 && node.beta == 1 &&
-                    node.gamma == 0;
+  constexpr std::array single{Operation::multiply,    Operation::divide, Operation::inverse_cube,
+                              Operation::square_root, Operation::sine,   Operation::exponential};
+  if (node.operation == Operation::linear)
+    return node.b >= 0 && node.alpha == 1 && node.beta == 1 && node.gamma == 0 ? 0 : linear_sum;
   switch (products) {
     case Products::one:
-      return adds ? single.size()
-                  : static_cast<std::size_t>(std::ranges::find(single, node.operation) - single.begin());
+      return 1 + static_cast<std::size_t>(std::ranges::find(single, node.operation) - single.begin());
     case Products::of_both:
       return single.size() + (node.a == node.b ? 1 : 2);
     case Products::of_first_with_both:
@@ -280,7 +285,12 @@ void Series::expand(const double* x, double t, int order) {
 /// Coefficient k of all operations, and k + 1 of the unknowns.
 template <int k>
 void Series::advance(Series& series) {
-  for (const Step& step : series.steps_) kernels<k>[step.kernel](step.node, step.rows);
+  for (const auto& [kernel, node, rows] : series.steps_) {
+    if (kernel == linear_sum)
+      linear<k>(node, rows);
+    else
+      kernels<k>[kernel](node, rows);
+  }
   constexpr double share = 1.0 / (k + 1);
   for (const auto& [from, to, constant, two] : series.slopes_) {
     if (two)
