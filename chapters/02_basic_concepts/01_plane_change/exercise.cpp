@@ -6,12 +6,18 @@
 // 1-5], which is -N before 0. A unit normal out of that plane need not jump [Bishop, Amer. Math. Monthly 82
 // (1975) 246].
 
+#include <algorithm>
 #include <cmath>
+#include <concepts>
+#include <iterator>
 #include <numbers>
+#include <type_traits>
 
+#include "chapters/02_basic_concepts/shared/limit_proofs.hpp"
 #include "chapters/02_basic_concepts/shared/limits.hpp"
+#include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
 #include "chapters/02_basic_concepts/shared/space.hpp"
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 #include "reference/text.hpp"
 
 namespace oddity {
@@ -39,24 +45,28 @@ auto piece(int side) {
   return [side](const auto& t) { return in_plane(side, t, t * t * t); };
 }
 /// The polynomial of degree n-1 through n points of a piece.
-Vector3 interpolated(int side, double t, int n) {
-  Vector3 sum{};
+template <class T>
+Vector<T> interpolated(int side, const T& t, int n) {
+  Vector<T> sum{};
   for (int i = 0; i < n; ++i) {
-    double weight = 1;
+    T weight(1.0);
     for (int j = 0; j < n; ++j)
       if (j != i) weight *= (t - 0.5 * j) / (0.5 * (i - j));
-    sum = sum + weight * piece(side)(0.5 * i);
+    sum = sum + weight * piece(side)(T(0.5 * i));
   }
   return sum;
 }
 
-struct Local {
-  Vector3 r, v, a, T, N;
-  double speed;
+template <class Number>
+struct LocalOf {
+  Vector<Number> r, v, a, T, N;
+  Number speed;
 };
-Local local(int side, double t) {
+using Local = LocalOf<double>;
+template <class Number>
+LocalOf<Number> local(int side, const Number& t) {
   const auto m = motion_of(piece(side), t);
-  const Vector3 T = unit(m.v), N = in_plane(side, -(side < 0 ? T[1] : T[2]), T[0]);
+  const Vector<Number> T = unit(m.v), N = in_plane<Number>(side, -(side < 0 ? T[1] : T[2]), T[0]);
   return {m.r, m.v, m.a, T, N, length(m.v)};
 }
 Value all_of(const Local& l) { return joined(l.r, l.v, l.a, l.speed, l.T, l.N); }
@@ -113,26 +123,67 @@ Quantity one_sided_limits(double h) {
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
-struct Sample {
-  double t;
-  std::array<double*, 1> letters() { return {&t}; }
+template <class T>
+struct SampleOf {
+  T t;
+  int of = after;  ///< the piece, where t is a letter
+  std::array<T*, 1> letters() { return {&t}; }
   std::string where() const { return "$t$ = " + format_shortest(t); }
-  int side() const { return t < 0 ? before : after; }
-  Local local() const { return ex02_01::local(side(), t); }
+  int side() const {
+    if constexpr (std::same_as<T, double>)
+      return t < 0 ? before : after;
+    else
+      return of;
+  }
+  LocalOf<T> local() const { return ex02_01::local(side(), t); }
 };
-using OfTime = Formula<Sample>;
+using Sample = SampleOf<double>;
+using Table = ProvableClaims<SampleOf>;
+using OfTime = ProvableFormula<SampleOf>;
 
-double root(double t) { return std::sqrt(1 + 9 * t * t * t * t); }
+template <class T>
+T root(const T& t) {
+  return sqrt(1 + 9 * t * t * t * t);
+}
 
-OfTime by_duals(Vector3 Local::*of) {
-  return {"dual numbers", [=](const Sample& s) { return Value(s.local().*of); }};
+constexpr auto r_at = [](int side, const auto& t) { return local(side, t).r; };
+constexpr auto v_at = [](int side, const auto& t) { return local(side, t).v; };
+constexpr auto a_at = [](int side, const auto& t) { return local(side, t).a; };
+constexpr auto T_at = [](int side, const auto& t) { return local(side, t).T; };
+constexpr auto N_at = [](int side, const auto& t) { return local(side, t).N; };
+
+/// From the values at 0.
+constexpr auto r_slope = [](int side, const auto& t) { return r_at(side, t) / t; };
+constexpr auto v_slope = [](int side, const auto& t) {
+  using T = std::decay_t<decltype(t)>;
+  return (v_at(side, t) - Vector<T>{T(1.0), T(0.0), T(0.0)}) / t;
+};
+constexpr auto normals_apart = [](double sign, const auto& t) {
+  return length(N_at(after, t) - sign * N_at(before, -t));
+};
+constexpr auto cosine = [](const auto& normal, const auto& t) { return dot(normal(t), N_at(before, -t)); };
+constexpr auto N_after = [](const auto& t) { return N_at(after, t); };
+
+template <class T>
+Vector<T> normal_formula(int side, const T& t) {
+  return 1 / root(t) * in_plane<T>(side, -3 * t * t, T(1.0));
+}
+
+template <class At>
+OfTime by_duals(std::string text, const At& at) {
+  return {std::move(text), [=](const auto& s) { return at(s.side(), s.t); }};
 }
 /// (x, y, 0) or (x, 0, y).
-OfTime components(std::string text, double (*x)(double t), double (*y)(double t)) {
-  return {std::move(text), [=](const Sample& s) { return Value(in_plane(s.side(), x(s.t), y(s.t))); }};
+template <class Y>
+OfTime components(std::string text, double x, const Y& y) {
+  return {std::move(text), [=]<class T>(const SampleOf<T>& s) { return in_plane<T>(s.side(), x, y(s.t)); }};
 }
-double zero(double) { return 0; }
-double one(double) { return 1; }
+OfTime velocity_components(std::string text, double k) {
+  return components(std::move(text), 1, [=](const auto& t) { return k * t * t; });
+}
+OfTime acceleration_components(std::string text, double k) {
+  return components(std::move(text), 0, [=](const auto& t) { return k * t; });
+}
 
 /// What the vector f(side, t) does as t goes to 0 from these sides, by Richardson's extrapolation.
 class Limits {
@@ -152,37 +203,37 @@ class Limits {
   }
   Check jump(double sign, double said) const {
     return limit(sign > 0 ? R"($|\mathbf N_+-\mathbf N_-|$)" : R"($|\mathbf N_++\mathbf N_-|$)", said, h_,
-                 [=](double s) { return length(local(after, s).N - sign * local(before, -s).N); });
+                 [=](double s) { return normals_apart(sign, s); });
   }
   /// The formulas of N at t for the limits from both sides.
   Reading normal_at(double t) const {
     Reading reading{R"($\mathbf N$ at $t=)" + format_shortest(t) + "$", {}};
     for (int side : {before, after})
-      reading.checks.push_back(limit(R"($\mathbf N$)", 1 / root(t) * in_plane(side, -3 * t * t, 1.0), h_,
-                                     [=](double s) { return local(side, side * s).N; }));
+      reading.checks.push_back(limit(R"($\mathbf N$)", normal_formula(side, t), h_,
+                                     [=](double s) { return N_at(side, side * s); }));
     return reading;
   }
   template <class Normal>
   Reading right_angle(const std::string& text, const Normal& normal) const {
-    return {text, {limit("cosine of the normals at $t$ and $-t$", 0, h_, [=](double s) {
-              return dot(normal(s), local(before, -s).N);
-            })}};
+    return {
+        text,
+        {limit("cosine of the normals at $t$ and $-t$", 0, h_, [=](double s) { return cosine(normal, s); })}};
   }
 
  private:
   double h_;
 };
 
-void frames(Claims& claims, int side, const std::vector<Sample>& samples) {
+void frames(Table& table, int side, const std::vector<Sample>& samples) {
   const auto tangent = [](double k, int power) {
-    return [=](const Sample& s) {
-      return Value(std::pow(root(s.t), power) * in_plane(s.side(), 1.0, k * s.t * s.t));
+    return [=]<class T>(const SampleOf<T>& s) {
+      return pow(root(s.t), power) * in_plane<T>(s.side(), T(1.0), k * s.t * s.t);
     };
   };
   const auto normal = [](double k, int power) {
-    return [=](const Sample& s) {
-      const Vector3 n = std::pow(root(s.t), power) * in_plane(s.side(), -k * s.t * s.t, 1.0);
-      return joined(n, length(n), dot(n, s.local().T));
+    return [=]<class T>(const SampleOf<T>& s) {
+      const Vector<T> n = pow(root(s.t), power) * in_plane<T>(s.side(), -k * s.t * s.t, T(1.0));
+      return values(n[0], n[1], n[2], length(n), dot(n, T_at(s.side(), s.t)));
     };
   };
   const std::string range = side < 0 ? " before 0" : " from 0 on", T = side < 0 ? "(1,3t^2,0)" : "(1,0,3t^2)",
@@ -193,29 +244,48 @@ void frames(Claims& claims, int side, const std::vector<Sample>& samples) {
   const std::string why =
       R"(The bar above the root is lost in the text at hand: the root divides. As it stands the vector is )"
       R"(multiplied by it, and at $t=\pm1$ its length is 10, not 1.)";
-  claims.formula(side < 0 ? "tangent_before" : "tangent_after", side < 0 ? 135 : 161,
-                 is(R"(\mathbf T)", T + R"(\,)" + by_root) + range, samples,
-                 {.quantity = R"($\mathbf T$)",
-                  .truth = {R"($\mathbf v/|\mathbf v|$ by dual numbers)", by_duals(&Local::T).of},
-                  .printed = {"$" + T + R"(\,)" + by_root + "$", tangent(3, 1)},
-                  .meant = {"$" + T + "/" + by_root + "$", tangent(3, -1)},
-                  .near_misses = {{R"(the quotient with $-3t^2$)", tangent(-3, -1)}},
-                  .kind = Fault::lost_typography,
-                  .why = why});
-  claims.formula(
+  table.formula(side < 0 ? "tangent_before" : "tangent_after", side < 0 ? 135 : 161,
+                is(R"(\mathbf T)", T + R"(\,)" + by_root) + range, samples,
+                {.quantity = R"($\mathbf T$)",
+                 .truth = by_duals(R"($\mathbf v/|\mathbf v|$ by dual numbers)", T_at),
+                 .printed = {"$" + T + R"(\,)" + by_root + "$", tangent(3, 1)},
+                 .meant = {"$" + T + "/" + by_root + "$", tangent(3, -1)},
+                 .near_misses = {{R"(the quotient with $-3t^2$)", tangent(-3, -1)}},
+                 .kind = Fault::lost_typography,
+                 .why = why});
+  table.formula(
       side < 0 ? "normal_before" : "normal_after", side < 0 ? 141 : 167,
       is(R"(\mathbf N)", N + R"(\,)" + by_root) + " is a unit normal" + range, samples,
       {.quantity = R"($\mathbf N$, $|\mathbf N|$ and $\mathbf N\cdot\mathbf T$)",
        .truth = {std::string(side < 0 ? "minus " : "") + "the principal normal by dual numbers, 1 and 0",
-                 [](const Sample& s) {
-                   const Local l = s.local();
-                   return joined(double(s.side()) * unit(cross(cross(l.v, l.a), l.v)), 1, 0);
+                 [](const auto& s) {
+                   const auto l = s.local();
+                   const auto n = double(s.side()) * unit(cross(cross(l.v, l.a), l.v));
+                   return values(n[0], n[1], n[2], 1, 0);
                  }},
        .printed = {"$" + N + R"(\,)" + by_root + "$", normal(3, 1)},
        .meant = {"$" + N + "/" + by_root + "$", normal(3, -1)},
        .near_misses = {{R"(the quotient with $+3t^2$)", normal(-3, -1)}},
        .kind = Fault::lost_typography,
        .why = why});
+}
+
+void on_both_pieces(Table& table, const std::vector<Sample>& all) {
+  const auto through = [](std::string text, int points) {
+    return OfTime{std::move(text), [=](const auto& s) { return interpolated(s.side(), s.t, points); },
+                  [](const Sample& s) { return 10 * (1 + std::abs(s.t * s.t * s.t)); }};
+  };
+  table.formula("polynomials", 103, "the components are polynomials (of degree 3), hence continuous", all,
+                {.quantity = R"($\mathbf r$)",
+                 .truth = {"the curve", [](const auto& s) { return piece(s.side())(s.t); }},
+                 .printed = through("the cubic through four of its points", 4),
+                 .near_misses = {through("the parabola through three of its points", 3)}});
+  const auto speed = [](double k) { return [=](const auto& s) { return sqrt(1 + k * pow(s.t, 4)); }; };
+  table.formula("speed", 123, R"(the speed is $\sqrt{1+9t^4}$ on both sides)", all,
+                {.quantity = R"($|\mathbf v|$)",
+                 .truth = {"dual numbers", [](const auto& s) { return s.local().speed; }},
+                 .printed = {R"($\sqrt{1+9t^4}$)", speed(9)},
+                 .near_misses = {{R"($\sqrt{1+3t^4}$)", speed(3)}}});
 }
 
 std::vector<Claim> claims(double h, double seed) {
@@ -228,13 +298,11 @@ std::vector<Claim> claims(double h, double seed) {
   std::vector<Sample> all = left;
   all.insert(all.end(), right.begin(), right.end());
   const Limits limits(h);
-  const auto of = [](Vector3 Local::*vector) {
-    return [=](int side, double t) { return local(side, t).*vector; };
-  };
-  const auto r = of(&Local::r), v = of(&Local::v), a = of(&Local::a), N = of(&Local::N);
   const Vector3 none{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   const std::string R = R"(\mathbf r)", V = R"(\mathbf v)", A = R"(\mathbf a)", normal = R"(\mathbf N)";
   Claims claims("2.1");
+  Table table(claims);
+  on_both_pieces(table, all);
 
   const auto with_limit = [&](const std::string& what, const OfTime& formula, const OfTime& truth,
                               Reading at_0) {
@@ -245,67 +313,44 @@ std::vector<Claim> claims(double h, double seed) {
   const auto near = [&](const std::string& what, const OfTime& formula, const OfTime& truth) {
     return Reading{formula.text, {compare(what, formula, truth, all)}};
   };
-  const OfTime velocity = by_duals(&Local::v), acceleration = by_duals(&Local::a);
-  claims.add("velocity", 69, R"($\mathbf v=(1,3t^2,0)$ before 0 and $(1,0,3t^2)$ from 0 on)",
-             {.printed = with_limit("$" + V + "$",
-                                    components("these, and 1 along $x$ at 0 from both sides", one,
-                                               [](double t) { return 3 * t * t; }),
-                                    velocity,
-                                    limits.tends(R"((\mathbf r(t)-\mathbf r(0))/t)", {before, after}, x,
-                                                 [=](int side, double t) { return r(side, t) / t; })),
-              .near_misses = {near(
-                  "$" + V + "$", components(R"($2t^2$ for $3t^2$)", one, [](double t) { return 2 * t * t; }),
-                  velocity)}});
-  claims.add("acceleration", 77, R"($\mathbf a=(0,6t,0)$ before 0 and $(0,0,6t)$ from 0 on)",
-             {.printed = with_limit(
-                  "$" + A + "$",
-                  components("these, and 0 at 0 from both sides", zero, [](double t) { return 6 * t; }),
-                  acceleration,
-                  limits.tends(R"((\mathbf v(t)-\mathbf v(0))/t)", {before, after}, none,
-                               [=](int side, double t) { return (v(side, t) - x) / t; })),
-              .near_misses = {near("$" + A + "$",
-                                   components(R"($3t$ for $6t$)", zero, [](double t) { return 3 * t; }),
-                                   acceleration)}});
-  claims.add("position_from_below", 87, R"($\mathbf r$ tends to 0 from below)",
-             {.printed = limits.tends(R, {before}, none, r),
-              .near_misses = {limits.tends(R, {before}, 1e-6 * y, r)}});
-  const auto through = [](std::string text, int points) {
-    return OfTime{std::move(text),
-                  [=](const Sample& s) { return Value(interpolated(s.side(), s.t, points)); },
-                  [](const Sample& s) { return 10 * (1 + std::abs(s.t * s.t * s.t)); }};
-  };
-  claims.formula("polynomials", 103, "the components are polynomials (of degree 3), hence continuous", all,
-                 {.quantity = R"($\mathbf r$)",
-                  .truth = {"the curve", [](const Sample& s) { return Value(piece(s.side())(s.t)); }},
-                  .printed = through("the cubic through four of its points", 4),
-                  .near_misses = {through("the parabola through three of its points", 3)}});
+  const std::string dual = "dual numbers";
+  const OfTime velocity = by_duals(dual, v_at), acceleration = by_duals(dual, a_at);
   claims.add(
-      "position_from_above", 105, R"($\mathbf r$ tends to 0 from above)",
-      {.printed = limits.tends(R, {after}, none, r), .near_misses = {limits.tends(R, {after}, 1e-6 * z, r)}});
+      "velocity", 69, R"($\mathbf v=(1,3t^2,0)$ before 0 and $(1,0,3t^2)$ from 0 on)",
+      {.printed = with_limit("$" + V + "$",
+                             velocity_components("these, and 1 along $x$ at 0 from both sides", 3), velocity,
+                             limits.tends(R"((\mathbf r(t)-\mathbf r(0))/t)", {before, after}, x, r_slope)),
+       .near_misses = {near("$" + V + "$", velocity_components(R"($2t^2$ for $3t^2$)", 2), velocity)}});
+  claims.add(
+      "acceleration", 77, R"($\mathbf a=(0,6t,0)$ before 0 and $(0,0,6t)$ from 0 on)",
+      {.printed = with_limit(
+           "$" + A + "$", acceleration_components("these, and 0 at 0 from both sides", 6), acceleration,
+           limits.tends(R"((\mathbf v(t)-\mathbf v(0))/t)", {before, after}, none, v_slope)),
+       .near_misses = {near("$" + A + "$", acceleration_components(R"($3t$ for $6t$)", 3), acceleration)}});
+  claims.add("position_from_below", 87, R"($\mathbf r$ tends to 0 from below)",
+             {.printed = limits.tends(R, {before}, none, r_at),
+              .near_misses = {limits.tends(R, {before}, 1e-6 * y, r_at)}});
+  claims.add("position_from_above", 105, R"($\mathbf r$ tends to 0 from above)",
+             {.printed = limits.tends(R, {after}, none, r_at),
+              .near_misses = {limits.tends(R, {after}, 1e-6 * z, r_at)}});
   claims.add("velocity_limit", 121, R"($\mathbf v$ tends to $(1,0,0)$ from both sides)",
-             {.printed = limits.tends(V, {before, after}, x, v),
-              .near_misses = {limits.tends(V, {before, after}, x + y, v)}});
+             {.printed = limits.tends(V, {before, after}, x, v_at),
+              .near_misses = {limits.tends(V, {before, after}, x + y, v_at)}});
   claims.add("acceleration_limit", 121, R"($\mathbf a$ tends to 0 from both sides)",
-             {.printed = limits.tends(A, {before, after}, none, a),
-              .near_misses = {limits.tends(A, {before, after}, 6.0 * y, a)}});
-  const auto speed = [](double k) {
-    return [=](const Sample& s) { return std::sqrt(1 + k * std::pow(s.t, 4)); };
-  };
-  claims.formula("speed", 123, R"(the speed is $\sqrt{1+9t^4}$ on both sides)", all,
-                 {.quantity = R"($|\mathbf v|$)",
-                  .truth = {"dual numbers", [](const Sample& s) { return s.local().speed; }},
-                  .printed = {R"($\sqrt{1+9t^4}$)", speed(9)},
-                  .near_misses = {{R"($\sqrt{1+3t^4}$)", speed(3)}}});
-  frames(claims, before, left);
-  claims.add("normal_from_below", 147, R"($\mathbf N$ tends to $(0,1,0)$ from below)",
-             {.printed = limits.tends(normal, {before}, y, N),
-              .near_misses = {limits.tends(normal, {before}, z, N), limits.tends(normal, {before}, -y, N)}});
+             {.printed = limits.tends(A, {before, after}, none, a_at),
+              .near_misses = {limits.tends(A, {before, after}, 6.0 * y, a_at)}});
+  frames(table, before, left);
+  claims.add(
+      "normal_from_below", 147, R"($\mathbf N$ tends to $(0,1,0)$ from below)",
+      {.printed = limits.tends(normal, {before}, y, N_at),
+       .near_misses = {limits.tends(normal, {before}, z, N_at), limits.tends(normal, {before}, -y, N_at)}});
   claims.add("normal_by_evaluation", 155, R"(the limits of $\mathbf N$ are its formulas' values at 0)",
              {.printed = limits.normal_at(0), .near_misses = {limits.normal_at(1e-3)}});
-  frames(claims, after, right);
-  claims.add("normal_from_above", 173, R"($\mathbf N$ tends to $(0,0,1)$ from above)",
-             {.printed = limits.tends(normal, {after}, z, N),
-              .near_misses = {limits.tends(normal, {after}, y, N), limits.tends(normal, {after}, -z, N)}});
+  frames(table, after, right);
+  claims.add(
+      "normal_from_above", 173, R"($\mathbf N$ tends to $(0,0,1)$ from above)",
+      {.printed = limits.tends(normal, {after}, z, N_at),
+       .near_misses = {limits.tends(normal, {after}, y, N_at), limits.tends(normal, {after}, -z, N_at)}});
   claims.add("no_sign_helps", 181,
              R"(the two limits of $\mathbf N$ differ, and so do they with one sign changed)",
              {.printed = {R"(both jumps are $\sqrt2$)", {limits.jump(1, sqrt2), limits.jump(-1, sqrt2)}},
@@ -313,16 +358,178 @@ std::vector<Claim> claims(double h, double seed) {
                               {"they are opposite", {limits.jump(-1, 0)}}}});
   claims.add(
       "no_continuous_normal", 181, "no function for the curve's normal is continuous at 0",
-      {.printed =
-           limits.right_angle("the normal in the curve's own plane, of either sign: a right angle remains",
-                              [=](double t) { return N(after, t); }),
+      {.printed = limits.right_angle(
+           "the normal in the curve's own plane, of either sign: a right angle remains", N_after),
        .near_misses = {limits.right_angle(
            R"(every unit vector perpendicular to $\mathbf T$: but $(0,1,0)$ continues $\mathbf N$ for $t\ge0$)",
            [=](double) { return y; })}});
   return claims.in_order();
 }
 
+// ---- what is proved ---------------------------------------------------------------------------------------
+
+constexpr const char* limits_in_coq = R"(
+Ltac roots_at_zero :=
+  repeat match goal with |- context [sqrt ?x] =>
+    lazymatch x with context [sqrt _] => fail | _ => rewrite (root_is x 1) by lra end
+  end.
+
+Ltac tends :=
+  lazymatch goal with
+  | |- exists near, near > 0 /\ (forall t, _ -> Rabs (@?f near t - ?l) < ?eps) =>
+      let f := eval cbv beta in (f 0) in
+      let all := fresh in
+      let like g :=
+        assert (all : exists near, near > 0 /\ forall t, Rabs t < near -> t <> 0 -> Rabs (f t - l) < eps)
+          by (apply (limit_at_zero f g l);
+              [ auto_derive; repeat split; roots_at_zero; try (apply Rgt_not_eq, sqrt_lt_R0); lra
+              | roots_at_zero; first [lra | f_equal; lra]
+              | intros; first [reflexivity | field; assumption]
+              | assumption ]) in
+      first [like f | like (fun _ : R => l) | like (fun t => t * t) | like (fun t => 3 * t)];
+      destruct all as [near [positive close]];
+      exists near; split; [exact positive |]; intros t [low high];
+      apply (close t); [apply Rabs_def1; lra | lra]
+  end.
+)";
+
+/// The root of 1 + 9 t^4 as the letter q, and all others in it.
+constexpr const char* by_root = R"(
+  pose proof (Rle_0_sqr (t * t)) as fourth; unfold Rsqr in fourth;
+  assert (above : 0 < 1 + 9 * t * t * t * t) by lra;
+  pose proof (sqrt_lt_R0 _ above) as positive;
+  assert (square : sqrt (1 + 9 * t * t * t * t) * sqrt (1 + 9 * t * t * t * t) = 1 + 9 * t * t * t * t)
+    by (apply sqrt_sqrt; lra);
+  set (q := sqrt (1 + 9 * t * t * t * t)) in *; clearbody q;
+  try (assert (0 < t * q) by (apply Rmult_lt_0_compat; lra));
+  try (assert (0 < - t * q) by (apply Rmult_lt_0_compat; lra));
+  repeat match goal with |- context [sqrt ?x] =>
+    lazymatch x with
+    | context [sqrt _] => fail
+    | _ =>
+        let is y := rewrite (root_is x y) by (try lra; field [square]; repeat split; lra) in
+        first [is constr:(1) | is constr:(q) | is constr:(6 * (t * q)) | is constr:(6 * (- t * q))]
+    end
+  end;
+  field [square]; repeat split; lra)";
+
+Shortened t() { return Shortened::letter("t"); }
+
+ForAll<SampleOf> at_all_times(int side, std::string says) {
+  return {.any = {t(), side},
+          .letters = "(t : R)",
+          .tactic = by_root,
+          .says = std::move(says),
+          .example = {side * 0.5}};
+}
+
+/// Where the sign of t matters.
+Provables proofs_of_frame(int side) {
+  Claims claims("2.1");
+  Table table(claims);
+  frames(table, side, {});
+  ForAll<SampleOf> tangent = at_all_times(side, "it holds at all times"), normal = tangent;
+  tangent.without = {"normal_before", "normal_after"};
+  normal.without = {"tangent_before", "tangent_after"};
+  normal.given = {above((side * t()).expression(), 0)};
+  normal.says = side < 0 ? "it holds before 0" : "it holds after 0";
+  Provables proved = table.proofs("2.1", tangent);
+  std::ranges::move(table.proofs("2.1", normal), std::back_inserter(proved));
+  return proved;
+}
+
+void add(std::vector<Lemma>& all, int side, Lemma lemma) {
+  lemma.name += side < 0 ? "_before" : "_after";
+  all.push_back(std::move(lemma));
+}
+Provables proofs_on_both_pieces() {
+  Claims claims("2.1");
+  Table table(claims);
+  on_both_pieces(table, {});
+  Provables proved;
+  for (int side : {before, after}) {
+    Provables here = table.proofs("2.1", at_all_times(side, "it holds on both pieces"));
+    if (proved.empty()) {
+      proved = here;
+      for (Provable& p : proved) p.lemmas.clear();
+    }
+    for (std::size_t i = 0; i < here.size(); ++i) add(proved[i].lemmas, side, here[i].lemmas.front());
+  }
+  return proved;
+}
+
+template <class F>
+void add_limits(std::vector<Lemma>& all, const F& f, std::initializer_list<int> sides,
+                const Vector<Shortened>& to) {
+  for (int side : sides) {
+    const Vector<Shortened> v = f(side, t());
+    Lemma limit{.name = "limit", .tactic = "intros; tends"};
+    for (std::size_t i = 0; i < 3; ++i)
+      limit.follows.push_back(tends_at_zero(v[i].expression(), side, to[i].expression()));
+    add(all, side, limit);
+  }
+}
+template <class F>
+Provable limit_of(const std::string& slug, const F& f, std::initializer_list<int> sides,
+                  const Vector<Shortened>& to) {
+  Provable proved{"2.1-" + slug, sides.size() == 2 ? "it is the limit from both sides" : "it is the limit"};
+  add_limits(proved.lemmas, f, sides, to);
+  return proved;
+}
+template <class F>
+Provable derivative_of(const std::string& slug, const OfTime& formula, const OfTime& truth, const F& slope,
+                       const Vector<Shortened>& at_0) {
+  Provable proved{"2.1-" + slug,
+                  "it holds on both pieces, and at 0 it is the limit of slopes from both sides"};
+  for (int side : {before, after})
+    add(proved.lemmas, side,
+        {"printed",
+         "(t : R)",
+         {},
+         equal(formula.recorded({t(), side}), truth.recorded({t(), side})),
+         "ring"});
+  add_limits(proved.lemmas, slope, {before, after}, at_0);
+  return proved;
+}
+/// From above.
+Provable limit_of_number(const std::string& slug, std::string says,
+                         std::initializer_list<std::pair<Shortened, Shortened>> numbers) {
+  Lemma limit{.name = "limit", .tactic = "intros; tends"};
+  for (const auto& [f, to] : numbers)
+    limit.follows.push_back(tends_at_zero(f.expression(), after, to.expression()));
+  return {"2.1-" + slug, std::move(says), {limit}};
+}
+
+Provables proofs() {
+  const Vector<Shortened> none{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  Provables proved = proofs_on_both_pieces();
+  for (int side : {before, after}) std::ranges::move(proofs_of_frame(side), std::back_inserter(proved));
+  proved.push_back(derivative_of("velocity", velocity_components("", 3), by_duals("", v_at), r_slope, x));
+  proved.push_back(
+      derivative_of("acceleration", acceleration_components("", 6), by_duals("", a_at), v_slope, none));
+  proved.push_back(limit_of("position_from_below", r_at, {before}, none));
+  proved.push_back(limit_of("position_from_above", r_at, {after}, none));
+  proved.push_back(limit_of("velocity_limit", v_at, {before, after}, x));
+  proved.push_back(limit_of("acceleration_limit", a_at, {before, after}, none));
+  proved.push_back(limit_of("normal_from_below", N_at, {before}, y));
+  proved.push_back(limit_of("normal_from_above", N_at, {after}, z));
+  Provable evaluated{"2.1-normal_by_evaluation", "they are the limits from both sides"};
+  for (int side : {before, after})
+    add_limits(evaluated.lemmas, N_at, {side}, normal_formula(side, Shortened(0.0)));
+  proved.push_back(evaluated);
+  const Shortened root_2 = sqrt(Shortened(2));
+  proved.push_back(limit_of_number("no_sign_helps", "both jumps have this limit",
+                                   {{normals_apart(1, t()), root_2}, {normals_apart(-1, t()), root_2}}));
+  proved.push_back(limit_of_number("no_continuous_normal",
+                                   "the cosine of the normals at t and -t has the limit 0",
+                                   {{cosine(N_after, t()), 0}}));
+  for (Provable& p : proved) p.preamble = std::string(root_in_coq) + limit_at_zero_in_coq + limits_in_coq;
+  return proved;
+}
+
 }  // namespace ex02_01
+
+Provables proofs_2_1() { return ex02_01::proofs(); }
 
 Exercise exercise_2_1() {
   using namespace ex02_01;

@@ -1,31 +1,38 @@
 // The claims of exercise 2.3: components against Cartesian dual numbers, angles against atan2 of the
 // position.
 
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <type_traits>
 
 #include "chapters/02_basic_concepts/03_spherical_helix/spherical_helix.hpp"
+#include "chapters/02_basic_concepts/shared/limit_proofs.hpp"
 #include "chapters/02_basic_concepts/shared/limits.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::spherical_helix {
 
-namespace {
-
 using std::numbers::pi;
 
-struct Sample {
-  double t;
-  std::array<double*, 1> letters() { return {&t}; }
+template <class T>
+struct SampleOf {
+  T t;
+  std::array<T*, 1> letters() { return {&t}; }
   std::string where() const { return "$t$ = " + format_shortest(t); }
 };
-using OfTime = Formula<Sample>;
+using Sample = SampleOf<double>;
+using Table = ProvableClaims<SampleOf>;
+using OfTime = ProvableFormula<SampleOf>;
+
+namespace {
 
 /// A formula in what is known at a time; `terms` are those that cancel whatever the time is.
 template <class Of>
 OfTime at(std::string text, const Of& of, double (*terms)(const At&) = nullptr) {
-  OfTime formula{std::move(text), [=](const Sample& s) -> Value { return of(At(s.t)); }};
+  OfTime formula(std::move(text), [=]<class T>(const SampleOf<T>& s) { return of(AtOf<T>(s.t)); });
   if (terms) formula.terms = [=](const Sample& s) { return terms(At(s.t)); };
   return formula;
 }
@@ -35,95 +42,101 @@ double of_velocity(const At& k) { return 1 + k.speed; }
 double of_acceleration(const At& k) { return 1 + k.pull; }
 
 /// Spherical coordinates as a position.
-Vector3 at_angles(double theta, double phi) {
+template <class T>
+Vector<T> at_angles(const T& theta, const T& phi) {
   return {cos(theta) * sin(phi), sin(theta) * sin(phi), cos(phi)};
 }
 /// P, Q and R of the angles, weighted.
-Vector3 of_angles(double theta, double phi, const Vector3& x) {
-  const Vector3 P{-sin(theta), cos(theta), 0}, R = at_angles(theta, phi);
+template <class T>
+Vector<T> of_angles(const T& theta, const T& phi, const Vector<T>& x) {
+  const Vector<T> P{-sin(theta), cos(theta), T(0.0)}, R = at_angles(theta, phi);
   return x[0] * P + x[1] * cross(R, P) + x[2] * R;
 }
-double slope_of_acos(double u) {
-  const Dual<double> x(u, 1);
-  return atan2(sqrt(Dual<double>(1) - x * x), x).slope;
+template <class T>
+T slope_of_acos(const T& u) {
+  const Dual<T> x(u, T(1.0));
+  return atan2(sqrt(Dual<T>(1.0) - x * x), x).slope;
 }
 
-void angles(Claims& claims, const std::vector<Sample>& all) {
+void angles(Table& table, const std::vector<Sample>& all) {
   const std::string by_angles = "atan2 of the position, in dual numbers";
   const auto length = [](double power) {
-    return [=](const At& k) { return hypot(cos(k.t), sin(k.t), k.t) * pow(k.d, power); };
+    return [=](const auto& k) { return hypot(cos(k.t), sin(k.t), k.t) * half_power(k.d, power); };
   };
-  claims.formula("on_the_sphere", 191, R"($\rho=1$ for all $t$)", all,
-                 {.quantity = R"($\rho$)",
-                  .truth = at("the unit sphere", [](const At&) { return 1.0; }),
-                  .printed = at(R"($|(\cos t,\sin t,t)|/\sqrt{1+t^2}$)", length(-0.5)),
-                  .near_misses = {at(R"($|(\cos t,\sin t,t)|/(1+t^2)$)", length(-1))}});
+  table.formula("on_the_sphere", 191, R"($\rho=1$ for all $t$)", all,
+                {.quantity = R"($\rho$)",
+                 .truth = at("the unit sphere", [](const auto&) { return 1.0; }),
+                 .printed = at(R"($|(\cos t,\sin t,t)|/\sqrt{1+t^2}$)", length(-0.5)),
+                 .near_misses = {at(R"($|(\cos t,\sin t,t)|/(1+t^2)$)", length(-1))}});
   const auto given = [](double power) {
-    return [=](const At& k) { return pow(k.d, power) * Vector3{cos(k.t), sin(k.t), k.t}; };
+    return [=](const auto& k) {
+      return half_power(k.d, power) * Vector<decltype(k.t)>{cos(k.t), sin(k.t), k.t};
+    };
   };
-  claims.formula(
+  table.formula(
       "spherical_coordinates", 193,
       R"($x=\cos\theta\sin\phi$, $y=\sin\theta\sin\phi$, $z=\cos\phi$, with $x=\cos t\,\sqrt{1+t^2}$, )"
       R"($y=\sin t\,\sqrt{1+t^2}$, $z=t\,\sqrt{1+t^2}$)",
       all,
       {.quantity = R"($(x,y,z)$)",
        .truth = at(R"(the products, $\theta$ and $\phi$ being atan2 of the position)",
-                   [](const At& k) { return at_angles(k.theta[0], k.phi[0]); }, unity),
+                   [](const auto& k) { return at_angles(k.theta[0], k.phi[0]); }, unity),
        .printed = at(R"($(\cos t,\sin t,t)\,\sqrt{1+t^2}$)", given(0.5)),
        .meant = at(R"($(\cos t,\sin t,t)/\sqrt{1+t^2}$)", given(-0.5)),
        .near_misses = {at(R"($(-\cos t,-\sin t,t)/\sqrt{1+t^2}$)",
-                          [](const At& k) {
-                            return pow(k.d, -0.5) * Vector3{-cos(k.t), -sin(k.t), k.t};
+                          [](const auto& k) {
+                            return half_power(k.d, -0.5) * Vector<decltype(k.t)>{-cos(k.t), -sin(k.t), k.t};
                           })},
        .kind = Fault::lost_typography,
        .why =
            R"(The bars above the roots are lost in the text at hand: $x=\cos t/\sqrt{1+t^2}$. As products they )"
            R"(leave the sphere: at $t=1$, $|(x,y,z)|$ is 2.)"});
-  claims.formula("sine_of_phi", 201, R"($\sin\phi=1/\sqrt{1+t^2}$, positive)", all,
-                 {.quantity = R"($\sin\phi$)",
-                  .truth = at(
-                      by_angles, [](const At& k) { return sin(k.phi[0]); }, unity),
-                  .printed = at(R"($1/\sqrt{1+t^2}$)", [](const At& k) { return 1 / sqrt(k.d); }),
-                  .near_misses = {at(R"($-1/\sqrt{1+t^2}$)", [](const At& k) { return -1 / sqrt(k.d); })}});
+  table.formula("sine_of_phi", 201, R"($\sin\phi=1/\sqrt{1+t^2}$, positive)", all,
+                {.quantity = R"($\sin\phi$)",
+                 .truth = at(
+                     by_angles, [](const auto& k) { return sin(k.phi[0]); }, unity),
+                 .printed = at(R"($1/\sqrt{1+t^2}$)", [](const auto& k) { return 1 / sqrt(k.d); }),
+                 .near_misses = {at(R"($-1/\sqrt{1+t^2}$)", [](const auto& k) { return -1 / sqrt(k.d); })}});
   const auto turned = [](double sign) {
-    return [=](const At& k) { return values(cos(k.t), sin(sign * k.t)); };
+    return [=](const auto& k) { return values(cos(k.t), sin(sign * k.t)); };
   };
-  claims.formula("theta", 201, R"($\cos\theta=\cos t$ and $\sin\theta=\sin t$: $\theta=t$)", all,
-                 {.quantity = R"($(\cos\theta,\sin\theta)$)",
-                  .truth = at(
-                      by_angles, [](const At& k) { return values(cos(k.theta[0]), sin(k.theta[0])); }, unity),
-                  .printed = at(R"($(\cos t,\sin t)$)", turned(1)),
-                  .near_misses = {at(R"($(\cos t,-\sin t)$)", turned(-1))}});
-  const auto phi = [](double sign) { return [=](const At& k) { return sign * std::acos(k.t / sqrt(k.d)); }; };
-  claims.formula(
+  table.formula(
+      "theta", 201, R"($\cos\theta=\cos t$ and $\sin\theta=\sin t$: $\theta=t$)", all,
+      {.quantity = R"($(\cos\theta,\sin\theta)$)",
+       .truth = at(
+           by_angles, [](const auto& k) { return values(cos(k.theta[0]), sin(k.theta[0])); }, unity),
+       .printed = at(R"($(\cos t,\sin t)$)", turned(1)),
+       .near_misses = {at(R"($(\cos t,-\sin t)$)", turned(-1))}});
+  const auto phi = [](double sign) { return [=](const auto& k) { return sign * acos(k.t / sqrt(k.d)); }; };
+  table.formula(
       "phi", 205, R"($\phi=\cos^{-1}(t\,\sqrt{1+t^2})$, in $[0,\pi]$)", all,
       {.quantity = R"($\phi$)",
        .truth = at(
-           by_angles, [](const At& k) { return k.phi[0]; }, steepness),
-       .printed =
-           at(R"($\cos^{-1}(t\,\sqrt{1+t^2})$)", [](const At& k) { return std::acos(k.t * sqrt(k.d)); }),
+           by_angles, [](const auto& k) { return k.phi[0]; }, steepness),
+       .printed = at(R"($\cos^{-1}(t\,\sqrt{1+t^2})$)", [](const auto& k) { return acos(k.t * sqrt(k.d)); }),
        .meant = at(R"($\cos^{-1}(t/\sqrt{1+t^2})$)", phi(1)),
        .near_misses = {at(R"($-\cos^{-1}(t/\sqrt{1+t^2})$)", phi(-1))},
        .kind = Fault::lost_typography,
        .why = R"(The bar is lost in the text at hand: $\phi=\cos^{-1}(t/\sqrt{1+t^2})$. As a product, )"
               R"($t\sqrt{1+t^2}$, it is above 1 from $t=0.79$ on, and no cosine.)"});
-  const auto rates = [](double sign) { return [=](const At&) { return values(0, 0, sign, 0); }; };
-  claims.formula(
-      "rates_of_rho_and_theta", 209, R"($\dot\rho=\ddot\rho=0$, $\dot\theta=1$, $\ddot\theta=0$)", all,
-      {.quantity = R"($(\dot\rho,\ddot\rho,\dot\theta,\ddot\theta)$)",
-       .truth = at(
-           by_angles, [](const At& k) { return values(k.rho[1], k.rho[2], k.theta[1], k.theta[2]); }, unity),
-       .printed = at(R"($(0,0,1,0)$)", rates(1)),
-       .near_misses = {at(R"($(0,0,-1,0)$)", rates(-1))}});
+  const auto rates = [](double sign) { return [=](const auto&) { return values(0, 0, sign, 0); }; };
+  table.formula("rates_of_rho_and_theta", 209, R"($\dot\rho=\ddot\rho=0$, $\dot\theta=1$, $\ddot\theta=0$)",
+                all,
+                {.quantity = R"($(\dot\rho,\ddot\rho,\dot\theta,\ddot\theta)$)",
+                 .truth = at(
+                     by_angles,
+                     [](const auto& k) { return values(k.rho[1], k.rho[2], k.theta[1], k.theta[2]); }, unity),
+                 .printed = at(R"($(0,0,1,0)$)", rates(1)),
+                 .near_misses = {at(R"($(0,0,-1,0)$)", rates(-1))}});
   const auto by_root = [](double sign, double power) {
-    return [=](const At& k) { return sign * pow((1 - k.m.r[2]) * (1 + k.m.r[2]), power); };
+    return [=](const auto& k) { return sign * half_power((1 - k.m.r[2]) * (1 + k.m.r[2]), power); };
   };
-  claims.formula(
+  table.formula(
       "derivative_of_acos", 211, R"($\frac{d}{du}\cos^{-1}u=-1\,\sqrt{1-u^2}$)", all,
       {.quantity = R"(the slope of $\cos^{-1}$ at $u=z$)",
        .truth = at(R"(atan2 of $\sqrt{1-u^2}$ and $u$ in dual numbers)",
-                   [](const At& k) { return slope_of_acos(k.m.r[2]); },
-                   [](const At& k) { return k.d * sqrt(k.d); }),
+                   [](const auto& k) { return slope_of_acos(k.m.r[2]); },
+                   [](const auto& k) { return k.d * sqrt(k.d); }),
        .printed = at(R"($-\sqrt{1-u^2}$)", by_root(-1, 0.5)),
        .meant = at(R"($-1/\sqrt{1-u^2}$)", by_root(-1, -0.5)),
        .near_misses = {at(R"($+1/\sqrt{1-u^2}$)", by_root(1, -0.5))},
@@ -131,30 +144,32 @@ void angles(Claims& claims, const std::vector<Sample>& all) {
        .why =
            R"(The bar is lost in the text at hand: $-1/\sqrt{1-u^2}$. At $u=0.6$ that is $-1.25$, the product )"
            R"($-0.8$.)"});
-  const auto power = [](double n) { return [=](const At& k) { return pow(k.d, n); }; };
-  claims.formula(
+  const auto power = [](double n) { return [=](const auto& k) { return half_power(k.d, n); }; };
+  table.formula(
       "derivative_of_z", 219, R"($z=t\,\sqrt{1+t^2}$ has $\dot z=(1+t^2)^{-3/2}$)", all,
       {.quantity = R"($\dot z-(1+t^2)^{-3/2}$)",
-       .truth = {"zero", [](const Sample&) { return Value(0.0); }},
+       .truth = at("zero", [](const auto&) { return 0.0; }),
        .printed = at(R"($t\,\sqrt{1+t^2}$ in dual numbers)",
-                     [](const At& k) {
-                       const Dual<double> t(k.t, 1);
-                       return (t * sqrt(Dual<double>(1) + t * t)).slope - pow(k.d, -1.5);
+                     [](const auto& k) {
+                       using T = std::decay_t<decltype(k.t)>;
+                       const Dual<T> t(k.t, T(1.0));
+                       return (t * sqrt(Dual<T>(1.0) + t * t)).slope - half_power(k.d, -1.5);
                      }),
-       .meant =
-           at(R"($t/\sqrt{1+t^2}$ in dual numbers)", [](const At& k) { return k.m.v[2] - pow(k.d, -1.5); },
-              [](const At& k) { return 1 / sqrt(k.d); }),
+       .meant = at(R"($t/\sqrt{1+t^2}$ in dual numbers)",
+                   [](const auto& k) { return k.m.v[2] - half_power(k.d, -1.5); },
+                   [](const auto& k) { return 1 / sqrt(k.d); }),
        .near_misses = {at(R"($t/\sqrt{1+t^2}$ in dual numbers, with $(1+t^2)^{-1/2}$)",
-                          [=](const At& k) { return k.m.v[2] - power(-0.5)(k); })},
+                          [=](const auto& k) { return k.m.v[2] - power(-0.5)(k); })},
        .kind = Fault::lost_typography,
        .why = R"(The bar is lost in the text at hand: $z=t/\sqrt{1+t^2}$. The derivative of the product is )"
               R"($(1+2t^2)/\sqrt{1+t^2}$, 2.12 at $t=1$ for 0.354.)"});
   const auto chain = [](double sign, double root) {
-    return [=](const At& k) { return sign * pow(1 - k.t * k.t / k.d, root) * pow(k.d, -1.5); };
+    return
+        [=](const auto& k) { return sign * half_power(1 - k.t * k.t / k.d, root) * half_power(k.d, -1.5); };
   };
   const auto phi_dot = at(
-      by_angles, [](const At& k) { return k.phi[1]; }, unity);
-  claims.formula(
+      by_angles, [](const auto& k) { return k.phi[1]; }, unity);
+  table.formula(
       "chain_rule", 229, R"($\dot\phi=-1\,\sqrt{1-t^2/(1+t^2)}\,(1+t^2)^{-3/2}$ by the chain rule)", all,
       {.quantity = R"($\dot\phi$)",
        .truth = phi_dot,
@@ -165,52 +180,56 @@ void angles(Claims& claims, const std::vector<Sample>& all) {
        .why =
            R"(The bar above the root is lost in the text at hand; the root divides. At $t=1$ the quotient is )"
            R"($-\tfrac12$, the product $-\tfrac14$.)"});
-  claims.formula("phi_dot", 229, R"($\dot\phi=-1/(1+t^2)$)", all,
-                 {.quantity = R"($\dot\phi$)",
-                  .truth = phi_dot,
-                  .printed = at(R"($-1/(1+t^2)$)", [](const At& k) { return -1 / k.d; }),
-                  .near_misses = {at(R"($+1/(1+t^2)$)", [](const At& k) { return 1 / k.d; })}});
-  const auto bent = [](double n) { return [=](const At& k) { return 2 * k.t / pow(k.d, n); }; };
-  claims.formula("phi_double_dot", 251, R"($\ddot\phi=2t/(1+t^2)^2$)", all,
-                 {.quantity = R"($\ddot\phi$)",
-                  .truth = at(
-                      by_angles, [](const At& k) { return k.phi[2]; }, unity),
-                  .printed = at(R"($2t/(1+t^2)^2$)", bent(2)),
-                  .near_misses = {at(R"($2t/(1+t^2)$)", bent(1))}});
+  table.formula("phi_dot", 229, R"($\dot\phi=-1/(1+t^2)$)", all,
+                {.quantity = R"($\dot\phi$)",
+                 .truth = phi_dot,
+                 .printed = at(R"($-1/(1+t^2)$)", [](const auto& k) { return -1 / k.d; }),
+                 .near_misses = {at(R"($+1/(1+t^2)$)", [](const auto& k) { return 1 / k.d; })}});
+  const auto bent = [](double n) { return [=](const auto& k) { return 2 * k.t / half_power(k.d, n); }; };
+  table.formula("phi_double_dot", 251, R"($\ddot\phi=2t/(1+t^2)^2$)", all,
+                {.quantity = R"($\ddot\phi$)",
+                 .truth = at(
+                     by_angles, [](const auto& k) { return k.phi[2]; }, unity),
+                 .printed = at(R"($2t/(1+t^2)^2$)", bent(2)),
+                 .near_misses = {at(R"($2t/(1+t^2)$)", bent(1))}});
   const auto position = [=](double sign) {
-    return [=](const At& k) { return of_angles(k.t, phi(1)(k), {0, 0, sign}); };
+    return [=](const auto& k) { return of_angles(k.t, phi(1)(k), {0, 0, sign}); };
   };
-  claims.formula("position", 257, R"($\mathbf r=\mathbf R(\theta,\phi)$)", all,
-                 {.quantity = R"($\mathbf r$)",
-                  .truth = at(
-                      "the position", [](const At& k) { return k.m.r; }, steepness),
-                  .printed = at(R"($\mathbf R(\theta,\phi)$)", position(1)),
-                  .near_misses = {at(R"($-\mathbf R(\theta,\phi)$)", position(-1))}});
+  table.formula("position", 257, R"($\mathbf r=\mathbf R(\theta,\phi)$)", all,
+                {.quantity = R"($\mathbf r$)",
+                 .truth = at(
+                     "the position", [](const auto& k) { return k.m.r; }, steepness),
+                 .printed = at(R"($\mathbf R(\theta,\phi)$)", position(1)),
+                 .near_misses = {at(R"($-\mathbf R(\theta,\phi)$)", position(-1))}});
 }
 
 /// A component along P, Q or R.
 OfTime part_of_velocity(std::size_t i) {
   return at(
-      "Cartesian dual numbers on the frame", [=](const At& k) { return k.v[i]; }, of_velocity);
+      "Cartesian dual numbers on the frame", [=](const auto& k) { return k.v[i]; }, of_velocity);
 }
 OfTime part_of_acceleration(std::size_t i) {
   return at(
-      "Cartesian dual numbers on the frame", [=](const At& k) { return k.a[i]; }, of_acceleration);
+      "Cartesian dual numbers on the frame", [=](const auto& k) { return k.a[i]; }, of_acceleration);
 }
 
-void velocity_and_acceleration(Claims& claims, const std::vector<Sample>& all) {
+void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
   const auto velocity = [](double sign) {
-    return [=](const At& k) { return of_angles(k.theta[0], k.phi[0], {sin(k.phi[0]), sign * k.phi[1], 0}); };
+    return [=](const auto& k) {
+      return of_angles(k.theta[0], k.phi[0], {sin(k.phi[0]), sign * k.phi[1], 0});
+    };
   };
   const auto cartesian_v = at(
-      "Cartesian dual numbers", [](const At& k) { return k.m.v; }, of_velocity);
-  claims.formula("velocity_formula", 261, R"($\mathbf v=\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$)", all,
-                 {.quantity = R"($\mathbf v$)",
-                  .truth = cartesian_v,
-                  .printed = at(R"($\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$)", velocity(-1)),
-                  .near_misses = {at(R"($\sin\phi\,\mathbf P+\dot\phi\,\mathbf Q$)", velocity(1))}});
-  const auto power = [](double sign, double n) { return [=](const At& k) { return sign * pow(k.d, n); }; };
-  claims.formula(
+      "Cartesian dual numbers", [](const auto& k) { return k.m.v; }, of_velocity);
+  table.formula("velocity_formula", 261, R"($\mathbf v=\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$)", all,
+                {.quantity = R"($\mathbf v$)",
+                 .truth = cartesian_v,
+                 .printed = at(R"($\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$)", velocity(-1)),
+                 .near_misses = {at(R"($\sin\phi\,\mathbf P+\dot\phi\,\mathbf Q$)", velocity(1))}});
+  const auto power = [](double sign, double n) {
+    return [=](const auto& k) { return sign * half_power(k.d, n); };
+  };
+  table.formula(
       "velocity_p", 261, R"($\mathbf v$ has the component $1\,\sqrt{1+t^2}$ along $\mathbf P$)", all,
       {.quantity = R"($\mathbf v\cdot\mathbf P$)",
        .truth = part_of_velocity(0),
@@ -221,7 +240,7 @@ void velocity_and_acceleration(Claims& claims, const std::vector<Sample>& all) {
        .why =
            R"(The bar above the root is lost in the text at hand: $\mathbf P/\sqrt{1+t^2}$. As it stands the speed )"
            R"(grows with $t$; at $t=10$ the helix moves at 0.1, and the product says 10.)"});
-  claims.formula(
+  table.formula(
       "velocity_q", 261, R"($\mathbf v$ has the component $-1/(1+t^2)$ along $\mathbf Q$)", all,
       {.quantity = R"($\mathbf v\cdot\mathbf Q$)",
        .truth = part_of_velocity(1),
@@ -235,43 +254,43 @@ void velocity_and_acceleration(Claims& claims, const std::vector<Sample>& all) {
            R"($\dot\phi=-1/(1+t^2)$ is negative: $\mathbf v=\mathbf P/\sqrt{1+t^2}+\mathbf Q/(1+t^2)$. At $t=0$ )"
            R"(the helix rises with $\dot z=1$ and $\mathbf Q=\mathbf k$; the printed velocity falls.)"});
   const auto along_R = [](double part) {
-    return [=](const At& k) { return of_angles(k.theta[0], k.phi[0], {k.v[0], k.v[1], part}); };
+    return [=](const auto& k) { return of_angles(k.theta[0], k.phi[0], {k.v[0], k.v[1], part}); };
   };
-  claims.formula("velocity_r", 261, R"($\mathbf v$ has no component along $\mathbf R$)", all,
-                 {.quantity = R"($\mathbf v$)",
-                  .truth = cartesian_v,
-                  .printed = at(R"(its parts along $\mathbf P$ and $\mathbf Q$)", along_R(0)),
-                  .near_misses = {at(R"(these and $\mathbf R$)", along_R(1))}});
+  table.formula("velocity_r", 261, R"($\mathbf v$ has no component along $\mathbf R$)", all,
+                {.quantity = R"($\mathbf v$)",
+                 .truth = cartesian_v,
+                 .printed = at(R"(its parts along $\mathbf P$ and $\mathbf Q$)", along_R(0)),
+                 .near_misses = {at(R"(these and $\mathbf R$)", along_R(1))}});
   const auto acceleration = [](double sign) {
-    return [=](const At& k) {
-      const double s = sin(k.phi[0]), c = cos(k.phi[0]), w = k.phi[1];
+    return [=](const auto& k) {
+      const auto s = sin(k.phi[0]), c = cos(k.phi[0]), w = k.phi[1];
       return of_angles(k.theta[0], k.phi[0], {2 * w * c, s * c + sign * k.phi[2], -(w * w + s * s)});
     };
   };
-  claims.formula(
+  table.formula(
       "acceleration_formula", 277,
       R"($\mathbf a=2\dot\phi\cos\phi\,\mathbf P+(\sin\phi\cos\phi-\ddot\phi)\mathbf Q-(\dot\phi^2+\sin^2\phi)\mathbf R$)",
       all,
       {.quantity = R"($\mathbf a$)",
        .truth = at(
-           "Cartesian dual numbers", [](const At& k) { return k.m.a; }, of_acceleration),
+           "Cartesian dual numbers", [](const auto& k) { return k.m.a; }, of_acceleration),
        .printed = at("this sum", acceleration(-1)),
        .near_misses = {at(R"(this sum with $+\ddot\phi$)", acceleration(1))}});
-  const auto falling = [](double n) { return [=](const At& k) { return -2 * k.t / pow(k.d, n); }; };
-  claims.formula("acceleration_p", 277,
-                 R"($\mathbf a$ has the component $-2t/(1+t^2)^{3/2}$ along $\mathbf P$)", all,
-                 {.quantity = R"($\mathbf a\cdot\mathbf P$)",
-                  .truth = part_of_acceleration(0),
-                  .printed = at(R"($-2t/(1+t^2)^{3/2}$)", falling(1.5)),
-                  .near_misses = {at(R"($-2t/(1+t^2)^2$)", falling(2))}});
+  const auto falling = [](double n) { return [=](const auto& k) { return -2 * k.t / half_power(k.d, n); }; };
+  table.formula("acceleration_p", 277,
+                R"($\mathbf a$ has the component $-2t/(1+t^2)^{3/2}$ along $\mathbf P$)", all,
+                {.quantity = R"($\mathbf a\cdot\mathbf P$)",
+                 .truth = part_of_acceleration(0),
+                 .printed = at(R"($-2t/(1+t^2)^{3/2}$)", falling(1.5)),
+                 .near_misses = {at(R"($-2t/(1+t^2)^2$)", falling(2))}});
   const auto along_Q = [](double one) {
-    return [=](const At& k) { return k.t * (k.t * k.t + one) / (k.d * k.d); };
+    return [=](const auto& k) { return k.t * (k.t * k.t + one) / (k.d * k.d); };
   };
-  claims.formula(
+  table.formula(
       "acceleration_q", 277, R"($\mathbf a$ has the component $-t/(1+t^2)$ along $\mathbf Q$)", all,
       {.quantity = R"($\mathbf a\cdot\mathbf Q$)",
        .truth = part_of_acceleration(1),
-       .printed = at(R"($-t/(1+t^2)$)", [](const At& k) { return -k.t / k.d; }),
+       .printed = at(R"($-t/(1+t^2)$)", [](const auto& k) { return -k.t / k.d; }),
        .corrected = at(R"($t(t^2-1)/(1+t^2)^2$)", along_Q(-1)),
        .near_misses = {at(R"($t(t^2+1)/(1+t^2)^2$)", along_Q(1))},
        .kind = Fault::formula,
@@ -280,14 +299,14 @@ void velocity_and_acceleration(Claims& claims, const std::vector<Sample>& all) {
            R"($\sin\phi\cos\phi-\ddot\phi=t/(1+t^2)-2t/(1+t^2)^2=t(t^2-1)/(1+t^2)^2$; the printed value forgets the )"
            R"(square in $\ddot\phi$. At $t=2$ it is $0.24$, not $-0.4$; for $|t|>1$ even the sign is wrong.)"});
   const auto along_radius = [](double one) {
-    return [=](const At& k) { return -(one + k.d) / (k.d * k.d); };
+    return [=](const auto& k) { return -(one + k.d) / (k.d * k.d); };
   };
-  claims.formula("acceleration_r", 277,
-                 R"($\mathbf a$ has the component $-(2+t^2)/(1+t^2)^2$ along $\mathbf R$)", all,
-                 {.quantity = R"($\mathbf a\cdot\mathbf R$)",
-                  .truth = part_of_acceleration(2),
-                  .printed = at(R"($-(2+t^2)/(1+t^2)^2$)", along_radius(1)),
-                  .near_misses = {at(R"($-(1+t^2)/(1+t^2)^2$)", along_radius(0))}});
+  table.formula("acceleration_r", 277,
+                R"($\mathbf a$ has the component $-(2+t^2)/(1+t^2)^2$ along $\mathbf R$)", all,
+                {.quantity = R"($\mathbf a\cdot\mathbf R$)",
+                 .truth = part_of_acceleration(2),
+                 .printed = at(R"($-(2+t^2)/(1+t^2)^2$)", along_radius(1)),
+                 .near_misses = {at(R"($-(1+t^2)/(1+t^2)^2$)", along_radius(0))}});
 }
 
 // ---- where it ends ----------------------------------------------------------------------------------------
@@ -315,18 +334,33 @@ Reading at_end(const std::string& text, const std::string& what, double sign, do
   return {text, {limits::limit(what, said, 0.5, [=](double s) { return f(Vector3(helix(sign / s))); })}};
 }
 
-void ends(Claims& claims, const std::vector<Sample>& all, const std::vector<Sample>& later,
-          const std::vector<Sample>& earlier) {
-  const auto from_axis = [](const Vector3& r) { return distance_from_axis(r); };
-  const auto from_pole = [](const Vector3& r) { return length(r - pole); };
-  const auto z = [](const Vector3& r) { return r[2]; };
-  const auto power = [](double n) { return [=](const At& k) { return pow(k.d, n); }; };
-  claims.formula(
+void distance(Table& table, const std::vector<Sample>& all) {
+  const auto power = [](double n) { return [=](const auto& k) { return half_power(k.d, n); }; };
+  table.formula(
       "distance_from_axis", 285, R"($x^2+y^2=1/(1+t^2)$)", all,
       {.quantity = R"($x^2+y^2$)",
-       .truth = at("the position", [](const At& k) { return k.m.r[0] * k.m.r[0] + k.m.r[1] * k.m.r[1]; }),
+       .truth = at("the position", [](const auto& k) { return k.m.r[0] * k.m.r[0] + k.m.r[1] * k.m.r[1]; }),
        .printed = at(R"($1/(1+t^2)$)", power(-1)),
        .near_misses = {at(R"($1/\sqrt{1+t^2}$)", power(-0.5))}});
+}
+
+OfTime height() {
+  return at(
+      "the position", [](const auto& k) { return values(k.m.r[2], k.m.r[2], k.m.r[2]); },
+      [](const At& k) { return sqrt(k.d) / std::abs(k.t); });
+}
+/// The first with this power of 1 + t^2.
+OfTime three_forms(double n) {
+  return at("the three forms", [=](const auto& k) {
+    return values(k.t * half_power(k.d, n), sqrt(k.t * k.t / k.d), sqrt(1 - 1 / k.d));
+  });
+}
+
+constexpr auto from_axis = [](const auto& r) { return distance_from_axis(r); };
+constexpr auto z = [](const auto& r) { return r[2]; };
+
+void ends(Claims& claims, const std::vector<Sample>& later, const std::vector<Sample>& earlier) {
+  const auto from_pole = [](const Vector3& r) { return length(r - pole); };
   const std::string distance = R"($\sqrt{x^2+y^2}$)";
   claims.add("distance_vanishes", 285, R"(the distance from the axis goes to 0 as $t$ becomes infinite)",
              {.printed = at_end("to 0", distance, 1, 0, from_axis),
@@ -337,15 +371,8 @@ void ends(Claims& claims, const std::vector<Sample>& all, const std::vector<Samp
                    spiral("distance from the axis", 100 * pi, from_axis)},
        .near_misses = {{"turning the other way", spiral("distance from the axis", -100 * pi, from_axis)},
                        {R"($z$ shrinks)", spiral("height", 100 * pi, z)}}});
-  const OfTime height = at(
-      "the position", [](const At& k) { return values(k.m.r[2], k.m.r[2], k.m.r[2]); },
-      [](const At& k) { return sqrt(k.d) / std::abs(k.t); });
-  const auto chain = [](double n) {
-    return [=](const At& k) { return values(k.t * pow(k.d, n), sqrt(k.t * k.t / k.d), sqrt(1 - 1 / k.d)); };
-  };
   const auto read = [&](const std::string& text, double n, const std::vector<Sample>& samples) {
-    return Reading{text,
-                   {compare(R"($z$, three times)", at(R"(the three forms)", chain(n)), height, samples)}};
+    return Reading{text, {compare(R"($z$, three times)", three_forms(n), height(), samples)}};
   };
   claims.add(
       "height_rewritten", 287,
@@ -379,9 +406,11 @@ std::vector<Claim> claims(double seed) {
   for (const Sample& s : all)
     if (s.t != 0) (s.t > 0 ? later : earlier).push_back(s);
   Claims claims("2.3");
-  angles(claims, all);
-  velocity_and_acceleration(claims, all);
-  ends(claims, all, later, earlier);
+  Table table(claims);
+  angles(table, all);
+  velocity_and_acceleration(table, all);
+  distance(table, all);
+  ends(claims, later, earlier);
   return claims.in_order();
 }
 
@@ -392,4 +421,127 @@ std::vector<Root> roots() {
            R"(In a table the northward acceleration at $t=2$ stands as $-0.4$; it is $0.24$.)"}};
 }
 
+/// The root of 1 + t^2 as the letter q, and all other roots in it.
+constexpr const char* helix_in_coq = R"(
+Ltac helix t :=
+  assert (above : 0 < 1 + t * t) by nra;
+  pose proof (sqrt_lt_R0 _ above) as positive;
+  assert (root : sqrt (1 + t * t) * sqrt (1 + t * t) = 1 + t * t) by (apply sqrt_sqrt; lra);
+  set (q := sqrt (1 + t * t)) in *; clearbody q;
+  assert (square : t * t = q * q - 1) by lra; rewrite <- ?root; clear root above;
+  assert (inside : -1 <= t / q <= 1)
+    by (split; apply Rmult_le_reg_r with q; trivial; replace (t / q * q) with t by (field; lra); nra);
+  assert (inverse : 0 < / q) by (apply Rinv_0_lt_compat; lra);
+  try (assert (0 < t / q) by (apply Rmult_lt_0_compat; lra));
+  assert (circle : sin t * sin t = 1 - cos t * cos t)
+    by (pose proof (sin2_cos2 t) as all; unfold Rsqr in all; lra).
+
+Ltac helix_roots t q circle square :=
+  repeat match goal with |- context [sqrt ?x] =>
+    lazymatch x with
+    | context [sqrt _] => fail
+    | _ =>
+        let is y := rewrite (root_is x y) by (try lra; field [circle square]; repeat split; lra) in
+        first [is constr:(1) | is constr:(q) | is constr:(/ q) | is constr:(t / q)]
+    end
+  end.
+
+Ltac helix_angles t q circle square inside :=
+  rewrite ?cos_acos, ?sin_acos by exact inside; unfold Rsqr;
+  repeat match goal with |- context [atan2 ?y ?x] =>
+    let positive := fresh in
+    assert (positive : x * x + y * y > 0)
+      by first [ replace (x * x + y * y) with 1 by (field [circle square]; lra); lra
+               | replace (x * x + y * y) with (/ q * / q) by (field [circle square]; lra); nra ];
+    progress rewrite ?(cos_atan2 y x positive), ?(sin_atan2 y x positive);
+    clear positive
+  end;
+  helix_roots t q circle square;
+  try (unfold atan2; destruct (Rle_dec 0 (/ q)); [| exfalso; lra]; f_equal;
+       helix_roots t q circle square; field; lra).
+)";
+
+constexpr const char* by_helix = R"(
+  helix t; helix_roots t q circle square; helix_angles t q circle square inside;
+  field [circle square]; repeat split; nra)";
+
+/// Beyond t = 1/eps, 1/q is below eps.
+constexpr const char* by_distance = R"(
+  intros; exists (/ eps); intros t far;
+  assert (early : 0 < / eps) by (apply Rinv_0_lt_compat; lra);
+  helix t;
+  assert (longer : t < q) by nra;
+  assert (close : / q < eps)
+    by (rewrite <- (Rinv_inv eps); apply Rinv_lt_contravar; [apply Rmult_lt_0_compat |]; lra);
+  helix_roots t q circle square;
+  first
+    [ rewrite Rminus_0_r, Rabs_pos_eq; lra
+    | assert (1 - t / q < / q)
+        by (apply Rmult_lt_reg_r with q; trivial; replace ((1 - t / q) * q) with (q - t) by (field; lra);
+            rewrite Rinv_l by lra; nra);
+      rewrite Rabs_left1; lra ])";
+
+/// The angles of an example by functions of which the tactic knows bounds.
+constexpr const char* by_bounds = R"(
+  rewrite ?cos_atan2, ?sin_atan2 by interval;
+  try (unfold atan2; destruct (Rle_dec _ _) as [| below]; [| contradict below; apply sqrt_pos];
+       rewrite !acos_atan by interval);
+  interval)";
+
+Provables proofs_of_limits() {
+  const Vector<Shortened> r = helix(Shortened::letter("t"));
+  const auto tends = [](const Shortened& f, const Shortened& limit) {
+    return Lemma{.name = "printed",
+                 .follows = {tends_at_infinity(f.expression(), limit.expression())},
+                 .tactic = by_distance};
+  };
+  return {{"2.3-distance_vanishes", "the limit is 0", {tends(from_axis(r), 0)}},
+          {"2.3-height_limit", "the limit is 1", {tends(z(r), 1)}}};
+}
+
+Provable proof_of_forms(const ForAll<SampleOf>& all) {
+  const Value printed = three_forms(0.5).of(all.example), truth = height().of(all.example);
+  const SampleOf<Shortened> recorded{all.example.t};
+  Lemma meant{"meant",
+              all.letters,
+              {above(all.any.t.expression(), 0)},
+              equal(three_forms(-0.5).recorded(all.any), height().recorded(all.any)),
+              by_helix};
+  double margin = 0;
+  Lemma off = off_at(three_forms(0.5).recorded(recorded), height().recorded(recorded),
+                     {printed[0] - truth[0], printed[1] - truth[1], printed[2] - truth[2]}, margin);
+  return {"2.3-height_rewritten",
+          "as meant it holds at all times above zero; as printed it is off at an example",
+          {meant, off},
+          margin};
+}
+
+Provables proofs() {
+  Claims claims("2.3");
+  Table table(claims);
+  angles(table, {});
+  velocity_and_acceleration(table, {});
+  distance(table, {});
+  const ForAll<SampleOf> all{.any = lettered<SampleOf>({"t"}),
+                             .letters = "(t : R)",
+                             .tactic = by_helix,
+                             .says = "it holds at all times",
+                             .example = {0.5}};
+  Provables proved = table.proofs("2.3", all);
+  proved.push_back(proof_of_forms(all));
+  std::ranges::move(proofs_of_limits(), std::back_inserter(proved));
+  for (Provable& p : proved) {
+    p.preamble = std::string(root_in_coq) + atan2_in_coq + helix_in_coq;
+    for (Lemma& lemma : p.lemmas)
+      if (lemma.tactic == "interval") lemma.tactic = by_bounds;
+  }
+  return proved;
+}
+
 }  // namespace oddity::spherical_helix
+
+namespace oddity {
+
+Provables proofs_2_3() { return spherical_helix::proofs(); }
+
+}  // namespace oddity

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
 #include "chapters/02_basic_concepts/shared/space.hpp"
 #include "chapters/exercise.hpp"
 
@@ -17,37 +18,44 @@ inline constexpr auto helix = [](const auto& t) {
   using T = std::decay_t<decltype(t)>;
   return Vector<T>{cos(t), sin(t), t} / sqrt(T(1.0) + t * t);
 };
-inline double distance_from_axis(const Vector3& r) { return std::hypot(r[0], r[1]); }
+template <class T>
+T distance_from_axis(const Vector<T>& r) {
+  return hypot(r[0], r[1]);
+}
 inline constexpr Vector3 pole{0, 0, 1};
 
 /// The frame of a position, and a vector's components P, Q, R in it.
-inline Vector3 in_frame(const Vector3& position, const Vector3& x) {
-  const Vector3 R = unit(position), P = unit(cross(pole, R));
+template <class T>
+Vector<T> in_frame(const Vector<T>& position, const Vector<T>& x) {
+  const Vector<T> k{T(0.0), T(0.0), T(1.0)}, R = unit(position), P = unit(cross(k, R));
   return {dot(x, P), dot(x, cross(R, P)), dot(x, R)};
 }
 
 /// An angle or a length with its first and second derivative.
-inline Vector3 differentiated(const Dual<Dual<double>>& x) {
+template <class T>
+Vector<T> differentiated(const Dual<Dual<T>>& x) {
   return {x.value.value, x.value.slope, x.slope.slope};
 }
 
 /// The motion at one time, by the route without the text: Cartesian dual numbers on the frame of the
 /// position, and its angles as atan2 of the position.
-struct At {
-  double t, d = 1 + t * t;
-  space::Motion<double> m = space::motion_of(helix, t);
-  Vector3 rho, theta, phi;
-  Vector3 v = in_frame(m.r, m.v), a = in_frame(m.r, m.a);
-  double speed = length(m.v), pull = length(m.a);
+template <class T>
+struct AtOf {
+  T t, d = 1 + t * t;
+  space::Motion<T> m = space::motion_of(helix, t);
+  Vector<T> rho, theta, phi;
+  Vector<T> v = in_frame(m.r, m.v), a = in_frame(m.r, m.a);
+  T speed = length(m.v), pull = length(m.a);
 
-  explicit At(double time) : t(time) {
-    using Twice = Dual<Dual<double>>;
-    const Vector<Twice> r = helix(Twice(Dual<double>(t, 1), Dual<double>(1)));
+  explicit AtOf(T time) : t(time) {
+    using Twice = Dual<Dual<T>>;
+    const Vector<Twice> r = helix(Twice(Dual<T>(t, T(1.0)), Dual<T>(1.0)));
     rho = differentiated(length(r));
     theta = differentiated(atan2(r[1], r[0]));
     phi = differentiated(atan2(sqrt(r[0] * r[0] + r[1] * r[1]), r[2]));
   }
 };
+using At = AtOf<double>;
 
 Quantity motion(double t, const Reference&);
 Quantity colatitude(const std::string& name, double t, const Reference&);

@@ -1,64 +1,110 @@
 // The claims of exercise 2.7: the text's formulas and its listing, against the frame differentiated by dual
 // numbers and against w = r x r' + (r.(r' x r'')/|r'|^2) r.
 
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
+#include "chapters/02_basic_concepts/shared/frame_proofs.hpp"
 #include "chapters/02_basic_concepts/shared/limits.hpp"
+#include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
 #include "reference/text.hpp"
 #include "solvers/roots.hpp"
 
 namespace oddity::curve_on_sphere {
 
-namespace {
+using space::Vector3, space::identity, limits::joined;
 
-using space::Vector3, space::Matrix3, space::identity, limits::joined;
+template <class T>
+Vector<Dual<T>> moving(const Vector<T>& x, const Vector<T>& x_dot) {
+  return {Dual<T>(x[0], x_dot[0]), Dual<T>(x[1], x_dot[1]), Dual<T>(x[2], x_dot[2])};
+}
 
-struct Sample {
-  double t;
-  Motion<double> m = space::motion_of(position, t);
-  Matrix3 R, R_dot;  ///< the frame and its derivative by dual numbers
-  Vector3 u, b, u_dot, b_dot, w;
-  double speed = length(m.v);
+template <class T>
+struct SampleOf {
+  T t;
+  Motion<T> m;
+  Matrix<T> R, R_dot;  ///< the frame and its derivative by dual numbers
+  Vector<T> u, b, u_dot, b_dot, w;
+  T speed = length(m.v);
 
-  explicit Sample(double time) : t(time) {
-    const Matrix<Dual<double>> both = frame(Dual<double>(t, 1));
-    R = value_of(both), R_dot = slope_of(both);
+  explicit SampleOf(double time)
+      : SampleOf(time, space::motion_of(position, time), frame(Dual<double>(time, 1))) {}
+  /// Of any motion.
+  SampleOf(const T& time, const Motion<T>& any)
+      : SampleOf(time, any, frame(moving(any.r, any.v), moving(any.v, any.a))) {}
+  SampleOf(const T& time, const Motion<T>& motion, const Matrix<Dual<T>>& both)
+      : t(time), m(motion), R(value_of(both)), R_dot(slope_of(both)) {
     u = R.column(1), b = R.column(2), u_dot = R_dot.column(1), b_dot = R_dot.column(2);
     w = angular_velocity(m);
   }
   std::string where() const { return "$t$ = " + format_shortest(t); }
 };
-using AtTime = Formula<Sample>;
+using Sample = SampleOf<double>;
+using AtTime = ProvableFormula<SampleOf>;
+using FrameClaim = ProvableClaim<SampleOf>;
 
-const AtTime u_dot_by_duals{"dual numbers", [](const Sample& s) { return Value(s.u_dot); }};
+namespace {
+
+/// Claims that are stated of the exercise's curve, and proved of any on the sphere.
+struct Table {
+  Claims& claims;
+  std::vector<std::pair<std::string, FrameClaim>> stated = {};
+
+  void formula(const std::string& slug, int line, std::string says, const std::vector<Sample>& samples,
+               const FrameClaim& claim) {
+    ProvableClaims<SampleOf>(claims).formula(slug, line, std::move(says), samples, claim);
+    stated.emplace_back(slug, claim);
+  }
+};
+
+const AtTime u_dot_by_duals{"dual numbers", [](const auto& s) { return s.u_dot; }};
 const AtTime w_by_frame{
     R"($\mathbf r\times\dot{\mathbf r}+(\mathbf r\cdot(\dot{\mathbf r}\times\ddot{\mathbf r})/)"
     R"(|\dot{\mathbf r}|^2)\,\mathbf r$)",
-    [](const Sample& s) { return Value(s.w); }};
+    [](const auto& s) { return s.w; }};
 
-void curve_and_frame(Claims& claims, const std::vector<Sample>& all) {
+/// All numbers in a row.
+template <class T, class... Parts>
+std::vector<T> in_a_row(const Parts&... parts) {
+  std::vector<T> all;
+  (all.insert(all.end(), parts.begin(), parts.end()), ...);
+  return all;
+}
+
+constexpr auto v_of = [](const auto& m) { return m.v; };
+constexpr auto a_of = [](const auto& m) { return m.a; };
+template <class Of>
+AtTime as_it_is(const Of& of) {
+  return {"as it is", [=](const auto& s) { return of(s.m); }};
+}
+template <class Of>
+AtTime across_r(const Of& of) {
+  return {R"(its part across $\mathbf r$)",
+          [=](const auto& s) { return cross(s.m.r, cross(of(s.m), s.m.r)); }};
+}
+
+void curve_and_frame(Table& table, const std::vector<Sample>& all) {
   const auto given = [](double power) {
-    return [=](const Sample& s) {
-      const double height = s.t * s.t, flat = 1 - height, turn = std::numbers::pi * s.t;
-      const Vector3 r{flat * cos(turn), flat * sin(turn), height};
-      return Value(pow(flat * flat + height * height, power) * r);
+    return [=]<class T>(const SampleOf<T>& s) {
+      const T height = s.t * s.t, flat = 1 - height, turn = pi_of<T>() * s.t;
+      const Vector<T> r{flat * cos(turn), flat * sin(turn), height};
+      return half_power(flat * flat + height * height, power) * r;
     };
   };
-  claims.formula(
+  table.formula(
       "position", 481,
       R"(the position is $((1-t^2)\cos\pi t,(1-t^2)\sin\pi t,t^2)$ times $\sqrt{(1-t^2)^2+t^4}$)", all,
       {.quantity = R"($\mathbf r$)",
        .truth = {R"(the point at the angles atan2 of $1-t^2$ and $t^2$, and $\pi t$)",
-                 [](const Sample& s) {
-                   const double turn = std::numbers::pi * s.t, polar = std::atan2(1 - s.t * s.t, s.t * s.t);
-                   return Value{sin(polar) * cos(turn), sin(polar) * sin(turn), cos(polar)};
+                 []<class T>(const SampleOf<T>& s) {
+                   const T turn = pi_of<T>() * s.t, polar = atan2(1 - s.t * s.t, s.t * s.t);
+                   return values(sin(polar) * cos(turn), sin(polar) * sin(turn), cos(polar));
                  },
-                 [](const Sample& s) { return std::numbers::pi * std::abs(s.t); }},
+                 [](const auto& s) { return std::numbers::pi * std::abs(s.t); }},
        .printed = {R"(times $\sqrt{(1-t^2)^2+t^4}$)", given(0.5)},
        .meant = {R"(over $\sqrt{(1-t^2)^2+t^4}$)", given(-0.5)},
        .near_misses = {{R"(over $(1-t^2)^2+t^4$)", given(-1)}},
@@ -68,57 +114,52 @@ void curve_and_frame(Claims& claims, const std::vector<Sample>& all) {
            R"(Multiplied by it they leave the unit sphere, of which the next lines speak, at every $t$ but 0 and )"
            R"($\pm1$: at $t=2$ they are 25 from the origin.)"});
   const auto size = [=](double power) {
-    return [=](const Sample& s) {
-      const Value r = given(power)(s);
+    return [=](const auto& s) {
+      const auto r = given(power)(s);
       return hypot(r[0], r[1], r[2]);
     };
   };
-  claims.formula("on_the_sphere", 485, R"($|\mathbf r|=1$ for all $t$)", all,
-                 {.quantity = R"($|\mathbf r|$)",
-                  .truth = {"the unit sphere", [](const Sample&) { return 1.0; }},
-                  .printed = {R"(the numbers over their length)", size(-0.5)},
-                  .near_misses = {{R"(the numbers over its square)", size(-1)}}});
-  const auto across = [&](const std::string& text, const std::string& what, Vector3 Motion<double>::*of) {
-    return Reading{text,
-                   {compare(what, {"as it is", [=](const Sample& s) { return Value(s.m.*of); }},
-                            {R"(its part across $\mathbf r$)",
-                             [=](const Sample& s) { return Value(cross(s.m.r, cross(s.m.*of, s.m.r))); }},
-                            all)}};
+  table.formula("on_the_sphere", 485, R"($|\mathbf r|=1$ for all $t$)", all,
+                {.quantity = R"($|\mathbf r|$)",
+                 .truth = {"the unit sphere", [](const auto&) { return 1.0; }},
+                 .printed = {R"(the numbers over their length)", size(-0.5)},
+                 .near_misses = {{R"(the numbers over its square)", size(-1)}}});
+  const auto across = [&](const std::string& text, const std::string& what, const auto& of) {
+    return Reading{text, {compare(what, as_it_is(of), across_r(of), all)}};
   };
-  claims.add("velocity_perpendicular", 485, R"($\mathbf r\cdot\dot{\mathbf r}=0$ for all $t$)",
-             {.printed = across(R"($\dot{\mathbf r}$ has no part along $\mathbf r$)", R"($\dot{\mathbf r}$)",
-                                &Motion<double>::v),
-              .near_misses = {across(R"($\ddot{\mathbf r}$ has no part along $\mathbf r$)",
-                                     R"($\ddot{\mathbf r}$)", &Motion<double>::a)}});
+  table.claims.add(
+      "velocity_perpendicular", 485, R"($\mathbf r\cdot\dot{\mathbf r}=0$ for all $t$)",
+      {.printed = across(R"($\dot{\mathbf r}$ has no part along $\mathbf r$)", R"($\dot{\mathbf r}$)", v_of),
+       .near_misses = {
+           across(R"($\ddot{\mathbf r}$ has no part along $\mathbf r$)", R"($\ddot{\mathbf r}$)", a_of)}});
   const auto rotation = [](double sign) {
-    return [=](const Sample& s) {
-      const Vector3 u = s.m.v / s.speed;
-      const Matrix3 R = Matrix3::columns(s.m.r, u, sign * cross(s.m.r, u));
-      return joined(transpose(R) * R, determinant(R));
+    return [=]<class T>(const SampleOf<T>& s) {
+      const Vector<T> u = s.m.v / s.speed;
+      const Matrix<T> R = Matrix<T>::columns(s.m.r, u, sign * cross(s.m.r, u));
+      return in_a_row<T>(transpose(R) * R, std::array{determinant(R)});
     };
   };
-  claims.formula("rotation", 485,
-                 R"($R=[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$ is a rotation matrix)", all,
-                 {.quantity = R"($R^TR$ and $\det R$)",
-                  .truth = {"the unit matrix and 1", [](const Sample&) { return joined(identity(), 1); }},
-                  .printed = {R"($[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$)", rotation(1)},
-                  .near_misses = {{R"($[\mathbf r\ \mathbf u\ \mathbf u\times\mathbf r]$)", rotation(-1)}}});
-  claims.formula(
-      "skew_of_w", 493, R"($\mathrm{Skew}(\mathbf w)=\dot RR^T$)", all,
-      {.truth = {R"(Skew of )" + w_by_frame.text, [](const Sample& s) { return Value(skew(s.w)); }},
-       .printed = {R"($\dot RR^T$)", [](const Sample& s) { return Value(s.R_dot * transpose(s.R)); }},
-       .near_misses = {{R"($R^T\dot R$, which has $\mathbf w$ in the body's frame)",
-                        [](const Sample& s) { return Value(transpose(s.R) * s.R_dot); }}}});
+  table.formula("rotation", 485,
+                R"($R=[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$ is a rotation matrix)", all,
+                {.quantity = R"($R^TR$ and $\det R$)",
+                 .truth = {"the unit matrix and 1", [](const auto&) { return joined(identity(), 1); }},
+                 .printed = {R"($[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$)", rotation(1)},
+                 .near_misses = {{R"($[\mathbf r\ \mathbf u\ \mathbf u\times\mathbf r]$)", rotation(-1)}}});
+  table.formula("skew_of_w", 493, R"($\mathrm{Skew}(\mathbf w)=\dot RR^T$)", all,
+                {.truth = {R"(Skew of )" + w_by_frame.text, [](const auto& s) { return skew(s.w); }},
+                 .printed = {R"($\dot RR^T$)", [](const auto& s) { return s.R_dot * transpose(s.R); }},
+                 .near_misses = {{R"($R^T\dot R$, which has $\mathbf w$ in the body's frame)",
+                                  [](const auto& s) { return transpose(s.R) * s.R_dot; }}}});
 }
 
-void derivative_of_frame(Claims& claims, const std::vector<Sample>& all) {
+void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
   const auto quotient = [](double sign) {
-    return [=](const Sample& s) {
-      const double v = s.speed;
-      return Value((v * v * s.m.a - sign * dot(s.m.v, s.m.a) * s.m.v) / (v * v * v));
+    return [=](const auto& s) {
+      const auto v = s.speed;
+      return (v * v * s.m.a - sign * dot(s.m.v, s.m.a) * s.m.v) / (v * v * v);
     };
   };
-  claims.formula(
+  table.formula(
       "quotient_rule", 499,
       R"($\dot{\mathbf u}=(|\dot{\mathbf r}|^2\ddot{\mathbf r}-(\dot{\mathbf r}\cdot\ddot{\mathbf r})\dot{\mathbf r})/|\dot{\mathbf r}|^3$)",
       all,
@@ -127,89 +168,92 @@ void derivative_of_frame(Claims& claims, const std::vector<Sample>& all) {
        .printed = {"the quotient", quotient(1)},
        .near_misses = {
            {R"(the quotient with $+(\dot{\mathbf r}\cdot\ddot{\mathbf r})\dot{\mathbf r}$)", quotient(-1)}}});
-  const auto without = [](Vector3 Motion<double>::*of) {
-    return [=](const Sample& s) { return Value((s.m.a - dot(s.m.*of, s.u) * s.u) / s.speed); };
+  const auto without = [](const auto& of) {
+    return [=](const auto& s) { return (s.m.a - dot(of(s.m), s.u) * s.u) / s.speed; };
   };
-  claims.formula(
+  table.formula(
       "u_dot", 503,
       R"($\dot{\mathbf u}=(\ddot{\mathbf r}-(\ddot{\mathbf r}\cdot\mathbf u)\mathbf u)/|\dot{\mathbf r}|$)",
       all,
       {.quantity = R"($\dot{\mathbf u}$)",
        .truth = u_dot_by_duals,
-       .printed = {"with the acceleration's component", without(&Motion<double>::a)},
-       .near_misses = {{"with the position's component", without(&Motion<double>::r)},
-                       {"with the velocity's component", without(&Motion<double>::v)}}});
+       .printed = {"with the acceleration's component", without(a_of)},
+       .near_misses = {{"with the position's component", without([](const auto& m) { return m.r; })},
+                       {"with the velocity's component", without(v_of)}}});
   const auto product = [](double sign) {
-    return [=](const Sample& s) { return Value(cross(s.m.v, s.u) + sign * cross(s.m.r, s.u_dot)); };
+    return [=](const auto& s) { return cross(s.m.v, s.u) + sign * cross(s.m.r, s.u_dot); };
   };
-  claims.formula(
+  table.formula(
       "product_rule", 509,
       R"($\frac{d}{dt}(\mathbf r\times\mathbf u)=\dot{\mathbf r}\times\mathbf u+\mathbf r\times\dot{\mathbf u}$)",
       all,
-      {.truth = {"dual numbers", [](const Sample& s) { return Value(s.b_dot); }},
+      {.truth = {"dual numbers", [](const auto& s) { return s.b_dot; }},
        .printed = {R"($\dot{\mathbf r}\times\mathbf u+\mathbf r\times\dot{\mathbf u}$)", product(1)},
        .near_misses = {{R"($\dot{\mathbf r}\times\mathbf u-\mathbf r\times\dot{\mathbf u}$)", product(-1)}}});
-  claims.formula(
+  table.formula(
       "parallel", 511,
       R"($\dot{\mathbf r}\times\mathbf u=0$, they being parallel: $\frac{d}{dt}(\mathbf r\times\mathbf u)=\mathbf r\times\dot{\mathbf u}$)",
       all,
       {.quantity = R"($\dot{\mathbf r}\times\mathbf u$ and $\frac{d}{dt}(\mathbf r\times\mathbf u)$)",
-       .truth = {"zero, and dual numbers", [](const Sample& s) { return joined(Vector3{}, s.b_dot); }},
+       .truth = {"zero, and dual numbers",
+                 []<class T>(const SampleOf<T>& s) { return in_a_row<T>(Vector<T>{}, s.b_dot); }},
        .printed = {R"($\dot{\mathbf r}\times\mathbf u$ and $\mathbf r\times\dot{\mathbf u}$)",
-                   [](const Sample& s) { return joined(cross(s.m.v, s.u), cross(s.m.r, s.u_dot)); }},
+                   []<class T>(const SampleOf<T>& s) {
+                     return in_a_row<T>(cross(s.m.v, s.u), cross(s.m.r, s.u_dot));
+                   }},
        .near_misses = {{R"($\mathbf r\times\dot{\mathbf u}$ and $\dot{\mathbf r}\times\mathbf u$)",
-                        [](const Sample& s) { return joined(cross(s.m.r, s.u_dot), cross(s.m.v, s.u)); }}}});
+                        []<class T>(const SampleOf<T>& s) {
+                          return in_a_row<T>(cross(s.m.r, s.u_dot), cross(s.m.v, s.u));
+                        }}}});
   const auto columns = [](double sign) {
-    return [=](const Sample& s) {
-      return Value(Matrix3::columns(s.m.v, s.u_dot, sign * cross(s.m.r, s.u_dot)));
+    return [=]<class T>(const SampleOf<T>& s) {
+      return Matrix<T>::columns(s.m.v, s.u_dot, sign * cross(s.m.r, s.u_dot));
     };
   };
-  claims.formula(
+  table.formula(
       "columns", 515, R"($\dot R=[\dot{\mathbf r}\ \dot{\mathbf u}\ \mathbf r\times\dot{\mathbf u}]$)", all,
       {.quantity = R"($\dot R$)",
-       .truth = {"the frame by dual numbers", [](const Sample& s) { return Value(s.R_dot); }},
+       .truth = {"the frame by dual numbers", [](const auto& s) { return s.R_dot; }},
        .printed = {R"($[\dot{\mathbf r}\ \dot{\mathbf u}\ \mathbf r\times\dot{\mathbf u}]$)", columns(1)},
        .near_misses = {
            {R"($[\dot{\mathbf r}\ \dot{\mathbf u}\ \dot{\mathbf u}\times\mathbf r]$)", columns(-1)}}});
 
   const AtTime product_of_frames{R"($\dot RR^T$, the frame by dual numbers)",
-                                 [](const Sample& s) { return Value(s.R_dot * transpose(s.R)); }};
-  const auto sum = [](const Sample& s, double last) {
+                                 [](const auto& s) { return s.R_dot * transpose(s.R); }};
+  const auto sum = [](const auto& s, double last) {
     return outer(s.m.v, s.m.r) + outer(s.u_dot, s.u) + last * outer(cross(s.m.r, s.u_dot), s.b);
   };
   const std::string products =
       R"(\dot{\mathbf r}\mathbf r^T+\dot{\mathbf u}\mathbf u^T+(\mathbf r\times\dot{\mathbf u})(\mathbf r\times\mathbf u)^T)";
-  claims.formula(
-      "outer_products", 531, R"($\dot RR^T=)" + products + "$", all,
-      {.quantity = R"($\dot RR^T$)",
-       .truth = product_of_frames,
-       .printed = {"the sum of the three products", [=](const Sample& s) { return Value(sum(s, 1)); }},
-       .near_misses = {{"the first two products", [=](const Sample& s) { return Value(sum(s, 0)); }}}});
+  table.formula("outer_products", 531, R"($\dot RR^T=)" + products + "$", all,
+                {.quantity = R"($\dot RR^T$)",
+                 .truth = product_of_frames,
+                 .printed = {"the sum of the three products", [=](const auto& s) { return sum(s, 1); }},
+                 .near_misses = {{"the first two products", [=](const auto& s) { return sum(s, 0); }}}});
   const auto inverse = [](double sign) {
-    return [=](const Sample& s) { return Value(skew(sign * unskew(s.R_dot * transpose(s.R)))); };
+    return [=](const auto& s) { return skew(sign * unskew(s.R_dot * transpose(s.R))); };
   };
-  claims.formula("unskew_is_inverse", 533, "Unskew is the inverse of Skew", all,
-                 {.quantity = R"($\dot RR^T$)",
-                  .truth = product_of_frames,
-                  .printed = {R"($\mathrm{Skew}(\mathrm{Unskew}(\dot RR^T))$)", inverse(1)},
-                  .near_misses = {{R"($\mathrm{Skew}(-\mathrm{Unskew}(\dot RR^T))$)", inverse(-1)}}});
-  claims.formula(
+  table.formula("unskew_is_inverse", 533, "Unskew is the inverse of Skew", all,
+                {.quantity = R"($\dot RR^T$)",
+                 .truth = product_of_frames,
+                 .printed = {R"($\mathrm{Skew}(\mathrm{Unskew}(\dot RR^T))$)", inverse(1)},
+                 .near_misses = {{R"($\mathrm{Skew}(-\mathrm{Unskew}(\dot RR^T))$)", inverse(-1)}}});
+  table.formula(
       "angular_velocity", 535, R"($\mathbf w=\mathrm{Unskew}()" + products + ")$", all,
       {.quantity = R"($\mathbf w$)",
        .truth = w_by_frame,
-       .printed = {"Unskew of the three products", [=](const Sample& s) { return Value(unskew(sum(s, 1))); }},
-       .near_misses = {
-           {"Unskew of the first two", [=](const Sample& s) { return Value(unskew(sum(s, 0))); }}}});
+       .printed = {"Unskew of the three products", [=](const auto& s) { return unskew(sum(s, 1)); }},
+       .near_misses = {{"Unskew of the first two", [=](const auto& s) { return unskew(sum(s, 0)); }}}});
   const auto from = [](double share) {
-    return [=](const Sample& s) { return Value(angular_velocity<double>({s.m.r, s.m.v, share * s.m.a})); };
+    return [=]<class T>(const SampleOf<T>& s) { return angular_velocity<T>({s.m.r, s.m.v, share * s.m.a}); };
   };
-  claims.formula(
+  table.formula(
       "only_r_v_a", 537,
       R"(functions for $\mathbf r$, $\dot{\mathbf r}$ and $\ddot{\mathbf r}$ are all that $\mathbf w$ needs)",
       all,
       {.quantity = R"($\mathbf w$)",
        .truth = {R"($\mathrm{Unskew}(\dot RR^T)$, the frame by dual numbers)",
-                 [](const Sample& s) { return Value(unskew(s.R_dot * transpose(s.R))); }},
+                 [](const auto& s) { return unskew(s.R_dot * transpose(s.R)); }},
        .printed = {"from the three", from(1)},
        .near_misses = {{R"(from $\mathbf r$ and $\dot{\mathbf r}$ alone)", from(0)}}});
 }
@@ -265,8 +309,25 @@ Reading letters(const std::string& text, const std::vector<std::string>& names) 
                          other, 3)}};
 }
 
-void listing(Claims& claims, const std::vector<Sample>& all) {
-  claims.add(
+AtTime listed() {
+  return {"`W` as printed", [](const auto& s) { return listed_w(s.m, listed_u_dot(s.m, false)); }};
+}
+AtTime mended(std::string text, double last) {
+  return {std::move(text), [=](const auto& s) {
+            const auto W = listed_w(s.m, listed_u_dot(s.m, true));
+            return values(W[0], W[1], last * W[2]);
+          }};
+}
+AtTime with_error() {
+  return {R"($\mathbf w+c\,(r_yr_z,-r_xr_z,r_xr_y)$, $c=\ddot{\mathbf r}\cdot\mathbf u/|\dot{\mathbf r}|$)",
+          []<class T>(const SampleOf<T>& s) {
+            const auto [x, y, z] = s.m.r.e;
+            return s.w + dot(s.m.a, s.u) / s.speed * Vector<T>{y * z, -x * z, x * y};
+          }};
+}
+
+void listing(Table& table, const std::vector<Sample>& all) {
+  table.claims.add(
       "name_of_velocity", 537, R"(the functions needed are those of $\mathbf r$, 'V ectorv' and $\mathbf a$)",
       {.printed = letters(R"($\mathbf r$, V ectorv, $\mathbf a$)", {"r", "V ectorv", "a"}),
        .meant = letters(R"($\mathbf r$, $\mathbf v$, $\mathbf a$)", {"r", "v", "a"}),
@@ -276,17 +337,15 @@ void listing(Claims& claims, const std::vector<Sample>& all) {
            R"(of the three functions is that of the velocity $\mathbf v=\dot{\mathbf r}$, `VFunction` in the )"
            R"(listing.)",
        .kind = Fault::lost_typography});
-  const auto u_dot = [](bool mended) {
-    return [=](const Sample& s) { return Value(listed_u_dot(s.m, mended)); };
-  };
-  claims.formula(
+  const auto u_dot = [](bool mended) { return [=](const auto& s) { return listed_u_dot(s.m, mended); }; };
+  table.formula(
       "listing_u_dot", 561, R"(the listing's `UDot = (A - R.Dot(U)*U)/length` is $\dot{\mathbf u}$)", all,
       {.quantity = R"($\dot{\mathbf u}$)",
        .truth = u_dot_by_duals,
        .printed = {"with `R.Dot(U)`", u_dot(false)},
        .corrected = {"with `A.Dot(U)`", u_dot(true)},
        .near_misses = {{"with `A.Dot(R)`",
-                        [](const Sample& s) { return Value((s.m.a - dot(s.m.a, s.m.r) * s.u) / s.speed); }}},
+                        [](const auto& s) { return (s.m.a - dot(s.m.a, s.m.r) * s.u) / s.speed; }}},
        .kind = Fault::listing,
        .root = "R.Dot(U) for A.Dot(U)",
        .why =
@@ -295,7 +354,7 @@ void listing(Claims& claims, const std::vector<Sample>& all) {
            R"(`UDot` is $\ddot{\mathbf r}/|\dot{\mathbf r}|$, not even perpendicular to $\mathbf u$: at $t=0.75$ the )"
            R"(two have the dot product $-0.72$. It should read `A.Dot(U)`.)"});
   using Out = Vector3&;
-  claims.add(
+  table.claims.add(
       "listing_call", 571, "`WFunction` can call `ComputeTerms(t, R, V, A, U, UDot)`",
       {.printed = callable<double, Out, Out, Out, Out, Out>("six arguments", "t, R, V, A, U, UDot"),
        .meant = callable<double, Out, Out, Out, Out>("five arguments", "t, R, V, U, UDot"),
@@ -304,43 +363,29 @@ void listing(Claims& claims, const std::vector<Sample>& all) {
               "not compile. Without the `A` it does.",
        .kind = Fault::listing});
   const auto signs = [](double middle) {
-    return [=](const Sample& s) {
-      const Vector3 W = listed_w(s.m, s.u_dot);
-      return Value{W[0], middle * W[1], W[2]};
+    return [=](const auto& s) {
+      const auto W = listed_w(s.m, s.u_dot);
+      return values(W[0], middle * W[1], W[2]);
     };
   };
-  claims.formula("listing_signs", 579,
-                 R"(the listing picks $\mathbf w$ out of $\dot RR^T$ with the signs $-$, $+$, $-$)", all,
-                 {.quantity = R"(`W` for the right `UDot`)",
-                  .truth = w_by_frame,
-                  .printed = {R"($-$, $+$, $-$)", signs(1)},
-                  .near_misses = {{R"($-$, $-$, $-$)", signs(-1)}}});
-  const AtTime listed{"`W` as printed", [](const Sample& s) { return Value(w_function(s.t)); }};
-  const auto mended = [](double last) {
-    return [=](const Sample& s) {
-      const Vector3 W = listed_w(s.m, listed_u_dot(s.m, true));
-      return Value{W[0], W[1], last * W[2]};
-    };
-  };
+  table.formula("listing_signs", 579,
+                R"(the listing picks $\mathbf w$ out of $\dot RR^T$ with the signs $-$, $+$, $-$)", all,
+                {.quantity = R"(`W` for the right `UDot`)",
+                 .truth = w_by_frame,
+                 .printed = {R"($-$, $+$, $-$)", signs(1)},
+                 .near_misses = {{R"($-$, $-$, $-$)", signs(-1)}}});
   const auto read = [&](const std::string& text, const AtTime& formula) {
     return Reading{text, {compare("`W`", formula, w_by_frame, all)}};
   };
-  Reading corrected = read("with `A.Dot(U)`", {"`W` with `A.Dot(U)`", mended(1)});
-  corrected.checks.push_back(compare(
-      "`W` as printed", listed,
-      {R"($\mathbf w+c\,(r_yr_z,-r_xr_z,r_xr_y)$, $c=\ddot{\mathbf r}\cdot\mathbf u/|\dot{\mathbf r}|$)",
-       [](const Sample& s) {
-         const auto [x, y, z] = s.m.r.e;
-         return Value(s.w + dot(s.m.a, s.u) / s.speed * Vector3{y * z, -x * z, x * y});
-       }},
-      all));
+  Reading corrected = read("with `A.Dot(U)`", mended("`W` with `A.Dot(U)`", 1));
+  corrected.checks.push_back(compare("`W` as printed", listed(), with_error(), all));
   corrected.checks.push_back(right_at_seven_times());
-  claims.add(
+  table.claims.add(
       "listing_result", 585, "`WFunction` returns the angular velocity",
-      {.printed = read("as printed", listed),
+      {.printed = read("as printed", listed()),
        .corrected = corrected,
        .near_misses = {read("with `A.Dot(U)`, and + for - in `W.Z`",
-                            {"`W` with another sign in `W.Z`", mended(-1)})},
+                            mended("`W` with another sign in `W.Z`", -1))},
        .why =
            R"(The signs and the pairing of the components are right, but `UDot` is not (see `2.7-listing_u_dot`). )"
            R"(What it adds to $\dot RR^T$ is symmetric, so that the three entries picked are no longer those of a skew )"
@@ -360,9 +405,10 @@ std::vector<Claim> claims(double seed) {
   std::vector<Sample> all{Sample(0.5), Sample(0), Sample(1), Sample(-1), Sample(20), Sample(-1000)};
   for (int i = 0; i < 200; ++i) all.emplace_back(random.between(-3, 3));
   Claims claims("2.7");
-  curve_and_frame(claims, all);
-  derivative_of_frame(claims, all);
-  listing(claims, all);
+  Table table{claims};
+  curve_and_frame(table, all);
+  derivative_of_frame(table, all);
+  listing(table, all);
   return claims.in_order();
 }
 
@@ -373,4 +419,214 @@ std::vector<Root> roots() {
        R"(nearly four degrees for every radian that the sphere turns.)"}};
 }
 
+// ---- what is proved ---------------------------------------------------------------------------------------
+
+/// The speed as the letter l, the velocity l u, and the acceleration in the frame of r, u and b.
+constexpr const char* by_frame = R"(
+  rename H into rr, H0 into rv, H1 into va, H2 into vv;
+  pose proof (sqrt_lt_R0 _ vv) as positive;
+  assert (square : sqrt (v0 * v0 + v1 * v1 + v2 * v2) * sqrt (v0 * v0 + v1 * v1 + v2 * v2) =
+      v0 * v0 + v1 * v1 + v2 * v2) by (apply sqrt_sqrt; lra);
+  revert positive square; generalize (sqrt (v0 * v0 + v1 * v1 + v2 * v2)) as l; intros l positive square;
+  rewrite <- ?square; rewrite <- square in va;
+  set (u0 := v0 / l); set (u1 := v1 / l); set (u2 := v2 / l);
+  assert (w0 : v0 = l * u0) by (unfold u0; field; lra);
+  assert (w1 : v1 = l * u1) by (unfold u1; field; lra);
+  assert (w2 : v2 = l * u2) by (unfold u2; field; lra);
+  clearbody u0 u1 u2; subst v0 v1 v2;
+  assert (uu : u0 * u0 + u1 * u1 + u2 * u2 = 1) by (apply Rmult_eq_reg_l with (l * l); [lra | nra]);
+  assert (ru : r0 * u0 + r1 * u1 + r2 * u2 = 0) by (apply Rmult_eq_reg_l with l; [lra | lra]);
+  destruct (orthonormal _ _ _ _ _ _ rr uu ru) as
+    ((bb & rb & ub) & (x0 & x1 & x2) & (y0 & y1 & y2) & (z0 & z1 & z2) & in_frame);
+  destruct (in_frame a0 a1 a2) as (f0 & f1 & f2);
+  destruct (in_frame 0 0 1) as (k20 & k21 & _); destruct (in_frame 0 1 0) as (k10 & _); clear in_frame;
+  replace (r0 * a0 + r1 * a1 + r2 * a2) with (- (l * l)) in f0, f1, f2 by lra;
+  set (b0 := r1 * u2 - r2 * u1) in *; set (b1 := r2 * u0 - r0 * u2) in *; set (b2 := r0 * u1 - r1 * u0) in *;
+  set (b := u0 * a0 + u1 * a1 + u2 * a2) in *; set (c := b0 * a0 + b1 * a1 + b2 * a2) in *;
+  repeat match goal with
+  | |- context [?x / (2 * l)] => replace (x / (2 * l)) with b by (unfold b; field; lra)
+  | |- context [?x / (l * l)] => replace (x / (l * l)) with (c / l) by (unfold c, b0, b1, b2; field; lra)
+  end;
+  try replace (a0 * u0 + a1 * u1 + a2 * u2) with b by (unfold b; ring);
+  try replace (l * u0 * a0 + l * u1 * a1 + l * u2 * a2) with (l * b) by (unfold b; ring);
+  clearbody b c; clearbody b0 b1 b2; subst a0 a1 a2;
+  repeat match goal with
+  | |- context [(- (l * l) * ?r + b * ?u + c * ?n - ?x) / l] =>
+    replace ((- (l * l) * r + b * u + c * n - x) / l) with (c / l * n - l * r) by (field; lra)
+  end;
+  try replace (r1 * (c / l * b2 - l * r2) - r2 * (c / l * b1 - l * r1)) with (- (c / l) * u0) by (field [z0]; lra);
+  try replace (l * u1 * u2 + r1 * (c / l * b2 - l * r2) - (l * u2 * u1 + r2 * (c / l * b1 - l * r1))) with (- (c / l) * u0) by (field [z0]; lra);
+  try replace (r2 * (c / l * b0 - l * r0) - r0 * (c / l * b2 - l * r2)) with (- (c / l) * u1) by (field [z1]; lra);
+  try replace (l * u2 * u0 + r2 * (c / l * b0 - l * r0) - (l * u0 * u2 + r0 * (c / l * b2 - l * r2))) with (- (c / l) * u1) by (field [z1]; lra);
+  try replace (r0 * (c / l * b1 - l * r1) - r1 * (c / l * b0 - l * r0)) with (- (c / l) * u2) by (field [z2]; lra);
+  try replace (l * u0 * u1 + r0 * (c / l * b1 - l * r1) - (l * u1 * u0 + r1 * (c / l * b0 - l * r0))) with (- (c / l) * u2) by (field [z2]; lra);
+  try rewrite ru;
+  repeat match goal with
+  | |- context [(- (l * l) * ?r + b * ?u + c * ?n - 0 * ?u) / l] =>
+    replace ((- (l * l) * r + b * u + c * n - 0 * u) / l) with (b / l * u + c / l * n - l * r)
+      by (field; lra)
+  end;
+  try replace (r1 * (b / l * u2 + c / l * b2 - l * r2) - r2 * (b / l * u1 + c / l * b1 - l * r1)) with (b / l * b0 - c / l * u0)
+    by (field [x0 z0]; lra);
+  try replace (r2 * (b / l * u0 + c / l * b0 - l * r0) - r0 * (b / l * u2 + c / l * b2 - l * r2)) with (b / l * b1 - c / l * u1)
+    by (field [x1 z1]; lra);
+  try replace (r0 * (b / l * u1 + c / l * b1 - l * r1) - r1 * (b / l * u0 + c / l * b0 - l * r0)) with (b / l * b2 - c / l * u2)
+    by (field [x2 z2]; lra);
+  assert (bb12 : b1 * b2 = - r1 * r2 - u1 * u2) by lra;
+  assert (bb02 : b0 * b2 = - r0 * r2 - u0 * u2) by lra;
+  assert (bb01 : b0 * b1 = - r0 * r1 - u0 * u1) by lra;
+  assert (rr0 : r0 * r0 = 1 - r1 * r1 - r2 * r2) by lra;
+  assert (uu0 : u0 * u0 = 1 - u1 * u1 - u2 * u2) by lra;
+  assert (bb0 : b0 * b0 = 1 - b1 * b1 - b2 * b2) by lra;
+  assert (ru0 : r0 * u0 = - r1 * u1 - r2 * u2) by lra;
+  assert (rb0 : r0 * b0 = - r1 * b1 - r2 * b2) by lra;
+  assert (ub0 : u0 * b0 = - u1 * b1 - u2 * b2) by lra;
+  first
+    [ lra | field; lra | field [z0 z1 z2 y0 y1 y2 x0 x1 x2]; lra | field [y0 y1 y2 rr0]; lra | field [x0 y0 bb12]; lra | field [x1 y1 bb02]; lra | field [x2 y2 bb01]; lra
+     | field [rr0 uu0 bb0 ru0 rb0 ub0]; lra ])";
+
+/// r.r is constant, and half its derivative is zero.
+constexpr const char* by_constant = R"(
+  rename H into unit;
+  assert (still : x t * dx + y t * dy + z t * dz = 0)
+    by (assert (changes : is_derive (fun s => x s * x s + y s * y s + z s * z s) t
+                            (2 * (x t * dx + y t * dy + z t * dz)))
+          by (auto_derive;
+              [ repeat split; eexists; eassumption
+              | change (fun s => x s) with x; change (fun s => y s) with y; change (fun s => z s) with z;
+                rewrite (is_derive_unique x t dx), (is_derive_unique y t dy), (is_derive_unique z t dz)
+                  by assumption; ring ]);
+        assert (stays : is_derive (fun s => x s * x s + y s * y s + z s * z s) t 0)
+          by (apply (is_derive_ext (fun _ => 1)); [intros; symmetry; apply unit | apply @is_derive_const]);
+        apply is_derive_unique in changes; apply is_derive_unique in stays; lra);
+  specialize (unit t); generalize dependent (x t); intros x'; generalize dependent (y t); intros y';
+  generalize dependent (z t); intros z' *; nsatz)";
+
+/// The root is no zero.
+constexpr const char* by_length = R"(
+  assert (positive : 0 < t * t * (t * t) + (1 - t * t) * (1 - t * t)) by nra;
+  rewrite ?cos_atan2, ?sin_atan2 by lra;
+  replace ((1 - t * t) * (1 - t * t) + t * t * (t * t)) with (t * t * (t * t) + (1 - t * t) * (1 - t * t))
+    by ring;
+  pose proof (sqrt_lt_R0 _ positive) as longer;
+  assert (square : sqrt (t * t * (t * t) + (1 - t * t) * (1 - t * t)) *
+                     sqrt (t * t * (t * t) + (1 - t * t) * (1 - t * t)) =
+                   t * t * (t * t) + (1 - t * t) * (1 - t * t)) by (apply sqrt_sqrt; lra);
+  set (q := sqrt (t * t * (t * t) + (1 - t * t) * (1 - t * t))) in *; clearbody q;
+  assert (circle : sin (PI * t) * sin (PI * t) = 1 - cos (PI * t) * cos (PI * t))
+    by (pose proof (sin2_cos2 (PI * t)) as all; unfold Rsqr in all; lra);
+  try match goal with |- context [sqrt ?x] => rewrite (root_is x 1) by (try lra; field [circle square]; lra) end;
+  first [reflexivity | field; lra])";
+
+constexpr const char* by_bounds = "rewrite ?cos_atan2, ?sin_atan2 by interval; interval";
+
+using Any = SampleOf<Shortened>;
+
+Vector<Shortened> lettered(const std::array<std::string, 3>& names) {
+  return {Shortened::letter(names[0]), Shortened::letter(names[1]), Shortened::letter(names[2])};
+}
+
+/// What is given of a motion, and where the printed formulas are off.
+struct Of {
+  Any any;
+  std::string letters;
+  std::vector<Proposition> given;
+  std::string tactic, says;
+  Sample example;
+  Any recorded_example;
+};
+Of any_motion() {
+  const Any any(0.0,
+                {lettered({"r0", "r1", "r2"}), lettered({"v0", "v1", "v2"}), lettered({"a0", "a1", "a2"})});
+  const auto& [r, v, a] = any.m;
+  return {any,
+          "(r0 r1 r2 v0 v1 v2 a0 a1 a2 : R)",
+          {dot(r, r).expression() == 1, dot(r, v).expression() == 0,
+           (dot(v, v) + dot(r, a)).expression() == 0, above(dot(v, v).expression(), 0)},
+          by_frame,
+          "it holds for any motion on the sphere that does not rest",
+          Sample(0, {{0.48, 0.6, 0.64}, {0.8, 0, -0.6}, {0.32, -0.6, -1.24}}),
+          Any(0.0, {{0.48, 0.6, 0.64}, {0.8, 0.0, -0.6}, {0.32, -0.6, -1.24}})};
+}
+Of any_time() {
+  const Of motion = any_motion();
+  return {Any(Shortened::letter("t"), motion.any.m),
+          "(t : R)",
+          {},
+          by_length,
+          "it holds at all times",
+          Sample(2),
+          Any(2.0, motion.any.m)};
+}
+
+Lemma equation(std::string name, const AtTime& right, const AtTime& truth, const Of& of) {
+  return {std::move(name), of.letters, of.given, equal(right.recorded(of.any), truth.recorded(of.any)),
+          of.tactic};
+}
+Lemma off(const AtTime& printed, const AtTime& truth, const Of& of, double& margin) {
+  Value difference = printed.of(of.example);
+  const Value right = truth.of(of.example);
+  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= right[i];
+  Lemma lemma =
+      off_at(printed.recorded(of.recorded_example), truth.recorded(of.recorded_example), difference, margin);
+  lemma.tactic = by_bounds;
+  return lemma;
+}
+Provable proof_of(const std::string& slug, const FrameClaim& claim, const Of& of) {
+  const std::string name = claim.meant.of ? "meant" : claim.corrected.of ? "corrected" : "printed";
+  const AtTime& right = claim.meant.of ? claim.meant : claim.corrected.of ? claim.corrected : claim.printed;
+  Provable proved{"2.7-" + slug, of.says, {equation(name, right, claim.truth, of)}};
+  if (name == "printed") return proved;
+  proved.says = "as " + name + " " + of.says + "; as printed it is off at an example";
+  proved.lemmas.push_back(off(claim.printed, claim.truth, of, proved.margin));
+  return proved;
+}
+Provable proof_of_listing(const Of& of) {
+  Provable proved{
+      "2.7-listing_result",
+      "as corrected " + of.says + "; as printed it is off by what is said, of any motion and at an example",
+      {equation("corrected", mended("", 1), w_by_frame, of),
+       equation("printed_with_error", listed(), with_error(), of)}};
+  proved.lemmas.push_back(off(listed(), w_by_frame, of, proved.margin));
+  return proved;
+}
+Provable proof_of_perpendicular() {
+  const Any any(0.0, {lettered({"(x t)", "(y t)", "(z t)"}), lettered({"dx", "dy", "dz"}), {}});
+  Lemma lemma{"printed",
+              "(x y z : R -> R) (t dx dy dz : R)",
+              {{"(forall s, x s * x s + y s * y s + z s * z s = 1)"},
+               {"is_derive x t dx"},
+               {"is_derive y t dy"},
+               {"is_derive z t dz"}},
+              equal(as_it_is(v_of).recorded(any), across_r(v_of).recorded(any)),
+              by_constant};
+  lemma.follows.push_back(dot(any.m.r, any.m.v).expression() == 0);
+  return {
+      "2.7-velocity_perpendicular", "it holds of every curve on the sphere that has a derivative", {lemma}};
+}
+
+Provables proofs() {
+  Claims claims("2.7");
+  Table table{claims};
+  curve_and_frame(table, {});
+  derivative_of_frame(table, {});
+  listing(table, {});
+  const Of motion = any_motion(), time = any_time();
+  Provables proved;
+  for (const auto& [slug, claim] : table.stated)
+    proved.push_back(proof_of(slug, claim, slug == "position" || slug == "on_the_sphere" ? time : motion));
+  proved.push_back(proof_of_listing(motion));
+  proved.push_back(proof_of_perpendicular());
+  for (Provable& p : proved)
+    p.preamble = std::string(orthonormal_in_coq) + root_in_coq + atan2_in_coq +
+                 "From Coquelicot Require Import AutoDerive.\n";
+  return proved;
+}
+
 }  // namespace oddity::curve_on_sphere
+
+namespace oddity {
+
+Provables proofs_2_7() { return curve_on_sphere::proofs(); }
+
+}  // namespace oddity

@@ -10,9 +10,13 @@
 namespace oddity::curve_on_sphere {
 
 template <class T>
-Matrix<T> frame(const T& t) {
-  const Vector<T> r = position(t), u = unit(space::derivative_of(position, t));
+Matrix<T> frame(const Vector<T>& r, const Vector<T>& v) {
+  const Vector<T> u = unit(v);
   return Matrix<T>::columns(r, u, cross(r, u));
+}
+template <class T>
+Matrix<T> frame(const T& t) {
+  return frame(position(t), space::derivative_of(position, t));
 }
 
 Quantity angular_velocity_at(double t, const Reference&);

@@ -36,10 +36,10 @@ Vector<T> derivative_of(const Curve& r, const T& t) {
 }
 
 /// The motion along a curve r(t), which is generic in its number type.
-template <class Curve>
-Motion<double> motion_of(const Curve& r, double t) {
-  using D = Dual<double>;
-  const Vector<Dual<D>> at = r(Dual<D>(D(t, 1), D(1)));
+template <class Curve, class T>
+Motion<T> motion_of(const Curve& r, const T& t) {
+  using D = Dual<T>;
+  const Vector<Dual<D>> at = r(Dual<D>(D(t, T(1.0)), D(1.0)));
   return {value_of(value_of(at)), slope_of(value_of(at)), slope_of(slope_of(at))};
 }
 
