@@ -6,8 +6,9 @@
 
 #include <numbers>
 
+#include "chapters/02_basic_concepts/shared/frame_proofs.hpp"
 #include "chapters/02_basic_concepts/shared/rotations.hpp"
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 #include "reference/reference.hpp"
 
 namespace oddity {
@@ -25,25 +26,28 @@ constexpr Parameter parameters[] = {
 // ---- the claims -------------------------------------------------------------------------------------------
 
 /// A rotation about the third axis of a right-handed frame, and two vectors.
-struct Sample {
+template <class T>
+struct SampleOf {
+  using Vector = std::array<T, 3>;
   Vector u, v, w;
-  double theta;
+  T theta{};
   Vector a, b;
 
+  SampleOf() = default;
   /// The first ones turn by 0, 90, 180 and 270 degrees.
-  Sample(Random& random, int i) : w(random.direction()) {
+  SampleOf(Random& random, int i) : w(random.direction()) {
     u = unit(cross(w, random.direction())), v = cross(w, u);
     const double large = std::abs(random.magnitude(0.1, 100)), small = std::abs(random.magnitude(0.1, 100));
     theta = i < 4 ? i * std::numbers::pi / 2 : random.between(-7, 7);
     a = random.point(large), b = random.point(small);
   }
-  std::array<double*, 7> letters() { return {&theta, &a[0], &a[1], &a[2], &b[0], &b[1], &b[2]}; }
+  std::array<T*, 7> letters() { return {&theta, &a[0], &a[1], &a[2], &b[0], &b[1], &b[2]}; }
   std::string where() const {
     return R"($\theta$ = )" + format_significant(theta, 6) + R"(, $\mathbf w$ = )" + shown(w);
   }
 
-  double c() const { return std::cos(theta); }
-  double s() const { return std::sin(theta); }
+  T c() const { return cos(theta); }
+  T s() const { return sin(theta); }
   Vector rotated(const Vector& r) const { return quaternion(w, theta)(r); }
   /// Components along the frame, and back.
   Vector in(const Vector& r) const { return {dot(u, r), dot(v, r), dot(w, r)}; }
@@ -59,34 +63,38 @@ struct Sample {
   Vector expanded(double sign) const {
     const auto [a0, a1, a2] = alpha();
     const auto [b0, b1, b2] = beta();
-    const double first = a1 * b2 - a2 * b1, second = a2 * b0 - a0 * b2;
+    const T first = a1 * b2 - a2 * b1, second = a2 * b0 - a0 * b2;
     return {c() * first - sign * s() * second, c() * second + s() * first, a0 * b1 - a1 * b0};
   }
   /// The dot products of a, b and a x b, of unit length, and their volume, after the map.
-  Value gram(const Map& R) const {
+  template <class Rotation>
+  std::array<T, 7> gram(const Rotation& R) const {
     const Vector p = R(unit(a)), q = R(unit(b)), r = R(cross(unit(a), unit(b)));
     return {dot(p, p), dot(p, q), dot(q, q), dot(p, r), dot(q, r), dot(r, r), dot(cross(p, q), r)};
   }
 };
-using Rotated = Formula<Sample>;
+using Sample = SampleOf<double>;
+using Table = ProvableClaims<SampleOf>;
+using Rotated = ProvableFormula<SampleOf>;
 
 /// Three vectors as one value.
-Value stacked(const Vector& a, const Vector& b, const Vector& c) {
+template <class T>
+std::array<T, 9> stacked(const std::array<T, 3>& a, const std::array<T, 3>& b, const std::array<T, 3>& c) {
   return {a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]};
 }
 
 /// A vector by its components in the frame, turned, and by the turned frame.
-void sums(Claims& claims, const std::vector<Sample>& all, int line, const std::string& slug,
-          const std::string& vector, const std::string& x, Vector (Sample::*components)() const,
+template <class Components>
+void sums(Table& table, const std::vector<Sample>& all, int line, const std::string& slug,
+          const std::string& vector, const std::string& x, const Components& components,
           const Rotated& truth) {
-  using S = const Sample&;
   const auto turned = [=](double sign) {
-    return [=](S m) { return Value(m.out(m.turned((m.*components)(), sign))); };
+    return [=](const auto& m) { return m.out(m.turned(components(m), sign)); };
   };
   const auto combined = [=](double sign) {
-    return [=](S m) {
-      const Vector k = (m.*components)();
-      return Value(k[0] * m.rotated(m.u) + sign * k[1] * m.rotated(m.v) + k[2] * m.rotated(m.w));
+    return [=](const auto& m) {
+      const auto k = components(m);
+      return k[0] * m.rotated(m.u) + sign * k[1] * m.rotated(m.v) + k[2] * m.rotated(m.w);
     };
   };
   const auto by_frame = [&](const char* first, const char* second) {
@@ -97,122 +105,131 @@ void sums(Claims& claims, const std::vector<Sample>& all, int line, const std::s
     return "$" + x + R"(_0R\mathbf u)" + sign + x + R"(_1R\mathbf v+)" + x + R"(_2R\mathbf w$)";
   };
   const std::string R = "$R" + vector + "$";
-  claims.formula("rotated_" + slug, line, R + " is " + by_frame("-", ""), all,
-                 {.quantity = R,
-                  .truth = truth,
-                  .printed = {by_frame("-", ""), turned(1)},
-                  .near_misses = {{by_frame("+", "-"), turned(-1)}}});
-  claims.formula("linear_" + slug, line, R + " is " + by_rotated("+"), all,
-                 {.quantity = R,
-                  .truth = truth,
-                  .printed = {by_rotated("+"), combined(1)},
-                  .near_misses = {{by_rotated("-"), combined(-1)}}});
+  table.formula("rotated_" + slug, line, R + " is " + by_frame("-", ""), all,
+                {.quantity = R,
+                 .truth = truth,
+                 .printed = {by_frame("-", ""), turned(1)},
+                 .near_misses = {{by_frame("+", "-"), turned(-1)}}});
+  table.formula("linear_" + slug, line, R + " is " + by_rotated("+"), all,
+                {.quantity = R,
+                 .truth = truth,
+                 .printed = {by_rotated("+"), combined(1)},
+                 .near_misses = {{by_rotated("-"), combined(-1)}}});
 }
 
-void proof(Claims& claims, const std::vector<Sample>& all) {
-  using S = const Sample&;
+void proof(Table& table, const std::vector<Sample>& all) {
   const std::string by_quaternion = "by the quaternion product $q\\mathbf r q^*$";
   const std::string product = R"($R(\mathbf a\times\mathbf b)$)",
                     of_rotated = R"($(R\mathbf a)\times(R\mathbf b)$)";
-  claims.formula(
+  table.formula(
       "rigid", 623,
       R"(a rotation preserves the relationships of $\mathbf a$, $\mathbf b$ and $\mathbf a\times\mathbf b$)",
       all,
       {.quantity = "their dot products and their volume",
-       .truth = {"before the rotation", [](S m) { return m.gram([](const Vector& r) { return r; }); }},
-       .printed = {"after a rotation", [](S m) { return m.gram(quaternion(m.w, m.theta)); }},
+       .truth = {"before the rotation",
+                 [](const auto& m) { return m.gram([](const auto& r) { return r; }); }},
+       .printed = {"after a rotation", [](const auto& m) { return m.gram(quaternion(m.w, m.theta)); }},
        .near_misses = {{"after a rotation and a reflection",
-                        [](S m) { return m.gram(mirrored(quaternion(m.w, m.theta))); }}}});
-  const Rotated rotated_product{by_quaternion, [](S m) { return Value(m.rotated(cross(m.a, m.b))); }};
-  claims.formula("identity", 623, R"($R(\mathbf a\times\mathbf b)=(R\mathbf a)\times(R\mathbf b)$)", all,
-                 {.truth = {of_rotated + " " + by_quaternion,
-                            [](S m) { return Value(cross(m.rotated(m.a), m.rotated(m.b))); }},
-                  .printed = {product + " for a rotation", rotated_product.of},
-                  .near_misses = {{product + " for a rotation and a mirror",
-                                   [](S m) { return Value(-1.0 * m.rotated(cross(m.a, m.b))); }}}});
-  claims.formula(
+                        [](const Sample& m) { return m.gram(mirrored(quaternion(m.w, m.theta))); }}}});
+  const Rotated rotated_product{by_quaternion, [](const auto& m) { return m.rotated(cross(m.a, m.b)); }};
+  table.formula(
+      "identity", 623, R"($R(\mathbf a\times\mathbf b)=(R\mathbf a)\times(R\mathbf b)$)", all,
+      {.truth = {of_rotated + " " + by_quaternion,
+                 [](const auto& m) { return cross(m.rotated(m.a), m.rotated(m.b)); }},
+       .printed = {product + " for a rotation", [](const auto& m) { return m.rotated(cross(m.a, m.b)); }},
+       .near_misses = {{product + " for a rotation and a mirror",
+                        [](const auto& m) { return -1.0 * m.rotated(cross(m.a, m.b)); }}}});
+  table.formula(
       "frame", 627,
       R"($\mathbf u=\mathbf v\times\mathbf w$, $\mathbf v=\mathbf w\times\mathbf u$, $\mathbf w=\mathbf u\times\mathbf v$)",
       all,
       {.quantity = R"($\mathbf u$, $\mathbf v$ and $\mathbf w$)",
-       .truth = {"random right-handed orthonormal frames", [](S m) { return stacked(m.u, m.v, m.w); }},
+       .truth = {"random right-handed orthonormal frames",
+                 [](const auto& m) { return stacked(m.u, m.v, m.w); }},
        .printed = {"the three products",
-                   [](S m) { return stacked(cross(m.v, m.w), cross(m.w, m.u), cross(m.u, m.v)); }},
-       .near_misses = {{"the products of a left-handed frame",
-                        [](S m) { return stacked(cross(m.w, m.v), cross(m.u, m.w), cross(m.v, m.u)); }}}});
+                   [](const auto& m) { return stacked(cross(m.v, m.w), cross(m.w, m.u), cross(m.u, m.v)); }},
+       .near_misses = {{"the products of a left-handed frame", [](const auto& m) {
+                          return stacked(cross(m.w, m.v), cross(m.u, m.w), cross(m.v, m.u));
+                        }}}});
   const auto turned_frame = [](double sign) {
-    return
-        [=](S m) { return stacked(m.c() * m.u + sign * m.s() * m.v, m.c() * m.v - sign * m.s() * m.u, m.w); };
+    return [=](const auto& m) {
+      return stacked(m.c() * m.u + sign * m.s() * m.v, m.c() * m.v - sign * m.s() * m.u, m.w);
+    };
   };
-  claims.formula(
+  table.formula(
       "rotated_frame", 629,
       R"($R\mathbf u=c\mathbf u+s\mathbf v$, $R\mathbf v=-s\mathbf u+c\mathbf v$, $R\mathbf w=\mathbf w$)",
       all,
       {.quantity = R"($R\mathbf u$, $R\mathbf v$ and $R\mathbf w$)",
-       .truth = {by_quaternion, [](S m) { return stacked(m.rotated(m.u), m.rotated(m.v), m.rotated(m.w)); }},
+       .truth = {by_quaternion,
+                 [](const auto& m) { return stacked(m.rotated(m.u), m.rotated(m.v), m.rotated(m.w)); }},
        .printed = {"the three sums", turned_frame(1)},
        .near_misses = {{R"(the sums with $-s$ for $s$)", turned_frame(-1)}}});
-  claims.formula(
+  table.formula(
       "components", 635,
       R"($\mathbf a$, $\mathbf b$ and $\mathbf a\times\mathbf b$ are sums of their components along $\mathbf u$, $\mathbf v$, $\mathbf w$)",
       all,
-      {.truth = {"the vectors", [](S m) { return stacked(m.a, m.b, cross(m.a, m.b)); }},
+      {.truth = {"the vectors", [](const auto& m) { return stacked(m.a, m.b, cross(m.a, m.b)); }},
        .printed = {"the sums",
-                   [](S m) { return stacked(m.out(m.alpha()), m.out(m.beta()), m.out(m.gamma())); }},
+                   [](const auto& m) {
+                     return stacked(m.out(m.alpha()), m.out(m.beta()), m.out(m.gamma()));
+                   }},
        .near_misses = {
-           {R"(the sums with $a_0$ and $a_1$ exchanged)", [](S m) {
+           {R"(the sums with $a_0$ and $a_1$ exchanged)", [](const auto& m) {
               return stacked(m.out({m.alpha()[1], m.alpha()[0], m.alpha()[2]}), m.b, cross(m.a, m.b));
             }}}});
-  claims.formula(
+  table.formula(
       "product_components", 641, R"($(g_0,g_1,g_2)=(a_0,a_1,a_2)\times(b_0,b_1,b_2)$)", all,
-      {.truth = {R"(the components of $\mathbf a\times\mathbf b$)", [](S m) { return Value(m.gamma()); }},
+      {.truth = {R"(the components of $\mathbf a\times\mathbf b$)", [](const auto& m) { return m.gamma(); }},
        .printed = {R"(the product of the triples of $\mathbf a$ and $\mathbf b$)",
-                   [](S m) { return Value(cross(m.alpha(), m.beta())); }},
+                   [](const auto& m) { return cross(m.alpha(), m.beta()); }},
        .near_misses = {{R"(the product of those of $\mathbf b$ and $\mathbf a$)",
-                        [](S m) { return Value(cross(m.beta(), m.alpha())); }}}});
-  sums(claims, all, 645, "a", R"(\mathbf a)", "a", &Sample::alpha,
-       {by_quaternion, [](S m) { return Value(m.rotated(m.a)); }});
-  sums(claims, all, 647, "b", R"(\mathbf b)", "b", &Sample::beta,
-       {by_quaternion, [](S m) { return Value(m.rotated(m.b)); }});
-  sums(claims, all, 649, "product", R"((\mathbf a\times\mathbf b))", "g", &Sample::gamma, rotated_product);
+                        [](const auto& m) { return cross(m.beta(), m.alpha()); }}}});
+  sums(table, all, 645, "a", R"(\mathbf a)", "a", [](const auto& m) { return m.alpha(); },
+       {by_quaternion, [](const auto& m) { return m.rotated(m.a); }});
+  sums(table, all, 647, "b", R"(\mathbf b)", "b", [](const auto& m) { return m.beta(); },
+       {by_quaternion, [](const auto& m) { return m.rotated(m.b); }});
+  sums(
+      table, all, 649, "product", R"((\mathbf a\times\mathbf b))", "g",
+      [](const auto& m) { return m.gamma(); }, rotated_product);
 
   const Rotated product_of_rotated{by_quaternion,
-                                   [](S m) { return Value(m.in(cross(m.rotated(m.a), m.rotated(m.b)))); }};
-  const Rotated in_frame{by_quaternion, [](S m) { return Value(m.in(m.rotated(cross(m.a, m.b)))); }};
+                                   [](const auto& m) { return m.in(cross(m.rotated(m.a), m.rotated(m.b))); }};
+  const Rotated in_frame{by_quaternion, [](const auto& m) { return m.in(m.rotated(cross(m.a, m.b))); }};
   const auto triples = [](double sign) {
-    return [=](S m) { return Value(cross(m.turned(m.alpha()), m.turned(m.beta(), sign))); };
+    return [=](const auto& m) { return cross(m.turned(m.alpha()), m.turned(m.beta(), sign)); };
   };
-  claims.formula("coordinates", 653, of_rotated + " in the frame is the product of the two triples", all,
-                 {.quantity = "components of " + of_rotated,
-                  .truth = product_of_rotated,
-                  .printed = {"the product of the turned triples", triples(1)},
-                  .near_misses = {{"the product with the second turned back", triples(-1)}}});
+  table.formula("coordinates", 653, of_rotated + " in the frame is the product of the two triples", all,
+                {.quantity = "components of " + of_rotated,
+                 .truth = product_of_rotated,
+                 .printed = {"the product of the turned triples", triples(1)},
+                 .near_misses = {{"the product with the second turned back", triples(-1)}}});
   const Rotated expansion{
       R"($(c(a_1b_2-a_2b_1)-s(a_2b_0-a_0b_2),\;s(a_1b_2-a_2b_1)+c(a_2b_0-a_0b_2),\;a_0b_1-a_1b_0)$)",
-      [](S m) { return Value(m.expanded(1)); }};
+      [](const auto& m) { return m.expanded(1); }};
   const Rotated flipped{R"(the same with $+s(a_2b_0-a_0b_2)$ in the first)",
-                        [](S m) { return Value(m.expanded(-1)); }};
+                        [](const auto& m) { return m.expanded(-1); }};
   const auto expanded = [&](std::string_view slug, int line, const std::string& says, const std::string& what,
                             const Rotated& truth) {
-    claims.formula(slug, line, says, all,
-                   {.quantity = "components of " + what,
-                    .truth = truth,
-                    .printed = expansion,
-                    .near_misses = {flipped}});
+    table.formula(slug, line, says, all,
+                  {.quantity = "components of " + what,
+                   .truth = truth,
+                   .printed = expansion,
+                   .near_misses = {flipped}});
   };
   expanded("expanded", 655, of_rotated + " multiplied out", of_rotated, product_of_rotated);
-  const auto turned = [](double sign) { return [=](S m) { return Value(m.turned(m.gamma(), sign)); }; };
-  claims.formula("turned_gamma", 659, R"($R(\mathbf a\times\mathbf b)=(cg_0-sg_1,sg_0+cg_1,g_2)$)", all,
-                 {.quantity = "components of " + product,
-                  .truth = in_frame,
-                  .printed = {R"($(cg_0-sg_1,sg_0+cg_1,g_2)$)", turned(1)},
-                  .near_misses = {{R"($(cg_0+sg_1,-sg_0+cg_1,g_2)$)", turned(-1)}}});
+  const auto turned = [](double sign) { return [=](const auto& m) { return m.turned(m.gamma(), sign); }; };
+  table.formula("turned_gamma", 659, R"($R(\mathbf a\times\mathbf b)=(cg_0-sg_1,sg_0+cg_1,g_2)$)", all,
+                {.quantity = "components of " + product,
+                 .truth = in_frame,
+                 .printed = {R"($(cg_0-sg_1,sg_0+cg_1,g_2)$)", turned(1)},
+                 .near_misses = {{R"($(cg_0+sg_1,-sg_0+cg_1,g_2)$)", turned(-1)}}});
   expanded("product_expanded", 661, product + R"(, with $(g_0,g_1,g_2)$ put in)", product, in_frame);
-  claims.formula("equal", 663, "the two expansions are equal", all,
-                 {.truth = {R"(the product of the triples of $\mathbf a$ and $\mathbf b$, turned)",
-                            [](S m) { return Value(m.turned(cross(m.alpha(), m.beta()))); }},
-                  .printed = expansion,
-                  .near_misses = {{"its negative", [](S m) { return Value(-1.0 * m.expanded(1)); }}}});
+  table.formula("equal", 663, "the two expansions are equal", all,
+                {.truth = {R"(the product of the triples of $\mathbf a$ and $\mathbf b$, turned)",
+                           [](const auto& m) { return m.turned(cross(m.alpha(), m.beta())); }},
+                 .printed = expansion,
+                 .near_misses = {{"its negative", [](const auto& m) { return -1.0 * m.expanded(1); }}}});
 }
 
 /// Two unit vectors, or a vector and minus its double.
@@ -258,7 +275,8 @@ std::vector<Claim> claims(double seed) {
            R"(Vectors that are parallel, $\mathbf b=-2\mathbf a$ or $\mathbf b=0$, have the product 0, and span a )"
            R"(line with it and not space. The picture fails there and the identity does not: both sides are 0. The )"
            R"(proof, which uses another frame, covers the case.)"});
-  proof(claims, all);
+  Table table(claims);
+  proof(table, all);
   return claims.in_order();
 }
 
@@ -275,7 +293,145 @@ Findings study(const Parameters& p, const Reference& truth) {
           roots()};
 }
 
+// ---- what is proved ---------------------------------------------------------------------------------------
+
+/// Vectors are p u + q v + s w, S and C are sine and cosine of half the angle; products and rotations of such
+/// are again such.
+constexpr const char* frame_in_coq = R"(
+Ltac product ui vi wi uj vj wj uk vk wk S C x y z :=
+  match goal with
+  | |- context [S * wj * (?p * uk + ?q * vk + ?s * wk) - S * wk * (?p * uj + ?q * vj + ?s * wj)] =>
+    replace (S * wj * (p * uk + q * vk + s * wk) - S * wk * (p * uj + q * vj + s * wj))
+      with (S * (p * vi - q * ui)) by ring [x y z]
+  | |- context [S * wj * (2 * (S * (?p * vk - ?q * uk))) - S * wk * (2 * (S * (?p * vj - ?q * uj)))] =>
+    replace (S * wj * (2 * (S * (p * vk - q * uk))) - S * wk * (2 * (S * (p * vj - q * uj))))
+      with (- (2 * (S * S)) * (p * ui + q * vi)) by ring [x y z]
+  | |- context [?p * ui + ?q * vi + ?s * wi + C * (2 * (S * (?p * vi - ?q * ui))) + - (2 * (S * S)) * (?p * ui + ?q * vi)] =>
+    replace (p * ui + q * vi + s * wi + C * (2 * (S * (p * vi - q * ui))) + - (2 * (S * S)) * (p * ui + q * vi))
+      with ((p * (1 - 2 * (S * S)) - q * (2 * (C * S))) * ui +
+            (p * (2 * (C * S)) + q * (1 - 2 * (S * S))) * vi + s * wi) by ring
+  | |- context [(?p * uj + ?q * vj + ?s * wj) * (?p1 * uk + ?q1 * vk + ?s1 * wk) - (?p * uk + ?q * vk + ?s * wk) * (?p1 * uj + ?q1 * vj + ?s1 * wj)] =>
+    replace ((p * uj + q * vj + s * wj) * (p1 * uk + q1 * vk + s1 * wk) - (p * uk + q * vk + s * wk) * (p1 * uj + q1 * vj + s1 * wj))
+      with ((q * s1 - s * q1) * ui + (s * p1 - p * s1) * vi + (p * q1 - q * p1) * wi) by ring [x y z]
+  | |- context [S * wj * uk - S * wk * uj] =>
+    replace (S * wj * uk - S * wk * uj)
+      with (S * vi) by ring [x y z]
+  | |- context [S * wj * vk - S * wk * vj] =>
+    replace (S * wj * vk - S * wk * vj)
+      with (- (S * ui)) by ring [x y z]
+  | |- context [S * wj * wk - S * wk * wj] =>
+    replace (S * wj * wk - S * wk * wj)
+      with (0) by ring
+  | |- context [S * wj * (2 * (S * vk)) - S * wk * (2 * (S * vj))] =>
+    replace (S * wj * (2 * (S * vk)) - S * wk * (2 * (S * vj)))
+      with (- (2 * (S * S)) * ui) by ring [x y z]
+  | |- context [S * wj * (2 * - (S * uk)) - S * wk * (2 * - (S * uj))] =>
+    replace (S * wj * (2 * - (S * uk)) - S * wk * (2 * - (S * uj)))
+      with (- (2 * (S * S)) * vi) by ring [x y z]
+  end.
+
+Ltac dot u0 u1 u2 v0 v1 v2 w0 w1 w2 uu vv ww uv uw vw :=
+  match goal with
+  | |- context [u0 * (?p * u0 + ?q * v0 + ?s * w0) + u1 * (?p * u1 + ?q * v1 + ?s * w1) +
+                  u2 * (?p * u2 + ?q * v2 + ?s * w2)] =>
+    replace (u0 * (p * u0 + q * v0 + s * w0) + u1 * (p * u1 + q * v1 + s * w1) +
+                  u2 * (p * u2 + q * v2 + s * w2))
+      with (p) by 
+        (transitivity (p * (u0 * u0 + u1 * u1 + u2 * u2) + q * (u0 * v0 + u1 * v1 + u2 * v2) + s * (u0 * w0 + u1 * w1 + u2 * w2));
+         [rewrite uu, uv, uw; ring | ring])
+  | |- context [v0 * (?p * u0 + ?q * v0 + ?s * w0) + v1 * (?p * u1 + ?q * v1 + ?s * w1) +
+                  v2 * (?p * u2 + ?q * v2 + ?s * w2)] =>
+    replace (v0 * (p * u0 + q * v0 + s * w0) + v1 * (p * u1 + q * v1 + s * w1) +
+                  v2 * (p * u2 + q * v2 + s * w2))
+      with (q) by 
+        (transitivity (p * (u0 * v0 + u1 * v1 + u2 * v2) + q * (v0 * v0 + v1 * v1 + v2 * v2) + s * (v0 * w0 + v1 * w1 + v2 * w2));
+         [rewrite uv, vv, vw; ring | ring])
+  | |- context [w0 * (?p * u0 + ?q * v0 + ?s * w0) + w1 * (?p * u1 + ?q * v1 + ?s * w1) +
+                  w2 * (?p * u2 + ?q * v2 + ?s * w2)] =>
+    replace (w0 * (p * u0 + q * v0 + s * w0) + w1 * (p * u1 + q * v1 + s * w1) +
+                  w2 * (p * u2 + q * v2 + s * w2))
+      with (s) by 
+        (transitivity (p * (u0 * w0 + u1 * w1 + u2 * w2) + q * (v0 * w0 + v1 * w1 + v2 * w2) + s * (w0 * w0 + w1 * w1 + w2 * w2));
+         [rewrite uw, vw, ww; ring | ring])
+  | |- context [(?p * u0 + ?q * v0 + ?s * w0) * (?p1 * u0 + ?q1 * v0 + ?s1 * w0) +
+                  (?p * u1 + ?q * v1 + ?s * w1) * (?p1 * u1 + ?q1 * v1 + ?s1 * w1) +
+                  (?p * u2 + ?q * v2 + ?s * w2) * (?p1 * u2 + ?q1 * v2 + ?s1 * w2)] =>
+    replace ((p * u0 + q * v0 + s * w0) * (p1 * u0 + q1 * v0 + s1 * w0) +
+                  (p * u1 + q * v1 + s * w1) * (p1 * u1 + q1 * v1 + s1 * w1) +
+                  (p * u2 + q * v2 + s * w2) * (p1 * u2 + q1 * v2 + s1 * w2))
+      with (p * p1 + q * q1 + s * s1) by 
+        (transitivity (p * p1 * (u0 * u0 + u1 * u1 + u2 * u2) + q * q1 * (v0 * v0 + v1 * v1 + v2 * v2) +
+          s * s1 * (w0 * w0 + w1 * w1 + w2 * w2) + (p * q1 + q * p1) * (u0 * v0 + u1 * v1 + u2 * v2) +
+          (p * s1 + s * p1) * (u0 * w0 + u1 * w1 + u2 * w2) + (q * s1 + s * q1) * (v0 * w0 + v1 * w1 + v2 * w2));
+         [rewrite uu, vv, ww, uv, uw, vw; ring | ring])
+  end.
+)";
+
+constexpr const char* by_frame = R"(
+  pose proof (orthonormal u0 u1 u2 v0 v1 v2) as all; cbv zeta in all; rewrite H2, H3, H4 in all;
+  destruct (all H H0 H1) as
+    ((w_w & u_w & v_w) & (x0 & x1 & x2) & (y0 & y1 & y2) & (z0 & z1 & z2) & in_frame); clear all H2 H3 H4;
+  set (S := sin (theta / 2)); set (C := cos (theta / 2));
+  assert (circle : C * C = 1 - S * S)
+    by (unfold S, C; pose proof (sin2_cos2 (theta / 2)) as one; unfold Rsqr in one; lra);
+  assert (sine : sin theta = 2 * (C * S))
+    by (replace theta with (2 * (theta / 2)) at 1 by field; rewrite sin_2a; unfold S, C; ring);
+  assert (cosine : cos theta = 1 - 2 * (S * S))
+    by (replace theta with (2 * (theta / 2)) at 1 by field; rewrite cos_2a_sin; unfold S; ring);
+  rewrite ?sine, ?cosine; clear sine cosine; clearbody S C;
+  set (d0 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2) * a0);
+  set (d1 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2) * a1);
+  set (d2 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2) * a2);
+  set (e0 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2) * b0);
+  set (e1 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2) * b1);
+  set (e2 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2) * b2);
+  clearbody d0 d1 d2 e0 e1 e2;
+  pose proof (in_frame a0 a1 a2) as fa; pose proof (in_frame b0 b1 b2) as fb;
+  pose proof (in_frame d0 d1 d2) as fd; pose proof (in_frame e0 e1 e2) as fe; clear in_frame;
+  cbv zeta in fa, fb, fd, fe;
+  set (pa := u0 * a0 + _ + _) in *; set (qa := v0 * a0 + _ + _) in *; set (sa := w0 * a0 + _ + _) in *;
+  set (pb := u0 * b0 + _ + _) in *; set (qb := v0 * b0 + _ + _) in *; set (sb := w0 * b0 + _ + _) in *;
+  set (pd := u0 * d0 + _ + _) in *; set (qd := v0 * d0 + _ + _) in *; set (sd := w0 * d0 + _ + _) in *;
+  set (pe := u0 * e0 + _ + _) in *; set (qe := v0 * e0 + _ + _) in *; set (se := w0 * e0 + _ + _) in *;
+  clearbody pa qa sa pb qb sb pd qd sd pe qe se;
+  destruct fa as (? & ? & ?); destruct fb as (? & ? & ?); destruct fd as (? & ? & ?);
+  destruct fe as (? & ? & ?); subst a0 a1 a2 b0 b1 b2 d0 d1 d2 e0 e1 e2;
+  repeat first [ product u0 v0 w0 u1 v1 w1 u2 v2 w2 S C x0 y0 z0
+               | product u1 v1 w1 u2 v2 w2 u0 v0 w0 S C x1 y1 z1
+               | product u2 v2 w2 u0 v0 w0 u1 v1 w1 S C x2 y2 z2
+               | dot u0 u1 u2 v0 v1 v2 w0 w1 w2 H H0 w_w H1 u_w v_w ];
+  first [ reflexivity | ring [circle] | ring [circle z0 z1 z2 y0 y1 y2 x0 x1 x2] | lra ])";
+
+Provables proofs() {
+  Claims claims("2.11");
+  Table table(claims);
+  proof(table, {});
+  const auto lettered = [](const std::string& name) {
+    return std::array{Shortened::letter(name + "0"), Shortened::letter(name + "1"),
+                      Shortened::letter(name + "2")};
+  };
+  SampleOf<Shortened> any;
+  any.u = lettered("u"), any.v = lettered("v"), any.w = lettered("w");
+  any.theta = Shortened::letter("theta");
+  any.a = lettered("a"), any.b = lettered("b");
+  const auto& [u, v, w, theta, a, b] = any;
+  std::vector<Proposition> given{dot(u, u).expression() == 1, dot(v, v).expression() == 1,
+                                 dot(u, v).expression() == 0};
+  for (std::size_t i = 0; i < 3; ++i) given.push_back(cross(u, v)[i].expression() == w[i].expression());
+  Provables proved = table.proofs(
+      "2.11", {.any = any,
+               .letters = "(u0 u1 u2 v0 v1 v2 w0 w1 w2 theta a0 a1 a2 b0 b1 b2 : R)",
+               .given = given,
+               .tactic = by_frame,
+               .says = "it holds for any angle and any two vectors in any right-handed orthonormal frame",
+               .without = {"rigid"}});
+  for (Provable& p : proved) p.preamble = std::string(orthonormal_in_coq) + frame_in_coq;
+  return proved;
+}
+
 }  // namespace ex02_11
+
+Provables proofs_2_11() { return ex02_11::proofs(); }
 
 Exercise exercise_2_11() {
   using namespace ex02_11;

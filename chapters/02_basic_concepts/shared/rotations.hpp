@@ -19,12 +19,14 @@ inline Map rodrigues(const Vector& w, double theta) {
 }
 
 /// q r q*, q = (cos theta/2, sin theta/2 w).
-inline Map quaternion(const Vector& w, double theta) {
-  return [q0 = std::cos(theta / 2), q = std::sin(theta / 2) * w](const Vector& r) {
-    const Vector once = 2.0 * cross(q, r);
+template <class T>
+auto quaternion(const std::array<T, 3>& w, const std::type_identity_t<T>& theta) {
+  return [q0 = cos(theta / 2), q = sin(theta / 2) * w](const std::array<T, 3>& r) {
+    const std::array<T, 3> once = 2.0 * cross(q, r);
     return r + q0 * once + cross(q, once);
   };
 }
+inline Map quaternion(const Vector& w, double theta) { return quaternion<double>(w, theta); }
 
 /// n steps of r + h w x r: no rotation, lengths grow by sqrt(1 + h^2) a step.
 inline Map euler_steps(const Vector& w, double theta, int n) {
@@ -111,7 +113,10 @@ Answer mapped(const F& f, const Map& map, double setting = 0) {
   return {value, vectors * std::max(1L, static_cast<long>(setting))};
 }
 
-inline Vector unit(const Vector& a) { return 1 / length(a) * a; }
+template <class T>
+std::array<T, 3> unit(const std::array<T, 3>& a) {
+  return 1 / length(a) * a;
+}
 
 inline Quantity rotated_normal(double theta, double gap, const Reference& truth) {
   Quantity q = quantity(

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 #include "chapters/numbers.hpp"
 #include "reference/text.hpp"
@@ -12,22 +13,26 @@ namespace oddity::basic_vectors {
 
 using Vector = std::array<double, 3>;
 
-template <std::size_t n>
-std::array<double, n> operator+(std::array<double, n> a, const std::array<double, n>& b) {
+template <class T, std::size_t n>
+std::array<T, n> operator+(std::array<T, n> a, const std::array<T, n>& b) {
   for (std::size_t k = 0; k < n; ++k) a[k] += b[k];
   return a;
 }
-template <std::size_t n>
-std::array<double, n> operator-(std::array<double, n> a, const std::array<double, n>& b) {
+template <class T, std::size_t n>
+std::array<T, n> operator-(std::array<T, n> a, const std::array<T, n>& b) {
   for (std::size_t k = 0; k < n; ++k) a[k] -= b[k];
   return a;
 }
-template <std::size_t n>
-std::array<double, n> operator*(double s, std::array<double, n> a) {
-  for (double& each : a) each *= s;
+template <class T, std::size_t n>
+std::array<T, n> operator*(const std::type_identity_t<T>& s, std::array<T, n> a) {
+  for (T& each : a) each = s * each;
   return a;
 }
-inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
+template <class T>
+T length(const std::array<T, 3>& a) {
+  return sqrt(dot(a, a));
+}
+inline double length(const Vector& a) { return length<double>(a); }
 
 inline std::string shown(const Vector& a) {
   return "(" + format_significant(a[0], 4) + ", " + format_significant(a[1], 4) + ", " +
