@@ -29,9 +29,9 @@ struct AdamsBashforth4 {
     using Number = typename State::value_type;
     using Algebra = typename odeint::algebra_dispatcher<State>::algebra_type;
     using Operations = typename odeint::operations_dispatcher<State>::operations_type;
-    return detail::Restarting<odeint::adams_bashforth<order, State, Number, State, Number, Algebra,
-                                                      Operations, odeint::initially_resizer,
-                                                      odeint::runge_kutta4_classic<State, Number, State, Number>>>();
+    return detail::Restarting<odeint::adams_bashforth<
+        order, State, Number, State, Number, Algebra, Operations, odeint::initially_resizer,
+        odeint::runge_kutta4_classic<State, Number, State, Number>>>();
   }
   static Recurrence recurrence(std::complex<double> z) {
     Recurrence c;
