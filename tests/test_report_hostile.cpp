@@ -152,7 +152,7 @@ TEST_CASE("text, formulas and code are written such that Markdown shows them", "
   CHECK(file_name("../a b\n'c'") == "_._a_b__c_");
   CHECK(in_xml("a < b & \"c\" > 'd'\n") == "a &lt; b &amp; &quot;c&quot; &gt; 'd' ");
   CHECK(table({"h"}, {{"a|b\nc"}, {"a\\|b"}, {"a\\\\|b"}}) ==
-        "| h |\n| --- |\n| a\\|b c |\n| a\\|b |\n| a\\\\\\|b |\n\n");
+        "| h |\n|---|\n| a\\|b c |\n| a\\|b |\n| a\\\\\\|b |\n\n");
 }
 
 TEST_CASE("powers and units are printed as readers write them", "[report]") {

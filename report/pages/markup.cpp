@@ -151,7 +151,7 @@ std::string table(const std::vector<std::string>& header, const std::vector<std:
   };
   std::string text = line(header) + "|";
   for (std::size_t i = 0; i < header.size(); ++i)
-    text += right.find(static_cast<char>('0' + i)) == std::string::npos ? " --- |" : " ---: |";
+    text += right.find(static_cast<char>('0' + i)) == std::string::npos ? "---|" : "---:|";
   text += "\n";
   for (const auto& row : rows) text += line(row);
   return text + "\n";
