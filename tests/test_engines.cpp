@@ -303,6 +303,7 @@ TEST_CASE("what engines did is read as it was written", "[engines]") {
     trial.in_needs = 5.0 / steps;
     trial.outcome = trial.in_needs <= 1 ? Outcome::ok : Outcome::inaccurate;
     trial.energy = std::nan("");
+    trial.momentum = 0.25;
     series.trials.push_back(trial);
   }
   EngineContest contest{"3.5", "Pendulum", {"rad"},  {0.1},
@@ -316,6 +317,7 @@ TEST_CASE("what engines did is read as it was written", "[engines]") {
   const EngineSeries& again = read[0].series[0];
   CHECK(again.trials.size() == 5);
   CHECK(std::isnan(again.trials[0].energy));
+  CHECK(again.trials[0].momentum == 0.25);
   REQUIRE(again.law);
   CHECK(again.law->exponent == Approx(1));
   REQUIRE(again.first_enough());
@@ -371,11 +373,13 @@ TEST_CASE("the engines' page has each engine's error and rate, and what was foun
   contest.series = {series_of("First", {9, 9, 9}), series_of("Second", {16, 8, 4}),
                     series_of("Third", {4, 0.5, 0.25})};
   contest.series[0].lasting = "damping";
+  for (EngineSeries& s : contest.series) s.trials.front().energy = 0.0123, s.trials.front().momentum = 5e-4;
   const std::string page = engines_page({contest}, found);
   CHECK(page.find(std::to_string(found.size()) + " things") != std::string::npos);
   CHECK(page.find("| First | 9/never |") != std::string::npos);
   CHECK(page.find("| Second | 16/finer |") != std::string::npos);
   CHECK(page.find("| Third | 4/120 |") != std::string::npos);
+  CHECK(page.find("| First, Second, Third | 1.2/0.05 |") != std::string::npos);
   CHECK(page.find("(engines/3.5.svg)") != std::string::npos);
   CHECK(engine_pictures({contest}, {}).count("engines/3.5.svg") == 1);
   CHECK(engine_trials({contest}).at("engines/3.5.csv").find("Third,1,double,defaults") != std::string::npos);

@@ -91,7 +91,7 @@ TEST_CASE("what engines did is refused where an error has no unit", "[hostile]")
   const ScratchFolder scratch;
   const std::string trial =
       R"({"steps_per_frame": 1, "outcome": "ok", "message": "", "errors": [1], "in_needs": 1,
-    "energy": null, "off_joint": 0, "seconds_per_frame": 1e-6, "spread": 0, "same_bits": true, "restored": ""})";
+    "energy": null, "momentum": null, "off_joint": 0, "seconds_per_frame": 1e-6, "spread": 0, "same_bits": true, "restored": ""})";
   const std::string kept =
       R"([{"scene": "free body", "title": "", "units": ["m"], "needs": [0.01], "horizon": 10,
     "frames_per_second": 60, "least": null, "series": [{"engine": "E", "version": "1", "precision": "double",

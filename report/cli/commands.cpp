@@ -354,7 +354,7 @@ void add_engines(CLI::App& app, Session& s) {
       "Each engine that is built runs as a program of its own, at 60 steps a second and finer by doubling, and is "
       "judged at every frame over 10 s: to 1 cm and 1 degree. './oddity engines' installs and builds them.\n"
       "Columns: scene, engine, version, precision, variant, webassembly (1 or 0), hz, outcome, error, unit, "
-      "in_needs, energy, off_joint, seconds_per_frame, spread, same_bits (1 or 0), restored; a row for each "
+      "in_needs, energy, momentum, off_joint, seconds_per_frame, spread, same_bits (1 or 0), restored; a row for each "
       "trial and unit.\n"
       "Examples:\n  oddity engines\n  oddity engines 3.33 'free body' --hz 60,240,960",
       [&] {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 
 #include "reference/text.hpp"
 #include "report/charts/engines_chart.hpp"
@@ -40,7 +41,6 @@ std::string linked(const EngineContest& c) {
 
 /// "2.3/240": the error in needs at one step a frame, and the rate from which it is enough.
 std::string error_and_rate(const EngineContest& contest, const EngineSeries& s) {
-  if (!s.cannot.empty()) return "";
   const EngineTrial& coarsest = s.trials.front();
   const std::string error = std::isfinite(coarsest.in_needs) ? two_digits(coarsest.in_needs)
                                                              : std::string(name_of(coarsest.outcome));
@@ -61,7 +61,10 @@ std::vector<EngineName> engines_of(const std::vector<EngineContest>& contests) {
   return engines;
 }
 
-std::string defaults_table(const std::vector<EngineContest>& contests) {
+using Cell = std::function<std::string(const EngineContest&, const EngineSeries&)>;
+
+/// Engines with the same cells share a row; those without any have none.
+std::string defaults_table(const std::vector<EngineContest>& contests, const Cell& cell) {
   Rows rows{{"defaults of"}};
   for (const EngineContest& c : contests) rows[0].push_back(linked(c));
   for (const auto& [engine, webassembly] : engines_of(contests)) {
@@ -70,8 +73,9 @@ std::string defaults_table(const std::vector<EngineContest>& contests) {
       const auto s = std::ranges::find_if(c.series, [&](const EngineSeries& one) {
         return one.defaults && one.engine == engine && one.webassembly == webassembly;
       });
-      row.push_back(s == c.series.end() ? "" : error_and_rate(c, *s));
+      row.push_back(s == c.series.end() || !s->cannot.empty() ? "" : cell(c, *s));
     }
+    if (std::all_of(row.begin() + 1, row.end(), [](const std::string& one) { return one.empty(); })) continue;
     const auto same = std::ranges::find_if(rows, [&](const std::vector<std::string>& above) {
       return std::equal(row.begin() + 1, row.end(), above.begin() + 1);
     });
@@ -81,6 +85,23 @@ std::string defaults_table(const std::vector<EngineContest>& contests) {
       same->front() += ", " + row.front();
   }
   return as_table(rows, 1);
+}
+
+/// "0.13/0.15": what of its energy and of a momentum is lost or won at one step a frame.
+std::string drifts(const EngineContest&, const EngineSeries& s) {
+  const EngineTrial& coarsest = s.trials.front();
+  return in_percent(coarsest.energy) + "/" + in_percent(coarsest.momentum);
+}
+
+/// Those in which some momentum stays that an engine does not keep.
+std::vector<EngineContest> with_momentum(const std::vector<EngineContest>& contests) {
+  std::vector<EngineContest> those;
+  for (const EngineContest& c : contests)
+    if (std::ranges::any_of(c.series, [](const EngineSeries& s) {
+          return s.cannot.empty() && s.trials.front().momentum > 1e-6;
+        }))
+      those.push_back(c);
+  return those;
 }
 
 /// The native variant that is enough for the least time.
@@ -124,7 +145,9 @@ std::string engines_page(const std::vector<EngineContest>& contests, const std::
       "*Finer*: beyond the rates tried, or beyond a minute of computing; *never*: `./oddity engines SCENE --kept --all` has the reason, and "
       "more; empty: the engine has no such scene; \\*: behind WebAssembly. Scenes lead to their pictures; "
       "`engines/SCENE.csv` has all trials, `solvers/engines/variants.json` all settings.\n\n" +
-      defaults_table(contests) +
+      defaults_table(contests, error_and_rate) +
+      "Energy and a momentum that no force changes, in percent of the largest of its kind, at 60 Hz:\n\n" +
+      defaults_table(with_momentum(contests), drifts) +
       "Lesser models instead of the cheapest native engine that is enough, and how many times cheaper:\n\n" +
       replaced_table(contests);
   if (const int count = not_explained(contests); count > 0)

@@ -111,12 +111,17 @@ std::vector<const EngineSeries*> shown_of(const EngineContest& contest, bool all
 
 }  // namespace
 
+std::string in_percent(double part) {
+  if (!std::isfinite(part)) return "";
+  return part < 1e-6 ? "0" : two_digits(100 * part);
+}
+
 std::vector<std::vector<std::string>> rows_of(const EngineContest& contest, const std::vector<double>& rates,
                                               bool all) {
   std::vector<std::vector<std::string>> rows{{"engine", "numbers"}};
   for (double rate : rates) rows[0].push_back("at " + format_significant(rate, 6) + " Hz");
-  for (const char* head :
-       {"enough from", "order (stated)", "least error", "energy", "joints off", "a frame", "costs"})
+  for (const char* head : {"enough from", "order (stated)", "least error", "energy %", "momentum %",
+                           "joints off", "a frame", "costs"})
     rows[0].emplace_back(head);
   for (const EngineSeries* series : shown_of(contest, all)) {
     const EngineSeries& s = *series;
@@ -127,7 +132,8 @@ std::vector<std::vector<std::string>> rows_of(const EngineContest& contest, cons
     row.push_back(enough_from(s, contest));
     row.push_back(order_of(s));
     row.push_back(two_digits(s.floor) + " needs");
-    row.push_back(first && std::isfinite(first->energy) ? two_digits(100 * first->energy) + " %" : "");
+    row.push_back(first ? in_percent(first->energy) : "");
+    row.push_back(first ? in_percent(first->momentum) : "");
     row.push_back(first && first->off_joint > 0 ? two_digits(1000 * first->off_joint) + " mm" : "");
     row.push_back(trial ? shown_time(trial->seconds_per_frame) : "");
     row.push_back(cheaper(s, contest));

@@ -17,7 +17,7 @@ std::string engines_text(const std::vector<EngineContest>& contests, const std::
     text += wrapped("  " + need_text(contest) + "\n", screen, 2);
     text += aligned(rows_of(contest, rates, all), screen,
                     {.shorten = {"engine", "enough from"},
-                     .leave_out = {"joints off", "numbers", "energy", "least error"}});
+                     .leave_out = {"joints off", "numbers", "energy %", "momentum %", "least error"}});
     if (contest.least) text += wrapped("  " + least_text(contest) + "\n", screen, 2);
     if (const std::string cannot = cannot_text(contest); !cannot.empty())
       text += wrapped("  Not to be had by " + cannot + ".\n", screen, 2);
@@ -30,7 +30,7 @@ std::string engines_text(const std::vector<EngineContest>& contests, const std::
 Table engines_table(const std::vector<EngineContest>& contests) {
   Table table{
       {"scene", "engine", "version", "precision", "variant", "webassembly", "hz", "outcome", "error", "unit",
-       "in_needs", "energy", "off_joint", "seconds_per_frame", "spread", "same_bits", "restored"},
+       "in_needs", "energy", "momentum", "off_joint", "seconds_per_frame", "spread", "same_bits", "restored"},
       {}};
   for (const EngineContest& c : contests)
     for (const EngineSeries& s : c.series)
@@ -39,7 +39,8 @@ Table engines_table(const std::vector<EngineContest>& contests) {
           table.rows.push_back({c.scene, s.engine, s.version, s.precision, s.variant, long(s.webassembly),
                                 t.steps_per_frame * c.frames_per_second, std::string(name_of(t.outcome)),
                                 t.errors.empty() ? NAN : t.errors[i], c.units[i], t.in_needs, t.energy,
-                                t.off_joint, t.seconds_per_frame, t.spread, long(t.same_bits), t.restored});
+                                t.momentum, t.off_joint, t.seconds_per_frame, t.spread, long(t.same_bits),
+                                t.restored});
   return table;
 }
 
@@ -51,11 +52,13 @@ std::string plain(std::string text) {
   return text;
 }
 
+std::string on_record(double part) { return std::isfinite(part) ? format_significant(part, 2) : "-"; }
+
 }  // namespace
 
 std::string engine_rows(const std::vector<EngineContest>& contests) {
   Table table{{"scene", "engine", "version", "variant", "order", "stated", "enough_from", "at_frame_rate",
-               "same_bits", "restored"},
+               "same_bits", "restored", "energy", "momentum", "off_joint"},
               {}};
   for (const EngineContest& c : contests)
     for (const EngineSeries& s : c.series) {
@@ -67,8 +70,9 @@ std::string engine_rows(const std::vector<EngineContest>& contests) {
            s.law ? format_significant(s.law->exponent, 2) : "-",
            s.stated_order > 0 ? std::to_string(s.stated_order) : "-",
            enough ? format_significant(enough->steps_per_frame * c.frames_per_second, 6) : "never",
-           std::string(name_of(s.trials.front().outcome)), same ? "same" : "other",
-           s.trials.front().restored});
+           std::string(name_of(s.trials.front().outcome)), same ? "same" : "other", s.trials.front().restored,
+           on_record(s.trials.front().energy), on_record(s.trials.front().momentum),
+           on_record(s.trials.front().off_joint)});
     }
   return to_csv(table);
 }

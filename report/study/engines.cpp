@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "reference/bad_input.hpp"
+#include "report/study/engine_drifts.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/run_program.hpp"
-#include "solvers/engines/turns.hpp"
 #include "solvers/engines/world_json.hpp"
 
 namespace oddity {
@@ -46,107 +46,6 @@ EngineProgram about(std::vector<std::string> command) {
                                v.value("lasting", ""), v.value("friction", "")});
   return engine;
 }
-
-// ---- what an engine does wrong beside the path ------------------------------------------------------------
-
-}  // namespace
-
-namespace engines {
-
-namespace {
-
-double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
-
-/// Energy is conserved in it.
-bool conserves(const World& world) {
-  return world.shaking == Vector{} && world.friction == 0 &&
-         (world.floor == Vector{} || world.restitution == 1);
-}
-
-struct Energy {
-  double kinetic = 0, potential = 0;
-};
-
-struct Slid {
-  double distance, speed;
-};
-/// What the body has slid in its joint since the start.
-Slid slid(const World& world, int body, const std::vector<State>& states) {
-  const Joint& joint = *std::ranges::find(world.joints, body, &Joint::b);
-  const auto moved = [&](int of) {
-    if (of == ground) return State{};
-    const auto i = static_cast<std::size_t>(of);
-    return State{.position = states[i].position - world.bodies[i].start.position,
-                 .velocity = states[i].velocity};
-  };
-  const State a = moved(joint.a), b = moved(joint.b);
-  return {dot(joint.axis, b.position - a.position), dot(joint.axis, b.velocity - a.velocity)};
-}
-
-Energy energy(const World& world, const std::vector<State>& states) {
-  Energy e;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const auto& [mass, inertia, start, shape] = world.bodies[i];
-    const State& s = states[i];
-    const Vector w = turned(inverse(s.orientation), s.spin), swept = cross(world.turning, s.position);
-    e.kinetic += mass * dot(s.velocity, s.velocity) / 2;
-    for (std::size_t k = 0; k < 3; ++k) e.kinetic += inertia[k] * w[k] * w[k] / 2;
-    e.potential -= mass * (dot(world.gravity, s.position) + dot(swept, swept) / 2);
-  }
-  for (const Spring& spring : world.springs) {
-    const Vector along =
-        Point(world, spring.b, spring.end).now(states) - Point(world, spring.a, spring.at).now(states);
-    const double stretch = length(along) - spring.rest;
-    e.potential += spring.stiffness * stretch * stretch / 2;
-  }
-  for (const Rope& rope : world.ropes) {
-    double stretch = rope.length - rope.rest;
-    for (const auto& [body, factor] : rope.parts) stretch += factor * slid(world, body, states).distance;
-    e.potential += rope.stiffness * stretch * stretch / 2;
-  }
-  for (const Joint& joint : world.joints)
-    if (joint.wheel != 0) {
-      const double speed = slid(world, joint.b, states).speed;
-      e.kinetic += joint.wheel * speed * speed / 2;
-    }
-  return e;
-}
-
-/// By how much it changes at most, as a part of the largest kinetic energy.
-double energy_change(const World& world, const std::vector<std::vector<State>>& frames) {
-  if (!conserves(world)) return not_a_number;
-  const Energy start = energy(world, frames.front());
-  double change = 0, moving = 0;
-  for (const auto& states : frames) {
-    const Energy now = energy(world, states);
-    change = std::max(change, std::abs(now.kinetic + now.potential - start.kinetic - start.potential));
-    moving = std::max(moving, now.kinetic);
-  }
-  return moving > 0 ? change / moving : not_a_number;
-}
-
-/// How far the joint's ends are apart, or a rod's length is off.
-double off(const World& world, const Joint& joint, const std::vector<State>& states) {
-  const Vector a = Point(world, joint.a, joint.at).now(states);
-  if (joint.kind == Joint::rod)
-    return std::abs(length(Point(world, joint.b, joint.end).now(states) - a) - length(joint.end - joint.at));
-  const Vector apart = Point(world, joint.b, joint.at).now(states) - a;
-  if (joint.kind != Joint::cylinder && joint.kind != Joint::slide) return length(apart);
-  return length(apart - dot(apart, joint.axis) * joint.axis);  // the axis does not turn
-}
-
-double off_joints(const World& world, const std::vector<std::vector<State>>& frames) {
-  double most = 0;
-  for (const auto& states : frames)
-    for (const Joint& joint : world.joints) most = std::max(most, off(world, joint, states));
-  return most;
-}
-
-}  // namespace
-
-}  // namespace engines
-
-namespace {
 
 /// As run_program; what cannot even be started has failed too.
 Ended answer(const std::vector<std::string>& command, const std::string& request,
@@ -191,8 +90,9 @@ void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply&
   trial.errors = contest.motion.errors(seen);
   trial.in_needs = contest.motion.in_needs(trial.errors);
   trial.outcome = outcome_of(trial, reply.frames.size(), contest);
-  trial.energy = engines::energy_change(contest.staging.world, reply.frames);
-  trial.off_joint = engines::off_joints(contest.staging.world, reply.frames);
+  trial.energy = engines::energy_drift(contest.staging.world, reply.frames);
+  trial.momentum = engines::momentum_drift(contest.staging.world, reply.frames);
+  trial.off_joint = engines::joints_apart(contest.staging.world, reply.frames);
   std::vector<double> seconds = reply.seconds;
   std::ranges::sort(seconds);
   trial.seconds_per_frame = seconds[seconds.size() / 2] / contest.need.frames();
@@ -248,7 +148,7 @@ namespace {
 EngineTrial tried(const EngineProgram& engine, const EngineVariant& variant, const EngineScene& contest,
                   int steps_per_frame, int runs, double limit) {
   EngineTrial trial{steps_per_frame};
-  trial.in_needs = trial.energy = trial.off_joint = trial.seconds_per_frame = not_a_number;
+  trial.in_needs = trial.energy = trial.momentum = trial.off_joint = trial.seconds_per_frame = not_a_number;
   const engines::Request request{contest.staging.world,
                                  variant.name,
                                  static_cast<int>(contest.need.frames()),

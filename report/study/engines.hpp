@@ -39,6 +39,7 @@ struct EngineTrial {
   std::vector<double> errors = {};  ///< the largest in each of the motion's units, over all frames
   double in_needs = 0;              ///< the error in needs
   double energy = 0;                ///< by how much it changes, as a part of what moves; NaN where it may
+  double momentum = 0;              ///< the same of a momentum that no force changes
   double off_joint = 0;             ///< m, how far joints come apart
   double seconds_per_frame = 0;     ///< the median of its runs
   double spread = 0;                ///< of these
