@@ -171,11 +171,23 @@ ShownUnit shown_unit(const std::string& text, std::string_view unit) {
   return {symbol, in_unit("1" + symbol, unit)};
 }
 
+Quantity motion_of(const Entry& entry) {
+  const Scene& scene = scene_of(entry);
+  return motion(scene, Parameters(entry.exercise.parameters), {scene.horizon}, Reference::nothing());
+}
+
+/// What engines are judged by, in the motion's units: "1cm,1deg".
+std::string errors_for_engines(const Entry& entry) {
+  std::string errors;
+  const Quantity seen = motion_of(entry);
+  for (std::string_view unit : seen.units())
+    errors += std::string(errors.empty() ? "" : ",") + (unit == "rad" ? "1deg" : "1cm");
+  return errors;
+}
+
 /// "0.01" for every unit of the observables, or "1cm", "1cm,1deg", one for each.
 void set_errors(Need& need, const Entry& entry, const std::string& text) {
-  const Scene& scene = scene_of(entry);
-  const Quantity seen =
-      motion(scene, Parameters(entry.exercise.parameters), {scene.horizon}, Reference::nothing());
+  const Quantity seen = motion_of(entry);
   const auto units = seen.units();
   for (const std::string& one : words_between_commas(text)) {
     if (parse_number(one)) {
@@ -291,14 +303,16 @@ void set_accuracy(Need& need, const Entry& entry, const AskedNeed& asked) {
     need.shown["m"] = shown_unit(asked.error, "m");
     return;
   }
-  if (asked.error.empty() && asked.digits.empty())
+  const bool neither = asked.error.empty() && asked.digits.empty();
+  const bool as_engines = neither && asked.as_engines && need.criterion == Criterion::path;
+  if (neither && !as_engines)
     throw BadInput("choose needs --error or --digits, as in --error 0.01 or --digits 6");
   need.relative = !asked.digits.empty();
   need.error = std::numeric_limits<double>::quiet_NaN();
   if (need.relative)
     need.error = std::pow(10, -whole_of("--digits", asked.digits, 1, 15));
   else if (need.criterion == Criterion::path)
-    set_errors(need, entry, asked.error);
+    set_errors(need, entry, as_engines ? errors_for_engines(entry) : asked.error);
   else
     need.error = positive("--error", asked.error, "");
 }

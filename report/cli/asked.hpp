@@ -27,8 +27,9 @@ struct AskedNeed {
   std::vector<std::string> only = {}, exclude = {};
   std::string precision = "double";
   bool cheapest = false, one_step = false;
-  bool measure = false;  ///< what earlier runs measured is measured anew
-  bool explain = false;  ///< what was tried, and where the time went
+  bool measure = false;     ///< what earlier runs measured is measured anew
+  bool as_engines = false;  ///< unless an error is asked for, 1 cm and 1 degree as `engines` has it
+  bool explain = false;     ///< what was tried, and where the time went
 };
 constexpr double most_frames = 1e6;  ///< that a need may ask for: an hour at 277 frames per second
 /// For an exercise that has a motion, at the task's parameters.

@@ -245,6 +245,7 @@ void add_choose(CLI::App& app, Session& s) {
       "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
       "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms",
       [&] {
+        s.need.as_engines = !s.engine.empty();
         s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.engine,
                                  s.command);
       });
@@ -255,8 +256,10 @@ void add_choose(CLI::App& app, Session& s) {
   add_formats(*choose, s, "the choice and every method tried");
   auto* code = choose->add_flag("--code", s.code, "the chosen model and its loop, as C++ to paste");
   set_apart(*choose, code, {"--json", "--csv"});
-  auto* engine = add_value(*choose, "--engine", s.engine, "NAME",
-                           "what another engine makes of the scene, beside the choice: bullet, mujoco");
+  auto* engine = add_value(
+      *choose, "--engine", s.engine, "NAME",
+      "what another engine makes of the scene, beside the choice: bullet, mujoco; unless --error or "
+      "--digits is given, to 1 cm and 1 degree");
   set_apart(*choose, engine, {"--json", "--csv", "--code"});
 }
 
