@@ -67,11 +67,11 @@ using Cell = std::function<std::string(const EngineContest&, const EngineSeries&
 std::string defaults_table(const std::vector<EngineContest>& contests, const Cell& cell) {
   Rows rows{{"defaults of"}};
   for (const EngineContest& c : contests) rows[0].push_back(linked(c));
-  for (const auto& [engine, webassembly] : engines_of(contests)) {
-    std::vector<std::string> row{escaped(engine + (webassembly ? " *" : ""))};
+  for (const EngineName& of : engines_of(contests)) {
+    std::vector<std::string> row{escaped(of.first + (of.second ? " *" : ""))};
     for (const EngineContest& c : contests) {
       const auto s = std::ranges::find_if(c.series, [&](const EngineSeries& one) {
-        return one.defaults && one.engine == engine && one.webassembly == webassembly;
+        return one.defaults && EngineName(one.engine, one.webassembly) == of;
       });
       row.push_back(s == c.series.end() || !s->cannot.empty() ? "" : cell(c, *s));
     }
