@@ -34,6 +34,17 @@ bool check_budget(long evaluations, Trajectory<State>& solved, double t) {
 template <class State>
 using TimeOf = std::conditional_t<std::is_same_v<typename State::value_type, float>, float, double>;
 
+/// Steps first to last of size h. A function of its own, so that nothing around its loop takes registers.
+template <class DoStep, class State>
+[[gnu::noinline]] void steps_in_registers(DoStep& do_step, State& x, double t0, double h, long first,
+                                          long last) {
+  using Time = TimeOf<State>;
+  State now = x;
+  for (long i = first; i < last; ++i)
+    do_step(now, static_cast<Time>(t0 + static_cast<double>(i) * h), static_cast<Time>(h));
+  x = now;
+}
+
 /// Steps of equal size from t0 to t1, no longer than `step`; false when the integration is over. The state is
 /// stepped in a local copy, which the compiler can keep in registers. The steps are counted and their times
 /// computed in double, whatever the state is in: a state in float sees time and step rounded to float, and
@@ -51,10 +62,12 @@ template <class DoStep, class State, class OnStep>
   const auto time_of = [=](long i) { return i == n ? t1 : t0 + static_cast<double>(i) * h; };
   State now = x;
   for (long i = 0; i < n;) {
-    for (const long end = std::min(i + 16, n); i < end; ++i) {
-      if constexpr (std::is_same_v<OnStep, NeverStop>) {
-        do_step(now, static_cast<Time>(t0 + static_cast<double>(i) * h), static_cast<Time>(h));
-      } else {
+    const long end = std::min(i + 16, n);
+    if constexpr (std::is_same_v<OnStep, NeverStop>) {
+      steps_in_registers(do_step, now, t0, h, i, end);
+      i = end;
+    } else {
+      for (; i < end; ++i) {
         const State before = now;
         do_step(now, static_cast<Time>(time_of(i)), static_cast<Time>(h));
         if (on_step(time_of(i), before, time_of(i + 1), now)) return x = now, false;
@@ -159,12 +172,22 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
   long evaluations = 0;  // not `solved`'s: a local stays in a register
   const detail::Counted<System, State> counted{system, evaluations};
   if constexpr (Algorithm::kind == Kind::fixed) {
-    auto stepper = Algorithm::template stepper<State>();
-    auto do_step = [&](State& x, auto t, auto h) { stepper.do_step(counted, x, t, h); };
-    detail::through(
-        times, start, solved, [&](State & x, double t0, double t1) __attribute__((always_inline)) {
-          return detail::equal_steps(do_step, x, t0, t1, setting, evaluations, solved, on_step);
-        });
+    const auto by = [&](auto& do_step) {
+      detail::through(
+          times, start, solved, [&](State & x, double t0, double t1) __attribute__((always_inline)) {
+            return detail::equal_steps(do_step, x, t0, t1, setting, evaluations, solved, on_step);
+          });
+    };
+    if constexpr (requires { &Algorithm::recurrence; }) {  // it remembers earlier steps
+      auto stepper = Algorithm::template stepper<State>();
+      auto do_step = [&](State& x, auto t, auto h) { stepper.do_step(counted, x, t, h); };
+      by(do_step);
+    } else {  // a stepper of its own for each step stays in registers
+      auto do_step = [&](State& x, auto t, auto h) {
+        Algorithm::template stepper<State>().do_step(counted, x, t, h);
+      };
+      by(do_step);
+    }
   } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {
     auto stepper = Algorithm::template stepper<State>(system, evaluations);
     detail::through(

@@ -19,23 +19,23 @@ using Two = double __attribute__((vector_size(16)));
 template <class T>
 struct Row {
   T* first = nullptr;
-  T& operator[](int k) const { return first[2 * k]; }
+  T& operator[](int k) const { return first[2L * k]; }
   bool operator==(const Row&) const = default;
 };
 struct Both {
   double* first;
   Two operator[](int k) const {
     Two x;
-    std::memcpy(&x, first + 2 * k, sizeof x);
+    std::memcpy(&x, first + 2L * k, sizeof x);
     return x;
   }
-  void put(int k, Two x) const { std::memcpy(first + 2 * k, &x, sizeof x); }
+  void put(int k, Two x) const { std::memcpy(first + 2L * k, &x, sizeof x); }
   bool operator==(const Both&) const = default;
 };
 /// One number, twice.
 struct Twice {
   double* first;
-  Two operator[](int k) const { return Two{first[2 * k], first[2 * k]}; }
+  Two operator[](int k) const { return Two{first[2L * k], first[2L * k]}; }
 };
 
 /// The rows of coefficients that an operation has to do with.

@@ -81,7 +81,7 @@ class Series {
 
  private:
   /// Of two rows, which are interleaved.
-  static constexpr std::size_t stride = 2 * (most_orders + 1);
+  static constexpr std::size_t stride = 2UL * (most_orders + 1);
 
   static std::size_t start(int row) {
     const auto i = static_cast<std::size_t>(row);
