@@ -142,15 +142,23 @@ struct Speed {
       const double first = seconds_of([&] { look(x, y); });
       const double again = seconds_of([&] { look(x, y); });  // its truth is there now
       truth += std::max(0.0, first - again) / static_cast<double>(probes);
-      at_probe.push_back(shared ? again : first);
+      at_probe.push_back(std::max(1e-9, shared ? again : first));
     }
-    const double looked = asked.every_cell ? 1 : 0.03;
-    for (long row = 0; row < rows; ++row) {
-      const auto probe = static_cast<std::size_t>(rows == 1 ? 0 : row * (probes - 1) / (rows - 1));
-      const double cells = tile_side * std::min(height, tile_side);
-      tiles.push_back(at_probe[probe] * std::max(4.0, looked * cells));
-    }
+    const double looked = asked.every_cell ? 1 : 0.02;
+    const double cells = tile_side * std::min(height, tile_side);
+    for (long row = 0; row < rows; ++row)
+      tiles.push_back(between(at_probe, (static_cast<double>(row) + 0.5) / static_cast<double>(rows)) *
+                      std::max(4.0, looked * cells));
     truth *= shared ? (asked.every_cell ? 1 : 0.3) : 0;
+  }
+
+ private:
+  /// At a part of the way from the first to the last, by a factor from one to the next: steps go by one.
+  static double between(const std::vector<double>& seconds, double part) {
+    const double place = part * static_cast<double>(seconds.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(place), seconds.size() - 1);
+    const double next = seconds[std::min(i + 1, seconds.size() - 1)];
+    return seconds[i] * std::pow(next / seconds[i], place - static_cast<double>(i));
   }
 };
 
