@@ -3,26 +3,36 @@
 // the Lagrangian differentiated by nested dual numbers, in the plane's coordinates and in those of the
 // cylinder, s along its axis and phi about it.
 
-#include "chapters/claims.hpp"
-
 #include <cmath>
 #include <numbers>
 
+#include "chapters/03_rigid_body_motion/13_tilted_chute/in_coq.hpp"
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
 #include "chapters/03_rigid_body_motion/shared/height_field.hpp"
+#include "chapters/provable_claims.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::ex03_13 {
 
 using namespace tilted_chute;
-using std::abs, std::cos, std::hypot, std::sin, std::sqrt, std::numbers::pi;
-using Point = std::array<double, 3>;
+using std::abs, std::asin, std::atan2, std::cos, std::hypot, std::pow, std::sin, std::sqrt, std::numbers::pi;
+template <class T>
+using Three = std::array<T, 3>;
+using Point = Three<double>;
+
+inline Shortened asin(const Shortened& x) { return function("asin", x.expression()); }
+/// Of x > 0.
+inline Shortened atan2(const Shortened& y, const Shortened& x) {
+  return function("atan", (y / x).expression());
+}
+inline Shortened tan(const Shortened& x) { return function("tan", x.expression()); }
 
 /// The Lagrangian of a unit mass in the distance along the axis and the angle about it, of the position
 /// alone.
+template <class G>
 struct AlongAndAbout {
-  Chute<double> chute;
-  double g;
+  Chute<G> chute;
+  G g;
 
   template <class T>
   T operator()(const Two<T>& q, const Two<T>& v) const {
@@ -32,28 +42,32 @@ struct AlongAndAbout {
   }
 };
 
-Point sum(const Point& a, const Point& b, double factor = 1) {
+template <class T>
+Three<T> sum(const std::type_identity_t<Three<T>>& a, const Three<T>& b, std::type_identity_t<T> factor = 1) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+template <class T>
+Three<T> unit(const Three<T>& a) {
+  return sum({}, a, 1 / sqrt(dot(a, a)));
 }
-Point unit(const Point& a) { return sum({}, a, 1 / sqrt(dot(a, a))); }
 
 /// Y^T (I + sign D D^T) Y with the matrix written out.
-double quadratic(const Point& y, const Point& d, double sign = -1) {
-  double total = 0;
+template <class T>
+T quadratic(const Three<T>& y, const Three<T>& d, double sign = -1) {
+  T total = 0;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) total += y[i] * ((i == j ? 1 : 0) + sign * d[i] * d[j]) * y[j];
+    for (std::size_t j = 0; j < 3; ++j) total += y[i] * ((i == j ? 1.0 : 0.0) + sign * d[i] * d[j]) * y[j];
   return total;
 }
 
 /// A point X of a cylinder about P + t D: along the axis, then R away from it. U, V, D are orthonormal.
-struct OnCylinder {
-  double R, t;
-  Point P, D, U, V, X, Y;
+template <class T>
+struct OnCylinderOf {
+  T R, t;
+  Three<T> P, D, U, V, X, Y;
 
-  explicit OnCylinder(Random& random)
+  OnCylinderOf() = default;
+  explicit OnCylinderOf(Random& random)
       : R(random.between(0.2, 3)),
         t(random.magnitude(0.1, 3)),
         P(random.point(3)),
@@ -62,26 +76,29 @@ struct OnCylinder {
         V(cross(D, U)),
         X(sum(sum(P, D, t), unit(cross(D, random.direction())), R)),
         Y(sum(X, P, -1)) {}
-  std::vector<double*> letters() {
-    std::vector<double*> all{&R, &t};
-    for (Point* point : {&P, &D, &U, &V, &X, &Y})
-      for (double& x : *point) all.push_back(&x);
+  std::vector<T*> letters() {
+    std::vector<T*> all{&R, &t};
+    for (Three<T>* point : {&P, &D, &U, &V, &X, &Y})
+      for (T& x : *point) all.push_back(&x);
     return all;
   }
   std::string where() const {
     return "$R$ = " + format_significant(R, 4) + ", $t$ = " + format_significant(t, 4);
   }
-  double y1() const { return dot(U, Y); }
-  double y2() const { return dot(V, Y); }
-  double y3() const { return dot(D, Y); }
+  T y1() const { return dot(U, Y); }
+  T y2() const { return dot(V, Y); }
+  T y3() const { return dot(D, Y); }
 };
+using OnCylinder = OnCylinderOf<double>;
 
 /// A chute, a place and a velocity in the plane, a friction, an angle and a way along the axis.
-struct OnChute {
-  Chute<double> chute;
-  double g, x1, x2, x3, v1, v2, k, phi, way;
+template <class T>
+struct OnChuteOf {
+  Chute<T> chute;
+  T g, x1, x2, x3, v1, v2, k, phi, way;
 
-  explicit OnChute(Random& random)
+  OnChuteOf() = default;
+  explicit OnChuteOf(Random& random)
       : chute{random.between(0.5, 3), random.between(2, 10), 0},
         g(random.between(0.5, 20)),
         x1(random.magnitude(0.05, 3)),
@@ -94,9 +111,9 @@ struct OnChute {
         way(random.magnitude(0.05, 3)) {
     chute.H = chute.L * sin(random.between(0.1, 1.4));
   }
-  double cosine() const { return sqrt(chute.L * chute.L - chute.H * chute.H) / chute.L; }
-  double theta() const { return std::asin(chute.H / chute.L); }
-  std::array<double*, 12> letters() {
+  T cosine() const { return sqrt(chute.L * chute.L - chute.H * chute.H) / chute.L; }
+  T theta() const { return asin(chute.H / chute.L); }
+  std::array<T*, 12> letters() {
     return {&chute.R, &chute.L, &chute.H, &g, &x1, &x2, &x3, &v1, &v2, &k, &phi, &way};
   }
   std::string where() const {
@@ -105,226 +122,233 @@ struct OnChute {
            format_significant(v2, 4) + ")";
   }
   /// (x1'', x2'') from the Lagrangian of the height, with friction and a side wind over the mass.
-  Value accelerations(double friction = 0, double wind = 0) const {
-    using D = Dual<double>;
-    const double n1 = chute.height(D(x1, 1), D(x2)).slope, n2 = chute.height(D(x1), D(x2, 1)).slope;
-    const double rise = chute.height(D(x1, v1), D(x2, v2)).slope;
-    const Pair force{-friction * (v1 + n1 * rise), wind - friction * (v2 + n2 * rise)};
-    return lagrange_accelerations(height_field::Lagrangian<Chute<double>>{chute, g}, Pair{x1, x2}, {v1, v2},
+  Two<T> accelerations(const T& friction = 0, const T& wind = 0) const {
+    using D = Dual<T>;
+    const T n1 = chute.height(D(x1, T(1)), D(x2)).slope, n2 = chute.height(D(x1), D(x2, T(1))).slope;
+    const T rise = chute.height(D(x1, v1), D(x2, v2)).slope;
+    const Two<T> force{-friction * (v1 + n1 * rise), wind - friction * (v2 + n2 * rise)};
+    return lagrange_accelerations(height_field::Lagrangian<Chute<T>, T>{chute, g}, Two<T>{x1, x2}, {v1, v2},
                                   force);
   }
   /// The same without forces from the Lagrangian in the way along the axis and the angle about it.
-  Value accelerations_about_axis() const {
-    const double angle = std::asin(x2 / chute.R), turning = v2 / (chute.R * cos(angle));
-    const double along = (x1 - chute.R * (1 - cos(angle)) * chute.s()) / chute.c();
-    const double speed = (v1 - chute.R * sin(angle) * turning * chute.s()) / chute.c();
-    const Pair a = lagrange_accelerations(AlongAndAbout{chute, g}, Pair{along, angle}, {speed, turning});
+  Two<T> accelerations_about_axis() const {
+    const T angle = asin(x2 / chute.R), turning = v2 / (chute.R * cos(angle));
+    const T along = (x1 - chute.R * (1 - cos(angle)) * chute.s()) / chute.c();
+    const T speed = (v1 - chute.R * sin(angle) * turning * chute.s()) / chute.c();
+    const Two<T> a =
+        lagrange_accelerations(AlongAndAbout<T>{chute, g}, Two<T>{along, angle}, {speed, turning});
     const auto x = [&](std::size_t i) {
       return [&, i](const auto& t) {
         return chute.position(along + speed * t + 0.5 * a[0] * t * t,
                               angle + turning * t + 0.5 * a[1] * t * t)[i];
       };
     };
-    return {second_derivative(x(0), 0.0), second_derivative(x(1), 0.0)};
+    return {second_derivative(x(0), T(0)), second_derivative(x(1), T(0))};
   }
 
-  double d1() const { return -cosine(); }
-  double d3() const { return chute.H / chute.L; }
-  double p3() const { return chute.R / cosine(); }
+  T d1() const { return -cosine(); }
+  T d3() const { return chute.H / chute.L; }
+  T p3() const { return chute.R / cosine(); }
   /// Any point against the cylinder.
-  double excess() const { return quadratic({x1, x2, x3 - p3()}, {d1(), 0, d3()}) - chute.R * chute.R; }
+  T excess() const { return quadratic<T>({x1, x2, x3 - p3()}, {d1(), 0, d3()}) - chute.R * chute.R; }
   /// A point of the chute's half of the cylinder, or, turned by pi, of the other.
-  Point on_it(bool other_half = false) const { return chute.position(way, other_half ? phi + pi : phi); }
+  Three<T> on_it(bool other_half = false) const {
+    return chute.position(way, other_half ? phi + pi_of<T>() : phi);
+  }
   /// d^2 h / dx_i dx_j by nested dual numbers.
-  double second(int i, int j) const {
-    using Along = Dual<double>;
-    const auto x = [&](int n, double value) {
-      return Dual<Along>(Along(value, i == n ? 1.0 : 0.0), Along(j == n ? 1.0 : 0.0, 0.0));
+  T second(int i, int j) const {
+    using Along = Dual<T>;
+    const auto x = [&](int n, const T& value) {
+      return Dual<Along>(Along(value, T(i == n ? 1.0 : 0.0)), Along(T(j == n ? 1.0 : 0.0), T(0.0)));
     };
     return chute.height(x(1, x1), x(2, x2)).slope.slope;
   }
   /// The same chute and ball with no place and no speed across.
-  OnChute on_center() const {
-    OnChute there = *this;
+  OnChuteOf on_center() const {
+    OnChuteOf there = *this;
     there.x2 = there.v2 = 0;
     return there;
   }
   /// x1'' on the center line of a chute of another angle.
-  double at_angle(double angle) const {
-    OnChute there = on_center();
+  T at_angle(double angle) const {
+    OnChuteOf there = on_center();
     there.chute.H = chute.L * sin(angle);
     return there.accelerations()[0];
   }
   /// The published accelerations; `square` stands for x2'^2 and `slope` for h_x1.
-  Value published(double square, double slope, double gravity = 1) const {
-    const double R2 = chute.R * chute.R, c = cosine(), r = depth(), tangent = chute.H / (chute.L * c);
-    const double above = R2 * square / (r * r * r * c) + gravity * g;
-    const double factor = -above / (1 + tangent * tangent + x2 * x2 / (r * r * c * c));
-    return values(factor * slope, factor * x2 / (r * c));
+  Two<T> published(const T& square, const T& slope, const T& gravity = 1) const {
+    const T R2 = chute.R * chute.R, c = cosine(), r = depth(), tangent = chute.H / (chute.L * c);
+    const T above = R2 * square / (r * r * r * c) + gravity * g;
+    const T factor = -above / (1 + tangent * tangent + x2 * x2 / (r * r * c * c));
+    return {factor * slope, factor * x2 / (r * c)};
   }
-  double slope() const { return -chute.H / (chute.L * cosine()); }
-  double depth() const { return sqrt(chute.R * chute.R - x2 * x2); }
+  T slope() const { return -chute.H / (chute.L * cosine()); }
+  T depth() const { return sqrt(chute.R * chute.R - x2 * x2); }
 
-  double bracket(const Point& x) const { return d1() * (x[2] - p3()) - d3() * x[0]; }
-  double depth_at(const Point& x) const { return sqrt(chute.R * chute.R - x[1] * x[1]); }
+  T bracket(const Three<T>& x) const { return d1() * (x[2] - p3()) - d3() * x[0]; }
+  T depth_at(const Three<T>& x) const { return sqrt(chute.R * chute.R - x[1] * x[1]); }
 };
+using OnChute = OnChuteOf<double>;
+
+using CylinderTable = ProvableClaims<OnCylinderOf>;
+using ChuteTable = ProvableClaims<OnChuteOf>;
 
 // ---- the cylinder -----------------------------------------------------------------------------------------
 
-void cylinder(Claims& claims, double seed) {
-  using S = const OnCylinder&;
-  using Form = Formula<OnCylinder>;
-  const auto samples = draw<OnCylinder>(200, seed);
-  const Form square{"$R^2$, the point having been put $R$ from the axis", [](S s) { return s.R * s.R; }};
-  const auto across = [](S s) { return sum(sum({}, s.U, s.y1()), s.V, s.y2()); };
-  const auto squares = [](S s) { return s.y1() * s.y1() + s.y2() * s.y2(); };
+void cylinder(CylinderTable& table, const std::vector<OnCylinder>& samples) {
+  using Form = ProvableFormula<OnCylinderOf>;
+  const Form square{"$R^2$, the point having been put $R$ from the axis",
+                    [](const auto& s) { return s.R * s.R; }};
+  const auto across = [](const auto& s) { return sum(sum({}, s.U, s.y1()), s.V, s.y2()); };
+  const auto squares = [](const auto& s) { return s.y1() * s.y1() + s.y2() * s.y2(); };
 
-  claims.formula<OnCylinder>(
+  table.formula(
       "cylinder", 1587, "the equation of the cylinder of radius $R$ about the line $P+tD$, $|D|=1$", samples,
       {.truth = square,
-       .printed = {"$(X-P)^T(I-DD^T)(X-P)=R^2$", [](S s) { return quadratic(s.Y, s.D); }},
-       .near_misses = {{"$(X-P)^T(I+DD^T)(X-P)=R^2$", [](S s) { return quadratic(s.Y, s.D, 1); }},
-                       {"$X^T(I-DD^T)X=R^2$", [](S s) { return quadratic(s.X, s.D); }}}});
-  const auto of_products = [](std::string text, const Point OnCylinder::*third) -> Form {
-    return {std::move(text),
-            [=](S s) { return sum(sum(sum(s.P, s.U, s.y1()), s.V, s.y2()), s.D, dot(s.D, s.*third)); }};
+       .printed = {"$(X-P)^T(I-DD^T)(X-P)=R^2$", [](const auto& s) { return quadratic(s.Y, s.D); }},
+       .near_misses = {{"$(X-P)^T(I+DD^T)(X-P)=R^2$", [](const auto& s) { return quadratic(s.Y, s.D, 1); }},
+                       {"$X^T(I-DD^T)X=R^2$", [](const auto& s) { return quadratic(s.X, s.D); }}}});
+  const auto of_products = [](const auto& third) {
+    return
+        [=](const auto& s) { return sum(sum(sum(s.P, s.U, s.y1()), s.V, s.y2()), s.D, dot(s.D, third(s))); };
   };
-  claims.formula<OnCylinder>(
-      "coordinates", 1595,
-      R"($X=P+y_1U+y_2V+y_3D$ in a right-handed orthonormal set $U,V,D$, the $y$ being products)", samples,
-      {.quantity = "$P+y_1U+y_2V+y_3D$",
-       .truth = {"$X$", [](S s) { return s.X; }},
-       .printed = of_products(R"($y_1=U\cdot(X-P)$, $y_2=V\cdot(X-P)$, $y_3=D\cdot(X-P)$)", &OnCylinder::Y),
-       .near_misses = {of_products(R"($y_3=D\cdot X$)", &OnCylinder::X)}});
-  claims.formula<OnCylinder>(
-      "distance", 1597, "the cylinder in these coordinates", samples,
-      {.truth = square,
-       .printed = {"$y_1^2+y_2^2=R^2$", squares},
-       .near_misses = {{"$y_1^2+y_3^2=R^2$", [](S s) { return s.y1() * s.y1() + s.y3() * s.y3(); }}}});
-  claims.formula<OnCylinder>(
+  table.formula("coordinates", 1595,
+                R"($X=P+y_1U+y_2V+y_3D$ in a right-handed orthonormal set $U,V,D$, the $y$ being products)",
+                samples,
+                {.quantity = "$P+y_1U+y_2V+y_3D$",
+                 .truth = {"$X$", [](const auto& s) { return s.X; }},
+                 .printed = {R"($y_1=U\cdot(X-P)$, $y_2=V\cdot(X-P)$, $y_3=D\cdot(X-P)$)",
+                             of_products([](const auto& s) { return s.Y; })},
+                 .near_misses = {{R"($y_3=D\cdot X$)", of_products([](const auto& s) { return s.X; })}}});
+  table.formula("distance", 1597, "the cylinder in these coordinates", samples,
+                {.truth = square,
+                 .printed = {"$y_1^2+y_2^2=R^2$", squares},
+                 .near_misses = {{"$y_1^2+y_3^2=R^2$",
+                                  [](const auto& s) { return s.y1() * s.y1() + s.y3() * s.y3(); }}}});
+  table.formula(
       "perpendicular", 1599, "$y_1U+y_2V$", samples,
       {.truth = {"the sum of the two", across},
-       .printed = {R"($(X-P)-(D\cdot(X-P))D$)", [](S s) { return sum(s.Y, s.D, -s.y3()); }},
-       .near_misses = {{R"($(X-P)+(D\cdot(X-P))D$)", [](S s) { return sum(s.Y, s.D, s.y3()); }}}});
-  claims.formula<OnCylinder>(
-      "squared_left", 1601, "$|y_1U+y_2V|^2$", samples,
-      {.truth = {"the vector's square",
-                 [=](S s) {
-                   const Point w = across(s);
-                   return dot(w, w);
-                 }},
-       .printed = {"$y_1^2+y_2^2$", squares},
-       .near_misses = {{"$(y_1+y_2)^2$", [](S s) { return std::pow(s.y1() + s.y2(), 2); }}}});
+       .printed = {R"($(X-P)-(D\cdot(X-P))D$)", [](const auto& s) { return sum(s.Y, s.D, -s.y3()); }},
+       .near_misses = {{R"($(X-P)+(D\cdot(X-P))D$)", [](const auto& s) { return sum(s.Y, s.D, s.y3()); }}}});
+  table.formula("squared_left", 1601, "$|y_1U+y_2V|^2$", samples,
+                {.truth = {"the vector's square",
+                           [=](const auto& s) {
+                             const auto w = across(s);
+                             return dot(w, w);
+                           }},
+                 .printed = {"$y_1^2+y_2^2$", squares},
+                 .near_misses = {{"$(y_1+y_2)^2$", [](const auto& s) { return pow(s.y1() + s.y2(), 2); }}}});
 
   const auto row = [&](std::string_view slug, int line, const Form& printed, const Form& near) {
-    claims.formula<OnCylinder>(slug, line, "what is $R^2$ on the cylinder, rewritten", samples,
-                               {.truth = square, .printed = printed, .near_misses = {near}});
+    table.formula(slug, line, "what is $R^2$ on the cylinder, rewritten", samples,
+                  {.truth = square, .printed = printed, .near_misses = {near}});
   };
   row("squared_right", 1603,
       {R"($|(X-P)-(D\cdot(X-P))D|^2$)",
-       [](S s) {
-         const Point w = sum(s.Y, s.D, -s.y3());
+       [](const auto& s) {
+         const auto w = sum(s.Y, s.D, -s.y3());
          return dot(w, w);
        }},
-      {"$|X-P|^2$", [](S s) { return dot(s.Y, s.Y); }});
+      {"$|X-P|^2$", [](const auto& s) { return dot(s.Y, s.Y); }});
   const auto opened = [](double minus, double plus) {
-    return
-        [=](S s) { return dot(s.Y, s.Y) - minus * s.y3() * s.y3() + plus * s.y3() * s.y3() * dot(s.D, s.D); };
+    return [=](const auto& s) {
+      return dot(s.Y, s.Y) - minus * s.y3() * s.y3() + plus * s.y3() * s.y3() * dot(s.D, s.D);
+    };
   };
   row("opened", 1605, {R"($(X-P)\cdot(X-P)-2(D\cdot(X-P))^2+(D\cdot(X-P))^2(D\cdot D)$)", opened(2, 1)},
       {R"($(X-P)\cdot(X-P)-(D\cdot(X-P))^2+(D\cdot(X-P))^2(D\cdot D)$)", opened(1, 1)});
   row("gathered", 1607, {R"($(X-P)\cdot(X-P)-(D\cdot(X-P))^2$)", opened(1, 0)},
       {R"($(X-P)\cdot(X-P)-2(D\cdot(X-P))^2$)", opened(2, 0)});
   const auto products = [](double sign) {
-    return [=](S s) { return dot(s.Y, s.Y) + sign * dot(s.Y, s.D) * dot(s.D, s.Y); };
+    return [=](const auto& s) { return dot(s.Y, s.Y) + sign * dot(s.Y, s.D) * dot(s.D, s.Y); };
   };
   row("rows_and_columns", 1609, {"$(X-P)^T(X-P)-((X-P)^TD)(D^T(X-P))$", products(-1)},
       {"$(X-P)^T(X-P)+((X-P)^TD)(D^T(X-P))$", products(1)});
   const auto matrices = [](double dyad) {
-    return [=](S s) {
-      double total = 0;
+    return [=]<class T>(const OnCylinderOf<T>& s) {
+      T total = 0;
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
-          total += s.Y[i] * (i == j ? 1 : 0) * s.Y[j] - dyad * (s.Y[i] * (s.D[i] * s.D[j]) * s.Y[j]);
+          total += s.Y[i] * (i == j ? 1.0 : 0.0) * s.Y[j] - dyad * (s.Y[i] * (s.D[i] * s.D[j]) * s.Y[j]);
       return total;
     };
   };
   row("matrices", 1611, {"$(X-P)^TI(X-P)-(X-P)^T(DD^T)(X-P)$", matrices(1)},
       {"$(X-P)^TI(X-P)$", matrices(0)});
-  row("one_matrix", 1613, {"$(X-P)^T(I-DD^T)(X-P)$", [](S s) { return quadratic(s.Y, s.D); }},
-      {"$(X-P)^T(DD^T-I)(X-P)$", [](S s) { return -quadratic(s.Y, s.D); }});
+  row("one_matrix", 1613, {"$(X-P)^T(I-DD^T)(X-P)$", [](const auto& s) { return quadratic(s.Y, s.D); }},
+      {"$(X-P)^T(DD^T-I)(X-P)$", [](const auto& s) { return -quadratic(s.Y, s.D); }});
 }
 
 // ---- the axis ---------------------------------------------------------------------------------------------
 
-void axis(Claims& claims, const std::vector<OnChute>& samples) {
-  using S = const OnChute&;
-  const auto sides = [](double (*run)(double)) {
-    return [=](S s) { return values(hypot(s.chute.L * run(s.theta()), s.chute.H), s.chute.H); };
+void axis(ChuteTable& table, const std::vector<OnChute>& samples) {
+  using Form = ProvableFormula<OnChuteOf>;
+  const auto sides = [](const auto& run) {
+    return [=](const auto& s) { return values(hypot(s.chute.L * run(s.theta()), s.chute.H), s.chute.H); };
   };
-  claims.formula<OnChute>(
-      "triangle", 1617, R"(the triangle of the axis, its hypotenuse $L$ at the angle $\theta$ to the plane)",
-      samples,
-      {.quantity = "hypotenuse and opposite side",
-       .truth = {R"($L$ and $L\sin\theta$)",
-                 [](S s) { return values(s.chute.L, s.chute.L * sin(s.theta())); }},
-       .printed = {R"(where $x_3$ rises by $H$, $x_1$ falls by $L\cos\theta$)", sides(std::cos)},
-       .near_misses = {{R"(where $x_3$ rises by $H$, $x_1$ falls by $L\sin\theta$)", sides(std::sin)}}});
-  claims.formula<OnChute>(
+  table.formula("triangle", 1617,
+                R"(the triangle of the axis, its hypotenuse $L$ at the angle $\theta$ to the plane)", samples,
+                {.quantity = "hypotenuse and opposite side",
+                 .truth = {R"($L$ and $L\sin\theta$)",
+                           [](const auto& s) { return values(s.chute.L, s.chute.L * sin(s.theta())); }},
+                 .printed = {R"(where $x_3$ rises by $H$, $x_1$ falls by $L\cos\theta$)",
+                             sides([](const auto& a) { return cos(a); })},
+                 .near_misses = {{R"(where $x_3$ rises by $H$, $x_1$ falls by $L\sin\theta$)",
+                                  sides([](const auto& a) { return sin(a); })}}});
+  table.formula(
       "adjacent", 1619, "the triangle's adjacent side", samples,
-      {.truth = {R"($L\cos\theta$)", [](S s) { return s.chute.L * cos(s.theta()); }},
+      {.truth = {R"($L\cos\theta$)", [](const auto& s) { return s.chute.L * cos(s.theta()); }},
        .printed = {R"($\sqrt{L^2-H^2}$)",
-                   [](S s) { return sqrt(s.chute.L * s.chute.L - s.chute.H * s.chute.H); }},
-       .near_misses = {{R"($\sqrt{L^2+H^2}$)", [](S s) { return hypot(s.chute.L, s.chute.H); }}}});
-  claims.formula<OnChute>("cosine", 1621, R"($\cos\theta$)", samples,
-                          {.truth = {R"($\cos(\sin^{-1}(H/L))$)", [](S s) { return cos(s.theta()); }},
-                           .printed = {R"($\sqrt{L^2-H^2}/L$)", [](S s) { return s.cosine(); }},
-                           .near_misses = {{R"($L/\sqrt{L^2-H^2}$)", [](S s) { return 1 / s.cosine(); }}}});
-  const auto run = [](S s) { return sqrt((s.chute.L - s.chute.H) * (s.chute.L + s.chute.H)); };
-  claims.formula<OnChute>("sine", 1621, R"($\sin\theta$)", samples,
-                          {.truth = {"the angle between the chute and the plane",
-                                     [=](S s) { return sin(std::atan2(s.chute.H, run(s))); }},
-                           .printed = {"$H/L$", [](S s) { return s.chute.H / s.chute.L; }},
-                           .near_misses = {{"$L/H$", [](S s) { return s.chute.L / s.chute.H; }}}});
+                   [](const auto& s) { return sqrt(s.chute.L * s.chute.L - s.chute.H * s.chute.H); }},
+       .near_misses = {{R"($\sqrt{L^2+H^2}$)", [](const auto& s) { return hypot(s.chute.L, s.chute.H); }}}});
+  table.formula("cosine", 1621, R"($\cos\theta$)", samples,
+                {.truth = {R"($\cos(\sin^{-1}(H/L))$)", [](const auto& s) { return cos(s.theta()); }},
+                 .printed = {R"($\sqrt{L^2-H^2}/L$)", [](const auto& s) { return s.cosine(); }},
+                 .near_misses = {{R"($L/\sqrt{L^2-H^2}$)", [](const auto& s) { return 1 / s.cosine(); }}}});
+  const auto run = [](const auto& s) { return sqrt((s.chute.L - s.chute.H) * (s.chute.L + s.chute.H)); };
+  table.formula("sine", 1621, R"($\sin\theta$)", samples,
+                {.truth = {"the angle between the chute and the plane",
+                           [=](const auto& s) { return sin(atan2(s.chute.H, run(s))); }},
+                 .printed = {"$H/L$", [](const auto& s) { return s.chute.H / s.chute.L; }},
+                 .near_misses = {{"$L/H$", [](const auto& s) { return s.chute.L / s.chute.H; }}}});
   const auto direction = [](double sign) {
-    return [=](S s) { return values(sign * cos(s.theta()), 0, sin(s.theta())); };
+    return [=](const auto& s) { return values(sign * cos(s.theta()), 0, sin(s.theta())); };
   };
-  claims.formula<OnChute>("direction", 1623, "the unit vector $D$ up the axis", samples,
-                          {.truth = {R"($(-\sqrt{L^2-H^2},0,H)$, normalized)",
-                                     [=](S s) {
-                                       return unit({-run(s), 0, s.chute.H});
-                                     }},
-                           .printed = {R"($(-\cos\theta,0,\sin\theta)$)", direction(-1)},
-                           .near_misses = {{R"($(\cos\theta,0,\sin\theta)$)", direction(1)}}});
-  const auto passing = [](std::string text, double (*height)(S)) -> Formula<OnChute> {
-    return {std::move(text), [=](S s) {
-              const Point w = cross({0, 0, height(s)}, {-cos(s.theta()), 0, sin(s.theta())});
+  table.formula("direction", 1623, "the unit vector $D$ up the axis", samples,
+                {.truth = {R"($(-\sqrt{L^2-H^2},0,H)$, normalized)",
+                           [=]<class T>(const OnChuteOf<T>& s) {
+                             return unit<T>({-run(s), 0, s.chute.H});
+                           }},
+                 .printed = {R"($(-\cos\theta,0,\sin\theta)$)", direction(-1)},
+                 .near_misses = {{R"($(\cos\theta,0,\sin\theta)$)", direction(1)}}});
+  const auto passing = [](std::string text, const auto& height) -> Form {
+    return {std::move(text), [=]<class T>(const OnChuteOf<T>& s) {
+              const auto w = cross(Three<T>{0, 0, height(s)}, Three<T>{-cos(s.theta()), 0, sin(s.theta())});
               return sqrt(dot(w, w));
             }};
   };
-  claims.formula<OnChute>(
+  table.formula(
       "axis_point", 1631, "the height at which the axis passes above the origin, $R$ from it", samples,
       {.quantity = R"(the origin's distance $|(0,0,p_3)\times D|$ from the axis)",
-       .truth = {"$R$", [](S s) { return s.chute.R; }},
-       .printed = passing(R"($R/\cos\theta$)", [](S s) { return s.p3(); }),
-       .near_misses = {passing(R"($R\cos\theta$)", [](S s) { return s.chute.R * s.cosine(); }),
-                       passing("$R$", [](S s) { return s.chute.R; })}});
+       .truth = {"$R$", [](const auto& s) { return s.chute.R; }},
+       .printed = passing(R"($R/\cos\theta$)", [](const auto& s) { return s.p3(); }),
+       .near_misses = {passing(R"($R\cos\theta$)", [](const auto& s) { return s.chute.R * s.cosine(); }),
+                       passing("$R$", [](const auto& s) { return s.chute.R; })}});
 }
 
 // ---- the cylinder solved for x3 ---------------------------------------------------------------------------
 
-void solved(Claims& claims, const std::vector<OnChute>& samples) {
-  using S = const OnChute&;
-  using Form = Formula<OnChute>;
-  const Form form{"$(X-P)^T(I-DD^T)(X-P)-R^2$ at any point", [](S s) { return s.excess(); }};
+void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
+  using Form = ProvableFormula<OnChuteOf>;
+  const Form form{"$(X-P)^T(I-DD^T)(X-P)-R^2$ at any point", [](const auto& s) { return s.excess(); }};
   const std::string equation = "what is zero on the cylinder, $P=(0,0,p_3)$, $D=(d_1,0,d_3)$";
   const auto expanded = [](double sign, double R2) {
-    return [=](S s) {
-      const double z = s.x3 - s.p3(), along = s.d1() * s.x1 + sign * s.d3() * z;
+    return [=](const auto& s) {
+      const auto z = s.x3 - s.p3(), along = s.d1() * s.x1 + sign * s.d3() * z;
       return s.x1 * s.x1 + s.x2 * s.x2 + z * z - along * along - R2 * s.chute.R * s.chute.R;
     };
   };
-  claims.formula<OnChute>(
+  table.formula(
       "expansion_1", 1637, equation, samples,
       {.truth = form,
        .printed = {"$x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1+d_3(x_3-p_3))^2$", expanded(1, 0)},
@@ -334,114 +358,119 @@ void solved(Claims& claims, const std::vector<OnChute>& samples) {
        .why =
            "The term $-R^2$, there in the lines before and after, is left out: so read it is the axis alone "
            "that satisfies the equation."});
-  const auto by_powers = [](double (*first)(double d3)) {
-    return [=](S s) {
-      const double z = s.x3 - s.p3(), d1 = s.d1(), d3 = s.d3();
+  const auto by_powers = [](const auto& first) {
+    return [=](const auto& s) {
+      const auto z = s.x3 - s.p3(), d1 = s.d1(), d3 = s.d3();
       return first(d3) * z * z - 2 * d1 * d3 * s.x1 * z + (1 - d1 * d1) * s.x1 * s.x1 + s.x2 * s.x2 -
              s.chute.R * s.chute.R;
     };
   };
   const std::string rest = "(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+(1-d_1^2)x_1^2+x_2^2-R^2$";
-  claims.formula<OnChute>(
+  table.formula(
       "expansion_2", 1639, "the same by powers of $x_3-p_3$", samples,
       {.truth = form,
-       .printed = {"$(1-d_3)^2" + rest, by_powers([](double d) { return (1 - d) * (1 - d); })},
-       .meant = {"$(1-d_3^2)" + rest, by_powers([](double d) { return 1 - d * d; })},
-       .near_misses = {{"$(1+d_3^2)" + rest, by_powers([](double d) { return 1 + d * d; })}},
+       .printed = {"$(1-d_3)^2" + rest, by_powers([](const auto& d) { return (1 - d) * (1 - d); })},
+       .meant = {"$(1-d_3^2)" + rest, by_powers([](const auto& d) { return 1 - d * d; })},
+       .near_misses = {{"$(1+d_3^2)" + rest, by_powers([](const auto& d) { return 1 + d * d; })}},
        .kind = Fault::formula,
        .why = "The square belongs to $d_3$: $(1-d_3^2)$, which the next line writes as $d_1^2$. With the "
               "default chute, $d_3=3/5$, that is 0.64, and what is printed 0.16."});
   const auto by_parts = [](double middle) {
-    return [=](S s) {
-      const double z = s.x3 - s.p3(), d1 = s.d1(), d3 = s.d3();
+    return [=](const auto& s) {
+      const auto z = s.x3 - s.p3(), d1 = s.d1(), d3 = s.d3();
       return d1 * d1 * z * z + middle * d1 * d3 * s.x1 * z + d3 * d3 * s.x1 * s.x1 + s.x2 * s.x2 -
              s.chute.R * s.chute.R;
     };
   };
-  claims.formula<OnChute>(
+  table.formula(
       "expansion_3", 1641, "the same with $d_1^2+d_3^2=1$", samples,
       {.truth = form,
        .printed = {"$d_1^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$", by_parts(-2)},
        .near_misses = {{"$d_1^2(x_3-p_3)^2+2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$", by_parts(2)}}});
   const auto completed = [](double sign) {
-    return [=](S s) {
-      const double b = s.d1() * (s.x3 - s.p3()) + sign * s.d3() * s.x1;
+    return [=](const auto& s) {
+      const auto b = s.d1() * (s.x3 - s.p3()) + sign * s.d3() * s.x1;
       return b * b + s.x2 * s.x2 - s.chute.R * s.chute.R;
     };
   };
-  claims.formula<OnChute>("expansion_4", 1643, "the same with a square", samples,
-                          {.truth = form,
-                           .printed = {"$(d_1(x_3-p_3)-d_3x_1)^2+x_2^2-R^2$", completed(-1)},
-                           .near_misses = {{"$(d_1(x_3-p_3)+d_3x_1)^2+x_2^2-R^2$", completed(1)}}});
+  table.formula("expansion_4", 1643, "the same with a square", samples,
+                {.truth = form,
+                 .printed = {"$(d_1(x_3-p_3)-d_3x_1)^2+x_2^2-R^2$", completed(-1)},
+                 .near_misses = {{"$(d_1(x_3-p_3)+d_3x_1)^2+x_2^2-R^2$", completed(1)}}});
 
   const std::string bracket = "$d_1(x_3-p_3)-d_3x_1$";
   const auto roots = [](double upper) {
-    return [=](S s) { return values(s.depth_at(s.on_it()), upper * s.depth_at(s.on_it(true))); };
+    return [=](const auto& s) { return values(s.depth_at(s.on_it()), upper * s.depth_at(s.on_it(true))); };
   };
-  claims.formula<OnChute>(
+  table.formula(
       "two_roots", 1647, bracket + " on the two halves of the cylinder", samples,
       {.truth = {"points of the lower half and of the upper, turned about the axis",
-                 [](S s) { return values(s.bracket(s.on_it()), s.bracket(s.on_it(true))); }},
+                 [](const auto& s) { return values(s.bracket(s.on_it()), s.bracket(s.on_it(true))); }},
        .printed = {R"($+\sqrt{R^2-x_2^2}$ and $-\sqrt{R^2-x_2^2}$)", roots(-1)},
        .near_misses = {{R"($+\sqrt{R^2-x_2^2}$ on both)", roots(1)}}});
   const auto at_zero = [](std::string text, double height) -> Form {
-    return {std::move(text), [=](S s) { return quadratic({0, 0, -height * s.p3()}, {s.d1(), 0, s.d3()}); }};
+    return {std::move(text), [=]<class T>(const OnChuteOf<T>& s) {
+              return quadratic<T>({0, 0, -height * s.p3()}, {s.d1(), 0, s.d3()});
+            }};
   };
-  claims.formula<OnChute>("origin", 1649, "the origin is on the cylinder", samples,
-                          {.quantity = "$(X-P)^T(I-DD^T)(X-P)$ at $X=0$",
-                           .truth = {"$R^2$", [](S s) { return s.chute.R * s.chute.R; }},
-                           .printed = at_zero(R"(with the axis at $p_3=R/\cos\theta$)", 1),
-                           .near_misses = {at_zero("with the axis half as high", 0.5)}});
+  table.formula("origin", 1649, "the origin is on the cylinder", samples,
+                {.quantity = "$(X-P)^T(I-DD^T)(X-P)$ at $X=0$",
+                 .truth = {"$R^2$", [](const auto& s) { return s.chute.R * s.chute.R; }},
+                 .printed = at_zero(R"(with the axis at $p_3=R/\cos\theta$)", 1),
+                 .near_misses = {at_zero("with the axis half as high", 0.5)}});
   const auto products = [](double sign) {
-    return [=](S s) { return values(cos(s.theta()) * (s.chute.R / cos(s.theta())), sign * s.d1() * s.p3()); };
+    return [=](const auto& s) {
+      return values(cos(s.theta()) * (s.chute.R / cos(s.theta())), sign * s.d1() * s.p3());
+    };
   };
-  claims.formula<OnChute>("at_origin", 1651, bracket + " at the origin", samples,
-                          {.quantity = R"($\cos\theta\,(R/\cos\theta)$, and )" + bracket + " at the origin",
-                           .truth = {"$R$, and the bracket there",
-                                     [](S s) {
-                                       return values(s.chute.R, s.bracket({0, 0, 0}));
-                                     }},
-                           .printed = {R"($\cos\theta\,(R/\cos\theta)=-d_1p_3=R$)", products(-1)},
-                           .near_misses = {{R"($\cos\theta\,(R/\cos\theta)=d_1p_3=R$)", products(1)}}});
-  const auto root_at_zero = [](double sign) { return [=](S s) { return sign * s.depth_at({}); }; };
-  claims.formula<OnChute>("plus", 1653, "the root's sign at the origin", samples,
-                          {.quantity = bracket + " at the origin",
-                           .truth = {"the bracket at $x_1=x_3=0$",
-                                     [](S s) {
-                                       return s.bracket({0, 0, 0});
-                                     }},
-                           .printed = {R"($+\sqrt{R^2-0}$)", root_at_zero(1)},
-                           .near_misses = {{R"($-\sqrt{R^2-0}$)", root_at_zero(-1)}}});
-  const auto on_half = [](double sign) { return [=](S s) { return sign * s.depth_at(s.on_it()); }; };
-  claims.formula<OnChute>(
-      "chute", 1655, bracket + " on the chute", samples,
-      {.truth = {"points of the lower half, turned about the axis", [](S s) { return s.bracket(s.on_it()); }},
-       .printed = {R"($+\sqrt{R^2-x_2^2}$)", on_half(1)},
-       .near_misses = {{R"($-\sqrt{R^2-x_2^2}$)", on_half(-1)}}});
-  const Form x3{"$x_3$ of a point turned about the axis", [](S s) { return s.on_it()[2]; }};
+  table.formula("at_origin", 1651, bracket + " at the origin", samples,
+                {.quantity = R"($\cos\theta\,(R/\cos\theta)$, and )" + bracket + " at the origin",
+                 .truth = {"$R$, and the bracket there",
+                           [](const auto& s) {
+                             return values(s.chute.R, s.bracket({0, 0, 0}));
+                           }},
+                 .printed = {R"($\cos\theta\,(R/\cos\theta)=-d_1p_3=R$)", products(-1)},
+                 .near_misses = {{R"($\cos\theta\,(R/\cos\theta)=d_1p_3=R$)", products(1)}}});
+  const auto root_at_zero = [](double sign) { return [=](const auto& s) { return sign * s.depth_at({}); }; };
+  table.formula("plus", 1653, "the root's sign at the origin", samples,
+                {.quantity = bracket + " at the origin",
+                 .truth = {"the bracket at $x_1=x_3=0$",
+                           [](const auto& s) {
+                             return s.bracket({0, 0, 0});
+                           }},
+                 .printed = {R"($+\sqrt{R^2-0}$)", root_at_zero(1)},
+                 .near_misses = {{R"($-\sqrt{R^2-0}$)", root_at_zero(-1)}}});
+  const auto on_half = [](double sign) {
+    return [=](const auto& s) { return sign * s.depth_at(s.on_it()); };
+  };
+  table.formula("chute", 1655, bracket + " on the chute", samples,
+                {.truth = {"points of the lower half, turned about the axis",
+                           [](const auto& s) { return s.bracket(s.on_it()); }},
+                 .printed = {R"($+\sqrt{R^2-x_2^2}$)", on_half(1)},
+                 .near_misses = {{R"($-\sqrt{R^2-x_2^2}$)", on_half(-1)}}});
+  const Form x3{"$x_3$ of a point turned about the axis", [](const auto& s) { return s.on_it()[2]; }};
   const auto from_axis = [](double sign) {
-    return [=](S s) {
-      const Point x = s.on_it();
+    return [=](const auto& s) {
+      const auto x = s.on_it();
       return s.p3() + (sign * s.d3() * x[0] + s.depth_at(x)) / s.d1();
     };
   };
-  claims.formula<OnChute>("solved", 1659, "$x_3$ on the chute by $d_1$, $d_3$ and $p_3$", samples,
-                          {.truth = x3,
-                           .printed = {R"($p_3+(d_3x_1+\sqrt{R^2-x_2^2})/d_1$)", from_axis(1)},
-                           .near_misses = {{R"($p_3+(-d_3x_1+\sqrt{R^2-x_2^2})/d_1$)", from_axis(-1)}}});
+  table.formula("solved", 1659, "$x_3$ on the chute by $d_1$, $d_3$ and $p_3$", samples,
+                {.truth = x3,
+                 .printed = {R"($p_3+(d_3x_1+\sqrt{R^2-x_2^2})/d_1$)", from_axis(1)},
+                 .near_misses = {{R"($p_3+(-d_3x_1+\sqrt{R^2-x_2^2})/d_1$)", from_axis(-1)}}});
   const auto height = [](double fall, double depth) {
-    return [=](S s) {
-      const Point x = s.on_it();
+    return [=](const auto& s) {
+      const auto x = s.on_it();
       const auto& [R, L, H] = s.chute;
       return (L * R + fall * H * x[0] + depth * L * s.depth_at(x)) / (L * s.cosine());
     };
   };
-  claims.formula<OnChute>(
-      "height", 1663, "the height $h(x_1,x_2)$ of the chute", samples,
-      {.truth = x3,
-       .printed = {R"($(LR-Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(-1, -1)},
-       .near_misses = {{R"($(LR+Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(1, -1)},
-                       {R"($(LR-Hx_1+L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(-1, 1)}}});
+  table.formula("height", 1663, "the height $h(x_1,x_2)$ of the chute", samples,
+                {.truth = x3,
+                 .printed = {R"($(LR-Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(-1, -1)},
+                 .near_misses = {{R"($(LR+Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(1, -1)},
+                                 {R"($(LR-Hx_1+L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(-1, 1)}}});
 }
 
 // ---- the height's derivatives -----------------------------------------------------------------------------
@@ -465,50 +494,52 @@ Check vanishes(std::string quantity, std::string by, const std::vector<OnChute>&
                             {"zero", [](const Vanishing&) { return 0.0; }}, all);
 }
 
-void derivatives(Claims& claims, const std::vector<OnChute>& samples) {
-  using S = const OnChute&;
-  using Along = Dual<double>;
-  claims.formula<OnChute>(
+void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& samples) {
+  table.formula(
       "h1", 1673, "$h_{x_1}$", samples,
       {.truth = {"$h$ by dual numbers",
-                 [](S s) { return s.chute.height(Along(s.x1, 1), Along(s.x2)).slope; }},
+                 []<class T>(const OnChuteOf<T>& s) {
+                   return s.chute.height(Dual<T>(s.x1, T(1)), Dual<T>(s.x2)).slope;
+                 }},
        .printed = {R"($-HL\cos\theta$, as a product)",
-                   [](S s) { return -s.chute.H * s.chute.L * s.cosine(); }},
-       .meant = {R"($-H/(L\cos\theta)$)", [](S s) { return s.slope(); }},
-       .near_misses = {{R"($+H/(L\cos\theta)$)", [](S s) { return -s.slope(); }}},
+                   [](const auto& s) { return -s.chute.H * s.chute.L * s.cosine(); }},
+       .meant = {R"($-H/(L\cos\theta)$)", [](const auto& s) { return s.slope(); }},
+       .near_misses = {{R"($+H/(L\cos\theta)$)", [](const auto& s) { return -s.slope(); }}},
        .kind = Fault::lost_typography,
        .why =
            R"(The fraction's bar is lost. For the default chute the quotient is $-0.75$, and the product $-12$.)"});
-  claims.formula<OnChute>(
+  table.formula(
       "h2", 1677, "$h_{x_2}$", samples,
       {.truth = {"$h$ by dual numbers",
-                 [](S s) { return s.chute.height(Along(s.x1), Along(s.x2, 1)).slope; }},
+                 []<class T>(const OnChuteOf<T>& s) {
+                   return s.chute.height(Dual<T>(s.x1), Dual<T>(s.x2, T(1))).slope;
+                 }},
        .printed = {R"($x_2(R^2-x_2^2)^{1/2}\cos\theta$, as a product)",
-                   [](S s) { return s.x2 * s.depth() * s.cosine(); }},
+                   [](const auto& s) { return s.x2 * s.depth() * s.cosine(); }},
        .meant = {R"($x_2/\big((R^2-x_2^2)^{1/2}\cos\theta\big)$)",
-                 [](S s) { return s.x2 / (s.depth() * s.cosine()); }},
+                 [](const auto& s) { return s.x2 / (s.depth() * s.cosine()); }},
        .near_misses = {{R"($-x_2/\big((R^2-x_2^2)^{1/2}\cos\theta\big)$)",
-                        [](S s) { return -s.x2 / (s.depth() * s.cosine()); }}},
+                        [](const auto& s) { return -s.x2 / (s.depth() * s.cosine()); }}},
        .kind = Fault::lost_typography,
        .why =
            "The fraction's bar is lost. Towards the rim this slope becomes infinite, and the product zero."});
   const auto second = [&](const std::string& quantity, int i, int j) {
     return vanishes(quantity, "$h$ by nested dual numbers", samples,
-                    [=](S s) { return std::pair(s.second(i, j), abs(s.second(2, 2))); });
+                    [=](const OnChute& s) { return std::pair(s.second(i, j), abs(s.second(2, 2))); });
   };
   claims.add(
       "h11_h12", 1679, "the second derivatives that are zero",
       {.printed = {"$h_{x_1x_1}=h_{x_1x_2}=0$", {second("$h_{x_1x_1}$", 1, 1), second("$h_{x_1x_2}$", 1, 2)}},
        .near_misses = {{"$h_{x_2x_2}=0$", {second("$h_{x_2x_2}$", 2, 2)}}}});
-  claims.formula<OnChute>(
+  table.formula(
       "h22", 1681, "$h_{x_2x_2}$", samples,
-      {.truth = {"$h$ by nested dual numbers", [](S s) { return s.second(2, 2); }},
+      {.truth = {"$h$ by nested dual numbers", [](const auto& s) { return s.second(2, 2); }},
        .printed = {R"($R^2/\big((R^2-x_2^2)^{3/2}\cos\theta\big)$)",
-                   [](S s) { return s.chute.R * s.chute.R / (std::pow(s.depth(), 3) * s.cosine()); }},
+                   [](const auto& s) { return s.chute.R * s.chute.R / (pow(s.depth(), 3) * s.cosine()); }},
        .near_misses = {{R"($x_2^2/\big((R^2-x_2^2)^{3/2}\cos\theta\big)$)",
-                        [](S s) { return s.x2 * s.x2 / (std::pow(s.depth(), 3) * s.cosine()); }},
+                        [](const auto& s) { return s.x2 * s.x2 / (pow(s.depth(), 3) * s.cosine()); }},
                        {R"($R^2/\big((R^2-x_2^2)^{1/2}\cos\theta\big)$)",
-                        [](S s) { return s.chute.R * s.chute.R / (s.depth() * s.cosine()); }}}});
+                        [](const auto& s) { return s.chute.R * s.chute.R / (s.depth() * s.cosine()); }}}});
 }
 
 // ---- the equations of motion ------------------------------------------------------------------------------
@@ -564,21 +595,24 @@ void equations(Claims& claims, const std::vector<OnChute>& samples) {
        .near_misses = {
            reading(first, {R"($g\sin\theta$)", [](S s) { return s.g * sin(s.theta()); }}, {truth}),
            reading(first, {R"($g\sin2\theta$)", [](S s) { return s.g * sin(2 * s.theta()); }}, {truth})}});
+}
 
-  const auto moves = [](std::string text, double factor) -> Form {
-    return {std::move(text), [=](S s) {
+void center_motion(ChuteTable& table, const std::vector<OnChute>& samples) {
+  const auto moves = [](std::string text, double factor) -> ProvableFormula<OnChuteOf> {
+    return {std::move(text), [=]<class T>(const OnChuteOf<T>& s) {
               const auto x = [&](const auto& t) {
                 return s.x1 + s.v1 * t + (s.g * sin(2 * s.theta()) * factor) * t * t;
               };
-              return values(x(0.0), derivative(x, 0.0), second_derivative(x, 1.5));
+              return values(x(T(0)), derivative(x, T(0)), second_derivative(x, T(1.5)));
             }};
   };
-  claims.formula<OnChute>("center_motion", 1735, "$x_1(t)$ on the center line", samples,
-                          {.quantity = R"($(x_1(0),\dot x_1(0),\ddot x_1)$ by dual numbers)",
-                           .truth = {"the start, and Lagrange's equations",
-                                     [=](S s) { return values(s.x1, s.v1, truth.of(s)[0]); }},
-                           .printed = moves(R"($x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}4t^2$)", 0.25),
-                           .near_misses = {moves(R"($x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}2t^2$)", 0.5)}});
+  table.formula(
+      "center_motion", 1735, "$x_1(t)$ on the center line", samples,
+      {.quantity = R"($(x_1(0),\dot x_1(0),\ddot x_1)$ by dual numbers)",
+       .truth = {"the start, and Lagrange's equations",
+                 [](const auto& s) { return values(s.x1, s.v1, s.on_center().accelerations()[0]); }},
+       .printed = moves(R"($x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}4t^2$)", 0.25),
+       .near_misses = {moves(R"($x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}2t^2$)", 0.5)}});
 }
 
 // ---- what is said about it --------------------------------------------------------------------------------
@@ -715,16 +749,178 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
               .near_misses = {at_rest("with friction and a wind across", 0, 0.1, 1)}});
 }
 
+namespace {
+
+void geometry(Claims& all, CylinderTable& about_axis, ChuteTable& chute,
+              const std::vector<OnCylinder>& points, const std::vector<OnChute>& samples) {
+  cylinder(about_axis, points);
+  axis(chute, samples);
+  solved(chute, samples);
+  derivatives(all, chute, samples);
+  center_motion(chute, samples);
+}
+
+}  // namespace
+
 std::vector<Claim> claims(double seed) {
   Claims all("3.13");
+  CylinderTable about_axis(all);
+  ChuteTable chute(all);
   const auto samples = draw<OnChute>(200, seed);
-  cylinder(all, seed);
-  axis(all, samples);
-  solved(all, samples);
-  derivatives(all, samples);
+  geometry(all, about_axis, chute, draw<OnCylinder>(200, seed), samples);
   equations(all, samples);
   statements(all, samples);
   return all.in_order();
+}
+
+namespace {
+
+/// The axis' direction D, U and the way W out to the point are unit vectors, U and W at right angles to D.
+ForAll<OnCylinderOf> any_cylinder() {
+  const std::vector<std::string> names{"R",  "t",  "p1", "p2", "p3", "d1", "d2",
+                                       "d3", "u1", "u2", "u3", "w1", "w2", "w3"};
+  const auto vector = [](const std::string& letter) {
+    const auto x = [&](const char* i) { return Shortened::letter(letter + i); };
+    return Three<Shortened>{x("1"), x("2"), x("3")};
+  };
+  const auto W = vector("w");
+  OnCylinderOf<Shortened> any;
+  any.R = Shortened::letter("R");
+  any.t = Shortened::letter("t");
+  any.P = vector("p");
+  any.D = vector("d");
+  any.U = vector("u");
+  any.V = cross(any.D, any.U);
+  any.Y = sum(sum({}, any.D, any.t), W, any.R);
+  any.X = sum(any.P, any.Y);
+  ForAll<OnCylinderOf> all{.any = any,
+                           .letters = quantified(names),
+                           .tactic = "on_cylinder",
+                           .says = "it holds for every point of every cylinder"};
+  const auto product = [](const auto& a, const auto& b, double is) {
+    return dot(a, b).expression() == Expression(is);
+  };
+  all.given = {product(any.D, any.D, 1), product(any.U, any.U, 1), product(W, W, 1), product(any.U, any.D, 0),
+               product(W, any.D, 0)};
+  return all;
+}
+
+ForAll<OnChuteOf> any_chute() {
+  const std::vector<std::string> names{"r", "L", "H", "g", "x1", "x2", "x3", "v1", "v2", "k", "phi", "way"};
+  ForAll<OnChuteOf> all{.any = lettered<OnChuteOf>(names),
+                        .letters = quantified(names),
+                        .tactic = "on_chute",
+                        .says = "it holds for every chute that is neither level nor vertical"};
+  const auto& [R, L, H] = all.any.chute;
+  for (const Shortened& x : {R, H, L - H, R * R - all.any.x2 * all.any.x2, cos(all.any.phi), all.any.g})
+    all.given.push_back(above(x.expression(), 0));
+  double x = 0.25;
+  for (double* letter : all.example.letters()) *letter = x += 0.25;
+  all.example.chute = {2, 5, 3};
+  return all;
+}
+
+Lemma lemma(std::string name, const ForAll<OnChuteOf>& all, const auto& left, const auto& right) {
+  return {std::move(name), all.letters, all.given,
+          equal(detail::recorded_value(left), detail::recorded_value(right)), all.tactic};
+}
+Provable provable(const std::string& slug, std::vector<Lemma> lemmas) {
+  return {"3.13-" + slug, any_chute().says, std::move(lemmas)};
+}
+
+/// The derivatives along x1 and along x2 of the slope along x1 are zero.
+Provables bends() {
+  const ForAll<OnChuteOf> all = any_chute();
+  const auto& s = all.any;
+  const auto height = [&](const std::string& x1, const std::string& x2) {
+    return s.chute.height(Shortened::letter(x1), Shortened::letter(x2)).expression().coq();
+  };
+  const auto slope_at = [&](const std::string& x1, const std::string& x2) {
+    return "Derive (fun w => " + height("w", x2) + ") " + x1;
+  };
+  const std::string slope = s.slope().expression().coq();
+  return {provable("h11_h12", {{"printed",
+                                all.letters,
+                                all.given,
+                                {{slope_at("x1", "x2") + " = " + slope},
+                                 {"Derive (fun z => " + slope_at("z", "x2") + ") x1 = 0"},
+                                 {"Derive (fun z => " + slope_at("x1", "z") + ") x2 = 0"}},
+                                "bends_of (fun x y => " + height("x", "y") + ") (" + slope + ") x1 x2"}})};
+}
+
+/// The printed formula at the example, its letters numbers.
+Lemma printed_off(const ForAll<OnChuteOf>& all, const auto& printed, const auto& truth, double& margin) {
+  OnChute s = all.example;
+  OnChuteOf<Shortened> recorded;
+  const auto numbers = s.letters();
+  std::size_t i = 0;
+  for (Shortened* letter : recorded.letters()) *letter = *numbers[i++];
+  Value difference = printed(s);
+  const Value right = truth(s);
+  for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= right[k];
+  return off_at(detail::recorded_value(printed(recorded)), detail::recorded_value(truth(recorded)),
+                difference, margin);
+}
+
+Provables of_motion() {
+  const ForAll<OnChuteOf> all = any_chute();
+  const auto& s = all.any;
+  const Two<Shortened> meant = s.published(s.v2 * s.v2, s.slope());
+  Provable equations = provable("equations", {lemma("meant", all, meant, s.accelerations()),
+                                              lemma("about_axis", all, meant, s.accelerations_about_axis())});
+  equations.lemmas.push_back(printed_off(
+      all, [](const auto& x) { return x.published(x.x2 * x.x2, -x.chute.H * x.chute.L * x.cosine()); },
+      [](const auto& x) { return x.accelerations(); }, equations.margin));
+  Provable friction = provable(
+      "friction_form",
+      {lemma("corrected", all, values(meant[0] - s.k * s.v1, meant[1] - s.k * s.v2), s.accelerations(s.k))});
+  auto crossing = all;
+  crossing.example.x2 = 0;
+  friction.lemmas.push_back(printed_off(
+      crossing,
+      [](const auto& x) {
+        return Two<std::decay_t<decltype(x.k)>>{x.accelerations(x.k)[0], 0};
+      },
+      [](const auto& x) { return x.accelerations(x.k); }, friction.margin));
+  for (Provable* wrong : {&equations, &friction}) wrong->says += "; as printed it is off at an example";
+  return {equations, friction};
+}
+
+Provables of_center() {
+  ForAll<OnChuteOf> all = any_chute();
+  const auto& s = all.any;
+  const Shortened zero = 0;
+  for (const Shortened& x : {s.x2, s.v2}) all.given.push_back(x.expression() == zero.expression());
+  all.tactic = "subst; on_chute";
+  auto elsewhere = s;
+  elsewhere.x1 = s.x3;
+  elsewhere.v1 = s.k;
+  const auto tangent_form = [&](const Shortened& t) { return s.g * t / (1 + t * t); };
+  const Shortened a = s.accelerations()[0];
+  const Lemma positive{"positive", all.letters, all.given, {above(a.expression(), 0)}, "subst; slides_down"};
+  return {provable("center_acceleration", {lemma("printed", all, s.g / 2 * sin(2 * s.theta()), a),
+                                           lemma("by_slope", all, tangent_form(-s.slope()), a),
+                                           lemma("by_tangent", all, tangent_form(tan(s.theta())), a)}),
+          provable("positive", {lemma("constant", all, a, elsewhere.accelerations()[0]), positive}),
+          provable("x2_zero", {lemma("printed", all, s.accelerations()[1], zero)}),
+          provable("friction_center", {lemma("printed", all, s.accelerations(s.k)[1], zero)})};
+}
+
+}  // namespace
+
+Provables proofs() {
+  Claims claims("3.13");
+  CylinderTable about_axis(claims);
+  ChuteTable chute(claims);
+  geometry(claims, about_axis, chute, {}, {});
+  Provables of_points = about_axis.proofs("3.13", any_cylinder()),
+            of_chute = chute.proofs("3.13", any_chute());
+  for (const Provables& more : {bends(), of_motion(), of_center()})
+    of_chute.insert(of_chute.end(), more.begin(), more.end());
+  for (Provable& proof : of_points) proof.preamble = cylinder_in_coq;
+  for (Provable& proof : of_chute) proof.preamble = chute_in_coq;
+  std::ranges::move(of_chute, std::back_inserter(of_points));
+  return of_points;
 }
 
 std::vector<Root> roots() {
@@ -741,3 +937,9 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_13
+
+namespace oddity {
+
+Provables proofs_3_13() { return ex03_13::proofs(); }
+
+}  // namespace oddity
