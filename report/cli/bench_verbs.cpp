@@ -75,7 +75,7 @@ double trials_in(const std::string& results) {
 
 std::vector<Growth> growth_of_verify(const PassingFolder& folder) {
   Growth by_trials{"verify, by trials", {}, {}}, by_exercises{"verify, by exercises", {}, {}};
-  for (const std::size_t stride : {16, 8, 4, 2, 1}) {
+  for (const std::size_t stride : std::initializer_list<std::size_t>{16, 8, 4, 2, 1}) {
     const std::string results = folder / "part.json";
     const VerbCost cost = cost_of({"verify", every(stride), "--results", results});
     by_trials.amounts.push_back(trials_in(results));

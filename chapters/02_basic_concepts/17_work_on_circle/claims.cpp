@@ -2,29 +2,33 @@
 // hide: the text's formulas against quadrature of F . v and dual numbers, which know the path alone; its
 // maxima and minima against a scan of the power, or works compared.
 
-#include "chapters/claims.hpp"
-
 #include "chapters/02_basic_concepts/17_work_on_circle/work_on_circle.hpp"
+#include "chapters/02_basic_concepts/shared/integral_proofs.hpp"
+#include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
+#include "chapters/provable_claims.hpp"
 #include "solvers/roots.hpp"
 
 namespace oddity::work_on_circle {
 
-namespace {
-
-using std::numbers::sqrt2;
-using M = const Motion&;
-
 /// A motion, and which of its times.
-struct Sample : Motion {
+template <class G>
+struct SampleOf : MotionOf<G> {
   int k = 0;
-  std::array<double*, 3> letters() { return {&r, &w, &T}; }
-  double size() const { return abs(r) * (10 + abs(x())); }  // of the work of a turn
+  std::array<G*, 3> letters() { return {&this->r, &this->w, &this->T}; }
+  double size() const { return abs(this->r) * (10 + abs(this->x())); }  // of the work of a turn
   std::string where() const {
-    return "$r$ = " + format_shortest(r) + R"(, $\omega$ = )" + format_shortest(w) +
-           ", $T$ = " + format_shortest(T);
+    return "$r$ = " + format_shortest(this->r) + R"(, $\omega$ = )" + format_shortest(this->w) +
+           ", $T$ = " + format_shortest(this->T);
   }
 };
-using Form = Formula<Sample>;
+
+namespace {
+
+using std::hypot, std::pow, std::numbers::sqrt2;
+using M = const Motion&;
+using Sample = SampleOf<double>;
+using Form = ProvableFormula<SampleOf>;
+using Table = ProvableClaims<SampleOf>;
 using OfMotion = std::function<Value(M)>;
 
 /// Motions with x = omega T up to 12: with r and omega of either sign, and with both positive and omega away
@@ -32,6 +36,7 @@ using OfMotion = std::function<Value(M)>;
 struct Samples {
   std::vector<Sample> any, forward, cases;
 
+  Samples() = default;
   explicit Samples(double seed) {
     Random random(seed);
     for (int i = 0; i < 50; ++i) {
@@ -55,90 +60,118 @@ Reading in_cases(const Samples& samples, const std::vector<Statement<Sample>>& s
 
 // ---- works by quadrature ----------------------------------------------------------------------------------
 
-double integral(FunctionOfOne f, double start, double end) { return gauss_legendre(f, start, end, 64).value; }
+template <class G, class F>
+G integral(const F& f, const std::type_identity_t<G>& start, const G& end) {
+  if constexpr (std::same_as<G, Shortened>)
+    return recorded_integral(f, start, end);
+  else
+    return gauss_legendre(f, start, end, 64).value;
+}
 
 /// The work from `start` to T.
-double work_of(Force force, M m, double start = 0) {
-  return integral([&](double t) { return power(force, m, t); }, start, m.T);
+template <class G>
+G work_of(Force force, const MotionOf<G>& m, const std::type_identity_t<G>& start = 0) {
+  return integral([&](const G& t) { return power(force, m, t); }, start, m.T);
 }
 /// The size of the terms that cancel in it when T is small.
 double of_work(const Sample& m) { return abs(m.r); }
 double of_growing_work(const Sample& m) { return abs(m.r) * (abs(m.T) + 1 / abs(m.w)); }
 
 /// dW/dT, through W = int_0^1 T P(T u) du.
-OfMotion slope(Force force) {
-  return [=](M m) {
-    const auto rate = [&](double u) {
-      return derivative([&](const auto& T) { return T * power(force, m, T * u); }, m.T);
+auto slope(Force force) {
+  return [=]<class G>(const SampleOf<G>& m) {
+    const MotionOf<G>& motion = m;
+    const auto rate = [&](const G& u) {
+      return derivative([&](const auto& T) { return T * power(force, motion, T * u); }, m.T);
     };
-    return integral(rate, 0, 1);
+    return integral(rate, 0, G(1.0));
   };
 }
 
 /// x + y on the path.
-double height(M m, double t) { return m.position(t)[0] + m.position(t)[1]; }
+template <class G>
+G height(const MotionOf<G>& m, const std::type_identity_t<G>& t) {
+  return m.position(t)[0] + m.position(t)[1];
+}
 
 const Form velocity{R"($\frac{d}{dt}(r\cos\omega t,\,r\sin\omega t,\,0)$ by dual numbers)",
-                    [](M m) { return Value(m.velocity(m.T)); }};
-const Form gain{"gain of $x+y$ along the path", [](M m) { return height(m, m.T) - height(m, 0); }, of_work};
-const Form gain_t{
-    "$T$ times the end's $x+y$, less its integral over time",
-    [](M m) { return m.T * height(m, m.T) - integral([&](double t) { return height(m, t); }, 0, m.T); },
-    of_growing_work};
-const Form power_1{R"($(1,1,1)\cdot v$ by dual numbers)", [](M m) { return power(Force::constant, m, m.T); }};
-const Form power_t{R"($(t,t,1)\cdot v$ by dual numbers)", [](M m) { return power(Force::growing, m, m.T); }};
-const Form work_1{R"(quadrature of $F\cdot v$)", [](M m) { return work_of(Force::constant, m); }, of_work};
-const Form work_t{R"(quadrature of $F\cdot v$)", [](M m) { return work_of(Force::growing, m); },
+                    [](const auto& m) { return m.velocity(m.T); }};
+const Form gain{"gain of $x+y$ along the path",
+                []<class G>(const SampleOf<G>& m) {
+                  const MotionOf<G>& motion = m;
+                  return height(motion, m.T) - height(motion, 0);
+                },
+                of_work};
+const Form gain_t{"$T$ times the end's $x+y$, less its integral over time",
+                  []<class G>(const SampleOf<G>& m) {
+                    const MotionOf<G>& motion = m;
+                    return m.T * height(motion, m.T) -
+                           integral([&](const G& t) { return height(motion, t); }, 0, m.T);
+                  },
+                  of_growing_work};
+const Form power_1{R"($(1,1,1)\cdot v$ by dual numbers)",
+                   []<class G>(const SampleOf<G>& m) { return power<G>(Force::constant, m, m.T); }};
+const Form power_t{R"($(t,t,1)\cdot v$ by dual numbers)",
+                   []<class G>(const SampleOf<G>& m) { return power<G>(Force::growing, m, m.T); }};
+const Form work_1{R"(quadrature of $F\cdot v$)",
+                  []<class G>(const SampleOf<G>& m) { return work_of<G>(Force::constant, m); }, of_work};
+const Form work_t{R"(quadrature of $F\cdot v$)",
+                  []<class G>(const SampleOf<G>& m) { return work_of<G>(Force::growing, m); },
                   of_growing_work};
 const Form slope_1{"$dW/dT$ of the quadrature", slope(Force::constant)};
 const Form slope_t{"$dW/dT$ of the quadrature", slope(Force::growing)};
-const Form force_t{"length of $(T,T,1)$", [](M m) { return std::hypot(m.T, m.T, 1); }};
-const Form zero{"zero", [](M) { return 0.0; }};
+const Form force_t{"length of $(T,T,1)$",
+                   []<class G>(const SampleOf<G>& m) { return hypot(m.T, m.T, G(1.0)); }};
+const Form zero{"zero", [](const auto&) { return 0.0; }};
 
 // ---- formulas ---------------------------------------------------------------------------------------------
 
-double c(M m) { return cos(m.x()); }
-double s(M m) { return sin(m.x()); }
+auto c(const auto& m) { return cos(m.x()); }
+auto s(const auto& m) { return sin(m.x()); }
 
 /// r w^i T^j (a cos + b sin + d).
 auto wave(int i, int j, double a, double b, double d = 0) {
-  return [=](M m) { return m.r * std::pow(m.w, i) * std::pow(m.T, j) * (a * c(m) + b * s(m) + d); };
+  return [=](const auto& m) { return m.r * pow(m.w, i) * pow(m.T, j) * (a * c(m) + b * s(m) + d); };
 }
 /// A velocity (r w^i a sin, r w^i cos, 0).
-OfMotion circling(int i, double a) {
-  return [=](M m) {
-    const double speed = m.r * std::pow(m.w, i);
-    return Value{speed * a * s(m), speed * c(m), 0};
+auto circling(int i, double a) {
+  return [=](const auto& m) {
+    const auto speed = m.r * pow(m.w, i);
+    return values(speed * a * s(m), speed * c(m), 0);
   };
 }
 /// The derivative of r (cos + sign sin).
-OfMotion primitive(double sign) {
-  return [=](M m) {
+auto primitive(double sign) {
+  return [=]<class G>(const SampleOf<G>& m) {
     return derivative([&](const auto& t) { return m.r * (cos(m.w * t) + sign * sin(m.w * t)); }, m.T);
   };
 }
-OfMotion by_parts(double sign) {
+auto by_parts(double sign) {
   const auto f = wave(0, 0, 1, 1);
-  return [=](M m) { return m.T * f(m) + sign * integral([&](double t) { return f(m.at(t)); }, 0, m.T); };
+  return [=]<class G>(const SampleOf<G>& m) {
+    return m.T * f(m) + sign * integral([&](const G& t) { return f(m.at(t)); }, 0, m.T);
+  };
 }
 /// The integral of the printed power, r w (cos - sin) or t times that.
-OfMotion of_printed(double sign, Force force) {
+auto of_printed(double sign, Force force) {
   const auto P = wave(1, force == Force::growing, 1, -1);
-  return [=](M m) { return sign * integral([&](double t) { return P(m.at(t)); }, 0, m.T); };
+  return [=]<class G>(const SampleOf<G>& m) {
+    return sign * integral([&](const G& t) { return P(m.at(t)); }, 0, m.T);
+  };
 }
 /// r w^power (-1 + cos - sin + T w (cos + sin)), or with the factor before the first part alone.
-OfMotion growing(double power, bool whole) {
-  return [=](M m) {
-    const double factor = m.r * std::pow(m.w, power);
-    return factor * (-1 + c(m) - s(m)) + (whole ? factor : 1) * m.x() * (c(m) + s(m));
+auto growing(int power, bool whole) {
+  return [=]<class G>(const SampleOf<G>& m) {
+    const G factor = m.r * pow(m.w, power);
+    return factor * (-1 + c(m) - s(m)) + (whole ? factor : G(1.0)) * m.x() * (c(m) + s(m));
   };
 }
 
-void formulas(Claims& claims, const Samples& samples) {
+void formulas(Table& table, const Samples& samples) {
   const auto line = [&](std::string_view slug, int number, const Form& printed, const Form& truth,
                         const std::vector<Form>& near) {
-    claims.formula(slug, number, printed.text, samples.any,
-                   {.quantity = "the formula", .truth = truth, .printed = printed, .near_misses = near});
+    table.formula(slug, number, printed.text, samples.any,
+                  {.quantity = "the formula", .truth = truth, .printed = printed, .near_misses = near});
   };
   line("velocity", 805, {R"($v=(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)$)", circling(1, -1)},
        velocity,
@@ -173,22 +206,23 @@ void formulas(Claims& claims, const Samples& samples) {
   line("growing_derivative", 841,
        {R"($W'(T)=r\omega T(\cos\omega T-\sin\omega T)$ for $(t,t,1)$)", wave(1, 1, 1, -1)}, slope_t,
        {{R"($rT(\cos\omega T-\sin\omega T)$)", wave(0, 1, 1, -1)}});
-  line("magnitude", 849, {R"($|(t,t,1)|=\sqrt{2t^2+1}$)", [](M m) { return sqrt(2 * m.T * m.T + 1); }},
-       force_t, {{R"($\sqrt{t^2+1}$)", [](M m) { return sqrt(m.T * m.T + 1); }}});
+  line("magnitude", 849,
+       {R"($|(t,t,1)|=\sqrt{2t^2+1}$)", [](const auto& m) { return sqrt(2 * m.T * m.T + 1); }}, force_t,
+       {{R"($\sqrt{t^2+1}$)", [](const auto& m) { return sqrt(m.T * m.T + 1); }}});
 }
 
-void misprints(Claims& claims, const Samples& samples) {
-  claims.formula("derivative", 821, "$W'(T)$ for $(1,1,1)$", samples.any,
-                 {.truth = slope_1,
-                  .printed = {R"($r\omega(-\sin\omega T+\cos\omega t)$, $t=T+1$)",
-                              [](M m) { return m.r * m.w * (-s(m) + cos(m.w * (m.T + 1))); }},
-                  .meant = {R"($r\omega(-\sin\omega T+\cos\omega T)$)", wave(1, 0, 1, -1)},
-                  .near_misses = {{R"($r\omega(\sin\omega T+\cos\omega T)$)", wave(1, 0, 1, 1)}},
-                  .kind = Fault::formula,
-                  .why = "The cosine keeps the variable of integration $t$, which has no value once the "
-                         "integral is done; both times are $T$, as the next line takes them. (The check puts "
-                         "$t=T+1$.)"});
-  claims.formula(
+void misprints(Table& table, const Samples& samples) {
+  table.formula("derivative", 821, "$W'(T)$ for $(1,1,1)$", samples.any,
+                {.truth = slope_1,
+                 .printed = {R"($r\omega(-\sin\omega T+\cos\omega t)$, $t=T+1$)",
+                             [](const auto& m) { return m.r * m.w * (-s(m) + cos(m.w * (m.T + 1))); }},
+                 .meant = {R"($r\omega(-\sin\omega T+\cos\omega T)$)", wave(1, 0, 1, -1)},
+                 .near_misses = {{R"($r\omega(\sin\omega T+\cos\omega T)$)", wave(1, 0, 1, 1)}},
+                 .kind = Fault::formula,
+                 .why = "The cosine keeps the variable of integration $t$, which has no value once the "
+                        "integral is done; both times are $T$, as the next line takes them. (The check puts "
+                        "$t=T+1$.)"});
+  table.formula(
       "growing_work", 837, "$W(T)$ for $(t,t,1)$", samples.any,
       {.truth = work_t,
        .printed =
@@ -205,19 +239,23 @@ void misprints(Claims& claims, const Samples& samples) {
        .kind = Fault::lost_typography,
        .why = "A fraction bar and a parenthesis are lost: the factor is $r/\\omega$, not $r\\omega$, and "
               "stands before the whole. The two differ by $\\omega^2$ and agree at $\\omega=1$ alone."});
-  const auto until = [](const std::string& text, double (*T)(double)) {
-    return Form{text, [T](M m) { return work_of(Force::constant, m.at(T(m.w))); }};
+  const auto until = [](const std::string& text, const auto& T) {
+    return Form{text, [T]<class G>(const SampleOf<G>& m) {
+                  return work_of<G>(Force::constant, m.at(T(pi_of<G>(), m.w)));
+                }};
   };
-  claims.formula("full_turn", 817, "after one turn the work is zero", samples.forward,
-                 {.quantity = "work of $(1,1,1)$",
-                  .truth = zero,
-                  .printed = until(R"($W(2\pi\omega)=0$)", [](double w) { return 2 * pi * w; }),
-                  .meant = until(R"($W(2\pi/\omega)=0$)", [](double w) { return 2 * pi / w; }),
-                  .near_misses = {until(R"($W(\pi/\omega)=0$)", [](double w) { return pi / w; })},
-                  .kind = Fault::lost_typography,
-                  .why = "The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the "
-                         "particle has turned by $2\\pi\\omega^2$ and the work is zero by chance only, as "
-                         "for $\\omega=1$; for $\\omega=1/\\sqrt2$ it is $-2r$."});
+  table.formula(
+      "full_turn", 817, "after one turn the work is zero", samples.forward,
+      {.quantity = "work of $(1,1,1)$",
+       .truth = zero,
+       .printed = until(R"($W(2\pi\omega)=0$)", [](const auto& half, const auto& w) { return 2 * half * w; }),
+       .meant = until(R"($W(2\pi/\omega)=0$)", [](const auto& half, const auto& w) { return 2 * half / w; }),
+       .near_misses = {until(R"($W(\pi/\omega)=0$)",
+                             [](const auto& half, const auto& w) { return half / w; })},
+       .kind = Fault::lost_typography,
+       .why = "The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the "
+              "particle has turned by $2\\pi\\omega^2$ and the work is zero by chance only, as "
+              "for $\\omega=1$; for $\\omega=1/\\sqrt2$ it is $-2r$."});
 }
 
 // ---- conservation -----------------------------------------------------------------------------------------
@@ -234,11 +272,11 @@ Form along(const std::string& text, double detour, const Field& field) {
     const auto moved = curve(Dual<double>(u, 1));
     return dot(field(curve(u)), std::array{moved[0].slope, moved[1].slope, moved[2].slope});
   };
-  return {text, [=](M m) { return integral([&](double u) { return rate(m, u); }, 0, 1); },
+  return {text, [=](M m) { return integral([&](double u) { return rate(m, u); }, 0, 1.0); },
           [=](const Sample& m) { return of_work(m) + 20 * detour * (1 + abs(m.w)); }};
 }
 
-void conservation(Claims& claims, const Samples& samples) {
+void conservation(Claims& claims, Table& table, const Samples& samples) {
   const auto one = [](const Vector&) { return Vector{1, 1, 1}; };
   const auto swirl = [](const Vector& at) { return Vector{1 - at[1], 1 + at[0], 1}; };
   const auto both_ways = [&](const std::string& of, const std::string& in, const auto& field) {
@@ -250,14 +288,16 @@ void conservation(Claims& claims, const Samples& samples) {
              {.printed = both_ways("", "", one),
               .near_misses = {both_ways(" of $(1-y,1+x,1)$", ", in the field $(1-y,1+x,1)$", swirl)}});
   const auto turn = [](const std::string& text, Force force) {
-    return Form{text, [force](M m) { return work_of(force, m.at(m.T + 2 * pi / m.w), m.T); }};
+    return Form{text, [force]<class G>(const SampleOf<G>& m) {
+                  return work_of<G>(force, m.at(m.T + 2 * pi_of<G>() / m.w), m.T);
+                }};
   };
-  claims.formula("round_trip", 817, "so once around the circle, from any start, the net work is zero",
-                 samples.forward,
-                 {.quantity = "work of a turn from a random start",
-                  .truth = zero,
-                  .printed = turn("$(1,1,1)$", Force::constant),
-                  .near_misses = {turn("$(t,t,1)$", Force::growing)}});
+  table.formula("round_trip", 817, "so once around the circle, from any start, the net work is zero",
+                samples.forward,
+                {.quantity = "work of a turn from a random start",
+                 .truth = zero,
+                 .printed = turn("$(1,1,1)$", Force::constant),
+                 .near_misses = {turn("$(t,t,1)$", Force::growing)}});
 }
 
 // ---- maxima and minima ------------------------------------------------------------------------------------
@@ -465,10 +505,46 @@ void growth(Claims& claims, const Samples& samples) {
 std::vector<Claim> claims(double seed) {
   const Samples samples(seed);
   Claims claims("2.17");
-  for (auto* section :
-       {formulas, misprints, conservation, zeros_of_the_power, extrema, values_at_maxima, growth})
-    section(claims, samples);
+  Table table(claims);
+  formulas(table, samples);
+  misprints(table, samples);
+  conservation(claims, table, samples);
+  for (auto* section : {zeros_of_the_power, extrema, values_at_maxima, growth}) section(claims, samples);
   return claims.in_order();
+}
+
+/// Antiderivatives of the powers and of their integrals' terms, by t or by a part u of the time.
+Provables proofs() {
+  const Samples none;
+  Claims claims("2.17");
+  Table table(claims);
+  formulas(table, none);
+  misprints(table, none);
+  conservation(claims, table, none);
+  const std::vector<std::string> names{"r", "w", "T"};
+  const std::string tactic = R"(repeat first
+    [ integrate (fun t => r * (cos (w * t) + sin (w * t)))
+    | integrate (fun t => r * t * (cos (w * t) + sin (w * t)) - r / w * (sin (w * t) - cos (w * t)))
+    | integrate (fun t => r / w * (sin (w * t) - cos (w * t)))
+    | integrate (fun u => r * w * u * (cos (w * (T * u)) - sin (w * (T * u))))
+    | integrate (fun u => r * w * u * (T * u) * (cos (w * (T * u)) - sin (w * (T * u)))) ];
+  try replace (w * (2 * PI / w)) with (2 * PI) by (field; trivial);
+  try replace (w * (T + 2 * PI / w)) with (w * T + 2 * PI) by (field; trivial);
+  rewrite ?cos_plus, ?sin_plus, ?cos_2PI, ?sin_2PI, ?Rmult_0_r, ?Rmult_1_r, ?cos_0, ?sin_0;
+  first [ring | field; trivial | f_equal; ring])";
+  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
+                       .letters = quantified(names),
+                       .tactic = tactic,
+                       .says = "it holds for every radius and speed, at every time",
+                       .example = {{0.5, 0.75, 2}}};
+  all.given = {not_zero(all.any.w.expression())};
+  Provables proved = table.proofs("2.17", all);
+  for (Provable& claim : proved) {
+    claim.preamble = integrals_in_coq;
+    for (Lemma& lemma : claim.lemmas)
+      if (lemma.tactic == "interval") lemma.tactic = "integral";
+  }
+  return proved;
 }
 
 std::vector<Root> roots() {
@@ -485,3 +561,9 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::work_on_circle
+
+namespace oddity {
+
+Provables proofs_2_17() { return work_on_circle::proofs(); }
+
+}  // namespace oddity

@@ -15,8 +15,9 @@ using namespace bodies;
 using std::abs, std::cos, std::sin, std::sqrt, std::numbers::pi;
 
 /// A circular motion and a time.
-struct Motion {
-  double r, w, T;
+template <class G>
+struct MotionOf {
+  G r, w, T;
 
   template <class Number>
   std::array<Number, 3> position(const Number& t) const {
@@ -27,14 +28,15 @@ struct Motion {
     const auto moved = position(Dual<Number>(t, Number(1.0)));
     return {moved[0].slope, moved[1].slope, moved[2].slope};
   }
-  Motion at(double time) const { return {r, w, time}; }
-  double x() const { return w * T; }
+  MotionOf at(const G& time) const { return {r, w, time}; }
+  G x() const { return w * T; }
 };
+using Motion = MotionOf<double>;
 
 enum class Force { constant, growing };
 
-template <class Number>
-Number power(Force force, const Motion& m, const Number& t) {
+template <class G, class Number>
+Number power(Force force, const MotionOf<G>& m, const Number& t) {
   const auto v = m.velocity(t);
   return force == Force::constant ? v[0] + v[1] + v[2] : t * v[0] + t * v[1] + v[2];
 }

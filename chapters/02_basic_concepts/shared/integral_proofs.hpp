@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "chapters/expression.hpp"
+
+/// Definite integrals of a recording number, and how Coq finds them from antiderivatives.
+namespace oddity {
+
+/// Of f over the letter t.
+template <class F>
+Shortened recorded_integral(const F& f, const Shortened& from, const Shortened& to) {
+  return integral([&](const Expression& t) { return Shortened(f(Shortened(t))).expression(); },
+                  from.expression(), to.expression(), "t");
+}
+
+/// integrate F takes the first integral that F is the antiderivative of.
+inline constexpr const char* integrals_in_coq = R"(
+From Coquelicot Require Import Continuity AutoDerive RInt_analysis.
+
+Lemma RInt_by : forall F f a b,
+  (forall t, is_derive F t (f t)) -> (forall t, continuous f t) -> RInt f a b = F b - F a.
+Proof. intros F f a b D C. apply is_RInt_unique, (is_RInt_derive F f); auto. Qed.
+
+Ltac integrate F :=
+  rewrite (RInt_by F);
+    [| intro; auto_derive; solve [repeat split; trivial | field; trivial | field]
+     | intro; apply @ex_derive_continuous; auto_derive; solve [repeat split; trivial]];
+  match goal with |- ?x = ?y => change (@eq R x y) end.
+)";
+
+}  // namespace oddity
