@@ -1,25 +1,24 @@
-#include "chapters/claims.hpp"
-
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/pipe_and_disk.hpp"
 #include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
+#include "chapters/provable_claims.hpp"
 #include "reference/text.hpp"
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/integrate.hpp"
 
 namespace oddity::ex03_21 {
 
-namespace {
-
 template <class T>
 using Vector = std::array<T, 3>;
 
 /// A rigid disk on a pipe, in any motion.
-struct Sample {
-  double m, L, mu2, mu3, phi, g;
-  Pair q, v;  ///< (theta, psi) and their speeds
-  Vector<double> F;
+template <class T>
+struct SampleOf {
+  T m, L, mu2, mu3, phi, g;
+  Two<T> q, v;  ///< (theta, psi) and their speeds
+  Vector<T> F;
 
-  explicit Sample(Random& random)
+  SampleOf() = default;
+  explicit SampleOf(Random& random)
       : m(random.between(0.2, 3)),
         L(random.between(0.3, 3)),
         mu2(random.between(0.1, 2)),
@@ -29,10 +28,10 @@ struct Sample {
         q{random.between(-3, 3), random.between(-3, 3)},
         v{random.magnitude(0.1, 3), random.magnitude(0.1, 3)},
         F{random.point(5)} {}
-  std::array<double*, 13> letters() {
+  std::array<T*, 13> letters() {
     return {&m, &L, &mu2, &mu3, &phi, &g, &q[0], &q[1], &v[0], &v[1], &F[0], &F[1], &F[2]};
   }
-  double inertia(double moment) const { return (m * L * L + moment) * sin(phi) * sin(phi); }
+  T inertia(const T& moment) const { return (m * L * L + moment) * sin(phi) * sin(phi); }
   double size() const {
     return 8 * (1 + m * L * (L + g) + mu2 + L * 5) * (1 + v[0] * v[0] + v[1] * v[1]) * (1 + 1 / inertia(mu2));
   }
@@ -41,18 +40,18 @@ struct Sample {
            R"(, $\dot\theta$ = )" + format_significant(v[0], 4) + R"(, $\dot\psi$ = )" +
            format_significant(v[1], 4);
   }
-  Sample upright() const {
-    Sample up = *this;
-    up.phi = 0;
+  SampleOf upright() const {
+    SampleOf up = *this;
+    up.phi = 0.0;
     return up;
   }
 
   /// The disk's two diameters and the pipe's direction: the columns of R.
-  template <class T>
-  std::array<Vector<T>, 3> axes(const T& theta, const T& psi) const {
-    const T c = cos(theta), s = sin(theta), a = cos(psi), b = sin(psi), C(cos(phi)), S(sin(phi));
-    const Vector<T> down{c * C, s * C, -S}, side{-s, c, T(0.0)}, pipe{c * S, s * S, C};
-    Vector<T> e, f;
+  template <class X>
+  std::array<Vector<X>, 3> axes(const X& theta, const X& psi) const {
+    const X c = cos(theta), s = sin(theta), a = cos(psi), b = sin(psi), C(cos(phi)), S(sin(phi));
+    const Vector<X> down{c * C, s * C, -S}, side{-s, c, X(0.0)}, pipe{c * S, s * S, C};
+    Vector<X> e, f;
     for (std::size_t i = 0; i < 3; ++i) {
       e[i] = a * down[i] + b * side[i];
       f[i] = a * side[i] - b * down[i];
@@ -60,38 +59,38 @@ struct Sample {
     return {e, f, pipe};
   }
   /// Gravity being `weight` over the mass.
-  auto lagrangian(double weight) const {
-    return [*this, weight]<class T>(const Two<T>& at, const Two<T>& speed) {
-      const auto r = axes(Dual<T>(at[0], speed[0]), Dual<T>(at[1], speed[1]));
-      const double moments[] = {mu3 / 2, mu3 / 2, mu2 - mu3 / 2};
-      T energy = T(0.0);
+  auto lagrangian(const T& weight) const {
+    return [*this, weight]<class X>(const Two<X>& at, const Two<X>& speed) {
+      const auto r = axes(Dual<X>(at[0], speed[0]), Dual<X>(at[1], speed[1]));
+      const T moments[] = {mu3 / 2, mu3 / 2, mu2 - mu3 / 2};
+      X energy = X(0.0);
       for (std::size_t k = 0; k < 3; ++k)
-        for (const Dual<T>& component : r[k]) {
-          const T rate = component.slope;
-          energy = energy + T(moments[k] / 2 + (k == 2 ? m * L * L / 2 : 0)) * rate * rate;
+        for (const Dual<X>& component : r[k]) {
+          const X rate = component.slope;
+          energy = energy + X(moments[k] / 2 + (k == 2 ? m * L * L / 2 : T(0))) * rate * rate;
         }
-      return energy - T(m * weight * L) * r[2][2].value;
+      return energy - X(m * weight * L) * r[2][2].value;
     };
   }
   /// Accelerations under gravity and a generalized force on theta.
-  Pair accelerations(double force, double weight) const {
-    return lagrange_accelerations(lagrangian(weight), q, v, {force, 0});
+  Two<T> accelerations(const T& force, const T& weight) const {
+    return lagrange_accelerations(lagrangian(weight), q, v, {force, T(0)});
   }
   /// dX/dtheta, X the center.
-  Vector<double> lever() const {
-    const auto pipe = axes(Dual<double>(q[0], 1), Dual<double>(q[1]))[2];
+  Vector<T> lever() const {
+    const auto pipe = axes(Dual<T>(q[0], T(1)), Dual<T>(q[1]))[2];
     return {L * pipe[0].slope, L * pipe[1].slope, L * pipe[2].slope};
   }
-  double force() const { return dot(F, lever()); }
+  T force() const { return dot(F, lever()); }
   /// d/dt of the disk's angular velocity theta' k + psi' u, both speeds constant.
-  Vector<double> angular_acceleration() const {
-    const auto pipe = axes(Dual<double>(q[0], v[0]), Dual<double>(q[1]))[2];
+  Vector<T> angular_acceleration() const {
+    const auto pipe = axes(Dual<T>(q[0], v[0]), Dual<T>(q[1]))[2];
     return {v[1] * pipe[0].slope, v[1] * pipe[1].slope, v[1] * pipe[2].slope};
   }
   /// (theta, psi, theta', psi') after 2 s under gravity and a force along x.
   std::array<double, 4> after_two_seconds(double along_x) const {
     const auto rhs = [&](const std::array<double, 4>& x, std::array<double, 4>& dxdt, double) {
-      Sample now = *this;
+      SampleOf now = *this;
       now.q = {x[0], x[1]};
       now.v = {x[2], x[3]};
       const Pair a = now.accelerations(along_x * now.lever()[0], g);
@@ -100,6 +99,11 @@ struct Sample {
     return ode::integrate<ode::RungeKutta4>(rhs, std::array{q[0], q[1], v[0], v[1]}, 0, 2, 0.05).value;
   }
 };
+using Sample = SampleOf<double>;
+using Table = ProvableClaims<SampleOf>;
+
+namespace {
+
 using S = const Sample&;
 
 /// Two of (theta, psi, theta', psi') after 2 s against their values at the start.
@@ -119,46 +123,49 @@ Reading unchanged(const std::string& text, const std::string& what, double seed,
 
 }  // namespace
 
-std::vector<Claim> claims(double seed) {
-  Claims claims("3.21");
-  const auto samples = draw<Sample>(200, seed);
+/// The two accelerations that an upright pipe may have.
+inline constexpr auto any_turn = []<class T>(const SampleOf<T>& up) { return Two<T>{up.F[0], -up.F[0]}; };
+
+/// Left sides of Lagrange's equations for an upright pipe under gravity.
+auto in_lagrange(const auto& accelerations) {
+  return [=]<class T>(const SampleOf<T>& s) -> Two<T> {
+    const auto up = s.upright();
+    return lagrange_left_side(up.lagrangian(up.g), up.q, up.v, accelerations(up));
+  };
+}
+
+void equations(Table& table, const std::vector<Sample>& samples) {
   const std::string lagrange = "Lagrange's equations of the rigid disk, by nested dual numbers";
-  const std::string speeds = R"($(\dot\theta,\dot\psi)$)";
-  const Formula<Sample> nothing{"zero", [](S) { return values(0, 0); }};
+  const ProvableFormula<SampleOf> nothing{"zero",
+                                          []<class T>(const SampleOf<T>&) { return values(T(0), T(0)); }};
 
-  const auto quotient = [](double Sample::*moment, int power = 2) {
-    return [=](S s) { return s.force() / s.inertia(s.*moment) * pow(sin(s.phi), 2 - power); };
+  const auto mu2 = [](const auto& s) { return s.mu2; };
+  const auto quotient = [](const auto& moment, int power = 2) {
+    return [=](const auto& s) { return s.force() / s.inertia(moment(s)) * pow(sin(s.phi), 2 - power); };
   };
-  claims.formula<Sample>(
-      "theta", 2559, R"(the pipe's angular acceleration $\ddot\theta$)", samples,
-      {.truth = {lagrange, [](S s) { return s.accelerations(s.force(), 0)[0]; }},
-       .printed = {R"($F_\theta/((mL^2+\mu_2)\sin^2\phi)$)", quotient(&Sample::mu2)},
-       .near_misses = {{R"($\mu_3$, the moment about the pipe, for $\mu_2$)", quotient(&Sample::mu3)},
-                       {R"($\sin\phi$ for its square)", quotient(&Sample::mu2, 1)}}});
+  table.formula("theta", 2559, R"(the pipe's angular acceleration $\ddot\theta$)", samples,
+                {.truth = {lagrange, [](const auto& s) { return s.accelerations(s.force(), 0)[0]; }},
+                 .printed = {R"($F_\theta/((mL^2+\mu_2)\sin^2\phi)$)", quotient(mu2)},
+                 .near_misses = {{R"($\mu_3$, the moment about the pipe, for $\mu_2$)",
+                                  quotient([](const auto& s) { return s.mu3; })},
+                                 {R"($\sin\phi$ for its square)", quotient(mu2, 1)}}});
 
-  const auto in_lagrange = [](const auto& accelerations) {
-    return [=](S s) {
-      const Sample up = s.upright();
-      return Value(lagrange_left_side(up.lagrangian(up.g), up.q, up.v, accelerations(up)));
-    };
-  };
-  claims.formula<Sample>(
+  table.formula(
       "upright", 2559, R"($\ddot\theta$ is that quotient at every inclination, and so without a force $0$)",
       samples,
       {.quantity = "Lagrange's left sides of an upright pipe under gravity",
        .truth = nothing,
        .printed = {R"(of an upright pipe, too: $\ddot\theta$ the quotient, $\ddot\psi=-\ddot\theta\cos\phi$)",
-                   in_lagrange([](S up) {
-                     const double a = -up.m * up.g * up.lever()[2] / up.inertia(up.mu2);
-                     return Pair{a, -a};
+                   in_lagrange([]<class T>(const SampleOf<T>& up) {
+                     const T a = -up.m * up.g * up.lever()[2] / up.inertia(up.mu2);
+                     return Two<T>{a, -a};
                    })},
        .corrected =
            {R"(only where the pipe is inclined; upright $\ddot\theta$ is any number, and $\ddot\psi=-\ddot\theta$)",
-            in_lagrange([](S up) {
-              return Pair{up.F[0], -up.F[0]};
-            })},
-       .near_misses = {{R"(upright $\ddot\theta$ is any number, and $\ddot\psi=0$)", in_lagrange([](S up) {
-                          return Pair{up.F[0], 0};
+            in_lagrange(any_turn)},
+       .near_misses = {{R"(upright $\ddot\theta$ is any number, and $\ddot\psi=0$)",
+                        in_lagrange([]<class T>(const SampleOf<T>& up) {
+                          return Two<T>{up.F[0], T(0)};
                         })}},
        .kind = Fault::left_out,
        .root = "division by an upright pipe",
@@ -169,54 +176,63 @@ std::vector<Claim> claims(double seed) {
            R"($4.1\cdot10^{-4}$ kg m$^2$ under the bar, and a small force already makes large )"
            R"(accelerations.)"});
   const auto turned_back = [=](double sign) {
-    return [=](S s) { return sign * quotient(&Sample::mu2)(s) * cos(s.phi); };
+    return [=](const auto& s) { return sign * quotient(mu2)(s) * cos(s.phi); };
   };
-  claims.formula<Sample>(
-      "psi", 2561, R"(the disk's angular acceleration $\ddot\psi$)", samples,
-      {.truth = {lagrange, [](S s) { return s.accelerations(s.force(), 0)[1]; }},
-       .printed = {R"($-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)", turned_back(-1)},
-       .near_misses = {{"the same without the minus", turned_back(1)}, {"zero", turned_back(0)}}});
+  table.formula("psi", 2561, R"(the disk's angular acceleration $\ddot\psi$)", samples,
+                {.truth = {lagrange, [](const auto& s) { return s.accelerations(s.force(), 0)[1]; }},
+                 .printed = {R"($-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)", turned_back(-1)},
+                 .near_misses = {{"the same without the minus", turned_back(1)}, {"zero", turned_back(0)}}});
 
   const auto product = [](double sign, double third) {
-    return [=](S s) {
-      const double sine = sin(s.phi), c = cos(s.q[0]), w = sin(s.q[0]);
+    return [=](const auto& s) {
+      const auto sine = sin(s.phi), c = cos(s.q[0]), w = sin(s.q[0]);
       return s.L * (-sign * s.F[0] * w * sine + s.F[1] * c * sine + third * s.F[2] * cos(s.phi));
     };
   };
-  claims.formula<Sample>(
-      "force", 2569, R"(the generalized force on $\theta$)", samples,
-      {.truth = {R"($F\cdot\partial X/\partial\theta$ of the center $X$, by dual numbers)", &Sample::force},
-       .printed = {R"($F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)", product(1, 0)},
-       .near_misses = {{R"($+\sin\theta$)", product(-1, 0)},
-                       {R"($\cos\phi$ as the third component)", product(1, 1)}}});
-  const auto weight = [](std::size_t axis) { return [=](S s) { return -s.m * s.g * s.lever()[axis]; }; };
-  claims.formula<Sample>("gravity_force", 2571,
-                         R"(gravity has no generalized force on $\theta$, at any time)", samples,
-                         {.quantity = R"($F_\theta$)",
-                          .truth = {"zero", [](S) { return values(0); }},
-                          .printed = {R"($-mgk\cdot\partial X/\partial\theta$, by dual numbers)", weight(2)},
-                          .near_misses = {{R"(the same with gravity along $-\imath$)", weight(0)}}});
-  const auto under_gravity = [](double force) { return [=](S s) { return s.accelerations(force, s.g); }; };
-  claims.formula<Sample>(
-      "no_acceleration", 2573, R"(gravity makes $\ddot\theta=0$ and $\ddot\psi=0$)", samples,
-      {.quantity = R"($(\ddot\theta,\ddot\psi)$)",
-       .truth = nothing,
-       .printed = {"Lagrange's equations under gravity", under_gravity(0)},
-       .near_misses = {{R"(the same with a force of 0.1 on $\theta$)", under_gravity(0.1)}}});
-  claims.formula<Sample>(
+  table.formula("force", 2569, R"(the generalized force on $\theta$)", samples,
+                {.truth = {R"($F\cdot\partial X/\partial\theta$ of the center $X$, by dual numbers)",
+                           [](const auto& s) { return s.force(); }},
+                 .printed = {R"($F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)", product(1, 0)},
+                 .near_misses = {{R"($+\sin\theta$)", product(-1, 0)},
+                                 {R"($\cos\phi$ as the third component)", product(1, 1)}}});
+  const auto weight = [](std::size_t axis) {
+    return [=](const auto& s) { return -s.m * s.g * s.lever()[axis]; };
+  };
+  table.formula("gravity_force", 2571, R"(gravity has no generalized force on $\theta$, at any time)",
+                samples,
+                {.quantity = R"($F_\theta$)",
+                 .truth = {"zero", []<class T>(const SampleOf<T>&) { return values(T(0)); }},
+                 .printed = {R"($-mgk\cdot\partial X/\partial\theta$, by dual numbers)", weight(2)},
+                 .near_misses = {{R"(the same with gravity along $-\imath$)", weight(0)}}});
+  const auto under_gravity = [](double force) {
+    return [=](const auto& s) { return s.accelerations(force, s.g); };
+  };
+  table.formula("no_acceleration", 2573, R"(gravity makes $\ddot\theta=0$ and $\ddot\psi=0$)", samples,
+                {.quantity = R"($(\ddot\theta,\ddot\psi)$)",
+                 .truth = nothing,
+                 .printed = {"Lagrange's equations under gravity", under_gravity(0)},
+                 .near_misses = {{R"(the same with a force of 0.1 on $\theta$)", under_gravity(0.1)}}});
+  table.formula(
       "angular_accelerations", 2575,
       "pipe and disk turn without angular acceleration, each about its own axis", samples,
       {.quantity = "the angular acceleration",
-       .truth = {"zero", [](S) { return values(0, 0, 0); }},
+       .truth = {"zero", []<class T>(const SampleOf<T>&) { return values(T(0), T(0), T(0)); }},
        .printed =
            {R"($\ddot\theta$ and $\ddot\psi$ by Lagrange's equations, and the component along the pipe )"
             R"(of the rate of $\dot\theta k+\dot\psi u$, by dual numbers)",
-            [](S s) {
-              const Pair a = s.accelerations(0, s.g);
+            [](const auto& s) {
+              const auto a = s.accelerations(0, s.g);
               return values(a[0], a[1], dot(s.angular_acceleration(), s.axes(s.q[0], s.q[1])[2]));
             }},
        .near_misses = {{R"(the rate of the disk's whole angular velocity $\dot\theta k+\dot\psi u$)",
-                        &Sample::angular_acceleration}}});
+                        [](const auto& s) { return s.angular_acceleration(); }}}});
+}
+
+std::vector<Claim> claims(double seed) {
+  Claims claims("3.21");
+  Table table(claims);
+  equations(table, draw<Sample>(200, seed));
+  const std::string speeds = R"($(\dot\theta,\dot\psi)$)";
   claims.add(
       "integrated", 2575, R"(integrated, the equations give $\theta(t)=\theta_0$ and $\psi(t)=\psi(0)$)",
       {.printed = unchanged("the angles keep their values", R"($(\theta,\psi)$)", seed, 0),
@@ -235,6 +251,49 @@ std::vector<Claim> claims(double seed) {
   return claims.in_order();
 }
 
+namespace {
+
+constexpr const char* pipe_in_coq = R"(
+Lemma circle : forall x, sin x * sin x = 1 - cos x * cos x.
+Proof. intro x. pose proof (sin2_cos2 x) as H. unfold Rsqr in H. lra. Qed.
+Lemma circle_of_sine : forall x, cos x * cos x = 1 - sin x * sin x.
+Proof. intro x. pose proof (sin2_cos2 x) as H. unfold Rsqr in H. lra. Qed.
+Ltac on_pipe phi theta psi :=
+  rewrite ?cos_0, ?sin_0;
+  let e1 := fresh in let e2 := fresh in let e3 := fresh in
+  pose proof (circle_of_sine phi) as e1; pose proof (circle theta) as e2; pose proof (circle psi) as e3;
+  generalize dependent (sin phi); intro; generalize dependent (cos phi); intros;
+  generalize dependent (sin theta); intro; generalize dependent (cos theta); intros;
+  generalize dependent (sin psi); intro; generalize dependent (cos psi); intros;
+  field [e1 e2 e3]; repeat split; apply Rgt_not_eq; ring_simplify [e1 e2 e3];
+  repeat apply Rplus_lt_0_compat; repeat apply Rmult_lt_0_compat; try apply pow_lt; lra.
+)";
+
+}  // namespace
+
+Provables proofs() {
+  Claims claims("3.21");
+  Table table(claims);
+  equations(table, {});
+  const std::vector<std::string> names{"m",   "L",     "mu2",  "mu3", "phi", "g", "theta",
+                                       "psi", "omega", "spin", "f1",  "f2",  "f3"};
+  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
+                       .letters = quantified(names),
+                       .tactic = "on_pipe phi theta psi",
+                       .says = "it holds for any disk on any inclined pipe",
+                       .without = {"upright"}};
+  const auto& s = all.any;
+  for (const Shortened& x : {s.m, s.L, s.mu2, s.mu3, sin(s.phi)})
+    all.given.push_back(above(x.expression(), 0));
+  Provables proved = table.proofs("3.21", all);
+  const Expressions left = detail::recorded_value(in_lagrange(any_turn)(s));
+  proved.push_back({"3.21-upright",
+                    "as corrected it holds for any upright pipe",
+                    {{"corrected", all.letters, {}, equal(left, {0.0, 0.0}), "on_pipe phi theta psi"}}});
+  for (Provable& proof : proved) proof.preamble = pipe_in_coq;
+  return proved;
+}
+
 std::vector<Root> roots() {
   return {
       {"division by an upright pipe",
@@ -243,3 +302,9 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_21
+
+namespace oddity {
+
+Provables proofs_3_21() { return ex03_21::proofs(); }
+
+}  // namespace oddity

@@ -2,11 +2,10 @@
 // from the positions alone by nested dual numbers.
 
 #include <Eigen/Core>
-#include <complex>
 #include <numbers>
 
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/linear.hpp"
@@ -17,11 +16,13 @@ namespace oddity::ex03_25 {
 namespace {
 
 /// The letters of a random chain of n masses.
-struct Sample {
-  std::vector<double> m, r, theta, omega;
-  double g, h;
+template <class T>
+struct SampleOf {
+  std::vector<T> m, r, theta, omega;
+  T g, h;
 
-  explicit Sample(Random& random, int n = 3) : g(random.between(1, 10)), h(random.between(1, 5)) {
+  SampleOf() = default;
+  explicit SampleOf(Random& random, int n = 3) : g(random.between(1, 10)), h(random.between(1, 5)) {
     for (int k = 0; k < n; ++k) {
       m.push_back(random.between(0.3, 3));
       r.push_back(random.between(0.3, 2));
@@ -34,8 +35,11 @@ struct Sample {
            format_significant(omega[0], 4) + ", ...)";
   }
 
-  /// The rod k pointing down, turned by theta, as a complex number x + i y.
-  std::complex<double> rod(std::size_t k) const { return std::polar(r[k], theta[k] - std::numbers::pi / 2); }
+  /// The rod k pointing down, turned by theta.
+  std::array<T, 2> rod(std::size_t k) const {
+    const T angle = theta[k] - pi_of<T>() / 2;
+    return {r[k] * cos(angle), r[k] * sin(angle)};
+  }
   /// (x_1, y_1, ...) in any number type.
   template <class X>
   std::vector<X> at(const std::vector<X>& q) const {
@@ -59,13 +63,13 @@ struct Sample {
     for (const auto& p : at(moving)) all.push_back(p.slope);
     return all;
   }
-  std::vector<double> velocities() const { return velocities(theta, omega); }
+  std::vector<T> velocities() const { return velocities(theta, omega); }
   template <class X>
   X kinetic(const std::vector<X>& q, const std::vector<X>& v) const {
-    X T(0.0);
+    X sum(0.0);
     const auto u = velocities(q, v);
-    for (std::size_t i = 0; i < u.size(); ++i) T += X(m[i / 2] / 2) * u[i] * u[i];
-    return T;
+    for (std::size_t i = 0; i < u.size(); ++i) sum += X(m[i / 2] / 2) * u[i] * u[i];
+    return sum;
   }
   template <class X>
   X potential(const std::vector<X>& q) const {
@@ -76,15 +80,15 @@ struct Sample {
   }
   /// The kinetic energy as that of the center of mass and of the masses' speeds relative to each other
   /// [Koenig].
-  double kinetic_by_pairs() const {
+  T kinetic_by_pairs() const {
     const auto v = velocities();
-    double all = 0, px = 0, py = 0, pairs = 0;
+    T all = 0, px = 0, py = 0, pairs = 0;
     for (std::size_t i = 0; i < m.size(); ++i) {
       all += m[i];
       px += m[i] * v[2 * i];
       py += m[i] * v[2 * i + 1];
       for (std::size_t j = 0; j < i; ++j)
-        pairs += m[i] * m[j] * (std::pow(v[2 * i] - v[2 * j], 2) + std::pow(v[2 * i + 1] - v[2 * j + 1], 2));
+        pairs += m[i] * m[j] * (pow(v[2 * i] - v[2 * j], 2) + pow(v[2 * i + 1] - v[2 * j + 1], 2));
     }
     return (px * px + py * py + pairs) / (2 * all);
   }
@@ -140,18 +144,30 @@ struct Sample {
   }
 };
 
+using Sample = SampleOf<double>;
+
 /// r_k theta_k' times the cosine or sine of theta_k.
-double cx(const Sample& s, std::size_t k) { return s.r[k] * s.omega[k] * std::cos(s.theta[k]); }
-double sy(const Sample& s, std::size_t k) { return s.r[k] * s.omega[k] * std::sin(s.theta[k]); }
-double square(double x) { return x * x; }
+template <class T>
+T cx(const SampleOf<T>& s, std::size_t k) {
+  return s.r[k] * s.omega[k] * cos(s.theta[k]);
+}
+template <class T>
+T sy(const SampleOf<T>& s, std::size_t k) {
+  return s.r[k] * s.omega[k] * sin(s.theta[k]);
+}
+template <class T>
+T square(const T& x) {
+  return x * x;
+}
 
 /// The bracket of mass n in the expanded energy; turn = -1 is the text's, +1 a near miss.
-double bracket(const Sample& s, std::size_t n, double turn = -1) {
-  double sum = 0;
+template <class T>
+T bracket(const SampleOf<T>& s, std::size_t n, double turn = -1) {
+  T sum = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    sum += square(s.r[i] * s.omega[i]);
+    sum += square(T(s.r[i] * s.omega[i]));
     for (std::size_t j = 0; j < i; ++j)
-      sum += 2 * s.r[i] * s.r[j] * s.omega[i] * s.omega[j] * std::cos(s.theta[j] + turn * s.theta[i]);
+      sum += 2 * s.r[i] * s.r[j] * s.omega[i] * s.omega[j] * cos(s.theta[j] + turn * s.theta[i]);
   }
   return s.m[n - 1] / 2 * sum;
 }
@@ -199,47 +215,71 @@ int free_coordinates(const Sample& s) {
   Eigen::MatrixXd constraints = Eigen::MatrixXd::Zero(3, 6);  // gradients of |p_k - p_(k-1)|^2
   for (int k = 0; k < 3; ++k) {
     const auto d = s.rod(static_cast<std::size_t>(k));
-    constraints(k, 2 * k) = d.real();
-    constraints(k, 2 * k + 1) = d.imag();
+    constraints(k, 2 * k) = d[0];
+    constraints(k, 2 * k + 1) = d[1];
     if (k == 0) continue;
-    constraints(k, 2 * k - 2) = -d.real();
-    constraints(k, 2 * k - 1) = -d.imag();
+    constraints(k, 2 * k - 2) = -d[0];
+    constraints(k, 2 * k - 1) = -d[1];
   }
   return 6 - rank(constraints);
 }
 
 // ---- the text's formulas ----------------------------------------------------------------------------------
 
-double across(const Sample& s) {
-  return s.r[0] * std::sin(s.theta[0]) + s.r[1] * std::sin(s.theta[1]) + s.r[2] * std::sin(s.theta[2]);
+template <class T>
+T across(const SampleOf<T>& s) {
+  return s.r[0] * sin(s.theta[0]) + s.r[1] * sin(s.theta[1]) + s.r[2] * sin(s.theta[2]);
 }
-double drop(const Sample& s) {
-  return s.r[0] * std::cos(s.theta[0]) + s.r[1] * std::cos(s.theta[1]) + s.r[2] * std::cos(s.theta[2]);
+template <class T>
+T drop(const SampleOf<T>& s) {
+  return s.r[0] * cos(s.theta[0]) + s.r[1] * cos(s.theta[1]) + s.r[2] * cos(s.theta[2]);
 }
-double cosines(const Sample& s) { return cx(s, 0) + cx(s, 1) + cx(s, 2); }
-double sines(const Sample& s) { return sy(s, 0) + sy(s, 1) + sy(s, 2); }
-std::complex<double> three_rods(const Sample& s) { return s.rod(0) + s.rod(1) + s.rod(2); }
+template <class T>
+T cosines(const SampleOf<T>& s) {
+  return cx(s, 0) + cx(s, 1) + cx(s, 2);
+}
+template <class T>
+T sines(const SampleOf<T>& s) {
+  return sy(s, 0) + sy(s, 1) + sy(s, 2);
+}
+template <class T>
+std::array<T, 2> three_rods(const SampleOf<T>& s) {
+  const auto a = s.rod(0), b = s.rod(1), c = s.rod(2);
+  return {a[0] + b[0] + c[0], a[1] + b[1] + c[1]};
+}
 
 /// T by the derivatives, those of the third mass from the rod `first_of_3` on.
-double substituted(const Sample& s, std::size_t first_of_3) {
-  double T = 0;
+template <class T>
+T substituted(const SampleOf<T>& s, std::size_t first_of_3) {
+  T sum = 0;
   for (std::size_t n = 0; n < 3; ++n) {
-    double x = 0, y = 0;
+    T x = 0, y = 0;
     for (std::size_t k = n == 2 ? first_of_3 : 0; k <= n; ++k) {
       x += cx(s, k);
       y += sy(s, k);
     }
-    T += s.m[n] / 2 * (x * x + y * y);
+    sum += s.m[n] / 2 * (x * x + y * y);
   }
-  return T;
+  return sum;
 }
 
 /// The sum of m_k |v_k|^2/2, with another factor for the third mass.
-double summed(const Sample& s, double third) {
+template <class T>
+T summed(const SampleOf<T>& s, double third) {
   const auto v = s.velocities();
-  double T = 0;
-  for (std::size_t i = 0; i < 6; ++i) T += (i < 4 ? 0.5 : third) * s.m[i / 2] * v[i] * v[i];
-  return T;
+  T sum = 0;
+  for (std::size_t i = 0; i < 6; ++i) sum += (i < 4 ? 0.5 : third) * s.m[i / 2] * v[i] * v[i];
+  return sum;
+}
+
+/// T expanded, as printed and as meant.
+template <class T>
+T multiplied(const SampleOf<T>& s) {
+  return bracket(s, 1) + bracket(s, 2) * bracket(s, 3);
+}
+template <class T>
+T added(const SampleOf<T>& s) {
+  return bracket(s, 1) + bracket(s, 2) + bracket(s, 3);
 }
 
 /// The text's potential, less that at rest.
@@ -274,11 +314,11 @@ std::vector<Claim> claims(double seed) {
                     .near_misses = {{"four", [](const Sample& s) { return free_coordinates(s) == 4; }}}});
   const std::string rods = "three turned rods, by complex numbers";
   claims.formula("x3", 2645, "the place $x_3$ of the third mass", samples,
-                 {.truth = {rods, [](const Sample& s) { return three_rods(s).real(); }},
-                  .printed = {R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)", across},
-                  .near_misses = {{R"($r_1\cos\theta_1+r_2\cos\theta_2+r_3\cos\theta_3$)", drop}}});
+                 {.truth = {rods, [](const Sample& s) { return three_rods(s)[0]; }},
+                  .printed = {R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)", across<double>},
+                  .near_misses = {{R"($r_1\cos\theta_1+r_2\cos\theta_2+r_3\cos\theta_3$)", drop<double>}}});
   claims.formula("y3", 2647, "its height $y_3$", samples,
-                 {.truth = {rods, [](const Sample& s) { return s.h + three_rods(s).imag(); }},
+                 {.truth = {rods, [](const Sample& s) { return s.h + three_rods(s)[1]; }},
                   .printed = {R"($y_3=h-r_1\cos\theta_1-r_2\cos\theta_2-r_3\cos\theta_3$)",
                               [](const Sample& s) { return s.h - drop(s); }},
                   .near_misses = {{R"($h+r_1\cos\theta_1+r_2\cos\theta_2+r_3\cos\theta_3$)",
@@ -288,14 +328,14 @@ std::vector<Claim> claims(double seed) {
       of_sines = R"(r_1\dot\theta_1\sin\theta_1+r_2\dot\theta_2\sin\theta_2+r_3\dot\theta_3\sin\theta_3$)";
   claims.formula("x3_rate", 2651, R"($\dot x_3$)", samples,
                  {.truth = {"dual numbers in the time", [](const Sample& s) { return s.velocities()[4]; }},
-                  .printed = {R"($\dot x_3=)" + of_cosines, cosines},
+                  .printed = {R"($\dot x_3=)" + of_cosines, cosines<double>},
                   .near_misses = {{"the opposite", [](const Sample& s) { return -cosines(s); }},
-                                  {"$" + of_sines, sines}}});
+                                  {"$" + of_sines, sines<double>}}});
   claims.formula("y3_rate", 2653, R"($\dot y_3$)", samples,
                  {.truth = {"dual numbers in the time", [](const Sample& s) { return s.velocities()[5]; }},
-                  .printed = {R"($\dot y_3=)" + of_sines, sines},
+                  .printed = {R"($\dot y_3=)" + of_sines, sines<double>},
                   .near_misses = {{"the opposite", [](const Sample& s) { return -sines(s); }},
-                                  {"$" + of_cosines, cosines}}});
+                                  {"$" + of_cosines, cosines<double>}}});
   claims.formula("kinetic_substituted", 2657, "$T$ with the derivatives put in", samples,
                  {.quantity = "$T$",
                   .truth = by_pairs,
@@ -310,9 +350,8 @@ std::vector<Claim> claims(double seed) {
        .truth = by_pairs,
        .printed =
            {"the second and the third bracket multiplied: the plus sign between them stands inside the second",
-            [](const Sample& s) { return bracket(s, 1) + bracket(s, 2) * bracket(s, 3); }},
-       .meant = {"the three brackets added",
-                 [](const Sample& s) { return bracket(s, 1) + bracket(s, 2) + bracket(s, 3); }},
+            multiplied<double>},
+       .meant = {"the three brackets added", added<double>},
        .near_misses = {{R"($\cos(\theta_i+\theta_j)$)",
                         [](const Sample& s) {
                           return bracket(s, 1, 1) + bracket(s, 2, 1) + bracket(s, 3, 1);
@@ -375,4 +414,79 @@ std::vector<Claim> claims(double seed) {
   return claims.in_order();
 }
 
+namespace {
+
+constexpr const char* chain_in_coq = R"(
+Ltac circle x :=
+  let e := fresh in
+  assert (e : sin x * sin x = 1 - cos x * cos x) by (pose proof (sin2_cos2 x) as e; unfold Rsqr in e; lra);
+  generalize dependent (sin x); intro; generalize dependent (cos x); intros.
+Ltac hanging a b c :=
+  repeat match goal with |- context [?x + - 1 * ?y] => replace (x + - 1 * y) with (x - y) by ring end;
+  rewrite ?cos_minus, ?sin_minus, ?cos_PI2, ?sin_PI2;
+  circle a; circle b; circle c;
+  match goal with A : _ = 1 - _, B : _ = 1 - _, C : _ = 1 - _ |- _ => field [A B C] end; lra.
+)";
+
+SampleOf<Shortened> three_links() {
+  SampleOf<Shortened> s;
+  for (const char* k : {"1", "2", "3"}) {
+    s.m.push_back(Shortened::letter(std::string("m") + k));
+    s.r.push_back(Shortened::letter(std::string("r") + k));
+    s.theta.push_back(Shortened::letter(std::string("a") + k));
+    s.omega.push_back(Shortened::letter(std::string("w") + k));
+  }
+  s.g = Shortened::letter("g");
+  s.h = Shortened::letter("h");
+  return s;
+}
+
+}  // namespace
+
+Provables proofs() {
+  const auto s = three_links();
+  const auto lemma = [&](const std::string& name, const Shortened& text, const Shortened& truth) -> Lemma {
+    Lemma all{name,
+              "(m1 m2 m3 r1 r2 r3 a1 a2 a3 w1 w2 w3 g h : R)",
+              {},
+              {text.expression() == truth.expression()},
+              "hanging a1 a2 a3"};
+    for (const Shortened& mass : s.m) all.given.push_back(above(mass.expression(), 0));
+    return all;
+  };
+  const auto holds = [&](const std::string& slug, const Shortened& text, const Shortened& truth) -> Provable {
+    return {"3.25-" + slug,
+            "it holds for any three links in any motion",
+            {lemma("printed", text, truth)},
+            0,
+            chain_in_coq};
+  };
+  const auto v = s.velocities();
+  const Shortened kinetic = s.kinetic_by_pairs();
+  Provable expanded = holds("kinetic_expanded", added(s), kinetic);
+  expanded.says = "as meant it holds for any three links in any motion; as printed it is off at an example";
+  expanded.lemmas[0].name = "meant";
+  SampleOf<Shortened> example;
+  Sample numbers;
+  example.m = {1, 2, 3}, example.r = {1, 2, 1}, example.theta = {0, 1, 2}, example.omega = {1, -1, 2};
+  numbers.m = {1, 2, 3}, numbers.r = {1, 2, 1}, numbers.theta = {0, 1, 2}, numbers.omega = {1, -1, 2};
+  numbers.g = numbers.h = 1;
+  expanded.lemmas.push_back(off_at(detail::recorded_value(multiplied(example)),
+                                   detail::recorded_value(example.kinetic_by_pairs()),
+                                   multiplied(numbers) - numbers.kinetic_by_pairs(), expanded.margin));
+  return {holds("kinetic_sum", summed(s, 0.5), kinetic),
+          holds("x3", across(s), three_rods(s)[0]),
+          holds("y3", s.h - drop(s), s.h + three_rods(s)[1]),
+          holds("x3_rate", cosines(s), v[4]),
+          holds("y3_rate", sines(s), v[5]),
+          holds("kinetic_substituted", substituted(s, 0), kinetic),
+          expanded};
+}
+
 }  // namespace oddity::ex03_25
+
+namespace oddity {
+
+Provables proofs_3_25() { return ex03_25::proofs(); }
+
+}  // namespace oddity
