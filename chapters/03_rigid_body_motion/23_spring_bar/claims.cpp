@@ -1,3 +1,4 @@
+#include "chapters/integral_proofs.hpp"
 #include "chapters/provable_claims.hpp"
 
 #include "chapters/03_rigid_body_motion/23_spring_bar/spring_bar.hpp"
@@ -45,7 +46,11 @@ struct SampleOf {
   T moments(const T& angle) const { return moment_of_weight(angle) + moment_of_spring(angle); }
   /// What has to be done against a moment from the level to q.
   T work(T (SampleOf::*moment)(const T&) const) const {
-    return -gauss_legendre([&](double angle) { return (this->*moment)(angle); }, 0, q, 100).value;
+    const auto at = [&](const T& angle) { return (this->*moment)(angle); };
+    if constexpr (std::same_as<T, Shortened>)
+      return -recorded_integral(at, 0, q);
+    else
+      return -gauss_legendre(at, 0, q, 100).value;
   }
   spring_bar::Given<T> bar() const { return {m, r, s, c, h, g, ell, T(0), T(0)}; }
   /// T + sign V by the positions.
@@ -72,8 +77,9 @@ using S = const Sample&;
 constexpr auto of_gravity = [](const auto& x) { return x.m * x.g * x.r * sin(x.q); };
 
 /// c/2 of the stretch's square less that of another length.
-double of_spring(S x, double other) {
-  const double stretch =
+template <class T>
+T of_spring(const SampleOf<T>& x, const T& other) {
+  const T stretch =
       sqrt(x.s * x.s * (cos(x.q) - 1) * (cos(x.q) - 1) + (x.h + x.s * sin(x.q)) * (x.h + x.s * sin(x.q))) -
       x.ell;
   return x.c / 2 * (stretch * stretch - other * other);
@@ -107,26 +113,32 @@ auto balanced(double side) {
 }
 
 void state(Table& table, const std::vector<Sample>& samples) {
-  table.formula("potential_of_gravity", 2579, "the potential energy of gravity", samples,
-                {.truth = {"the work done against the weight from the level, by quadrature",
-                           [](S x) { return x.work(&Sample::moment_of_weight); }},
-                 .printed = {R"($mgr\sin\theta$)", of_gravity},
-                 .near_misses = {{R"($mgr\cos\theta$)", [](S x) { return x.m * x.g * x.r * cos(x.q); }},
-                                 {R"($-mgr\sin\theta$)", [](S x) { return -of_gravity(x); }}}});
+  table.formula(
+      "potential_of_gravity", 2579, "the potential energy of gravity", samples,
+      {.truth = {"the work done against the weight from the level, by quadrature",
+                 []<class T>(const SampleOf<T>& x) { return x.work(&SampleOf<T>::moment_of_weight); }},
+       .printed = {R"($mgr\sin\theta$)", of_gravity},
+       .near_misses = {{R"($mgr\cos\theta$)", [](S x) { return x.m * x.g * x.r * cos(x.q); }},
+                       {R"($-mgr\sin\theta$)", [](S x) { return -of_gravity(x); }}}});
   table.formula(
       "potential_of_spring", 2583, "the potential energy of the spring", samples,
       {.truth = {"the work done against the spring from the level, by quadrature",
-                 [](S x) { return x.work(&Sample::moment_of_spring); }},
+                 []<class T>(const SampleOf<T>& x) { return x.work(&SampleOf<T>::moment_of_spring); }},
        .printed =
            {R"($\frac c2\Big(\big(\sqrt{s^2(\cos\theta-1)^2+(h+s\sin\theta)^2}-\ell\big)^2-(h-\ell)^2\Big)$)",
-            [](S x) { return of_spring(x, x.h - x.ell); }},
+            []<class T>(const SampleOf<T>& x) { return of_spring<T>(x, x.h - x.ell); }},
        .near_misses = {{R"($h^2$ for $(h-\ell)^2$)", [](S x) { return of_spring(x, x.h); }},
                        {"twice as much", [](S x) { return 2 * of_spring(x, x.h - x.ell); }}}});
   table.formula(
       "potential", 2593, "the potential energy", samples,
       {.truth = {"the work done against both from the level, by quadrature",
-                 [](S x) { return x.work(&Sample::moment_of_weight) + x.work(&Sample::moment_of_spring); }},
-       .printed = {"the sum of the two", [](S x) { return of_gravity(x) + of_spring(x, x.h - x.ell); }},
+                 []<class T>(const SampleOf<T>& x) {
+                   return x.work(&SampleOf<T>::moment_of_weight) + x.work(&SampleOf<T>::moment_of_spring);
+                 }},
+       .printed = {"the sum of the two",
+                   []<class T>(const SampleOf<T>& x) {
+                     return of_gravity(x) + of_spring<T>(x, x.h - x.ell);
+                   }},
        .near_misses = {{"their difference", [](S x) { return of_gravity(x) - of_spring(x, x.h - x.ell); }}}});
   table.formula("kinetic_energy", 2597, "the kinetic energy", samples,
                 {.truth = {R"($\frac m2|\dot x|^2$, the velocity by dual numbers)",
@@ -231,6 +243,22 @@ constexpr const char* by_one_root = R"(
     assert (sqrt x > 0) by (apply sqrt_lt_R0; nra); set (d := sqrt x) in *; clearbody d end);
   field [circle]; repeat split; apply Rgt_not_eq; nra)";
 
+/// The works of weight and spring, then `rest`.
+std::string by_potentials(const std::string& rest) {
+  return R"(
+  assert (positive : forall t, 0 < (s * cos t - s) * (s * cos t - s) + (s * sin t + h) * (s * sin t + h))
+    by (intro t; pose proof (SIN_bound t); assert (s * sin t + h > 0) by nra;
+        apply Rplus_le_lt_0_compat; [apply Rle_0_sqr | now apply Rmult_lt_0_compat]);
+  assert (root : forall t, sqrt ((s * cos t - s) * (s * cos t - s) + (s * sin t + h) * (s * sin t + h)) <> 0)
+    by (intro t; apply Rgt_not_eq, sqrt_lt_R0, positive);
+  unfold Rminus in *;
+  try integrate (fun t => - m * g * r * sin t);
+  try integrate (fun t => - c / 2 *
+    ((sqrt ((s * cos t + - s) * (s * cos t + - s) + (s * sin t + h) * (s * sin t + h)) + - ell) *
+     (sqrt ((s * cos t + - s) * (s * cos t + - s) + (s * sin t + h) * (s * sin t + h)) + - ell)));)" +
+         rest;
+}
+
 Provables proofs() {
   Claims claims("3.23");
   Table table(claims);
@@ -245,7 +273,13 @@ Provables proofs() {
   all.given.push_back(above(all.any.h.expression(), all.any.s.expression()));
   double x = 0;
   for (double* letter : all.example.letters()) *letter = x += 0.25;
-  return table.proofs("3.23", all);
+  Provables proved = table.proofs("3.23", all);
+  for (Provable& claim : proved)
+    if (claim.claim.starts_with("3.23-potential")) {
+      claim.preamble = integrals_in_coq;
+      for (Lemma& lemma : claim.lemmas) lemma.tactic = by_potentials(lemma.tactic);
+    }
+  return proved;
 }
 
 }  // namespace oddity::ex03_23
