@@ -73,7 +73,7 @@ struct SampleOf {
     return X(-G * m1 * m2) / sqrt(square);
   }
   /// (r'', theta'', phi'') by Lagrange's equations.
-  std::array<double, 3> lagrange(const std::array<double, 3>& speed) const {
+  std::array<T, 3> lagrange(const std::array<T, 3>& speed) const {
     return lagrange_accelerations(
         [this](const auto& at, const auto& rates) { return kinetic(at, rates) - potential(at); }, q, speed);
   }
@@ -159,6 +159,39 @@ struct PastThePole {
   }
 };
 
+const std::string by_lagrange = "Lagrange's equations of both bodies by nested dual numbers";
+
+void accelerations(Table& table, const std::vector<Sample>& all) {
+  using std::pow;
+  const auto radial = [](double sign) {
+    return [=](const auto& k) {
+      return k.beta() * k.beta() / pow(k.q[0], 3) + sign * k.gamma() / (k.q[0] * k.q[0]);
+    };
+  };
+  table.formula("radial_equation", 2757, R"($\ddot r=\beta^2/r^3-\gamma/r^2$)", all,
+                {.quantity = R"($\ddot r$)",
+                 .truth = {by_lagrange, [](const auto& k) { return k.lagrange(k.v)[0]; },
+                           [](const Sample& k) { return k.terms(); }},
+                 .printed = {R"($\beta^2/r^3-\gamma/r^2$)", radial(-1)},
+                 .near_misses = {{R"($\beta^2/r^3+\gamma/r^2$)", radial(1)},
+                                 {R"($\beta/r^3-\gamma/r^2$)", [](const auto& k) {
+                                    return k.beta() / pow(k.q[0], 3) - k.gamma() / (k.q[0] * k.q[0]);
+                                  }}}});
+
+  const auto rate = [](int power) {
+    return [=](const auto& k) {
+      return -static_cast<double>(power) * k.beta() / pow(k.q[0], power + 1) * k.v[0];
+    };
+  };
+  table.formula("phi_equation", 2773, R"($\dot\varphi=\beta/r^2$)", all,
+                {.quantity = R"($\ddot\varphi$)",
+                 .truth = {by_lagrange, [](const auto& k) { return k.lagrange(k.v)[2]; },
+                           [](const Sample& k) { return k.terms() / k.q[0]; }},
+                 .printed = {R"($\beta/r^2$, differentiated with $\dot r=u$)", rate(2)},
+                 .near_misses = {{R"($\beta/r$, differentiated)", rate(1)},
+                                 {R"($\beta/r^3$, differentiated)", rate(3)}}});
+}
+
 /// What T and V say of the constants.
 void constants(Table& table, const std::vector<Sample>& all) {
   const auto c1 = [](const auto& k) {
@@ -189,7 +222,6 @@ void constants(Table& table, const std::vector<Sample>& all) {
 
 void equations(Claims& claims, const std::vector<Sample>& all, const std::vector<PastThePole>& passing) {
   using K = const Sample&;
-  const std::string by_lagrange = "Lagrange's equations of both bodies by nested dual numbers";
   const std::vector<Sample> first(all.begin(), all.begin() + 100);
   claims.statement<Sample>("three_degrees", 2755,
                            R"($r$, $\theta$ and $\varphi$ are the three degrees of freedom)", first,
@@ -221,31 +253,6 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
                        {kept, {in_space(kept, [](const PastThePole& k) {
                           return k.on_meridian(k.theta0, std::abs(k.flat[1]));
                         })}}}});
-
-  const auto radial = [](double sign) {
-    return
-        [=](K k) { return k.beta() * k.beta() / std::pow(k.q[0], 3) + sign * k.gamma() / (k.q[0] * k.q[0]); };
-  };
-  claims.formula(
-      "radial_equation", 2757, R"($\ddot r=\beta^2/r^3-\gamma/r^2$)", all,
-      {.quantity = R"($\ddot r$)",
-       .truth = {by_lagrange, [](K k) { return k.lagrange(k.v)[0]; }, [](K k) { return k.terms(); }},
-       .printed = {R"($\beta^2/r^3-\gamma/r^2$)", radial(-1)},
-       .near_misses = {{R"($\beta^2/r^3+\gamma/r^2$)", radial(1)}, {R"($\beta/r^3-\gamma/r^2$)", [](K k) {
-                                                                      return k.beta() / std::pow(k.q[0], 3) -
-                                                                             k.gamma() / (k.q[0] * k.q[0]);
-                                                                    }}}});
-
-  const auto rate = [](double power) {
-    return [=](K k) { return -power * k.beta() / std::pow(k.q[0], power + 1) * k.v[0]; };
-  };
-  claims.formula(
-      "phi_equation", 2773, R"($\dot\varphi=\beta/r^2$)", all,
-      {.quantity = R"($\ddot\varphi$)",
-       .truth = {by_lagrange, [](K k) { return k.lagrange(k.v)[2]; }, [](K k) { return k.terms() / k.q[0]; }},
-       .printed = {R"($\beta/r^2$, differentiated with $\dot r=u$)", rate(2)},
-       .near_misses = {{R"($\beta/r$, differentiated)", rate(1)},
-                       {R"($\beta/r^3$, differentiated)", rate(3)}}});
 
   claims.add(
       "initial_conditions", 2787,
@@ -333,9 +340,11 @@ constexpr const char* by_distance = R"(pose proof (sin2_cos2 theta) as of_theta;
   repeat match goal with |- context [sqrt ?x] =>
     replace (sqrt x) with r by
       (symmetry; replace x with (r * r) by (field [sine_theta sine_phi]; lra); apply sqrt_square; lra) end;
-  try match goal with |- _ = _ / ?mass =>
-    replace mass with (m1 * m2 / (m1 + m2)) by (field [sine_theta sine_phi]; lra) end;
-  field [sine_theta sine_phi]; repeat split; nra)";
+  try match goal with |- _ = _ / ?mass => first
+    [ replace mass with (m1 * m2 / (m1 + m2)) by (field [sine_theta sine_phi]; lra)
+    | replace mass with ((m1 * m2 / (m1 + m2)) ^ 3 * r ^ 4 * sin phi ^ 2)
+        by (field [sine_theta sine_phi]; lra) ] end;
+  field [sine_theta sine_phi]; repeat split; first [assumption | nra])";
 
 Provables proofs() {
   Claims claims("3.27");
@@ -348,7 +357,12 @@ Provables proofs() {
                        .says = "it holds for any two bodies wherever they are"};
   for (const Shortened& positive : {all.any.G, all.any.m1, all.any.m2, all.any.q[0]})
     all.given.push_back(above(positive.expression(), 0));
-  return table.proofs("3.27", all);
+  Provables proved = table.proofs("3.27", all);
+  Table of_motion(claims);
+  accelerations(of_motion, {});
+  all.given.push_back(not_zero(sin(all.any.q[2].expression())));
+  for (Provable& p : of_motion.proofs("3.27", all)) proved.push_back(std::move(p));
+  return proved;
 }
 
 }  // namespace
@@ -361,6 +375,7 @@ std::vector<Claim> claims(double seed, const Reference& truth) {
   const auto samples = draw<Sample>(200, seed);
   equations(claims, samples, draw<PastThePole>(20, seed));
   constants(table, samples);
+  accelerations(table, samples);
   motions(claims, draw<Later>(20, seed));
   state_and_data(claims, truth);
   return claims.in_order();
