@@ -361,6 +361,7 @@ Provables proofs() {
   Table of_motion(claims);
   accelerations(of_motion, {});
   all.given.push_back(not_zero(sin(all.any.q[2].expression())));
+  all.says = "it holds for any two bodies off the axis";
   for (Provable& p : of_motion.proofs("3.27", all)) proved.push_back(std::move(p));
   return proved;
 }
