@@ -2,7 +2,7 @@
 // positions are written in the book's coordinates P = x2 - x1 = r (sin phi cos theta, sin phi sin theta, cos
 // phi) and differentiated by nested dual numbers; whole motions are compared with Cartesian coordinates.
 
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include <array>
 #include <cmath>
@@ -15,22 +15,20 @@
 
 namespace oddity::two_bodies {
 
-namespace {
-
-const Tolerance by_integration{1e-10, "a thousand tolerances of the integration"};
-
 /// Random bodies and a state (q, v) of q = (r, theta, phi).
-struct Sample {
-  double G, m1, m2;
-  std::array<double, 3> q, v;
+template <class T>
+struct SampleOf {
+  T G, m1, m2;
+  std::array<T, 3> q, v;
 
-  explicit Sample(Random& random)
+  SampleOf() = default;
+  explicit SampleOf(Random& random)
       : G(random.between(0.5, 2)),
         m1(random.between(0.3, 3)),
         m2(random.between(0.3, 3)),
         q{random.between(0.5, 2), random.between(-3, 3), random.between(0.4, 2.7)},
         v{random.between(-2, 2), 0, random.between(-2, 2)} {}
-  std::array<double*, 8> letters() { return {&G, &m1, &m2, &q[0], &q[1], &q[2], &v[0], &v[2]}; }
+  std::array<T*, 8> letters() { return {&G, &m1, &m2, &q[0], &q[1], &q[2], &v[0], &v[2]}; }
   /// The terms of the equations over r and theta's inertia, which is r^2 sin^2 phi.
   double size() const {
     const double r = q[0], speed = std::abs(v[0]) + r * std::abs(v[2]), sine = std::sin(q[2]);
@@ -47,8 +45,8 @@ struct Sample {
     const double speed = std::abs(v[0]) + q[0] * std::abs(v[2]);
     return speed * speed / q[0] + gamma() / (q[0] * q[0]);
   }
-  double beta() const { return q[0] * q[0] * v[2]; }
-  double gamma() const { return G * (m1 + m2); }
+  T beta() const { return q[0] * q[0] * v[2]; }
+  T gamma() const { return G * (m1 + m2); }
 
   /// Both bodies' positions, the centre of mass in the origin.
   template <class X>
@@ -62,10 +60,10 @@ struct Sample {
   X kinetic(const std::array<X, 3>& at, const std::array<X, 3>& speed) const {
     std::array<Dual<X>, 3> moving;
     for (std::size_t i = 0; i < 3; ++i) moving[i] = {at[i], speed[i]};
-    X T(0.0);
+    X sum(0.0);
     const auto x = bodies(moving);
-    for (std::size_t i = 0; i < 6; ++i) T += X((i < 3 ? m1 : m2) / 2) * x[i].slope * x[i].slope;
-    return T;
+    for (std::size_t i = 0; i < 6; ++i) sum += X((i < 3 ? m1 : m2) / 2) * x[i].slope * x[i].slope;
+    return sum;
   }
   template <class X>
   X potential(const std::array<X, 3>& at) const {
@@ -75,7 +73,7 @@ struct Sample {
     return X(-G * m1 * m2) / sqrt(square);
   }
   /// (r'', theta'', phi'') by Lagrange's equations.
-  std::array<double, 3> lagrange(const std::array<double, 3>& speed) const {
+  std::array<T, 3> lagrange(const std::array<T, 3>& speed) const {
     return lagrange_accelerations(
         [this](const auto& at, const auto& rates) { return kinetic(at, rates) - potential(at); }, q, speed);
   }
@@ -91,6 +89,13 @@ struct Sample {
     return static_cast<int>(rank(by));
   }
 };
+
+using Sample = SampleOf<double>;
+using Table = ProvableClaims<SampleOf>;
+
+namespace {
+
+const Tolerance by_integration{1e-10, "a thousand tolerances of the integration"};
 
 /// (x, y, u) at t = 1 by the published system with other letters, or with its bars over r^2 lost.
 Value by_system(const Bodies& b, double beta, double gamma, bool bars = true) {
@@ -154,9 +159,69 @@ struct PastThePole {
   }
 };
 
+const std::string by_lagrange = "Lagrange's equations of both bodies by nested dual numbers";
+
+void accelerations(Table& table, const std::vector<Sample>& all) {
+  using std::pow;
+  const auto radial = [](double sign) {
+    return [=](const auto& k) {
+      return k.beta() * k.beta() / pow(k.q[0], 3) + sign * k.gamma() / (k.q[0] * k.q[0]);
+    };
+  };
+  table.formula("radial_equation", 2757, R"($\ddot r=\beta^2/r^3-\gamma/r^2$)", all,
+                {.quantity = R"($\ddot r$)",
+                 .truth = {by_lagrange, [](const auto& k) { return k.lagrange(k.v)[0]; },
+                           [](const Sample& k) { return k.terms(); }},
+                 .printed = {R"($\beta^2/r^3-\gamma/r^2$)", radial(-1)},
+                 .near_misses = {{R"($\beta^2/r^3+\gamma/r^2$)", radial(1)},
+                                 {R"($\beta/r^3-\gamma/r^2$)", [](const auto& k) {
+                                    return k.beta() / pow(k.q[0], 3) - k.gamma() / (k.q[0] * k.q[0]);
+                                  }}}});
+
+  const auto rate = [](int power) {
+    return [=](const auto& k) {
+      return -static_cast<double>(power) * k.beta() / pow(k.q[0], power + 1) * k.v[0];
+    };
+  };
+  table.formula("phi_equation", 2773, R"($\dot\varphi=\beta/r^2$)", all,
+                {.quantity = R"($\ddot\varphi$)",
+                 .truth = {by_lagrange, [](const auto& k) { return k.lagrange(k.v)[2]; },
+                           [](const Sample& k) { return k.terms() / k.q[0]; }},
+                 .printed = {R"($\beta/r^2$, differentiated with $\dot r=u$)", rate(2)},
+                 .near_misses = {{R"($\beta/r$, differentiated)", rate(1)},
+                                 {R"($\beta/r^3$, differentiated)", rate(3)}}});
+}
+
+/// What T and V say of the constants.
+void constants(Table& table, const std::vector<Sample>& all) {
+  const auto c1 = [](const auto& k) {
+    const auto along = [&](const auto& x) {
+      using X = std::decay_t<decltype(x)>;
+      return k.template kinetic<X>({X(k.q[0]), X(k.q[1]), X(k.q[2])}, {x, X(0.0), X(k.v[2])});
+    };
+    return second_derivative(along, k.v[0]);
+  };
+  const auto c2 = [](const auto& k) { return -k.potential(k.q) * k.q[0]; };
+  table.formula(
+      "gamma_constants", 2767, R"($c_1=m_1m_2/(m_1+m_2)$, the reduced mass, and $c_2=Gm_1m_2$)", all,
+      {.quantity = R"($(c_1,c_2)$)",
+       .truth = {R"($\partial^2T/\partial\dot r^2$ and $-rV$ by dual numbers)",
+                 [=](const auto& k) { return values(c1(k), c2(k)); }},
+       .printed = {R"($m_1m_2/(m_1+m_2)$ and $Gm_1m_2$)",
+                   [](const auto& k) { return values(k.m1 * k.m2 / (k.m1 + k.m2), k.G * k.m1 * k.m2); }},
+       .near_misses = {{R"($m_1+m_2$ and $Gm_1m_2$)",
+                        [](const auto& k) { return values(k.m1 + k.m2, k.G * k.m1 * k.m2); }}}});
+  table.formula(
+      "gamma", 2769, R"($\gamma=c_2/c_1=G(m_1+m_2)$)", all,
+      {.quantity = R"($c_2/c_1$)",
+       .truth = {"the ratio by dual numbers", [=](const auto& k) { return c2(k) / c1(k); }},
+       .printed = {R"($G(m_1+m_2)$)", [](const auto& k) { return k.gamma(); }},
+       .near_misses = {{R"($Gm_1m_2(m_1+m_2)$)", [](const auto& k) { return k.gamma() * k.m1 * k.m2; }},
+                       {R"($Gm_1$)", [](const auto& k) { return k.G * k.m1; }}}});
+}
+
 void equations(Claims& claims, const std::vector<Sample>& all, const std::vector<PastThePole>& passing) {
   using K = const Sample&;
-  const std::string by_lagrange = "Lagrange's equations of both bodies by nested dual numbers";
   const std::vector<Sample> first(all.begin(), all.begin() + 100);
   claims.statement<Sample>("three_degrees", 2755,
                            R"($r$, $\theta$ and $\varphi$ are the three degrees of freedom)", first,
@@ -188,54 +253,6 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
                        {kept, {in_space(kept, [](const PastThePole& k) {
                           return k.on_meridian(k.theta0, std::abs(k.flat[1]));
                         })}}}});
-
-  const auto radial = [](double sign) {
-    return
-        [=](K k) { return k.beta() * k.beta() / std::pow(k.q[0], 3) + sign * k.gamma() / (k.q[0] * k.q[0]); };
-  };
-  claims.formula(
-      "radial_equation", 2757, R"($\ddot r=\beta^2/r^3-\gamma/r^2$)", all,
-      {.quantity = R"($\ddot r$)",
-       .truth = {by_lagrange, [](K k) { return k.lagrange(k.v)[0]; }, [](K k) { return k.terms(); }},
-       .printed = {R"($\beta^2/r^3-\gamma/r^2$)", radial(-1)},
-       .near_misses = {{R"($\beta^2/r^3+\gamma/r^2$)", radial(1)}, {R"($\beta/r^3-\gamma/r^2$)", [](K k) {
-                                                                      return k.beta() / std::pow(k.q[0], 3) -
-                                                                             k.gamma() / (k.q[0] * k.q[0]);
-                                                                    }}}});
-
-  const auto c1 = [](K k) {
-    const auto along = [&](const auto& x) {
-      using X = std::decay_t<decltype(x)>;
-      return k.kinetic<X>({X(k.q[0]), X(k.q[1]), X(k.q[2])}, {x, X(0.0), X(k.v[2])});
-    };
-    return second_derivative(along, k.v[0]);
-  };
-  const auto c2 = [](K k) { return -k.potential(k.q) * k.q[0]; };
-  claims.formula("gamma_constants", 2767, R"($c_1=m_1m_2/(m_1+m_2)$, the reduced mass, and $c_2=Gm_1m_2$)",
-                 all,
-                 {.quantity = R"($(c_1,c_2)$)",
-                  .truth = {R"($\partial^2T/\partial\dot r^2$ and $-rV$ by dual numbers)",
-                            [=](K k) { return values(c1(k), c2(k)); }},
-                  .printed = {R"($m_1m_2/(m_1+m_2)$ and $Gm_1m_2$)",
-                              [](K k) { return values(k.m1 * k.m2 / (k.m1 + k.m2), k.G * k.m1 * k.m2); }},
-                  .near_misses = {{R"($m_1+m_2$ and $Gm_1m_2$)",
-                                   [](K k) { return values(k.m1 + k.m2, k.G * k.m1 * k.m2); }}}});
-  claims.formula("gamma", 2769, R"($\gamma=c_2/c_1=G(m_1+m_2)$)", all,
-                 {.quantity = R"($c_2/c_1$)",
-                  .truth = {"the ratio by dual numbers", [=](K k) { return c2(k) / c1(k); }},
-                  .printed = {R"($G(m_1+m_2)$)", [](K k) { return k.gamma(); }},
-                  .near_misses = {{R"($Gm_1m_2(m_1+m_2)$)", [](K k) { return k.gamma() * k.m1 * k.m2; }},
-                                  {R"($Gm_1$)", [](K k) { return k.G * k.m1; }}}});
-  const auto rate = [](double power) {
-    return [=](K k) { return -power * k.beta() / std::pow(k.q[0], power + 1) * k.v[0]; };
-  };
-  claims.formula(
-      "phi_equation", 2773, R"($\dot\varphi=\beta/r^2$)", all,
-      {.quantity = R"($\ddot\varphi$)",
-       .truth = {by_lagrange, [](K k) { return k.lagrange(k.v)[2]; }, [](K k) { return k.terms() / k.q[0]; }},
-       .printed = {R"($\beta/r^2$, differentiated with $\dot r=u$)", rate(2)},
-       .near_misses = {{R"($\beta/r$, differentiated)", rate(1)},
-                       {R"($\beta/r^3$, differentiated)", rate(3)}}});
 
   claims.add(
       "initial_conditions", 2787,
@@ -315,16 +332,60 @@ void state_and_data(Claims& claims, const Reference& truth) {
                        from(R"(without the rate $\dot r_0$)", still)}});
 }
 
+/// The distance is r, by sin^2 + cos^2 of both angles.
+constexpr const char* by_distance = R"(pose proof (sin2_cos2 theta) as of_theta; unfold Rsqr in of_theta;
+  pose proof (sin2_cos2 phi) as of_phi; unfold Rsqr in of_phi;
+  assert (sine_theta : sin theta ^ 2 = 1 - cos theta ^ 2) by lra;
+  assert (sine_phi : sin phi ^ 2 = 1 - cos phi ^ 2) by lra;
+  repeat match goal with |- context [sqrt ?x] =>
+    replace (sqrt x) with r by
+      (symmetry; replace x with (r * r) by (field [sine_theta sine_phi]; lra); apply sqrt_square; lra) end;
+  try match goal with |- _ = _ / ?mass => first
+    [ replace mass with (m1 * m2 / (m1 + m2)) by (field [sine_theta sine_phi]; lra)
+    | replace mass with ((m1 * m2 / (m1 + m2)) ^ 3 * r ^ 4 * sin phi ^ 2)
+        by (field [sine_theta sine_phi]; lra) ] end;
+  field [sine_theta sine_phi]; repeat split; first [assumption | nra])";
+
+Provables proofs() {
+  Claims claims("3.27");
+  Table table(claims);
+  constants(table, {});
+  const std::vector<std::string> names{"G", "m1", "m2", "r", "theta", "phi", "u", "w"};
+  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
+                       .letters = quantified(names),
+                       .tactic = by_distance,
+                       .says = "it holds for any two bodies wherever they are"};
+  for (const Shortened& positive : {all.any.G, all.any.m1, all.any.m2, all.any.q[0]})
+    all.given.push_back(above(positive.expression(), 0));
+  Provables proved = table.proofs("3.27", all);
+  Table of_motion(claims);
+  accelerations(of_motion, {});
+  all.given.push_back(not_zero(sin(all.any.q[2].expression())));
+  all.says = "it holds for any two bodies off the axis";
+  for (Provable& p : of_motion.proofs("3.27", all)) proved.push_back(std::move(p));
+  return proved;
+}
+
 }  // namespace
 
 std::vector<double> inputs(const Bodies& b) { return {b.G, b.m1, b.m2, b.r0, b.r0_dot, b.phi0, b.phi0_dot}; }
 
 std::vector<Claim> claims(double seed, const Reference& truth) {
   Claims claims("3.27");
-  equations(claims, draw<Sample>(200, seed), draw<PastThePole>(20, seed));
+  Table table(claims);
+  const auto samples = draw<Sample>(200, seed);
+  equations(claims, samples, draw<PastThePole>(20, seed));
+  constants(table, samples);
+  accelerations(table, samples);
   motions(claims, draw<Later>(20, seed));
   state_and_data(claims, truth);
   return claims.in_order();
 }
 
 }  // namespace oddity::two_bodies
+
+namespace oddity {
+
+Provables proofs_3_27() { return two_bodies::proofs(); }
+
+}  // namespace oddity
