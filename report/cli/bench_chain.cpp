@@ -34,7 +34,7 @@ double seconds(const F& f, int runs) {
 double time_of_tensions(int n) {
   const ex03_25::Pattern p(n);
   std::vector<double> alpha(p.m.size());
-  volatile double last = 0;
+  [[maybe_unused]] volatile double last = 0;
   return seconds(
       [&] {
         chain::by_tensions(p.m, p.r, chain_gravity, p.theta, p.omega, alpha);
@@ -56,7 +56,7 @@ double time_of_dense() {
   const Numbers mu = array(ex03_25::mass_from_here_on(p.m)), lengths = array(p.r), theta = array(p.theta),
                 omega = array(p.omega);
   Numbers alpha{};
-  volatile double last = 0;
+  [[maybe_unused]] volatile double last = 0;
   return seconds(
       [&] {
         chain::by_mass_matrix(mu, lengths, chain_gravity, theta, omega, alpha);
