@@ -3,8 +3,8 @@
 // maxima and minima against a scan of the power, or works compared.
 
 #include "chapters/02_basic_concepts/17_work_on_circle/work_on_circle.hpp"
-#include "chapters/integral_proofs.hpp"
 #include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
+#include "chapters/integral_proofs.hpp"
 #include "chapters/provable_claims.hpp"
 #include "solvers/roots.hpp"
 
