@@ -324,6 +324,11 @@ TEST_CASE("what engines did is read as it was written", "[engines]") {
   CHECK(again.first_enough()->steps_per_frame == 8);
   CHECK(read[0].least->says == "one angle");
 
+  auto without = nlohmann::json::parse(std::ifstream(file));
+  for (auto& trial : without[0]["series"][0]["trials"]) trial.erase("momentum");
+  std::ofstream(file) << without;
+  CHECK(std::isnan(read_engines(file)[0].series[0].trials[0].momentum));
+
   std::ofstream(file) << "[{\"scene\": 1}]";
   CHECK(complaint([&] { read_engines(file); }).find("not what 'oddity engines' writes") != std::string::npos);
 }

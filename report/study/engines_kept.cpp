@@ -69,7 +69,7 @@ EngineTrial trial_from(const ordered_json& j) {
           numbers(j.at("errors")),
           number(j.at("in_needs")),
           number(j.at("energy")),
-          number(j.at("momentum")),
+          number(j.value("momentum", ordered_json())),  // not in the oldest files
           number(j.at("off_joint")),
           number(j.at("seconds_per_frame")),
           number(j.at("spread")),

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "chapters/03_rigid_body_motion/13_tilted_chute/in_coq.hpp"
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
 #include "chapters/03_rigid_body_motion/shared/height_field.hpp"
 #include "chapters/provable_claims.hpp"

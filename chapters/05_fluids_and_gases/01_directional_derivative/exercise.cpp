@@ -83,6 +83,12 @@ Proof proof_of_lines(Random random) {
   return proof;
 }
 
+CoqVector unit_vector(std::size_t j) {
+  CoqVector e;
+  for (std::size_t i = 0; i < 3; ++i) e[i].at = [=](const auto&) { return Expression(i == j ? 1.0 : 0.0); };
+  return e;
+}
+
 Provables proofs() {
   Meanings m;
   const CoqVector f = m.any_vector("f"), g = m.any_vector("g"), x = Meanings::position();
@@ -93,6 +99,10 @@ Provables proofs() {
   m.put("f", f);
   m.put_vector("g", g);
   m.put_vector("x", x);
+  for (std::size_t j = 0; j < 3; ++j) {
+    m.put("e" + digit(j), unit_vector(j));
+    m.put("slope" + digit(j), CoqVector{partial(x[0], j), partial(x[1], j), partial(x[2], j)});
+  }
   return m.proofs("5.1", proof_of_lines(Random(1)));
 }
 

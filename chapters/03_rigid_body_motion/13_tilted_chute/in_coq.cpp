@@ -1,9 +1,8 @@
-#pragma once
+#include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
 
-/// What Coq has to know for the proofs of exercise 3.13.
 namespace oddity::ex03_13 {
 
-inline constexpr const char* cylinder_in_coq = R"(
+const char* const cylinder_in_coq = R"(
 From Coq Require Import Nsatz.
 Local Open Scope R_scope.
 Lemma length_across : forall y1 y2 u1 u2 u3 v1 v2 v3 : R,
@@ -14,8 +13,7 @@ Proof. intros. nsatz. Qed.
 Ltac on_cylinder := first [apply length_across; nsatz | nsatz].
 )";
 
-/// The roots and angles of a chute's slope and of a place in it; second derivatives that are zero.
-inline constexpr const char* chute_in_coq = R"(
+const char* const chute_in_coq = R"(
 From Coq Require Import Ratan.
 From Coquelicot Require Import AutoDerive.
 Local Open Scope R_scope.
