@@ -243,6 +243,7 @@ TEST_CASE("why an engine never comes to a scene is told where the trials show it
   CHECK(why_never(contest, slow).empty());
   CHECK(why_never(contest, rising) == "rounding in float");
   CHECK(why_never(contest, level) == "not explained");
+  CHECK(why_never(contest, series("a", {9})).empty());
   CHECK(why_never(contest, damped) == "damping");  // there is none without it
   contest.series = {damped, level};
   CHECK(why_never(contest, damped) == "not explained");  // without it, it is no better
