@@ -262,6 +262,20 @@ Reference Reference::to_digits(int digits) const {
   return copy;
 }
 
+Reference Reference::enclosed_by(Enclosing enclosing) const {
+  Reference copy = *this;
+  copy.enclosing_ = std::move(enclosing);
+  return copy;
+}
+
+Known Reference::proved(Known known, const ToEnclose& asked) const {
+  if (!enclosing_ || !std::isfinite(known.error)) return known;
+  const Enclosed enclosed = enclosing_(asked, tick_);
+  if (std::isfinite(enclosed.distance)) known.error = enclosed.distance;
+  known.source += "; " + enclosed.by;
+  return known;
+}
+
 const Reference::Table* Reference::table(std::string_view name) const {
   const auto table = tables_->find(name);
   return table == tables_->end() || !maker_of(name) ? nullptr : &table->second;
@@ -276,8 +290,10 @@ Known Reference::operator()(std::string_view name, const std::vector<double>& in
   if (const auto row = rows->find(inputs); row != rows->end()) return row->second;
   const truth::Truth truth = maker->make();
   require_count(name, truth, inputs.size());
-  return on_the_spot(name, truth, inputs, tick_,
-                     [&](const truth::Tick&) { return truth::make_row(truth, inputs, digits_); });
+  const Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick&) {
+    return truth::make_row(truth, inputs, digits_);
+  });
+  return proved(known, {name, inputs, {}, known.value, digits_});
 }
 
 Known Reference::motion(std::string_view name, const std::vector<double>& inputs,
@@ -292,8 +308,14 @@ Known Reference::motion(std::string_view name, const std::vector<double>& inputs
   require_finite(name, inputs);
   require_finite(name, times);
   if (auto known = tabulated(*rows, inputs, times)) return *known;
-  const truth::Truth truth = maker->make();
-  require_count(name, truth, inputs.size() + 1);
+  require_count(name, maker->make(), inputs.size() + 1);
+  const Known known = made_motion(name, inputs, times);
+  return proved(known, {name, inputs, times, known.value, digits_});
+}
+
+Known Reference::made_motion(std::string_view name, const std::vector<double>& inputs,
+                             std::span<const double> times) const {
+  const truth::Truth truth = maker_of(name)->make();
   if (digits_ <= digits_in_long_double)
     if (auto known = motion_in_long_double(name, inputs, times, compared_times, tick_)) return *known;
   const std::string key = cache_.empty() ? "" : motion_key(name, inputs, times, digits_);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <span>
@@ -17,6 +18,23 @@ struct Known {
   double error = 0;
   std::string source;  ///< which table, or by which route it was computed on the spot
 };
+
+/// How far the exact values may be from those asked about, proved; or infinity, and why it is not.
+struct Enclosed {
+  double distance = std::numeric_limits<double>::infinity();
+  std::string by;  ///< "enclosed by ...", "not enclosed: ..."
+};
+
+/// Values of a table of which a proof is asked: at the inputs, or, if there are times, which are the last
+/// input, at all of these one after the other.
+struct ToEnclose {
+  std::string_view table;
+  const std::vector<double>& inputs;
+  std::span<const double> times;
+  std::span<const double> values;
+  int digits;  ///< to which the distance matters
+};
+using Enclosing = std::function<Enclosed(const ToEnclose&, const std::function<void(double done)>& tick)>;
 
 /// What is true. Values come from the CSV tables; where a table has no row for the inputs asked for, they are
 /// computed on the spot by the table's own generator, in high precision and by two routes. A copy shares the
@@ -38,6 +56,10 @@ class Reference {
   /// The same, with so many digits in what is computed on the spot.
   Reference to_digits(int digits) const;
 
+  /// The same, in which the error of what is computed on the spot is its proved distance from the exact
+  /// values, where there is an enclosure; each source says by what.
+  Reference enclosed_by(Enclosing) const;
+
   /// The value of `table` at `inputs` (in the order of the table's columns).
   /// One NaN, its source saying what to write, when there is no such table. Throws BadInput when the inputs
   /// are not as many as the table's or not finite, and when they are not tabulated and have no value that
@@ -56,10 +78,14 @@ class Reference {
   using Tables = std::map<std::string, Table, std::less<>>;
 
   const Table* table(std::string_view name) const;
+  Known made_motion(std::string_view name, const std::vector<double>& inputs_but_time,
+                    std::span<const double> times) const;
+  Known proved(Known, const ToEnclose&) const;
 
   std::shared_ptr<const Tables> tables_ = std::make_shared<Tables>();
   std::filesystem::path cache_;
   std::function<void(double)> tick_;
+  Enclosing enclosing_;
   int digits_;
 };
 

@@ -5,10 +5,14 @@
 #include "reference/enclosures/enclose.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <new>
 #include <set>
 
 #include "reference/csv.hpp"
+#include "reference/in_long_double.hpp"
 #include "tests/catch.hpp"
+#include "tests/program.hpp"
 
 using namespace oddity;
 
@@ -131,6 +135,58 @@ TEST_CASE("a wrong digit lies in no enclosure", "[enclosures]") {
 
 TEST_CASE("a table that does not exist has no enclosure", "[enclosures]") {
   CHECK_FALSE(distances_from_exact("03_05_nothing", {1}, {"1"}));
+}
+
+TEST_CASE("what is computed on the spot is enclosed, and what is wrong is found to be so", "[enclosures]") {
+  const std::vector<double> swing{0.7, 1, 9.81}, times{0.1, 0.5, 1, 5, 10};
+  const Known known = Reference(ODDITY_SOURCE "/reference")
+                          .to_digits(digits_in_long_double)
+                          .motion("03_05_swing", swing, times);
+  std::vector<double> values = known.value;
+  const auto enclosed = [&] {
+    return enclosed_on_demand({"03_05_swing", swing, times, values, digits_in_long_double}, {});
+  };
+  CHECK(enclosed().distance < 1e-14);
+  CHECK(enclosed().distance > 0);
+  values.back() += 1e-9;
+  CHECK(enclosed().distance > 0.99e-9);
+  CHECK(enclosed().distance < 1.01e-9);
+}
+
+TEST_CASE("an enclosure is had in the digits that are asked for", "[enclosures]") {
+  const std::vector<double> at{0.7, 1, 9.81, 1}, none;
+  const Known known = Reference(ODDITY_SOURCE "/reference")("03_05_swing", at);
+  CHECK(enclosed_on_demand({"03_05_swing", at, none, known.value, 30}, {}).distance < 1e-16);
+}
+
+TEST_CASE("what has no enclosure says so, and who waits may end the wait", "[enclosures]") {
+  const std::vector<double> at{1}, values{0}, times{1};
+  const Enclosed none = enclosed_on_demand({"03_31_rest", at, times, values, 14}, {});
+  CHECK(std::isinf(none.distance));
+  CHECK(none.by == "not enclosed: its table has no route that encloses it");
+  const std::vector<double> swing{0.7, 1, 9.81};
+  CHECK_THROWS_AS(
+      enclosed_on_demand({"03_05_swing", swing, times, values, 14}, [](double) { throw std::bad_alloc(); }),
+      std::bad_alloc);
+}
+
+TEST_CASE("a choice says by what its truth is enclosed", "[enclosures]") {
+  const program::Ran ran = program::run("choose 3.5 a=0.7 --error 0.01 --enclosed");
+  CHECK(ran.status == 0);
+  CHECK(program::says(ran, "enclosed by the second route, the remainders bounded"));
+  CHECK(program::says(program::run("choose 3.31 --error 0.01 --horizon 0.5 --enclosed"), "not enclosed"));
+  CHECK(program::says(program::run("solve 3.5 a=2.4 --enclosed"), "enclosed by"));
+}
+
+#else
+
+#include "tests/catch.hpp"
+#include "tests/program.hpp"
+
+TEST_CASE("without Arb nothing is enclosed, and the program says how to have it", "[enclosures]") {
+  const program::Ran ran = program::run("choose 3.5 --error 0.01 --enclosed");
+  CHECK(ran.status == 2);
+  CHECK(program::says(ran, "libflint-arb-dev"));
 }
 
 #endif

@@ -129,6 +129,20 @@ TEST_CASE("what is not tabulated is computed on the spot, and the source says so
   CHECK(made.source.find("; and double-exponential quadrature") != std::string::npos);
 }
 
+TEST_CASE("what is computed on the spot has the error that is proved, where one is", "[reference]") {
+  const auto proved = [](double distance) {
+    return truth().enclosed_by([=](const ToEnclose& asked, const auto&) {
+      CHECK(asked.table == quarter);
+      return Enclosed{distance, "proved so"};
+    });
+  };
+  const Known near = proved(0.25)(quarter, {0.75});
+  CHECK(near.error == 0.25);
+  CHECK(near.source.ends_with("; proved so"));
+  CHECK(proved(INFINITY)(quarter, {0.75}).error < 1e-15);
+  CHECK(proved(0.25)(quarter, {pi / 2}).error < 1e-15);  // from the table
+}
+
 TEST_CASE("a table asked with too few or too many inputs says how many it takes", "[reference]") {
   const auto said = [](const std::vector<double>& inputs) {
     return complaint([&] { truth()("03_05_swing", inputs); });

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "reference/reference.hpp"
+
 /// The tables' routes in balls (Arb), which hold the exact number.
 namespace oddity {
 
@@ -14,5 +16,8 @@ namespace oddity {
 std::optional<std::vector<double>> distances_from_exact(std::string_view table,
                                                         const std::vector<double>& inputs,
                                                         const std::vector<std::string>& decimals);
+
+/// The same of values made on the spot, to the digits asked for; `tick` is called between times.
+Enclosed enclosed_on_demand(const ToEnclose&, const std::function<void(double done)>& tick);
 
 }  // namespace oddity

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "reference/enclosures/disc.hpp"
-
 namespace oddity::truth {
 
 namespace {
@@ -19,9 +17,10 @@ struct FewerBits {
   ~FewerBits() { Ball::bits = all; }
 };
 
-constexpr int order_of_slopes = 22;
+/// What the slopes need of a motion's order, where the states lie close together.
+constexpr int order_of_slopes(int order) { return 8 + order / 6; }
 constexpr double largest_error_of_slopes = 1e-3;
-constexpr long most_steps = 300'000;
+constexpr long most_strides = 300'000;
 
 double largest_size(const Numbers& x) {
   double size = 0;
@@ -31,6 +30,14 @@ double largest_size(const Numbers& x) {
 
 /// A ball about zero.
 Number up_to(double size) { return within(Number(0), Number(size)); }
+
+int order_of(const Numbers& series) { return static_cast<int>(series.size()) - 1; }
+
+Number sum(const Numbers& series, const Number& h) {
+  Number sum = series.back();
+  for (std::size_t k = series.size() - 1; k-- > 0;) sum = sum * h + series[k];
+  return sum;
+}
 
 }  // namespace
 
@@ -46,75 +53,73 @@ void Recorded::expand(const Numbers& x, const Number& t, int order) {
   }
 }
 
-Numbers Recorded::at(const Number& h) const {
+std::vector<Numbers> Recorded::series() const {
+  std::vector<Numbers> all;
+  for (int unknown : unknowns) all.push_back(tape.series(unknown));
+  return all;
+}
+
+bool Stride::holds(const Number& t) const { return std::abs(middle_of(t - from)) <= std::abs(length); }
+
+Numbers Stride::image(const Number& t) const {
+  const Number h = t - from;
+  const double distance = greatest_size(h);
   Numbers x;
-  for (int unknown : unknowns) {
-    const Numbers& c = tape.series(unknown);
-    Number sum = c.back();
-    for (std::size_t k = c.size() - 1; k-- > 0;) sum = sum * h + c[k];
-    x.push_back(sum);
-  }
+  for (std::size_t i = 0; i < center.size(); ++i)
+    x.push_back(sum(center[i], h) + up_to(disc.remainder(i, distance, order_of(center[i]))));
   return x;
 }
 
-/// Of the polynomials of the order of the slopes, by the starts in the hull: row i, column j is d x_i / d
-/// x_j.
-Rows TaylorProblem::slopes(const Numbers& hull, const Number& t, const Number& h) const {
+/// Of the remainder of the center's polynomial, beyond the order to which slopes are computed, the slopes are
+/// bounded by the disc, too.
+Rows Stride::slopes_at(const Number& t) const {
+  const FewerBits few;
+  const Number h = t - from;
+  const double distance = greatest_size(h);
+  Rows all(slopes.size());
+  for (std::size_t i = 0; i < slopes.size(); ++i)
+    for (const Numbers& series : slopes[i])
+      all[i].push_back(sum(series, h) +
+                       up_to(disc.remainder(i, distance, order_of(series)) / (apart / 2) * (1 + 0x1p-12)));
+  return all;
+}
+
+std::vector<std::vector<Numbers>> TaylorProblem::slopes(const Numbers& hull, const Number& t,
+                                                        int order) const {
   const std::size_t n = hull.size();
-  Rows all(n, Numbers(n));
+  std::vector<std::vector<Numbers>> all(n, std::vector<Numbers>(n));
   for (std::size_t j = 0; j < n; ++j) {
     Numbers start = hull;
     start.resize(2 * n);
     start[n + j] = 1;
-    slopes_.expand(start, t, order_of_slopes);
-    const Numbers end = slopes_.at(h);
-    for (std::size_t i = 0; i < n; ++i) all[i][j] = end[n + i];
+    slopes_.expand(start, t, order);
+    const std::vector<Numbers> series = slopes_.series();
+    for (std::size_t i = 0; i < n; ++i) all[i][j] = series[n + i];
   }
   return all;
 }
 
 /// x(t + h) = P(x(t)) + R(x(t)), P the Taylor polynomial. P is taken by its mean value form; R is bounded by
-/// the disc on which all motions from near the center are analytic, and so are R's slopes, beyond the order
-/// to which those of P are computed.
-Number TaylorProblem::step(Parallelepiped& states, const Number& t, const Number& t1, int digits,
-                           double& radius) const {
-  const int order = 2 * digits;
-  const Numbers center = states.center(), hull = states.hull();
+/// the disc on which all motions from near the center are analytic.
+Stride TaylorProblem::stride(const Parallelepiped& states, const Number& t, const Number& t1, int digits,
+                             double& radius) const {
+  const int order = 2 * digits, slope_order = order_of_slopes(order);
+  const Numbers &center = states.center(), hull = states.hull();
   const double size = largest_size(center), apart = size * 0x1p-18;
   for (std::size_t i = 0; i < hull.size(); ++i)
     if (!(greatest_size(hull[i] - center[i]) <= apart / 2)) throw Undecided("the enclosure becomes too wide");
   const std::vector<Limit> limits{{order, size * std::pow(10, -digits)},
-                                  {order_of_slopes, largest_error_of_slopes * apart / 2}};
-  const Disc disc = disc_about(motion_, center, t, apart, limits, radius);
+                                  {slope_order, largest_error_of_slopes * apart / 2}};
+  const double left = middle_of(t1 - t);
+  Disc disc = disc_about(motion_, center, t, apart, limits, radius == 0 ? std::abs(left) : radius);
   radius = disc.radius;
-  const double longest = disc.step(limits), left = middle_of(t1 - t);
+  const double longest = disc.step(limits);
   if (longest < std::abs(left) * 1e-6) throw Undecided("the steps become too short");
-  const bool last = std::abs(left) <= longest;
-  const Number end = last ? t1 : t + Number(std::copysign(longest, left)), h = end - t;
-  const double length = greatest_size(h);
-
   motion_.expand(center, t, order);
-  Numbers image = motion_.at(h);
-  for (std::size_t i = 0; i < image.size(); ++i) image[i] += up_to(disc.remainder(i, length, order));
-
+  Stride stride{t, std::copysign(longest, left), std::move(disc), apart, motion_.series(), {}};
   const FewerBits few;
-  Rows slope = slopes(hull, t, h);
-  for (std::size_t i = 0; i < slope.size(); ++i)
-    for (Number& entry : slope[i])
-      entry += up_to(disc.remainder(i, length, order_of_slopes) / (apart / 2) * 1.0001);
-  states.map(image, slope);
-  return end;
-}
-
-Numbers TaylorProblem::solve(const Numbers& x, const Number& t0, const Number& t1, int digits) const {
-  Parallelepiped states(x);
-  Number t = t0;
-  double radius = std::abs(middle_of(t1 - t0));
-  for (long steps = 0; !arb_equal(t.data(), t1.data()); ++steps) {
-    if (steps == most_steps) throw Undecided("too many steps");
-    t = step(states, t, t1, digits, radius);
-  }
-  return states.hull();
+  stride.slopes = slopes(hull, t, slope_order);
+  return stride;
 }
 
 namespace {
@@ -131,46 +136,52 @@ bool same(const Recorded& a, const Recorded& b) {
          });
 }
 
-/// A motion as far as it has been followed; of each number of digits the last one is kept.
-struct Followed {
-  TaylorProblem problem;
-  Numbers x0;
-  Number t0;
-  slong bits;
-  Parallelepiped states;
-  Number t;
-  double radius;
-
-  bool leads_to(const TaylorProblem& other, const Numbers& x, const Number& from, const Number& to) const {
-    return bits == Ball::bits && same(x0, x) && same({t0}, {from}) && (to - t) * (t - t0) >= 0 &&
-           problem == other;
-  }
-};
-
 }  // namespace
 
 bool TaylorProblem::operator==(const TaylorProblem& other) const {
   return same(motion_, other.motion_) && same(slopes_, other.slopes_);
 }
 
+bool Followed::leads_to(const TaylorProblem& problem, const Numbers& x0, const Number& t0,
+                        const Number& t1) const {
+  const Number from = stride_ ? stride_->from : t0_;
+  const double ahead = middle_of(t1 - from);
+  return bits_ == Ball::bits && same(x0_, x0) && same({t0_}, {t0}) &&
+         (!stride_ || stride_->length * ahead >= 0) && problem_ == problem;
+}
+
+void Followed::follow_to(const Number& t) {
+  const Numbers image = stride_->image(t);
+  const FewerBits few;
+  states_.map(image, stride_->slopes_at(t));
+}
+
+Numbers Followed::at(const Number& t1) {
+  if (arb_equal(t1.data(), t0_.data())) return x0_;
+  if (!stride_) stride_ = problem_.stride(states_, t0_, t1, digits_, radius_);
+  for (long strides = 0; !stride_->holds(t1); ++strides) {
+    if (strides == most_strides) throw Undecided("too many steps");
+    const Number end = stride_->from + Number(stride_->length);
+    follow_to(end);
+    stride_ = problem_.stride(states_, end, t1, digits_, radius_);
+  }
+  return states_.hull_of_image(stride_->image(t1), stride_->slopes_at(t1));
+}
+
+Numbers TaylorProblem::solve(const Numbers& x, const Number& t0, const Number& t1, int digits) const {
+  return Followed(*this, x, t0, digits).at(t1);
+}
+
 Numbers enclosed_motion(const TaylorProblem& problem, const Numbers& x0, const Number& t0, const Number& t1,
                         int digits) {
-  thread_local std::map<int, Followed> all;
+  thread_local std::map<int, Followed> all;  // the last one of each number of digits
   auto found = all.find(digits);
   if (found != all.end() && !found->second.leads_to(problem, x0, t0, t1)) {
     all.erase(found);
     found = all.end();
   }
-  if (found == all.end())
-    found = all.insert({digits,
-                        {problem, x0, t0, Ball::bits, Parallelepiped(x0), t0, std::abs(middle_of(t1 - t0))}})
-                .first;
-  Followed& motion = found->second;
-  for (long steps = 0; !arb_equal(motion.t.data(), t1.data()); ++steps) {
-    if (steps == most_steps) throw Undecided("too many steps");
-    motion.t = motion.problem.step(motion.states, motion.t, t1, digits, motion.radius);
-  }
-  return motion.states.hull();
+  if (found == all.end()) found = all.emplace(digits, Followed(problem, x0, t0, digits)).first;
+  return found->second.at(t1);
 }
 
 }  // namespace oddity::truth

@@ -1,11 +1,31 @@
 #pragma once
 
+#include <optional>
+
+#include "reference/enclosures/disc.hpp"
 #include "reference/enclosures/parallelepiped.hpp"
 #include "reference/enclosures/recorded.hpp"
 #include "reference/make/dual.hpp"
 
 /// Initial value problems by Taylor series whose remainders are bounded, in balls.
 namespace oddity::truth {
+
+/// The polynomials of a motion about a time, and of its slopes by the start, as far as what they leave out
+/// is small.
+struct Stride {
+  Number from;
+  double length;  ///< how far, with its sign
+  Disc disc;
+  double apart;                              ///< of the starts in the disc, from the center
+  std::vector<Numbers> center;               ///< a series an unknown
+  std::vector<std::vector<Numbers>> slopes;  ///< row i, column j: of d x_i / d x_j
+
+  bool holds(const Number& t) const;
+  /// Of the center, at the time.
+  Numbers image(const Number& t) const;
+  /// By all starts in the set that it was made for.
+  Rows slopes_at(const Number& t) const;
+};
 
 /// An initial value problem recorded on two tapes: of the motion, and of it with its slopes by one of the
 /// unknowns. rhs(x, t) returns the derivatives of x.
@@ -25,13 +45,14 @@ class TaylorProblem {
     record_slopes(rhs, dimension);
   }
 
-  /// The state at t1 from that at t0. Each step's remainder is below 10^-digits of the state's size. Throws
-  /// Undecided where the enclosure becomes too wide, or a step too short.
-  Numbers solve(const Numbers& x, const Number& t0, const Number& t1, int digits) const;
+  /// The longest stride of these states at t, in the direction of t1. What it leaves out is below 10^-digits
+  /// of the state's size. `radius` is how far the motion was found to be analytic: the last stride's as a
+  /// guess. Throws Undecided where the states are too far apart, or the stride too short.
+  Stride stride(const Parallelepiped& states, const Number& t, const Number& t1, int digits,
+                double& radius) const;
 
-  /// One step from t towards t1, the set of states following; returns where it ends. `radius` is how far the
-  /// motion was found to be analytic: the last step's as a guess.
-  Number step(Parallelepiped& states, const Number& t, const Number& t1, int digits, double& radius) const;
+  /// The state at t1 from that at t0. Throws as Followed::at.
+  Numbers solve(const Numbers& x, const Number& t0, const Number& t1, int digits) const;
 
   /// Whether both tapes are alike.
   bool operator==(const TaylorProblem&) const;
@@ -51,9 +72,34 @@ class TaylorProblem {
     slopes_.time = t.node;
   }
 
-  Rows slopes(const Numbers& hull, const Number& t, const Number& h) const;
+  std::vector<std::vector<Numbers>> slopes(const Numbers& hull, const Number& t, int order) const;
 
   mutable Recorded motion_, slopes_;
+};
+
+/// A motion that is followed, by strides that do not end where it is asked for.
+class Followed {
+ public:
+  Followed(TaylorProblem problem, const Numbers& x0, const Number& t0, int digits)
+      : problem_(std::move(problem)), x0_(x0), t0_(t0), digits_(digits), states_(x0) {}
+
+  /// The state at a time that is no nearer to the start than the last one asked for. Throws Undecided where
+  /// the enclosure becomes too wide, or a stride too short.
+  Numbers at(const Number& t1);
+  /// Whether it is the motion of this problem from this start, and t1 lies ahead.
+  bool leads_to(const TaylorProblem&, const Numbers& x0, const Number& t0, const Number& t1) const;
+
+ private:
+  void follow_to(const Number& end_of_stride);
+
+  TaylorProblem problem_;
+  Numbers x0_;
+  Number t0_;
+  int digits_;
+  slong bits_ = Ball::bits;
+  Parallelepiped states_;  ///< where the stride begins
+  std::optional<Stride> stride_;
+  double radius_ = 0;
 };
 
 /// The state at t1. A motion that is asked for at one time after the other is followed once.

@@ -90,6 +90,12 @@ Numbers Parallelepiped::hull() const {
   return box;
 }
 
+Numbers Parallelepiped::hull_of_image(const Numbers& image_of_center, const Rows& slopes) const {
+  Numbers box = product(product(slopes, axes_), sides_);
+  for (std::size_t i = 0; i < box.size(); ++i) box[i] += image_of_center[i];
+  return box;
+}
+
 void Parallelepiped::map(const Numbers& image_of_center, const Rows& slopes) {
   const Rows edges = product(slopes, axes_);
   const Rows axes = square_axes(edges, sides_), back = inverse(axes);

@@ -15,7 +15,9 @@ class Parallelepiped {
   const Numbers& center() const { return center_; }
   /// The box around it.
   Numbers hull() const;
-  /// Its image under a map whose slopes over all of it, a row an unknown, are known.
+  /// The box around its image under a map whose slopes over all of it, a row an unknown, are known.
+  Numbers hull_of_image(const Numbers& image_of_center, const Rows& slopes) const;
+  /// Becomes that image.
   void map(const Numbers& image_of_center, const Rows& slopes);
 
  private:

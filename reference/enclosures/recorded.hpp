@@ -13,8 +13,8 @@ struct Recorded {
   Jet variable() { return {&tape, tape.put({Tape::Op::variable})}; }
   /// Fills the tape with the series about (x, t) up to the order.
   void expand(const Numbers& x, const Number& t, int order);
-  /// The unknowns' polynomials at the distance h.
-  Numbers at(const Number& h) const;
+  /// The unknowns' series.
+  std::vector<Numbers> series() const;
 };
 
 }  // namespace oddity::truth

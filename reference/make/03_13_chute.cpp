@@ -39,6 +39,14 @@ Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   return {x[0], x[1], x[2]};
 }
 
+Numbers by_taylor_of_angle(const std::vector<double>& in, Precision digits) {
+  const Axis axis(in);
+  const Number square = axis.g * axis.c / axis.R, t = in[6];
+  const auto rhs = [&](const auto& x, const auto&) { return std::vector{x[1], -square * sin(x[0])}; };
+  const Numbers x = solve_taylor(rhs, {Number(in[4]), Number(0)}, 0, t, digits + 6);
+  return axis.position(in[5] * t + axis.g * axis.s * t * t / 2, x[0]);
+}
+
 Numbers by_angle(const std::vector<double>& in, Precision digits) {
   const Axis axis(in);
   const Number square = axis.g * axis.c / axis.R, t = in[6];
@@ -67,8 +75,8 @@ Truth truth_03_13_chute() {
       by_taylor,
       "uniform acceleration along the axis, extrapolated midpoint rule on the angle about it",
       by_angle,
-      "the first route, the remainders bounded",
-      by_taylor};
+      "uniform acceleration along the axis, Taylor series of the angle about it, the remainders bounded",
+      by_taylor_of_angle};
 }
 
 }  // namespace oddity::truth

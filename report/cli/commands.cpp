@@ -171,13 +171,21 @@ void add_verify(CLI::App& app, Session& s) {
   verify->allow_extras();
 }
 
+void add_enclosed(CLI::App& app, AskedNeed& need) {
+  app.add_flag(
+      "--enclosed", need.enclosed,
+      "prove how far true values that are computed on the spot may be off, in ball arithmetic (Arb); "
+      "the chain of 3.25 takes a minute or two");
+}
+
 void add_solve(CLI::App& app, Session& s) {
   auto* solve = verb(app, "solve", "Solve one exercise: every quantity by every method.",
                      columns_of_trials() +
                          "Examples:\n  oddity solve 3.5\n  oddity solve 3.5 a=150deg L=50cm\n  oddity solve "
                          "3.5 a=150deg --csv",
-                     [&] { verbs::solve(s.folder, s.exercise, s.overrides, s.format()); });
+                     [&] { verbs::solve(s.folder, s.exercise, s.overrides, s.need.enclosed, s.format()); });
   add_one_exercise(*solve, s);
+  add_enclosed(*solve, s.need);
   auto* json = solve->add_flag("--json", s.json, "all results as JSON, as in a results file");
   solve->add_flag("--csv", s.csv, "the trials, as comma-separated values")->excludes(json);
 }
@@ -224,6 +232,7 @@ void add_choose_methods(CLI::App& choose, AskedNeed& need) {
   add_value(choose, "--exclude", need.exclude, "WORD", "no models or algorithms that have this; repeatable")
       ->allow_extra_args(false);
   add_value(choose, "--time-limit", need.time_limit, "TIME", "give up after this long: 60s");
+  add_enclosed(choose, need);
   choose.add_flag("--explain", need.explain, "say what was tried, and where the time went");
   choose.add_flag("--measure", need.measure,
                   "time the methods anew; unless asked, times of an earlier run are taken, so that the same "

@@ -15,6 +15,7 @@
 #include "report/cli/bench.hpp"
 #include "report/cli/bench_lanes.hpp"
 #include "report/cli/bench_verbs.hpp"
+#include "report/cli/enclosing.hpp"
 #include "report/cli/engines.hpp"
 #include "report/cli/settings.hpp"
 #include "report/lanes/price.hpp"
@@ -50,6 +51,11 @@ bool stale(const fs::path& results, const fs::path& folder) {
   for (const auto& table : fs::recursive_directory_iterator(folder))
     if (table.path().extension() == ".csv" && older(results, table)) return true;
   return false;
+}
+
+Reference truth_of(const fs::path& folder, bool enclosed, fs::path cache = {}) {
+  const Reference truth(folder, std::move(cache));
+  return enclosed ? truth.enclosed_by(enclosing()) : truth;
 }
 
 /// None where another version wrote the file, or it was damaged.
@@ -171,9 +177,9 @@ void list(const std::vector<std::string>& exercises, Format format) {
 }
 
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
-           Format format) {
+           bool enclosed, Format format) {
   const Task task = task_of(exercise, overrides);
-  const Reference truth(folder);
+  const Reference truth = truth_of(folder, enclosed);
   const Results results = with_progress(
       [&](const Progress& progress) { return run(std::span(&task, 1), truth, true, progress); });
   if (format == Format::csv) return print(trials_table(results), format);
@@ -189,7 +195,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   const std::vector<EngineProgram> programs = engines_named(engine);
   KeptPrices prices(prices_folder(), price_key(task, need), asked.measure,
                     need.bodies > 1 ? lanes::price_of_all(task, need) : measured_price);
-  const Reference truth(folder, motions_folder());
+  const Reference truth = truth_of(folder, asked.enclosed, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
   Choice choice = with_progress([&](const Progress& progress) {
     return oddity::choose(task, need, truth, std::ref(prices), progress);
@@ -203,6 +209,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
                   : format == Format::csv  ? choice_csv(choice)
                   : format == Format::code ? code_of(task, choice, command)
                                            : choice_text(choice, all_rows, output()));
+  if (asked.enclosed && format == Format::text) std::cout << truth_text(choice, output());
   if (asked.explain && format == Format::text) std::cout << "\n" << explanation_text(choice);
   if (!programs.empty()) std::cout << engine_answer(beside(choice, programs, task, truth), output());
   return choice.chosen ? 0 : 1;

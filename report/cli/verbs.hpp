@@ -22,7 +22,7 @@ enum class Format { text, json, csv, code };
 void list(const std::vector<std::string>& exercises, Format);
 /// `overrides` are "name=value". As JSON everything; as CSV the trials.
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
-           Format);
+           bool enclosed, Format);
 
 /// 0 when something meets the need, else 1. `command` is the command line, for the code's comment;
 /// `engine` one of others to be tried beside, unless empty.

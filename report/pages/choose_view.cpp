@@ -331,6 +331,13 @@ std::string choice_text(const Choice& choice, bool all_rows, const Screen& scree
          wrapped(grounds, screen, 4);
 }
 
+std::string truth_text(const Choice& choice, const Screen& screen) {
+  const Explanation& e = choice.explanation;
+  return wrapped(
+      "truth: known to " + format_significant(e.truth_error, 2) + " of what is asked; " + e.truth_by + "\n",
+      screen, 4);
+}
+
 std::string explanation_text(const Choice& choice) {
   const Explanation& e = choice.explanation;
   const auto part = [](const std::string& name, double seconds, const std::string& what) {

@@ -71,6 +71,8 @@ std::string asked_text(const Choice&);
 std::string answer_text(const Choice&, const Screen& = {});
 /// The choice as a sentence and a table, for a terminal; the table's first rows, or all.
 std::string choice_text(const Choice&, bool all_rows, const Screen& = {});
+/// How well the true motion is known, and by what.
+std::string truth_text(const Choice&, const Screen& = {});
 /// What was tried and where the time went.
 std::string explanation_text(const Choice&);
 std::string choice_json(const Choice&);

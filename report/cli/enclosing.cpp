@@ -1,0 +1,15 @@
+#include "report/cli/enclosing.hpp"
+
+#ifdef ODDITY_ARB
+#include "reference/enclosures/enclose.hpp"
+
+oddity::Enclosing oddity::enclosing() { return enclosed_on_demand; }
+#else
+#include "reference/bad_input.hpp"
+
+oddity::Enclosing oddity::enclosing() {
+  throw BadInput(
+      "--enclosed: this program was built without Arb, which computes enclosures; './oddity packages "
+      "libflint-dev libflint-arb-dev' and 'cmake --preset release' have the next build find it");
+}
+#endif
