@@ -123,8 +123,9 @@ class AtRandom {
     });
   }
 
-  /// A tolerance that is much coarser errs at least as much, and so does a thousand roundings at the end,
-  /// whatever the motion makes of either.
+  /// A tolerance that is much coarser errs at least as much, unless both take the same steps: then what was
+  /// asked for is what a step may err. So does a thousand roundings at the end, whatever the motion makes of
+  /// either.
   template <class Model>
   std::string not_back(const Model& model) const {
     if constexpr (
@@ -135,7 +136,7 @@ class AtRandom {
       if (!last || !by_coarse) return "";
       const auto fine = back(model, end, *last, 1e-13), coarse = back(model, end, *by_coarse, 1e-9);
       if (!fine || !coarse) return "";
-      double allowed = 2 * distance(*fine, *coarse) + rounding(size_of(*fine), 4096).allowed;
+      double allowed = 2 * distance(*fine, *coarse) + 1e-13 + rounding(size_of(*fine), 4096).allowed;
       for (unsigned pattern = 0; pattern < 4; ++pattern) {
         const auto moved = back(model, end, nudged(*last, pattern), 1e-13);
         if (!moved) return "";

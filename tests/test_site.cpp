@@ -253,6 +253,11 @@ TEST_CASE("the site of the last run is whole, typeset and small", "[site]") {
     return;
   }
   const Results results = read_results(file);
+  if (std::ranges::any_of(results.exercises,
+                          [](const ExerciseResult& e) { return e.scene && !e.cheapest_models; })) {
+    WARN("the last run was the suite's, which makes no cheapest models as the site does: " << file.string());
+    return;
+  }
   const auto pages = site_pages(results);
   std::set<std::string> files{"errata.json", "errata.schema.json", "data/search.js", "data/bouncing_ball.js",
                               "assets/drawing.css"};

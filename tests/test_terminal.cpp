@@ -228,7 +228,7 @@ TEST_CASE("the completion knows the verbs, their options and the exercises", "[t
   };
   CHECK(completed("\"\"") ==
         "list verify solve chart stability choose bench engines sweep prove trust report site new help\n");
-  CHECK(completed("solve --") == "--help --json --csv\n");
+  CHECK(completed("solve --") == "--help --enclosed --json --csv\n");
   CHECK(completed("solve 3.3") == "3.3 3.31 3.33 3.35\n");
 }
 
