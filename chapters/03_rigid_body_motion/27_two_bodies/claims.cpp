@@ -75,7 +75,8 @@ struct SampleOf {
   /// (r'', theta'', phi'') by Lagrange's equations.
   std::array<T, 3> lagrange(const std::array<T, 3>& speed) const {
     return lagrange_accelerations(
-        [this](const auto& at, const auto& rates) { return kinetic(at, rates) - potential(at); }, q, speed);
+        [this](const auto& at, const auto& rates) { return this->kinetic(at, rates) - this->potential(at); },
+        q, speed);
   }
   /// In how many independent ways the positions move with r, theta and phi.
   int freedoms() const {
