@@ -64,7 +64,8 @@ struct Sample {
     const double angle = random.between(0, 2 * pi);
     plate.D = {cos(angle), sin(angle), 0};
     plate.N = cross(Vector{0, 0, 1}, plate.D);
-    const Vector shift = random.between(1, 4) * plate.N + random.between(-5, 5) * plate.D;
+    const double along = random.between(-5, 5), away = random.between(1, 4);
+    const Vector shift = away * plate.N + along * plate.D;
     plate.A = plate.center();
     mean = beside = plate;
     mean.A = middle, beside.A = plate.A + shift;

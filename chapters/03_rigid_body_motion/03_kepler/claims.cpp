@@ -200,8 +200,8 @@ std::vector<Later> orbits(double seed) {
   Random random(seed);
   std::vector<Later> all;
   for (int i = 0; i < 40; ++i) {
-    const Start s =
-        random_start(random, random.between(0.5, 1.3) * (i % 4 ? 1 : -1), random.between(-0.5, 0.5));
+    const double radial = random.between(-0.5, 0.5), transverse = random.between(0.5, 1.3);
+    const Start s = random_start(random, transverse * (i % 4 ? 1 : -1), radial);
     const double span = sqrt(pow(s.r0, 3) / s.mu()), end = random.between(3, 6) * span;
     std::vector<double> times(pieces + 1), angles(pieces + 1, s.theta0);
     for (std::size_t j = 0; j <= pieces; ++j) times[j] = end * static_cast<double>(j) / pieces;

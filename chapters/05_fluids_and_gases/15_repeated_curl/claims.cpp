@@ -45,7 +45,8 @@ auto turned_field(const Field& f, const Frame& r) {
 
 Sampled sample(Random& random, int number) {
   const ScalarField phi(random, 1, 1);
-  const VectorField f(random, random.magnitude(1e-6, 1e6), random.magnitude(0.1, 3));
+  const double rate = random.magnitude(0.1, 3), size = random.magnitude(1e-6, 1e6);
+  const VectorField f(random, size, rate);
   const VectorField g(random, random.magnitude(1e-6, 1e6), 1);
   const Point x = random.point(), a = random.point(), b = random.point(), c = random.point();
   const Frame r = random_frame(random), mirror{r[1], r[0], r[2]};

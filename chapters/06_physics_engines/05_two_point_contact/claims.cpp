@@ -13,7 +13,8 @@ Vector3d vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
 /// Uniformly distributed rotation, from a random unit quaternion.
 Matrix3d random_rotation(Random& random) {
-  Eigen::Vector4d q(random.normal(), random.normal(), random.normal(), random.normal());
+  Eigen::Vector4d q;
+  for (int i = 4; i-- > 0;) q[i] = random.normal();
   q.normalize();
   const double w = q[0], x = q[1], y = q[2], z = q[3];
   Matrix3d r;
@@ -27,8 +28,8 @@ Matrix3d random_rotation(Random& random) {
 Body random_box(Random& random) {
   const double mass = random.between(0.5, 2);
   const Matrix3d r = random_rotation(random);
-  const Matrix3d own =
-      box_inertia(mass, random.between(0.5, 2), random.between(0.5, 2), random.between(0.5, 2));
+  const double c = random.between(0.5, 2), b = random.between(0.5, 2), a = random.between(0.5, 2);
+  const Matrix3d own = box_inertia(mass, a, b, c);
   return {mass, r * own * r.transpose(), vector(random.point()), vector(random.point()),
           vector(random.point())};
 }
