@@ -93,10 +93,11 @@ class AtRandom {
 
   void comes_back() const {
     check("run back from its end, a motion comes to its start",
-          [this](const auto& model) { return not_back(model); });
+          [this](const auto& model) { return this->not_back(model); });
   }
   void conserves() const {
-    check("what is conserved does not change", [this](const auto& model) { return not_conserved(model); });
+    check("what is conserved does not change",
+          [this](const auto& model) { return this->not_conserved(model); });
   }
 
  private:

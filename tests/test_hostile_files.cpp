@@ -53,13 +53,13 @@ TEST_CASE("a unit of a hundred thousand parentheses, or of powers of powers, is 
 TEST_CASE("a plan whose numbers do not fit is none", "[hostile]") {
   const std::string plan = to_json(small_plan());
   CHECK(to_json(sweep::plan_from_json(plan, "plan")) == plan);
-  for (const auto& [old, fresh] : {std::pair{"\"count\": 7", "\"count\": 1e300"},
-                                   {"\"count\": 7", "\"count\": 7.5"},
-                                   {"\"count\": 7", "\"count\": -7"},
-                                   {"\"count\": 7", "\"count\": 4294967303"},
-                                   {"\"looks\": 0", "\"looks\": 1e99"},
-                                   {"\"looks\": 0", "\"looks\": -1"}})
-    CHECK(has(complaint([&] { sweep::plan_from_json(replaced(plan, old, fresh), "it"); }),
+  for (const auto& changed : {std::pair{"\"count\": 7", "\"count\": 1e300"},
+                              {"\"count\": 7", "\"count\": 7.5"},
+                              {"\"count\": 7", "\"count\": -7"},
+                              {"\"count\": 7", "\"count\": 4294967303"},
+                              {"\"looks\": 0", "\"looks\": 1e99"},
+                              {"\"looks\": 0", "\"looks\": -1"}})
+    CHECK(has(complaint([&] { sweep::plan_from_json(replaced(plan, changed.first, changed.second), "it"); }),
               "it is no plan of a sweep: "));
   sweep::Plan without = small_plan();
   without.asked.axes.clear();

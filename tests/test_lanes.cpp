@@ -181,7 +181,7 @@ TEST_CASE("a body that cannot come to the end says so, and the others do", "[lan
 
 TEST_CASE("few bodies, and one, are as many", "[lanes]") {
   const SceneInLanes& scene = lanes::scene_in_lanes("3.3");
-  for (std::size_t count : {1, 2, 15, 16, 17, 33}) {
+  for (std::size_t count : {1u, 2u, 15u, 16u, 17u, 33u}) {
     Batch alone(scene, 5, Precision::in_double, parameters_of(scene, count)), together = alone;
     alone.own_steps(Registers::one, 0, 1, 1e-8, 1e-3);
     together.own_steps(lanes::widest(), 0, 1, 1e-8, 1e-3);

@@ -158,7 +158,8 @@ TEST_CASE("products that are computed two at once have the bits that each has al
   two.expand(std::array{0.9, -0.3, 0.4, 1.1}.data(), 0, order);
   one.expand(std::array{0.9, 0.0, -0.3, 0.4, 1.1}.data(), 0, order);
   for (int k = 0; k <= order; ++k)
-    for (std::size_t i : {0, 1, 2, 3}) CHECK(two.coefficient(i, k) == one.coefficient(i == 0 ? 0 : i + 1, k));
+    for (std::size_t i = 0; i < 4; ++i)
+      CHECK(two.coefficient(i, k) == one.coefficient(i == 0 ? 0 : i + 1, k));
 }
 
 TEST_CASE("the cost stated is the operations made", "[taylor]") {

@@ -71,11 +71,13 @@ std::vector<ErrorsOnRecord> errors_of(const ExerciseResult& e) {
     if (c.verdict != Verdict::unsettled) rows.push_back(wrong_readings(c.claim, number));
   for (const QuantityResult& q : e.quantities) {
     for (const MethodResult& m : q.methods) {
-      ErrorsOnRecord& row = rows.emplace_back(number, q.name + ": " + m.model + ", " + m.algorithm);
+      ErrorsOnRecord& row =
+          rows.emplace_back(ErrorsOnRecord{number, q.name + ": " + m.model + ", " + m.algorithm});
       for (const TimedTrial& t : m.trials) add(row, t, q);
     }
     for (std::size_t i = 0; i < q.breakdowns.size(); ++i) {
-      ErrorsOnRecord& row = rows.emplace_back(number, q.name + ": breakdown " + std::to_string(i + 1));
+      ErrorsOnRecord& row =
+          rows.emplace_back(ErrorsOnRecord{number, q.name + ": breakdown " + std::to_string(i + 1)});
       add(row, q.breakdowns[i].broken, q);
       add(row, q.breakdowns[i].cured, q);
     }
