@@ -13,10 +13,10 @@ namespace oddity {
 struct ErrorsOnRecord {
   std::string exercise;
   std::string of;  ///< "claim ID" (its wrong readings), "QUANTITY: MODEL, ALGORITHM", "QUANTITY: breakdown 1"
-  std::string at;  ///< a claim's line; a method's knob and settings
-  std::vector<std::optional<double>> errors;  ///< 0: as small as roundings; none: the last bits decide
-  std::vector<std::optional<double>> work;    ///< evaluations; none: likewise
-  std::string place = {};                     ///< file and line
+  std::string at = {};                             ///< a claim's line; a method's knob and settings
+  std::vector<std::optional<double>> errors = {};  ///< 0: as small as roundings; none: the last bits decide
+  std::vector<std::optional<double>> work = {};    ///< evaluations; none: likewise
+  std::string place = {};                          ///< file and line
 };
 
 /// In a row, what stands for a number that the last bits decide.
