@@ -4,6 +4,7 @@
 //   R^T
 
 #include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include "chapters/02_basic_concepts/05_rotation_about_moving_axis/rotating_axis.hpp"
 #include "chapters/02_basic_concepts/shared/limits.hpp"
@@ -38,27 +39,49 @@ struct Turning {
 };
 
 /// A moment of such a motion, in the letters of the text.
-struct Moment {
-  double t, theta, theta_dot, sigma, gamma, lambda;
-  Vector3 U1, U2, U3, w;
-  Matrix3 U, S, S_dot, S2_dot, R, R_dot, W;  ///< R of the quaternion; derivatives by dual numbers
-  Solved<Value> S_slope;                     ///< S' by differences, extrapolated
-  double size;                               ///< of the terms in R' R^T, on unit vectors
-  double frame_size;                         ///< of the same on the vectors U
+template <class T>
+struct MomentOf {
+  T theta, theta_dot, sigma, gamma, lambda;
+  Vector<T> U1, U2, U3, w;
+  Matrix<T> I = identity<T>(), U, S, S_dot, S2_dot, R, R_dot,
+            W;  ///< R of the quaternion; derivatives by dual numbers
 
-  /// At t, the clock running `rate` times as fast.
-  Moment(const Turning& turning_axis, double at, double rate) : t(at) {
-    using D1 = Dual<double>;
-    const D1 now(t, rate);
-    const Vector<D1> axis = turning_axis.axis(now);
-    const D1 angle = turning_axis.angle(now);
-    const Quaternion<D1> q = quaternion(axis, angle);
-    const Matrix<D1> skew_axis = skew(axis), turned = matrix(q);
-    theta = angle.value, theta_dot = angle.slope, sigma = std::sin(theta), gamma = std::cos(theta);
+  MomentOf(const Vector<Dual<T>>& axis, const Dual<T>& angle) {
+    using std::cos, std::sin;
+    const Quaternion<Dual<T>> q = quaternion(axis, angle);
+    const Matrix<Dual<T>> skew_axis = skew(axis), turned = matrix(q);
+    theta = angle.value, theta_dot = angle.slope, sigma = sin(theta), gamma = cos(theta);
     U1 = value_of(axis), U2 = slope_of(axis), U3 = cross(U1, U2), lambda = length(U2), w = turning(q);
-    U = Matrix3::columns(U1, U2, U3);
+    U = Matrix<T>::columns(U1, U2, U3);
     S = value_of(skew_axis), S_dot = slope_of(skew_axis), S2_dot = slope_of(skew_axis * skew_axis);
     R = value_of(turned), R_dot = slope_of(turned), W = R_dot * transpose(R);
+  }
+
+  /// All numbers in a row.
+  template <class... Parts>
+  static std::vector<T> row(const Parts&... parts) {
+    std::vector<T> all;
+    const auto append = [&](const auto& part) {
+      if constexpr (std::convertible_to<decltype(part), T>)
+        all.push_back(part);
+      else
+        for (const auto& x : part) all.push_back(T(x));
+    };
+    (append(parts), ...);
+    return all;
+  }
+};
+
+struct Moment : MomentOf<double> {
+  double t;
+  Solved<Value> S_slope;  ///< S' by differences, extrapolated
+  double size;            ///< of the terms in R' R^T, on unit vectors
+  double frame_size;      ///< of the same on the vectors U
+
+  /// At t, the clock running `rate` times as fast.
+  Moment(const Turning& turning_axis, double at, double rate)
+      : MomentOf(turning_axis.axis(Dual<double>(at, rate)), turning_axis.angle(Dual<double>(at, rate))),
+        t(at) {
     size = (1 + std::abs(theta)) * (1 + lambda + std::abs(theta_dot));
     frame_size = (1 + lambda * lambda) * size;
     const double step = 0.25 / (1 + std::abs(rate));
@@ -113,25 +136,53 @@ using Form = Formula<Moment>;
 double of_turn(M m) { return 1 + std::abs(m.theta); }
 double of_squares(M m) { return m.size * m.size; }
 
+/// A formula in the letters of a moment, and perhaps a number k: computed, and recorded for proofs.
+struct InLetters {
+  std::function<Value(M, double k)> of;
+  std::function<Expressions(const MomentOf<Shortened>&, double k)> recorded;
+
+  template <class F>
+  InLetters(const F& f)
+      : of([f](M m, double k) { return Value(at(f, static_cast<const MomentOf<double>&>(m), k)); }),
+        recorded(
+            [f](const MomentOf<Shortened>& m, double k) { return detail::recorded_value(at(f, m, k)); }) {}
+
+ private:
+  template <class F, class Letters>
+  static auto at(const F& f, const Letters& m, double k) {
+    if constexpr (std::invocable<const F&, const Letters&, double>)
+      return f(m, k);
+    else
+      return f(m);
+  }
+};
+
 /// A line with a number k in it, which is 1 as printed.
 struct Line {
   std::string_view slug;
   int number;
   std::string says, quantity;
-  std::function<Value(M)> truth;
-  std::function<Value(M, double k)> text;
+  InLetters truth, text;
   std::function<double(M)> size = &Moment::frame_size;
   std::string by = "quaternion and dual numbers";
   double near = -1;
 };
 
 Reading reading(const Line& line, const std::string& text, double k, const std::vector<Moment>& moments) {
-  const Form with_k{text, [&](M m) { return line.text(m, k); }, line.size};
-  return {text, {compare(line.quantity, with_k, {line.by, line.truth}, moments)}};
+  const Form with_k{text, [&](M m) { return line.text.of(m, k); }, line.size};
+  const Form truth{line.by, [&](M m) { return line.truth.of(m, 1); }};
+  return {text, {compare(line.quantity, with_k, truth, moments)}};
 }
 
+/// The claims, and of which lines there are proofs.
+struct Statements : Claims {
+  using Claims::Claims;
+  std::vector<Line> for_any, for_unit_speed;
+};
+
 /// Lines that hold at all these moments.
-void lines(Claims& claims, const std::vector<Moment>& moments, const std::vector<Line>& all) {
+void lines(Statements& claims, const std::vector<Moment>& moments, const std::vector<Line>& all,
+           bool unit_speed = false) {
   for (const Line& line : all) {
     const std::string miss = line.near == -1  ? "a sign flipped"
                              : line.near == 0 ? "a term dropped"
@@ -139,10 +190,12 @@ void lines(Claims& claims, const std::vector<Moment>& moments, const std::vector
     claims.add(line.slug, line.number, line.says,
                {.printed = reading(line, "as printed", 1, moments),
                 .near_misses = {reading(line, miss, line.near, moments)}});
+    (unit_speed ? claims.for_unit_speed : claims.for_any).push_back(line);
   }
 }
 /// Lines that need |D'| = 1.
-void unit_lines(Claims& claims, const Moments& moments, const std::vector<Line>& all) {
+void unit_lines(Statements& claims, const Moments& moments, const std::vector<Line>& all) {
+  claims.for_unit_speed.insert(claims.for_unit_speed.end(), all.begin(), all.end());
   for (const Line& line : all)
     claims.add(line.slug, line.number, line.says + R"( ($|\dot{\mathbf D}|=1$))",
                {.printed = reading(line, R"(where $|\dot{\mathbf D}|=1$)", 1, moments.unit_speed),
@@ -151,26 +204,35 @@ void unit_lines(Claims& claims, const Moments& moments, const std::vector<Line>&
                     reading(line, R"(for any $|\dot{\mathbf D}|$)", 1, moments.any)}});
 }
 
-Value twice(const Vector3& x) { return joined(x, x); }
-Vector3 back(M m, const Vector3& x) { return transpose(m.R) * x; }
+template <class T>
+std::vector<T> twice(const Vector<T>& x) {
+  return MomentOf<T>::row(x, x);
+}
+template <class T>
+Vector<T> back(const MomentOf<T>& m, const Vector<T>& x) {
+  return transpose(m.R) * x;
+}
 
-void rotation_and_derivative(Claims& claims, const Moments& moments) {
+void rotation_and_derivative(Statements& claims, const Moments& moments) {
   claims.formula<Moment>(
       "skew_of_w", 317, R"($\mathrm{Skew}(\mathbf w)=\dot RR^T$)", moments.all,
       {.truth =
            {R"($\mathrm{Skew}(\mathbf w)$, $\mathbf w=2\dot qq^*$ in dual numbers, $q$ the quaternion of )"
             R"($R$)",
-            [](M m) { return skew(m.w); }, &Moment::size},
-       .printed = {R"($\dot RR^T$)", &Moment::W},
+            [](const auto& m) { return skew(m.w); }, &Moment::size},
+       .printed = {R"($\dot RR^T$)", [](const auto& m) { return m.W; }},
        .near_misses = {{R"($R^T\dot R$, which has $\mathbf w$ in the body's frame)",
-                        [](M m) { return transpose(m.R) * m.R_dot; }}}});
-  lines(
-      claims, moments.all,
-      {{"rotation_matrix", 319, R"($R=I+\sigma S+(1-\gamma)S^2$)", "$R$", &Moment::R,
-        [](M m, double k) { return identity() + k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S); }, of_turn},
-       {"transpose", 319, R"($R^T=I-\sigma S+(1-\gamma)S^2$)", "$R^T$", [](M m) { return transpose(m.R); },
-        [](M m, double k) { return identity() - k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S); },
-        of_turn}});
+                        [](const auto& m) { return transpose(m.R) * m.R_dot; }}}});
+  claims.for_any.push_back(
+      {"skew_of_w", 317, {}, {}, [](const auto& m) { return skew(m.w); }, [](const auto& m) { return m.W; }});
+  lines(claims, moments.all,
+        {{"rotation_matrix", 319, R"($R=I+\sigma S+(1-\gamma)S^2$)", "$R$", [](const auto& m) { return m.R; },
+          [](const auto& m, double k) { return m.I + k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S); },
+          of_turn},
+         {"transpose", 319, R"($R^T=I-\sigma S+(1-\gamma)S^2$)", "$R^T$",
+          [](const auto& m) { return transpose(m.R); },
+          [](const auto& m, double k) { return m.I - k * m.sigma * m.S + (1 - m.gamma) * (m.S * m.S); },
+          of_turn}});
   std::vector<Differenced> differenced;
   for (M m : moments.moving) differenced.push_back({m});
   const auto skew_of = [](const std::string& text, double k) {
@@ -180,65 +242,68 @@ void rotation_and_derivative(Claims& claims, const Moments& moments) {
                               differenced,
                               {.quantity = R"($\dot S$)",
                                .truth = {R"(differences of $\mathrm{Skew}(\mathbf D(t))$, extrapolated)",
-                                         [](M m) { return m.S_slope.value; }},
+                                         [](const auto& m) { return m.S_slope.value; }},
                                .printed = skew_of(R"($\mathrm{Skew}(\dot{\mathbf D})$)", 1),
                                .near_misses = {skew_of(R"($-\mathrm{Skew}(\dot{\mathbf D})$)", -1)}});
   lines(claims, moments.moving,
         {{"derivative_of_r", 323,
           R"($\dot R=\sigma\dot S+\dot\theta\gamma S+(1-\gamma)(S\dot S+\dot SS)+\dot\theta\sigma S^2$)",
-          R"($\dot R$)", &Moment::R_dot,
-          [](M m, double k) {
+          R"($\dot R$)", [](const auto& m) { return m.R_dot; },
+          [](const auto& m, double k) {
             return m.sigma * m.S_dot + m.theta_dot * m.gamma * m.S +
                    (1 - m.gamma) * (m.S * m.S_dot + m.S_dot * m.S) + k * m.theta_dot * m.sigma * (m.S * m.S);
           },
           &Moment::size},
          {"no_power_rule", 325, R"(the derivative of $S^2$ is $S\dot S+\dot SS$, not $2S\dot S$)",
-          R"($\frac{d}{dt}S^2$)", &Moment::S2_dot,
-          [](M m, double k) { return (2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S); }, &Moment::size,
-          "dual numbers", 0}});
+          R"($\frac{d}{dt}S^2$)", [](const auto& m) { return m.S2_dot; },
+          [](const auto& m, double k) { return (2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S); },
+          &Moment::size, "dual numbers", 0}});
 }
 
-void matrices_by_images(Claims& claims, const Moments& moments) {
+void matrices_by_images(Statements& claims, const Moments& moments) {
   const std::string itself = "the matrix itself";
   lines(claims, moments.unit_speed,
         {{"determined_by_images", 327,
           "three independent vectors and their images determine an invertible matrix (and any other)", "$M$",
-          [](M m) { return m.R_dot + 2.0 * identity(); },
-          [](M m, double k) {
-            const Matrix3 matrix = m.R_dot + 2.0 * identity();
-            const Vector3 a = m.U1 + m.U2, b = m.U2 + 2.0 * m.U3, c = m.U3 - m.U1;
+          [](const auto& m) { return m.R_dot + 2.0 * m.I; },
+          [](const auto& m, double k) {
+            const auto matrix = m.R_dot + 2.0 * m.I;
+            const auto a = m.U1 + m.U2, b = m.U2 + 2.0 * m.U3, c = m.U3 - m.U1;
             return 1 / dot(a, cross(b, c)) *
                    (outer(matrix * a, cross(b, c)) + outer(matrix * b, cross(c, a)) +
                     k * outer(matrix * c, cross(a, b)));
           },
-          [](M m) { return 10 * m.size; }, itself, 0},
+          [](const auto& m) { return 10 * m.size; }, itself, 0},
          {"frame_is_a_rotation", 331, "$U$ is a rotation matrix, its inverse its transpose",
-          R"($U^TU$, $\det U$)", [](M) { return joined(identity(), 1); },
-          [](M m, double k) {
-            const Matrix3 U = Matrix3::columns(m.U1, m.U2, k * m.U3);
-            return joined(transpose(U) * U, determinant(U));
+          R"($U^TU$, $\det U$)", [](const auto& m) { return m.row(m.I, 1); },
+          [](const auto& m, double k) {
+            const auto U = m.U.columns(m.U1, m.U2, k * m.U3);
+            return m.row(transpose(U) * U, determinant(U));
           },
           [](M) { return 4.0; }, "a rotation"},
-         {"matrix_from_images", 333, "$M=AU^T$", "$M$", &Moment::R_dot,
-          [](M m, double k) { return m.R_dot * m.U * (k == 1 ? transpose(m.U) : m.U); }, &Moment::size,
-          itself, 0}});
+         {"matrix_from_images", 333, "$M=AU^T$", "$M$", [](const auto& m) { return m.R_dot; },
+          [](const auto& m, double k) { return m.R_dot * m.U * (k == 1 ? transpose(m.U) : m.U); },
+          &Moment::size, itself, 0}},
+        true);
   const auto determinants = [&](const std::string& text, double unit) {
-    const Form shifted{"the determinant", [=](M m) { return determinant(m.W + unit * identity()); },
-                       [](M m) { return std::pow(m.size, 3); }};
+    const Form shifted{"the determinant", [=](M m) { return determinant(m.W + unit * m.I); },
+                       [](const auto& m) { return std::pow(m.size, 3); }};
     return compare(text, shifted, {"0", [](M) { return 0.0; }}, moments.all);
   };
-  const Form from_images{"$AU^T$", [](M m) { return m.W * m.U * transpose(m.U); }, &Moment::frame_size};
+  const Form from_images{"$AU^T$", [](const auto& m) { return m.W * m.U * transpose(m.U); },
+                         &Moment::frame_size};
   claims.add(
       "applied_to_singular", 335,
       R"(what is said of an invertible matrix (line 327) is applied to $\dot RR^T$)",
       {.printed = {R"($\dot RR^T$ is invertible)",
-                   {in_all<Moment>(
-                       R"($\dot RR^T$ is regular)", moments.all,
-                       [](M m) { return std::abs(determinant(m.W)) > 1e-9 * std::pow(length(m.w), 3); })}},
+                   {in_all<Moment>(R"($\dot RR^T$ is regular)", moments.all,
+                                   [](const auto& m) {
+                                     return std::abs(determinant(m.W)) > 1e-9 * std::pow(length(m.w), 3);
+                                   })}},
        .corrected = {R"($\dot RR^T$ is singular, and determined by its images all the same)",
                      {determinants(R"($\det\dot RR^T$)", 0),
                       compare(R"($\dot RR^T$ from its images, $AU^T$)", from_images,
-                              {R"($\dot RR^T$)", &Moment::W}, moments.unit_speed)}},
+                              {R"($\dot RR^T$)", [](const auto& m) { return m.W; }}, moments.unit_speed)}},
        .near_misses = {{R"(so is $\dot RR^T+I$)", {determinants(R"($\det(\dot RR^T+I)$)", 1)}}},
        .why =
            "A skew $3\\times3$ matrix is never invertible, since $\\det S=\\det S^T=-\\det S$: $\\dot RR^T$ "
@@ -249,7 +314,7 @@ void matrices_by_images(Claims& claims, const Moments& moments) {
        .root = "a singular matrix"});
 }
 
-void frame(Claims& claims, const Moments& moments) {
+void frame(Statements& claims, const Moments& moments) {
   const auto gram = [](const std::string& text, bool second, bool third) {
     const auto frame = [=](M m) {
       return Matrix3::columns(m.U1, m.U2 / (second ? m.lambda : 1), m.U3 / (third ? m.lambda : 1));
@@ -263,7 +328,7 @@ void frame(Claims& claims, const Moments& moments) {
       R"(angles)",
       moments.any,
       {.quantity = "$U^TU$",
-       .truth = {"the unit matrix", [](M) { return identity(); }},
+       .truth = {"the unit matrix", [](const auto& m) { return m.I; }},
        .printed = gram(R"($\mathbf U_2=\dot{\mathbf D}$, $\mathbf U_3=\mathbf D\times\dot{\mathbf D}$)",
                        false, false),
        .corrected = gram(
@@ -282,45 +347,47 @@ void frame(Claims& claims, const Moments& moments) {
            "$\\lambda\\ne1$. With $\\mathbf U_2=\\dot{\\mathbf D}/\\lambda$ every $\\sigma$ and every "
            "$1-\\gamma$ of the last steps gets a factor $\\lambda$, which $\\lambda\\mathbf "
            "U_2=\\dot{\\mathbf D}$ takes up again: the result holds for every $\\lambda$, zero included."});
-  unit_lines(
-      claims, moments,
-      {{"cross_products", 341,
-        R"($\mathbf U_1=\mathbf U_2\times\mathbf U_3$, $\mathbf U_2=\mathbf U_3\times\mathbf U_1$, )"
-        R"($\mathbf U_3=\mathbf U_1\times\mathbf U_2$)",
-        R"($\mathbf U_1$, $\mathbf U_2$, $\mathbf U_3$)", [](M m) { return joined(m.U1, m.U2, m.U3); },
-        [](M m, double k) { return joined(k * cross(m.U2, m.U3), cross(m.U3, m.U1), cross(m.U1, m.U2)); },
-        &Moment::frame_size, R"($\mathbf D$ and $\dot{\mathbf D}$ by dual numbers)"},
-       {"images_under_s_dot", 345,
-        R"($\dot S\mathbf U_1=-\mathbf U_3$, $\dot S\mathbf U_2=0$, $\dot S\mathbf U_3=\mathbf U_1$)",
-        R"($\dot S\mathbf U_1$, $\dot S\mathbf U_2$, $\dot S\mathbf U_3$)",
-        [](M m) { return joined(m.S_dot * m.U1, m.S_dot * m.U2, m.S_dot * m.U3); },
-        [](M m, double k) { return joined(-m.U3, Vector3{}, k * m.U1); }, &Moment::frame_size,
-        R"(products with the matrix $\dot S$ by dual numbers)"}});
+  unit_lines(claims, moments,
+             {{"cross_products", 341,
+               R"($\mathbf U_1=\mathbf U_2\times\mathbf U_3$, $\mathbf U_2=\mathbf U_3\times\mathbf U_1$, )"
+               R"($\mathbf U_3=\mathbf U_1\times\mathbf U_2$)",
+               R"($\mathbf U_1$, $\mathbf U_2$, $\mathbf U_3$)",
+               [](const auto& m) { return m.row(m.U1, m.U2, m.U3); },
+               [](const auto& m, double k) {
+                 return m.row(k * cross(m.U2, m.U3), cross(m.U3, m.U1), cross(m.U1, m.U2));
+               },
+               &Moment::frame_size, R"($\mathbf D$ and $\dot{\mathbf D}$ by dual numbers)"},
+              {"images_under_s_dot", 345,
+               R"($\dot S\mathbf U_1=-\mathbf U_3$, $\dot S\mathbf U_2=0$, $\dot S\mathbf U_3=\mathbf U_1$)",
+               R"($\dot S\mathbf U_1$, $\dot S\mathbf U_2$, $\dot S\mathbf U_3$)",
+               [](const auto& m) { return m.row(m.S_dot * m.U1, m.S_dot * m.U2, m.S_dot * m.U3); },
+               [](const auto& m, double k) { return m.row(-m.U3, Vector3{}, k * m.U1); }, &Moment::frame_size,
+               R"(products with the matrix $\dot S$ by dual numbers)"}});
   lines(
       claims, moments.moving,
       {{"images_under_s", 343, R"($S\mathbf U_1=0$, $S\mathbf U_2=\mathbf U_3$, $S\mathbf U_3=-\mathbf U_2$)",
         R"($S\mathbf U_1$, $S\mathbf U_2$, $S\mathbf U_3$)",
-        [](M m) { return joined(m.S * m.U1, m.S * m.U2, m.S * m.U3); },
-        [](M m, double k) { return joined(Vector3{}, m.U3, -k * m.U2); }, &Moment::frame_size,
+        [](const auto& m) { return m.row(m.S * m.U1, m.S * m.U2, m.S * m.U3); },
+        [](const auto& m, double k) { return m.row(Vector3{}, m.U3, -k * m.U2); }, &Moment::frame_size,
         "products with the matrix $S$"}});
 }
 
-void images_of_the_frame(Claims& claims, const Moments& moments) {
+void images_of_the_frame(Statements& claims, const Moments& moments) {
   lines(claims, moments.moving,
         {{"rt_u1", 349,
           R"($R^T\mathbf U_1=\mathbf U_1-\sigma S\mathbf U_1+(1-\gamma)S^2\mathbf U_1=\mathbf U_1$)",
-          R"($R^T\mathbf U_1$)", [](M m) { return twice(back(m, m.U1)); },
-          [](M m, double k) {
-            return joined(m.U1 - m.sigma * (m.S * m.U1) + (1 - m.gamma) * (m.S * (m.S * m.U1)), k * m.U1);
+          R"($R^T\mathbf U_1$)", [](const auto& m) { return twice(back(m, m.U1)); },
+          [](const auto& m, double k) {
+            return m.row(m.U1 - m.sigma * (m.S * m.U1) + (1 - m.gamma) * (m.S * (m.S * m.U1)), k * m.U1);
           }},
          {"rt_u2",
           351,
           R"($R^T\mathbf U_2=\mathbf U_2-\sigma\mathbf U_3-(1-\gamma)\mathbf U_2=\gamma\mathbf U_2)"
           R"(-\sigma\mathbf U_3$)",
           R"($R^T\mathbf U_2$)",
-          [](M m) { return twice(back(m, m.U2)); },
-          [](M m, double k) {
-            return joined(m.U2 - m.sigma * m.U3 - (1 - m.gamma) * m.U2, m.gamma * m.U2 - k * m.sigma * m.U3);
+          [](const auto& m) { return twice(back(m, m.U2)); },
+          [](const auto& m, double k) {
+            return m.row(m.U2 - m.sigma * m.U3 - (1 - m.gamma) * m.U2, m.gamma * m.U2 - k * m.sigma * m.U3);
           },
           {}},
          {"rt_u3",
@@ -328,71 +395,80 @@ void images_of_the_frame(Claims& claims, const Moments& moments) {
           R"($R^T\mathbf U_3=\mathbf U_3+\sigma\mathbf U_2-(1-\gamma)\mathbf U_3=\sigma\mathbf U_2)"
           R"(+\gamma\mathbf U_3$)",
           R"($R^T\mathbf U_3$)",
-          [](M m) { return twice(back(m, m.U3)); },
-          [](M m, double k) {
-            return joined(m.U3 + m.sigma * m.U2 - (1 - m.gamma) * m.U3, k * m.sigma * m.U2 + m.gamma * m.U3);
+          [](const auto& m) { return twice(back(m, m.U3)); },
+          [](const auto& m, double k) {
+            return m.row(m.U3 + m.sigma * m.U2 - (1 - m.gamma) * m.U3, k * m.sigma * m.U2 + m.gamma * m.U3);
           },
           {}},
          {"r_dot_u1", 357, R"($\dot R\mathbf U_1=(1-\gamma)\mathbf U_2-\sigma\mathbf U_3$)",
-          R"($\dot R\mathbf U_1$)", [](M m) { return m.R_dot * m.U1; },
-          [](M m, double k) { return (1 - m.gamma) * m.U2 - k * m.sigma * m.U3; }},
+          R"($\dot R\mathbf U_1$)", [](const auto& m) { return m.R_dot * m.U1; },
+          [](const auto& m, double k) { return (1 - m.gamma) * m.U2 - k * m.sigma * m.U3; }},
          {"composed_u1", 367,
           R"($\dot RR^T\mathbf U_1=\dot R\mathbf U_1=(1-\gamma)\mathbf U_2-\sigma\mathbf U_3$)",
-          R"($\dot RR^T\mathbf U_1$)", [](M m) { return twice(m.R_dot * back(m, m.U1)); },
-          [](M m, double k) { return joined(m.R_dot * m.U1, (1 - m.gamma) * m.U2 - k * m.sigma * m.U3); }}});
+          R"($\dot RR^T\mathbf U_1$)", [](const auto& m) { return twice(m.R_dot * back(m, m.U1)); },
+          [](const auto& m, double k) {
+            return m.row(m.R_dot * m.U1, (1 - m.gamma) * m.U2 - k * m.sigma * m.U3);
+          }}});
   unit_lines(
       claims, moments,
       {{"r_dot_u2", 359,
         R"($\dot R\mathbf U_2=(1-\gamma)\mathbf U_1-\dot\theta\sigma\mathbf U_2)"
         R"(+\dot\theta\gamma\mathbf U_3$)",
-        R"($\dot R\mathbf U_2$)", [](M m) { return m.R_dot * m.U2; },
-        [](M m, double k) {
+        R"($\dot R\mathbf U_2$)", [](const auto& m) { return m.R_dot * m.U2; },
+        [](const auto& m, double k) {
           return (1 - m.gamma) * m.U1 + m.theta_dot * (m.gamma * m.U3 - k * m.sigma * m.U2);
         }},
        {"r_dot_u3", 361,
         R"($\dot R\mathbf U_3=\sigma\mathbf U_1-\dot\theta\gamma\mathbf U_2-\dot\theta\sigma\mathbf U_3$)",
-        R"($\dot R\mathbf U_3$)", [](M m) { return m.R_dot * m.U3; },
-        [](M m, double k) { return m.sigma * m.U1 - m.theta_dot * (m.gamma * m.U2 + k * m.sigma * m.U3); }},
+        R"($\dot R\mathbf U_3$)", [](const auto& m) { return m.R_dot * m.U3; },
+        [](const auto& m, double k) {
+          return m.sigma * m.U1 - m.theta_dot * (m.gamma * m.U2 + k * m.sigma * m.U3);
+        }},
        {"composed_u2", 369,
         R"($\dot RR^T\mathbf U_2=\dot R(\gamma\mathbf U_2-\sigma\mathbf U_3)=-(1-\gamma)\mathbf U_1)"
         R"(+\dot\theta\mathbf U_3$)",
-        R"($\dot RR^T\mathbf U_2$)", [](M m) { return twice(m.R_dot * back(m, m.U2)); },
-        [](M m, double k) {
-          return joined(m.R_dot * (m.gamma * m.U2 - m.sigma * m.U3),
-                        -(1 - m.gamma) * m.U1 + k * m.theta_dot * m.U3);
+        R"($\dot RR^T\mathbf U_2$)", [](const auto& m) { return twice(m.R_dot * back(m, m.U2)); },
+        [](const auto& m, double k) {
+          return m.row(m.R_dot * (m.gamma * m.U2 - m.sigma * m.U3),
+                       -(1 - m.gamma) * m.U1 + k * m.theta_dot * m.U3);
         }},
        {"composed_u3", 371,
         R"($\dot RR^T\mathbf U_3=\dot R(\sigma\mathbf U_2+\gamma\mathbf U_3)=\sigma\mathbf U_1)"
         R"(-\dot\theta\mathbf U_2$)",
-        R"($\dot RR^T\mathbf U_3$)", [](M m) { return twice(m.R_dot * back(m, m.U3)); },
-        [](M m, double k) {
-          return joined(m.R_dot * (m.sigma * m.U2 + m.gamma * m.U3), m.sigma * m.U1 - k * m.theta_dot * m.U2);
+        R"($\dot RR^T\mathbf U_3$)", [](const auto& m) { return twice(m.R_dot * back(m, m.U3)); },
+        [](const auto& m, double k) {
+          return m.row(m.R_dot * (m.sigma * m.U2 + m.gamma * m.U3), m.sigma * m.U1 - k * m.theta_dot * m.U2);
         }}});
 }
 
 /// R' R^T U by the text, columns.
-Matrix3 columns_of_the_text(M m, double k) {
-  const double g = 1 - m.gamma, s = m.sigma, w = m.theta_dot;
-  return Matrix3::columns(g * m.U2 - s * m.U3, -g * m.U1 + k * w * m.U3, s * m.U1 - w * m.U2);
+template <class T>
+Matrix<T> columns_of_the_text(const MomentOf<T>& m, double k) {
+  const T g = 1 - m.gamma, s = m.sigma, w = m.theta_dot;
+  return Matrix<T>::columns(g * m.U2 - s * m.U3, -g * m.U1 + k * w * m.U3, s * m.U1 - w * m.U2);
 }
 /// Two vectors A and B.
-Vector3 first(M m) { return m.w; }
-Vector3 second(M m) { return m.R.column(0) + m.U2; }
-Vector3 product(M m) { return cross(first(m), second(m)); }
-Matrix3 difference(M m) { return outer(second(m), first(m)) - outer(first(m), second(m)); }
+constexpr auto first = [](const auto& m) { return m.w; };
+constexpr auto second = [](const auto& m) { return m.R.column(0) + m.U2; };
+constexpr auto product = [](const auto& m) { return cross(first(m), second(m)); };
+constexpr auto difference = [](const auto& m) {
+  return outer(second(m), first(m)) - outer(first(m), second(m));
+};
 
-void skew_matrices(Claims& claims, const Moments& moments) {
+void skew_matrices(Statements& claims, const Moments& moments) {
   unit_lines(claims, moments,
              {{"columns", 375, R"($\dot RR^TU$ has the three images as columns)", R"($\dot RR^TU$)",
-               [](M m) { return m.W * m.U; }, columns_of_the_text},
+               [](const auto& m) { return m.W * m.U; },
+               [](const auto& m, double k) { return columns_of_the_text(m, k); }},
               {"inverted", 379, R"($\dot RR^T$ is the matrix of columns times $U^T$)", R"($\dot RR^T$)",
-               &Moment::W, [](M m, double k) { return columns_of_the_text(m, k) * transpose(m.U); }},
+               [](const auto& m) { return m.W; },
+               [](const auto& m, double k) { return columns_of_the_text(m, k) * transpose(m.U); }},
               {"outer_products", 389,
                R"($\dot RR^T=\dot\theta(\mathbf U_3\mathbf U_2^T-\mathbf U_2\mathbf U_3^T))"
                R"(+\sigma(\mathbf U_1\mathbf U_3^T-\mathbf U_3\mathbf U_1^T))"
                R"(+(1-\gamma)(\mathbf U_2\mathbf U_1^T-\mathbf U_1\mathbf U_2^T)$)",
-               R"($\dot RR^T$)", &Moment::W,
-               [](M m, double k) {
+               R"($\dot RR^T$)", [](const auto& m) { return m.W; },
+               [](const auto& m, double k) {
                  return m.theta_dot * (outer(m.U3, m.U2) - outer(m.U2, m.U3)) +
                         m.sigma * (outer(m.U1, m.U3) - outer(m.U3, m.U1)) +
                         k * (1 - m.gamma) * (outer(m.U2, m.U1) - outer(m.U1, m.U2));
@@ -401,7 +477,8 @@ void skew_matrices(Claims& claims, const Moments& moments) {
                R"($\mathrm{Skew}(\mathbf w)=\dot\theta\,\mathrm{Skew}(\mathbf U_2\times\mathbf U_3))"
                R"(+\sigma\,\mathrm{Skew}(\mathbf U_3\times\mathbf U_1))"
                R"(+(1-\gamma)\,\mathrm{Skew}(\mathbf U_1\times\mathbf U_2)$)",
-               R"($\mathrm{Skew}(\mathbf w)$)", &Moment::W, [](M m, double k) {
+               R"($\mathrm{Skew}(\mathbf w)$)", [](const auto& m) { return m.W; },
+               [](const auto& m, double k) {
                  return m.theta_dot * skew(cross(m.U2, m.U3)) + k * m.sigma * skew(cross(m.U3, m.U1)) +
                         (1 - m.gamma) * skew(cross(m.U1, m.U2));
                }}});
@@ -410,64 +487,162 @@ void skew_matrices(Claims& claims, const Moments& moments) {
           R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T$ has the entries of $\mathbf A\times\mathbf B$, )"
           R"(arranged as printed)",
           R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T$)", difference,
-          [](M m, double k) {
+          [](const auto& m, double k) {
             const auto [x, y, z] = product(m).e;
-            return Matrix3{0, -z, k * y, z, 0, -x, -k * y, x, 0};
+            return decltype(m.R){0.0, -z, k * y, z, 0.0, -x, -k * y, x, 0.0};
           },
           of_squares, "outer products"},
          {"skew_identity", 459,
           R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T=\mathrm{Skew}(\mathbf A\times\mathbf B)$)",
-          R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T$)", [](M m) { return skew(product(m)); },
-          [](M m, double k) { return k * difference(m); }, of_squares,
+          R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T$)", [](const auto& m) { return skew(product(m)); },
+          [](const auto& m, double k) { return k * difference(m); }, of_squares,
           R"($\mathrm{Skew}(\mathbf A\times\mathbf B)$)"},
          {"skew_is_one_to_one", 473,
           R"($\mathrm{Skew}(\mathbf A)=\mathrm{Skew}(\mathbf B)$ implies $\mathbf A=\mathbf B$: the squares )"
           R"(of the entries' differences add up to $2|\mathbf A-\mathbf B|^2$)",
           R"($2|\mathbf A-\mathbf B|^2$)",
-          [](M m) {
-            double squares = 0;
-            for (double entry : skew(first(m)) - skew(second(m))) squares += entry * entry;
+          [](const auto& m) {
+            auto squares = 0 * m.theta;
+            for (const auto& entry : skew(first(m)) - skew(second(m))) squares += entry * entry;
             return squares;
           },
-          [](M m, double k) { return 2 * k * dot(first(m) - second(m), first(m) - second(m)); }, of_squares,
-          R"(squared entries of $\mathrm{Skew}(\mathbf A)-\mathrm{Skew}(\mathbf B)$)", 0.5}});
+          [](const auto& m, double k) { return 2 * k * dot(first(m) - second(m), first(m) - second(m)); },
+          of_squares, R"(squared entries of $\mathrm{Skew}(\mathbf A)-\mathrm{Skew}(\mathbf B)$)", 0.5}});
 }
 
 /// The text's w.
-Vector3 result(M m, double k) {
+constexpr auto result = [](const auto& m, double k) {
   return m.theta_dot * m.U1 + m.sigma * m.U2 + k * (1 - m.gamma) * cross(m.U1, m.U2);
-}
+};
 
-void angular_velocities(Claims& claims, const Moments& moments) {
+void angular_velocities(Statements& claims, const Moments& moments) {
   lines(claims, moments.all,
         {{"sum_of_frame", 467,
           R"($\mathrm{Skew}(\mathbf w)=\dot\theta\,\mathrm{Skew}(\mathbf U_1))"
           R"(+\sigma\,\mathrm{Skew}(\mathbf U_2)+(1-\gamma)\,\mathrm{Skew}(\mathbf U_3)$)",
-          R"($\mathrm{Skew}(\mathbf w)$)", &Moment::W,
-          [](M m, double k) {
+          R"($\mathrm{Skew}(\mathbf w)$)", [](const auto& m) { return m.W; },
+          [](const auto& m, double k) {
             return m.theta_dot * skew(m.U1) + k * m.sigma * skew(m.U2) + (1 - m.gamma) * skew(m.U3);
           }},
          {"sum_of_axis", 469,
           R"($\mathrm{Skew}(\mathbf w)=\dot\theta\,\mathrm{Skew}(\mathbf D))"
           R"(+\sin\theta\,\mathrm{Skew}(\dot{\mathbf D}))"
           R"(+(1-\cos\theta)\,\mathrm{Skew}(\mathbf D\times\dot{\mathbf D})$)",
-          R"($\mathrm{Skew}(\mathbf w)$)", &Moment::W, [](M m, double k) { return skew(result(m, k)); }},
+          R"($\mathrm{Skew}(\mathbf w)$)", [](const auto& m) { return m.W; },
+          [](const auto& m, double k) { return skew(result(m, k)); }},
          {"angular_velocity", 475,
           R"($\mathbf w=\dot\theta\mathbf D+\sin\theta\,\dot{\mathbf D})"
           R"(+(1-\cos\theta)\,\mathbf D\times\dot{\mathbf D}$, whatever $|\dot{\mathbf D}|$ is)",
-          R"($\mathbf w$)", &Moment::w, result, &Moment::size}});
+          R"($\mathbf w$)", [](const auto& m) { return m.w; }, result, &Moment::size}});
 }
 
 }  // namespace
 
-std::vector<Claim> claims(double seed) {
-  const Moments moments(seed);
-  Claims claims("2.5");
+namespace {
+
+Statements stated(const Moments& moments) {
+  Statements claims("2.5");
   for (auto* section : {rotation_and_derivative, matrices_by_images, frame, images_of_the_frame,
                         skew_matrices, angular_velocities})
     section(claims, moments);
-  return claims.in_order();
+  return claims;
 }
+
+/// Half the angle in place of the whole; and what products of an axis' letters and its rate's are, as
+/// rewriting needs it (Groebner bases, d2 > e2 > d1 > e1 > d0 > e0).
+constexpr const char* turnings_in_coq = R"(
+From Coq Require Import Nsatz.
+Local Open Scope R_scope.
+
+Lemma halves : forall x, let h := 5 / 10 * x in
+  sin x = 2 * sin h * cos h /\ cos x = 1 - 2 * (sin h * sin h) /\ cos h * cos h = 1 - sin h * sin h.
+Proof.
+  intros x h. pose proof (sin_2a h) as s. pose proof (cos_2a h) as c. pose proof (sin2_cos2 h) as all.
+  replace (2 * h) with x in * by (unfold h; field). unfold Rsqr in all. repeat split; lra.
+Qed.
+
+Section Turning.
+Variables d0 d1 d2 e0 e1 e2 : R.
+Hypothesis axis : d0 * d0 + d1 * d1 + d2 * d2 = 1.
+Hypothesis across : d0 * e0 + d1 * e1 + d2 * e2 = 0.
+Lemma axis_squared : d2 * d2 = 1 - d0 * d0 - d1 * d1.
+Proof. lra. Qed.
+Lemma axis_by_rate : d2 * e2 = - (d0 * e0 + d1 * e1).
+Proof. lra. Qed.
+Lemma axis_twice : d1 * d1 * e2 = e2 + d0 * d2 * e0 + d1 * d2 * e1 - d0 * d0 * e2.
+Proof. nsatz. Qed.
+End Turning.
+
+(* as nsatz reads them *)
+Ltac products :=
+  repeat match goal with
+         | |- context [?x ^ 2] => replace (x ^ 2) with (x * x) by ring
+         | |- context [?x ^ 3] => replace (x ^ 3) with (x * x * x) by ring
+         | |- context [?x ^ 4] => replace (x ^ 4) with (x * x * x * x) by ring
+         end.
+)";
+
+/// Where H and H0 are what is given.
+constexpr const char* by_halves = R"(
+  destruct (halves theta) as (sine & cosine & circle); rewrite ?sine, ?cosine;
+  pose proof (axis_squared _ _ _ H) as a; pose proof (axis_by_rate _ _ _ _ _ _ H0) as b;
+  pose proof (axis_twice _ _ _ _ _ _ H H0) as c; field [circle a b c])";
+constexpr const char* by_halves_and_rate = R"(
+  destruct (halves theta) as (sine & cosine & circle); rewrite ?sine, ?cosine; clear sine cosine;
+  pose proof (axis_squared _ _ _ H) as a; pose proof (axis_by_rate _ _ _ _ _ _ H0) as b;
+  field_simplify_eq [circle a b]; try ring; clear a b circle;
+  generalize (cos (5 / 10 * theta)) (sin (5 / 10 * theta)); intros; products; nsatz)";
+
+/// The axis and its rate as letters, at right angles.
+Provables proved_of(const Statements& claims) {
+  const auto lettered = [](const std::string& name) {
+    return Vector<Shortened>{
+        {Shortened::letter(name + "0"), Shortened::letter(name + "1"), Shortened::letter(name + "2")}};
+  };
+  const Vector<Shortened> D = lettered("d"), rate = lettered("e");
+  Vector<Dual<Shortened>> axis;
+  for (std::size_t i = 0; i < 3; ++i) axis[i] = {D[i], rate[i]};
+  const MomentOf<Shortened> any(axis, {Shortened::letter("theta"), Shortened::letter("omega")});
+  std::vector<Proposition> given{dot(D, D).expression() == 1, dot(D, rate).expression() == 0};
+  Provables proved;
+  const std::string letters = "(d0 d1 d2 e0 e1 e2 theta omega : R)";
+  const auto prove = [&](const std::vector<Line>& lines, const std::string& says, const char* tactic) {
+    for (const Line& line : lines) {
+      if (line.slug == "determined_by_images") continue;  // whose determinant would have to be shown to be -1
+      proved.push_back({"2.5-" + std::string(line.slug),
+                        says,
+                        {{"printed", letters, given,
+                          equal(line.text.recorded(any, 1), line.truth.recorded(any, 1)), tactic}},
+                        0,
+                        turnings_in_coq});
+    }
+  };
+  prove(claims.for_any, "it holds at any moment of any turning about a moving axis", by_halves);
+  const Lemma singular{
+      "corrected_determinant", letters, given, {determinant(any.W).expression() == 0}, by_halves};
+  given.push_back(dot(rate, rate).expression() == 1);
+  prove(claims.for_unit_speed, "it holds at any moment at which the axis moves at the speed 1",
+        by_halves_and_rate);
+  Matrix<Shortened> matrix;
+  for (std::size_t k = 0; k < 9; ++k) matrix.e[k] = Shortened::letter("m" + std::to_string(k));
+  proved.push_back(
+      {"2.5-applied_to_singular",
+       "its determinant is zero, and it is its images', as any matrix is, where the axis moves "
+       "at the speed 1",
+       {singular,
+        {"corrected_images", "(m0 m1 m2 m3 m4 m5 m6 m7 m8 d0 d1 d2 e0 e1 e2 theta : R)", given,
+         equal(detail::recorded_value(matrix * any.U * transpose(any.U)), detail::recorded_value(matrix)),
+         by_halves_and_rate}},
+       0,
+       turnings_in_coq});
+  return proved;
+}
+
+}  // namespace
+
+std::vector<Claim> claims(double seed) { return stated(Moments(seed)).in_order(); }
+
+Provables proofs() { return proved_of(stated(Moments(1))); }
 
 std::vector<Root> roots() {
   return {
@@ -479,3 +654,9 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::rotating_axis
+
+namespace oddity {
+
+Provables proofs_2_5() { return rotating_axis::proofs(); }
+
+}  // namespace oddity

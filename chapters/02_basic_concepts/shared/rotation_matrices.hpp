@@ -20,10 +20,11 @@ Quaternion<T> quaternion(const Vector<T>& D, const T& angle) {
   return {cos(half), s * D[0], s * D[1], s * D[2]};
 }
 /// The vector part of 2 q' q*.
-inline Vector3 turning(const Quaternion<Dual<double>>& q) {
-  const double w = q[0].value, w_dot = q[0].slope;
-  const Vector3 v{q[1].value, q[2].value, q[3].value}, v_dot{q[1].slope, q[2].slope, q[3].slope};
-  return 2.0 * (w * v_dot - w_dot * v - cross(v_dot, v));
+template <class T>
+Vector<T> turning(const Quaternion<Dual<T>>& q) {
+  const T w = q[0].value, w_dot = q[0].slope;
+  const Vector<T> v{q[1].value, q[2].value, q[3].value}, v_dot{q[1].slope, q[2].slope, q[3].slope};
+  return T(2.0) * (w * v_dot - w_dot * v - cross(v_dot, v));
 }
 
 /// The vector along the axis of a rotation, as long as its angle in [0, pi].
