@@ -1,6 +1,8 @@
 // The claims of exercise 2.13: the text's integrals by columns, against the definition by rows.
 
 #include "chapters/claims.hpp"
+#include "chapters/integral_proofs.hpp"
+#include "chapters/provable.hpp"
 
 #include <numeric>
 #include <string>
@@ -128,15 +130,31 @@ void component(Claims& claims, const Component& c, std::size_t k, double seed) {
        .kind = Fault::lost_typography});
 }
 
-struct Column {
-  double x;
-  explicit Column(Random& random) : x(random.between(-1, 1)) {}
+template <class T>
+struct ColumnOf {
+  T x;
+};
+struct Column : ColumnOf<double> {
+  explicit Column(Random& random) : ColumnOf{random.between(-1, 1)} {}
   std::array<double*, 1> letters() { return {&x}; }
   std::string where() const { return "$x$ = " + format_shortest(x); }
 };
 const Formula<Column> inner_integral{"Gauss-Legendre of $y^2$ from $x^2$ to 1", [](const Column& c) {
                                        return sixteen([](double y) { return y * y; }, c.x * c.x, 1).value;
                                      }};
+
+/// The inner integral, and the antiderivative of what it makes.
+constexpr auto between = [](const auto& c, double divisor) {
+  using std::pow;
+  return (1 - pow(c.x * c.x, 3)) / divisor;
+};
+constexpr auto power = [](const auto& c, int n) {
+  using std::pow;
+  return (1 - pow(c.x, n)) / 3;
+};
+constexpr auto antiderivative = [](const auto& x, double seventh, double over) {
+  return (x - x * x * x * x * x * x * x / seventh) / over;
+};
 
 /// The lines that lead to Ixx.
 void steps(Claims& claims, double seed) {
@@ -149,26 +167,24 @@ void steps(Claims& claims, double seed) {
   };
   claims.add("ixx_without_z", 677, "with $z=0$ the integrand of $I_{xx}$ is $y^2$",
              {.printed = flat("$y^2$ at $z=0$", 0), .near_misses = {flat("$y^2$ at another height", 1)}});
-  const auto between = [](double divisor) {
-    return [=](const Column& c) { return (1 - std::pow(c.x * c.x, 3)) / divisor; };
-  };
+  const auto cube = [](double divisor) { return [=](const Column& c) { return between(c, divisor); }; };
   claims.formula("ixx_inner", 681, "the inner integral is $y^3/3$ between $x^2$ and 1", columns_of,
                  {.quantity = "the inner integral",
                   .truth = inner_integral,
-                  .printed = {"$y^3/3$ between $x^2$ and 1", between(3)},
-                  .near_misses = {{"$y^3/2$ between $x^2$ and 1", between(2)}}});
-  const auto power = [](int n) { return [=](const Column& c) { return (1 - std::pow(c.x, n)) / 3; }; };
+                  .printed = {"$y^3/3$ between $x^2$ and 1", cube(3)},
+                  .near_misses = {{"$y^3/2$ between $x^2$ and 1", cube(2)}}});
+  const auto less = [](int n) { return [=](const Column& c) { return power(c, n); }; };
   claims.formula("ixx_outer", 689, "the outer integrand is $(1-x^6)/3$", columns_of,
                  {.quantity = "the inner integral",
                   .truth = inner_integral,
-                  .printed = {"$(1-x^6)/3$", power(6)},
-                  .near_misses = {{"$(1-x^5)/3$", power(5)}}});
+                  .printed = {"$(1-x^6)/3$", less(6)},
+                  .near_misses = {{"$(1-x^5)/3$", less(5)}}});
 
   const double by_rows = nested(
                              sixteen, [](double, double y) { return y * y; }, -1, 1, parabola, top)
                              .value;
   const auto primitive = [&](const std::string& text, double seventh, double over) {
-    const auto f = [=](const auto& x) { return (x - x * x * x * x * x * x * x / seventh) / over; };
+    const auto f = [=](const auto& x) { return antiderivative(x, seventh, over); };
     return Reading{
         text,
         {compare("the inner integral",
@@ -253,4 +269,117 @@ std::vector<Claim> claims(double seed) {
   return claims.in_order();
 }
 
+// ---- proofs -----------------------------------------------------------------------------------------------
+
+namespace {
+
+constexpr const char* nested_in_coq = R"(
+(* F is the antiderivative by y of f, and G by x of what F makes of the ends. *)
+Lemma nested_by : forall (F f : R -> R -> R) G lo hi a b,
+  (forall x y, is_derive (F x) y (f x y)) -> (forall x y, continuous (f x) y) ->
+  (forall x, is_derive G x (F x (hi x) - F x (lo x))) ->
+  (forall x, continuous (fun x => F x (hi x) - F x (lo x)) x) ->
+  RInt (fun x => RInt (fun y => f x y) (lo x) (hi x)) a b = G b - G a.
+Proof.
+  intros F f G lo hi a b D C E K. rewrite <- (RInt_by G (fun x => F x (hi x) - F x (lo x))); auto.
+  apply RInt_ext. intros x _. apply (RInt_by (F x)); auto.
+Qed.
+
+Ltac derived := intros; auto_derive; solve [repeat split; trivial | field].
+Ltac nest F G :=
+  match goal with |- RInt (fun x => RInt (fun y => @?f x y) _ _) _ _ = _ =>
+    rewrite (nested_by F f G (fun x => x * x) (fun _ => 1));
+      [| derived | intros; apply @ex_derive_continuous; auto_derive; solve [repeat split; trivial]
+       | derived | intros; apply @ex_derive_continuous; auto_derive; solve [repeat split; trivial]] end;
+  match goal with |- ?x = ?y => change (@eq R x y) end; field.
+)";
+
+/// The antiderivatives by y and, of what they make of the ends, by x.
+constexpr const char* antiderivatives[] = {
+    "nest (fun x y : R => y ^ 3 / 3) (fun x : R => (x - x ^ 7 / 7) / 3)",
+    "nest (fun x y : R => x ^ 2 * y) (fun x : R => x ^ 3 / 3 - x ^ 5 / 5)",
+    "nest (fun x y : R => x ^ 2 * y + y ^ 3 / 3) (fun x : R => x ^ 3 / 3 - x ^ 5 / 5 + (x - x ^ 7 / 7) / 3)",
+    "nest (fun x y : R => x * y ^ 2 / 2) (fun x : R => (x ^ 2 / 2 - x ^ 6 / 6) / 2)",
+    "nest (fun x y : R => 0 * x * y) (fun x : R => 0 * x)",
+    "nest (fun x y : R => 0 * x * y) (fun x : R => 0 * x)"};
+
+/// The component's integral over the lamina by its definition.
+Expression component_integral(std::size_t k) {
+  const auto letter = [](const char* name) { return Shortened::letter(name); };
+  const std::array<Shortened, 3> r{letter("x"), letter("y"), Shortened(0.0)};
+  const std::string integrand = inertia_component(k, r).expression().coq();
+  return Expression::letter("(RInt (fun x => RInt (fun y => " + integrand + ") (x * x) 1) (-1) 1)");
+}
+Proposition is_integral(std::size_t k, const Fraction& value) {
+  return component_integral(k) ==
+         Expression(static_cast<double>(value[0])) / Expression(static_cast<double>(value[1]));
+}
+
+}  // namespace
+
+Provables proofs() {
+  const std::string preamble = std::string(integrals_in_coq) + nested_in_coq;
+  const auto by_rows = by_rows_at(0);
+  constexpr const char* names[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
+  Provables proved;
+  std::vector<Lemma> similar;
+  for (std::size_t k = 0; k < 6; ++k) {
+    similar.push_back({names[k], "", {}, {is_integral(k, by_rows[k])}, antiderivatives[k]});
+    proved.push_back({"2.13-i" + std::string(names[k]),
+                      "the integral of its definition is this value",
+                      {similar.back()},
+                      0,
+                      preamble});
+  }
+  const auto off = [&](const Expression& printed, double margin) {
+    const std::string is =
+        "match goal with |- context [RInt ?f ?a ?b] => "
+        "let is := fresh in assert (is : RInt f a b = 4 / 7) by (";
+    return Lemma{"printed_differs",
+                 "",
+                 {},
+                 {apart(printed, component_integral(0), margin)},
+                 is + antiderivatives[0] + "); rewrite is end; " + by_arithmetic};
+  };
+  proved.front().lemmas.push_back(off(47.0, 46.4));
+  proved.front().margin = 46.4;
+  proved.front().says = "as meant it is the integral of its definition; as printed it is off";
+  proved.push_back({"2.13-similar", "the six components are these two integrals of their definitions",
+                    similar, 0, preamble});
+
+  const ColumnOf<Shortened> at{Shortened::letter("x")};
+  const Expression inner = Expression::letter("(RInt (fun y => y * y) (x * x) 1)");
+  const std::string by_cube = "integrate (fun y : R => y ^ 3 / 3); field";
+  for (const auto& [slug, printed] : {std::pair("ixx_inner", between(at, 3)), {"ixx_outer", power(at, 6)}})
+    proved.push_back({"2.13-" + std::string(slug),
+                      "it is the integral of a column, wherever it is",
+                      {{"printed", "(x : R)", {}, {printed.expression() == inner}, "symmetry; " + by_cube}},
+                      0,
+                      preamble});
+  const auto f = [](const Shortened& x, double seventh, double over) {
+    return antiderivative(x, seventh, over).expression();
+  };
+  const Expression ends = f(1.0, 7, 3) - f(-1.0, 7, 3), printed_ends = f(1.0, 73, 1) - f(-1.0, 73, 1);
+  proved.push_back(
+      {"2.13-ixx_antiderivative",
+       "as meant its derivative is the integral of a column, and its ends make the whole; as printed they do not",
+       {{"meant_derivative",
+         "(x : R)",
+         {},
+         {Expression::letter("(Derive (fun x => " + f(at.x, 7, 3).coq() + ") x)") == inner},
+         "replace (RInt (fun y => y * y) (x * x) 1) with ((1 - x ^ 6) / 3) by (symmetry; " + by_cube +
+             "); apply is_derive_unique; auto_derive; solve [trivial | field]"},
+        {"meant_ends", "", {}, {component_integral(0) == ends}, antiderivatives[0]},
+        off(printed_ends, 1.4)},
+       1.4,
+       preamble});
+  return proved;
+}
+
 }  // namespace oddity::lamina_inertia
+
+namespace oddity {
+
+Provables proofs_2_13() { return lamina_inertia::proofs(); }
+
+}  // namespace oddity

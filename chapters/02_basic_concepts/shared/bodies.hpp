@@ -31,12 +31,14 @@ inline Six inertia_of(double mass, const Vector& r) {
 
 /// Component k of a unit mass at r from the angular momentum J w = r x (w x r): Ixx = ex . J ex, Ixy = -ex .
 /// J ey.
-inline double inertia_by_definition(std::size_t k, const Vector& r) {
+template <class T>
+T inertia_component(std::size_t k, const std::array<T, 3>& r) {
   constexpr std::size_t turned[] = {0, 1, 2, 1, 2, 2}, seen[] = {0, 1, 2, 0, 0, 1};
-  Vector axis{};
-  axis[turned[k]] = 1;
-  return (k < 3 ? 1 : -1) * cross(r, cross(axis, r))[seen[k]];
+  std::array<T, 3> axis{};
+  axis[turned[k]] = 1.0;
+  return (k < 3 ? 1.0 : -1.0) * cross(r, cross(axis, r))[seen[k]];
 }
+inline double inertia_by_definition(std::size_t k, const Vector& r) { return inertia_component(k, r); }
 
 // ---- rules ------------------------------------------------------------------------------------------------
 
