@@ -83,7 +83,7 @@ long cost_of(const Node& node, int k) {
       if (k == 0) return Weights::division + Weights::multiplication;
       return (node.a >= 0) + (k == 1 ? 2 : 3 + inside);
     case Operation::inverse_cube:
-      return k == 0 ? by_hand(node) + Weights::division : 3 * k;
+      return k == 0 ? by_hand(node) + Weights::division : 3L * k;
     case Operation::square_root:
       if (k == 0) return Weights::root + Weights::division;
       return k == 1 ? 1 : 2 + square;
@@ -186,7 +186,8 @@ void Program::price() {
     long sum =
         static_cast<long>(unknowns()) * Weights::multiplication + (k == 0 ? linear_at_0 : linear_later);
     for (const Kind& kind : kinds) sum += kind.count * cost_of(kind.node, k);
-    costs_[static_cast<std::size_t>(k + 1)] = costs_[static_cast<std::size_t>(k)] + sum;
+    const auto order = static_cast<std::size_t>(k);
+    costs_[order + 1] = costs_[order] + sum;
   }
 }
 
