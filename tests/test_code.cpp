@@ -140,8 +140,9 @@ std::string output_of(const std::string& command) {
 }
 
 std::string compiled(const std::filesystem::path& file, const std::string& options) {
-  return output_of(std::string(ODDITY_COMPILER) + " -std=c++20 -ffp-contract=off -Wall -Wextra -Werror -Wno-missing-braces " +
-                   options + " -o " + file.string() + ".out " + file.string());
+  return output_of(std::string(ODDITY_COMPILER) +
+                   " -std=c++20 -ffp-contract=off -Wall -Wextra -Werror -Wno-missing-braces " + options +
+                   " -o " + file.string() + ".out " + file.string());
 }
 
 /// The observables of each case: all numbers of a row but the first.

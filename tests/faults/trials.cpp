@@ -231,7 +231,7 @@ Cell Trials::interrupted(int signal, const std::string& name) {
 
 Cell Trials::out_of_memory() {
   Cell cell{verb_.name, "out of memory"};
-  for (std::size_t megabytes : {40, 50, 60, 70, 80, 100, 120, 150, 200, 250, 300, 400, 600}) {
+  for (std::size_t megabytes : {40u, 50u, 60u, 70u, 80u, 100u, 120u, 150u, 200u, 250u, 300u, 400u, 600u}) {
     reset(megabytes % 20 == 0);
     Command little = command();
     little.memory = megabytes << 20;
