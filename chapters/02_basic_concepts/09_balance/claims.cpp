@@ -2,6 +2,7 @@
 // weights.
 
 #include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include <cmath>
 #include <string>
@@ -17,26 +18,42 @@ namespace {
 using namespace basic_vectors;
 using rotation::quaternion;
 
-/// Particles, and a line on which they may balance.
-struct Plate {
+/// Particles, and a line on which they may balance. Recorded, a sum is over any number of particles (m, x,
+/// y).
+template <class T>
+struct PlateOf {
   std::vector<Particle> particles;
-  Vector A{}, D{}, N{};  ///< a point of the fulcrum, its direction, its normal
+  std::array<T, 3> A{}, D{}, N{};  ///< a point of the fulcrum, its direction, its normal
 
   template <class F>
-  double sum(const F& f) const {
-    double all = 0;
-    for (const Particle& p : particles) all += f(p.m, p.r - A);
-    return all;
+  T sum(const F& f) const {
+    if constexpr (std::same_as<T, Shortened>) {
+      const auto letter = [](const char* name) { return Shortened::letter(name); };
+      const std::array<T, 3> r{letter("x") - A[0], letter("y") - A[1], T(0.0)};
+      return Expression::letter("(total l (fun m x y => " + T(f(letter("m"), r)).expression().coq() + "))");
+    } else {
+      double all = 0;
+      for (const Particle& p : particles) all += f(p.m, p.r - A);
+      return all;
+    }
   }
   /// The sums of m x and m y, counted from A.
-  Vector moment() const {
-    return {sum([](double m, const Vector& r) { return m * r[0]; }),
-            sum([](double m, const Vector& r) { return m * r[1]; }), 0};
+  std::array<T, 3> moment() const {
+    return {sum([](const T& m, const auto& r) { return m * r[0]; }),
+            sum([](const T& m, const auto& r) { return m * r[1]; }), T(0.0)};
   }
-  Vector center() const {
-    return A + 1 / sum([](double m, const Vector&) { return m; }) * moment();
+  T mass() const {
+    return sum([](const T& m, const auto&) { return m; });
   }
-  /// The torque about -D of the weights (0, 0, -m), the plate turned about the fulcrum by `tilt`.
+  /// The torque about -D of the weights (0, 0, -m).
+  T level_torque() const {
+    return sum([&](const T& m, const auto& r) { return -dot(D, cross(r, std::array<T, 3>{0.0, 0.0, -m})); });
+  }
+};
+
+struct Plate : PlateOf<double> {
+  Vector center() const { return A + 1 / mass() * moment(); }
+  /// The same, the plate turned about the fulcrum by `tilt`.
   double torque(double tilt = 0) const {
     const auto turned = quaternion(D, tilt);
     return sum([&](double m, const Vector& r) { return -dot(D, cross(turned(r), Vector{0, 0, -m})); });
@@ -102,14 +119,34 @@ OfPlate zero(std::size_t n) {
   return {"zero", [n](const Sample&) { return Value(std::vector<double>(n)); }};
 }
 
+// Of a plate, a particle's place and its s and t.
+constexpr auto off_line = [](const auto& p, const auto&, const auto& s, const auto&) {
+  return dot(p.N, (p.A + s * p.D) - p.A);
+};
+constexpr auto place = [](const auto& p, const auto&, const auto& s, const auto& t) {
+  return p.A + s * p.D + t * p.N;
+};
+constexpr auto by_cramer = [](const auto& p, const auto& at, const auto&, const auto&) {
+  const auto r = at - p.A;
+  const auto det = p.D[0] * p.N[1] - p.D[1] * p.N[0];
+  return std::array{(r[0] * p.N[1] - r[1] * p.N[0]) / det, (p.D[0] * r[1] - p.D[1] * r[0]) / det};
+};
+constexpr auto both = [](const auto&, const auto&, const auto& s, const auto& t) { return std::array{s, t}; };
+constexpr auto by_area = [](const auto& p, const auto& at, const auto&, const auto&) {
+  return length(cross(7.0 * p.D, at - p.A)) / 7;
+};
+constexpr auto size_of_t = [](const auto&, const auto&, const auto&, const auto& t) {
+  using std::abs;
+  return abs(t);
+};
+
 void coordinates(Claims& claims, const std::vector<Sample>& plates) {
   using P = const Plate&;
   using V = const Vector&;
   claims.formula("normal_form", 591, R"($C+sD$ has $N\cdot(P-C)=0$)", plates,
                  {.quantity = R"($N\cdot(P-C)$, times $m$)",
                   .truth = each("zero", [](P, V, double, double) { return 0.0; }),
-                  .printed = each(R"($N\cdot(C+sD-C)$)",
-                                  [](P p, V, double s, double) { return dot(p.N, (p.A + s * p.D) - p.A); }),
+                  .printed = each(R"($N\cdot(C+sD-C)$)", off_line),
                   .near_misses = {each(R"($N\cdot(C+tN-C)$)", [](P p, V, double, double t) {
                     return dot(p.N, (p.A + t * p.N) - p.A);
                   })}});
@@ -117,32 +154,21 @@ void coordinates(Claims& claims, const std::vector<Sample>& plates) {
       "coordinate_system", 593, R"($C$, $D$ and $N$ are a coordinate system of the plane)", plates,
       {.quantity = R"($P$, times $m$)",
        .truth = each("every particle's place", [](P, V r, double, double) { return r; }),
-       .printed = each(R"($C+sD+tN$)", [](P p, V, double s, double t) { return p.A + s * p.D + t * p.N; }),
+       .printed = each(R"($C+sD+tN$)", place),
        .near_misses = {each(R"($C+sD$)", [](P p, V, double s, double) { return p.A + s * p.D; })}});
-  claims.formula(
-      "decomposition", 595, R"($s=D\cdot(P-C)$, $t=N\cdot(P-C)$)", plates,
-      {.quantity = R"($(s,t)$, times $m$)",
-       .truth =
-           each(R"(Cramer's rule for $P=C+sD+tN$)",
-                [](P p, V at, double, double) {
-                  const Vector r = at - p.A;
-                  const double det = p.D[0] * p.N[1] - p.D[1] * p.N[0];
-                  return Value{(r[0] * p.N[1] - r[1] * p.N[0]) / det, (p.D[0] * r[1] - p.D[1] * r[0]) / det};
-                }),
-       .printed = each(R"($(D\cdot(P-C),N\cdot(P-C))$)",
-                       [](P, V, double s, double t) {
-                         return Value{s, t};
-                       }),
-       .near_misses = {each(R"($(N\cdot(P-C),D\cdot(P-C))$)", [](P, V, double s, double t) {
-         return Value{t, s};
-       })}});
+  claims.formula("decomposition", 595, R"($s=D\cdot(P-C)$, $t=N\cdot(P-C)$)", plates,
+                 {.quantity = R"($(s,t)$, times $m$)",
+                  .truth = each(R"(Cramer's rule for $P=C+sD+tN$)", by_cramer),
+                  .printed = each(R"($(D\cdot(P-C),N\cdot(P-C))$)", both),
+                  .near_misses = {each(R"($(N\cdot(P-C),D\cdot(P-C))$)", [](P, V, double s, double t) {
+                    return Value{t, s};
+                  })}});
   claims.formula(
       "distance", 601, R"($t$ is the distance of the particle from the fulcrum)", plates,
       {.quantity = "the distance, times $m$",
-       .truth = each("twice a triangle's area over its base on the line",
-                     [](P p, V at, double, double) { return length(cross(7.0 * p.D, at - p.A)) / 7; }),
+       .truth = each("twice a triangle's area over its base on the line", by_area),
        .printed = each("$t$", [](P, V, double, double t) { return t; }),
-       .corrected = each("$|t|$", [](P, V, double, double t) { return std::abs(t); }),
+       .corrected = each("$|t|$", size_of_t),
        .near_misses = {each("$|s|$", [](P, V, double s, double) { return std::abs(s); })},
        .kind = Fault::term,
        .root = "distance for coordinate",
@@ -171,11 +197,19 @@ Reading lamina_in_all_directions(const std::string& text, double k, bool uniform
             m[0]}}};
 }
 
+constexpr auto of_t = [](const auto& p) {
+  return p.sum([&](const auto& m, const auto& r) { return m * dot(p.N, r); });
+};
+constexpr auto in_coordinates = [](const auto& p) {
+  return p.sum([&](const auto& m, const auto& r) { return m * (p.N[0] * r[0] + p.N[1] * r[1]); });
+};
+constexpr auto factored = [](const auto& p) { return dot(p.N, p.moment()); };
+constexpr auto both_sums = [](const auto& p) { return std::array{p.moment()[0], p.moment()[1]}; };
+
 void moments(Claims& claims, const std::vector<Sample>& plates, double k) {
   using P = const Plate&;
   const OfPlate torque =
       beside("the torque of the weights about the fulcrum", [](P p) { return p.torque(); });
-  const auto of_t = [](P p) { return p.sum([&](double m, const Vector& r) { return m * dot(p.N, r); }); };
   const auto of_sums = [](Vector Plate::*by) { return [=](P p) { return dot(p.*by, p.moment()); }; };
   const auto line = [&](std::string_view slug, int number, const std::string& says, const OfPlate& printed,
                         const OfPlate& near) {
@@ -191,14 +225,11 @@ void moments(Claims& claims, const std::vector<Sample>& plates, double k) {
        beside(R"($\sum N\cdot(P_i-C)$)",
               [](P p) { return p.sum([&](double, const Vector& r) { return dot(p.N, r); }); }));
   line("in_coordinates", 607, R"($M=\sum m_iN\cdot(x_i-\bar x,y_i-\bar y)$)",
-       beside(R"($\sum m_iN\cdot(x_i-\bar x,y_i-\bar y)$)",
-              [](P p) {
-                return p.sum([&](double m, const Vector& r) { return m * (p.N[0] * r[0] + p.N[1] * r[1]); });
-              }),
+       beside(R"($\sum m_iN\cdot(x_i-\bar x,y_i-\bar y)$)", in_coordinates),
        beside(R"(the same with $N_x$ exchanged for $N_y$)",
               [](P p) { return p.N[1] * p.moment()[0] + p.N[0] * p.moment()[1]; }));
   line("factored", 609, R"($M=N\cdot\sum m_i(x_i-\bar x,y_i-\bar y)$)",
-       beside(R"($N\cdot\sum m_i(x_i-\bar x,y_i-\bar y)$)", of_sums(&Plate::N)),
+       beside(R"($N\cdot\sum m_i(x_i-\bar x,y_i-\bar y)$)", factored),
        beside(R"($D\cdot\sum m_i(x_i-\bar x,y_i-\bar y)$)", of_sums(&Plate::D)));
 
   const auto vanishes = [&](const std::string& what, std::size_t count, const OfPlate& formula) {
@@ -207,10 +238,9 @@ void moments(Claims& claims, const std::vector<Sample>& plates, double k) {
   const std::string center = "about the center of mass", mean = "about the mean of the positions";
   const std::string sums = R"($\sum m_i(x_i-\bar x,y_i-\bar y)$)",
                     product = R"($N\cdot\sum m_i(x_i-\bar x,y_i-\bar y)$)";
-  const auto both_sums = [](P p) { return Value{p.moment()[0], p.moment()[1]}; };
   claims.add("zero", 611, R"($M=N\cdot(0,0)=0$)",
-             {.printed = vanishes(product, 1, about(center, &Sample::center, of_sums(&Plate::N))),
-              .near_misses = {vanishes(product, 1, about(mean, &Sample::mean, of_sums(&Plate::N)))}});
+             {.printed = vanishes(product, 1, about(center, &Sample::center, factored)),
+              .near_misses = {vanishes(product, 1, about(mean, &Sample::mean, factored))}});
   claims.add("sums", 615, R"($\sum m_i(x_i-\bar x,y_i-\bar y)=(0,0)$)",
              {.printed = vanishes(sums, 2, about(center, &Sample::center, both_sums)),
               .near_misses = {vanishes(sums, 2, about(mean, &Sample::mean, both_sums))}});
@@ -248,6 +278,114 @@ std::vector<Claim> claims(double seed, double k) {
   return claims.in_order();
 }
 
+namespace {
+
+constexpr const char* sums_in_coq = R"(
+From Coq Require Import List.
+Import ListNotations.
+Local Open Scope R_scope.
+
+(* over particles of the mass m at (x, y), however many *)
+Definition total (l : list (R * R * R)) (f : R -> R -> R -> R) : R :=
+  fold_right (fun p s => match p with (m, x, y) => f m x y end + s) 0 l.
+
+Lemma total_ext : forall l f g, (forall m x y, f m x y = g m x y) -> total l f = total l g.
+Proof.
+  intros l f g e. unfold total. induction l as [|[[m x] y] l h]; simpl; [reflexivity | now rewrite h, e].
+Qed.
+Lemma total_of_two : forall l a b f g,
+  total l (fun m x y => a * f m x y + b * g m x y) = a * total l f + b * total l g.
+Proof. intros. unfold total. induction l as [|[[m x] y] l h]; simpl; [|rewrite h]; ring. Qed.
+)";
+/// What is left of m (x - c) is the sum of m x less c times the mass.
+constexpr const char* by_sums =
+    "first [ apply total_ext; intros; ring\n"
+    "  | rewrite <- ?total_of_two, ?Rmult_0_l, ?Rplus_0_r; first [ring | apply total_ext; intros; ring] ]";
+constexpr const char* by_center = R"(
+  assert (apart : forall c g, total l (fun m x y => m * (g x y - c))
+      = total l (fun m x y => m * g x y) - c * total l (fun m x y => m))
+    by (intros c g; rewrite (total_ext l _ (fun m x y => 1 * (m * g x y) + (- c) * m)) by (intros; ring);
+        rewrite (total_of_two l 1 (- c) (fun m x y => m * g x y) (fun m x y => m)); ring);
+  rewrite ?(apart a0 (fun x y => x)), ?(apart a1 (fun x y => y)), ?H, ?H0; ring)";
+
+}  // namespace
+
+Provables proofs() {
+  const auto letter = [](const char* name) { return Shortened::letter(name); };
+  PlateOf<Shortened> any;
+  any.A = {letter("a0"), letter("a1"), Shortened(0.0)};
+  any.D = {letter("d0"), letter("d1"), Shortened(0.0)};
+  any.N = cross(std::array{Shortened(0.0), Shortened(0.0), Shortened(1.0)}, any.D);
+  PlateOf<Shortened> from_origin = any;
+  from_origin.A = {};
+  const std::string letters = "(l : list (R * R * R)) (a0 a1 d0 d1 : R)";
+  Provables proved;
+  const auto prove = [&](const std::string& slug, const std::string& says, const Lemma& lemma) {
+    proved.push_back({"2.9-" + slug, says, {lemma}, 0, sums_in_coq});
+  };
+  const std::string about_any = "it is the torque of any number of weights about any line";
+  const Shortened torque = any.level_torque();
+  for (const auto& [slug, M] : {std::pair("first_moment", of_t(any)),
+                                {"with_normals", of_t(any)},
+                                {"in_coordinates", in_coordinates(any)},
+                                {"factored", factored(any)}})
+    prove(slug, about_any, {"printed", letters, {}, {M.expression() == torque.expression()}, by_sums});
+  const std::vector<Proposition> center{
+      from_origin.moment()[0].expression() == (any.A[0] * any.mass()).expression(),
+      from_origin.moment()[1].expression() == (any.A[1] * any.mass()).expression()};
+  const std::string at_center = "it vanishes about the center of any number of masses";
+  prove("zero", at_center, {"printed", letters, center, {factored(any).expression() == 0}, by_center});
+  prove("sums", at_center,
+        {"printed",
+         letters,
+         center,
+         {both_sums(any)[0].expression() == 0, both_sums(any)[1].expression() == 0},
+         by_center});
+  prove("regardless",
+        "the torque about the center of any number of masses vanishes, whatever the line's direction",
+        {"printed",
+         letters,
+         center,
+         {torque.expression() == 0},
+         "replace (" + torque.expression().coq() + ") with (" + factored(any).expression().coq() +
+             ")\n  by (" + by_sums + ");" + by_center});
+
+  const std::array<Shortened, 3> at{letter("x"), letter("y"), Shortened(0.0)};
+  const Shortened s = dot(any.D, at - any.A), t = dot(any.N, at - any.A);
+  const auto of = [&](const auto& f) { return detail::recorded_value(f(any, at, s, t)); };
+  const std::vector<Proposition> unit{dot(any.D, any.D).expression() == 1};
+  const std::string of_particle = "(a0 a1 d0 d1 x y : R)", at_any = "it holds of any particle and any line";
+  const std::string by_unit = "assert (unit : d1 * d1 = 1 - d0 * d0) by lra; ";
+  prove("normal_form", at_any,
+        {"printed", of_particle, unit, equal(of(off_line), {Expression(0.0)}), "ring"});
+  prove(
+      "coordinate_system", at_any,
+      {"printed", of_particle, unit, equal(of(place), detail::recorded_value(at)), by_unit + "ring [unit]"});
+  prove("decomposition", at_any,
+        {"printed", of_particle, unit, equal(of(both), of(by_cramer)),
+         by_unit + "replace (d0 * d0 - d1 * - d1) with 1 by lra; field"});
+  const Expressions area = of(by_area);
+  PlateOf<Shortened> example;
+  example.D = {1.0, 0.0, 0.0}, example.N = {0.0, 1.0, 0.0};
+  const std::array<Shortened, 3> behind{0.0, -1.0, 0.0};
+  const Shortened distance = by_area(example, behind, Shortened(0.0), Shortened(-1.0));
+  proved.push_back(
+      {"2.9-distance",
+       "as corrected " + at_any + "; as printed it is off at an example",
+       {{"corrected", of_particle, unit, equal(of(size_of_t), area),
+         by_unit + "rewrite <- sqrt_Rsqr_abs; unfold Rsqr;\n  match goal with |- sqrt ?t = sqrt ?a / 7 =>"
+                   " replace a with (7 * 7 * t) by ring [unit]; rewrite (sqrt_mult_alt (7 * 7)) by lra;\n"
+                   "    rewrite (sqrt_square 7) by lra; field end"},
+        {"printed_differs",
+         "",
+         {},
+         {apart(dot(example.N, behind).expression(), distance.expression(), 1.9)},
+         "interval"}},
+       1.9,
+       sums_in_coq});
+  return proved;
+}
+
 std::vector<Root> roots() {
   return {
       {"distance for coordinate",
@@ -256,3 +394,9 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::balance
+
+namespace oddity {
+
+Provables proofs_2_9() { return balance::proofs(); }
+
+}  // namespace oddity
