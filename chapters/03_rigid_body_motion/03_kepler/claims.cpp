@@ -3,7 +3,7 @@
 // and r, theta, V with their derivatives are taken along it by second-order dual numbers. The constants of
 // equation (3) are found from two later positions on the path, not from the start.
 
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include <cmath>
 #include <complex>
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
@@ -22,20 +23,16 @@
 
 namespace oddity::kepler {
 
-namespace {
-
-using std::numbers::pi;
-
 // ---- samples ----------------------------------------------------------------------------------------------
 
 /// The slope of G M/|r| in each direction of space.
-template <std::size_t n>
-std::array<double, n> gravity(double mu, const std::array<double, n>& q) {
-  std::array<double, n> a{};
+template <class T, std::size_t n>
+std::array<T, n> gravity(const T& mu, const std::array<T, n>& q) {
+  std::array<T, n> a{};
   for (std::size_t i = 0; i < n; ++i) {
-    Dual<double> square = 0.0;
+    Dual<T> square = 0.0;
     for (std::size_t j = 0; j < n; ++j) {
-      const Dual<double> z(q[j], i == j ? 1 : 0);
+      const Dual<T> z(q[j], i == j ? 1 : 0);
       square += z * z;
     }
     a[i] = (mu / sqrt(square)).slope;
@@ -44,28 +41,30 @@ std::array<double, n> gravity(double mu, const std::array<double, n>& q) {
 }
 
 /// A planet of mass m at one moment, and another acceleration than gravity's.
-struct Moment {
-  double G, M, m, x, y, vx, vy, push_x, push_y;
+template <class T>
+struct MomentOf {
+  T G, M, m, x, y, vx, vy, push_x, push_y;
   std::string orbit;
 
-  std::array<double*, 9> letters() { return {&G, &M, &m, &x, &y, &vx, &vy, &push_x, &push_y}; }
+  std::array<T*, 9> letters() { return {&G, &M, &m, &x, &y, &vx, &vy, &push_x, &push_y}; }
   std::string where() const { return orbit; }
 };
 
 /// r, theta and V = -GM/r at a moment: along the path in time by dual numbers of second order, and from there
 /// V', V'' along the angle.
-struct Along {
-  double G, M, m, mu, x, y, vx, vy, ax, ay, r, r_dot, r_dot_dot, angle, w, w_dot, c, s, h, alpha;
-  double V, V_dot, V1, V1_dot, V2;  ///< V1 = V', V2 = V''
-  double speed, factor;             ///< alpha/(G M^2)
-  Dual<double> distance, potential;
+template <class T>
+struct AlongOf {
+  T G, M, m, mu, x, y, vx, vy, ax, ay, r, r_dot, r_dot_dot, angle, w, w_dot, c, s, h, alpha;
+  T V, V_dot, V1, V1_dot, V2;  ///< V1 = V', V2 = V''
+  T speed, factor;             ///< alpha/(G M^2)
+  Dual<T> distance, potential;
 
-  Along(const Moment& k, bool pushed)
+  AlongOf(const MomentOf<T>& k, bool pushed)
       : G(k.G), M(k.M), m(k.m), mu(G * M), x(k.x), y(k.y), vx(k.vx), vy(k.vy) {
     const auto pull = gravity(mu, std::array{x, y});
     ax = pushed ? k.push_x : pull[0], ay = pushed ? k.push_y : pull[1];
-    using Twice = Dual<Dual<double>>;
-    const Twice t(Dual<double>(0, 1), Dual<double>(1, 0));
+    using Twice = Dual<Dual<T>>;
+    const Twice t(Dual<T>(0, 1), Dual<T>(1, 0));
     const Twice along_x = x + t * (Twice(vx) + t * Twice(ax / 2)),
                 along_y = y + t * (Twice(vy) + t * Twice(ay / 2));
     const Twice R = sqrt(along_x * along_x + along_y * along_y), theta = atan2(along_y, along_x);
@@ -77,10 +76,10 @@ struct Along {
     V1_dot = (energy.slope.slope * w - V_dot * w_dot) / (w * w), V2 = V1_dot / w;
     factor = alpha / (G * M * M);
   }
-  double mean() const { return pow(G * M * M / alpha, 2); }  ///< G^2 M^4/alpha^2
+  T mean() const { return pow(G * M * M / alpha, 2); }  ///< G^2 M^4/alpha^2
   /// A vector by its parts along R and P.
-  Value parts(double along_R, double along_P) const {
-    return {along_R * c - along_P * s, along_R * s + along_P * c};
+  auto parts(const T& along_R, const T& along_P) const {
+    return values(along_R * c - along_P * s, along_R * s + along_P * c);
   }
   // The size of the terms, whatever the letters are: of r'', of r theta'', of V''.
   double of_radial() const { return r * w * w + mu / (r * r) + 4 * r_dot * r_dot / r; }
@@ -88,17 +87,30 @@ struct Along {
   double of_bend() const { return of_radial() * mu / pow(r * w, 2) + abs(V); }
 };
 
+namespace {
+
+using std::numbers::pi;
+using Moment = MomentOf<double>;
+using Along = AlongOf<double>;
+using OfMoment = ProvableFormula<MomentOf>;
+using Table = ProvableClaims<MomentOf>;
 using Terms = double (Along::*)() const;
 
+template <class T>
+AlongOf<T> motion_at(const MomentOf<T>& k, bool pushed) {
+  return {k, pushed};
+}
 template <class Of>
-Formula<Moment> along(std::string text, const Of& of, Terms terms = nullptr, bool pushed = false) {
-  Formula<Moment> formula{std::move(text), [=](const Moment& k) -> Value { return of(Along(k, pushed)); }};
+OfMoment along(std::string text, const Of& of, Terms terms = nullptr, bool pushed = false) {
+  OfMoment formula{std::move(text), [=](const auto& k) -> decltype(of(motion_at(k, pushed))) {
+                     return of(motion_at(k, pushed));
+                   }};
   if (terms) formula.terms = [=](const Moment& k) { return (Along(k, pushed).*terms)(); };
   return formula;
 }
 /// Under the other acceleration.
 template <class Of>
-Formula<Moment> pushed(std::string text, const Of& of) {
+OfMoment pushed(std::string text, const Of& of) {
   return along(std::move(text), of, &Along::of_transverse, true);
 }
 
@@ -335,60 +347,60 @@ void motion_in_a_plane(Claims& claims, const std::vector<Later>& orbits, double 
                         }}}});
 }
 
-void equations_of_motion(Claims& claims, const std::vector<Moment>& moments) {
-  using K = const Along&;
-  const auto acceleration = pushed("any acceleration", [](K k) { return values(k.ax, k.ay); });
-  const auto polar = [](K k) {
+void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
+  const auto acceleration = pushed("any acceleration", [](const auto& k) { return values(k.ax, k.ay); });
+  const auto polar = [](const auto& k) {
     return k.parts(k.r_dot_dot - k.r * k.w * k.w, k.r * k.w_dot + 2 * k.r_dot * k.w);
   };
-  claims.formula(
+  table.formula(
       "unit_vector", 945,
       R"($\mathbf r=r\mathbf R$, and $\mathbf R$ is of length 1 and points from the sun to the planet)",
       moments,
       {.quantity = R"($\mathbf r$)",
-       .truth = along("the planet's coordinates", [](K k) { return values(k.x, k.y); }),
-       .printed = along(R"($r\mathbf R$)", [](K k) { return k.parts(k.r, 0); }),
-       .near_misses = {along(R"($r\mathbf P$)", [](K k) { return k.parts(0, k.r); })}});
-  claims.formula("acceleration", 949,
-                 R"($\mathbf a=(\ddot r-r\dot\theta^2)\mathbf R+(r\ddot\theta+2\dot r\dot\theta)\mathbf P$)",
-                 moments,
-                 {.quantity = R"($\mathbf a$)",
-                  .truth = acceleration,
-                  .printed = pushed("its polar form, derivatives by dual numbers", polar),
-                  .near_misses = {pushed(R"(the polar form with $+r\dot\theta^2$)", [](K k) {
-                    return k.parts(k.r_dot_dot + k.r * k.w * k.w, k.r * k.w_dot + 2 * k.r_dot * k.w);
-                  })}});
-  claims.formula(
+       .truth = along("the planet's coordinates", [](const auto& k) { return values(k.x, k.y); }),
+       .printed = along(R"($r\mathbf R$)", [](const auto& k) { return k.parts(k.r, 0); }),
+       .near_misses = {along(R"($r\mathbf P$)", [](const auto& k) { return k.parts(0, k.r); })}});
+  table.formula("acceleration", 949,
+                R"($\mathbf a=(\ddot r-r\dot\theta^2)\mathbf R+(r\ddot\theta+2\dot r\dot\theta)\mathbf P$)",
+                moments,
+                {.quantity = R"($\mathbf a$)",
+                 .truth = acceleration,
+                 .printed = pushed("its polar form, derivatives by dual numbers", polar),
+                 .near_misses = {pushed(R"(the polar form with $+r\dot\theta^2$)", [](const auto& k) {
+                   return k.parts(k.r_dot_dot + k.r * k.w * k.w, k.r * k.w_dot + 2 * k.r_dot * k.w);
+                 })}});
+  table.formula(
       "equation_number", 949, "equation (3.2) is the polar form of any acceleration", moments,
       {.quantity = R"($\mathbf a$)",
        .truth = acceleration,
        .printed = pushed(R"($-(GM/r^2)\mathbf R$, which follows from equation (3.2))",
-                         [](K k) { return k.parts(-k.mu / (k.r * k.r), 0); }),
+                         [](const auto& k) { return k.parts(-k.mu / (k.r * k.r), 0); }),
        .meant = pushed(
            R"(another equation: $(\ddot r-r\dot\theta^2)\mathbf R+(r\ddot\theta+2\dot r\dot\theta)\mathbf P$)",
            polar),
-       .near_misses = {pushed(
-           R"(that other equation, $\dot r\dot\theta$ without its 2)",
-           [](K k) { return k.parts(k.r_dot_dot - k.r * k.w * k.w, k.r * k.w_dot + k.r_dot * k.w); })},
+       .near_misses = {pushed(R"(that other equation, $\dot r\dot\theta$ without its 2)",
+                              [](const auto& k) {
+                                return k.parts(k.r_dot_dot - k.r * k.w * k.w, k.r * k.w_dot + k.r_dot * k.w);
+                              })},
        .kind = Fault::number,
        .why =
            R"(Exercise 3.1 (857) and the end of this one (1229) give the number (3.2) to the orbit, )"
            R"($r=e\rho/(1+e\cos\theta)$, which knows no acceleration but $-GM/r^2$ towards the sun. The polar )"
            R"(form is another equation of the book: whoever looks (3.2) up for it finds the orbit.)"});
-  const auto pull = [](double sign, double power) {
-    return [=](K k) {
-      const double f = sign * k.mu * pow(k.r, 3 * power), g = sign * k.mu * pow(k.r, 2 * power);
+  const auto pull = [](double sign, int power) {
+    return [=](const auto& k) {
+      const auto f = sign * k.mu * pow(k.r, 3 * power), g = sign * k.mu * pow(k.r, 2 * power);
       return values(f * k.x, f * k.y, g * k.c, g * k.s);
     };
   };
-  claims.formula(
+  table.formula(
       "gravity", 953,
       R"($\mathbf a=-GM\,r^3\,\mathbf r$ (the distance cubed, times the vector) )"
       R"($=-GM\,r^2\,\mathbf R=-(GM/r^2)\mathbf R+0\,\mathbf P$)",
       moments,
       {.quantity = R"($\mathbf a$, twice)",
        .truth = along(R"(the slope of $GM/|\mathbf r|$ by dual numbers)",
-                      [](K k) { return values(k.ax, k.ay, k.ax, k.ay); }),
+                      [](const auto& k) { return values(k.ax, k.ay, k.ax, k.ay); }),
        .printed = along(R"($-GM\,r^3\,\mathbf r$ and $-GM\,r^2\,\mathbf R$)", pull(-1, 1)),
        .meant = along(R"($-(GM/r^3)\,\mathbf r$ and $-(GM/r^2)\,\mathbf R$)", pull(-1, -1)),
        .near_misses = {along(R"($+(GM/r^3)\,\mathbf r$ and $+(GM/r^2)\,\mathbf R$)", pull(1, -1))},
@@ -396,54 +408,55 @@ void equations_of_motion(Claims& claims, const std::vector<Moment>& moments) {
        .why =
            R"(The fraction bars are lost: read as they stand, $GMr^3$ and $GMr^2$ make a planet twice as far )"
            R"(away feel four times the pull instead of a quarter of it. The last form of the line has its bar.)"});
-  claims.formula(
+  table.formula(
       "radial", 967, R"($\ddot r-r\dot\theta^2=-GM\,r^2$)", moments,
       {.quantity = R"($\ddot r-r\dot\theta^2$)",
        .truth = along(
-           "by dual numbers", [](K k) { return k.r_dot_dot - k.r * k.w * k.w; }, &Along::of_radial),
-       .printed = along(R"($-GM\,r^2$)", [](K k) { return -k.mu * k.r * k.r; }),
-       .meant = along(R"($-GM/r^2$)", [](K k) { return -k.mu / (k.r * k.r); }),
-       .near_misses = {along(R"($-GM/r^3$)", [](K k) { return -k.mu / (k.r * k.r * k.r); })},
+           "by dual numbers", [](const auto& k) { return k.r_dot_dot - k.r * k.w * k.w; }, &Along::of_radial),
+       .printed = along(R"($-GM\,r^2$)", [](const auto& k) { return -k.mu * k.r * k.r; }),
+       .meant = along(R"($-GM/r^2$)", [](const auto& k) { return -k.mu / (k.r * k.r); }),
+       .near_misses = {along(R"($-GM/r^3$)", [](const auto& k) { return -k.mu / (k.r * k.r * k.r); })},
        .kind = Fault::lost_typography,
        .why = "The fraction bar is lost; equation (2), made from this line, has it."});
-  claims.formula("transverse", 967, R"($r\ddot\theta+2\dot r\dot\theta=0$)", moments,
-                 {.quantity = R"($r\ddot\theta$)",
-                  .truth = along(
-                      "by dual numbers", [](K k) { return k.r * k.w_dot; }, &Along::of_transverse),
-                  .printed = along(R"($-2\dot r\dot\theta$)", [](K k) { return -2 * k.r_dot * k.w; }),
-                  .near_misses = {along(R"($-\dot r\dot\theta$)", [](K k) { return -k.r_dot * k.w; })}});
+  table.formula(
+      "transverse", 967, R"($r\ddot\theta+2\dot r\dot\theta=0$)", moments,
+      {.quantity = R"($r\ddot\theta$)",
+       .truth = along(
+           "by dual numbers", [](const auto& k) { return k.r * k.w_dot; }, &Along::of_transverse),
+       .printed = along(R"($-2\dot r\dot\theta$)", [](const auto& k) { return -2 * k.r_dot * k.w; }),
+       .near_misses = {along(R"($-\dot r\dot\theta$)", [](const auto& k) { return -k.r_dot * k.w; })}});
   const auto areal = [](double two) {
-    return [=](K k) {
-      const double rate = k.r * k.r * k.w_dot + two * k.r * k.r_dot * k.w;
+    return [=](const auto& k) {
+      const auto rate = k.r * k.r * k.w_dot + two * k.r * k.r_dot * k.w;
       return values(rate, rate);
     };
   };
-  claims.formula(
+  OfMoment moment_of_push =
+      pushed(R"($r$ times the transverse acceleration, and $x\ddot y-y\ddot x$)", [](const auto& k) {
+        return values(k.r * (k.r * k.w_dot + 2 * k.r_dot * k.w), k.x * k.ay - k.y * k.ax);
+      });
+  moment_of_push.terms = [](const Moment& k) { return k.vx * k.vx + k.vy * k.vy; };
+  table.formula(
       "areal", 973,
       R"($r(r\ddot\theta+2\dot r\dot\theta)=r^2\ddot\theta+2r\dot r\dot\theta=\frac{d}{dt}(r^2\dot\theta)$)",
       moments,
-      {.truth = {R"($r$ times the transverse acceleration, and $x\ddot y-y\ddot x$)",
-                 pushed("",
-                        [](K k) {
-                          return values(k.r * (k.r * k.w_dot + 2 * k.r_dot * k.w), k.x * k.ay - k.y * k.ax);
-                        })
-                     .of,
-                 [](const Moment& k) { return k.vx * k.vx + k.vy * k.vy; }},
+      {.truth = moment_of_push,
        .printed = pushed(R"($r^2\ddot\theta+2r\dot r\dot\theta$)", areal(2)),
        .near_misses = {pushed(R"($r^2\ddot\theta+r\dot r\dot\theta$)", areal(1))}});
-  claims.formula(
+  table.formula(
       "angular_momentum", 979, R"($\alpha=Mr^2\dot\theta$ is the angular momentum)", moments,
       {.quantity = R"($\partial L/\partial\dot\theta$ of a planet of mass $m$)",
        .truth = along(R"($L=T-V$ differentiated by dual numbers)",
-                      [](K k) {
+                      [](const auto& k) {
                         const auto lagrangian = [&](auto rate) {
                           return k.m / 2 * (k.r_dot * k.r_dot + k.r * k.r * (rate * rate)) + k.m * k.mu / k.r;
                         };
                         return derivative(lagrangian, k.w);
                       }),
-       .printed = along(R"($Mr^2\dot\theta$)", [](K k) { return k.alpha; }),
-       .corrected = along(R"($mr^2\dot\theta$, $m$ the planet's mass)", [](K k) { return k.m * k.h; }),
-       .near_misses = {along(R"($mr\dot\theta$)", [](K k) { return k.m * k.r * k.w; })},
+       .printed = along(R"($Mr^2\dot\theta$)", [](const auto& k) { return k.alpha; }),
+       .corrected =
+           along(R"($mr^2\dot\theta$, $m$ the planet's mass)", [](const auto& k) { return k.m * k.h; }),
+       .near_misses = {along(R"($mr\dot\theta$)", [](const auto& k) { return k.m * k.r * k.w; })},
        .kind = Fault::formula,
        .root = "the sun's mass for the planet's",
        .why =
@@ -451,24 +464,26 @@ void equations_of_motion(Claims& claims, const std::vector<Moment>& moments) {
            R"(the mass of the planet, for the Earth 1/333000 of it. $\alpha$ is constant all the same, and every )"
            R"(later line uses no more than that: only $\alpha/M=r^2\dot\theta$ ever enters.)"});
   const auto radial = [](double sign) {
-    return [=](K k) {
-      const double M2 = k.M * k.M, r3 = k.r * k.r * k.r;
+    return [=](const auto& k) {
+      const auto M2 = k.M * k.M, r3 = k.r * k.r * k.r;
       return values(k.r_dot_dot + sign * k.r * k.w * k.w,
                     k.r_dot_dot + sign * k.r * pow(k.alpha / (k.M * k.r * k.r), 2),
                     k.r_dot_dot + sign * k.alpha * k.alpha / (M2 * r3));
     };
   };
-  claims.formula(
+  table.formula(
       "radial_equation", 995,
       R"($-GM/r^2=\ddot r-r\dot\theta^2=\ddot r-r(\alpha/(Mr^2))^2=\ddot r-\alpha^2/(M^2r^3)$ (2))", moments,
       {.truth = along(R"($-GM/r^2$)",
-                      [](K k) {
-                        const double a = -k.mu / (k.r * k.r);
+                      [](const auto& k) {
+                        const auto a = -k.mu / (k.r * k.r);
                         return values(a, a, a);
                       }),
        .printed = along(R"(the other three forms, $\ddot r$ by dual numbers)", radial(-1), &Along::of_radial),
        .near_misses = {along(R"($\ddot r+\alpha^2/(M^2r^3)$)", radial(1), &Along::of_radial)}});
+}
 
+void singularity(Claims& claims, const std::vector<Moment>& moments) {
   const auto singular = [&](const std::string& text, double ratio) {
     WorstSample worst(R"($\ddot r$ at $z$ over $\ddot r$ at $2z$, $z=2^{-21}r$, $\alpha$ being the same)",
                       "Cartesian, by dual numbers", text);
@@ -492,24 +507,23 @@ void equations_of_motion(Claims& claims, const std::vector<Moment>& moments) {
 
 // ---- the potential as a function of the angle: lines 1009 to 1101 -----------------------------------------
 
-void equation_of_the_potential(Claims& claims, const std::vector<Moment>& moments) {
-  using K = const Along&;
-  const auto twice = [](const auto& of) { return [=](K k) { return values(of(k), of(k)); }; };
-  const auto r_dot = along(R"($\dot r$ by dual numbers)", [](K k) { return k.r_dot; });
-  const auto r_dot_twice = along(R"($\dot r$ by dual numbers)", twice([](K k) { return k.r_dot; }));
-  const auto r_dot_dot_twice =
-      along(R"($\ddot r$ by dual numbers)", twice([](K k) { return k.r_dot_dot; }), &Along::of_radial);
+void equation_of_the_potential(Table& table, const std::vector<Moment>& moments) {
+  const auto twice = [](const auto& of) { return [=](const auto& k) { return values(of(k), of(k)); }; };
+  const auto r_dot = along(R"($\dot r$ by dual numbers)", [](const auto& k) { return k.r_dot; });
+  const auto r_dot_twice = along(R"($\dot r$ by dual numbers)", twice([](const auto& k) { return k.r_dot; }));
+  const auto r_dot_dot_twice = along(R"($\ddot r$ by dual numbers)",
+                                     twice([](const auto& k) { return k.r_dot_dot; }), &Along::of_radial);
 
-  const auto force = [](K k) { return derivative([&](auto z) { return k.mu / z; }, k.r); };
-  claims.formula(
+  const auto force = [](const auto& k) { return derivative([&](auto z) { return k.mu / z; }, k.r); };
+  table.formula(
       "potential_energy", 1009, R"($V=-GM/r$ is the potential energy)", moments,
       {.quantity = R"(the force on a planet of mass $m$)",
        .truth = along(R"($m$ times the slope of $GM/|\mathbf r|$ by dual numbers)",
-                      [](K k) { return k.m * (k.ax * k.c + k.ay * k.s); }),
+                      [](const auto& k) { return k.m * (k.ax * k.c + k.ay * k.s); }),
        .printed = along(R"($-dV/dr$)", force),
        .corrected = along(R"($-m\,dV/dr$: $-GM/r$ is the potential energy per unit mass of the planet)",
-                          [=](K k) { return k.m * force(k); }),
-       .near_misses = {along(R"($-\frac m2dV/dr$)", [=](K k) { return k.m / 2 * force(k); })},
+                          [=](const auto& k) { return k.m * force(k); }),
+       .near_misses = {along(R"($-\frac m2dV/dr$)", [=](const auto& k) { return k.m / 2 * force(k); })},
        .kind = Fault::formula,
        .root = "the sun's mass for the planet's",
        .why =
@@ -517,156 +531,169 @@ void equation_of_the_potential(Claims& claims, const std::vector<Moment>& moment
            R"($\alpha=Mr^2\dot\theta$ the text divides the momentum by $m$ and multiplies it by $M$, so that $V$ )"
            R"(and $\alpha$ belong to different masses; the orbit depends on neither, only a display of energies )"
            R"(in joules is off by the factor $m$.)"});
-  claims.formula(
+  table.formula(
       "power_rule", 1017, R"($\dot r=\frac{d}{dt}(-GM\,V)=(GM/V^2)\,dV/dt$)", moments,
       {.quantity = R"($\dot r$)",
        .truth = r_dot_twice,
-       .printed =
-           along(R"($\frac{d}{dt}(-GM\,V)$ by dual numbers, and $(GM/V^2)\,dV/dt$)",
-                 [](K k) { return values((-k.mu * k.potential).slope, k.mu / (k.V * k.V) * k.V_dot); }),
-       .meant = along(R"($\frac{d}{dt}(-GM/V)$ by dual numbers, and $(GM/V^2)\,dV/dt$)",
-                      [](K k) { return values((-k.mu / k.potential).slope, k.mu / (k.V * k.V) * k.V_dot); }),
-       .near_misses = {along(R"($(GM/V)\,dV/dt$)", twice([](K k) { return k.mu / k.V * k.V_dot; }))},
+       .printed = along(
+           R"($\frac{d}{dt}(-GM\,V)$ by dual numbers, and $(GM/V^2)\,dV/dt$)",
+           [](const auto& k) { return values((-k.mu * k.potential).slope, k.mu / (k.V * k.V) * k.V_dot); }),
+       .meant = along(
+           R"($\frac{d}{dt}(-GM/V)$ by dual numbers, and $(GM/V^2)\,dV/dt$)",
+           [](const auto& k) { return values((-k.mu / k.potential).slope, k.mu / (k.V * k.V) * k.V_dot); }),
+       .near_misses = {along(R"($(GM/V)\,dV/dt$)",
+                             twice([](const auto& k) { return k.mu / k.V * k.V_dot; }))},
        .kind = Fault::lost_typography,
        .why =
            R"(The fraction bar of $-GM/V$ is lost. The product $-GMV=G^2M^2/r$ is no distance, and shrinks where )"
            R"(the distance grows.)"});
-  claims.formula(
+  table.formula(
       "chain_rule", 1023, R"($\dot r=GM\,V^2\,(dV/d\theta)\,\dot\theta$)", moments,
       {.quantity = R"($\dot r$)",
        .truth = r_dot,
-       .printed = along(R"($GM\,V^2V'\dot\theta$)", [](K k) { return k.mu * k.V * k.V * k.V1 * k.w; }),
-       .meant = along(R"($(GM/V^2)V'\dot\theta$)", [](K k) { return k.mu / (k.V * k.V) * k.V1 * k.w; }),
-       .near_misses = {along(R"($(GM/V^2)V'$)", [](K k) { return k.mu / (k.V * k.V) * k.V1; })},
+       .printed =
+           along(R"($GM\,V^2V'\dot\theta$)", [](const auto& k) { return k.mu * k.V * k.V * k.V1 * k.w; }),
+       .meant =
+           along(R"($(GM/V^2)V'\dot\theta$)", [](const auto& k) { return k.mu / (k.V * k.V) * k.V1 * k.w; }),
+       .near_misses = {along(R"($(GM/V^2)V'$)", [](const auto& k) { return k.mu / (k.V * k.V) * k.V1; })},
        .kind = Fault::lost_typography,
        .why =
            R"(The fraction bar is lost; the line before has it. For the Earth, in astronomical units and years, )"
            R"(the product $GMV^2$ is 61500 where the quotient is 0.025.)"});
-  claims.formula(
+  table.formula(
       "r_dot", 1031, R"($\dot r=GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2)=\alpha V'/(GM^2)$)", moments,
       {.quantity = R"($\dot r$)",
        .truth = r_dot_twice,
        .printed = along(R"($GM\,(-GM/r)^2V'\,\alpha\,Mr^2$, and $\alpha V'/(GM^2)$)",
-                        [](K k) {
+                        [](const auto& k) {
                           return values(k.mu * pow(k.mu / k.r, 2) * k.V1 * (k.alpha * k.M * k.r * k.r),
                                         k.factor * k.V1);
                         }),
        .meant = along(R"($GM/(-GM/r)^2\,V'\,\alpha/(Mr^2)$, and $\alpha V'/(GM^2)$)",
-                      [](K k) {
+                      [](const auto& k) {
                         return values(k.mu / pow(k.mu / k.r, 2) * k.V1 * k.alpha / (k.M * k.r * k.r),
                                       k.factor * k.V1);
                       }),
-       .near_misses = {along(R"($\alpha V'/(GM)$)", twice([](K k) { return k.alpha * k.V1 / k.mu; }))},
+       .near_misses = {along(R"($\alpha V'/(GM)$)",
+                             twice([](const auto& k) { return k.alpha * k.V1 / k.mu; }))},
        .kind = Fault::lost_typography,
        .why =
            R"(The bars of the first form's two fractions are lost. As products the powers of $r$ cancel as well, )"
            R"(and what is left is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)"});
-  claims.formula(
+  table.formula(
       "second_chain_rule", 1041, R"($\ddot r=\alpha\,GM^2\,dV'/dt=\alpha\,GM^2\,V''\dot\theta$)", moments,
       {.quantity = R"($\ddot r$)",
        .truth = r_dot_dot_twice,
        .printed = along(R"($\alpha\,GM^2\,dV'/dt$ and $\alpha\,GM^2\,V''\dot\theta$)",
-                        [](K k) {
-                          const double product = k.alpha * k.mu * k.M;
+                        [](const auto& k) {
+                          const auto product = k.alpha * k.mu * k.M;
                           return values(product * k.V1_dot, product * k.V2 * k.w);
                         }),
        .meant = along(R"($\alpha/(GM^2)\,dV'/dt$ and $\alpha/(GM^2)\,V''\dot\theta$)",
-                      [](K k) { return values(k.factor * k.V1_dot, k.factor * k.V2 * k.w); }),
+                      [](const auto& k) { return values(k.factor * k.V1_dot, k.factor * k.V2 * k.w); }),
        .near_misses = {along(R"($\alpha/(GM^2)\,V'\dot\theta$)",
-                             twice([](K k) { return k.factor * k.V1 * k.w; }))},
+                             twice([](const auto& k) { return k.factor * k.V1 * k.w; }))},
        .kind = Fault::lost_typography,
        .why =
            "The fraction bar is lost, here and in line 1049: line 1037, which is differentiated, has it."});
-  const auto bent = [](K k) { return k.alpha * k.alpha * k.V2; };
-  claims.formula(
+  const auto bent = [](const auto& k) { return k.alpha * k.alpha * k.V2; };
+  table.formula(
       "r_dot_dot", 1055, R"($\ddot r=\alpha\,GM^2\,V''\,(\alpha\,Mr^2)=\alpha^2V''/(GM^3r^2)$)", moments,
       {.quantity = R"($\ddot r$)",
        .truth = r_dot_dot_twice,
        .printed = along(R"($\alpha\,GM^2\,V''\,\alpha\,Mr^2$, and $\alpha^2V''/(GM^3r^2)$)",
-                        [=](K k) {
+                        [=](const auto& k) {
                           return values(k.mu * k.M * k.M * k.r * k.r * bent(k),
                                         bent(k) / (k.mu * k.M * k.M * k.r * k.r));
                         }),
        .meant = along(R"($\alpha/(GM^2)\,V''\,\alpha/(Mr^2)$, and $\alpha^2V''/(GM^3r^2)$)",
-                      [=](K k) {
+                      [=](const auto& k) {
                         return values(k.factor * k.V2 * (k.alpha / (k.M * k.r * k.r)),
                                       bent(k) / (k.mu * k.M * k.M * k.r * k.r));
                       }),
        .near_misses = {along(R"($\alpha^2V''/(GM^2r^2)$)",
-                             twice([=](K k) { return bent(k) / (k.mu * k.M * k.r * k.r); }))},
+                             twice([=](const auto& k) { return bent(k) / (k.mu * k.M * k.r * k.r); }))},
        .kind = Fault::lost_typography,
        .why =
            R"(The bars of $\alpha/(GM^2)$ and of $\dot\theta=\alpha/(Mr^2)$ are lost; the last form of the line )"
            R"(has one for both.)"});
-  const auto by_V = [=](K k) { return bent(k) * k.V * k.V / (pow(k.G, 3) * pow(k.M, 5)); };
-  claims.formula(
+  const auto by_V = [=](const auto& k) { return bent(k) * k.V * k.V / (pow(k.G, 3) * pow(k.M, 5)); };
+  table.formula(
       "r_dot_dot_by_V", 1063, R"($\ddot r=\alpha^2V''/(GM^3(-GM/V)^2)=\alpha^2V''V^2/(G^3M^5)$)", moments,
       {.quantity = R"($\ddot r$)",
        .truth = r_dot_dot_twice,
-       .printed =
-           along("the two forms",
-                 [=](K k) { return values(bent(k) / (k.mu * k.M * k.M * pow(-k.mu / k.V, 2)), by_V(k)); }),
-       .near_misses = {along(R"($\alpha^2V''V^2/(G^3M^4)$)", twice([=](K k) { return k.M * by_V(k); }))}});
-  claims.formula(
+       .printed = along("the two forms",
+                        [=](const auto& k) {
+                          return values(bent(k) / (k.mu * k.M * k.M * pow(-k.mu / k.V, 2)), by_V(k));
+                        }),
+       .near_misses = {
+           along(R"($\alpha^2V''V^2/(G^3M^4)$)", twice([=](const auto& k) { return k.M * by_V(k); }))}});
+  table.formula(
       "substituted", 1077, R"($-GM\,(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)", moments,
-      {.truth = along(R"($\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$, $V''$ by dual numbers)",
-                      [=](K k) { return by_V(k) - k.alpha * k.alpha / (k.M * k.M * pow(-k.mu / k.V, 3)); },
-                      &Along::of_radial),
-       .printed = along(R"($-GM\,(-GM/V)^2$)", [](K k) { return -k.mu * pow(k.mu / k.V, 2); }),
-       .meant = along(R"($-GM/(-GM/V)^2$)", [](K k) { return -k.mu / pow(k.mu / k.V, 2); }),
-       .near_misses = {along(R"($+GM/(-GM/V)^2$)", [](K k) { return k.mu / pow(k.mu / k.V, 2); })},
+      {.truth = along(
+           R"($\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$, $V''$ by dual numbers)",
+           [=](const auto& k) { return by_V(k) - k.alpha * k.alpha / (k.M * k.M * pow(-k.mu / k.V, 3)); },
+           &Along::of_radial),
+       .printed = along(R"($-GM\,(-GM/V)^2$)", [](const auto& k) { return -k.mu * pow(k.mu / k.V, 2); }),
+       .meant = along(R"($-GM/(-GM/V)^2$)", [](const auto& k) { return -k.mu / pow(k.mu / k.V, 2); }),
+       .near_misses = {along(R"($+GM/(-GM/V)^2$)", [](const auto& k) { return k.mu / pow(k.mu / k.V, 2); })},
        .kind = Fault::lost_typography,
        .why =
            R"(The bar of the left side is lost, as at line 953: $GM(-GM/V)^2$ is $GMr^2$, a pull that grows with )"
            R"(the distance. The next line, $-V^2/(GM)$, is the quotient.)"});
   const auto simplified = [=](double sign) {
-    return [=](K k) { return by_V(k) + sign * pow(k.alpha, 2) * pow(k.V, 3) / (pow(k.G, 3) * pow(k.M, 5)); };
+    return [=](const auto& k) {
+      return by_V(k) + sign * pow(k.alpha, 2) * pow(k.V, 3) / (pow(k.G, 3) * pow(k.M, 5));
+    };
   };
-  claims.formula("simplified", 1083, R"($-V^2/(GM)=\alpha^2V''V^2/(G^3M^5)+\alpha^2V^3/(G^3M^5)$)", moments,
-                 {.truth = along(R"($-V^2/(GM)$)", [](K k) { return -k.V * k.V / k.mu; }),
-                  .printed = along(R"(the sum of the other two terms, $V''$ by dual numbers)", simplified(1),
-                                   &Along::of_radial),
-                  .near_misses = {along("their difference", simplified(-1), &Along::of_radial)}});
-  claims.formula(
+  table.formula("simplified", 1083, R"($-V^2/(GM)=\alpha^2V''V^2/(G^3M^5)+\alpha^2V^3/(G^3M^5)$)", moments,
+                {.truth = along(R"($-V^2/(GM)$)", [](const auto& k) { return -k.V * k.V / k.mu; }),
+                 .printed = along(R"(the sum of the other two terms, $V''$ by dual numbers)", simplified(1),
+                                  &Along::of_radial),
+                 .near_misses = {along("their difference", simplified(-1), &Along::of_radial)}});
+  table.formula(
       "potential_equation", 1091, R"($-G^2M^4/\alpha^2=V''+V$)", moments,
-      {.truth = along(R"($-G^2M^4/\alpha^2$)", [](K k) { return -k.mean(); }),
-       .printed = along(R"($V''+V$, $V''$ by dual numbers)", [](K k) { return k.V2 + k.V; }, &Along::of_bend),
-       .near_misses = {along(R"($V''-V$)", [](K k) { return k.V2 - k.V; }, &Along::of_bend)}});
+      {.truth = along(R"($-G^2M^4/\alpha^2$)", [](const auto& k) { return -k.mean(); }),
+       .printed = along(R"($V''+V$, $V''$ by dual numbers)", [](const auto& k) { return k.V2 + k.V; },
+                        &Along::of_bend),
+       .near_misses = {along(R"($V''-V$)", [](const auto& k) { return k.V2 - k.V; }, &Along::of_bend)}});
   const auto by_root = [](bool imaginary) {
-    return [=](K k) {
+    return [=](const Along& k) {
       const std::complex<double> root = imaginary ? std::complex(0.0, k.angle < 0 ? -1.0 : 1.0) : 1.0;
       const auto bend = root * root * (k.V + k.mean());
       return values(bend.real(), bend.imag());
     };
   };
-  claims.formula(
+  table.formula(
       "characteristic", 1095, R"($\lambda^2+1=0$ has the roots $\pm i$)", moments,
       {.quantity = R"($V''$ on the path, real and imaginary part)",
        .truth = along(
-           "by dual numbers", [](K k) { return values(k.V2, 0); }, &Along::of_bend),
+           "by dual numbers", [](const auto& k) { return values(k.V2, 0); }, &Along::of_bend),
        .printed = along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=\pm i$)", by_root(true)),
        .near_misses = {along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=1$)", by_root(false))}});
-  claims.formula(
-      "independent", 1095, R"($\sin$ and $\cos$ solve $V''+V=0$, linearly independent)", moments,
-      {.quantity = "Wronski's determinant",
-       .truth = along("by dual numbers",
-                      [](K k) {
-                        const auto sine = [](auto z) { return sin(z); };
-                        const auto cosine = [](auto z) { return cos(z); };
-                        return k.s * derivative(cosine, k.angle) - k.c * derivative(sine, k.angle);
-                      }),
-       .printed = along(R"($-1$, which is not zero)", [](K) { return -1.0; }),
-       .near_misses = {along(R"(zero, as of $\sin\theta$ and $\sin(\theta+\pi)$)", [](K) { return 0.0; })}});
+  table.formula("independent", 1095, R"($\sin$ and $\cos$ solve $V''+V=0$, linearly independent)", moments,
+                {.quantity = "Wronski's determinant",
+                 .truth = along("by dual numbers",
+                                [](const auto& k) {
+                                  const auto sine = [](auto z) { return sin(z); };
+                                  const auto cosine = [](auto z) { return cos(z); };
+                                  return k.s * derivative(cosine, k.angle) - k.c * derivative(sine, k.angle);
+                                }),
+                 .printed = along(R"($-1$, which is not zero)", [](const auto&) { return -1.0; }),
+                 .near_misses = {along(R"(zero, as of $\sin\theta$ and $\sin(\theta+\pi)$)",
+                                       [](const auto&) { return 0.0; })}});
   const auto particular = [](double sign) {
-    return [=](K k) { return values(sign * k.G * k.G * pow(k.M, 4) / pow(k.M * sqrt(k.mu * k.r), 2), 0, 0); };
+    return [=](const auto& k) {
+      return values(sign * k.G * k.G * pow(k.M, 4) / pow(k.M * sqrt(k.mu * k.r), 2), 0, 0);
+    };
   };
-  claims.formula(
+  table.formula(
       "particular", 1101, R"($V_p=-G^2M^4/\alpha^2$ has $V_p''+V_p=0-G^2M^4/\alpha^2$)", moments,
       {.quantity = R"($(V,V',V'')$ on a circle, where $V$ is constant)",
        .truth = along("by dual numbers",
-                      [](K k) {
-                        const double rate = sqrt(k.mu / (k.r * k.r * k.r)), x = k.r * k.c, y = k.r * k.s;
-                        const Along circle({k.G, k.M, k.m, x, y, -rate * y, rate * x, 0, 0, {}}, false);
+                      []<class T>(const AlongOf<T>& k) {
+                        const auto rate = sqrt(k.mu / (k.r * k.r * k.r)), x = k.r * k.c, y = k.r * k.s;
+                        const AlongOf<T> circle({k.G, k.M, k.m, x, y, -rate * y, rate * x, 0, 0, {}}, false);
                         return values(circle.V, circle.V1, circle.V2);
                       }),
        .printed = along(R"($(-G^2M^4/\alpha^2,0,0)$)", particular(-1)),
@@ -958,56 +985,58 @@ void momentum(Claims& claims, const std::vector<Later>& orbits) {
        .kind = Fault::term});
 }
 
-void moments_of_the_velocity(Claims& claims, const std::vector<Moment>& moments) {
-  using K = const Along&;
-  const auto rate = along(R"($\dot\theta$ by dual numbers)", [](K k) { return values(k.w, k.w, k.w); });
-  claims.formula(
+void moments_of_the_velocity(Table& table, const std::vector<Moment>& moments) {
+  const auto rate =
+      along(R"($\dot\theta$ by dual numbers)", [](const auto& k) { return values(k.w, k.w, k.w); });
+  table.formula(
       "rate_by_V", 1201, R"($\dot\theta=\alpha/(Mr^2)=\alpha/(M(-GM/V)^2)=\alpha V^2/(G^2M^3)$ (6))", moments,
       {.truth = rate,
        .printed = along("the three forms",
-                        [](K k) {
+                        [](const auto& k) {
                           return values(k.alpha / (k.M * k.r * k.r), k.alpha / (k.M * pow(-k.mu / k.V, 2)),
                                         k.alpha * k.V * k.V / (k.mu * k.mu * k.M));
                         }),
-       .near_misses = {along(R"($\alpha V^2/(G^2M^2)$)", [](K k) {
-         const double wrong = k.alpha * k.V * k.V / (k.mu * k.mu);
+       .near_misses = {along(R"($\alpha V^2/(G^2M^2)$)", [](const auto& k) {
+         const auto wrong = k.alpha * k.V * k.V / (k.mu * k.mu);
          return values(wrong, wrong, wrong);
        })}});
-  const auto velocity = [](double sign) { return [=](K k) { return k.parts(k.r_dot, sign * k.r * k.w); }; };
-  claims.formula(
+  const auto velocity = [](double sign) {
+    return [=](const auto& k) { return k.parts(k.r_dot, sign * k.r * k.w); };
+  };
+  table.formula(
       "velocity", 1235, R"($\mathbf v=\dot r\mathbf R+r\dot\theta\mathbf P$)", moments,
       {.quantity = R"($\mathbf v$)",
-       .truth = along("the path's velocity", [](K k) { return values(k.vx, k.vy); }),
+       .truth = along("the path's velocity", [](const auto& k) { return values(k.vx, k.vy); }),
        .printed = along(R"(its polar form, $\dot r$ and $\dot\theta$ by dual numbers)", velocity(1)),
        .near_misses = {along(R"($\dot r\mathbf R-r\dot\theta\mathbf P$)", velocity(-1))}});
-  claims.formula(
+  table.formula(
       "moment", 1237,
       R"($\mathbf r\times\mathbf v=(r\mathbf R)\times(\dot r\mathbf R+r\dot\theta\mathbf P)=r^2\dot\theta\,\mathbf k$)",
       moments,
       {.truth = along(R"($x\dot y-y\dot x$)",
-                      [](K k) { return values(k.x * k.vy - k.y * k.vx, k.x * k.vy - k.y * k.vx); }),
+                      [](const auto& k) { return values(k.x * k.vy - k.y * k.vx, k.x * k.vy - k.y * k.vx); }),
        .printed = along("the product of the polar forms, and the last form",
-                        [=](K k) {
-                          const Value v = velocity(1)(k);
+                        [=](const auto& k) {
+                          const auto v = velocity(1)(k);
                           return values(k.r * k.c * v[1] - k.r * k.s * v[0], k.h);
                         }),
-       .near_misses = {
-           along(R"($r\dot\theta\,\mathbf k$)", [](K k) { return values(k.r * k.w, k.r * k.w); })}});
+       .near_misses = {along(R"($r\dot\theta\,\mathbf k$)",
+                             [](const auto& k) { return values(k.r * k.w, k.r * k.w); })}});
   const auto turned = [](double sign) {
-    return [=](K k) {
-      const Value v = k.parts(k.r_dot, k.r * k.w), last = k.parts(k.r * k.w * k.h, sign * -k.r_dot * k.h);
+    return [=](const auto& k) {
+      const auto v = k.parts(k.r_dot, k.r * k.w), last = k.parts(k.r * k.w * k.h, sign * -k.r_dot * k.h);
       return values(v[1] * k.h, -v[0] * k.h, last[0], last[1]);
     };
   };
-  claims.formula(
+  table.formula(
       "v_cross_c0", 1245,
       R"($\mathbf v\times\mathbf c_0=(\dot r\mathbf R+r\dot\theta\mathbf P)\times(r^2\dot\theta)\mathbf k=)"
       R"((r^2\dot r\dot\theta)\mathbf R\times\mathbf k+(r^3\dot\theta^2)\mathbf P\times\mathbf k=)"
       R"(-(r^2\dot r\dot\theta)\mathbf P+(r^3\dot\theta^2)\mathbf R$)",
       moments,
       {.truth = along(R"($\mathbf v\times\mathbf c_0$ in Cartesian coordinates)",
-                      [](K k) {
-                        const double h = k.x * k.vy - k.y * k.vx;
+                      [](const auto& k) {
+                        const auto h = k.x * k.vy - k.y * k.vx;
                         return values(k.vy * h, -k.vx * h, k.vy * h, -k.vx * h);
                       }),
        .printed = along("the product of the polar forms, and the last form", turned(1)),
@@ -1202,13 +1231,15 @@ std::vector<Claim> claims(double seed) {
   std::vector<Moment> moments;
   for (const Later& k : all) moments.push_back(k.now);
   Claims claims("3.3");
+  Table table(claims);
   motion_in_a_plane(claims, all, seed);
-  equations_of_motion(claims, moments);
-  equation_of_the_potential(claims, moments);
+  equations_of_motion(table, moments);
+  singularity(claims, moments);
+  equation_of_the_potential(table, moments);
   constants_of_motion(claims, all);
   any_start(claims, seed);
   momentum(claims, all);
-  moments_of_the_velocity(claims, moments);
+  moments_of_the_velocity(table, moments);
   polar_orbit(claims, all, seed);
   return claims.in_order();
 }
@@ -1235,4 +1266,57 @@ std::vector<Root> roots() {
       {"the axis for its half", "The Earth's year comes out at 1033 days."}};
 }
 
+/// The distance as one letter, and the angle's cosine and sine by it; the rate on a circle as another.
+constexpr const char* by_distance = R"(
+  rename H1 into off_center;
+  rewrite ?(cos_atan2 y x off_center), ?(sin_atan2 y x off_center);
+  pose proof (sqrt_lt_R0 _ off_center) as far;
+  assert (root : sqrt (x * x + y * y) * sqrt (x * x + y * y) = x * x + y * y) by (apply sqrt_sqrt; lra);
+  remember (sqrt (x * x + y * y)) as r eqn:is_r;
+  replace (r * (x / r)) with x by (field; lra); replace (r * (y / r)) with y by (field; lra);
+  rewrite <- ?is_r; clear is_r;
+  assert (up : y * y = r * r - x * x) by lra;
+  assert (pull : G * M > 0 /\ r * r * r > 0) by (split; repeat apply Rmult_lt_0_compat; lra);
+  try (match goal with |- context [sqrt ?q] =>
+    assert (turns : q > 0) by (first [apply Rdiv_lt_0_compat | apply Rmult_lt_0_compat]; lra);
+    pose proof (sqrt_lt_R0 _ turns); pose proof (sqrt_sqrt _ (Rlt_le _ _ turns)) as square;
+    set (w := sqrt q) in *; clearbody w;
+    first [replace G with (w * w * (r * r * r) / M) by (rewrite square; field; lra)
+          | replace G with (w * w / (M * r)) by (rewrite square; field; lra)] end);
+  field [up]; repeat split; nra)";
+
+constexpr const char* by_bounds = "rewrite ?cos_atan2, ?sin_atan2 by interval; interval";
+
+Provables proofs() {
+  Claims claims("3.3");
+  Table table(claims);
+  equations_of_motion(table, {});
+  equation_of_the_potential(table, {});
+  moments_of_the_velocity(table, {});
+  const std::vector<std::string> names{"G", "M", "m", "x", "y", "vx", "vy", "px", "py"};
+  ForAll<MomentOf> all{.any = lettered<MomentOf>(names),
+                       .letters = quantified(names),
+                       .tactic = by_distance,
+                       .says = "it holds at any moment of any orbit"};
+  const auto& k = all.any;
+  all.given = {above(k.G.expression(), 0), above(k.M.expression(), 0),
+               above((k.x * k.x + k.y * k.y).expression(), 0),
+               not_zero((k.x * k.vy - k.y * k.vx).expression())};
+  double x = 0;
+  for (double* letter : all.example.letters()) *letter = x += 0.25;
+  Provables proved = table.proofs("3.3", all);
+  for (Provable& p : proved) {
+    p.preamble = std::string(root_in_coq) + atan2_in_coq;
+    for (Lemma& lemma : p.lemmas)
+      if (lemma.tactic == "interval") lemma.tactic = by_bounds;
+  }
+  return proved;
+}
+
 }  // namespace oddity::kepler
+
+namespace oddity {
+
+Provables proofs_3_3() { return kepler::proofs(); }
+
+}  // namespace oddity
