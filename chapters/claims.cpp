@@ -61,6 +61,9 @@ Claims& Claims::add(std::string_view slug, int line, std::string says, Claim par
 }
 
 std::vector<Claim> Claims::in_order() const {
+  std::string differences;
+  for (const std::string& one : differences_) differences += (differences.empty() ? "" : "; ") + one;
+  if (!differences.empty()) throw std::logic_error(differences);
   std::vector<Claim> sorted = claims_;
   std::ranges::stable_sort(sorted, {}, &Claim::line);
   return sorted;

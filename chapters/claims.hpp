@@ -9,6 +9,7 @@
 
 #include "chapters/exercise.hpp"
 #include "chapters/random.hpp"
+#include "chapters/typeset.hpp"
 
 /// How an exercise states its claims: as formulas, as statements and as numbers, each reading beside what it
 /// computes. A sample is a struct of the exercise's letters:
@@ -21,6 +22,9 @@
 ///                                          the largest value
 ///   whole                                  a static constant, where all is in whole numbers that a double
 ///                                          holds: they have to be equal
+///   typeset() -> TypesetLetters            its letters as a page has them: a reading whose text is a formula
+///   of these is
+///                                          then computed as it is typeset, too, and has to be the same
 ///   tolerance(double size) -> Tolerance    where its numbers are no better than what made them, such as a
 ///                                          quadrature: what they may differ by, for terms of this size
 namespace oddity {
@@ -129,6 +133,19 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
   return worst.check();
 }
 
+/// The formula's text beside what it computes.
+template <class Sample>
+Typesetting compare_typeset(const Formula<Sample>& formula, const std::vector<Sample>& samples) {
+  if constexpr (requires(const Sample& s) { s.typeset(); }) {
+    constexpr std::size_t enough = 8;
+    std::vector<std::pair<TypesetLetters, Value>> computed;
+    for (std::size_t i = 0; i < std::min(enough, samples.size()); ++i)
+      computed.emplace_back(samples[i].typeset(), formula.of(samples[i]));
+    return compare_typeset(formula.text, computed);
+  }
+  return {};
+}
+
 /// What a claim about a formula consists of: the same quantity by a route of its own, the readings, and
 /// formulas that must not pass for it.
 template <class Sample>
@@ -212,7 +229,9 @@ class Claims {
     const std::string quantity = parts.quantity.empty() ? says : parts.quantity;
     return judged(slug, line, std::move(says), parts, [&](const Formula<Sample>& formula) -> Reading {
       if (!formula.of) return {};
-      return {formula.text, {compare(quantity, formula, parts.truth, samples)}};
+      const Typesetting typeset = compare_typeset(formula, samples);
+      if (!typeset.difference.empty()) differences_.push_back(std::string(slug) + ": " + typeset.difference);
+      return {formula.text, {compare(quantity, formula, parts.truth, samples)}, typeset.read};
     });
   }
 
@@ -230,7 +249,8 @@ class Claims {
   /// Any other claim: readings with checks of their own. Its id and its exercise are the table's.
   Claims& add(std::string_view slug, int line, std::string says, Claim parts);
 
-  /// All, in the order of their lines.
+  /// All, in the order of their lines. Throws std::logic_error where a formula is typeset that is not what is
+  /// computed.
   std::vector<Claim> in_order() const;
 
  private:
@@ -248,6 +268,7 @@ class Claims {
 
   std::string exercise_;
   std::vector<Claim> claims_;
+  std::vector<std::string> differences_;
 };
 
 }  // namespace oddity

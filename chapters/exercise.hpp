@@ -148,6 +148,7 @@ class WorstSample {
 struct Reading {
   std::string text;
   std::vector<Check> checks;
+  bool as_typeset = false;  ///< the text, a formula, has been read and computed, and is what the checks have
 
   bool holds() const;  ///< false when there is no check
 };

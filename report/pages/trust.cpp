@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "chapters/typeset.hpp"
 #include "reference/text.hpp"
 #include "report/pages/markup.hpp"
 #include "report/study/findings.hpp"
@@ -86,6 +87,18 @@ Parts claims_by_standing(const Results& results, const Standings& standings) {
   return parts;
 }
 
+/// Of the readings that are one formula, those that have been read, and are what is computed.
+Part formulas_as_typeset(const Results& results) {
+  long formulas = 0, read = 0;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims)
+      for_each_reading(c.claim, [&](const std::string&, const Reading& reading) {
+        formulas += is_formula(reading.text);
+        read += reading.as_typeset;
+      });
+  return {"as typeset", {"formulas of claims", read, formulas}, "a reader of TeX, at samples"};
+}
+
 // ---- records ----------------------------------------------------------------------------------------------
 
 Parts values_by_bound(const Bounds& bounds) {
@@ -151,6 +164,7 @@ Part faults_survived(const std::vector<Faulted>& record) {
 Parts parts_of(const Results& results, const Trust& trust) {
   Parts parts = claims_by_standing(results, trust.standings);
   for (Part& part : values_by_bound(trust.bounds)) parts.push_back(std::move(part));
+  parts.push_back(formulas_as_typeset(results));
   parts.push_back(errata_witnessed(results, trust.witnessed));
   parts.push_back(mutants_killed(trust.mutated));
   parts.push_back(inputs_survived(trust.fuzzed));

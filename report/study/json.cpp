@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 5;
+constexpr int format = 6;
 
 void require(bool holds, const char* otherwise) {
   if (!holds) throw std::runtime_error(otherwise);
@@ -81,22 +81,13 @@ Check check(const Json& json) {
           number(json.at("scale")), json.at("where")};
 }
 
-/// The readings of a claim under their names; near misses are numbered.
-template <class C, class F>
-void for_each_reading(C& claim, const F& f) {
-  f("printed", claim.printed);
-  f("meant", claim.meant);
-  f("corrected", claim.corrected);
-  for (std::size_t i = 0; i < claim.near_misses.size(); ++i)
-    f("near miss " + std::to_string(i + 1), claim.near_misses[i]);
-}
-
 Json from(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
-  Json readings = Json::object(), checks = Json::array();
+  Json readings = Json::object(), checks = Json::array(), as_typeset = Json::array();
   for_each_reading(claim, [&](const std::string& name, const Reading& reading) {
     if (reading.checks.empty()) return;
     readings[name] = reading.text;
+    if (reading.as_typeset) as_typeset.push_back(name);
     for (const Check& c : reading.checks) checks.push_back(from(c, name));
   });
   return {{"id", claim.id},
@@ -108,6 +99,7 @@ Json from(const JudgedClaim& judged) {
           {"kind", name_of(claim.kind)},
           {"root", claim.root},
           {"readings", readings},
+          {"as_typeset", as_typeset},
           {"checks", checks}};
 }
 JudgedClaim claim(const Json& json) {
@@ -123,6 +115,7 @@ JudgedClaim claim(const Json& json) {
   for_each_reading(judged.claim, [&](const std::string& name, Reading& reading) {
     if (!json.at("readings").contains(name)) return;
     reading.text = json.at("readings").at(name);
+    for (const Json& read : json.at("as_typeset")) reading.as_typeset = reading.as_typeset || read == name;
     for (const Json& c : json.at("checks"))
       if (c.at("reading") == name) reading.checks.push_back(check(c));
   });

@@ -20,6 +20,16 @@ struct JudgedClaim {
   Verdict verdict = Verdict::unsettled;
 };
 
+/// The readings of a claim under their names; near misses are numbered.
+template <class C, class F>
+void for_each_reading(C& claim, const F& f) {
+  f("printed", claim.printed);
+  f("meant", claim.meant);
+  f("corrected", claim.corrected);
+  for (std::size_t i = 0; i < claim.near_misses.size(); ++i)
+    f("near miss " + std::to_string(i + 1), claim.near_misses[i]);
+}
+
 /// How long something takes: the median of several batches, and half their interquartile range.
 struct Time {
   double seconds = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed

@@ -128,6 +128,7 @@ struct SampleOf {
   T t;
   int of = after;  ///< the piece, where t is a letter
   std::array<T*, 1> letters() { return {&t}; }
+  TypesetLetters typeset() const { return {{"t", t}}; }
   std::string where() const { return "$t$ = " + format_shortest(t); }
   int side() const {
     if constexpr (std::same_as<T, double>)

@@ -21,6 +21,10 @@ template <class T>
 struct SampleOf {
   T t;
   std::array<T*, 1> letters() { return {&t}; }
+  TypesetLetters typeset() const {
+    const T u = t / std::sqrt(1 + t * t);
+    return {{"t", t}, {"u", u}, {R"(\phi)", std::acos(u)}, {R"(\dot\phi)", -1 / (1 + t * t)}};
+  }
   std::string where() const { return "$t$ = " + format_shortest(t); }
 };
 using Sample = SampleOf<double>;

@@ -84,6 +84,10 @@ struct OnCylinderOf {
   std::string where() const {
     return "$R$ = " + format_significant(R, 4) + ", $t$ = " + format_significant(t, 4);
   }
+  TypesetLetters typeset() const {
+    return {{"R", R}, {"t", t}, {"P", P},      {"D", D},      {"U", U},     {"V", V},
+            {"X", X}, {"Y", Y}, {"y_1", y1()}, {"y_2", y2()}, {"y_3", y3()}};
+  }
   T y1() const { return dot(U, Y); }
   T y2() const { return dot(V, Y); }
   T y3() const { return dot(D, Y); }
@@ -114,6 +118,11 @@ struct OnChuteOf {
   T theta() const { return asin(chute.H / chute.L); }
   std::array<T*, 12> letters() {
     return {&chute.R, &chute.L, &chute.H, &g, &x1, &x2, &x3, &v1, &v2, &k, &phi, &way};
+  }
+  TypesetLetters typeset() const {
+    return {{"R", chute.R}, {"L", chute.L}, {"H", chute.H}, {R"(\theta)", theta()}, {"g", g},
+            {"x_1", x1},    {"x_2", x2},    {"x_3", x3},    {R"(\dot x_1)", v1},    {R"(\dot x_2)", v2},
+            {"k", k},       {"d_1", d1()},  {"d_3", d3()},  {"p_3", p3()}};
   }
   std::string where() const {
     return R"($\theta$ = )" + format_significant(theta(), 4) + ", $R$ = " + format_significant(chute.R, 4) +
@@ -326,13 +335,14 @@ void axis(ChuteTable& table, const std::vector<OnChute>& samples) {
               return sqrt(dot(w, w));
             }};
   };
-  table.formula(
-      "axis_point", 1631, "the height at which the axis passes above the origin, $R$ from it", samples,
-      {.quantity = R"(the origin's distance $|(0,0,p_3)\times D|$ from the axis)",
-       .truth = {"$R$", [](const auto& s) { return s.chute.R; }},
-       .printed = passing(R"($R/\cos\theta$)", [](const auto& s) { return s.p3(); }),
-       .near_misses = {passing(R"($R\cos\theta$)", [](const auto& s) { return s.chute.R * s.cosine(); }),
-                       passing("$R$", [](const auto& s) { return s.chute.R; })}});
+  table.formula("axis_point", 1631, "the height at which the axis passes above the origin, $R$ from it",
+                samples,
+                {.quantity = R"(the origin's distance $|(0,0,p_3)\times D|$ from the axis)",
+                 .truth = {"$R$", [](const auto& s) { return s.chute.R; }},
+                 .printed = passing(R"(at $p_3=R/\cos\theta$)", [](const auto& s) { return s.p3(); }),
+                 .near_misses = {
+                     passing(R"(at $p_3=R\cos\theta$)", [](const auto& s) { return s.chute.R * s.cosine(); }),
+                     passing("at $p_3=R$", [](const auto& s) { return s.chute.R; })}});
 }
 
 // ---- the cylinder solved for x3 ---------------------------------------------------------------------------
@@ -405,7 +415,7 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
       "two_roots", 1647, bracket + " on the two halves of the cylinder", samples,
       {.truth = {"points of the lower half and of the upper, turned about the axis",
                  [](const auto& s) { return values(s.bracket(s.on_it()), s.bracket(s.on_it(true))); }},
-       .printed = {R"($+\sqrt{R^2-x_2^2}$ and $-\sqrt{R^2-x_2^2}$)", roots(-1)},
+       .printed = {R"($+\sqrt{R^2-x_2^2}$ and $-\sqrt{R^2-x_2^2}$ there)", roots(-1)},
        .near_misses = {{R"($+\sqrt{R^2-x_2^2}$ on both)", roots(1)}}});
   const auto at_zero = [](std::string text, double height) -> Form {
     return {std::move(text), [=]<class T>(const OnChuteOf<T>& s) {
@@ -445,8 +455,8 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
   table.formula("chute", 1655, bracket + " on the chute", samples,
                 {.truth = {"points of the lower half, turned about the axis",
                            [](const auto& s) { return s.bracket(s.on_it()); }},
-                 .printed = {R"($+\sqrt{R^2-x_2^2}$)", on_half(1)},
-                 .near_misses = {{R"($-\sqrt{R^2-x_2^2}$)", on_half(-1)}}});
+                 .printed = {R"($+\sqrt{R^2-x_2^2}$ there)", on_half(1)},
+                 .near_misses = {{R"($-\sqrt{R^2-x_2^2}$ there)", on_half(-1)}}});
   const Form x3{"$x_3$ of a point turned about the axis", [](const auto& s) { return s.on_it()[2]; }};
   const auto from_axis = [](double sign) {
     return [=](const auto& s) {
@@ -456,8 +466,8 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
   };
   table.formula("solved", 1659, "$x_3$ on the chute by $d_1$, $d_3$ and $p_3$", samples,
                 {.truth = x3,
-                 .printed = {R"($p_3+(d_3x_1+\sqrt{R^2-x_2^2})/d_1$)", from_axis(1)},
-                 .near_misses = {{R"($p_3+(-d_3x_1+\sqrt{R^2-x_2^2})/d_1$)", from_axis(-1)}}});
+                 .printed = {R"($p_3+(d_3x_1+\sqrt{R^2-x_2^2})/d_1$ there)", from_axis(1)},
+                 .near_misses = {{R"($p_3+(-d_3x_1+\sqrt{R^2-x_2^2})/d_1$ there)", from_axis(-1)}}});
   const auto height = [](double fall, double depth) {
     return [=](const auto& s) {
       const auto x = s.on_it();
@@ -467,9 +477,9 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
   };
   table.formula("height", 1663, "the height $h(x_1,x_2)$ of the chute", samples,
                 {.truth = x3,
-                 .printed = {R"($(LR-Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(-1, -1)},
-                 .near_misses = {{R"($(LR+Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(1, -1)},
-                                 {R"($(LR-Hx_1+L\sqrt{R^2-x_2^2})/(L\cos\theta)$)", height(-1, 1)}}});
+                 .printed = {R"($(LR-Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$ there)", height(-1, -1)},
+                 .near_misses = {{R"($(LR+Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$ there)", height(1, -1)},
+                                 {R"($(LR-Hx_1+L\sqrt{R^2-x_2^2})/(L\cos\theta)$ there)", height(-1, 1)}}});
 }
 
 // ---- the height's derivatives -----------------------------------------------------------------------------

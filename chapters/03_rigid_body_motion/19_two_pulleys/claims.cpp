@@ -41,16 +41,32 @@ struct SampleOf {
                          2 * p.c2 * (abs(p.K2) + p.L2 + abs(q[1]) + 2 * abs(q[0]));
     return floor + mass * (speed * speed + abs(a[0]) + abs(a[1])) + pulls * (1 + mass / std::min(p.m2, p.m3));
   }
-  std::string where() const {
-    const std::pair<std::string_view, double> all[] = {
-        {"m_2", p.m2}, {"m_3", p.m3}, {"I_1", p.I1}, {"I_2", p.I2}, {"R_1", p.R1},
-        {"R_2", p.R2}, {"c_1", p.c1}, {"c_2", p.c2}, {"L_1", p.L1}, {"L_2", p.L2},
-        {"K_1", p.K1}, {"K_2", p.K2}, {"g", p.g},    {"y_2", q[0]}, {"y_3", q[1]}};
-    std::string text;
-    for (const auto& [letter, value] : all)
-      text += (text.empty() ? "$" : ", $") + std::string(letter) + "$ = " + format_shortest(value);
-    return text;
+  TypesetLetters typeset() const {
+    const Two<T> s = springs(q);
+    return {{"m_2", p.m2},
+            {"m_3", p.m3},
+            {"I_1", p.I1},
+            {"I_2", p.I2},
+            {"R_1", p.R1},
+            {"R_2", p.R2},
+            {"c_1", p.c1},
+            {"c_2", p.c2},
+            {"L_1", p.L1},
+            {"L_2", p.L2},
+            {"K_1", p.K1},
+            {"K_2", p.K2},
+            {"g", p.g},
+            {"y_2", q[0]},
+            {"y_3", q[1]},
+            {R"(\dot y_2)", v[0]},
+            {R"(\dot y_3)", v[1]},
+            {R"(\ddot y_2)", a[0]},
+            {R"(\ddot y_3)", a[1]},
+            {"S_1", s[0]},
+            {"S_2", s[1]},
+            {R"(\Delta)", delta}};
   }
+  std::string where() const { return told(typeset(), 15); }
 
   /// The springs between floor and rope, from the ropes' lengths alone.
   template <class X>
@@ -358,8 +374,8 @@ void forces(Claims& claims, Table& table, const Samples& samples) {
                    return stretched.forces()[0] - free.forces()[0];
                  },
                  &Sample::size},
-       .printed = {"$-c_1(S_1-L_1)$", pull(1)},
-       .near_misses = {{"$+c_1(S_1-L_1)$", pull(-1)}}});
+       .printed = {"a pull of $-c_1(S_1-L_1)$", pull(1)},
+       .near_misses = {{"a pull of $+c_1(S_1-L_1)$", pull(-1)}}});
   table.formula(
       "force_on_pulley", 2517, "gravity and the first spring are all that acts on the small pulley", samples,
       {.quantity = "the force on the small pulley",
@@ -390,8 +406,8 @@ void forces(Claims& claims, Table& table, const Samples& samples) {
        .truth = {R"($m_3\ddot y_3$ by Lagrange's equations)",
                  [](const auto& s) { return s.p.m3 * s.by_lagrange()[1]; }, &Sample::size},
        .printed = {"$m_3g-c_2(S_2-L_2)$", on_mass(0)},
-       .corrected = {R"($m_3g-c_2(S_2-L_2)-(I_2/R_2^2)(\ddot y_3-\ddot y_2)$)", on_mass(-1)},
-       .near_misses = {{R"($m_3g-c_2(S_2-L_2)+(I_2/R_2^2)(\ddot y_3-\ddot y_2)$)", on_mass(1)}},
+       .corrected = {R"($m_3g-c_2(S_2-L_2)-(I_2/R_2^2)(\ddot y_3-\ddot y_2)$ of its motion)", on_mass(-1)},
+       .near_misses = {{R"($m_3g-c_2(S_2-L_2)+(I_2/R_2^2)(\ddot y_3-\ddot y_2)$ of its motion)", on_mass(1)}},
        .kind = Fault::left_out,
        .root = "the small pulley's inertia",
        .why = R"(The pulley between spring and mass has inertia: the rope pulls the mass with )"

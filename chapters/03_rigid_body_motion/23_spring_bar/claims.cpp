@@ -28,6 +28,18 @@ struct SampleOf {
 
   std::array<T*, 10> letters() { return {&m, &r, &s, &c, &h, &g, &ell, &q, &v, &a}; }
   double size() const { return m * g * r + c * (s + h + ell) * (s + h + ell) + m * r * r * (v * v + abs(a)); }
+  TypesetLetters typeset() const {
+    return {{"m", m},
+            {"r", r},
+            {"s", s},
+            {"c", c},
+            {"h", h},
+            {"g", g},
+            {R"(\ell)", ell},
+            {R"(\theta)", q},
+            {R"(\dot\theta)", v},
+            {R"(\ddot\theta)", a}};
+  }
   std::string where() const {
     return R"($m,r,s,c,h,g,\ell$ = )" + format_significant(m, 4) + ", " + format_significant(r, 4) + ", " +
            format_significant(s, 4) + ", " + format_significant(c, 4) + ", " + format_significant(h, 4) +

@@ -29,6 +29,10 @@ struct Counts {
   Cost forward_and_back = {};
 
   static constexpr bool whole = true;
+  /// Prices are vectors of what is counted.
+  TypesetLetters typeset() const {
+    return {{"n", n}, {R"(\mu)", {1, 0, 0}}, {R"(\alpha)", {0, 1, 0}}, {R"(\delta)", {0, 0, 1}}};
+  }
   std::string where() const { return "$n$ = " + format_shortest(n); }
   Cost total() const { return full + division; }
   Cost excess() const { return total() - forward_and_back; }

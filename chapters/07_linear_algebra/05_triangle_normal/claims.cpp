@@ -32,12 +32,8 @@ struct EdgesOf {
   /// u and v, in whole numbers.
   bool independent() const { return gram_determinant(cast<Whole>(u), cast<Whole>(v)) != 0; }
   double size() const { return 1 + dot(u, u) + dot(v, v) + dot(w, w); }
-  std::string where() const {
-    const auto shown = [](const Vector3<double>& x) {
-      return "(" + format_shortest(x[0]) + ", " + format_shortest(x[1]) + ", " + format_shortest(x[2]) + ")";
-    };
-    return "$u$ = " + shown(u) + ", $v$ = " + shown(v) + ", $w$ = " + shown(w);
-  }
+  TypesetLetters typeset() const { return {{"u", u}, {"v", v}, {"w", w}}; }
+  std::string where() const { return told(typeset(), 3); }
 };
 
 namespace {

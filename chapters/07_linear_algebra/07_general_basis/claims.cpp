@@ -29,13 +29,10 @@ struct Letters {
 struct Planted : Letters<double> {
   static constexpr bool whole = true;
 
-  std::string where() const {
-    std::string all;
-    for (const auto& [name, a] : {std::pair{"u", u}, {"v", v}, {"w", w}, {"p", p}})
-      all += (all.empty() ? "$" : ", $") + std::string(name) + "$ = (" + format_shortest(a[0]) + ", " +
-             format_shortest(a[1]) + ", " + format_shortest(a[2]) + ")";
-    return all;
+  TypesetLetters typeset() const {
+    return {{"u", u}, {"v", v}, {"w", w}, {"p", p}, {"x", x}, {"y", y}, {"z", z}};
   }
+  std::string where() const { return told(typeset(), 4); }
 };
 
 /// Every fifth basis is nearly dependent; `dual`: p = x u x v + y v x w + z w x u.
