@@ -147,6 +147,7 @@ class Reader {
   }
 
   Value sum_of_terms() {
+    while (take(R"(\,)")) continue;
     const bool negative = take("-");
     if (!negative) take("+");
     Value total = dot_products();
@@ -368,7 +369,7 @@ Typesetting compare_typeset(const std::string& text,
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!all[i] || (all[i]->size() != value.size() && !is_zero(*all[i])))
         sides[i] = Side::unread;
-      else if (finite(value) && size_of(sum(*all[i], value, -1)) > roundings * largest &&
+      else if (finite(value) && !(size_of(sum(*all[i], value, -1)) <= roundings * largest) &&
                sides[i] == Side::same) {
         sides[i] = Side::other;
         seen = written(*all[i]) + ", and " + written(value) + " is computed";

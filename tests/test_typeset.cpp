@@ -56,7 +56,9 @@ TEST_CASE("vectors have their own products", "[typeset]") {
   CHECK(number(R"(m\,u\cdot u)") == 2);
   CHECK(number(R"(|\mathbf r|)") == 3);
   CHECK(distance(*typeset_value("(1,m,0)/m", letters), {0.5, 1, 0}) == 0);
+  CHECK(distance(*typeset_value(R"((1,\,-m,\ 0))", letters), {1, -2, 0}) == 0);
   CHECK(distance(*typeset_value("2u+v", letters), {2, 1, 0}) == 0);
+  CHECK(distance(*typeset_value("0+v", letters), {0, 1, 0}) == 0);
   CHECK(unread("uv"));
   CHECK(unread("u+m"));
 }

@@ -16,10 +16,11 @@ struct SampleOf : MotionOf<G> {
   int k = 0;
   std::array<G*, 3> letters() { return {&this->r, &this->w, &this->T}; }
   double size() const { return abs(this->r) * (10 + abs(this->x())); }  // of the work of a turn
-  std::string where() const {
-    return "$r$ = " + format_shortest(this->r) + R"(, $\omega$ = )" + format_shortest(this->w) +
-           ", $T$ = " + format_shortest(this->T);
+  TypesetLetters typeset() const {
+    return {{"r", this->r}, {R"(\omega)", this->w}, {"T", this->T},
+            {"t", this->T}, {"x", this->x()},       {"k", static_cast<double>(k)}};
   }
+  std::string where() const { return told(typeset(), 3); }
 };
 
 namespace {
@@ -186,7 +187,7 @@ void formulas(Table& table, const Samples& samples) {
         {R"($r(\cos\omega t-\sin\omega t)$)", wave(0, 0, 1, -1)}});
   line("antiderivative", 815,
        {R"($r(\cos\omega t+\sin\omega t)$ has the derivative $F\cdot v$)", primitive(1)}, power_1,
-       {{R"($r(\cos\omega t-\sin\omega t)$)", primitive(-1)}});
+       {{R"($r(\cos\omega t-\sin\omega t)$ has it)", primitive(-1)}});
   line("work", 815, {R"($W(T)=r(\cos\omega T+\sin\omega T-1)$)", wave(0, 0, 1, 1, -1)}, work_1,
        {{R"($r(\cos\omega T+\sin\omega T)$)", wave(0, 0, 1, 1)},
         {R"($r\omega(\cos\omega T+\sin\omega T-1)$)", wave(1, 0, 1, 1, -1)}});

@@ -28,6 +28,14 @@ struct PointOf : EllipseOf<T> {
   double s;
 
   std::array<T*, 5> letters() { return {&e, &rho, &r, &x, &y}; }
+  TypesetLetters typeset() const {
+    const T a = e * rho / (1 - e * e);
+    return {{"e", e},    {R"(\rho)", rho},
+            {"r", r},    {"x", x},
+            {"y", y},    {R"(\theta)", std::atan2(y, x)},
+            {"a", a},    {"b", a * sqrt(1 - e * e)},
+            {"c", a * e}};
+  }
   std::string where() const {
     return "$e$ = " + format_shortest(e) + R"(, $\rho$ = )" + format_shortest(rho) +
            ", $x$ = " + format_shortest(x) + ", $y$ = " + format_shortest(y) +

@@ -56,10 +56,10 @@ struct SampleOf {
         v(random.magnitude(0.01, 3)),
         a(random.magnitude(0.01, 3)) {}
   std::array<T*, 5> letters() { return {&m, &g, &q, &v, &a}; }
-  std::string where() const {
-    return "$m$ = " + format_shortest(m) + ", $g$ = " + format_shortest(g) + ", $q$ = " + format_shortest(q) +
-           R"(, $\dot q$ = )" + format_shortest(v) + R"(, $\ddot q$ = )" + format_shortest(a);
+  TypesetLetters typeset() const {
+    return {{"m", m}, {"g", g}, {"q", q}, {R"(\dot q)", v}, {R"(\ddot q)", a}, {R"(\dot x)", velocity(q, v)}};
   }
+  std::string where() const { return told(typeset(), 5); }
   KineticEnergy<T> kinetic() const { return {m}; }
   Lagrangian<T> lagrangian() const { return {m, g}; }
   T bend() const { return 2 * q + 9 * q * q * q; }

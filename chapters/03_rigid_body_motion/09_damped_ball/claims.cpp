@@ -39,6 +39,9 @@ struct AnywhereOf {
     x1 = x[0], x2 = x[1], v1 = v[0], v2 = v[1];
   }
   std::array<T*, 7> letters() { return {&m, &c, &a, &x1, &x2, &v1, &v2}; }
+  TypesetLetters typeset() const {
+    return {{"m", m}, {"c", c}, {"a", a}, {"x", {x1, x2}}, {R"(\dot x)", {v1, v2}}};
+  }
   std::string where() const { return "$a$ = " + format_significant(a, 4); }
   /// m x'' from the two energies.
   std::array<T, 2> derived() const {
@@ -86,6 +89,16 @@ struct Coordinate {
         a(2 * sqrt(m * c) * random.between(least, most)),
         t(random.between(0.1, 5)) {}
   std::array<T*, 6> letters() { return {&m, &c, &a, &p, &v, &t}; }
+  TypesetLetters typeset() const {
+    return {{"m", m},
+            {"c", c},
+            {"a", a},
+            {"p", p},
+            {"v", v},
+            {"t", t},
+            {R"(\alpha)", -a / (2 * m)},
+            {R"(\beta)", sqrt(4 * m * c - a * a) / (2 * m)}};
+  }
   std::string where() const {
     return "$m$ = " + format_significant(m, 4) + ", $c$ = " + format_significant(c, 4) +
            ", $a$ = " + format_significant(a, 4) + ", $t$ = " + format_significant(t, 4);

@@ -88,6 +88,23 @@ struct SampleOf {
         A(random.magnitude(0.1, 5)),
         t(random.between(-5, 5)) {}
   std::array<T*, 11> letters() { return {&m, &a, &b, &c, &K, &w, &ell, &s, &v, &A, &t}; }
+  TypesetLetters typeset() const {
+    const SpaceOf<T> D{cos(w * t) / root2(), sin(w * t) / root2(), 1 / root2()};
+    const SpaceOf<T> D_dot{-w * sin(w * t) / root2(), w * cos(w * t) / root2(), 0};
+    return {{"m", m},
+            {"a", a},
+            {"b", b},
+            {"c", c},
+            {"K", K},
+            {R"(\omega)", w},
+            {R"(\ell)", ell},
+            {R"(\lambda)", s},
+            {R"(\dot\lambda)", v},
+            {R"(\ddot\lambda)", A},
+            {"t", t},
+            {"D", D},
+            {R"(\dot D)", D_dot}};
+  }
   std::string where() const {
     return "$c$ = " + format_shortest(c) + ", $w$ = " + format_shortest(w) + R"(, $\ell$ = )" +
            format_shortest(ell) + ", $s$ = " + format_shortest(s) + R"(, $\dot s$ = )" + format_shortest(v) +
