@@ -8,7 +8,8 @@
 #include <complex>
 #include <numbers>
 
-#include "chapters/claims.hpp"
+#include "chapters/numbers.hpp"
+#include "chapters/provable_claims.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
 #include "solvers/counted.hpp"
@@ -43,98 +44,181 @@ Solved<Eigen::VectorXd> elimination_on_turned_axes(const Vector2d& vector, doubl
   const Complex v1 = std::polar(1.0, angle), v2 = v1 * Complex(0, 1);
   return solve(Factorization::partial_pivot_lu, rows(v1.real(), v2.real(), v1.imag(), v2.imag()), vector);
 }
-Vector2d on_turned_axes(const Vector2d& point, const Vector2d& origin, double angle) {
-  return elimination_on_turned_axes(point - origin, angle).value;
-}
 
 // ---- claims -----------------------------------------------------------------------------------------------
 
-/// A point, and two frames whose origins differ by as much as the claim says of `offset`.
-struct Frames {
-  double largest;
-  Vector2d origin, offset, a;
+template <class T>
+using Vector2 = Eigen::Matrix<T, 2, 1>;
+template <class T>
+using Matrix2 = Eigen::Matrix<T, 2, 2>;
 
-  explicit Frames(Random& random) : largest(std::abs(random.magnitude(1e-3, 1e3))) {
-    for (Vector2d* x : {&origin, &offset, &a})
-      for (int i = 0; i < 2; ++i) (*x)[i] = random.between(-largest, largest);
+template <class T>
+Matrix2<T> rows_of(double a, double b, double c, double d) {
+  Matrix2<T> m;
+  m << T(a), T(b), T(c), T(d);
+  return m;
+}
+/// As it is meant, times a number.
+template <class T>
+Matrix2<T> printed_matrix(double times = 1) {
+  return rows_of<T>(times, times, -times, times) / sqrt(T(2.0));
+}
+
+/// The columns are the axes: 1 and i turned by this share of pi.
+template <class T>
+Matrix2<T> turned_axes(double share) {
+  const T angle = pi_of<T>() * share, c = cos(angle), s = sin(angle);
+  Matrix2<T> axes;
+  axes << c, -s, s, c;
+  return axes;
+}
+/// By elimination, the first axis not being along the second coordinate.
+template <class T>
+Vector2<T> on_axes(const Matrix2<T>& axes, const Vector2<T>& vector) {
+  const T multiple = axes(1, 0) / axes(0, 0);
+  const T second = (vector[1] - multiple * vector[0]) / (axes(1, 1) - multiple * axes(0, 1));
+  return {(vector[0] - axes(0, 1) * second) / axes(0, 0), second};
+}
+
+/// A point, and two frames whose origins differ by as much as the claim says of `offset`.
+template <class T>
+struct FramesOf {
+  double largest = 0;
+  Vector2<T> origin, offset, a;
+
+  FramesOf() = default;
+  explicit FramesOf(Random& random) : largest(std::abs(random.magnitude(1e-3, 1e3))) {
+    for (T* x : letters()) *x = random.between(-largest, largest);
   }
+  std::array<T*, 6> letters() { return {&origin[0], &origin[1], &offset[0], &offset[1], &a[0], &a[1]}; }
   double size() const { return 4 * largest; }
   std::string where() const { return "size " + format_significant(largest, 3); }
 };
 
 /// The coordinates of the first frame's origin on the second's axes, the two origins `apart`.
-Formula<Frames> constants(std::string text, double apart) {
-  return {std::move(text), [=](const Frames& f) {
-            const Vector2d second = f.origin + apart * f.offset;
-            return Value(Vector2d(on_turned_axes(f.origin + f.a, second, quarter) - printed * f.a));
+ProvableFormula<FramesOf> constants(std::string text, double apart) {
+  return {std::move(text), [=]<class T>(const FramesOf<T>& f) {
+            const Vector2<T> second = f.origin + T(apart) * f.offset;
+            return Vector2<T>(on_axes<T>(turned_axes<T>(0.25), f.origin + f.a - second) -
+                              printed_matrix<T>() * f.a);
           }};
 }
 
 /// Coordinates on the first frame's axes.
-struct Point {
-  double a1, a2;
+template <class T>
+struct PointOf {
+  T a1, a2;
 
-  explicit Point(Random& random) : a1(random.magnitude(1e-3, 1e3)), a2(random.magnitude(1e-3, 1e3)) {}
-  std::array<double*, 2> letters() { return {&a1, &a2}; }
+  PointOf() = default;
+  explicit PointOf(Random& random) : a1(random.magnitude(1e-3, 1e3)), a2(random.magnitude(1e-3, 1e3)) {}
+  std::array<T*, 2> letters() { return {&a1, &a2}; }
+  Vector2<T> a() const { return {a1, a2}; }
   std::string where() const {
     return "$a$ = (" + format_significant(a1, 4) + ", " + format_significant(a2, 4) + ")";
   }
 };
 
-Formula<Point> times(std::string text, const Matrix2d& matrix) {
-  return {std::move(text), [=](const Point& p) { return Value(Vector2d(matrix * Vector2d(p.a1, p.a2))); }};
+template <class Of>
+ProvableFormula<PointOf> times(std::string text, const Of& matrix) {
+  return {std::move(text), [=]<class T>(const PointOf<T>& p) { return Vector2<T>(matrix(p) * p.a()); }};
 }
 
-/// The printed matrix against the transpose of the rotation that takes 1 to exp(i angle) and i to i exp(i
-/// angle).
-Reading transpose_of_rotation(const std::string& text, double angle) {
-  const Complex one = std::polar(1.0, angle), i = one * Complex(0, 1);
-  return {
-      text,
-      {{"entries, row by row",
-        {R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}$)",
-         Value{printed(0, 0), printed(0, 1), printed(1, 0), printed(1, 1)}},
-        {text + ": the columns of $R$ by complex numbers", Value{one.real(), one.imag(), i.real(), i.imag()}},
-        rounding(1)}}};
+/// The rotation that takes 1 to exp(i angle) and i to i exp(i angle), transposed: row by row.
+template <class T>
+std::array<T, 4> by_columns(const Matrix2<T>& m) {
+  return {m(0, 0), m(1, 0), m(0, 1), m(1, 1)};
+}
+template <class T>
+std::array<T, 4> by_rows(const Matrix2<T>& m) {
+  return {m(0, 0), m(0, 1), m(1, 0), m(1, 1)};
+}
+Reading transpose_of_rotation(const std::string& text, double share) {
+  return {text,
+          {{"entries, row by row",
+            {R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}$)", by_rows(printed_matrix<double>())},
+            {text + ": the columns of $R$ as turned axes", by_columns(turned_axes<double>(share))},
+            rounding(1)}}};
 }
 
-std::vector<Claim> claims(double seed) {
-  Claims claims("8.1");
-  claims.formula<Frames>("origin", 3977, "with equal origins $(c_1,c_2)=(0,0)$", draw<Frames>(100, seed),
-                         {.quantity = R"($(c_1,c_2)=b-R^Ta$ for a random point, $b$ by elimination)",
-                          .truth = {"$(0,0)$",
-                                    [](const Frames&) {
-                                      return Value{0, 0};
-                                    }},
-                          .printed = constants("equal origins", 0),
-                          .near_misses = {constants("origins a thousandth apart", 1e-3)}});
-  claims.formula<Point>(
-      "matrix", 3981, R"($b=1\,\sqrt2\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)", draw<Point>(100, seed),
+struct Tables {
+  ProvableClaims<FramesOf> frames;
+  ProvableClaims<PointOf> points;
+  explicit Tables(Claims& claims) : frames(claims), points(claims) {}
+};
+
+void formulas(Tables& tables, const std::vector<FramesOf<double>>& frames,
+              const std::vector<PointOf<double>>& points) {
+  tables.frames.formula(
+      "origin", 3977, "with equal origins $(c_1,c_2)=(0,0)$", frames,
+      {.quantity = R"($(c_1,c_2)=b-R^Ta$ for a random point, $b$ by elimination)",
+       .truth = {"$(0,0)$", []<class T>(const FramesOf<T>&) { return Vector2<T>(T(0.0), T(0.0)); }},
+       .printed = constants("equal origins", 0),
+       .near_misses = {constants("origins a thousandth apart", 1e-3)}});
+  tables.points.formula(
+      "matrix", 3981, R"($b=1\,\sqrt2\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)", points,
       {.quantity = "$(b_1,b_2)$",
        .truth = {R"(elimination on axes turned by $\pi/4$)",
-                 [](const Point& p) {
-                   return Value(on_turned_axes(Vector2d(p.a1, p.a2), Vector2d::Zero(), quarter));
-                 }},
-       .printed = times(R"($1\,\sqrt2\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$, a product)", 2 * printed),
-       .meant = times(R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)", printed),
+                 []<class T>(const PointOf<T>& p) { return on_axes<T>(turned_axes<T>(0.25), p.a()); }},
+       .printed = times(R"($1\,\sqrt2\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$, a product)",
+                        []<class T>(const PointOf<T>&) { return printed_matrix<T>(2); }),
+       .meant = times(R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)",
+                      []<class T>(const PointOf<T>&) { return printed_matrix<T>(); }),
        .near_misses = {times(R"($\frac1{\sqrt2}\begin{pmatrix}1&-1\\1&1\end{pmatrix}a$)",
-                             printed.transpose()),
-                       times(R"($\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)", rows(1, 1, -1, 1))},
+                             []<class T>(const PointOf<T>&) {
+                               return Matrix2<T>(printed_matrix<T>().transpose());
+                             }),
+                       times(R"($\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)",
+                             []<class T>(const PointOf<T>&) { return rows_of<T>(1, 1, -1, 1); })},
        .kind = Fault::lost_typography,
        .why =
            R"(The fraction bar is lost in the text at hand: $\tfrac1{\sqrt2}$. With the product the matrix )"
            R"(is no rotation, and every distance from the origin is doubled.)"});
+}
+
+std::vector<Claim> claims(double seed) {
+  Claims claims("8.1");
+  Tables tables(claims);
+  formulas(tables, draw<FramesOf<double>>(100, seed), draw<PointOf<double>>(100, seed));
   claims.add("transpose", 3991, R"(the matrix is $R^T$, $R$ the counterclockwise rotation by $\pi/4$)",
-             {.printed = transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/4$)", quarter),
-              .near_misses = {transpose_of_rotation(R"($R^T$, clockwise by $\pi/4$)", -quarter),
-                              transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/2$)", 2 * quarter)}});
+             {.printed = transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/4$)", 0.25),
+              .near_misses = {transpose_of_rotation(R"($R^T$, clockwise by $\pi/4$)", -0.25),
+                              transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/2$)", 0.5)}});
   return claims.in_order();
 }
 
-// ---- methods ----------------------------------------------------------------------------------------------
+/// The eighth of a turn by the root of two, a letter whose square is known.
+constexpr const char* by_root =
+    R"(replace (PI * (25 / 100)) with (PI / 4) by field; rewrite ?cos_PI4, ?sin_PI4;
+  pose proof (sqrt_lt_R0 2 ltac:(lra)); pose proof (sqrt_sqrt 2 ltac:(lra)) as square;
+  set (root := sqrt 2) in *; clearbody root; field [square]; lra)";
 
-template <class T>
-using Vector2 = Eigen::Matrix<T, 2, 1>;
+Provables proofs() {
+  Claims claims("8.1");
+  Tables tables(claims);
+  formulas(tables, {}, {});
+  const std::vector<std::string> of_frames{"o1", "o2", "d1", "d2", "a1", "a2"}, of_point{"a1", "a2"};
+  Provables proved = tables.frames.proofs("8.1", {.any = lettered<FramesOf>(of_frames),
+                                                  .letters = quantified(of_frames),
+                                                  .tactic = by_root,
+                                                  .says = "it holds of any point and any origin"});
+  ForAll<PointOf> at_any{.any = lettered<PointOf>(of_point),
+                         .letters = quantified(of_point),
+                         .tactic = by_root,
+                         .says = "it holds of any point"};
+  at_any.example.a1 = at_any.example.a2 = 1;
+  for (Provable& p : tables.points.proofs("8.1", at_any)) proved.push_back(std::move(p));
+  proved.push_back({"8.1-transpose",
+                    "it is the transpose of the rotation, entry by entry",
+                    {{"printed",
+                      "",
+                      {},
+                      equal(detail::recorded_value(by_rows(printed_matrix<Shortened>())),
+                            detail::recorded_value(by_columns(turned_axes<Shortened>(0.25)))),
+                      by_root}}});
+  return proved;
+}
+
+// ---- methods ----------------------------------------------------------------------------------------------
 
 template <class T>
 Vector2<T> polar(const Vector2<T>& a, const T& radius) {
@@ -262,6 +346,8 @@ Findings study(const Parameters& p, const Reference& truth) {
 }
 
 }  // namespace ex08_01
+
+Provables proofs_8_1() { return ex08_01::proofs(); }
 
 Exercise exercise_8_1() {
   using namespace ex08_01;

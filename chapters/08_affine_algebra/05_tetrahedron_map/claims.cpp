@@ -1,4 +1,4 @@
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include "chapters/08_affine_algebra/05_tetrahedron_map/tetrahedron_map.hpp"
 #include "reference/text.hpp"
@@ -7,23 +7,22 @@
 /// The lines of the book's derivation on random tetrahedra, coefficients by volumes.
 namespace oddity::ex08_05 {
 
-namespace {
-
-struct Sample {
-  Tetrahedron t;
-  Vector3d p;
-  Affine f;
+template <class T>
+struct SampleOf {
+  TetrahedronOf<T> t;
+  Vector<T> p;
+  AffineOf<T> f;
   double condition;
 
   /// (c1, c2, c3).
-  Vector3d c() const { return by_volumes(t, p); }
-  double c0() const {
-    return triple<double>(t.p[1] - p, t.p[2] - p, t.p[3] - p) / triple(t.edge(1), t.edge(2), t.edge(3));
+  Vector<T> c() const { return by_volumes(t, p); }
+  T c0() const {
+    return triple<T>(t.p[1] - p, t.p[2] - p, t.p[3] - p) / triple(t.edge(1), t.edge(2), t.edge(3));
   }
-  Vector3d v() const { return p - t.p[0]; }
+  Vector<T> v() const { return p - t.p[0]; }
   /// `first` times c0 for the first vertex, and c1, c2, c3 times what each of the others has.
-  auto combined(double first, const auto& of) const {
-    const Vector3d weights = c();
+  auto combined(const T& first, const auto& of) const {
+    const Vector<T> weights = c();
     auto sum = of(t.p[0]);
     sum *= first;
     for (std::size_t i = 1; i < 4; ++i) sum += weights[static_cast<long>(i) - 1] * of(t.p[i]);
@@ -39,14 +38,20 @@ struct Sample {
     return condition * sum;
   }
 
-  std::vector<double*> letters() {
-    std::vector<double*> all{&f.b};
-    for (Vector3d* x : {&t.p[0], &t.p[1], &t.p[2], &t.p[3], &p, &f.a})
+  std::vector<T*> letters() {
+    std::vector<T*> all{&f.b};
+    for (Vector<T>* x : {&t.p[0], &t.p[1], &t.p[2], &t.p[3], &p, &f.a})
       for (int i = 0; i < 3; ++i) all.push_back(&(*x)[i]);
     return all;
   }
   std::string where() const { return "condition " + format_significant(condition, 3); }
 };
+
+namespace {
+
+using Sample = SampleOf<double>;
+using OfSample = ProvableFormula<SampleOf>;
+using Table = ProvableClaims<SampleOf>;
 
 Vector3d vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
@@ -67,82 +72,88 @@ std::vector<Sample> samples(double seed, double height, double most) {
   return all;
 }
 
-Formula<Sample> sums(std::string text, double sign_of_c0) {
-  const auto point = [](const Vector3d& x) { return Eigen::Vector4d(x[0], x[1], x[2], 1); };
-  return {std::move(text), [=](const Sample& s) { return Value(s.combined(sign_of_c0 * s.c0(), point)); },
+OfSample sums(std::string text, double sign_of_c0) {
+  const auto point = []<class T>(const Vector<T>& x) {
+    return Eigen::Matrix<T, 4, 1>(x[0], x[1], x[2], T(1.0));
+  };
+  return {std::move(text), [=](const auto& s) { return s.combined(sign_of_c0 * s.c0(), point); },
           [=](const Sample& s) {
             return s.cancelling([=](const Vector3d& x) { return point(x).cwiseAbs().maxCoeff(); });
           }};
 }
 
 /// f, with or without a quadratic term.
-double bent(const Sample& s, const Vector3d& x, double bend) { return s.f(x) + bend * x.dot(x); }
+template <class T>
+T bent(const SampleOf<T>& s, const Vector<T>& x, double bend) {
+  return s.f(x) + bend * x.dot(x);
+}
 
 /// f(P) by the vertices, c0 f0 times a factor.
-Reading by_vertices(std::string text, const std::vector<Sample>& all, double with_c0, double bend) {
-  return {std::move(text),
-          {compare<Sample>("$f(P)$",
-                           {with_c0 == 0 ? "$c_1f_1+c_2f_2+c_3f_3$" : "$c_0f_0+c_1f_1+c_2f_2+c_3f_3$",
-                            [=](const Sample& s) {
-                              return s.combined(with_c0 * s.c0(),
-                                                [&](const Vector3d& x) { return bent(s, x, bend); });
-                            },
-                            [=](const Sample& s) {
-                              return s.cancelling([&](const Vector3d& x) {
-                                return s.f.a.cwiseAbs().dot(x.cwiseAbs()) + std::abs(s.f.b);
-                              });
-                            }},
-                           {"the map itself", [=](const Sample& s) { return bent(s, s.p, bend); }}, all)}};
+OfSample by_vertices(double with_c0, double bend) {
+  return {with_c0 == 0 ? "$c_1f_1+c_2f_2+c_3f_3$" : "$c_0f_0+c_1f_1+c_2f_2+c_3f_3$",
+          [=]<class T>(const SampleOf<T>& s) {
+            return s.combined(with_c0 * s.c0(), [&](const Vector<T>& x) { return bent(s, x, bend); });
+          },
+          [=](const Sample& s) {
+            return s.cancelling(
+                [&](const Vector3d& x) { return s.f.a.cwiseAbs().dot(x.cwiseAbs()) + std::abs(s.f.b); });
+          }};
+}
+OfSample the_map(double bend) {
+  return {"the map itself", [=](const auto& s) { return bent(s, s.p, bend); }};
+}
+Reading values_by_vertices(std::string text, const std::vector<Sample>& all, double with_c0, double bend) {
+  return {std::move(text), {compare<Sample>("$f(P)$", by_vertices(with_c0, bend), the_map(bend), all)}};
 }
 
 /// The system at the coefficients by volumes.
+OfSample left_sides(double off_diagonal) {
+  return {R"($\sum_j(V_i\cdot V_j)c_j$)", [=]<class T>(const SampleOf<T>& s) {
+            Eigen::Matrix<T, 3, 3> products = s.t.edges().transpose() * s.t.edges();
+            for (int i = 0; i < 3; ++i)
+              for (int j = 0; j < 3; ++j)
+                if (i != j) products(i, j) *= off_diagonal;
+            return Vector<T>(products * s.c());
+          }};
+}
+OfSample right_sides(bool from_origin) {
+  return {from_origin ? R"($V_i\cdot P$)" : R"($V_i\cdot V$)", [=]<class T>(const SampleOf<T>& s) {
+            return Vector<T>(s.t.edges().transpose() * (from_origin ? s.p : s.v()));
+          }};
+}
 Reading rows(std::string text, const std::vector<Sample>& all, double off_diagonal, bool from_origin) {
   return {std::move(text),
-          {compare<Sample>("the system's rows at ratios of volumes",
-                           {R"($\sum_j(V_i\cdot V_j)c_j$)",
-                            [=](const Sample& s) {
-                              Matrix3d products = s.t.edges().transpose() * s.t.edges();
-                              for (int i = 0; i < 3; ++i)
-                                for (int j = 0; j < 3; ++j)
-                                  if (i != j) products(i, j) *= off_diagonal;
-                              return Value(Vector3d(products * s.c()));
-                            }},
-                           {from_origin ? R"($V_i\cdot P$)" : R"($V_i\cdot V$)",
-                            [=](const Sample& s) {
-                              return Value(Vector3d(s.t.edges().transpose() * (from_origin ? s.p : s.v())));
-                            }},
-                           all)}};
+          {compare<Sample>("the system's rows at ratios of volumes", left_sides(off_diagonal),
+                           right_sides(from_origin), all)}};
 }
 
-void derivation(Claims& claims, const std::vector<Sample>& all) {
+void coefficients(Table& table, const std::vector<Sample>& all) {
+  table.formula("barycentric", 4003, "$P$ is a sum of the vertices with coefficients that add up to 1", all,
+                {.quantity = R"($\sum c_iP_i$ and $\sum c_i$, the $c_i$ ratios of volumes)",
+                 .truth = {"$P$ and 1", [](const auto& s) { return values(s.p[0], s.p[1], s.p[2], 1); }},
+                 .printed = sums(R"($P=\sum c_iP_i$, $\sum c_i=1$)", 1),
+                 .near_misses = {sums("$c_0$ of the other sign", -1)}});
+  table.formula("first_coefficient", 4011, "$c_0-1=-c_1-c_2-c_3$", all,
+                {.truth = {R"($-c_1-c_2-c_3$ by the volumes over three faces)",
+                           [](const auto& s) { return -s.c().sum(); }},
+                 .printed = {"$c_0-1$ by the volume over the face opposite to $P_0$",
+                             [](const auto& s) { return s.c0() - 1; }},
+                 .near_misses = {{"$c_0+1$", [](const auto& s) { return s.c0() + 1; }}}});
+  table.formula("edge_sum", 4013, "$V$ is a sum of the edges", all,
+                {.truth = {"$V=P-P_0$", [](const auto& s) { return s.v(); }},
+                 .printed = {"$c_1V_1+c_2V_2+c_3V_3$",
+                             []<class T>(const SampleOf<T>& s) { return Vector<T>(s.t.edges() * s.c()); }},
+                 .near_misses = {{"$c_1P_1+c_2P_2+c_3P_3$", []<class T>(const SampleOf<T>& s) {
+                                    return s.combined(T(0.0), [](const Vector<T>& x) { return x; });
+                                  }}}});
+}
+
+void map_and_system(Claims& claims, const std::vector<Sample>& all) {
   claims
-      .formula<Sample>("barycentric", 4003, "$P$ is a sum of the vertices with coefficients that add up to 1",
-                       all,
-                       {.quantity = R"($\sum c_iP_i$ and $\sum c_i$, the $c_i$ ratios of volumes)",
-                        .truth = {"$P$ and 1",
-                                  [](const Sample& s) {
-                                    return Value{s.p[0], s.p[1], s.p[2], 1};
-                                  }},
-                        .printed = sums(R"($P=\sum c_iP_i$, $\sum c_i=1$)", 1),
-                        .near_misses = {sums("$c_0$ of the other sign", -1)}})
       .add("affine", 4007, "the four values determine $f$ everywhere",
-           {.printed = by_vertices(R"($f(P)=\sum c_if_i$)", all, 1, 0),
-            .near_misses = {by_vertices("without $c_0f_0$", all, 0, 0),
-                            by_vertices("for $f$ with a quadratic term", all, 1, 1)}})
-      .formula<Sample>("first_coefficient", 4011, "$c_0-1=-c_1-c_2-c_3$", all,
-                       {.truth = {R"($-c_1-c_2-c_3$ by the volumes over three faces)",
-                                  [](const Sample& s) { return -s.c().sum(); }},
-                        .printed = {"$c_0-1$ by the volume over the face opposite to $P_0$",
-                                    [](const Sample& s) { return s.c0() - 1; }},
-                        .near_misses = {{"$c_0+1$", [](const Sample& s) { return s.c0() + 1; }}}})
-      .formula<Sample>("edge_sum", 4013, "$V$ is a sum of the edges", all,
-                       {.truth = {"$V=P-P_0$", &Sample::v},
-                        .printed = {"$c_1V_1+c_2V_2+c_3V_3$",
-                                    [](const Sample& s) { return Value(Vector3d(s.t.edges() * s.c())); }},
-                        .near_misses = {{"$c_1P_1+c_2P_2+c_3P_3$",
-                                         [](const Sample& s) {
-                                           return Value(s.combined(0, [](const Vector3d& x) { return x; }));
-                                         }}}})
+           {.printed = values_by_vertices(R"($f(P)=\sum c_if_i$)", all, 1, 0),
+            .near_misses = {values_by_vertices("without $c_0f_0$", all, 0, 0),
+                            values_by_vertices("for $f$ with a quadratic term", all, 1, 1)}})
       .add("normal_equations", 4015, R"(the $3\times3$ system of dot products determines $c_1,c_2,c_3$)",
            {.printed = rows(R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$)", all, 1, false),
             .near_misses = {rows(R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot P$)", all, 1, true),
@@ -181,17 +192,41 @@ struct WholeEdges {
   std::string where() const { return R"($\det$ = )" + std::to_string(det(v)); }
 };
 
+/// What elimination without exchange of rows divides by, and what it finds.
+template <class T>
+struct Eliminated {
+  Vector<T> pivots, x;
+};
+template <class T>
+Eliminated<T> eliminated(Eigen::Matrix<T, 3, 3> a, Vector<T> b) {
+  for (int k = 0; k < 3; ++k)
+    for (int i = k + 1; i < 3; ++i) {
+      const T multiple = a(i, k) / a(k, k);
+      for (int j = k + 1; j < 3; ++j) a(i, j) -= multiple * a(k, j);
+      b[i] -= multiple * b[k];
+    }
+  for (int i = 2; i >= 0; --i) {
+    for (int j = i + 1; j < 3; ++j) b[i] -= a(i, j) * b[j];
+    b[i] = b[i] / a(i, i);
+  }
+  return {a.diagonal(), b};
+}
+
 /// The printed system by elimination, allowed the roundings that `power` of the condition number makes of
 /// one.
 Reading elimination(std::string text, const std::vector<Sample>& all, double power) {
-  WorstSample worst("$c_1,c_2,c_3$", "elimination of the normal equations", "ratios of volumes");
+  WorstSample exchanging("$c_1,c_2,c_3$", "elimination of the normal equations", "ratios of volumes"),
+      in_order("$c_1,c_2,c_3$", "elimination without exchange of rows", "ratios of volumes");
   for (const Sample& s : all) {
-    const Matrix3d v = s.t.edges();
-    const auto c = solve(Factorization::partial_pivot_lu, v.transpose() * v, v.transpose() * s.v());
+    const Matrix3d v = s.t.edges(), products = v.transpose() * v;
+    const Vector3d right = v.transpose() * s.v();
     const double size = 1 + s.c().cwiseAbs().maxCoeff();
-    worst.add(c.value, s.c(), rounding(size * std::pow(s.condition, power)), size, s.where());
+    const Tolerance allowed = rounding(size * std::pow(s.condition, power));
+    exchanging.add(solve(Factorization::partial_pivot_lu, products, right).value, s.c(), allowed, size,
+                   s.where());
+    in_order.add(eliminated(products, right).x, s.c(), allowed, size, s.where());
   }
-  return {std::move(text), {worst.check()}};
+  return {std::move(text), {exchanging.check(), in_order.check()}};
 }
 
 }  // namespace
@@ -199,7 +234,9 @@ Reading elimination(std::string text, const std::vector<Sample>& all, double pow
 std::vector<Claim> claims(double seed) {
   Claims claims("8.5");
   const auto fair = samples(seed, 1, 50);
-  derivation(claims, fair);
+  Table table(claims);
+  coefficients(table, fair);
+  map_and_system(claims, fair);
   claims.statement<WholeEdges>(
       "invertible", 4035, "the matrix is invertible, the edges of a tetrahedron being independent",
       draw<WholeEdges>(500, seed),
@@ -223,4 +260,137 @@ std::vector<Claim> claims(double seed) {
   return claims.in_order();
 }
 
+// ---- proofs -----------------------------------------------------------------------------------------------
+
+namespace {
+
+/// The matrix of the dot products has leading minors above zero, and elimination none but their quotients to
+/// divide by.
+constexpr const char* pivots_in_coq = R"(
+Lemma some_length : forall x y z, ~ (x = 0 /\ y = 0 /\ z = 0) -> x * x + y * y + z * z > 0.
+Proof. intros x y z H. apply Rnot_le_gt; intro; apply H; repeat split; nra. Qed.
+
+Ltac minors_of_edges x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3 :=
+  generalize dependent (x1 - x0); generalize dependent (y1 - y0); generalize dependent (z1 - z0);
+  generalize dependent (x2 - x0); generalize dependent (y2 - y0); generalize dependent (z2 - z0);
+  generalize dependent (x3 - x0); generalize dependent (y3 - y0); generalize dependent (z3 - z0);
+  intros c3 b3 a3 c2 b2 a2 c1 b1 a1 D;
+  first
+  [ replace (a1 * _ + _) with (a1 * a1 + b1 * b1 + c1 * c1) by ring; apply some_length;
+    intros [h [k l]]; apply D; rewrite h, k, l; ring
+  | match goal with |- ?x > 0 => replace x with
+      ((b1 * c2 - c1 * b2) * (b1 * c2 - c1 * b2) + (c1 * a2 - a1 * c2) * (c1 * a2 - a1 * c2)
+       + (a1 * b2 - b1 * a2) * (a1 * b2 - b1 * a2)) by ring end; apply some_length;
+    intros [h [k l]]; apply D;
+    transitivity (a3 * (b1 * c2 - c1 * b2) + b3 * (c1 * a2 - a1 * c2) + c3 * (a1 * b2 - b1 * a2));
+    [ring | rewrite h, k, l; ring]
+  | match type of D with ?d <> 0 => match goal with |- ?x > 0 => replace x with (Rsqr d) by (unfold Rsqr; ring) end end;
+    apply Rsqr_pos_lt, D ].
+Ltac quotient n d :=
+  match goal with |- ?x > 0 => replace x with (n / d) by (field; lra) end; apply Rdiv_lt_0_compat; lra.
+Ltac pivots := match goal with P : ?p > 0, Q : ?q > 0, S : ?s > 0 |- _ => solve [lra | quotient q p | quotient s q] end.
+)";
+
+/// Dot products with every edge are those of nothing else than the vector itself.
+constexpr const char* no_other_in_coq = R"(
+Lemma other_factor : forall d x, d <> 0 -> d * x = 0 -> x = 0.
+Proof. intros d x D H. destruct (Rmult_integral _ _ H); [contradiction | assumption]. Qed.
+
+Ltac no_other x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3 px py pz d1 d2 d3 :=
+  generalize dependent (x1 - x0); generalize dependent (y1 - y0); generalize dependent (z1 - z0);
+  generalize dependent (x2 - x0); generalize dependent (y2 - y0); generalize dependent (z2 - z0);
+  generalize dependent (x3 - x0); generalize dependent (y3 - y0); generalize dependent (z3 - z0);
+  generalize dependent (px - x0); generalize dependent (py - y0); generalize dependent (pz - z0);
+  intros w v u c3 b3 a3 c2 b2 a2 c1 b1 a1 D e1 e2 e3;
+  assert (solved : forall x y z, a1 * x + b1 * y + c1 * z = 0 -> a2 * x + b2 * y + c2 * z = 0 ->
+      a3 * x + b3 * y + c3 * z = 0 -> x = 0 /\ y = 0 /\ z = 0)
+    by (clear -D; intros x y z h1 h2 h3; repeat split; apply (other_factor _ _ D);
+        [transitivity ((b2 * c3 - c2 * b3) * (a1 * x + b1 * y + c1 * z)
+           + (b3 * c1 - c3 * b1) * (a2 * x + b2 * y + c2 * z)
+           + (b1 * c2 - c1 * b2) * (a3 * x + b3 * y + c3 * z))
+        |transitivity ((c2 * a3 - a2 * c3) * (a1 * x + b1 * y + c1 * z)
+           + (c3 * a1 - a3 * c1) * (a2 * x + b2 * y + c2 * z)
+           + (c1 * a2 - a1 * c2) * (a3 * x + b3 * y + c3 * z))
+        |transitivity ((a2 * b3 - b2 * a3) * (a1 * x + b1 * y + c1 * z)
+           + (a3 * b1 - b3 * a1) * (a2 * x + b2 * y + c2 * z)
+           + (a1 * b2 - b1 * a2) * (a3 * x + b3 * y + c3 * z))];
+        solve [ring | rewrite h1, h2, h3; ring]);
+  destruct (solved (a1 * d1 + a2 * d2 + a3 * d3 - u) (b1 * d1 + b2 * d2 + b3 * d3 - v)
+                   (c1 * d1 + c2 * d2 + c3 * d3 - w)) as [su [sv sw]]; try lra;
+  replace u with (a1 * d1 + a2 * d2 + a3 * d3) by lra; replace v with (b1 * d1 + b2 * d2 + b3 * d3) by lra;
+  replace w with (c1 * d1 + c2 * d2 + c3 * d3) by lra; field; exact D.
+)";
+
+}  // namespace
+
+Provables proofs() {
+  const std::vector<std::string> names{"b",  "x0", "y0", "z0", "x1", "y1", "z1", "x2", "y2", "z2",
+                                       "x3", "y3", "z3", "px", "py", "pz", "ax", "ay", "az"};
+  const SampleOf<Shortened> any = lettered<SampleOf>(names);
+  Claims claims("8.5");
+  Table table(claims);
+  coefficients(table, {});
+  const ForAll<SampleOf> all{
+      .any = any,
+      .letters = quantified(names),
+      .given = {not_zero(triple(any.t.edge(1), any.t.edge(2), any.t.edge(3)).expression())},
+      .tactic = "field; exact H",
+      .says = "it holds of any tetrahedron and any point"};
+  Provables proved = table.proofs("8.5", all);
+  proved.push_back({"8.5-affine",
+                    "it holds of any affine map, any tetrahedron and any point",
+                    {{"printed", all.letters, all.given,
+                      equal(by_vertices(1, 0).recorded(any), the_map(0).recorded(any)), all.tactic}}});
+  const Vector<Shortened> d(Shortened::letter("d1"), Shortened::letter("d2"), Shortened::letter("d3"));
+  const Eigen::Matrix<Shortened, 3, 3> products = any.t.edges().transpose() * any.t.edges();
+  const Expressions right = right_sides(false).recorded(any);
+  std::vector<Proposition> solved = all.given;
+  for (const Proposition& row : equal(detail::recorded_value(Vector<Shortened>(products * d)), right))
+    solved.push_back(row);
+  std::vector<std::string> with_d = names;
+  for (const char* name : {"d1", "d2", "d3"}) with_d.emplace_back(name);
+  const Lemma no_other{"no_other", quantified(with_d), solved,
+                       equal(detail::recorded_value(d), detail::recorded_value(any.c())),
+                       "no_other x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3 px py pz d1 d2 d3"};
+  proved.push_back(
+      {"8.5-normal_equations",
+       "they solve it, of any tetrahedron and any point, and nothing else does",
+       {{"printed", all.letters, all.given, equal(left_sides(1).recorded(any), right), all.tactic}, no_other},
+       0,
+       no_other_in_coq});
+  Eigen::Matrix<Shortened, 3, 3> m;
+  const auto letter = [](const char* name) { return Shortened::letter(name); };
+  m << letter("m00"), letter("m01"), letter("m02"), letter("m01"), letter("m11"), letter("m12"),
+      letter("m02"), letter("m12"), letter("m22");
+  const Vector<Shortened> r(letter("r0"), letter("r1"), letter("r2"));
+  const auto found = eliminated(m, r);
+  const auto minors = [](const Eigen::Matrix<Shortened, 3, 3>& a) {
+    return std::array{a(0, 0), a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0),
+                      triple<Shortened>(a.col(0), a.col(1), a.col(2))};
+  };
+  std::vector<Proposition> positive, divisible, of_edges;
+  for (const Shortened& minor : minors(m)) positive.push_back(above(minor.expression(), 0));
+  for (const Shortened& pivot : found.pivots) divisible.push_back(above(pivot.expression(), 0));
+  for (const Shortened& minor : minors(products)) of_edges.push_back(above(minor.expression(), 0));
+  const std::string of_system = quantified({"m00", "m01", "m02", "m11", "m12", "m22", "r0", "r1", "r2"});
+  proved.push_back(
+      {"8.5-gauss",
+       "without exchange of rows it divides by what is above zero, and finds the one solution",
+       {{"of_edges", all.letters, all.given, of_edges, "minors_of_edges x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3"},
+        {"pivots", of_system, positive, divisible, "pivots"},
+        {"solves", of_system, positive,
+         equal(detail::recorded_value(Vector<Shortened>(m * found.x)), detail::recorded_value(r)),
+         "field; repeat split; nra"},
+        no_other},
+       0,
+       std::string(pivots_in_coq) + no_other_in_coq});
+  return proved;
+}
+
 }  // namespace oddity::ex08_05
+
+namespace oddity {
+
+Provables proofs_8_5() { return ex08_05::proofs(); }
+
+}  // namespace oddity

@@ -26,30 +26,35 @@ T triple(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c) {
   return a.dot(cross(b, c));
 }
 
-struct Tetrahedron {
-  std::array<Vector3d, 4> p;
+template <class T>
+struct TetrahedronOf {
+  std::array<Vector<T>, 4> p;
 
-  Vector3d edge(std::size_t i) const { return p[i] - p[0]; }
-  Matrix3d edges() const {
-    Matrix3d v;
+  Vector<T> edge(std::size_t i) const { return p[i] - p[0]; }
+  Eigen::Matrix<T, 3, 3> edges() const {
+    Eigen::Matrix<T, 3, 3> v;
     v << edge(1), edge(2), edge(3);
     return v;
   }
 };
+using Tetrahedron = TetrahedronOf<double>;
 
-struct Affine {
-  Vector3d a;
-  double b;
-  double operator()(const Vector3d& p) const { return a.dot(p) + b; }
+template <class T>
+struct AffineOf {
+  Vector<T> a;
+  T b;
+  T operator()(const Vector<T>& p) const { return a.dot(p) + b; }
 };
+using Affine = AffineOf<double>;
 
 /// (c1, c2, c3) by the volumes of the tetrahedra that P makes with the faces.
 template <class T>
 Vector<T> by_volumes(const Vector<T>& v, const Vector<T>& v1, const Vector<T>& v2, const Vector<T>& v3) {
   return Vector<T>(triple(v, v2, v3), triple(v1, v, v3), triple(v1, v2, v)) / triple(v1, v2, v3);
 }
-inline Vector3d by_volumes(const Tetrahedron& t, const Vector3d& p) {
-  return by_volumes<double>(p - t.p[0], t.edge(1), t.edge(2), t.edge(3));
+template <class T>
+Vector<T> by_volumes(const TetrahedronOf<T>& t, const Vector<T>& p) {
+  return by_volumes<T>(p - t.p[0], t.edge(1), t.edge(2), t.edge(3));
 }
 
 std::vector<Claim> claims(double seed);

@@ -1,37 +1,46 @@
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include "chapters/09_calculus/01_point_triangle/point_triangle.hpp"
+#include "chapters/branches.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
 
 /// What the book says about the squared distance, on random triangles and points.
 namespace oddity::ex09_01 {
 
-namespace {
+/// The region by coordinates.
+template <class T>
+int region_of(const T& s, const T& t) {
+  if (s + t <= 1) return s < 0 ? (t < 0 ? 4 : 3) : t < 0 ? 5 : 0;
+  return s < 0 ? 2 : t < 0 ? 6 : 1;
+}
 
-struct Sample {
-  Triangle<double> w;
-  double s, t, above;  ///< P's coordinates: V(s, t) + above * unit normal
-  Vec<double> p;
+template <class T>
+struct SampleOf {
+  Triangle<T> w;
+  T s, t, above;  ///< P's coordinates: V(s, t) + above * unit normal
+  Vec<T> p;
 
-  std::vector<double*> letters() {
-    std::vector<double*> all{&s, &t};
-    for (Vec<double>* point : {&w.v[0], &w.v[1], &w.v[2], &p})
-      for (double& x : *point) all.push_back(&x);
+  std::vector<T*> letters() {
+    std::vector<T*> all{&s, &t};
+    for (Vec<T>* point : {&w.v[0], &w.v[1], &w.v[2], &p})
+      for (T& x : *point) all.push_back(&x);
     return all;
   }
   std::string where() const {
     return "region " + std::to_string(region()) + ", $s,t$ = " + format_significant(s, 6) + ", " +
            format_significant(t, 6);
   }
-  Vec<double> edge(std::size_t i) const { return w.v[i] - w.v[0]; }
-  Vec<double> normal() const { return cross(edge(1), edge(2)); }
-  /// The region by the coordinates that P was made of.
-  int region() const {
-    if (s + t <= 1) return s < 0 ? (t < 0 ? 4 : 3) : t < 0 ? 5 : 0;
-    return s < 0 ? 2 : t < 0 ? 6 : 1;
-  }
+  Vec<T> edge(std::size_t i) const { return w.v[i] - w.v[0]; }
+  Vec<T> normal() const { return cross(edge(1), edge(2)); }
+  int region() const { return region_of(s, t); }
 };
+
+namespace {
+
+using Sample = SampleOf<double>;
+using OfSample = ProvableFormula<SampleOf>;
+using Table = ProvableClaims<SampleOf>;
 
 /// Fair triangles of sizes 0.01 to 100: the sine squared between the edges is above a twentieth.
 std::vector<Sample> samples(double seed) {
@@ -49,17 +58,18 @@ std::vector<Sample> samples(double seed) {
 }
 
 /// V(s, t) as a sum of vertices with weights in the given order.
-Formula<Sample> weighted(std::string text, const std::array<std::size_t, 3>& order) {
-  return {std::move(text), [=](const Sample& x) {
+OfSample weighted(std::string text, const std::array<std::size_t, 3>& order) {
+  return {std::move(text), [=](const auto& x) {
             const auto& v = x.w.v;
             return (1 - x.s - x.t) * v[order[0]] + x.s * v[order[1]] + x.t * v[order[2]];
           }};
 }
 
 /// The signed areas that a point of the plane makes with the edges, over the triangle's.
-Vec<double> areas(const Triangle<double>& w, const Vec<double>& x) {
+template <class T>
+Vec<T> areas(const Triangle<T>& w, const Vec<T>& x) {
   const auto& v = w.v;
-  const Vec<double> n = cross(v[1] - v[0], v[2] - v[0]);
+  const Vec<T> n = cross(v[1] - v[0], v[2] - v[0]);
   const auto area = [&](std::size_t j, std::size_t k) {
     return dot(n, cross(v[j] - x, v[k] - x)) / dot(n, n);
   };
@@ -74,8 +84,8 @@ Statement<Sample> domain(std::string text, double most) {
           }};
 }
 
-template <class T>
-T squared_distance(const Sample& x, const T& s, const T& t) {
+template <class T, class N>
+T squared_distance(const SampleOf<N>& x, const T& s, const T& t) {
   Triangle<T> w;
   Vec<T> p;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -87,90 +97,99 @@ T squared_distance(const Sample& x, const T& s, const T& t) {
 }
 
 /// |s E1 + t E2 + D|^2, somewhere else than below P.
-Formula<Sample> in_one(std::string text, double sign_of_d) {
-  return {std::move(text), [=](const Sample& x) {
-            const double s = 3 - x.t, t = x.s - 1;
-            const Vec<double> sum = s * x.edge(1) + t * x.edge(2) + sign_of_d * (x.w.v[0] - x.p);
+OfSample in_one(std::string text, double sign_of_d) {
+  return {std::move(text), [=]<class T>(const SampleOf<T>& x) {
+            const T s = 3 - x.t, t = x.s - 1;
+            const Vec<T> sum = s * x.edge(1) + t * x.edge(2) + T(sign_of_d) * (x.w.v[0] - x.p);
             return dot(sum, sum);
           }};
 }
 
 /// The same multiplied out.
-Formula<Sample> in_six_terms(std::string text, double cross_term) {
-  return {std::move(text), [=](const Sample& x) {
-            const Vec<double> e1 = x.edge(1), e2 = x.edge(2), d = x.w.v[0] - x.p;
-            const double s = 3 - x.t, t = x.s - 1;
+OfSample in_six_terms(std::string text, double cross_term) {
+  return {std::move(text), [=]<class T>(const SampleOf<T>& x) {
+            const Vec<T> e1 = x.edge(1), e2 = x.edge(2), d = x.w.v[0] - x.p;
+            const T s = 3 - x.t, t = x.s - 1;
             return dot(e1, e1) * s * s + cross_term * dot(e1, e2) * s * t + dot(e2, e2) * t * t +
                    2 * dot(e1, d) * s + 2 * dot(e2, d) * t + dot(d, d);
           }};
 }
 
 /// (a00, a01, a11, b0, b1, c) as half the derivatives of |V(s, t) - P|^2 at s = t = 0.
-Value by_differentiation(const Sample& x) {
-  using D = Dual<double>;
+template <class T>
+auto by_differentiation(const SampleOf<T>& x) {
+  using D = Dual<T>;
   using DD = Dual<D>;
   const D zero(0.0), one(1.0), moving(0.0, 1.0);
   const DD still(zero, zero), inner(moving, zero), outer(zero, one), both(moving, one);
   const auto second = [&](const DD& s, const DD& t) { return squared_distance(x, s, t).slope.slope / 2; };
   const auto first = [&](const D& s, const D& t) { return squared_distance(x, s, t).slope / 2; };
-  return {second(both, still), second(inner, outer), second(still, both),
-          first(moving, zero), first(zero, moving),  squared_distance(x, 0.0, 0.0)};
+  return values(second(both, still), second(inner, outer), second(still, both), first(moving, zero),
+                first(zero, moving), squared_distance(x, T(0.0), T(0.0)));
 }
 
 /// The quadratic's coefficients, some of them times a factor.
-Formula<Sample> coefficients(std::string text, double a, double b) {
-  return {std::move(text), [=](const Sample& x) {
-            const Quadratic<double> q(x.w, x.p);
-            return Value{q.a00, a * q.a01, q.a11, b * q.b0, b * q.b1, q.c};
+OfSample coefficients(std::string text, double a, double b) {
+  return {std::move(text), [=]<class T>(const SampleOf<T>& x) {
+            const Quadratic<T> q(x.w, x.p);
+            return values(q.a00, a * q.a01, q.a11, b * q.b0, b * q.b1, q.c);
           }};
 }
 
-void expressions(Claims& claims, const std::vector<Sample>& all) {
-  const Formula<Sample> on_edges{"$V_0+sE_1+tE_2$", [](const Sample& x) { return x.w.at(x.s, x.t); }};
-  const auto points = [&](const Formula<Sample>& by) { return compare("$V(s,t)$", by, on_edges, all); };
-  const auto inside = [&](const Statement<Sample>& by) { return in_all(by.text, all, by.holds); };
-  claims
-      .add("parametrization", 4041, R"(the triangle is $V_0+sE_1+tE_2$ with $s,t\ge0$ and $s+t\le1$)",
-           {.printed = {"sums of the vertices with weights $1-s-t$, $s$, $t$, none of them negative",
-                        {points(weighted("sum of the vertices, weights $1-s-t$, $s$, $t$", {0, 1, 2})),
-                         inside(domain(R"(in the triangle, by signed areas, just when $s,t\ge0$, $s+t\le1$)",
-                                       1))}},
-            .near_misses =
-                {{R"($s+t\le2$)",
-                  {inside(domain(R"(in the triangle, by signed areas, just when $s,t\ge0$, $s+t\le2$)", 2))}},
-                 {"$E_1$ and $E_2$ exchanged",
-                  {points(weighted("sum of the vertices, weights $1-s-t$, $t$, $s$", {0, 2, 1}))}}}})
-      .formula<Sample>("barycentric", 4043, "the barycentric coordinates of $V(s,t)$", all,
-                       {.truth = {"signed areas over the triangle's",
-                                  [](const Sample& x) { return areas(x.w, x.w.at(x.s, x.t)); }},
-                        .printed = {"$1-s-t$, $s$, $t$",
-                                    [](const Sample& x) {
-                                      return Value{1 - x.s - x.t, x.s, x.t};
-                                    }},
-                        .near_misses = {{"$s$, $t$, $1-s-t$", [](const Sample& x) {
-                                           return Value{x.s, x.t, 1 - x.s - x.t};
-                                         }}}});
+/// What the triangle's lines say, each by its readings.
+struct Lines {
+  OfSample on_edges{"$V_0+sE_1+tE_2$", [](const auto& x) { return x.w.at(x.s, x.t); }};
+  OfSample on_vertices = weighted("sum of the vertices, weights $1-s-t$, $s$, $t$", {0, 1, 2});
+  OfSample squared{"$|V(s,t)-P|^2$", [](const auto& x) { return squared_distance(x, 3 - x.t, x.s - 1); }};
+  OfSample sum = in_one("$|sE_1+tE_2+D|^2$", 1);
+  OfSample six_terms = in_six_terms(R"($|E_1|^2s^2+2E_1\cdot E_2\,st+|E_2|^2t^2+2E_1\cdot D\,s+)"
+                                    R"(2E_2\cdot D\,t+|D|^2$)",
+                                    2);
+};
 
-  const Formula<Sample> squared{"$|V(s,t)-P|^2$",
-                                [](const Sample& x) { return squared_distance(x, 3 - x.t, x.s - 1); }};
-  const auto expanded = [&](const Formula<Sample>& by) { return compare("$f(s,t)$", by, squared, all); };
-  claims
-      .add("expansion", 4045, "the squared distance, in one and multiplied out",
-           {.printed = {"$|sE_1+tE_2+D|^2$, $D=V_0-P$, and its six terms",
-                        {expanded(in_one("$|sE_1+tE_2+D|^2$", 1)),
-                         expanded(in_six_terms(R"($|E_1|^2s^2+2E_1\cdot E_2\,st+|E_2|^2t^2+2E_1\cdot D\,s+)"
-                                               R"(2E_2\cdot D\,t+|D|^2$)",
-                                               2))}},
-            .near_misses = {{"$D=P-V_0$", {expanded(in_one("$|sE_1+tE_2-D|^2$", -1))}},
-                            {R"($E_1\cdot E_2$ without its 2)",
-                             {expanded(in_six_terms(R"($E_1\cdot E_2\,st$ and the other five terms)", 1))}}}})
-      .formula<Sample>(
-          "coefficients", 4051, "$f=a_{00}s^2+2a_{01}st+a_{11}t^2+2b_0s+2b_1t+c$", all,
-          {.quantity = "$(a_{00},a_{01},a_{11},b_0,b_1,c)$",
-           .truth = {"half the derivatives of $|V(s,t)-P|^2$, by dual numbers", by_differentiation},
-           .printed = coefficients(R"($(|E_1|^2,E_1\cdot E_2,|E_2|^2,E_1\cdot D,E_2\cdot D,|D|^2)$)", 1, 1),
-           .near_misses = {coefficients(R"($a_{01}=2E_1\cdot E_2$)", 2, 1),
-                           coefficients("$b_0$ and $b_1$ of the other sign", 1, -1)}});
+void in_coordinates(Table& table, const std::vector<Sample>& all) {
+  table.formula(
+      "barycentric", 4043, "the barycentric coordinates of $V(s,t)$", all,
+      {.truth = {"signed areas over the triangle's",
+                 [](const auto& x) { return areas(x.w, x.w.at(x.s, x.t)); }},
+       .printed = {"$1-s-t$, $s$, $t$", [](const auto& x) { return values(1 - x.s - x.t, x.s, x.t); }},
+       .near_misses = {
+           {"$s$, $t$, $1-s-t$", [](const auto& x) { return values(x.s, x.t, 1 - x.s - x.t); }}}});
+  table.formula(
+      "coefficients", 4051, "$f=a_{00}s^2+2a_{01}st+a_{11}t^2+2b_0s+2b_1t+c$", all,
+      {.quantity = "$(a_{00},a_{01},a_{11},b_0,b_1,c)$",
+       .truth = {"half the derivatives of $|V(s,t)-P|^2$, by dual numbers",
+                 [](const auto& x) { return by_differentiation(x); }},
+       .printed = coefficients(R"($(|E_1|^2,E_1\cdot E_2,|E_2|^2,E_1\cdot D,E_2\cdot D,|D|^2)$)", 1, 1),
+       .near_misses = {coefficients(R"($a_{01}=2E_1\cdot E_2$)", 2, 1),
+                       coefficients("$b_0$ and $b_1$ of the other sign", 1, -1)}});
+}
+
+void expressions(Claims& claims, const std::vector<Sample>& all) {
+  const Lines lines;
+  const auto points = [&](const Formula<Sample>& by) { return compare("$V(s,t)$", by, lines.on_edges, all); };
+  const auto inside = [&](const Statement<Sample>& by) { return in_all(by.text, all, by.holds); };
+  claims.add(
+      "parametrization", 4041, R"(the triangle is $V_0+sE_1+tE_2$ with $s,t\ge0$ and $s+t\le1$)",
+      {.printed = {"sums of the vertices with weights $1-s-t$, $s$, $t$, none of them negative",
+                   {points(lines.on_vertices),
+                    inside(
+                        domain(R"(in the triangle, by signed areas, just when $s,t\ge0$, $s+t\le1$)", 1))}},
+       .near_misses = {
+           {R"($s+t\le2$)",
+            {inside(domain(R"(in the triangle, by signed areas, just when $s,t\ge0$, $s+t\le2$)", 2))}},
+           {"$E_1$ and $E_2$ exchanged",
+            {points(weighted("sum of the vertices, weights $1-s-t$, $t$, $s$", {0, 2, 1}))}}}});
+  const auto expanded = [&](const Formula<Sample>& by) {
+    return compare("$f(s,t)$", by, lines.squared, all);
+  };
+  claims.add(
+      "expansion", 4045, "the squared distance, in one and multiplied out",
+      {.printed = {"$|sE_1+tE_2+D|^2$, $D=V_0-P$, and its six terms",
+                   {expanded(lines.sum), expanded(lines.six_terms)}},
+       .near_misses = {{"$D=P-V_0$", {expanded(in_one("$|sE_1+tE_2-D|^2$", -1))}},
+                       {R"($E_1\cdot E_2$ without its 2)",
+                        {expanded(in_six_terms(R"($E_1\cdot E_2\,st$ and the other five terms)", 1))}}}});
 }
 
 // ---- the minimum ------------------------------------------------------------------------------------------
@@ -243,15 +262,13 @@ void minimum(Claims& claims, const std::vector<Sample>& all) {
                                                    x.region();
                                           }),
                            no_violations("regions without a sample", std::ranges::count(put, 0), 7),
-                           compare<Sample>("the determinant",
-                                           {"$a_{00}a_{11}-a_{01}^2$",
-                                            [](const Sample& x) {
-                                              const Quadratic<double> q(x.w, x.p);
-                                              return q.a00 * q.a11 - q.a01 * q.a01;
-                                            }},
-                                           {R"($|E_1\times E_2|^2$)",
-                                            [](const Sample& x) { return dot(x.normal(), x.normal()); }},
-                                           all)}},
+                           compare<Sample>(
+                               "the determinant",
+                               {"$a_{00}a_{11}-a_{01}^2$",
+                                [](const Sample& x) { return Quadratic<double>(x.w, x.p).determinant(); }},
+                               {R"($|E_1\times E_2|^2$)",
+                                [](const Sample& x) { return dot(x.normal(), x.normal()); }},
+                               all)}},
               .near_misses = {{"the corner regions are nearest to the corners",
                                {same_distance(all, "corners for the corner regions",
                                               place(by_regions_without_sub_cases<double>))}}}});
@@ -262,9 +279,231 @@ void minimum(Claims& claims, const std::vector<Sample>& all) {
 std::vector<Claim> claims(double seed) {
   const auto all = samples(seed);
   Claims claims("9.1");
+  Table table(claims);
   expressions(claims, all);
+  in_coordinates(table, all);
   minimum(claims, all);
   return claims.in_order();
 }
 
+// ---- proofs -----------------------------------------------------------------------------------------------
+
+namespace {
+
+/// s and t are not negative, and their sum is at most one.
+std::string in_domain(const std::string& s, const std::string& t) {
+  return "(" + s + " >= 0 /\\ " + t + " >= 0 /\\ " + s + " + " + t + " <= 1)";
+}
+
+std::string area_is(const Expression& area, const std::string& weight) {
+  return "replace (" + area.coq() + ")\n    with (" + weight + ") in * by (field; exact H); ";
+}
+
+/// How the regions' minimum is seen to be one: a convex quadratic is least where no direction into the domain
+/// leads down.
+constexpr const char* least_in_coq = R"(
+Lemma least : forall a b c d e f s t u v, a > 0 -> a * c - b * b > 0 ->
+  (a * s + b * t + d) * (u - s) + (b * s + c * t + e) * (v - t) >= 0 ->
+  (a * s + d + d) * s + (c * t + e + e) * t + (b + b) * s * t + f <=
+  (a * u + d + d) * u + (c * v + e + e) * v + (b + b) * u * v + f.
+Proof.
+  intros a b c d e f s t u v A D G.
+  assert (Q : 0 <= a * (a * (u - s) * (u - s) + 2 * b * (u - s) * (v - t) + c * (v - t) * (v - t))).
+  { replace (a * _) with (Rsqr (a * (u - s) + b * (v - t)) + (a * c - b * b) * Rsqr (v - t)) by (unfold Rsqr; ring).
+    apply Rplus_le_le_0_compat; [apply Rle_0_sqr | apply Rmult_le_pos; [lra | apply Rle_0_sqr]]. }
+  rewrite <- (Rmult_0_r a) in Q. apply Rmult_le_reg_l in Q; lra.
+Qed.
+Lemma sum_of_products : forall p q u v, p >= 0 -> q >= 0 -> u >= 0 -> v >= 0 -> p * u + q * v >= 0.
+Proof. intros. nra. Qed.
+Lemma above_zero : forall n d u, n >= 0 -> d > 0 -> u >= 0 -> n / d * u >= 0.
+Proof.
+  intros. apply Rle_ge, Rmult_le_pos; [apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat] |]; lra.
+Qed.
+
+Ltac ways := repeat match goal with |- context [if ?d then _ else _] => destruct d; try (exfalso; lra) end.
+Ltac quotients := repeat match goal with |- context [?n / ?d] =>
+  let r := fresh "r" in assert (d * (n / d) = n) by (field; lra); set (r := n / d) in *; clearbody r;
+  assert (0 <= r) by nra end.
+Ltac sign a b c :=
+  first [lra | nra | destruct (Rle_or_lt 0 b); nra | destruct (Rle_or_lt c b); nra | destruct (Rle_or_lt a b); nra].
+Ltac corner a b c p q u v :=
+  match goal with |- ?x >= 0 => replace x with (p * u + q * v) by ring end;
+  apply sum_of_products; [sign a b c | sign a b c | lra | lra].
+Ltac edge n d u :=
+  match goal with |- ?x >= 0 => replace x with (n / d * u) by (field; lra) end; apply above_zero; lra.
+Ltac slope a b c d e :=
+  match goal with
+  | |- (a * 0 + b * 0 + d) * (?u - 0) + _ * (?v - 0) >= 0 => corner a b c d e u v
+  | |- (a * 1 + b * _ + d) * (?u - 1) + _ * (?v - _) >= 0 =>
+    corner a b c (- (a + d)) (b + e - a - d) (1 - u - v) v
+  | |- (a * 0 + b * (- e / c) + d) * (?u - 0) + _ * (?v - _) >= 0 => edge (c * d - b * e) c u
+  | |- (a * 0 + b * _ + d) * (?u - 0) + _ * (?v - _) >= 0 =>
+    corner a b c (- (c + e)) (b + d - c - e) (1 - u - v) u
+  | |- (a * (- d / a) + b * 0 + d) * (?u - _) + _ * (?v - 0) >= 0 => edge (a * e - b * d) a v
+  | |- (a * (_ / (a - b - b + c)) + _ + d) * (?u - _) + _ * (?v - _) >= 0 =>
+    edge (b * e - c * d + (b * d - a * e) - (a * c - b * b)) (a - b - b + c) (1 - u - v)
+  | |- ?x >= 0 => replace x with 0 by (field; lra); lra
+  end.
+Ltac least_by_regions a b c d e :=
+  assert (c > 0) by (apply (Rmult_lt_reg_l a); [| pose proof (Rle_0_sqr b); unfold Rsqr in *]; lra);
+  assert (a - b - b + c > 0)
+    by (apply (Rmult_lt_reg_l a); [| pose proof (Rle_0_sqr (a - b)); unfold Rsqr in *]; lra);
+  ways; (split; [quotients; repeat split; first [lra | nra]
+               | intros u v [U [V W]]; apply least; trivial; slope a b c d e]).
+Ltac alike D x y :=
+  destruct (Rle_dec (x + y) 1); [assert (D * x + D * y <= D) by nra | assert (D * x + D * y > D) by nra];
+  (destruct (Rlt_dec x 0); [assert (D * x < 0) by nra | assert (D * x >= 0) by nra]);
+  (destruct (Rlt_dec y 0); [assert (D * y < 0) by nra | assert (D * y >= 0) by nra]); ways; reflexivity.
+Ltac of_edges x0 y0 z0 x1 y1 z1 x2 y2 z2 :=
+  generalize dependent (x1 - x0); generalize dependent (y1 - y0); generalize dependent (z1 - z0);
+  generalize dependent (x2 - x0); generalize dependent (y2 - y0); generalize dependent (z2 - z0);
+  intros c2 b2 a2 c1 b1 a1 area;
+  match type of area with ?n <> 0 =>
+    assert (n > 0) by (pose proof (Rle_0_sqr (b1 * c2 - c1 * b2)); pose proof (Rle_0_sqr (c1 * a2 - a1 * c2));
+                       pose proof (Rle_0_sqr (a1 * b2 - b1 * a2)); unfold Rsqr in *; lra);
+    first [ring | match goal with |- ?x > 0 => replace x with n by ring; assumption end
+          | apply Rnot_le_gt; intro;
+            assert (a1 = 0) by nra; assert (b1 = 0) by nra; assert (c1 = 0) by nra; subst; apply area; ring] end.
+)";
+
+/// Where the square is least, no sum of the vertices with weights that add up to one is closer.
+Lemma nearest(const SampleOf<Shortened>& any, std::vector<std::string> names) {
+  const auto letter = [](const char* name) { return Shortened::letter(name); };
+  const auto f = [&](const Shortened& s, const Shortened& t) {
+    return squared_distance(any, s, t).expression().coq();
+  };
+  const Vec<Shortened> place = any.w.at(any.s, any.t),
+                       other =
+                           letter("k0") * any.w.v[0] + letter("k1") * any.w.v[1] + letter("k2") * any.w.v[2];
+  for (const char* weight : {"k0", "k1", "k2"}) names.emplace_back(weight);
+  return {"nearest",
+          quantified(names),
+          {{in_domain("s", "t")},
+           {"(forall u v, " + in_domain("u", "v") + " ->\n    " + f(any.s, any.t) + " <=\n    " +
+            f(letter("u"), letter("v")) + ")"},
+           {"k0 >= 0 /\\ k1 >= 0 /\\ k2 >= 0"},
+           {"k0 + k1 + k2 = 1"}},
+          {{length(place - any.p).expression().coq() + " <=\n  " + length(other - any.p).expression().coq()}},
+          "apply sqrt_le_1_alt; replace k0 with (1 - k1 - k2) by lra;\n  match goal with |- _ <= ?y => "
+          "eapply Rle_trans; [apply (H0 k1 k2); lra | right; ring] end"};
+}
+
+/// Of any quadratic that has a least value, which a triangle's has.
+Provable seven_regions(const SampleOf<Shortened>& any, std::vector<std::string> names,
+                       const std::vector<Proposition>& area) {
+  const std::vector<std::string> letters{"a00", "a01", "a11", "b0", "b1", "c"};
+  const auto quadratic = [&](const auto& number) {
+    std::array<decltype(number("")), 6> k{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    std::ranges::transform(letters, k.begin(), number);
+    return Quadratic(k);
+  };
+  const std::string regions = tree_of([&](Way& way) {
+    const auto number = [&](const std::string& name) { return Branching(Expression::letter(name), way); };
+    const auto place = by_regions(quadratic(number));
+    return "(" + place.s.expression().coq() + ", " + place.t.expression().coq() + ", " +
+           std::to_string(place.region) + "%nat)";
+  });
+  const std::string region = tree_of([](Way& way) {
+    const Branching x(Expression::letter("x"), way), y(Expression::letter("y"), way);
+    return std::to_string(region_of(x, y)) + "%nat";
+  });
+  const auto q = quadratic([](const std::string& name) { return Expression::letter(name); });
+  const auto f = [&](const char* s, const char* t) {
+    return q(Expression::letter(s), Expression::letter(t)).coq();
+  };
+  const std::vector<Proposition> convex{above(q.a00, 0), above(q.determinant(), 0)};
+  const auto at_place = [&](const std::string& is_so) -> Proposition {
+    return {"match " + regions + "\n  with (s, t, region) =>\n  " + is_so + " end"};
+  };
+  Provable proved{
+      "9.1-seven_regions",
+      "by regions a quadratic is least, whatever its letters; a triangle's is one that is so, and its "
+      "region is that of the point"};
+  proved.preamble = least_in_coq;
+  proved.lemmas.push_back({"least",
+                           quantified(letters),
+                           convex,
+                           {at_place(in_domain("s", "t") + " /\\\n  forall u v, " + in_domain("u", "v") +
+                                     " ->\n  " + f("s", "t") + " <=\n  " + f("u", "v"))},
+                           "least_by_regions a00 a01 a11 b0 b1"});
+  std::vector<Proposition> at_point = convex;
+  for (std::size_t i = 0; i < 2; ++i)
+    at_point.push_back(q.least_of_all()[i] == q.determinant() * Expression::letter(i == 0 ? "x" : "y"));
+  proved.lemmas.push_back({"region",
+                           quantified({"a00", "a01", "a11", "b0", "b1", "c", "x", "y"}),
+                           at_point,
+                           {at_place("region = " + region)},
+                           "rewrite H1, H2; set (D := a00 * a11 - a01 * a01) in *; alike D x y"});
+  names.emplace_back("h");
+  const Vec<Shortened> n = any.normal();
+  const Quadratic<Shortened> of_point(any.w, any.w.at(any.s, any.t) + Shortened::letter("h") * n);
+  const Shortened det = of_point.determinant();
+  const auto [S, T] = of_point.least_of_all();
+  proved.lemmas.push_back(
+      {"of_triangle",
+       quantified(names),
+       area,
+       {above(of_point.a00.expression(), 0), above(det.expression(), 0),
+        det.expression() == dot(n, n).expression(), S.expression() == (det * any.s).expression(),
+        T.expression() == (det * any.t).expression()},
+       "of_edges x0 y0 z0 x1 y1 z1 x2 y2 z2"});
+  return proved;
+}
+
+}  // namespace
+
+Provables proofs() {
+  const std::vector<std::string> names{"s",  "t",  "x0", "y0", "z0", "x1", "y1",
+                                       "z1", "x2", "y2", "z2", "px", "py", "pz"};
+  const SampleOf<Shortened> any = lettered<SampleOf>(names);
+  const std::vector<Proposition> area{not_zero(dot(any.normal(), any.normal()).expression())};
+  Claims claims("9.1");
+  Table table(claims);
+  in_coordinates(table, {});
+  Provables proved = table.proofs("9.1", {.any = any,
+                                          .letters = quantified(names),
+                                          .given = area,
+                                          .tactic = "field; exact H",
+                                          .says = "it holds for any triangle and any point"});
+  const Lines lines;
+  const Expressions by_areas = detail::recorded_value(areas(any.w, any.w.at(any.s, any.t)));
+  proved.push_back(
+      {"9.1-parametrization",
+       "any such point is the sum of the vertices, and it is in the triangle just when s and t are "
+       "not negative and add up to at most 1",
+       {{"points",
+         quantified(names),
+         {},
+         equal(lines.on_vertices.recorded(any), lines.on_edges.recorded(any)),
+         "ring"},
+        {"domain",
+         quantified(names),
+         area,
+         {{"((" + by_areas[0].coq() + " >= 0 /\\ " + by_areas[1].coq() + " >= 0 /\\\n  " + by_areas[2].coq() +
+           " >= 0) <-> " + in_domain("s", "t") + ")"}},
+         area_is(by_areas[0], "1 - s - t") + area_is(by_areas[1], "s") + area_is(by_areas[2], "t") +
+             "intuition lra"}}});
+  proved.push_back(seven_regions(any, names, area));
+  proved.push_back(
+      {"9.1-minimum",
+       "where the square is least, no other point of the triangle is closer; and there is such a "
+       "place, of any triangle",
+       {nearest(any, names), proved.back().lemmas.at(0), proved.back().lemmas.at(2)},
+       0,
+       least_in_coq});
+  const Expressions squared = lines.squared.recorded(any);
+  proved.push_back(
+      {"9.1-expansion",
+       "it holds for any triangle and any point",
+       {{"in_one", quantified(names), {}, equal(lines.sum.recorded(any), squared), "ring"},
+        {"in_six_terms", quantified(names), {}, equal(lines.six_terms.recorded(any), squared), "ring"}}});
+  return proved;
+}
+
 }  // namespace oddity::ex09_01
+
+namespace oddity {
+
+Provables proofs_9_1() { return ex09_01::proofs(); }
+
+}  // namespace oddity

@@ -44,11 +44,15 @@ template <class T>
 struct Quadratic {
   T a00, a01, a11, b0, b1, c;
 
+  Quadratic(const std::array<T, 6>& k) : a00(k[0]), a01(k[1]), a11(k[2]), b0(k[3]), b1(k[4]), c(k[5]) {}
   Quadratic(const Triangle<T>& w, const Vec<T>& p) {
     const Vec<T> e1 = w.v[1] - w.v[0], e2 = w.v[2] - w.v[0], d = w.v[0] - p;
     a00 = dot(e1, e1), a01 = dot(e1, e2), a11 = dot(e2, e2);
     b0 = dot(e1, d), b1 = dot(e2, d), c = dot(d, d);
   }
+  T determinant() const { return a00 * a11 - a01 * a01; }
+  /// Where it is least of all, times the determinant.
+  std::array<T, 2> least_of_all() const { return {a01 * b1 - a11 * b0, a01 * b0 - a00 * b1}; }
   T operator()(const T& s, const T& t) const {
     return (a00 * s + b0 + b0) * s + (a11 * t + b1 + b1) * t + (a01 + a01) * s * t + c;
   }
@@ -71,8 +75,8 @@ T fraction(const T& n, const T& d) {
 template <class T>
 Place<T> by_regions(const Quadratic<T>& q) {
   const T zero = 0.0, one = 1.0;
-  const T det = q.a00 * q.a11 - q.a01 * q.a01;
-  const T s = q.a01 * q.b1 - q.a11 * q.b0, t = q.a01 * q.b0 - q.a00 * q.b1;
+  const T det = q.determinant();
+  const auto [s, t] = q.least_of_all();
   const auto on_s = [&](int region) { return Place<T>{fraction(T(-q.b0), q.a00), zero, region}; };
   const auto on_t = [&](int region) { return Place<T>{zero, fraction(T(-q.b1), q.a11), region}; };
   const auto on_slant = [&](int region) {
