@@ -20,28 +20,39 @@ template <class T>
 struct Row {
   T* first = nullptr;
   T& operator[](int k) const { return first[2L * k]; }
-  bool operator==(const Row&) const = default;
 };
-struct Both {
-  double* first;
+template <class T>
+struct Pairs {
+  T* first;
   Two operator[](int k) const {
     Two x;
-    std::memcpy(&x, first + 2L * k, sizeof x);
+    std::memcpy(&x, __builtin_assume_aligned(first + 2L * k, sizeof x), sizeof x);
     return x;
   }
-  void put(int k, Two x) const { std::memcpy(first + 2L * k, &x, sizeof x); }
-  bool operator==(const Both&) const = default;
+  void put(int k, Two x) const {
+    std::memcpy(__builtin_assume_aligned(first + 2L * k, sizeof x), &x, sizeof x);
+  }
 };
+using Both = Pairs<double>;
 /// One number, twice.
+inline Two twice(double x) { return Two{x, x}; }
 struct Twice {
   double* first;
-  Two operator[](int k) const { return Two{first[2L * k], first[2L * k]}; }
+  Two operator[](int k) const { return twice(first[2L * k]); }
+};
+/// A row whose coefficient k is at hand.
+template <int k, class Row, class T>
+struct Newest {
+  Row row;
+  T newest;
+  T operator[](int j) const { return j == k ? newest : T(row[j]); }
 };
 
 /// The rows of coefficients that an operation has to do with.
-template <class T>
+template <class T, class A = Row<T>, class B = Row<T>>
 struct Rows {
-  Row<T> a, b;  ///< null where there is none
+  A a;
+  B b;
   Row<T> result;
   Row<T> second;  ///< of a sine, its cosine
   Row<T> spare;   ///< to work in
@@ -54,6 +65,22 @@ template <int first, int n, class Term>
     return term(first);
   else
     return sum<first, n / 2>(term) + sum<first + n / 2, n - n / 2>(term);
+}
+
+/// The same, every second number apart: those from `first` on, and those from the next.
+template <int first, int n, class Term>
+[[gnu::always_inline]] inline auto sum_by_parity(const Term& term) {
+  constexpr int pairs = n / 2;
+  if constexpr (pairs == 0) {
+    return term(first);
+  } else {
+    const auto both = sum<0, pairs>([&](int i) { return term(first + 2 * i); }) +
+                      sum<0, pairs>([&](int i) { return term(first + 2 * i + 1); });
+    if constexpr (n % 2 == 0)
+      return both;
+    else
+      return both + term(first + n - 1);
+  }
 }
 
 /// The sum of a_j b_(k-j) over 0 < j < k.
@@ -76,15 +103,15 @@ template <int k, class A>
   }
 }
 
-/// Coefficient k of a b, and of a a.
+/// Coefficient k of a b, and of a a. The newest coefficient, b's, joins last: the others do not wait for it.
 template <int k, class A, class B>
 [[gnu::always_inline]] inline auto product(const A& a, const B& b) {
   if constexpr (k == 0)
     return a[0] * b[0];
-  else if constexpr (const auto ends = a[0] * b[k] + a[k] * b[0]; k == 1)
-    return ends;
+  else if constexpr (k == 1)
+    return a[k] * b[0] + a[0] * b[k];
   else
-    return ends + inside<k>(a, b);
+    return (inside<k>(a, b) + a[k] * b[0]) + a[0] * b[k];
 }
 template <int k, class A>
 [[gnu::always_inline]] inline auto square(const A& a) {
@@ -96,141 +123,179 @@ template <int k, class A>
     return ends + inside<k>(a);
 }
 
-template <int k, class T>
-[[gnu::always_inline]] inline void linear(const Node& node, const Rows<T>& rows) {
+template <int k, class Rows>
+[[gnu::always_inline]] inline auto linear(const Node& node, const Rows& rows) {
+  using T = std::decay_t<decltype(rows.result[k])>;
   const auto times = [](double scale, const T& x) {
     return scale == 1 ? x : scale == -1 ? -x : T(scale) * x;
   };
   T sum = times(node.alpha, rows.a[k]);
-  if (rows.b.first) sum = node.beta == -1 ? sum - rows.b[k] : sum + times(node.beta, rows.b[k]);
+  if (node.b >= 0) sum = node.beta == -1 ? sum - rows.b[k] : sum + times(node.beta, rows.b[k]);
   if (k == 0 && node.gamma != 0) sum += T(node.gamma);
-  rows.result[k] = sum;
+  return sum;
 }
 
-template <int k, class T>
-[[gnu::always_inline]] inline void multiply(const Rows<T>& rows) {
-  rows.result[k] = rows.a == rows.b ? square<k>(rows.a) : product<k>(rows.a, rows.b);
+template <int k, class Rows>
+[[gnu::always_inline]] inline auto multiply(const Node& node, const Rows& rows) {
+  return node.a == node.b ? square<k>(rows.a) : product<k>(rows.a, rows.b);
 }
 
 /// r = a / b from a = r b.
-template <int k, class T>
-[[gnu::always_inline]] inline void divide(const Node& node, const Rows<T>& rows) {
-  const Row<T> a = rows.a, b = rows.b, r = rows.result;
+template <int k, class Rows>
+[[gnu::always_inline]] inline auto divide(const Node& node, const Rows& rows) {
+  const auto &a = rows.a, &b = rows.b, &r = rows.result;
+  using T = std::decay_t<decltype(r[k])>;
   T& reciprocal = rows.spare[0];
   if constexpr (k == 0) {
     reciprocal = T(1) / b[0];
-    r[0] = (a.first ? a[0] : T(node.gamma)) * reciprocal;
+    return (node.a >= 0 ? a[0] : T(node.gamma)) * reciprocal;
   } else {
     T known = r[0] * b[k];
     if constexpr (k > 1) known += inside<k>(r, b);
-    r[k] = (a.first ? a[k] - known : -known) * reciprocal;
+    return (node.a >= 0 ? a[k] - known : -known) * reciprocal;
   }
 }
 
 /// r = a^e with e = -3/2, from a r' = e r a': k a_0 r_k = sum over j = 1..k of (e j - (k - j)) a_j r_(k-j).
-template <int k, class T>
-[[gnu::always_inline]] inline void inverse_cube(const Node& node, const Rows<T>& rows) {
+constexpr double inverse_cube_scale(int j, int k) { return -1.5 * j / k - (1 - 1.0 * j / k); }
+
+template <int k, class Rows>
+[[gnu::always_inline]] inline auto inverse_cube(const Node& node, const Rows& rows) {
   using std::sqrt;
-  const Row<T> a = rows.a, r = rows.result;
+  const auto &a = rows.a, &r = rows.result;
+  using T = std::decay_t<decltype(r[k])>;
   T& reciprocal = rows.spare[0];
   if constexpr (k == 0) {
-    r[0] = T(node.gamma) / (a[0] * sqrt(a[0]));
     reciprocal = T(1) / a[0];
+    return T(node.gamma) / (a[0] * sqrt(a[0]));
   } else {
-    const auto term = [=](int j) { return T(-1.5 * j / k - (1 - 1.0 * j / k)) * a[j] * r[k - j]; };
-    const T newest = term(k);  // what the others do not wait for
+    const auto term = [=](int j) { return T(inverse_cube_scale(j, k)) * a[j] * r[k - j]; };
+    const T newest = T(-1.5) * r[0] * a[k];
     if constexpr (k == 1)
-      r[k] = newest * reciprocal;
+      return newest * reciprocal;
+    else if constexpr (k == 2)
+      return (term(1) + newest) * reciprocal;
     else
-      r[k] = (sum<1, k - 1>(term) + newest) * reciprocal;
+      return (sum_by_parity<2, k - 2>(term) + term(1) + newest) * reciprocal;
   }
 }
 
 /// r from r r = a.
-template <int k, class T>
-[[gnu::always_inline]] inline void square_root(const Rows<T>& rows) {
+template <int k, class Rows>
+[[gnu::always_inline]] inline auto square_root(const Rows& rows) {
   using std::sqrt;
-  const Row<T> a = rows.a, r = rows.result;
+  const auto &a = rows.a, &r = rows.result;
+  using T = std::decay_t<decltype(r[k])>;
   T& reciprocal = rows.spare[0];
   if constexpr (k == 0) {
-    r[0] = sqrt(a[0]);
-    reciprocal = T(0.5) / r[0];
+    const T root = sqrt(a[0]);
+    reciprocal = T(0.5) / root;
+    return root;
   } else if constexpr (k == 1) {
-    r[1] = a[1] * reciprocal;
+    return a[1] * reciprocal;
   } else {
-    r[k] = (a[k] - inside<k>(r)) * reciprocal;
+    return (a[k] - inside<k>(r)) * reciprocal;
   }
 }
 
 /// s' = a' c and c' = -a' s; the spare row has the slope a', its order k - 1 at k.
-template <int k, class T>
-[[gnu::always_inline]] inline void sine_and_cosine(const Rows<T>& rows) {
+template <int k, class Rows>
+[[gnu::always_inline]] inline auto sine_and_cosine(const Rows& rows) {
   using std::cos, std::sin;
-  const Row<T> a = rows.a, s = rows.result, c = rows.second, slope = rows.spare;
+  const auto &a = rows.a, &s = rows.result, &c = rows.second, &slope = rows.spare;
+  using T = std::decay_t<decltype(s[k])>;
   if constexpr (k == 0) {
-    s[0] = sin(a[0]);
     c[0] = cos(a[0]);
+    return T(sin(a[0]));
   } else {
     slope[k] = T(k) * a[k];
     T s_slope = slope[k] * c[0], c_slope = slope[k] * s[0];
     if constexpr (k > 1) s_slope += inside<k>(slope, c), c_slope += inside<k>(slope, s);
-    s[k] = s_slope * T(1.0 / k);
     c[k] = c_slope * T(-1.0 / k);
-  }
-}
-
-/// The same with the rows of sine and cosine interleaved.
-template <int k>
-[[gnu::always_inline]] inline void sine_with_cosine(const Rows<double>& rows) {
-  using std::cos, std::sin;
-  const Row<double> a = rows.a, slope = rows.spare;
-  const Both both{rows.result.first};
-  if constexpr (k == 0) {
-    both.put(0, Two{sin(a[0]), cos(a[0])});
-  } else {
-    const double newest = slope[k] = k * a[k];
-    Two slopes = Two{newest, newest} * both[0];
-    if constexpr (k > 1) slopes += inside<k>(Twice{slope.first}, both);
-    both.put(k, Two{slopes[1], slopes[0]} * Two{1.0 / k, -1.0 / k});
+    return s_slope * T(1.0 / k);
   }
 }
 
 /// r' = a' r; the spare row as above.
-template <int k, class T>
-[[gnu::always_inline]] inline void exponential(const Rows<T>& rows) {
+template <int k, class Rows>
+[[gnu::always_inline]] inline auto exponential(const Rows& rows) {
   using std::exp;
-  const Row<T> a = rows.a, r = rows.result, slope = rows.spare;
+  const auto &a = rows.a, &r = rows.result, &slope = rows.spare;
+  using T = std::decay_t<decltype(r[k])>;
   if constexpr (k == 0) {
-    r[0] = exp(a[0]);
+    return T(exp(a[0]));
   } else {
     slope[k] = T(k) * a[k];
     T r_slope = slope[k] * r[0];
     if constexpr (k > 1) r_slope += inside<k>(slope, r);
-    r[k] = r_slope * T(1.0 / k);
+    return r_slope * T(1.0 / k);
   }
 }
 
-/// Coefficient k of the operation.
-template <int k, class T>
-[[gnu::always_inline]] inline void compute(Operation operation, const Node& node, const Rows<T>& rows) {
+/// Coefficient k of the operation, which goes into its row.
+template <int k, class Rows>
+[[gnu::always_inline]] inline auto compute(Operation operation, const Node& node, const Rows& rows) {
+  auto& result = rows.result[k];
   switch (operation) {
     case Operation::linear:
-      return linear<k>(node, rows);
+      return result = linear<k>(node, rows);
     case Operation::multiply:
-      return multiply<k>(rows);
+      return result = multiply<k>(node, rows);
     case Operation::divide:
-      return divide<k>(node, rows);
+      return result = divide<k>(node, rows);
     case Operation::inverse_cube:
-      return inverse_cube<k>(node, rows);
+      return result = inverse_cube<k>(node, rows);
     case Operation::square_root:
-      return square_root<k>(rows);
+      return result = square_root<k>(rows);
     case Operation::sine:
-      return sine_and_cosine<k>(rows);
+      return result = sine_and_cosine<k>(rows);
     case Operation::exponential:
-      return exponential<k>(rows);
+      return result = exponential<k>(rows);
     case Operation::unknown:
     case Operation::cosine:
-      return;
+      break;
+  }
+  return result;
+}
+
+// ---- with pairs of numbers, in the bits of the above
+// -------------------------------------------------------
+
+/// r = a^e as above, with rows of a_(j-1), a_j and of r_j, r_(j-1).
+template <int k, class Rows>
+[[gnu::always_inline]] inline double inverse_cube_by_pairs(const Node& node, const Rows& rows,
+                                                           const Both& rising, const Both& falling) {
+  const auto &a = rows.a, &r = rows.result;
+  double newest = 0;
+  if constexpr (k < 4) {
+    newest = inverse_cube<k>(node, rows);
+  } else {
+    constexpr int pairs = (k - 2) / 2;
+    const auto term = [=](int j) { return inverse_cube_scale(j, k) * a[j] * r[k - j]; };
+    const Two both = sum<0, pairs>([=](int i) {
+      const int j = 2 + 2 * i;
+      return Two{inverse_cube_scale(j, k), inverse_cube_scale(j + 1, k)} * rising[j + 1] * falling[k - j];
+    });
+    double known = both[0] + both[1];
+    if constexpr (k % 2 == 1) known += term(k - 1);
+    newest = (known + term(1) + -1.5 * r[0] * a[k]) * rows.spare[0];
+  }
+  if constexpr (k > 0) rising.put(k, Two{a[k - 1], a[k]}), falling.put(k, Two{newest, r[k - 1]});
+  return newest;
+}
+
+/// Sine and cosine, whose rows are interleaved; the spare row has the slope twice.
+template <int k, class A>
+[[gnu::always_inline]] inline Two sine_with_cosine(const A& a, const Both& both, const Both& slope) {
+  using std::cos, std::sin;
+  if constexpr (k == 0) {
+    return Two{sin(a[0]), cos(a[0])};
+  } else {
+    const Two newest = twice(k * a[k]);
+    slope.put(k, newest);
+    Two slopes = newest * both[0];
+    if constexpr (k > 1) slopes += inside<k>(slope, both);
+    return Two{slopes[1], slopes[0]} * Two{1.0 / k, -1.0 / k};
   }
 }
 

@@ -1,7 +1,10 @@
 #include "solvers/taylor/motion.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -24,11 +27,26 @@ double share_of_radius(double tolerance, int order) {
   return std::pow(std::min(tolerance, 0.1), 1.0 / order);
 }
 
-/// To 0.01, and so that a power of two has its own.
+constexpr int digits = 52, bias = 1023;
+
+/// Of a normal number within 1e-5, and exactly where it is whole.
 double binary_logarithm(double x) {
-  int exponent = 0;
-  const double m = 2 * std::frexp(x, &exponent);  // from 1 to 2
-  return exponent - 1 + (m - 1) * (1 + 0.346 * (2 - m));
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto fraction = bits & ((std::uint64_t(1) << digits) - 1);
+  const double f = std::bit_cast<double>(fraction | std::uint64_t(bias) << digits) - 1,
+               z = f * f;  // 0 <= f < 1
+  const double even = 1.4426814680651574 + z * (0.468658879143979 + z * 0.14447109569932254);
+  const double odd = -0.7203587726758489 - z * (0.30163800973561455 + z * 0.033822045969140305);
+  return static_cast<double>(static_cast<int>(bits >> digits) - bias) + f * (even + f * odd);
+}
+/// 2^x within 4e-6, between normal numbers.
+double power_of_two(double x) {
+  constexpr double shift = 0x3p51;  // beyond which there are whole numbers only
+  const double n = (x + shift) - shift, f = x - n, z = f * f;
+  const auto scale = static_cast<std::uint64_t>(static_cast<int>(n) + bias) << digits;
+  const double even = 1 + z * (0.24022349038020308 + z * 0.00966636851538722);
+  const double odd = 0.69312104520342711 + z * 0.05592197584225615;
+  return std::bit_cast<double>(scale) * (even + f * odd);
 }
 
 }  // namespace
@@ -76,31 +94,24 @@ bool Motion::covers(std::span<const double> x, double t) {
 /// From the steepest of the last four coefficients, as one or two may vanish by accident, or all of one
 /// parity by symmetry; where all four are zero, from those before.
 double Motion::reach() const {
-  double steepest = -std::numeric_limits<double>::infinity(), size_of_it = 0;
-  int its_order = 1;
-  for (int k = order_; k > 2; --k) {
-    double size = 0;
-    for (std::size_t i = 0; i < scale_.size(); ++i)
-      size = std::max(size, scale_[i] * std::abs(series_.coefficient(i, k)));
-    const double steep = binary_logarithm(size) / k;
-    if (size > 0 && steep > steepest) steepest = steep, size_of_it = size, its_order = k;
-    if (k <= order_ - 3 && size_of_it > 0) break;
-  }
-  return share_ * std::pow(size_of_it, -1.0 / its_order);  // infinite, of a polynomial
+  constexpr int last = 4;
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  double steepest = none;
+  for (int k = order_; k > 2 && (k > order_ - last || steepest == none); --k)
+    if (const double size = series_.largest(k, scale_.data()); size > 0)
+      steepest = std::max(steepest, binary_logarithm(size) / k);
+  return share_ * (steepest == none ? -none : power_of_two(-steepest));  // infinite, of a polynomial
 }
 
 bool Motion::expand(std::span<const double> x, double t) {
   operations_ += of_expansion_;
   series_.expand(x.data(), t, order_);
-  double zero = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    scale_[i] = 1 / (1 + std::abs(x[i]));
-    zero += (x[i] + series_.coefficient(i, order_)) * 0;
-  }
-  reach_ = zero == 0 ? reach() : -1;
+  for (std::size_t i = 0; i < x.size(); ++i) scale_[i] = 1 / (1 + std::abs(x[i]));
+  const bool is_finite = series_.is_finite();
+  reach_ = is_finite ? reach() : -1;
   last_time_ = t;
   std::ranges::copy(x, last_.begin());
-  return zero == 0;
+  return is_finite;
 }
 
 const char* Motion::advance(std::span<double> x, double& t, double t1) {

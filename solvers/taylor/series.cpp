@@ -56,7 +56,7 @@ Products at_once(const Node& x, const Node& y) {
 }
 
 /// The nodes that others need.
-std::vector<bool> needed(const Recording& recording) {
+std::vector<bool> needed_of(const Recording& recording) {
   const std::vector<Node>& nodes = recording.tape.nodes();
   std::vector<bool> all(nodes.size());
   const auto need = [&](int node) {
@@ -65,6 +65,17 @@ std::vector<bool> needed(const Recording& recording) {
   for (const Recorded& derivative : recording.derivatives) need(derivative.node());
   for (std::size_t i = nodes.size(); i-- > 0;)
     if (all[i]) need(nodes[i].a), need(nodes[i].b);
+  return all;
+}
+
+/// The nodes that are a factor of several products.
+std::vector<bool> factors_of(const std::vector<Node>& nodes, const std::vector<bool>& needed) {
+  std::vector<int> products(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (needed[i] && nodes[i].operation == Operation::multiply)
+      for (int factor : {nodes[i].a, nodes[i].b}) ++products[static_cast<std::size_t>(factor)];
+  std::vector<bool> all(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) all[i] = products[i] >= 2;
   return all;
 }
 
@@ -100,58 +111,96 @@ long cost_of(const Node& node, int k) {
   return 0;
 }
 
+/// A program on its way from a recording.
+struct Program::Making {
+  const std::vector<Node>& nodes;
+  std::vector<bool> needed, factors;
+  std::vector<int> rows;             ///< of the nodes that have been put; else -1
+  std::vector<bool> doubled_rows{};  ///< as many as are known
+
+  bool is_doubled(int row) const {
+    const auto i = static_cast<std::size_t>(row);
+    return i < doubled_rows.size() && doubled_rows[i];
+  }
+};
+
 Program::Program(const Recording& recording) {
   const std::vector<Node>& nodes = recording.tape.nodes();
-  const std::vector<bool> is_needed = needed(recording);
-  std::vector<int> rows(nodes.size(), -1);
+  const std::vector<bool> needed = needed_of(recording);
+  Making making{nodes, needed, factors_of(nodes, needed), std::vector<int>(nodes.size(), -1)};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node& node = nodes[i];
-    if (is_needed[i]) by_hand_ += by_hand(node);
-    const bool for_cosine = node.operation == Operation::sine && is_needed[i + 1];
-    if (rows[i] >= 0 || (node.operation != Operation::unknown && !is_needed[i] && !for_cosine)) continue;
-    if (node.operation == Operation::multiply)
-      multiply(nodes, is_needed, i, rows);
-    else
-      put(node, i, rows);
+    if (needed[i]) by_hand_ += by_hand(node);
+    const bool for_cosine = node.operation == Operation::sine && needed[i + 1];
+    if (making.rows[i] >= 0 || (node.operation != Operation::unknown && !needed[i] && !for_cosine)) continue;
+    if (node.operation == Operation::unknown)
+      making.rows[i] = rows_++;
+    else if (node.operation == Operation::sine)
+      put_sine(making, i);
+    else if (node.operation != Operation::multiply || !put_two(making, i))
+      put_one(making, i);
   }
   for (const Recorded& derivative : recording.derivatives)
-    derivatives_.push_back({row_of(derivative.node(), rows), derivative.constant()});
+    derivatives_.push_back({row_of(derivative.node(), making.rows), derivative.constant()});
   by_hand_ = std::max(by_hand_, 1L);
   price();
 }
 
-/// An operation, or an unknown, with rows of its own.
-void Program::put(const Node& node, std::size_t i, std::vector<int>& rows) {
-  if (node.operation == Operation::sine) rows_ += rows_ % 2;
-  rows[i] = rows_++;
-  if (node.operation == Operation::unknown) return;
-  Instruction instruction{in_rows(node, rows), rows[i]};
-  if (node.operation == Operation::sine) instruction.second = rows[i + 1] = rows_++;
-  if (node.operation != Operation::linear) instruction.spare = rows_++;
+/// Two rows that are interleaved, of which this is the first.
+int Program::two_rows() {
+  rows_ += rows_ % 2;
+  return std::exchange(rows_, rows_ + 2);
+}
+
+void Program::put_sine(Making& making, std::size_t i) {
+  const int both = two_rows();
+  instructions_.push_back({.node = in_rows(making.nodes[i], making.rows),
+                           .result = both,
+                           .second = both + 1,
+                           .spare = two_rows()});
+  making.rows[i] = both;
+  making.rows[i + 1] = both + 1;
+}
+
+/// An operation with a row of its own, which it fills twice where it is to be multiplied with pairs.
+void Program::put_one(Making& making, std::size_t i) {
+  const bool is_doubled = making.factors[i];
+  Instruction instruction{.node = in_rows(making.nodes[i], making.rows),
+                          .result = is_doubled ? two_rows() : rows_++,
+                          .is_doubled = is_doubled};
+  const Operation operation = instruction.node.operation;
+  if (operation == Operation::inverse_cube)
+    instruction.spare = two_rows(), instruction.second = two_rows();
+  else if (operation != Operation::linear && operation != Operation::multiply)
+    instruction.spare = rows_++;
+  making.rows[i] = instruction.result;
+  making.doubled_rows.resize(static_cast<std::size_t>(rows_));
+  making.doubled_rows[static_cast<std::size_t>(instruction.result)] = is_doubled;
   instructions_.push_back(instruction);
 }
 
 /// A product, at once with one of the next operations where that one's operands are there and lie beside its
-/// own.
-void Program::multiply(const std::vector<Node>& nodes, const std::vector<bool>& is_needed, std::size_t i,
-                       std::vector<int>& rows) {
+/// own; whether there is such a one.
+bool Program::put_two(Making& making, std::size_t i) {
   constexpr std::size_t next = 16;
+  const auto& [nodes, needed, factors, rows, doubled_rows] = making;
   const Node first = in_rows(nodes[i], rows);
   for (std::size_t j = i + 1; j < std::min(i + 1 + next, nodes.size()); ++j) {
-    if (nodes[j].operation != Operation::multiply || !is_needed[j] || rows[j] >= 0) continue;
+    if (nodes[j].operation != Operation::multiply || !needed[j] || rows[j] >= 0) continue;
     const Node other = in_rows(nodes[j], rows);
     const bool comes_first = at_once(first, other) != Products::one;
     const auto& [x, y] = comes_first ? std::tie(first, other) : std::tie(other, first);
-    const Products both = at_once(x, y);
+    Products both = at_once(x, y);
     if (both == Products::one) continue;
-    rows_ += rows_ % 2;
-    instructions_.push_back({.node = x, .result = rows_, .products = both});
-    rows[comes_first ? i : j] = rows_++;
-    rows[comes_first ? j : i] = rows_++;
-    return;
+    const bool is_doubled = (both == Products::of_first_with_both && making.is_doubled(x.a)) ||
+                            (both == Products::of_both_with_second && making.is_doubled(x.b));
+    const int result = two_rows();
+    instructions_.push_back({.node = x, .result = result, .products = is_doubled ? Products::of_both : both});
+    making.rows[i] = comes_first ? result : result + 1;
+    making.rows[j] = comes_first ? result + 1 : result;
+    return true;
   }
-  rows[i] = rows_++;
-  instructions_.push_back({.node = first, .result = rows[i]});
+  return false;
 }
 
 /// Operations of one kind cost alike, but for the scales of a linear one, which are the same at all orders
@@ -193,123 +242,296 @@ void Program::price() {
 
 namespace {
 
-using Kernel = void (*)(const Node&, const Rows<double>&);
-
-template <Operation operation, int k>
-void one(const Node& node, const Rows<double>& rows) {
-  compute<k>(operation, node, rows);
+/// The operand's newest coefficient.
+[[gnu::always_inline]] inline double newest_of(From from, const Row<double>& row, int k, Two handed) {
+  return from == From::row ? row[k] : from == From::second ? handed[1] : handed[0];
 }
-template <int k>
-void plain_sum(const Node&, const Rows<double>& rows) {
-  rows.result[k] = rows.a[k] + rows.b[k];
-}
-template <int k>
-void sine(const Node&, const Rows<double>& rows) {
-  sine_with_cosine<k>(rows);
-}
-template <int k>
-void two_squares(const Node&, const Rows<double>& rows) {
-  Both{rows.result.first}.put(k, square<k>(Both{rows.a.first}));
-}
-template <class A, class B, int k>
-void two_products(const Node&, const Rows<double>& rows) {
-  Both{rows.result.first}.put(k, product<k>(A{rows.a.first}, B{rows.b.first}));
+template <class Pair>
+[[gnu::always_inline]] inline Two newest_of(From from, const Pair& pair, int k, Two handed) {
+  return from == From::row    ? pair[k]
+         : from == From::both ? handed
+                              : twice(handed[from == From::second ? 1 : 0]);
 }
 
-/// How coefficient k is computed, by operation.
+/// Goes on with the next operation: a jump in each kernel's own place, which the processor foresees.
 template <int k>
-constexpr std::array<Kernel, 11> kernels{plain_sum<k>,
-                                         one<Operation::multiply, k>,
-                                         one<Operation::divide, k>,
-                                         one<Operation::inverse_cube, k>,
-                                         one<Operation::square_root, k>,
-                                         sine<k>,
-                                         one<Operation::exponential, k>,
-                                         two_squares<k>,
-                                         two_products<Both, Both, k>,
-                                         two_products<Twice, Both, k>,
-                                         two_products<Both, Twice, k>};
+[[gnu::always_inline]] inline void go_on(const Step& step, Two newest) {
+  const Step& next = (&step)[1];
+  next.kernels[k](next, newest);
+}
 
-/// Not among the kernels: a call would take as long.
-constexpr std::size_t linear_sum = kernels<0>.size();
+/// What is left to do with a number's newest coefficient, and with those of two.
+template <int k>
+[[gnu::always_inline]] inline void finish(const Step& step, double newest) {
+  const Two both = twice(newest);
+  if (step.is_doubled)
+    Both{step.rows.result.first}.put(k, both);
+  else
+    step.rows.result[k] = newest;
+  if (step.unknown.first) step.unknown[k + 1] = newest * (1.0 / (k + 1));
+  go_on<k>(step, both);
+}
+template <int k>
+[[gnu::always_inline]] inline void finish(const Step& step, Two newest) {
+  Both{step.rows.result.first}.put(k, newest);
+  if (step.unknown.first) Both{step.unknown.first}.put(k + 1, newest * (1.0 / (k + 1)));
+  if (step.sum.first) newest = twice(step.sum[k] = newest[0] + newest[1]);
+  go_on<k>(step, newest);
+}
 
-std::size_t kernel_of(const Node& node, Products products) {
-  constexpr std::array single{Operation::multiply,    Operation::divide, Operation::inverse_cube,
-                              Operation::square_root, Operation::sine,   Operation::exponential};
-  if (node.operation == Operation::linear)
-    return node.b >= 0 && node.alpha == 1 && node.beta == 1 && node.gamma == 0 ? 0 : linear_sum;
-  switch (products) {
-    case Products::one:
-      return 1 + static_cast<std::size_t>(std::ranges::find(single, node.operation) - single.begin());
-    case Products::of_both:
-      return single.size() + (node.a == node.b ? 1 : 2);
-    case Products::of_first_with_both:
-      return single.size() + 3;
-    case Products::of_both_with_second:
-      return single.size() + 4;
+template <Operation operation>
+struct One {
+  template <int k>
+  static void compute(const Step& step, Two handed) {
+    using Operand = Newest<k, Row<double>, double>;
+    const auto& [a, b, result, second, spare] = step.rows;
+    const Rows<double, Operand, Operand> rows{
+        {a, newest_of(step.a, a, k, handed)}, {b, newest_of(step.b, b, k, handed)}, result, second, spare};
+    finish<k>(step, taylor::compute<k>(operation, step.node, rows));
   }
-  return 0;
-}
+};
+struct InverseCube {
+  template <int k>
+  static void compute(const Step& step, Two handed) {
+    using Operand = Newest<k, Row<double>, double>;
+    const auto& [a, b, result, second, spare] = step.rows;
+    const Rows<double, Operand> rows{{a, newest_of(step.a, a, k, handed)}, b, result, second, spare};
+    finish<k>(step, inverse_cube_by_pairs<k>(step.node, rows, Both{spare.first}, Both{second.first}));
+  }
+};
+struct PlainSum {
+  template <int k>
+  static void compute(const Step& step, Two handed) {
+    const auto& [a, b, result, second, spare] = step.rows;
+    finish<k>(step, newest_of(step.a, a, k, handed) + newest_of(step.b, b, k, handed));
+  }
+};
+struct Sine {
+  template <int k>
+  static void compute(const Step& step, Two handed) {
+    const auto& [a, b, result, second, spare] = step.rows;
+    const Newest<k, Row<double>, double> of{a, newest_of(step.a, a, k, handed)};
+    finish<k>(step, sine_with_cosine<k>(of, Both{result.first}, Both{spare.first}));
+  }
+};
+struct TwoSquares {
+  template <int k>
+  static void compute(const Step& step, Two handed) {
+    const Both a{step.rows.a.first};
+    finish<k>(step, square<k>(Newest<k, Both, Two>{a, newest_of(step.a, a, k, handed)}));
+  }
+};
+template <class A, class B>
+struct TwoProducts {
+  template <int k>
+  static void compute(const Step& step, Two handed) {
+    const A a{step.rows.a.first};
+    const B b{step.rows.b.first};
+    finish<k>(step, product<k>(Newest<k, A, Two>{a, newest_of(step.a, a, k, handed)},
+                               Newest<k, B, Two>{b, newest_of(step.b, b, k, handed)}));
+  }
+};
+/// An unknown's next coefficient, and those of two, where the derivatives are no operation's.
+struct Next {
+  template <int k>
+  static void compute(const Step& step, Two handed) {
+    step.unknown[k + 1] = newest_of(step.a, step.rows.a, k, handed) * (1.0 / (k + 1));
+    go_on<k>(step, handed);
+  }
+};
+struct NextTwo {
+  template <int k>
+  static void compute(const Step& step, Two handed) {
+    Both{step.unknown.first}.put(k + 1, Both{step.rows.a.first}[k] * (1.0 / (k + 1)));
+    go_on<k>(step, handed);
+  }
+};
+struct NextOfConstant {
+  template <int k>
+  static void compute(const Step& step, Two handed) {
+    step.unknown[k + 1] = k == 0 ? step.node.gamma : 0;
+    go_on<k>(step, handed);
+  }
+};
+struct End {
+  template <int>
+  static void compute(const Step&, Two) {}
+};
 
-}  // namespace
-
-constexpr std::array<void (*)(Series&), most_orders> Series::advance_by_order =
-    []<int... k>(std::integer_sequence<int, k...>)->std::array<void (*)(Series&), most_orders> {
-  return {&advance<k>...};
+/// A kernel of every order.
+template <class Kernel>
+constexpr auto kernels = []<int... k>(std::integer_sequence<int, k...>) {
+  return std::array<Step::Kernel, most_orders>{&Kernel::template compute<k>...};
 }
 (std::make_integer_sequence<int, most_orders>());
 
+bool is_plain_sum(const Node& node) {
+  return node.operation == Operation::linear && node.b >= 0 && node.alpha == 1 && node.beta == 1 &&
+         node.gamma == 0;
+}
+
+const Step::Kernel* kernels_of(const Node& node, Products products) {
+  switch (products) {
+    case Products::one:
+      break;
+    case Products::of_both:
+      return node.a == node.b ? kernels<TwoSquares>.data() : kernels<TwoProducts<Both, Both>>.data();
+    case Products::of_first_with_both:
+      return kernels<TwoProducts<Twice, Both>>.data();
+    case Products::of_both_with_second:
+      return kernels<TwoProducts<Both, Twice>>.data();
+  }
+  switch (node.operation) {
+    case Operation::linear:
+      return is_plain_sum(node) ? kernels<PlainSum>.data() : kernels<One<Operation::linear>>.data();
+    case Operation::multiply:
+      return kernels<One<Operation::multiply>>.data();
+    case Operation::divide:
+      return kernels<One<Operation::divide>>.data();
+    case Operation::inverse_cube:
+      return kernels<InverseCube>.data();
+    case Operation::square_root:
+      return kernels<One<Operation::square_root>>.data();
+    case Operation::sine:
+      return kernels<Sine>.data();
+    case Operation::exponential:
+      return kernels<One<Operation::exponential>>.data();
+    case Operation::unknown:
+    case Operation::cosine:
+      break;
+  }
+  return nullptr;
+}
+
+/// What a step hands over: a row, or two.
+struct Handed {
+  int row = -1;
+  bool two = false, is_doubled = false;
+
+  From of_one(int operand) const {
+    return operand < 0 || operand == row ? From::first : two && operand == row + 1 ? From::second : From::row;
+  }
+  From of_two(int operand) const { return operand == row && (two || is_doubled) ? From::both : From::row; }
+};
+
+}  // namespace
+
+/// The steps of a series in the making.
+struct Series::Making {
+  Series& series;
+  std::vector<bool> has_next{};  ///< of the unknowns
+  Handed handed{};
+
+  Row<double> row(int i) { return i < 0 ? Row<double>() : series.row(i); }
+
+  /// An unknown whose derivative this row is, or two whose derivatives it and the next are; or none.
+  Row<double> take_unknown(int from, bool two) {
+    const auto& all = series.program_.derivatives_;
+    const std::size_t n = two ? 2 : 1;
+    for (std::size_t i = 0; i + n <= all.size(); i += n) {
+      if (has_next[i] || all[i].row != from || (two && (has_next[i + 1] || all[i + 1].row != from + 1)))
+        continue;
+      for (std::size_t j = i; j < i + n; ++j) has_next[j] = true;
+      return row(static_cast<int>(i));
+    }
+    return {};
+  }
+  void put_next(int from, bool two) {
+    while (const auto unknown = take_unknown(from, two).first) {
+      Step& step = series.steps_.emplace_back();
+      step.kernels = two ? kernels<NextTwo>.data() : kernels<Next>.data();
+      step.rows.a = row(from);
+      step.a = handed.of_one(from);
+      step.unknown = {unknown};
+    }
+  }
+  void put_next_of_constants() {
+    const auto& all = series.program_.derivatives_;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].row >= 0) continue;
+      Step& step = series.steps_.emplace_back();
+      step.kernels = kernels<NextOfConstant>.data();
+      step.unknown = row(static_cast<int>(i));
+      step.node.gamma = all[i].constant;
+    }
+  }
+  /// The operation, with the plain sum of its two results where that comes next.
+  bool put(const Program::Instruction& instruction, const Program::Instruction* next) {
+    const auto& [node, result, second, spare, products, is_doubled] = instruction;
+    const bool two = products != Products::one || node.operation == Operation::sine;
+    const bool with_sum = two && next && is_plain_sum(next->node) && !next->is_doubled &&
+                          next->node.a == result && next->node.b == result + 1;
+    Step& step = series.steps_.emplace_back();
+    step.kernels = kernels_of(node, products);
+    step.rows = {row(node.a), row(node.b), row(result), row(second), row(spare)};
+    step.a = products == Products::of_both || products == Products::of_both_with_second
+                 ? handed.of_two(node.a)
+                 : handed.of_one(node.a);
+    step.b = products == Products::of_both || products == Products::of_first_with_both
+                 ? handed.of_two(node.b)
+                 : handed.of_one(node.b);
+    step.unknown = take_unknown(result, two);
+    if (with_sum) step.sum = row(next->result);
+    step.is_doubled = is_doubled;
+    step.node = node;
+    handed = with_sum ? Handed{next->result} : Handed{result, two, is_doubled};
+    if (two) put_next(result, true);
+    for (int i = result; i <= result + two; ++i) put_next(i, false);
+    if (with_sum) put_next(next->result, false);
+    return with_sum;
+  }
+  void put_all() {
+    const auto unknowns = static_cast<int>(series.program_.unknowns());
+    has_next.resize(series.program_.unknowns());
+    put_next_of_constants();
+    for (int i = 0; i < unknowns; i += 2) put_next(i, true);
+    for (int i = 0; i <= unknowns; ++i) put_next(i, false);
+    const auto& all = series.program_.instructions_;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (put(all[i], i + 1 < all.size() ? &all[i + 1] : nullptr)) ++i;
+    series.steps_.emplace_back().kernels = kernels<End>.data();
+  }
+};
+
 Series::Series(Program program) : program_(std::move(program)) {
   memory_.resize(start(program_.rows_ + program_.rows_ % 2));
-  const auto rows = [this](int i) { return i < 0 ? Row<double>() : row(i); };
-  for (const auto& [node, result, second, spare, products] : program_.instructions_)
-    steps_.push_back({kernel_of(node, products),
-                      node,
-                      {rows(node.a), rows(node.b), row(result), rows(second), rows(spare)}});
-  const auto& all = program_.derivatives_;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool two = i % 2 == 0 && i + 1 < all.size() && beside(all[i].row, all[i + 1].row);
-    slopes_.push_back({rows(all[i].row), row(static_cast<int>(i)), all[i].constant, two});
-    if (two) ++i;
-  }
+  Making{*this}.put_all();
 }
 
 void Series::expand(const double* x, double t, int order) {
   order_ = order;
-  for (std::size_t i = 0; i < program_.unknowns(); ++i) row(static_cast<int>(i))[0] = x[i];
-  const Row<double> time = row(static_cast<int>(program_.unknowns()));
+  const std::size_t n = program_.unknowns();
+  for (std::size_t i = 0; i < n; i += 2)
+    Both{row(static_cast<int>(i)).first}.put(0, Two{x[i], i + 1 < n ? x[i + 1] : t});
+  const Row<double> time = row(static_cast<int>(n));
   time[0] = t;
   time[1] = 1;
-  for (int k = 0; k < order; ++k) advance_by_order[static_cast<std::size_t>(k)](*this);
+  const Step& first = steps_.front();
+  [&]<int... k>(std::integer_sequence<int, k...>) {
+    ((k < order ? first.kernels[k](first, Two{}) : void()), ...);
+  }
+  (std::make_integer_sequence<int, most_orders>());
 }
 
-/// Coefficient k of all operations, and k + 1 of the unknowns.
-template <int k>
-void Series::advance(Series& series) {
-  for (const auto& [kernel, node, rows] : series.steps_) {
-    if (kernel == linear_sum)
-      linear<k>(node, rows);
-    else
-      kernels<k>[kernel](node, rows);
-  }
-  constexpr double share = 1.0 / (k + 1);
-  for (const auto& [from, to, constant, two] : series.slopes_) {
-    if (two)
-      Both{to.first}.put(k + 1, Both{from.first}[k] * share);
-    else
-      to[k + 1] = from.first ? from[k] * share : k == 0 ? constant : 0;
-  }
-}
-
+/// In even powers and odd ones.
 void Series::at(double h, double* x) const {
-  const double square = h * h;
-  for (std::size_t i = 0; i < program_.unknowns(); ++i) {
-    const Row<const double> c = row(static_cast<int>(i));
-    double even = 0, odd = 0;
+  const Two square = twice(h * h);
+  const std::size_t n = program_.unknowns();
+  for (std::size_t i = 0; i < n; i += 2) {
+    const auto c = both(i);
+    Two even{}, odd{};
     for (int k = order_ - order_ % 2; k >= 0; k -= 2) even = even * square + c[k];
     for (int k = order_ - 1 + order_ % 2; k > 0; k -= 2) odd = odd * square + c[k];
-    x[i] = even + h * odd;
+    const Two sum = even + h * odd;
+    x[i] = sum[0];
+    if (i + 1 < n) x[i + 1] = sum[1];
   }
+}
+
+bool Series::is_finite() const {
+  Two zero{};
+  for (std::size_t i = 0; i < program_.unknowns(); i += 2) zero += (both(i)[0] + both(i)[order_]) * 0.0;
+  return zero[0] == 0 && zero[1] == 0;
 }
 
 }  // namespace oddity::taylor

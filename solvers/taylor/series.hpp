@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -43,6 +45,7 @@ class Program {
     Node node;
     int result, second = -1, spare = -1;  ///< rows
     Products products = Products::one;
+    bool is_doubled = false;  ///< the row beside the result has the same coefficients
   };
   /// An unknown's derivative: a row, or else a constant.
   struct Derivative {
@@ -50,9 +53,11 @@ class Program {
     double constant;
   };
 
-  void put(const Node& node, std::size_t i, std::vector<int>& rows);
-  void multiply(const std::vector<Node>& nodes, const std::vector<bool>& needed, std::size_t i,
-                std::vector<int>& rows);
+  struct Making;
+  int two_rows();
+  void put_sine(Making&, std::size_t i);
+  void put_one(Making&, std::size_t i);
+  bool put_two(Making&, std::size_t i);
   void price();
 
   std::vector<Instruction> instructions_;  ///< their nodes' operands are rows
@@ -61,6 +66,24 @@ class Program {
   long operations_ = 0;
   int rows_ = 0;  ///< of which the unknowns' are the first, and the time's the next
   long by_hand_ = 0;
+};
+
+/// Where the newest coefficient of an operand, or of two, is had from: its row, or what the step before hands
+/// over, which a row would have late.
+enum class From { row, first, second, both };
+
+/// An operation, or unknowns' next coefficients from their derivatives'. Its kernel goes on with the next
+/// step's.
+struct Step {
+  using Kernel = void (*)(const Step&, Two newest);
+
+  const Kernel* kernels = nullptr;  ///< by k
+  Rows<double> rows = {};
+  Row<double> unknown = {};  ///< whose derivative the result is; of two results, the first of two
+  Row<double> sum = {};      ///< of two results, or none
+  From a = From::row, b = From::row;
+  bool is_doubled = false;
+  Node node = {};
 };
 
 /// The series of a motion about one of its points. All coefficients lie in one piece of memory.
@@ -76,6 +99,18 @@ class Series {
   int order() const { return order_; }
   double time() const { return row(static_cast<int>(program_.unknowns()))[0]; }
   double coefficient(std::size_t unknown, int k) const { return row(static_cast<int>(unknown))[k]; }
+  /// Whether the state and the last coefficients are.
+  bool is_finite() const;
+  /// The largest coefficient of order k, each in its unknown's scale.
+  double largest(int k, const double* scale) const {
+    double most = 0;
+    for (std::size_t i = 0, n = program_.unknowns(); i < n; i += 2) {
+      const Two c = both(i)[k];
+      most = std::max(most, scale[i] * std::abs(c[0]));
+      if (i + 1 < n) most = std::max(most, scale[i + 1] * std::abs(c[1]));
+    }
+    return most;
+  }
   /// The state after h.
   void at(double h, double* x) const;
 
@@ -83,31 +118,19 @@ class Series {
   /// Of two rows, which are interleaved.
   static constexpr std::size_t stride = 2UL * (most_orders + 1);
 
+  struct Making;
+
   static std::size_t start(int row) {
     const auto i = static_cast<std::size_t>(row);
     return i / 2 * stride + i % 2;
   }
   Row<double> row(int i) { return {memory_.data() + start(i)}; }
   Row<const double> row(int i) const { return {memory_.data() + start(i)}; }
-  template <int k>
-  static void advance(Series&);
-  static const std::array<void (*)(Series&), most_orders> advance_by_order;
-
-  struct Step {
-    std::size_t kernel;
-    Node node;
-    Rows<double> rows;
-  };
-  /// Of an unknown, or of two whose rows are interleaved, as their slopes' are.
-  struct Slope {
-    Row<double> from, to;
-    double constant;
-    bool two;
-  };
+  /// Of an unknown and of the next one, or of the time.
+  Pairs<const double> both(std::size_t i) const { return {memory_.data() + i / 2 * stride}; }
 
   Program program_;
   std::vector<Step> steps_;
-  std::vector<Slope> slopes_;
   int order_ = 0;
   std::vector<double> memory_;
 };
