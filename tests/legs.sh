@@ -63,6 +63,19 @@ leg_sweep() {  # sweeps with HDF5 and under mpirun
   build/release/tests/oddity_tests '[sweep]'
 }
 
+leg_namespaces() {  # a sweep by Open MPI on four network namespaces, the same as by one thread, also where a rank is killed
+  tools iproute2 libopenmpi-dev openmpi-bin
+  cmake --preset release -DODDITY_MPI=ON >/dev/null
+  cmake --build build/release --parallel "$jobs" --target oddity
+  tests/namespaces.sh build/release/oddity
+}
+
+leg_slurm() {  # a sweep by the array script that it writes for Slurm, whose daemons are started for it, and killed on the way
+  tools munge slurmctld slurmd slurm-client
+  ./oddity list >/dev/null
+  tests/slurm.sh build/release/oddity
+}
+
 leg_prove() {  # Coq: every proof on record, checked anew
   tools coq libcoq-interval libcoq-coquelicot
   ./oddity prove

@@ -25,6 +25,10 @@ namespace {
 const std::string small =
     " 3.5 --model 'one angle' --algorithm 'velocity Verlet' --over a=10deg..170deg:200 --over step=5ms..1:200 "
     "--looks 4 --chunk-time 3ms";
+// More of them than there are shards, threads and ranks.
+const std::string many =
+    " 3.5 --model 'one angle' --algorithm 'velocity Verlet' --over a=10deg..170deg:520 --over step=5ms..1:520 "
+    "--looks 4 --chunk-time 0.5ms";
 
 std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
@@ -55,6 +59,33 @@ std::size_t chunks_in(const fs::path& folder) {
   for (const auto& file : fs::directory_iterator(folder / "chunks"))
     count += file.path().extension() == ".txt";
   return count;
+}
+
+/// When each chunk was made.
+std::map<std::string, fs::file_time_type> chunk_times(const fs::path& folder) {
+  std::map<std::string, fs::file_time_type> times;
+  for (const auto& file : fs::directory_iterator(folder / "chunks"))
+    if (file.path().extension() == ".txt") times[file.path().filename()] = file.last_write_time();
+  return times;
+}
+
+/// Starts the program and kills it after so long: whether it had not ended before.
+bool killed_after(std::chrono::duration<double> time, std::vector<std::string> arguments) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, 1), dup2(nowhere, 2);
+    std::vector<char*> words{const_cast<char*>("oddity")};
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    execv(ODDITY_PROGRAM, words.data());
+    _exit(127);
+  }
+  std::this_thread::sleep_for(time);
+  kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFSIGNALED(status);
 }
 
 Ended disc(int x, int y) {
@@ -107,48 +138,52 @@ TEST_CASE("axes go evenly or by a factor, and end where they are to", "[sweep]")
 TEST_CASE("a sweep is the same, byte for byte, whoever shares it", "[sweep]") {
   const ScratchFolder scratch;
   const fs::path one = scratch.path() / "one";
-  plan(one);
+  plan(one, many);
   REQUIRE(run("sweep run --threads 1 " + quoted(one)).status == 0);
   const auto chunks = files_in(one / "chunks");
-  REQUIRE(chunks.size() > 12);
+  REQUIRE(chunks.size() > 64);
   const fs::path csv = scratch.path() / "one.csv";
   REQUIRE(run("sweep merge " + quoted(one) + " --out " + quoted(csv)).status == 0);
   const std::string cells = text_of(csv);
-  CHECK(std::count(cells.begin(), cells.end(), '\n') == 200 * 200 + 1);
+  CHECK(std::count(cells.begin(), cells.end(), '\n') == 520 * 520 + 1);
 
   SECTION("by threads") {
-    for (int threads : {2, 7}) {
+    for (int threads : {2, 7, 64}) {
       const fs::path other = copy_of_plan(one, scratch.path() / std::to_string(threads));
       REQUIRE(run("sweep run --threads " + std::to_string(threads) + " " + quoted(other)).status == 0);
       CHECK(files_in(other / "chunks") == chunks);
     }
   }
   SECTION("by machines that share nothing") {
-    std::string folders;
-    for (int shard = 1; shard <= 7; ++shard) {
-      const fs::path other = copy_of_plan(one, scratch.path() / ("of_7_" + std::to_string(shard)));
-      REQUIRE(run("sweep run --threads 1 --shard " + std::to_string(shard) + "/7 " + quoted(other)).status ==
-              0);
-      folders += " " + quoted(other);
+    for (int shards : {2, 7, 64}) {
+      std::string folders;
+      for (int shard = 1; shard <= shards; ++shard) {
+        const std::string share = std::to_string(shard) + "/" + std::to_string(shards);
+        const fs::path other = copy_of_plan(one, scratch.path() / share);
+        REQUIRE(run("sweep run --threads 1 --shard " + share + " " + quoted(other)).status == 0);
+        CHECK(chunks_in(other) < chunks.size());
+        folders += " " + quoted(other);
+      }
+      const fs::path out = scratch.path() / (std::to_string(shards) + ".csv");
+      const Ran merged = run("sweep merge" + folders + " --out " + quoted(out));
+      INFO(merged.output);
+      REQUIRE(merged.status == 0);
+      CHECK(text_of(out) == cells);
     }
-    const fs::path out = scratch.path() / "seven.csv";
-    const Ran merged = run("sweep merge" + folders + " --out " + quoted(out));
-    INFO(merged.output);
-    REQUIRE(merged.status == 0);
-    CHECK(text_of(out) == cells);
   }
   SECTION("by ranks of MPI, where there is one") {
     if (shell("command -v mpirun").status == 0 &&
         fs::exists(fs::path(ODDITY_PROGRAM).parent_path() / "liboddity_mpi.so")) {
-      const fs::path other = copy_of_plan(one, scratch.path() / "ranks");
-      const Ran ran = shell(
-          "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n 3 "
-          "$oddity sweep run " +
-          quoted(other));
-      INFO(ran.output);
-      REQUIRE(ran.status == 0);
-      CHECK(files_in(other / "chunks") == chunks);
-      CHECK(says(ran, "all " + std::to_string(chunks.size()) + " chunks are there"));
+      for (int ranks : {2, 7, 64}) {
+        const fs::path other = copy_of_plan(one, scratch.path() / std::to_string(ranks));
+        const Ran ran =
+            shell("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n " +
+                  std::to_string(ranks) + " $oddity sweep run " + quoted(other));
+        INFO(ran.output);
+        REQUIRE(ran.status == 0);
+        CHECK(files_in(other / "chunks") == chunks);
+        CHECK(says(ran, "all " + std::to_string(chunks.size()) + " chunks are there"));
+      }
     }
   }
   SECTION("merged twice") {
@@ -166,36 +201,36 @@ TEST_CASE("a sweep is the same, byte for byte, whoever shares it", "[sweep]") {
   }
 }
 
-TEST_CASE("a sweep that is killed goes on where it was", "[sweep]") {
+TEST_CASE("a sweep that is killed a hundred times loses what it was at, and no more", "[sweep]") {
   const ScratchFolder scratch;
-  const fs::path whole = scratch.path() / "whole";
+  const fs::path whole = scratch.path() / "whole", killed = scratch.path() / "killed";
   plan(whole);
-  REQUIRE(run("sweep run " + quoted(whole)).status == 0);
+  const auto begin = std::chrono::steady_clock::now();
+  REQUIRE(run("sweep run --threads 1 " + quoted(whole)).status == 0);
+  const std::chrono::duration<double> takes = std::chrono::steady_clock::now() - begin;
   const auto chunks = files_in(whole / "chunks");
-  const fs::path killed = copy_of_plan(whole, scratch.path() / "killed");
+
   oddity::Random random(11);
-  std::size_t before = 0;
-  int ended_early = 0;
-  for (int time = 0; time < 25; ++time) {
-    const pid_t child = fork();
-    if (child == 0) {
-      const int nowhere = open("/dev/null", O_WRONLY);
-      dup2(nowhere, 1), dup2(nowhere, 2);
-      execl(ODDITY_PROGRAM, "oddity", "sweep", "run", killed.c_str(), static_cast<char*>(nullptr));
-      _exit(127);
+  int kills = 0, beginnings = 0;
+  std::map<std::string, fs::file_time_type> before;
+  for (int time = 0; kills < 100 && time < 1000; ++time) {
+    if (before.empty() || before.size() == chunks.size()) {
+      fs::remove_all(killed);
+      copy_of_plan(whole, killed);
+      fs::create_directories(killed / "chunks");
+      before.clear();
+      ++beginnings;
     }
-    std::this_thread::sleep_for(std::chrono::microseconds(static_cast<long>(random.between(5e3, 2.5e5))));
-    kill(child, SIGKILL);
-    int status = 0;
-    waitpid(child, &status, 0);
-    ended_early += WIFSIGNALED(status);
-    if (!fs::exists(killed / "chunks")) continue;
-    CHECK(chunks_in(killed) >= before);
-    before = chunks_in(killed);
+    kills += killed_after(takes * random.between(0, 1), {"sweep", "run", "--threads", "1", killed});
+    const auto after = chunk_times(killed);
+    for (const auto& [name, made] : before) CHECK(after.at(name) == made);
     for (const auto& [name, text] : files_in(killed / "chunks"))
       if (name.ends_with(".txt")) CHECK(text == chunks.at(name));
+    CHECK(files_in(killed / "chunks").size() <= after.size() + 1);  // and what it was writing
+    before = after;
   }
-  CHECK(ended_early > 0);
+  CHECK(kills == 100);
+  CHECK(beginnings < 100);
   REQUIRE(run("sweep run " + quoted(killed)).status == 0);
   for (const auto& [name, text] : chunks) CHECK(text_of(killed / "chunks" / name) == text);
   CHECK(run("sweep merge " + quoted(killed) + " --out " + quoted(scratch.path() / "k.csv")).status == 0);
