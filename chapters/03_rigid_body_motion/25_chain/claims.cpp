@@ -30,6 +30,14 @@ struct SampleOf {
       omega.push_back(random.between(-3, 3));
     }
   }
+  TypesetLetters typeset() const {
+    TypesetLetters all{{"g", g}, {"h", h}};
+    for (std::size_t k = 0; k < m.size(); ++k)
+      for (const auto& [letter, value] :
+           {std::pair{"m_", m[k]}, {"r_", r[k]}, {R"(\theta_)", theta[k]}, {R"(\dot\theta_)", omega[k]}})
+        all.emplace_back(letter + std::to_string(k + 1), value);
+    return all;
+  }
   std::string where() const {
     return R"($\theta$ = ()" + format_significant(theta[0], 4) + R"(, ...), $\omega$ = ()" +
            format_significant(omega[0], 4) + ", ...)";

@@ -35,6 +35,18 @@ struct SampleOf {
     const double forces = speed * speed / r + gamma() / (r * r) + m1 + m2 + G * m1 * m2;
     return forces * (1 + speed) * (1 + 1 / (r * r)) / (sine * sine);
   }
+  TypesetLetters typeset() const {
+    return {{"G", G},
+            {"m_1", m1},
+            {"m_2", m2},
+            {"r", q[0]},
+            {R"(\theta)", q[1]},
+            {R"(\varphi)", q[2]},
+            {R"(\dot r)", v[0]},
+            {R"(\dot\varphi)", v[2]},
+            {R"(\beta)", beta()},
+            {R"(\gamma)", gamma()}};
+  }
   std::string where() const {
     return "$m_1$ = " + format_significant(m1, 4) + ", $m_2$ = " + format_significant(m2, 4) +
            ", $r$ = " + format_significant(q[0], 4) + R"(, $\dot\varphi$ = )" + format_significant(v[2], 4);
