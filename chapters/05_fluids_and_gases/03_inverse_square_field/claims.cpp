@@ -31,12 +31,6 @@ double quotient_plus(double s, double x) {
 double simplified_plus(double s, double x) { return (s + 3 * x * x) / std::pow(s, 2.5); }
 double simplified_dropped(double s, double) { return s / std::pow(s, 2.5); }
 
-/// The three summands over the common denominator.
-Point brackets(const Point& x) {
-  const double s = x[0] * x[0] + x[1] * x[1] + x[2] * x[2], denominator = std::pow(s, 2.5);
-  return {(s - 3 * x[0] * x[0]) / denominator, (s - 3 * x[1] * x[1]) / denominator,
-          (s - 3 * x[2] * x[2]) / denominator};
-}
 Point brackets_first_twice(const Point& x) {
   const Point b = brackets(x);
   return {b[0], b[0], b[2]};
@@ -112,10 +106,7 @@ struct Whole {
            ")";
   }
   /// The brackets |x|^2 - factor x_i^2 add up to zero.
-  bool cancels(long factor) const {
-    const long s = x * x + y * y + z * z;
-    return (s - factor * x * x) + (s - factor * y * y) + (s - factor * z * z) == 0;
-  }
+  bool cancels(long factor) const { return sum_of_brackets(Triple<long>{x, y, z}, factor) == 0; }
 };
 
 }  // namespace
@@ -155,7 +146,7 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
        .kind = Fault::formula});
   derivatives("common_denominator", 3239, R"(the three summands over the common denominator $|\mathbf x|^5$)",
               1e55,
-              {{"brackets with $3x_0^2$, $3x_1^2$, $3x_2^2$", brackets},
+              {{"brackets with $3x_0^2$, $3x_1^2$, $3x_2^2$", brackets<double>},
                {"the first bracket twice", brackets_first_twice}});
   Random digits = random;
   std::vector<Whole> whole;

@@ -24,10 +24,35 @@ Point each(const Point& x) {
   const double s = dot(x, x);
   return {derivative(s, x[0]), derivative(s, x[1]), derivative(s, x[2])};
 }
-inline double quotient(double s, double x) {
-  return (std::pow(s, 1.5) - 3 * x * x * std::pow(s, 0.5)) / std::pow(s, 3);
+/// The power of s by half of that.
+template <class T>
+T half_power(const T& s, int exponent) {
+  if constexpr (std::same_as<T, double>)
+    return std::pow(s, exponent / 2.0);
+  else
+    return pow(sqrt(s), exponent);
 }
-inline double simplified(double s, double x) { return (s - 3 * x * x) / std::pow(s, 2.5); }
+template <class T>
+T quotient(T s, T x) {
+  return (half_power(s, 3) - 3 * x * x * half_power(s, 1)) / half_power(s, 6);
+}
+template <class T>
+T simplified(T s, T x) {
+  return (s - 3 * x * x) / half_power(s, 5);
+}
+/// The three summands over the common denominator.
+template <class T>
+Triple<T> brackets(const Triple<T>& x) {
+  const T s = x[0] * x[0] + x[1] * x[1] + x[2] * x[2], denominator = half_power(s, 5);
+  return {(s - 3 * x[0] * x[0]) / denominator, (s - 3 * x[1] * x[1]) / denominator,
+          (s - 3 * x[2] * x[2]) / denominator};
+}
+/// The brackets |x|^2 - factor x_i^2.
+template <class T>
+T sum_of_brackets(const Triple<T>& x, T factor) {
+  const T s = dot(x, x);
+  return (s - factor * x[0] * x[0]) + (s - factor * x[1] * x[1]) + (s - factor * x[2] * x[2]);
+}
 
 std::vector<Claim> claims(const Random&, const Reference&);
 std::vector<Root> roots();

@@ -7,6 +7,7 @@
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
 #include "chapters/05_fluids_and_gases/shared/meanings.hpp"
+#include "chapters/05_fluids_and_gases/shared/smooth_fields.hpp"
 
 namespace oddity {
 
@@ -147,6 +148,47 @@ Proof proof_of_lines(Random random) {
   return proof;
 }
 
+constexpr const char* in_turned_frame = R"(
+Ltac in_turned_frame r f H :=
+  let e0 := fresh in pose proof (in_frame r 0 f H ltac:(lia)) as e0;
+  let e1 := fresh in pose proof (in_frame r 1 f H ltac:(lia)) as e1;
+  let e2 := fresh in pose proof (in_frame r 2 f H ltac:(lia)) as e2;
+  unfold dot, sum in e0, e1, e2; revert e0 e1 e2;
+  generalize (r 0%nat 0%nat * f 0%nat + r 0%nat 1%nat * f 1%nat + r 0%nat 2%nat * f 2%nat),
+    (r 1%nat 0%nat * f 0%nat + r 1%nat 1%nat * f 1%nat + r 1%nat 2%nat * f 2%nat),
+    (r 2%nat 0%nat * f 0%nat + r 2%nat 1%nat * f 1%nat + r 2%nat 2%nat * f 2%nat);
+  intros ? ? ? <- <- <-; ring.
+)";
+
+/// What turns with its factors: any matrix and vectors in any frame r.
+Provables proofs_of_turned(const Proof& proof) {
+  const std::array r{numbers("r 0%nat"), numbers("r 1%nat"), numbers("r 2%nat")},
+      m{numbers("m 0%nat"), numbers("m 1%nat"), numbers("m 2%nat")};
+  const auto f = numbers("f"), g = numbers("g");
+  const std::array mf{dot(m[0], f), dot(m[1], f), dot(m[2], f)};
+  const auto column = [&](std::size_t j) { return std::array{m[0][j], m[1][j], m[2][j]}; };
+  const std::array gm{dot(g, column(0)), dot(g, column(1)), dot(g, column(2))};
+  Meanings in_frame;
+  const auto put = [&](const std::string& name, const Shortened& x) { in_frame.put(name, x.expression()); };
+  for (std::size_t i = 0; i < 3; ++i) {
+    put("v" + digit(i), dot(r[i], f));
+    put("u" + digit(i), dot(r[i], g));
+    put("turned_Mf" + digit(i), dot(r[i], mf));
+    put("turned_gTM" + digit(i), dot(r[i], gm));
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::array m_along{dot(m[0], r[j]), dot(m[1], r[j]), dot(m[2], r[j])};
+      put("n" + digit(i) + digit(j), dot(r[i], m_along));
+    }
+  }
+  return in_frame.proofs("5.5", proof,
+                         {.letters = "(r m : nat -> nat -> R) (f g : nat -> R)",
+                          .given = {{"frame r"}},
+                          .tactic = "first [in_turned_frame r f H | in_turned_frame r g H]",
+                          .says = "it holds for any matrix and vectors in any right-handed orthonormal frame",
+                          .preamble = "From Coq Require Import Lia Nsatz.\nLocal Open Scope R_scope.\n\n" +
+                                      frames_in_coq + in_turned_frame});
+}
+
 Provables proofs() {
   Meanings m;
   const CoqField phi = m.any_scalar("phi");
@@ -163,7 +205,10 @@ Provables proofs() {
   m.put_vector("f", f);
   m.put("g", g);
   m.put_scalar("phi", phi);
-  return m.proofs("5.5", proof_of_lines(Random(1)));
+  const Proof proof = proof_of_lines(Random(1));
+  Provables all = m.proofs("5.5", proof);
+  for (Provable& of_turned : proofs_of_turned(proof)) all.push_back(std::move(of_turned));
+  return all;
 }
 
 Quantity divergence_of_product(const Parameters& p, const Reference& truth) {

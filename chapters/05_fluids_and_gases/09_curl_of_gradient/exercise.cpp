@@ -5,7 +5,8 @@
 // tried on Peano's function.
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
-#include "chapters/05_fluids_and_gases/shared/proof.hpp"
+#include "chapters/05_fluids_and_gases/shared/meanings.hpp"
+#include "chapters/05_fluids_and_gases/shared/smooth_fields.hpp"
 #include "solvers/counted_calls.hpp"
 
 namespace oddity {
@@ -62,7 +63,11 @@ const Names names{{"grad", R"((\nabla\varphi))"},
                   {"turned", R"(\varphi')"},
                   {"zero", "0"}};
 
-std::vector<Claim> claims(Random random, const Known& mixed) {
+constexpr const char* by_nested_duals = "nested dual numbers along two vectors of a turned frame";
+const std::vector<Row> either_order{
+    {"turned01", "turned10"}, {"turned12", "turned21"}, {"turned20", "turned02"}};
+
+Proof proof_of_lines(Random random) {
   Proof proof("5.9", sampled(random, fill), names);
   proof.line("gradient", 3373, "the gradient in coordinates", each_component("grad#", "phi,#"),
              "the gradient along a turned frame");
@@ -78,6 +83,10 @@ std::vector<Claim> claims(Random random, const Known& mixed) {
     for (Reading& near : proof.single_changes(of_any, pattern)) claim.near_misses.push_back(std::move(near));
     proof.claims.add("component_" + i, at, R"($\nabla\times\nabla\varphi$ in coordinates, component )" + i,
                      std::move(claim));
+    std::vector<Row> all = terms;
+    all.push_back(of_any[0]);
+    all.push_back({"curl_grad" + i, terms[0].right + " " + terms[1].right});
+    proof.lines.push_back({"component_" + i, all});
   };
   component(3379, "0", {{"grad2,1", "phi,21"}, {"- grad1,2", "- phi,12"}}, "v2,1 - v1,2");
   component(3387, "1", {{"grad0,2", "phi,02"}, {"- grad2,0", "- phi,20"}}, "v0,2 - v2,0");
@@ -86,16 +95,19 @@ std::vector<Claim> claims(Random random, const Known& mixed) {
              R"($\nabla\times\nabla\varphi$ along a turned frame)",
              {each_component("curl_v#", "zero"),
               {{"phi,21 + phi,12", "zero"}, {"phi,02 + phi,20", "zero"}, {"phi,10 + phi,01", "zero"}}});
+  proof.lines.push_back({"order", either_order});
+  return proof;
+}
 
-  const std::string nested = "nested dual numbers along two vectors of a turned frame";
+std::vector<Claim> claims(Random random, const Known& mixed) {
+  Proof proof = proof_of_lines(random);
   const auto& m = mixed.value;
   const Value one{m[0], m[2], m[4]}, other{m[1], m[3], m[5]};
   Claim order{
-      .printed = proof.reading({{"turned01", "turned10"}, {"turned12", "turned21"}, {"turned20", "turned02"}},
-                               nested),
+      .printed = proof.reading(either_order, by_nested_duals),
       .near_misses = {
           proof.reading({{"turned01", "turned02"}, {"turned12", "turned10"}, {"turned20", "turned21"}},
-                        nested),
+                        by_nested_duals),
           {"it is irrelevant wherever they exist (Peano's $xy(x^2-y^2)/(x^2+y^2)$)", {peano_orders()}}}};
   order.printed.checks.push_back({"second derivatives of the fixed field",
                                   {"iterated limits in 60 digits, in one order", one},
@@ -106,6 +118,46 @@ std::vector<Claim> claims(Random random, const Known& mixed) {
                    "$\\varphi'_{01}$ is one along two vectors of a turned frame)",
                    std::move(order));
   return proof.claims.in_order();
+}
+
+/// Along the axes, the derivatives in one order.
+constexpr const char* in_axes =
+    "pose proof (smooth_less 1 phi H0) as once; rewrite ?along_twice by assumption;\n"
+    "  unfold dot_field, dot, sum; rewrite ?curl_is by auto using gradient_smooth; simpl; unfold plus_times;\n"
+    "  rewrite ?gradient_is by auto; rewrite ?(d_swap phi 1 0), ?(d_swap phi 2 0), ?(d_swap phi 2 1) by auto; ring";
+
+/// Of any fields v and phi; the gradient and the curl are taken along any frame r.
+Provables proofs() {
+  const auto at_the_point = [](const std::string& field) {
+    return Expression::letter("(" + field + " x0 x1 x2)");
+  };
+  const auto by = [](std::size_t j, const std::string& field) {
+    return "d " + digit(j) + " (" + field + ")";
+  };
+  const auto along_axis = [](std::size_t k, const std::string& field) {
+    return "along (r " + digit(k) + "%nat) (" + field + ")";
+  };
+  Meanings m;
+  m.put("zero", Expression(0.0));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string number = digit(i) + "%nat", grad = "gradient r phi " + number, v = "v " + number;
+    m.put("grad" + digit(i), at_the_point(grad));
+    m.put("curl_grad" + digit(i), at_the_point("curl r (gradient r phi) " + number));
+    m.put("curl_v" + digit(i), at_the_point("curl r v " + number));
+    m.put("phi," + digit(i), at_the_point(by(i, "phi")));
+    for (std::size_t j = 0; j < 3; ++j) {
+      m.put("phi," + digit(i) + digit(j), at_the_point(by(j, by(i, "phi"))));
+      m.put("turned" + digit(i) + digit(j), at_the_point(along_axis(j, along_axis(i, "phi"))));
+      m.put("grad" + digit(i) + "," + digit(j), at_the_point(by(j, grad)));
+      m.put("v" + digit(i) + "," + digit(j), at_the_point(by(j, v)));
+    }
+  }
+  return m.proofs("5.9", proof_of_lines(Random(1)),
+                  {.letters = "(r : nat -> nat -> R) (phi : field) (v : nat -> field) (x0 x1 x2 : R)",
+                   .given = {{"frame r"}, {"smooth 2 phi"}, {"smooth_vector 1 v"}},
+                   .tactic = in_axes,
+                   .says = "it holds for all fields whose second derivatives are continuous, along any frame",
+                   .preamble = smooth_fields_in_coq});
 }
 
 Quantity mixed_derivatives(const At& at, const Known& six) {
@@ -219,6 +271,8 @@ Findings study(const Parameters& p, const Reference& truth) {
 }
 
 }  // namespace ex05_09
+
+Provables proofs_5_9() { return ex05_09::proofs(); }
 
 Exercise exercise_5_9() {
   using namespace ex05_09;

@@ -1,7 +1,5 @@
 // Every index expression as it is written, evaluated from derivatives along the axes, against curls nested in
 // one another by dual numbers along a frame turned at random.
-#include "chapters/claims.hpp"
-
 #include <Eigen/Geometry>
 
 #include "chapters/05_fluids_and_gases/15_repeated_curl/repeated_curl.hpp"
@@ -27,19 +25,6 @@ auto contracted(const Field& f, const IndexExpression& expression) {
     put_permutation_tensor(tensors);
     tensors[{"f", order + 1}] = derivatives<order>(f, x);
     return expression.value(tensors);
-  };
-}
-
-Point turned(const Frame& r, const Point& v) { return {dot(r[0], v), dot(r[1], v), dot(r[2], v)}; }
-
-/// The field in the coordinates of a turned frame.
-template <class Field>
-auto turned_field(const Field& f, const Frame& r) {
-  return [f, r](const auto& y) {
-    const auto v = f(std::array{r[0][0] * y[0] + r[1][0] * y[1] + r[2][0] * y[2],
-                                r[0][1] * y[0] + r[1][1] * y[1] + r[2][1] * y[2],
-                                r[0][2] * y[0] + r[1][2] * y[1] + r[2][2] * y[2]});
-    return std::array{dot(r[0], v), dot(r[1], v), dot(r[2], v)};
   };
 }
 
@@ -91,11 +76,6 @@ Sampled sample(Random& random, int number) {
   s.left["f along a, b, c"] = along(along_b, x, c);
   return s;
 }
-
-/// What an index expression is said to equal.
-struct Said {
-  std::string left, right, free = "i";
-};
 
 /// "k1" as k_1.
 std::string typeset_index(const std::string& index) {
@@ -191,12 +171,14 @@ Claim summed(const std::string& expression, const std::string& near) {
 
 }  // namespace
 
-std::vector<Claim> claims(Random random) {
+Lines lines(Random random) {
   const Tensorial t(random);
-  Claims claims("5.15");
+  Lines all;
+  Claims& claims = all.claims;
   const auto add = [&](const char* slug, int line, const char* says, const std::vector<Said>& printed,
                        const std::vector<std::vector<Said>>& near_misses) {
     claims.add(slug, line, says, t.claim(printed, near_misses));
+    all.printed.emplace_back(slug, printed);
   };
   add("cross_product", 3687, R"($\mathbf g\times\mathbf f$ in index notation)",
       {{"g x f", "e(i j k) g(j) f(k)"}},
@@ -264,7 +246,8 @@ std::vector<Claim> claims(Random random) {
   same.printed.checks.insert(same.printed.checks.end(), wellformed.begin(), wellformed.end());
   claims.add("product", 3723, R"(the same as a product over $l$ of $e_{k_{l+1}j_lk_l}$, $n=1,\ldots,4$)",
              std::move(same));
-  return claims.in_order();
+  all.printed.emplace_back("product", product);
+  return all;
 }
 
 }  // namespace oddity::ex05_15

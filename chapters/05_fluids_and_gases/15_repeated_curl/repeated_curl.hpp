@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
+#include "chapters/claims.hpp"
 #include "chapters/exercise.hpp"
+#include "chapters/expression.hpp"
 #include "chapters/random.hpp"
 
 /// Index notation, read and evaluated, and the curl applied n times: nested, and by the general formula of
@@ -113,6 +115,7 @@ class IndexExpression {
   };
 
   static bool is_zero(double x) { return x == 0; }
+  static bool is_zero(const Shortened& x) { return x.expression().coq() == "0"; }
   template <class T>
   static bool is_zero(const Dual<T>& x) {
     return is_zero(x.value) && is_zero(x.slope);
@@ -182,11 +185,40 @@ inline std::string derivative_of_f(int n, const std::string& component = "k1",
   return text + ")";
 }
 
+// ---- in the coordinates of a turned frame -----------------------------------------------------------------
+
+template <class T>
+using FrameOf = std::array<Triple<T>, 3>;
+
+template <class T>
+Triple<T> turned(const FrameOf<T>& r, const Triple<T>& v) {
+  return {dot(r[0], v), dot(r[1], v), dot(r[2], v)};
+}
+/// The field as a function of y = R x.
+template <class Field, class R>
+auto turned_field(const Field& f, const FrameOf<R>& r) {
+  return [f, r](const auto& y) {
+    const auto v = f(std::array{r[0][0] * y[0] + r[1][0] * y[1] + r[2][0] * y[2],
+                                r[0][1] * y[0] + r[1][1] * y[1] + r[2][1] * y[2],
+                                r[0][2] * y[0] + r[1][2] * y[1] + r[2][2] * y[2]});
+    return std::array{dot(r[0], v), dot(r[1], v), dot(r[2], v)};
+  };
+}
+
 }  // namespace oddity::fields
 
 namespace oddity::ex05_15 {
 
-std::vector<Claim> claims(Random);
+/// What an index expression is said to equal.
+struct Said {
+  std::string left, right, free = "i";
+};
+/// The claims, and which lines they state as printed, by slug.
+struct Lines {
+  Claims claims{"5.15"};
+  std::vector<std::pair<std::string, std::vector<Said>>> printed = {};
+};
+Lines lines(Random);
 /// The curls applied 1, ..., `most` times.
 std::vector<Quantity> quantities(const fields::At&, double most, const Reference&);
 

@@ -145,13 +145,22 @@ Expression Meanings::expression(const Terms& terms, const Sample& symbols) const
 }
 
 Provables Meanings::proofs(const std::string& exercise, const Proof& proof) const {
+  Stated differentiable{
+      .letters = "(" + listed(fields_) + " : field) (" + listed(numbers_) + " x0 x1 x2 : R)",
+      .given = {},
+      .tactic = "differentiate; ring",
+      .says = "it holds for all differentiable fields at every point",
+      .preamble = definitions};
+  for (const std::string& f : fields_) differentiable.given.push_back({"differentiable " + f});
+  return proofs(exercise, proof, differentiable);
+}
+
+Provables Meanings::proofs(const std::string& exercise, const Proof& proof, const Stated& stated) const {
   const Sample& symbols = proof.samples[0];
   Provables all;
   for (const Line& line : proof.lines) {
-    Lemma lemma{.name = line.reading,
-                .letters = "(" + listed(fields_) + " : field) (" + listed(numbers_) + " x0 x1 x2 : R)",
-                .tactic = "differentiate; ring"};
-    for (const std::string& f : fields_) lemma.given.push_back({"differentiable " + f});
+    Lemma lemma{
+        .name = line.reading, .letters = stated.letters, .given = stated.given, .tactic = stated.tactic};
     bool provable = true, by_definition = true;
     for (const Row& row : line.rows) {
       const Terms left = read_terms(row.left, symbols), right = read_terms(row.right, symbols);
@@ -162,11 +171,7 @@ Provables Meanings::proofs(const std::string& exercise, const Proof& proof) cons
       by_definition = by_definition && a.coq() == b.coq();
     }
     if (provable && !by_definition)
-      all.push_back({exercise + "-" + line.slug,
-                     "it holds for all differentiable fields at every point",
-                     {lemma},
-                     0,
-                     definitions});
+      all.push_back({exercise + "-" + line.slug, stated.says, {lemma}, 0, stated.preamble});
   }
   return all;
 }

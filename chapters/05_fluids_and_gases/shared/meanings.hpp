@@ -26,6 +26,13 @@ CoqVector times(const CoqField&, const CoqVector&);
 /// (f.grad) g.
 CoqVector advected(const CoqVector& f, const CoqVector& g);
 
+/// What lemmas about lines have in common.
+struct Stated {
+  std::string letters;
+  std::vector<Proposition> given;
+  std::string tactic, says, preamble;
+};
+
 /// What the symbols of lines stand for at a point, in terms of differentiable fields.
 class Meanings {
  public:
@@ -35,6 +42,7 @@ class Meanings {
   CoqVector any_numbers(const std::string& name);
   static CoqVector position();
 
+  void put(const std::string& name, const Expression& at_the_point) { meanings_[name] = at_the_point; }
   void put(const std::string& name, const CoqField&);
   void put(const std::string& name, const CoqVector&);
   /// With the slopes, as Sample has them.
@@ -44,6 +52,7 @@ class Meanings {
   /// A lemma for each line whose symbols all have a meaning. Where all sides of a line are the same by their
   /// definitions nothing is to be proved, and it has none.
   Provables proofs(const std::string& exercise, const Proof&) const;
+  Provables proofs(const std::string& exercise, const Proof&, const Stated&) const;
 
  private:
   bool known(const Terms&, const Sample& symbols) const;
