@@ -75,6 +75,11 @@ struct SampleOf {
     const auto x = acceleration(), u = velocity(q, v);
     return m * (of(u[0] * x[0]) + of(u[1] * x[1]) + of(u[2] * x[2]));
   }
+  T work() const {
+    return power([](const T& x) { return x; });
+  }
+  T work_of_gravity() const { return -m * g * velocity(q, v)[2]; }
+  T by_lagrange() const { return lagrange_acceleration(lagrangian(), q, v); }
   /// q'' by the exercise's equation.
   T published() const {
     std::array<T, 2> rate;
@@ -173,8 +178,7 @@ void energies(Table& table, const std::vector<Sample>& samples) {
 
 void accelerations(Claims& claims, const std::vector<Sample>& samples) {
   const Formula<Sample> solved{R"($-(3gq^2+2q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", &Sample::published},
-      lagrange{R"(Lagrange's equation by nested dual numbers, at any mass)",
-               [](const Sample&s) { return lagrange_acceleration(s.lagrangian(), s.q, s.v); }},
+      lagrange{R"(Lagrange's equation by nested dual numbers, at any mass)", &Sample::by_lagrange},
       forces{"gravity and the wire's two forces in Cartesian coordinates", &Sample::by_forces};
   const auto solved_by = [&](std::string text, double square, double gravity) -> Reading {
     const Formula<Sample> formula{text, [=](const Sample& s) {
@@ -191,12 +195,11 @@ void accelerations(Claims& claims, const std::vector<Sample>& samples) {
               .near_misses = {solved_by(R"($(-3gq^2+2q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", -2, 3),
                               solved_by(R"($-(3gq^2+q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", 1, 3)}});
 
-  const Formula<Sample> work{R"($m\ddot x\cdot\dot x$ by Lagrange's equation)",
-                             [](const Sample& s) { return s.power([](double x) { return x; }); },
+  const Formula<Sample> work{R"($m\ddot x\cdot\dot x$ by Lagrange's equation)", &Sample::work,
                              [](const Sample& s) { return s.power([](double x) { return abs(x); }); }};
   const auto power = [&](std::string text, double factor) -> Reading {
-    const Formula<Sample> formula{
-        std::move(text), [=](const Sample& s) { return -factor * s.m * s.g * velocity(s.q, s.v)[2]; }};
+    const Formula<Sample> formula{std::move(text),
+                                  [=](const Sample& s) { return factor * s.work_of_gravity(); }};
     return {formula.text, {compare("power of the force on the bead", formula, work, samples)}};
   };
   claims.add(
@@ -461,6 +464,11 @@ std::vector<Claim> claims(double seed, const Reference& truth) {
   return all.in_order();
 }
 
+/// What is divided by is 1 + 4 q^2 + 9 q^4, or m times it.
+constexpr const char* by_positive_metric = R"(
+  assert (0 <= q * q) by (apply Rle_0_sqr); assert (0 <= q * q * (q * q)) by (apply Rle_0_sqr);
+  field; repeat split; lra)";
+
 Provables proofs() {
   Claims claims("3.7");
   Table table(claims);
@@ -472,7 +480,55 @@ Provables proofs() {
                        .says = "it holds for every bead in any motion on the curve"};
   double x = 0;
   for (double* letter : all.example.letters()) *letter = x += 0.5;
-  return table.proofs("3.7", all);
+  Provables proved = table.proofs("3.7", all);
+  const auto& s = all.any;
+  const std::vector<Proposition> heavy{above(s.m.expression(), 0)};
+  proved.push_back({"3.7-equation_of_motion",
+                    "it is Lagrange's equation, and what gravity and the wire do, in any motion on the curve",
+                    {{"lagrange",
+                      all.letters,
+                      heavy,
+                      {s.published().expression() == s.by_lagrange().expression()},
+                      by_positive_metric},
+                     {"forces",
+                      all.letters,
+                      heavy,
+                      {s.published().expression() == s.by_forces().expression()},
+                      by_positive_metric}}});
+  SampleOf<Shortened> still;
+  still.m = still.g = still.q = 1.0;
+  proved.push_back(
+      {"3.7-only_gravity",
+       "as corrected it holds in any motion on the curve; as printed it is off at the start",
+       {{"corrected",
+         all.letters,
+         heavy,
+         {s.work_of_gravity().expression() == s.work().expression()},
+         by_positive_metric},
+        {"printed_differs", "", {}, {apart(0, still.acceleration()[0].expression(), 0.2)}, "interval"}},
+       0.2});
+  const auto place = curve(s.q), u = velocity(s.q, s.v);
+  const auto is = [](const std::array<Shortened, 3>& a, const char* b) {
+    std::string all_three;
+    for (const Shortened& component : a)
+      all_three += (all_three.empty() ? "" : " /\\ ") + component.expression().coq() + " = " + b;
+    return all_three;
+  };
+  proved.push_back({"3.7-start",
+                    "q = 1 and q' = 0 is being at rest at (1, 1, 1), and nothing else is",
+                    {{"printed",
+                      "(q v : R)",
+                      {},
+                      {{"(" + is(place, "1") + " /\\ " + is(u, "0") + ") <-> (q = 1 /\\ v = 0)"}},
+                      "intuition (subst; lra)"}}});
+  proved.push_back({"3.7-at_the_origin",
+                    "q = 0 is being at the origin, and nothing else is",
+                    {{"printed",
+                      "(q : R)",
+                      {},
+                      {{"(" + is(place, "0") + ") <-> q = 0"}},
+                      "intuition (subst; lra)"}}});
+  return proved;
 }
 
 std::vector<Root> roots() {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
 #include "chapters/03_rigid_body_motion/shared/book_runge_kutta_4.hpp"
 #include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
@@ -168,8 +170,8 @@ void geometry(Table& table, const Samples& samples) {
   const auto constant = [](const Value& value) { return [=](const auto&) { return value; }; };
 
   table.formula("angle", 1741, "the angle between the segment and the axis", samples,
-                {.truth = {"that of $(a,0,a)$", [](S s) { return std::acos(s.a / hypot(s.a, s.a)); }},
-                 .printed = {R"($\pi/4$)", constant(pi / 4)},
+                {.truth = {"that of $(a,0,a)$", [](const auto& s) { return acos(s.a / hypot(s.a, s.a)); }},
+                 .printed = {R"($\pi/4$)", [](const auto& s) { return s.pi() / 4; }},
                  .near_misses = {{R"($\pi/3$)", constant(pi / 3)}}});
   table.formula("initial_direction", 1741, "the initial direction", samples,
                 {.truth = {"$(a,0,a)$ over its length",
@@ -289,9 +291,13 @@ void spring(Claims& claims, Table& table, const Samples& samples) {
   const std::string right = R"($\sqrt{(b-c)^2+b^2}$)", wrong = R"($\sqrt{(b-c)^2+c^2}$)";
   const auto by_b = [](const auto& s) { return s.rest_length(s.b); };
   const auto by_c = [](const auto& s) { return s.rest_length(s.c); };
-  const ProvableFormula<SampleOf> distance{"the distance from $(c,0,0)$ to $(b,0,b)$", [](const auto& s) {
-                                             return length(std::array{s.b - s.c, s.number(0), s.b});
-                                           }};
+  const ProvableFormula<SampleOf> distance{
+      R"(the distance from $(c,0,0)$ to the mass at $\lambda(0)=\sqrt2b$, by Rodrigues' rotation)",
+      [](const auto& s) {
+        auto x = position(s.root2() * s.b, s.number(0), s.w);
+        x[0] -= s.c;
+        return length(x);
+      }};
   table.formula("rest_length", 1817, R"(the rest length $\ell$)", samples,
                 {.truth = distance, .printed = {right, by_b}, .near_misses = {{wrong, by_c}}});
   table.formula(
@@ -774,6 +780,48 @@ constexpr const char* by_rod = R"(
   first [field [two circle_w circle] | unfold r2; field [two circle_w circle]];
   repeat split; try lra; try (apply Rgt_not_eq; unfold r2 in *; lra))";
 
+/// The spring at the start: where the rod has not turned yet.
+constexpr const char* by_start = R"(
+  assert (two : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra);
+  rewrite ?cos_0, ?sin_0; f_equal; field [two])";
+
+/// A spring at its rest length pulls nowhere.
+constexpr const char* by_rest = R"(
+  try reflexivity; assert (0 < b * b) by (apply Rmult_lt_0_compat; lra);
+  assert (0 < sqrt ((b - c) * (b - c) + b * b))
+    by (apply sqrt_lt_R0; pose proof (Rle_0_sqr (b - c)); unfold Rsqr in *; lra);
+  field; lra)";
+
+constexpr const char* by_half_right_angle = R"(
+  replace (a / sqrt (a * a + a * a)) with (cos (PI / 4));
+  [rewrite acos_cos; [reflexivity | pose proof PI_RGT_0; lra]
+  |rewrite cos_PI4; replace (a * a + a * a) with (2 * (a * a)) by ring;
+   rewrite (sqrt_mult_alt 2), (sqrt_square a) by lra; field; repeat split; first [lra | apply Rgt_not_eq, sqrt_lt_R0; lra]])";
+
+/// As by_rod, every root, angle and rate a letter, before the equation is one of fractions.
+constexpr const char* by_rate = R"(
+  replace (PI * t / 4) with (PI / 4 * t) by field;
+  assert (circle : sin (PI / 4 * t) * sin (PI / 4 * t) = 1 - cos (PI / 4 * t) * cos (PI / 4 * t))
+    by (pose proof (sin2_cos2 (PI / 4 * t)) as all; unfold Rsqr in all; lra);
+  assert (two : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra);
+  assert (over : forall x, x / sqrt 2 = x * sqrt 2 / 2)
+    by (intros; field [two]; apply Rgt_not_eq, sqrt_lt_R0; lra);
+  rewrite !over; set (k := sqrt 2) in *; clearbody k;
+  set (q := PI / 4) in *; replace (PI * PI / 32) with (q * q / 2) by (unfold q; field);
+  set (C := cos (q * t)) in *; set (S := sin (q * t)) in *; clearbody C S q;
+  set (r2 := s * s - 2 * s * C * c * k / 2 + c * c);
+  repeat match goal with |- context [sqrt ?x] =>
+    lazymatch x with r2 => fail | _ => replace x with r2 by (unfold r2; field [two circle]) end end;
+  assert (r2 > 0)
+    by (assert (c * c * (1 + S * S) > 0) by (apply Rmult_gt_0_compat; nra);
+        pose proof (Rle_0_sqr (s - c * C * k / 2)); unfold Rsqr, r2 in *;
+        replace (s * s - 2 * s * C * c * k / 2 + c * c)
+          with ((s - c * C * k / 2) * (s - c * C * k / 2) + c * c * (1 + S * S) / 2) by (field [two circle]); lra);
+  pose proof (sqrt_lt_R0 r2 ltac:(assumption));
+  assert (root : sqrt r2 * sqrt r2 = r2) by (apply sqrt_sqrt; lra);
+  set (r := sqrt r2) in *; clearbody r; field [two circle]; repeat split; try lra;
+  match goal with |- ?x <> 0 => replace x with 8 by (ring [two circle]); lra end)";
+
 std::vector<Root> roots() {
   return {
       {"`aux[0]` for `aux[1]`",
@@ -803,13 +851,20 @@ Provables proofs() {
   ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
                        .letters = quantified(names),
                        .tactic = by_rod,
-                       .says = "it holds for any mass on the rod and any spring",
-                       .without = {"summary", "unstretched"}};
+                       .says = "it holds for any mass on the rod and any spring"};
   for (const Shortened& positive : {all.any.m, all.any.a, all.any.b, all.any.c})
     all.given.push_back(above(positive.expression(), 0));
   double x = 0.25;
   for (double* letter : all.example.letters()) *letter = x += 0.25;
-  return table.proofs("3.15", all);
+  Provables proved = table.proofs("3.15", all);
+  const std::map<std::string, const char*> by{{"3.15-angle", by_half_right_angle},
+                                              {"3.15-rest_length", by_start},
+                                              {"3.15-rest_length_again", by_start},
+                                              {"3.15-unstretched", by_rest},
+                                              {"3.15-summary", by_rate}};
+  for (Provable& p : proved)
+    if (const auto found = by.find(p.claim); found != by.end()) p.lemmas.at(0).tactic = found->second;
+  return proved;
 }
 
 }  // namespace oddity::ex03_15
