@@ -13,7 +13,7 @@
 
 /// Claims whose formulas are generic in their number type, stated once: computed over samples of doubles, and
 /// proved for all values of the letters. A sample is `template <class T> struct Of` with letters() that
-/// returns an array of T*.
+/// returns an array of T*, or with recorded() that returns its numbers as Of<Shortened>.
 namespace oddity {
 
 template <class... Numbers>
@@ -151,12 +151,20 @@ class ProvableClaims {
   static Provable of_right(const std::string& id, const ProvableClaim<Of>& c, const ForAll<Of>& all) {
     return {id, all.says, {equation("printed", c, all)}};
   }
+  static Of<Shortened> in_expressions(Of<double> example) {
+    if constexpr (requires { example.recorded(); }) {
+      return example.recorded();
+    } else {
+      Of<Shortened> recorded{};
+      auto numbers = example.letters();
+      std::size_t i = 0;
+      for (Shortened* letter : recorded.letters()) *letter = *numbers[i++];
+      return recorded;
+    }
+  }
   static Provable of_wrong(const std::string& id, const ProvableClaim<Of>& c, const ForAll<Of>& all) {
-    Of<double> example = all.example;
-    Of<Shortened> recorded{};
-    auto numbers = example.letters();
-    std::size_t i = 0;
-    for (Shortened* letter : recorded.letters()) *letter = *numbers[i++];
+    const Of<double>& example = all.example;
+    const Of<Shortened> recorded = in_expressions(example);
     const Value printed = c.printed.of(example), truth = c.truth.of(example);
     Value difference = printed;
     for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= truth[k];

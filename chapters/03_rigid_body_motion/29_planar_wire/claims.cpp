@@ -2,29 +2,43 @@
 // numbers, integrals with the primitives for three wires, the energy with a sum over particles, forces with
 // the slope of the total potential energy.
 
-#include <complex>
-#include <functional>
+#include <concepts>
 
 #include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
-#include "chapters/claims.hpp"
+#include "chapters/integral_proofs.hpp"
+#include "chapters/provable_claims.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/quadrature.hpp"
 
 namespace oddity::ex03_29 {
 
-using std::cos, std::sin;
+using std::cos, std::hypot, std::sin, std::sqrt;
 
-namespace {
+template <class T>
+using PointOf = planar_wire::Point<T>;
 
-/// A random wire in a random motion, and a point of it at the parameter at.
-struct Sample {
+/// exp(i angle) z by complex multiplication.
+template <class T>
+PointOf<T> turned_by(const T& angle, const PointOf<T>& z) {
+  const T C = cos(angle), S = sin(angle);
+  return {C * z[0] - S * z[1], C * z[1] + S * z[0]};
+}
+
+/// A wire in a motion, here random ones, and a point of it at the parameter at. Recorded, the wire is any
+/// curve (b0 s, b1 s) of the density delta s, and the point is any.
+template <class T>
+struct SampleOf {
   Wire wire;
-  double x, y, theta, vx, vy, w, at;
-  Point center;
-  double mu0;
+  T x, y, theta, vx, vy, w;
+  double at = 0;
+  Point center{};
+  T mu0;
+  T turn = T(1);       ///< of the curve in body space
+  PointOf<T> point{};  ///< of what is recorded
 
-  explicit Sample(Random& random)
+  SampleOf() = default;
+  explicit SampleOf(Random& random)
       : wire{static_cast<Shape>(random.below(3)), random.between(0.5, 2), random.between(0.3, 3),
              random.between(0.5, 2)},
         x(random.between(-3, 3)),
@@ -55,17 +69,29 @@ struct Sample {
     const Point p = wire.point(u);
     return {p[0] - center[0], p[1] - center[1]};
   }
-  Point b() const { return body(at); }
-  /// Position and velocity by complex numbers c + exp(i theta) b along the motion; p is the body's point.
-  Value position(Point p) const {
-    const auto z = std::complex(x, y) + std::polar(1.0, theta) * std::complex(p[0], p[1]);
-    return {z.real(), z.imag()};
+  PointOf<T> b() const {
+    if constexpr (std::same_as<T, Shortened>)
+      return point;
+    else
+      return body(at);
+  }
+  /// Its numbers.
+  SampleOf<Shortened> recorded() const {
+    SampleOf<Shortened> same;
+    same.x = x, same.y = y, same.theta = theta, same.vx = vx, same.vy = vy, same.w = w;
+    same.point = {b()[0], b()[1]};
+    return same;
+  }
+  /// Position by complex numbers c + exp(i theta) p; p is the body's point.
+  PointOf<T> position(const PointOf<T>& p) const {
+    const PointOf<T> z = turned_by(theta, p);
+    return {x + z[0], y + z[1]};
   }
   /// By dual numbers in the time.
-  Point velocity(Point p) const {
-    const Dual<double> angle(theta, w);
-    return {(Dual<double>(x, vx) + p[0] * cos(angle) - p[1] * sin(angle)).slope,
-            (Dual<double>(y, vy) + p[0] * sin(angle) + p[1] * cos(angle)).slope};
+  PointOf<T> velocity(const PointOf<T>& p) const {
+    const Dual<T> angle(theta, w);
+    return {(Dual<T>(x, vx) + p[0] * cos(angle) - p[1] * sin(angle)).slope,
+            (Dual<T>(y, vy) + p[0] * sin(angle) + p[1] * cos(angle)).slope};
   }
   /// The kinetic energy of 2000 particles.
   double of_particles() const {
@@ -78,20 +104,31 @@ struct Sample {
     }
     return sum;
   }
-  double integrated(const std::function<double(Point, Point)>& of) const {
-    return wire.over_mass([&](double u) {
-      const Point p = body(u);
-      return of(p, velocity(p));
-    });
+  /// Of a function of the body's points and their velocities, over the mass.
+  template <class F>
+  T integrated(const F& of) const {
+    if constexpr (std::same_as<T, Shortened>) {
+      const PointOf<T> p{T::letter("b0 s"), T::letter("b1 s")};
+      return T::letter("(RInt (fun s => (" + T(of(p, velocity(p))).expression().coq() + ") * delta s) 0 L)");
+    } else {
+      return wire.over_mass([&](double u) {
+        const Point p = body(u);
+        return of(p, velocity(p));
+      });
+    }
   }
-  double mu2(Point about = {0, 0}) const {
-    return integrated([&](Point p, Point) {
+  T mu2(const Point& about = {0, 0}) const {
+    return integrated([&](const auto& p, const auto&) {
       return (p[0] - about[0]) * (p[0] - about[0]) + (p[1] - about[1]) * (p[1] - about[1]);
     });
   }
 };
 
-using Reader = Formula<Sample>;
+namespace {
+
+using Sample = SampleOf<double>;
+using Reader = ProvableFormula<SampleOf>;
+using Table = ProvableClaims<SampleOf>;
 
 /// A force per mass with a potential: phi(X, Y) = X^2 Y/4 + 10 Y + sin(X).
 template <class T>
@@ -99,73 +136,100 @@ T phi(const T& X, const T& Y) {
   using std::sin;
   return 0.25 * X * X * Y + 10.0 * Y + sin(X);
 }
-Point force(const Value& r) { return {-0.5 * r[0] * r[1] - cos(r[0]), -0.25 * r[0] * r[0] - 10}; }
+PointOf<double> force(const PointOf<double>& r) {
+  return {-0.5 * r[0] * r[1] - cos(r[0]), -0.25 * r[0] * r[0] - 10};
+}
+
+// Recorded, it is any potential with the slopes Ux and Uy.
+Shortened of_place(const char* name, const PointOf<Shortened>& r) {
+  return Expression::letter("(" + std::string(name) + " (" + r[0].expression().coq() + ") (" +
+                            r[1].expression().coq() + "))");
+}
+Dual<Shortened> phi(const Dual<Shortened>& X, const Dual<Shortened>& Y) {
+  const PointOf<Shortened> r{X.value, Y.value};
+  return {of_place("U", r), of_place("Ux", r) * X.slope + of_place("Uy", r) * Y.slope};
+}
+PointOf<Shortened> force(const PointOf<Shortened>& r) { return {-of_place("Ux", r), -of_place("Uy", r)}; }
 
 /// Minus the slope of the total potential energy by a generalized coordinate: 0, 1, 2 for x, y, theta.
-double slope_of_potential(const Sample& s, int coordinate) {
-  using D = Dual<double>;
-  const D X(s.x, coordinate == 0), Y(s.y, coordinate == 1), angle(s.theta, coordinate == 2);
+template <class T>
+T slope_of_potential(const SampleOf<T>& s, int coordinate) {
+  using D = Dual<T>;
+  const auto along = [&](int k) { return T(coordinate == k ? 1.0 : 0.0); };
+  const D X(s.x, along(0)), Y(s.y, along(1)), angle(s.theta, along(2));
   const D C = cos(angle), Z = sin(angle);
-  return -s.integrated(
-      [&](Point p, Point) { return phi(X + C * p[0] - Z * p[1], Y + Z * p[0] + C * p[1]).slope; });
+  return -s.integrated([&](const auto& p, const auto&) {
+    return phi(X + C * p[0] - Z * p[1], Y + Z * p[0] + C * p[1]).slope;
+  });
 }
 
 /// The integral of the force times a direction that may depend on the body's point.
-double generalized(const Sample& s, const std::function<Point(Point)>& direction) {
-  return s.integrated([&](Point p, Point) {
-    const Point f = force(s.position(p)), d = direction(p);
+template <class T, class F>
+T generalized(const SampleOf<T>& s, const F& direction) {
+  return s.integrated([&](const PointOf<T>& p, const auto&) {
+    const PointOf<T> f = force(s.position(p)), d = direction(p);
     return f[0] * d[0] + f[1] * d[1];
   });
 }
 
-Point turned(const Sample& s, Point p, double sign = 1) {
+template <class T>
+PointOf<T> turned(const SampleOf<T>& s, const PointOf<T>& p, double sign = 1) {
   return {-sign * p[0] * sin(s.theta) - p[1] * cos(s.theta),
           p[0] * cos(s.theta) - sign * p[1] * sin(s.theta)};
 }
 
 // ---- the text's formulas ----------------------------------------------------------------------------------
 
-Value placed(const Sample& s, Point p, double sign = 1) {
+template <class T>
+PointOf<T> placed(const SampleOf<T>& s, const PointOf<T>& p, double sign = 1) {
   return {s.x + cos(s.theta) * p[0] - sign * sin(s.theta) * p[1],
           s.y + sign * sin(s.theta) * p[0] + cos(s.theta) * p[1]};
 }
 Reader at_point(const std::string& text, double sign, double across = 1) {
-  return {text, [=](const Sample& s) { return placed(s, {s.b()[0], across * s.b()[1]}, sign); }};
+  return {text, [=]<class T>(const SampleOf<T>& s) {
+            return placed(s, PointOf<T>{s.b()[0], across * s.b()[1]}, sign);
+          }};
 }
 
 /// v with factors of theta' and of b1 sin and b1 cos.
 Reader moved(const std::string& text, double turning, double sign, bool rate = true) {
-  return {text, [=](const Sample& s) {
-            const Point b = s.b();
-            const double w = turning * (rate ? s.w : 1);
+  return {text, [=]<class T>(const SampleOf<T>& s) {
+            const PointOf<T> b = s.b();
+            const T w = turning * (rate ? s.w : T(1));
             return values(s.vx - w * (b[0] * sin(s.theta) + sign * b[1] * cos(s.theta)),
                           s.vy + w * (b[0] * cos(s.theta) - sign * b[1] * sin(s.theta)));
           }};
 }
 
 Reader squared(const std::string& text, double cross) {
-  return {text, [cross](const Sample& s) {
-            const Point b = s.b(), d = turned(s, b);
+  return {text, [cross](const auto& s) {
+            const auto b = s.b(), d = turned(s, b);
             return s.vx * s.vx + s.vy * s.vy + s.w * s.w * (b[0] * b[0] + b[1] * b[1]) +
                    cross * 2 * s.w * (s.vx * d[0] + s.vy * d[1]);
           }};
 }
 
-double energy(const Sample& s, double mu2) {
+template <class T>
+T energy(const SampleOf<T>& s, const std::type_identity_t<T>& mu2) {
   return s.mu0 / 2 * (s.vx * s.vx + s.vy * s.vy) + mu2 / 2 * s.w * s.w;
 }
 
-double integrated_energy(const Sample& s, double factor) {
-  return factor * s.integrated([](Point, Point v) { return v[0] * v[0] + v[1] * v[1]; });
+template <class T>
+T integrated_energy(const SampleOf<T>& s, double factor) {
+  return factor * s.integrated([](const auto&, const auto& v) { return v[0] * v[0] + v[1] * v[1]; });
 }
 
 /// The kinetic energy of a uniform rod of the same mass and the length l, by quadrature.
-double energy_of_rod(const Sample& s, double l) {
-  const auto f = [&](double L) {
-    const Point v = s.velocity({L, 0});
+template <class T>
+T energy_of_rod(const SampleOf<T>& s, const std::type_identity_t<T>& l) {
+  const auto f = [&](const T& L) {
+    const PointOf<T> v = s.velocity({L, T(0)});
     return s.mu0 / l * (v[0] * v[0] + v[1] * v[1]) / 2;
   };
-  return gauss_legendre(f, -l / 2, l / 2, 4).value;
+  if constexpr (std::same_as<T, Shortened>)
+    return recorded_integral(f, -l / 2, l / 2);
+  else
+    return gauss_legendre(f, -l / 2, l / 2, 4).value;
 }
 
 /// mu0 or mu2 by integration against the primitives, density uniform.
@@ -238,123 +302,79 @@ Check friction_at_speed(const std::string& by, double seed, double speed, double
 
 const std::string cross_term = "cross term left out", at_rest = "friction at rest";
 
-}  // namespace
+Reader on_rod(const std::string& text, bool swapped) {
+  return {text, [swapped](const auto& s) {
+            const auto L = s.b()[0], C = L * cos(s.theta), S = L * sin(s.theta);
+            return values(s.x + (swapped ? S : C), s.y + (swapped ? C : S));
+          }};
+}
 
-std::vector<Claim> claims(double seed) {
-  const auto samples = draw<Sample>(200, seed);
-  Claims claims("3.29");
+Reader by_rows(const std::string& text, double sign) {
+  return {text, [sign](const auto& s) {
+            const auto C = cos(s.theta), S = sin(s.theta);
+            return values(-S, -sign * C, sign * C, -S);
+          }};
+}
+
+void at_a_point(Table& table, const std::vector<Sample>& samples) {
   const std::string complex = "complex multiplication", by_dual = "dual numbers in the time";
-
-  const auto on_rod = [](const std::string& text, bool swapped) {
-    return Reader{text, [swapped](const Sample& s) {
-                    const double L = s.b()[0], C = L * cos(s.theta), S = L * sin(s.theta);
-                    return values(s.x + (swapped ? S : C), s.y + (swapped ? C : S));
-                  }};
-  };
-  const Reader rod{complex, [](const Sample& s) { return s.position({s.b()[0], 0}); }};
-  claims.formula("thin_rod", 2791, "a point of the rod, $L$ from its center $(x,y)$", samples,
-                 {.truth = rod,
-                  .printed = on_rod(R"($(x,y)+L(\cos\theta,\sin\theta)$)", false),
-                  .near_misses = {on_rod(R"($(x,y)+L(\sin\theta,\cos\theta)$)", true)}});
-  claims.formula("thin_rod_matrix", 2795, "the same by the matrix $R$", samples,
-                 {.truth = rod,
-                  .printed = at_point("$(x,y)+R\\,(L,0)$", 1, 0),
-                  .near_misses = {at_point("$(x,y)+R^T(L,0)$", -1, 0)}});
-  const auto first_moments = [](const std::string& text, bool centered) {
-    return Reader{text, [centered](const Sample& s) {
-                    const Point from = centered ? s.center : Point{0, 0};
-                    return values(
-                        s.mu0 + s.wire.over_mass([&](double u) { return s.wire.point(u)[0] - from[0]; }),
-                        s.mu0 + s.wire.over_mass([&](double u) { return s.wire.point(u)[1] - from[1]; }));
-                  }};
-  };
-  claims.formula("body_space", 2823, R"($\int b\,\delta\,ds=0$ in body space)", samples,
-                 {.quantity = R"($(\mu_0,\mu_0)+\int b\,\delta\,ds$)",
-                  .truth = {R"($(\mu_0,\mu_0)$)", [](const Sample& s) { return values(s.mu0, s.mu0); }},
-                  .printed = first_moments("$b$ from the center of mass", true),
-                  .near_misses = {first_moments("$b$ from the start of the curve", false)}});
+  const Reader rod{complex, []<class T>(const SampleOf<T>& s) { return s.position({s.b()[0], T(0)}); }};
+  table.formula("thin_rod", 2791, "a point of the rod, $L$ from its center $(x,y)$", samples,
+                {.truth = rod,
+                 .printed = on_rod(R"($(x,y)+L(\cos\theta,\sin\theta)$)", false),
+                 .near_misses = {on_rod(R"($(x,y)+L(\sin\theta,\cos\theta)$)", true)}});
+  table.formula("thin_rod_matrix", 2795, "the same by the matrix $R$", samples,
+                {.truth = rod,
+                 .printed = at_point("$(x,y)+R\\,(L,0)$", 1, 0),
+                 .near_misses = {at_point("$(x,y)+R^T(L,0)$", -1, 0)}});
   const auto rotated = [](const std::string& text, double sign) {
-    return Reader{text, [sign](const Sample& s) {
-                    const Value r = placed(s, s.b(), sign);
-                    return values(r[0] - s.x, r[1] - s.y, std::hypot(r[0] - s.x, r[1] - s.y));
+    return Reader{text, [sign](const auto& s) {
+                    const auto r = placed(s, s.b(), sign);
+                    return values(r[0] - s.x, r[1] - s.y, hypot(r[0] - s.x, r[1] - s.y));
                   }};
   };
-  claims.formula("rotates_about_origin", 2823, "the rotation about the origin of body space", samples,
-                 {.quantity = "the point $b$ turned, and its distance from the origin",
-                  .truth = {R"($e^{i\theta}b$ and $|b|$)",
-                            [](const Sample& s) {
-                              const auto z = std::polar(1.0, s.theta) * std::complex(s.b()[0], s.b()[1]);
-                              return values(z.real(), z.imag(), std::hypot(s.b()[0], s.b()[1]));
-                            }},
-                  .printed = rotated("$Rb$", 1),
-                  .near_misses = {rotated("$R^Tb$", -1)}});
-  const auto reoriented = [](const std::string& text, double shift) {
-    return Reader{text, [shift](const Sample& s) {
-                    return s.integrated([&](Point p, Point) {
-                      return std::norm(std::polar(1.0, 1.0) * std::complex(p[0], p[1]) + shift);
-                    });
-                  }};
-  };
-  claims.formula("reorient_or_not", 2825, "the curve may be turned in body space", samples,
-                 {.quantity = R"($\mu_2$)",
-                  .truth = {"of the curve as it is", [](const Sample& s) { return s.mu2(); }},
-                  .printed = reoriented("turned by 1 radian", 0),
-                  .near_misses = {reoriented("turned by 1 radian and shifted by 0.1", 0.1)}});
-  claims.formula(
-      "arc_length", 2825, "the arc length runs up to the total length", samples,
-      {.quantity = "the total length",
-       .truth = {"the primitive of $ds$", [](const Sample& s) { return s.wire.arc_length(s.wire.end()); }},
-       .printed = {R"($\int ds$)", [](const Sample& s) { return s.wire.along([](double) { return 1; }); }},
-       .near_misses = {{"the chord", [](const Sample& s) {
-                          const Point a = s.wire.point(0), b = s.wire.point(s.wire.end());
-                          return std::hypot(b[0] - a[0], b[1] - a[1]);
-                        }}}});
-  claims.formula("position", 2827, "the position $r$ of the point $b$, $c$ the center of mass", samples,
-                 {.truth = {complex, [](const Sample& s) { return s.position(s.b()); }},
-                  .printed = at_point(R"($c+R(\theta)b$)", 1),
-                  .near_misses = {at_point(R"($c+R(-\theta)b$)", -1)}});
-  const Reader velocity{by_dual, [](const Sample& s) { return s.velocity(s.b()); }};
-  claims.formula("velocity", 2831, "its velocity $v$", samples,
-                 {.truth = velocity,
-                  .printed = moved(R"($\dot c+\dot\theta\frac{dR}{d\theta}b$)", 1, 1),
-                  .near_misses = {moved(R"($\dot c-\dot\theta\frac{dR}{d\theta}b$)", -1, 1),
-                                  moved(R"($\dot c+\frac{dR}{d\theta}b$)", 1, 1, false)}});
-  const auto by_rows = [](const std::string& text, double sign) {
-    return Reader{text, [sign](const Sample& s) {
-                    const double C = cos(s.theta), S = sin(s.theta);
-                    return values(-S, -sign * C, sign * C, -S);
-                  }};
-  };
-  claims.formula("dR_dtheta", 2847, R"($\frac{dR}{d\theta}$ by rows)", samples,
-                 {.truth = {"dual numbers in the angle",
-                            [](const Sample& s) {
-                              const Dual<double> angle(s.theta, 1), C = cos(angle), S = sin(angle);
-                              return values(C.slope, -S.slope, S.slope, C.slope);
-                            }},
-                  .printed = by_rows(R"($(-\sin\theta,-\cos\theta;\ \cos\theta,-\sin\theta)$)", 1),
-                  .near_misses = {by_rows("its transpose", -1)}});
-  claims.formula(
+  table.formula("rotates_about_origin", 2823, "the rotation about the origin of body space", samples,
+                {.quantity = "the point $b$ turned, and its distance from the origin",
+                 .truth = {R"($e^{i\theta}b$ and $|b|$)",
+                           [](const auto& s) {
+                             const auto z = turned_by(s.theta, s.b());
+                             return values(z[0], z[1], hypot(s.b()[0], s.b()[1]));
+                           }},
+                 .printed = rotated("$Rb$", 1),
+                 .near_misses = {rotated("$R^Tb$", -1)}});
+  table.formula("position", 2827, "the position $r$ of the point $b$, $c$ the center of mass", samples,
+                {.truth = {complex, [](const auto& s) { return s.position(s.b()); }},
+                 .printed = at_point(R"($c+R(\theta)b$)", 1),
+                 .near_misses = {at_point(R"($c+R(-\theta)b$)", -1)}});
+  const Reader velocity{by_dual, [](const auto& s) { return s.velocity(s.b()); }};
+  table.formula("velocity", 2831, "its velocity $v$", samples,
+                {.truth = velocity,
+                 .printed = moved(R"($\dot c+\dot\theta\frac{dR}{d\theta}b$)", 1, 1),
+                 .near_misses = {moved(R"($\dot c-\dot\theta\frac{dR}{d\theta}b$)", -1, 1),
+                                 moved(R"($\dot c+\frac{dR}{d\theta}b$)", 1, 1, false)}});
+  table.formula("dR_dtheta", 2847, R"($\frac{dR}{d\theta}$ by rows)", samples,
+                {.truth = {"dual numbers in the angle",
+                           []<class T>(const SampleOf<T>& s) {
+                             const Dual<T> angle(s.theta, 1), C = cos(angle), S = sin(angle);
+                             return values(C.slope, -S.slope, S.slope, C.slope);
+                           }},
+                 .printed = by_rows(R"($(-\sin\theta,-\cos\theta;\ \cos\theta,-\sin\theta)$)", 1),
+                 .near_misses = {by_rows("its transpose", -1)}});
+  table.formula(
       "velocity_components", 2857, "$v$ by components", samples,
       {.truth = velocity,
        .printed = moved(
            R"($(\dot x-\dot\theta(b_0\sin\theta+b_1\cos\theta),\ \dot y+\dot\theta(b_0\cos\theta-b_1\sin\theta))$)",
            1, 1),
        .near_misses = {moved("with the sign of $b_1$ flipped", 1, -1)}});
-  claims.add("mass", 2867, R"($\mu_0$ is the integral of the density over the length)",
-             {.printed = against_primitives(R"($\mu_0=\int\delta\,ds$)", 0, true, true, seed),
-              .near_misses = {against_primitives(R"($\mu_0=\int\delta\,du$, $u$ not the arc length)", 0, true,
-                                                 false, seed)}});
-  claims.add("kinetic_energy", 2883, "the kinetic energy $T$ is the integral of the points'",
-             {.printed = of_particles(R"($T=\int\frac12|v|^2\delta\,ds$)", 0.5, seed),
-              .near_misses = {of_particles(R"($T=\int|v|^2\delta\,ds$)", 1, seed)}});
   const std::string sum = R"($|v|^2=\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2))",
                     cross = R"(2\dot\theta\,(\dot x,\dot y)\cdot\frac{dR}{d\theta}b$)";
-  claims.formula(
+  table.formula(
       "speed_squared", 2901, "the squared speed of each point", samples,
       {.quantity = "$|v|^2$",
        .truth = {by_dual,
-                 [](const Sample& s) {
-                   const Point v = s.velocity(s.b());
+                 [](const auto& s) {
+                   const auto v = s.velocity(s.b());
                    return v[0] * v[0] + v[1] * v[1];
                  }},
        .printed = squared(sum + "$", 0),
@@ -366,83 +386,330 @@ std::vector<Claim> claims(double seed) {
               R"(wheel that rolls shows it: with $\dot x=1$, $\dot\theta=-1$ and $b=(0,-1)$ at )"
               R"($\theta=0$ the point rests, and the formula gives 2. The term vanishes in the integral )"
               R"(alone, because $\int b\,\delta\,ds=0$; the kinetic energy that follows is right.)"});
-  const Reader by_integral{R"($\int\frac12|v|^2\delta\,ds$, $v$ by dual numbers)",
-                           [](const Sample& s) { return integrated_energy(s, 0.5); }};
-  claims.formula("kinetic_energy_formula", 2905, R"($T$ by $\mu_0$ and $\mu_2$)", samples,
-                 {.quantity = "$T$",
-                  .truth = by_integral,
-                  .printed = {R"($\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)",
-                              [](const Sample& s) { return energy(s, s.mu2()); }},
-                  .near_misses = {
-                      {R"($\mu_2$ about the start of the curve)",
-                       [](const Sample& s) {
-                         return energy(s, s.mu2({-s.center[0], -s.center[1]}));
-                       }},
-                      {R"($\mu_2$ for $\mu_2/2$)", [](const Sample& s) { return energy(s, 2 * s.mu2()); }}}});
-  claims.add("mu2", 2915, R"($\mu_2$ is the integral of $|b|^2\delta$)",
-             {.printed = against_primitives(R"($\mu_2=\int|b|^2\delta\,ds$, $b$ from the center of mass)", 3,
-                                            true, true, seed),
-              .near_misses = {against_primitives(
-                  R"($\mu_2=\int|b|^2\delta\,ds$, $b$ from the start of the curve)", 3, false, true, seed)}});
-  claims.formula(
+}
+
+const Reader by_integral{R"($\int\frac12|v|^2\delta\,ds$, $v$ by dual numbers)",
+                         [](const auto& s) { return integrated_energy(s, 0.5); }};
+
+/// Minus the slope of the total potential energy.
+Reader slope(int coordinate) {
+  return {"minus the slope of the total potential energy, by dual numbers",
+          [coordinate](const auto& s) { return slope_of_potential(s, coordinate); }};
+}
+template <class F>
+Reader turning(const std::string& text, const F& direction) {
+  return {text,
+          [=](const auto& s) { return generalized(s, [&](const auto& p) { return direction(s, p); }); }};
+}
+const Reader moment_of_force = turning(R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$)",
+                                       [](const auto& s, const auto& p) { return turned(s, p); });
+const Reader moment_of_weight{
+    "the integrals of $(0,-g)$", []<class T>(const SampleOf<T>& s) {
+      return values(T(0), -9.81 * s.integrated([](const auto&, const auto&) { return T(1); }),
+                    -9.81 * s.integrated([&](const auto& p, const auto&) { return turned(s, p)[1]; }));
+    }};
+const Reader weight{R"($(0,-\mu_0g,0)$)",
+                    []<class T>(const SampleOf<T>& s) { return values(T(0), -9.81 * s.mu0, T(0)); }};
+
+Reader component(const std::string& text, Point d) {
+  return {text, [d]<class T>(const SampleOf<T>& s) {
+            return generalized(s, [d](const auto&) { return PointOf<T>{d[0], d[1]}; });
+          }};
+}
+const Reader Fx = component(R"($\int F\cdot\imath\,\delta\,ds$)", {1, 0}),
+             Fy = component(R"($\int F\cdot\jmath\,\delta\,ds$)", {0, 1});
+
+void over_the_wire(Table& table, const std::vector<Sample>& samples) {
+  const auto reoriented = [](const std::string& text, double shift) {
+    return Reader{text, [shift]<class T>(const SampleOf<T>& s) {
+                    return s.integrated([&](const PointOf<T>& p, const auto&) {
+                      const PointOf<T> z = turned_by(s.turn, p);
+                      return (z[0] + shift) * (z[0] + shift) + z[1] * z[1];
+                    });
+                  }};
+  };
+  table.formula("reorient_or_not", 2825, "the curve may be turned in body space", samples,
+                {.quantity = R"($\mu_2$)",
+                 .truth = {"of the curve as it is", [](const auto& s) { return s.mu2(); }},
+                 .printed = reoriented("turned by 1 radian", 0),
+                 .near_misses = {reoriented("turned by 1 radian and shifted by 0.1", 0.1)}});
+  table.formula(
+      "kinetic_energy_formula", 2905, R"($T$ by $\mu_0$ and $\mu_2$)", samples,
+      {.quantity = "$T$",
+       .truth = by_integral,
+       .printed = {R"($\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)",
+                   [](const auto& s) { return energy(s, s.mu2()); }},
+       .near_misses = {{R"($\mu_2$ about the start of the curve)",
+                        [](const auto& s) {
+                          return energy(s, s.mu2({-s.center[0], -s.center[1]}));
+                        }},
+                       {R"($\mu_2$ for $\mu_2/2$)", [](const auto& s) { return energy(s, 2 * s.mu2()); }}}});
+  table.formula(
       "only_differences", 2923, R"(nothing but $\mu_0$ and $\mu_2$ tells the curve from a rod)", samples,
       {.quantity = "$T$",
        .truth = by_integral,
        .printed = {R"(of a rod with the same $\mu_0$ and $\mu_2$)",
-                   [](const Sample& s) { return energy_of_rod(s, std::sqrt(12 * s.mu2() / s.mu0)); }},
+                   [](const auto& s) { return energy_of_rod(s, sqrt(12 * s.mu2() / s.mu0)); }},
        .near_misses = {{R"(of a rod with the same $\mu_0$ and length)",
-                        [](const Sample& s) { return energy_of_rod(s, s.wire.arc_length(s.wire.end())); }}}});
+                        [](const auto& s) { return energy_of_rod(s, s.wire.arc_length(s.wire.end())); }}}});
 
-  const auto slope = [](int coordinate) {
-    return Reader{"minus the slope of the total potential energy, by dual numbers",
-                  [coordinate](const Sample& s) { return slope_of_potential(s, coordinate); }};
-  };
-  const auto along = [](const std::string& text, Point d) {
-    return Reader{text, [d](const Sample& s) { return generalized(s, [d](Point) { return d; }); }};
-  };
-  const Reader Fx = along(R"($\int F\cdot\imath\,\delta\,ds$)", {1, 0}),
-               Fy = along(R"($\int F\cdot\jmath\,\delta\,ds$)", {0, 1});
-  claims.formula("force_x", 2927, "the generalized force $F_x$ of a force $F$ on each unit of mass", samples,
-                 {.truth = slope(0), .printed = Fx, .near_misses = {Fy}});
-  claims.formula(
+  table.formula("force_x", 2927, "the generalized force $F_x$ of a force $F$ on each unit of mass", samples,
+                {.truth = slope(0), .printed = Fx, .near_misses = {Fy}});
+  table.formula(
       "force_y", 2933, "the generalized force $F_y$", samples,
       {.truth = slope(1),
        .printed = {R"($\int F\cdot\delta\,ds$, a vector)",
-                   [=](const Sample& s) { return values(Fx.of(s)[0], Fy.of(s)[0]); }},
+                   [](const Sample& s) { return values(Fx.of(s)[0], Fy.of(s)[0]); }},
        .meant = Fy,
        .near_misses = {Fx},
        .kind = Fault::lost_typography,
        .why = R"(The unit vector $\jmath$ after the dot is lost in the text at hand; line 2931, on $F_x$, )"
               R"(has its $\imath$. Without it what is integrated is the force, a vector, and not its )"
               R"(component.)"});
-  const auto turning = [&](const std::string& text, auto direction) {
-    return Reading{text,
-                   {compare(R"($F_\theta$)",
-                            Reader{text,
-                                   [=](const Sample& s) {
-                                     return generalized(s, [&](Point p) { return direction(s, p); });
-                                   }},
-                            slope(2), samples)}};
+}
+
+void claim_force_theta(Claims& claims, const std::vector<Sample>& samples) {
+  const auto against_slope = [&](const Reader& printed) {
+    return Reading{printed.text, {compare(R"($F_\theta$)", printed, slope(2), samples)}};
   };
-  Reading moment = turning(R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$)",
-                           [](const Sample& s, Point p) { return turned(s, p); });
-  moment.checks.push_back(compare(
-      R"($(F_x,F_y,F_\theta)$ of gravity)",
-      Reader{"the integrals of $(0,-g)$",
-             [](const Sample& s) {
-               return values(0, -9.81 * s.integrated([](Point, Point) { return 1; }),
-                             -9.81 * s.integrated([&](Point p, Point) { return turned(s, p)[1]; }));
-             }},
-      Reader{R"($(0,-\mu_0g,0)$)", [](const Sample& s) { return values(0, -9.81 * s.mu0, 0); }}, samples));
+  Reading moment = against_slope(moment_of_force);
+  moment.checks.push_back(compare(R"($(F_x,F_y,F_\theta)$ of gravity)", moment_of_weight, weight, samples));
   claims.add("force_theta", 2939, R"(the generalized force $F_\theta$)",
              {.printed = moment,
-              .near_misses = {turning(R"($\int F\cdot Rb\,\delta\,ds$)",
-                                      [](const Sample& s, Point p) {
-                                        const Value r = placed(s, p);
-                                        return Point{r[0] - s.x, r[1] - s.y};
-                                      }),
-                              turning(R"($\frac{dR}{d\theta}$ at $-\theta$)",
-                                      [](const Sample& s, Point p) { return turned(s, p, -1); })}});
+              .near_misses = {
+                  against_slope(turning(R"($\int F\cdot Rb\,\delta\,ds$)",
+                                        []<class T>(const SampleOf<T>& s, const PointOf<T>& p) {
+                                          const PointOf<T> r = placed(s, p);
+                                          return PointOf<T>{r[0] - s.x, r[1] - s.y};
+                                        })),
+                  against_slope(turning(R"($\frac{dR}{d\theta}$ at $-\theta$)",
+                                        [](const auto& s, const auto& p) { return turned(s, p, -1); }))}});
+}
+
+// ---- proofs -----------------------------------------------------------------------------------------------
+
+constexpr const char* curves_in_coq = R"(
+From Coquelicot Require Import RInt_analysis Continuity AutoDerive.
+Local Open Scope R_scope.
+
+(* by the mass and the moment mu2, the center of mass being at zero *)
+Lemma moments : forall (b0 b1 delta : R -> R) L,
+  (forall s, continuous b0 s) -> (forall s, continuous b1 s) -> (forall s, continuous delta s) ->
+  RInt (fun s => b0 s * delta s) 0 L = 0 -> RInt (fun s => b1 s * delta s) 0 L = 0 ->
+  forall a0 a1 a2 a3 f, (forall s, f s = a0 + a1 * b0 s + a2 * b1 s + a3 * (b0 s * b0 s + b1 s * b1 s)) ->
+  RInt (fun s => f s * delta s) 0 L
+  = a0 * RInt (fun s => 1 * delta s) 0 L + a3 * RInt (fun s => (b0 s * b0 s + b1 s * b1 s) * delta s) 0 L.
+Proof.
+  intros b0 b1 delta L c0 c1 cd z0 z1 a0 a1 a2 a3 f e.
+  assert (i : forall g : R -> R, (forall s, continuous g s) ->
+    is_RInt (fun s => g s * delta s) 0 L (RInt (fun s => g s * delta s) 0 L)).
+  { intros g cg.
+    apply (RInt_correct (V := R_CompleteNormedModule)), (ex_RInt_continuous (V := R_CompleteNormedModule)). intros s _. now apply (continuous_mult g delta). }
+  assert (i1 := i (fun _ => 1) (fun s => continuous_const 1 s)).
+  assert (ib := i b0 c0). assert (ic := i b1 c1).
+  assert (i2 := i (fun s => b0 s * b0 s + b1 s * b1 s) (fun s => continuous_plus _ _ s
+    (continuous_mult b0 b0 s (c0 s) (c0 s)) (continuous_mult b1 b1 s (c1 s) (c1 s)))).
+  rewrite z0 in ib. rewrite z1 in ic. apply is_RInt_unique.
+  replace (a0 * RInt (fun s => 1 * delta s) 0 L
+      + a3 * RInt (fun s => (b0 s * b0 s + b1 s * b1 s) * delta s) 0 L)
+    with (plus (plus (scal a0 (RInt (fun s => 1 * delta s) 0 L)) (scal a1 0)) (plus (scal a2 0)
+      (scal a3 (RInt (fun s => (b0 s * b0 s + b1 s * b1 s) * delta s) 0 L))))
+    by (unfold plus, scal; simpl; unfold mult; simpl; ring).
+  eapply is_RInt_ext; [| exact (is_RInt_plus _ _ _ _ _ _
+    (is_RInt_plus _ _ _ _ _ _ (is_RInt_scal _ _ _ a0 _ i1) (is_RInt_scal _ _ _ a1 _ ib))
+    (is_RInt_plus _ _ _ _ _ _ (is_RInt_scal _ _ _ a2 _ ic) (is_RInt_scal _ _ _ a3 _ i2)))].
+  intros s _. rewrite e. unfold plus, scal; simpl; unfold mult; simpl. ring.
+Qed.
+Lemma circle : forall t, sin t * sin t = 1 - cos t * cos t.
+Proof. intro t. assert (e := sin2_cos2 t). unfold Rsqr in e. lra. Qed.
+Ltac in_reals := match goal with |- ?x = ?y => change (@eq R x y) end.
+)";
+
+/// The energy's integral i by its moments, and what is left.
+const std::string by_moments = R"(match goal with |- _ = _ * ?i => assert (e : i
+    = (vx * vx + vy * vy) * RInt (fun s => 1 * delta s) 0 L
+      + w * w * RInt (fun s => (b0 s * b0 s + b1 s * b1 s) * delta s) 0 L)
+    by (refine (moments b0 b1 delta L H H0 H1 H2 H3 _ (2 * w * (vy * cos theta - vx * sin theta))
+          (- 2 * w * (vx * cos theta + vy * sin theta)) _ (fun s => _) _); intro; ring [(circle theta)]);
+    rewrite e; clear e end;
+  )";
+
+const std::string by_rod = R"(
+  set (m0 := RInt (fun s => 1 * delta s) 0 L) in *;
+  set (m2 := RInt (fun s => (b0 s * b0 s + b1 s * b1 s) * delta s) 0 L) in *;
+  assert (0 < 12 * m2 / m0) by (apply Rdiv_lt_0_compat; lra);
+  assert (square := sqrt_sqrt (12 * m2 / m0) ltac:(lra)); assert (above := sqrt_lt_R0 (12 * m2 / m0) ltac:(lra));
+  set (l := sqrt (12 * m2 / m0)) in *;
+  assert (of_rod : m0 * (l * l) / 12 = m2) by (rewrite square; field; lra);
+  clearbody l; clearbody m2; clearbody m0; clear square; subst m2;
+  rewrite (RInt_by (fun t => m0 / l * ((vx * vx + vy * vy) * t + (vy * cos theta - vx * sin theta) * w * (t * t)
+    + w * w * (t * t * t) / 3) / 2));
+    [in_reals; field; lra
+    | intro; auto_derive; [repeat split; trivial; lra | field [(circle theta)]; lra]
+    | intro; apply @ex_derive_continuous; auto_derive; repeat split; trivial; lra])";
+
+const std::string any_wire = "it holds of any curve of any density";
+
+ForAll<SampleOf> any_point() {
+  const std::vector<std::string> names{"x", "y", "theta", "vx", "vy", "w", "b0", "b1"};
+  SampleOf<Shortened> any;
+  std::size_t i = 0;
+  for (Shortened* letter :
+       {&any.x, &any.y, &any.theta, &any.vx, &any.vy, &any.w, &any.point[0], &any.point[1]})
+    *letter = Shortened::letter(names[i++]);
+  Sample end_of_rod;
+  end_of_rod.wire = {Shape::straight, 2, 1, 0};
+  end_of_rod.x = end_of_rod.y = end_of_rod.theta = end_of_rod.vx = 0;
+  end_of_rod.vy = 1, end_of_rod.w = -1, end_of_rod.at = 2, end_of_rod.center = {1, 0};
+  return {.any = any,
+          .letters = quantified(names),
+          .tactic = "first [ring [(circle theta)] | apply f_equal; ring [(circle theta)]]",
+          .says = "it holds of any point of any wire in any motion",
+          .example = end_of_rod};
+}
+
+/// Of a curve with its center of mass at zero.
+ForAll<SampleOf> any_curve() {
+  ForAll<SampleOf> all = any_point();
+  SampleOf<Shortened>& any = all.any;
+  any.turn = Shortened::letter("turn");
+  any.mu0 = any.integrated([](const auto&, const auto&) { return Shortened(1.0); });
+  all.letters = "(b0 b1 delta : R -> R) (Ux Uy : R -> R -> R) (L x y theta vx vy w turn : R)";
+  for (const char* function : {"b0", "b1", "delta"})
+    all.given.push_back({"(forall s, continuous " + std::string(function) + " s)"});
+  for (std::size_t i = 0; i < 2; ++i)
+    all.given.push_back(any.integrated([i](const auto& p, const auto&) { return p[i]; }).expression() == 0);
+  all.given.push_back(above(any.mu0.expression(), 0));
+  all.given.push_back(above(any.mu2().expression(), 0));
+  all.says = any_wire;
+  return all;
+}
+
+/// Recorded, the matrix and the complex product are the same: it is what the line before says.
+Provable rod_by_matrix(const ForAll<SampleOf>& all) {
+  return {"3.29-thin_rod_matrix",
+          "it is the point of the rod that the line before gives",
+          {{"printed", all.letters, all.given,
+            equal(at_point("", 1, 0).recorded(all.any), on_rod("", false).recorded(all.any)), "ring"}}};
+}
+
+Provable derivative_of_R(const ForAll<SampleOf>& all) {
+  const Shortened C = cos(all.any.theta), S = sin(all.any.theta);
+  Expressions derivatives;
+  for (const Shortened& entry : {C, -S, S, C})
+    derivatives.push_back(
+        Expression::letter("(Derive (fun theta => " + entry.expression().coq() + ") theta)"));
+  return {"3.29-dR_dtheta",
+          "the derivatives of the matrix's entries are these, at every angle",
+          {{"printed",
+            "(theta : R)",
+            {},
+            equal(derivatives, by_rows("", 1).recorded(all.any)),
+            "apply is_derive_unique; (auto_derive; [trivial | ring])"}}};
+}
+
+const char* const by_slope = R"(match goal with |- _ = - ?i => change (- i) with (opp i) end;
+    rewrite <- (RInt_opp _ _ _ H6); apply RInt_ext; intros t _; match goal with |- ?x = opp ?y => change (@eq R x (- y)) end;
+    replace (x + (cos theta * b0 t - sin theta * b1 t)) with (x + cos theta * b0 t - sin theta * b1 t) by ring;
+    replace (y + (cos theta * b1 t + sin theta * b0 t)) with (y + sin theta * b0 t + cos theta * b1 t) by ring;
+    ring)";
+
+/// A generalized force against the slope of the potential energy, where the integral of the slope exists.
+Lemma force_lemma(const std::string& reading, const Reader& force, int coordinate, ForAll<SampleOf> all) {
+  const Expressions truth = slope(coordinate).recorded(all.any);
+  const std::string text = truth[0].coq();
+  const std::size_t begin = text.find("RInt");
+  all.given.push_back({"ex_RInt" + text.substr(begin + 4, text.rfind(')') - begin - 4)});
+  return {reading, all.letters, all.given, equal(force.recorded(all.any), truth), by_slope};
+}
+
+}  // namespace
+
+Provables proofs() {
+  Claims claims("3.29");
+  Table points(claims), wires(claims);
+  at_a_point(points, {});
+  over_the_wire(wires, {});
+  const ForAll<SampleOf> point = any_point(), curve = any_curve();
+  ForAll<SampleOf> but_the_derivative = point;
+  but_the_derivative.without = {"dR_dtheta"};
+  Provables proved = points.proofs("3.29", but_the_derivative);
+  proved.push_back(rod_by_matrix(point));
+  proved.push_back(derivative_of_R(point));
+  ForAll<SampleOf> turned_curve = curve;
+  turned_curve.without = {"kinetic_energy_formula", "only_differences", "force_x", "force_y"};
+  turned_curve.tactic = "apply RInt_ext; intros; in_reals; ring [(circle turn)]";
+  ForAll<SampleOf> energies = curve;
+  energies.without = {"reorient_or_not", "only_differences", "force_x", "force_y"};
+  energies.tactic = by_moments + "field";
+  ForAll<SampleOf> rods = curve;
+  rods.without = {"reorient_or_not", "kinetic_energy_formula", "force_x", "force_y"};
+  rods.tactic = by_moments + by_rod;
+  for (const ForAll<SampleOf>* all : {&turned_curve, &energies, &rods})
+    for (Provable& p : wires.proofs("3.29", *all)) proved.push_back(std::move(p));
+
+  const std::string of_potential = "it is minus the slope of the energy of any curve in any potential";
+  proved.push_back({"3.29-force_x", of_potential, {force_lemma("printed", Fx, 0, curve)}});
+  proved.push_back({"3.29-force_y", "as meant " + of_potential, {force_lemma("meant", Fy, 1, curve)}});
+  const Expression moment = moment_of_weight.recorded(curve.any)[2];
+  proved.push_back(
+      {"3.29-force_theta",
+       of_potential + "; that of the weight is zero",
+       {force_lemma("printed", moment_of_force, 2, curve),
+        {"weight",
+         curve.letters,
+         curve.given,
+         {moment == 0},
+         "match goal with |- _ * ?i = 0 => assert (e : i = 0 * RInt (fun s => 1 * delta s) 0 L"
+         " + 0 * RInt (fun s => (b0 s * b0 s + b1 s * b1 s) * delta s) 0 L)"
+         " by (refine (moments b0 b1 delta L H H0 H1 H2 H3 _ (cos theta) (- sin theta) _ (fun s => _) _);"
+         " intro; ring); rewrite e; ring end"}}});
+  for (Provable& p : proved) p.preamble = std::string(integrals_in_coq) + curves_in_coq;
+  return proved;
+}
+
+std::vector<Claim> claims(double seed) {
+  const auto samples = draw<Sample>(200, seed);
+  Claims claims("3.29");
+  Table points(claims), wires(claims);
+  const auto first_moments = [](const std::string& text, bool centered) {
+    return Formula<Sample>{
+        text, [centered](const Sample& s) {
+          const Point from = centered ? s.center : Point{0, 0};
+          return values(s.mu0 + s.wire.over_mass([&](double u) { return s.wire.point(u)[0] - from[0]; }),
+                        s.mu0 + s.wire.over_mass([&](double u) { return s.wire.point(u)[1] - from[1]; }));
+        }};
+  };
+  claims.formula<Sample>(
+      "body_space", 2823, R"($\int b\,\delta\,ds=0$ in body space)", samples,
+      {.quantity = R"($(\mu_0,\mu_0)+\int b\,\delta\,ds$)",
+       .truth = {R"($(\mu_0,\mu_0)$)", [](const Sample& s) { return values(s.mu0, s.mu0); }},
+       .printed = first_moments("$b$ from the center of mass", true),
+       .near_misses = {first_moments("$b$ from the start of the curve", false)}});
+  at_a_point(points, samples);
+  over_the_wire(wires, samples);
+  claim_force_theta(claims, samples);
+  claims.formula<Sample>(
+      "arc_length", 2825, "the arc length runs up to the total length", samples,
+      {.quantity = "the total length",
+       .truth = {"the primitive of $ds$", [](const Sample& s) { return s.wire.arc_length(s.wire.end()); }},
+       .printed = {R"($\int ds$)", [](const Sample& s) { return s.wire.along([](double) { return 1; }); }},
+       .near_misses = {{"the chord", [](const Sample& s) {
+                          const Point a = s.wire.point(0), b = s.wire.point(s.wire.end());
+                          return std::hypot(b[0] - a[0], b[1] - a[1]);
+                        }}}});
+  claims.add("mass", 2867, R"($\mu_0$ is the integral of the density over the length)",
+             {.printed = against_primitives(R"($\mu_0=\int\delta\,ds$)", 0, true, true, seed),
+              .near_misses = {against_primitives(R"($\mu_0=\int\delta\,du$, $u$ not the arc length)", 0, true,
+                                                 false, seed)}});
+  claims.add("kinetic_energy", 2883, "the kinetic energy $T$ is the integral of the points'",
+             {.printed = of_particles(R"($T=\int\frac12|v|^2\delta\,ds$)", 0.5, seed),
+              .near_misses = {of_particles(R"($T=\int|v|^2\delta\,ds$)", 1, seed)}});
+  claims.add("mu2", 2915, R"($\mu_2$ is the integral of $|b|^2\delta$)",
+             {.printed = against_primitives(R"($\mu_2=\int|b|^2\delta\,ds$, $b$ from the center of mass)", 3,
+                                            true, true, seed),
+              .near_misses = {against_primitives(
+                  R"($\mu_2=\int|b|^2\delta\,ds$, $b$ from the start of the curve)", 3, false, true, seed)}});
   claims.add("numerical_integration", 2945,
              "numerical integration serves for rough friction too, on a moving wire",
              {.printed = friction_moment(seed, 1 << 15), .near_misses = {friction_moment(seed, 2)}});
@@ -479,3 +746,9 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_29
+
+namespace oddity {
+
+Provables proofs_3_29() { return ex03_29::proofs(); }
+
+}  // namespace oddity

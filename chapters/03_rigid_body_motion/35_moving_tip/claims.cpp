@@ -24,7 +24,7 @@ Moving motion_of(const Sample& s, const Vector<double>& body_point) {
     return D(Dual<double>(s.q[i], s.v[i]), Dual<double>(s.v[i], s.truth[i]));
   };
   const auto r = rotation(angle(0), angle(1), angle(2));
-  const auto x = s.body.position(Point{1, body_point}, r, D(Dual<double>(s.t, 1), Dual<double>(1)));
+  const auto x = s.body.position(PointOf<double>{1, body_point}, r, D(Dual<double>(s.t, 1), Dual<double>(1)));
   Moving moving;
   for (std::size_t i = 0; i < 3; ++i) {
     moving.x[i] = x[i].value.value;
@@ -44,7 +44,7 @@ Vector<double> less(const Vector<double>& a, const Vector<double>& b) {
 Vector<double> momentum_rate_about(const Sample& s, const Vector<double>& body_point) {
   const Moving center = motion_of(s, body_point);
   Vector<double> sum{};
-  for (const Point& p : s.body.points) {
+  for (const PointOf<double>& p : s.body.points) {
     const Moving point = motion_of(s, p.x);
     const Vector<double> moment = cross(less(point.x, center.x), less(point.a, center.a));
     for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * moment[i];
@@ -183,7 +183,7 @@ std::vector<Claim> claims(double seed) {
   const Check driven = compare("rate of the vertical angular momentum", vertical,
                                Reader{R"($m\ell\alpha\lambda^2\sin\lambda t\cos\theta\sin\phi$)",
                                       [](const Sample& s) {
-                                        const Points& b = s.body;
+                                        const auto& b = s.body;
                                         return s.m * s.l * b.A * b.lambda * b.lambda * sin(b.lambda * s.t) *
                                                cos(s.q[0]) * sin(s.q[1]);
                                       }},
@@ -265,7 +265,7 @@ std::vector<Claim> claims(double seed) {
        .truth = {R"($\sum m\mathbf x/m$ over the points)",
                  [](const Sample& s) {
                    Vector<double> sum{};
-                   for (const Point& p : s.body.points) {
+                   for (const PointOf<double>& p : s.body.points) {
                      const Vector<double> x = motion_of(s, p.x).x;
                      for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * x[i] / s.m;
                    }

@@ -4,11 +4,13 @@
 // by dual numbers. Rings of equally spaced points about the third body axis, the tip at the body's origin.
 
 #include <algorithm>
+#include <concepts>
 #include <numbers>
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
 #include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
+#include "chapters/03_rigid_body_motion/shared/top_proofs.hpp"
 #include "chapters/claims.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
@@ -17,52 +19,66 @@ namespace oddity::top {
 
 using heavy_top::Matrix, heavy_top::Vector, heavy_top::rotation;
 
-struct Point {
-  double m;
-  Vector<double> x;
+template <class T>
+struct PointOf {
+  T m;
+  Vector<T> x;
 };
 
-/// T and V of the points, for angles q = (theta, phi, psi), rates v and time t.
-struct Points {
-  std::vector<Point> points;
-  double g, A, lambda;
+/// T and V of the points, for angles q = (theta, phi, psi), rates v and time t. Recorded without points, they
+/// are those of any top that is made of rings.
+template <class T>
+struct PointsOf {
+  std::vector<PointOf<T>> points;
+  T g, A, lambda;
 
   template <class X>
-  std::array<X, 3> position(const Point& p, const Matrix<X>& r, const X& t) const {
+  std::array<X, 3> position(const PointOf<T>& p, const Matrix<X>& r, const X& t) const {
     using std::sin;
     std::array<X, 3> at;
     for (std::size_t i = 0; i < 3; ++i) at[i] = r[i][0] * p.x[0] + r[i][1] * p.x[1] + r[i][2] * p.x[2];
     at[0] = at[0] + A * sin(lambda * t);
     return at;
   }
+  /// What `add` adds of each point to a number or to an array of numbers.
+  template <class X, class Add>
+  X sum(const Add& add) const {
+    X all{};
+    if constexpr (std::same_as<T, Shortened>)
+      if (points.empty()) {
+        add(all, PointOf<T>{T::letter("m"), {T::letter("x"), T::letter("y"), T::letter("z")}});
+        return total(all);
+      }
+    for (const PointOf<T>& p : points) add(all, p);
+    return all;
+  }
   template <class X>
   X kinetic(const std::array<X, 3>& q, const std::array<X, 3>& v, const X& t) const {
     using D = Dual<X>;
     const auto r = rotation(D(q[0], v[0]), D(q[1], v[1]), D(q[2], v[2]));
-    X twice(0.0);
-    for (const Point& p : points)
-      for (const D& x : position(p, r, D(t, X(1.0)))) twice = twice + p.m * x.slope * x.slope;
-    return 0.5 * twice;
+    return 0.5 * sum<X>([&](X& twice, const PointOf<T>& p) {
+             for (const D& x : position(p, r, D(t, X(1.0)))) twice = twice + p.m * x.slope * x.slope;
+           });
   }
   template <class X>
   X potential(const std::array<X, 3>& q, const X& t) const {
     const auto r = rotation(q[0], q[1], q[2]);
-    X sum(0.0);
-    for (const Point& p : points) sum = sum + p.m * g * position(p, r, t)[2];
-    return sum;
+    return sum<X>([&](X& all, const PointOf<T>& p) { all = all + p.m * g * position(p, r, t)[2]; });
   }
 };
 
-/// A random top at a random instant of a motion with random accelerations, away from the vertical.
-struct Sample {
-  Points body;
-  Vector<double> q, v, a;
-  double t;
-  double m = 0, l = 0, mu1 = 0, mu3 = 0;
-  Vector<double> truth;    ///< the accelerations of Lagrange's equations
-  Vector<double> kinetic;  ///< d/dt dT/dv - dT/dq along the accelerations a
+/// A top, here a random one, at an instant of a motion with any accelerations, away from the vertical.
+template <class T>
+struct SampleOf {
+  PointsOf<T> body;
+  Vector<T> q, v, a;
+  T t;
+  T m = T(0), l = T(0), mu1 = T(0), mu3 = T(0);
+  Vector<T> truth;    ///< the accelerations of Lagrange's equations
+  Vector<T> kinetic;  ///< d/dt dT/dv - dT/dq along the accelerations a
 
-  explicit Sample(Random& random, double shake = 0)
+  SampleOf() = default;
+  explicit SampleOf(Random& random, double shake = 0)
       : body{{}, random.between(1, 10), shake * random.between(0.1, 1), random.between(0.5, 4)},
         q{random.between(-3, 3), random.between(0.3, 2.8), random.between(-3, 3)},
         v(random.point(3)),
@@ -81,31 +97,48 @@ struct Sample {
       }
     }
     l /= m;
-    const auto of_motion = [this](const auto& x, const auto& dx, const auto& s) {
-      return body.kinetic(x, dx, s);
+    kinetic = left_side(a, false);
+    truth = lagrange_accelerations(lagrangian(), q, v, {}, t);
+  }
+
+  auto lagrangian() const {
+    return [this](const auto& x, const auto& dx, const auto& s) {
+      return this->body.kinetic(x, dx, s) - this->body.potential(x, s);
     };
-    const auto lagrangian = [this](const auto& x, const auto& dx, const auto& s) {
-      return body.kinetic(x, dx, s) - body.potential(x, s);
-    };
-    kinetic = lagrange_left_side(of_motion, q, v, a, t);
-    truth = lagrange_accelerations(lagrangian, q, v, {}, t);
+  }
+  /// d/dt df/dv - df/dq of T, or of T - V, along a motion with these accelerations.
+  Vector<T> left_side(const Vector<T>& accelerations, bool with_potential) const {
+    if (with_potential) return lagrange_left_side(lagrangian(), q, v, accelerations, t);
+    return lagrange_left_side(
+        [this](const auto& x, const auto& dx, const auto& s) { return this->body.kinetic(x, dx, s); }, q, v,
+        accelerations, t);
   }
 
   /// R^T R' of the motion, in which the angular velocity in body coordinates stands.
-  Matrix<double> body_spin() const {
-    using D = Dual<double>;
+  Matrix<T> body_spin() const {
+    using D = Dual<T>;
     const auto r = rotation(D(q[0], v[0]), D(q[1], v[1]), D(q[2], v[2]));
-    Matrix<double> w{};
+    Matrix<T> w{};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t k = 0; k < 3; ++k) w[i][j] += r[k][i].value * r[k][j].slope;
     return w;
   }
-  Vector<double> body_rates() const {
+  Vector<T> body_rates() const {
     const auto w = body_spin();
     return {w[2][1], w[0][2], w[1][0]};
   }
-  heavy_top::Top<double> top() const {
+  /// Its numbers, with the accelerations of this sample.
+  SampleOf<Shortened> recorded() const {
+    const auto of = [](const Vector<T>& x) { return Vector<Shortened>{x[0], x[1], x[2]}; };
+    SampleOf<Shortened> same;
+    for (const PointOf<T>& p : body.points) same.body.points.push_back({p.m, of(p.x)});
+    same.body.g = body.g, same.body.A = body.A, same.body.lambda = body.lambda;
+    same.q = of(q), same.v = of(v), same.a = of(a), same.t = t;
+    same.m = m, same.l = l, same.mu1 = mu1, same.mu3 = mu3, same.truth = of(truth);
+    return same;
+  }
+  heavy_top::Top<T> top() const {
     return {m, l, mu1, mu3, body.g, q[0], q[1], q[2], v[0], v[1], v[2], body.A, body.lambda};
   }
 
@@ -126,26 +159,18 @@ struct Sample {
   }
 };
 
+using Sample = SampleOf<double>;
+
 /// The time derivative, along the motion with the accelerations a, of f(q, v).
-template <class F>
-double rate_of(const Sample& s, const Vector<double>& a, const F& f) {
-  std::array<Dual<double>, 3> q, v;
-  for (std::size_t i = 0; i < 3; ++i) {
-    q[i] = {s.q[i], s.v[i]};
-    v[i] = {s.v[i], a[i]};
-  }
-  return f(q, v).slope;
+template <class T, class F>
+T rate_of(const SampleOf<T>& s, const Vector<T>& a, const F& f) {
+  return f(moving(s.q, s.v), moving(s.v, a)).slope;
 }
 
 /// The derivative of f(q, v) by the k-th angle, or by its rate.
-template <class F>
-double by_angle(const Sample& s, std::size_t k, const F& f, bool rate = false) {
-  std::array<Dual<double>, 3> q, v;
-  for (std::size_t i = 0; i < 3; ++i) {
-    q[i] = {s.q[i], i == k && !rate ? 1.0 : 0.0};
-    v[i] = {s.v[i], i == k && rate ? 1.0 : 0.0};
-  }
-  return f(q, v).slope;
+template <class T, class F>
+T by_angle(const SampleOf<T>& s, std::size_t k, const F& f, bool rate = false) {
+  return (rate ? f(still(s.q), toward(s.v, k)) : f(toward(s.q, k), still(s.v))).slope;
 }
 
 /// A hundred tops; `shake` is the tip's largest amplitude.
