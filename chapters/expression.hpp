@@ -101,6 +101,7 @@ class Shortened {
   friend Shortened hypot(const Shortened& x, const Shortened& y) { return sqrt(x * x + y * y); }
   friend Shortened abs(const Shortened& x) { return abs(x.all_); }
   friend Shortened exp(const Shortened& x) { return exp(x.all_); }
+  friend Shortened cbrt(const Shortened& x) { return cbrt(x.all_); }
 
  private:
   bool is(std::string_view number) const { return all_.coq() == number; }

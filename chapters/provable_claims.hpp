@@ -13,7 +13,8 @@
 
 /// Claims whose formulas are generic in their number type, stated once: computed over samples of doubles, and
 /// proved for all values of the letters. A sample is `template <class T> struct Of` with letters() that
-/// returns an array of T*, or with recorded() that returns its numbers as Of<Shortened>.
+/// returns an array of T*, or quantities() that does, where the sizes of terms are not to be found from them,
+/// or with recorded() that returns its numbers as Of<Shortened>.
 namespace oddity {
 
 template <class... Numbers>
@@ -32,6 +33,14 @@ Expressions recorded_value(const X& x) {
     for (const auto& component : x) all.push_back(Shortened(component).expression());
     return all;
   }
+}
+
+template <class Sample>
+auto letters_of(Sample& sample) {
+  if constexpr (requires { sample.letters(); })
+    return sample.letters();
+  else
+    return sample.quantities();
 }
 
 }  // namespace detail
@@ -80,7 +89,7 @@ template <template <class> class Of>
 Of<Shortened> lettered(const std::vector<std::string>& names) {
   Of<Shortened> any{};
   std::size_t i = 0;
-  for (Shortened* letter : any.letters()) *letter = Shortened::letter(names.at(i++));
+  for (Shortened* letter : detail::letters_of(any)) *letter = Shortened::letter(names.at(i++));
   return any;
 }
 std::string quantified(const std::vector<std::string>& names);
@@ -156,9 +165,9 @@ class ProvableClaims {
       return example.recorded();
     } else {
       Of<Shortened> recorded{};
-      auto numbers = example.letters();
+      auto numbers = detail::letters_of(example);
       std::size_t i = 0;
-      for (Shortened* letter : recorded.letters()) *letter = *numbers[i++];
+      for (Shortened* letter : detail::letters_of(recorded)) *letter = *numbers[i++];
       return recorded;
     }
   }

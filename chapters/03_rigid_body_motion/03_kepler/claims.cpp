@@ -5,8 +5,10 @@
 
 #include "chapters/provable_claims.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <numbers>
 #include <span>
 #include <stdexcept>
@@ -15,6 +17,7 @@
 
 #include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
+#include "chapters/03_rigid_body_motion/03_kepler/orbits_in_coq.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/ode/algorithms.hpp"
@@ -114,14 +117,17 @@ OfMoment pushed(std::string text, const Of& of) {
   return along(std::move(text), of, &Along::of_transverse, true);
 }
 
-/// A random orbit, from its start to a later moment.
-struct Later {
-  Start start;
-  Moment now;
-  double t, theta;  ///< the angle goes on beyond a turn
-  double c0, c1;    ///< of equation (3), from two other positions
+}  // namespace
 
-  std::array<double*, 14> letters() {
+/// A random orbit, from its start to a later moment.
+template <class T>
+struct LaterOf {
+  Given<T> start;
+  MomentOf<T> now;
+  T t, theta;  ///< the angle goes on beyond a turn
+  T c0, c1;    ///< of equation (3), from two other positions
+
+  std::array<T*, 14> letters() {
     auto& [G, M, r0, r0_dot, theta0, theta0_dot] = start;
     return {&G,     &M,      &r0,     &r0_dot, &theta0, &theta0_dot, &now.x,
             &now.y, &now.vx, &now.vy, &t,      &theta,  &c0,         &c1};
@@ -131,13 +137,13 @@ struct Later {
     return {1e-10 * size, "a thousand tolerances of the path's integration"};
   }
 
-  double r() const { return hypot(now.x, now.y); }
-  double h() const { return now.x * now.vy - now.y * now.vx; }
-  double w() const { return h() / (r() * r()); }
-  double V() const { return -start.mu() / r(); }
-  double mean() const { return pow(start.mu() / start.h(), 2); }  ///< G^2 M^4/alpha^2
-  double potential(double angle) const { return c0 * sin(angle) + c1 * cos(angle); }
-  double slope(double angle) const { return c0 * cos(angle) - c1 * sin(angle); }
+  T r() const { return hypot(now.x, now.y); }
+  T h() const { return now.x * now.vy - now.y * now.vx; }
+  T w() const { return h() / (r() * r()); }
+  T V() const { return -start.mu() / r(); }
+  T mean() const { return pow(start.mu() / start.h(), 2); }  ///< G^2 M^4/alpha^2
+  T potential(const T& angle) const { return c0 * sin(angle) + c1 * cos(angle); }
+  T slope(const T& angle) const { return c0 * cos(angle) - c1 * sin(angle); }
   double distance(double angle) const { return -start.mu() / (potential(angle) - mean()); }
   /// The time from one angle to another, dt = r^2 d theta/h.
   double time_between(double from, double to) const {
@@ -146,38 +152,70 @@ struct Later {
   /// The time of a turn.
   double turn() const {
     const auto slowness = [&](double angle) { return pow(distance(angle), 2) / abs(start.h()); };
-    return trapezoid(slowness, 0, 2 * pi, 512).value;
+    return trapezoid(slowness, 0, 2 * std::numbers::pi, 512).value;
   }
   /// The moment of the start.
-  Along first() const {
+  AlongOf<T> first() const {
     const auto q = start.position(), v = start.velocity();
-    return Along({start.G, start.M, 1, q[0], q[1], v[0], v[1], 0, 0, {}}, false);
+    return AlongOf<T>({start.G, start.M, 1, q[0], q[1], v[0], v[1], 0, 0, {}}, false);
   }
   /// v x c0 - GM R.
-  Value laplace() const {
-    const double pull = start.mu() / r();
-    return {now.vy * h() - pull * now.x, -now.vx * h() - pull * now.y};
+  auto laplace() const {
+    const T pull = start.mu() / r();
+    return values(now.vy * h() - pull * now.x, -now.vx * h() - pull * now.y);
   }
   /// A vector by its parts along R0 and P0.
-  Value parts(double along_R, double along_P) const {
-    const double c = cos(start.theta0), s = sin(start.theta0);
-    return {along_R * c - along_P * s, along_R * s + along_P * c};
+  auto parts(const T& along_R, const T& along_P) const {
+    const T c = cos(start.theta0), s = sin(start.theta0);
+    return values(along_R * c - along_P * s, along_R * s + along_P * c);
   }
 };
 
 /// The orbit's elements by the lines from the start.
+template <class T>
 struct Elements {
-  double mu, squared, tilted;  ///< r0^3 theta0'^2, r0^2 r0' theta0'
-  double gamma0, gamma1, e, rho, a, omega;
+  T mu, squared, tilted;  ///< r0^3 theta0'^2, r0^2 r0' theta0'
+  T gamma0, gamma1, e, rho, a, omega;
 
-  explicit Elements(const Later& k) : mu(k.start.mu()) {
+  explicit Elements(const LaterOf<T>& k) : mu(k.start.mu()) {
     const auto& [G, M, r0, r0_dot, theta0, w0] = k.start;
     squared = r0 * r0 * r0 * w0 * w0, tilted = r0 * r0 * r0_dot * w0, gamma0 = r0 * r0 * abs(w0);
     gamma1 = sqrt(pow(squared - mu, 2) + tilted * tilted), e = gamma1 / mu, rho = gamma0 * gamma0 / gamma1;
-    a = rho * e / (1 - e * e), omega = theta0 - std::atan2(tilted, squared - mu);
+    a = rho * e / (1 - e * e), omega = theta0 - atan2(tilted, squared - mu);
   }
-  double orbit(double angle) const { return e * rho / (1 + e * cos(angle)); }
+  T orbit(const T& angle) const { return e * rho / (1 + e * cos(angle)); }
 };
+
+/// A place and a velocity in space, and drag beside gravity.
+template <class T>
+struct InSpaceOf {
+  T mu;
+  std::array<T, 3> q, v;
+
+  InSpaceOf() = default;
+  explicit InSpaceOf(Random& random) : q(random.point()), v(random.point()) {
+    mu = abs(random.magnitude(0.1, 10));
+  }
+  std::array<T*, 7> quantities() { return {&mu, &q[0], &q[1], &q[2], &v[0], &v[1], &v[2]}; }
+  double size() const {
+    const auto a = gravity(mu, q);
+    return hypot(q[0], q[1], q[2]) * hypot(a[0], a[1], a[2]);
+  }
+  std::string where() const { return R"($\mathbf r$ = ()" + format_shortest(q[0]) + ", ...)"; }
+  /// d/dt (r x v) = r x a.
+  auto turned(double drag) const {
+    auto f = gravity(mu, q);
+    for (std::size_t j = 0; j < 3; ++j) f[j] -= drag * v[j];
+    return values(q[1] * f[2] - q[2] * f[1], q[2] * f[0] - q[0] * f[2], q[0] * f[1] - q[1] * f[0]);
+  }
+};
+
+namespace {
+
+using Later = LaterOf<double>;
+using OfStart = ProvableFormula<LaterOf>;
+using LaterTable = ProvableClaims<LaterOf>;
+using SpaceTable = ProvableClaims<InSpaceOf>;
 
 /// The distances at the apsides, by the energy and the angular momentum of the later moment.
 struct Apsides {
@@ -248,22 +286,6 @@ std::vector<Later> orbits(double seed) {
   return all;
 }
 
-/// A place and a velocity in space, and drag beside gravity.
-struct InSpace {
-  std::array<double, 3> q, v, a;
-  explicit InSpace(Random& random) : q(random.point()), v(random.point()) {
-    a = gravity(abs(random.magnitude(0.1, 10)), q);
-  }
-  double size() const { return hypot(q[0], q[1], q[2]) * hypot(a[0], a[1], a[2]); }
-  std::string where() const { return R"($\mathbf r$ = ()" + format_shortest(q[0]) + ", ...)"; }
-  /// d/dt (r x v) = r x a.
-  Value turned(double drag) const {
-    std::array<double, 3> f = a;
-    for (std::size_t j = 0; j < 3; ++j) f[j] -= drag * v[j];
-    return {q[1] * f[2] - q[2] * f[1], q[2] * f[0] - q[0] * f[2], q[0] * f[1] - q[1] * f[0]};
-  }
-};
-
 /// A start, at so many times the circular speed across and along.
 struct AnyStart {
   double across, along;
@@ -316,18 +338,18 @@ std::vector<AnyStart> and_straight(std::vector<AnyStart> all) {
 
 // ---- Newton's law in polar coordinates: lines 945 to 1007 -------------------------------------------------
 
+void plane(SpaceTable& table, const std::vector<InSpaceOf<double>>& samples) {
+  table.formula("plane", 945,
+                R"(the normal $\mathbf c_0=\mathbf r\times\mathbf v$ is constant: the motion stays in the )"
+                R"(plane of $\mathbf r$ and $\mathbf v$)",
+                samples,
+                {.quantity = R"($\mathbf r\times\ddot{\mathbf r}$, the rate of $\mathbf r\times\mathbf v$)",
+                 .truth = {"zero", [](const auto&) { return values(0, 0, 0); }},
+                 .printed = {"under gravity", [](const auto& k) { return k.turned(0); }},
+                 .near_misses = {{"with drag", [](const auto& k) { return k.turned(0.1); }}}});
+}
+
 void motion_in_a_plane(Claims& claims, const std::vector<Later>& orbits, double seed) {
-  claims.formula("plane", 945,
-                 R"(the normal $\mathbf c_0=\mathbf r\times\mathbf v$ is constant: the motion stays in the )"
-                 R"(plane of $\mathbf r$ and $\mathbf v$)",
-                 draw<InSpace>(100, seed),
-                 {.quantity = R"($\mathbf r\times\ddot{\mathbf r}$, the rate of $\mathbf r\times\mathbf v$)",
-                  .truth = {"zero",
-                            [](const InSpace&) {
-                              return Value{0, 0, 0};
-                            }},
-                  .printed = {"under gravity", [](const InSpace& k) { return k.turned(0); }},
-                  .near_misses = {{"with drag", [](const InSpace& k) { return k.turned(0.1); }}}});
   claims.statement<AnyStart>(
       "orbit_for_all_time", 945,
       R"(a start whose $\mathbf r$ and $\mathbf v$ span a plane determines an orbit for all $t\ge0$)",
@@ -702,26 +724,25 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
 
 // ---- from the start to a later moment: lines 979 to 1227 --------------------------------------------------
 
-using OfStart = Formula<Later>;
-
-void constants_of_motion(Claims& claims, const std::vector<Later>& orbits) {
-  using K = const Later&;
-  claims.formula(
+void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
+  table.formula(
       "conserved", 979,
       R"($r^2\dot\theta$ is constant, and so is $\alpha=Mr^2\dot\theta=Mr_0^2\dot\theta_0$)", orbits,
       {.quantity = R"($r^2\dot\theta$ and $Mr^2\dot\theta$)",
-       .truth = {"later on the path", [](K k) { return values(k.h(), k.start.M * k.h()); }},
+       .truth = {"later on the path", [](const auto& k) { return values(k.h(), k.start.M * k.h()); }},
        .printed = {R"($r_0^2\dot\theta_0$ and $Mr_0^2\dot\theta_0$)",
-                   [](K k) { return values(k.start.h(), k.start.M * k.start.h()); }},
-       .near_misses = {{R"($r_0\dot\theta_0$ and $Mr_0^2\dot\theta_0$)",
-                        [](K k) { return values(k.start.h() / k.start.r0, k.start.M * k.start.h()); }}}});
-  const auto rate = [](double power) {
-    return [=](K k) { return values(k.start.h() / pow(k.r(), 2), k.start.h() * pow(k.r(), power)); };
+                   [](const auto& k) { return values(k.start.h(), k.start.M * k.start.h()); }},
+       .near_misses = {{R"($r_0\dot\theta_0$ and $Mr_0^2\dot\theta_0$)", [](const auto& k) {
+                          return values(k.start.h() / k.start.r0, k.start.M * k.start.h());
+                        }}}});
+  const auto rate = [](int power) {
+    return
+        [=](const auto& k) { return values(k.start.h() / pow(k.r(), 2), k.start.h() * pow(k.r(), power)); };
   };
-  claims.formula(
+  table.formula(
       "rate", 981, R"($\dot\theta=\alpha/(Mr^2)=r_0^2\dot\theta_0\,r^2$ (1))", orbits,
       {.quantity = R"($\dot\theta$, twice)",
-       .truth = {"later on the path", [](K k) { return values(k.w(), k.w()); }},
+       .truth = {"later on the path", [](const auto& k) { return values(k.w(), k.w()); }},
        .printed = {R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0\,r^2$)", rate(2)},
        .meant = {R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0/r^2$)", rate(-2)},
        .near_misses = {{R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0/r$)", rate(-1)}},
@@ -729,63 +750,66 @@ void constants_of_motion(Claims& claims, const std::vector<Later>& orbits) {
        .why =
            R"(The bar of the second fraction is lost: as it stands, a planet that has come to twice its distance )"
            R"(goes round four times as fast, and not at a quarter of its rate. The first form has its bar.)"});
-  claims.formula(
+  table.formula(
       "invertible", 987,
       R"($t$ is a function of $\theta$, $t=f^{-1}(\theta)$, and $r(f^{-1}(\theta))$ is the distance as a function of the angle)",
       orbits,
       {.quantity = R"($(t,r)$)",
-       .truth = {"later on the path", [](K k) { return values(k.t, k.r()); }},
+       .truth = {"later on the path", [](const Later& k) { return values(k.t, k.r()); }},
        .printed =
            {R"($\int r^2d\theta/(r_0^2\dot\theta_0)$ and $r(\theta)$, by $c_0$ and $c_1$ from two other places)",
-            [](K k) { return values(k.time_between(k.start.theta0, k.theta), k.distance(k.theta)); }},
-       .near_misses = {{"the same functions at half the angle", [](K k) {
+            [](const Later& k) {
+              return values(k.time_between(k.start.theta0, k.theta), k.distance(k.theta));
+            }},
+       .near_misses = {{"the same functions at half the angle", [](const Later& k) {
                           const double half = (k.start.theta0 + k.theta) / 2;
                           return values(k.time_between(k.start.theta0, half), k.distance(half));
                         }}}});
-  claims.formula("constant", 1095, R"($-G^2M^4/\alpha^2$ is a constant)", orbits,
-                 {.quantity = R"($-G^2M^4/\alpha^2$)",
-                  .truth = {"later on the path", [](K k) { return -pow(k.start.mu() / k.h(), 2); }},
-                  .printed = {"at the start", [](K k) { return -k.mean(); }},
-                  .near_misses = {{R"($V$)", [](K k) { return k.V(); }}}});
-  const auto bent = [](double sign) { return [=](K k) { return sign * (k.V() + k.mean()); }; };
-  claims.formula("homogeneous", 1097, R"($V_h=c_0\sin\theta+c_1\cos\theta$ has $V_h''+V_h=0$)", orbits,
-                 {.quantity = R"($V_h''$)",
-                  .truth = {R"(by dual numbers, $c_0$ and $c_1$ from two places on the path)",
-                            [](K k) {
-                              return second_derivative([&](auto z) { return k.c0 * sin(z) + k.c1 * cos(z); },
-                                                       k.theta);
-                            }},
-                  .printed = {R"($-V_h$, which is $-(V+G^2M^4/\alpha^2)$ at a third place)", bent(-1)},
-                  .near_misses = {{R"($+V_h$)", bent(1)}}});
-  claims.formula("potential", 1107, R"($V=c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2$ (3))", orbits,
-                 {.quantity = R"($V$)",
-                  .truth = {R"($-GM/r$ later on the path)", [](K k) { return k.V(); }},
-                  .printed = {R"((3), $c_0$ and $c_1$ from two other places)",
-                              [](K k) { return k.potential(k.theta) - k.mean(); }},
-                  .near_misses = {{R"((3) with $+G^2M^4/\alpha^2$)",
-                                   [](K k) { return k.potential(k.theta) + k.mean(); }}}});
-  claims.formula(
+  table.formula("constant", 1095, R"($-G^2M^4/\alpha^2$ is a constant)", orbits,
+                {.quantity = R"($-G^2M^4/\alpha^2$)",
+                 .truth = {"later on the path", [](const auto& k) { return -pow(k.start.mu() / k.h(), 2); }},
+                 .printed = {"at the start", [](const auto& k) { return -k.mean(); }},
+                 .near_misses = {{R"($V$)", [](const auto& k) { return k.V(); }}}});
+  const auto bent = [](double sign) { return [=](const auto& k) { return sign * (k.V() + k.mean()); }; };
+  table.formula("homogeneous", 1097, R"($V_h=c_0\sin\theta+c_1\cos\theta$ has $V_h''+V_h=0$)", orbits,
+                {.quantity = R"($V_h''$)",
+                 .truth = {R"(by dual numbers, $c_0$ and $c_1$ from two places on the path)",
+                           [](const auto& k) {
+                             return second_derivative([&](auto z) { return k.c0 * sin(z) + k.c1 * cos(z); },
+                                                      k.theta);
+                           }},
+                 .printed = {R"($-V_h$, which is $-(V+G^2M^4/\alpha^2)$ at a third place)", bent(-1)},
+                 .near_misses = {{R"($+V_h$)", bent(1)}}});
+  table.formula("potential", 1107, R"($V=c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2$ (3))", orbits,
+                {.quantity = R"($V$)",
+                 .truth = {R"($-GM/r$ later on the path)", [](const auto& k) { return k.V(); }},
+                 .printed = {R"((3), $c_0$ and $c_1$ from two other places)",
+                             [](const auto& k) { return k.potential(k.theta) - k.mean(); }},
+                 .near_misses = {{R"((3) with $+G^2M^4/\alpha^2$)",
+                                  [](const auto& k) { return k.potential(k.theta) + k.mean(); }}}});
+  table.formula(
       "potential_slope", 1113, R"($V'=c_0\cos\theta-c_1\sin\theta$)", orbits,
       {.quantity = R"($V'$)",
        .truth = {R"($\dot V/\dot\theta$ later on the path, by dual numbers)",
-                 [](K k) { return Along(k.now, false).V1; }},
-       .printed = {R"($c_0\cos\theta-c_1\sin\theta$)", [](K k) { return k.slope(k.theta); }},
-       .near_misses = {{R"($c_0\cos\theta+c_1\sin\theta$)", [](K k) { return k.slope(-k.theta); }}}});
+                 [](const auto& k) { return motion_at(k.now, false).V1; }},
+       .printed = {R"($c_0\cos\theta-c_1\sin\theta$)", [](const auto& k) { return k.slope(k.theta); }},
+       .near_misses = {
+           {R"($c_0\cos\theta+c_1\sin\theta$)", [](const auto& k) { return k.slope(-k.theta); }}}});
 
   const auto system = [](double sign, bool later) {
-    return [=](K k) {
-      const double at = k.start.theta0, sine = sin(later ? k.theta : at);
+    return [=](const auto& k) {
+      const auto at = k.start.theta0, sine = sin(later ? k.theta : at);
       return values(k.potential(at), k.c0 * cos(at) + sign * k.c1 * sine);
     };
   };
-  claims.formula(
+  table.formula(
       "system", 1117,
       R"(at $\theta_0$: $c_0\sin\theta_0+c_1\cos\theta_0=V_0+G^2M^4/\alpha^2$, $c_0\cos\theta_0-c_1\sin\theta=V_0'$)",
       orbits,
       {.quantity = R"($V_0+G^2M^4/\alpha^2$ and $V_0'$)",
        .truth = {"at the start, by dual numbers",
-                 [](K k) {
-                   const Along first = k.first();
+                 [](const auto& k) {
+                   const auto first = k.first();
                    return values(first.V + k.mean(), first.V1);
                  }},
        .printed = {R"(the two sums, with $\sin\theta$ in the second)", system(-1, true)},
@@ -795,27 +819,30 @@ void constants_of_motion(Claims& claims, const std::vector<Later>& orbits) {
        .why =
            "The second equation stands at the initial angle like the first; its sine has lost the index 0, and "
            "the solution given next has it."});
-  const OfStart constants{R"(from two later places on the path)", [](K k) { return values(k.c0, k.c1); }};
+  const OfStart constants{R"(from two later places on the path)",
+                          [](const auto& k) { return values(k.c0, k.c1); }};
   const auto solved = [](double sign) {
-    return [=](K k) {
-      const Along first = k.first();
+    return [=](const auto& k) {
+      const auto first = k.first();
       return k.parts(first.V + k.mean(), sign * first.V1);
     };
   };
-  claims.formula(
+  table.formula(
       "system_solved", 1123,
       R"($c_0=(V_0+G^2M^4/\alpha^2)\sin\theta_0+V_0'\cos\theta_0$, $c_1=(V_0+G^2M^4/\alpha^2)\cos\theta_0-V_0'\sin\theta_0$)",
       orbits,
       {.quantity = R"($(c_1,c_0)$)",
-       .truth = {constants.text, [](K k) { return values(k.c1, k.c0); }},
+       .truth = {constants.text, [](const auto& k) { return values(k.c1, k.c0); }},
        .printed = {R"(the solution, $V_0$ and $V_0'$ by dual numbers)", solved(1)},
        .near_misses = {{R"(the solution with $-V_0'$)", solved(-1)}}});
-  const auto V0 = [](double share) { return [=](K k) { return share * k.start.mu() / k.start.r0; }; };
-  claims.formula(
+  const auto V0 = [](double share) {
+    return [=](const auto& k) { return share * k.start.mu() / k.start.r0; };
+  };
+  table.formula(
       "V0", 1143, R"($V_0=V(\theta_0)=GM/r_0$)", orbits,
       {.quantity = R"($V(\theta_0)$)",
        .truth = {R"((3), $c_0$ and $c_1$ from two later places on the path)",
-                 [](K k) { return k.potential(k.start.theta0) - k.mean(); }},
+                 [](const auto& k) { return k.potential(k.start.theta0) - k.mean(); }},
        .printed = {R"($GM/r_0$)", V0(1)},
        .corrected = {R"($-GM/r_0$)", V0(-1)},
        .near_misses = {{R"($-GM/(2r_0)$)", V0(-0.5)}},
@@ -824,41 +851,43 @@ void constants_of_motion(Claims& claims, const std::vector<Later>& orbits) {
        .why =
            R"($V=-GM/r$ by definition (line 1009), so $V_0=-GM/r_0$. The sign is carried on into (4) and (5), and )"
            R"(turns the planet's orbit into one on which it stops.)"});
-  const auto mu_M_r0_dot = [](K k) { return k.start.mu() * k.start.M * k.start.r0_dot; };
-  const auto alpha = [](K k) { return k.start.M * k.start.h(); };
-  claims.formula(
+  const auto mu_M_r0_dot = [](const auto& k) { return k.start.mu() * k.start.M * k.start.r0_dot; };
+  const auto alpha = [](const auto& k) { return k.start.M * k.start.h(); };
+  table.formula(
       "V0_slope", 1149, R"($V_0'=GM^2\dot r_0\,\alpha$)", orbits,
       {.quantity = R"($V'(\theta_0)$)",
        .truth = {R"((3) differentiated, $c_0$ and $c_1$ from two later places on the path)",
-                 [](K k) { return k.slope(k.start.theta0); }},
-       .printed = {R"($GM^2\dot r_0\,\alpha$)", [=](K k) { return mu_M_r0_dot(k) * alpha(k); }},
-       .meant = {R"($GM^2\dot r_0/\alpha$)", [=](K k) { return mu_M_r0_dot(k) / alpha(k); }},
+                 [](const auto& k) { return k.slope(k.start.theta0); }},
+       .printed = {R"($GM^2\dot r_0\,\alpha$)", [=](const auto& k) { return mu_M_r0_dot(k) * alpha(k); }},
+       .meant = {R"($GM^2\dot r_0/\alpha$)", [=](const auto& k) { return mu_M_r0_dot(k) / alpha(k); }},
        .near_misses = {{R"($GM\dot r_0/\alpha$)",
-                        [=](K k) { return mu_M_r0_dot(k) / k.start.M / alpha(k); }}},
+                        [=](const auto& k) { return mu_M_r0_dot(k) / k.start.M / alpha(k); }}},
        .kind = Fault::lost_typography,
        .why =
            R"(The fraction bar is lost: what stands there is the product $GM^2\dot r_0\,\alpha$. Line 1031, from )"
            R"(which it comes, is $\dot r=\alpha V'/(GM^2)$.)"});
 
-  const auto squares = [](K k) {
+  const auto squares = [](const auto& k) {
     return pow(k.start.mu(), 2) / (pow(k.start.r0, 4) * pow(k.start.theta0_dot, 2));
   };
-  const auto tilt = [](K k) { return k.start.mu() * k.start.r0_dot / k.start.h(); };
-  claims.formula(
+  const auto tilt = [](const auto& k) { return k.start.mu() * k.start.r0_dot / k.start.h(); };
+  table.formula(
       "mass_cancels", 1171,
       R"($G^2M^4/(Mr_0^2\dot\theta_0)^2=G^2M^2/(r_0^4\dot\theta_0^2)$, and the term in $\dot r_0$ is $GM\,\dot r_0\,r_0^2\dot\theta_0$)",
       orbits,
       {.quantity = R"($G^2M^4/\alpha^2$ and $GM^2\dot r_0/\alpha$)",
        .truth = {R"($\alpha=Mr^2\dot\theta$ taken later on the path)",
-                 [=](K k) {
+                 [=](const auto& k) {
                    return values(pow(k.start.mu() / k.h(), 2), mu_M_r0_dot(k) / (k.start.M * k.h()));
                  }},
        .printed = {R"($G^2M^2/(r_0^4\dot\theta_0^2)$ and $GM\,\dot r_0\,r_0^2\dot\theta_0$)",
-                   [=](K k) { return values(squares(k), k.start.mu() * k.start.r0_dot * k.start.h()); }},
+                   [=](const auto& k) {
+                     return values(squares(k), k.start.mu() * k.start.r0_dot * k.start.h());
+                   }},
        .meant = {R"($G^2M^2/(r_0^4\dot\theta_0^2)$ and $GM\,\dot r_0/(r_0^2\dot\theta_0)$)",
-                 [=](K k) { return values(squares(k), tilt(k)); }},
+                 [=](const auto& k) { return values(squares(k), tilt(k)); }},
        .near_misses = {{R"($G^2M^3/(r_0^4\dot\theta_0^2)$ and $GM^2\dot r_0/(r_0^2\dot\theta_0)$)",
-                        [=](K k) { return values(squares(k) * k.start.M, tilt(k) * k.start.M); }}},
+                        [=](const auto& k) { return values(squares(k) * k.start.M, tilt(k) * k.start.M); }}},
        .kind = Fault::lost_typography,
        .why =
            R"(The bars of the terms in $\dot r_0$ are lost in both lines: what stands there is )"
@@ -866,24 +895,24 @@ void constants_of_motion(Claims& claims, const std::vector<Later>& orbits) {
 
   /// (4) or (5), by the signs of GM/r0 and of the last term.
   const auto constant = [=](bool fourth, double sign, double last) {
-    return [=](K k) {
-      const double bracket = sign * k.start.mu() / k.start.r0 + squares(k), angle = k.start.theta0;
+    return [=](const auto& k) {
+      const auto bracket = sign * k.start.mu() / k.start.r0 + squares(k), angle = k.start.theta0;
       return fourth ? bracket * sin(angle) + last * tilt(k) * cos(angle)
                     : bracket * cos(angle) - last * tilt(k) * sin(angle);
     };
   };
   const auto wrong_sign = [&](std::string_view slug, int line, bool fourth, std::string says,
                               std::string why) {
-    claims.formula(slug, line, std::move(says), orbits,
-                   {.quantity = fourth ? R"($c_0$)" : R"($c_1$)",
-                    .truth = {constants.text, [=](K k) { return fourth ? k.c0 : k.c1; }},
-                    .printed = {"as printed, the bars of its fractions restored", constant(fourth, 1, 1)},
-                    .corrected = {R"(with $-GM/r_0$ for $GM/r_0$ in the bracket)", constant(fourth, -1, 1)},
-                    .near_misses = {{R"(with $-GM/r_0$, and the last term with the other sign)",
-                                     constant(fourth, -1, -1)}},
-                    .kind = Fault::formula,
-                    .root = "sign of the potential at the start",
-                    .why = std::move(why)});
+    table.formula(slug, line, std::move(says), orbits,
+                  {.quantity = fourth ? R"($c_0$)" : R"($c_1$)",
+                   .truth = {constants.text, [=](const auto& k) { return fourth ? k.c0 : k.c1; }},
+                   .printed = {"as printed, the bars of its fractions restored", constant(fourth, 1, 1)},
+                   .corrected = {R"(with $-GM/r_0$ for $GM/r_0$ in the bracket)", constant(fourth, -1, 1)},
+                   .near_misses = {{R"(with $-GM/r_0$, and the last term with the other sign)",
+                                    constant(fourth, -1, -1)}},
+                   .kind = Fault::formula,
+                   .root = "sign of the potential at the start",
+                   .why = std::move(why)});
   };
   wrong_sign(
       "c0", 1171, true,
@@ -898,25 +927,27 @@ void constants_of_motion(Claims& claims, const std::vector<Later>& orbits) {
       R"(As in (4), the first term is $V_0=-GM/r_0$: on a circle $c_1$ must be zero, and as printed it is )"
       R"($2GM\cos\theta_0/r_0$.)");
 
-  const auto to_rate = [](K k) { return k.start.h() / (k.start.G * k.start.G * k.start.M * k.start.M); };
-  const auto seven = [=](double sign) {
-    return [=](K k) { return to_rate(k) * pow(k.potential(k.theta) + sign * k.mean(), 2); };
+  const auto to_rate = [](const auto& k) {
+    return k.start.h() / (k.start.G * k.start.G * k.start.M * k.start.M);
   };
-  const OfStart later_rate{R"(later on the path)", [](K k) { return k.w(); }};
-  claims.formula("rate_by_angle", 1215,
-                 R"($\dot\theta=\frac{\alpha}{G^2M^3}(c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2)^2$ (7))",
-                 orbits,
-                 {.quantity = R"($\dot\theta$)",
-                  .truth = later_rate,
-                  .printed = {R"((7), $c_0$ and $c_1$ from two other places)", seven(-1)},
-                  .near_misses = {{R"((7) with $+G^2M^4/\alpha^2$)", seven(1)}}});
+  const auto seven = [=](double sign) {
+    return [=](const auto& k) { return to_rate(k) * pow(k.potential(k.theta) + sign * k.mean(), 2); };
+  };
+  const OfStart later_rate{R"(later on the path)", [](const auto& k) { return k.w(); }};
+  table.formula("rate_by_angle", 1215,
+                R"($\dot\theta=\frac{\alpha}{G^2M^3}(c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2)^2$ (7))",
+                orbits,
+                {.quantity = R"($\dot\theta$)",
+                 .truth = later_rate,
+                 .printed = {R"((7), $c_0$ and $c_1$ from two other places)", seven(-1)},
+                 .near_misses = {{R"((7) with $+G^2M^4/\alpha^2$)", seven(1)}}});
   const auto started = [=](double share) {
-    return [=](K k) {
+    return [=](const Later& k) {
       const OneAngle<double> model(k.start, share * k.start.mu() / k.start.r0);
       return to_rate(k) * pow(model.V(k.theta), 2);
     };
   };
-  claims.formula(
+  table.formula(
       "constants_of_rate", 1227, "the constants of (7) are those of (4) and (5)", orbits,
       {.quantity = R"($\dot\theta$)",
        .truth = later_rate,
@@ -1043,6 +1074,67 @@ void moments_of_the_velocity(Table& table, const std::vector<Moment>& moments) {
        .near_misses = {along(R"($+(r^2\dot r\dot\theta)\mathbf P$ in the last form)", turned(-1))}});
 }
 
+void vectors(LaterTable& table, const std::vector<Later>& orbits) {
+  const OfStart vector{R"($\mathbf v\times\mathbf c_0-GM\,\mathbf R$ later on the path)",
+                       [](const auto& k) { return k.laplace(); }};
+  const auto at_start = [](double sign) {
+    return [=](const auto& k) {
+      const auto q = k.start.position(), v = k.start.velocity();
+      const auto pull = sign * k.start.mu() / k.start.r0;
+      return values(v[1] * k.start.h() - pull * q[0], -v[0] * k.start.h() - pull * q[1]);
+    };
+  };
+  table.formula(
+      "laplace", 1231,
+      R"($\mathbf v\times\mathbf c_0=GM\,\mathbf R+\mathbf c_1$ with a constant vector $\mathbf c_1$)",
+      orbits,
+      {.quantity = R"($\mathbf c_1$)",
+       .truth = vector,
+       .printed = {"the same at the start", at_start(1)},
+       .near_misses = {{R"($\mathbf v\times\mathbf c_0+GM\,\mathbf R$ at the start)", at_start(-1)}}});
+  table.formula("gamma0", 1241,
+                R"($\mathbf c_0=r_0^2\dot\theta_0\,\mathbf k$, of length $\gamma_0=r_0^2|\dot\theta_0|$)",
+                orbits,
+                {.quantity = R"($\mathbf c_0$ along $\mathbf k$, and its length)",
+                 .truth = {R"($x\dot y-y\dot x$ later on the path, and its size)",
+                           [](const auto& k) { return values(k.h(), abs(k.h())); }},
+                 .printed = {R"($r_0^2\dot\theta_0$ and $r_0^2|\dot\theta_0|$)",
+                             [](const auto& k) { return values(k.start.h(), Elements(k).gamma0); }},
+                 .near_misses = {{R"($r_0^2\dot\theta_0$ for the length)",
+                                  [](const auto& k) { return values(k.start.h(), k.start.h()); }}}});
+  const auto c1_vector = [](double sign) {
+    return [=](const auto& k) {
+      const Elements now(k);
+      const auto velocity = k.parts(now.squared, -now.tilted), pull = k.parts(-sign * now.mu, 0),
+                 last = k.parts(now.squared - sign * now.mu, -now.tilted);
+      return values(velocity[0] + pull[0], velocity[1] + pull[1], last[0], last[1]);
+    };
+  };
+  table.formula(
+      "c1_vector", 1253,
+      R"($\mathbf c_1=(r_0^3\dot\theta_0^2)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0-GM\,\mathbf R_0=)"
+      R"((r_0^3\dot\theta_0^2-GM)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0$)",
+      orbits,
+      {.quantity = R"($\mathbf c_1$, twice)",
+       .truth = {vector.text,
+                 [](const auto& k) {
+                   const auto now = k.laplace();
+                   return values(now[0], now[1], now[0], now[1]);
+                 }},
+       .printed = {"the two forms", c1_vector(1)},
+       .near_misses = {{R"(the two forms with $+GM\,\mathbf R_0$)", c1_vector(-1)}}});
+  const auto length = [](double sign) {
+    return
+        [=](const auto& k) { return hypot(Elements(k).squared + sign * Elements(k).mu, Elements(k).tilted); };
+  };
+  table.formula("gamma1", 1259,
+                R"($\gamma_1=\sqrt{(r_0^3\dot\theta_0^2-GM)^2+(r_0^2\dot r_0\dot\theta_0)^2}$)", orbits,
+                {.quantity = R"($|\mathbf c_1|$)",
+                 .truth = {vector.text, [](const auto& k) { return hypot(k.laplace()[0], k.laplace()[1]); }},
+                 .printed = {"the root", length(-1)},
+                 .near_misses = {{R"(the root with $r_0^3\dot\theta_0^2+GM$)", length(1)}}});
+}
+
 void polar_orbit(Claims& claims, const std::vector<Later>& orbits, double seed) {
   using K = const Later&;
   claims.formula("e_and_rho", 1229, R"($e=\gamma_1/(GM)$, $\rho=\gamma_0^2/\gamma_1$)", orbits,
@@ -1118,64 +1210,6 @@ void polar_orbit(Claims& claims, const std::vector<Later>& orbits, double seed) 
        .kind = Fault::left_out,
        .root = "a circle divides by zero"});
 
-  const OfStart vector{R"($\mathbf v\times\mathbf c_0-GM\,\mathbf R$ later on the path)",
-                       [](K k) { return k.laplace(); }};
-  const auto at_start = [](double sign) {
-    return [=](K k) {
-      const auto q = k.start.position(), v = k.start.velocity();
-      const double pull = sign * k.start.mu() / k.start.r0;
-      return values(v[1] * k.start.h() - pull * q[0], -v[0] * k.start.h() - pull * q[1]);
-    };
-  };
-  claims.formula(
-      "laplace", 1231,
-      R"($\mathbf v\times\mathbf c_0=GM\,\mathbf R+\mathbf c_1$ with a constant vector $\mathbf c_1$)",
-      orbits,
-      {.quantity = R"($\mathbf c_1$)",
-       .truth = vector,
-       .printed = {"the same at the start", at_start(1)},
-       .near_misses = {{R"($\mathbf v\times\mathbf c_0+GM\,\mathbf R$ at the start)", at_start(-1)}}});
-  claims.formula("gamma0", 1241,
-                 R"($\mathbf c_0=r_0^2\dot\theta_0\,\mathbf k$, of length $\gamma_0=r_0^2|\dot\theta_0|$)",
-                 orbits,
-                 {.quantity = R"($\mathbf c_0$ along $\mathbf k$, and its length)",
-                  .truth = {R"($x\dot y-y\dot x$ later on the path, and its size)",
-                            [](K k) { return values(k.h(), abs(k.h())); }},
-                  .printed = {R"($r_0^2\dot\theta_0$ and $r_0^2|\dot\theta_0|$)",
-                              [](K k) { return values(k.start.h(), Elements(k).gamma0); }},
-                  .near_misses = {{R"($r_0^2\dot\theta_0$ for the length)",
-                                   [](K k) { return values(k.start.h(), k.start.h()); }}}});
-  const auto c1_vector = [](double sign) {
-    return [=](K k) {
-      const Elements now(k);
-      const Value velocity = k.parts(now.squared, -now.tilted), pull = k.parts(-sign * now.mu, 0),
-                  last = k.parts(now.squared - sign * now.mu, -now.tilted);
-      return values(velocity[0] + pull[0], velocity[1] + pull[1], last[0], last[1]);
-    };
-  };
-  claims.formula(
-      "c1_vector", 1253,
-      R"($\mathbf c_1=(r_0^3\dot\theta_0^2)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0-GM\,\mathbf R_0=)"
-      R"((r_0^3\dot\theta_0^2-GM)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0$)",
-      orbits,
-      {.quantity = R"($\mathbf c_1$, twice)",
-       .truth = {vector.text,
-                 [](K k) {
-                   const Value now = k.laplace();
-                   return values(now[0], now[1], now[0], now[1]);
-                 }},
-       .printed = {"the two forms", c1_vector(1)},
-       .near_misses = {{R"(the two forms with $+GM\,\mathbf R_0$)", c1_vector(-1)}}});
-  const auto length = [](double sign) {
-    return [=](K k) { return hypot(Elements(k).squared + sign * Elements(k).mu, Elements(k).tilted); };
-  };
-  claims.formula("gamma1", 1259,
-                 R"($\gamma_1=\sqrt{(r_0^3\dot\theta_0^2-GM)^2+(r_0^2\dot r_0\dot\theta_0)^2}$)", orbits,
-                 {.quantity = R"($|\mathbf c_1|$)",
-                  .truth = {vector.text, [](K k) { return hypot(k.laplace()[0], k.laplace()[1]); }},
-                  .printed = {"the root", length(-1)},
-                  .near_misses = {{R"(the root with $r_0^3\dot\theta_0^2+GM$)", length(1)}}});
-
   const OfStart turn{R"(the integral of $r^2d\theta/(r_0^2|\dot\theta_0|)$ over a turn, by $c_0$ and $c_1$)",
                      [](K k) { return k.turn(); }};
   const auto third_law = [](double axes, double power) {
@@ -1232,14 +1266,18 @@ std::vector<Claim> claims(double seed) {
   for (const Later& k : all) moments.push_back(k.now);
   Claims claims("3.3");
   Table table(claims);
+  SpaceTable in_space(claims);
+  LaterTable later(claims);
+  plane(in_space, draw<InSpaceOf<double>>(100, seed));
   motion_in_a_plane(claims, all, seed);
   equations_of_motion(table, moments);
   singularity(claims, moments);
   equation_of_the_potential(table, moments);
-  constants_of_motion(claims, all);
+  constants_of_motion(later, all);
   any_start(claims, seed);
   momentum(claims, all);
   moments_of_the_velocity(table, moments);
+  vectors(later, all);
   polar_orbit(claims, all, seed);
   return claims.in_order();
 }
@@ -1287,7 +1325,7 @@ constexpr const char* by_distance = R"(
 
 constexpr const char* by_bounds = "rewrite ?cos_atan2, ?sin_atan2 by interval; interval";
 
-Provables proofs() {
+Provables proofs_at_a_moment() {
   Claims claims("3.3");
   Table table(claims);
   equations_of_motion(table, {});
@@ -1311,6 +1349,73 @@ Provables proofs() {
       if (lemma.tactic == "interval") lemma.tactic = by_bounds;
   }
   return proved;
+}
+
+/// Of the path from any start to any moment; c0 and c1 are what two other places make them.
+Provables proofs_from_a_start() {
+  Claims claims("3.3");
+  LaterTable table(claims);
+  constants_of_motion(table, {});
+  vectors(table, {});
+  ForAll<LaterOf> all{
+      .any = lettered<LaterOf>(
+          {"G", "M", "r0", "rd", "th0", "w0", "(x t)", "(y t)", "(u t)", "(v t)", "t", "th", "c0", "c1"}),
+      .letters = "(G M r0 rd th0 w0 t th c0 c1 t1 th1 t2 th2 : R) (x y u v : R -> R)",
+      .tactic = "by_start",
+      .says = "it holds on any path by Newton's law, c0 and c1 being what two other places make them"};
+  auto& [start, now, t, theta, c0, c1] = all.any;
+  now.G = start.G, now.M = start.M;
+  const auto q = start.position(), v = start.velocity();
+  const auto at_start = [](const char* of, const Shortened& x) {
+    return Expression::letter("(" + std::string(of) + " 0)") == x.expression();
+  };
+  const auto at_angle = [](const std::string& i) { return Proposition{"at_angle x y t" + i + " th" + i}; };
+  const auto fits = [&](const std::string& i) {
+    const Shortened angle = Shortened::letter("th" + i);
+    const Shortened V = -start.mu() / Shortened::letter("(distance x y t" + i + ")");
+    return (V + all.any.mean()).expression() == all.any.potential(angle).expression();
+  };
+  all.given = {above(start.G.expression(), 0),
+               above(start.M.expression(), 0),
+               above(start.r0.expression(), 0),
+               not_zero(start.theta0_dot.expression()),
+               {"newton (G * M) x y u v"},
+               at_start("x", q[0]),
+               at_start("y", q[1]),
+               at_start("u", v[0]),
+               at_start("v", v[1]),
+               at_angle(""),
+               at_angle("1"),
+               at_angle("2"),
+               not_zero(sin(Shortened::letter("(th1 - th2)")).expression()),
+               fits("1"),
+               fits("2")};
+  // An ellipse's start at theta = 0; half a turn later it is at (-1/4, 0), with the velocity (1/2, -8).
+  all.example = {{2, 5, 1, 0.5, 0, 2}, {2, 5, 1, -0.25, 0, 0.5, -8, 0, 0, {}}, 0, 1, 2.5, 15};
+  all.without = {"c0"};
+  Provables proved = table.proofs("3.3", all);
+  for (Provable& p : proved) p.preamble = std::string(root_in_coq) + atan2_in_coq + orbits_in_coq;
+  return proved;
+}
+
+Provables proof_of_plane() {
+  Claims claims("3.3");
+  SpaceTable table(claims);
+  plane(table, {});
+  const std::vector<std::string> names{"mu", "x", "y", "z", "u", "v", "w"};
+  ForAll<InSpaceOf> all{
+      .any = lettered<InSpaceOf>(names),
+      .letters = quantified(names),
+      .tactic = "set (r := sqrt _) in *; clearbody r; unfold Rdiv; ring",
+      .says = "under gravity the rate of the normal is zero at any place, with any velocity"};
+  return table.proofs("3.3", all);
+}
+
+Provables proofs() {
+  Provables all = proofs_at_a_moment();
+  std::ranges::move(proofs_from_a_start(), std::back_inserter(all));
+  std::ranges::move(proof_of_plane(), std::back_inserter(all));
+  return all;
 }
 
 }  // namespace oddity::kepler

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
 
 #include "chapters/03_rigid_body_motion/17_foucault/cone.hpp"
+#include "chapters/03_rigid_body_motion/17_foucault/cone_in_coq.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
+#include "chapters/integral_proofs.hpp"
 #include "reference/text.hpp"
 #include "solvers/quadrature.hpp"
 
@@ -46,7 +49,10 @@ template <class T>
 Two<T> less(const Two<T>& a, const Two<T>& b) {
   return {a[0] - b[0], a[1] - b[1]};
 }
-inline double square(double x) { return x * x; }
+template <class T>
+T square(const T& x) {
+  return x * x;
+}
 
 /// A pendulum anywhere in any motion.
 template <class T>
@@ -422,24 +428,44 @@ void equations(Table& table, const Samples& samples) {
 
 // ---- the cone ---------------------------------------------------------------------------------------------
 
-using Density = std::function<double(double x, double y, double z)>;
+}  // namespace
+
+/// A density at a place as Coq has it.
+template <class F>
+std::string in_coq(const F& density) {
+  const auto letter = [](const char* name) { return Shortened::letter(name); };
+  const Shortened there = density(letter("x"), letter("y"), letter("z"));
+  return "(fun x y z => " + there.expression().coq() + ")";
+}
+/// Of f over the letter `name`.
+template <class F>
+Shortened recorded_integral(const F& f, const Shortened& from, const Shortened& to, const std::string& name) {
+  return integral([&](const Expression& x) { return Shortened(f(Shortened(x))).expression(); },
+                  from.expression(), to.expression(), name);
+}
 
 /// Its base is on the plane z = 0 about the origin, its vertex is at (0, 0, h), and its density is one.
-struct ConeSample {
-  Cone cone;
-  double height;  ///< any, of a plane across
-  Sample motion;
+template <class T>
+struct ConeSampleOf {
+  ConeOf<T> cone;
+  T height;  ///< any, of a plane across
+  SampleOf<T> motion;
   double relative = 1e-13;
 
-  explicit ConeSample(Random& random)
+  ConeSampleOf() = default;
+  explicit ConeSampleOf(Random& random)
       : cone{random.between(0.5, 2), random.between(0.5, 2)},
         height(random.between(0.1, 0.9) * cone.h),
         motion(random) {
     motion.p.L = cone.L();
   }
-  double h() const { return cone.h; }
-  double r() const { return cone.r; }
-  double mass() const { return pi * r() * r() * h() / 3; }
+  std::array<T*, 12> quantities() {
+    auto& [p, m, q, v, a, free_r, free_v, free_a] = motion;
+    return {&cone.h, &cone.r, &height, &p.lambda, &p.omega, &p.g, &q[0], &q[1], &v[0], &v[1], &a[0], &a[1]};
+  }
+  const T& h() const { return cone.h; }
+  const T& r() const { return cone.r; }
+  T mass() const { return pi_of<T>() * r() * r() * h() / 3; }
   double size() const { return mass() * (1 + h() * h() + r() * r()); }
   Tolerance tolerance(double terms) const {
     return {relative * terms, "the quadratures' tolerance, relative to the terms"};
@@ -447,105 +473,157 @@ struct ConeSample {
   std::string where() const {
     return "$h$ = " + format_shortest(h()) + ", $r$ = " + format_shortest(r()) + ", " + motion.where();
   }
-  double rho(double z) const { return radius(r(), h(), z); }
+  T rho(const T& z) const { return radius(r(), h(), z); }
 
   /// Over the cone from z = low on, in cylindrical coordinates by Gauss's rule.
-  double integral(const Density& f, double low = 0) const {
-    const Rule rule = [](FunctionOfOne g, double a, double b) { return gauss_legendre(g, a, b, 24); };
-    return nested(
-               rule, [&](double z, double t, double s) { return s * f(s * cos(t), s * sin(t), z); }, low, h(),
-               [](double) { return 0.0; }, [](double) { return 2 * pi; }, [](double, double) { return 0.0; },
-               [&](double z, double) { return rho(z); })
-        .value;
+  template <class F>
+  T integral(const F& f, const T& low = T(0.0)) const {
+    if constexpr (std::same_as<T, Shortened>) {
+      return recorded("over_cone", "(" + low.expression().coq() + ") ", in_coq(f));
+    } else {
+      const Rule rule = [](FunctionOfOne g, double a, double b) { return gauss_legendre(g, a, b, 24); };
+      return nested(
+                 rule, [&](double z, double t, double s) { return s * f(s * cos(t), s * sin(t), z); }, low,
+                 h(), [](double) { return 0.0; }, [](double) { return 2 * pi; },
+                 [](double, double) { return 0.0; }, [&](double z, double) { return rho(z); })
+          .value;
+    }
   }
-  /// The same in the book's Cartesian limits, or with x as wide as y, by QAGS.
-  double cartesian_integral(const Density& f, bool square = false) const {
+  /// The same in the book's Cartesian limits by QAGS.
+  template <class F>
+  T cartesian_integral(const F& f) const {
+    if constexpr (std::same_as<T, Shortened>)
+      return recorded("within_limits", "", in_coq(f));
+    else
+      return cartesian_integral(f, [&](double z, double y) { return width(z, y); });
+  }
+  /// With another half of the width in x.
+  double cartesian_integral(const auto& f, const auto& half) const {
     const Rule rule = [](FunctionOfOne g, double a, double b) { return qags(g, a, b, 1e-12); };
-    const auto half = [&](double z, double y) { return square ? rho(z) : width(z, y); };
     return nested(
                rule, [&](double z, double y, double x) { return f(x, y, z); }, 0, h(),
                [&](double z) { return -rho(z); }, [&](double z) { return rho(z); },
                [&](double z, double y) { return -half(z, y); }, half)
         .value;
   }
-  double width(double z, double y) const { return sqrt(std::max(0.0, rho(z) * rho(z) - y * y)); }
-  double along(const std::function<double(double z)>& f) const { return qag(f, 0, h(), 1e-13).value; }
-  double over_y(double z, const std::function<double(double y)>& f) const {
-    return qags(f, -rho(z), rho(z), 1e-12).value;
+  T width(const T& z, const T& y) const {
+    const T square = rho(z) * rho(z) - y * y;
+    if constexpr (std::same_as<T, Shortened>)
+      return sqrt(square);
+    else
+      return sqrt(std::max(0.0, square));
   }
-  double volume_above(double z) const {
-    return integral([](double, double, double) { return 1.0; }, z);
+  template <class F>
+  T along(const F& f) const {
+    if constexpr (std::same_as<T, Shortened>)
+      return recorded_integral(f, 0.0, h(), "z");
+    else
+      return qag(f, 0, h(), 1e-13).value;
   }
-  double Ixx() const {
-    return integral([](double, double y, double z) { return y * y + z * z; });
+  template <class F>
+  T over_y(const T& z, const F& f) const {
+    if constexpr (std::same_as<T, Shortened>)
+      return recorded_integral(f, -rho(z), rho(z), "y");
+    else
+      return qags(f, -rho(z), rho(z), 1e-12).value;
   }
-  double Izz() const {
-    return integral([](double x, double y, double) { return x * x + y * y; });
+  /// Over the distance s from the axis.
+  template <class F>
+  T out_to_edge(const T& z, const F& f) const {
+    if constexpr (std::same_as<T, Shortened>)
+      return recorded_integral(f, 0.0, rho(z), "s");
+    else
+      return gauss_legendre(f, 0, rho(z), 8).value;
   }
-  double center() const {
-    return integral([](double, double, double z) { return z; }) / volume_above(0);
+  T volume_above(const T& z) const {
+    return integral([](const T&, const T&, const T&) { return T(1.0); }, z);
+  }
+  T Ixx() const {
+    return integral([](const T&, const T& y, const T& z) { return y * y + z * z; });
+  }
+  T Izz() const {
+    return integral([](const T& x, const T& y, const T&) { return x * x + y * y; });
+  }
+  T center() const {
+    return integral([](const T&, const T&, const T& z) { return z; }) / volume_above(0.0);
   }
   /// (a, b, c) in the axes P, Q, R.
-  Space<double> in_world(double a, double b, double c) const {
+  Space<T> in_world(const T& a, const T& b, const T& c) const {
     const auto A = motion.axes();
     return sum(sum(times(a, A.P), times(b, A.Q)), times(c, A.R));
   }
   /// u.J v about the base's center, the cone's axis along R.
-  double inertia(const Space<double>& u, const Space<double>& v) const {
-    return integral([&](double x, double y, double z) {
+  T inertia(const Space<T>& u, const Space<T>& v) const {
+    return integral([&](const T& x, const T& y, const T& z) {
       const auto at = in_world(x, y, z);
       return dot(at, at) * dot(u, v) - dot(at, u) * dot(at, v);
     });
   }
   /// Of the swing about the vertex, the cone not turning about its own axis, in the turning axes.
-  double kinetic_energy() const {
+  T kinetic_energy() const {
     const auto spin = cross(motion.axes().R, axis_velocity(motion.q, motion.v));
-    return integral([&](double x, double y, double z) {
+    return integral([&](const T& x, const T& y, const T& z) {
       const auto u = cross(spin, in_world(x, y, h() - z));
       return dot(u, u) / 2;
     });
   }
+
+ private:
+  Shortened recorded(const std::string& name, const std::string& low, const std::string& density) const {
+    const std::string edge = "(fun z => " + rho(Shortened::letter("z")).expression().coq() + ")";
+    return Expression::letter("(" + name + " " + edge + " " + low + "(" + h().expression().coq() + ") " +
+                              density + ")");
+  }
 };
+
+namespace {
+
+using ConeSample = ConeSampleOf<double>;
+using ConeTable = ProvableClaims<ConeSampleOf>;
+using OfCone = ProvableFormula<ConeSampleOf>;
 using C = const ConeSample&;
 using Cones = std::vector<ConeSample>;
 
 /// The cone's mass times (a h^2 + b r^2)/by.
 auto by_mass(double a, double b, double by) {
-  return [=](C s) { return s.mass() * (a * s.h() * s.h() + b * s.r() * s.r()) / by; };
+  return [=](const auto& s) { return s.mass() * (a * s.h() * s.h() + b * s.r() * s.r()) / by; };
 }
 auto of_height(double factor) {
-  return [=](C s) { return factor * s.h(); };
+  return [=](const auto& s) { return factor * s.h(); };
 }
 
-void center_of_mass(Claims& claims, const Cones& cones) {
-  const double halving = halving_height<double>();
+void center_of_mass(ConeTable& table, const Cones& cones) {
   const std::string root = "a center of mass that halves the volume";
-  const auto of_volume = [](double factor) { return [=](C s) { return s.mass() * factor; }; };
-  claims.formula<ConeSample>("cone_mass", 2299, "the cone's volume", cones,
-                             {.truth = {"quadrature", [](C s) { return s.volume_above(0); }},
-                              .printed = {R"($\pi r^2h/3$)", of_volume(1)},
-                              .near_misses = {{R"($\pi r^2h/2$)", of_volume(1.5)}}});
-  const auto moment_of = [](const Density& f) {
-    return [=](C s) { return values(s.integral([](double x, double, double) { return x; }), s.integral(f)); };
+  const auto of_volume = [](double factor) { return [=](const auto& s) { return s.mass() * factor; }; };
+  table.formula("cone_mass", 2299, "the cone's volume", cones,
+                {.truth = {"quadrature", [](const auto& s) { return s.volume_above(0.0); }},
+                 .printed = {R"($\pi r^2h/3$)", of_volume(1)},
+                 .near_misses = {{R"($\pi r^2h/2$)", of_volume(1.5)}}});
+  const auto moment_of = [](const auto& f) {
+    return [=](const auto& s) {
+      return values(s.integral([](const auto& x, const auto&, const auto&) { return x; }), s.integral(f));
+    };
   };
-  claims.formula<ConeSample>("center_on_axis", 2305, "the center of mass is on the axis", cones,
-                             {.truth = {"zero", [](C) { return values(0, 0); }},
-                              .printed = {"the moments of $x$ and $y$ by quadrature",
-                                          moment_of([](double, double y, double) { return y; })},
-                              .near_misses = {{"the moments of $x$ and $z$ by quadrature",
-                                               moment_of([](double, double, double z) { return z; })}}});
+  table.formula("center_on_axis", 2305, "the center of mass is on the axis", cones,
+                {.truth = {"zero", [](const auto&) { return values(0, 0); }},
+                 .printed = {"the moments of $x$ and $y$ by quadrature",
+                             moment_of([](const auto&, const auto& y, const auto&) { return y; })},
+                 .near_misses = {{"the moments of $x$ and $z$ by quadrature",
+                                  moment_of([](const auto&, const auto&, const auto& z) { return z; })}}});
   const auto cut = [](int power) {
-    return
-        [=](C s) { return pi * s.r() * s.r() * pow(1 - s.height / s.h(), power) * (s.h() - s.height) / 3; };
+    return [=]<class T>(const ConeSampleOf<T>& s) {
+      return pi_of<T>() * s.r() * s.r() * pow(1 - s.height / s.h(), power) * (s.h() - s.height) / 3;
+    };
   };
-  claims.formula<ConeSample>("upper_part", 2305, "the volume of the part above a plane $z$", cones,
-                             {.truth = {"quadrature", [](C s) { return s.volume_above(s.height); }},
-                              .printed = {R"($\pi r^2(1-z/h)^2(h-z)/3$)", cut(2)},
-                              .near_misses = {{R"($\pi r^2(1-z/h)(h-z)/3$)", cut(1)}}});
-  claims.formula<ConeSample>(
+  table.formula("upper_part", 2305, "the volume of the part above a plane $z$", cones,
+                {.truth = {"quadrature", [](const auto& s) { return s.volume_above(s.height); }},
+                 .printed = {R"($\pi r^2(1-z/h)^2(h-z)/3$)", cut(2)},
+                 .near_misses = {{R"($\pi r^2(1-z/h)(h-z)/3$)", cut(1)}}});
+  table.formula(
       "center_halves", 2305, "half the volume lies above the center of mass", cones,
       {.quantity = "the volume above the center of mass",
-       .truth = {"volume and center of mass by quadrature", [](C s) { return s.volume_above(s.center()); }},
+       .truth = {"volume and center of mass by quadrature",
+                 [](const auto& s) { return s.volume_above(s.center()); }},
        .printed = {"$1/2$ of the whole", of_volume(1.0 / 2)},
        .corrected = {"$27/64$ of the whole", of_volume(above_center<double>())},
        .near_misses = {{"$9/16$ of the whole", of_volume(9.0 / 16)}},
@@ -554,33 +632,38 @@ void center_of_mass(Claims& claims, const Cones& cones) {
        .why =
            R"(The center of mass balances moments, not volumes: the parts above and below have equal moments )"
            R"($\int(z-\bar z)\,dV$. Above it lies $(3/4)^3=27/64=0.42$ of the cone.)"});
-  const auto above = [](double factor) { return [=](C s) { return s.volume_above(factor * s.h()); }; };
-  claims.formula<ConeSample>(
-      "halving_height", 2315, "the plane $z=h(1-2^{-1/3})$ halves the volume", cones,
-      {.quantity = "the volume above the plane",
-       .truth = {"half the cone's", of_volume(0.5)},
-       .printed = {"quadrature from $z=h(1-2^{-1/3})$ on", above(halving)},
-       .near_misses = {{"quadrature from $z=h(1-2^{-1/2})$ on", above(1 - sqrt(0.5))}}});
-  claims.formula<ConeSample>(
-      "center_height", 2315, "the center of mass is at the height $h(1-2^{-1/3})=0.2063\\,h$", cones,
-      {.quantity = "the height of the center of mass",
-       .truth = {"the moment of $z$ by the volume, both by quadrature", &ConeSample::center},
-       .printed = {"$h(1-2^{-1/3})$", of_height(halving)},
-       .corrected = {"$h/4$", of_height(0.25)},
-       .near_misses = {{"$h/3$", of_height(1.0 / 3)}},
-       .kind = Fault::formula,
-       .root = root,
-       .why = R"($0.2063\,h$ is where the volume is halved; the center of mass is at $h/4$.)"});
-  claims.formula<ConeSample>(
-      "L", 2319, "$L$, from the joint, which is the vertex, to the center of mass", cones,
-      {.truth = {"$h$ less the height of the center of mass by quadrature",
-                 [](C s) { return s.h() - s.center(); }},
-       .printed = {"$h/2^{1/3}$", of_height(printed_length<double>())},
-       .corrected = {"$3h/4$", of_height(0.75)},
-       .near_misses = {{"$2h/3$", of_height(2.0 / 3)}},
-       .kind = Fault::formula,
-       .root = root,
-       .why = R"($L=3h/4=0.75\,h$, not $0.7937\,h$: the volume was halved, not its moment.)"});
+  const auto halving = []<class T>(const ConeSampleOf<T>& s) { return halving_height<T>() * s.h(); };
+  table.formula("halving_height", 2315, "the plane $z=h(1-2^{-1/3})$ halves the volume", cones,
+                {.quantity = "the volume above the plane",
+                 .truth = {"half the cone's", of_volume(0.5)},
+                 .printed = {"quadrature from $z=h(1-2^{-1/3})$ on",
+                             [=](const auto& s) { return s.volume_above(halving(s)); }},
+                 .near_misses = {{"quadrature from $z=h(1-2^{-1/2})$ on",
+                                  [](C s) { return s.volume_above((1 - sqrt(0.5)) * s.h()); }}}});
+  table.formula("center_height", 2315, "the center of mass is at the height $h(1-2^{-1/3})=0.2063\\,h$",
+                cones,
+                {.quantity = "the height of the center of mass",
+                 .truth = {"the moment of $z$ by the volume, both by quadrature",
+                           [](const auto& s) { return s.center(); }},
+                 .printed = {"$h(1-2^{-1/3})$", halving},
+                 .corrected = {"$h/4$", of_height(0.25)},
+                 .near_misses = {{"$h/3$", of_height(1.0 / 3)}},
+                 .kind = Fault::formula,
+                 .root = root,
+                 .why = R"($0.2063\,h$ is where the volume is halved; the center of mass is at $h/4$.)"});
+  table.formula("L", 2319, "$L$, from the joint, which is the vertex, to the center of mass", cones,
+                {.truth = {"$h$ less the height of the center of mass by quadrature",
+                           [](const auto& s) { return s.h() - s.center(); }},
+                 .printed = {"$h/2^{1/3}$",
+                             []<class T>(const ConeSampleOf<T>& s) { return printed_length<T>() * s.h(); }},
+                 .corrected = {"$3h/4$", of_height(0.75)},
+                 .near_misses = {{"$2h/3$", of_height(2.0 / 3)}},
+                 .kind = Fault::formula,
+                 .root = root,
+                 .why = R"($L=3h/4=0.75\,h$, not $0.7937\,h$: the volume was halved, not its moment.)"});
+}
+
+void decimals(Claims& claims) {
   claims.number("L_decimals", 2321, "$2^{-1/3}$ is 0.7937",
                 {.quantity = "$2^{-1/3}$",
                  .truth = {"the inverse of 2's cube root", 1 / std::cbrt(2.0)},
@@ -589,31 +672,30 @@ void center_of_mass(Claims& claims, const Cones& cones) {
 }
 
 /// The integrals of lines 2329 to 2341 meet QAGS.
-void moments(Claims& claims, const Cones& cones, const Cones& by_qags) {
-  const Formula<ConeSample> Ixx{"quadrature in cylindrical coordinates", &ConeSample::Ixx};
-  const auto limits = [](bool square) {
-    return [=](C s) {
-      return s.cartesian_integral([](double, double y, double z) { return y * y + z * z; }, square);
-    };
-  };
-  claims.formula<ConeSample>(
-      "Ixx_limits", 2329, "$I_{xx}$ as a triple integral, and its limits", by_qags,
-      {.truth = Ixx,
-       .printed = {R"(of $y^2+z^2$ over $|x|<\sqrt{\rho^2-y^2}$, $|y|<\rho$, $0<z<h$)", limits(false)},
-       .near_misses = {{R"(of $y^2+z^2$ over $|x|<\rho$, $|y|<\rho$, $0<z<h$)", limits(true)}}});
+void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
+  const OfCone Ixx{"quadrature in cylindrical coordinates", [](const auto& s) { return s.Ixx(); }};
+  const auto across = [](const auto&, const auto& y, const auto& z) { return y * y + z * z; };
+  table.formula("Ixx_limits", 2329, "$I_{xx}$ as a triple integral, and its limits", by_qags,
+                {.truth = Ixx,
+                 .printed = {R"(of $y^2+z^2$ over $|x|<\sqrt{\rho^2-y^2}$, $|y|<\rho$, $0<z<h$)",
+                             [=](const auto& s) { return s.cartesian_integral(across); }},
+                 .near_misses = {{R"(of $y^2+z^2$ over $|x|<\rho$, $|y|<\rho$, $0<z<h$)", [=](C s) {
+                                    return s.cartesian_integral(across,
+                                                                [&](double z, double) { return s.rho(z); });
+                                  }}}});
   // factors of y^2 and of z^2
   const auto over_y = [](double y2, double z2) {
-    return [=](C s) {
-      return s.along([&](double z) {
-        return s.over_y(z, [&](double y) { return (y2 * y * y + z2 * z * z) * s.width(z, y); });
+    return [=](const auto& s) {
+      return s.along([&](const auto& z) {
+        return s.over_y(z, [&](const auto& y) { return (y2 * y * y + z2 * z * z) * s.width(z, y); });
       });
     };
   };
-  claims.formula<ConeSample>("Ixx_after_x", 2335, "$I_{xx}$ after integrating over $x$", by_qags,
-                             {.truth = Ixx,
-                              .printed = {R"(of $2(y^2+z^2)\sqrt{\rho^2-y^2}$)", over_y(2, 2)},
-                              .near_misses = {{R"(of $(y^2+z^2)\sqrt{\rho^2-y^2}$)", over_y(1, 1)}}});
-  claims.formula<ConeSample>(
+  table.formula("Ixx_after_x", 2335, "$I_{xx}$ after integrating over $x$", by_qags,
+                {.truth = Ixx,
+                 .printed = {R"(of $2(y^2+z^2)\sqrt{\rho^2-y^2}$)", over_y(2, 2)},
+                 .near_misses = {{R"(of $(y^2+z^2)\sqrt{\rho^2-y^2}$)", over_y(1, 1)}}});
+  table.formula(
       "Ixx_split", 2341,
       R"(of the two integrals over $y$ that make $I_{xx}$ the first has $2y^2\sqrt{\rho^2-y^2}$, the second )"
       R"($\sqrt{\rho^2-y^2}$ times $z^2$)",
@@ -628,24 +710,25 @@ void moments(Claims& claims, const Cones& cones, const Cones& by_qags) {
            R"(The factor 2 of the line before is lost in the second integral; )"
            R"($\int\sqrt{\rho^2-y^2}\,dy=\pi\rho^2/2$, and the next line, with $\pi\rho^2z^2$, has it again.)"});
   const auto over_z = [](double factor) {
-    return [=](C s) {
-      return s.along(
-          [&](double z) { return pi * pow(s.rho(z), 4) * factor + pi * square(s.rho(z)) * z * z; });
+    return [=]<class T>(const ConeSampleOf<T>& s) {
+      return s.along([&](const T& z) {
+        return pi_of<T>() * pow(s.rho(z), 4) * factor + pi_of<T>() * square(s.rho(z)) * z * z;
+      });
     };
   };
-  claims.formula<ConeSample>("Ixx_over_z", 2355, "$I_{xx}$ as an integral over $z$", cones,
-                             {.truth = Ixx,
-                              .printed = {R"(of $\pi\rho^4/4+\pi\rho^2z^2$)", over_z(0.25)},
-                              .near_misses = {{R"(of $\pi\rho^4/2+\pi\rho^2z^2$)", over_z(0.5)}}});
+  table.formula("Ixx_over_z", 2355, "$I_{xx}$ as an integral over $z$", cones,
+                {.truth = Ixx,
+                 .printed = {R"(of $\pi\rho^4/4+\pi\rho^2z^2$)", over_z(0.25)},
+                 .near_misses = {{R"(of $\pi\rho^4/2+\pi\rho^2z^2$)", over_z(0.5)}}});
   const auto factored = [](int power) {
-    return [=](C s) {
-      return pi * s.along([&](double z) {
-        const double u = 1 - z / s.h();
+    return [=]<class T>(const ConeSampleOf<T>& s) {
+      return pi_of<T>() * s.along([&](const T& z) {
+        const T u = 1 - z / s.h();
         return pow(s.r() * u, 4) / 4 + pow(s.r(), power) * square(z * u);
       });
     };
   };
-  claims.formula<ConeSample>(
+  table.formula(
       "Ixx_factored", 2357, R"($I_{xx}$ is $\pi$ times the integral of $\frac14r^4(1-z/h)^4+z^2(1-z/h)^2$)",
       cones,
       {.quantity = "$I_{xx}$",
@@ -656,97 +739,106 @@ void moments(Claims& claims, const Cones& cones, const Cones& by_qags) {
        .kind = Fault::formula,
        .why =
            R"(The second term is $\rho^2z^2=r^2z^2(1-z/h)^2$; its $r^2$ is lost, and back in the next line.)"});
-  const auto closed = [](double by) {
-    return [=](C s) { return pi * s.r() * s.r() * s.h() * (2 * square(s.h()) + 3 * square(s.r())) * by; };
+  const auto closed = [](double by, double factor) {
+    return [=]<class T>(const ConeSampleOf<T>& s) {
+      return pi_of<T>() * s.r() * s.r() * s.h() * (2 * square(s.h()) + 3 * square(s.r())) * factor / by;
+    };
   };
-  claims.formula<ConeSample>("Ixx_closed", 2363, R"($I_{xx}=\pi r^2h(2h^2+3r^2)\,60$)", cones,
-                             {.quantity = "$I_{xx}$",
-                              .truth = Ixx,
-                              .printed = {"times 60", closed(60)},
-                              .meant = {R"($\pi r^2h(2h^2+3r^2)/60$)", closed(1.0 / 60)},
-                              .near_misses = {{R"($\pi r^2h(2h^2+3r^2)/30$)", closed(1.0 / 30)}},
-                              .kind = Fault::lost_typography,
-                              .why = "The bar over 60 is lost."});
-  claims.formula<ConeSample>("Ixx", 2365, "$I_{xx}$ by the mass, about the base's center", cones,
-                             {.truth = Ixx,
-                              .printed = {"$m(2h^2+3r^2)/20$", by_mass(2, 3, 20)},
-                              .near_misses = {{"$m(3h^2+2r^2)/20$", by_mass(3, 2, 20)}}});
-  claims.formula<ConeSample>(
+  table.formula("Ixx_closed", 2363, R"($I_{xx}=\pi r^2h(2h^2+3r^2)\,60$)", cones,
+                {.quantity = "$I_{xx}$",
+                 .truth = Ixx,
+                 .printed = {"times 60", closed(1, 60)},
+                 .meant = {R"($\pi r^2h(2h^2+3r^2)/60$)", closed(60, 1)},
+                 .near_misses = {{R"($\pi r^2h(2h^2+3r^2)/30$)", closed(30, 1)}},
+                 .kind = Fault::lost_typography,
+                 .why = "The bar over 60 is lost."});
+  table.formula("Ixx", 2365, "$I_{xx}$ by the mass, about the base's center", cones,
+                {.truth = Ixx,
+                 .printed = {"$m(2h^2+3r^2)/20$", by_mass(2, 3, 20)},
+                 .near_misses = {{"$m(3h^2+2r^2)/20$", by_mass(3, 2, 20)}}});
+  table.formula(
       "Iyy", 2371, "$I_{yy}$ is $I_{xx}$", cones,
       {.quantity = "$I_{yy}$",
        .truth = {"quadrature",
-                 [](C s) { return s.integral([](double x, double, double z) { return x * x + z * z; }); }},
+                 [](const auto& s) {
+                   return s.integral([](const auto& x, const auto&, const auto& z) { return x * x + z * z; });
+                 }},
        .printed = {"$m(2h^2+3r^2)/20$", by_mass(2, 3, 20)},
        .near_misses = {{"$3mr^2/10$", by_mass(0, 3, 10)}}});
-  const auto products = [](const Density& first) {
-    return [=](C s) {
-      return values(s.integral(first), s.integral([](double x, double, double z) { return x * z; }),
-                    s.integral([](double, double y, double z) { return y * z; }));
+  const auto products = [](const auto& first) {
+    return [=](const auto& s) {
+      return values(s.integral(first),
+                    s.integral([](const auto& x, const auto&, const auto& z) { return x * z; }),
+                    s.integral([](const auto&, const auto& y, const auto& z) { return y * z; }));
     };
   };
-  claims.formula<ConeSample>("products", 2375, "the products of inertia are zero", cones,
-                             {.truth = {"zero", [](C) { return values(0, 0, 0); }},
-                              .printed = {"those of $xy$, $xz$, $yz$ by quadrature",
-                                          products([](double x, double y, double) { return x * y; })},
-                              .near_misses = {{"those of $xx$, $xz$, $yz$ by quadrature",
-                                               products([](double x, double, double) { return x * x; })}}});
+  table.formula("products", 2375, "the products of inertia are zero", cones,
+                {.truth = {"zero", [](const auto&) { return values(0, 0, 0); }},
+                 .printed = {"those of $xy$, $xz$, $yz$ by quadrature",
+                             products([](const auto& x, const auto& y, const auto&) { return x * y; })},
+                 .near_misses = {{"those of $xx$, $xz$, $yz$ by quadrature",
+                                  products([](const auto& x, const auto&, const auto&) { return x * x; })}}});
   const auto cylindrical = [](int power) {
-    return [=](C s) {
-      return s.along([&](double z) {
-        return 2 * pi * gauss_legendre([&](double u) { return pow(u, power); }, 0, s.rho(z), 8).value;
+    return [=]<class T>(const ConeSampleOf<T>& s) {
+      return s.along([&](const T& z) {
+        return 2 * pi_of<T>() * s.out_to_edge(z, [&](const T& u) { return pow(u, power); });
       });
     };
   };
-  claims.formula<ConeSample>(
-      "Izz_cylindrical", 2389, "$I_{zz}$ in cylindrical coordinates", by_qags,
-      {.truth = {"of $x^2+y^2$ in Cartesian coordinates by QAGS",
-                 [](C s) {
-                   return s.cartesian_integral([](double x, double y, double) { return x * x + y * y; });
-                 }},
-       .printed = {R"(of $s^3\,ds\,d\theta\,dz$)", cylindrical(3)},
-       .near_misses = {{R"(of $s^2\,ds\,d\theta\,dz$)", cylindrical(2)}}});
-  const Formula<ConeSample> Izz{"quadrature", &ConeSample::Izz};
-  const auto turning = [](double by) { return [=](C s) { return pi * pow(s.r(), 4) * s.h() * by; }; };
-  claims.formula<ConeSample>("Izz_closed", 2393, R"($I_{zz}=\pi r^4h\,10$)", cones,
-                             {.quantity = "$I_{zz}$",
-                              .truth = Izz,
-                              .printed = {"times 10", turning(10)},
-                              .meant = {R"($\pi r^4h/10$)", turning(0.1)},
-                              .near_misses = {{R"($\pi r^4h/5$)", turning(0.2)}},
-                              .kind = Fault::lost_typography,
-                              .why = "The bar over 10 is lost."});
-  claims.formula<ConeSample>("Izz", 2395, "$I_{zz}$ by the mass", cones,
-                             {.truth = Izz,
-                              .printed = {"$3mr^2/10$", by_mass(0, 3, 10)},
-                              .near_misses = {{"$3mr^2/5$", by_mass(0, 3, 5)}}});
+  table.formula("Izz_cylindrical", 2389, "$I_{zz}$ in cylindrical coordinates", by_qags,
+                {.truth = {"of $x^2+y^2$ in Cartesian coordinates by QAGS",
+                           [](const auto& s) {
+                             return s.cartesian_integral(
+                                 [](const auto& x, const auto& y, const auto&) { return x * x + y * y; });
+                           }},
+                 .printed = {R"(of $s^3\,ds\,d\theta\,dz$)", cylindrical(3)},
+                 .near_misses = {{R"(of $s^2\,ds\,d\theta\,dz$)", cylindrical(2)}}});
+  const OfCone Izz{"quadrature", [](const auto& s) { return s.Izz(); }};
+  const auto turning = [](double by, double factor) {
+    return
+        [=]<class T>(const ConeSampleOf<T>& s) { return pi_of<T>() * pow(s.r(), 4) * s.h() * factor / by; };
+  };
+  table.formula("Izz_closed", 2393, R"($I_{zz}=\pi r^4h\,10$)", cones,
+                {.quantity = "$I_{zz}$",
+                 .truth = Izz,
+                 .printed = {"times 10", turning(1, 10)},
+                 .meant = {R"($\pi r^4h/10$)", turning(10, 1)},
+                 .near_misses = {{R"($\pi r^4h/5$)", turning(5, 1)}},
+                 .kind = Fault::lost_typography,
+                 .why = "The bar over 10 is lost."});
+  table.formula("Izz", 2395, "$I_{zz}$ by the mass", cones,
+                {.truth = Izz,
+                 .printed = {"$3mr^2/10$", by_mass(0, 3, 10)},
+                 .near_misses = {{"$3mr^2/5$", by_mass(0, 3, 5)}}});
 }
 
-void tensor(Claims& claims, const Cones& cones) {
-  const auto six = [](const auto& entry) {
-    const Space<double> e[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+void tensor(ConeTable& table, const Cones& cones) {
+  const auto six = []<class T>(const ConeSampleOf<T>&, const auto& entry) {
+    const Space<T> e[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     return values(entry(e[0], e[0]), entry(e[1], e[1]), entry(e[2], e[2]), entry(e[0], e[1]),
                   entry(e[0], e[2]), entry(e[1], e[2]));
   };
   const auto by_axes = [=](bool swapped) {
-    return [=](C s) {
-      const double x = swapped ? s.Izz() : s.Ixx(), z = swapped ? s.Ixx() : s.Izz();
+    return [=](const auto& s) {
+      const auto x = swapped ? s.Izz() : s.Ixx(), z = swapped ? s.Ixx() : s.Izz();
       const auto A = s.motion.axes();
-      return six([&](const auto& u, const auto& v) {
+      return six(s, [&](const auto& u, const auto& v) {
         return x * (dot(A.P, u) * dot(A.P, v) + dot(A.Q, u) * dot(A.Q, v)) + z * dot(A.R, u) * dot(A.R, v);
       });
     };
   };
-  claims.formula<ConeSample>(
-      "J_world", 2417, "$J$ in world coordinates, about the base's center", cones,
-      {.truth = {"quadrature over the turned cone",
-                 [=](C s) { return six([&](const auto& u, const auto& v) { return s.inertia(u, v); }); }},
-       .printed = {"$I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$", by_axes(false)},
-       .near_misses = {{"$I_{zz}(PP^T+QQ^T)+I_{xx}RR^T$", by_axes(true)}}});
-  claims.formula<ConeSample>(
+  table.formula("J_world", 2417, "$J$ in world coordinates, about the base's center", cones,
+                {.truth = {"quadrature over the turned cone",
+                           [=](const auto& s) {
+                             return six(s, [&](const auto& u, const auto& v) { return s.inertia(u, v); });
+                           }},
+                 .printed = {"$I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$", by_axes(false)},
+                 .near_misses = {{"$I_{zz}(PP^T+QQ^T)+I_{xx}RR^T$", by_axes(true)}}});
+  table.formula(
       "principal", 2297, "$P$, $Q$ and $R$ are principal directions", cones,
-      {.truth = {"zero", [](C) { return values(0, 0, 0); }},
+      {.truth = {"zero", [](const auto&) { return values(0, 0, 0); }},
        .printed = {R"($P\cdot JR$, $Q\cdot JR$ and $P\cdot JQ$ by quadrature)",
-                   [](C s) {
+                   [](const auto& s) {
                      const auto A = s.motion.axes();
                      return values(s.inertia(A.P, A.R), s.inertia(A.Q, A.R), s.inertia(A.P, A.Q));
                    }},
@@ -755,31 +847,30 @@ void tensor(Claims& claims, const Cones& cones) {
                           return values((s.inertia(A.P, A.P) - s.inertia(A.R, A.R)) / 2, s.inertia(A.P, A.Q),
                                         0);
                         }}}});
-  const Formula<ConeSample> wJw{R"($w\cdot Jw$ by quadrature)",
-                                [](C s) { return s.inertia(s.motion.w(), s.motion.w()); }};
+  const OfCone wJw{R"($w\cdot Jw$ by quadrature)",
+                   [](const auto& s) { return s.inertia(s.motion.w(), s.motion.w()); }};
   const auto by_parts = [](double first) {
-    return [=](C s) {
+    return [=](const auto& s) {
       const auto A = s.motion.axes();
       const auto w = s.motion.w();
       return s.Ixx() * (first * square(dot(A.P, w)) + square(dot(A.Q, w))) + s.Izz() * square(dot(A.R, w));
     };
   };
-  claims.formula<ConeSample>(
-      "wJw", 2421, R"($w\cdot Jw$ by the components along $P$, $Q$, $R$)", cones,
-      {.truth = wJw,
-       .printed = {R"($I_{xx}((P\cdot w)^2+(Q\cdot w)^2)+I_{zz}(R\cdot w)^2$)", by_parts(1)},
-       .near_misses = {{R"(the same without $(P\cdot w)^2$)", by_parts(0)}}});
+  table.formula("wJw", 2421, R"($w\cdot Jw$ by the components along $P$, $Q$, $R$)", cones,
+                {.truth = wJw,
+                 .printed = {R"($I_{xx}((P\cdot w)^2+(Q\cdot w)^2)+I_{zz}(R\cdot w)^2$)", by_parts(1)},
+                 .near_misses = {{R"(the same without $(P\cdot w)^2$)", by_parts(0)}}});
   const auto expanded = [](double up, bool west) {
-    return [=](C s) {
+    return [=](const auto& s) {
       const auto& p = s.motion.p;
-      const double c = cos(p.lambda), l = up * sin(p.lambda), f = s.motion.q[1];
-      const double st = west ? cos(s.motion.q[0]) : sin(s.motion.q[0]);
-      const double ct = west ? sin(s.motion.q[0]) : cos(s.motion.q[0]);
+      const auto c = cos(p.lambda), l = up * sin(p.lambda), f = s.motion.q[1];
+      const auto st = west ? cos(s.motion.q[0]) : sin(s.motion.q[0]);
+      const auto ct = west ? sin(s.motion.q[0]) : cos(s.motion.q[0]);
       return square(p.omega) * (s.Ixx() * (square(c * ct) + square(c * st * cos(f) + l * sin(f))) +
                                 s.Izz() * square(c * st * sin(f) - l * cos(f)));
     };
   };
-  claims.formula<ConeSample>(
+  table.formula(
       "wJw_angles", 2425, R"($w\cdot Jw$ in the angles, $w=\omega(\cos\lambda\,\jmath-\sin\lambda\,k)$)",
       cones,
       {.truth = wJw,
@@ -789,12 +880,13 @@ void tensor(Claims& claims, const Cones& cones) {
             expanded(1, false)},
        .near_misses = {{R"(the same with $-\sin\lambda$ for $\sin\lambda$)", expanded(-1, false)},
                        {R"(the same with $\cos\lambda$ to the west)", expanded(1, true)}}});
-  claims.formula<ConeSample>(
+  table.formula(
       "J_in_T", 2401, "$I_{xx}$ of the tensor $J$ that is added to the energy of the center of mass", cones,
       {.truth = {"quadrature about the center of mass",
-                 [](C s) {
-                   const double z0 = s.center();
-                   return s.integral([=](double, double y, double z) { return y * y + square(z - z0); });
+                 []<class T>(const ConeSampleOf<T>& s) {
+                   const T z0 = s.center();
+                   return s.integral(
+                       [=](const T&, const T& y, const T& z) { return y * y + square(T(z - z0)); });
                  }},
        .printed = {"$m(2h^2+3r^2)/20$", by_mass(2, 3, 20)},
        .corrected = {"$3m(h^2+4r^2)/80$", by_mass(3, 12, 80)},
@@ -805,17 +897,17 @@ void tensor(Claims& claims, const Cones& cones) {
            R"(The integrals are about the center of the base. With $m|v|^2/2$ of the center of mass belongs )"
            R"(the tensor about the center of mass, $I_{xx}=3m(h^2+4r^2)/80$, less by $m(h/4)^2$.)"});
   const auto energy = [](bool book_values, double turning, double earth) {
-    return [=](C s) {
-      const Cone& k = s.cone;
-      const BookCone c = book_values ? book_cone(k) : BookCone{k.L(), k.across(), 3 * k.r * k.r / 10};
-      return s.mass() * BookEnergy{c, times(earth, s.motion.w()), turning}(s.motion.q, s.motion.v);
+    return [=]<class T>(const ConeSampleOf<T>& s) {
+      const auto& k = s.cone;
+      const auto c = book_values ? book_cone(k) : BookConeOf<T>{k.L(), k.across(), k.along()};
+      return s.mass() * BookEnergyOf<T>{c, times(earth, s.motion.w()), turning}(s.motion.q, s.motion.v);
     };
   };
-  claims.formula<ConeSample>(
+  table.formula(
       "cone_energy", 2287, R"(the cone has the kinetic energy $\frac m2|v|^2+\frac12w\cdot Jw$)", cones,
       {.quantity = "the cone's kinetic energy",
        .truth = {"half the speed's square over a cone that hangs by its vertex and swings, by quadrature",
-                 &ConeSample::kinetic_energy},
+                 [](const auto& s) { return s.kinetic_energy(); }},
        .printed = {R"($\frac m2|v|^2+\frac12w\cdot Jw$, $w$ the Earth's)", energy(true, 0, 1)},
        .corrected =
            {R"($\frac m2|v|^2+\frac12W\cdot JW$, $W=R\times\dot R$ the cone's own turning, $J$ about its )"
@@ -833,38 +925,45 @@ void tensor(Claims& claims, const Cones& cones) {
            R"(which the equations leave out.)"});
 }
 
+}  // namespace
+
 /// A cone in any motion, compared within the roundings of its equations.
-struct Swinging : ConeSample {
-  using ConeSample::ConeSample;
-  double size() const { return motion.size(); }
+template <class T>
+struct SwingingOf : ConeSampleOf<T> {
+  using ConeSampleOf<T>::ConeSampleOf;
+  double size() const { return this->motion.size(); }
   Tolerance tolerance(double) const { return rounding(size(), 512); }
 };
 
-void cone_equations(Claims& claims, double seed) {
-  using W = const Swinging&;
+namespace {
+
+using Swinging = SwingingOf<double>;
+using SwingTable = ProvableClaims<SwingingOf>;
+
+void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
   const auto residual = [](bool book, bool reduced) {
-    return [=](W s) {
+    return [=]<class T>(const SwingingOf<T>& s) {
       const auto& m = s.motion;
-      const Cone& k = s.cone;
-      const BookEnergy T = book ? BookEnergy{book_cone(k), m.w()}
-                                : BookEnergy{{k.L(), k.across(), 3 * k.r * k.r / 10}, {0, 0, 0}, 1};
-      const double lever = reduced ? sqrt(k.L() * k.equivalent_length()) : T.L;
-      Pair force = coriolis(lever, m.w(), m.q, m.v);
-      force[1] -= m.p.g * T.L * m.sin_phi();
-      return less(lagrange_left_side(T, m.q, m.v, m.a), force);
+      const auto& k = s.cone;
+      const auto energy = book ? BookEnergyOf<T>{book_cone(k), m.w()}
+                               : BookEnergyOf<T>{{k.L(), k.across(), k.along()}, {0.0, 0.0, 0.0}, 1.0};
+      const T lever = reduced ? sqrt(k.L() * k.equivalent_length()) : energy.L;
+      Two<T> force = coriolis(lever, m.w(), m.q, m.v);
+      force[1] -= m.p.g * energy.L * m.sin_phi();
+      return less(lagrange_left_side(energy, m.q, m.v, m.a), force);
     };
   };
-  claims.formula<Swinging>(
+  table.formula(
       "cone_equations", 2429, R"(the cone's equations are those of the point with $\frac12w\cdot Jw$ in $T$)",
-      draw<Swinging>(100, seed),
+      samples,
       {.quantity = "Lagrange's equations, left sides less right sides, for $\\theta$ and $\\phi$",
        .truth = {R"(those of a point mass at $(L^2+I_{xx})/L$ on the turning Earth, linear in $\omega$)",
-                 [](W s) {
-                   Sample point = s.motion;
+                 [](const auto& s) {
+                   auto point = s.motion;
                    point.m = 1;
                    point.p.L = s.cone.equivalent_length();
-                   const Pair e = point.to_first_order();
-                   const double scale = s.cone.L() / point.p.L;
+                   const auto e = point.to_first_order();
+                   const auto scale = s.cone.L() / point.p.L;
                    return values(scale * e[0], scale * e[1]);
                  }},
        .printed = {R"(the derivatives of $\frac12w\cdot Jw$ appended)", residual(true, false)},
@@ -895,10 +994,13 @@ std::vector<Claim> claims(double seed) {
   const auto cones = draw<ConeSample>(3, seed);
   Cones by_qags(cones.begin(), cones.begin() + 2);  // adaptive rules are slow
   for (ConeSample& cone : by_qags) cone.relative = 1e-12;
-  center_of_mass(claims, cones);
-  moments(claims, cones, by_qags);
-  tensor(claims, cones);
-  cone_equations(claims, seed);
+  ConeTable of_cone(claims);
+  SwingTable of_swing(claims);
+  center_of_mass(of_cone, cones);
+  decimals(claims);
+  moments(of_cone, cones, by_qags);
+  tensor(of_cone, cones);
+  cone_equations(of_swing, draw<Swinging>(100, seed));
   return claims.in_order();
 }
 
@@ -920,6 +1022,49 @@ Provables pendulum_proofs() {
   double x = 0;
   for (double* letter : all.example.letters()) *letter = x += 0.125;
   return table.proofs("3.17", all);
+}
+
+/// The square of the lever of the Coriolis force.
+constexpr const char* by_lever = R"(
+  match goal with |- context [sqrt ?x] =>
+    assert (lever : forall a, a * sqrt x * sqrt x = a * x) by (intro; rewrite Rmult_assoc, sqrt_sqrt;
+      [reflexivity | apply Rlt_le, Rmult_lt_0_compat; [lra |]; apply Rplus_lt_0_compat; [lra |];
+        apply Rdiv_lt_0_compat; nra]);
+    rewrite ?lever end;)";
+
+Provables cone_proofs() {
+  Claims claims("3.17");
+  ConeTable table(claims);
+  SwingTable of_swing(claims);
+  center_of_mass(table, {});
+  moments(table, {}, {});
+  tensor(table, {});
+  cone_equations(of_swing, {});
+  const std::vector<std::string> names{"h",     "r",   "height", "lambda", "omega", "g",
+                                       "theta", "phi", "v1",     "v2",     "a1",    "a2"};
+  const std::string nonzero =
+      "; repeat split; first [ assumption | lra | apply PI_neq0 | apply Rgt_not_eq; nra ]";
+  ForAll<ConeSampleOf> all{.any = lettered<ConeSampleOf>(names),
+                           .letters = quantified(names),
+                           .tactic = "no_integrals; first [ by_cube_root | " +
+                                     by_angles({"lambda", "theta", "phi"}) + nonzero + " ]",
+                           .says = "it holds for every cone"};
+  ForAll<SwingingOf> swinging{.any = lettered<SwingingOf>(names),
+                              .letters = quantified(names),
+                              .tactic = by_lever + by_angles({"lambda", "theta", "phi"}) + nonzero,
+                              .says = "it holds for every cone in any motion"};
+  all.given = swinging.given = {above(all.any.h().expression(), 0), above(all.any.r().expression(), 0)};
+  double x = 0;
+  for (double* letter : all.example.quantities()) *letter = x += 0.125;
+  static_cast<ConeSample&>(swinging.example) = all.example;
+  Provables proved = table.proofs("3.17", all);
+  std::ranges::move(of_swing.proofs("3.17", swinging), std::back_inserter(proved));
+  for (Provable& claim : proved) {
+    claim.preamble = std::string(integrals_in_coq) + cone_in_coq;
+    for (Lemma& lemma : claim.lemmas)
+      if (lemma.tactic == "interval") lemma.tactic = "no_integrals; interval";
+  }
+  return proved;
 }
 
 std::vector<Root> roots() {

@@ -35,27 +35,35 @@ Space<T> axis_velocity(const Two<T>& q, const Two<T>& v) {
 }
 
 /// A cone of unit mass that hangs by its vertex: its center of mass at L, moments of inertia about that.
-struct Cone {
-  double h, r;
-  double L() const { return 3 * h / 4; }
-  double across() const { return 3 * (4 * r * r + h * h) / 80; }
+template <class T>
+struct ConeOf {
+  T h, r;
+  T L() const { return 3 * h / 4; }
+  T across() const { return 3 * (4 * r * r + h * h) / 80; }
+  T along() const { return 3 * r * r / 10; }
   /// The length of the point mass that swings alike: (L^2 + Ixx)/L.
-  double equivalent_length() const { return 4 * h / 5 + r * r / (5 * h); }
+  T equivalent_length() const { return 4 * h / 5 + r * r / (5 * h); }
 };
+using Cone = ConeOf<double>;
 
 /// The book's cone: L from the halved volume, moments about the center of the base.
-struct BookCone {
-  double L, Ixx, Izz;
+template <class T>
+struct BookConeOf {
+  T L, Ixx, Izz;
 };
 
-inline BookCone book_cone(const Cone& c) {
-  return {c.h / std::cbrt(2.0), (2 * c.h * c.h + 3 * c.r * c.r) / 20, 3 * c.r * c.r / 10};
+template <class T>
+BookConeOf<T> book_cone(const ConeOf<T>& c) {
+  using std::cbrt;
+  return {c.h / cbrt(T(2)), (2 * c.h * c.h + 3 * c.r * c.r) / 20, c.along()};
 }
 
 /// Kinetic energy (per mass) as published, J being that of (Ixx, Ixx, Izz): |v|^2/2 + w.J w/2.
-struct BookEnergy : BookCone {
-  Space<double> w;
-  double swing = 0;  ///< of the energy of the cone's own turning R x R', which the text has not
+template <class N>
+struct BookEnergyOf : BookConeOf<N> {
+  using BookConeOf<N>::L, BookConeOf<N>::Ixx, BookConeOf<N>::Izz;
+  Space<N> w;
+  N swing = 0;  ///< of the energy of the cone's own turning R x R', which the text has not
   template <class T>
   T operator()(const Two<T>& q, const Two<T>& v) const {
     const Axes<T> a(q);
@@ -65,9 +73,12 @@ struct BookEnergy : BookCone {
   }
 };
 
+using BookEnergy = BookEnergyOf<double>;
+
 /// The generalized Coriolis force on a point of unit mass at L.
-inline Pair coriolis(double L, const Space<double>& w, const Pair& q, const Pair& v) {
-  const double wR = dot(Axes<double>(q).R, w), s = sin(q[1]);
+template <class T>
+Two<T> coriolis(const T& L, const Space<T>& w, const Two<T>& q, const Two<T>& v) {
+  const T wR = dot(Axes<T>(q).R, w), s = sin(q[1]);
   return {-2 * L * L * s * v[1] * wR, 2 * L * L * s * v[0] * wR};
 }
 
@@ -81,6 +92,8 @@ Quantity inertia(const Cone&);
 std::vector<Claim> claims(double seed);
 /// Of what is claimed of the point mass.
 Provables pendulum_proofs();
+/// Of what is claimed of the cone.
+Provables cone_proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::ex03_17
