@@ -128,12 +128,14 @@ LetterVector turned(const LetterMatrix& inverse_inertia, const LetterVector& mom
 template <class S>
 using VectorOf = std::remove_cvref_t<decltype(S::normal)>;
 
+template <class V>
+V product(const V& a, const V& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 /// r x fN.
 template <class S>
 VectorOf<S> torque(const S& s, const VectorOf<S>& arm, const VectorOf<S>& normal) {
-  const VectorOf<S> impulse = s.f * normal;
-  return {arm[1] * impulse[2] - arm[2] * impulse[1], arm[2] * impulse[0] - arm[0] * impulse[2],
-          arm[0] * impulse[1] - arm[1] * impulse[0]};
+  return product(arm, VectorOf<S>(s.f * normal));
 }
 
 using OfSample = std::function<Vector3d(const Sample&)>;
@@ -392,41 +394,60 @@ Check as_segment(const std::vector<Sample>& all, const std::string& bodies, doub
                  all);
 }
 
-/// w+ for the impulse spread evenly over the plane quadrilateral P0, P1, P1 + b, P0 + a.
-Vector3d over_area(const Sample& s, const Vector3d& a, const Vector3d& b) {
-  const Vector3d e = s.hit.p1 - s.hit.p0;
+/// A plane quadrilateral at P0, P1 with sides a, b there: P0, P1, P1 + b, P0 + a.
+template <class S>
+struct Quadrilateral {
+  using V = VectorOf<S>;
+  V p0, p1, a, b;
+
+  template <class T>
+  V point(const T& u, const T& v) const {
+    return p0 + u * (p1 - p0) + v * ((1 - u) * a + u * b);
+  }
+  /// The area's element for each du dv, as a vector.
+  template <class T>
+  V element(const T& u, const T& v) const {
+    return product(V(p1 - p0 + v * (b - a)), V((1 - u) * a + u * b));
+  }
+};
+/// The side opposite to P0 P1 is parallel to it and `ratio` as long; 0 makes a triangle.
+template <class S, class T>
+Quadrilateral<S> trapezoid_of(const S& s, const VectorOf<S>& a, const T& ratio) {
+  return {s.hit.p0, s.hit.p1, a, a + (ratio - 1) * (s.hit.p1 - s.hit.p0)};
+}
+
+/// w+ for the impulse spread evenly over it.
+Vector3d over_area(const Sample& s, const Quadrilateral<Sample>& area) {
   const Rule rule = [](FunctionOfOne f, double low, double high) { return gauss_legendre(f, low, high, 4); };
   const auto integral = [&](const auto& g) {
-    const auto element = [&](double u, double v) {
-      const Vector3d x = s.hit.p0 + u * e + v * ((1 - u) * a + u * b);
-      return g(x) * cross(e + v * (b - a), (1 - u) * a + u * b).norm();
-    };
+    const auto element = [&](double u, double v) { return g(area.point(u, v)) * area.element(u, v).norm(); };
     return nested(
                rule, element, 0, 1, [](double) { return 0.0; }, [](double) { return 1.0; })
         .value;
   };
   Vector3d momentum;
   for (long k = 0; k < 3; ++k)
-    momentum[k] = integral([&](const Vector3d& x) { return cross(s.arm(x), s.f * s.normal)[k]; });
+    momentum[k] = integral([&](const Vector3d& x) { return torque(s, s.arm(x), s.normal)[k]; });
   return s.body.w + turned(s.body.inertia, momentum / integral([](const Vector3d&) { return 1.0; }));
 }
 
-/// Equal impulses at the corners against the area's even one. The side opposite to P0 P1 is parallel to it
-/// and `ratio` as long; 0 makes a triangle.
+/// w+ by equal impulses at the corners.
+template <class S>
+VectorOf<S> at_corners(const S& s, const VectorOf<S>& a, double ratio) {
+  const VectorOf<S> e = s.hit.p1 - s.hit.p0, third = s.hit.p0 + a, fourth = third + ratio * e;
+  const VectorOf<S> three = (s.hit.p0 + s.hit.p1 + third) / 3.0,
+                    four = (s.hit.p0 + s.hit.p1 + third + fourth) / 4.0;
+  return at(s, s.arm(ratio == 0 ? three : four));
+}
+
+/// Equal impulses at the corners against the area's even one.
 Check as_area(const std::vector<Sample>& all, const std::string& shape, double ratio) {
   const auto side = [](const Sample& s) {
     const Vector3d e = s.hit.p1 - s.hit.p0;
     return Vector3d(Vector3d(e[1], e[2], e[0]) + 0.5 * e);
   };
-  const auto corners = [=](const Sample& s) {
-    const Vector3d e = s.hit.p1 - s.hit.p0, third = s.hit.p0 + side(s), fourth = third + ratio * e;
-    const Vector3d three = (s.hit.p0 + s.hit.p1 + third) / 3,
-                   four = (s.hit.p0 + s.hit.p1 + third + fourth) / 4;
-    return at(s, s.arm(ratio == 0 ? three : four));
-  };
-  const auto even = [=](const Sample& s) {
-    return over_area(s, side(s), side(s) + (ratio - 1) * (s.hit.p1 - s.hit.p0));
-  };
+  const auto corners = [=](const Sample& s) { return at_corners(s, side(s), ratio); };
+  const auto even = [=](const Sample& s) { return over_area(s, trapezoid_of(s, side(s), ratio)); };
   return compare("$w^+$, " + shape, formula("equal impulses at the corners", corners),
                  formula("spread evenly over the area", even), all);
 }
@@ -546,6 +567,49 @@ Ltac pulses := repeat match goal with |- context [RInt ?g 0 1] =>
   rewrite (of_pulse g (g (1 / 2) * 256 / 630)) by (intros; field; assumption) end.
 )";
 
+constexpr const char* areas_in_coq = R"(
+(* of what is linear in u and quadratic in v *)
+Lemma over_square (g : R -> R -> R) :
+  (forall u v, g u v = g u 0 + v * (4 * g u (1 / 2) - 3 * g u 0 - g u 1)
+    + v * v * (2 * g u 0 - 4 * g u (1 / 2) + 2 * g u 1)) ->
+  (forall u v, g u v = g 0 v + u * (g 1 v - g 0 v)) ->
+  RInt (fun u => RInt (fun v => g u v) 0 1) 0 1
+  = (g 0 0 + 4 * g 0 (1 / 2) + g 0 1 + (g 1 0 + 4 * g 1 (1 / 2) + g 1 1)) / 12.
+Proof.
+  intros q l. set (s := fun u => (g u 0 + 4 * g u (1 / 2) + g u 1) / 6).
+  rewrite (RInt_ext _ (fun u => s 0 + u * (s 1 - s 0))).
+  - rewrite on_segment by (intros; ring).
+    match goal with |- ?x = ?y => change (@eq R x y) end. unfold s. field.
+  - intros u _. rewrite (RInt_ext _ (fun v => g u 0 + v * (4 * g u (1 / 2) - 3 * g u 0 - g u 1)
+      + v * v * (2 * g u 0 - 4 * g u (1 / 2) + 2 * g u 1))) by (intros v _; apply q).
+    set (b := 4 * g u (1 / 2) - 3 * g u 0 - g u 1). set (c := 2 * g u 0 - 4 * g u (1 / 2) + 2 * g u 1).
+    rewrite (RInt_by (fun v => g u 0 * v + v * v / 2 * b + v * v * v / 3 * c));
+      [| intros; auto_derive; [exact I | field] | intros; apply @ex_derive_continuous; auto_derive; exact I].
+    match goal with |- ?x = ?y => change (@eq R x y) end.
+    unfold b, c, s. rewrite (l u 0), (l u (1 / 2)), (l u 1). field.
+Qed.
+Ltac over_squares := repeat match goal with |- context [RInt (fun u => RInt (fun v => @?g u v) 0 1) 0 1] =>
+  rewrite (over_square g) by (intros; field) end; cbv beta.
+)";
+
+/// w+ for the impulse spread over a trapezoid with the area's element in parts of P0P1 x a.
+LetterVector over_trapezoid(const Lettered& s, const LetterVector& a, double ratio) {
+  const auto area = trapezoid_of(s, a, ratio);
+  const auto integral = [&](const auto& g) {
+    const Shortened u = Shortened::letter("u"), v = Shortened::letter("v");
+    const Expression density = Shortened((1.0 + v * (ratio - 1)) * g(area.point(u, v))).expression();
+    const auto over = [](const Expression& inner, const char* name) {
+      return oddity::integral([&](const Expression&) { return inner; }, 0, 1, name);
+    };
+    return Shortened(over(over(density, "v"), "u"));
+  };
+  LetterVector momentum;
+  for (int k = 0; k < 3; ++k)
+    momentum[k] = integral([&](const LetterVector& x) { return torque(s, s.arm(x), s.normal)[k]; }) /
+                  integral([](const LetterVector&) { return Shortened(1.0); });
+  return s.body.w + turned(s.body.inertia, momentum);
+}
+
 LetterVector letters(const std::string& name) {
   const auto letter = [&](int i) { return Shortened::letter(name + std::to_string(i)); };
   return {letter(0), letter(1), letter(2)};
@@ -563,6 +627,55 @@ LetterVector over_pulse(const F& f) {
         },
         0.0, 1.0);
   return all;
+}
+
+/// That the corners of triangles and parallelograms, like the ends of a segment, replace the whole; those of
+/// a trapezoid do not.
+Provable finite_set(const Lettered& s, const std::string& names, Lemma segment) {
+  const auto all = [](const LetterVector& v) {
+    return Expressions{v[0].expression(), v[1].expression(), v[2].expression()};
+  };
+  const LetterVector a = letters("a");
+  std::string with_side = names;
+  with_side.insert(1, "a0 a1 a2 ratio u v ");
+  const Shortened ratio = Shortened::letter("ratio"), u = Shortened::letter("u"), v = Shortened::letter("v");
+  const auto area = trapezoid_of(s, a, ratio);
+  const LetterVector unit = product(LetterVector(s.hit.p1 - s.hit.p0), a);
+  segment.name = "corrected_segment";
+  Provable proof{
+      "6.5-finite_set",
+      "as corrected it holds for any segment, triangle and parallelogram; a trapezoid's corners are "
+      "off at an example",
+      {segment,
+       {"element",
+        with_side,
+        {},
+        equal(all(area.element(u, v)), all(LetterVector((1 + v * (ratio - 1)) * unit))),
+        "ring"}},
+      0.05,
+      std::string(integrals_in_coq) + means_in_coq + areas_in_coq};
+  for (const auto& [name, other_side] :
+       {std::pair("corrected_triangle", 0.0), {"corrected_parallelogram", 1.0}})
+    proof.lemmas.push_back({name,
+                            with_side,
+                            {},
+                            equal(all(at_corners(s, a, other_side)), all(over_trapezoid(s, a, other_side))),
+                            "over_squares; field; lra"});
+  Lettered example;
+  example.f = 1.0;
+  example.body.mass = 1.0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) example.body.inertia(i, j) = i == j ? 1.0 : 0.0;
+  example.hit.p1[0] = 1.0;
+  example.normal[2] = 1.0;
+  const LetterVector up(Shortened(0.0), Shortened(1.0), Shortened(0.0));
+  proof.lemmas.push_back({"printed_differs",
+                          "",
+                          {},
+                          {apart(at_corners(example, up, 0.5)[0].expression(),
+                                 over_trapezoid(example, up, 0.5)[0].expression(), 0.05)},
+                          "over_squares; interval"});
+  return proof;
 }
 
 }  // namespace
@@ -620,6 +733,7 @@ Provables proofs() {
       "repeat match goal with |- context [RInt ?g 0 1] => rewrite (on_segment g) by (intros; ring) end; field";
   add("segment", any_body, mean_torque(s), even, by_segment);
   add("constant_density", any_body + ", whatever its density", mean_torque(s), even, by_segment);
+  proved.push_back(finite_set(s, names, proved.back().lemmas.front()));
   return proved;
 }
 
