@@ -1,8 +1,19 @@
 #include "chapters/claims.hpp"
 
 #include "chapters/06_physics_engines/05_two_point_contact/two_point_contact.hpp"
+#include "chapters/integral_proofs.hpp"
+#include "chapters/provable_claims.hpp"
 #include "reference/text.hpp"
 #include "solvers/quadrature.hpp"
+
+namespace Eigen {
+
+template <>
+struct NumTraits<oddity::Shortened> : GenericNumTraits<oddity::Shortened> {
+  enum { RequireInitialization = 1 };
+};
+
+}  // namespace Eigen
 
 /// The displayed lines of the two-point contact, and what the book concludes from them, on random bodies.
 namespace oddity::ex06_05 {
@@ -89,6 +100,44 @@ std::vector<Sample> samples(double seed, int count, Body (*make_body)(Random&)) 
   return all;
 }
 
+/// What a sample has, as letters; of the inertia it has the inverse.
+using LetterVector = Eigen::Matrix<Shortened, 3, 1>;
+using LetterMatrix = Eigen::Matrix<Shortened, 3, 3>;
+struct Lettered {
+  struct {
+    Shortened mass;
+    LetterMatrix inertia;
+    LetterVector center, v, w;
+  } body;
+  struct {
+    LetterVector p0, p1;
+  } hit;
+  LetterVector normal;
+  Shortened f;
+
+  LetterVector arm(const LetterVector& p) const { return p - body.center; }
+};
+using ex06_05::turned;
+LetterVector turned(const LetterMatrix& inverse_inertia, const LetterVector& momentum) {
+  LetterVector w;
+  for (int i = 0; i < 3; ++i)
+    w[i] = inverse_inertia(i, 0) * momentum[0] + inverse_inertia(i, 1) * momentum[1] +
+           inverse_inertia(i, 2) * momentum[2];
+  return w;
+}
+template <class S>
+using VectorOf = std::remove_cvref_t<decltype(S::normal)>;
+
+template <class V>
+V product(const V& a, const V& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// r x fN.
+template <class S>
+VectorOf<S> torque(const S& s, const VectorOf<S>& arm, const VectorOf<S>& normal) {
+  return product(arm, VectorOf<S>(s.f * normal));
+}
+
 using OfSample = std::function<Vector3d(const Sample&)>;
 
 Formula<Sample> formula(std::string text, const OfSample& of) {
@@ -113,9 +162,21 @@ double near_point(const G& g, const Vector3d& p) {
   return integral.value / volume;
 }
 
-/// The integral of g with `weight` of a delta function at either point.
+/// Over a cube of any half side h.
 template <class G>
-double sifted(const G& g, const Contact& hit, double weight = 0.5) {
+Shortened near_point(const G& g, const LetterVector& p) {
+  const Expression h = Expression::letter("h");
+  const auto over = [&](int i, const Expression& inner, const char* name) {
+    return integral([&](const Expression&) { return inner; }, p[i].expression() - h, p[i].expression() + h,
+                    name);
+  };
+  const LetterVector x(Shortened::letter("x"), Shortened::letter("y"), Shortened::letter("z"));
+  return over(0, over(1, over(2, Shortened(g(x)).expression(), "z"), "y"), "x") / (8.0 * h * h * h);
+}
+
+/// The integral of g with `weight` of a delta function at either point.
+template <class G, class Hit>
+auto sifted(const G& g, const Hit& hit, double weight = 0.5) {
   return weight * near_point(g, hit.p0) + weight * near_point(g, hit.p1);
 }
 
@@ -178,38 +239,44 @@ Check against_motion(const std::vector<Sample>& all, const Formula<Sample>& by, 
   return worst.check();
 }
 
-Vector3d linear(const Sample& s, double impulses) {
+template <class S>
+VectorOf<S> linear(const S& s, double impulses) {
   return s.body.v + impulses * s.f * s.normal / s.body.mass;
 }
 
 /// The double integral of the first line, the delta functions narrow.
-Vector3d linear_integral(const Sample& s, double weight) {
-  Vector3d v = s.body.v;
-  for (long k = 0; k < 3; ++k)
-    v[k] += sifted([&](const Vector3d&) { return s.f * s.normal[k]; }, s.hit, weight) / s.body.mass;
+template <class S>
+VectorOf<S> linear_integral(const S& s, double weight) {
+  VectorOf<S> v = s.body.v;
+  for (int k = 0; k < 3; ++k)
+    v[k] += sifted([&](const VectorOf<S>&) { return s.f * s.normal[k]; }, s.hit, weight) / s.body.mass;
   return v;
 }
 
-Vector3d angular_integral(const Sample& s, double weight) {
-  Vector3d momentum;
-  for (long k = 0; k < 3; ++k)
+template <class S>
+VectorOf<S> angular_integral(const S& s, double weight) {
+  VectorOf<S> momentum;
+  for (int k = 0; k < 3; ++k)
     momentum[k] =
-        sifted([&](const Vector3d& x) { return cross(s.arm(x), s.f * s.normal)[k]; }, s.hit, weight);
+        sifted([&](const VectorOf<S>& x) { return torque(s, s.arm(x), s.normal)[k]; }, s.hit, weight);
   return s.body.w + turned(s.body.inertia, momentum);
 }
 
 /// w+ by the torques at the two points, with this share of their sum, and this normal at P1.
-Vector3d by_torques(const Sample& s, double share, const Vector3d& second) {
-  const Vector3d both = cross(s.arm(s.hit.p0), s.f * s.normal) + cross(s.arm(s.hit.p1), s.f * second);
-  return s.body.w + turned(s.body.inertia, share * both);
+template <class S>
+VectorOf<S> by_torques(const S& s, double share, const VectorOf<S>& second) {
+  const VectorOf<S> both = torque(s, s.arm(s.hit.p0), s.normal) + torque(s, s.arm(s.hit.p1), second);
+  return s.body.w + turned(s.body.inertia, VectorOf<S>(share * both));
 }
-Vector3d mean_torque(const Sample& s) { return by_torques(s, 0.5, s.normal); }
+constexpr auto mean_torque = [](const auto& s) { return by_torques(s, 0.5, s.normal); };
 
 /// w+ by one impulse at this arm.
-Vector3d at(const Sample& s, const Vector3d& arm) {
-  return s.body.w + turned(s.body.inertia, cross(arm, s.f * s.normal));
+template <class S>
+VectorOf<S> at(const S& s, const VectorOf<S>& arm) {
+  return s.body.w + turned(s.body.inertia, torque(s, arm, s.normal));
 }
-Vector3d midpoint(const Sample& s) { return at(s, s.arm((s.hit.p0 + s.hit.p1) / 2)); }
+constexpr auto mean_arm = [](const auto& s) { return at(s, (s.arm(s.hit.p0) + s.arm(s.hit.p1)) / 2.0); };
+constexpr auto midpoint = [](const auto& s) { return at(s, s.arm((s.hit.p0 + s.hit.p1) / 2.0)); };
 
 void linear_lines(Claims& claims, const std::vector<Sample>& all) {
   const auto motion = [&](std::string text, const OfSample& of) {
@@ -270,16 +337,12 @@ void angular_lines(Claims& claims, const std::vector<Sample>& all) {
                               torques(R"($w^-+\frac12J^{-1}(fN\times r(P_0)+fN\times r(P_1))$)", -0.5)}});
 
   const Formula<Sample> truth = formula(mean, mean_torque);
-  const std::string mean_arm = R"($w^-+J^{-1}\frac{r(P_0)+r(P_1)}2\times fN$)",
+  const std::string of_mean_arm = R"($w^-+J^{-1}\frac{r(P_0)+r(P_1)}2\times fN$)",
                     half_difference = R"($w^-+J^{-1}\frac{r(P_1)-r(P_0)}2\times fN$)",
                     one_end = R"($w^-+J^{-1}r(P_0)\times fN$)", middle = R"($w^-+J^{-1}r(M)\times fN$)";
   claims.add(
       "angular_mean_arm", 3777, "the mean of the two arms takes the place of the mean torque",
-      {.printed = {mean_arm,
-                   {same(
-                       mean_arm,
-                       [](const Sample& s) { return at(s, (s.arm(s.hit.p0) + s.arm(s.hit.p1)) / 2); },
-                       truth)}},
+      {.printed = {of_mean_arm, {same(of_mean_arm, mean_arm, truth)}},
        .near_misses = {{half_difference,
                         {same(
                             half_difference, [](const Sample& s) { return at(s, (s.hit.p1 - s.hit.p0) / 2); },
@@ -310,62 +373,81 @@ void angular_lines(Claims& claims, const std::vector<Sample>& all) {
 
 // ---- segments, faces and densities ------------------------------------------------------------------------
 
+double over_unit(FunctionOfOne g) { return gauss_legendre(g, 0, 1, 4).value; }
+
 /// w+ for the impulse spread along P0 P1 with density 1 + slope (2u - 1) at the fraction u.
-Vector3d along_segment(const Sample& s, double slope) {
-  Vector3d momentum;
-  for (long k = 0; k < 3; ++k)
-    momentum[k] = gauss_legendre(
-                      [&](double u) {
-                        const Vector3d x = (1 - u) * s.hit.p0 + u * s.hit.p1;
-                        return (1 + slope * (2 * u - 1)) * cross(s.arm(x), s.f * s.normal)[k];
-                      },
-                      0, 1, 4)
-                      .value;
+template <class S, class Integral>
+VectorOf<S> along_segment(const S& s, double slope, const Integral& over_unit) {
+  VectorOf<S> momentum;
+  for (int k = 0; k < 3; ++k)
+    momentum[k] = over_unit([&](const auto& u) {
+      const VectorOf<S> x = (1 - u) * s.hit.p0 + u * s.hit.p1;
+      return (1 + slope * (2 * u - 1)) * torque(s, s.arm(x), s.normal)[k];
+    });
   return s.body.w + turned(s.body.inertia, momentum);
 }
 
 Check as_segment(const std::vector<Sample>& all, const std::string& bodies, double slope) {
   return compare("$w^+$ of " + bodies, formula("half the impulse at either point", mean_torque),
                  formula(slope == 0 ? "an even impulse along the segment" : "one that grows along it",
-                         [=](const Sample& s) { return along_segment(s, slope); }),
+                         [=](const Sample& s) { return along_segment(s, slope, over_unit); }),
                  all);
 }
 
-/// w+ for the impulse spread evenly over the plane quadrilateral P0, P1, P1 + b, P0 + a.
-Vector3d over_area(const Sample& s, const Vector3d& a, const Vector3d& b) {
-  const Vector3d e = s.hit.p1 - s.hit.p0;
+/// A plane quadrilateral at P0, P1 with sides a, b there: P0, P1, P1 + b, P0 + a.
+template <class S>
+struct Quadrilateral {
+  using V = VectorOf<S>;
+  V p0, p1, a, b;
+
+  template <class T>
+  V point(const T& u, const T& v) const {
+    return p0 + u * (p1 - p0) + v * ((1 - u) * a + u * b);
+  }
+  /// The area's element for each du dv, as a vector.
+  template <class T>
+  V element(const T& u, const T& v) const {
+    return product(V(p1 - p0 + v * (b - a)), V((1 - u) * a + u * b));
+  }
+};
+/// The side opposite to P0 P1 is parallel to it and `ratio` as long; 0 makes a triangle.
+template <class S, class T>
+Quadrilateral<S> trapezoid_of(const S& s, const VectorOf<S>& a, const T& ratio) {
+  return {s.hit.p0, s.hit.p1, a, a + (ratio - 1) * (s.hit.p1 - s.hit.p0)};
+}
+
+/// w+ for the impulse spread evenly over it.
+Vector3d over_area(const Sample& s, const Quadrilateral<Sample>& area) {
   const Rule rule = [](FunctionOfOne f, double low, double high) { return gauss_legendre(f, low, high, 4); };
   const auto integral = [&](const auto& g) {
-    const auto element = [&](double u, double v) {
-      const Vector3d x = s.hit.p0 + u * e + v * ((1 - u) * a + u * b);
-      return g(x) * cross(e + v * (b - a), (1 - u) * a + u * b).norm();
-    };
+    const auto element = [&](double u, double v) { return g(area.point(u, v)) * area.element(u, v).norm(); };
     return nested(
                rule, element, 0, 1, [](double) { return 0.0; }, [](double) { return 1.0; })
         .value;
   };
   Vector3d momentum;
   for (long k = 0; k < 3; ++k)
-    momentum[k] = integral([&](const Vector3d& x) { return cross(s.arm(x), s.f * s.normal)[k]; });
+    momentum[k] = integral([&](const Vector3d& x) { return torque(s, s.arm(x), s.normal)[k]; });
   return s.body.w + turned(s.body.inertia, momentum / integral([](const Vector3d&) { return 1.0; }));
 }
 
-/// Equal impulses at the corners against the area's even one. The side opposite to P0 P1 is parallel to it
-/// and `ratio` as long; 0 makes a triangle.
+/// w+ by equal impulses at the corners.
+template <class S>
+VectorOf<S> at_corners(const S& s, const VectorOf<S>& a, double ratio) {
+  const VectorOf<S> e = s.hit.p1 - s.hit.p0, third = s.hit.p0 + a, fourth = third + ratio * e;
+  const VectorOf<S> three = (s.hit.p0 + s.hit.p1 + third) / 3.0,
+                    four = (s.hit.p0 + s.hit.p1 + third + fourth) / 4.0;
+  return at(s, s.arm(ratio == 0 ? three : four));
+}
+
+/// Equal impulses at the corners against the area's even one.
 Check as_area(const std::vector<Sample>& all, const std::string& shape, double ratio) {
   const auto side = [](const Sample& s) {
     const Vector3d e = s.hit.p1 - s.hit.p0;
     return Vector3d(Vector3d(e[1], e[2], e[0]) + 0.5 * e);
   };
-  const auto corners = [=](const Sample& s) {
-    const Vector3d e = s.hit.p1 - s.hit.p0, third = s.hit.p0 + side(s), fourth = third + ratio * e;
-    const Vector3d three = (s.hit.p0 + s.hit.p1 + third) / 3,
-                   four = (s.hit.p0 + s.hit.p1 + third + fourth) / 4;
-    return at(s, s.arm(ratio == 0 ? three : four));
-  };
-  const auto even = [=](const Sample& s) {
-    return over_area(s, side(s), side(s) + (ratio - 1) * (s.hit.p1 - s.hit.p0));
-  };
+  const auto corners = [=](const Sample& s) { return at_corners(s, side(s), ratio); };
+  const auto even = [=](const Sample& s) { return over_area(s, trapezoid_of(s, side(s), ratio)); };
   return compare("$w^+$, " + shape, formula("equal impulses at the corners", corners),
                  formula("spread evenly over the area", even), all);
 }
@@ -389,7 +471,8 @@ void what_follows(Claims& claims, double seed) {
                                         [](const Sample& s) {
                                           const double size =
                                               s.body.v.norm() + s.body.w.norm() + s.kick() + s.twist();
-                                          return (mean_torque(s) - along_segment(s, 0)).norm() > 1e-12 * size;
+                                          return (mean_torque(s) - along_segment(s, 0, over_unit)).norm() >
+                                                 1e-12 * size;
                                         })}}}});
   claims.add(
       "finite_set", 3785, "to consider only a finite set of contact points is no approximation",
@@ -432,3 +515,232 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex06_05
+
+// ---- proofs -----------------------------------------------------------------------------------------------
+
+namespace oddity::ex06_05 {
+
+namespace {
+
+constexpr const char* means_in_coq = R"(
+Lemma over_line (h k l p : R) : RInt (fun y => k + y * l) (p - h) (p + h) = 2 * h * (k + p * l).
+Proof.
+  rewrite (RInt_by (fun y => k * y + y * y * l / 2));
+    [match goal with |- ?x = ?y => change (@eq R x y) end; field
+    | intros; auto_derive; [exact I | field] | intros; apply @ex_derive_continuous; auto_derive; exact I].
+Qed.
+(* of what is linear in the coordinates *)
+Lemma over_cube (g : R -> R -> R -> R) h p q r :
+  (forall x y z, g x y z
+    = g 0 0 0 + x * (g 1 0 0 - g 0 0 0) + y * (g 0 1 0 - g 0 0 0) + z * (g 0 0 1 - g 0 0 0)) ->
+  RInt (fun x => RInt (fun y => RInt (fun z => g x y z) (r - h) (r + h)) (q - h) (q + h)) (p - h) (p + h)
+  = 8 * h * h * h * g p q r.
+Proof.
+  intros e. set (k := g 0 0 0) in *. set (a := g 1 0 0 - k) in *. set (b := g 0 1 0 - k) in *.
+  set (c := g 0 0 1 - k) in *. rewrite e.
+  rewrite (RInt_ext _ (fun x => 4 * h * h * (k + q * b + r * c) + x * (4 * h * h * a))).
+  - rewrite over_line. match goal with |- ?x = ?y => change (@eq R x y) end. ring.
+  - intros x _. rewrite (RInt_ext _ (fun y => 2 * h * (k + x * a + r * c) + y * (2 * h * b))).
+    + rewrite over_line. match goal with |- ?x = ?y => change (@eq R x y) end. ring.
+    + intros y _. rewrite (RInt_ext _ (fun z => (k + x * a + y * b) + z * c)) by (intros z _; apply e).
+      rewrite over_line. match goal with |- ?x = ?y => change (@eq R x y) end. ring.
+Qed.
+Lemma on_segment (g : R -> R) : (forall u, g u = g 0 + u * (g 1 - g 0)) -> RInt g 0 1 = (g 0 + g 1) / 2.
+Proof.
+  intros e. rewrite (RInt_ext _ (fun u => g 0 + u * (g 1 - g 0))) by (intros u _; apply e).
+  rewrite (RInt_by (fun u => g 0 * u + u * u * (g 1 - g 0) / 2));
+    [match goal with |- ?x = ?y => change (@eq R x y) end; field
+    | intros; auto_derive; [exact I | field] | intros; apply @ex_derive_continuous; auto_derive; exact I].
+Qed.
+(* of a force that rises and falls *)
+Lemma of_pulse (g : R -> R) c : (forall t, g t = 630 * (t ^ 4 * (1 - t) ^ 4) * c) -> RInt g 0 1 = c.
+Proof.
+  intros e. rewrite (RInt_ext _ (fun t => 630 * (t ^ 4 * (1 - t) ^ 4) * c)) by (intros u _; apply e).
+  rewrite (RInt_by (fun t => (126 * t ^ 5 - 420 * t ^ 6 + 540 * t ^ 7 - 315 * t ^ 8 + 70 * t ^ 9) * c));
+    [match goal with |- ?x = ?y => change (@eq R x y) end; ring
+    | intros; auto_derive; [exact I | ring] | intros; apply @ex_derive_continuous; auto_derive; exact I].
+Qed.
+Ltac over_cubes := repeat match goal with |- context [RInt (fun x => RInt (fun y => RInt (fun z => @?g x y z) ?rl ?rh)
+    ?ql ?qh) (?p - ?h) ?ph] =>
+  match rl with ?r - _ => match ql with ?q - _ => rewrite (over_cube g h p q r) by (intros; ring) end end end.
+Ltac pulses := repeat match goal with |- context [RInt ?g 0 1] =>
+  rewrite (of_pulse g (g (1 / 2) * 256 / 630)) by (intros; field; assumption) end.
+)";
+
+constexpr const char* areas_in_coq = R"(
+(* of what is linear in u and quadratic in v *)
+Lemma over_square (g : R -> R -> R) :
+  (forall u v, g u v = g u 0 + v * (4 * g u (1 / 2) - 3 * g u 0 - g u 1)
+    + v * v * (2 * g u 0 - 4 * g u (1 / 2) + 2 * g u 1)) ->
+  (forall u v, g u v = g 0 v + u * (g 1 v - g 0 v)) ->
+  RInt (fun u => RInt (fun v => g u v) 0 1) 0 1
+  = (g 0 0 + 4 * g 0 (1 / 2) + g 0 1 + (g 1 0 + 4 * g 1 (1 / 2) + g 1 1)) / 12.
+Proof.
+  intros q l. set (s := fun u => (g u 0 + 4 * g u (1 / 2) + g u 1) / 6).
+  rewrite (RInt_ext _ (fun u => s 0 + u * (s 1 - s 0))).
+  - rewrite on_segment by (intros; ring).
+    match goal with |- ?x = ?y => change (@eq R x y) end. unfold s. field.
+  - intros u _. rewrite (RInt_ext _ (fun v => g u 0 + v * (4 * g u (1 / 2) - 3 * g u 0 - g u 1)
+      + v * v * (2 * g u 0 - 4 * g u (1 / 2) + 2 * g u 1))) by (intros v _; apply q).
+    set (b := 4 * g u (1 / 2) - 3 * g u 0 - g u 1). set (c := 2 * g u 0 - 4 * g u (1 / 2) + 2 * g u 1).
+    rewrite (RInt_by (fun v => g u 0 * v + v * v / 2 * b + v * v * v / 3 * c));
+      [| intros; auto_derive; [exact I | field] | intros; apply @ex_derive_continuous; auto_derive; exact I].
+    match goal with |- ?x = ?y => change (@eq R x y) end.
+    unfold b, c, s. rewrite (l u 0), (l u (1 / 2)), (l u 1). field.
+Qed.
+Ltac over_squares := repeat match goal with |- context [RInt (fun u => RInt (fun v => @?g u v) 0 1) 0 1] =>
+  rewrite (over_square g) by (intros; field) end; cbv beta.
+)";
+
+/// w+ for the impulse spread over a trapezoid with the area's element in parts of P0P1 x a.
+LetterVector over_trapezoid(const Lettered& s, const LetterVector& a, double ratio) {
+  const auto area = trapezoid_of(s, a, ratio);
+  const auto integral = [&](const auto& g) {
+    const Shortened u = Shortened::letter("u"), v = Shortened::letter("v");
+    const Expression density = Shortened((1.0 + v * (ratio - 1)) * g(area.point(u, v))).expression();
+    const auto over = [](const Expression& inner, const char* name) {
+      return oddity::integral([&](const Expression&) { return inner; }, 0, 1, name);
+    };
+    return Shortened(over(over(density, "v"), "u"));
+  };
+  LetterVector momentum;
+  for (int k = 0; k < 3; ++k)
+    momentum[k] = integral([&](const LetterVector& x) { return torque(s, s.arm(x), s.normal)[k]; }) /
+                  integral([](const LetterVector&) { return Shortened(1.0); });
+  return s.body.w + turned(s.body.inertia, momentum);
+}
+
+LetterVector letters(const std::string& name) {
+  const auto letter = [&](int i) { return Shortened::letter(name + std::to_string(i)); };
+  return {letter(0), letter(1), letter(2)};
+}
+
+/// What the pulse adds to momentum and angular momentum, the arms as they are when it begins.
+template <class F>
+LetterVector over_pulse(const F& f) {
+  LetterVector all;
+  for (int k = 0; k < 3; ++k)
+    all[k] = recorded_integral(
+        [&](const Shortened& t) {
+          const Shortened bump = t * t * (1.0 - t) * (1.0 - t);
+          return 630.0 * bump * bump * f(k);
+        },
+        0.0, 1.0);
+  return all;
+}
+
+/// That the corners of triangles and parallelograms, like the ends of a segment, replace the whole; those of
+/// a trapezoid do not.
+Provable finite_set(const Lettered& s, const std::string& names, Lemma segment) {
+  const auto all = [](const LetterVector& v) {
+    return Expressions{v[0].expression(), v[1].expression(), v[2].expression()};
+  };
+  const LetterVector a = letters("a");
+  std::string with_side = names;
+  with_side.insert(1, "a0 a1 a2 ratio u v ");
+  const Shortened ratio = Shortened::letter("ratio"), u = Shortened::letter("u"), v = Shortened::letter("v");
+  const auto area = trapezoid_of(s, a, ratio);
+  const LetterVector unit = product(LetterVector(s.hit.p1 - s.hit.p0), a);
+  segment.name = "corrected_segment";
+  Provable proof{
+      "6.5-finite_set",
+      "as corrected it holds for any segment, triangle and parallelogram; a trapezoid's corners are "
+      "off at an example",
+      {segment,
+       {"element",
+        with_side,
+        {},
+        equal(all(area.element(u, v)), all(LetterVector((1 + v * (ratio - 1)) * unit))),
+        "ring"}},
+      0.05,
+      std::string(integrals_in_coq) + means_in_coq + areas_in_coq};
+  for (const auto& [name, other_side] :
+       {std::pair("corrected_triangle", 0.0), {"corrected_parallelogram", 1.0}})
+    proof.lemmas.push_back({name,
+                            with_side,
+                            {},
+                            equal(all(at_corners(s, a, other_side)), all(over_trapezoid(s, a, other_side))),
+                            "over_squares; field; lra"});
+  Lettered example;
+  example.f = 1.0;
+  example.body.mass = 1.0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) example.body.inertia(i, j) = i == j ? 1.0 : 0.0;
+  example.hit.p1[0] = 1.0;
+  example.normal[2] = 1.0;
+  const LetterVector up(Shortened(0.0), Shortened(1.0), Shortened(0.0));
+  proof.lemmas.push_back({"printed_differs",
+                          "",
+                          {},
+                          {apart(at_corners(example, up, 0.5)[0].expression(),
+                                 over_trapezoid(example, up, 0.5)[0].expression(), 0.05)},
+                          "over_squares; interval"});
+  return proof;
+}
+
+}  // namespace
+
+Provables proofs() {
+  Lettered s;
+  s.body.mass = Shortened::letter("m");
+  s.f = Shortened::letter("f");
+  s.body.center = letters("c"), s.body.v = letters("v"), s.body.w = letters("w");
+  s.hit.p0 = letters("p"), s.hit.p1 = letters("q"), s.normal = letters("n");
+  std::string names = "(h m f";
+  for (const char* name : {"c", "v", "w", "p", "q", "n"})
+    for (int i = 0; i < 3; ++i) names += " " + (name + std::to_string(i));
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const std::string k = "k" + std::to_string(i) + std::to_string(j);
+      s.body.inertia(i, j) = Shortened::letter(k);
+      names += " " + k;
+    }
+  names += " : R)";
+  const std::vector<Proposition> given{not_zero(Expression::letter("h")), not_zero(s.body.mass.expression())};
+  const auto all = [](const LetterVector& v) {
+    return Expressions{v[0].expression(), v[1].expression(), v[2].expression()};
+  };
+  Provables proved;
+  const auto add = [&](const std::string& slug, const std::string& says, const LetterVector& printed,
+                       const LetterVector& truth, const std::string& tactic) {
+    proved.push_back({"6.5-" + slug,
+                      says,
+                      {{"printed", names, given, equal(all(printed), all(truth)), tactic}},
+                      0,
+                      std::string(integrals_in_coq) + means_in_coq});
+  };
+  const LetterVector half0 = Shortened(0.5) * torque(s, s.arm(s.hit.p0), s.normal),
+                     half1 = Shortened(0.5) * torque(s, s.arm(s.hit.p1), s.normal);
+  const LetterVector pushed = s.body.v + over_pulse([&](int k) {
+                                           return 0.5 * s.f * s.normal[k] + 0.5 * s.f * s.normal[k];
+                                         }) / s.body.mass;
+  const LetterVector spun =
+      s.body.w + turned(s.body.inertia, over_pulse([&](int k) { return half0[k] + half1[k]; }));
+  const std::string any_body = "it holds for any body, points, normal and impulse";
+  const std::string cubes = "over_cubes; ", pulse = "pulses; ", rest = "field; auto";
+  const std::string any_cube = any_body + ", the delta functions as wide as one likes";
+  add("linear_integral", any_cube, linear_integral(s, 0.5), pushed, cubes + pulse + rest);
+  add("linear_mean", any_cube, linear(s, 1), linear_integral(s, 0.5), cubes + rest);
+  add("linear_result", any_body, linear(s, 1), pushed, pulse + rest);
+  add("angular_integral", any_cube + ", the arms being those at the pulse's begin", angular_integral(s, 0.5),
+      spun, cubes + pulse + rest);
+  add("angular_mean", any_body + ", the arms being those at the pulse's begin", mean_torque(s), spun,
+      pulse + rest);
+  add("angular_mean_arm", any_body, mean_arm(s), mean_torque(s), "field");
+  add("angular_midpoint", any_body, midpoint(s), mean_torque(s), "field");
+  const LetterVector even = along_segment(s, 0, [](const auto& g) { return recorded_integral(g, 0.0, 1.0); });
+  const std::string by_segment =
+      "repeat match goal with |- context [RInt ?g 0 1] => rewrite (on_segment g) by (intros; ring) end; field";
+  add("segment", any_body, mean_torque(s), even, by_segment);
+  add("constant_density", any_body + ", whatever its density", mean_torque(s), even, by_segment);
+  proved.push_back(finite_set(s, names, proved.back().lemmas.front()));
+  return proved;
+}
+
+}  // namespace oddity::ex06_05
+
+namespace oddity {
+
+Provables proofs_6_5() { return ex06_05::proofs(); }
+
+}  // namespace oddity
