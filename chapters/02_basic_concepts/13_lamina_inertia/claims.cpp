@@ -156,13 +156,21 @@ constexpr auto antiderivative = [](const auto& x, double seventh, double over) {
   return (x - x * x * x * x * x * x * x / seventh) / over;
 };
 
+/// What the components integrate by the text.
+constexpr auto y_squared = [](auto, auto y, auto) { return y * y; };
+constexpr auto xx = [](auto x, auto, auto z) { return x * x + z * z; };
+constexpr auto yy = [](auto, auto y, auto z) { return y * y + z * z; };
+constexpr auto zz = [](auto x, auto y, auto) { return x * x + y * y; };
+constexpr auto xy = [](auto x, auto y, auto) { return x * y; };
+constexpr auto xz = [](auto x, auto, auto z) { return x * z; };
+constexpr auto yz = [](auto, auto y, auto z) { return y * z; };
+
 /// The lines that lead to Ixx.
 void steps(Claims& claims, double seed) {
   const auto columns_of = draw<Column>(50, seed);
-  const auto squared = [](double, double y, double) { return y * y; };
   const auto flat = [&](const std::string& text, double up) {
     return Reading{text,
-                   {compare("$I_{xx}$ of random laminas", by_columns("$y^2$", squared), by_definition(0),
+                   {compare("$I_{xx}$ of random laminas", by_columns("$y^2$", y_squared), by_definition(0),
                             cuts(seed, up))}};
   };
   claims.add("ixx_without_z", 677, "with $z=0$ the integrand of $I_{xx}$ is $y^2$",
@@ -247,12 +255,7 @@ void region_and_order(Claims& claims, double seed) {
 }  // namespace
 
 std::vector<Claim> claims(double seed) {
-  using D = double;
-  const InSpace xx = [](D x, D, D z) { return x * x + z * z; },
-                yy = [](D, D y, D z) { return y * y + z * z; },
-                zz = [](D x, D y, D) { return x * x + y * y; }, xy = [](D x, D y, D) { return x * y; },
-                minus_xy = [](D x, D y, D) { return -x * y; }, xz = [](D x, D, D z) { return x * z; },
-                yz = [](D, D y, D z) { return y * z; };
+  const InSpace minus_xy = [](double x, double y, double) { return -x * y; };
   const auto by_rows = by_rows_at(0);
   const Component all[] = {
       {"xx", 669, 699, "$y^2+z^2$", yy, "$x^2+z^2$", xx, {4, 7}, {2, 7}, by_rows[0]},
@@ -315,6 +318,21 @@ Proposition is_integral(std::size_t k, const Fraction& value) {
          Expression(static_cast<double>(value[0])) / Expression(static_cast<double>(value[1]));
 }
 
+/// One is the other at every point, and so are their integrals over a lamina that is cut off anywhere.
+std::vector<Lemma> integrates(const Shortened& printed, const Shortened& definition) {
+  const auto over_lamina = [](const Shortened& f) {
+    return Expression::letter("RInt (fun x => RInt (fun y => " + f.expression().coq() +
+                              ") (x * x) 1) left 1");
+  };
+  return {{"integrand", "(x y z : R)", {}, {printed.expression() == definition.expression()}, "ring"},
+          {"integral",
+           "(left z : R)",
+           {},
+           {over_lamina(printed) == over_lamina(definition)},
+           "apply RInt_ext; intros; apply RInt_ext; intros; cbv beta;\n"
+           "  match goal with |- ?x = ?y => change (@eq R x y) end; ring"}};
+}
+
 }  // namespace
 
 Provables proofs() {
@@ -347,7 +365,17 @@ Provables proofs() {
   proved.push_back({"2.13-similar", "the six components are these two integrals of their definitions",
                     similar, 0, preamble});
 
-  const ColumnOf<Shortened> at{Shortened::letter("x")};
+  const Shortened x = Shortened::letter("x"), y = Shortened::letter("y"), z = Shortened::letter("z");
+  const std::array integrands{yy(x, y, z), xx(x, y, z), zz(x, y, z), xy(x, y, z), xz(x, y, z), yz(x, y, z)};
+  for (std::size_t k = 0; k < 6; ++k)
+    proved.push_back({"2.13-i" + std::string(names[k]) + "_integrand",
+                      "it is that of the definition, everywhere and so over any lamina",
+                      integrates(integrands[k], inertia_component(k, std::array{x, y, z})), 0, preamble});
+  proved.push_back(
+      {"2.13-ixx_without_z", "it is that of the definition at z = 0, everywhere and so over any lamina",
+       integrates(y_squared(x, y, z), inertia_component(0, std::array{x, y, Shortened(0.0)})), 0, preamble});
+
+  const ColumnOf<Shortened> at{x};
   const Expression inner = Expression::letter("(RInt (fun y => y * y) (x * x) 1)");
   const std::string by_cube = "integrate (fun y : R => y ^ 3 / 3); field";
   for (const auto& [slug, printed] : {std::pair("ixx_inner", between(at, 3)), {"ixx_outer", power(at, 6)}})
@@ -356,8 +384,8 @@ Provables proofs() {
                       {{"printed", "(x : R)", {}, {printed.expression() == inner}, "symmetry; " + by_cube}},
                       0,
                       preamble});
-  const auto f = [](const Shortened& x, double seventh, double over) {
-    return antiderivative(x, seventh, over).expression();
+  const auto f = [](const Shortened& at_x, double seventh, double over) {
+    return antiderivative(at_x, seventh, over).expression();
   };
   const Expression ends = f(1.0, 7, 3) - f(-1.0, 7, 3), printed_ends = f(1.0, 73, 1) - f(-1.0, 73, 1);
   proved.push_back(

@@ -57,24 +57,44 @@ struct AnywhereOf {
 };
 using Anywhere = AnywhereOf<double>;
 
+/// Re and Im.
+template <class T>
+struct ComplexOf {
+  T re, im;
+  friend ComplexOf operator+(const ComplexOf& a, const ComplexOf& b) { return {a.re + b.re, a.im + b.im}; }
+  friend ComplexOf operator*(const ComplexOf& a, const ComplexOf& b) {
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+  }
+  friend ComplexOf operator*(const T& a, const ComplexOf& b) { return {a * b.re, a * b.im}; }
+};
+
 /// The characteristic polynomial's coefficients, and its roots by the text.
-struct Polynomial {
-  double m, c, a;
-  explicit Polynomial(Random& random)
+template <class T>
+struct PolynomialOf {
+  T m, c, a;
+  PolynomialOf() = default;
+  explicit PolynomialOf(Random& random)
       : m(random.between(0.1, 3)), c(random.between(0.1, 3)), a(random.between(0.1, 9)) {}
-  std::array<double*, 3> letters() { return {&m, &c, &a}; }
+  std::array<T*, 3> letters() { return {&m, &c, &a}; }
   std::string where() const {
     return "$m$ = " + format_significant(m, 4) + ", $c$ = " + format_significant(c, 4) +
            ", $a$ = " + format_significant(a, 4);
   }
-  std::complex<double> root(double sign, double factor = 4) const {
-    return (-a + sign * sqrt(std::complex<double>(a * a - factor * m * c))) / (2 * m);
+  ComplexOf<T> root(double sign, double factor = 4) const {
+    const T square = a * a - factor * m * c, size = abs(square);
+    return {(-a + sign * sqrt((size + square) / 2)) / (2 * m), sign * sqrt((size - square) / 2) / (2 * m)};
   }
-  Value sum_and_product(double factor) const {
-    const auto r1 = root(1, factor), r2 = root(-1, factor);
-    return {(r1 + r2).real(), (r1 * r2).real()};
+  /// m r^2 + a r.
+  auto without_last() const {
+    const ComplexOf<T> x = root(1), p = m * (x * x) + a * x;
+    return values(p.re, p.im);
+  }
+  auto sum_and_product(double factor) const {
+    const auto r1 = root(1, factor), r2 = root(-1, factor), sum = r1 + r2, product = r1 * r2;
+    return values(sum.re, product.re, sum.im, product.im);
   }
 };
+using Polynomial = PolynomialOf<double>;
 
 /// One coordinate from p with velocity v, at a later time; friction in parts of the critical.
 template <class T>
@@ -268,6 +288,7 @@ using Aside = AsideOf<double>;
 /// The claims that are proved.
 struct Tables {
   ProvableClaims<AnywhereOf> anywhere;
+  ProvableClaims<PolynomialOf> polynomial;
   ProvableClaims<OscillationOf> oscillation;
   ProvableClaims<StartOfOneOf> start;
   ProvableClaims<UnderDampedOf> under_damped;
@@ -276,6 +297,7 @@ struct Tables {
 
   explicit Tables(Claims& claims)
       : anywhere(claims),
+        polynomial(claims),
         oscillation(claims),
         start(claims),
         under_damped(claims),
@@ -304,45 +326,44 @@ void equations(Tables& tables, const std::vector<Anywhere>& samples) {
                        friction(R"($m\ddot x=-cx+a\dot x$)", -1)}});
 }
 
-void solutions(Claims& claims, double seed, Random& random) {
-  const auto polynomials = next<Polynomial>(random, 300);
-  const auto rest = [](std::string text, double sign) -> Formula<Polynomial> {
-    return {std::move(text), [=](const Polynomial& s) { return values(sign * s.c, 0); }};
+void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector<Polynomial>& polynomials) {
+  using OfPolynomial = ProvableFormula<PolynomialOf>;
+  const auto rest = [](std::string text, double sign) -> OfPolynomial {
+    return {std::move(text), [=](const auto& s) { return values(sign * s.c, 0); }};
   };
-  claims.formula<Polynomial>(
+  table.formula(
       "characteristic_polynomial", 1453, "the characteristic polynomial", polynomials,
       {.quantity = "$mr^2+ar$ at the roots that the text has for it",
-       .truth = {"$mr^2+ar$",
-                 [](const Polynomial& s) {
-                   const auto r = s.root(1), p = s.m * r * r + s.a * r;
-                   return values(p.real(), p.imag());
-                 },
+       .truth = {"$mr^2+ar$", [](const auto& s) { return s.without_last(); },
                  [](const Polynomial& s) { return s.a * s.a / s.m + s.c; }},
        .printed = rest("$mr^2+ar+{}$, the last term missing", 0),
        .meant = rest("$mr^2+ar+c$", -1),
        .near_misses = {rest("$mr^2+ar-c$", 1)},
        .kind = Fault::formula,
        .why = "The last coefficient, $c$, is missing after its plus sign; the roots that follow have it."});
-  const auto roots_with = [](std::string text, double factor) -> Formula<Polynomial> {
-    return {std::move(text), [=](const Polynomial& s) { return s.sum_and_product(factor); },
+  const auto roots_with = [](std::string text, double factor) -> OfPolynomial {
+    return {std::move(text), [=](const auto& s) { return s.sum_and_product(factor); },
             [](const Polynomial& s) { return s.a * s.a / (s.m * s.m) + 1; }};
   };
-  claims.formula<Polynomial>("roots", 1455, "the polynomial's roots", polynomials,
-                             {.quantity = "the roots' sum and product",
-                              .truth = {"the coefficients: $-a/m$ and $c/m$",
-                                        [](const Polynomial& s) { return values(-s.a / s.m, s.c / s.m); }},
-                              .printed = roots_with(R"($(-a\pm\sqrt{a^2-4mc})/(2m)$)", 4),
-                              .near_misses = {roots_with(R"($(-a\pm\sqrt{a^2-2mc})/(2m)$)", 2)}});
+  table.formula("roots", 1455, "the polynomial's roots", polynomials,
+                {.quantity = "the roots' sum and product, real and imaginary parts",
+                 .truth = {"the coefficients: $-a/m$ and $c/m$, both real",
+                           [](const auto& s) { return values(-s.a / s.m, s.c / s.m, 0, 0); }},
+                 .printed = roots_with(R"($(-a\pm\sqrt{a^2-4mc})/(2m)$)", 4),
+                 .near_misses = {roots_with(R"($(-a\pm\sqrt{a^2-2mc})/(2m)$)", 2)}});
+}
+
+void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, double seed, Random& random) {
   claims.statement<Polynomial>(
       "negative_roots", 1461, "the roots are real and negative, or complex with negative real part",
       polynomials,
       {.printed = {R"($\mathrm{Re}\,r<0$)",
                    [](const Polynomial& s) {
                      const auto r1 = s.root(1), r2 = s.root(-1);
-                     return s.a * s.a >= 4 * s.m * s.c ? r1.real() < 0 && r2.real() < 0 && r1.imag() == 0
-                                                       : r1.real() < 0 && r1.imag() != 0;
+                     return s.a * s.a >= 4 * s.m * s.c ? r1.re < 0 && r2.re < 0 && r1.im == 0
+                                                       : r1.re < 0 && r1.im != 0;
                    }},
-       .near_misses = {{R"($\mathrm{Re}\,r>0$)", [](const Polynomial& s) { return s.root(1).real() > 0; }}}});
+       .near_misses = {{R"($\mathrm{Re}\,r>0$)", [](const Polynomial& s) { return s.root(1).re > 0; }}}});
 
   const Ball critical{1, 4, 4, 1, 0.5, 0, 1.5};
   const auto at_double_root = [&](const std::string& by, const Value& x) {
@@ -716,7 +737,9 @@ std::vector<Claim> claims(double seed) {
   Random random(seed + 1);
   Tables tables(all);
   equations(tables, draw<Anywhere>(200, seed));
-  solutions(all, seed, random);
+  const auto polynomials = next<Polynomial>(random, 300);
+  characteristic_roots(tables.polynomial, polynomials);
+  solutions(all, polynomials, seed, random);
   oscillations(tables, next<Oscillation>(random, 200), draw<StartOfOne>(200, seed),
                draw<UnderDamped>(200, seed));
   parallel(tables, draw<Vectors>(200, seed));
@@ -842,10 +865,35 @@ Provables by_hand() {
 
 }  // namespace
 
+/// The real and the imaginary part of a number's root: one of them is zero.
+constexpr const char* parts_in_coq = R"(
+Lemma parts : forall d, let x := sqrt ((Rabs d + d) / 2) in let y := sqrt ((Rabs d - d) / 2) in
+  x * x = d + y * y /\ x * y = 0 /\ 0 <= x /\ 0 <= y /\ (d >= 0 -> y = 0) /\ (d < 0 -> x = 0).
+Proof.
+  intros d x y. unfold x, y. unfold Rabs. destruct (Rcase_abs d).
+  - replace ((- d + d) / 2) with 0 by field. replace ((- d - d) / 2) with (- d) by field.
+    rewrite sqrt_0, sqrt_sqrt by lra. pose proof (sqrt_pos (- d)). repeat split; lra.
+  - replace ((d + d) / 2) with d by field. replace ((d - d) / 2) with 0 by field.
+    rewrite sqrt_0, sqrt_sqrt by lra. pose proof (sqrt_pos d). repeat split; lra.
+Qed.
+Ltac by_parts_of_the_root m c a :=
+  destruct (parts (a * a - 4 * m * c)) as [square [product _]];
+  set (x := sqrt ((Rabs (a * a - 4 * m * c) + (a * a - 4 * m * c)) / 2)) in *;
+  set (y := sqrt ((Rabs (a * a - 4 * m * c) - (a * a - 4 * m * c)) / 2)) in *; clearbody x y;
+  field [square product]; lra.
+)";
+
+Provables table_of_roots(const ProvableClaims<PolynomialOf>& table, const ForAll<PolynomialOf>& all) {
+  Provables proved = table.proofs("3.9", all);
+  for (Provable& proof : proved) proof.preamble = parts_in_coq;
+  return proved;
+}
+
 Provables proofs() {
   Claims claims("3.9");
   Tables tables(claims);
   equations(tables, {});
+  characteristic_roots(tables.polynomial, {});
   oscillations(tables, {}, {}, {});
   parallel(tables, {});
   not_parallel(tables, {});
@@ -857,6 +905,11 @@ Provables proofs() {
     }
   };
   take(tables.anywhere, any<AnywhereOf>({"m", "c", "a", "x1", "x2", "v1", "v2"}, "field"));
+  auto polynomial = any<PolynomialOf>({"m", "c", "a"}, "by_parts_of_the_root m c a");
+  const auto& k = polynomial.any;
+  polynomial.given = positive({k.m, k.c, k.a});
+  polynomial.example.m = 1, polynomial.example.c = 3, polynomial.example.a = 2;
+  for (Provable& proof : table_of_roots(tables.polynomial, polynomial)) all.push_back(std::move(proof));
   take(tables.oscillation, any<OscillationOf>({"alpha", "beta", "k1", "k2", "t"}, "ring"));
   auto start =
       any<StartOfOneOf>({"alpha", "beta", "p", "v"}, "rewrite ?exp_0, ?cos_0, ?sin_0; field; trivial");
