@@ -38,10 +38,11 @@ template <class V>
 
 // ---- sine and cosine --------------------------------------------------------------------------------------
 
-/// y, but the C library's where x is beyond `limit`.
+/// y, but the C library's where x is beyond `limit`. It touches no memory, and is said to: else what stands
+/// in a model would be read and computed anew after every sine.
 template <class V>
-[[gnu::noinline, gnu::cold]] V corrected_beyond(V y, V x, Number<V> limit,
-                                                Number<V> (*by_library)(Number<V>)) {
+[[gnu::noinline, gnu::cold, gnu::const]] V corrected_beyond(V y, V x, Number<V> limit,
+                                                            Number<V> (*by_library)(Number<V>)) {
   using Numbers = std::array<Number<V>, count<V>>;
   auto out = std::bit_cast<Numbers>(y);
   const auto in = std::bit_cast<Numbers>(x);
