@@ -18,6 +18,17 @@ tools() { ./oddity packages "$@" || { echo "not run: $* cannot be installed"; ex
 
 sources() { git ls-files -- "$@"; }
 
+# on_record FILE <ROWS: these rows, with date and commit before, instead of those of the same subjects (the first cell).
+on_record() {
+  local head rows
+  rows=$(sed "s/^/$(date -u +%F),$(git rev-parse --short HEAD),/")
+  head=$(head -n 1 "$1")
+  { echo "$head"; { echo "$rows"; tail -n +2 "$1"; } | awk -F, -v rows="$(cut -d, -f3 <<<"$rows")" '
+      BEGIN { for (n = split(rows, names, "\n"); n > 0; --n) fresh[names[n]] }
+      NR <= split(rows, names, "\n") || !($3 in fresh)' | sort -t, -k3,3 -s; } >"$1.part"
+  mv "$1.part" "$1"
+}
+
 # ---- legs -------------------------------------------------------------------------------------------------
 
 leg_tests() {  # g++: all tests
@@ -56,11 +67,11 @@ leg_witness() {  # PARI/GP says of the errata what is on record
   tests/witness.sh
 }
 
-leg_sweep() {  # sweeps with HDF5 and under mpirun
+leg_sweep() {  # sweeps with HDF5 and under mpirun, and killed ODDITY_KILLS (100) times
   ./oddity packages libhdf5-dev libopenmpi-dev openmpi-bin || exit 77
   cmake --preset release -DODDITY_HDF5=ON -DODDITY_MPI=ON >/dev/null
   cmake --build build/release --parallel "$jobs" --target oddity_tests
-  build/release/tests/oddity_tests '[sweep]'
+  ODDITY_KILLS=${ODDITY_KILLS:-100} build/release/tests/oddity_tests '[sweep]'
 }
 
 leg_namespaces() {  # a sweep by Open MPI on four network namespaces, the same as by one thread, also where a rank is killed
@@ -139,28 +150,48 @@ leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of
   build/release/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-20}" ${PATHS:-$chapter}
 }
 
-leg_fuzz() {  # libFuzzer: every reader for FUZZ_SECONDS (60) with sanitizers, from the inputs in tests/fuzz/corpus
+leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60) with sanitizers, from the inputs in tests/fuzz/corpus; RECORD=1
   tools clang
   build release fuzz
-  local target name found
+  local target name found inputs seconds
   found=$(mktemp -d)
   for target in build/release/tests/fuzz_*; do
     name=${target##*fuzz_}
+    [[ ${FUZZ:-$name} == *$name* ]] || continue
     mkdir -p "$found/$name"
+    seconds=$SECONDS
     "$target" -max_total_time="${FUZZ_SECONDS:-60}" -timeout=60 -rss_limit_mb=1024 -print_final_stats=1 -verbosity=0 \
-      -artifact_prefix="build/fuzz_$name-" "$found/$name" "tests/fuzz/corpus/$name"
+      -artifact_prefix="build/fuzz_$name-" "$found/$name" "tests/fuzz/corpus/$name" 2>&1 | tee "$found/said"
+    inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$found/said")
+    [ -z "${RECORD:-}" ] || echo "$name,$inputs,$((SECONDS - seconds)),0" | on_record tests/fuzz/record.csv
   done
   rm -r "$found"
 }
 
-leg_faults() {  # kills, full disks, too little memory and more, at every verb that writes; ODDITY_KILLS (20)
+leg_faults() {  # kills, full disks, too little memory and more, at every verb that writes (FAULTS); ODDITY_KILLS (20); RECORD=1
   build release oddity_faults
-  build/release/tests/oddity_faults
+  local table ended=0
+  table=$(mktemp)
+  ODDITY_FAULTS_TABLE=$table build/release/tests/oddity_faults ${FAULTS:+"$FAULTS"} || ended=$?
+  [ -z "${RECORD:-}" ] || tail -n +2 "$table" | tr -d '"' | on_record tests/faults/record.csv
+  rm "$table"
+  return $ended
 }
 
 leg_properties() {  # what holds at all parameters, at ODDITY_SETS (1000) random ones of every scene
   build release oddity_tests
   ODDITY_SETS=${ODDITY_SETS:-1000} build/release/tests/oddity_tests '[properties]'
+}
+
+leg_choices() {  # choose: its usual answers to ODDITY_NEEDS (200) random needs beside the thorough ones, which take hours; RECORD=1
+  build release oddity_tests
+  local table
+  table=$(mktemp)
+  echo number,asked,usually,thoroughly,verdict,usual_ns,thorough_ns,usual_cpu_s,thorough_cpu_s >"$table"
+  ODDITY_CHOICES_TABLE=$table build/release/tests/oddity_tests '[choices]'
+  grep -oE ',(same|another that costs no more|worse),' "$table" | sort | uniq -c
+  [ -z "${RECORD:-}" ] || cp "$table" tests/choices.csv
+  rm "$table"
 }
 
 leg_same() {  # one thread and another order: the same bits; elementary functions that err more: a green suite, and what differs listed; SUITE for a part

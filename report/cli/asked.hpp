@@ -30,6 +30,7 @@ struct AskedNeed {
   bool measure = false;     ///< what earlier runs measured is measured anew
   bool as_engines = false;  ///< unless an error is asked for, 1 cm and 1 degree as `engines` has it
   bool enclosed = false;    ///< the truth's error is proved
+  bool thorough = false;    ///< every method at every setting
   bool explain = false;     ///< what was tried, and where the time went
 };
 constexpr double most_frames = 1e6;  ///< that a need may ask for: an hour at 277 frames per second

@@ -233,6 +233,9 @@ void add_choose_methods(CLI::App& choose, AskedNeed& need) {
       ->allow_extra_args(false);
   add_value(choose, "--time-limit", need.time_limit, "TIME", "give up after this long: 60s");
   add_enclosed(choose, need);
+  choose.add_flag("--thorough", need.thorough,
+                  "try every method at every setting, and judge by truths of 24 digits: slow, and what the "
+                  "usual answer is compared with");
   choose.add_flag("--explain", need.explain, "say what was tried, and where the time went");
   choose.add_flag("--measure", need.measure,
                   "time the methods anew; unless asked, times of an earlier run are taken, so that the same "

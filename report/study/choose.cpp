@@ -189,11 +189,11 @@ class Search {
 
   /// With ever more work, until something holds that the objective wants.
   void try_all(const std::string& stage) {
-    constexpr double little = 16, more = 4;
+    constexpr double little = 16, more = 4, unlimited = std::numeric_limits<double>::infinity();
     const auto wanted = [&](const Tries& tries) {
       return std::ranges::any_of(tries.candidates, [&](const Candidate& t) { return meets_objective(t); });
     };
-    for (double most = little;; most *= more) {
+    for (double most = need_.thorough ? unlimited : little;; most *= more) {
       try_all(stage, most);
       if (std::ranges::any_of(tries_, wanted) || std::ranges::all_of(tries_, &Tries::is_over)) return;
     }

@@ -61,6 +61,7 @@ Quantity known_motion(const Scene& scene, const Parameters& p, const Horizon& ho
     seen.need = {*std::ranges::min_element(seen.needs), "asked for"};
     return seen;
   };
+  if (need.thorough) return made(truth);
   for (int digits : {digits_in_long_double, digits_for(need)}) {
     Quantity seen = made(truth.to_digits(digits));
     if (is_known_well(seen)) return seen;

@@ -42,8 +42,9 @@ struct Need {
   std::map<std::string, ShownUnit, std::less<>> shown = {};        ///< the units asked in, by the motion's
   Criterion criterion = Criterion::path;
   Objective objective = Objective::cheapest;
-  std::vector<std::string> only = {}, exclude = {};             ///< words of models and algorithms
-  bool one_step = false;                                        ///< no method that needs a history
+  std::vector<std::string> only = {}, exclude = {};  ///< words of models and algorithms
+  bool one_step = false;                             ///< no method that needs a history
+  bool thorough = false;  ///< every method at every setting, against truths of as many digits as there are
   bool in_double = true, in_float = false;                      ///< the precisions that may be chosen
   double time_limit = std::numeric_limits<double>::infinity();  ///< s, for the answer
 

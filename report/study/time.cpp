@@ -25,28 +25,21 @@ struct Nothing {
 }  // namespace
 
 Time time(const Method& method, double setting, double once_from) {
-  constexpr std::chrono::microseconds batch{100};
-  constexpr std::size_t batches = 5;
-  const auto once = [&] {
-    const auto start = Clock::now();
-    static_cast<void>(method.run(setting));
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
-  const double first = once();
-  const auto runs = static_cast<long>(
-      std::clamp(std::chrono::duration<double>(batch).count() / std::max(first, 1e-8), 1.0, 1e4));
-  std::vector<double> seconds;
-  const std::size_t count = first > once_from ? 1 : batches;
-  for (std::size_t b = 0; b < count; ++b) {
+  constexpr double batch = 1e-4, lengthy = 1e-3;  // s
+  const auto seconds_of = [&](long runs) {
     const auto start = Clock::now();
     for (long i = 0; i < runs; ++i) static_cast<void>(method.run(setting));
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count() /
-                      static_cast<double>(runs));
-  }
+    return std::chrono::duration<double>(Clock::now() - start).count() / static_cast<double>(runs);
+  };
+  const double first = seconds_of(1);
+  if (first > once_from) return {first, std::numeric_limits<double>::quiet_NaN()};
+  const auto runs = static_cast<long>(std::clamp(batch / std::max(first, 1e-8), 1.0, 1e4));
+  std::vector<double> seconds;
+  if (runs == 1) seconds.push_back(first);
+  const std::size_t count = first > lengthy ? 3 : 5;
+  while (seconds.size() < count) seconds.push_back(seconds_of(runs));
   std::ranges::sort(seconds);
-  const double spread = count > 1 ? (seconds[(3 * count) / 4] - seconds[count / 4]) / 2
-                                  : std::numeric_limits<double>::quiet_NaN();
-  return {seconds[count / 2], spread};
+  return {seconds[count / 2], (seconds[(3 * count) / 4] - seconds[count / 4]) / 2};
 }
 
 double seam() {

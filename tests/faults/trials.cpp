@@ -220,7 +220,7 @@ Cell Trials::interrupted(int signal, const std::string& name) {
     const std::string when = name + " after " + std::to_string(seconds) + " s";
     const Ended ended = run_until(command(), seconds, signal);
     judge(cell, when, ended, {0, 128 + signal}, false);
-    const bool begun = files_in(folder_) != (i % 2 == 1 ? texts_after_ : texts_before_);
+    const bool begun = files_in(folder_) != (i % 2 == 1 && !verb_.once ? texts_after_ : texts_before_);
     if (ended.status == 128 + SIGINT && begun &&
         !says(ended, "interrupted; every file that was written is whole"))
       note(cell, when, ended, {"it does not say so"});

@@ -121,7 +121,7 @@ std::vector<Verb> verbs(const Installed& program) {
       {.name = "sweep merge",
        .words = {"sweep", "merge", "{}/out", "--out", "{}/out/map.csv"},
        .prepare = with_chunks},
-      {.name = "sweep merge, HDF5", .words = {"sweep", "merge", "{}/out"}, .prepare = with_chunks},
+      {.name = "sweep merge to HDF5", .words = {"sweep", "merge", "{}/out"}, .prepare = with_chunks},
       {.name = "sweep draw", .words = {"sweep", "draw", "{}/out"}, .prepare = with_chunks},
       {.name = "make_reference",
        .words = {"{}/out", "03_05_quarter_period"},
