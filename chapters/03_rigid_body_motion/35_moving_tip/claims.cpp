@@ -1,8 +1,13 @@
 // The claims of exercise 3.35, judged against tops made of point masses, whose Lagrangian with a moving tip
 // is differentiated by nested dual numbers.
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
 #include "chapters/03_rigid_body_motion/shared/top_of_points.hpp"
+#include "chapters/provable_claims.hpp"
 
 namespace oddity::ex03_35 {
 
@@ -13,19 +18,19 @@ namespace {
 
 // ---- the points' motion along Lagrange's accelerations ----------------------------------------------------
 
+template <class T>
 struct Moving {
-  Vector<double> x, v, a;
+  Vector<T> x, v, a;
 };
 
 /// Position, velocity and acceleration of a body point.
-Moving motion_of(const Sample& s, const Vector<double>& body_point) {
-  using D = Dual<Dual<double>>;
-  const auto angle = [&](std::size_t i) {
-    return D(Dual<double>(s.q[i], s.v[i]), Dual<double>(s.v[i], s.truth[i]));
-  };
+template <class T>
+Moving<T> motion_of(const SampleOf<T>& s, const Vector<T>& body_point) {
+  using D = Dual<Dual<T>>;
+  const auto angle = [&](std::size_t i) { return D(Dual<T>(s.q[i], s.v[i]), Dual<T>(s.v[i], s.truth[i])); };
   const auto r = rotation(angle(0), angle(1), angle(2));
-  const auto x = s.body.position(PointOf<double>{1, body_point}, r, D(Dual<double>(s.t, 1), Dual<double>(1)));
-  Moving moving;
+  const auto x = s.body.position(PointOf<T>{T(1), body_point}, r, D(Dual<T>(s.t, T(1)), Dual<T>(T(1))));
+  Moving<T> moving;
   for (std::size_t i = 0; i < 3; ++i) {
     moving.x[i] = x[i].value.value;
     moving.v[i] = x[i].value.slope;
@@ -34,55 +39,64 @@ Moving motion_of(const Sample& s, const Vector<double>& body_point) {
   return moving;
 }
 
-Moving center_of(const Sample& s) { return motion_of(s, {0, 0, s.l}); }
+template <class T>
+Vector<T> center(const SampleOf<T>& s) {
+  return {T(0), T(0), s.l};
+}
 
-Vector<double> less(const Vector<double>& a, const Vector<double>& b) {
+template <class T>
+Vector<T> less(const Vector<T>& a, const Vector<T>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 /// The rate of the angular momentum about a point moving with the body, as seen from it.
-Vector<double> momentum_rate_about(const Sample& s, const Vector<double>& body_point) {
-  const Moving center = motion_of(s, body_point);
-  Vector<double> sum{};
-  for (const PointOf<double>& p : s.body.points) {
-    const Moving point = motion_of(s, p.x);
-    const Vector<double> moment = cross(less(point.x, center.x), less(point.a, center.a));
+template <class T>
+Vector<T> momentum_rate_about(const SampleOf<T>& s, const Vector<T>& body_point) {
+  const Moving<T> center = motion_of(s, body_point);
+  return s.body.template sum<Vector<T>>([&](Vector<T>& sum, const PointOf<T>& p) {
+    const Moving<T> point = motion_of(s, p.x);
+    const Vector<T> moment = cross(less(point.x, center.x), less(point.a, center.a));
     for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * moment[i];
-  }
-  return sum;
+  });
 }
 
-Vector<double> tip(const Sample& s) { return {s.body.A * sin(s.body.lambda * s.t), 0, 0}; }
+template <class T>
+Vector<T> tip(const SampleOf<T>& s) {
+  return {s.body.A * sin(s.body.lambda * s.t), T(0), T(0)};
+}
 
 /// The rate of the angular momentum about the center of mass, less `sign` times the torque of the force on
 /// the tip: mass times the acceleration of the center of mass, less the weight.
-Value unexplained(const Sample& s, double sign) {
-  const Moving center = center_of(s);
-  const Vector<double> force{s.m * center.a[0], s.m * center.a[1], s.m * (center.a[2] + s.body.g)};
-  const Vector<double> rate = momentum_rate_about(s, {0, 0, s.l}),
-                       torque = cross(less(tip(s), center.x), force);
+template <class T>
+auto unexplained(const SampleOf<T>& s, double sign) {
+  const Moving<T> c = motion_of(s, center(s));
+  const Vector<T> force{s.m * c.a[0], s.m * c.a[1], s.m * (c.a[2] + s.body.g)};
+  const Vector<T> rate = momentum_rate_about(s, center(s)), torque = cross(less(tip(s), c.x), force);
   return values(rate[0] - sign * torque[0], rate[1] - sign * torque[1], rate[2] - sign * torque[2]);
 }
 
 /// The rates of the state of a model at the start that it has.
-template <class Model>
-typename Model::State rates_of(const Model& model, double t) {
+template <class Model, class T>
+typename Model::State rates_of(const Model& model, const T& t) {
   typename Model::State rates;
   model(model.start(), rates, t);
   return rates;
 }
 /// (theta'', phi'', psi'') of the equations of the angles, and (w1', w2', w3') of Euler's.
-Value model_accelerations(const Top& top, double t) {
-  const auto rates = rates_of(moving_tip::EulerAngles<double>{top}, t);
-  return {rates[3], rates[4], rates[5]};
+template <class T>
+auto model_accelerations(const heavy_top::Top<T>& top, const T& t) {
+  const auto rates = rates_of(moving_tip::EulerAngles<T>{top}, t);
+  return values(rates[3], rates[4], rates[5]);
 }
-Value euler_equations(const Top& top, double t) {
-  const auto rates = rates_of(moving_tip::RigidBody<double>{top}, t);
-  return {rates[4], rates[5], rates[6]};
+template <class T>
+auto euler_equations(const heavy_top::Top<T>& top, const T& t) {
+  const auto rates = rates_of(moving_tip::RigidBody<T>{top}, t);
+  return values(rates[4], rates[5], rates[6]);
 }
 
 /// (w1', w2', w3') along Lagrange's accelerations.
-Value body_rates_change(const Sample& s) {
+template <class T>
+auto body_rates_change(const SampleOf<T>& s) {
   const auto w = [&](std::size_t k) {
     return rate_of(s, s.truth, [k](const auto& q, const auto& v) {
       if (k == 0) return v[1] * cos(q[2]) + v[0] * sin(q[1]) * sin(q[2]);
@@ -90,25 +104,29 @@ Value body_rates_change(const Sample& s) {
       return v[2] + v[0] * cos(q[1]);
     });
   };
-  return {w(0), w(1), w(2)};
+  return values(w(0), w(1), w(2));
 }
 
-double vertical_momentum_rate(const Sample& s) {
+template <class T>
+T vertical_momentum_rate(const SampleOf<T>& s) {
   return rate_of(s, s.truth, [&](const auto& q, const auto& v) {
     return s.mu1 * v[0] * sin(q[1]) * sin(q[1]) + s.mu3 * (v[2] + v[0] * cos(q[1])) * cos(q[1]);
   });
 }
 
-Top at_rest(const Sample& s) { return moving_tip::with_fixed_tip(s.top()); }
+template <class T>
+heavy_top::Top<T> at_rest(const SampleOf<T>& s) {
+  return moving_tip::with_fixed_tip(s.top());
+}
 
 /// The acceleration of the tip: from that of the center of mass back along the axis, a + w' x (-l d) + w x (w
-/// x
-/// (-l d)).
-Value tip_acceleration(const Sample& s) {
-  const Moving c = center_of(s);
+/// x (-l d)), w' in body coordinates being `rate`.
+template <class T>
+auto tip_acceleration(const SampleOf<T>& s, const auto& rate) {
+  const Moving<T> c = motion_of(s, center(s));
   const auto r = rotation(s.q[0], s.q[1], s.q[2]);
-  const Value body = s.body_rates(), rate = euler_equations(s.top(), s.t);
-  Vector<double> w{}, dw{}, arm{};
+  const auto body = s.body_rates();
+  Vector<T> w{}, dw{}, arm{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       w[i] += r[i][k] * body[k];
@@ -116,44 +134,330 @@ Value tip_acceleration(const Sample& s) {
     }
     arm[i] = -s.l * r[i][2];
   }
-  const Vector<double> swing = cross(dw, arm), pull = cross(w, cross(w, arm));
+  const Vector<T> swing = cross(dw, arm), pull = cross(w, cross(w, arm));
   return values(c.a[0] + swing[0] + pull[0], c.a[1] + swing[1] + pull[1], c.a[2] + swing[2] + pull[2]);
 }
 
+using Reader = ProvableFormula<SampleOf>;
+using Table = ProvableClaims<SampleOf>;
+
+const Reader zero{"zero", []<class T>(const SampleOf<T>&) { return T(0); }},
+    none{"zero", []<class T>(const SampleOf<T>&) { return values(T(0), T(0), T(0)); }};
+
+const std::string rate_of_momentum =
+    R"($\sum m(\mathbf x-\mathbf r)\times(\ddot{\mathbf x}-\ddot{\mathbf r})$ over the points)";
+const Reader about_center{rate_of_momentum, [](const auto& s) { return momentum_rate_about(s, center(s)); }};
+Reader less_torque(double sign) {
+  return {rate_of_momentum + ", less the torque", [=](const auto& s) { return unexplained(s, sign); }};
+}
+
+const Reader change{"along Lagrange's accelerations, tip moving",
+                    [](const auto&s) { return body_rates_change(s); }},
+    vertical{"its rate along Lagrange's accelerations, tip moving",
+             [](const auto&s) { return vertical_momentum_rate(s); }},
+    drive{R"($m\ell\alpha\lambda^2\sin\lambda t\cos\theta\sin\phi$)",
+          [](const auto&s) {
+            const auto& b = s.body;
+            return s.m * s.l * b.A * b.lambda * b.lambda * sin(b.lambda * s.t) * cos(s.q[0]) * sin(s.q[1]);
+          }},
+    euler{R"(Euler's equations with the torque of $-mg\mathbf k-m\ddot{\mathbf p}$)",
+          [](const auto&s) { return euler_equations(s.top(), s.t); }};
+
+const Reader lagrange{"nested dual numbers on the points' $T-V$, tip moving",
+                      [](const auto&s) { return s.truth; }},
+    angles_of_fixed{"equations of the angles, the tip fixed",
+                    [](const auto&s) { return model_accelerations(at_rest(s), s.t); }},
+    angles_of_moved{R"(equations of the angles with the torque of $-m\ddot{\mathbf p}$)",
+                    [](const auto&s) { return model_accelerations(s.top(), s.t); }},
+    torque_about_tip{R"($\ell\,\boldsymbol\xi_3\times(-mg\mathbf k-m\ddot{\mathbf p})$)",
+                     [](const auto&s) {
+                       auto torque = cross(s.top().axis(), s.top().force(s.t));
+                       for (auto& x : torque) x *= s.l;
+                       return torque;
+                     }},
+    about_tip{R"($\sum m(\mathbf x-\mathbf p)\times(\ddot{\mathbf x}-\ddot{\mathbf p})$ over )"
+              R"(the points)",
+              []<class T>(const SampleOf<T>&s) {
+                return momentum_rate_about(s, {T(0), T(0), T(0)});
+              }};
+
 const std::string no_torque = "no torque of what moves the tip";
+
+void claim_spin(Table& table, const std::vector<Sample>& tops) {
+  table.formula("euler_about_axis", 3089, "Euler's equation for the motion about the axis still applies",
+                tops,
+                {.quantity = R"($\dot w_3$)",
+                 .truth = zero,
+                 .printed = {R"($\dot w_3=0$ along Lagrange's accelerations)",
+                             [](const auto& s) { return body_rates_change(s)[2]; }},
+                 .near_misses = {{R"($\ddot\psi=0$)", [](const auto& s) { return s.truth[2]; }}}});
+}
+
+/// The tip's acceleration.
+const Reader tip_moves{"from the forces on the center of mass and Euler's equations",
+                       [](const auto& s) { return tip_acceleration(s, euler_equations(s.top(), s.t)); }};
+Reader shaken(const std::string& text, double sign) {
+  return {text, [sign](const auto& s) {
+            const auto l = s.body.lambda;
+            return values(-sign * s.body.A * l * l * sin(l * s.t), 0, 0);
+          }};
+}
+
+void claim_tip(Table& table, const std::vector<Sample>& tops) {
+  const auto along_axis = [](const std::string& text, double by) {
+    return Reader{text, [by](const auto& s) {
+                    const auto d = s.top().axis(), p = tip(s);
+                    return values(p[0] + by * s.l * d[0], p[1] + by * s.l * d[1], by * s.l * d[2]);
+                  }};
+  };
+  table.formula(
+      "tip_is_center", 3091, "the tip is the center of mass", tops,
+      {.quantity = "center of mass",
+       .truth = {R"($\sum m\mathbf x/m$ over the points)",
+                 []<class T>(const SampleOf<T>& s) {
+                   return s.body.template sum<Vector<T>>([&](Vector<T>& sum, const PointOf<T>& p) {
+                     const Vector<T> x = motion_of(s, p.x).x;
+                     for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * x[i] / s.m;
+                   });
+                 }},
+       .printed = {R"($\mathbf p(t)$)", [](const auto& s) { return tip(s); }},
+       .corrected = along_axis(
+           R"($\mathbf p+\ell\,\boldsymbol\xi_3$, $\boldsymbol\xi_3$ the unit vector along the axis)", 1),
+       .near_misses = {along_axis(R"($\mathbf p-\ell\,\boldsymbol\xi_3$)", -1)},
+       .kind = Fault::term,
+       .root = "tip for center of mass",
+       .why =
+           R"(The two are $\ell$ apart, always: the center of mass is at $\mathbf p+\ell\boldsymbol\xi_3$ and has )"
+           R"(the acceleration $\ddot{\mathbf p}+\ell\ddot{\boldsymbol\xi}_3$. It is the tip that the exercise )"
+           R"(moves.)"});
+
+  table.formula("tip_path", 3091, R"(the tip is at $(\alpha\sin\lambda t,0,0)$)", tops,
+                {.quantity = "acceleration of the tip",
+                 .truth = tip_moves,
+                 .printed = shaken(R"($-\alpha\lambda^2\sin\lambda t$ along $x$)", 1),
+                 .near_misses = {shaken(R"($+\alpha\lambda^2\sin\lambda t$ along $x$)", -1)}});
+}
+
+// ---- proofs -----------------------------------------------------------------------------------------------
+
+/// The model has half angles, of which the others are sums.
+constexpr const char* half_angles_in_coq = R"(
+Ltac by_half_angles theta phi psi :=
+  let u := fresh "u" in let s := fresh "s" in let d := fresh "d" in
+  pose (u := phi / 2); pose (s := (theta + psi) / 2); pose (d := (theta - psi) / 2); fold u; fold s; fold d;
+  let p := fresh in assert (p : phi = 2 * u) by (unfold u; field);
+  let t := fresh in assert (t : theta = s + d) by (unfold s, d; field);
+  let q := fresh in assert (q : psi = s - d) by (unfold s, d; field);
+  clearbody u; clearbody s; clearbody d; rewrite ?p, ?t, ?q;
+  rewrite ?cos_plus, ?sin_plus, ?cos_minus, ?sin_minus, ?cos_2a, ?sin_2a;
+  field [(circle u) (circle s) (circle d)]; positive.
+)";
+
+/// Euler's equations with the torque by the rotation matrix, where the model has it by a quaternion.
+template <class T>
+auto euler_by_matrix(const SampleOf<T>& s) {
+  const auto r = rotation(s.q[0], s.q[1], s.q[2]);
+  const auto w = s.top().body_rates(), F = s.top().force(s.t);
+  Vector<T> f{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) f[i] += r[k][i] * F[k];
+  return values(((s.mu1 - s.mu3) * w[1] * w[2] - s.l * f[1]) / s.mu1,
+                ((s.mu3 - s.mu1) * w[2] * w[0] + s.l * f[0]) / s.mu1, T(0));
+}
+
+/// By Lagrange's equations, where no angle changes at the time.
+template <class T>
+Vector<T> accelerations_from_rest(const SampleOf<T>& s) {
+  const T S = sin(s.q[1]),
+          push = s.m * s.l / s.mu1 * s.body.A * s.body.lambda * s.body.lambda * sin(s.body.lambda * s.t);
+  const T turning = push * cos(s.q[0]) / S;
+  return {turning, s.m * s.l / s.mu1 * s.body.g * S + push * sin(s.q[0]) * cos(s.q[1]),
+          -turning * cos(s.q[1])};
+}
+
+/// Four points around the axis, not turning.
+template <class T>
+SampleOf<T> example() {
+  SampleOf<T> s;
+  for (const auto& [x, y] : {std::pair(1.0, 0.0), {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}})
+    s.body.points.push_back({T(1.0), {T(x), T(y), T(1.0)}});
+  s.body.g = 3.0, s.body.A = 2.0, s.body.lambda = 3.0, s.t = 1.0;
+  s.q = {T(0.5), T(1.0), T(0.25)}, s.v = {T(0.0), T(0.0), T(0.0)}, s.a = s.v;
+  s.m = 4.0, s.l = 1.0, s.mu1 = 6.0, s.mu3 = 4.0;
+  s.truth = accelerations_from_rest(s);
+  return s;
+}
+
+const std::vector<std::string> all_angles{"theta", "phi", "psi", "lambda * t"};
+/// Times Lagrange's equations of theta, phi and psi.
+using Factors = std::array<std::string, 3>;
+using OfVector = std::array<Factors, 3>;
+
+/// The rate of the angular momentum about the tip less the torque.
+const OfVector torques{{{"- sin theta * cos phi / sin phi", "cos theta", "sin theta / sin phi"},
+                        {"cos theta * cos phi / sin phi", "sin theta", "- cos theta / sin phi"},
+                        {"1", "", ""}}};
+OfVector times(const std::string& factor, OfVector all) {
+  for (Factors& component : all)
+    for (std::string& f : component)
+      if (!f.empty()) f = factor + " * (" + f + ")";
+  return all;
+}
+
+class MovingTip {
+ public:
+  MovingTip() {
+    const std::vector<std::string> names{"theta",  "phi", "psi",     "dtheta", "dphi", "dpsi",
+                                         "mass",   "ell", "mu1",     "mu3",    "g",    "A0",
+                                         "lambda", "t",   "ddtheta", "ddphi",  "ddpsi"};
+    std::size_t i = 0;
+    for (Vector<Shortened>* three : {&any.q, &any.v})
+      for (Shortened& x : *three) x = Shortened::letter(names[i++]);
+    for (Shortened* x :
+         {&any.m, &any.l, &any.mu1, &any.mu3, &any.body.g, &any.body.A, &any.body.lambda, &any.t})
+      *x = Shortened::letter(names[i++]);
+    for (Shortened& x : any.truth) x = Shortened::letter(names[i++]);
+    letters_ = "(l : list (nat * R * R * R * R)) " + quantified(names);
+    given_ = {{"top l mass ell mu1 mu3"},
+              above(any.m.expression(), 0),
+              above(any.mu1.expression(), 0),
+              above(any.mu3.expression(), 0),
+              above(sin(any.q[1].expression()), 0)};
+    for (const Shortened& left : any.left_side(any.truth, true)) equations_.push_back(left.expression() == 0);
+  }
+  /// A lemma for each component, as a sum of Lagrange's equations.
+  std::vector<Lemma> follow(const std::string& name, const Expressions& left, const Expressions& right,
+                            const OfVector& factors, const std::string& begin = {}) const {
+    std::vector<Lemma> lemmas;
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      Lemma lemma{name + (left.size() == 1 ? "" : "_" + std::to_string(k + 1)),
+                  letters_,
+                  given_,
+                  {left[k] == right.at(k)}};
+      std::vector<std::string> used;
+      for (std::size_t j = 0; j < 3; ++j)
+        if (!factors[k][j].empty()) {
+          lemma.given.push_back(equations_[j]);
+          used.push_back(factors[k][j]);
+        }
+      lemma.tactic = begin + by_equations(all_angles, used, 5);
+      lemmas.push_back(std::move(lemma));
+    }
+    return lemmas;
+  }
+  /// At the example, whose accelerations are those of Lagrange's equations.
+  std::vector<Lemma> off(const Reader& printed, const Reader& truth, double& margin) const {
+    const SampleOf<Shortened> s = example<Shortened>();
+    Value difference = printed.of(example<double>());
+    const Value right = truth.of(example<double>());
+    for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= right[k];
+    std::vector<Proposition> moves;
+    for (const Shortened& left : s.left_side(s.truth, true)) moves.push_back(left.expression() == 0);
+    return {
+        {"example",
+         "",
+         {},
+         moves,
+         "assert (sin 1 <> 0) by interval; field [(circle (5 / 10)) (circle 1) (circle (25 / 100))]; trivial"},
+        off_at(printed.recorded(s), truth.recorded(s), difference, margin)};
+  }
+  /// Of a vector that has Euler's equations of the model in it: by the matrix instead.
+  std::string by_matrix() const {
+    const Expressions model = euler.recorded(any);
+    std::string replaced;
+    for (std::size_t k = 0; k < 2; ++k)
+      replaced += "try replace (" + model[k].coq() + ") with (" +
+                  Shortened(euler_by_matrix(any)[k]).expression().coq() +
+                  ")\n    by (by_half_angles theta phi psi);\n  ";
+    return replaced;
+  }
+
+  SampleOf<Shortened> any;
+
+ private:
+  std::string letters_;
+  std::vector<Proposition> given_, equations_;
+};
+
+Provable proved(const std::string& slug, const std::string& says,
+                const std::vector<std::vector<Lemma>>& parts, double margin = 0) {
+  Provable p{"3.35-" + slug, says, {}, margin, std::string(tops_in_coq) + half_angles_in_coq};
+  for (const std::vector<Lemma>& part : parts) p.lemmas.insert(p.lemmas.end(), part.begin(), part.end());
+  return p;
+}
 
 }  // namespace
 
+Provables proofs() {
+  const MovingTip tops;
+  const SampleOf<Shortened>& any = tops.any;
+  const Expressions zeros(3, Expression(0.0));
+  const std::string follows = "it follows from Lagrange's equations of any top of rings of points",
+                    corrected = "as corrected " + follows + "; as printed it is off at an example";
+  const OfVector spin{{{"", "", "1 / (2 * A)"}}};
+  const OfVector body_rates{
+      {{"sin psi / sin phi / (A + C)", "cos psi / (A + C)", "- sin psi * cos phi / sin phi / (A + C)"},
+       {"cos psi / sin phi / (A + C)", "- sin psi / (A + C)", "- cos psi * cos phi / sin phi / (A + C)"},
+       {"", "", "1 / (2 * A)"}}};
+  const Factors turning{"- 1 / ((A + C) * sin phi ^ 2)", "", "cos phi / ((A + C) * sin phi ^ 2)"};
+  const OfVector of_angles{{turning, {"", "- 1 / (A + C)", ""}, {"1", "", "1"}}};
+  const OfVector of_tip =
+      times("- ell / (A + C)",
+            {{{"cos theta / sin phi", "sin theta * cos phi", "- cos theta * cos phi / sin phi"},
+              {"sin theta / sin phi", "- cos theta * cos phi", "- sin theta * cos phi / sin phi"},
+              {"", "- sin phi", ""}}});
+  Provables all;
+  double margin = 0;
+  auto off = tops.off(about_center, none, margin);
+  all.push_back(proved("force_at_center", corrected,
+                       {tops.follow("corrected", less_torque(1).recorded(any), zeros, torques), off},
+                       margin));
+  all.push_back(proved("euler_about_axis", follows,
+                       {tops.follow("printed", {change.recorded(any)[2]}, {Expression(0.0)}, spin)}));
+  off = tops.off(vertical, zero, margin);
+  all.push_back(proved(
+      "euler_about_vertical", corrected,
+      {tops.follow("corrected", vertical.recorded(any), drive.recorded(any), {{{"1", "", ""}}}),
+       tops.follow("euler", change.recorded(any), euler.recorded(any), body_rates, tops.by_matrix()), off},
+      margin));
+  off = tops.off(angles_of_fixed, lagrange, margin);
+  auto by_angles = tops.follow("corrected", angles_of_moved.recorded(any), lagrange.recorded(any), of_angles);
+  // The third has the first in it.
+  by_angles[2].tactic = "assert (turning : " + angles_of_moved.recorded(any)[0].coq() + " = ddtheta) by (" +
+                        by_equations(all_angles, {turning[0], turning[2]}, 5) + ");\n  rewrite turning; " +
+                        by_equations(all_angles, {"- 1 / (2 * A)"}, 6);
+  all.push_back(
+      proved("handled_separately", corrected,
+             {by_angles,
+              tops.follow("torque", about_tip.recorded(any), torque_about_tip.recorded(any), torques), off},
+             margin));
+  all.push_back(proved("tip_path", follows,
+                       {tops.follow("printed", shaken("", 1).recorded(any), tip_moves.recorded(any), of_tip,
+                                    tops.by_matrix())}));
+  return all;
+}
+
 std::vector<Claim> claims(double seed) {
-  using Reader = Formula<Sample>;
   const std::vector<Sample> tops = random_tops(seed, 1);
-  const Reader zero{"zero", [](const Sample&) { return values(0); }},
-      none{"zero", [](const Sample&) { return values(0, 0, 0); }};
   const auto reading = [&](const std::string& text, const std::string& quantity, const Reader& left,
                            const Reader& right) {
     return Reading{text, {compare(quantity, left, right, tops)}};
   };
   Claims claims("3.35");
+  Table table(claims);
 
-  const std::string rate =
-      R"($\sum m(\mathbf x-\mathbf r)\times(\ddot{\mathbf x}-\ddot{\mathbf r})$ over the points)";
   // The accelerations are those of Lagrange's equations: what cancels is larger than the two sides.
   const auto with_torque = [&](const std::string& text, double sign) {
     return reading(
         text,
         R"(rate of the angular momentum about the center of mass, less the torque of the force on the tip)",
-        {rate + ", less the torque", [=](const Sample& s) { return unexplained(s, sign); }}, none);
+        less_torque(sign), none);
   };
   const std::string no_force_torque =
       "what moves the tip is a force on the center of mass: it has no torque about it";
   claims.add(
       "force_at_center", 3089, no_force_torque,
-      {.printed = reading("no torque about the center of mass", no_force_torque,
-                          {rate,
-                           [](const Sample& s) {
-                             return momentum_rate_about(s, {0, 0, s.l});
-                           }},
-                          none),
+      {.printed = reading("no torque about the center of mass", no_force_torque, about_center, none),
        .corrected = with_torque(
            R"(a force $\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$ on the tip, with the torque $(\mathbf p-\mathbf )"
            R"(r)\times\mathbf N$ about the center of mass $\mathbf r$)",
@@ -168,31 +472,12 @@ std::vector<Claim> claims(double seed) {
        .kind = Fault::counterexample,
        .root = no_torque});
 
-  claims.formula("euler_about_axis", 3089, "Euler's equation for the motion about the axis still applies",
-                 tops,
-                 {.quantity = R"($\dot w_3$)",
-                  .truth = zero,
-                  .printed = {R"($\dot w_3=0$ along Lagrange's accelerations)",
-                              [](const Sample& s) { return body_rates_change(s)[2]; }},
-                  .near_misses = {{R"($\ddot\psi=0$)", [](const Sample& s) { return s.truth[2]; }}}});
+  claim_spin(table, tops);
 
-  const Reader change{"along Lagrange's accelerations, tip moving", body_rates_change},
-      vertical{"its rate along Lagrange's accelerations, tip moving", vertical_momentum_rate};
   const std::string in_body = R"($\dot{\mathbf w}$ in body coordinates)";
   const std::string constant = R"($\mu_1\dot\theta\sin^2\phi+c\,\mu_3\cos\phi$)";
-  const Check driven = compare("rate of the vertical angular momentum", vertical,
-                               Reader{R"($m\ell\alpha\lambda^2\sin\lambda t\cos\theta\sin\phi$)",
-                                      [](const Sample& s) {
-                                        const auto& b = s.body;
-                                        return s.m * s.l * b.A * b.lambda * b.lambda * sin(b.lambda * s.t) *
-                                               cos(s.q[0]) * sin(s.q[1]);
-                                      }},
-                               tops);
-  const Check by_euler =
-      compare(in_body, change,
-              Reader{R"(Euler's equations with the torque of $-mg\mathbf k-m\ddot{\mathbf p}$)",
-                     [](const Sample& s) { return euler_equations(s.top(), s.t); }},
-              tops);
+  const Check driven = compare("rate of the vertical angular momentum", vertical, drive, tops);
+  const Check by_euler = compare(in_body, change, euler, tops);
   claims.add(
       "euler_about_vertical", 3089,
       "Euler's equations with the torque of gravity alone still apply about the vertical",
@@ -209,34 +494,14 @@ std::vector<Claim> claims(double seed) {
        .kind = Fault::left_out,
        .root = no_torque});
 
-  const Reader lagrange{"nested dual numbers on the points' $T-V$, tip moving",
-                        [](const Sample& s) { return s.truth; }};
   const std::string accelerations = R"($(\ddot\theta,\ddot\phi,\ddot\psi)$)";
   claims.add(
       "handled_separately", 3091, "the motion of the tip may be handled apart from that of the top",
-      {.printed = reading("the angles move as with a fixed tip", accelerations,
-                          {"equations of the angles, the tip fixed",
-                           [](const Sample& s) { return model_accelerations(at_rest(s), s.t); }},
-                          lagrange),
-       .corrected =
-           {R"(the angles move with the torque of $-m\ddot{\mathbf p}$ at the center of mass)",
-            {compare(accelerations,
-                     Reader{R"(equations of the angles with the torque of $-m\ddot{\mathbf p}$)",
-                            [](const Sample& s) { return model_accelerations(s.top(), s.t); }},
-                     lagrange, tops),
-             compare("rate of the angular momentum about the tip",
-                     Reader{R"($\ell\,\boldsymbol\xi_3\times(-mg\mathbf k-m\ddot{\mathbf p})$)",
-                            [](const Sample& s) {
-                              auto torque = cross(s.top().axis(), s.top().force(s.t));
-                              for (double& x : torque) x *= s.l;
-                              return torque;
-                            }},
-                     Reader{R"($\sum m(\mathbf x-\mathbf p)\times(\ddot{\mathbf x}-\ddot{\mathbf p})$ over )"
-                            R"(the points)",
-                            [](const Sample& s) {
-                              return momentum_rate_about(s, {0, 0, 0});
-                            }},
-                     tops)}},
+      {.printed = reading("the angles move as with a fixed tip", accelerations, angles_of_fixed, lagrange),
+       .corrected = {R"(the angles move with the torque of $-m\ddot{\mathbf p}$ at the center of mass)",
+                     {compare(accelerations, angles_of_moved, lagrange, tops),
+                      compare("rate of the angular momentum about the tip", torque_about_tip, about_tip,
+                              tops)}},
        .near_misses = {reading(R"(with the torque of $+m\ddot{\mathbf p}$)", accelerations,
                                {"equations of the angles, the tip's acceleration with the other sign",
                                 [](const Sample& s) {
@@ -253,46 +518,7 @@ std::vector<Claim> claims(double seed) {
        .kind = Fault::left_out,
        .root = no_torque});
 
-  const auto along_axis = [](const std::string& text, double by) {
-    return Reader{text, [by](const Sample& s) {
-                    const Vector<double> d = s.top().axis(), p = tip(s);
-                    return values(p[0] + by * s.l * d[0], p[1] + by * s.l * d[1], by * s.l * d[2]);
-                  }};
-  };
-  claims.formula(
-      "tip_is_center", 3091, "the tip is the center of mass", tops,
-      {.quantity = "center of mass",
-       .truth = {R"($\sum m\mathbf x/m$ over the points)",
-                 [](const Sample& s) {
-                   Vector<double> sum{};
-                   for (const PointOf<double>& p : s.body.points) {
-                     const Vector<double> x = motion_of(s, p.x).x;
-                     for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * x[i] / s.m;
-                   }
-                   return sum;
-                 }},
-       .printed = {R"($\mathbf p(t)$)", tip},
-       .corrected = along_axis(
-           R"($\mathbf p+\ell\,\boldsymbol\xi_3$, $\boldsymbol\xi_3$ the unit vector along the axis)", 1),
-       .near_misses = {along_axis(R"($\mathbf p-\ell\,\boldsymbol\xi_3$)", -1)},
-       .kind = Fault::term,
-       .root = "tip for center of mass",
-       .why =
-           R"(The two are $\ell$ apart, always: the center of mass is at $\mathbf p+\ell\boldsymbol\xi_3$ and has )"
-           R"(the acceleration $\ddot{\mathbf p}+\ell\ddot{\boldsymbol\xi}_3$. It is the tip that the exercise )"
-           R"(moves.)"});
-
-  const auto shaken = [](const std::string& text, double sign) {
-    return Reader{text, [sign](const Sample& s) {
-                    const double l = s.body.lambda;
-                    return values(-sign * s.body.A * l * l * sin(l * s.t), 0, 0);
-                  }};
-  };
-  claims.formula("tip_path", 3091, R"(the tip is at $(\alpha\sin\lambda t,0,0)$)", tops,
-                 {.quantity = "acceleration of the tip",
-                  .truth = {"from the forces on the center of mass and Euler's equations", tip_acceleration},
-                  .printed = shaken(R"($-\alpha\lambda^2\sin\lambda t$ along $x$)", 1),
-                  .near_misses = {shaken(R"($+\alpha\lambda^2\sin\lambda t$ along $x$)", -1)}});
+  claim_tip(table, tops);
   return claims.in_order();
 }
 
@@ -308,3 +534,9 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_35
+
+namespace oddity {
+
+Provables proofs_3_35() { return ex03_35::proofs(); }
+
+}  // namespace oddity
