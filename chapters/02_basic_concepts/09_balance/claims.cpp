@@ -49,15 +49,18 @@ struct PlateOf {
   T level_torque() const {
     return sum([&](const T& m, const auto& r) { return -dot(D, cross(r, std::array<T, 3>{0.0, 0.0, -m})); });
   }
+  /// The same of one of them, the plate turned about the fulcrum by `tilt`.
+  T torque_of(const T& m, const std::array<T, 3>& r, const T& tilt) const {
+    return -dot(D, cross(quaternion(D, tilt)(r), std::array<T, 3>{0.0, 0.0, -m}));
+  }
+  T tilted_torque(const T& tilt) const {
+    return sum([&](const T& m, const auto& r) { return torque_of(m, r, tilt); });
+  }
 };
 
 struct Plate : PlateOf<double> {
   Vector center() const { return A + 1 / mass() * moment(); }
-  /// The same, the plate turned about the fulcrum by `tilt`.
-  double torque(double tilt = 0) const {
-    const auto turned = quaternion(D, tilt);
-    return sum([&](double m, const Vector& r) { return -dot(D, cross(turned(r), Vector{0, 0, -m})); });
-  }
+  double torque(double tilt = 0) const { return tilted_torque(tilt); }
   double size() const {
     return sum([&](double m, const Vector& r) { return m * (length(r) + length(A)); });
   }
@@ -349,6 +352,17 @@ Provables proofs() {
          {torque.expression() == 0},
          "replace (" + torque.expression().coq() + ") with (" + factored(any).expression().coq() +
              ")\n  by (" + by_sums + ");" + by_center});
+
+  const Shortened tilt = letter("tilt"), tilted = any.tilted_torque(tilt);
+  const Shortened by_moments = any.torque_of(1.0, {1.0, 0.0, 0.0}, tilt) * any.moment()[0] +
+                               any.torque_of(1.0, {0.0, 1.0, 0.0}, tilt) * any.moment()[1];
+  prove("balance", "tilted by any angle, it is without torque about any line through its center",
+        {"printed",
+         "(l : list (R * R * R)) (a0 a1 d0 d1 tilt : R)",
+         center,
+         {tilted.expression() == 0},
+         "replace (" + tilted.expression().coq() + ") with (" + by_moments.expression().coq() + ")\n  by (" +
+             by_sums + ");" + by_center});
 
   const std::array<Shortened, 3> at{letter("x"), letter("y"), Shortened(0.0)};
   const Shortened s = dot(any.D, at - any.A), t = dot(any.N, at - any.A);

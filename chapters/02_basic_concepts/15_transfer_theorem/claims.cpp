@@ -230,12 +230,26 @@ std::vector<T> middle_terms(const std::array<T, 3>& moment, const std::array<T, 
   return {2 * A[1] * moment[1], 2 * A[2] * moment[2], A[0] * moment[1], A[1] * moment[0]};
 }
 
+/// m (x', y', z') of a particle at r from the center, which is at A; the origin somewhere else.
+template <class T>
+std::array<T, 3> position_from(const T& m, const std::array<T, 3>& r, const std::array<T, 3>& A,
+                               const std::array<T, 3>& moved, double sign) {
+  std::array<T, 3> all;
+  for (std::size_t i = 0; i < 3; ++i) all[i] = m * ((r[i] + A[i] + moved[i]) - sign * (A[i] + moved[i]));
+  return all;
+}
+
+/// Component k about the origin.
+template <class T>
+T transferred_component(std::size_t k, const T& central, const T& mass, const std::array<T, 3>& A,
+                        double sign) {
+  return central + (k < 3 ? 1.0 : sign) * mass * inertia_component(k, A);
+}
+constexpr std::size_t other_components[] = {1, 2, 4, 5};
+
 void statements(Claims& claims, const Samples& samples) {
   const auto positions = [](double sign) {
-    return [=](S s, V A) {
-      const Vector moved{3, -5, 7};
-      return s[0].m * ((s[0].r + A + moved) - sign * (A + moved));
-    };
+    return [=](S s, V A) { return position_from<double>(s[0].m, s[0].r, A, {3, -5, 7}, sign); };
   };
   const Sum from_center =
       seen("from the center, whatever the origin", [](S s, V) { return s[0].m * s[0].r; });
@@ -260,9 +274,11 @@ void statements(Claims& claims, const Samples& samples) {
 
   const auto transfer = [](double sign) {
     return [=](S s, V A) {
-      const Six central = inertia_about(s, {}), moved = inertia_of(mass_of(s), A);
-      const auto both = [&](std::size_t k) { return central[k] + (k < 3 ? 1 : sign) * moved[k]; };
-      return Value{both(1), both(2), both(4), both(5)};
+      const Six central = inertia_about(s, {});
+      std::vector<double> all;
+      for (const std::size_t k : other_components)
+        all.push_back(transferred_component<double>(k, central[k], mass_of(s), A, sign));
+      return all;
     };
   };
   lines(claims, "$I_{yy}$, $I_{zz}$, $I_{xz}$, $I_{yz}$", definition({1, 2, 4, 5}))(
@@ -367,6 +383,27 @@ Provables proofs() {
     prove(slug, "printed", at_center, center, zeros,
           std::string(first_moments_vanish) + "rewrite ?f0, ?f1, ?f2; ring");
   };
+  std::vector<Lemma> others;
+  for (const std::size_t k : other_components)
+    others.push_back(
+        {"component_" + std::to_string(k),
+         letters,
+         center,
+         {transferred_component(k, by_definition(k, from_A), mass_of(origin), A, 1).expression() ==
+          by_definition(k, origin).expression()},
+         by_transfer(k)});
+  proved.push_back({"2.15-others", at_center, others, 0, totals_in_coq});
+  const std::array<Shortened, 3> r{letter("x"), letter("y"), letter("z")},
+      anywhere{letter("o0"), letter("o1"), letter("o2")};
+  const Shortened m = letter("m");
+  proved.push_back({"2.15-relative_position",
+                    "it holds of any particle and any center, wherever the origin is",
+                    {{"printed",
+                      "(m x y z c0 c1 c2 o0 o1 o2 : R)",
+                      {},
+                      equal(detail::recorded_value(position_from(m, r, A, anywhere, 1)),
+                            {(m * r[0]).expression(), (m * r[1]).expression(), (m * r[2]).expression()}),
+                      "ring"}}});
   const auto moment = first_moments(from_A);
   vanish("first_moments", {moment[0], moment[1], moment[2]});
   vanish("middle_terms", middle_terms(moment, A));

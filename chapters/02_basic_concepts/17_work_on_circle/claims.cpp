@@ -277,8 +277,10 @@ Form along(const std::string& text, double detour, const Field& field) {
           [=](const Sample& m) { return of_work(m) + 20 * detour * (1 + abs(m.w)); }};
 }
 
+/// The field (1, 1, 1).
+constexpr auto ones = []<class T>(const std::array<T, 3>&) { return std::array<T, 3>{1.0, 1.0, 1.0}; };
+
 void conservation(Claims& claims, Table& table, const Samples& samples) {
-  const auto one = [](const Vector&) { return Vector{1, 1, 1}; };
   const auto swirl = [](const Vector& at) { return Vector{1 - at[1], 1 + at[0], 1}; };
   const auto both_ways = [&](const std::string& of, const std::string& in, const auto& field) {
     return Reading{"along a detour" + in,
@@ -286,7 +288,7 @@ void conservation(Claims& claims, Table& table, const Samples& samples) {
                             along("along the circle", 0, field), samples.any)}};
   };
   claims.add("conservative", 817, "the field $(1,1,1)$ is conservative",
-             {.printed = both_ways("", "", one),
+             {.printed = both_ways("", "", ones),
               .near_misses = {both_ways(" of $(1-y,1+x,1)$", ", in the field $(1-y,1+x,1)$", swirl)}});
   const auto turn = [](const std::string& text, Force force) {
     return Form{text, [force]<class G>(const SampleOf<G>& m) {
@@ -515,6 +517,90 @@ std::vector<Claim> claims(double seed) {
 }
 
 /// Antiderivatives of the powers and of their integrals' terms, by t or by a part u of the time.
+constexpr const char* extrema_in_coq = R"(
+Lemma sum_of_shifted : forall x, cos x - sin x = sqrt 2 * sin (PI / 4 - x).
+Proof.
+  intro x. rewrite sin_minus, sin_PI4, cos_PI4. pose proof (sqrt_lt_R0 2 ltac:(lra)). field. lra.
+Qed.
+Lemma alike_at : forall x, cos x - sin x = 0 <-> exists k : Z, x = PI / 4 + IZR k * PI.
+Proof.
+  intro x. rewrite sum_of_shifted. pose proof (sqrt_lt_R0 2 ltac:(lra)). split.
+  - intro none. apply Rmult_integral in none. destruct none as [none | none]; [lra |].
+    destruct (sin_eq_0_0 _ none) as [k K]. exists (- k)%Z. rewrite opp_IZR. lra.
+  - intros [k K]. rewrite (sin_eq_0_1 (PI / 4 - x)); [ring |]. exists (- k)%Z. rewrite opp_IZR. lra.
+Qed.
+Lemma at_most_root : forall x, cos x + sin x <= sqrt 2.
+Proof.
+  intro x. pose proof (sin2_cos2 x) as all. unfold Rsqr in all.
+  apply Rsqr_incr_0_var; [unfold Rsqr; rewrite sqrt_sqrt by lra; pose proof (Rle_0_sqr (cos x - sin x)) | apply sqrt_pos].
+  unfold Rsqr in *. lra.
+Qed.
+)";
+
+/// Where the power of (1, 1, 1) is zero, what its work is at most, and that it has a potential.
+Provables about_extrema(const ForAll<SampleOf>& all) {
+  const auto& any = all.any;
+  const Shortened power_then = power<Shortened>(Force::constant, any, any.T);
+  const std::string preamble = std::string(integrals_in_coq) + extrema_in_coq;
+  const auto at_first = any.at(pi_of<Shortened>() / 4 / any.w);
+  const Shortened first = work_of<Shortened>(Force::constant, at_first),
+                  at_any_time = work_of<Shortened>(Force::constant, any),
+                  highest = any.r * (sqrt(Shortened(2.0)) - 1);
+  const std::string closed =
+      "integrate (fun t => r * (cos (w * t) + sin (w * t)));\n"
+      "  rewrite ?Rmult_0_r, ?cos_0, ?sin_0; ";
+  std::vector<Proposition> forward{above(any.r.expression(), 0), above(any.w.expression(), 0)};
+  const auto letter = [](const char* name) { return Shortened::letter(name); };
+  const std::array<Shortened, 3> at{letter("(x t)"), letter("(y t)"), letter("(z t)")},
+      v{letter("(u t)"), letter("(v t)"), letter("(w t)")};
+  const std::string work = dot(ones(at), v).expression().coq();
+  return {
+      {"2.17-zeros",
+       "of any radius and speed the power is zero there, and nowhere else",
+       {{"printed",
+         all.letters,
+         {not_zero(any.r.expression()), not_zero(any.w.expression())},
+         {{"(" + power_then.expression().coq() + " = 0 <-> exists k : Z, w * T = PI / 4 + IZR k * PI)"}},
+         "intro is; first\n"
+         "  [apply (alike_at (w * T)), (Rmult_eq_reg_l (r * w));\n"
+         "    [rewrite Rmult_0_r, <- is; ring | now apply Rmult_integral_contrapositive]\n"
+         "  |apply (alike_at (w * T)) in is; transitivity (r * w * (cos (w * T) - sin (w * T)));\n"
+         "    [ring | rewrite is; ring]]"}},
+       0,
+       preamble},
+      {"2.17-first_maximum",
+       "of any radius and speed it is this at that time, and no more at any other",
+       {{"value",
+         all.letters,
+         forward,
+         {first.expression() == highest.expression()},
+         closed +
+             "replace (w * (PI / 4 / w)) with (PI / 4) by (field; lra);\n  rewrite cos_PI4, sin_PI4;\n"
+             "  pose proof (sqrt_lt_R0 2 ltac:(lra)); pose proof (sqrt_sqrt 2 ltac:(lra)) as two; field [two]; lra"},
+        {"nowhere_larger",
+         all.letters,
+         forward,
+         {{at_any_time.expression().coq() + " <= " + highest.expression().coq()}},
+         "match goal with |- RInt ?f ?a ?b <= _ =>\n"
+         "    assert (is : RInt f a b = r * (cos (w * T) + sin (w * T)) - r) by (" +
+             closed +
+             "ring); rewrite is end;\n"
+             "  pose proof (Rmult_le_compat_l r _ _ ltac:(lra) (at_most_root (w * T))); lra"}},
+       0,
+       preamble},
+      {"2.17-conservative",
+       "the work along any path is the difference of x + y + z at its ends",
+       {{"printed",
+         "(x y z u v w : R -> R) (a b : R)",
+         {{"(forall t, is_derive x t (u t) /\\ is_derive y t (v t) /\\ is_derive z t (w t))"},
+          {"(forall t, continuous u t /\\ continuous v t /\\ continuous w t)"}},
+         {{"RInt (fun t => " + work + ") a b = x b + y b + z b - (x a + y a + z a)"}},
+         "apply (RInt_by (fun t => x t + y t + z t)); intro t; destruct (H t) as [? [? ?]]; destruct (H0 t) as [? [? ?]];\n"
+         "  [repeat apply @is_derive_plus | repeat apply @continuous_plus]; assumption"}},
+       0,
+       preamble}};
+}
+
 Provables proofs() {
   const Samples none;
   Claims claims("2.17");
@@ -545,6 +631,7 @@ Provables proofs() {
     for (Lemma& lemma : claim.lemmas)
       if (lemma.tactic == "interval") lemma.tactic = "integral";
   }
+  for (Provable& claim : about_extrema(all)) proved.push_back(std::move(claim));
   return proved;
 }
 

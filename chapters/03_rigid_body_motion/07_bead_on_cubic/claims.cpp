@@ -521,13 +521,10 @@ Provables proofs() {
                       {},
                       {{"(" + is(place, "1") + " /\\ " + is(u, "0") + ") <-> (q = 1 /\\ v = 0)"}},
                       "intuition (subst; lra)"}}});
-  proved.push_back({"3.7-at_the_origin",
-                    "q = 0 is being at the origin, and nothing else is",
-                    {{"printed",
-                      "(q : R)",
-                      {},
-                      {{"(" + is(place, "0") + ") <-> q = 0"}},
-                      "intuition (subst; lra)"}}});
+  proved.push_back(
+      {"3.7-at_the_origin",
+       "q = 0 is being at the origin, and nothing else is",
+       {{"printed", "(q : R)", {}, {{"(" + is(place, "0") + ") <-> q = 0"}}, "intuition (subst; lra)"}}});
   return proved;
 }
 

@@ -306,7 +306,21 @@ Provables proofs() {
   all.given = {above(all.any.hill.a1.expression(), 0), above(all.any.hill.a2.expression(), 0)};
   double x = 1;
   for (double* letter : all.example.letters()) *letter = x += 0.25;
-  return table.proofs("3.11", all);
+  Provables proved = table.proofs("3.11", all);
+  const auto derivative_of = [](const Shortened& of, const Shortened& rate) -> Proposition {
+    return {"derivable_pt_lim (fun t => " + of.expression().coq() + ") t (" + rate.expression().coq() + ")"};
+  };
+  const auto& s = all.any;
+  std::vector<Proposition> twice;
+  for (const Shortened& v : s.v) twice.push_back(derivative_of(v * s.t, v));
+  for (const Shortened& v : s.v) twice.push_back(derivative_of(v, 0.0));
+  proved.push_back(
+      {"3.11-derivatives",
+       "it holds for any velocity",
+       {{"printed", all.letters, {}, twice, "apply is_derive_Reals; auto_derive; first [exact I | ring]"}},
+       0,
+       "From Coquelicot Require Import AutoDerive.\n"});
+  return proved;
 }
 
 std::vector<Root> roots() {

@@ -527,7 +527,15 @@ Provables proofs() {
     all.given.push_back(above(positive.expression(), 0));
   double x = 0.25;
   for (double* letter : all.example.letters()) *letter = x += 0.25;
-  return table.proofs("3.19", all);
+  Provables proved = table.proofs("3.19", all);
+  const std::string energy = all.any.kinetic()(all.any.q, all.any.v).expression().coq();
+  std::vector<Proposition> none;
+  for (const char* y : {"y2", "y3"})
+    none.push_back({"derivable_pt_lim (fun " + std::string(y) + " => " + energy + ") " + y + " 0"});
+  proved.push_back({"3.19-dT_dy",
+                    "it holds for all pulleys in any motion",
+                    {{"printed", all.letters, {}, none, "apply derivable_pt_lim_const"}}});
+  return proved;
 }
 
 std::vector<Root> roots() {

@@ -269,6 +269,83 @@ Ltac on_pipe phi theta psi :=
   repeat apply Rplus_lt_0_compat; repeat apply Rmult_lt_0_compat; try apply pow_lt; lra.
 )";
 
+/// What has no derivative is constant.
+constexpr const char* motions_in_coq = R"(
+From Coquelicot Require Import AutoDerive.
+
+Lemma constant : forall f : R -> R, (forall t, is_derive f t 0) -> forall t, f t = f 0.
+Proof.
+  intros f D t. destruct (Rtotal_order t 0) as [l | [-> | l]]; trivial;
+    [| symmetry]; apply (eq_is_derive f); trivial; intros; apply D.
+Qed.
+)";
+
+/// Its weight has no lever: the derivative of the center's place.
+Provable weightless(const SampleOf<Shortened>& s, const std::string& letters) {
+  const auto pipe = s.axes(s.q[0], s.q[1])[2], lever = s.lever();
+  const auto derivative = [](const Shortened& of, const Shortened& is) -> Proposition {
+    return {"derivable_pt_lim (fun theta => " + of.expression().coq() + ") theta (" + is.expression().coq() +
+            ")"};
+  };
+  std::vector<Proposition> all;
+  for (std::size_t i = 0; i < 3; ++i) all.push_back(derivative(s.L * pipe[i], lever[i]));
+  all.push_back(derivative(s.m * s.g * (s.L * pipe[2]), 0.0));
+  return {
+      "3.21-gravity_force",
+      "the lever is the derivative of the center's place by theta, and that of the potential energy is zero",
+      {{"printed", letters, {}, all, "apply is_derive_Reals; auto_derive; first [exact I | ring]"}},
+      0,
+      motions_in_coq};
+}
+
+/// Of all functions of time that Lagrange's equations have for their second derivatives.
+Provables along_motions() {
+  const std::vector<std::string> names{"m",       "L",         "mu2",      "mu3", "phi", "g", "(theta t)",
+                                       "(psi t)", "(omega t)", "(spin t)", "f1",  "f2",  "f3"};
+  const SampleOf<Shortened> s = lettered<SampleOf>(names);
+  const Two<Shortened> a = s.accelerations(0.0, s.g);
+  std::vector<Proposition> given;
+  for (const Shortened& x : {s.m, s.L, s.mu2, s.mu3, sin(s.phi)}) given.push_back(above(x.expression(), 0));
+  const std::string equations =
+      "(forall t, is_derive theta t (omega t) /\\ is_derive psi t (spin t) /\\\n"
+      "    is_derive omega t (" +
+      a[0].expression().coq() +
+      ") /\\\n"
+      "    is_derive spin t (" +
+      a[1].expression().coq() + "))";
+  std::vector<Proposition> moving = given;
+  moving.push_back({equations});
+  const std::string letters = "(m L mu2 mu3 phi g : R)", functions = "(theta psi omega spin : R -> R)";
+  const auto constant = [&](const std::string& speed, const std::string& equation) -> Lemma {
+    return {speed,
+            letters + " " + functions,
+            moving,
+            {{"(forall t, " + speed + " t = " + speed + " 0)"}},
+            "revert t; apply constant; intro t; destruct (H4 t) as " + equation +
+                ";\n"
+                "  match type of D with is_derive _ _ ?x =>\n"
+                "    replace 0 with x; [exact D | clear -H H0 H1 H2 H3; on_pipe phi (theta t) (psi t)] end"};
+  };
+  const Lemma omega = constant("omega", "[_ [_ [D _]]]"), spin = constant("spin", "[_ [_ [_ D]]]");
+  const Lemma angle{"printed_differs",
+                    letters,
+                    given,
+                    {{"(exists " + functions + ",\n  " + equations + " /\\ Rabs (theta 2 - theta 0) >= 2)"}},
+                    "exists (fun t => t), (fun _ => 0), (fun _ => 1), (fun _ => 0); split;\n"
+                    "  [intro t; split; [|split; [|split]]; [auto_derive; trivial .. | |];\n"
+                    "    match goal with |- is_derive _ _ ?x => replace x with 0;\n"
+                    "      [auto_derive; trivial | symmetry; on_pipe phi t 0] end\n"
+                    "  |rewrite Rabs_right; lra]"};
+  const std::string under = "under gravity any motion of any disk on any inclined pipe keeps its speeds",
+                    preamble = std::string(pipe_in_coq) + motions_in_coq;
+  return {{"3.21-constant_speeds", under, {omega, spin}, 0, preamble},
+          {"3.21-integrated",
+           "as meant: " + under + "; as printed it is off after two seconds at a speed of one",
+           {omega, spin, angle},
+           2,
+           preamble}};
+}
+
 }  // namespace
 
 Provables proofs() {
@@ -291,6 +368,8 @@ Provables proofs() {
                     "as corrected it holds for any upright pipe",
                     {{"corrected", all.letters, {}, equal(left, {0.0, 0.0}), "on_pipe phi theta psi"}}});
   for (Provable& proof : proved) proof.preamble = pipe_in_coq;
+  for (Provable& p : along_motions()) proved.push_back(std::move(p));
+  proved.push_back(weightless(s, all.letters));
   return proved;
 }
 
