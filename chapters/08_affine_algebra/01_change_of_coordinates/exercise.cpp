@@ -58,7 +58,7 @@ struct Frames {
     for (Vector2d* x : {&origin, &offset, &a})
       for (int i = 0; i < 2; ++i) (*x)[i] = random.between(-largest, largest);
   }
-  double size() const { return 4 * largest; }
+  double size() const { return largest; }
   std::string where() const { return "size " + format_significant(largest, 3); }
 };
 
