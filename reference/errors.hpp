@@ -12,7 +12,9 @@ namespace oddity {
 /// wrong cannot be any other wrong one.
 struct ErrorsOnRecord {
   std::string exercise;
-  std::string of;  ///< "claim ID" (its wrong readings), "QUANTITY: MODEL, ALGORITHM", "QUANTITY: breakdown 1"
+  /// "claim ID" (its wrong readings), "claim ID: tolerances", "QUANTITY: need" (the error it may have),
+  /// "QUANTITY: MODEL, ALGORITHM", "QUANTITY: breakdown 1"
+  std::string of;
   std::string at = {};                             ///< a claim's line; a method's knob and settings
   std::vector<std::optional<double>> errors = {};  ///< 0: as small as roundings; none: the last bits decide
   std::vector<std::optional<double>> work = {};    ///< evaluations; none: likewise

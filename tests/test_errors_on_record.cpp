@@ -15,8 +15,8 @@ ErrorsOnRecord row(std::vector<std::optional<double>> errors, std::vector<std::o
   return {"3.5", "swing: one angle, Runge-Kutta 4", std::move(at), std::move(errors), std::move(work)};
 }
 
-/// A quantity 1 by a method of two trials that err by a tenth and by nothing but roundings, and a breakdown
-/// of them.
+/// A claim, rounded to a thousandth, and a quantity 1 by a method of two trials that err by a tenth and by
+/// nothing but roundings, and a breakdown of them.
 ExerciseResult an_exercise() {
   TimedTrial coarse, fine;
   coarse.model = fine.model = "model";
@@ -27,6 +27,7 @@ ExerciseResult an_exercise() {
   QuantityResult q;
   q.name = "swing";
   q.reference.value = Value{1.0};
+  q.need = {1e-6, ""};
   q.methods.push_back({"model", "algorithm", Outcome::ok, "", {coarse, fine}});
   q.breakdowns.push_back({"it breaks", Outcome::inaccurate, coarse, fine});
   Check wrong;
@@ -38,6 +39,9 @@ ExerciseResult an_exercise() {
   claim.claim.line = 7;
   claim.verdict = Verdict::confirmed;
   claim.claim.near_misses.push_back({"wrong", {wrong}});
+  Check within = wrong;
+  within.left.value = Value{0.999};
+  claim.claim.printed = {"rounded", {within}};
   ExerciseResult e;
   e.number = {3, 5};
   e.claims.push_back(claim);
@@ -53,15 +57,17 @@ std::vector<std::string> texts_of(const ExerciseResult& e) {
 
 }  // namespace
 
-TEST_CASE("wrong readings, trials and breakdowns have a row of errors each", "[errors]") {
-  const std::vector<std::string> rows{"3.5,claim value,7,2,",
+TEST_CASE("wrong readings, wide tolerances, needs, trials and breakdowns have a row of errors each",
+          "[errors]") {
+  const std::vector<std::string> rows{"3.5,claim value,7,2,", "3.5,claim value: tolerances,,0.001,",
+                                      "3.5,swing: need,,1e-06,",
                                       "3.5,\"swing: model, algorithm\",step 0.5 0.25,0.1 0,3 6",
                                       "3.5,swing: breakdown 1,step 0.5 0.25,0.1 0,3 6"};
   CHECK(texts_of(an_exercise()) == rows);
   CHECK(error_rows(an_exercise(), {}) == rows);
   ExerciseResult unsettled = an_exercise();
   unsettled.claims[0].verdict = Verdict::unsettled;
-  CHECK(texts_of(unsettled) == std::vector(rows.begin() + 1, rows.end()));
+  CHECK(texts_of(unsettled) == std::vector(rows.begin() + 2, rows.end()));
 }
 
 TEST_CASE("errors agree within 2 %, work exactly or within 10 % of a tolerance's, last bits with all",
@@ -84,10 +90,10 @@ TEST_CASE("errors agree within 2 %, work exactly or within 10 % of a tolerance's
 TEST_CASE("what is put on record keeps rows that agree, and what last bits decide", "[errors]") {
   const ExerciseResult e = an_exercise();
   std::vector<ErrorsOnRecord> kept = errors_of(e);
-  kept[1].errors = {0.1011, std::nullopt};
-  CHECK(error_rows(e, kept)[1] == "3.5,\"swing: model, algorithm\",step 0.5 0.25,0.101 ~,3 6");
-  kept[1].errors = {0.3, std::nullopt};
-  CHECK(error_rows(e, kept)[1] == "3.5,\"swing: model, algorithm\",step 0.5 0.25,0.1 ~,3 6");
+  kept[3].errors = {0.1011, std::nullopt};
+  CHECK(error_rows(e, kept)[3] == "3.5,\"swing: model, algorithm\",step 0.5 0.25,0.101 ~,3 6");
+  kept[3].errors = {0.3, std::nullopt};
+  CHECK(error_rows(e, kept)[3] == "3.5,\"swing: model, algorithm\",step 0.5 0.25,0.1 ~,3 6");
 }
 
 TEST_CASE("errors on record are read, broken ones named by line", "[errors]") {

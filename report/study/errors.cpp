@@ -33,6 +33,20 @@ ErrorsOnRecord wrong_readings(const Claim& claim, const std::string& number) {
   return row;
 }
 
+/// What the checks that hold may differ by, relative to their terms, where that is more than roundings.
+ErrorsOnRecord tolerances(const Claim& claim, const std::string& number) {
+  ErrorsOnRecord row{number, "claim " + claim.id.substr(number.size() + 1) + ": tolerances", "", {}, {}};
+  for (const Reading* reading : {&claim.printed, &claim.meant, &claim.corrected})
+    for (const Check& check : reading->checks) {
+      if (!check.holds()) continue;
+      const double sides = std::max(size_of(check.left.value), size_of(check.right.value));
+      const double size = check.scale > 0 ? check.scale : sides > 0 ? sides : 1;
+      const double allowed = recorded(check.tolerance.allowed, size) / size;
+      if (allowed > 0) row.errors.push_back(allowed);
+    }
+  return row;
+}
+
 void add(ErrorsOnRecord& row, const TimedTrial& t, const QuantityResult& q) {
   const bool same_knob = row.at.find(t.knob + " ") != std::string::npos;
   row.at = with_blank(row.at) + (same_knob ? "" : with_blank(t.knob)) + format_significant(t.setting, 6);
@@ -67,9 +81,14 @@ void leave_to_last_bits(Numbers& numbers, const Numbers& on_record) {
 std::vector<ErrorsOnRecord> errors_of(const ExerciseResult& e) {
   const std::string number = to_string(e.number);
   std::vector<ErrorsOnRecord> rows;
-  for (const JudgedClaim& c : e.claims)
-    if (c.verdict != Verdict::unsettled) rows.push_back(wrong_readings(c.claim, number));
+  for (const JudgedClaim& c : e.claims) {
+    if (c.verdict == Verdict::unsettled) continue;
+    rows.push_back(wrong_readings(c.claim, number));
+    const ErrorsOnRecord allowed = tolerances(c.claim, number);
+    if (!allowed.errors.empty()) rows.push_back(allowed);
+  }
   for (const QuantityResult& q : e.quantities) {
+    rows.push_back({number, q.name + ": need", "", {q.need.allowed}, {}});
     for (const MethodResult& m : q.methods) {
       ErrorsOnRecord& row =
           rows.emplace_back(ErrorsOnRecord{number, q.name + ": " + m.model + ", " + m.algorithm});

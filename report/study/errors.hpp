@@ -8,8 +8,8 @@
 
 namespace oddity {
 
-/// How far off an exercise's methods, breakdowns and wrong readings are: each row that errors.csv has to have
-/// of it. An error of 1e-10 of what is computed is as good as none.
+/// How far off an exercise's methods, breakdowns and wrong readings are, and how far off what is right may
+/// be: each row that errors.csv has to have of it. An error of 1e-10 of what is computed is as good as none.
 std::vector<ErrorsOnRecord> errors_of(const ExerciseResult&);
 
 /// Whether a run has what is on record: errors within 2 %, evaluations exactly, save where the last bits

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
-#include <random>
+#include <map>
 
 #include "chapters/random.hpp"
 #include "reference/bad_input.hpp"
@@ -27,7 +27,7 @@ struct Request {
   double minutes = 0;  ///< 0: as long as it takes
   std::string seed = "HEAD";
   std::string program;
-  bool list = false, record = false;
+  bool list = false, record = false, again = false;
 };
 
 const fs::path tree = ODDITY_SOURCE, built = ODDITY_BUILT, home = tree / "build/mutate";
@@ -46,18 +46,18 @@ bool wanted(const Request& request, const std::string& file) {
   return std::ranges::any_of(request.paths, [&](const std::string& path) { return within(file, path); });
 }
 
-/// The first of Fisher and Yates's shuffle, in its order: what a run that is ended has tried is a fair sample
-/// too.
-std::vector<Mutant> drawn_of(std::vector<Mutant> all, const Request& request) {
+/// The first in the order of a number that the seed and the mutant's name give: so a mutant is drawn whatever
+/// becomes of others, and what a run that is ended has tried is a fair sample too.
+std::vector<Mutant> drawn_of(std::vector<Mutant> all, const Request& request, const Survivors& known) {
   if (!request.in.empty()) std::erase_if(all, [&](const Mutant& m) { return !within(m.file, request.in); });
   if (all.empty())
     throw BadInput("--in " + request.in + ": no mutants there; a path is within " + tree.string());
-  const int size = static_cast<int>(all.size());
-  const int count = request.sample == 0 ? size : std::min(request.sample, size);
-  Random random(static_cast<double>(number_of(request.seed) >> 11));
-  for (int i = 0; i < count; ++i)
-    std::swap(all[static_cast<std::size_t>(i)], all[static_cast<std::size_t>(i + random.below(size - i))]);
-  all.resize(static_cast<std::size_t>(count));
+  if (request.again) std::erase_if(all, [&](const Mutant& m) { return !known.contains(m.id()); });
+  std::map<int, std::uint64_t> rank;
+  for (const Mutant& m : all)
+    rank[m.number] = Random(static_cast<double>(number_of(request.seed + m.id()) >> 11)).bits();
+  std::ranges::sort(all, {}, [&](const Mutant& m) { return rank[m.number]; });
+  if (request.sample > 0) all.resize(std::min(all.size(), static_cast<std::size_t>(request.sample)));
   return all;
 }
 
@@ -80,12 +80,13 @@ void shell(const std::string& command) {
   if (std::system(command.c_str()) != 0) throw BadInput("this failed: " + command);
 }
 
-/// Compiles the mutated tree, at a level that costs the compiler little.
+/// Compiles the mutated tree, at a level that costs the compiler little, and with the bounds of arrays
+/// checked.
 fs::path compile(const fs::path& copy) {
   const fs::path build = home / "build";
   shell(
       "cmake -S '" + copy.string() + "' -B '" + build.string() +
-      "' -G Ninja -DCMAKE_BUILD_TYPE=Mutated '-DCMAKE_CXX_FLAGS_MUTATED=-O1 -DNDEBUG -w' -DODDITY_FAST_BUILD=ON "
+      "' -G Ninja -DCMAKE_BUILD_TYPE=Mutated '-DCMAKE_CXX_FLAGS_MUTATED=-O1 -w -D_GLIBCXX_ASSERTIONS' -DODDITY_FAST_BUILD=ON "
       "-DODDITY_TESTS=OFF -DODDITY_MODULE=OFF -DODDITY_MPI=OFF -DODDITY_HDF5=OFF >&2");
   shell("cmake --build '" + build.string() + "' --target oddity >&2");
   return build / "oddity";
@@ -107,6 +108,7 @@ Request request_of(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--program", request.program, "The mutated tree's program, compiled already")
       ->check(CLI::ExistingFile);
+  app.add_flag("--again", request.again, "Those alone that survive on record: whether they still do");
   app.add_flag("--list", request.list, "Write the mutated tree, show its mutants, and end");
   app.add_flag("--record", request.record, "Write scores and survivors to tests/mutation/*.csv");
   try {
@@ -147,14 +149,16 @@ std::vector<Mutant> try_all(const std::vector<Mutant>& drawn, const Request& req
 }
 
 /// Rows of rooms that this run did not try stay as they are.
-void record(const std::vector<Mutant>& all, const std::vector<Mutant>& tried, const Outcomes& outcomes,
-            const Survivors& known) {
+void record(const std::vector<Mutable>& files, const std::vector<Mutant>& all,
+            const std::vector<Mutant>& tried, const Outcomes& outcomes, const Survivors& known) {
   const fs::path folder = tree / "tests/mutation";
-  const Survivors survivors = updated(known, tried, outcomes);
+  const Survivors survivors = updated(known, all, tried, outcomes);
   Scores scores = read_scores(folder / "mutation.csv");
   for (auto [room, score] : scores_of(all, tried, outcomes, survivors)) {
     score.date = today();
     score.commit = commit();
+    for (const Mutable& file : files)
+      if (room_of(file.file) == room) score.free += file.free;
     scores[room] = score;
   }
   write_whole(folder / "survivors.csv", csv_of(survivors));
@@ -167,7 +171,8 @@ int mutate(const Request& request) {
   const std::vector<Mutant> all = mutants_of(files);
   if (all.empty()) throw BadInput("nothing can be mutated in these files");
   const bool changed = write_schemata(tree, files, home / "tree");
-  const std::vector<Mutant> drawn = drawn_of(all, request);
+  const Survivors known = read_survivors(tree / "tests/mutation/survivors.csv");
+  const std::vector<Mutant> drawn = drawn_of(all, request, known);
   if (request.list) {
     list(drawn);
     return 0;
@@ -176,10 +181,9 @@ int mutate(const Request& request) {
   if (changed) fs::remove_all(home / "reached");
   Suite suite(program, home / "reached", all.size());
   Outcomes outcomes(home / "outcomes.csv", changed);
-  const Survivors known = read_survivors(tree / "tests/mutation/survivors.csv");
   const std::vector<Mutant> tried = try_all(drawn, request, suite, outcomes);
   std::cout << "\n" << text_of(scores_of(all, tried, outcomes, known));
-  if (request.record) record(all, tried, outcomes, known);
+  if (request.record) record(files, all, tried, outcomes, known);
   std::vector<Mutant> unknown;
   for (const Mutant& m : tried)
     if (outcomes.of(m)->fate == Fate::survived && !known.contains(m.id())) unknown.push_back(m);

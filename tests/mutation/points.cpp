@@ -8,8 +8,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include "reference/bad_input.hpp"
 
@@ -84,8 +86,10 @@ class Collector {
   std::vector<Mutable> files() {
     std::vector<Mutable> all;
     for (auto& [name, file] : files_) {
+      for (const Point& p : file.points) file.free += p.free ? static_cast<int>(p.mutations.size()) : 0;
+      std::erase_if(file.points, [](const Point& p) { return p.free; });
       std::ranges::stable_sort(file.points, {}, [](const Point& p) {
-        return std::pair(p.whole.begin, -static_cast<long>(p.whole.end));
+        return std::tuple(p.whole.begin, -static_cast<long>(p.whole.end), p.shape != Shape::statement);
       });
       all.push_back(std::move(file));
     }
@@ -97,6 +101,7 @@ class Collector {
     CXCursor parent = clang_getNullCursor();
     std::string function;
     bool compile_time = false;
+    bool free = false;  ///< whatever is written here, the suite has to say the same
   };
 
   static bool is(CXCursor c, std::initializer_list<CXCursorKind> kinds) {
@@ -155,6 +160,7 @@ class Collector {
       below.parent = c;
       const bool label = is(c, {CXCursor_CaseStmt}) && i == 0;
       below.compile_time = around.compile_time || label;
+      below.free = around.free || free_below(c, i);
       visit_one(children[i], below);
     }
   }
@@ -184,6 +190,41 @@ class Collector {
       }
     }
     visit_children(c, around);
+  }
+
+  static std::string name_of(CXCursor c) { return text_of(clang_getCursorSpelling(c)); }
+
+  /// What the cursor's text is, "" where a macro wrote it.
+  static std::string written(CXCursor c) {
+    CXFile file = nullptr;
+    clang_getSpellingLocation(clang_getCursorLocation(c), &file, nullptr, nullptr, nullptr);
+    std::size_t size = 0;
+    const char* text =
+        file ? clang_getFileContents(clang_Cursor_getTranslationUnit(c), file, &size) : nullptr;
+    const auto e = extent_of(c);
+    return text && e && e->end <= size ? std::string(text + e->begin, e->end - e->begin) : "";
+  }
+
+  /// Whether the cursor's child is free: which samples are drawn and how many (what Random is asked for,
+  /// numbers beside a seed, the head of a loop over a `sample`), and a number that is only made into text.
+  static bool free_below(CXCursor c, std::size_t child) {
+    if (is(c, {CXCursor_ForStmt})) {
+      const auto children = children_of(c);
+      return child < 3 && child + 1 < children.size() && is(children[0], {CXCursor_DeclStmt}) &&
+             name_of(children_of(children[0]).at(0)) == "sample";
+    }
+    if (!is(c, {CXCursor_CallExpr})) return false;
+    const CXCursor called = clang_getCursorReferenced(c);
+    if (is(called, {CXCursor_CXXMethod, CXCursor_Constructor}) &&
+        name_of(clang_getCursorSemanticParent(called)) == "Random")
+      return true;
+    const std::string name = name_of(c);
+    if (name == "to_string" || name.starts_with("format_")) return true;
+    const auto children = children_of(c);
+    static const std::regex seed("seed|p\\[\"seed\"\\]"), number("-?[0-9][-+0-9a-fxp.']*");
+    return std::regex_match(written(children[child]), number) &&
+           std::ranges::any_of(children,
+                               [&](CXCursor other) { return std::regex_match(written(other), seed); });
   }
 
   static bool declared_constant(const Mutable& file, Extent e) {
@@ -219,6 +260,7 @@ class Collector {
     const auto same = [&](const Point& p) { return p.whole == point.whole && p.shape == point.shape; };
     if (std::ranges::any_of(file.points, same)) return;
     point.within = around.function;
+    point.free = around.free;
     file.points.push_back(std::move(point));
   }
 

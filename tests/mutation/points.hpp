@@ -33,6 +33,7 @@ struct Point {
   std::string operators[2];  ///< the operator, and what it becomes
   std::string within;        ///< the function of the source that it is in
   std::vector<std::string> mutations;
+  bool free = false;  ///< nothing has to notice: see free_below() in points.cpp
 };
 
 /// A file that is to be mutated, and its points in their order.
@@ -41,6 +42,7 @@ struct Mutable {
   std::string text;
   std::vector<Point> points;
   int left_out = 0;  ///< places of the same kinds that the compiler computes
+  int free = 0;      ///< mutants at places that are free, which `points` is without
 };
 
 /// Of the files of the tree that are wanted and that the compile commands reach. `compiled` is the folder of

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iomanip>
+#include <set>
 #include <sstream>
 #include <tuple>
 
@@ -40,9 +41,12 @@ Fate fate_in(const CsvRow& row) {
   throw BadInput(row.place + ": '" + row.cells[1] + "' is not killed, survived or not reached");
 }
 
+const std::string near_miss = "a near miss: another wrong formula, and as far off as is on record";
+
 const std::string survivor_columns = "id,room,file,change,reason";
 const std::string outcome_columns = "id,outcome,by";
-const std::string score_columns = "date,commit,room,mutants,tried,killed,with_reason,survived,not_reached";
+const std::string score_columns =
+    "date,commit,room,mutants,free,tried,killed,with_reason,survived,not_reached";
 
 }  // namespace
 
@@ -55,13 +59,20 @@ Survivors read_survivors(const fs::path& file) {
   return survivors;
 }
 
-Survivors updated(Survivors survivors, const std::vector<Mutant>& tried, const Outcomes& outcomes) {
+Survivors updated(Survivors survivors, const std::vector<Mutant>& all, const std::vector<Mutant>& tried,
+                  const Outcomes& outcomes) {
+  std::set<std::string> files, ids;
+  for (const Mutant& m : all) files.insert(m.file), ids.insert(m.id());
+  std::erase_if(survivors,
+                [&](const auto& row) { return files.contains(row.second.file) && !ids.contains(row.first); });
   for (const Mutant& m : tried) {
     const Judgement* judgement = outcomes.of(m);
-    if (judgement->fate == Fate::survived)
-      survivors.try_emplace(m.id(), Survivor{m.room(), m.file, m.change(), ""});
-    else
+    if (judgement->fate != Fate::survived) {
       survivors.erase(m.id());
+      continue;
+    }
+    Survivor& row = survivors.try_emplace(m.id(), Survivor{m.room(), m.file, m.change(), ""}).first->second;
+    if (m.in_near_miss && row.reason.empty()) row.reason = near_miss;
   }
   return survivors;
 }
@@ -70,9 +81,9 @@ std::string csv_of(const Survivors& survivors) {
   std::vector<std::pair<std::string, Survivor>> rows(survivors.begin(), survivors.end());
   std::ranges::sort(rows, {}, [](const auto& row) { return std::tie(row.second.file, row.second.change); });
   std::string text =
-      "# Mutants that the suite does not notice, as oddity_mutate --record found them. `reason` is written by "
-      "hand: why nothing\n# has to notice; where it is empty, something should. `change`: function, line, what is "
-      "made of it.\n" +
+      "# Mutants that the suite does not notice, as oddity_mutate --record found them. `reason`: why nothing "
+      "has to notice,\n# written by hand, save of near misses; where it is empty, something should. `change`: "
+      "function, line, what is made of it.\n" +
       survivor_columns + "\n";
   for (const auto& [id, s] : rows)
     text += id + "," + s.room + "," + s.file + "," + quoted(s.change) + "," + quoted(s.reason) + "\n";
@@ -140,8 +151,8 @@ Scores read_scores(const fs::path& file) {
   Scores scores;
   for (const CsvRow& row : rows_of(file, score_columns)) {
     const auto count = [&](std::size_t i) { return static_cast<int>(row.number(i)); };
-    scores[row.cells[2]] = {row.cells[0], row.cells[1], count(3), count(4),
-                            count(5),     count(6),     count(7), count(8)};
+    scores[row.cells[2]] = {row.cells[0], row.cells[1], count(3), count(4), count(5),
+                            count(6),     count(7),     count(8), count(9)};
   }
   return scores;
 }
@@ -150,12 +161,14 @@ std::string csv_of(const Scores& scores) {
   std::ostringstream out;
   out << "# Mutants and what the suite made of those tried, drawn at random, as oddity_mutate --record wrote it "
          "at that commit.\n"
+         "# mutants: in those of the room's files that the run mutated; free: without a mutant, as nothing has "
+         "to notice\n# which samples are drawn and how a number is made into text.\n"
          "# tried = killed + with_reason + survived + not_reached. with_reason: survivors that have a reason in "
          "survivors.csv;\n# not_reached: no exercise runs that code. Rooms without a row were not tried.\n"
       << score_columns << "\n";
   for (const auto& [room, s] : scores)
-    out << s.date << "," << s.commit << "," << room << "," << s.mutants << "," << s.tried << "," << s.killed
-        << "," << s.with_reason << "," << s.survived << "," << s.not_reached << "\n";
+    out << s.date << "," << s.commit << "," << room << "," << s.mutants << "," << s.free << "," << s.tried
+        << "," << s.killed << "," << s.with_reason << "," << s.survived << "," << s.not_reached << "\n";
   return out.str();
 }
 

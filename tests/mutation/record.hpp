@@ -30,14 +30,16 @@ class Outcomes {
   std::map<std::string, Judgement> all_;
 };
 
-/// The survivors on record as this run leaves them: those killed now are gone, new ones have no reason yet.
-Survivors updated(Survivors, const std::vector<Mutant>& tried, const Outcomes&);
+/// The survivors on record as this run leaves them: those killed now, or no more in its files, are gone; new
+/// ones have no reason yet, save near misses.
+Survivors updated(Survivors, const std::vector<Mutant>& all, const std::vector<Mutant>& tried,
+                  const Outcomes&);
 std::string csv_of(const Survivors&);
 
 /// What became of the mutants tried in one room, and when.
 struct Score {
   std::string date, commit;
-  int mutants = 0, tried = 0, killed = 0, with_reason = 0, survived = 0, not_reached = 0;
+  int mutants = 0, free = 0, tried = 0, killed = 0, with_reason = 0, survived = 0, not_reached = 0;
 };
 using Scores = std::map<std::string, Score>;  ///< by room
 /// Of the rooms of which a mutant was tried.

@@ -103,6 +103,21 @@ std::string line_of(const std::string& text, unsigned at) {
   return text.substr(begin, end - begin);
 }
 
+/// The near misses of a file's claims. Braces within formulas' texts are in pairs.
+std::vector<Extent> near_misses_in(const std::string& text) {
+  std::vector<Extent> all;
+  for (auto at = text.find(".near_misses ="); at != text.npos; at = text.find(".near_misses =", at + 1)) {
+    const auto begin = text.find('{', at);
+    auto end = begin;
+    for (int open = 0; end < text.size(); ++end) {
+      open += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
+      if (open == 0) break;
+    }
+    if (begin != text.npos) all.push_back({static_cast<unsigned>(begin), static_cast<unsigned>(end)});
+  }
+  return all;
+}
+
 /// The texts of the tree's files but for what is built.
 std::vector<fs::path> sources_of(const fs::path& tree) {
   static const std::set<std::string> left_out{"build", ".git", "node_modules", "book"};
@@ -143,7 +158,9 @@ std::string Mutant::id() const {
   return id.str();
 }
 
-std::string Mutant::room() const {
+std::string Mutant::room() const { return room_of(file); }
+
+std::string room_of(const std::string& file) {
   const auto folder = file.rfind('/'), first = file.find('/'), second = file.find('/', first + 1);
   return file.substr(0, std::min(folder, second));
 }
@@ -158,11 +175,13 @@ std::vector<Mutant> mutants_of(const std::vector<Mutable>& files) {
   std::vector<Mutant> all;
   for (const Mutable& file : files) {
     std::map<std::string, int> alike;
+    const std::vector<Extent> near_misses = near_misses_in(file.text);
     for (const Point& p : file.points)
       for (const std::string& mutation : p.mutations) {
         const unsigned at = std::max(p.op.end, p.whole.begin);  // the operator's line, if it has one
-        Mutant m{
-            static_cast<int>(all.size()) + 1, file.file, p.within, line_of(file.text, at), mutation, 1, 0};
+        Mutant m{static_cast<int>(all.size()) + 1, file.file, p.within, line_of(file.text, at), mutation};
+        m.in_near_miss = std::ranges::any_of(
+            near_misses, [&](const Extent& e) { return e.begin < p.whole.begin && p.whole.end <= e.end; });
         m.at = 1 + static_cast<int>(std::count(file.text.begin(), file.text.begin() + at, '\n'));
         m.occurrence = ++alike[m.name()];
         all.push_back(std::move(m));

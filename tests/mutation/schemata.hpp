@@ -15,13 +15,17 @@ struct Mutant {
   int number = 0;  ///< in the tree of this run, from 1
   std::string file, function, line, mutation;
   int occurrence = 1;
-  int at = 0;  ///< its line's number
+  int at = 0;                 ///< its line's number
+  bool in_near_miss = false;  ///< of a formula that has to be wrong
 
   std::string name() const;
   std::string change() const;  ///< its name within the file
   std::string id() const;      ///< a number of its name, as records have it
-  std::string room() const;    ///< its folder, two levels deep at most
+  std::string room() const;    ///< that of its file
 };
+
+/// A file's folder, two levels deep at most.
+std::string room_of(const std::string& file);
 
 /// A number of a text, the same on every machine (FNV-1a).
 std::uint64_t number_of(const std::string& text);

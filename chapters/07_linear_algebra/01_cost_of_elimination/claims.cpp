@@ -1,5 +1,7 @@
 #include "chapters/claims.hpp"
 
+#include <array>
+
 #include "chapters/07_linear_algebra/01_cost_of_elimination/cost_formulas.hpp"
 #include "chapters/07_linear_algebra/01_cost_of_elimination/cost_of_elimination.hpp"
 #include "reference/text.hpp"
@@ -46,7 +48,6 @@ struct Counts {
       forward_second = counted_cost([&] { forward_step(forward, 1); });
       full_second = counted_cost([&] { full_step(rows, 1); });
     }
-    rows = start;
     full = counted_cost([&] {
       for (std::size_t k = 0; k < size; ++k) full_step(rows, k);
     });
@@ -182,10 +183,10 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
 /// Six times the excess at a real n: the cubic through the counts at n = 1, 2, 3, 4 by Newton;
 /// exact for dyadic n.
 Cost six_excess(const std::vector<Counts>& sizes, double n) {
-  Cost d[4];
+  std::array<Cost, 4> d{};
   for (std::size_t i = 0; i < 4; ++i) d[i] = sizes[sizes.size() - 1 - i].excess();
-  for (int order = 1; order < 4; ++order)
-    for (int i = 3; i >= order; --i) d[i] = d[i] - d[i - 1];
+  for (std::size_t order = 1; order < 4; ++order)
+    for (std::size_t i = 3; i >= order; --i) d[i] = d[i] - d[i - 1];
   return 6 * d[0] + (n - 1) * (6 * d[1] + (n - 2) * (3 * d[2] + (n - 3) * d[3]));
 }
 

@@ -47,14 +47,14 @@ std::vector<Sample> matrices_of_whole_numbers(Random random, bool triangular) {
   return all;
 }
 
-/// Without one row and one column.
-Matrix<Whole> minor_of(const Matrix<Whole>& m, int row, int column) {
-  return filled<Whole>(m.n - 1, [&](int r, int c) { return m(r + (r >= row), c + (c >= column)); });
+/// Without the last row and one column.
+Matrix<Whole> minor_of(const Matrix<Whole>& m, int column) {
+  return filled<Whole>(m.n - 1, [&](int r, int c) { return m(r, c + (c >= column)); });
 }
 
 /// Of u_n1, ..., u_nn the term `column` of the cofactor expansion.
 Whole cofactor_term(const Matrix<Whole>& m, int column) {
-  const Whole term = m(m.n - 1, column) * bareiss(minor_of(m, m.n - 1, column));
+  const Whole term = m(m.n - 1, column) * bareiss(minor_of(m, column));
   return (m.n - 1 + column) % 2 == 0 ? term : -term;
 }
 
@@ -74,8 +74,9 @@ Matrix<Whole> bordered(const Matrix<Whole>& m) {
 Matrix<Whole> eliminated(Matrix<Whole> m, int columns) {
   Whole previous = 1;
   for (int k = 0; k < columns; ++k) {
-    for (int pivot = k; m(k, k) == 0 && pivot < m.n; ++pivot)
-      for (int c = 0; m(pivot, k) != 0 && c < m.n; ++c) std::swap(m(k, c), m(pivot, c));
+    int pivot = k;
+    while (pivot + 1 < m.n && m(pivot, k) == 0) ++pivot;
+    for (int c = k; c < m.n; ++c) std::swap(m(k, c), m(pivot, c));
     const Matrix<Whole> before = m;
     if (before(k, k) == 0) continue;
     for (int r = k + 1; r < m.n; ++r)
@@ -144,14 +145,13 @@ std::vector<Claim> claims(const Random& random) {
   add("submatrix", 3965, "without its last row and column $U$ is upper triangular again", full,
       "sum of squares below the diagonal", zero,
       in_whole("$U$, left by an elimination, without the last row and column",
-               [](M m) { return below(minor_of(eliminated(m, m.n - 1), m.n - 1, m.n - 1)); }),
+               [](M m) { return below(minor_of(eliminated(m, m.n - 1), m.n - 1)); }),
       in_whole("without the last row and the first column",
-               [](M m) { return below(minor_of(eliminated(m, m.n - 1), m.n - 1, 0)); }));
+               [](M m) { return below(minor_of(eliminated(m, m.n - 1), 0)); }));
   add("recursion", 3967, R"($\det U$ by the matrix $U'$ without the last row and column)", upper,
       R"($\det U$)", det,
-      in_whole(R"($u_{nn}\det U'$)",
-               [](M m) { return m(m.n - 1, m.n - 1) * bareiss(minor_of(m, m.n - 1, m.n - 1)); }),
-      in_whole(R"($u_{11}\det U'$)", [](M m) { return m(0, 0) * bareiss(minor_of(m, m.n - 1, m.n - 1)); }));
+      in_whole(R"($u_{nn}\det U'$)", [](M m) { return m(m.n - 1, m.n - 1) * bareiss(minor_of(m, m.n - 1)); }),
+      in_whole(R"($u_{11}\det U'$)", [](M m) { return m(0, 0) * bareiss(minor_of(m, m.n - 1)); }));
   add("sign", 3969, "the sign of $u_{nn}$ is the same for every $n$", full,
       R"($\det M$, $M$ bordered by $0,\ldots,0,1$)",
       in_whole("elimination of the bordered matrix", [](M m) { return bareiss(bordered(m)); }),

@@ -63,7 +63,7 @@ inline Whole bareiss(Matrix<Whole> m) {
     while (pivot < m.n && m(pivot, k) == 0) ++pivot;
     if (pivot == m.n) return 0;
     if (pivot != k) {
-      for (int j = 0; j < m.n; ++j) std::swap(m(k, j), m(pivot, j));
+      for (int j = k; j < m.n; ++j) std::swap(m(k, j), m(pivot, j));
       sign = -sign;
     }
     for (int i = k + 1; i < m.n; ++i)

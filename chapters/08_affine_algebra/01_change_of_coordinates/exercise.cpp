@@ -91,7 +91,7 @@ struct FramesOf {
     for (T* x : letters()) *x = random.between(-largest, largest);
   }
   std::array<T*, 6> letters() { return {&origin[0], &origin[1], &offset[0], &offset[1], &a[0], &a[1]}; }
-  double size() const { return 4 * largest; }
+  double size() const { return largest; }
   std::string where() const { return "size " + format_significant(largest, 3); }
 };
 
