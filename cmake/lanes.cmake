@@ -85,6 +85,21 @@ if(lanes_included)
   write_lanes(${lanes_part})
 endif()
 
+# Operations alone, for what a register of each set can do at most.
+set(lanes_repeated "")
+foreach(set IN LISTS lanes_sets)
+  set(declared "extern const oddity::lanes::Repeated* const lanes_repeated_${set};\n")
+  string(APPEND lanes_declared "${declared}")
+  string(APPEND lanes_repeated "lanes_repeated_${set}, ")
+  string(CONCAT lanes_text_${set} "${declared}const oddity::lanes::Repeated* const lanes_repeated_${set} =\n"
+    "    oddity::lanes::repeated<oddity::lanes::${set}>;\n")
+  set(file ${lanes}/${set}_repeated.cpp)
+  file(CONFIGURE OUTPUT ${file} CONTENT "#include \"report/lanes/repeated.hpp\"\n\n${lanes_text_${set}}" @ONLY)
+  set_source_files_properties(${file} PROPERTIES
+    COMPILE_OPTIONS "${lanes_flags_${set}};$<$<NOT:$<CONFIG:Release>>:-O2;-fno-sanitize=all>")
+  list(APPEND lanes_files ${file})
+endforeach()
+
 file(CONFIGURE OUTPUT ${lanes}/register.cpp CONTENT [[
 #include "report/lanes/scenes.hpp"
 
@@ -95,6 +110,11 @@ std::span<const SceneInLanes> scenes_in_lanes() {
   static const SceneInLanes all[] = {
 @lanes_entries@  };
   return all;
+}
+
+const Repeated* repeated_operations(Registers registers) {
+  static const Repeated* const all[registers_count] = {@lanes_repeated@};
+  return all[static_cast<int>(registers)];
 }
 
 }  // namespace oddity::lanes

@@ -3,6 +3,7 @@
 #include "report/cli/bench_lanes.hpp"
 #include "report/lanes/price.hpp"
 #include "tests/catch.hpp"
+#include "tests/near.hpp"
 
 using namespace oddity;
 
@@ -37,6 +38,28 @@ TEST_CASE("a share of the width holds or is broken by more than its spread, and 
   CHECK(of(0.92, 511).broken());
   CHECK(LanesBench{lanes::Registers::avx2, {of(0.92), of(0.88)}}.broken());
   CHECK_FALSE(LanesBench{lanes::Registers::avx2, {of(0.92), of(0.905)}}.broken());
+}
+
+TEST_CASE("where a wider register's instructions take longer, its lanes owe what its arithmetic has",
+          "[lanes]") {
+  using lanes::Registers;
+  const ArithmeticResult whole{
+      Registers::avx2, Precision::in_double, 4, {{4.1, 0.1}, {4, 0.1}, {3, 0.1}, {3, 0.1}}};
+  const ArithmeticResult half{
+      Registers::avx512, Precision::in_double, 8, {{3.9, 0.1}, {4, 0.1}, {3.5, 0.1}, {4.3, 0.1}}};
+  CHECK(whole.ceiling() == 1);
+  CHECK(near(half.ceiling(), 0.55, 1e-12));
+  LanesResult r = measured(Registers::avx512, "Runge-Kutta 4", 0.6);
+  CHECK(r.broken());
+  r.ceiling = half.ceiling();
+  CHECK_FALSE(r.holds());
+  CHECK(r.holds_of_arithmetic());
+  CHECK_FALSE(r.broken());
+  r.share.median = 0.4;
+  CHECK(r.broken());
+  const std::string view = lanes_view({Registers::avx512, {r}, {half}});
+  INFO(view);
+  CHECK(has(view, "AVX-512: adds 3.9, multiplies 4, divides 3.5, roots 4.3 at once, of 8 doubles"));
 }
 
 TEST_CASE("the view of lanes counts what holds, and the bits", "[lanes]") {

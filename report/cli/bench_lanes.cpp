@@ -1,6 +1,7 @@
 #include "report/cli/bench_lanes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <map>
@@ -96,6 +97,42 @@ class Contestant {
   std::map<Registers, Times> wide_;
 };
 
+/// The operations alone, of one precision in all kinds of registers in turn.
+class ArithmeticAlone {
+ public:
+  explicit ArithmeticAlone(Precision precision) : precision_(precision) {}
+
+  void measure() {
+    for (int operation = 0; operation < lanes::arithmetic_count; ++operation) {
+      const double alone = seconds(Registers::one, operation);
+      for (Registers r : wide_ones())
+        at_once_[r][operation].push_back(alone / seconds(r, operation) * static_cast<double>(of(r).width));
+    }
+  }
+  void add_to(std::vector<ArithmeticResult>& results) const {
+    for (const auto& [registers, measured] : at_once_) {
+      ArithmeticResult result{registers, precision_, of(registers).width, {}};
+      for (int i = 0; i < lanes::arithmetic_count; ++i) result.at_once[i] = spread_of(measured[i]);
+      results.push_back(result);
+    }
+  }
+
+ private:
+  const lanes::Repeated& of(Registers registers) const {
+    return lanes::repeated_operations(registers)[precision_ == Precision::in_float];
+  }
+  double seconds(Registers registers, int operation) {
+    constexpr long times = 20000;
+    const double start = processor_seconds();
+    left_ = of(registers).run(static_cast<lanes::Arithmetic>(operation), times);
+    return processor_seconds() - start;
+  }
+
+  Precision precision_;
+  std::map<Registers, std::array<std::vector<double>, lanes::arithmetic_count>> at_once_;
+  volatile double left_ = 0;
+};
+
 void by_fixed_steps(Batch& batch, Registers registers, Fixed algorithm) {
   batch.steps(registers, algorithm, 0, frame / steps_a_frame, frames * steps_a_frame);
 }
@@ -123,7 +160,8 @@ std::vector<Contestant> contestants(const std::vector<std::string>& numbers) {
 }
 
 std::string_view verdict_of(const LanesResult& r) {
-  return r.holds() && r.same == r.bodies ? "holds" : r.broken() ? "BROKEN" : "undecided";
+  if (r.same < r.bodies) return "BROKEN";
+  return r.holds() ? "holds" : r.broken() ? "BROKEN" : r.holds_of_arithmetic() ? "arithmetic" : "undecided";
 }
 
 std::string in_nanoseconds(double seconds) { return format_significant(seconds * 1e9, 3); }
@@ -138,36 +176,60 @@ std::string cell(const LanesResult& r) {
 std::string summary(const LanesBench& bench, Registers registers) {
   std::string text;
   for (bool own : {false, true}) {
-    std::size_t all = 0, hold = 0;
+    std::size_t all = 0, hold = 0, of_arithmetic = 0;
     std::vector<double> shares;
     for (const LanesResult& r : bench.results) {
       if (r.registers != registers || (r.algorithm == lanes::own_steps_name) != own) continue;
-      ++all, hold += r.holds();
+      ++all, hold += r.holds(), of_arithmetic += r.holds_of_arithmetic();
       shares.push_back(r.share.median);
     }
     if (all == 0) continue;
     text += (own ? "; by their own steps at least "
                  : std::string(lanes::name_of(registers)) + ": by fixed steps at least ") +
             format_significant(own ? of_own_steps : of_fixed_steps, 1) + " of the width in " +
-            std::to_string(hold) + " of " + std::to_string(all) + " (half of them from " +
-            format_significant(spread_of(shares).median, 2) + " on, the least " +
+            std::to_string(hold) + " of " + std::to_string(all) +
+            (of_arithmetic > hold ? ", of what its arithmetic has in " + std::to_string(of_arithmetic) : "") +
+            " (half of them from " + format_significant(spread_of(shares).median, 2) + " on, the least " +
             format_significant(std::ranges::min(shares), 2) + ")";
   }
   return text + "\n";
 }
 
+/// "AVX-512: adds 4.0, multiplies 4.0, divides 4.0, roots 4.2 doubles at once, of 8"
+std::string text_of(const ArithmeticResult& a) {
+  constexpr std::string_view names[] = {"adds", "multiplies", "divides", "roots"};
+  std::string text(lanes::name_of(a.registers));
+  for (int i = 0; i < lanes::arithmetic_count; ++i)
+    text += std::string(i ? ", " : ": ") + std::string(names[i]) + " " +
+            format_significant(a.at_once[i].median, 2);
+  return text + " at once, of " + std::to_string(a.width) +
+         (a.precision == Precision::in_double ? " doubles\n" : " floats\n");
+}
+
 }  // namespace
+
+double ArithmeticResult::ceiling() const {
+  double most = 0;
+  for (const Spread& numbers : at_once) most = std::max(most, numbers.median + numbers.half_width);
+  return std::min(1.0, most / static_cast<double>(width));
+}
 
 bool LanesBench::broken() const { return std::ranges::any_of(results, &LanesResult::broken); }
 
 LanesBench bench_lanes(const std::vector<std::string>& numbers, int rounds, const Progress& progress) {
   auto all = contestants(numbers);
+  std::array arithmetic{ArithmeticAlone(Precision::in_double), ArithmeticAlone(Precision::in_float)};
   for (int round = 0; round < rounds; ++round) {
     if (progress) progress("models in lanes", round, static_cast<std::size_t>(rounds));
+    for (ArithmeticAlone& one : arithmetic) one.measure();
     for (Contestant& one : all) one.measure();
   }
   LanesBench bench{lanes::widest(), {}};
   for (const Contestant& one : all) one.add_to(bench.results);
+  for (const ArithmeticAlone& one : arithmetic) one.add_to(bench.arithmetic);
+  for (LanesResult& r : bench.results)
+    for (const ArithmeticResult& a : bench.arithmetic)
+      if (a.registers == r.registers && a.precision == r.precision) r.ceiling = a.ceiling();
   return bench;
 }
 
@@ -204,6 +266,13 @@ std::string lanes_view(const LanesBench& bench, const Screen& screen) {
                   " frames at once.\nTaken on this machine: " + std::string(lanes::name_of(bench.taken)) +
                   ".\n",
               screen);
+  if (!bench.arithmetic.empty())
+    text += wrapped(
+        "What its arithmetic has at once, measured in this run by operations that do not wait for each other, in the "
+        "time of one number's. An instruction on a wider register may take longer: then what keeps the arithmetic busy "
+        "alone cannot be as much faster as the register is wide.\n",
+        screen);
+  for (const ArithmeticResult& a : bench.arithmetic) text += "  " + text_of(a);
   for (Registers kind : kinds) text += wrapped(summary(bench, kind), screen);
   return text + std::to_string(same) + " of " + std::to_string(all) +
          " bodies have the bits that they have alone.\n";
@@ -212,14 +281,14 @@ std::string lanes_view(const LanesBench& bench, const Screen& screen) {
 Table lanes_table(const LanesBench& bench) {
   Table table{{"scene", "model", "algorithm", "precision", "registers", "width", "taken", "seconds_alone",
                "half_width_alone", "seconds", "half_width", "share", "half_width_of_share", "at_least",
-               "verdict", "bodies", "same_bits"},
+               "ceiling", "verdict", "bodies", "same_bits"},
               {}};
   for (const LanesResult& r : bench.results)
     table.rows.push_back({r.number, r.model, r.algorithm, std::string(name_of(r.precision)),
                           std::string(lanes::name_of(r.registers)), static_cast<long>(r.width),
                           std::string(r.registers == bench.taken ? "yes" : "no"), r.alone.median,
                           r.alone.half_width, r.in_lanes.median, r.in_lanes.half_width, r.share.median,
-                          r.share.half_width, r.at_least, std::string(verdict_of(r)),
+                          r.share.half_width, r.at_least, r.ceiling, std::string(verdict_of(r)),
                           static_cast<long>(r.bodies), static_cast<long>(r.same)});
   return table;
 }

@@ -6,6 +6,19 @@
 /// `oddity bench --lanes`: every model of every scene in lanes beside the same model alone.
 namespace oddity {
 
+/// What a register's arithmetic does at most, by operations that do not wait for each other.
+struct ArithmeticResult {
+  lanes::Registers registers;
+  Precision precision;
+  std::size_t width;
+  /// How many numbers at once, where a single number's operation takes as long as it takes here: the width,
+  /// or less, where an instruction on the whole register takes longer.
+  Spread at_once[lanes::arithmetic_count];
+
+  /// The most of all operations, as a share of the width; no more than 1.
+  double ceiling() const;
+};
+
 /// One model by one algorithm on one kind of register, beside a single number, in turn with it.
 struct LanesResult {
   std::string number, model, algorithm;
@@ -16,14 +29,18 @@ struct LanesResult {
   Spread share;              ///< of the width that the lanes are faster
   double at_least;           ///< of it
   std::size_t bodies, same;  ///< those with the same bits
+  double ceiling = 1;        ///< the share of the width that the machine's arithmetic has
 
   bool holds() const { return share.median - share.half_width >= at_least; }
-  bool broken() const { return share.median + share.half_width < at_least || same < bodies; }
+  /// Not of the width, but of the numbers that the machine's arithmetic has at once.
+  bool holds_of_arithmetic() const { return share.median - share.half_width >= at_least * ceiling; }
+  bool broken() const { return share.median + share.half_width < at_least * ceiling || same < bodies; }
 };
 
 struct LanesBench {
   lanes::Registers taken;  ///< the widest of this machine
   std::vector<LanesResult> results;
+  std::vector<ArithmeticResult> arithmetic = {};
 
   bool broken() const;
 };

@@ -34,6 +34,8 @@ struct SceneInLanes {
 };
 
 std::span<const SceneInLanes> scenes_in_lanes();
+/// Of doubles, and then of floats; null where this build has none.
+const Repeated* repeated_operations(Registers);
 /// Throws BadInput where there is none.
 const SceneInLanes& scene_in_lanes(std::string_view number);
 

@@ -32,4 +32,14 @@ struct Compiled {
   void (*at)(const double* parameters, std::size_t bodies, double t, double* observed) = nullptr;
 };
 
+/// One operation on registers that do not wait for each other, `times` on each of eight, which is what a
+/// machine's arithmetic can do at most.
+enum class Arithmetic { addition, multiplication, division, root };
+constexpr int arithmetic_count = 4, registers_at_once = 8;
+
+struct Repeated {
+  std::size_t width;
+  double (*run)(Arithmetic, long times);  ///< what is left in the end, which says nothing
+};
+
 }  // namespace oddity::lanes

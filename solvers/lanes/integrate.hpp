@@ -48,6 +48,22 @@ void take(Alone& one, const Together& all, std::size_t lane) {
   for (std::size_t i = 0; i < one.size(); ++i) one[i] = all[i][lane];
 }
 
+/// The states of bodies from `first` on, side by side; the last stands in for those that there are not. A
+/// function of its own, as is the next: where lanes are seen to be put one by one, g++ takes the registers
+/// apart in every step.
+template <class State, class Number, class Alone>
+[[gnu::noinline]] State put_all(const Alone* states, std::size_t first, std::size_t bodies) {
+  State x;
+  for (std::size_t lane = 0; lane < Number::size(); ++lane)
+    put<Number>(x, lane, states[first + lane < bodies ? first + lane : bodies - 1]);
+  return x;
+}
+template <class Number, class State, class Alone>
+[[gnu::noinline]] void take_all(const State& x, Alone* states, std::size_t first, std::size_t bodies) {
+  for (std::size_t lane = 0; lane < Number::size() && first + lane < bodies; ++lane)
+    take<Number>(states[first + lane], x, lane);
+}
+
 /// Steps of the size h from t0; Stepper is such as those of report/plain. The time is counted in double.
 template <class Stepper, class Alone, class Together>
 void fixed_steps(const Alone* models, typename Alone::State* states, std::size_t bodies, double t0, double h,
@@ -57,18 +73,16 @@ void fixed_steps(const Alone* models, typename Alone::State* states, std::size_t
   using T = typename P::T;
   for (std::size_t first = 0; first < bodies; first += P::width) {
     Room<Together> room;
-    typename P::State x;
-    for (std::size_t lane = 0; lane < P::width; ++lane) {
-      const std::size_t body = first + lane < bodies ? first + lane : bodies - 1;
-      put<Number>(room.model, lane, models[body]);
-      put<Number>(x, lane, states[body]);
-    }
+    for (std::size_t lane = 0; lane < P::width; ++lane)
+      put<Number>(room.model, lane, models[first + lane < bodies ? first + lane : bodies - 1]);
+    const auto begun = put_all<typename P::State, Number>(states, first, bodies);
+    auto x = begun;
     Stepper stepper;
     for (long i = 0; i < steps; ++i)
       stepper.step(room.model, x, Number(static_cast<T>(t0 + static_cast<double>(i) * h)),
                    Number(static_cast<T>(h)));
-    for (std::size_t lane = 0; lane < P::width && first + lane < bodies; ++lane)
-      take<Number>(states[first + lane], x, lane);
+    const auto ended = x;
+    take_all<Number>(ended, states, first, bodies);
   }
 }
 
