@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 #include "reference/text.hpp"
 
@@ -317,9 +316,11 @@ std::string written(const Value& x) {
 
 std::string told(const TypesetLetters& letters, std::size_t count) {
   std::string all;
-  for (const auto& [letter, value] : letters | std::views::take(count))
+  for (std::size_t i = 0; i < std::min(count, letters.size()); ++i) {
+    const auto& [letter, value] = letters[i];
     all += (all.empty() ? "$" : ", $") + letter +
            "$ = " + (value.size() == 1 ? format_shortest(value[0]) : written(value));
+  }
   return all;
 }
 

@@ -75,7 +75,8 @@ Question random_question(const Entry& entry, Random& random) {
 /// An evaluation costs 1 to 4 ns, as the method's name says: on every machine and in every run the same.
 Time price_by_name(const Method& method, double setting) {
   double seed = 0;
-  for (unsigned char letter : method.model + method.algorithm) seed = std::fmod(31 * seed + letter, 1e9 + 7);
+  for (const char letter : method.model + method.algorithm)
+    seed = std::fmod(31 * seed + static_cast<unsigned char>(letter), 1e9 + 7);
   const double each = 1e-9 * std::pow(4, Random(seed).unit());
   return {each * static_cast<double>(method.run(setting).evaluations), 0};
 }

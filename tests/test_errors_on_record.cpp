@@ -40,7 +40,7 @@ ExerciseResult an_exercise() {
   claim.verdict = Verdict::confirmed;
   claim.claim.near_misses.push_back({"wrong", {wrong}});
   Check within = wrong;
-  within.left.value = Value{0.999};
+  within.left.value = Value{0.9995};
   claim.claim.printed = {"rounded", {within}};
   ExerciseResult e;
   e.number = {3, 5};

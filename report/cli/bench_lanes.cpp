@@ -106,13 +106,14 @@ class ArithmeticAlone {
     for (int operation = 0; operation < lanes::arithmetic_count; ++operation) {
       const double alone = seconds(Registers::one, operation);
       for (Registers r : wide_ones())
-        at_once_[r][operation].push_back(alone / seconds(r, operation) * static_cast<double>(of(r).width));
+        at_once_[r][static_cast<std::size_t>(operation)].push_back(alone / seconds(r, operation) *
+                                                                   static_cast<double>(of(r).width));
     }
   }
   void add_to(std::vector<ArithmeticResult>& results) const {
     for (const auto& [registers, measured] : at_once_) {
       ArithmeticResult result{registers, precision_, of(registers).width, {}};
-      for (int i = 0; i < lanes::arithmetic_count; ++i) result.at_once[i] = spread_of(measured[i]);
+      for (std::size_t i = 0; i < measured.size(); ++i) result.at_once[i] = spread_of(measured[i]);
       results.push_back(result);
     }
   }

@@ -143,7 +143,9 @@ template <int k, class Rows>
 /// r = a / b from a = r b.
 template <int k, class Rows>
 [[gnu::always_inline]] inline auto divide(const Node& node, const Rows& rows) {
-  const auto &a = rows.a, &b = rows.b, &r = rows.result;
+  const auto& a = rows.a;
+  const auto& b = rows.b;
+  const auto& r = rows.result;
   using T = std::decay_t<decltype(r[k])>;
   T& reciprocal = rows.spare[0];
   if constexpr (k == 0) {
@@ -162,7 +164,8 @@ constexpr double inverse_cube_scale(int j, int k) { return -1.5 * j / k - (1 - 1
 template <int k, class Rows>
 [[gnu::always_inline]] inline auto inverse_cube(const Node& node, const Rows& rows) {
   using std::sqrt;
-  const auto &a = rows.a, &r = rows.result;
+  const auto& a = rows.a;
+  const auto& r = rows.result;
   using T = std::decay_t<decltype(r[k])>;
   T& reciprocal = rows.spare[0];
   if constexpr (k == 0) {
@@ -184,7 +187,8 @@ template <int k, class Rows>
 template <int k, class Rows>
 [[gnu::always_inline]] inline auto square_root(const Rows& rows) {
   using std::sqrt;
-  const auto &a = rows.a, &r = rows.result;
+  const auto& a = rows.a;
+  const auto& r = rows.result;
   using T = std::decay_t<decltype(r[k])>;
   T& reciprocal = rows.spare[0];
   if constexpr (k == 0) {
@@ -202,7 +206,10 @@ template <int k, class Rows>
 template <int k, class Rows>
 [[gnu::always_inline]] inline auto sine_and_cosine(const Rows& rows) {
   using std::cos, std::sin;
-  const auto &a = rows.a, &s = rows.result, &c = rows.second, &slope = rows.spare;
+  const auto& a = rows.a;
+  const auto& s = rows.result;
+  const auto& c = rows.second;
+  const auto& slope = rows.spare;
   using T = std::decay_t<decltype(s[k])>;
   if constexpr (k == 0) {
     c[0] = cos(a[0]);
@@ -220,7 +227,9 @@ template <int k, class Rows>
 template <int k, class Rows>
 [[gnu::always_inline]] inline auto exponential(const Rows& rows) {
   using std::exp;
-  const auto &a = rows.a, &r = rows.result, &slope = rows.spare;
+  const auto& a = rows.a;
+  const auto& r = rows.result;
+  const auto& slope = rows.spare;
   using T = std::decay_t<decltype(r[k])>;
   if constexpr (k == 0) {
     return T(exp(a[0]));
@@ -265,7 +274,8 @@ template <int k, class Rows>
 template <int k, class Rows>
 [[gnu::always_inline]] inline double inverse_cube_by_pairs(const Node& node, const Rows& rows,
                                                            const Both& rising, const Both& falling) {
-  const auto &a = rows.a, &r = rows.result;
+  const auto& a = rows.a;
+  const auto& r = rows.result;
   double newest = 0;
   if constexpr (k < 4) {
     newest = inverse_cube<k>(node, rows);

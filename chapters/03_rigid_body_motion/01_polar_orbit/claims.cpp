@@ -8,6 +8,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
 #include "chapters/03_rigid_body_motion/01_polar_orbit/polar_orbit.hpp"
 #include "chapters/claims.hpp"
 #include "chapters/recorded.hpp"
@@ -17,7 +18,12 @@
 
 namespace oddity::ex03_01 {
 
-using std::abs, std::cos, std::hypot, std::pow, std::sin, std::sqrt, std::numbers::pi;
+using std::abs, std::atan2, std::cos, std::hypot, std::pow, std::sin, std::sqrt, std::numbers::pi;
+
+inline Expression hypot(const Expression& x, const Expression& y) { return sqrt(x * x + y * y); }
+inline Expression atan2(const Expression& y, const Expression& x) {
+  return oddity::atan2(Shortened(y), Shortened(x)).expression();
+}
 
 /// A point of sign 1 lies on the orbit, of sign -1 on the mirror image r = e rho / (1 - e cos theta), of sign
 /// 0 anywhere: there only rewritings hold.
@@ -53,7 +59,7 @@ struct PointOf : EllipseOf<T> {
     const auto height = [&](auto theta) { return orbit(e, rho, theta) * sin(theta); };
     return height(brent([&](double theta) { return derivative(height, theta); }, 0, pi, 1e-15).value);
   }
-  double sum_with_focus(double focus) const { return r + hypot(x - focus, y); }
+  T sum_with_focus(const T& focus) const { return r + hypot(x - focus, y); }
 
   T r2() const { return s == 0 ? x * x + y * y : r * r; }
   T e4() const { return e * e * e * e; }
@@ -137,14 +143,11 @@ struct Table {
 };
 
 void to_the_second_squaring(Table& t) {
-  t.claims.formula<Point>(
-      "multiplied", 857, R"(the polar equation multiplied out, $x=r\cos\theta$)", t.orbit_alone,
-      {.truth = {R"($e\rho$)", [](const auto& p) { return twice(p.e * p.rho); }},
-       .printed = {R"($e\rho=r(1+e\cos\theta)=r+ex$)",
-                   [](const auto& p) {
-                     return two(p.r * (1 + p.e * cos(std::atan2(p.y, p.x))), p.r + p.e * p.x);
-                   }},
-       .near_misses = {{R"($e\rho=r-ex$)", [](const auto& p) { return twice(p.r - p.e * p.x); }}}});
+  t.line("multiplied", 857, R"(the polar equation multiplied out, $x=r\cos\theta$)", On::orbit,
+         written(R"($e\rho$)", [](const auto& p) { return twice(p.e * p.rho); }),
+         written(R"($e\rho=r(1+e\cos\theta)=r+ex$)",
+                 [](const auto& p) { return two(p.r * (1 + p.e * cos(atan2(p.y, p.x))), p.r + p.e * p.x); }),
+         written(R"($e\rho=r-ex$)", [](const auto& p) { return twice(p.r - p.e * p.x); }));
   const auto squared = [](std::string text, double middle) {
     return written(
         std::move(text),
@@ -158,11 +161,10 @@ void to_the_second_squaring(Table& t) {
          written("$2exr$ at the point", [](const auto& p) { return 2 * p.e * p.x * p.r; }),
          written(R"($2exr=e^2(\rho^2-x^2)-r^2$)", [](const auto& p) { return p.difference() - p.r2(); }),
          written(R"($2exr=e^2(\rho^2+x^2)-r^2$)", [](const auto& p) { return p.sum() - p.r2(); }));
-  t.claims.formula<Point>(
-      "distance", 865, "$r$ by the coordinates", t.orbit_alone,
-      {.truth = {"$r$ by the polar equation", [](const auto& p) { return p.r; }},
-       .printed = {R"($\sqrt{x^2+y^2}$)", [](const auto& p) { return sqrt(p.x * p.x + p.y * p.y); }},
-       .near_misses = {{"$|x|+|y|$", [](const auto& p) { return abs(p.x) + abs(p.y); }}}});
+  t.line("distance", 865, "$r$ by the coordinates", On::orbit,
+         written("$r$ by the polar equation", [](const auto& p) { return p.r; }),
+         written(R"($\sqrt{x^2+y^2}$)", [](const auto& p) { return sqrt(p.x * p.x + p.y * p.y); }),
+         written("$|x|+|y|$", [](const auto& p) { return abs(p.x) + abs(p.y); }));
   t.line("squared_again", 869, "the square of $2exr$, and its three terms", On::both,
          written("$4e^2x^2r^2$ at the point",
                  [](const auto& p) { return twice(4 * p.e * p.e * p.x * p.x * p.r2()); }),
@@ -342,6 +344,12 @@ Line on_the_axis(std::string text, double factor) {
   return written(std::move(text), [=](const auto& p) { return two(factor * p.c(), 0); });
 }
 
+const Line all_apart = written(R"($r(0)+r(\pi)$)", [](const auto& p) { return p.nearest() + p.farthest(); });
+
+Line foci(std::string text, double other) {
+  return written(std::move(text), [=](const auto& p) { return p.sum_with_focus(other * p.c()); });
+}
+
 void about_the_ellipse(Table& t) {
   Claims& claims = t.claims;
   const std::vector<Point>& samples = t.orbit_alone;
@@ -386,17 +394,9 @@ void about_the_ellipse(Table& t) {
              &Point::farthest),
          written("$c$", [](const auto& p) { return p.c(); }),
          written("$b$", [](const auto& p) { return p.b(); }));
-  const Formula<Point> all_apart{R"($r(0)+r(\pi)$)",
-                                 [](const auto& p) { return p.nearest() + p.farthest(); }};
-  const auto foci = [](std::string text, double other) -> Formula<Point> {
-    return {std::move(text), [=](const auto& p) { return p.sum_with_focus(other * p.c()); }};
-  };
-  claims.formula<Point>("origin_is_focus", 943,
-                        "the origin is a focus: with another point it completes a constant sum", samples,
-                        {.quantity = "sum of the distances to the two",
-                         .truth = all_apart,
-                         .printed = foci("with its mirror in the center, $(-2c,0)$", -2),
-                         .near_misses = {foci("with the center, $(-c,0)$", -1)}});
+  t.line("origin_is_focus", 943, "the origin is a focus: with another point it completes a constant sum",
+         On::orbit, all_apart, foci("with its mirror in the center, $(-2c,0)$", -2),
+         foci("with the center, $(-c,0)$", -1), "sum of the distances to the two");
   claims.formula<Point>(
       "other_focus", 943, "the other focus of the ellipse $(x+c)^2/a^2+y^2/b^2=1$", samples,
       {.quantity = "sum of the distances to the two foci",
@@ -481,6 +481,42 @@ std::vector<Lemma> lemmas_of(const Stated& s) {
   return all;
 }
 
+/// For claims about distances and the angle.
+const std::string distances_in_coq = R"(
+(* r > 0 on the orbit, and below the farthest. *)
+Lemma on_orbit : forall e rho x y, e > 0 -> 1 - e > 0 -> rho > 0 ->
+  y * y = (e * rho - e * x) * (e * rho - e * x) - x * x -> e * rho - e * x > 0 /\ (1 - e) * (e * rho - e * x) <= e * rho.
+Proof.
+  intros e rho x y E U P C. set (r := e * rho - e * x) in *.
+  assert (M : e * rho > 0) by (apply Rmult_lt_0_compat; lra). assert (R : r + e * x = e * rho) by (unfold r; ring).
+  assert (B : x * x <= r * r) by nra. clearbody r.
+  assert (far : r > 0).
+  { destruct (Rlt_le_dec 0 r) as [|N]; trivial. assert (0 < x) by nra. assert (- r < x) by nra. nra. }
+  split; trivial. assert (- r <= x) by (destruct (Rle_lt_dec (- r) x) as [|N]; trivial; nra). nra.
+Qed.
+Ltac by_distance :=
+  match goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, C : ?y * ?y = _ - ?x * ?x |- _ =>
+    rewrite ?Rmult_1_l in *; destruct (on_orbit e rho x y E U P C) as [far below];
+    assert (square : x * x + y * y = (e * rho - e * x) * (e * rho - e * x)) by lra;
+    try rewrite cos_atan2 by (rewrite square; apply Rmult_lt_0_compat; lra);
+    rewrite ?square, ?sqrt_square by lra;
+    try (match goal with |- context [sqrt ?q] =>
+      replace q with ((e * rho / (1 + e) + e * rho / (1 - e) - (e * rho - e * x)) * (e * rho / (1 + e) + e * rho / (1 - e) - (e * rho - e * x)))
+        by (field [C]; repeat split; lra);
+      rewrite sqrt_square by (apply Rmult_le_reg_r with (1 - e); [lra |];
+        assert (e * rho / (1 + e) > 0) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra);
+        replace ((e * rho / (1 + e) + e * rho / (1 - e) - (e * rho - e * x)) * (1 - e)) with
+          (e * rho / (1 + e) * (1 - e) + (e * rho - (1 - e) * (e * rho - e * x))) by (field; lra); nra) end);
+    field; repeat split; lra end.
+)";
+
+Provable by_distance(Provable provable) {
+  provable.preamble = atan2_in_coq + distances_in_coq;
+  for (Lemma& lemma : provable.lemmas)
+    if (lemma.tactic != "interval") lemma.tactic = "by_distance";
+  return provable;
+}
+
 Provable proof_of_center() {
   const PointOf<Expression> p{{0.5, 1}, 0, 0, 0, 0};
   const Expression printed = on_the_axis("", 1).recorded(p)[0], right = middle_of_apsides.recorded(p)[0];
@@ -493,10 +529,22 @@ Provable proof_of_center() {
       0.6};
 }
 
+/// Of the ellipse's focus, at a point of e = 1/2 and rho = 1.
+Provable proof_of_other_focus() {
+  const PointOf<Expression> p{{0.5, 1}, 0.375, 0.25, sqrt(Expression(5.0) / 64), 1};
+  return {"3.1-other_focus",
+          "the corrected point is a focus of every orbit; for e = 1/2 and rho = 1 the printed one is off",
+          {on_curve("corrected", foci("", -2), all_apart, 1),
+           {.name = "printed_differs",
+            .follows = {apart(foci("", 2).recorded(p)[0], all_apart.recorded(p)[0], 0.45)},
+            .tactic = "interval"}},
+          0.45};
+}
+
 }  // namespace
 
 Provables proofs() {
-  Provables all{proof_of_center()};
+  Provables all{proof_of_center(), proof_of_other_focus()};
   for (const Stated& s : table(1).stated) {
     const std::string claim = "3.1-" + s.slug;
     auto found = std::ranges::find(all, claim, &Provable::claim);
@@ -507,6 +555,9 @@ Provables proofs() {
     }
     for (Lemma& lemma : lemmas_of(s)) found->lemmas.push_back(std::move(lemma));
   }
+  for (Provable& p : all)
+    for (const char* slug : {"multiplied", "distance", "origin_is_focus", "other_focus"})
+      if (p.claim == "3.1-" + std::string(slug)) p = by_distance(std::move(p));
   return all;
 }
 

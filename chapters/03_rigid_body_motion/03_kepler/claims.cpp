@@ -17,7 +17,6 @@
 
 #include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
-#include "chapters/03_rigid_body_motion/03_kepler/orbits_in_coq.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/ode/algorithms.hpp"
@@ -1372,7 +1371,7 @@ Provables proofs_from_a_start() {
   const auto at_angle = [](const std::string& i) { return Proposition{"at_angle x y t" + i + " th" + i}; };
   const auto fits = [&](const std::string& i) {
     const Shortened angle = Shortened::letter("th" + i);
-    const Shortened V = -start.mu() / Shortened::letter("(distance x y t" + i + ")");
+    const Shortened V = -all.any.start.mu() / Shortened::letter("(distance x y t" + i + ")");
     return (V + all.any.mean()).expression() == all.any.potential(angle).expression();
   };
   all.given = {above(start.G.expression(), 0),

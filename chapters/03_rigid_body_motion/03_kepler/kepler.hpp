@@ -73,4 +73,7 @@ inline Solved<double> lagrange_series(double e, double M, int terms) {
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();
 
+// in_coq.cpp, for proofs: of motion by Newton's law, and of the constants of its path
+extern const char* const orbits_in_coq;
+
 }  // namespace oddity::kepler

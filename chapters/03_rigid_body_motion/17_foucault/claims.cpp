@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "chapters/03_rigid_body_motion/17_foucault/cone.hpp"
-#include "chapters/03_rigid_body_motion/17_foucault/cone_in_coq.hpp"
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/integral_proofs.hpp"
 #include "reference/text.hpp"

@@ -96,4 +96,7 @@ Provables pendulum_proofs();
 Provables cone_proofs();
 std::vector<Root> roots();
 
+// in_coq.cpp, for proofs: of integrals over the cone, besides integrals_in_coq
+extern const char* const cone_in_coq;
+
 }  // namespace oddity::ex03_17

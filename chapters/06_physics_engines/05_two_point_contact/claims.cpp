@@ -717,15 +717,15 @@ Provables proofs() {
   const LetterVector spun =
       s.body.w + turned(s.body.inertia, over_pulse([&](int k) { return half0[k] + half1[k]; }));
   const std::string any_body = "it holds for any body, points, normal and impulse";
-  const std::string cubes = "over_cubes; ", pulse = "pulses; ", rest = "field; auto";
+  const std::string cubes = "over_cubes; ", pulses = "pulses; ", rest = "field; auto";
   const std::string any_cube = any_body + ", the delta functions as wide as one likes";
-  add("linear_integral", any_cube, linear_integral(s, 0.5), pushed, cubes + pulse + rest);
+  add("linear_integral", any_cube, linear_integral(s, 0.5), pushed, cubes + pulses + rest);
   add("linear_mean", any_cube, linear(s, 1), linear_integral(s, 0.5), cubes + rest);
-  add("linear_result", any_body, linear(s, 1), pushed, pulse + rest);
+  add("linear_result", any_body, linear(s, 1), pushed, pulses + rest);
   add("angular_integral", any_cube + ", the arms being those at the pulse's begin", angular_integral(s, 0.5),
-      spun, cubes + pulse + rest);
+      spun, cubes + pulses + rest);
   add("angular_mean", any_body + ", the arms being those at the pulse's begin", mean_torque(s), spun,
-      pulse + rest);
+      pulses + rest);
   add("angular_mean_arm", any_body, mean_arm(s), mean_torque(s), "field");
   add("angular_midpoint", any_body, midpoint(s), mean_torque(s), "field");
   const LetterVector even = along_segment(s, 0, [](const auto& g) { return recorded_integral(g, 0.0, 1.0); });

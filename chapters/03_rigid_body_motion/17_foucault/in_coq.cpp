@@ -1,9 +1,8 @@
-#pragma once
+#include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 
-/// What Coq has to know of integrals over the cone of 3.17, besides integrals_in_coq.
 namespace oddity::ex03_17 {
 
-inline constexpr const char* cone_in_coq = R"(
+const char* const cone_in_coq = R"(
 From Coquelicot Require Import ElemFct.
 
 Ltac in_reals := match goal with |- ?x = ?y => change (@eq R x y) end.

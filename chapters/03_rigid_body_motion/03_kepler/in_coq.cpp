@@ -1,9 +1,8 @@
-#pragma once
+#include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 
-/// What Coq has to know of paths by Newton's law: areas and Laplace's vector are constant.
 namespace oddity::kepler {
 
-inline constexpr const char* orbits_in_coq = R"(
+const char* const orbits_in_coq = R"(
 From Coquelicot Require Import AutoDerive.
 
 (* a path (x, y) with the velocity (u, v) under the pull mu/r^2 *)
