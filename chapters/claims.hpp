@@ -22,9 +22,9 @@
 ///                                          the largest value
 ///   whole                                  a static constant, where all is in whole numbers that a double
 ///                                          holds: they have to be equal
-///   typeset() -> TypesetLetters            its letters as a page has them: a reading whose text is a formula
-///   of these is
-///                                          then computed as it is typeset, too, and has to be the same
+///   typeset() -> TypesetLetters            its letters as a page has them: where a reading's text is a
+///   formula
+///                                          of these, what is typeset has to be what is computed
 ///   tolerance(double size) -> Tolerance    where its numbers are no better than what made them, such as a
 ///                                          quadrature: what they may differ by, for terms of this size
 namespace oddity {

@@ -89,6 +89,10 @@ Value sum(const Value& a, const Value& b, double sign) {
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += sign * b[i];
   return y;
 }
+std::optional<Value> difference(const std::optional<Value>& a, const std::optional<Value>& b) {
+  if (!a || !b || (a->size() != b->size() && !is_zero(*a) && !is_zero(*b))) return std::nullopt;
+  return sum(*a, *b, -1);
+}
 Value product(const Value& a, const Value& b) {
   return a.size() == 1 ? scaled(b, a[0]) : scaled(a, number(b));
 }
@@ -338,7 +342,7 @@ bool is_formula(std::string_view text) {
 
 namespace {
 
-/// What a formula or an equation may stand for: itself, each side, and what they differ by.
+/// What a formula or an equation may stand for: itself, each side, and what two sides differ by.
 std::vector<std::optional<Value>> meanings(std::string_view formula, const TypesetLetters& letters) {
   std::vector<std::optional<Value>> all;
   for (std::size_t begin = 0; begin <= formula.size();) {
@@ -346,40 +350,44 @@ std::vector<std::optional<Value>> meanings(std::string_view formula, const Types
     if (end > begin) all.push_back(typeset_value(formula.substr(begin, end - begin), letters));
     begin = end + 1;
   }
-  if (all.size() == 2 && all[0] && all[1] && (all[0]->size() == all[1]->size() || is_zero(*all[1])))
-    all.push_back(sum(*all[0], *all[1], -1));
+  if (all.size() == 2) all.push_back(difference(all[0], all[1]));
   return all;
+}
+
+enum class Match { same, unread, other };
+
+Match match(const std::optional<Value>& typeset, const Value& computed, double allowed) {
+  const auto off = difference(typeset, computed);
+  return !off ? Match::unread : size_of(*off) <= allowed ? Match::same : Match::other;
 }
 
 }  // namespace
 
 Typesetting compare_typeset(const std::string& text,
                             const std::vector<std::pair<TypesetLetters, Value>>& computed) {
-  if (!is_formula(text) || computed.empty()) return {};
-  constexpr double roundings = 1e-9;
+  if (!is_formula(text)) return {};
   double largest = 0;
   for (const auto& [letters, value] : computed)
     if (finite(value)) largest = std::max(largest, size_of(value));
+  // What is added up in another order differs by roundings of terms that may cancel; another formula by far
+  // more.
+  const double allowed = 1e-9 * largest;
 
-  enum class Side { unread, same, other };
-  std::vector<Side> sides;
+  std::vector<Match> matches;
   std::string seen;
   for (const auto& [letters, value] : computed) {
+    if (!finite(value)) continue;
     const auto all = meanings(std::string_view(text).substr(1, text.size() - 2), letters);
-    sides.resize(all.size(), Side::same);
+    matches.resize(all.size(), Match::same);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (!all[i] || (all[i]->size() != value.size() && !is_zero(*all[i])))
-        sides[i] = Side::unread;
-      else if (finite(value) && !(size_of(sum(*all[i], value, -1)) <= roundings * largest) &&
-               sides[i] == Side::same) {
-        sides[i] = Side::other;
-        seen = written(*all[i]) + ", and " + written(value) + " is computed";
-      }
+      const Match found = match(all[i], value, allowed);
+      if (found == Match::other) seen = written(*all[i]) + ", and " + written(value) + " is computed";
+      if (matches[i] == Match::same) matches[i] = found;
     }
   }
-  if (std::ranges::find(sides, Side::same) != sides.end()) return {true};
-  if (std::ranges::find(sides, Side::unread) != sides.end()) return {};
-  return {false, text + " is typeset, which is " + seen};
+  const auto any = [&](Match m) { return std::ranges::find(matches, m) != matches.end(); };
+  if (matches.empty() || any(Match::same)) return {!matches.empty()};
+  return any(Match::unread) ? Typesetting{} : Typesetting{false, text + " is typeset, which is " + seen};
 }
 
 }  // namespace oddity

@@ -1,6 +1,7 @@
 // Formulas of TeX, read and computed.
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "chapters/typeset.hpp"
@@ -85,6 +86,10 @@ TEST_CASE("what is typeset has to be what is computed", "[typeset]") {
     CHECK(typeset(text, 4).difference.empty());
   }
   CHECK_FALSE(compare_typeset("$m$", {}).read);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(typeset("$m$", none).read);  // there is nothing to compare with
+  CHECK_FALSE(compare_typeset("$m/x$", {{{{"m", 2}, {"x", 0}}, Value(2)}}).difference.empty());
+  CHECK(compare_typeset("$m$", {{letters, Value(none)}, {letters, Value(2)}}).read);
 }
 
 TEST_CASE("letters are told as they are typeset", "[typeset]") {
