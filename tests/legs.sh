@@ -163,6 +163,7 @@ leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60) with saniti
     "$target" -max_total_time="${FUZZ_SECONDS:-60}" -timeout=60 -rss_limit_mb=1024 -print_final_stats=1 -verbosity=0 \
       -artifact_prefix="build/fuzz_$name-" "$found/$name" "tests/fuzz/corpus/$name" 2>&1 | tee "$found/said"
     inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$found/said")
+    # A crash has ended the leg before.
     [ -z "${RECORD:-}" ] || echo "$name,$inputs,$((SECONDS - seconds)),0" | on_record tests/fuzz/record.csv
   done
   rm -r "$found"

@@ -66,8 +66,9 @@ std::string every(std::size_t stride) {
 
 double trials_in(const std::string& results) {
   std::ifstream in(results);
+  const auto found = nlohmann::json::parse(in);
   double trials = 0;
-  for (const auto& exercise : nlohmann::json::parse(in).at("exercises"))
+  for (const auto& exercise : found.at("exercises"))
     for (const auto& quantity : exercise.at("quantities"))
       trials += static_cast<double>(quantity.at("trials").size());
   return trials;
