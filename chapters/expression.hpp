@@ -94,6 +94,7 @@ class Shortened {
   Shortened& operator+=(const Shortened& x) { return *this = *this + x; }
   Shortened& operator-=(const Shortened& x) { return *this = *this - x; }
   Shortened& operator*=(const Shortened& x) { return *this = *this * x; }
+  Shortened& operator/=(const Shortened& x) { return *this = *this / x; }
   friend Shortened pow(const Shortened& x, int exponent) { return pow(x.all_, exponent); }
   friend Shortened sqrt(const Shortened& x) { return sqrt(x.all_); }
   friend Shortened sin(const Shortened& x) { return sin(x.all_); }
