@@ -93,8 +93,15 @@ int promise(const Method& method) {
   return entry == all.end() || entry->name == "Taylor series" ? most : entry->order;
 }
 
+/// Whose last digits cost more work than those of all others together.
+bool is_of_low_order(const Method& method) {
+  constexpr int low = 4;
+  return promise(method) > 0 && promise(method) <= low;
+}
+
 /// The motion as the model itself has it, by the first algorithm that hardly changes or has no setting, or
-/// else by the one that changes least: what it errs by is the model's, not the algorithm's.
+/// else by the one that changes least, of low order only where no other gets through: what it errs by is the
+/// model's, not the algorithm's.
 std::optional<Solved> solved_best(const Quantity& motion, const std::string& model) {
   std::vector<const Method*> methods;
   for (const Method& method : motion.methods)
@@ -102,11 +109,21 @@ std::optional<Solved> solved_best(const Quantity& motion, const std::string& mod
   std::ranges::stable_sort(methods, std::greater(), [](const Method* m) { return promise(*m); });
   std::optional<Solved> best;
   for (const Method* method : methods) {
+    if (best && is_of_low_order(*method)) continue;
     auto found = solved(motion, *method);
     if (found && (!best || found->change < best->change)) best = std::move(found);
     if (best && best->change <= 0.01 * exact_enough) break;
   }
   return best;
+}
+
+/// No finer step can hold, as the errors of steps fall, once they fall at all, by no more than two orders
+/// above the algorithm's own.
+bool out_of_reach(const Candidate& candidate, double error_before, const Method& method, double finest) {
+  const auto all = ode::catalog();
+  const auto entry = std::ranges::find(all, method.algorithm, &ode::CatalogEntry::name);
+  if (candidate.knob != "step" || entry == all.end() || !(candidate.error < error_before)) return false;
+  return candidate.error * std::pow(finest / candidate.setting, entry->order + 2) > 1;
 }
 
 /// The cheapest setting of any of the model's algorithms that holds, by counted work.
@@ -115,8 +132,12 @@ std::optional<Candidate> cheapest(const std::vector<Start>& start, const std::st
   std::optional<Candidate> best;
   for (const Method& method : start.front().motion.methods) {
     if (method.model != model) continue;
-    for (double setting : settings(method, need)) {
+    const std::vector<double> all = settings(method, need);
+    double before = std::numeric_limits<double>::infinity();
+    for (double setting : all) {
       const Candidate candidate = evaluate(start, method, setting, need);
+      if (out_of_reach(candidate, before, method, all.back())) break;
+      before = candidate.error;
       if (candidate.holds() && (!best || candidate.evaluations_per_frame < best->evaluations_per_frame))
         best = candidate;
       const bool costs_more = best && candidate.evaluations_per_frame >= best->evaluations_per_frame;
