@@ -195,20 +195,35 @@ leg_choices() {  # choose: its usual answers to ODDITY_NEEDS (200) random needs 
   rm "$table"
 }
 
-leg_same() {  # one thread and another order: the same bits; elementary functions that err more: a green suite, and what differs listed; SUITE for a part
+leg_same() {  # one thread and another order: the same bits; functions that err otherwise, and programs of the presets in BUILDS: a green suite, and what differs listed; SUITE for a part
   build release oddity oddity_same shaken_libm
-  local oddity=build/release/oddity same=build/release/tests/oddity_same found
+  local same=build/release/tests/oddity_same found seed preset
   found=$(mktemp -d)
-  "$oddity" verify ${SUITE:+"$SUITE"} --results "$found/usual.json" >/dev/null
-  taskset -c 0 "$oddity" verify ${SUITE:+"$SUITE"} --results "$found/one_thread.json" >/dev/null
-  "$oddity" verify ${SUITE:+"$SUITE"} --order rand --rng-seed 7 --results "$found/shuffled.json" >/dev/null
+  # results NAME COMMAND...: what the command's suite finds
+  results() { "${@:2}" verify ${SUITE:+"$SUITE"} --results "$found/$1.json" >"$found/suite" || { cat "$found/suite"; return 1; }; }
+  beside_usual() {
+    local ended=0
+    "$same" "$found/usual.json" "$found/$1.json" >"$found/rows" || ended=$?
+    grep -v ',value,' "$found/rows" || true
+    return $ended
+  }
+  results usual build/release/oddity
+  results one_thread taskset -c 0 build/release/oddity
   "$same" --bits "$found/usual.json" "$found/one_thread.json"
+  build/release/oddity verify ${SUITE:+"$SUITE"} --order rand --rng-seed 7 --results "$found/shuffled.json" >/dev/null
   "$same" --bits "$found/usual.json" "$found/shuffled.json"
   for seed in 1 2 3; do
-    LD_PRELOAD=$PWD/build/release/tests/libshaken_libm.so ODDITY_SEED=$seed \
-      "$oddity" verify ${SUITE:+"$SUITE"} --results "$found/shaken.json" >"$found/suite" ||
-      { cat "$found/suite"; return 1; }
-    "$same" "$found/usual.json" "$found/shaken.json" | grep -v ',value,' || true
+    results shaken env LD_PRELOAD="$PWD/build/release/tests/libshaken_libm.so" ODDITY_SEED=$seed build/release/oddity
+    beside_usual shaken
+  done
+  # glibc's other variants of its functions, as a processor without AVX and FMA has them
+  results without_fma env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-AVX,-FMA,-FMA4 build/release/oddity
+  beside_usual without_fma
+  for preset in ${BUILDS:-}; do
+    build "$preset" oddity
+    results "$preset" "build/$preset/oddity"
+    echo "beside $preset:"
+    beside_usual "$preset"
   done
   rm -r "$found"
 }
