@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <concepts>
 #include <iterator>
 #include <numbers>
 #include <span>
@@ -17,6 +17,7 @@
 
 #include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
+#include "chapters/integral_proofs.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/ode/algorithms.hpp"
@@ -143,15 +144,22 @@ struct LaterOf {
   T mean() const { return pow(start.mu() / start.h(), 2); }  ///< G^2 M^4/alpha^2
   T potential(const T& angle) const { return c0 * sin(angle) + c1 * cos(angle); }
   T slope(const T& angle) const { return c0 * cos(angle) - c1 * sin(angle); }
-  double distance(double angle) const { return -start.mu() / (potential(angle) - mean()); }
+  T distance(const T& angle) const { return -start.mu() / (potential(angle) - mean()); }
   /// The time from one angle to another, dt = r^2 d theta/h.
-  double time_between(double from, double to) const {
-    return qag([&](double angle) { return pow(distance(angle), 2) / start.h(); }, from, to, 1e-13).value;
+  T time_between(const T& from, const T& to) const {
+    const auto slowness = [&](const T& angle) { return pow(distance(angle), 2) / start.h(); };
+    if constexpr (std::same_as<T, Shortened>)
+      return recorded_integral(slowness, from, to);
+    else
+      return qag(slowness, from, to, 1e-13).value;
   }
   /// The time of a turn.
-  double turn() const {
-    const auto slowness = [&](double angle) { return pow(distance(angle), 2) / abs(start.h()); };
-    return trapezoid(slowness, 0, 2 * std::numbers::pi, 512).value;
+  T turn() const {
+    const auto slowness = [&](const T& angle) { return pow(distance(angle), 2) / abs(start.h()); };
+    if constexpr (std::same_as<T, Shortened>)
+      return recorded_integral(slowness, 0, 2 * pi_of<T>());
+    else
+      return trapezoid(slowness, 0, 2 * std::numbers::pi, 512).value;
   }
   /// The moment of the start.
   AlongOf<T> first() const {
@@ -168,6 +176,17 @@ struct LaterOf {
     const T c = cos(start.theta0), s = sin(start.theta0);
     return values(along_R * c - along_P * s, along_R * s + along_P * c);
   }
+  /// All its numbers, those of the angles in exact parts of pi.
+  LaterOf<Shortened> recorded() const requires std::same_as<T, double> {
+    const auto angle = [](double x) { return pi_of<Shortened>() * (x / std::numbers::pi); };
+    const auto& [G, M, m, x, y, vx, vy, push_x, push_y, orbit] = now;
+    return {{start.G, start.M, start.r0, start.r0_dot, angle(start.theta0), start.theta0_dot},
+            {G, M, m, x, y, vx, vy, push_x, push_y, orbit},
+            t,
+            angle(theta),
+            c0,
+            c1};
+  }
 };
 
 /// The orbit's elements by the lines from the start.
@@ -182,7 +201,8 @@ struct Elements {
     gamma1 = sqrt(pow(squared - mu, 2) + tilted * tilted), e = gamma1 / mu, rho = gamma0 * gamma0 / gamma1;
     a = rho * e / (1 - e * e), omega = theta0 - atan2(tilted, squared - mu);
   }
-  T orbit(const T& angle) const { return e * rho / (1 + e * cos(angle)); }
+  T radius(const T& p, const T& angle) const { return p / (1 + e * cos(angle)); }
+  T orbit(const T& angle) const { return radius(e * rho, angle); }
 };
 
 /// A place and a velocity in space, and drag beside gravity.
@@ -217,12 +237,13 @@ using LaterTable = ProvableClaims<LaterOf>;
 using SpaceTable = ProvableClaims<InSpaceOf>;
 
 /// The distances at the apsides, by the energy and the angular momentum of the later moment.
+template <class T>
 struct Apsides {
-  double nearest, farthest, half_axis;
+  T nearest, farthest, half_axis;
 
-  explicit Apsides(const Later& k) {
-    const double mu = k.start.mu(), energy = (pow(k.now.vx, 2) + pow(k.now.vy, 2)) / 2 - mu / k.r();
-    const double root = sqrt(mu * mu + 2 * energy * k.h() * k.h());
+  explicit Apsides(const LaterOf<T>& k) {
+    const T mu = k.start.mu(), energy = (pow(k.now.vx, 2) + pow(k.now.vy, 2)) / 2 - mu / k.r();
+    const T root = sqrt(mu * mu + 2 * energy * k.h() * k.h());
     nearest = (mu - root) / (-2 * energy), farthest = (mu + root) / (-2 * energy);
     half_axis = (nearest + farthest) / 2;
   }
@@ -528,6 +549,20 @@ void singularity(Claims& claims, const std::vector<Moment>& moments) {
 
 // ---- the potential as a function of the angle: lines 1009 to 1101 -----------------------------------------
 
+/// Of a complex number.
+template <class T>
+std::array<T, 2> squared(const std::array<T, 2>& z) {
+  return {z[0] * z[0] - z[1] * z[1], z[0] * z[1] + z[1] * z[0]};
+}
+
+/// lambda^2 (V + G^2 M^4/alpha^2), which is V'' where lambda^2 + 1 = 0.
+template <class T>
+auto bent_by(const std::array<T, 2>& lambda, const AlongOf<T>& k) {
+  const auto square = squared(lambda);
+  const T bend = k.V + k.mean();
+  return values(square[0] * bend, square[1] * bend);
+}
+
 void equation_of_the_potential(Table& table, const std::vector<Moment>& moments) {
   const auto twice = [](const auto& of) { return [=](const auto& k) { return values(of(k), of(k)); }; };
   const auto r_dot = along(R"($\dot r$ by dual numbers)", [](const auto& k) { return k.r_dot; });
@@ -678,20 +713,21 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
        .printed = along(R"($V''+V$, $V''$ by dual numbers)", [](const auto& k) { return k.V2 + k.V; },
                         &Along::of_bend),
        .near_misses = {along(R"($V''-V$)", [](const auto& k) { return k.V2 - k.V; }, &Along::of_bend)}});
-  const auto by_root = [](bool imaginary) {
-    return [=](const Along& k) {
-      const std::complex<double> root = imaginary ? std::complex(0.0, k.angle < 0 ? -1.0 : 1.0) : 1.0;
-      const auto bend = root * root * (k.V + k.mean());
-      return values(bend.real(), bend.imag());
+  const auto by_roots = [](double real, double imaginary) {
+    return [=]<class T>(const AlongOf<T>& k) {
+      const auto up = bent_by(std::array<T, 2>{real, imaginary}, k),
+                 down = bent_by(std::array<T, 2>{real, -imaginary}, k);
+      return values(up[0], up[1], down[0], down[1]);
     };
   };
   table.formula(
       "characteristic", 1095, R"($\lambda^2+1=0$ has the roots $\pm i$)", moments,
-      {.quantity = R"($V''$ on the path, real and imaginary part)",
+      {.quantity = R"($V''$ on the path, real and imaginary part, twice)",
        .truth = along(
-           "by dual numbers", [](const auto& k) { return values(k.V2, 0); }, &Along::of_bend),
-       .printed = along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=\pm i$)", by_root(true)),
-       .near_misses = {along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=1$)", by_root(false))}});
+           "by dual numbers", [](const auto& k) { return values(k.V2, 0, k.V2, 0); }, &Along::of_bend),
+       .printed =
+           along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=i$ and with $\lambda=-i$)", by_roots(0, 1)),
+       .near_misses = {along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=1$)", by_roots(1, 0))}});
   table.formula("independent", 1095, R"($\sin$ and $\cos$ solve $V''+V=0$, linearly independent)", moments,
                 {.quantity = "Wronski's determinant",
                  .truth = along("by dual numbers",
@@ -723,6 +759,24 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
 
 // ---- from the start to a later moment: lines 979 to 1227 --------------------------------------------------
 
+void time_by_angle(LaterTable& table, const std::vector<Later>& orbits) {
+  table.formula(
+      "invertible", 987,
+      R"($t$ is a function of $\theta$, $t=f^{-1}(\theta)$, and $r(f^{-1}(\theta))$ is the distance as a function of the angle)",
+      orbits,
+      {.quantity = R"($(t,r)$)",
+       .truth = {"later on the path", [](const auto& k) { return values(k.t, k.r()); }},
+       .printed =
+           {R"($\int r^2d\theta/(r_0^2\dot\theta_0)$ and $r(\theta)$, by $c_0$ and $c_1$ from two other places)",
+            [](const auto& k) {
+              return values(k.time_between(k.start.theta0, k.theta), k.distance(k.theta));
+            }},
+       .near_misses = {{"the same functions at half the angle", [](const Later& k) {
+                          const double half = (k.start.theta0 + k.theta) / 2;
+                          return values(k.time_between(k.start.theta0, half), k.distance(half));
+                        }}}});
+}
+
 void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
   table.formula(
       "conserved", 979,
@@ -749,21 +803,6 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
        .why =
            R"(The bar of the second fraction is lost: as it stands, a planet that has come to twice its distance )"
            R"(goes round four times as fast, and not at a quarter of its rate. The first form has its bar.)"});
-  table.formula(
-      "invertible", 987,
-      R"($t$ is a function of $\theta$, $t=f^{-1}(\theta)$, and $r(f^{-1}(\theta))$ is the distance as a function of the angle)",
-      orbits,
-      {.quantity = R"($(t,r)$)",
-       .truth = {"later on the path", [](const Later& k) { return values(k.t, k.r()); }},
-       .printed =
-           {R"($\int r^2d\theta/(r_0^2\dot\theta_0)$ and $r(\theta)$, by $c_0$ and $c_1$ from two other places)",
-            [](const Later& k) {
-              return values(k.time_between(k.start.theta0, k.theta), k.distance(k.theta));
-            }},
-       .near_misses = {{"the same functions at half the angle", [](const Later& k) {
-                          const double half = (k.start.theta0 + k.theta) / 2;
-                          return values(k.time_between(k.start.theta0, half), k.distance(half));
-                        }}}});
   table.formula("constant", 1095, R"($-G^2M^4/\alpha^2$ is a constant)", orbits,
                 {.quantity = R"($-G^2M^4/\alpha^2$)",
                  .truth = {"later on the path", [](const auto& k) { return -pow(k.start.mu() / k.h(), 2); }},
@@ -941,8 +980,8 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                  .printed = {R"((7), $c_0$ and $c_1$ from two other places)", seven(-1)},
                  .near_misses = {{R"((7) with $+G^2M^4/\alpha^2$)", seven(1)}}});
   const auto started = [=](double share) {
-    return [=](const Later& k) {
-      const OneAngle<double> model(k.start, share * k.start.mu() / k.start.r0);
+    return [=](const auto& k) {
+      const OneAngle model(k.start, share * k.start.mu() / k.start.r0);
       return to_rate(k) * pow(model.V(k.theta), 2);
     };
   };
@@ -962,12 +1001,17 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
            R"(never comes round. (A nearly circular orbit ends 60 degrees from its start.))"});
 }
 
+/// The potential at the start by (3), (4) and (5), which is -GM/r0, over GM/r0; plus 1.
+template <class T>
+T off_at_start(const Given<T>& start, double sign) {
+  const T V0 = start.mu() / start.r0;
+  return OneAngle<T>(start, sign * V0).V(start.theta0) / V0 + 1;
+}
+
 void any_start(Claims& claims, double seed) {
   const auto at_start = [](const std::string& text, const std::vector<AnyStart>& all, double sign) {
-    const Formula<AnyStart> sum{R"((3) with (4) and (5), times $r_0/(GM)$, plus 1)", [=](const AnyStart& k) {
-                                  const double V0 = k.start.mu() / k.start.r0;
-                                  return OneAngle<double>(k.start, sign * V0).V(k.start.theta0) / V0 + 1;
-                                }};
+    const Formula<AnyStart> sum{R"((3) with (4) and (5), times $r_0/(GM)$, plus 1)",
+                                [=](const AnyStart& k) { return off_at_start(k.start, sign); }};
     const Formula<AnyStart> zero{"zero", [](const AnyStart&) { return 0.0; }};
     return Reading{text, {compare(R"($(V(\theta_0)+GM/r_0)\,r_0/(GM)$)", sum, zero, all)}};
   };
@@ -1134,28 +1178,27 @@ void vectors(LaterTable& table, const std::vector<Later>& orbits) {
                  .near_misses = {{R"(the root with $r_0^3\dot\theta_0^2+GM$)", length(1)}}});
 }
 
-void polar_orbit(Claims& claims, const std::vector<Later>& orbits, double seed) {
-  using K = const Later&;
-  claims.formula("e_and_rho", 1229, R"($e=\gamma_1/(GM)$, $\rho=\gamma_0^2/\gamma_1$)", orbits,
-                 {.quantity = R"($e$ and $p/e$, $p$ the semi-latus rectum)",
-                  .truth = {"the apsides by the energy and the angular momentum later on the path",
-                            [](K k) {
-                              const auto [nearest, farthest, half] = Apsides(k);
-                              const double e = (farthest - nearest) / (farthest + nearest);
-                              return values(e, 2 * nearest * farthest / (nearest + farthest) / e);
-                            }},
-                  .printed = {R"($\gamma_1/(GM)$ and $\gamma_0^2/\gamma_1$)",
-                              [](K k) { return values(Elements(k).e, Elements(k).rho); }},
-                  .near_misses = {{R"($\gamma_1/(GM)$ and $\gamma_0/\gamma_1$)", [](K k) {
-                                     return values(Elements(k).e, Elements(k).gamma0 / Elements(k).gamma1);
-                                   }}}});
+void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
+  table.formula("e_and_rho", 1229, R"($e=\gamma_1/(GM)$, $\rho=\gamma_0^2/\gamma_1$)", orbits,
+                {.quantity = R"($e$ and $p/e$, $p$ the semi-latus rectum)",
+                 .truth = {"the apsides by the energy and the angular momentum later on the path",
+                           [](const auto& k) {
+                             const auto [nearest, farthest, half] = Apsides(k);
+                             const auto e = (farthest - nearest) / (farthest + nearest);
+                             return values(e, 2 * nearest * farthest / (nearest + farthest) / e);
+                           }},
+                 .printed = {R"($\gamma_1/(GM)$ and $\gamma_0^2/\gamma_1$)",
+                             [](const auto& k) { return values(Elements(k).e, Elements(k).rho); }},
+                 .near_misses = {{R"($\gamma_1/(GM)$ and $\gamma_0/\gamma_1$)", [](const Later& k) {
+                                    return values(Elements(k).e, Elements(k).gamma0 / Elements(k).gamma1);
+                                  }}}});
   const auto orbit = [](double turned) {
-    return [=](K k) { return Elements(k).orbit(k.theta + turned * Elements(k).omega); };
+    return [=](const auto& k) { return Elements(k).orbit(k.theta + turned * Elements(k).omega); };
   };
-  claims.formula(
+  table.formula(
       "orbit", 1229, R"(with $\theta$ from (7) the distance is $r=e\rho/(1+e\cos\theta)$)", orbits,
       {.quantity = R"($r$)",
-       .truth = {"later on the path", [](K k) { return k.r(); }},
+       .truth = {"later on the path", [](const auto& k) { return k.r(); }},
        .printed = {R"($e\rho/(1+e\cos\theta)$)", orbit(0)},
        .corrected = {R"($e\rho/(1+e\cos(\theta-\omega))$, $\omega$ the angle of the vector $\mathbf c_1$)",
                      orbit(-1)},
@@ -1168,7 +1211,67 @@ void polar_orbit(Claims& claims, const std::vector<Later>& orbits, double seed) 
            R"(its perihelion at $\theta=0$: in general $r(\theta_0)\ne r_0$. The application draws the orbit of )"
            R"(`eccentric_path` below turned by $73^\circ$, and starts the planet on it 0.30 AU from the sun instead )"
            R"(of 1.75. Either subtract $\omega=\arg\mathbf c_1$, or use $r=-GM/V(\theta)$.)"});
+}
 
+void ellipse(LaterTable& table, const std::vector<Later>& orbits) {
+  const OfStart turn{R"(the integral of $r^2d\theta/(r_0^2|\dot\theta_0|)$ over a turn, by $c_0$ and $c_1$)",
+                     [](const auto& k) { return k.turn(); }};
+  const auto third_law = [](double axes, double power) {
+    return [=]<class T>(const LaterOf<T>& k) {
+      return 2 * pi_of<T>() * half_power(T(axes * Apsides(k).half_axis), 1.5) *
+             half_power(k.start.mu(), power);
+    };
+  };
+  table.formula(
+      "period", 1267, R"($T=2\pi a^{3/2}\sqrt{GM}$, $2a$ being the length of the ellipse)", orbits,
+      {.quantity = R"($T$)",
+       .truth = turn,
+       .printed = {R"($2\pi a^{3/2}\sqrt{GM}$)", third_law(1, 0.5)},
+       .meant = {R"($2\pi a^{3/2}/\sqrt{GM}$)", third_law(1, -0.5)},
+       .near_misses = {{R"($2\pi a^{3/2}/(\sqrt G\,M)$)",
+                        [=](const Later& k) { return third_law(1, -0.5)(k) / sqrt(k.start.M); }}},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The fraction bar is lost: what stands there is a product with $\sqrt{GM}$. For the Earth, in )"
+           R"(astronomical units and years, it is 39.5 years.)"});
+  table.formula(
+      "major_axis", 1269, R"(in $T$, $a$ is the length of the major axis)", orbits,
+      {.quantity = R"($T$)",
+       .truth = turn,
+       .printed = {R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ the length of the major axis)", third_law(2, -0.5)},
+       .corrected = {R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ half of that length)", third_law(1, -0.5)},
+       .near_misses = {{R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ half the length of the minor axis)",
+                        [=](const Later& k) {
+                          return third_law(1, -0.5)(k) * pow(1 - pow(Elements(k).e, 2), 0.75);
+                        }}},
+       .kind = Fault::term,
+       .root = "the axis for its half",
+       .why =
+           R"(With the whole axis for $a$ the period is $2^{3/2}=2.83$ times too long. The next sentence has it )"
+           R"(right: the axis is $2a$.)"});
+  table.formula("a", 1269, R"($2a=2\rho e/(1-e^2)$)", orbits,
+                {.quantity = R"($2a$)",
+                 .truth = {"the two apsides by the energy and the angular momentum later on the path",
+                           [](const auto& k) { return 2 * Apsides(k).half_axis; }},
+                 .printed = {R"($2\rho e/(1-e^2)$)", [](const auto& k) { return 2 * Elements(k).a; }},
+                 .near_misses = {{R"($2\rho/(1-e^2)$)",
+                                  [](const Later& k) { return 2 * Elements(k).a / Elements(k).e; }}}});
+  const auto minor = [](double power) {
+    return [=]<class T>(const LaterOf<T>& k) {
+      return 2 * Elements(k).a * half_power(T(1 - pow(Elements(k).e, 2)), power);
+    };
+  };
+  table.formula("b", 1269, R"(the minor axis is $2b=2a\sqrt{1-e^2}$)", orbits,
+                {.quantity = R"($2b$)",
+                 .truth = {R"(the area law, $\pi ab=\tfrac12r^2\dot\theta\,T$ with the integral for $T$)",
+                           []<class T>(const LaterOf<T>& k) {
+                             return abs(k.h()) * k.turn() / (pi_of<T>() * Apsides(k).half_axis);
+                           }},
+                 .printed = {R"($2a\sqrt{1-e^2}$)", minor(0.5)},
+                 .near_misses = {{R"($2a(1-e^2)$)", minor(1)}}});
+}
+
+void inputs_of_the_orbit(Claims& claims, double seed) {
   const auto below = [](double square) { return [=](const AnyStart& k) { return k.ellipse_below(square); }; };
   claims.statement<AnyStart>(
       "elliptical_path", 1229, "the path is an ellipse for the inputs that a user specifies",
@@ -1187,10 +1290,9 @@ void polar_orbit(Claims& claims, const std::vector<Later>& orbits, double seed) 
   const Later circle{{2, 2, 4, 0, 0, 0.25}, {}, 0, 0, 0, 0};
   const Elements of(circle);
   const auto radius = [&](const std::string& text, double p) {
-    const double r = p / (1 + of.e * cos(1.0));
     return Reading{text,
                    {{R"($r$ at $\theta=1$)",
-                     {text, r},
+                     {text, of.radius(p, 1)},
                      {"the circle", circle.start.r0},
                      exact(),
                      0,
@@ -1208,53 +1310,6 @@ void polar_orbit(Claims& claims, const std::vector<Later>& orbits, double seed) 
            R"(Without $\rho$ it does: $e\rho=\gamma_0^2/(GM)$.)",
        .kind = Fault::left_out,
        .root = "a circle divides by zero"});
-
-  const OfStart turn{R"(the integral of $r^2d\theta/(r_0^2|\dot\theta_0|)$ over a turn, by $c_0$ and $c_1$)",
-                     [](K k) { return k.turn(); }};
-  const auto third_law = [](double axes, double power) {
-    return [=](K k) { return 2 * pi * pow(axes * Apsides(k).half_axis, 1.5) * pow(k.start.mu(), power); };
-  };
-  claims.formula(
-      "period", 1267, R"($T=2\pi a^{3/2}\sqrt{GM}$, $2a$ being the length of the ellipse)", orbits,
-      {.quantity = R"($T$)",
-       .truth = turn,
-       .printed = {R"($2\pi a^{3/2}\sqrt{GM}$)", third_law(1, 0.5)},
-       .meant = {R"($2\pi a^{3/2}/\sqrt{GM}$)", third_law(1, -0.5)},
-       .near_misses = {{R"($2\pi a^{3/2}/(\sqrt G\,M)$)",
-                        [=](K k) { return third_law(1, -0.5)(k) / sqrt(k.start.M); }}},
-       .kind = Fault::lost_typography,
-       .why =
-           R"(The fraction bar is lost: what stands there is a product with $\sqrt{GM}$. For the Earth, in )"
-           R"(astronomical units and years, it is 39.5 years.)"});
-  claims.formula(
-      "major_axis", 1269, R"(in $T$, $a$ is the length of the major axis)", orbits,
-      {.quantity = R"($T$)",
-       .truth = turn,
-       .printed = {R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ the length of the major axis)", third_law(2, -0.5)},
-       .corrected = {R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ half of that length)", third_law(1, -0.5)},
-       .near_misses = {{R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ half the length of the minor axis)",
-                        [=](K k) { return third_law(1, -0.5)(k) * pow(1 - pow(Elements(k).e, 2), 0.75); }}},
-       .kind = Fault::term,
-       .root = "the axis for its half",
-       .why =
-           R"(With the whole axis for $a$ the period is $2^{3/2}=2.83$ times too long. The next sentence has it )"
-           R"(right: the axis is $2a$.)"});
-  claims.formula(
-      "a", 1269, R"($2a=2\rho e/(1-e^2)$)", orbits,
-      {.quantity = R"($2a$)",
-       .truth = {"the two apsides by the energy and the angular momentum later on the path",
-                 [](K k) { return 2 * Apsides(k).half_axis; }},
-       .printed = {R"($2\rho e/(1-e^2)$)", [](K k) { return 2 * Elements(k).a; }},
-       .near_misses = {{R"($2\rho/(1-e^2)$)", [](K k) { return 2 * Elements(k).a / Elements(k).e; }}}});
-  const auto minor = [](double power) {
-    return [=](K k) { return 2 * Elements(k).a * pow(1 - pow(Elements(k).e, 2), power); };
-  };
-  claims.formula("b", 1269, R"(the minor axis is $2b=2a\sqrt{1-e^2}$)", orbits,
-                 {.quantity = R"($2b$)",
-                  .truth = {R"(the area law, $\pi ab=\tfrac12r^2\dot\theta\,T$ with the integral for $T$)",
-                            [](K k) { return abs(k.h()) * k.turn() / (pi * Apsides(k).half_axis); }},
-                  .printed = {R"($2a\sqrt{1-e^2}$)", minor(0.5)},
-                  .near_misses = {{R"($2a(1-e^2)$)", minor(1)}}});
 }
 
 }  // namespace
@@ -1272,12 +1327,15 @@ std::vector<Claim> claims(double seed) {
   equations_of_motion(table, moments);
   singularity(claims, moments);
   equation_of_the_potential(table, moments);
+  time_by_angle(later, all);
   constants_of_motion(later, all);
   any_start(claims, seed);
   momentum(claims, all);
   moments_of_the_velocity(table, moments);
   vectors(later, all);
-  polar_orbit(claims, all, seed);
+  polar_orbit(later, all);
+  inputs_of_the_orbit(claims, seed);
+  ellipse(later, all);
   return claims.in_order();
 }
 
@@ -1322,7 +1380,42 @@ constexpr const char* by_distance = R"(
           | replace G with (w * w / (M * r)) by (rewrite square; field; lra)] end);
   field [up]; repeat split; nra)";
 
+constexpr const char* by_factors = R"([ nra
+  | intuition; assert (E : (b - 1) * (b + 1) = 0) by nra; destruct (Rmult_integral _ _ E); lra
+  | intuition; subst; lra | intuition; subst; lra ])";
+
+constexpr const char* by_circle = R"(
+  match goal with |- context [sqrt ?x] => replace x with 0 by (rewrite H2, H3; ring) end; rewrite sqrt_0;
+  try reflexivity;
+  match goal with |- context [Rabs ?w] =>
+    assert (k : Rabs w * Rabs w = w * w) by (rewrite <- Rabs_mult; apply Rabs_right, Rle_ge, Rle_0_sqr) end;
+  replace (r0 * r0 * Rabs w0 * (r0 * r0 * Rabs w0)) with (r0 * (r0 * r0 * r0 * w0 * w0)) by ring [k];
+  rewrite H3; field; repeat split; lra)";
+
 constexpr const char* by_bounds = "rewrite ?cos_atan2, ?sin_atan2 by interval; interval";
+
+/// Of lambda^2 + 1 = 0: its roots in complex numbers, and V'' by any of them.
+Provable proof_of_roots(const ForAll<MomentOf>& all) {
+  const std::array lambda{Shortened::letter("a"), Shortened::letter("b")};
+  const auto square = squared(lambda);
+  const std::vector<Proposition> root{(square[0] + 1).expression() == 0, square[1].expression() == 0};
+  const auto [a, b] = std::array{lambda[0].expression(), lambda[1].expression()};
+  Lemma roots{.name = "roots",
+              .letters = "(a b : R)",
+              .follows = {{root[0].coq + " /\\ " + root[1].coq + " <-> " + (a == 0).coq + " /\\ (" +
+                           (b == 1).coq + " \\/ " + (b == -1).coq + ")"}},
+              .tactic = by_factors};
+  const AlongOf<Shortened> k(all.any, false);
+  Lemma bent{.name = "printed",
+             .letters = all.letters + " (a b : R)",
+             .given = all.given,
+             .follows = equal(detail::recorded_value(bent_by(lambda, k)), {k.V2.expression(), 0}),
+             .tactic = "try replace (a * a - b * b) with (- 1) by lra; try (rewrite H4; ring);" + all.tactic};
+  std::ranges::copy(root, std::back_inserter(bent.given));
+  return {"3.3-characteristic",
+          "they are all its roots; by each of them it holds at any moment of any orbit",
+          {std::move(roots), std::move(bent)}};
+}
 
 Provables proofs_at_a_moment() {
   Claims claims("3.3");
@@ -1339,9 +1432,11 @@ Provables proofs_at_a_moment() {
   all.given = {above(k.G.expression(), 0), above(k.M.expression(), 0),
                above((k.x * k.x + k.y * k.y).expression(), 0),
                not_zero((k.x * k.vy - k.y * k.vx).expression())};
+  all.without = {"characteristic"};
   double x = 0;
   for (double* letter : all.example.letters()) *letter = x += 0.25;
   Provables proved = table.proofs("3.3", all);
+  proved.push_back(proof_of_roots(all));
   for (Provable& p : proved) {
     p.preamble = std::string(root_in_coq) + atan2_in_coq;
     for (Lemma& lemma : p.lemmas)
@@ -1350,19 +1445,22 @@ Provables proofs_at_a_moment() {
   return proved;
 }
 
-/// Of the path from any start to any moment; c0 and c1 are what two other places make them.
-Provables proofs_from_a_start() {
-  Claims claims("3.3");
-  LaterTable table(claims);
-  constants_of_motion(table, {});
-  vectors(table, {});
+/// An ellipse from its start at theta = 0, a quarter of a turn later; the time does not matter.
+const Later quarter_of_a_turn{{2, 5, 1, 1, 0, 2}, {2, 5, 1, 0, 0.5, -4, -3, 0, 0, {}}, 0, pi / 2, 5, 15};
+/// The same from theta = pi/2, half a turn later.
+const Later half_a_turn{{2, 5, 1, 1, pi / 2, 2}, {2, 5, 1, 0, -0.25, 8, 1, 0, 0, {}}, 0, 3 * pi / 2, 15, -5};
+
+/// Of the path from any start to any moment, at the angle `theta`; c0 and c1 are what two other places make
+/// them.
+ForAll<LaterOf> on_any_path(const std::string& theta) {
   ForAll<LaterOf> all{
       .any = lettered<LaterOf>(
-          {"G", "M", "r0", "rd", "th0", "w0", "(x t)", "(y t)", "(u t)", "(v t)", "t", "th", "c0", "c1"}),
+          {"G", "M", "r0", "rd", "th0", "w0", "(x t)", "(y t)", "(u t)", "(v t)", "t", theta, "c0", "c1"}),
       .letters = "(G M r0 rd th0 w0 t th c0 c1 t1 th1 t2 th2 : R) (x y u v : R -> R)",
       .tactic = "by_start",
-      .says = "it holds on any path by Newton's law, c0 and c1 being what two other places make them"};
-  auto& [start, now, t, theta, c0, c1] = all.any;
+      .says = "it holds on any path by Newton's law, c0 and c1 being what two other places make them",
+      .example = quarter_of_a_turn};
+  auto& [start, now, t, angle, c0, c1] = all.any;
   now.G = start.G, now.M = start.M;
   const auto q = start.position(), v = start.velocity();
   const auto at_start = [](const char* of, const Shortened& x) {
@@ -1370,9 +1468,9 @@ Provables proofs_from_a_start() {
   };
   const auto at_angle = [](const std::string& i) { return Proposition{"at_angle x y t" + i + " th" + i}; };
   const auto fits = [&](const std::string& i) {
-    const Shortened angle = Shortened::letter("th" + i);
+    const Shortened place = Shortened::letter("th" + i);
     const Shortened V = -all.any.start.mu() / Shortened::letter("(distance x y t" + i + ")");
-    return (V + all.any.mean()).expression() == all.any.potential(angle).expression();
+    return (V + all.any.mean()).expression() == all.any.potential(place).expression();
   };
   all.given = {above(start.G.expression(), 0),
                above(start.M.expression(), 0),
@@ -1389,12 +1487,95 @@ Provables proofs_from_a_start() {
                not_zero(sin(Shortened::letter("(th1 - th2)")).expression()),
                fits("1"),
                fits("2")};
-  // An ellipse's start at theta = 0; half a turn later it is at (-1/4, 0), with the velocity (1/2, -8).
-  all.example = {{2, 5, 1, 0.5, 0, 2}, {2, 5, 1, -0.25, 0, 0.5, -8, 0, 0, {}}, 0, 1, 2.5, 15};
-  all.without = {"c0"};
-  Provables proved = table.proofs("3.3", all);
-  for (Provable& p : proved) p.preamble = std::string(root_in_coq) + atan2_in_coq + orbits_in_coq;
+  return all;
+}
+
+Provables with_orbits(Provables proved, const std::string& more = {}) {
+  for (Provable& p : proved) p.preamble = std::string(root_in_coq) + atan2_in_coq + orbits_in_coq + more;
   return proved;
+}
+
+Provables proofs_from_a_start() {
+  Claims claims("3.3");
+  LaterTable table(claims);
+  constants_of_motion(table, {});
+  vectors(table, {});
+  ForAll<LaterOf> all = on_any_path("th");
+  all.without = {"c0", "constants_of_rate"};  // as printed they are right a quarter of a turn later
+  Provables proved = table.proofs("3.3", all);
+  for (const Provable& p : proved) all.without.push_back(p.claim.substr(p.claim.find('-') + 1));
+  std::erase(all.without, "c0");
+  std::erase(all.without, "constants_of_rate");
+  all.example = half_a_turn;
+  std::ranges::move(table.proofs("3.3", all), std::back_inserter(proved));
+  return with_orbits(std::move(proved));
+}
+
+/// Of orbits that have a perihelion.
+Provables proofs_of_the_orbit() {
+  Claims claims("3.3");
+  LaterTable table(claims);
+  polar_orbit(table, {});
+  ellipse(table, {});
+  ForAll<LaterOf> all = on_any_path("th");
+  all.given.push_back(above(-all.any.start.energy().expression(), 0));
+  all.given.push_back(above(Elements(all.any).gamma1.expression(), 0));
+  all.tactic = "by_ellipse";
+  all.says =
+      "it holds on any ellipse by Newton's law that is no circle, c0 and c1 being what two other places "
+      "make them";
+  Provables proved = table.proofs("3.3", all);
+  for (Provable& p : proved)
+    for (Lemma& lemma : p.lemmas)
+      if (lemma.tactic == "interval") lemma.tactic = "first [interval | integral]";
+  return with_orbits(std::move(proved), turns_in_coq);
+}
+
+/// Where the angle is a function of the time.
+Provables proofs_of_the_time() {
+  Claims claims("3.3");
+  LaterTable table(claims);
+  time_by_angle(table, {});
+  ForAll<LaterOf> all = on_any_path("(angle t)");
+  all.letters += " (angle : R -> R)";
+  all.given.push_back({"angle 0 = th0"});
+  all.given.push_back({"(forall s, at_angle x y s (angle s) /\\ ex_derive angle s)"});
+  all.tactic = "by_time";
+  return with_orbits(table.proofs("3.3", all), times_in_coq);
+}
+
+/// Where what is printed divides by zero.
+Provables proofs_of_divisors() {
+  const ForAll<LaterOf> all = on_any_path("th");
+  const LaterOf<Shortened>& k = all.any;
+  const Given<Shortened>& start = k.start;
+  const Elements<Shortened> of(k);
+  const std::string letters = "(G M r0 rd th0 w0 th : R)";
+  const auto zero = [](const Shortened& x) { return x.expression() == 0; };
+  const std::vector<Proposition> positive(all.given.begin(), all.given.begin() + 3);
+  auto turning = positive, standing = positive, circle = positive;
+  turning.push_back(not_zero(start.theta0_dot.expression()));
+  standing.push_back(zero(start.theta0_dot));
+  circle.push_back(zero(start.r0_dot));
+  circle.push_back(of.squared.expression() == of.mu.expression());
+  const Shortened radius = of.radius(of.gamma0 * of.gamma0 / of.mu, k.theta);
+  return {{"3.3-constants_of_any_start",
+           "as corrected it holds for any start that turns; for one that does not, what is printed "
+           "divides by zero",
+           {{"corrected",
+             letters,
+             turning,
+             {zero(off_at_start(start, -1))},
+             by_angles({"th0"}) + "; repeat split; lra"},
+            {"printed_divides_by_zero",
+             letters,
+             standing,
+             {zero(OneAngle<Shortened>(start, -start.mu() / start.r0).alpha)},
+             "rewrite H2; ring"}}},
+          {"3.3-rho_of_a_circle",
+           "as corrected it holds for any circle; what is printed divides by zero",
+           {{"corrected", letters, circle, {radius.expression() == start.r0.expression()}, by_circle},
+            {"printed_divides_by_zero", letters, circle, {zero(of.gamma1)}, by_circle}}}};
 }
 
 Provables proof_of_plane() {
@@ -1413,6 +1594,9 @@ Provables proof_of_plane() {
 Provables proofs() {
   Provables all = proofs_at_a_moment();
   std::ranges::move(proofs_from_a_start(), std::back_inserter(all));
+  std::ranges::move(proofs_of_the_orbit(), std::back_inserter(all));
+  std::ranges::move(proofs_of_the_time(), std::back_inserter(all));
+  std::ranges::move(proofs_of_divisors(), std::back_inserter(all));
   std::ranges::move(proof_of_plane(), std::back_inserter(all));
   return all;
 }

@@ -73,7 +73,10 @@ inline Solved<double> lagrange_series(double e, double M, int terms) {
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();
 
-// in_coq.cpp, for proofs: of motion by Newton's law, and of the constants of its path
+// in_coq.cpp, for proofs: of motion by Newton's law and of the constants of its path, of an ellipse and its
+// turn, of the time by the angle
 extern const char* const orbits_in_coq;
+extern const char* const turns_in_coq;
+extern const char* const times_in_coq;
 
 }  // namespace oddity::kepler
