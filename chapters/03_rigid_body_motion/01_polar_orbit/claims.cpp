@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <numbers>
 #include <type_traits>
 
@@ -54,10 +55,19 @@ struct PointOf : EllipseOf<T> {
   T farthest() const { return e * rho / (1 - e); }
   T half_length() const { return (nearest() + farthest()) / 2; }
   T to_middle() const { return (farthest() - nearest()) / 2; }
-  /// r sin theta where its derivative is zero.
-  double half_height() const {
-    const auto height = [&](auto theta) { return orbit(e, rho, theta) * sin(theta); };
-    return height(brent([&](double theta) { return derivative(height, theta); }, 0, pi, 1e-15).value);
+  template <class Angle>
+  Angle height(const Angle& theta) const {
+    return orbit(e, rho, theta) * sin(theta);
+  }
+  T slope_of_height(const T& theta) const {
+    return derivative([&](const auto& angle) { return height(angle); }, theta);
+  }
+  /// r sin theta where its derivative is zero, which proofs have at the angle `top`.
+  T half_height() const {
+    if constexpr (std::same_as<T, Expression>)
+      return height(T::letter("top"));
+    else
+      return height(brent([&](const T& theta) { return slope_of_height(theta); }, 0, pi, 1e-15).value);
   }
   T sum_with_focus(const T& focus) const { return r + hypot(x - focus, y); }
 
@@ -222,6 +232,30 @@ void rewritten(Table& t) {
        written(R"($0=[e^2(\rho^2+x^2)+r^2]^2-4e^4\rho^2x^2$)", [](const auto& p) { return p.closed(1); }));
 }
 
+const Line half_sizes = written("half the way between the apsides, and the highest point by Brent's method",
+                                [](const auto& p) { return two(p.half_length(), p.half_height()); });
+const Line semi_axes =
+    written(R"($a=e\rho/(1-e^2)$, $b=a\sqrt{1-e^2}$)", [](const auto& p) { return two(p.a(), p.b()); });
+const Line square_of_sizes = written("the apsides and the highest point by Brent's method",
+                                     [](const auto& p) { return pow(p.half_length() / p.half_height(), 2); });
+const Line square_of_axes = written("$1/(1-e^2)$", [](const auto& p) { return 1 / p.q(); });
+
+/// The ellipse's point at the eccentric anomaly of which x/r is the cosine.
+template <class T>
+std::array<T, 2> on_ellipse(const PointOf<T>& p, double sign) {
+  return {-sign * p.c() + p.a() * p.x / p.r, p.b() * p.y / p.r};
+}
+Line distance_on_ellipse(double sign) {
+  return written(
+      sign > 0 ? "points of the ellipse of the plus sign" : "points of the ellipse of the minus sign",
+      [=](const auto& p) { return hypot(on_ellipse(p, sign)[0], on_ellipse(p, sign)[1]); });
+}
+Line orbit_at_angle(double sign) {
+  return written("the polar equation at their angles", [=](const auto& p) {
+    return orbit(p.e, p.rho, atan2(on_ellipse(p, sign)[1], on_ellipse(p, sign)[0]));
+  });
+}
+
 void to_the_ellipse(Table& t) {
   t.line("moved", 883, "its last term moved", On::both,
          written(R"($4e^4\rho^2x^2$ at the point)",
@@ -268,19 +302,16 @@ void to_the_ellipse(Table& t) {
                  }),
          written(R"($=\frac{e^4\rho^2}{(1-e^2)^2}$)", [=](const auto& p) { return twice(fourth(p)); }),
          R"($\Big(x\pm\frac{e^2\rho}{1-e^2}\Big)^2+\frac{y^2}{1-e^2}$)");
-  t.claims.formula<Point>(
-      "axes", 927, "half the length $a$ and half the height $b$ of the orbit", t.orbit_alone,
-      {.truth = {"half the way between the apsides, and the highest point by Brent's method",
-                 [](const auto& p) { return values(p.half_length(), p.half_height()); }},
-       .printed = {R"($a=e\rho/(1-e^2)$, $b=a\sqrt{1-e^2}$)",
-                   [](const auto& p) { return values(p.a(), p.b()); }},
-       .near_misses = {{R"($a=e\rho/(1-e^2)$, $b=a(1-e^2)$)",
-                        [](const auto& p) { return values(p.a(), p.a() * p.q()); }}}});
+  t.claims.formula<Point>("axes", 927, "half the length $a$ and half the height $b$ of the orbit",
+                          t.orbit_alone,
+                          {.truth = half_sizes,
+                           .printed = semi_axes,
+                           .near_misses = {{R"($a=e\rho/(1-e^2)$, $b=a(1-e^2)$)",
+                                            [](const auto& p) { return values(p.a(), p.a() * p.q()); }}}});
   t.claims.formula<Point>(
       "ratio", 929, "$a^2/b^2$", t.orbit_alone,
-      {.truth = {"the apsides and the highest point by Brent's method",
-                 [](const auto& p) { return pow(p.half_length() / p.half_height(), 2); }},
-       .printed = {"$1/(1-e^2)$", [](const auto& p) { return 1 / p.q(); }},
+      {.truth = square_of_sizes,
+       .printed = square_of_axes,
        .near_misses = {{"$1/(1+e^2)$", [](const auto& p) { return 1 / (1 + p.e * p.e); }}}});
   t.line("c", 929, "the length $c$", On::orbit,
          written(R"(from the origin to the middle of the apsides, $r(0)$ and $r(\pi)$)",
@@ -303,24 +334,9 @@ void to_the_ellipse(Table& t) {
          written("1", [](const auto& p) { return decltype(p.r)(1); }),
          ellipse(R"($(x\pm c)^2/a^2+y^2/b^2=1$)", 1), ellipse(R"($(x\mp c)^2/a^2+y^2/b^2=1$)", -1));
 
-  /// A point of the ellipse of this sign in the polar equation.
   const auto fits = [&](double sign) {
-    const auto there = [=](const auto& p) {
-      return std::pair(-sign * p.c() + p.a() * p.x / p.r, p.b() * p.y / p.r);
-    };
-    return compare<Point>(
-        "distance from the origin",
-        {sign > 0 ? "points of the ellipse of the plus sign" : "points of the ellipse of the minus sign",
-         [=](const auto& p) {
-           const auto [x, y] = there(p);
-           return hypot(x, y);
-         }},
-        {"the polar equation at their angles",
-         [=](const auto& p) {
-           const auto [x, y] = there(p);
-           return orbit(p.e, p.rho, std::atan2(y, x));
-         }},
-        t.orbit_alone);
+    return compare<Point>("distance from the origin", distance_on_ellipse(sign), orbit_at_angle(sign),
+                          t.orbit_alone);
   };
   t.claims.add(
       "two_solutions", 887, "the signs of the root that are solutions",
@@ -350,6 +366,13 @@ Line foci(std::string text, double other) {
   return written(std::move(text), [=](const auto& p) { return p.sum_with_focus(other * p.c()); });
 }
 
+const Line sizes =
+    written(R"($r(0)+r(\pi)$, and twice the highest point by Brent's method)",
+            [](const auto& p) { return two(p.nearest() + p.farthest(), 2 * p.half_height()); });
+Line axes(std::string text, double factor) {
+  return written(std::move(text), [=](const auto& p) { return two(factor * p.a(), factor * p.b()); });
+}
+
 void about_the_ellipse(Table& t) {
   Claims& claims = t.claims;
   const std::vector<Point>& samples = t.orbit_alone;
@@ -373,16 +396,13 @@ void about_the_ellipse(Table& t) {
        .why =
            R"($(x\pm c)^2$ is zero at $x=\mp c$. The orbit has the plus sign: its center, midway between the )"
            R"(apsides, is $(-c,0)$, away from the perihelion at $\theta=0$.)"});
-  const auto axes = [](std::string text, double length, double (*height)(const Point&)) -> Formula<Point> {
-    return {std::move(text), [=](const auto& p) { return values(length * p.a(), height(p)); }};
-  };
   claims.formula<Point>(
       "major_axis", 941, "the lengths of the major and the minor axis", samples,
-      {.truth = {R"($r(0)+r(\pi)$, and twice the highest point by Brent's method)",
-                 [](const auto& p) { return values(p.nearest() + p.farthest(), 2 * p.half_height()); }},
-       .printed = axes("$a$ and $b$", 1, [](const Point& p) { return p.b(); }),
-       .corrected = axes("$2a$ and $2b$", 2, [](const Point& p) { return 2 * p.b(); }),
-       .near_misses = {axes("$2a$ and $2a(1-e^2)$", 2, [](const Point& p) { return 2 * p.a() * p.q(); })},
+      {.truth = sizes,
+       .printed = axes("$a$ and $b$", 1),
+       .corrected = axes("$2a$ and $2b$", 2),
+       .near_misses = {{"$2a$ and $2a(1-e^2)$",
+                        [](const Point& p) { return values(2 * p.a(), 2 * p.a() * p.q()); }}},
        .kind = Fault::term,
        .root = "axes for semi-axes",
        .why =
@@ -541,10 +561,141 @@ Provable proof_of_other_focus() {
           0.45};
 }
 
+/// For claims about the highest point, of the angle `top`.
+const std::string heights_in_coq = R"(
+Lemma on_orbits : forall e t, e > 0 -> 1 - e > 0 ->
+  1 + e * cos t > 0 /\ sin t * sin t = 1 - cos t * cos t.
+Proof.
+  intros e t E U. pose proof (COS_bound t). pose proof (sin2_cos2 t) as C. unfold Rsqr in C. split; nra.
+Qed.
+Ltac by_height :=
+  lazymatch goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, T : ?top > 0, B : PI - ?top > 0, F : _ = 0 |- _ =>
+    destruct (on_orbits e top E U) as [D C]; assert (S : sin top > 0) by (apply sin_gt_0; lra);
+    remember (cos top) as c eqn:is_c; remember (sin top) as s eqn:is_s; clear is_c is_s T B top;
+    apply (f_equal (fun z => z * ((1 + e * c) * (1 + e * c) / (e * rho)))) in F; cbv beta in F; rewrite Rmult_0_l in F;
+    match type of F with ?l = _ => replace l with (c + e * (c * c + s * s)) in F by (field; repeat split; lra) end;
+    assert (is_c : c = - e) by (replace (c * c + s * s) with 1 in F by (rewrite C; ring); lra); subst c; clear F;
+    assert (sine : s * s = (1 - e) * (1 + e)) by (rewrite C; ring);
+    assert (root : sqrt ((1 - e) * (1 + e)) = s) by (apply sqrt_lem_1; [rewrite <- sine; apply Rle_0_sqr | lra | exact sine]);
+    try rewrite root; try (replace (1 / ((1 - e) * (1 + e))) with (1 / (s * s)) by (rewrite C; f_equal; ring));
+    field [sine]; repeat split; lra end.
+Ltac by_top :=
+  lazymatch goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0 |- _ =>
+    assert (C : cos (acos (- e)) = - e) by (apply cos_acos; lra);
+    assert (B : 0 < acos (- e) < PI) by (apply acos_bound_lt; lra);
+    try lra;
+    assert (S : sin (acos (- e)) > 0) by (apply sin_gt_0; lra);
+    destruct (on_orbits e (acos (- e)) E U) as [_ Q]; rewrite C in *;
+    remember (sin (acos (- e))) as s eqn:is_s; clear is_s B C;
+    match goal with
+    | |- _ = 0 => field [Q]; nra
+    | |- context [cos ?t] =>
+      destruct (on_orbits e t E U) as [D R]; remember (cos t) as c eqn:is_c; remember (sin t) as d eqn:is_d; clear is_c is_d;
+      assert (q : 1 - e * e > 0) by nra;
+      assert (L : d * (1 - e * e) <= s * (1 + e * c)) by (apply Rsqr_incr_0_var; [unfold Rsqr;
+        replace (s * (1 + e * c) * (s * (1 + e * c))) with (s * s * ((1 + e * c) * (1 + e * c))) by ring; rewrite Q;
+        replace (d * (1 - e * e) * (d * (1 - e * e))) with (d * d * ((1 - e * e) * (1 - e * e))) by ring; rewrite R;
+        pose proof (Rle_0_sqr (c + e)) as N; unfold Rsqr in N;
+        assert (0 <= (1 - e * e) * ((c + e) * (c + e))) by (apply Rmult_le_pos; lra); lra | apply Rlt_le, Rmult_lt_0_compat; lra]);
+      assert (w : 0 < e * rho / ((1 + e * c) * (1 - e * e)))
+        by (apply Rdiv_lt_0_compat; apply Rmult_lt_0_compat; lra);
+      replace (e * rho / (1 + e * c) * d) with (e * rho / ((1 + e * c) * (1 - e * e)) * (d * (1 - e * e)))
+        by (field; split; lra);
+      replace (e * rho / (1 + e * - e) * s) with (e * rho / ((1 + e * c) * (1 - e * e)) * (s * (1 + e * c)))
+        by (field; repeat split; lra);
+      apply Rmult_le_compat_l; lra
+    end end.
+)";
+
+PointOf<Expression> any_orbit() { return {{Expression::letter("e"), Expression::letter("rho")}, 0, 0, 0, 1}; }
+
+Lemma at_the_top(std::string name, const Line& left, const Line& right) {
+  const PointOf<Expression> p = any_orbit();
+  const Expression top = Expression::letter("top");
+  return {.name = std::move(name),
+          .letters = "(e rho top : R)",
+          .given = {above(p.e, 0), above(1 - p.e, 0), above(p.rho, 0), above(top, 0),
+                    above(pi_in_coq() - top, 0), p.slope_of_height(top) == 0},
+          .follows = equal(left.recorded(p), right.recorded(p)),
+          .tactic = "by_height"};
+}
+
+/// That there is a highest point.
+Lemma top_there_is() {
+  const PointOf<Expression> p = any_orbit();
+  const Expression top = function("acos", -p.e), angle = Expression::letter("theta");
+  return {.name = "highest",
+          .letters = "(e rho theta : R)",
+          .given = {above(p.e, 0), above(1 - p.e, 0), above(p.rho, 0)},
+          .follows = {above(top, 0),
+                      above(pi_in_coq() - top, 0),
+                      p.slope_of_height(top) == 0,
+                      {p.height(angle).coq() + " <= " + p.height(top).coq()}},
+          .tactic = "by_top"};
+}
+
+Provables proofs_of_axes() {
+  const PointOf<Expression> p{{0.5, 1}, 0, 0, 0, 1};
+  const Expression length = axes("", 1).recorded(p)[0], right = p.nearest() + p.farthest();
+  Provables all{
+      {"3.1-axes",
+       "it holds on every orbit, and every orbit has a highest point",
+       {at_the_top("printed", semi_axes, half_sizes), top_there_is()}},
+      {"3.1-ratio", "it holds on every orbit", {at_the_top("printed", square_of_axes, square_of_sizes)}},
+      {"3.1-major_axis",
+       "as corrected it holds on every orbit; for e = 1/2 and rho = 1 what is printed is off",
+       {at_the_top("corrected", axes("", 2), sizes),
+        {.name = "printed_differs", .follows = {apart(length, right, 0.66)}, .tactic = "interval"}},
+       0.66}};
+  for (Provable& one : all) one.preamble = heights_in_coq;
+  return all;
+}
+
+const std::string anomalies_in_coq = R"(
+(* The ellipse's points by the cosine k and the sine l of their eccentric anomaly. *)
+Ltac by_anomaly :=
+  lazymatch goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, far : ?r > 0, C : ?y * ?y = _ - ?x * ?x |- _ =>
+    assert (is_q : (1 - e) * (1 + e) > 0) by (apply Rmult_lt_0_compat; lra);
+    pose proof (sqrt_sqrt _ (Rlt_le _ _ is_q)) as root;
+    assert (near : x <= r) by nra;
+    assert (positive : e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r)) > 0)
+      by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra |
+        assert (x / r <= 1) by (apply Rmult_le_reg_r with r; [| replace (x / r * r) with x by (field; lra)]; lra); nra]);
+    match goal with |- context [atan2 ?v ?u] =>
+      assert (square : u * u + v * v = e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r)) * (e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r))))
+        by (remember (sqrt ((1 - e) * (1 + e))) as s eqn:is_s; clear is_s; field [root C]; repeat split; lra);
+      assert (off : u * u + v * v > 0) by (rewrite square; now apply Rmult_lt_0_compat);
+      rewrite (cos_atan2 v u off), square, sqrt_square by (apply Rlt_le, positive);
+      assert (sum : e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r)) + e * u = e * rho) by (field; repeat split; lra);
+      remember (e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r))) as d eqn:is_d; clear is_d square off;
+      replace (1 + e * (u / d)) with ((d + e * u) / d) by (generalize u; intro; field; lra); rewrite sum end;
+    field; repeat split; lra
+  end.
+)";
+
+Provable proof_of_solutions() {
+  const PointOf<Expression> p{{0.5, 1}, 1, 0.6, 0.8, 0};
+  Lemma holds = on_curve("corrected", distance_on_ellipse(1), orbit_at_angle(1), 0);
+  const PointOf<Expression> any = any_point(0);
+  holds.given.push_back(above(any.r, 0));
+  holds.given.push_back(any.y * any.y == any.r * any.r - any.x * any.x);
+  holds.tactic = "by_anomaly";
+  return {
+      "3.1-two_solutions",
+      "with the plus sign all points of the ellipse are solutions; with the minus sign there is one that is not",
+      {holds,
+       {.name = "printed_differs",
+        .follows = {apart(distance_on_ellipse(-1).recorded(p)[0], orbit_at_angle(-1).recorded(p)[0], 0.4)},
+        .tactic = "rewrite cos_atan2 by interval; interval"}},
+      0.4,
+      atan2_in_coq + anomalies_in_coq};
+}
+
 }  // namespace
 
 Provables proofs() {
-  Provables all{proof_of_center(), proof_of_other_focus()};
+  Provables all{proof_of_center(), proof_of_other_focus(), proof_of_solutions()};
+  std::ranges::move(proofs_of_axes(), std::back_inserter(all));
   for (const Stated& s : table(1).stated) {
     const std::string claim = "3.1-" + s.slug;
     auto found = std::ranges::find(all, claim, &Provable::claim);

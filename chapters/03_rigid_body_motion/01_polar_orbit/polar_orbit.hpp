@@ -8,8 +8,8 @@
 /// What the files of exercise 3.1 share.
 namespace oddity::ex03_01 {
 
-template <class T>
-T orbit(double e, double rho, const T& theta) {
+template <class T, class Angle>
+Angle orbit(const T& e, const T& rho, const Angle& theta) {
   using std::cos;
   return e * rho / (1.0 + e * cos(theta));
 }
