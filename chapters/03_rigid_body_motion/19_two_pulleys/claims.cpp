@@ -9,6 +9,15 @@
 
 namespace oddity::ex03_19 {
 
+using std::max, std::min;
+
+inline Shortened of_two(const char* function, const Shortened& a, const Shortened& b) {
+  return Expression::letter("(" + std::string(function) + " (" + a.expression().coq() + ") (" +
+                            b.expression().coq() + "))");
+}
+inline Shortened max(const Shortened& a, const Shortened& b) { return of_two("Rmax", a, b); }
+inline Shortened min(const Shortened& a, const Shortened& b) { return of_two("Rmin", a, b); }
+
 /// Any two pulleys in any motion, hung between a ceiling and a floor at depth `floor`; y1 is the large one's.
 template <class T>
 struct SampleOf {
@@ -327,29 +336,28 @@ auto with_second_spring(double lever) {
   return [=](const auto& s) { return s.p.m2 * s.p.g - s.pull1() + lever * s.pull2(); };
 }
 
-void forces(Claims& claims, Table& table, const Samples& samples) {
-  const std::string second = "c_2(K_2-L_2+y_3-2y_2)", forgotten = "the second spring on the pulley";
-  const std::string first = "$m_2g-c_1(K_1-L_1+y_2)$";
+/// A rope pulls or hangs slack: its tension and its slack are not negative, and one of them is zero. `of` has
+/// the tension by the spring's pull.
+template <class T, class Tension>
+auto negative_or_both(const SampleOf<T>& s, const Tension& of) {
+  const SampleOf<T> pressed = s.stretched(-1);
+  const T S1 = pressed.springs(s.q)[0], L1 = pressed.p.L1, tension = of(T(s.p.c1 * (S1 - L1))),
+          slack = L1 + tension / s.p.c1 - S1;
+  return values(min(tension, T(0)), min(slack, T(0)), tension * slack);
+}
 
-  // a rope pulls or hangs slack: its tension and its slack are not negative, and one of them is zero
-  const auto tension = [](double (*of)(double)) {
-    return [=](S s) {
-      const Sample pressed = s.stretched(-1);
-      const double S1 = pressed.springs(s.q)[0], L1 = pressed.p.L1, T = of(s.p.c1 * (S1 - L1)),
-                   slack = L1 + T / s.p.c1 - S1;
-      return values(std::min(T, 0.0), std::min(slack, 0.0), T * slack);
-    };
-  };
-  claims.formula<Sample>(
+void compression(Table& table, const Samples& samples) {
+  const auto tension = [](const auto& of) { return [=](const auto& s) { return negative_or_both(s, of); }; };
+  table.formula(
       "compression", 2517,
       "the force on the small pulley is $m_2g-c_1(S_1-L_1)$ also in compression, when $S_1<L_1$", samples,
       {.quantity = "negative tension of the rope, negative slack, and their product",
-       .truth = {"zero", [](S) { return values(0, 0, 0); }},
-       .printed = {"the rope's tension is $c_1(S_1-L_1)$", tension([](double pull) { return pull; })},
+       .truth = {"zero", [](const auto&) { return values(0, 0, 0); }},
+       .printed = {"the rope's tension is $c_1(S_1-L_1)$", tension([](const auto& pull) { return pull; })},
        .corrected = {"the rope's tension is $c_1(S_1-L_1)$, and 0 where that is negative",
-                     tension([](double pull) { return std::max(pull, 0.0); })},
+                     tension([]<class T>(const T& pull) { return max(pull, T(0)); })},
        .near_misses = {{"the rope's tension is $c_1|S_1-L_1|$",
-                        tension([](double pull) { return abs(pull); })}},
+                        tension([](const auto& pull) { return abs(pull); })}},
        .kind = Fault::left_out,
        .root = "a rope that pushes",
        .why =
@@ -358,6 +366,12 @@ void forces(Claims& claims, Table& table, const Samples& samples) {
            R"(pulley starts at $S_1=0.5$ m, pushed down with 20 N that are not there. The equations are )"
            R"(valid as long as both wires are taut; in the default motion they are, its springs being )"
            R"(stretched by at least 0.94 m and 0.18 m.)"});
+}
+
+void forces(Table& table, const Samples& samples) {
+  const std::string second = "c_2(K_2-L_2+y_3-2y_2)", forgotten = "the second spring on the pulley";
+  const std::string first = "$m_2g-c_1(K_1-L_1+y_2)$";
+
   const auto pull = [](double sign) {
     return [=](const auto& s) {
       const auto stretched = s.stretched();
@@ -498,8 +512,9 @@ void equations(Table& table, const Samples& samples) {
 void state(Claims& claims, Table& table, const Samples& samples) {
   kinematics(claims, table, samples);
   energies(table, samples);
-  forces(claims, table, samples);
+  forces(table, samples);
   equations(table, samples);
+  compression(table, samples);
 }
 
 }  // namespace
@@ -509,6 +524,26 @@ std::vector<Claim> claims(double seed) {
   Table table(claims);
   state(claims, table, draw<Sample>(200, seed));
   return claims.in_order();
+}
+
+constexpr const char* by_tension = R"(
+  pose proof (Rabs_pos delta) as size;
+  set (S := depth - y1 - (depth - 2 * y1 - K1 - (y2 - y1))) in *; clearbody S;
+  assert (pull : c1 * (S - (S - - 1 * Rabs delta)) <= 0) by nra;
+  rewrite (Rmax_right _ _ pull); unfold Rdiv; rewrite ?Rmult_0_l, ?Rplus_0_r;
+  try reflexivity; unfold Rmin; destruct (Rle_dec _ _); lra)";
+constexpr const char* by_pull = "unfold Rmin; destruct (Rle_dec _ _) as [|N]; [|destruct N]; interval";
+
+Provable proof_of_compression(ForAll<SampleOf> all) {
+  Claims claims("3.19");
+  Table table(claims);
+  compression(table, {});
+  all.given.push_back(above(all.any.p.c1.expression(), 0));
+  all.tactic = by_tension;
+  Provable proved = table.proofs("3.19", all)[0];
+  for (Lemma& lemma : proved.lemmas)
+    if (lemma.tactic == "interval") lemma.tactic = by_pull;
+  return proved;
 }
 
 Provables proofs() {
@@ -527,11 +562,14 @@ Provables proofs() {
     all.given.push_back(above(positive.expression(), 0));
   double x = 0.25;
   for (double* letter : all.example.letters()) *letter = x += 0.25;
+  const Provable slack = proof_of_compression(all);
+  all.without = {"compression"};
   Provables proved = table.proofs("3.19", all);
   const std::string energy = all.any.kinetic()(all.any.q, all.any.v).expression().coq();
   std::vector<Proposition> none;
   for (const char* y : {"y2", "y3"})
     none.push_back({"derivable_pt_lim (fun " + std::string(y) + " => " + energy + ") " + y + " 0"});
+  proved.push_back(slack);
   proved.push_back({"3.19-dT_dy",
                     "it holds for all pulleys in any motion",
                     {{"printed", all.letters, {}, none, "apply derivable_pt_lim_const"}}});
