@@ -2,9 +2,11 @@
 // from the positions alone by nested dual numbers.
 
 #include <Eigen/Core>
+#include <concepts>
 #include <numbers>
 
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
+#include "chapters/integral_proofs.hpp"
 #include "chapters/provable_claims.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
@@ -139,16 +141,19 @@ struct SampleOf {
     return alpha;
   }
   /// The work of gravity on the way of the angles from zero, all in proportion.
-  double work_of_gravity() const {
-    const auto power = [&](double s) {
-      std::vector<double> q = theta;
-      for (double& x : q) x *= s;
+  T work_of_gravity() const {
+    const auto power = [&](const T& s) {
+      std::vector<T> q = theta;
+      for (T& x : q) x *= s;
       const auto v = velocities(q, theta);
-      double sum = 0;
+      T sum = 0;
       for (std::size_t k = 0; k < m.size(); ++k) sum -= m[k] * g * v[2 * k + 1];
       return sum;
     };
-    return gauss_legendre(power, 0, 1, 32).value;
+    if constexpr (std::same_as<T, Shortened>)
+      return recorded_integral(power, 0, 1);
+    else
+      return gauss_legendre(power, 0, 1, 32).value;
   }
 };
 
@@ -291,10 +296,11 @@ T added(const SampleOf<T>& s) {
 }
 
 /// The text's potential, less that at rest.
-double risen(const Sample& s, double y_sign) {
-  const auto published = [&](const std::vector<double>& q) {
+template <class T>
+T risen(const SampleOf<T>& s, double y_sign) {
+  const auto published = [&](const std::vector<T>& q) {
     const auto p = s.at(q);
-    double V = 0;
+    T V = 0;
     for (std::size_t k = 0; k < 3; ++k) V += -s.m[k] * s.g * (s.h - y_sign * p[2 * k + 1]);
     return V;
   };
@@ -436,6 +442,11 @@ Ltac hanging a b c :=
   match goal with A : _ = 1 - _, B : _ = 1 - _, C : _ = 1 - _ |- _ => field [A B C] end; lra.
 )";
 
+constexpr const char* by_integral = R"(
+  integrate (fun t => g * (m1 * (r1 * cos (a1 * t)) + m2 * (r1 * cos (a1 * t) + r2 * cos (a2 * t))
+    + m3 * (r1 * cos (a1 * t) + r2 * cos (a2 * t) + r3 * cos (a3 * t))));
+  rewrite ?Rmult_1_r, ?Rmult_0_r, ?cos_0; ring)";
+
 SampleOf<Shortened> three_links() {
   SampleOf<Shortened> s;
   for (const char* k : {"1", "2", "3"}) {
@@ -471,6 +482,9 @@ Provables proofs() {
   };
   const auto v = s.velocities();
   const Shortened kinetic = s.kinetic_by_pairs();
+  Provable potential = holds("potential", risen(s, 1), -s.work_of_gravity());
+  potential.preamble = integrals_in_coq;
+  potential.lemmas[0].tactic = by_integral;
   Provable expanded = holds("kinetic_expanded", added(s), kinetic);
   expanded.says = "as meant it holds for any three links in any motion; as printed it is off at an example";
   expanded.lemmas[0].name = "meant";
@@ -488,6 +502,7 @@ Provables proofs() {
           holds("x3_rate", cosines(s), v[4]),
           holds("y3_rate", sines(s), v[5]),
           holds("kinetic_substituted", substituted(s, 0), kinetic),
+          potential,
           expanded};
 }
 
