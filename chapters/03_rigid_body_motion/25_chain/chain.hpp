@@ -35,4 +35,8 @@ Quantity hanging(const Triple&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Triple&, const Reference&);
 std::vector<Claim> claims(double seed);
 
+// in_coq.cpp, for proofs: of Newton's law by the rods' tensions, and of what two solutions of Lagrange's
+// equations differ by
+extern const char* const tensions_in_coq;
+
 }  // namespace oddity::ex03_25

@@ -102,22 +102,26 @@ struct SampleOf {
     }
     return (px * px + py * py + pairs) / (2 * all);
   }
-  /// theta'' from d/dt dL/dtheta_i' - sign dL/dtheta_i = 0, L = T - v_sign V, by nested dual numbers.
-  std::vector<double> lagrange(double sign = 1, double v_sign = 1) const {
-    using Along = Dual<double>;
+  /// d/dt dL/dtheta_i' - sign dL/dtheta_i, L = T - v_sign V, with theta'' = a, by nested dual numbers.
+  T lagrange_left_side(std::size_t i, const std::vector<T>& a, double sign = 1, double v_sign = 1) const {
+    using Along = Dual<T>;
     using Outer = Dual<Along>;
-    const std::size_t n = m.size();
-    const auto value = [&](std::size_t i, bool by_speed, const std::vector<double>& a, bool moving) {
+    const auto value = [&](bool by_speed, bool moving) {
       std::vector<Outer> q, v;
-      for (std::size_t k = 0; k < n; ++k) {
-        const double one = k == i;
-        q.emplace_back(Along(theta[k], moving ? omega[k] : 0), Along(by_speed ? 0 : one));
-        v.emplace_back(Along(omega[k], moving ? a[k] : 0), Along(by_speed ? one : 0));
+      for (std::size_t k = 0; k < m.size(); ++k) {
+        const T one(k == i ? 1.0 : 0.0), none(0.0);
+        q.emplace_back(Along(theta[k], moving ? omega[k] : none), Along(by_speed ? none : one));
+        v.emplace_back(Along(omega[k], moving ? a[k] : none), Along(by_speed ? one : none));
       }
       return (kinetic(q, v) - Outer(v_sign) * potential(q)).slope;
     };
+    return value(true, true).slope - sign * value(false, false).value;
+  }
+  /// theta'' by Lagrange's equations.
+  std::vector<double> lagrange(double sign = 1, double v_sign = 1) const {
+    const std::size_t n = m.size();
     const auto left_side = [&](std::size_t i, const std::vector<double>& a) {
-      return value(i, true, a, true).slope - sign * value(i, false, a, false).value;
+      return lagrange_left_side(i, a, sign, v_sign);
     };
     const auto size = static_cast<Eigen::Index>(n);
     Eigen::MatrixXd M(size, size);
@@ -135,8 +139,8 @@ struct SampleOf {
     const Eigen::VectorXd alpha = solve(Factorization::partial_pivot_lu, M, f).value;
     return {alpha.begin(), alpha.end()};
   }
-  std::vector<double> newton() const {
-    std::vector<double> alpha(m.size());
+  std::vector<T> newton() const {
+    std::vector<T> alpha(m.size());
     chain::by_tensions(m, r, g, theta, omega, alpha);
     return alpha;
   }
@@ -447,6 +451,24 @@ constexpr const char* by_integral = R"(
     + m3 * (r1 * cos (a1 * t) + r2 * cos (a2 * t) + r3 * cos (a3 * t))));
   rewrite ?Rmult_1_r, ?Rmult_0_r, ?cos_0; ring)";
 
+constexpr const char* by_energy = R"(
+  lazymatch type of H5 with ?l1 = 0 => lazymatch type of H6 with ?k1 = 0 =>
+  lazymatch type of H7 with ?l2 = 0 => lazymatch type of H8 with ?k2 = 0 =>
+  lazymatch type of H9 with ?l3 = 0 => lazymatch type of H10 with ?k3 = 0 =>
+    set (x1 := r1 * cos a1 * (b1 - c1)); set (y1 := r1 * sin a1 * (b1 - c1));
+    set (x2 := r2 * cos a2 * (b2 - c2)); set (y2 := r2 * sin a2 * (b2 - c2));
+    set (x3 := r3 * cos a3 * (b3 - c3)); set (y3 := r3 * sin a3 * (b3 - c3));
+    assert (E : m1 * (x1 * x1 + y1 * y1) + m2 * ((x1 + x2) * (x1 + x2) + (y1 + y2) * (y1 + y2))
+      + m3 * ((x1 + x2 + x3) * (x1 + x2 + x3) + (y1 + y2 + y3) * (y1 + y2 + y3)) = 0)
+      by (transitivity ((b1 - c1) * (l1 - k1) + (b2 - c2) * (l2 - k2) + (b3 - c3) * (l3 - k3));
+        [unfold x1, y1, x2, y2, x3, y3; field | rewrite H5, H6, H7, H8, H9, H10; ring])
+  end end end end end end;
+  destruct (no_energy _ _ _ _ _ _ _ _ _ H H0 H1 E) as [X1 [Y1 [X2 [Y2 [X3 Y3]]]]];
+  assert (D1 : b1 - c1 = 0) by exact (no_speed r1 _ a1 H2 X1 Y1);
+  assert (D2 : b2 - c2 = 0) by (apply (no_speed r2 _ a2 H3); fold x2; fold y2; lra);
+  assert (D3 : b3 - c3 = 0) by (apply (no_speed r3 _ a3 H4); fold x3; fold y3; lra);
+  rewrite D1, D2, D3; ring)";
+
 SampleOf<Shortened> three_links() {
   SampleOf<Shortened> s;
   for (const char* k : {"1", "2", "3"}) {
@@ -461,6 +483,40 @@ SampleOf<Shortened> three_links() {
 }
 
 }  // namespace
+
+/// Newton's accelerations satisfy Lagrange's equations, and no others do.
+Provable proof_of_equations(const SampleOf<Shortened>& s) {
+  const auto letters = [](const std::string& name) {
+    return std::vector{Shortened::letter(name + "1"), Shortened::letter(name + "2"),
+                       Shortened::letter(name + "3")};
+  };
+  const std::vector<Shortened> a = letters("b"), other = letters("c"), newton = s.newton();
+  Lemma holds{.name = "newton",
+              .letters = "(m1 m2 m3 r1 r2 r3 a1 a2 a3 w1 w2 w3 g h b1 b2 b3 : R)",
+              .tactic = "by_tensions"};
+  for (const auto* all : {&s.m, &s.r})
+    for (const Shortened& x : *all) holds.given.push_back(above(x.expression(), 0));
+  Lemma alone = holds;
+  alone.name = "unique";
+  alone.letters = "(m1 m2 m3 r1 r2 r3 a1 a2 a3 w1 w2 w3 g h b1 b2 b3 c1 c2 c3 : R)";
+  alone.tactic = by_energy;
+  Shortened apart = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Proposition solved = s.lagrange_left_side(i, a).expression() == 0;
+    holds.given.push_back(a[i].expression() == newton[i].expression());
+    holds.follows.push_back(solved);
+    alone.given.push_back(solved);
+    alone.given.push_back(s.lagrange_left_side(i, other).expression() == 0);
+    apart = apart + pow(a[i] - other[i], 2);
+  }
+  alone.follows = {apart.expression() == 0};
+  return {
+      "3.25-equations",
+      "for any three links in any motion they hold for the accelerations by Newton's law, and for no others",
+      {holds, alone},
+      0,
+      tensions_in_coq};
+}
 
 Provables proofs() {
   const auto s = three_links();
@@ -503,6 +559,7 @@ Provables proofs() {
           holds("y3_rate", sines(s), v[5]),
           holds("kinetic_substituted", substituted(s, 0), kinetic),
           potential,
+          proof_of_equations(s),
           expanded};
 }
 
