@@ -1541,6 +1541,7 @@ Provables proofs_of_the_time() {
   all.given.push_back({"angle 0 = th0"});
   all.given.push_back({"(forall s, at_angle x y s (angle s) /\\ ex_derive angle s)"});
   all.tactic = "by_time";
+  all.says += "; the angle is a differentiable function of the time";
   return with_orbits(table.proofs("3.3", all), times_in_coq);
 }
 
