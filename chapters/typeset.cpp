@@ -50,11 +50,12 @@ void without_single_groups(Tokens& tokens) {
 /// A number is one token only at the top: x_12 is x with the index 1, and 2.
 Tokens tokens_of(std::string_view text) {
   Tokens tokens;
+  bool in_indices = false;
   while (!text.empty()) {
     std::size_t n = 1;
     if (text[0] == '\\')
       n = length_of_command(text);
-    else if (is_digit(text[0]) &&
+    else if (is_digit(text[0]) && !in_indices &&
              (tokens.empty() || !among(tokens.back(), {"_", "^", R"(\frac)", R"(\sqrt)"})))
       while (n < text.size() &&
              (is_digit(text[n]) || (text[n] == '.' && n + 1 < text.size() && is_digit(text[n + 1]))))
@@ -62,6 +63,7 @@ Tokens tokens_of(std::string_view text) {
     std::string token(text.substr(0, n));
     text.remove_prefix(n);
     if (token == R"(\tfrac)" || token == R"(\dfrac)") token = R"(\frac)";
+    in_indices = token == "{" ? !tokens.empty() && tokens.back() == "_" : in_indices && token != "}";
     if (token != " " && token != "$" && !says_nothing(token)) tokens.push_back(std::move(token));
   }
   without_single_groups(tokens);
@@ -70,42 +72,79 @@ Tokens tokens_of(std::string_view text) {
 
 // ---- values -----------------------------------------------------------------------------------------------
 
-double number(const Value& x) {
-  if (x.size() != 1) throw Unread();
-  return x[0];
+/// A number, a column, a row (as x^T) or a matrix.
+struct Matrix {
+  Value entries;  ///< row by row
+  std::size_t columns = 1;
+  std::size_t rows() const { return entries.size() / columns; }
+};
+
+/// Four or nine numbers of a letter are a square matrix.
+Matrix of_letter(const Value& x) { return {x, x.size() == 4 ? 2u : x.size() == 9 ? 3u : 1u}; }
+
+double number(const Matrix& x) {
+  if (x.entries.size() != 1) throw Unread();
+  return x.entries[0];
 }
-Value scaled(const Value& x, double factor) {
-  Value y = x;
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] *= factor;
+bool is_number(const Matrix& x) { return x.entries.size() == 1; }
+Matrix scaled(const Matrix& x, double factor) {
+  Matrix y = x;
+  for (std::size_t i = 0; i < y.entries.size(); ++i) y.entries[i] *= factor;
   return y;
 }
 bool is_zero(const Value& x) { return x.size() == 1 && x[0] == 0; }
 /// A lone 0 is zero of any kind.
-Value sum(const Value& a, const Value& b, double sign) {
-  if (is_zero(a)) return scaled(b, sign);
-  if (is_zero(b)) return a;
-  if (a.size() != b.size()) throw Unread();
-  Value y = a;
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] += sign * b[i];
+Matrix sum(const Matrix& a, const Matrix& b, double sign) {
+  if (is_zero(a.entries)) return scaled(b, sign);
+  if (is_zero(b.entries)) return a;
+  if (a.entries.size() != b.entries.size()) throw Unread();
+  Matrix y{a.entries, std::max(a.columns, b.columns)};
+  for (std::size_t i = 0; i < y.entries.size(); ++i) y.entries[i] += sign * b.entries[i];
   return y;
 }
 std::optional<Value> difference(const std::optional<Value>& a, const std::optional<Value>& b) {
   if (!a || !b || (a->size() != b->size() && !is_zero(*a) && !is_zero(*b))) return std::nullopt;
-  return sum(*a, *b, -1);
+  return sum({*a}, {*b}, -1).entries;
 }
-Value product(const Value& a, const Value& b) {
-  return a.size() == 1 ? scaled(b, a[0]) : scaled(a, number(b));
+Matrix product(const Matrix& a, const Matrix& b) {
+  if (is_number(a)) return scaled(b, number(a));
+  if (is_number(b)) return scaled(a, number(b));
+  if (a.columns != b.rows()) throw Unread();
+  Matrix y{std::vector<double>(a.rows() * b.columns), b.columns};
+  for (std::size_t i = 0; i < a.rows(); ++i)
+    for (std::size_t k = 0; k < a.columns; ++k)
+      for (std::size_t j = 0; j < b.columns; ++j)
+        y.entries[i * b.columns + j] += a.entries[i * a.columns + k] * b.entries[k * b.columns + j];
+  return y;
 }
-double dot(const Value& a, const Value& b) {
-  if (a.size() != b.size()) throw Unread();
+Matrix transposed(const Matrix& x) {
+  Matrix y{x.entries, x.rows()};
+  for (std::size_t i = 0; i < x.rows(); ++i)
+    for (std::size_t j = 0; j < x.columns; ++j) y.entries[j * y.columns + i] = x.entries[i * x.columns + j];
+  return y;
+}
+double dot(const Matrix& a, const Matrix& b) {
+  if (a.entries.size() != b.entries.size() || (a.columns > 1 && a.rows() > 1)) throw Unread();
   double total = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) total += a[i] * b[i];
+  for (std::size_t i = 0; i < a.entries.size(); ++i) total += a.entries[i] * b.entries[i];
   return total;
 }
-Value cross(const Value& a, const Value& b) {
-  if (a.size() == 1 && b.size() == 1) return {a[0] * b[0]};
+Matrix cross(const Matrix& x, const Matrix& y) {
+  const Value &a = x.entries, &b = y.entries;
+  if (a.size() == 1 && b.size() == 1) return {{a[0] * b[0]}};
   if (a.size() != 3 || b.size() != 3) throw Unread();
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+}
+
+Matrix diagonal(const Value& x) {
+  Matrix y{std::vector<double>(x.size() * x.size()), x.size()};
+  for (std::size_t i = 0; i < x.size(); ++i) y.entries[i * (x.size() + 1)] = x[i];
+  return y;
+}
+/// That of x times.
+Matrix skew(const Value& x) {
+  if (x.size() != 3) throw Unread();
+  return {{0, -x[2], x[1], x[2], 0, -x[0], -x[1], x[0], 0}, 3};
 }
 
 using Function = double (*)(double);
@@ -122,15 +161,44 @@ constexpr std::array functions{
 
 // ---- the grammar ------------------------------------------------------------------------------------------
 
+using Letters = std::vector<std::pair<Tokens, Matrix>>;
+
+/// The longest first.
+Letters letters_of(const TypesetLetters& all) {
+  Letters letters;
+  for (const auto& [written, value] : all) letters.emplace_back(tokens_of(written), of_letter(value));
+  std::ranges::stable_sort(letters, std::ranges::greater(), [](const auto& l) { return l.first.size(); });
+  return letters;
+}
+
+const Matrix* value_of(const Letters& letters, const Tokens& letter) {
+  const auto found = std::ranges::find(letters, letter, &Letters::value_type::first);
+  return found == letters.end() ? nullptr : &found->second;
+}
+
+/// x as \dot x, \dot x as \ddot x.
+Tokens rate_of(Tokens letter) {
+  if (letter.front() == R"(\dot)")
+    letter.front() = R"(\ddot)";
+  else
+    letter.insert(letter.begin(), R"(\dot)");
+  return letter;
+}
+
+/// All that have a rate, after a time.
+Letters later(const Letters& letters, double time) {
+  Letters moved = letters;
+  for (auto& [letter, value] : moved)
+    if (const Matrix* rate = value_of(letters, rate_of(letter))) value = sum(value, *rate, time);
+  return moved;
+}
+
 class Reader {
  public:
-  Reader(Tokens tokens, const TypesetLetters& letters) : tokens_(std::move(tokens)) {
-    for (const auto& [written, value] : letters) letters_.emplace_back(tokens_of(written), value);
-    std::ranges::stable_sort(letters_, std::ranges::greater(), [](const auto& l) { return l.first.size(); });
-  }
+  Reader(Tokens tokens, const Letters& letters) : tokens_(std::move(tokens)), letters_(letters) {}
 
-  Value all() {
-    Value x = sum_of_terms();
+  Matrix all() {
+    Matrix x = sum_of_terms();
     if (at_ < tokens_.size()) throw Unread();
     return x;
   }
@@ -145,15 +213,26 @@ class Reader {
     ++at_;
     return true;
   }
+  bool take_all(std::initializer_list<std::string_view> tokens) {
+    std::size_t n = 0;
+    for (const std::string_view token : tokens)
+      if (next(n++) != token) return false;
+    at_ += n;
+    return true;
+  }
   void expect(std::string_view token) {
     if (!take(token)) throw Unread();
   }
+  Tokens from(std::size_t begin, std::size_t end) const {
+    return {tokens_.begin() + static_cast<std::ptrdiff_t>(begin),
+            tokens_.begin() + static_cast<std::ptrdiff_t>(end)};
+  }
 
-  Value sum_of_terms() {
+  Matrix sum_of_terms() {
     while (take(R"(\,)")) continue;
     const bool negative = take("-");
     if (!negative) take("+");
-    Value total = dot_products();
+    Matrix total = dot_products();
     if (negative) total = scaled(total, -1);
     while (true) {
       if (take("+"))
@@ -166,21 +245,21 @@ class Reader {
   }
 
   /// u . v x w is that of u and v x w.
-  Value dot_products() {
-    Value x = cross_products();
+  Matrix dot_products() {
+    Matrix x = cross_products();
     while (take(R"(\cdot)")) {
-      const Value y = cross_products();
-      x = x.size() == 1 || y.size() == 1 ? product(x, y) : Value(dot(x, y));
+      const Matrix y = cross_products();
+      x = is_number(x) || is_number(y) ? product(x, y) : Matrix{{dot(x, y)}};
     }
     return x;
   }
-  Value cross_products() {
-    Value x = factors();
+  Matrix cross_products() {
+    Matrix x = factors();
     while (take(R"(\times)")) x = cross(x, factors());
     return x;
   }
-  Value factors() {
-    Value x = power();
+  Matrix factors() {
+    Matrix x = power();
     while (true) {
       if (take(R"(\,)")) continue;
       if (take("/"))
@@ -199,15 +278,21 @@ class Reader {
            (token != "|" || !inside_bars_);
   }
 
-  Value power() {
+  Matrix power() {
+    if (next() == R"(\sum)") return sum_over_index();
     if (const Named* f = function()) return of_function(*f);
     const bool is_e = next() == "e" && next(1) == "^" && !letter_here();
     if (is_e) {
       at_ += 2;
-      return {std::exp(number(argument()))};
+      return {{std::exp(number(argument()))}};
     }
-    Value x = base();
-    while (take("^")) x = {std::pow(number(x), number(argument()))};
+    Matrix x = base();
+    while (take("^")) {
+      if (!is_number(x) && take("T"))
+        x = transposed(x);
+      else
+        x = {{std::pow(number(x), number(argument()))}};
+    }
     return x;
   }
 
@@ -216,25 +301,74 @@ class Reader {
     return found == functions.end() ? nullptr : &*found;
   }
   /// \sin^2 x is (\sin x)^2, and \sin^{-1} x the inverse function's.
-  Value of_function(const Named& f) {
+  Matrix of_function(const Named& f) {
     ++at_;
     const double exponent = take("^") ? number(argument()) : 1;
     const double x = number(next() == "(" || next() == "{" ? base() : argument_of_function());
-    return {exponent == -1 ? f.inverse(x) : std::pow(f.function(x), exponent)};
+    return {{exponent == -1 ? f.inverse(x) : std::pow(f.function(x), exponent)}};
   }
   /// \sin\omega t, and up to where something else begins.
-  Value argument_of_function() {
-    Value x = power();
+  Matrix argument_of_function() {
+    Matrix x = power();
     while (begins_factor() && !function() && next() != "(" && next() != R"(\dot)" && next() != R"(\ddot)" &&
            next() != R"(\mathbf)")
       x = product(x, power());
     return x;
   }
 
+  /// \sum_i m_ix_i, or \sum m_ix_i, is over all single digits that there are letters of, and of one product.
+  Matrix sum_over_index() {
+    expect(R"(\sum)");
+    std::string index;
+    double last = 9;
+    if (take_all({"_", "{"})) {
+      index = next();
+      ++at_;
+      expect(R"(\le)");
+      last = number(base());
+      expect("}");
+    } else if (take("_")) {
+      index = next();
+      ++at_;
+    } else {
+      index = first_index();
+    }
+    return sum_over(index, static_cast<int>(last));
+  }
+  std::string first_index() const {
+    for (std::size_t i = at_; i + 1 < tokens_.size(); ++i)
+      if (tokens_[i] == "_" && among(tokens_[i + 1], {"i", "j", "k", "n"})) return tokens_[i + 1];
+    throw Unread();
+  }
+  Matrix sum_over(const std::string& index, int last) {
+    const Tokens term = from(at_, tokens_.size());
+    std::optional<Matrix> total;
+    std::size_t length = 0;
+    for (int i = 0; i <= last; ++i) {
+      Tokens at_index = term;
+      std::ranges::replace(at_index, index, std::to_string(i));
+      Reader reader(std::move(at_index), letters_);
+      reader.inside_bars_ = inside_bars_;
+      try {
+        const Matrix value = reader.dot_products();
+        if (length > 0 && reader.at_ != length) throw Unread();
+        length = reader.at_;
+        total = total ? sum(*total, value, 1) : value;
+      } catch (const Unread&) {
+        if (total) break;
+        if (i > 0) throw;
+      }
+    }
+    const Tokens summed = from(at_, at_ + length);
+    if (!total || std::ranges::find(summed, index) == summed.end()) throw Unread();
+    at_ += length;
+    return *total;
+  }
+
   /// What stands behind \frac, \sqrt and ^: a group, or one token.
-  Value argument() {
+  Matrix argument() {
     if (next() == "{") return base();
-    if (!next().empty() && is_digit(next()[0])) return {static_cast<double>(first_digit())};
+    if (!next().empty() && is_digit(next()[0])) return {{static_cast<double>(first_digit())}};
     return base();
   }
   int first_digit() {
@@ -247,22 +381,25 @@ class Reader {
     return digit;
   }
 
-  Value base() {
-    if (take(R"(\frac)")) {
-      const Value above = argument();
-      return scaled(above, 1 / number(argument()));
-    }
-    if (take(R"(\sqrt)")) return {std::sqrt(number(argument()))};
-    if (take("{")) return closed_by("}");
-    if (take("(")) return closed_by(")");
-    if (take("[")) return closed_by("]");
-    if (take("|")) return {between_bars()};
+  Matrix base() {
     if (const auto* letter = letter_here()) {
       at_ += letter->first.size();
       return letter->second;
     }
-    if (take(R"(\pi)")) return {std::numbers::pi};
-    return {numeral()};
+    if (take_all({R"(\frac)", "d", "{", "d", "t", "}"})) return time_derivative();
+    if (take(R"(\frac)")) {
+      const Matrix above = argument();
+      return scaled(above, 1 / number(argument()));
+    }
+    if (take_all({R"(\mathrm)", "{", "D", "i", "a", "g", "}", "("})) return diagonal(closed_by(")").entries);
+    if (take_all({R"(\mathrm)", "{", "S", "k", "e", "w", "}", "("})) return skew(closed_by(")").entries);
+    if (take(R"(\sqrt)")) return {{std::sqrt(number(argument()))}};
+    if (take("{")) return closed_by("}");
+    if (take("(")) return closed_by(")");
+    if (take("[")) return closed_by("]");
+    if (take("|")) return {{between_bars()}};
+    if (take(R"(\pi)")) return {{std::numbers::pi}};
+    return {{numeral()}};
   }
   double numeral() {
     const std::string& token = next();
@@ -274,25 +411,39 @@ class Reader {
   }
   double between_bars() {
     const bool outside = std::exchange(inside_bars_, true);
-    const Value x = sum_of_terms();
+    const Matrix x = sum_of_terms();
     inside_bars_ = outside;
     expect("|");
     return std::sqrt(dot(x, x));
   }
   /// A sum, or several with commas between them: a tuple.
-  Value closed_by(std::string_view end) {
+  Matrix closed_by(std::string_view end) {
     const bool outside = std::exchange(inside_bars_, false);
-    const Value first = sum_of_terms();
-    std::vector<double> all(first.begin(), first.end());
+    Matrix first = sum_of_terms();
+    std::vector<double> all(first.entries.begin(), first.entries.end());
     if (next() == ",") number(first);
     while (take(",")) all.push_back(number(sum_of_terms()));
     inside_bars_ = outside;
     expect(end);
-    return all;
+    return all.size() > 1 && is_number(first) ? Matrix{all} : first;
+  }
+
+  /// Of what follows, along the rates of its letters: by differences of eighth order.
+  Matrix time_derivative() {
+    constexpr double step = 0x1p-7;
+    constexpr std::array weights{4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+    const std::size_t begin = at_;
+    Matrix slope = scaled(power(), 0);
+    const Tokens changing = from(begin, at_);
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      for (const double sign : {1.0, -1.0})
+        slope = sum(slope, Reader(changing, later(letters_, sign * step * static_cast<double>(i + 1))).all(),
+                    sign * weights[i] / step);
+    return slope;
   }
 
   /// The longest that fits and is not part of a longer one: R is not the beginning of R_1.
-  const std::pair<Tokens, Value>* letter_here() const {
+  const Letters::value_type* letter_here() const {
     for (const auto& letter : letters_) {
       const std::size_t n = letter.first.size();
       if (at_ + n > tokens_.size()) continue;
@@ -305,7 +456,7 @@ class Reader {
   }
 
   Tokens tokens_;
-  std::vector<std::pair<Tokens, Value>> letters_;
+  const Letters& letters_;
   std::size_t at_ = 0;
   bool inside_bars_ = false;
 };
@@ -330,7 +481,7 @@ std::string told(const TypesetLetters& letters, std::size_t count) {
 
 std::optional<Value> typeset_value(std::string_view formula, const TypesetLetters& letters) {
   try {
-    return Reader(tokens_of(formula), letters).all();
+    return Reader(tokens_of(formula), letters_of(letters)).all().entries;
   } catch (const Unread&) {
     return std::nullopt;
   }
@@ -342,21 +493,56 @@ bool is_formula(std::string_view text) {
 
 namespace {
 
-/// What a formula or an equation may stand for: itself, each side, and what two sides differ by.
-std::vector<std::optional<Value>> meanings(std::string_view formula, const TypesetLetters& letters) {
-  std::vector<std::optional<Value>> all;
+using Meanings = std::vector<std::optional<Value>>;
+
+bool is_lone_letter(const std::string& side, const TypesetLetters& letters) {
+  return std::ranges::find(letters, side, &TypesetLetters::value_type::first) != letters.end();
+}
+
+/// What a formula or an equation may stand for: itself, each side, and what two sides differ by. A lone
+/// letter stands for an equation only where all of that is read.
+Meanings meanings(std::string formula, const TypesetLetters& letters) {
+  Meanings all;
+  std::vector<std::string> sides;
+  if (const std::size_t limit = formula.find(R"(\to)");
+      limit < formula.size() && !is_letter(formula[limit + 3]))
+    formula.replace(limit, 3, "=");
   for (std::size_t begin = 0; begin <= formula.size();) {
     const std::size_t end = std::min(formula.find('=', begin), formula.size());
-    if (end > begin) all.push_back(typeset_value(formula.substr(begin, end - begin), letters));
+    if (end > begin) sides.push_back(formula.substr(begin, end - begin));
     begin = end + 1;
   }
+  for (const std::string& side : sides) all.push_back(typeset_value(side, letters));
+  const bool read = std::ranges::all_of(all, [](const auto& side) { return side.has_value(); });
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+    if (!read && is_lone_letter(sides[i], letters)) all[i].reset();
   if (all.size() == 2) all.push_back(difference(all[0], all[1]));
   return all;
 }
 
+/// The size of the terms that are added up, in each of the meanings: how much it changes with the letters'
+/// relative change.
+double size_of_terms(const std::string& formula, const TypesetLetters& letters, std::size_t meaning) {
+  constexpr double change = 0x1p-20;
+  const Value value = *meanings(formula, letters)[meaning];
+  double size = 0;
+  TypesetLetters moved = letters;
+  for (auto& [letter, x] : moved)
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double before = std::exchange(x[i], x[i] * (1 + change));
+      if (const auto now = meanings(formula, moved)[meaning]) size += distance(*now, value) / change;
+      x[i] = before;
+    }
+  return size;
+}
+
 enum class Match { same, unread, other };
 
+/// A number that is computed several times over is compared once.
 Match match(const std::optional<Value>& typeset, const Value& computed, double allowed) {
+  if (typeset && typeset->size() == 1 && computed.size() > 1 &&
+      distance(computed, Value(std::vector<double>(computed.size(), computed[0]))) <= allowed)
+    return match(typeset, computed[0], allowed);
   const auto off = difference(typeset, computed);
   return !off ? Match::unread : size_of(*off) <= allowed ? Match::same : Match::other;
 }
@@ -371,16 +557,20 @@ Typesetting compare_typeset(const std::string& text,
     if (finite(value)) largest = std::max(largest, size_of(value));
   // What is added up in another order differs by roundings of terms that may cancel; another formula by far
   // more.
-  const double allowed = 1e-9 * largest;
+  constexpr double precision = 1e-9;
+  const double allowed = precision * largest;
+  const std::string formula = text.substr(1, text.size() - 2);
 
   std::vector<Match> matches;
   std::string seen;
   for (const auto& [letters, value] : computed) {
     if (!finite(value)) continue;
-    const auto all = meanings(std::string_view(text).substr(1, text.size() - 2), letters);
+    const auto all = meanings(formula, letters);
     matches.resize(all.size(), Match::same);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const Match found = match(all[i], value, allowed);
+      Match found = match(all[i], value, allowed);
+      if (found == Match::other)
+        found = match(all[i], value, allowed + precision * size_of_terms(formula, letters, i));
       if (found == Match::other) seen = written(*all[i]) + ", and " + written(value) + " is computed";
       if (matches[i] == Match::same) matches[i] = found;
     }

@@ -51,6 +51,7 @@ struct MomentOf {
 
   std::array<T*, 9> letters() { return {&G, &M, &m, &x, &y, &vx, &vy, &push_x, &push_y}; }
   std::string where() const { return orbit; }
+  TypesetLetters typeset() const;
 };
 
 /// r, theta and V = -GM/r at a moment: along the path in time by dual numbers of second order, and from there
@@ -89,6 +90,28 @@ struct AlongOf {
   double of_transverse() const { return speed * speed / r; }
   double of_bend() const { return of_radial() * mu / pow(r * w, 2) + abs(V); }
 };
+
+/// Of the path, but for the angle's acceleration: that is under the other one.
+template <class T>
+TypesetLetters MomentOf<T>::typeset() const {
+  const AlongOf<T> k(*this, false);
+  return {{"G", G},
+          {"M", M},
+          {"m", m},
+          {"r", k.r},
+          {R"(\dot r)", k.r_dot},
+          {R"(\ddot r)", k.r_dot_dot},
+          {R"(\dot\theta)", k.w},
+          {R"(\ddot\theta)", AlongOf<T>(*this, true).w_dot},
+          {R"(\mathbf R)", {k.c, k.s}},
+          {R"(\mathbf P)", {-k.s, k.c}},
+          {R"(\alpha)", k.alpha},
+          {"V", k.V},
+          {"V'", k.V1},
+          {"V''", k.V2},
+          {"dV/dt", k.V_dot},
+          {"dV/dr", k.mu / (k.r * k.r)}};
+}
 
 namespace {
 
@@ -133,6 +156,7 @@ struct LaterOf {
             &now.y, &now.vx, &now.vy, &t,      &theta,  &c0,         &c1};
   }
   std::string where() const { return now.where(); }
+  TypesetLetters typeset() const;
   Tolerance tolerance(double size) const {
     return {1e-10 * size, "a thousand tolerances of the path's integration"};
   }
@@ -204,6 +228,25 @@ struct Elements {
   T radius(const T& p, const T& angle) const { return p / (1 + e * cos(angle)); }
   T orbit(const T& angle) const { return radius(e * rho, angle); }
 };
+
+template <class T>
+TypesetLetters LaterOf<T>::typeset() const {
+  const Elements<T> of(*this);
+  return {{"G", start.G},
+          {"M", start.M},
+          {"r_0", start.r0},
+          {R"(\dot r_0)", start.r0_dot},
+          {R"(\alpha)", start.M * start.h()},
+          {R"(\theta)", theta},
+          {"V", V()},
+          {"V_h", potential(theta)},
+          {"c_0", c0},
+          {"c_1", c1},
+          {"e", of.e},
+          {R"(\rho)", of.rho},
+          {"a", of.a},
+          {R"(\omega)", of.omega}};
+}
 
 /// A place and a velocity in space, and drag beside gravity.
 template <class T>
@@ -753,8 +796,8 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
                         const AlongOf<T> circle({k.G, k.M, k.m, x, y, -rate * y, rate * x, 0, 0, {}}, false);
                         return values(circle.V, circle.V1, circle.V2);
                       }),
-       .printed = along(R"($(-G^2M^4/\alpha^2,0,0)$)", particular(-1)),
-       .near_misses = {along(R"($(+G^2M^4/\alpha^2,0,0)$)", particular(1))}});
+       .printed = along(R"($(-G^2M^4/\alpha^2,0,0)$, $\alpha$ the circle's)", particular(-1)),
+       .near_misses = {along(R"($(+G^2M^4/\alpha^2,0,0)$, $\alpha$ the circle's)", particular(1))}});
 }
 
 // ---- from the start to a later moment: lines 979 to 1227 --------------------------------------------------
@@ -1300,9 +1343,9 @@ void inputs_of_the_orbit(Claims& claims, double seed) {
   };
   claims.add(
       "rho_of_a_circle", 1229, R"($\rho=\gamma_0^2/\gamma_1$ serves for the orbit of any start)",
-      {.printed = radius(R"($e\rho=(\gamma_1/(GM))(\gamma_0^2/\gamma_1)$)", of.e * of.rho),
-       .corrected = radius(R"($e\rho=\gamma_0^2/(GM)$)", of.gamma0 * of.gamma0 / of.mu),
-       .near_misses = {radius(R"($e\rho=\gamma_0/(GM)$)", of.gamma0 / of.mu)},
+      {.printed = radius(R"(with $e\rho=(\gamma_1/(GM))(\gamma_0^2/\gamma_1)$)", of.e * of.rho),
+       .corrected = radius(R"(with $e\rho=\gamma_0^2/(GM)$)", of.gamma0 * of.gamma0 / of.mu),
+       .near_misses = {radius(R"(with $e\rho=\gamma_0/(GM)$)", of.gamma0 / of.mu)},
        .why =
            R"(A circle ($\dot r_0=0$, $r_0^3\dot\theta_0^2=GM$) has $\gamma_1=0$: $\rho$ is a division by zero, and )"
            R"($e\rho$ is zero times infinity. The application, which computes $r=e\rho/(1+e\cos\theta)$ and )"

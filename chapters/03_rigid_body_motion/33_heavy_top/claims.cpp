@@ -146,7 +146,7 @@ void claim_energy(Table& table, const Samples& tops) {
            turned(R"($\mathbf w\times\ell\boldsymbol\xi_3=\ell(w_2,-w_1,0)$, $\mathbf w$ by the text's )"
                   R"(formulas with $\sin\psi$)",
                   1),
-       .near_misses = {turned(R"($\ell(-w_2,w_1,0)$)", -1)},
+       .near_misses = {turned(R"($-\mathbf w\times(0,0,\ell)$)", -1)},
        .kind = Fault::term,
        .root = "velocity for position",
        .why =
@@ -196,8 +196,10 @@ void claim_energy(Table& table, const Samples& tops) {
                  .printed = diagonal(R"($J=\mathrm{Diag}(\mu_1,\mu_1,\mu_3)$)", true),
                  .near_misses = {diagonal(R"($\mathrm{Diag}(\mu_1,\mu_3,\mu_3)$)", false)}});
 
-  const auto omega = [](const std::string& text, auto angle) {
-    return Reader{text, [angle](const auto& s) { return rates(s, angle(s)); }};
+  const auto omega = [](const std::string& second, auto angle) {
+    return Reader{R"($\mathbf w=(\dot\phi\cos\psi+\dot\theta\sin\psi\sin\phi,\ )" + second +
+                      R"(+\dot\theta\cos\psi\sin\phi,\ \dot\psi+\dot\theta\cos\phi)$)",
+                  [angle](const auto& s) { return rates(s, angle(s)); }};
   };
   const auto energy = [](const std::string& text, auto angle) {
     return Reader{text, [angle](const auto& s) { return half_wJw(s, rates(s, angle(s)), s.mu1); }};
@@ -210,9 +212,9 @@ void claim_energy(Table& table, const Samples& tops) {
       "angular_velocity", 2967, R"(the second component of $\mathbf w$ in body coordinates)", tops,
       {.quantity = R"($\mathbf w$)",
        .truth = {R"($R^T\dot R$, by dual numbers)", [](const auto& s) { return s.body_rates(); }},
-       .printed = omega(R"($w_2=-\dot\phi\sin\phi)" + rest, by_phi),
-       .meant = omega(R"($w_2=-\dot\phi\sin\psi)" + rest, by_psi),
-       .near_misses = {omega(R"($w_2=+\dot\phi\sin\psi)" + rest, by_minus_psi)},
+       .printed = omega(R"(-\dot\phi\sin\phi)", by_phi),
+       .meant = omega(R"(-\dot\phi\sin\psi)", by_psi),
+       .near_misses = {omega(R"(\dot\phi\sin\psi)", by_minus_psi)},
        .kind = Fault::formula,
        .why =
            R"(The second component begins with $-\dot\phi\sin\psi$; printed is the angle $\phi$. With it )"
@@ -440,7 +442,13 @@ void claim_vertical_constant(Claims& claims, const Samples& tops, const Top& sta
   Reading both = conserved(R"($\mu_1\dot\theta\sin^2\phi+c\,\mu_3\cos\phi$, $c$ the constant spin)", 1);
   both.checks.push_back(along_the_motion(start));
   claims.add("vertical_constant", 3079, R"(what the equation of $\theta$ keeps constant)",
-             {.printed = both, .near_misses = {conserved(R"($\mu_1\dot\theta\sin^2\phi$)", 0)}});
+             {.printed = both, .near_misses = {conserved(R"($\mu_1\dot\theta\sin^2\phi$ alone)", 0)}});
+}
+
+/// With these accelerations.
+Samples along_lagrange(Samples tops) {
+  for (Sample& s : tops) s.a = s.truth;
+  return tops;
 }
 
 void claim_motion(Table& table, const Samples& tops) {
@@ -480,9 +488,9 @@ void claim_motion(Table& table, const Samples& tops) {
   table.formula("spin_constant", 3075, "what the equation of $\\psi$ keeps constant", tops,
                 {.quantity = "its rate" + by_lagrange,
                  .truth = zero,
-                 .printed = {R"($\dot\psi+\dot\theta\cos\phi$)",
+                 .printed = {R"($\frac{d}{dt}(\dot\psi+\dot\theta\cos\phi)$)",
                              [](const auto& s) { return rate_of(s, s.truth, spin); }},
-                 .near_misses = {{R"($\dot\psi-\dot\theta\cos\phi$)", [](const auto& s) {
+                 .near_misses = {{R"($\frac{d}{dt}(\dot\psi-\dot\theta\cos\phi)$)", [](const auto& s) {
                                     return rate_of(s, s.truth, [](const auto& q, const auto& v) {
                                       return v[2] - v[0] * cos(q[1]);
                                     });
@@ -505,7 +513,7 @@ void claim_motion(Table& table, const Samples& tops) {
        .printed = constants(
            R"($c=\dot\psi+\dot\theta\cos\phi$, $\gamma=\mu_1\dot\theta\sin^2\phi+c\,\mu_3\cos\phi$)",
            [](const auto& s) { return spin_of(s); }),
-       .near_misses = {constants(R"($c=\dot\psi$)", [](const auto& s) { return s.v[2]; })}});
+       .near_misses = {constants(R"(with $c=\dot\psi$)", [](const auto& s) { return s.v[2]; })}});
   const Reader lagrange{"nested dual numbers on the points' $T-V$", [](const auto& s) { return s.truth[1]; }};
   const auto middle = [](const std::string& sign, double factor) {
     return Reader{R"($\ddot\phi=\alpha\sin\phi+\dot\theta^2\sin\phi\cos\phi)" + sign +
@@ -526,8 +534,8 @@ void claim_motion(Table& table, const Samples& tops) {
                 {.quantity = R"($\alpha\sin\phi$)",
                  .truth = {R"($\ddot\phi$ by nested dual numbers on the points' $T-V$, less its other terms)",
                            [](const auto& s) { return s.truth[1] - tilting(s, 1, 0); }},
-                 .printed = alpha(R"($\alpha=mg\ell/\mu_1$)", true),
-                 .near_misses = {alpha(R"($\alpha=mg\ell/\mu_3$)", false)}});
+                 .printed = alpha(R"($\frac{mg\ell}{\mu_1}\sin\phi$)", true),
+                 .near_misses = {alpha(R"($\frac{mg\ell}{\mu_3}\sin\phi$)", false)}});
 }
 
 // ---- proofs -----------------------------------------------------------------------------------------------
@@ -651,7 +659,7 @@ std::vector<Claim> claims(double seed, const Top& start) {
   claim_derivatives(table, tops);
   claim_forces(table, tops);
   claim_no_force_of_psi(claims, tops);
-  claim_motion(table, tops);
+  claim_motion(table, along_lagrange(tops));
   claim_vertical_constant(claims, tops, start);
   return claims.in_order();
 }

@@ -152,6 +152,36 @@ struct SampleOf {
         1 + l + body.A + (mu1 + mu3) * rates + m * (l + 1) * (body.g + shaken + shaken * shaken);
     return terms + (terms + std::sqrt(dot(truth, truth))) / (std::min({1.0, mu1, mu3}) * sine * sine);
   }
+  TypesetLetters typeset() const {
+    const auto force = [&](std::size_t k) {
+      return -by_angle(*this, k, [&](const auto& x, const auto&) {
+        return body.potential(x, std::remove_cvref_t<decltype(x[0])>(t));
+      });
+    };
+    const auto slope = [&](std::size_t k) {
+      return by_angle(*this, k, [&](const auto& x, const auto& dx) {
+        return body.kinetic(x, dx, std::remove_cvref_t<decltype(x[0])>(t));
+      });
+    };
+    TypesetLetters all{{"m", m},
+                       {"g", body.g},
+                       {R"(\ell)", l},
+                       {R"(\mu_1)", mu1},
+                       {R"(\mu_3)", mu3},
+                       {R"(\mathbf w)", Value(body_rates())},
+                       {"J", {mu1, 0, 0, 0, mu1, 0, 0, 0, mu3}},
+                       {"c", v[2] + v[0] * std::cos(q[1])},
+                       {R"(\alpha)", m * body.g * l / mu1}};
+    const std::array<std::string, 3> angles{R"(\theta)", R"(\phi)", R"(\psi)"};
+    for (std::size_t k = 0; k < 3; ++k) {
+      all.emplace_back(angles[k], q[k]);
+      all.emplace_back(R"(\dot)" + angles[k], v[k]);
+      all.emplace_back(R"(\ddot)" + angles[k], a[k]);
+      all.emplace_back("F_" + angles[k], force(k));
+      all.emplace_back(R"(\partial T/\partial)" + angles[k], slope(k));
+    }
+    return all;
+  }
   std::string where() const {
     return R"($\theta,\phi,\psi$ = )" + format_significant(q[0], 4) + ", " + format_significant(q[1], 4) +
            ", " + format_significant(q[2], 4) + R"(, $\ell$ = )" + format_significant(l, 4) +
