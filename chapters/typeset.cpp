@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "reference/text.hpp"
 
@@ -136,6 +137,11 @@ Matrix cross(const Matrix& x, const Matrix& y) {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
+Matrix joined(const Matrix& a, const Matrix& b) {
+  std::vector<double> all(a.entries.begin(), a.entries.end());
+  all.insert(all.end(), b.entries.begin(), b.entries.end());
+  return {all};
+}
 Matrix diagonal(const Value& x) {
   Matrix y{std::vector<double>(x.size() * x.size()), x.size()};
   for (std::size_t i = 0; i < x.size(); ++i) y.entries[i * (x.size() + 1)] = x[i];
@@ -274,7 +280,7 @@ class Reader {
   bool begins_factor() const {
     const std::string& token = next();
     return !token.empty() &&
-           !among(token, {"+", "-", ")", "]", "}", ",", "/", "=", R"(\cdot)", R"(\times)", R"(\,)"}) &&
+           !among(token, {"+", "-", ")", "]", "}", ",", ";", "/", "=", R"(\cdot)", R"(\times)", R"(\,)"}) &&
            (token != "|" || !inside_bars_);
   }
 
@@ -316,11 +322,11 @@ class Reader {
     return x;
   }
 
-  /// \sum_i m_ix_i, or \sum m_ix_i, is over all single digits that there are letters of, and of one product.
+  /// \sum_i m_ix_i, or \sum m_ix_i, is over all that there are letters of, and of one product.
   Matrix sum_over_index() {
     expect(R"(\sum)");
     std::string index;
-    double last = 9;
+    double last = 99;
     if (take_all({"_", "{"})) {
       index = next();
       ++at_;
@@ -345,15 +351,12 @@ class Reader {
     std::optional<Matrix> total;
     std::size_t length = 0;
     for (int i = 0; i <= last; ++i) {
-      Tokens at_index = term;
-      std::ranges::replace(at_index, index, std::to_string(i));
-      Reader reader(std::move(at_index), letters_);
+      Reader reader(with_index(term, index, i), letters_);
       reader.inside_bars_ = inside_bars_;
       try {
         const Matrix value = reader.dot_products();
-        if (length > 0 && reader.at_ != length) throw Unread();
-        length = reader.at_;
         total = total ? sum(*total, value, 1) : value;
+        if (i < 10) length = reader.at_;
       } catch (const Unread&) {
         if (total) break;
         if (i > 0) throw;
@@ -363,6 +366,18 @@ class Reader {
     if (!total || std::ranges::find(summed, index) == summed.end()) throw Unread();
     at_ += length;
     return *total;
+  }
+  /// m_i as m_3, or m_{12}.
+  static Tokens with_index(const Tokens& term, const std::string& index, int i) {
+    Tokens all;
+    for (const std::string& token : term)
+      if (token != index)
+        all.push_back(token);
+      else if (i < 10)
+        all.push_back(std::to_string(i));
+      else
+        all.insert(all.end(), {"{", std::to_string(i / 10), std::to_string(i % 10), "}"});
+    return all;
   }
 
   /// What stands behind \frac, \sqrt and ^: a group, or one token.
@@ -416,16 +431,20 @@ class Reader {
     expect("|");
     return std::sqrt(dot(x, x));
   }
-  /// A sum, or several with commas between them: a tuple.
+  /// A sum, or several with commas between them: a tuple; with semicolons between rows.
   Matrix closed_by(std::string_view end) {
     const bool outside = std::exchange(inside_bars_, false);
-    Matrix first = sum_of_terms();
-    std::vector<double> all(first.entries.begin(), first.entries.end());
-    if (next() == ",") number(first);
-    while (take(",")) all.push_back(number(sum_of_terms()));
+    Matrix all = sum_of_terms();
+    std::size_t columns = 1;
+    while (next() == "," || next() == ";") {
+      if (take(";") && columns == 1) columns = all.entries.size();
+      take(",");
+      all = joined(all, sum_of_terms());
+    }
     inside_bars_ = outside;
     expect(end);
-    return all.size() > 1 && is_number(first) ? Matrix{all} : first;
+    if (all.entries.size() % columns != 0) throw Unread();
+    return columns == 1 ? all : Matrix{all.entries, columns};
   }
 
   /// Of what follows, along the rates of its letters: by differences of eighth order.
@@ -499,8 +518,8 @@ bool is_lone_letter(const std::string& side, const TypesetLetters& letters) {
   return std::ranges::find(letters, side, &TypesetLetters::value_type::first) != letters.end();
 }
 
-/// What a formula or an equation may stand for: itself, each side, and what two sides differ by. A lone
-/// letter stands for an equation only where all of that is read.
+/// What a formula or an equation may stand for: itself, each side, and what two sides differ by; not the
+/// letter that it is called by on the left.
 Meanings meanings(std::string formula, const TypesetLetters& letters) {
   Meanings all;
   std::vector<std::string> sides;
@@ -513,10 +532,8 @@ Meanings meanings(std::string formula, const TypesetLetters& letters) {
     begin = end + 1;
   }
   for (const std::string& side : sides) all.push_back(typeset_value(side, letters));
-  const bool read = std::ranges::all_of(all, [](const auto& side) { return side.has_value(); });
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-    if (!read && is_lone_letter(sides[i], letters)) all[i].reset();
   if (all.size() == 2) all.push_back(difference(all[0], all[1]));
+  if (all.size() > 1 && is_lone_letter(sides[0], letters)) all[0].reset();
   return all;
 }
 
@@ -578,6 +595,11 @@ Typesetting compare_typeset(const std::string& text,
   const auto any = [&](Match m) { return std::ranges::find(matches, m) != matches.end(); };
   if (matches.empty() || any(Match::same)) return {!matches.empty()};
   return any(Match::unread) ? Typesetting{} : Typesetting{false, text + " is typeset, which is " + seen};
+}
+
+bool is_as_typeset(const Typesetting& typesetting) {
+  if (!typesetting.difference.empty()) throw std::logic_error(typesetting.difference);
+  return typesetting.read;
 }
 
 }  // namespace oddity

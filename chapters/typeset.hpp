@@ -38,4 +38,7 @@ struct Typesetting {
 Typesetting compare_typeset(const std::string& text,
                             const std::vector<std::pair<TypesetLetters, Value>>& computed);
 
+/// Whether it has been read. Throws std::logic_error where it is something else.
+bool is_as_typeset(const Typesetting&);
+
 }  // namespace oddity

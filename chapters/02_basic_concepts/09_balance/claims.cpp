@@ -91,6 +91,24 @@ struct Sample {
     mean.A = middle, beside.A = plate.A + shift;
   }
   double size() const { return center.size(); }
+  /// Of the line beside the center, all in the plane.
+  TypesetLetters typeset() const {
+    const auto& [particles, A, D, N] = beside;
+    TypesetLetters all{{"D", {D[0], D[1]}},
+                       {"N", {N[0], N[1]}},
+                       {"C", {A[0], A[1]}},
+                       {R"(\bar x)", A[0]},
+                       {R"(\bar y)", A[1]}};
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      const auto& [m, r] = particles[i];
+      const std::string index = "_{" + std::to_string(i + 1) + "}";
+      const double along = dot(D, r - A), away = dot(N, r - A);
+      for (const auto& [letter, x] : {std::pair{"m", m}, {"x", r[0]}, {"y", r[1]}, {"s", along}, {"t", away}})
+        all.emplace_back(letter + index, x);
+      all.emplace_back("P" + index, Value{r[0], r[1]});
+    }
+    return all;
+  }
   std::string where() const {
     return std::to_string(center.particles.size()) + " particles, $C$ = " + shown(center.A) +
            ", $D$ = " + shown(center.D);
@@ -109,7 +127,7 @@ OfPlate beside(std::string text, const Of& of) {
 /// m times what is seen of each particle: of its place P and of s and t.
 template <class See>
 OfPlate each(std::string text, const See& see) {
-  return beside(std::move(text), [=](const Plate& plate) {
+  return beside(std::move(text) + ", times $m$", [=](const Plate& plate) {
     std::vector<double> all;
     for (const Particle& p : plate.particles) {
       const Vector r = p.r - plate.A;

@@ -46,6 +46,14 @@ struct SampleOf {
     return R"($\theta$ = )" + format_significant(theta, 6) + R"(, $\mathbf w$ = )" + shown(w);
   }
 
+  TypesetLetters typeset() const {
+    TypesetLetters all{{"c", c()}, {"s", s()}, {R"(\mathbf u)", u}, {R"(\mathbf v)", v}, {R"(\mathbf w)", w}};
+    const auto x = rotated({1, 0, 0}), y = rotated({0, 1, 0}), z = rotated({0, 0, 1});
+    all.emplace_back("R", Value{x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]});
+    for (const auto& [letter, of] : {std::pair{"a_", alpha()}, {"b_", beta()}, {"g_", gamma()}})
+      for (std::size_t i = 0; i < 3; ++i) all.emplace_back(letter + std::to_string(i), of[i]);
+    return all;
+  }
   T c() const { return cos(theta); }
   T s() const { return sin(theta); }
   Vector rotated(const Vector& r) const { return quaternion(w, theta)(r); }

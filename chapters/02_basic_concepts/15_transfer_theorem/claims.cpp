@@ -27,6 +27,7 @@ struct Sample {
     for (Particle& p : system) all.insert(all.end(), {&p.m, &p.r[0], &p.r[1], &p.r[2]});
     return all;
   }
+  TypesetLetters typeset() const;
   std::string where() const { return std::to_string(system.size()) + " particles, $A$ = " + shown(A); }
 };
 using Sum = Formula<Sample>;
@@ -86,6 +87,23 @@ std::array<Shortened, 3> first_moments(const Recording& system) {
 }
 Shortened by_definition(std::size_t k, const Recording& system) {
   return sum(system, [k](const auto&... r) { return inertia_component(k, std::array{r...}); });
+}
+
+TypesetLetters Sample::typeset() const {
+  const System from_A = relative();
+  const Six inertia = inertia_about(from_A, {});
+  TypesetLetters all{{"m", mass_of(system)}, {"c_x", A[0]},           {"c_y", A[1]},
+                     {"c_z", A[2]},          {"I_{xx}'", inertia[0]}, {"I_{xy}'", inertia[3]}};
+  const std::array axes{"x", "y", "z"};
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    const std::string index = "_{" + std::to_string(i + 1) + "}";
+    all.emplace_back("m" + index, system[i].m);
+    for (std::size_t k = 0; k < 3; ++k) {
+      all.emplace_back(axes[k] + index, system[i].r[k]);
+      all.emplace_back(axes[k] + index + "'", from_A[i].r[k]);
+    }
+  }
+  return all;
 }
 
 Vector first_moments(S system) {
@@ -161,7 +179,7 @@ void moments_of_inertia(Claims& claims, const Samples& samples) {
       seen("without the factors 2", split_xx(1)));
   ixx("ixx_collected", 759, samples.any_point,
       seen(R"($=I_{xx}'+2c_y\sum m_iy_i'+2c_z\sum m_iz_i'+(c_y^2+c_z^2)\sum m_i$)", collected_xx(1)),
-      seen(R"($-2c_y\sum m_iy_i'$)", collected_xx(-1)));
+      seen(R"(with $-2c_y\sum m_iy_i'$)", collected_xx(-1)));
   ixx("ixx_transfer", 769, samples.center, seen("$=I_{xx}'+m(c_y^2+c_z^2)$", transfer_xx(1)),
       seen("$I_{xx}'-m(c_y^2+c_z^2)$", transfer_xx(-1)));
 }

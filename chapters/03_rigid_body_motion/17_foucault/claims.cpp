@@ -90,6 +90,33 @@ struct SampleOf {
            R"(, $\theta$ = )" + format_shortest(q[0]) + R"(, $\phi$ = )" + format_shortest(q[1]) +
            R"(, $\dot\theta$ = )" + format_shortest(v[0]) + R"(, $\dot\phi$ = )" + format_shortest(v[1]);
   }
+  TypesetLetters typeset() const {
+    const double Dt = 0.5;
+    const auto A = axes();
+    const auto turning = w();
+    const auto vector = [](const Space<T>& x, double factor = 1) {
+      return Value{factor * x[0], factor * x[1], factor * x[2]};
+    };
+    return {{"m", m},
+            {"L", p.L},
+            {"g", p.g},
+            {R"(\lambda)", p.lambda},
+            {R"(\omega)", p.omega},
+            {R"(\theta)", q[0]},
+            {R"(\phi)", q[1]},
+            {R"(\dot\theta)", v[0]},
+            {R"(\dot\phi)", v[1]},
+            {R"(\ddot\theta)", a[0]},
+            {R"(\ddot\phi)", a[1]},
+            {"b", b()},
+            {"P", vector(A.P)},
+            {"Q", vector(A.Q)},
+            {"R", vector(A.R)},
+            {"w", vector(turning)},
+            {R"(\dot r)", vector(free_v)},
+            {"D^2r", vector(free_a, Dt * Dt)},
+            {"Dt", Dt}};
+  }
   Axes<T> axes() const { return Axes<T>(q); }
   Space<T> w() const { return p.w(); }
   T sin_phi() const { return sin(q[1]); }
@@ -401,7 +428,8 @@ void equations(Table& table, const Samples& samples) {
                  [](const auto& s) { return s.to_first_order()[1] / s.mL2(); }},
        .printed = {R"($gL\sin\phi$, a product)",
                    [](const auto& s) { return second_equation(s, s.p.g * s.p.L); }},
-       .meant = {R"($(g/L)\sin\phi$)", [](const auto& s) { return second_equation(s, s.p.g / s.p.L); }},
+       .meant = {R"($\ddot\phi-\dot\theta^2\sin\phi\cos\phi+2\omega\dot\theta\sin\phi\,b+(g/L)\sin\phi$)",
+                 [](const auto& s) { return second_equation(s, s.p.g / s.p.L); }},
        .near_misses = {{R"($(g/L)\sin\phi$ and $+2\omega\dot\theta\sin\phi\,b$)",
                         [](const auto& s) { return second_equation(s, s.p.g / s.p.L, -1); }}},
        .kind = Fault::lost_typography,
@@ -471,6 +499,14 @@ struct ConeSampleOf {
   }
   std::string where() const {
     return "$h$ = " + format_shortest(h()) + ", $r$ = " + format_shortest(r()) + ", " + motion.where();
+  }
+  TypesetLetters typeset() const {
+    TypesetLetters all = motion.typeset();
+    std::erase_if(all, [](const auto& letter) { return letter.first == "m" || letter.first == "L"; });
+    const TypesetLetters of_cone{{"m", mass()}, {"h", h()},        {"r", r()},
+                                 {"z", height}, {"I_{xx}", Ixx()}, {"I_{zz}", Izz()}};
+    all.insert(all.end(), of_cone.begin(), of_cone.end());
+    return all;
   }
   T rho(const T& z) const { return radius(r(), h(), z); }
 
@@ -732,9 +768,9 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
       cones,
       {.quantity = "$I_{xx}$",
        .truth = Ixx,
-       .printed = {"$z^2(1-z/h)^2$", factored(0)},
-       .meant = {"$r^2z^2(1-z/h)^2$", factored(2)},
-       .near_misses = {{"$rz^2(1-z/h)^2$", factored(1)}},
+       .printed = {"with $z^2(1-z/h)^2$", factored(0)},
+       .meant = {"with $r^2z^2(1-z/h)^2$", factored(2)},
+       .near_misses = {{"with $rz^2(1-z/h)^2$", factored(1)}},
        .kind = Fault::formula,
        .why =
            R"(The second term is $\rho^2z^2=r^2z^2(1-z/h)^2$; its $r^2$ is lost, and back in the next line.)"});
@@ -831,8 +867,8 @@ void tensor(ConeTable& table, const Cones& cones) {
                            [=](const auto& s) {
                              return six(s, [&](const auto& u, const auto& v) { return s.inertia(u, v); });
                            }},
-                 .printed = {"$I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$", by_axes(false)},
-                 .near_misses = {{"$I_{zz}(PP^T+QQ^T)+I_{xx}RR^T$", by_axes(true)}}});
+                 .printed = {"the entries of $I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$", by_axes(false)},
+                 .near_misses = {{"those of $I_{zz}(PP^T+QQ^T)+I_{xx}RR^T$", by_axes(true)}}});
   table.formula(
       "principal", 2297, "$P$, $Q$ and $R$ are principal directions", cones,
       {.truth = {"zero", [](const auto&) { return values(0, 0, 0); }},

@@ -65,6 +65,28 @@ struct SampleOf {
            " (1 + " + format_significant(wire.k, 4) + R"( $s/L$), $\theta$ = )" +
            format_significant(theta, 4);
   }
+  TypesetLetters typeset() const {
+    const double C = cos(theta), S = sin(theta);
+    const auto p = b();
+    return {{"x", x},
+            {"y", y},
+            {R"(\theta)", theta},
+            {R"(\dot x)", vx},
+            {R"(\dot y)", vy},
+            {R"(\dot\theta)", w},
+            {"c", {x, y}},
+            {R"(\dot c)", {vx, vy}},
+            {"L", p[0]},
+            {"b", {p[0], p[1]}},
+            {"b_0", p[0]},
+            {"b_1", p[1]},
+            {"R", {C, -S, S, C}},
+            {R"(R(\theta))", {C, -S, S, C}},
+            {R"(R(-\theta))", {C, S, -S, C}},
+            {R"(\frac{dR}{d\theta})", {-S, -C, C, -S}},
+            {R"(\mu_0)", mu0},
+            {R"(\mu_2)", mu2()}};
+  }
   Point body(double u) const {
     const Point p = wire.point(u);
     return {p[0] - center[0], p[1] - center[1]};
@@ -340,8 +362,8 @@ void at_a_point(Table& table, const std::vector<Sample>& samples) {
                              const auto z = turned_by(s.theta, s.b());
                              return values(z[0], z[1], hypot(s.b()[0], s.b()[1]));
                            }},
-                 .printed = rotated("$Rb$", 1),
-                 .near_misses = {rotated("$R^Tb$", -1)}});
+                 .printed = rotated("$(Rb,\\ |Rb|)$", 1),
+                 .near_misses = {rotated("$(R^Tb,\\ |R^Tb|)$", -1)}});
   table.formula("position", 2827, "the position $r$ of the point $b$, $c$ the center of mass", samples,
                 {.truth = {complex, [](const auto& s) { return s.position(s.b()); }},
                  .printed = at_point(R"($c+R(\theta)b$)", 1),

@@ -183,6 +183,25 @@ std::string written(const std::vector<Row>& rows, const Names& names) {
 
 }  // namespace
 
+namespace {
+
+/// A lone row's right side as it is typeset is what is computed.
+bool is_as_typeset(const std::string& text, const Terms& right, const std::vector<Sample>& samples,
+                   const Names& names) {
+  constexpr std::size_t enough = 3;
+  std::vector<std::pair<TypesetLetters, Value>> computed;
+  for (const Sample& s : samples) {
+    if (computed.size() == enough) break;
+    TypesetLetters letters;
+    for (std::size_t i = 0; i < s.names.size(); ++i)
+      letters.emplace_back(typeset(s.names[i], names), s.values[i]);
+    computed.emplace_back(std::move(letters), value_of(right, s));
+  }
+  return oddity::is_as_typeset(compare_typeset("$" + text + "$", computed));
+}
+
+}  // namespace
+
 Reading Proof::reading(const std::vector<Row>& rows, const std::string& by) const {
   std::vector<std::pair<Terms, Terms>> sums;
   std::string quantity;
@@ -201,7 +220,9 @@ Reading Proof::reading(const std::vector<Row>& rows, const std::string& by) cons
     }
     worst.add(left, right, size, s.where);
   }
-  return {written(rows, names), {worst.check()}};
+  const bool read =
+      rows.size() == 1 && is_as_typeset(typeset(rows[0].right, names), sums[0].second, samples, names);
+  return {written(rows, names), {worst.check()}, read};
 }
 
 namespace {
@@ -239,6 +260,7 @@ Reading hardest_to_see(const std::string& kind, const Proof& proof, const std::v
       least = tolerances;
       hardest = reading;
     }
+  hardest.as_typeset = false;
   hardest.text = kind + ", the hardest to see of " + std::to_string(count) + ": " + hardest.text;
   return hardest;
 }

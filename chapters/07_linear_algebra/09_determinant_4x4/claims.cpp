@@ -74,6 +74,14 @@ Whole by_bareiss(Matrix4<Whole> m) {
 struct Sample {
   static constexpr bool whole = true;
   Matrix4<Whole> m;
+  TypesetLetters typeset() const {
+    TypesetLetters all;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j)
+        all.emplace_back("a_{" + std::to_string(i + 1) + std::to_string(j + 1) + "}",
+                         static_cast<double>(m[i][j]));
+    return all;
+  }
   std::string where() const {
     std::string all = "rows";
     for (const auto& row : m)
@@ -173,14 +181,16 @@ void add_row(Claims& claims, const Row& row, const Random& random) {
   const Term term = parsed(row.term);
   Term negated = term;
   negated.negative = !term.negative;
-  const auto sign = [&](const std::string& text, const Term& t) {
-    return compare("the determinant without the other entries", terms(text, {t}), elimination,
-                   matrices_of(term, random));
+  const auto signed_as = [&](const std::string& text, const Term& t, std::vector<Check> checks) {
+    const auto formula = terms(text, {t});
+    const auto matrices = matrices_of(term, random);
+    checks.push_back(compare("the determinant without the other entries", formula, elimination, matrices));
+    return Reading{text, checks, is_as_typeset(compare_typeset(formula, matrices))};
   };
   const std::string other = (negated.negative ? "$-" : "$+") + tex.substr(2);
   claims.add(
       "term_" + name, row.line, "the permutation " + name + " and its term",
-      {.printed = {tex, {places(row), sign(tex, term)}}, .near_misses = {{other, {sign(other, negated)}}}});
+      {.printed = signed_as(tex, term, {places(row)}), .near_misses = {signed_as(other, negated, {})}});
 }
 
 /// Of the 4^4 maps of {1, 2, 3, 4} into itself, those that reach every number.
