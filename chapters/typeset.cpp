@@ -5,10 +5,13 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 
 #include "reference/text.hpp"
+#include "solvers/quadrature.hpp"
 
 namespace oddity {
 
@@ -236,18 +239,21 @@ class Reader {
 
   Matrix sum_of_terms() {
     while (take(R"(\,)")) continue;
-    const bool negative = take("-");
-    if (!negative) take("+");
+    const double first = sign();
     Matrix total = dot_products();
-    if (negative) total = scaled(total, -1);
-    while (true) {
-      if (take("+"))
-        total = sum(total, dot_products(), 1);
-      else if (take("-"))
-        total = sum(total, dot_products(), -1);
-      else
-        return total;
-    }
+    if (first != 0) total = scaled(total, first);
+    while (const double next_one = sign()) total = sum(total, dot_products(), next_one);
+    return total;
+  }
+  /// Zero where there is none. Where both are written a letter says which.
+  double sign() {
+    if (take("+")) return 1;
+    if (take("-")) return -1;
+    const bool lower = next() == R"(\mp)";
+    const Matrix* either = lower || next() == R"(\pm)" ? value_of(letters_, {R"(\pm)"}) : nullptr;
+    if (!either) return 0;
+    ++at_;
+    return lower ? -number(*either) : number(*either);
   }
 
   /// u . v x w is that of u and v x w.
@@ -280,7 +286,8 @@ class Reader {
   bool begins_factor() const {
     const std::string& token = next();
     return !token.empty() &&
-           !among(token, {"+", "-", ")", "]", "}", ",", ";", "/", "=", R"(\cdot)", R"(\times)", R"(\,)"}) &&
+           !among(token, {"+", "-", R"(\pm)", R"(\mp)", ")", "]", "}", ",", ";", "/", "=", R"(\cdot)",
+                          R"(\times)", R"(\,)"}) &&
            (token != "|" || !inside_bars_);
   }
 
@@ -402,6 +409,7 @@ class Reader {
       return letter->second;
     }
     if (take_all({R"(\frac)", "d", "{", "d", "t", "}"})) return time_derivative();
+    if (take_all({R"(\int)", "_"})) return integral();
     if (take(R"(\frac)")) {
       const Matrix above = argument();
       return scaled(above, 1 / number(argument()));
@@ -461,6 +469,25 @@ class Reader {
     return slope;
   }
 
+  /// \int_0^T f\,dt, by Gauss's rule.
+  Matrix integral() {
+    const double low = number(argument());
+    expect("^");
+    const double high = number(argument());
+    std::size_t end = at_;
+    while (end + 2 < tokens_.size() && !(tokens_[end] == R"(\,)" && tokens_[end + 1] == "d")) ++end;
+    if (end + 2 >= tokens_.size()) throw Unread();
+    const Tokens integrand = from(at_, end);
+    const std::string& variable = tokens_[end + 2];
+    at_ = end + 3;
+    const auto f = [&](double x) {
+      Letters letters{{{variable}, {{x}}}};
+      letters.insert(letters.end(), letters_.begin(), letters_.end());
+      return number(Reader(integrand, letters).all());
+    };
+    return {{gauss_legendre(f, low, high, 64).value}};
+  }
+
   /// The longest that fits and is not part of a longer one: R is not the beginning of R_1.
   const Letters::value_type* letter_here() const {
     for (const auto& letter : letters_) {
@@ -479,6 +506,68 @@ class Reader {
   std::size_t at_ = 0;
   bool inside_bars_ = false;
 };
+
+// ---- index notation ---------------------------------------------------------------------------------------
+
+/// An index: i, or j_2.
+using Index = Tokens;
+
+/// The index that begins here, if one does.
+Index index_at(const Tokens& tokens, std::size_t at) {
+  const std::string& letter = tokens[at];
+  if (letter.size() != 1 || letter[0] < 'i' || letter[0] > 'm') return {};
+  const bool numbered = at + 2 < tokens.size() && tokens[at + 1] == "_" && is_digit(tokens[at + 2][0]);
+  return numbered ? Index{letter, "_", tokens[at + 2]} : Index{letter};
+}
+
+/// What `see` makes of each index in _{...} or behind _, in their place.
+Tokens with_indices(const Tokens& tokens, const std::function<Tokens(const Index&)>& see) {
+  Tokens all;
+  bool inside = false;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const bool behind = i > 0 && tokens[i - 1] == "_";
+    inside = tokens[i] == "{" ? behind : inside && tokens[i] != "}";
+    const Index index = inside || behind ? index_at(tokens, i) : Index{};
+    const Tokens seen = index.empty() ? Tokens{tokens[i]} : see(index);
+    all.insert(all.end(), seen.begin(), seen.end());
+    if (!index.empty()) i += index.size() - 1;
+  }
+  without_single_groups(all);
+  return all;
+}
+
+/// e_{ijk}g_jf_k: a vector by the one index that occurs once, a sum of three over each that occurs twice.
+/// Only a product has such.
+Value in_index_notation(const Tokens& tokens, const Letters& letters) {
+  std::map<Index, int> counts;
+  with_indices(tokens, [&](const Index& index) {
+    ++counts[index];
+    return index;
+  });
+  const bool is_product = std::ranges::none_of(tokens, [](const std::string& token) {
+    return among(token, {"+", "-", R"(\pm)", R"(\mp)"});
+  });
+  std::map<Index, int> values;
+  Index free;
+  for (const auto& [index, count] : counts)
+    if (count == 1 && free.empty())
+      free = index;
+    else if (count != 2 || !is_product)
+      throw Unread();
+  if (free.empty()) throw Unread();
+  const auto product = [&] {
+    const Tokens at =
+        with_indices(tokens, [&](const Index& index) { return Tokens{std::to_string(values[index])}; });
+    return number(Reader(at, letters).all());
+  };
+  std::vector<double> all(3);
+  while (true) {
+    all[static_cast<std::size_t>(values[free])] += product();
+    auto index = counts.begin();
+    while (index != counts.end() && ++values[index->first] == 3) values[(index++)->first] = 0;
+    if (index == counts.end()) return all;
+  }
+}
 
 std::string written(const Value& x) {
   std::string all;
@@ -499,11 +588,17 @@ std::string told(const TypesetLetters& letters, std::size_t count) {
 }
 
 std::optional<Value> typeset_value(std::string_view formula, const TypesetLetters& letters) {
-  try {
-    return Reader(tokens_of(formula), letters_of(letters)).all().entries;
-  } catch (const Unread&) {
-    return std::nullopt;
-  }
+  const Tokens tokens = tokens_of(formula);
+  const Letters all = letters_of(letters);
+  const auto read = [](const auto& by) -> std::optional<Value> {
+    try {
+      return by();
+    } catch (const Unread&) {
+      return std::nullopt;
+    }
+  };
+  const auto as_it_stands = read([&] { return Reader(tokens, all).all().entries; });
+  return as_it_stands ? as_it_stands : read([&] { return in_index_notation(tokens, all); });
 }
 
 bool is_formula(std::string_view text) {
@@ -512,16 +607,35 @@ bool is_formula(std::string_view text) {
 
 namespace {
 
-using Meanings = std::vector<std::optional<Value>>;
+using Values = std::vector<std::optional<Value>>;
+
+/// What a formula or an equation may stand for.
+struct Meanings {
+  Values sides;   ///< each, but not the letter that it is called by on the left
+  Values others;  ///< what two sides differ by, and sides in a row
+
+  Values all() const {
+    Values both = sides;
+    both.insert(both.end(), others.begin(), others.end());
+    return both;
+  }
+};
 
 bool is_lone_letter(const std::string& side, const TypesetLetters& letters) {
   return std::ranges::find(letters, side, &TypesetLetters::value_type::first) != letters.end();
 }
 
-/// What a formula or an equation may stand for: itself, each side, and what two sides differ by; not the
-/// letter that it is called by on the left.
-Meanings meanings(std::string formula, const TypesetLetters& letters) {
-  Meanings all;
+std::optional<Value> in_a_row(const Values& sides, std::size_t first, std::size_t end) {
+  std::vector<double> all;
+  for (std::size_t i = first; i < end; ++i) {
+    if (!sides[i]) return std::nullopt;
+    all.insert(all.end(), sides[i]->begin(), sides[i]->end());
+  }
+  return all;
+}
+
+/// At its equals signs, or where it tends to something.
+std::vector<std::string> sides_of(std::string formula) {
   std::vector<std::string> sides;
   if (const std::size_t limit = formula.find(R"(\to)");
       limit < formula.size() && !is_letter(formula[limit + 3]))
@@ -531,23 +645,35 @@ Meanings meanings(std::string formula, const TypesetLetters& letters) {
     if (end > begin) sides.push_back(formula.substr(begin, end - begin));
     begin = end + 1;
   }
+  return sides;
+}
+
+Meanings meanings(const std::string& formula, const TypesetLetters& letters) {
+  const std::vector<std::string> sides = sides_of(formula);
+  Values all;
   for (const std::string& side : sides) all.push_back(typeset_value(side, letters));
-  if (all.size() == 2) all.push_back(difference(all[0], all[1]));
-  if (all.size() > 1 && is_lone_letter(sides[0], letters)) all[0].reset();
-  return all;
+  const std::size_t n = all.size();
+  if (n < 2) return {all, {}};
+  Values others{in_a_row(all, 0, n)};
+  if (n == 2)
+    others.push_back(difference(all[0], all[1]));
+  else
+    others.insert(others.end(), {in_a_row(all, 1, n), in_a_row(all, 0, n - 1)});
+  if (is_lone_letter(sides[0], letters)) all.erase(all.begin());
+  return {all, others};
 }
 
 /// The size of the terms that are added up, in each of the meanings: how much it changes with the letters'
 /// relative change.
 double size_of_terms(const std::string& formula, const TypesetLetters& letters, std::size_t meaning) {
   constexpr double change = 0x1p-20;
-  const Value value = *meanings(formula, letters)[meaning];
+  const Value value = *meanings(formula, letters).all()[meaning];
   double size = 0;
   TypesetLetters moved = letters;
   for (auto& [letter, x] : moved)
     for (std::size_t i = 0; i < x.size(); ++i) {
       const double before = std::exchange(x[i], x[i] * (1 + change));
-      if (const auto now = meanings(formula, moved)[meaning]) size += distance(*now, value) / change;
+      if (const auto now = meanings(formula, moved).all()[meaning]) size += distance(*now, value) / change;
       x[i] = before;
     }
   return size;
@@ -579,10 +705,13 @@ Typesetting compare_typeset(const std::string& text,
   const std::string formula = text.substr(1, text.size() - 2);
 
   std::vector<Match> matches;
+  std::size_t sides = 0;
   std::string seen;
   for (const auto& [letters, value] : computed) {
     if (!finite(value)) continue;
-    const auto all = meanings(formula, letters);
+    const Meanings may_be = meanings(formula, letters);
+    const Values all = may_be.all();
+    sides = may_be.sides.size();
     matches.resize(all.size(), Match::same);
     for (std::size_t i = 0; i < all.size(); ++i) {
       Match found = match(all[i], value, allowed);
@@ -592,9 +721,10 @@ Typesetting compare_typeset(const std::string& text,
       if (matches[i] == Match::same) matches[i] = found;
     }
   }
-  const auto any = [&](Match m) { return std::ranges::find(matches, m) != matches.end(); };
-  if (matches.empty() || any(Match::same)) return {!matches.empty()};
-  return any(Match::unread) ? Typesetting{} : Typesetting{false, text + " is typeset, which is " + seen};
+  const bool is_it = std::ranges::count(matches, Match::same) > 0;
+  matches.resize(sides);
+  if (is_it || std::ranges::count(matches, Match::unread) > 0 || matches.empty()) return {is_it};
+  return {false, text + " is typeset, which is " + seen};
 }
 
 bool is_as_typeset(const Typesetting& typesetting) {

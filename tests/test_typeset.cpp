@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 
 #include "chapters/typeset.hpp"
 #include "tests/catch.hpp"
@@ -64,6 +66,73 @@ TEST_CASE("vectors have their own products", "[typeset]") {
   CHECK(unread("u+m"));
 }
 
+TEST_CASE("matrices are letters of four or nine numbers", "[typeset]") {
+  const TypesetLetters all{
+      {"R", {0, -1, 1, 0}}, {"I", {1, 0, 0, 0, 1, 0, 0, 0, 1}}, {"b", {2, 3}}, {"D", {1, 2, 3}}, {"x", 2}};
+  const auto is = [&](const char* formula, const Value& value) {
+    const auto typeset = typeset_value(formula, all);
+    return typeset && distance(*typeset, value) == 0;
+  };
+  CHECK(is("Rb", {-3, 2}));
+  CHECK(is("R^Tb", {3, -2}));
+  CHECK(is("xRRb", {-4, -6}));
+  CHECK(is("D^TD", 14));
+  CHECK(is("D^T(I-DD^T)D", 14 - 196));
+  CHECK(is("DD^T", {1, 2, 3, 2, 4, 6, 3, 6, 9}));
+  CHECK(is("(0,-1;\\ 1,0)b", {-3, 2}));
+  CHECK(is("(Rb,x)", {-3, 2, 2}));
+  CHECK(is(R"(\mathrm{Diag}(1,x,3)D)", {1, 4, 9}));
+  CHECK(is(R"(\mathrm{Skew}(D)(0,0,1))", {2, -1, 0}));
+  for (const char* formula : {"Db", "RD", "R^2", "|R|", "(0,1;2)"}) CHECK_FALSE(typeset_value(formula, all));
+}
+
+TEST_CASE("a sum is over all that has its index", "[typeset]") {
+  TypesetLetters all{{"c", 10}};
+  for (int i = 1; i <= 12; ++i) all.emplace_back("m_{" + std::to_string(i) + "}", i);
+  all.insert(all.end(), {{"y_1'", 2}, {"y_2'", 3}, {"a_{11}", 1}, {"a_{21}", 5}, {"n_2", 2}});
+  const auto is = [&](const char* formula, double value) {
+    const auto typeset = typeset_value(formula, all);
+    return typeset && distance(*typeset, value) == 0;
+  };
+  CHECK(is(R"(\sum m_i)", 78));
+  CHECK(is(R"(\sum_nm_n+c)", 88));
+  CHECK(is(R"(c\sum m_iy_i'^2)", 220));
+  CHECK(is(R"(\sum m_i(y_i'+c))", 12 + 26));
+  CHECK(is(R"(\sum_{k\le 3}m_k)", 6));
+  CHECK(is(R"(\sum_ka_{k1}m_k)", 11));
+  for (const char* formula : {R"(\sum c)", R"(\sum_kz_k)", R"(\sum_k)", R"(\sum_{k}m_j)"})
+    CHECK_FALSE(typeset_value(formula, all));
+}
+
+TEST_CASE("indices that no sum is written of are free, or twice in a product", "[typeset]") {
+  const TypesetLetters all{{"f_0", 1},     {"f_1", 2},     {"f_2", 3},      {"g_0", 4},
+                           {"g_1", 5},     {"g_2", 6},     {"h_{0,0}", 1},  {"h_{0,1}", 2},
+                           {"h_{0,2}", 3}, {"h_{1,0}", 4}, {"h_{1,1}", 5},  {"h_{1,2}", 6},
+                           {"h_{2,0}", 7}, {"h_{2,1}", 8}, {"h_{2,2}", 10}, {"c", 2}};
+  CHECK(distance(*typeset_value("cf_i-1", all), {1, 3, 5}) == 0);
+  CHECK(distance(*typeset_value("f_jg_jf_i", all), {32, 64, 96}) == 0);
+  CHECK(distance(*typeset_value("h_{i,j_1}g_{j_1}", all), {32, 77, 128}) == 0);
+  CHECK(distance(*typeset_value("h_{k,k}f_m", all), {16, 32, 48}) == 0);
+  for (const char* formula : {"f_ig_j", "f_jg_j", "f_jg_j+f_i", "f_jg_jf_jf_i"})
+    CHECK_FALSE(typeset_value(formula, all));
+}
+
+TEST_CASE("derivatives are along the letters' rates, integrals between their bounds", "[typeset]") {
+  const TypesetLetters all{{R"(\theta)", 0.7}, {R"(\dot\theta)", 3}, {R"(\ddot\theta)", -2}, {"m", 5},
+                           {"T", 2},           {R"(\pm)", -1}};
+  const auto near = [&](const char* formula, double value) {
+    const auto typeset = typeset_value(formula, all);
+    return typeset && std::abs((*typeset)[0] - value) <= 1e-11 * std::abs(value);
+  };
+  CHECK(near(R"(\frac{d}{dt}(m\sin\theta))", 15 * std::cos(0.7)));
+  CHECK(near(R"(2\frac d{dt}(\dot\theta\cos\theta))", 2 * (-2 * std::cos(0.7) - 9 * std::sin(0.7))));
+  CHECK(near(R"(\int_0^Tm t^2\,dt)", 40.0 / 3));
+  CHECK(near(R"(-\int_1^{T/2+2}\cos\theta t\,dt+1)", 1 - (std::sin(2.1) - std::sin(0.7)) / 0.7));
+  CHECK(near(R"(m\pm T\mp1)", 4));
+  for (const char* formula : {R"(\int m\,dt)", R"(\int_0^Tm)", R"(\frac{d}{dt}q)"})
+    CHECK_FALSE(typeset_value(formula, all));
+}
+
 TEST_CASE("what has another meaning is not read", "[typeset]") {
   for (const char* formula :
        {"q", "m_1", "m'", "I_x", R"(\sum m)", "m>0", "(m", "m)", "", "m^T", R"(\frac m)"})
@@ -85,11 +154,44 @@ TEST_CASE("what is typeset has to be what is computed", "[typeset]") {
     CHECK_FALSE(typeset(text, 4).read);
     CHECK(typeset(text, 4).difference.empty());
   }
+  CHECK_FALSE(typeset("$m_2=m+2$", 3).difference.empty());  // not the letter on the left
+  CHECK_FALSE(typeset("$m_2=q$", 3).read);
+  CHECK(typeset(R"($m\to2$)", 2).read);
+  CHECK_FALSE(typeset(R"($m\to3$)", 2).read);
   CHECK_FALSE(compare_typeset("$m$", {}).read);
   const double none = std::numeric_limits<double>::quiet_NaN();
   CHECK_FALSE(typeset("$m$", none).read);  // there is nothing to compare with
   CHECK_FALSE(compare_typeset("$m/x$", {{{{"m", 2}, {"x", 0}}, Value(2)}}).difference.empty());
   CHECK(compare_typeset("$m$", {{letters, Value(none)}, {letters, Value(2)}}).read);
+}
+
+TEST_CASE("several numbers are an equation's sides in a row, or one number over and over", "[typeset]") {
+  const auto typeset = [](const char* text, const Value& computed) {
+    return compare_typeset(text, {{letters, computed}});
+  };
+  CHECK(typeset("$m+1=m_2$", {3, 3}).read);
+  CHECK(typeset("$q=m+1=2m_2$", {3, 6}).difference.empty());
+  CHECK(typeset("$m=m+1=2m_2$", {3, 6}).read);
+  CHECK(typeset("$m=m+1=2m_2$", {2, 3}).read);
+  CHECK_FALSE(typeset("$m=m+1=2m_2$", {3, 7}).read);
+  CHECK(typeset("$m+1$", {3, 3, 3}).read);
+  CHECK_FALSE(typeset("$m+1$", {4, 4}).difference.empty());
+  CHECK_FALSE(typeset("$m+1$", {3, 4}).read);
+}
+
+TEST_CASE("terms that cancel are compared by their size", "[typeset]") {
+  const auto typeset = [](const char* text, double computed) {
+    return compare_typeset(text, {{{{"x", 3e5}, {"y", 1e5}}, Value(computed)}});
+  };
+  CHECK(typeset("$x-3y$", 1e-10).read);
+  CHECK_FALSE(typeset("$x-3y$", 1).difference.empty());
+  CHECK(typeset("$x-3y=0$", 1e-10).read);
+}
+
+TEST_CASE("one who asks whether a formula is as typeset is told what it is instead", "[typeset]") {
+  CHECK(is_as_typeset({true, ""}));
+  CHECK_FALSE(is_as_typeset({false, ""}));
+  CHECK_THROWS_AS(is_as_typeset({false, "another"}), std::logic_error);
 }
 
 TEST_CASE("letters are told as they are typeset", "[typeset]") {

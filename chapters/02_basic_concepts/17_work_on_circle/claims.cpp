@@ -179,9 +179,9 @@ void formulas(Table& table, const Samples& samples) {
        {{R"($(r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)$)", circling(1, 1)},
         {R"($(-r\sin\omega t,\,r\cos\omega t,\,0)$)", circling(0, -1)}});
   line("work_integral", 809,
-       {R"($W=\int(1,1,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)",
+       {R"($W=\int_0^T(1,1,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)",
         of_printed(1, Force::constant)},
-       gain, {{R"($-\int$)", of_printed(-1, Force::constant)}});
+       gain, {{R"($-\int_0^Tr\omega(\cos\omega t-\sin\omega t)\,dt$)", of_printed(-1, Force::constant)}});
   line("power", 813, {R"($(1,1,1)\cdot v=r\omega(\cos\omega t-\sin\omega t)$)", wave(1, 0, 1, -1)}, power_1,
        {{R"($r\omega(\cos\omega t+\sin\omega t)$)", wave(1, 0, 1, 1)},
         {R"($r(\cos\omega t-\sin\omega t)$)", wave(0, 0, 1, -1)}});
@@ -192,18 +192,19 @@ void formulas(Table& table, const Samples& samples) {
        {{R"($r(\cos\omega T+\sin\omega T)$)", wave(0, 0, 1, 1)},
         {R"($r\omega(\cos\omega T+\sin\omega T-1)$)", wave(1, 0, 1, 1, -1)}});
   line("growing_integral", 829,
-       {R"($W=\int(t,t,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)",
+       {R"($W=\int_0^T(t,t,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)",
         of_printed(1, Force::growing)},
        gain_t,
-       {{R"($-\int$)", of_printed(-1, Force::growing)},
-        {R"($\int(1,1,1)\cdot v\,dt$)", of_printed(1, Force::constant)}});
+       {{R"($-\int_0^Tr\omega t(\cos\omega t-\sin\omega t)\,dt$)", of_printed(-1, Force::growing)},
+        {R"($\int_0^Tr\omega(\cos\omega t-\sin\omega t)\,dt$)", of_printed(1, Force::constant)}});
   line("growing_power", 835, {R"($(t,t,1)\cdot v=r\omega t(\cos\omega t-\sin\omega t)$)", wave(1, 1, 1, -1)},
        power_t,
        {{R"($r\omega(\cos\omega t-\sin\omega t)$)", wave(1, 0, 1, -1)},
         {R"($r\omega t(\cos\omega t+\sin\omega t)$)", wave(1, 1, 1, 1)}});
   line("by_parts", 839,
-       {R"($W=Tr(\cos\omega T+\sin\omega T)-\int r(\cos\omega t+\sin\omega t)\,dt$, by parts)", by_parts(-1)},
-       work_t, {{R"($+\int$)", by_parts(1)}});
+       {R"($W=Tr(\cos\omega T+\sin\omega T)-\int_0^Tr(\cos\omega t+\sin\omega t)\,dt$)", by_parts(-1)},
+       work_t,
+       {{R"($Tr(\cos\omega T+\sin\omega T)+\int_0^Tr(\cos\omega t+\sin\omega t)\,dt$)", by_parts(1)}});
   line("growing_derivative", 841,
        {R"($W'(T)=r\omega T(\cos\omega T-\sin\omega T)$ for $(t,t,1)$)", wave(1, 1, 1, -1)}, slope_t,
        {{R"($rT(\cos\omega T-\sin\omega T)$)", wave(0, 1, 1, -1)}});
@@ -245,18 +246,19 @@ void misprints(Table& table, const Samples& samples) {
                   return work_of<G>(Force::constant, m.at(T(pi_of<G>(), m.w)));
                 }};
   };
-  table.formula(
-      "full_turn", 817, "after one turn the work is zero", samples.forward,
-      {.quantity = "work of $(1,1,1)$",
-       .truth = zero,
-       .printed = until(R"($W(2\pi\omega)=0$)", [](const auto& half, const auto& w) { return 2 * half * w; }),
-       .meant = until(R"($W(2\pi/\omega)=0$)", [](const auto& half, const auto& w) { return 2 * half / w; }),
-       .near_misses = {until(R"($W(\pi/\omega)=0$)",
-                             [](const auto& half, const auto& w) { return half / w; })},
-       .kind = Fault::lost_typography,
-       .why = "The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the "
-              "particle has turned by $2\\pi\\omega^2$ and the work is zero by chance only, as "
-              "for $\\omega=1$; for $\\omega=1/\\sqrt2$ it is $-2r$."});
+  table.formula("full_turn", 817, "after one turn the work is zero", samples.forward,
+                {.quantity = "work of $(1,1,1)$",
+                 .truth = zero,
+                 .printed = until(R"($W(2\pi\omega)$, to be zero)",
+                                  [](const auto& half, const auto& w) { return 2 * half * w; }),
+                 .meant = until(R"($W(2\pi/\omega)$, to be zero)",
+                                [](const auto& half, const auto& w) { return 2 * half / w; }),
+                 .near_misses = {until(R"($W(\pi/\omega)$, to be zero)",
+                                       [](const auto& half, const auto& w) { return half / w; })},
+                 .kind = Fault::lost_typography,
+                 .why = "The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the "
+                        "particle has turned by $2\\pi\\omega^2$ and the work is zero by chance only, as "
+                        "for $\\omega=1$; for $\\omega=1/\\sqrt2$ it is $-2r$."});
 }
 
 // ---- conservation -----------------------------------------------------------------------------------------
@@ -299,8 +301,8 @@ void conservation(Claims& claims, Table& table, const Samples& samples) {
                 samples.forward,
                 {.quantity = "work of a turn from a random start",
                  .truth = zero,
-                 .printed = turn("$(1,1,1)$", Force::constant),
-                 .near_misses = {turn("$(t,t,1)$", Force::growing)}});
+                 .printed = turn("of $(1,1,1)$", Force::constant),
+                 .near_misses = {turn("of $(t,t,1)$", Force::growing)}});
 }
 
 // ---- maxima and minima ------------------------------------------------------------------------------------
@@ -345,7 +347,7 @@ std::vector<double> three(const std::vector<double>& all) {
 
 void zeros_of_the_power(Claims& claims, const Samples& samples) {
   const double first = pi / 4;
-  const std::string at = R"($\pi/4+k\pi$)";
+  const std::string at = R"(at $\pi/4+k\pi$)";
   const auto roots = [&](Force force, const Form& form) {
     return Reading{form.text,
                    {compare(R"(all zeros of $W'$, as $\omega T$)", form, zeros_of(force), samples.forward)}};
@@ -362,8 +364,8 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
                                    tangents, samples.forward));
   claims.add("zeros", 823, R"($W'=0$ where $\tan\omega T=1$: at $\omega T=\pi/4+k\pi$, $k$ any integer)",
              {.printed = printed,
-              .near_misses = {roots(Force::constant, list(R"($\pi/4+2k\pi$)", spaced(first, 2 * pi))),
-                              roots(Force::constant, list(R"($3\pi/4+k\pi$)", spaced(3 * first, pi)))}});
+              .near_misses = {roots(Force::constant, list(R"(at $\pi/4+2k\pi$)", spaced(first, 2 * pi))),
+                              roots(Force::constant, list(R"(at $3\pi/4+k\pi$)", spaced(3 * first, pi)))}});
   const Form nearest{"Brent's method over a scan", [](M m) { return three(zeros(Force::growing, m)); }};
   claims.add(
       "growing_zeros", 843, R"(for $(t,t,1)$, $W'=0$ at $\omega T=\pi/4+k\pi$)",
@@ -372,7 +374,7 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
                             list(at, three(spaced(first, pi))), nearest, samples.forward)}},
        .corrected = roots(Force::growing, list(at + ", and 0", and_zero(spaced(first, pi)))),
        .near_misses = {roots(Force::growing,
-                             list(R"($3\pi/4+k\pi$, and 0)", and_zero(spaced(3 * first, pi))))},
+                             list(R"(at $3\pi/4+k\pi$, and 0)", and_zero(spaced(3 * first, pi))))},
        .why = "$W'=r\\omega T(\\cos\\omega T-\\sin\\omega T)$ has the factor $T$: it is zero at $T=0$ as "
               "well, a minimum, $W\\approx r\\omega T^2/2$, and no $\\pi/4+k\\pi$. A search for the first "
               "maximum that starts at $T=0$ ends there, with $W=0$ for $0.1107$ ($r=\\omega=1$).",
@@ -409,7 +411,10 @@ void extrema(Claims& claims, const Samples& samples) {
   const auto highest = [&](const std::string& text, const OfMotion& of) {
     const Form first{R"(quadrature of $F\cdot v$)",
                      [](M m) { return work_of(constant, m.at(stationary(m, 0))); }};
-    return Reading{text, {compare(R"($W(\pi/(4\omega))$)", {text, of}, first, samples.forward)}};
+    const Form now{text, of};
+    return Reading{text,
+                   {compare(R"($W(\pi/(4\omega))$)", now, first, samples.forward)},
+                   is_as_typeset(compare_typeset<Sample>(now, samples.forward))};
   };
   Reading first = highest(R"($r(\sqrt2-1)$)", [](M m) { return m.r * (sqrt2 - 1); });
   const auto nowhere_larger = all("$W$ is nowhere larger", [](M m, int k) {
@@ -451,11 +456,12 @@ void values_at_maxima(Claims& claims, const Samples& samples) {
   const auto less = [](double d) { return [=](M m, double x) { return m.r / m.w * (x * sqrt2 - d); }; };
   claims.add(
       "maxima_value", 845, "the work of $(t,t,1)$ at its local maxima",
-      {.printed =
-           of("T", as_time, R"($W(x)=r\omega x\sqrt2$)", [](M m, double x) { return m.r * m.w * x * sqrt2; }),
-       .meant = of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega x\sqrt2$)", less(0)),
-       .corrected = of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega(x\sqrt2-1)$)", less(1)),
-       .near_misses = {of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega(x\sqrt2+1)$)", less(-1))},
+      {.printed = of("T", as_time, R"($W(x)=r\omega x\sqrt2$ there)",
+                     [](M m, double x) { return m.r * m.w * x * sqrt2; }),
+       .meant = of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega x\sqrt2$ there)", less(0)),
+       .corrected = of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega(x\sqrt2-1)$ there)", less(1)),
+       .near_misses = {of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega(x\sqrt2+1)$ there)",
+                          less(-1))},
        .why = "The $-1$ of the closed form is dropped: with $x=\\pi/4+2n\\pi$ the work is $\\frac "
               "r\\omega(\\sqrt2\\,x-1)$ at $T=x/\\omega$. For $r=\\omega=1$ the first maximum is "
               "$0.1107$, not $1.1107$. Besides, the argument should be a time, $x/\\omega$, and the "

@@ -37,11 +37,11 @@ struct PointOf : EllipseOf<T> {
   std::array<T*, 5> letters() { return {&e, &rho, &r, &x, &y}; }
   TypesetLetters typeset() const {
     const T a = e * rho / (1 - e * e);
-    return {{"e", e},    {R"(\rho)", rho},
-            {"r", r},    {"x", x},
-            {"y", y},    {R"(\theta)", std::atan2(y, x)},
-            {"a", a},    {"b", a * sqrt(1 - e * e)},
-            {"c", a * e}};
+    return {{"e", e},     {R"(\rho)", rho},
+            {"r", r},     {"x", x},
+            {"y", y},     {R"(\theta)", std::atan2(y, x)},
+            {"a", a},     {"b", a * sqrt(1 - e * e)},
+            {"c", a * e}, {R"(\pm)", s}};
   }
   std::string where() const {
     return "$e$ = " + format_shortest(e) + R"(, $\rho$ = )" + format_shortest(rho) +
@@ -194,12 +194,14 @@ void rewritten(Table& t) {
     t.stated.push_back({slug, On::both, printed, nothing});
     const auto reading = [&](Formula<Point> now) -> Reading {
       now.terms = [](const auto& p) { return p.sum() * p.sum() + p.r2() * p.r2(); };
+      const bool read = is_as_typeset(compare_typeset(now, t.anywhere));
       return {now.text,
               {compare<Point>("the line", now, before, t.anywhere),
                compare<Point>("zero on both curves, its last term set apart",
                               {R"(all terms but $2e^2(\rho^2+x^2)r^2$)",
                                [of = now.of](const auto& p) { return of(p)[0] + p.last(); }},
-                              {"that term", [](const auto& p) { return p.last(); }}, t.both)}};
+                              {"that term", [](const auto& p) { return p.last(); }}, t.both)},
+              read};
     };
     t.claims.add(slug, number, std::move(says),
                  {.printed = reading(printed), .near_misses = {reading(near)}});
@@ -421,9 +423,9 @@ void about_the_ellipse(Table& t) {
       "other_focus", 943, "the other focus of the ellipse $(x+c)^2/a^2+y^2/b^2=1$", samples,
       {.quantity = "sum of the distances to the two foci",
        .truth = all_apart,
-       .printed = foci("$(2c,0)$", 2),
-       .corrected = foci("$(-2c,0)$", -2),
-       .near_misses = {foci("$(-c,0)$", -1)},
+       .printed = foci("with $(2c,0)$", 2),
+       .corrected = foci("with $(-2c,0)$", -2),
+       .near_misses = {foci("with $(-c,0)$", -1)},
        .kind = Fault::formula,
        .root = "the sign of the center",
        .why =

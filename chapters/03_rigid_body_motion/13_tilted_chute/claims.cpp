@@ -85,8 +85,10 @@ struct OnCylinderOf {
     return "$R$ = " + format_significant(R, 4) + ", $t$ = " + format_significant(t, 4);
   }
   TypesetLetters typeset() const {
-    return {{"R", R}, {"t", t}, {"P", P},      {"D", D},      {"U", U},     {"V", V},
-            {"X", X}, {"Y", Y}, {"y_1", y1()}, {"y_2", y2()}, {"y_3", y3()}};
+    return {{"R", R},      {"t", t},      {"P", P},
+            {"D", D},      {"U", U},      {"V", V},
+            {"X", X},      {"Y", Y},      {"I", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
+            {"y_1", y1()}, {"y_2", y2()}, {"y_3", y3()}};
   }
   T y1() const { return dot(U, Y); }
   T y2() const { return dot(V, Y); }
@@ -220,14 +222,14 @@ void cylinder(CylinderTable& table, const std::vector<OnCylinder>& samples) {
     return
         [=](const auto& s) { return sum(sum(sum(s.P, s.U, s.y1()), s.V, s.y2()), s.D, dot(s.D, third(s))); };
   };
-  table.formula("coordinates", 1595,
-                R"($X=P+y_1U+y_2V+y_3D$ in a right-handed orthonormal set $U,V,D$, the $y$ being products)",
-                samples,
-                {.quantity = "$P+y_1U+y_2V+y_3D$",
-                 .truth = {"$X$", [](const auto& s) { return s.X; }},
-                 .printed = {R"($y_1=U\cdot(X-P)$, $y_2=V\cdot(X-P)$, $y_3=D\cdot(X-P)$)",
-                             of_products([](const auto& s) { return s.Y; })},
-                 .near_misses = {{R"($y_3=D\cdot X$)", of_products([](const auto& s) { return s.X; })}}});
+  table.formula(
+      "coordinates", 1595,
+      R"($X=P+y_1U+y_2V+y_3D$ in a right-handed orthonormal set $U,V,D$, the $y$ being products)", samples,
+      {.quantity = "$P+y_1U+y_2V+y_3D$",
+       .truth = {"$X$", [](const auto& s) { return s.X; }},
+       .printed = {R"($y_1=U\cdot(X-P)$, $y_2=V\cdot(X-P)$, $y_3=D\cdot(X-P)$)",
+                   of_products([](const auto& s) { return s.Y; })},
+       .near_misses = {{R"(with $y_3=D\cdot X$)", of_products([](const auto& s) { return s.X; })}}});
   table.formula("distance", 1597, "the cylinder in these coordinates", samples,
                 {.truth = square,
                  .printed = {"$y_1^2+y_2^2=R^2$", squares},
@@ -561,7 +563,7 @@ void equations(Claims& claims, const std::vector<OnChute>& samples) {
             [](S s) { return s.accelerations_about_axis(); }};
   const auto reading = [&](std::string quantity, const Form& formula,
                            std::initializer_list<Form> truths) -> Reading {
-    Reading all{formula.text, {}};
+    Reading all{formula.text, {}, is_as_typeset(compare_typeset(formula, samples))};
     for (const Form& truth : truths) all.checks.push_back(compare(quantity, formula, truth, samples));
     return all;
   };

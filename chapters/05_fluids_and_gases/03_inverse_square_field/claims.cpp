@@ -44,6 +44,9 @@ struct Away {
 
   std::array<double*, 3> letters() { return {&x[0], &x[1], &x[2]}; }
   double size() const { return std::pow(length(x), -power); }
+  TypesetLetters typeset() const {
+    return {{R"(\mathbf x)", x}, {"x_0", x[0]}, {"x_1", x[1]}, {"x_2", x[2]}};
+  }
   std::string where() const { return R"($|\mathbf x|$ = )" + format_shortest(length(x)); }
 };
 

@@ -122,6 +122,21 @@ std::string typeset_left(const Said& said) {
   return names.at(said.left) + "_{" + typeset_index(said.free) + "}";
 }
 
+/// Of the components: f_{0,12}.
+TypesetLetters letters_of(const Tensors<double>& tensors) {
+  TypesetLetters letters;
+  for (const auto& [tensor, components] : tensors)
+    for (std::size_t n = 0; n < components.size(); ++n) {
+      const auto& [name, rank] = tensor;
+      std::string indices;
+      for (std::size_t k = 0, rest = n; k < rank; ++k, rest /= 3)
+        indices.insert(0, " " + std::to_string(rest % 3));
+      if (rank > 1 && name != "e") indices.insert(2, ",");
+      letters.emplace_back(typeset(name + "(" + indices.substr(1) + ")"), components[n]);
+    }
+  return letters;
+}
+
 class Tensorial {
  public:
   explicit Tensorial(Random random) {
@@ -138,6 +153,14 @@ class Tensorial {
     }
     return worst.check();
   }
+  /// Of the first draws.
+  bool is_right_side_as_typeset(const Said& said) const {
+    const IndexExpression expression(said.right, said.free);
+    std::vector<std::pair<TypesetLetters, Value>> computed;
+    for (const Sampled& s : {samples_[0], samples_[1]})
+      computed.emplace_back(letters_of(s.tensors), expression.value(s.tensors));
+    return is_as_typeset(compare_typeset("$" + typeset(said.right) + "$", computed));
+  }
   Reading reading(const std::vector<Said>& all) const {
     Reading reading;
     for (const Said& said : all) {
@@ -145,6 +168,7 @@ class Tensorial {
           (reading.text.empty() ? "$" : ", $") + typeset_left(said) + "=" + typeset(said.right) + "$";
       reading.checks.push_back(compare(said));
     }
+    reading.as_typeset = all.size() == 1 && is_right_side_as_typeset(all[0]);
     return reading;
   }
   Claim claim(const std::vector<Said>& printed, const std::vector<std::vector<Said>>& near_misses) const {
@@ -164,7 +188,7 @@ Check well_formed(const std::string& expression, const std::string& free) {
 }
 Claim summed(const std::string& expression, const std::string& near) {
   const auto reading = [](const std::string& text) {
-    return Reading{"$" + typeset(text) + "$", {well_formed(text, "i")}};
+    return Reading{"those of $" + typeset(text) + "$", {well_formed(text, "i")}};
   };
   return {.printed = reading(expression), .near_misses = {reading(near)}};
 }
