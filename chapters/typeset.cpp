@@ -42,10 +42,11 @@ bool says_nothing(std::string_view token) {
                        R"(\Big)", R"(\!)", R"(\ )", R"(\;)", R"(\quad)"});
 }
 
-/// {x} as x.
+/// {x} as x, but {15}, of which a fraction would take the 1.
 void without_single_groups(Tokens& tokens) {
   for (std::size_t i = 0; i + 2 < tokens.size(); ++i)
-    if (tokens[i] == "{" && tokens[i + 2] == "}" && tokens[i + 1] != "}") {
+    if (tokens[i] == "{" && tokens[i + 2] == "}" && tokens[i + 1] != "}" &&
+        (tokens[i + 1].size() == 1 || !is_digit(tokens[i + 1][0]))) {
       tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 2);
       tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i));
     }
@@ -156,6 +157,19 @@ Matrix skew(const Value& x) {
   return {{0, -x[2], x[1], x[2], 0, -x[0], -x[1], x[0], 0}, 3};
 }
 
+Matrix unskew(const Matrix& x) {
+  if (x.rows() != 3 || x.columns != 3) throw Unread();
+  return {{x.entries[7], x.entries[2], x.entries[3]}};
+}
+Matrix beside(const Matrix& a, const Matrix& b) {
+  if (a.rows() != b.rows()) throw Unread();
+  return transposed({joined(transposed(a), transposed(b)).entries, a.rows()});
+}
+Matrix above(const Matrix& a, const Matrix& b) {
+  if (a.columns != b.columns) throw Unread();
+  return {joined(a, b).entries, a.columns};
+}
+
 using Function = double (*)(double);
 struct Named {
   std::string_view name;
@@ -242,7 +256,8 @@ class Reader {
     const double first = sign();
     Matrix total = dot_products();
     if (first != 0) total = scaled(total, first);
-    while (const double next_one = sign()) total = sum(total, dot_products(), next_one);
+    for (double next_one = sign(); next_one != 0; next_one = sign())
+      total = sum(total, dot_products(), next_one);
     return total;
   }
   /// Zero where there is none. Where both are written a letter says which.
@@ -286,8 +301,8 @@ class Reader {
   bool begins_factor() const {
     const std::string& token = next();
     return !token.empty() &&
-           !among(token, {"+", "-", R"(\pm)", R"(\mp)", ")", "]", "}", ",", ";", "/", "=", R"(\cdot)",
-                          R"(\times)", R"(\,)"}) &&
+           !among(token, {"+", "-", R"(\pm)", R"(\mp)", ")", "]", "}", ",", ";", "/", "=", "&", R"(\\)",
+                          R"(\end)", R"(\cdot)", R"(\times)", R"(\,)"}) &&
            (token != "|" || !inside_bars_);
   }
 
@@ -410,12 +425,14 @@ class Reader {
     }
     if (take_all({R"(\frac)", "d", "{", "d", "t", "}"})) return time_derivative();
     if (take_all({R"(\int)", "_"})) return integral();
+    if (take_all({R"(\begin)", "{", "p", "m", "a", "t", "r", "i", "x", "}"})) return matrix();
     if (take(R"(\frac)")) {
       const Matrix above = argument();
       return scaled(above, 1 / number(argument()));
     }
     if (take_all({R"(\mathrm)", "{", "D", "i", "a", "g", "}", "("})) return diagonal(closed_by(")").entries);
     if (take_all({R"(\mathrm)", "{", "S", "k", "e", "w", "}", "("})) return skew(closed_by(")").entries);
+    if (take_all({R"(\mathrm)", "{", "U", "n", "s", "k", "e", "w", "}", "("})) return unskew(closed_by(")"));
     if (take(R"(\sqrt)")) return {{std::sqrt(number(argument()))}};
     if (take("{")) return closed_by("}");
     if (take("(")) return closed_by(")");
@@ -453,6 +470,19 @@ class Reader {
     expect(end);
     if (all.entries.size() % columns != 0) throw Unread();
     return columns == 1 ? all : Matrix{all.entries, columns};
+  }
+
+  /// Up to \end{pmatrix}, of numbers, columns or matrices.
+  Matrix matrix() {
+    Matrix all = row();
+    while (take(R"(\\)")) all = above(all, row());
+    if (!take_all({R"(\end)", "{", "p", "m", "a", "t", "r", "i", "x", "}"})) throw Unread();
+    return all;
+  }
+  Matrix row() {
+    Matrix all = sum_of_terms();
+    while (take("&")) all = beside(all, sum_of_terms());
+    return all;
   }
 
   /// Of what follows, along the rates of its letters: by differences of eighth order.
@@ -515,7 +545,7 @@ using Index = Tokens;
 /// The index that begins here, if one does.
 Index index_at(const Tokens& tokens, std::size_t at) {
   const std::string& letter = tokens[at];
-  if (letter.size() != 1 || letter[0] < 'i' || letter[0] > 'm') return {};
+  if (!among(letter, {"i", "j", "k", "l", "m", "r", "c"})) return {};
   const bool numbered = at + 2 < tokens.size() && tokens[at + 1] == "_" && is_digit(tokens[at + 2][0]);
   return numbered ? Index{letter, "_", tokens[at + 2]} : Index{letter};
 }
@@ -536,38 +566,87 @@ Tokens with_indices(const Tokens& tokens, const std::function<Tokens(const Index
   return all;
 }
 
-/// e_{ijk}g_jf_k: a vector by the one index that occurs once, a sum of three over each that occurs twice.
-/// Only a product has such.
-Value in_index_notation(const Tokens& tokens, const Letters& letters) {
-  std::map<Index, int> counts;
-  with_indices(tokens, [&](const Index& index) {
-    ++counts[index];
-    return index;
-  });
-  const bool is_product = std::ranges::none_of(tokens, [](const std::string& token) {
-    return among(token, {"+", "-", R"(\pm)", R"(\mp)"});
-  });
-  std::map<Index, int> values;
-  Index free;
-  for (const auto& [index, count] : counts)
-    if (count == 1 && free.empty())
-      free = index;
-    else if (count != 2 || !is_product)
-      throw Unread();
-  if (free.empty()) throw Unread();
-  const auto product = [&] {
-    const Tokens at =
-        with_indices(tokens, [&](const Index& index) { return Tokens{std::to_string(values[index])}; });
-    return number(Reader(at, letters).all());
-  };
-  std::vector<double> all(3);
-  while (true) {
-    all[static_cast<std::size_t>(values[free])] += product();
-    auto index = counts.begin();
-    while (index != counts.end() && ++values[index->first] == 3) values[(index++)->first] = 0;
-    if (index == counts.end()) return all;
+/// f_i is a vector by the one index that occurs once, or a matrix by r and c. Of a product e_{ijk}g_jf_k each
+/// index that occurs twice is summed over 0, 1, 2.
+class IndexNotation {
+ public:
+  IndexNotation(const Tokens& tokens, const Letters& letters) : tokens_(tokens), letters_(letters) {
+    const bool is_product = std::ranges::none_of(tokens, [](const std::string& token) {
+      return among(token, {"+", "-", R"(\pm)", R"(\mp)"});
+    });
+    for (const auto& [index, count] : counts())
+      if (count == 1)
+        free_.insert(free_.begin(), index);
+      else if (count == 2 && is_product)
+        summed_.push_back(index);
+      else
+        throw Unread();
+    const bool rows_and_columns = free_ == std::vector<Index>{{"r"}, {"c"}};
+    if (free_.size() != 1 && !rows_and_columns) throw Unread();
+    if (summed_.empty()) range_ = known();
   }
-}
+
+  Value all() {
+    std::vector<double> all;
+    for (const int first : range_) {
+      values_[free_[0]] = first;
+      if (free_.size() == 1) all.push_back(sum_from(0));
+      for (std::size_t k = 0; free_.size() > 1 && k < range_.size(); ++k) {
+        values_[free_[1]] = range_[k];
+        all.push_back(sum_from(0));
+      }
+    }
+    return all;
+  }
+
+ private:
+  /// Without those that a \sum has.
+  std::map<Index, int> counts() const {
+    std::map<Index, int> all;
+    with_indices(tokens_, [&](const Index& index) {
+      ++all[index];
+      return index;
+    });
+    for (std::size_t i = 0; i + 2 < tokens_.size(); ++i)
+      if (tokens_[i] == R"(\sum)" && tokens_[i + 1] == "_") all.erase({tokens_[i + 2]});
+    return all;
+  }
+  /// The digits that there are letters of.
+  std::vector<int> known() {
+    std::vector<int> all;
+    for (int i = 0; i < 10; ++i) try {
+        for (const Index& index : free_) values_[index] = i;
+        here();
+        all.push_back(i);
+      } catch (const Unread&) {
+        if (!all.empty()) break;
+      }
+    if (all.empty()) throw Unread();
+    return all;
+  }
+  double sum_from(std::size_t k) {
+    if (k == summed_.size()) return here();
+    double sum = 0;
+    for (const int i : range_) {
+      values_[summed_[k]] = i;
+      sum += sum_from(k + 1);
+    }
+    return sum;
+  }
+  double here() const {
+    const Tokens at = with_indices(tokens_, [&](const Index& index) {
+      const auto value = values_.find(index);
+      return value == values_.end() ? index : Tokens{std::to_string(value->second)};
+    });
+    return number(Reader(at, letters_).all());
+  }
+
+  const Tokens& tokens_;
+  const Letters& letters_;
+  std::vector<Index> free_, summed_;
+  std::vector<int> range_{0, 1, 2};
+  std::map<Index, int> values_;
+};
 
 std::string written(const Value& x) {
   std::string all;
@@ -598,7 +677,7 @@ std::optional<Value> typeset_value(std::string_view formula, const TypesetLetter
     }
   };
   const auto as_it_stands = read([&] { return Reader(tokens, all).all().entries; });
-  return as_it_stands ? as_it_stands : read([&] { return in_index_notation(tokens, all); });
+  return as_it_stands ? as_it_stands : read([&] { return IndexNotation(tokens, all).all(); });
 }
 
 bool is_formula(std::string_view text) {

@@ -40,6 +40,7 @@ TEST_CASE("a formula of TeX is what a reader takes it for", "[typeset]") {
   CHECK(near_ulps(number("e^{-t}"), std::exp(-0.5), 2));
   CHECK(number("2.5I_{xx}") == 12.5);
   CHECK(near_ulps(number("4|u-w|^2"), 148, 2));
+  CHECK(number(R"(\tfrac{4}{16}+2^{10})") == 1024.25);
   CHECK(number(R"(\pi)") == std::numbers::pi);
 }
 
@@ -83,6 +84,10 @@ TEST_CASE("matrices are letters of four or nine numbers", "[typeset]") {
   CHECK(is("(Rb,x)", {-3, 2, 2}));
   CHECK(is(R"(\mathrm{Diag}(1,x,3)D)", {1, 4, 9}));
   CHECK(is(R"(\mathrm{Skew}(D)(0,0,1))", {2, -1, 0}));
+  CHECK(is(R"(\begin{pmatrix}0&-1\\1&0\end{pmatrix}b+b)", {-1, 5}));
+  CHECK(is(R"(\begin{pmatrix}b&xb\end{pmatrix}(1,-1))", {-2, -3}));
+  CHECK(is(R"(\mathrm{Unskew}(-\mathrm{Skew}(D)))", {-1, -2, -3}));
+  CHECK_FALSE(typeset_value(R"(\begin{pmatrix}1&2\\3\end{pmatrix})", all));
   for (const char* formula : {"Db", "RD", "R^2", "|R|", "(0,1;2)"}) CHECK_FALSE(typeset_value(formula, all));
 }
 
@@ -113,6 +118,12 @@ TEST_CASE("indices that no sum is written of are free, or twice in a product", "
   CHECK(distance(*typeset_value("f_jg_jf_i", all), {32, 64, 96}) == 0);
   CHECK(distance(*typeset_value("h_{i,j_1}g_{j_1}", all), {32, 77, 128}) == 0);
   CHECK(distance(*typeset_value("h_{k,k}f_m", all), {16, 32, 48}) == 0);
+  const TypesetLetters matrices{{"a_{11}", 1}, {"a_{12}", 2}, {"a_{21}", 3}, {"a_{22}", 4}, {"b_{11}", 1},
+                                {"b_{12}", 0}, {"b_{21}", 5}, {"b_{22}", 1}, {"v_1", 7},    {"v_2", 8}};
+  CHECK(distance(*typeset_value("a_{rc}", matrices), {1, 2, 3, 4}) == 0);
+  CHECK(distance(*typeset_value("a_{cr}", matrices), {1, 3, 2, 4}) == 0);
+  CHECK(distance(*typeset_value(R"(\sum_ka_{rk}b_{kc})", matrices), {11, 2, 23, 4}) == 0);
+  CHECK(distance(*typeset_value(R"(\sum_ka_{ik}v_k)", matrices), {23, 53}) == 0);
   for (const char* formula : {"f_ig_j", "f_jg_j", "f_jg_j+f_i", "f_jg_jf_jf_i"})
     CHECK_FALSE(typeset_value(formula, all));
 }

@@ -194,9 +194,10 @@ class Limits {
   template <class F>
   Reading tends(const std::string& what, std::initializer_list<int> sides, const Vector3& to,
                 const F& f) const {
-    const std::string text = "$" + what + R"(\to()" + format_shortest(to[0]) + "," + format_shortest(to[1]) +
-                             "," + format_shortest(to[2]) + ")$";
-    Reading reading{text, {}};
+    const auto written = [](double x) { return x == 1e-6 ? "10^{-6}" : format_shortest(x); };
+    const std::string text =
+        "$" + what + R"(\to()" + written(to[0]) + "," + written(to[1]) + "," + written(to[2]) + ")$";
+    Reading reading{text, {}, is_as_typeset(compare_typeset(text, {{TypesetLetters{}, Value(to)}}))};
     for (int side : sides)
       reading.checks.push_back(limit("$" + what + (side < 0 ? "$ from below" : "$ from above"), to, h_,
                                      [=](double s) { return f(side, side * s); }));
@@ -264,8 +265,8 @@ void frames(Table& table, int side, const std::vector<Sample>& samples) {
                    const auto n = double(s.side()) * unit(cross(cross(l.v, l.a), l.v));
                    return values(n[0], n[1], n[2], 1, 0);
                  }},
-       .printed = {"$" + N + R"(\,)" + by_root + "$", normal(3, 1)},
-       .meant = {"$" + N + "/" + by_root + "$", normal(3, -1)},
+       .printed = {"those of $" + N + R"(\,)" + by_root + "$", normal(3, 1)},
+       .meant = {"those of $" + N + "/" + by_root + "$", normal(3, -1)},
        .near_misses = {{R"(the quotient with $+3t^2$)", normal(-3, -1)}},
        .kind = Fault::lost_typography,
        .why = why});

@@ -23,7 +23,15 @@ struct SampleOf {
   std::array<T*, 1> letters() { return {&t}; }
   TypesetLetters typeset() const {
     const T u = t / std::sqrt(1 + t * t);
-    return {{"t", t}, {"u", u}, {R"(\phi)", std::acos(u)}, {R"(\dot\phi)", -1 / (1 + t * t)}};
+    const T phi = std::acos(u);
+    const std::array<double, 3> P{-sin(t), cos(t), 0}, R{cos(t) * sin(phi), sin(t) * sin(phi), cos(phi)};
+    return {{"t", t},
+            {"u", u},
+            {R"(\phi)", phi},
+            {R"(\dot\phi)", -1 / (1 + t * t)},
+            {R"(\mathbf P)", P},
+            {R"(\mathbf Q)", cross(R, P)},
+            {R"(\mathbf R(\theta,\phi))", R}};
   }
   std::string where() const { return "$t$ = " + format_shortest(t); }
 };

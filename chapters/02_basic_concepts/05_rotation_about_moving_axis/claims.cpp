@@ -94,6 +94,7 @@ struct Moment : MomentOf<double> {
   }
   /// None: the sizes of terms are given.
   std::array<double*, 0> letters() { return {}; }
+  TypesetLetters typeset() const { return {{"R", R}, {R"(\dot R)", R_dot}, {R"(\dot{\mathbf D})", U2}}; }
   std::string where() const {
     return "$t$ = " + format_shortest(t) + R"(, $\theta$ = )" + format_significant(theta, 4) +
            R"(, $|\dot{\mathbf D}|$ = )" + format_significant(lambda, 4);

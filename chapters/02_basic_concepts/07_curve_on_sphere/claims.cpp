@@ -41,6 +41,14 @@ struct SampleOf {
     u = R.column(1), b = R.column(2), u_dot = R_dot.column(1), b_dot = R_dot.column(2);
     w = angular_velocity(m);
   }
+  TypesetLetters typeset() const {
+    return {{R"(\mathbf r)", m.r},
+            {R"(\mathbf u)", u},
+            {R"(\dot{\mathbf r})", m.v},
+            {R"(\dot{\mathbf u})", u_dot},
+            {"R", R},
+            {R"(\dot R)", R_dot}};
+  }
   std::string where() const { return "$t$ = " + format_shortest(t); }
 };
 using Sample = SampleOf<double>;
@@ -139,12 +147,12 @@ void curve_and_frame(Table& table, const std::vector<Sample>& all) {
       return in_a_row<T>(transpose(R) * R, std::array{determinant(R)});
     };
   };
-  table.formula("rotation", 485,
-                R"($R=[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$ is a rotation matrix)", all,
-                {.quantity = R"($R^TR$ and $\det R$)",
-                 .truth = {"the unit matrix and 1", [](const auto&) { return joined(identity(), 1); }},
-                 .printed = {R"($[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$)", rotation(1)},
-                 .near_misses = {{R"($[\mathbf r\ \mathbf u\ \mathbf u\times\mathbf r]$)", rotation(-1)}}});
+  table.formula(
+      "rotation", 485, R"($R=[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$ is a rotation matrix)", all,
+      {.quantity = R"($R^TR$ and $\det R$)",
+       .truth = {"the unit matrix and 1", [](const auto&) { return joined(identity(), 1); }},
+       .printed = {R"(those of $[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$)", rotation(1)},
+       .near_misses = {{R"(those of $[\mathbf r\ \mathbf u\ \mathbf u\times\mathbf r]$)", rotation(-1)}}});
   table.formula("skew_of_w", 493, R"($\mathrm{Skew}(\mathbf w)=\dot RR^T$)", all,
                 {.truth = {R"(Skew of )" + w_by_frame.text, [](const auto& s) { return skew(s.w); }},
                  .printed = {R"($\dot RR^T$)", [](const auto& s) { return s.R_dot * transpose(s.R); }},
@@ -214,9 +222,12 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
       "columns", 515, R"($\dot R=[\dot{\mathbf r}\ \dot{\mathbf u}\ \mathbf r\times\dot{\mathbf u}]$)", all,
       {.quantity = R"($\dot R$)",
        .truth = {"the frame by dual numbers", [](const auto& s) { return s.R_dot; }},
-       .printed = {R"($[\dot{\mathbf r}\ \dot{\mathbf u}\ \mathbf r\times\dot{\mathbf u}]$)", columns(1)},
+       .printed =
+           {R"($\begin{pmatrix}\dot{\mathbf r}&\dot{\mathbf u}&\mathbf r\times\dot{\mathbf u}\end{pmatrix}$)",
+            columns(1)},
        .near_misses = {
-           {R"($[\dot{\mathbf r}\ \dot{\mathbf u}\ \dot{\mathbf u}\times\mathbf r]$)", columns(-1)}}});
+           {R"($\begin{pmatrix}\dot{\mathbf r}&\dot{\mathbf u}&\dot{\mathbf u}\times\mathbf r\end{pmatrix}$)",
+            columns(-1)}}});
 
   const AtTime product_of_frames{R"($\dot RR^T$, the frame by dual numbers)",
                                  [](const auto& s) { return s.R_dot * transpose(s.R); }};

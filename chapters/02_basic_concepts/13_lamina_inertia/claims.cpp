@@ -102,7 +102,8 @@ Reading value_of(const Component& c, std::size_t k, const Fraction& value) {
             {text, decimal},
             {"Gauss-Legendre by rows", rows(sixteen, definition, -1, true).value},
             rounding(size),
-            size}}};
+            size}},
+          is_as_typeset(compare_typeset(text, {{TypesetLetters{}, Value(decimal)}}))};
 }
 
 void component(Claims& claims, const Component& c, std::size_t k, double seed) {
@@ -137,6 +138,7 @@ struct ColumnOf {
 struct Column : ColumnOf<double> {
   explicit Column(Random& random) : ColumnOf{random.between(-1, 1)} {}
   std::array<double*, 1> letters() { return {&x}; }
+  TypesetLetters typeset() const { return {{"x", x}}; }
   std::string where() const { return "$x$ = " + format_shortest(x); }
 };
 const Formula<Column> inner_integral{"Gauss-Legendre of $y^2$ from $x^2$ to 1", [](const Column& c) {
@@ -201,7 +203,8 @@ void steps(Claims& claims, double seed) {
          {"$I_{xx}$",
           {text + " between $-1$ and 1", f(1.0) - f(-1.0)},
           {"Gauss-Legendre by rows", by_rows},
-          rounding(1)}}};
+          rounding(1)}},
+        is_as_typeset(compare_typeset<Column>({text, [=](const Column& c) { return f(c.x); }}, columns_of))};
   };
   claims.add(
       "ixx_antiderivative", 695, "the antiderivative, between $-1$ and 1, is $x-x^7/73$",

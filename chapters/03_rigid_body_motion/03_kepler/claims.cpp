@@ -1137,7 +1137,7 @@ void moments_of_the_velocity(Table& table, const std::vector<Moment>& moments) {
                           const auto v = velocity(1)(k);
                           return values(k.r * k.c * v[1] - k.r * k.s * v[0], k.h);
                         }),
-       .near_misses = {along(R"($r\dot\theta\,\mathbf k$)",
+       .near_misses = {along(R"($r\dot\theta$ along $\mathbf k$)",
                              [](const auto& k) { return values(k.r * k.w, k.r * k.w); })}});
   const auto turned = [](double sign) {
     return [=](const auto& k) {

@@ -223,12 +223,12 @@ std::vector<Claim> claims(const Reference& truth) {
       "split_formula", 1273,
       R"(the integral is about that to $a-\epsilon$ plus $\sqrt{2/\cos a}\,(2-\arcsin(1-\epsilon\cos a/\sin a))$)",
       {.printed =
-           in_two_parts(R"($\sqrt{2/\cos a}\,(2-\arcsin\ldots)$)", truth,
+           in_two_parts(R"(plus $\sqrt{2/\cos a}\,(2-\arcsin\ldots)$)", truth,
                         [](double epsilon) { return sqrt(2 / cos(book_angle)) * (2 - arcsine(epsilon)); }),
-       .meant = in_two_parts(R"($\sqrt{2/\cos a}\,(\pi/2-\arcsin\ldots)$)", truth,
+       .meant = in_two_parts(R"(plus $\sqrt{2/\cos a}\,(\pi/2-\arcsin\ldots)$)", truth,
                              [](double epsilon) { return remainder(book_angle, epsilon); }),
        .near_misses = {in_two_parts(
-           R"($(\sqrt2/\cos a)\,(\pi/2-\arcsin\ldots)$)", truth,
+           R"(plus $(\sqrt2/\cos a)\,(\pi/2-\arcsin\ldots)$)", truth,
            [](double epsilon) { return remainder(book_angle, epsilon) / sqrt(cos(book_angle)); })},
        .why =
            R"(The $\pi$ of $\pi/2$ and the fraction bars are lost: read as it stands, the remainder does not )"

@@ -185,16 +185,20 @@ void accelerations(Claims& claims, const std::vector<Sample>& samples) {
                                     return -(square * s.bend() * s.v * s.v + gravity * s.g * s.q * s.q) /
                                            metric(s.q);
                                   }};
-    return {std::move(text), {compare(R"($\ddot q$)", formula, lagrange, samples)}};
+    return {text,
+            {compare(R"($\ddot q$)", formula, lagrange, samples)},
+            is_as_typeset(compare_typeset(formula, samples))};
   };
   claims.add("equation_of_motion", 1411,
              R"(the equation of motion for $\ddot q$ (the minus sign is read as that of the whole fraction))",
              {.printed = {solved.text,
                           {compare(R"($\ddot q$)", solved, lagrange, samples),
-                           compare(R"($\ddot q=\ddot x_1$)", solved, forces, samples)}},
+                           compare(R"($\ddot q=\ddot x_1$)", solved, forces, samples)},
+                          is_as_typeset(compare_typeset(solved, samples))},
               .near_misses = {solved_by(R"($(-3gq^2+2q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", -2, 3),
                               solved_by(R"($-(3gq^2+q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", 1, 3)}});
 
+  const Formula<Sample> falls{R"($\ddot x=(0,0,-g)$)", [](const Sample& s) { return values(0, 0, -s.g); }};
   const Formula<Sample> work{R"($m\ddot x\cdot\dot x$ by Lagrange's equation)", &Sample::work,
                              [](const Sample& s) { return s.power([](double x) { return abs(x); }); }};
   const auto power = [&](std::string text, double factor) -> Reading {
@@ -204,10 +208,10 @@ void accelerations(Claims& claims, const std::vector<Sample>& samples) {
   };
   claims.add(
       "only_gravity", 1415, "gravity alone acts on the bead",
-      {.printed = {R"($\ddot x=(0,0,-g)$)",
-                   {compare<Sample>("the bead's acceleration",
-                                    {R"($(0,0,-g)$)", [](const Sample& s) { return values(0, 0, -s.g); }},
-                                    {"Lagrange's equation", &Sample::acceleration}, samples)}},
+      {.printed = {falls.text,
+                   {compare<Sample>("the bead's acceleration", falls,
+                                    {"Lagrange's equation", &Sample::acceleration}, samples)},
+                   is_as_typeset(compare_typeset(falls, samples))},
        .corrected = power(R"(gravity alone does work: $m\ddot x\cdot\dot x=-mg\dot x_3$)", 1),
        .near_misses = {power(R"(the wire does as much: $m\ddot x\cdot\dot x=-2mg\dot x_3$)", 2)},
        .why =

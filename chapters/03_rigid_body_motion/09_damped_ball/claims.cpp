@@ -215,6 +215,9 @@ struct OscillationOf {
         k2(random.between(-2, 2)),
         t(random.between(0, 5)) {}
   std::array<T*, 5> letters() { return {&alpha, &beta, &k1, &k2, &t}; }
+  TypesetLetters typeset() const {
+    return {{R"(\alpha)", alpha}, {R"(\beta)", beta}, {"K_1", k1}, {"K_2", k2}, {"t", t}};
+  }
   std::string where() const { return "$t$ = " + format_significant(t, 4); }
   /// x' with `last` times its last term.
   T rate(double last) const {
@@ -337,8 +340,8 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
        .truth = {"$mr^2+ar$", [](const auto& s) { return s.without_last(); },
                  [](const Polynomial& s) { return s.a * s.a / s.m + s.c; }},
        .printed = rest("$mr^2+ar+{}$, the last term missing", 0),
-       .meant = rest("$mr^2+ar+c$", -1),
-       .near_misses = {rest("$mr^2+ar-c$", 1)},
+       .meant = rest("those of $mr^2+ar+c$", -1),
+       .near_misses = {rest("those of $mr^2+ar-c$", 1)},
        .kind = Fault::formula,
        .why = "The last coefficient, $c$, is missing after its plus sign; the roots that follow have it."});
   const auto roots_with = [](std::string text, double factor) -> OfPolynomial {
@@ -349,8 +352,8 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
                 {.quantity = "the roots' sum and product, real and imaginary parts",
                  .truth = {"the coefficients: $-a/m$ and $c/m$, both real",
                            [](const auto& s) { return values(-s.a / s.m, s.c / s.m, 0, 0); }},
-                 .printed = roots_with(R"($(-a\pm\sqrt{a^2-4mc})/(2m)$)", 4),
-                 .near_misses = {roots_with(R"($(-a\pm\sqrt{a^2-2mc})/(2m)$)", 2)}});
+                 .printed = roots_with(R"(of $(-a\pm\sqrt{a^2-4mc})/(2m)$)", 4),
+                 .near_misses = {roots_with(R"(of $(-a\pm\sqrt{a^2-2mc})/(2m)$)", 2)}});
 }
 
 void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, double seed, Random& random) {
@@ -475,10 +478,10 @@ void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
       under_damped,
       {.quantity = put_in_quantity,
        .truth = as_asked<UnderDampedOf>,
-       .printed =
-           oscillates(R"($x=e^{\alpha t}\big(p\cos\beta t+\frac{v-\alpha p}\beta\sin\beta t\big)$)", 1),
-       .near_misses = {
-           oscillates(R"($x=e^{\alpha t}\big(p\cos\beta t+\frac{v+\alpha p}\beta\sin\beta t\big)$)", -1)}});
+       .printed = oscillates(
+           R"(those of $x=e^{\alpha t}\big(p\cos\beta t+\frac{v-\alpha p}\beta\sin\beta t\big)$)", 1),
+       .near_misses = {oscillates(
+           R"(those of $x=e^{\alpha t}\big(p\cos\beta t+\frac{v+\alpha p}\beta\sin\beta t\big)$)", -1)}});
 }
 
 // ---- the arrival ------------------------------------------------------------------------------------------
@@ -708,7 +711,7 @@ void arrivals(Claims& claims, double seed) {
       "turned_pair", 1537,
       R"(where a coordinate is zero, position and velocity give a pair along $(-\sin\beta t,\cos\beta t)$)",
       {.printed = turned(R"($(p_i,\;v_i-\alpha p_i\beta)$, as a product)", 1, 1),
-       .meant = turned(R"($(p_i,\;(v_i-\alpha p_i)/\beta)$)", -1, 1),
+       .meant = turned(R"(the pair $(p_i,\;(v_i-\alpha p_i)/\beta)$)", -1, 1),
        .near_misses = {turned(R"($(p_i,\;(v_i-\alpha p_i)/\beta)$ along $(\sin\beta t,\cos\beta t)$)", -1,
                               -1)},
        .why =

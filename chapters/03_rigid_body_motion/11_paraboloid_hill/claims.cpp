@@ -40,6 +40,17 @@ struct SampleOf {
            format_significant(v[0], 4) + ", " + format_significant(v[1], 4) +
            "), $t$ = " + format_significant(t, 4);
   }
+  TypesetLetters typeset() const {
+    return {{"a_1", hill.a1},
+            {"a_2", hill.a2},
+            {"g", g},
+            {"t", t},
+            {"x_1", x[0]},
+            {"v_1", v[0]},
+            {"v_2", v[1]},
+            {R"(\ddot x_1)", a[0]},
+            {"B", (x[0] * a[0] + v[0] * v[0]) / A1() + (x[1] * a[1] + v[1] * v[1]) / A2()}};
+  }
   T A1() const { return hill.a1 * hill.a1; }
   T A2() const { return hill.a2 * hill.a2; }
   T K() const { return v[0] * v[0] / A1() + v[1] * v[1] / A2(); }

@@ -622,8 +622,8 @@ void center_motion(ChuteTable& table, const std::vector<OnChute>& samples) {
       {.quantity = R"($(x_1(0),\dot x_1(0),\ddot x_1)$ by dual numbers)",
        .truth = {"the start, and Lagrange's equations",
                  [](const auto& s) { return values(s.x1, s.v1, s.on_center().accelerations()[0]); }},
-       .printed = moves(R"($x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}4t^2$)", 0.25),
-       .near_misses = {moves(R"($x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}2t^2$)", 0.5)}});
+       .printed = moves(R"(of $x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}4t^2$)", 0.25),
+       .near_misses = {moves(R"(of $x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}2t^2$)", 0.5)}});
 }
 
 // ---- what is said about it --------------------------------------------------------------------------------

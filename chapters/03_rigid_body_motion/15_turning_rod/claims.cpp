@@ -104,6 +104,13 @@ struct SampleOf {
             {R"(\dot\lambda)", v},
             {R"(\ddot\lambda)", A},
             {"t", t},
+            {"x", x()},
+            {R"(\dot x)", velocity()},
+            {R"(\imath)", {1, 0, 0}},
+            {"r", spring_length()},
+            {"p", p()},
+            {"F", F(p())},
+            {"L", length(segment())},
             {"D", D},
             {R"(\dot D)", D_dot}};
   }
@@ -194,7 +201,7 @@ void geometry(Table& table, const Samples& samples) {
                  [](const auto& s) { return position(s.b * length(s.segment()) / s.a, s.number(0), s.w); }},
        .printed = {"$(b,0,b)$", [](const auto& s) { return s.start(); }},
        .near_misses = {
-           {R"($\lambda(0)=b$)", [](const auto& s) { return times(s.b, direction(s.number(0))); }}}});
+           {R"(with $\lambda(0)=b$)", [](const auto& s) { return times(s.b, direction(s.number(0))); }}}});
   table.formula("velocity", 1765, R"(the velocity $\dot x$)", samples,
                 {.truth = {dual, [](const auto& s) { return s.velocity(); }},
                  .printed = {R"($\dot\lambda D+\lambda\dot D$)",
@@ -379,7 +386,7 @@ void equations(Table& table, const Samples& samples) {
                    return df_dq(s.lagrangian(), s.s, 0, s.t) - df_dq(s.kinetic(), s.s, 0, s.t);
                  }},
        .printed = {R"($1-\ell\sqrt{\dots}$, a product)", force(1, 1)},
-       .meant = {R"($1-\ell/\sqrt{\dots}$)", force(1)},
+       .meant = {R"(with $1-\ell/\sqrt{\dots}$)", force(1)},
        .near_misses = {{R"($1-\ell/\sqrt{\dots}$ and $c\cos\omega t$ for $c\cos(\omega t)/\sqrt2$)",
                         force(sqrt2)}},
        .kind = Fault::lost_typography,
@@ -419,7 +426,7 @@ void equations(Table& table, const Samples& samples) {
                    return lagrange_acceleration(s.lagrangian(), s.s, s.v, s.t);
                  }},
        .printed = {R"($1-\ell\sqrt{\dots}$, a product)", summary(1, 1)},
-       .meant = {R"($1-\ell/\sqrt{\dots}$)", summary(1)},
+       .meant = {R"(with $1-\ell/\sqrt{\dots}$)", summary(1)},
        .near_misses = {{R"($1-\ell/\sqrt{\dots}$ and $\pi^2\lambda/16$)", summary(2)}},
        .kind = Fault::lost_typography,
        .why =
@@ -533,8 +540,8 @@ void motion(Claims& claims, const Value& end) {
               integrated}}};
   };
   claims.add("arrival_time", 1849, "the mass arrives in the $(x_2,x_3)$-plane at $t=2$",
-             {.printed = arrives("$t=2$", 2),
-              .near_misses = {arrives("$t=4$, half a turn", 4), arrives("$t=1$", 1)}});
+             {.printed = arrives("at $t=2$", 2),
+              .near_misses = {arrives("$t=4$, half a turn", 4), arrives("at $t=1$", 1)}});
 
   const auto place = [&](const std::string& text, const auto& state, double t) -> Reading {
     return {text,
@@ -708,9 +715,9 @@ void output(Claims& claims, const Value& end) {
   };
   claims.add(
       "d_is_lambda", 1849, R"($d$ is $\lambda(2)$)",
-      {.printed = is_d(R"($\lambda(2)$)", 1),
-       .meant = is_d(R"($\lambda(2)/\sqrt2$)", 1 / sqrt2),
-       .near_misses = {is_d(R"($\lambda(2)/2$)", 0.5)},
+      {.printed = is_d(R"(as $\lambda(2)$)", 1),
+       .meant = is_d(R"(as $\lambda(2)/\sqrt2$)", 1 / sqrt2),
+       .near_misses = {is_d(R"(as $\lambda(2)/2$)", 0.5)},
        .why =
            R"($\lambda$ is a distance along the segment and $d$ a coordinate: $d=\lambda(2)/\sqrt2$, as in the )"
            R"(output's own 1.15214 and 0.814683. Taken at its word it places the mass 0.41 m too far along the )"

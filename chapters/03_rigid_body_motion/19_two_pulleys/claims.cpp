@@ -51,7 +51,7 @@ struct SampleOf {
     return floor + mass * (speed * speed + abs(a[0]) + abs(a[1])) + pulls * (1 + mass / std::min(p.m2, p.m3));
   }
   TypesetLetters typeset() const {
-    const Two<T> s = springs(q);
+    const Two<T> s = springs(q), slopes = df_dq(lagrangian(), q, v);
     return {{"m_2", p.m2},
             {"m_3", p.m3},
             {"I_1", p.I1},
@@ -73,7 +73,11 @@ struct SampleOf {
             {R"(\ddot y_3)", a[1]},
             {"S_1", s[0]},
             {"S_2", s[1]},
-            {R"(\Delta)", delta}};
+            {R"(\Delta)", delta},
+            {R"(\Delta_2)", v[0]},
+            {R"(\Delta_3)", v[1]},
+            {R"(\partial L/\partial y_2)", slopes[0]},
+            {R"(\partial L/\partial y_3)", slopes[1]}};
   }
   std::string where() const { return told(typeset(), 15); }
 
@@ -501,7 +505,7 @@ void equations(Table& table, const Samples& samples) {
       {.quantity = "the equation's left side less its right side, " + two_routes,
        .truth = {"zero", [](const auto&) { return values(0, 0); }},
        .printed = {"$I_2R_2^2$, a product", second(1)},
-       .meant = {"$I_2/R_2^2$", second(-1)},
+       .meant = {"with $I_2/R_2^2$", second(-1)},
        .near_misses = {{"$I_2/R_2^2$ with $-m_3g$", second(-1, -1)}},
        .kind = Fault::lost_typography,
        .why =

@@ -31,6 +31,10 @@ struct SampleOf {
   std::array<T*, 13> letters() {
     return {&m, &L, &mu2, &mu3, &phi, &g, &q[0], &q[1], &v[0], &v[1], &F[0], &F[1], &F[2]};
   }
+  TypesetLetters typeset() const {
+    return {{"m", m},        {"L", L}, {R"(\mu_2)", mu2},   {R"(\phi)", phi},
+            {"F", Value(F)}, {"g", g}, {R"(\theta)", q[0]}, {"F_\\theta", force()}};
+  }
   T inertia(const T& moment) const { return (m * L * L + moment) * sin(phi) * sin(phi); }
   double size() const {
     return 8 * (1 + m * L * (L + g) + mu2 + L * 5) * (1 + v[0] * v[0] + v[1] * v[1]) * (1 + 1 / inertia(mu2));
@@ -193,7 +197,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
                 {.truth = {R"($F\cdot\partial X/\partial\theta$ of the center $X$, by dual numbers)",
                            [](const auto& s) { return s.force(); }},
                  .printed = {R"($F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)", product(1, 0)},
-                 .near_misses = {{R"($+\sin\theta$)", product(-1, 0)},
+                 .near_misses = {{R"(with $+\sin\theta$)", product(-1, 0)},
                                  {R"($\cos\phi$ as the third component)", product(1, 1)}}});
   const auto weight = [](std::size_t axis) {
     return [=](const auto& s) { return -s.m * s.g * s.lever()[axis]; };

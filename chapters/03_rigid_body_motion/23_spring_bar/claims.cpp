@@ -38,7 +38,8 @@ struct SampleOf {
             {R"(\ell)", ell},
             {R"(\theta)", q},
             {R"(\dot\theta)", v},
-            {R"(\ddot\theta)", a}};
+            {R"(\ddot\theta)", a},
+            {R"(dV/d\theta)", derivative([bar = bar()](const auto& x) { return bar.potential(x); }, q)}};
   }
   std::string where() const {
     return R"($m,r,s,c,h,g,\ell$ = )" + format_significant(m, 4) + ", " + format_significant(r, 4) + ", " +
@@ -168,8 +169,8 @@ void state(Table& table, const std::vector<Sample>& samples) {
   table.formula(
       "lagrangian", 2601, R"(the Lagrangian; it gives $mr^2\ddot\theta$)", samples,
       {.truth = {"the moments of the weight and of the spring", [](const auto& x) { return x.moments(x.q); }},
-       .printed = {"$L=T-V$", [](const auto& x) { return x.by_lagrange(x.q, x.v); }},
-       .near_misses = {{"$L=T+V$", [](const auto& x) { return x.by_lagrange(x.q, x.v, 1); }}}});
+       .printed = {"by $L=T-V$", [](const auto& x) { return x.by_lagrange(x.q, x.v); }},
+       .near_misses = {{"by $L=T+V$", [](const auto& x) { return x.by_lagrange(x.q, x.v, 1); }}}});
   const std::string lagrange =
       R"($\frac{d}{dt}\frac{\partial L}{\partial\dot\theta}-\frac{\partial L}{\partial\theta}$ by nested dual numbers)";
   const auto by_potential = [](double sign) {
@@ -192,10 +193,10 @@ void state(Table& table, const std::vector<Sample>& samples) {
                  [](const auto& x) { return values(x.left_side(), x.m * x.r * x.r * x.a - x.moments(x.q)); }},
        .printed = {R"($1-\ell\,d$, a product with $d=\sqrt{s^2(\cos\theta-1)^2+(h+s\sin\theta)^2}$)",
                    equation(1, 1, 1, 1)},
-       .meant = {R"($1-\ell/d$)", equation(1, 1)},
+       .meant = {R"(with $1-\ell/d$)", equation(1, 1)},
        .near_misses = {{R"($1-\ell/d$ with $s^2(\cos\theta-1)\sin\theta$)", equation(-1, 1)},
                        {R"($1-\ell/d$ with $-s(h+s\sin\theta)\cos\theta$)", equation(1, -1)},
-                       {R"($1+\ell/d$)", equation(1, 1, -1)},
+                       {R"(with $1+\ell/d$)", equation(1, 1, -1)},
                        {R"($1-\ell/d$ with half of the bracket)", equation(0.5, 0.5)}},
        .kind = Fault::lost_typography,
        .why =

@@ -38,6 +38,13 @@ struct SampleOf {
       for (const auto& [letter, value] :
            {std::pair{"m_", m[k]}, {"r_", r[k]}, {R"(\theta_)", theta[k]}, {R"(\dot\theta_)", omega[k]}})
         all.emplace_back(letter + std::to_string(k + 1), value);
+    const auto places = at(theta), rates = velocities();
+    for (std::size_t k = 0; k < m.size(); ++k)
+      for (const auto& [letter, value] : {std::pair{"x_", places[2 * k]},
+                                          {"y_", places[2 * k + 1]},
+                                          {R"(\dot x_)", rates[2 * k]},
+                                          {R"(\dot y_)", rates[2 * k + 1]}})
+        all.emplace_back(letter + std::to_string(k + 1), value);
     return all;
   }
   std::string where() const {
@@ -370,7 +377,7 @@ std::vector<Claim> claims(double seed) {
            {"the second and the third bracket multiplied: the plus sign between them stands inside the second",
             multiplied<double>},
        .meant = {"the three brackets added", added<double>},
-       .near_misses = {{R"($\cos(\theta_i+\theta_j)$)",
+       .near_misses = {{R"(with $\cos(\theta_i+\theta_j)$)",
                         [](const Sample& s) {
                           return bracket(s, 1, 1) + bracket(s, 2, 1) + bracket(s, 3, 1);
                         }},
@@ -386,17 +393,17 @@ std::vector<Claim> claims(double seed) {
        .why =
            "The plus sign that should join the second and the third term stands inside the second's parenthesis, "
            "after its last cosine: as it stands the two are multiplied. Every term of the sum is right."});
-  claims.formula(
-      "potential", 2713, "the potential energy $V$", samples,
-      {.quantity = "$V$ less that at rest",
-       .truth = {"minus gravity's work on the way, by quadrature",
-                 [](const Sample& s) { return -s.work_of_gravity(); }},
-       .printed = {"$V=-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$", [](const Sample& s) { return risen(s, 1); }},
-       .near_misses = {{"$h+y_k$ for $h-y_k$", [](const Sample& s) { return risen(s, -1); }},
-                       {"$m_3$ left out", [](const Sample& s) {
-                          const double y3 = s.h - drop(s), rest = s.h - s.r[0] - s.r[1] - s.r[2];
-                          return risen(s, 1) - s.m[2] * s.g * (y3 - rest);
-                        }}}});
+  claims.formula("potential", 2713, "the potential energy $V$", samples,
+                 {.quantity = "$V$ less that at rest",
+                  .truth = {"minus gravity's work on the way, by quadrature",
+                            [](const Sample& s) { return -s.work_of_gravity(); }},
+                  .printed = {"by $V=-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$",
+                              [](const Sample& s) { return risen(s, 1); }},
+                  .near_misses = {{"$h+y_k$ for $h-y_k$", [](const Sample& s) { return risen(s, -1); }},
+                                  {"$m_3$ left out", [](const Sample& s) {
+                                     const double y3 = s.h - drop(s), rest = s.h - s.r[0] - s.r[1] - s.r[2];
+                                     return risen(s, 1) - s.m[2] * s.g * (y3 - rest);
+                                   }}}});
 
   const auto newton = [](const Sample& s) { return s.newton(); };
   const std::string by_lagrange = "Lagrange's equations by nested dual numbers",

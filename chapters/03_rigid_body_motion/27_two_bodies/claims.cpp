@@ -133,6 +133,7 @@ struct Later {
     dx = x[2] - x[0], dy = x[3] - x[1], vx = x[6] - x[4], vy = x[7] - x[5];
   }
   Tolerance tolerance(double) const { return by_integration; }
+  TypesetLetters typeset() const { return {{"r_0", b.r0}, {R"(\dot\varphi_0)", b.phi0_dot}}; }
   std::string where() const {
     return "$m_1$ = " + format_significant(b.m1, 4) + ", $m_2$ = " + format_significant(b.m2, 4) +
            ", $r_0$ = " + format_significant(b.r0, 4);

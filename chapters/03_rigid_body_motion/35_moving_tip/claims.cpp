@@ -190,7 +190,7 @@ void claim_spin(Table& table, const std::vector<Sample>& tops) {
                  .truth = zero,
                  .printed = {R"($\dot w_3=0$ along Lagrange's accelerations)",
                              [](const auto& s) { return body_rates_change(s)[2]; }},
-                 .near_misses = {{R"($\ddot\psi=0$)", [](const auto& s) { return s.truth[2]; }}}});
+                 .near_misses = {{R"($\ddot\psi=0$ along them)", [](const auto& s) { return s.truth[2]; }}}});
 }
 
 /// The tip's acceleration.
@@ -220,10 +220,10 @@ void claim_tip(Table& table, const std::vector<Sample>& tops) {
                      for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * x[i] / s.m;
                    });
                  }},
-       .printed = {R"($\mathbf p(t)$)", [](const auto& s) { return tip(s); }},
+       .printed = {R"(at $\mathbf p(t)$)", [](const auto& s) { return tip(s); }},
        .corrected = along_axis(
            R"($\mathbf p+\ell\,\boldsymbol\xi_3$, $\boldsymbol\xi_3$ the unit vector along the axis)", 1),
-       .near_misses = {along_axis(R"($\mathbf p-\ell\,\boldsymbol\xi_3$)", -1)},
+       .near_misses = {along_axis(R"(at $\mathbf p-\ell\,\boldsymbol\xi_3$)", -1)},
        .kind = Fault::term,
        .root = "tip for center of mass",
        .why =

@@ -90,7 +90,8 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
                              .near_misses = {{"tests of every second bin find it", every(2)}}});
 
   const auto ends = [](const std::string& text, double stretch) {
-    return Formula<Solid>{"$" + text + "$", [=](const Solid& s) { return s.planes(stretch * s.r); }};
+    return Formula<Solid>{"$" + text + "$ on each axis",
+                          [=](const Solid& s) { return s.planes(stretch * s.r); }};
   };
   claims.formula<Solid>(
       "projections", 3737,

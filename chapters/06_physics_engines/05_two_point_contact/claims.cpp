@@ -85,6 +85,20 @@ struct Sample {
     for (int i = 0; i < 9; ++i) all.push_back(&body.inertia(i / 3, i % 3));
     return all;
   }
+  TypesetLetters typeset() const {
+    const Matrix3d yields = inverse(body.inertia);
+    std::vector<double> rows;
+    for (int i = 0; i < 9; ++i) rows.push_back(yields(i / 3, i % 3));
+    return {{"v^-", body.v},
+            {"w^-", body.w},
+            {"m", body.mass},
+            {"f", f},
+            {"N", normal},
+            {"J^{-1}", rows},
+            {"r(P_0)", arm(hit.p0)},
+            {"r(P_1)", arm(hit.p1)},
+            {"r(M)", arm((hit.p0 + hit.p1) / 2)}};
+  }
   std::string where() const { return "$f$ = " + format_significant(f, 6); }
 };
 
@@ -280,7 +294,9 @@ constexpr auto midpoint = [](const auto& s) { return at(s, s.arm((s.hit.p0 + s.h
 
 void linear_lines(Claims& claims, const std::vector<Sample>& all) {
   const auto motion = [&](std::string text, const OfSample& of) {
-    return Reading{text, {against_motion(all, formula(text, of), 0)}};
+    return Reading{text,
+                   {against_motion(all, formula(text, of), 0)},
+                   is_as_typeset(compare_typeset(formula(text, of), all))};
   };
   const std::string integrals = R"($v^-+\frac1m\int fN\,\delta\,dX$ over two narrow delta functions)";
   claims.add(
@@ -295,7 +311,8 @@ void linear_lines(Claims& claims, const std::vector<Sample>& all) {
       worst.add(Value(linear(s, 2 * share)), Value(linear_integral(s, 0.5)),
                 rounding((s.body.v.norm() + 2 * s.kick()) / width, 16), s.body.v.norm() + s.kick(),
                 s.where());
-    return Reading{text, {worst.check()}};
+    const auto mean = formula(text, [=](const Sample& s) { return linear(s, 2 * share); });
+    return Reading{text, {worst.check()}, is_as_typeset(compare_typeset(mean, all))};
   };
   claims.add("linear_mean", 3757, "the integral is the mean of the two impulses",
              {.printed = means(R"($v^-+\frac1m\frac{fN+fN}2$)", 0.5),
@@ -311,7 +328,9 @@ void linear_lines(Claims& claims, const std::vector<Sample>& all) {
 
 void angular_lines(Claims& claims, const std::vector<Sample>& all) {
   const auto motion = [&](std::string text, const OfSample& of) {
-    return Reading{text, {against_motion(all, formula(text, of), 3)}};
+    return Reading{text,
+                   {against_motion(all, formula(text, of), 3)},
+                   is_as_typeset(compare_typeset(formula(text, of), all))};
   };
   const auto same = [&](std::string text, const OfSample& of, const Formula<Sample>& truth) {
     return compare("$w^+$", formula(std::move(text), of), truth, all);
@@ -337,24 +356,24 @@ void angular_lines(Claims& claims, const std::vector<Sample>& all) {
                               torques(R"($w^-+\frac12J^{-1}(fN\times r(P_0)+fN\times r(P_1))$)", -0.5)}});
 
   const Formula<Sample> truth = formula(mean, mean_torque);
-  const std::string of_mean_arm = R"($w^-+J^{-1}\frac{r(P_0)+r(P_1)}2\times fN$)",
-                    half_difference = R"($w^-+J^{-1}\frac{r(P_1)-r(P_0)}2\times fN$)",
-                    one_end = R"($w^-+J^{-1}r(P_0)\times fN$)", middle = R"($w^-+J^{-1}r(M)\times fN$)";
-  claims.add(
-      "angular_mean_arm", 3777, "the mean of the two arms takes the place of the mean torque",
-      {.printed = {of_mean_arm, {same(of_mean_arm, mean_arm, truth)}},
-       .near_misses = {{half_difference,
-                        {same(
-                            half_difference, [](const Sample& s) { return at(s, (s.hit.p1 - s.hit.p0) / 2); },
-                            truth)}}}});
+  const std::string of_mean_arm = R"($w^-+J^{-1}(\frac{r(P_0)+r(P_1)}2\times fN)$)",
+                    half_difference = R"($w^-+J^{-1}(\frac{r(P_1)-r(P_0)}2\times fN)$)",
+                    one_end = R"($w^-+J^{-1}(r(P_0)\times fN)$)", middle = R"($w^-+J^{-1}(r(M)\times fN)$)";
+  const auto same_as = [&](const std::string& text, const OfSample& of) {
+    return Reading{text, {same(text, of, truth)}, is_as_typeset(compare_typeset(formula(text, of), all))};
+  };
+  claims.add("angular_mean_arm", 3777, "the mean of the two arms takes the place of the mean torque",
+             {.printed = same_as(of_mean_arm, mean_arm),
+              .near_misses = {same_as(half_difference,
+                                      [](const Sample& s) { return at(s, (s.hit.p1 - s.hit.p0) / 2); })}});
 
+  Reading by_midpoint = same_as(middle, midpoint);
+  by_midpoint.checks.push_back(motion(middle, midpoint).checks[0]);
   const auto other = [](const Sample& s) { return Vector3d(s.normal[1], s.normal[2], s.normal[0]); };
   claims.add(
       "angular_midpoint", 3783, "that is the arm of the midpoint $M=(P_0+P_1)/2$",
-      {.printed = {middle, {same(middle, midpoint, truth), motion(middle, midpoint).checks[0]}},
-       .near_misses = {{one_end,
-                        {same(
-                            one_end, [](const Sample& s) { return at(s, s.arm(s.hit.p0)); }, truth)}},
+      {.printed = by_midpoint,
+       .near_misses = {same_as(one_end, [](const Sample& s) { return at(s, s.arm(s.hit.p0)); }),
                        {"also for unequal impulses",
                         {same(middle, midpoint,
                               formula("motion, three quarters of the impulse at $P_0$",

@@ -68,6 +68,17 @@ template <class T>
 struct Factors {
   static constexpr bool whole = true;
   Matrix<T> a, b;
+  TypesetLetters typeset() const requires std::same_as<T, double> {
+    TypesetLetters all;
+    for (int r = 0; r < a.n; ++r)
+      for (int c = 0; c < a.n; ++c) {
+        const std::string at = "_{" + std::to_string(r + 1) + std::to_string(c + 1) + "}";
+        for (const auto& [letter, value] :
+             {std::pair{"a", a(r, c)}, {"b", b(r, c)}, {"a'", a(c, r)}, {"b'", b(c, r)}})
+          all.emplace_back(letter + at, value);
+      }
+    return all;
+  }
   std::string where() const { return "$n$ = " + std::to_string(a.n); }
 };
 
@@ -188,12 +199,14 @@ std::vector<Claim> claims(const Random& random) {
         sum_of(R"($\sum_ka'_{ck}b'_{rk}$)",
                [](M a, M b, int r, int c, int k) { return primed(a, c, k) * primed(b, r, k); }));
   const std::string entries = R"(all entries $(r,c)$ of $(AB)^T$)", exchanged = R"($\sum_kb'_{rk}a'_{kc}$)";
-  claims.add(
-      "swapped", 3831, "the factors of each product change places",
-      {.printed = {exchanged, {compare(entries, sum_of(exchanged, swapped<double>), by_columns(1.0), pairs)}},
-       .near_misses = {{exchanged + ", the entries quaternions",
-                        {compare(entries, sum_of<Quaternion>(exchanged, swapped<Quaternion>),
-                                 by_columns(Quaternion{1.0}), factors<Quaternion>(random))}}}});
+  const Formula<Factors<double>> in_doubles = sum_of(exchanged, swapped<double>);
+  claims.add("swapped", 3831, "the factors of each product change places",
+             {.printed = {exchanged,
+                          {compare(entries, in_doubles, by_columns(1.0), pairs)},
+                          is_as_typeset(compare_typeset(in_doubles, pairs))},
+              .near_misses = {{exchanged + ", the entries quaternions",
+                               {compare(entries, sum_of<Quaternion>(exchanged, swapped<Quaternion>),
+                                        by_columns(Quaternion{1.0}), factors<Quaternion>(random))}}}});
 
   claims.formula<Between>(
       "result", 3835, "$(AB)^T=B^TA^T$", between(random, true),

@@ -32,7 +32,8 @@ struct EdgesOf {
   /// u and v, in whole numbers.
   bool independent() const { return gram_determinant(cast<Whole>(u), cast<Whole>(v)) != 0; }
   double size() const { return 1 + dot(u, u) + dot(v, v) + dot(w, w); }
-  TypesetLetters typeset() const { return {{"u", u}, {"v", v}, {"w", w}}; }
+  /// They are a triangle's edges, or its corners.
+  TypesetLetters typeset() const { return {{"u", u}, {"v", v}, {"w", w}, {"P", u}, {"Q", v}, {"R", w}}; }
   std::string where() const { return told(typeset(), 3); }
 };
 

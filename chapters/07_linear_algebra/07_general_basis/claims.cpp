@@ -25,12 +25,14 @@ struct Letters {
   Vector3<T> dual_combination() const { return x * cross(u, v) + y * cross(v, w) + z * cross(w, u); }
 };
 
+const Vector3<double> any_q{3, -1, 4};
+
 /// Of whole numbers.
 struct Planted : Letters<double> {
   static constexpr bool whole = true;
 
   TypesetLetters typeset() const {
-    return {{"u", u}, {"v", v}, {"w", w}, {"p", p}, {"x", x}, {"y", y}, {"z", z}};
+    return {{"u", u}, {"v", v}, {"w", w}, {"p", p}, {"x", x}, {"y", y}, {"z", z}, {"q", any_q}};
   }
   std::string where() const { return told(typeset(), 4); }
 };
@@ -88,7 +90,9 @@ Term along(Letter a, Letter b) {
   return term(name(a) + "\\cdot " + name(b), [=](const auto& s) { return dot(vector(s, a), vector(s, b)); });
 }
 Term operator*(const Term& a, const Term& b) {
-  return {a.tex + "\\," + b.tex, [f = a.of, g = b.of](const auto& s) { return f(s) * g(s); },
+  const bool is_product = a.tex.find("\\cdot") != std::string::npos;
+  return {(is_product ? "(" + a.tex + ")" : a.tex) + "\\," + b.tex,
+          [f = a.of, g = b.of](const auto& s) { return f(s) * g(s); },
           [f = a.recorded, g = b.recorded](const auto& s) { return f(s) * g(s); }};
 }
 Term operator/(const Term& a, const Term& b) {
@@ -97,7 +101,6 @@ Term operator/(const Term& a, const Term& b) {
 }
 
 /// The volume times any vector q, and what the coefficients make of the basis.
-const Vector3<double> any_q{3, -1, 4};
 const Formula<Planted> volume_times_q{R"($(u\cdot v\times w)\,q$)",
                                       [](const Planted& s) { return triple(s.u, s.v, s.w) * any_q; }};
 

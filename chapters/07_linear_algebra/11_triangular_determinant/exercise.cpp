@@ -33,6 +33,7 @@ struct Sample {
   static constexpr bool whole = true;
   Matrix<Whole> m;
   double size() const { return std::pow(9.0, m.n); }
+  TypesetLetters typeset() const;
   std::string where() const { return "$n$ = " + std::to_string(m.n); }
 };
 
@@ -50,6 +51,13 @@ std::vector<Sample> matrices_of_whole_numbers(Random random, bool triangular) {
 /// Without the last row and one column.
 Matrix<Whole> minor_of(const Matrix<Whole>& m, int column) {
   return filled<Whole>(m.n - 1, [&](int r, int c) { return m(r, c + (c >= column)); });
+}
+TypesetLetters Sample::typeset() const {
+  return {{"n", m.n},
+          {"u_{11}", static_cast<double>(m(0, 0))},
+          {"u_{nn}", static_cast<double>(m(m.n - 1, m.n - 1))},
+          {R"(\det M)", static_cast<double>(bareiss(m))},
+          {R"(\det U')", static_cast<double>(bareiss(minor_of(m, m.n - 1)))}};
 }
 
 /// Of u_n1, ..., u_nn the term `column` of the cofactor expansion.

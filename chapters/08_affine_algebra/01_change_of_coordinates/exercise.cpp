@@ -113,6 +113,7 @@ struct PointOf {
   explicit PointOf(Random& random) : a1(random.magnitude(1e-3, 1e3)), a2(random.magnitude(1e-3, 1e3)) {}
   std::array<T*, 2> letters() { return {&a1, &a2}; }
   Vector2<T> a() const { return {a1, a2}; }
+  TypesetLetters typeset() const { return {{"a", {a1, a2}}}; }
   std::string where() const {
     return "$a$ = (" + format_significant(a1, 4) + ", " + format_significant(a2, 4) + ")";
   }

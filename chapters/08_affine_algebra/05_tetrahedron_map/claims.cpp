@@ -44,6 +44,17 @@ struct SampleOf {
       for (int i = 0; i < 3; ++i) all.push_back(&(*x)[i]);
     return all;
   }
+  TypesetLetters typeset() const {
+    TypesetLetters all{{"c_0", c0()}, {"f_0", f(t.p[0])}, {"V", Value(v())}, {"P", Value(p)}};
+    for (std::size_t i = 1; i < 4; ++i) {
+      const std::string index = "_" + std::to_string(i);
+      all.emplace_back("c" + index, c()[static_cast<long>(i) - 1]);
+      all.emplace_back("f" + index, f(t.p[i]));
+      all.emplace_back("V" + index, Value(t.edge(i)));
+      all.emplace_back("P" + index, Value(t.p[i]));
+    }
+    return all;
+  }
   std::string where() const { return "condition " + format_significant(condition, 3); }
 };
 
@@ -103,7 +114,11 @@ OfSample the_map(double bend) {
   return {"the map itself", [=](const auto& s) { return bent(s, s.p, bend); }};
 }
 Reading values_by_vertices(std::string text, const std::vector<Sample>& all, double with_c0, double bend) {
-  return {std::move(text), {compare<Sample>("$f(P)$", by_vertices(with_c0, bend), the_map(bend), all)}};
+  OfSample sum = by_vertices(with_c0, bend);
+  sum.text = text;
+  return {std::move(text),
+          {compare<Sample>("$f(P)$", by_vertices(with_c0, bend), the_map(bend), all)},
+          is_as_typeset(compare_typeset<Sample>(sum, all))};
 }
 
 /// The system at the coefficients by volumes.
@@ -122,9 +137,18 @@ OfSample right_sides(bool from_origin) {
           }};
 }
 Reading rows(std::string text, const std::vector<Sample>& all, double off_diagonal, bool from_origin) {
+  const OfSample left = left_sides(off_diagonal), right = right_sides(from_origin);
+  OfSample both = left;
+  both.text = text;
+  both.of = [left, right](const Sample& s) {
+    std::vector<double> sides;
+    for (const OfSample* side : {&left, &right})
+      for (const double x : side->of(s)) sides.push_back(x);
+    return Value(sides);
+  };
   return {std::move(text),
-          {compare<Sample>("the system's rows at ratios of volumes", left_sides(off_diagonal),
-                           right_sides(from_origin), all)}};
+          {compare<Sample>("the system's rows at ratios of volumes", left, right, all)},
+          is_as_typeset(compare_typeset<Sample>(both, all))};
 }
 
 void coefficients(Table& table, const std::vector<Sample>& all) {

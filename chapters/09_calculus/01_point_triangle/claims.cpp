@@ -27,6 +27,10 @@ struct SampleOf {
       for (T& x : *point) all.push_back(&x);
     return all;
   }
+  TypesetLetters typeset() const {
+    const Vec<T> D = w.v[0] - p;
+    return {{"E_1", Value(edge(1))}, {"E_2", Value(edge(2))}, {"D", Value(D)}};
+  }
   std::string where() const {
     return "region " + std::to_string(region()) + ", $s,t$ = " + format_significant(s, 6) + ", " +
            format_significant(t, 6);
@@ -161,7 +165,7 @@ void in_coordinates(Table& table, const std::vector<Sample>& all) {
        .truth = {"half the derivatives of $|V(s,t)-P|^2$, by dual numbers",
                  [](const auto& x) { return by_differentiation(x); }},
        .printed = coefficients(R"($(|E_1|^2,E_1\cdot E_2,|E_2|^2,E_1\cdot D,E_2\cdot D,|D|^2)$)", 1, 1),
-       .near_misses = {coefficients(R"($a_{01}=2E_1\cdot E_2$)", 2, 1),
+       .near_misses = {coefficients(R"(with $a_{01}=2E_1\cdot E_2$)", 2, 1),
                        coefficients("$b_0$ and $b_1$ of the other sign", 1, -1)}});
 }
 
@@ -176,7 +180,7 @@ void expressions(Claims& claims, const std::vector<Sample>& all) {
                     inside(
                         domain(R"(in the triangle, by signed areas, just when $s,t\ge0$, $s+t\le1$)", 1))}},
        .near_misses = {
-           {R"($s+t\le2$)",
+           {R"(with $s+t\le2$)",
             {inside(domain(R"(in the triangle, by signed areas, just when $s,t\ge0$, $s+t\le2$)", 2))}},
            {"$E_1$ and $E_2$ exchanged",
             {points(weighted("sum of the vertices, weights $1-s-t$, $t$, $s$", {0, 2, 1}))}}}});
@@ -187,7 +191,7 @@ void expressions(Claims& claims, const std::vector<Sample>& all) {
       "expansion", 4045, "the squared distance, in one and multiplied out",
       {.printed = {"$|sE_1+tE_2+D|^2$, $D=V_0-P$, and its six terms",
                    {expanded(lines.sum), expanded(lines.six_terms)}},
-       .near_misses = {{"$D=P-V_0$", {expanded(in_one("$|sE_1+tE_2-D|^2$", -1))}},
+       .near_misses = {{"with $D=P-V_0$", {expanded(in_one("$|sE_1+tE_2-D|^2$", -1))}},
                        {R"($E_1\cdot E_2$ without its 2)",
                         {expanded(in_six_terms(R"($E_1\cdot E_2\,st$ and the other five terms)", 1))}}}});
 }
