@@ -760,11 +760,13 @@ double size_of_terms(const std::string& formula, const TypesetLetters& letters, 
 
 enum class Match { same, unread, other };
 
-/// A number that is computed several times over is compared once.
+/// A number that is computed several times over is one number.
+Value once(const Value& computed, double allowed) {
+  const Value repeated(std::vector<double>(computed.size(), computed[0]));
+  return distance(computed, repeated) <= allowed ? Value(computed[0]) : computed;
+}
+
 Match match(const std::optional<Value>& typeset, const Value& computed, double allowed) {
-  if (typeset && typeset->size() == 1 && computed.size() > 1 &&
-      distance(computed, Value(std::vector<double>(computed.size(), computed[0]))) <= allowed)
-    return match(typeset, computed[0], allowed);
   const auto off = difference(typeset, computed);
   return !off ? Match::unread : size_of(*off) <= allowed ? Match::same : Match::other;
 }
@@ -786,11 +788,13 @@ Typesetting compare_typeset(const std::string& text,
   std::vector<Match> matches;
   std::size_t sides = 0;
   std::string seen;
-  for (const auto& [letters, value] : computed) {
-    if (!finite(value)) continue;
+  for (const auto& [letters, numbers] : computed) {
+    if (!finite(numbers)) continue;
     const Meanings may_be = meanings(formula, letters);
     const Values all = may_be.all();
     sides = may_be.sides.size();
+    const bool is_number = sides == 1 && all[0] && all[0]->size() == 1;
+    const Value value = is_number ? once(numbers, allowed) : numbers;
     matches.resize(all.size(), Match::same);
     for (std::size_t i = 0; i < all.size(); ++i) {
       Match found = match(all[i], value, allowed);

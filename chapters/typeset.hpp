@@ -12,16 +12,23 @@
 namespace oddity {
 
 /// The letters of a sample as they are typeset, with what they are there: {R"(\dot\theta)", 0.3},
-/// {R"(\mathbf r)", {1, 2, 0}}, {"dV/dr", 2}. The longest that fits is taken.
+/// {R"(\mathbf r)", {1, 2, 0}}, {"dV/dr", 2}, {"m_{12}", 3}. The longest that fits is taken. Four or nine
+/// numbers are a square matrix, by rows.
 using TypesetLetters = std::vector<std::pair<std::string, Value>>;
 
 /// The first of these letters, "$m_2$ = 1.25, $g$ = 9.81", with all digits.
 std::string told(const TypesetLetters&, std::size_t count);
 
 /// What a formula of TeX is: m_2g-c_1(S_1-L_1). Nothing where it is anything else than numbers, these
-/// letters, sums, products, fractions, powers, roots, elementary functions, absolute values, tuples, and the
-/// dot and cross products of these. A quotient's bar / is over the one factor that follows; a function
-/// without parentheses is of what follows it up to \,, a sign, another function, or a letter with a dot.
+/// letters, sums, products, fractions, powers, roots, elementary functions, absolute values, tuples,
+/// matrices, the dot and cross products of these, and
+///   \sum_i m_ix_i, \sum m_ix_i     over all indices that there are letters of, of the product that follows
+///   e_{ijk}g_jf_k                  in index notation, over 0, 1, 2; f_i alone is a vector, a_{rc} a matrix
+///   \frac{d}{dt}(m\dot x)          along the letters' rates \dot x, \ddot x, of the factor that follows
+///   \int_0^T f\,dt                between numbers, by Gauss's rule
+///   x\pm y, x\mp y                 where \pm is a letter, 1 or -1
+/// A quotient's bar / is over the one factor that follows; a function without parentheses is of what follows
+/// it up to \,, a sign, another function, or a letter with a dot.
 std::optional<Value> typeset_value(std::string_view formula, const TypesetLetters&);
 
 /// Whether all of the text is one formula.
@@ -34,7 +41,7 @@ struct Typesetting {
 };
 
 /// A text, some samples' letters, and what is computed at each. An equation may stand for one of its sides,
-/// or for what they differ by.
+/// but not for the lone letter on its left, for several of them in a row, or for what two differ by.
 Typesetting compare_typeset(const std::string& text,
                             const std::vector<std::pair<TypesetLetters, Value>>& computed);
 

@@ -186,6 +186,7 @@ TEST_CASE("several numbers are an equation's sides in a row, or one number over 
   CHECK(typeset("$m=m+1=2m_2$", {2, 3}).read);
   CHECK_FALSE(typeset("$m=m+1=2m_2$", {3, 7}).read);
   CHECK(typeset("$m+1$", {3, 3, 3}).read);
+  CHECK_FALSE(typeset("$q+1=m+1$", {3, 3}).read);  // both are computed, and one is not read
   CHECK_FALSE(typeset("$m+1$", {4, 4}).difference.empty());
   CHECK_FALSE(typeset("$m+1$", {3, 4}).read);
 }

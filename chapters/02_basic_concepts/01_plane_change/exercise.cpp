@@ -309,6 +309,7 @@ std::vector<Claim> claims(double h, double seed) {
   const auto with_limit = [&](const std::string& what, const OfTime& formula, const OfTime& truth,
                               Reading at_0) {
     at_0.text = formula.text;
+    at_0.as_typeset = false;
     at_0.checks.insert(at_0.checks.begin(), compare(what, formula, truth, all));
     return at_0;
   };

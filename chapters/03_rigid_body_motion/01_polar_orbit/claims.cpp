@@ -157,7 +157,7 @@ void to_the_second_squaring(Table& t) {
          written(R"($e\rho$)", [](const auto& p) { return twice(p.e * p.rho); }),
          written(R"($e\rho=r(1+e\cos\theta)=r+ex$)",
                  [](const auto& p) { return two(p.r * (1 + p.e * cos(atan2(p.y, p.x))), p.r + p.e * p.x); }),
-         written(R"($e\rho=r-ex$)", [](const auto& p) { return twice(p.r - p.e * p.x); }));
+         written(R"($r-ex$)", [](const auto& p) { return twice(p.r - p.e * p.x); }));
   const auto squared = [](std::string text, double middle) {
     return written(
         std::move(text),

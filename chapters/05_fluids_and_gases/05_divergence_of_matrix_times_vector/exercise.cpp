@@ -106,9 +106,11 @@ Proof proof_of_lines(Random random) {
   const std::vector<Row> constants{{"div_Mf", outside}};
   Reading lost = proof.reading({{"div_Mf", product_with_x}}, whole);
   lost.text = "$m_{ij}x_if_j$, with nothing to differentiate: " + lost.text;
+  lost.as_typeset = false;
   auto changes = proof.single_changes(constants, whole);
   changes.push_back(proof.reading({{"div_phi_Mf", "phi (" + outside + ")"}}, whole));
   changes.back().text = "the same of a matrix that varies, $\\varphi M$";
+  changes.back().as_typeset = false;
   proof.claims.add(
       "constants_outside", 3277,
       R"(the constants $m_{ij}$ move out of the derivatives, $(m_{ij}/\partial x_i)f_j$)",
