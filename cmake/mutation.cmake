@@ -11,7 +11,7 @@ endif()
 message(STATUS "libclang: ${ODDITY_LIBCLANG}, for oddity_mutate")
 file(GLOB mutation_files CONFIGURE_DEPENDS tests/mutation/*.cpp)
 add_executable(oddity_mutate EXCLUDE_FROM_ALL ${mutation_files} report/study/run_program.cpp
-  reference/csv.cpp reference/files.cpp reference/interrupted.cpp)
+  reference/csv.cpp reference/files.cpp reference/interrupted.cpp reference/proofs.cpp)
 target_include_directories(oddity_mutate SYSTEM PRIVATE ${ODDITY_LIBCLANG_INCLUDE})
 target_compile_definitions(oddity_mutate PRIVATE
   ODDITY_SOURCE="${PROJECT_SOURCE_DIR}" ODDITY_BUILT="${PROJECT_BINARY_DIR}")

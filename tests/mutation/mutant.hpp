@@ -6,13 +6,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <concepts>
 #include <cstdlib>
 #include <type_traits>
 
 /// What sources call that tests/mutation/schemata.cpp has rewritten. Each function computes what stood there,
 /// or what the mutant makes of it whose number is in ODDITY_MUTANT. Mutants that another type would come of
-/// are not there for that type; nor is any where the compiler computes.
+/// are not there for that type; nor is any where the compiler computes. As solvers/ode/implicit.cpp is, it is
+/// written in C++17, but for concepts.
 namespace oddity::mutation {
 
 /// The mutant of this run, 0 for none, and for each mutant whether it was reached: a file, one byte a mutant,
@@ -41,18 +41,20 @@ inline const Run& run() {
 
 /// Whether one of the `count` mutants from `first` on may be chosen, or is to be noted.
 constexpr bool among(int first, int count) {
-  if (std::is_constant_evaluated()) return false;
+  if (__builtin_is_constant_evaluated()) return false;
   return run().reached || static_cast<unsigned>(run().chosen - first) < static_cast<unsigned>(count);
 }
 
 constexpr bool chosen(int mutant) {
-  if (std::is_constant_evaluated()) return false;
+  if (__builtin_is_constant_evaluated()) return false;
   if (run().reached) run().reached[mutant] = 1;
   return run().chosen == mutant;
 }
 
+template <class A>
+using Bare = std::remove_cv_t<std::remove_reference_t<A>>;
 template <class A, class B>
-concept Same = std::same_as<std::remove_cvref_t<A>, std::remove_cvref_t<B>>;
+concept Same = std::is_same_v<Bare<A>, Bare<B>>;
 
 // Operators as functions, made where they stand in the source: their names are looked up there.
 #define ODDITY_OPERATION(op) [](const auto& x, const auto& y) -> decltype(x op y) { return x op y; }
@@ -81,9 +83,9 @@ constexpr auto assignment(int first, A&& a, const B& b, const Op& op, const Othe
     -> decltype(op(a, b)) {
   using Result = decltype(op(a, b));
   if (among(first, 2)) {
-    if constexpr (requires { requires std::same_as<decltype(other(a, b)), Result>; })
+    if constexpr (requires { requires std::is_same_v<decltype(other(a, b)), Result>; })
       if (chosen(first)) return other(a, b);
-    if constexpr (std::same_as<A, Result>)
+    if constexpr (std::is_same_v<A, Result>)
       if (chosen(first + 1)) return a;
   }
   return op(a, b);

@@ -14,6 +14,7 @@
 #include <tuple>
 
 #include "reference/bad_input.hpp"
+#include "tests/mutation/kept_points.hpp"
 
 namespace oddity::mutation {
 
@@ -75,12 +76,39 @@ class Collector {
   Collector(const fs::path& tree, const std::function<bool(const std::string&)>& wanted)
       : tree_(tree.string() + "/"), wanted_(wanted) {}
 
-  /// Visits what the unit declares in files that no unit before has shown.
-  void visit(CXTranslationUnit unit) {
+  /// Visits what the unit declares in files that no unit before has shown, and returns those.
+  std::vector<Mutable> visit(CXTranslationUnit unit) {
     opened_ = {};
     seen_before_ = {};
     for (const auto& [name, file] : files_) seen_before_.insert(name);
     visit_children(clang_getTranslationUnitCursor(unit), {});
+    std::vector<Mutable> shown;
+    for (const auto& [name, file] : files_)
+      if (!seen_before_.contains(name)) shown.push_back(file);
+    return shown;
+  }
+
+  /// Takes what the unit has shown before; whether that is all that it has to show now.
+  bool take(const KeptPoints::Unit& unit) {
+    for (const Mutable& file : unit.shown) files_.try_emplace(file.file, file);
+    return std::ranges::all_of(unit.included, [&](const auto& file) {
+      const std::string name = file.first.substr(tree_.size());
+      return !wanted_(name) || files_.contains(name);
+    });
+  }
+
+  /// The tree's files that the unit is made of.
+  std::vector<std::string> included(CXTranslationUnit unit) const {
+    std::pair<const std::string*, std::vector<std::string>> of_tree{&tree_, {}};
+    clang_getInclusions(
+        unit,
+        [](CXFile file, CXSourceLocation*, unsigned, CXClientData data) {
+          auto& [tree, all] = *static_cast<decltype(of_tree)*>(data);
+          const std::string path = fs::weakly_canonical(text_of(clang_getFileName(file))).string();
+          if (path.starts_with(*tree) && fs::exists(path)) all.push_back(path);
+        },
+        &of_tree);
+    return of_tree.second;
   }
 
   std::vector<Mutable> files() {
@@ -174,8 +202,10 @@ class Collector {
                CXCursor_TypeAliasTemplateDecl}))
       around.compile_time = true;
     if (is(c, {CXCursor_FunctionDecl, CXCursor_CXXMethod, CXCursor_Constructor, CXCursor_FunctionTemplate,
-               CXCursor_ConversionFunction}))
+               CXCursor_ConversionFunction})) {
       around.function = text_of(clang_getCursorSpelling(c));
+      around.free |= around.function == "where";  // the text that names a sample
+    }
     Mutable* file = clang_isDeclaration(clang_getCursorKind(c)) ||
                             clang_isExpression(clang_getCursorKind(c)) ||
                             clang_isStatement(clang_getCursorKind(c))
@@ -444,11 +474,13 @@ bool shows_wanted(const std::string& file, const std::string& text, const std::s
 }  // namespace
 
 std::vector<Mutable> mutable_files(const fs::path& tree, const fs::path& compiled,
-                                   const std::function<bool(const std::string&)>& wanted) {
+                                   const std::function<bool(const std::string&)>& wanted,
+                                   const fs::path& kept_in) {
   const fs::path commands = compiled / "compile_commands.json";
   if (!fs::exists(commands))
     throw BadInput(commands.string() + " is not there: configure with CMake first, as ./oddity does");
   Collector collector(tree, wanted);
+  KeptPoints kept(kept_in);
   const CXIndex index = clang_createIndex(0, 0);
   for (const auto& entry : nlohmann::json::parse(read(commands))) {
     const std::string file = entry["file"], command = entry["command"];
@@ -457,6 +489,9 @@ std::vector<Mutable> mutable_files(const fs::path& tree, const fs::path& compile
         file.find("/module/") != file.npos || command.find("ODDITY_LONG_DOUBLE") != command.npos)
       continue;
     if (!shows_wanted(file, read(file), tree.string() + "/", wanted)) continue;
+    const std::string own_text = command + read(file);
+    const KeptPoints::Unit* known = kept.of(file, own_text);
+    if (known && collector.take(*known)) continue;
     std::cerr << "reading " << file << "\n";
     const std::string text = included_before(command) + "#include \"" + file + "\"\n";
     const std::string name = (compiled / "mutated_unit.cpp").string();
@@ -469,10 +504,11 @@ std::vector<Mutable> mutable_files(const fs::path& tree, const fs::path& compile
                                             &unsaved, 1, CXTranslationUnit_KeepGoing,
                                             &unit) != CXError_Success)
       throw BadInput("libclang cannot read " + file);
-    collector.visit(unit);
+    kept.add(file, own_text, collector.included(unit), collector.visit(unit));
     clang_disposeTranslationUnit(unit);
   }
   clang_disposeIndex(index);
+  kept.write();
   return collector.files();
 }
 

@@ -41,13 +41,16 @@ struct Mutable {
   std::string file;  ///< as it is within the tree
   std::string text;
   std::vector<Point> points;
+  int first = 1;     ///< the number of its first mutant, see number_files()
   int left_out = 0;  ///< places of the same kinds that the compiler computes
   int free = 0;      ///< mutants at places that are free, which `points` is without
 };
 
 /// Of the files of the tree that are wanted and that the compile commands reach. `compiled` is the folder of
-/// compile_commands.json. Throws BadInput when that is missing.
+/// compile_commands.json. Throws BadInput when that is missing. What is read is kept in the file `kept_in`,
+/// for runs that want the same files.
 std::vector<Mutable> mutable_files(const std::filesystem::path& tree, const std::filesystem::path& compiled,
-                                   const std::function<bool(const std::string& file)>& wanted);
+                                   const std::function<bool(const std::string& file)>& wanted,
+                                   const std::filesystem::path& kept_in);
 
 }  // namespace oddity::mutation

@@ -171,15 +171,26 @@ std::uint64_t number_of(const std::string& text) {
   return n;
 }
 
+void number_files(std::vector<Mutable>& files) {
+  constexpr int round = 64;
+  int next = 1;
+  for (Mutable& file : files) {
+    file.first = next;
+    for (const Point& p : file.points) next += static_cast<int>(p.mutations.size());
+    next = (next + round - 1) / round * round + 1;
+  }
+}
+
 std::vector<Mutant> mutants_of(const std::vector<Mutable>& files) {
   std::vector<Mutant> all;
   for (const Mutable& file : files) {
+    int number = file.first;
     std::map<std::string, int> alike;
     const std::vector<Extent> near_misses = near_misses_in(file.text);
     for (const Point& p : file.points)
       for (const std::string& mutation : p.mutations) {
         const unsigned at = std::max(p.op.end, p.whole.begin);  // the operator's line, if it has one
-        Mutant m{static_cast<int>(all.size()) + 1, file.file, p.within, line_of(file.text, at), mutation};
+        Mutant m{number++, file.file, p.within, line_of(file.text, at), mutation};
         m.in_near_miss = std::ranges::any_of(
             near_misses, [&](const Extent& e) { return e.begin < p.whole.begin && p.whole.end <= e.end; });
         m.at = 1 + static_cast<int>(std::count(file.text.begin(), file.text.begin() + at, '\n'));
@@ -190,8 +201,9 @@ std::vector<Mutant> mutants_of(const std::vector<Mutable>& files) {
   return all;
 }
 
-std::string schema(const Mutable& file, int first) {
+std::string schema(const Mutable& file) {
   Edits edits;
+  int first = file.first;
   for (const Point& p : file.points) {
     edit(edits, p, first);
     first += static_cast<int>(p.mutations.size());
@@ -206,11 +218,8 @@ std::string schema(const Mutable& file, int first) {
 
 bool write_schemata(const fs::path& tree, const std::vector<Mutable>& files, const fs::path& copy) {
   std::map<std::string, std::string> mutated;
-  int first = 1;
-  for (const Mutable& file : files) {
-    if (!file.points.empty()) mutated[file.file] = schema(file, first);
-    for (const Point& p : file.points) first += static_cast<int>(p.mutations.size());
-  }
+  for (const Mutable& file : files)
+    if (!file.points.empty()) mutated[file.file] = schema(file);
   bool changed = false;
   for (const fs::path& file : sources_of(tree)) {
     const auto found = mutated.find(file.string());

@@ -12,7 +12,7 @@ namespace oddity::mutation {
 /// One mutant. What it is called by stays as it is when other lines change: file, function, text of the line,
 /// mutation, and which of those alike it is.
 struct Mutant {
-  int number = 0;  ///< in the tree of this run, from 1
+  int number = 0;  ///< in the tree of this run
   std::string file, function, line, mutation;
   int occurrence = 1;
   int at = 0;                 ///< its line's number
@@ -30,11 +30,15 @@ std::string room_of(const std::string& file);
 /// A number of a text, the same on every machine (FNV-1a).
 std::uint64_t number_of(const std::string& text);
 
+/// Numbers the mutants of the files. Each file's begin at a round number, so that a change in one seldom
+/// renumbers those of others, which then need not be compiled again.
+void number_files(std::vector<Mutable>& files);
+
 /// All mutants of the files, in their order.
 std::vector<Mutant> mutants_of(const std::vector<Mutable>& files);
 
-/// A file's text with all of its mutants in it, of which `first` is the first.
-std::string schema(const Mutable& file, int first);
+/// A file's text with all of its mutants in it.
+std::string schema(const Mutable& file);
 
 /// Writes a copy of the tree in which the files have their mutants. What is there already and is the same is
 /// not touched, so that little is compiled again. Whether anything was that the suite computes with.

@@ -20,20 +20,22 @@ struct Judgement {
   std::string by;  ///< the test case that killed it, and how: "3.5, status 1"
 };
 
-/// The suite of a mutated tree: `oddity verify`, an exercise at a time.
+/// The suite of a mutated tree: `oddity verify`, an exercise at a time, tables made again, one at a time, and
+/// whether the proofs' files are those on record.
 class Suite {
  public:
-  /// `program` is the mutated tree's; what the unmutated run takes and reaches is kept in `kept`, for mutants
-  /// of that `count`. Throws BadInput when a test case is red without a mutant.
-  Suite(std::filesystem::path program, std::filesystem::path kept, std::size_t count);
+  /// `program` is the mutated tree's, and beside it make_reference, if tables are tried; what the unmutated
+  /// run takes and reaches is kept in `kept`, for mutants up to number `last`. Throws BadInput when a test
+  /// case is red without a mutant.
+  Suite(std::filesystem::path program, std::filesystem::path kept, std::size_t last);
 
-  /// Runs the test cases that reach the mutant, those of its own exercise first and then the fastest, until
-  /// one notices.
+  /// Runs the test cases that reach the mutant, those of its own exercise first and then the fastest, the
+  /// proofs last, until one notices.
   Judgement judge(const Mutant&);
 
  private:
   struct TestCase {
-    std::string tag;      ///< "3.5"
+    std::string tag;      ///< "3.5", "table 03_05_swing", "proofs"
     double seconds = 0;   ///< of processor time, without a mutant
     std::string reached;  ///< one byte a mutant
   };
@@ -42,7 +44,7 @@ class Suite {
   std::vector<std::string> candidates(const Mutant&);
 
   std::filesystem::path program_, kept_;
-  std::size_t count_;
+  std::size_t last_;
   std::vector<std::string> tags_;
   std::map<std::string, TestCase> known_;
 };
