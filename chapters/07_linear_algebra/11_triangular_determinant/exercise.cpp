@@ -210,7 +210,9 @@ double sum_of_logarithms(const std::vector<double>& u) {
 }
 
 double sign_of(const std::vector<double>& u) {
-  return std::ranges::count_if(u, [](double x) { return x < 0; }) % 2 == 0 ? 1 : -1;
+  double sign = 1;
+  for (double x : u) sign *= std::copysign(1.0, x);
+  return sign;
 }
 
 /// The largest with the smallest, the second largest with the second smallest, ...

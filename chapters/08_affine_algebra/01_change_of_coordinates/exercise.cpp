@@ -283,14 +283,15 @@ Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth,
   return q;
 }
 
-/// Eight changes of pi/4 are none. The point is one for which rounding does not fall into a cycle, as it does
-/// for many: (2, 1/2) stays within 3e-14 for ever.
+/// Eight changes of pi/4 are none; two more, a quarter turn, show that any were made. The point is one for
+/// which rounding does not fall into a cycle, as it does for many: (2, 1/2) stays within 3e-14 for ever.
 Quantity full_turns() {
   const Vector2d a(1234.567, -0.3333);
+  constexpr long quarter_turn = 2;
   Quantity q{"full_turns",
              "m",
-             "coordinates after full turns of eight changes each",
-             {"a itself", Value(a)},
+             "coordinates after full turns of eight changes each, and a quarter turn of two more",
+             {"$(a_2,-a_1)$", Value{a[1], -a[0]}},
              0,
              {1e-12 * a.norm(), "a few thousand roundings"},
              {},
@@ -303,8 +304,9 @@ Quantity full_turns() {
     q.add({model, algorithm, changes,
            [=](double n) {
              Vector2d x = a;
-             for (long i = 0; i < static_cast<long>(n); ++i) x = step(x);
-             return Answer{Value(x), each * static_cast<long>(n)};
+             const long count = static_cast<long>(n) + quarter_turn;
+             for (long i = 0; i < count; ++i) x = step(x);
+             return Answer{Value(x), each * count};
            },
            expected, why});
   };
@@ -326,7 +328,7 @@ Quantity full_turns() {
       Outcome::ok, "");
   q.add({"two changes at once", "(b1, b2) = (a2, -a1)", changes, [=](double n) {
            Vector2d x = a;
-           for (long i = 0; i < static_cast<long>(n); i += 2) x = Vector2d(x[1], -x[0]);
+           for (long i = 0; i < static_cast<long>(n) + quarter_turn; i += 2) x = Vector2d(x[1], -x[0]);
            return Answer{Value(x), 0};
          }});
   q.add(Breakdown{
