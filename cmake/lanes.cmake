@@ -9,6 +9,10 @@ endif()
 set(lanes_flags_Avx2 -mavx2)
 set(lanes_flags_Avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw)
 # Else g++ copies states of a few registers by `rep movs`, which takes longer than many a right-hand side.
+set(lanes_level -O2)
+if(CMAKE_BUILD_TYPE STREQUAL "Mutated")
+  set(lanes_level -O0)  # as the suite has no lanes
+endif()
 set(lanes_copies "")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   foreach(copies memcpy memset)
@@ -36,7 +40,7 @@ macro(write_lanes nth)
     # Optimized in any build: what is not inlined would have the names of what is compiled for every machine.
     # Without sanitizers, with which they take longer to compile than all else: the suite has no lanes.
     set_source_files_properties(${file} PROPERTIES
-      COMPILE_OPTIONS "${lanes_copies};${lanes_flags_${set}};$<$<NOT:$<CONFIG:Release>>:-O2;-fno-sanitize=all>")
+      COMPILE_OPTIONS "${lanes_copies};${lanes_flags_${set}};$<$<NOT:$<CONFIG:Release>>:${lanes_level};-fno-sanitize=all>")
     list(APPEND lanes_files ${file})
     set(lanes_text_${set} "")
   endforeach()

@@ -37,6 +37,7 @@ TableText parsed(std::istream& in) {
 template <class A, class B>
 std::string unlike(const A& stored, const B& made) {
   std::ostringstream text;
+  text.precision(digits_again);
   text << "stored is " << stored << ", made " << made;
   return text.str();
 }

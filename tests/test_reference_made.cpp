@@ -159,7 +159,7 @@ TEST_CASE("a table whose value, error, unit or rows are others differs from what
     return again.differences(stored).size();
   };
   CHECK(differences("1,x,2,1e-40,agreement,1\n") == 0);
-  CHECK(differences("1,x,2.00000000000000001,1e-40,agreement,1\n") == 1);
+  CHECK(differences("1,x,2.0000000000000001,1e-40,agreement,1\n") == 1);
   CHECK(differences("1,x,2,0,agreement,1\n") == 1);
   CHECK(differences("1,x,2,1e-3,agreement,1\n") == 1);
   CHECK(differences("2,y,2,1e-40,agreement,m\n") == 3);

@@ -182,7 +182,7 @@ int mutate(const Request& request) {
   std::vector<Mutable> files = mutable_files(
       tree, built, [&](const std::string& file) { return wanted(request, file); },
       home / "points" / (std::to_string(number_of(paths)) + ".json"));
-  number_files(files);
+  number_files(files, home / "numbers");
   const std::vector<Mutant> all = mutants_of(files);
   if (all.empty()) throw BadInput("nothing can be mutated in these files");
   const bool changed = write_schemata(tree, files, home / "tree");
@@ -196,7 +196,8 @@ int mutate(const Request& request) {
   const fs::path program =
       request.program.empty() ? compile(home / "tree", makers) : fs::path(request.program);
   if (changed) fs::remove_all(home / "reached");
-  Suite suite(program, home / "reached", static_cast<std::size_t>(all.back().number));
+  Suite suite(program, home / "reached",
+              static_cast<std::size_t>(std::ranges::max(all, {}, &Mutant::number).number));
   Outcomes outcomes(home / "outcomes.csv", changed);
   const std::vector<Mutant> tried = try_all(drawn, request, suite, outcomes);
   std::cout << "\n" << text_of(scores_of(all, tried, outcomes, known));

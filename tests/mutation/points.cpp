@@ -181,13 +181,20 @@ class Collector {
     return all;
   }
 
+  bool if_constexpr(CXCursor c) {
+    if (!is(c, {CXCursor_IfStmt})) return false;
+    const Mutable* file = file_of(c);
+    const auto e = extent_of(c);
+    return file && e && file->text.substr(e->begin, 12) == "if constexpr";
+  }
+
   void visit_children(CXCursor c, const Around& around) {
     const std::vector<CXCursor> children = children_of(c);
     for (std::size_t i = 0; i < children.size(); ++i) {
       Around below = around;
       below.parent = c;
       const bool label = is(c, {CXCursor_CaseStmt}) && i == 0;
-      below.compile_time = around.compile_time || label;
+      below.compile_time = around.compile_time || label || (i == 0 && if_constexpr(c));
       below.free = around.free || free_below(c, i);
       visit_one(children[i], below);
     }

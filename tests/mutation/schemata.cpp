@@ -87,7 +87,7 @@ void edit(Edits& edits, const Point& p, int mutant) {
       break;
     }
     case Shape::condition:
-      edits.around(p.whole, "(" + call("chosen", mutant) + ") != (", "))");
+      edits.around(p.whole, "(" + call("chosen", mutant) + ") == !(", "))");
       break;
     case Shape::statement:
       edits.around({p.whole.begin, p.whole.end + 1}, "{ if (!" + call("chosen", mutant) + ")) ", " }");
@@ -171,14 +171,33 @@ std::uint64_t number_of(const std::string& text) {
   return n;
 }
 
-void number_files(std::vector<Mutable>& files) {
+void number_files(std::vector<Mutable>& files, const fs::path& kept) {
   constexpr int round = 64;
+  struct Numbers {
+    int first = 0, count = 0;
+  };
+  std::map<std::string, Numbers> known;
+  std::ifstream in(kept);
   int next = 1;
-  for (Mutable& file : files) {
-    file.first = next;
-    for (const Point& p : file.points) next += static_cast<int>(p.mutations.size());
-    next = (next + round - 1) / round * round + 1;
+  for (auto [file, numbers] = std::pair<std::string, Numbers>();
+       in >> file >> numbers.first >> numbers.count;) {
+    known[file] = numbers;
+    next = std::max(next, numbers.first + numbers.count);
   }
+  for (Mutable& file : files) {
+    int count = 0;
+    for (const Point& p : file.points) count += static_cast<int>(p.mutations.size());
+    Numbers& numbers = known[file.file];
+    if (numbers.count < count) {
+      numbers = {next, (count + round - 1) / round * round};
+      next += numbers.count;
+    }
+    file.first = numbers.first;
+  }
+  std::string text;
+  for (const auto& [file, numbers] : known)
+    text += file + " " + std::to_string(numbers.first) + " " + std::to_string(numbers.count) + "\n";
+  write_whole(kept, text);
 }
 
 std::vector<Mutant> mutants_of(const std::vector<Mutable>& files) {

@@ -30,9 +30,10 @@ std::string room_of(const std::string& file);
 /// A number of a text, the same on every machine (FNV-1a).
 std::uint64_t number_of(const std::string& text);
 
-/// Numbers the mutants of the files. Each file's begin at a round number, so that a change in one seldom
-/// renumbers those of others, which then need not be compiled again.
-void number_files(std::vector<Mutable>& files);
+/// Numbers the mutants of the files. A file that the run before has numbered keeps its numbers as long as
+/// they suffice, so that a change in one, or more files, leave others as they are: they need not be compiled
+/// again. `kept` is the file that holds them from run to run.
+void number_files(std::vector<Mutable>& files, const std::filesystem::path& kept);
 
 /// All mutants of the files, in their order.
 std::vector<Mutant> mutants_of(const std::vector<Mutable>& files);
