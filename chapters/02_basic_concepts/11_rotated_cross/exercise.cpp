@@ -423,7 +423,8 @@ Definition rotated1 p0 p1 p2 := p1 + C * (2 * (S * w2 * p0 - S * w0 * p2))
 Definition rotated2 p0 p1 p2 := p2 + C * (2 * (S * w0 * p1 - S * w1 * p0))
   + (S * w0 * (2 * (S * w2 * p0 - S * w0 * p2)) - S * w1 * (2 * (S * w1 * p2 - S * w2 * p1))).
 Lemma keeps_dot : forall p0 p1 p2 q0 q1 q2,
-  rotated0 p0 p1 p2 * rotated0 q0 q1 q2 + rotated1 p0 p1 p2 * rotated1 q0 q1 q2 + rotated2 p0 p1 p2 * rotated2 q0 q1 q2
+  rotated0 p0 p1 p2 * rotated0 q0 q1 q2 + rotated1 p0 p1 p2 * rotated1 q0 q1 q2 + rotated2 p0 p1 p2 * rotated2
+      q0 q1 q2
     = p0 * q0 + p1 * q1 + p2 * q2.
 Proof. intros. unfold rotated0, rotated1, rotated2. ring [circle unit_axis]. Qed.
 Lemma keeps_cross : forall p0 p1 p2 q0 q1 q2,
@@ -444,7 +445,8 @@ Qed.
 End Rotated.
 Ltac by_rotation a0 a1 a2 b0 b1 b2 :=
   lazymatch goal with u : ?u0 * ?u0 + ?u1 * ?u1 + ?u2 * ?u2 = 1, v : ?v0 * ?v0 + ?v1 * ?v1 + ?v2 * ?v2 = 1,
-    W0 : ?u1 * ?v2 - ?u2 * ?v1 = ?w0, W1 : _ = ?w1, W2 : ?u0 * ?v1 - ?u1 * ?v0 = ?w2, across : ?u0 * ?v0 + _ + _ = 0
+    W0 : ?u1 * ?v2 - ?u2 * ?v1 = ?w0, W1 : _ = ?w1, W2 : ?u0 * ?v1 - ?u1 * ?v0 = ?w2, across : ?u0 * ?v0 + _ +
+        _ = 0
   |- context [sin (?theta / 2)] =>
     assert (circle : cos (theta / 2) * cos (theta / 2) = 1 - sin (theta / 2) * sin (theta / 2))
       by (pose proof (sin2_cos2 (theta / 2)) as one; unfold Rsqr in one; lra);
@@ -453,15 +455,19 @@ Ltac by_rotation a0 a1 a2 b0 b1 b2 :=
     set (S := sin (theta / 2)) in *; set (C := cos (theta / 2)) in *; clearbody S C
   end;
   lazymatch goal with circle : ?C * ?C = _, unit_axis : _ = 1 - ?w0 * ?w0 - ?w1 * ?w1 |- _ =>
-    set (d0 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2) * a0); set (d1 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2) * a1);
-    set (d2 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2) * a2); set (e0 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2) * b0);
-    set (e1 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2) * b1); set (e2 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2) * b2);
+    set (d0 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2) * a0); set (d1 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2)
+        * a1);
+    set (d2 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2) * a2); set (e0 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2)
+        * b0);
+    set (e1 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2) * b1); set (e2 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2)
+        * b2);
     clearbody d0 d1 d2 e0 e1 e2;
     pose proof (keeps_dot _ _ _ _ _ circle unit_axis) as K;
     first [ exact (K d0 d1 d2 d0 d1 d2) | exact (K d0 d1 d2 e0 e1 e2) | exact (K e0 e1 e2 e0 e1 e2)
           | exact (K d0 d1 d2 (d1 * e2 - d2 * e1) (d2 * e0 - d0 * e2) (d0 * e1 - d1 * e0))
           | exact (K e0 e1 e2 (d1 * e2 - d2 * e1) (d2 * e0 - d0 * e2) (d0 * e1 - d1 * e0))
-          | exact (K (d1 * e2 - d2 * e1) (d2 * e0 - d0 * e2) (d0 * e1 - d1 * e0) (d1 * e2 - d2 * e1) (d2 * e0 - d0 * e2) (d0 * e1 - d1 * e0))
+          | exact (K (d1 * e2 - d2 * e1) (d2 * e0 - d0 * e2) (d0 * e1 - d1 * e0) (d1 * e2 - d2 * e1) (d2 * e0
+              - d0 * e2) (d0 * e1 - d1 * e0))
           | exact (keeps_volume _ _ _ _ _ circle unit_axis d0 d1 d2 e0 e1 e2) ]
   end.
 )";

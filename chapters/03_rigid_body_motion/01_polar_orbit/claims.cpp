@@ -571,15 +571,21 @@ Proof.
   intros e t E U. pose proof (COS_bound t). pose proof (sin2_cos2 t) as C. unfold Rsqr in C. split; nra.
 Qed.
 Ltac by_height :=
-  lazymatch goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, T : ?top > 0, B : PI - ?top > 0, F : _ = 0 |- _ =>
+  lazymatch goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, T : ?top > 0, B : PI - ?top > 0, F : _ = 0 |-
+      _ =>
     destruct (on_orbits e top E U) as [D C]; assert (S : sin top > 0) by (apply sin_gt_0; lra);
     remember (cos top) as c eqn:is_c; remember (sin top) as s eqn:is_s; clear is_c is_s T B top;
-    apply (f_equal (fun z => z * ((1 + e * c) * (1 + e * c) / (e * rho)))) in F; cbv beta in F; rewrite Rmult_0_l in F;
-    match type of F with ?l = _ => replace l with (c + e * (c * c + s * s)) in F by (field; repeat split; lra) end;
-    assert (is_c : c = - e) by (replace (c * c + s * s) with 1 in F by (rewrite C; ring); lra); subst c; clear F;
+    apply (f_equal (fun z => z * ((1 + e * c) * (1 + e * c) / (e * rho)))) in F; cbv beta in F; rewrite
+        Rmult_0_l in F;
+    match type of F with ?l = _ => replace l with (c + e * (c * c + s * s)) in F by (field; repeat split; lra)
+        end;
+    assert (is_c : c = - e) by (replace (c * c + s * s) with 1 in F by (rewrite C; ring); lra); subst c; clear
+        F;
     assert (sine : s * s = (1 - e) * (1 + e)) by (rewrite C; ring);
-    assert (root : sqrt ((1 - e) * (1 + e)) = s) by (apply sqrt_lem_1; [rewrite <- sine; apply Rle_0_sqr | lra | exact sine]);
-    try rewrite root; try (replace (1 / ((1 - e) * (1 + e))) with (1 / (s * s)) by (rewrite C; f_equal; ring));
+    assert (root : sqrt ((1 - e) * (1 + e)) = s) by (apply sqrt_lem_1; [rewrite <- sine; apply Rle_0_sqr | lra
+        | exact sine]);
+    try rewrite root; try (replace (1 / ((1 - e) * (1 + e))) with (1 / (s * s)) by (rewrite C; f_equal;
+        ring));
     field [sine]; repeat split; lra end.
 Ltac by_top :=
   lazymatch goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0 |- _ =>
@@ -592,13 +598,17 @@ Ltac by_top :=
     match goal with
     | |- _ = 0 => field [Q]; nra
     | |- context [cos ?t] =>
-      destruct (on_orbits e t E U) as [D R]; remember (cos t) as c eqn:is_c; remember (sin t) as d eqn:is_d; clear is_c is_d;
+      destruct (on_orbits e t E U) as [D R]; remember (cos t) as c eqn:is_c; remember (sin t) as d eqn:is_d;
+          clear is_c is_d;
       assert (q : 1 - e * e > 0) by nra;
       assert (L : d * (1 - e * e) <= s * (1 + e * c)) by (apply Rsqr_incr_0_var; [unfold Rsqr;
-        replace (s * (1 + e * c) * (s * (1 + e * c))) with (s * s * ((1 + e * c) * (1 + e * c))) by ring; rewrite Q;
-        replace (d * (1 - e * e) * (d * (1 - e * e))) with (d * d * ((1 - e * e) * (1 - e * e))) by ring; rewrite R;
+        replace (s * (1 + e * c) * (s * (1 + e * c))) with (s * s * ((1 + e * c) * (1 + e * c))) by ring;
+            rewrite Q;
+        replace (d * (1 - e * e) * (d * (1 - e * e))) with (d * d * ((1 - e * e) * (1 - e * e))) by ring;
+            rewrite R;
         pose proof (Rle_0_sqr (c + e)) as N; unfold Rsqr in N;
-        assert (0 <= (1 - e * e) * ((c + e) * (c + e))) by (apply Rmult_le_pos; lra); lra | apply Rlt_le, Rmult_lt_0_compat; lra]);
+        assert (0 <= (1 - e * e) * ((c + e) * (c + e))) by (apply Rmult_le_pos; lra); lra | apply Rlt_le,
+            Rmult_lt_0_compat; lra]);
       assert (w : 0 < e * rho / ((1 + e * c) * (1 - e * e)))
         by (apply Rdiv_lt_0_compat; apply Rmult_lt_0_compat; lra);
       replace (e * rho / (1 + e * c) * d) with (e * rho / ((1 + e * c) * (1 - e * e)) * (d * (1 - e * e)))
@@ -656,19 +666,23 @@ Provables proofs_of_axes() {
 const std::string anomalies_in_coq = R"(
 (* The ellipse's points by the cosine k and the sine l of their eccentric anomaly. *)
 Ltac by_anomaly :=
-  lazymatch goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, far : ?r > 0, C : ?y * ?y = _ - ?x * ?x |- _ =>
+  lazymatch goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, far : ?r > 0, C : ?y * ?y = _ - ?x * ?x |- _
+      =>
     assert (is_q : (1 - e) * (1 + e) > 0) by (apply Rmult_lt_0_compat; lra);
     pose proof (sqrt_sqrt _ (Rlt_le _ _ is_q)) as root;
     assert (near : x <= r) by nra;
     assert (positive : e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r)) > 0)
       by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra |
-        assert (x / r <= 1) by (apply Rmult_le_reg_r with r; [| replace (x / r * r) with x by (field; lra)]; lra); nra]);
+        assert (x / r <= 1) by (apply Rmult_le_reg_r with r; [| replace (x / r * r) with x by (field; lra)];
+            lra); nra]);
     match goal with |- context [atan2 ?v ?u] =>
-      assert (square : u * u + v * v = e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r)) * (e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r))))
+      assert (square : u * u + v * v = e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r)) * (e * rho / ((1 - e)
+          * (1 + e)) * (1 - e * (x / r))))
         by (remember (sqrt ((1 - e) * (1 + e))) as s eqn:is_s; clear is_s; field [root C]; repeat split; lra);
       assert (off : u * u + v * v > 0) by (rewrite square; now apply Rmult_lt_0_compat);
       rewrite (cos_atan2 v u off), square, sqrt_square by (apply Rlt_le, positive);
-      assert (sum : e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r)) + e * u = e * rho) by (field; repeat split; lra);
+      assert (sum : e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r)) + e * u = e * rho) by (field; repeat
+          split; lra);
       remember (e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r))) as d eqn:is_d; clear is_d square off;
       replace (1 + e * (u / d)) with ((d + e * u) / d) by (generalize u; intro; field; lra); rewrite sum end;
     field; repeat split; lra

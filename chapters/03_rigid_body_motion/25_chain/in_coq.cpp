@@ -9,12 +9,14 @@ Proof. intros. field. lra. Qed.
 Lemma elimination : forall i1 i2 i3 k1 k2 t1 t2 t3 T1 T2 T3, i1 > 0 -> i2 > 0 -> i3 > 0 ->
   k1 * k1 <= i1 * i1 -> k2 * k2 <= i2 * i2 ->
   let d2 := i2 + i1 - k1 / i1 * k1 in let u2 := t2 + k1 / i1 * t1 in
-  T1 = (t1 + k1 * T2) / i1 -> T2 = (u2 + k2 * T3) / d2 -> T3 = (t3 + k2 / d2 * u2) / (i3 + i2 - k2 / d2 * k2) ->
+  T1 = (t1 + k1 * T2) / i1 -> T2 = (u2 + k2 * T3) / d2 -> T3 = (t3 + k2 / d2 * u2) / (i3 + i2 - k2 / d2 * k2)
+      ->
   t1 = i1 * T1 - k1 * T2 /\ t2 = (i2 + i1) * T2 - k1 * T1 - k2 * T3 /\ t3 = (i3 + i2) * T3 - k2 * T2.
 Proof.
   intros i1 i2 i3 k1 k2 t1 t2 t3 T1 T2 T3 P1 P2 P3 K1 K2 d2 u2 E1 E2 E3.
   assert (B2 : d2 >= i2).
-  { unfold d2. assert (k1 / i1 * k1 <= i1); [| lra]. replace (k1 / i1 * k1) with (k1 * k1 / i1) by (field; lra).
+  { unfold d2. assert (k1 / i1 * k1 <= i1); [| lra]. replace (k1 / i1 * k1) with (k1 * k1 / i1) by (field;
+      lra).
     apply Rmult_le_reg_r with i1; [lra |]. replace (k1 * k1 / i1 * i1) with (k1 * k1) by (field; lra). lra. }
   assert (B3 : i3 + i2 - k2 / d2 * k2 > 0).
   { assert (k2 / d2 * k2 <= i2); [| lra]. replace (k2 / d2 * k2) with (k2 * k2 / d2) by (field; lra).
@@ -24,9 +26,11 @@ Proof.
   assert (F3 : (i3 + i2 - k2 / d2 * k2) * T3 = t3 + k2 / d2 * u2) by (rewrite E3; apply quotient; lra).
   clear E1 E2 E3. repeat split.
   - lra.
-  - assert (k1 * T1 = k1 / i1 * t1 + k1 / i1 * k1 * T2) by (transitivity (k1 / i1 * (i1 * T1)); [field; lra | rewrite F1; ring]).
+  - assert (k1 * T1 = k1 / i1 * t1 + k1 / i1 * k1 * T2) by (transitivity (k1 / i1 * (i1 * T1)); [field; lra |
+      rewrite F1; ring]).
     unfold d2, u2 in F2. lra.
-  - assert (k2 * T2 = k2 / d2 * u2 + k2 / d2 * k2 * T3) by (transitivity (k2 / d2 * (d2 * T2)); [field; lra | rewrite F2; ring]).
+  - assert (k2 * T2 = k2 / d2 * u2 + k2 / d2 * k2 * T3) by (transitivity (k2 / d2 * (d2 * T2)); [field; lra |
+      rewrite F2; ring]).
     lra.
 Qed.
 
@@ -38,7 +42,8 @@ Proof.
   intros a b. repeat split.
   - rewrite <- (Rplus_comm (sin a * _)), <- sin_plus. f_equal. ring.
   - rewrite <- cos_plus. f_equal. ring.
-  - replace (- sin a) with (sin (b - a - b)) by (rewrite <- sin_neg; f_equal; ring). rewrite (sin_minus (b - a) b). ring.
+  - replace (- sin a) with (sin (b - a - b)) by (rewrite <- sin_neg; f_equal; ring). rewrite (sin_minus (b -
+      a) b). ring.
   - replace (cos a) with (cos (b - (b - a))) by (f_equal; ring). rewrite (cos_minus b (b - a)). ring.
 Qed.
 Lemma below_one : forall i x, i > 0 -> (i * cos x) * (i * cos x) <= i * i.
@@ -56,7 +61,8 @@ Hypothesis E1 : b1 = (- g * sin a1 + T2 * (1 / m1 * sin (a2 - a1))) / r1.
 Hypothesis E2 : b2 = (- T1 * (1 / m1 * sin (a2 - a1)) + T3 * (1 / m2 * sin (a3 - a2))) / r2.
 Hypothesis E3 : b3 = - T2 * (1 / m2 * sin (a3 - a2)) / r3.
 Hypothesis F1 : r1 * w1 * w1 + g * cos a1 = 1 / m1 * T1 - 1 / m1 * cos (a2 - a1) * T2.
-Hypothesis F2 : r2 * w2 * w2 = (1 / m2 + 1 / m1) * T2 - 1 / m1 * cos (a2 - a1) * T1 - 1 / m2 * cos (a3 - a2) * T3.
+Hypothesis F2 : r2 * w2 * w2 = (1 / m2 + 1 / m1) * T2 - 1 / m1 * cos (a2 - a1) * T1 - 1 / m2 * cos (a3 - a2) *
+    T3.
 Hypothesis F3 : r3 * w3 * w3 = (1 / m3 + 1 / m2) * T3 - 1 / m2 * cos (a3 - a2) * T2.
 Local Notation X1 := (r1 * (cos a1 * b1 - sin a1 * w1 * w1)).
 Local Notation Y1 := (r1 * (sin a1 * b1 + cos a1 * w1 * w1)).
@@ -76,13 +82,16 @@ Proof.
 Qed.
 Lemma second_mass : m2 * X2 = T3 * sin a3 - T2 * sin a2 /\ m2 * (Y2 + g) = T2 * cos a2 - T3 * cos a3.
 Proof.
-  destruct first_mass as [G1 H1]. destruct (turned a1 a2) as [_ [_ [A B]]]. destruct (turned a2 a3) as [C [D _]]. 
+  destruct first_mass as [G1 H1]. destruct (turned a1 a2) as [_ [_ [A B]]]. destruct (turned a2 a3) as [C [D
+      _]]. 
   replace X1 with ((T2 * sin a2 - T1 * sin a1) / m1) by (rewrite <- G1; field; lra).
-  replace (Y1 + r2 * (sin a2 * b2 + cos a2 * w2 * w2) + g) with ((Y1 + g) + r2 * (sin a2 * b2 + cos a2 * w2 * w2)) by ring.
+  replace (Y1 + r2 * (sin a2 * b2 + cos a2 * w2 * w2) + g) with ((Y1 + g) + r2 * (sin a2 * b2 + cos a2 * w2 *
+      w2)) by ring.
   replace (Y1 + g) with ((T1 * cos a1 - T2 * cos a2) / m1) by (rewrite <- H1; field; lra).
   replace (r2 * (cos a2 * b2 - sin a2 * w2 * w2)) with (cos a2 * (r2 * b2) - sin a2 * (r2 * w2 * w2)) by ring.
   replace (r2 * (sin a2 * b2 + cos a2 * w2 * w2)) with (sin a2 * (r2 * b2) + cos a2 * (r2 * w2 * w2)) by ring.
-  replace (r2 * b2) with (- T1 * (1 / m1 * sin (a2 - a1)) + T3 * (1 / m2 * sin (a3 - a2))) by (rewrite E2; field; lra).
+  replace (r2 * b2) with (- T1 * (1 / m1 * sin (a2 - a1)) + T3 * (1 / m2 * sin (a3 - a2))) by (rewrite E2;
+      field; lra).
   rewrite F2, <- C, <- D. replace (sin a1) with (- (cos a2 * sin (a2 - a1) - sin a2 * cos (a2 - a1))) by lra.
   rewrite <- B. split; field; lra.
 Qed.
@@ -116,12 +125,15 @@ Ltac by_tensions :=
     assert (I1 : 1 / m1 > 0) by (apply Rdiv_lt_0_compat; lra);
     assert (I2 : 1 / m2 > 0) by (apply Rdiv_lt_0_compat; lra);
     assert (I3 : 1 / m3 > 0) by (apply Rdiv_lt_0_compat; lra);
-    destruct (elimination _ _ _ _ _ _ _ _ T1 T2 T3 I1 I2 I3 (below_one _ (a2 - a1) I1) (below_one _ (a3 - a2) I2) D1 D2 D3)
+    destruct (elimination _ _ _ _ _ _ _ _ T1 T2 T3 I1 I2 I3 (below_one _ (a2 - a1) I1) (below_one _ (a3 - a2)
+        I2) D1 D2 D3)
       as [F1 [F2 F3]];
-    destruct (masses _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ P1 P2 P3 L1 L2 L3 E1 E2 E3 F1 F2 F3) as [[X1 Y1] [[X2 Y2] [X3 Y3]]]
+    destruct (masses _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ P1 P2 P3 L1 L2 L3 E1 E2 E3 F1 F2 F3) as [[X1 Y1]
+        [[X2 Y2] [X3 Y3]]]
   end;
   lazymatch goal with
-  | X1 : ?x1 = T2 * _ - T1 * _, Y1 : ?y1 = T1 * _ - T2 * _, X2 : ?x2 = T3 * _ - T2 * _, Y2 : ?y2 = T2 * _ - T3 * _,
+  | X1 : ?x1 = T2 * _ - T1 * _, Y1 : ?y1 = T1 * _ - T2 * _, X2 : ?x2 = T3 * _ - T2 * _, Y2 : ?y2 = T2 * _ - T3
+      * _,
     X3 : ?x3 = - T3 * sin ?a3, Y3 : ?y3 = T3 * _, E1 : _ = (- _ * sin ?a1 + _) / ?r1, E2 : _ = _ / ?r2,
     E3 : _ = - _ * (1 / _ * sin (?a3 - ?a2)) / ?r3 |- ?l = 0 =>
     clear - X1 X2 X3 Y1 Y2 Y3;
@@ -148,7 +160,8 @@ Proof.
   { intros m x y P E. assert (x * x + y * y = 0) by (apply (Rmult_eq_reg_l m); lra). split; nra. }
   intros m1 m2 m3 x1 y1 x2 y2 x3 y3 P1 P2 P3 E.
   pose proof (squares m1 x1 y1 P1). pose proof (squares m2 x2 y2 P2). pose proof (squares m3 x3 y3 P3).
-  destruct (zero m1 x1 y1 P1); [lra |]. destruct (zero m2 x2 y2 P2); [lra |]. destruct (zero m3 x3 y3 P3); [lra |].
+  destruct (zero m1 x1 y1 P1); [lra |]. destruct (zero m2 x2 y2 P2); [lra |]. destruct (zero m3 x3 y3 P3);
+      [lra |].
   tauto.
 Qed.
 )";
