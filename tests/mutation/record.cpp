@@ -9,6 +9,7 @@
 
 #include "reference/bad_input.hpp"
 #include "reference/csv.hpp"
+#include "reference/files.hpp"
 
 namespace oddity::mutation {
 
@@ -96,6 +97,14 @@ Outcomes::Outcomes(fs::path file, bool killed_alone) : file_(std::move(file)) {
     all_.erase(row.cells[0]);
     if (!killed_alone || judgement.fate == Fate::killed) all_[row.cells[0]] = judgement;
   }
+  if (killed_alone && fs::exists(file_)) write();
+}
+
+void Outcomes::write() const {
+  std::string text = outcome_columns + "\n";
+  for (const auto& [id, judgement] : all_)
+    text += id + "," + std::string(name_of(judgement.fate)) + "," + quoted(judgement.by) + "\n";
+  write_whole(file_, text);
 }
 
 const Judgement* Outcomes::of(const Mutant& m) const {

@@ -20,12 +20,15 @@ Survivors read_survivors(const std::filesystem::path& file);
 /// interrupted goes on where it was.
 class Outcomes {
  public:
-  /// Of what the file holds, if it is there; those killed alone where `killed_alone`.
+  /// Of what the file holds, if it is there; those killed alone where `killed_alone`, and others are
+  /// forgotten.
   Outcomes(std::filesystem::path file, bool killed_alone);
   const Judgement* of(const Mutant&) const;
   void add(const Mutant&, const Judgement&);
 
  private:
+  void write() const;
+
   std::filesystem::path file_;
   std::map<std::string, Judgement> all_;
 };
