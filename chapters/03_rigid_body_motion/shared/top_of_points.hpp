@@ -139,7 +139,7 @@ struct SampleOf {
     return same;
   }
   heavy_top::Top<T> top() const {
-    return {m, l, mu1, mu3, body.g, q[0], q[1], q[2], v[0], v[1], v[2], body.A, body.lambda};
+    return {{m, l, mu1, mu3, body.g, q[0], q[1], q[2], v[0], v[1], v[2]}, body.A, body.lambda};
   }
 
   /// By how much the equations for the accelerations, once solved, enlarge roundings.
