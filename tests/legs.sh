@@ -141,13 +141,13 @@ leg_thread() {  # thread sanitizer: a part of the suite in parallel
   TSAN_OPTIONS=halt_on_error=1 build/thread/oddity verify "${SUITE:-[3.5],[3.1],[2.13],[7.1]}"
 }
 
-leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of which the suite has to notice each; SAMPLE (300), MINUTES (20), PATHS
+leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of which the suite has to notice as many as on record; SAMPLE (300), MINUTES (10), PATHS
   ./oddity packages libclang-dev || exit 77
   build release oddity_mutate
   local recorded chapter
   mapfile -t recorded < <(sed -n 's/^[^#,]*,[^,]*,\(chapters\/[^,]*\),.*/\1/p' tests/mutation/mutation.csv)
   chapter=${recorded[0x$(git rev-parse --short=6 HEAD | cut -c1-6) % ${#recorded[@]}]}
-  build/release/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-20}" ${PATHS:-$chapter}
+  build/release/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-10}" ${PATHS:-$chapter}
 }
 
 leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60) with sanitizers, from the inputs in tests/fuzz/corpus; RECORD=1
@@ -234,7 +234,7 @@ leg_odr() {  # link-time optimization: no name has two definitions in the progra
 }
 
 leg_turn() {  # one of the legs that take long, by the commit's name
-  local long=(thread odr witness clang tidy syntax) name
+  local long=(thread odr witness clang tidy syntax sanitize fuzz mutate) name
   name=${long[0x$(git rev-parse --short=6 HEAD | cut -c1-6) % ${#long[@]}]}
   echo "it is the turn of $name"
   "leg_$name"

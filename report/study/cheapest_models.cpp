@@ -129,6 +129,7 @@ bool out_of_reach(const Candidate& candidate, double error_before, const Method&
 /// The cheapest setting of any of the model's algorithms that holds, by counted work.
 std::optional<Candidate> cheapest(const std::vector<Start>& start, const std::string& model,
                                   const Need& need) {
+  constexpr double no_games = 1e4;  // evaluations per frame
   std::optional<Candidate> best;
   for (const Method& method : start.front().motion.methods) {
     if (method.model != model) continue;
@@ -141,7 +142,8 @@ std::optional<Candidate> cheapest(const std::vector<Start>& start, const std::st
       if (candidate.holds() && (!best || candidate.evaluations_per_frame < best->evaluations_per_frame))
         best = candidate;
       const bool costs_more = best && candidate.evaluations_per_frame >= best->evaluations_per_frame;
-      if (candidate.holds() || costs_more || hopeless(candidate)) break;
+      const bool too_dear = hopeless(candidate) || candidate.evaluations_per_frame > no_games;
+      if (candidate.holds() || costs_more || too_dear) break;
     }
   }
   return best;
@@ -379,6 +381,15 @@ std::string truest_model(const Quantity& motion, const Solvers& solvers) {
   return truest;
 }
 
+/// Evaluations of all trials.
+double work(const ExerciseResult& result) {
+  double evaluations = 0;
+  for (const QuantityResult& quantity : result.quantities)
+    for (const MethodResult& method : quantity.methods)
+      for (const TimedTrial& trial : method.trials) evaluations += static_cast<double>(trial.evaluations);
+  return evaluations;
+}
+
 }  // namespace
 
 std::optional<CheapestModels> cheapest_models(const Task& task, const Reference& truth) {
@@ -412,6 +423,8 @@ Results with_cheapest_models(Results results, std::span<const Task> tasks, const
   std::vector<Page> pages;
   for (std::size_t i = 0; i < tasks.size(); ++i)
     if (tasks[i].entry->exercise.scene) pages.push_back({&tasks[i], &results.exercises[i]});
+  // What took most work before is begun first.
+  std::ranges::stable_sort(pages, std::greater(), [](const Page& page) { return work(*page.result); });
   Stage tally(progress, "looking for the least models", pages.size());
   parallel_for_each(pages, [&](const Page& page) {
     page.result->cheapest_models = cheapest_models(*page.task, truth);

@@ -176,6 +176,17 @@ void record(const std::vector<Mutable>& files, const std::vector<Mutant>& all,
   write_whole(folder / "mutation.csv", csv_of(scores));
 }
 
+void show_unknown(const std::vector<Mutant>& tried, const Outcomes& outcomes, const Survivors& known) {
+  std::vector<Mutant> unknown;
+  for (const Mutant& m : tried)
+    if (outcomes.of(m)->fate == Fate::survived && !known.contains(m.id())) unknown.push_back(m);
+  if (unknown.empty()) return;
+  std::cout
+      << "\nThese survive and are not in tests/mutation/survivors.csv: mend what should have noticed, or "
+         "write them down by --record, each with its reason:\n";
+  for (const Mutant& m : unknown) std::cout << m.id() << " " << m.name() << "\n";
+}
+
 int mutate(const Request& request) {
   std::string paths;
   for (const std::string& path : request.paths) paths += path + "\n";
@@ -200,17 +211,15 @@ int mutate(const Request& request) {
               static_cast<std::size_t>(std::ranges::max(all, {}, &Mutant::number).number));
   Outcomes outcomes(home / "outcomes.csv", changed);
   const std::vector<Mutant> tried = try_all(drawn, request, suite, outcomes);
-  std::cout << "\n" << text_of(scores_of(all, tried, outcomes, known));
+  const Scores scores = scores_of(all, tried, outcomes, known);
+  const std::vector<std::string> less =
+      noticed_less(scores, read_scores(tree / "tests/mutation/mutation.csv"));
+  std::cout << "\n" << text_of(scores);
   if (request.record) record(files, all, tried, outcomes, known);
-  std::vector<Mutant> unknown;
-  for (const Mutant& m : tried)
-    if (outcomes.of(m)->fate == Fate::survived && !known.contains(m.id())) unknown.push_back(m);
-  if (unknown.empty()) return 0;
-  std::cout
-      << "\nThese survive and are not in tests/mutation/survivors.csv: mend what should have noticed, or "
-         "write them down by --record, each with its reason:\n";
-  for (const Mutant& m : unknown) std::cout << m.id() << " " << m.name() << "\n";
-  return 1;
+  show_unknown(tried, outcomes, known);
+  for (const std::string& room : less)
+    std::cout << room << ": the suite notices less than is on record in tests/mutation/mutation.csv\n";
+  return less.empty() ? 0 : 1;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "tests/mutation/record.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <set>
@@ -139,6 +140,21 @@ Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& trie
   }
   std::erase_if(scores, [](const auto& room) { return room.second.tried == 0; });
   return scores;
+}
+
+std::vector<std::string> noticed_less(const Scores& now, const Scores& on_record) {
+  const auto reached = [](const Score& s) {
+    return std::max(1.0, static_cast<double>(s.tried - s.not_reached));
+  };
+  const auto share = [&](const Score& s) { return s.killed / reached(s); };
+  std::vector<std::string> rooms;
+  for (const auto& [room, score] : now) {
+    const auto found = on_record.find(room);
+    const Score before = found == on_record.end() ? Score{.tried = 1, .killed = 1} : found->second;
+    const double p = share(before), varies = p * (1 - p) * (1 / reached(before) + 1 / reached(score));
+    if (share(score) < p - 3 * std::sqrt(varies)) rooms.push_back(room);
+  }
+  return rooms;
 }
 
 std::string text_of(const Scores& scores) {

@@ -49,6 +49,10 @@ using Scores = std::map<std::string, Score>;  ///< by room
 Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& tried, const Outcomes&,
                  const Survivors&);
 
+/// The rooms of which the suite notices less, of the mutants that it reaches, than on record, by three times
+/// what such shares vary by; and those that are not on record.
+std::vector<std::string> noticed_less(const Scores& now, const Scores& on_record);
+
 /// A table for people.
 std::string text_of(const Scores&);
 /// The scores on record, and as they are written there.
