@@ -93,11 +93,9 @@ int promise(const Method& method) {
   return entry == all.end() || entry->name == "Taylor series" ? most : entry->order;
 }
 
-/// Whose last digits cost more work than those of all others together.
-bool is_of_low_order(const Method& method) {
-  constexpr int low = 4;
-  return promise(method) > 0 && promise(method) <= low;
-}
+/// Whose last digits cost more work than those of all others together: of low order, or of one that it
+/// chooses as it goes.
+bool is_of_low_order(const Method& method) { return promise(method) <= 4; }
 
 /// The motion as the model itself has it, by the first algorithm that hardly changes or has no setting, or
 /// else by the one that changes least, of low order only where no other gets through: what it errs by is the
