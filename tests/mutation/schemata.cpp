@@ -167,7 +167,7 @@ std::string room_of(const std::string& file) {
 
 std::uint64_t number_of(const std::string& text) {
   std::uint64_t n = 0xcbf29ce484222325u;
-  for (const unsigned char c : text) n = (n ^ c) * 0x100000001b3u;
+  for (const char c : text) n = (n ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
   return n;
 }
 
