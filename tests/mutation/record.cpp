@@ -150,8 +150,10 @@ std::vector<std::string> noticed_less(const Scores& now, const Scores& on_record
   std::vector<std::string> rooms;
   for (const auto& [room, score] : now) {
     const auto found = on_record.find(room);
-    const Score before = found == on_record.end() ? Score{.tried = 1, .killed = 1} : found->second;
-    const double p = share(before), varies = p * (1 - p) * (1 / reached(before) + 1 / reached(score));
+    const bool is_new = found == on_record.end();
+    const double p = is_new ? 1 : share(found->second);
+    const double before = is_new ? 1 : reached(found->second);
+    const double varies = p * (1 - p) * (1 / before + 1 / reached(score));
     if (share(score) < p - 3 * std::sqrt(varies)) rooms.push_back(room);
   }
   return rooms;
