@@ -234,7 +234,7 @@ leg_odr() {  # link-time optimization: no name has two definitions in the progra
 }
 
 leg_turn() {  # one of the legs that take long, by the commit's name
-  local long=(thread odr witness clang tidy syntax sanitize fuzz mutate) name
+  local long=(thread odr witness clang tidy syntax sanitize fuzz) name
   name=${long[0x$(git rev-parse --short=6 HEAD | cut -c1-6) % ${#long[@]}]}
   echo "it is the turn of $name"
   "leg_$name"
