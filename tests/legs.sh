@@ -22,6 +22,7 @@ sources() { git ls-files -- "$@"; }
 on_record() {
   local head rows
   rows=$(sed "s/^/$(date -u +%F),$(git rev-parse --short HEAD),/")
+  [ -n "$rows" ] || return 0
   head=$(head -n 1 "$1")
   { echo "$head"; { echo "$rows"; tail -n +2 "$1"; } | awk -F, -v rows="$(cut -d, -f3 <<<"$rows")" '
       BEGIN { for (n = split(rows, names, "\n"); n > 0; --n) fresh[names[n]] }
