@@ -8,11 +8,11 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT CMAKE_BUILD_T
 endif()
 set(lanes_flags_Avx2 -mavx2)
 set(lanes_flags_Avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw)
-# Else g++ copies states of a few registers by `rep movs`, which takes longer than many a right-hand side.
 set(lanes_level -O2)
 if(CMAKE_BUILD_TYPE STREQUAL "Mutated")
   set(lanes_level -O0)  # as the suite has no lanes
 endif()
+# Else g++ copies states of a few registers by `rep movs`, which takes longer than many a right-hand side.
 set(lanes_copies "")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   foreach(copies memcpy memset)

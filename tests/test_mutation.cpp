@@ -1,11 +1,16 @@
-// What a mutated source computes: what stood there, or the mutant that the environment names.
+// What a mutated source computes: what stood there, or the mutant that the environment names; and how a
+// sample of mutants is judged.
 
 #include <array>
 #include <cstdio>
 #include <string>
 
 #include "tests/catch.hpp"
+#include "tests/mutation/record.hpp"
 #include "tests/scratch_folder.hpp"
+
+using namespace oddity;
+using namespace oddity::mutation;
 
 namespace {
 
@@ -70,4 +75,18 @@ TEST_CASE("a mutated source computes what stood there or its mutant, and notes t
   std::ifstream in(noted, std::ios::binary);
   for (char byte = 0; in.get(byte);) reached += byte == 0 ? '.' : 'x';
   CHECK(reached == ".xx...xxxx.xxxxxxxxx");
+}
+
+TEST_CASE("a sample of mutants is judged by the share that is on record", "[mutation]") {
+  const Scores on_record{{"a", {.tried = 1100, .killed = 900, .not_reached = 100}}};
+  const auto less = [&](const std::string& room, int killed, int not_reached) {
+    return noticed_less({{room, {.tried = 100 + not_reached, .killed = killed, .not_reached = not_reached}}},
+                        on_record);
+  };
+  CHECK(less("a", 90, 0).empty());
+  CHECK(less("a", 90, 50).empty());  // of those reached
+  CHECK(less("a", 81, 0).empty());   // 90 +- 3.1
+  CHECK(less("a", 80, 0) == std::vector<std::string>{"a"});
+  CHECK(less("b", 100, 0).empty());  // not on record
+  CHECK(less("b", 99, 0) == std::vector<std::string>{"b"});
 }

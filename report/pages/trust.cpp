@@ -229,9 +229,12 @@ Table trust_table(const Results& results, const Trust& trust) {
 }
 
 std::string trust_page(const Results& results, const Trust& trust) {
-  std::string text =
-      "# What all this rests on\n\n`oddity trust --csv` has all figures. *Provable*: nobody has written the proof yet.\n\n";
-  for (const Part& part : parts_of(results, trust)) text += in_a_line(part);
+  const Parts parts = parts_of(results, trust);
+  std::string text = "# What all this rests on\n\n`oddity trust --csv` has all figures.";
+  if (std::ranges::find(parts, name_of(Standing::provable), &Part::name) != parts.end())
+    text += " *Provable*: nobody has written the proof yet.";
+  text += "\n\n";
+  for (const Part& part : parts) text += in_a_line(part);
   return text + "\n[All exercises](README.md)\n";
 }
 

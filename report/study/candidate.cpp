@@ -126,9 +126,7 @@ std::string shown_setting(const Candidate& candidate, const Need& need) {
 }
 
 bool hopeless(const Candidate& candidate) {
-  const bool stalled_by_tolerance = candidate.knob == "tolerance" && candidate.outcome == Outcome::stalled;
-  return candidate.outcome == Outcome::raised || stalled_by_tolerance ||
-         candidate.evaluations_per_frame > 1e5;
+  return candidate.outcome == Outcome::raised || candidate.evaluations_per_frame > 1e5;
 }
 
 }  // namespace oddity

@@ -23,8 +23,7 @@ Candidate evaluate(const std::vector<Start>&, const Method&, double setting, con
 /// "2 steps per frame", "tolerance 1e-06", "-".
 std::string shown_setting(const Candidate&, const Need&);
 
-/// Refinement is pointless: the method cannot run here, has run out of steps at a tolerance, or costs far too
-/// much.
+/// Refinement is pointless: the method cannot run here, or costs far too much.
 bool hopeless(const Candidate&);
 
 }  // namespace oddity

@@ -115,13 +115,16 @@ std::optional<Solved> solved_best(const Quantity& motion, const std::string& mod
   return best;
 }
 
-/// No finer step can hold, as the errors of steps fall, once they fall at all, by no more than two orders
-/// above the algorithm's own.
-bool out_of_reach(const Candidate& candidate, double error_before, const Method& method, double finest) {
+/// No finer step can hold: from the one before to this one the error has fallen, by no more than two orders
+/// above the algorithm's own, and at that rate it stays above what is asked. Where it falls faster, steps
+/// have just become stable.
+bool out_of_reach(const Candidate& before, const Candidate& now, const Method& method, double finest) {
   const auto all = ode::catalog();
   const auto entry = std::ranges::find(all, method.algorithm, &ode::CatalogEntry::name);
-  if (candidate.knob != "step" || entry == all.end() || !(candidate.error < error_before)) return false;
-  return candidate.error * std::pow(finest / candidate.setting, entry->order + 2) > 1;
+  if (now.knob != "step" || entry == all.end() || !(now.error < before.error)) return false;
+  const auto fallen = [&](double from, double to) { return std::pow(to / from, entry->order + 2); };
+  return now.error > before.error * fallen(before.setting, now.setting) &&
+         now.error * fallen(now.setting, finest) > 1;
 }
 
 /// The cheapest setting of any of the model's algorithms that holds, by counted work.
@@ -132,11 +135,11 @@ std::optional<Candidate> cheapest(const std::vector<Start>& start, const std::st
   for (const Method& method : start.front().motion.methods) {
     if (method.model != model) continue;
     const std::vector<double> all = settings(method, need);
-    double before = std::numeric_limits<double>::infinity();
+    std::optional<Candidate> before;
     for (double setting : all) {
       const Candidate candidate = evaluate(start, method, setting, need);
-      if (out_of_reach(candidate, before, method, all.back())) break;
-      before = candidate.error;
+      if (before && out_of_reach(*before, candidate, method, all.back())) break;
+      before = candidate;
       if (candidate.holds() && (!best || candidate.evaluations_per_frame < best->evaluations_per_frame))
         best = candidate;
       const bool costs_more = best && candidate.evaluations_per_frame >= best->evaluations_per_frame;

@@ -41,7 +41,7 @@ std::string csv_of(const Survivors&);
 
 /// What became of the mutants tried in one room, and when.
 struct Score {
-  std::string date, commit;
+  std::string date = {}, commit = {};
   int mutants = 0, free = 0, tried = 0, killed = 0, with_reason = 0, survived = 0, not_reached = 0;
 };
 using Scores = std::map<std::string, Score>;  ///< by room

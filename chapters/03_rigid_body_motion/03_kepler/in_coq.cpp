@@ -166,7 +166,19 @@ Ltac by_start :=
     first [reflexivity | equation | f_equal; equation] end.
 )";
 
-const char* const turns_in_coq = R"(
+/// What a section supposes of a path.
+static const std::string from_a_start = R"(Hypothesis pulled : mu > 0.
+Hypothesis far : r0 > 0.
+Hypothesis turns : w0 <> 0.
+Hypothesis path : newton mu x y u v.
+Hypothesis x0 : x 0 = r0 * cos th0.
+Hypothesis y0 : y 0 = r0 * sin th0.
+Hypothesis u0 : u 0 = rd * cos th0 - r0 * w0 * sin th0.
+Hypothesis v0 : v 0 = rd * sin th0 + r0 * w0 * cos th0.
+)";
+
+const std::string turns_in_coq =
+    R"(
 From Coquelicot Require Import Continuity RInt_analysis.
 
 (* The time of a turn, by the eccentric anomaly: its antiderivative has no jump. *)
@@ -231,15 +243,8 @@ Qed.
 Section Ellipse.
 Variables mu r0 rd th0 w0 : R.
 Variables x y u v : R -> R.
-Hypothesis pulled : mu > 0.
-Hypothesis far : r0 > 0.
-Hypothesis turns : w0 <> 0.
-Hypothesis path : newton mu x y u v.
-Hypothesis x0 : x 0 = r0 * cos th0.
-Hypothesis y0 : y 0 = r0 * sin th0.
-Hypothesis u0 : u 0 = rd * cos th0 - r0 * w0 * sin th0.
-Hypothesis v0 : v 0 = rd * sin th0 + r0 * w0 * cos th0.
-Local Notation square := ((r0 * r0 * r0 * w0 * w0 - mu) ^ 2 + r0 * r0 * rd * w0 * (r0 * r0 * rd * w0)).
+)" + from_a_start +
+    R"(Local Notation square := ((r0 * r0 * r0 * w0 * w0 - mu) ^ 2 + r0 * r0 * rd * w0 * (r0 * r0 * rd * w0)).
 Local Notation h := (r0 * r0 * w0).
 Local Notation ax := (along_x mu r0 rd th0 w0).
 Local Notation ay := (along_y mu r0 rd th0 w0).
@@ -401,22 +406,14 @@ Ltac by_orbit :=
 Ltac by_ellipse := match goal with |- context [atan2] => by_orbit | _ => by_axes end.
 )";
 
-const char* const times_in_coq = R"(
+const std::string times_in_coq = R"(
 From Coquelicot Require Import Continuity RInt_analysis.
 
 (* Where the angle is a function of the time. *)
 Section Time.
 Variables mu r0 rd th0 w0 : R.
 Variables x y u v angle : R -> R.
-Hypothesis pulled : mu > 0.
-Hypothesis far : r0 > 0.
-Hypothesis turns : w0 <> 0.
-Hypothesis path : newton mu x y u v.
-Hypothesis x0 : x 0 = r0 * cos th0.
-Hypothesis y0 : y 0 = r0 * sin th0.
-Hypothesis u0 : u 0 = rd * cos th0 - r0 * w0 * sin th0.
-Hypothesis v0 : v 0 = rd * sin th0 + r0 * w0 * cos th0.
-Hypothesis there : forall s, at_angle x y s (angle s) /\ ex_derive angle s.
+)" + from_a_start + R"(Hypothesis there : forall s, at_angle x y s (angle s) /\ ex_derive angle s.
 Local Notation h := (r0 * r0 * w0).
 Local Notation square s := (x s * x s + y s * y s).
 
