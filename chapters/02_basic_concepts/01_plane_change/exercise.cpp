@@ -265,8 +265,8 @@ void frames(Table& table, int side, const std::vector<Sample>& samples) {
                    const auto n = double(s.side()) * unit(cross(cross(l.v, l.a), l.v));
                    return values(n[0], n[1], n[2], 1, 0);
                  }},
-       .printed = {"those of $" + N + R"(\,)" + by_root + "$", normal(3, 1)},
-       .meant = {"those of $" + N + "/" + by_root + "$", normal(3, -1)},
+       .printed = {"the vector $" + N + R"(\,)" + by_root + "$", normal(3, 1)},
+       .meant = {"the vector $" + N + "/" + by_root + "$", normal(3, -1)},
        .near_misses = {{R"(the quotient with $+3t^2$)", normal(-3, -1)}},
        .kind = Fault::lost_typography,
        .why = why});

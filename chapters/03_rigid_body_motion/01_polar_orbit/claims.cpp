@@ -423,9 +423,9 @@ void about_the_ellipse(Table& t) {
       "other_focus", 943, "the other focus of the ellipse $(x+c)^2/a^2+y^2/b^2=1$", samples,
       {.quantity = "sum of the distances to the two foci",
        .truth = all_apart,
-       .printed = foci("with $(2c,0)$", 2),
-       .corrected = foci("with $(-2c,0)$", -2),
-       .near_misses = {foci("with $(-c,0)$", -1)},
+       .printed = foci("at $(2c,0)$", 2),
+       .corrected = foci("at $(-2c,0)$", -2),
+       .near_misses = {foci("at $(-c,0)$", -1)},
        .kind = Fault::formula,
        .root = "the sign of the center",
        .why =

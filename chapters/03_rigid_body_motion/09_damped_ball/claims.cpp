@@ -340,8 +340,8 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
        .truth = {"$mr^2+ar$", [](const auto& s) { return s.without_last(); },
                  [](const Polynomial& s) { return s.a * s.a / s.m + s.c; }},
        .printed = rest("$mr^2+ar+{}$, the last term missing", 0),
-       .meant = rest("those of $mr^2+ar+c$", -1),
-       .near_misses = {rest("those of $mr^2+ar-c$", 1)},
+       .meant = rest("the polynomial $mr^2+ar+c$", -1),
+       .near_misses = {rest("the polynomial $mr^2+ar-c$", 1)},
        .kind = Fault::formula,
        .why = "The last coefficient, $c$, is missing after its plus sign; the roots that follow have it."});
   const auto roots_with = [](std::string text, double factor) -> OfPolynomial {

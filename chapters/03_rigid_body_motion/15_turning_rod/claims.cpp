@@ -715,9 +715,9 @@ void output(Claims& claims, const Value& end) {
   };
   claims.add(
       "d_is_lambda", 1849, R"($d$ is $\lambda(2)$)",
-      {.printed = is_d(R"(as $\lambda(2)$)", 1),
-       .meant = is_d(R"(as $\lambda(2)/\sqrt2$)", 1 / sqrt2),
-       .near_misses = {is_d(R"(as $\lambda(2)/2$)", 0.5)},
+      {.printed = is_d(R"($d$ is $\lambda(2)$)", 1),
+       .meant = is_d(R"($d$ is $\lambda(2)/\sqrt2$)", 1 / sqrt2),
+       .near_misses = {is_d(R"($d$ is $\lambda(2)/2$)", 0.5)},
        .why =
            R"($\lambda$ is a distance along the segment and $d$ a coordinate: $d=\lambda(2)/\sqrt2$, as in the )"
            R"(output's own 1.15214 and 0.814683. Taken at its word it places the mass 0.41 m too far along the )"
