@@ -90,3 +90,16 @@ TEST_CASE("a sample of mutants is judged by the share that is on record", "[muta
   CHECK(less("b", 100, 0).empty());  // not on record
   CHECK(less("b", 99, 0) == std::vector<std::string>{"b"});
 }
+
+TEST_CASE("where survivors alone were tried again, those that are gone count as killed", "[mutation]") {
+  const Score before{.tried = 100, .killed = 80, .with_reason = 10, .survived = 4, .not_reached = 6};
+  const Survivors left{{"1", {"a", "a/x.cpp", "f: +", "the same"}},
+                       {"2", {"a", "a/x.cpp", "f: -", ""}},
+                       {"3", {"b", "b/x.cpp", "f: -", ""}}};
+  const Score after = after_again(before, "a", left);
+  CHECK(after.tried == 100);
+  CHECK(after.not_reached == 6);
+  CHECK(after.with_reason == 1);
+  CHECK(after.survived == 1);
+  CHECK(after.killed == 92);
+}

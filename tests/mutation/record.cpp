@@ -142,6 +142,14 @@ Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& trie
   return scores;
 }
 
+Score after_again(Score before, const std::string& room, const Survivors& survivors) {
+  before.with_reason = before.survived = 0;
+  for (const auto& [id, s] : survivors)
+    if (s.room == room) ++(s.reason.empty() ? before.survived : before.with_reason);
+  before.killed = before.tried - before.not_reached - before.with_reason - before.survived;
+  return before;
+}
+
 std::vector<std::string> noticed_less(const Scores& now, const Scores& on_record) {
   const auto reached = [](const Score& s) {
     return std::max(1.0, static_cast<double>(s.tried - s.not_reached));

@@ -24,6 +24,13 @@ namespace {
 
 constexpr std::size_t memory = std::size_t{8} << 30;
 
+/// Of the unit tests those that are not about the sources' text, other people's libraries, or what programs
+/// print, and do not take minutes.
+constexpr const char* judges =
+    "~[slow]~[.]~[properties]~[libraries]~[lanes]~[site]~[module]~[sweep]~[commands]~[code]~[rooms]~[readable]"
+    "~[new]~[walk]~[terminal]~[hostile]~[bench]~[witness]~[proofs]~[mutation]";
+constexpr double longest_unit_test = 20;  ///< s of the processor; longer ones judge nothing
+
 /// The processor time of all programs run so far.
 double processor_seconds() {
   rusage used{};
@@ -39,6 +46,9 @@ std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// The program of the unit tests beside oddity, if they are compiled.
+fs::path tests_of(const fs::path& program) { return program.parent_path() / "tests/oddity_tests"; }
+
 /// "3.5" of chapters/03_rigid_body_motion/05_pendulum/models.hpp, "3." of its chapter's other files, "table
 /// 03_05_swing" of its maker, "table " of what makers share, else "".
 std::string home_of(const std::string& file) {
@@ -51,16 +61,37 @@ std::string home_of(const std::string& file) {
 }
 
 /// Whether a mutant at home there may be reached by the test case: one of no chapter and no table by every
-/// exercise.
+/// exercise and unit test.
 bool may_reach(const std::string& home, const std::string& tag) {
-  if (home.ends_with('.') || home == "table ") return tag.starts_with(home);
-  return home.empty() ? !tag.starts_with("table ") : tag == home;
+  const bool of_a_table = tag.starts_with("table "), of_an_exercise = tag.starts_with("unit [");
+  if (home.empty()) return !of_a_table && !of_an_exercise;
+  const std::string about = of_an_exercise ? tag.substr(6, tag.size() - 7) : tag;
+  return home.ends_with('.') || home == "table " ? about.starts_with(home) : about == home;
 }
 
-/// `oddity verify` of one exercise, and of the register, which misses claims; or a table made again; or
-/// proofs written, which nothing checks as there is no Coq.
+/// What Catch2 takes for the test of this name, or for those of this tag, "[3.5]".
+std::string spec_of(const std::string& test) {
+  if (test.starts_with('[')) return test;
+  return std::regex_replace(test, std::regex(R"([\\,\[\]"*])"), R"(\$&)");
+}
+
+/// The names of the unit tests that judge, by Catch2 2 or 3.
+std::vector<std::string> unit_tests(const fs::path& program) {
+  Ended listed = run_program({program.string(), judges, "--list-test-names-only"}, "", 600s);
+  if (listed.output.empty())
+    listed = run_program({program.string(), judges, "--list-tests", "--verbosity", "quiet"}, "", 600s);
+  std::vector<std::string> names;
+  std::istringstream lines(listed.output);
+  for (std::string name; std::getline(lines, name);)
+    if (!name.empty()) names.push_back("unit " + name);
+  return names;
+}
+
+/// `oddity verify` of one exercise, and of the register, which misses claims; or a unit test; or a table made
+/// again; or proofs written, which nothing checks as there is no Coq.
 std::vector<std::string> command_of(const fs::path& program, const std::string& tag, const fs::path& proofs) {
   if (tag == "proofs") return {"env", "PATH=", program.string(), "prove", "--out", proofs.string()};
+  if (tag.starts_with("unit ")) return {tests_of(program).string(), spec_of(tag.substr(5))};
   if (!tag.starts_with("table ")) return {program.string(), "verify", "[" + tag + "],[register]"};
   return {(program.parent_path() / "make_reference").string(), "--again", ODDITY_SOURCE "/reference",
           tag.substr(6)};
@@ -116,6 +147,10 @@ Suite::Suite(fs::path program, fs::path kept, std::size_t last)
                    listed.words);
   for (const auto& table : fs::directory_iterator(fs::path(ODDITY_SOURCE) / "reference/tables"))
     tags_.push_back("table " + table.path().stem().string());
+  if (!fs::exists(tests_of(program_))) return;
+  for (std::size_t i = 0, exercises = tags_.size(); i < exercises; ++i)
+    if (!tags_[i].starts_with("table ")) tags_.push_back("unit [" + tags_[i] + "]");
+  for (std::string& test : unit_tests(tests_of(program_))) tags_.push_back(std::move(test));
 }
 
 const Suite::TestCase& Suite::known(const std::string& tag) {
@@ -124,10 +159,15 @@ const Suite::TestCase& Suite::known(const std::string& tag) {
   const fs::path file = kept_ / tag, time = kept_ / (tag + ".seconds");
   if (!fs::exists(time) || fs::file_size(file) != last_ + 1) {
     write_whole(file, std::string(last_ + 1, '\0'));
+    const bool may_be_left_out = tag.starts_with("unit ");
     const double before = processor_seconds();
-    const Ended ended = tried(program_, tag, 0, file, 3600);
-    if (!ended.ok)
+    const Ended ended = tried(program_, tag, 0, file, may_be_left_out ? longest_unit_test : 3600);
+    if (!ended.ok && !may_be_left_out)
       throw BadInput(tag + " is red without a mutant: " + ended.how + "\n" + ended.output + ended.words);
+    if (!ended.ok) {
+      std::cout << tag << " judges nothing: without a mutant it ends with " << ended.how << std::endl;
+      write_whole(file, std::string(last_ + 1, '\0'));
+    }
     write_whole(time, std::to_string(processor_seconds() - before));
   }
   return known_[tag] = {tag, std::stod(read(time)), read(file)};

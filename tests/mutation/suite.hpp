@@ -20,13 +20,14 @@ struct Judgement {
   std::string by;  ///< the test case that killed it, and how: "3.5, status 1"
 };
 
-/// The suite of a mutated tree: `oddity verify`, an exercise at a time, tables made again, one at a time, and
-/// whether the proofs' files are those on record.
+/// The suite of a mutated tree: `oddity verify`, an exercise at a time, unit tests and tables made again, one
+/// at a time, and whether the proofs' files are those on record.
 class Suite {
  public:
-  /// `program` is the mutated tree's, and beside it make_reference, if tables are tried; what the unmutated
-  /// run takes and reaches is kept in `kept`, for mutants up to number `last`. Throws BadInput when a test
-  /// case is red without a mutant.
+  /// `program` is the mutated tree's, and beside it make_reference, if tables are tried, and
+  /// tests/oddity_tests, if it is compiled; what the unmutated run takes and reaches is kept in `kept`, for
+  /// mutants up to number `last`. Throws BadInput when a test case is red without a mutant, but for a unit
+  /// test, which then judges nothing.
   Suite(std::filesystem::path program, std::filesystem::path kept, std::size_t last);
 
   /// Runs the test cases that reach the mutant, those of its own exercise first and then the fastest, the
@@ -35,7 +36,7 @@ class Suite {
 
  private:
   struct TestCase {
-    std::string tag;      ///< "3.5", "table 03_05_swing", "proofs"
+    std::string tag;      ///< "3.5", "unit [3.5]", "unit NAME", "table 03_05_swing", "proofs"
     double seconds = 0;   ///< of processor time, without a mutant
     std::string reached;  ///< one byte a mutant
   };

@@ -90,10 +90,13 @@ Quantity far_balance() {
                                         {7, center + Vector{2, -3, 0}},
                                         {1, center + Vector{-14, 8, 0}},
                                         {11, center}};
+  std::vector<double> beside;
+  for (int j = 0; j < 8; ++j) beside.push_back(-27 * j);
   Quantity q{"far_balance",
              "kg m",
-             "first moments of five particles about eight lines through their center, $2^{30}$ m away",
-             {"zero: the particles are placed so", std::vector<double>(8)},
+             "first moments of five particles about eight lines, $j=0,1,\\ldots$ m beside their center, "
+             "$2^{30}$ m away",
+             {"$-27j$: the particles are placed so", beside},
              0,
              {1e-12, "rounding of ten products"},
              {},
@@ -106,7 +109,8 @@ Quantity far_balance() {
           return x * T(r[0]) + y * T(r[1]);
         };
         T sum = 0.0;
-        for (const Particle& p : particles) sum = sum + T(p.m) * along(relative ? p.r - center : p.r);
+        for (const Particle& p : particles)
+          sum = sum + T(p.m) * (along(relative ? p.r - center : p.r) - T(j));
         all.push_back(relative ? sum : sum - all_mass * along(center));
       }
       return all;

@@ -25,7 +25,7 @@ inline Integral rows(const Rule& rule, const InPlane& f, double left, bool by_ro
   const Bound right_end = [=](double u) { return by_root ? u : sqrt(u); };
   const Bound left_end = [=](double u) { return by_root ? -u : -sqrt(u); };
   const double corner = by_root ? abs(left) : left * left;
-  Integral sum{0, 0, 0};
+  Integral sum;
   if (corner < 1)
     sum = nested(
         rule, weighted, corner, 1, [=](double) { return left; }, right_end);

@@ -395,8 +395,10 @@ void extrema(Claims& claims, const Samples& samples) {
       {.printed = peaks("where $W'=0$ there is a maximum", constant, 0, 1, 1, 1),
        .corrected = all("where there is a maximum $W'=0$",
                         [](M m, int k) {
-                          const double T = m.T + 0.5 * k / m.w;
-                          return abs(power(constant, m, T)) <= 0.1 * m.r * m.w || !is_peak(constant, m, T);
+                          const auto holds_at = [&](double T) {
+                            return abs(power(constant, m, T)) <= 0.1 * m.r * m.w || !is_peak(constant, m, T);
+                          };
+                          return holds_at(m.T + 0.5 * k / m.w) && holds_at(stationary(m, k));
                         }),
        .near_misses = {peaks("where $W'=0$ there is a minimum", constant, 0, 1, -1, -1)},
        .kind = Fault::counterexample,

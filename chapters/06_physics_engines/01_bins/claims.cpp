@@ -74,20 +74,21 @@ struct Size {
 };
 
 void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& spheres, const Grid& grid) {
-  const auto every = [](int stride) {
+  const auto of_those = [](bool (*tested)(long id)) {
     return [=](const Lattice& s) {
       const Grid small{1, 2};
       std::vector<long> found;
       for (long id : hits(s.sphere(), small, every_bin, touches).ids)
-        if (id % stride == 0) found.push_back(id);
+        if (tested(id)) found.push_back(id);
       return found == exact_ids(s, small, hit_exactly);
     };
   };
-  claims.statement<Lattice>("naive_needs_n", 3735,
-                            "testing bin after bin takes $n$ tests a sphere: none can be left out",
-                            one_in_every_bin({1, 2}),
-                            {.printed = {"$n$ tests find a sphere in any of 64 bins", every(1)},
-                             .near_misses = {{"tests of every second bin find it", every(2)}}});
+  claims.statement<Lattice>(
+      "naive_needs_n", 3735, "testing bin after bin takes $n$ tests a sphere: none can be left out",
+      one_in_every_bin({1, 2}),
+      {.printed = {"$n$ tests find a sphere in any of 64 bins", of_those([](long) { return true; })},
+       .near_misses = {
+           {"tests of all bins but the first find it", of_those([](long id) { return id != 0; })}}});
 
   const auto ends = [](const std::string& text, double stretch) {
     return Formula<Solid>{"$" + text + "$ on each axis",

@@ -235,6 +235,7 @@ Quantity objects_held(const Parameters& p) {
   const long long r = std::llround(p["ratio"] * unit);
   for (int n = 0; n < objects; ++n) all.push_back({{coordinate(), coordinate(), coordinate()}, 0});
   for (int n = 0; n < 8; ++n) queries.push_back({{coordinate(), coordinate(), coordinate()}, r});
+  all.front().c = queries.front().c;  // so that the first is not in vain
   std::vector<double> held;
   for (const Lattice& s : queries) {
     int count = 0;

@@ -142,8 +142,11 @@ std::vector<Claim> claims(const Random& random) {
   add("zeros", 3965, R"(the first $n-1$ entries of the last row are zero)", full,
       R"($u_{n1}^2+\ldots+u_{n,n-1}^2$)", zero,
       in_whole("$U$, left by an elimination", [](M m) { return first_entries(eliminated(m, m.n - 1)); }),
-      in_whole("before its last column is cleared",
-               [](M m) { return first_entries(eliminated(m, m.n - 2)); }));
+      in_whole("$U$ with the first entry of its last row not zero", [](M m) {
+        Matrix<Whole> u = eliminated(m, m.n - 1);
+        u(m.n - 1, 0) = 5;
+        return first_entries(u);
+      }));
   add("only_contribution", 3965, "only the entry $u_{nn}$ contributes", upper,
       "elimination's determinant less the expansion's last term", zero, in_whole("$U$ as it is", others),
       in_whole("$U$ with one entry not zero below the diagonal", [](Matrix<Whole> m) {
