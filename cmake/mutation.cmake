@@ -10,10 +10,10 @@ if(NOT ODDITY_LIBCLANG_INCLUDE OR NOT ODDITY_LIBCLANG)
 endif()
 message(STATUS "libclang: ${ODDITY_LIBCLANG}, for oddity_mutate")
 file(GLOB mutation_files CONFIGURE_DEPENDS tests/mutation/*.cpp)
-add_executable(oddity_mutate EXCLUDE_FROM_ALL ${mutation_files} report/study/run_program.cpp
+add_executable(oddity_mutate EXCLUDE_FROM_ALL ${mutation_files} report/study/parallel.cpp report/study/run_program.cpp
   reference/csv.cpp reference/files.cpp reference/interrupted.cpp reference/proofs.cpp)
 target_include_directories(oddity_mutate SYSTEM PRIVATE ${ODDITY_LIBCLANG_INCLUDE})
 target_compile_definitions(oddity_mutate PRIVATE
   ODDITY_SOURCE="${PROJECT_SOURCE_DIR}" ODDITY_BUILT="${PROJECT_BINARY_DIR}")
-target_link_libraries(oddity_mutate PRIVATE oddity_options Boost::headers CLI11::CLI11 nlohmann_json::nlohmann_json
+target_link_libraries(oddity_mutate PRIVATE oddity_options TBB::tbb Boost::headers CLI11::CLI11 nlohmann_json::nlohmann_json
   ${ODDITY_LIBCLANG})

@@ -7,11 +7,14 @@
 #include <ctime>
 #include <iostream>
 #include <map>
+#include <mutex>
+#include <thread>
 
 #include "chapters/random.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/interrupted.hpp"
+#include "report/study/parallel.hpp"
 #include "tests/mutation/record.hpp"
 
 using namespace oddity;
@@ -135,27 +138,36 @@ void list(const std::vector<Mutant>& drawn) {
     std::cout << m.number << " " << m.file << ":" << m.at << ": " << m.mutation << "\n";
 }
 
-/// Tries those drawn that have no outcome yet, and returns all that have one now: the first of those drawn.
-std::vector<Mutant> try_all(const std::vector<Mutant>& drawn, const Request& request, Suite& suite,
+/// Tries those drawn that have no outcome yet, several at once, and returns all that have one now: the first
+/// of those drawn.
+std::vector<Mutant> try_all(const std::vector<Mutant>& drawn, const Request& request, const Suite& suite,
                             Outcomes& outcomes) {
   const auto begin = std::chrono::steady_clock::now();
   const std::chrono::duration<double, std::ratio<60>> box(request.minutes);
-  std::vector<Mutant> tried;
-  for (const Mutant& m : drawn) {
-    if (!outcomes.of(m)) {
-      if (request.minutes > 0 && std::chrono::steady_clock::now() - begin > box) {
-        std::cout << "ended after " << request.minutes << " minutes\n";
-        break;
+  const auto over = [&] { return request.minutes > 0 && std::chrono::steady_clock::now() - begin > box; };
+  std::mutex mutex;
+  std::size_t next = 0, tried = 0;
+  in_parallel(std::thread::hardware_concurrency(), [&](std::size_t) {
+    for (std::unique_lock lock(mutex); next < drawn.size();) {
+      const Mutant& m = drawn[next];
+      if (!outcomes.of(m)) {
+        if (over()) return;
+        ++next;
+        lock.unlock();
+        const Judgement judgement = suite.judge(m);
+        lock.lock();
+        outcomes.add(m, judgement);
+      } else {
+        ++next;
       }
-      outcomes.add(m, suite.judge(m));
+      const Judgement& judgement = *outcomes.of(m);
+      std::cout << ++tried << "/" << drawn.size() << " " << m.number << " " << m.file << ":" << m.at << ": "
+                << m.mutation << ": " << name_of(judgement.fate)
+                << (judgement.by.empty() ? "" : " by " + judgement.by) << std::endl;
     }
-    const Judgement& judgement = *outcomes.of(m);
-    tried.push_back(m);
-    std::cout << tried.size() << "/" << drawn.size() << " " << m.number << " " << m.file << ":" << m.at
-              << ": " << m.mutation << ": " << name_of(judgement.fate)
-              << (judgement.by.empty() ? "" : " by " + judgement.by) << std::endl;
-  }
-  return tried;
+  });
+  if (next < drawn.size()) std::cout << "ended after " << request.minutes << " minutes\n";
+  return {drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(next)};
 }
 
 /// Rows of rooms that this run did not try stay as they are; where survivors alone were tried again, the
@@ -214,6 +226,7 @@ int mutate(const Request& request) {
   Suite suite(program, home / "reached",
               static_cast<std::size_t>(std::ranges::max(all, {}, &Mutant::number).number));
   Outcomes outcomes(home / "outcomes.csv", changed);
+  suite.measure(drawn);
   const std::vector<Mutant> tried = try_all(drawn, request, suite, outcomes);
   const Scores scores = scores_of(all, tried, outcomes, known);
   const std::vector<std::string> less =

@@ -1,18 +1,17 @@
 #include "tests/mutation/suite.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/proofs.hpp"
+#include "report/study/parallel.hpp"
 #include "report/study/run_program.hpp"
 
 namespace oddity::mutation {
@@ -30,16 +29,6 @@ constexpr const char* judges =
     "~[slow]~[.]~[properties]~[libraries]~[lanes]~[site]~[module]~[sweep]~[commands]~[code]~[rooms]~[readable]"
     "~[new]~[walk]~[terminal]~[hostile]~[bench]~[witness]~[proofs]~[mutation]";
 constexpr double longest_unit_test = 20;  ///< s of the processor; longer ones judge nothing
-
-/// The processor time of all programs run so far.
-double processor_seconds() {
-  rusage used{};
-  getrusage(RUSAGE_CHILDREN, &used);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
 
 std::string read(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -105,20 +94,23 @@ bool as_on_record(const fs::path& proofs) {
          });
 }
 
-/// The test case with a mutant, 0 for none. A limit of the processor's time, unlike one of the clock's, does
-/// not depend on what else the machine does.
+/// The test case with a mutant, 0 for none; which are reached is noted in the file of this name, if it is
+/// there. A limit of the processor's time, unlike one of the clock's, does not depend on what else the
+/// machine does.
 Ended tried(const fs::path& program, const std::string& tag, int mutant, const fs::path& reached,
             double seconds) {
-  setenv("ODDITY_MUTANT", std::to_string(mutant).c_str(), 1);
-  setenv("ODDITY_MUTANTS_REACHED", reached.c_str(), 1);
   const long most = std::lround(std::ceil(seconds));
-  std::vector<std::string> command{"prlimit", "--core=0",
-                                   "--cpu=" + std::to_string(most) + ":" + std::to_string(most + 1)};
-  const fs::path proofs = reached.parent_path() / "written";
-  fs::remove_all(proofs);
+  std::vector<std::string> command{"prlimit",
+                                   "--core=0",
+                                   "--cpu=" + std::to_string(most) + ":" + std::to_string(most + 1),
+                                   "env",
+                                   "ODDITY_MUTANT=" + std::to_string(mutant),
+                                   "ODDITY_MUTANTS_REACHED=" + reached.string()};
+  const fs::path proofs = reached.string() + ".written";
   for (std::string& word : command_of(program, tag, proofs)) command.push_back(std::move(word));
   Ended ended = run_program(command, "", std::chrono::seconds(60 * most), memory);
   if (tag == "proofs") ended.ok = ended.how == "status 2" && as_on_record(proofs);
+  fs::remove_all(proofs);
   return ended;
 }
 
@@ -153,44 +145,43 @@ Suite::Suite(fs::path program, fs::path kept, std::size_t last)
   for (std::string& test : unit_tests(tests_of(program_))) tags_.push_back(std::move(test));
 }
 
-const Suite::TestCase& Suite::known(const std::string& tag) {
-  const auto at = known_.find(tag);
-  if (at != known_.end()) return at->second;
+Suite::TestCase Suite::measured(const std::string& tag) const {
   const fs::path file = kept_ / tag, time = kept_ / (tag + ".seconds");
   if (!fs::exists(time) || fs::file_size(file) != last_ + 1) {
     write_whole(file, std::string(last_ + 1, '\0'));
     const bool may_be_left_out = tag.starts_with("unit ");
-    const double before = processor_seconds();
     const Ended ended = tried(program_, tag, 0, file, may_be_left_out ? longest_unit_test : 3600);
     if (!ended.ok && !may_be_left_out)
       throw BadInput(tag + " is red without a mutant: " + ended.how + "\n" + ended.output + ended.words);
     if (!ended.ok) {
-      std::cout << tag << " judges nothing: without a mutant it ends with " << ended.how << std::endl;
+      std::cout << (tag + " judges nothing: without a mutant it ends with " + ended.how + "\n") << std::flush;
       write_whole(file, std::string(last_ + 1, '\0'));
     }
-    write_whole(time, std::to_string(processor_seconds() - before));
+    write_whole(time, std::to_string(ended.cpu_seconds));
   }
-  return known_[tag] = {tag, std::stod(read(time)), read(file)};
+  return {tag, std::stod(read(time)), read(file)};
 }
 
-std::vector<std::string> Suite::candidates(const Mutant& m) {
-  const std::string home = home_of(m.file);
-  std::vector<std::string> tags;
+void Suite::measure(const std::vector<Mutant>& mutants) {
+  std::set<std::string> homes;
+  for (const Mutant& m : mutants) homes.insert(home_of(m.file));
   for (const std::string& tag : tags_)
-    if (may_reach(home, tag)) tags.push_back(tag);
-  std::ranges::stable_sort(tags, {}, [&](const std::string& tag) { return known(tag).seconds; });
-  if (!home.starts_with("table ")) tags.emplace_back("proofs");
-  return tags;
+    if (std::ranges::any_of(homes, [&](const std::string& home) { return may_reach(home, tag); }))
+      known_.push_back({tag, 0, ""});
+  parallel_for_each(known_, [&](TestCase& t) { t = measured(t.tag); });
+  std::ranges::stable_sort(known_, {}, &TestCase::seconds);
+  known_.push_back(measured("proofs"));
 }
 
-Judgement Suite::judge(const Mutant& m) {
+Judgement Suite::judge(const Mutant& m) const {
   Judgement judgement;
-  const fs::path noted = kept_ / "mutant";
-  for (const std::string& tag : candidates(m)) {
-    const TestCase& t = known(tag);
-    if (!t.reached[static_cast<std::size_t>(m.number)]) continue;
-    const Ended ended = tried(program_, tag, m.number, noted, 5 + 4 * t.seconds);
-    if (!ended.ok) return {Fate::killed, tag + ", " + ended.how};
+  const std::string home = home_of(m.file);
+  for (const TestCase& t : known_) {
+    const bool asked = t.tag == "proofs" ? !home.starts_with("table ") : may_reach(home, t.tag);
+    if (!asked || !t.reached[static_cast<std::size_t>(m.number)]) continue;
+    const fs::path none = kept_ / ("mutant " + std::to_string(m.number));
+    const Ended ended = tried(program_, t.tag, m.number, none, 5 + 4 * t.seconds);
+    if (!ended.ok) return {Fate::killed, t.tag + ", " + ended.how};
     judgement = {Fate::survived, ""};
   }
   return judgement;

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -30,9 +29,12 @@ class Suite {
   /// test, which then judges nothing.
   Suite(std::filesystem::path program, std::filesystem::path kept, std::size_t last);
 
-  /// Runs the test cases that reach the mutant, those of its own exercise first and then the fastest, the
-  /// proofs last, until one notices.
-  Judgement judge(const Mutant&);
+  /// Runs every test case without a mutant that these may be tried by, unless its file is kept.
+  void measure(const std::vector<Mutant>&);
+
+  /// Runs the test cases that reach the mutant, one of those measured, the fastest first and the proofs last,
+  /// until one notices. May be called by several threads.
+  Judgement judge(const Mutant&) const;
 
  private:
   struct TestCase {
@@ -41,13 +43,12 @@ class Suite {
     std::string reached;  ///< one byte a mutant
   };
 
-  const TestCase& known(const std::string& tag);
-  std::vector<std::string> candidates(const Mutant&);
+  TestCase measured(const std::string& tag) const;
 
   std::filesystem::path program_, kept_;
   std::size_t last_;
   std::vector<std::string> tags_;
-  std::map<std::string, TestCase> known_;
+  std::vector<TestCase> known_;  ///< those measured, the proofs last
 };
 
 }  // namespace oddity::mutation
