@@ -230,8 +230,10 @@ class Claims {
     return judged(slug, line, std::move(says), parts, [&](const Formula<Sample>& formula) -> Reading {
       if (!formula.of) return {};
       const Typesetting typeset = compare_typeset(formula, samples);
-      if (!typeset.difference.empty()) differences_.push_back(std::string(slug) + ": " + typeset.difference);
-      return {formula.text, {compare(quantity, formula, parts.truth, samples)}, typeset.read};
+      const Reading reading{formula.text, {compare(quantity, formula, parts.truth, samples)}, typeset.read};
+      for (const std::string& seen : {typeset.difference, reading.holds() ? typeset.unequal : ""})
+        if (!seen.empty()) differences_.push_back(std::string(slug) + ": " + seen);
+      return reading;
     });
   }
 

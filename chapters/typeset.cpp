@@ -787,7 +787,7 @@ Typesetting compare_typeset(const std::string& text,
 
   std::vector<Match> matches;
   std::size_t sides = 0;
-  std::string seen;
+  std::string seen, unequal;
   for (const auto& [letters, numbers] : computed) {
     if (!finite(numbers)) continue;
     const Meanings may_be = meanings(formula, letters);
@@ -800,14 +800,20 @@ Typesetting compare_typeset(const std::string& text,
       Match found = match(all[i], value, allowed);
       if (found == Match::other)
         found = match(all[i], value, allowed + precision * size_of_terms(formula, letters, i));
-      if (found == Match::other) seen = written(*all[i]) + ", and " + written(value) + " is computed";
+      if (found == Match::other && i < sides) {
+        seen = written(*all[i]) + ", and " + written(value) + " is computed";
+        if (size_of(*all[i]) > 0)
+          unequal = text + " is typeset, and one side is " + seen;  // = 0 is for motions
+      }
       if (matches[i] == Match::same) matches[i] = found;
     }
   }
   const bool is_it = std::ranges::count(matches, Match::same) > 0;
   matches.resize(sides);
-  if (is_it || std::ranges::count(matches, Match::unread) > 0 || matches.empty()) return {is_it};
-  return {false, text + " is typeset, which is " + seen};
+  const bool is_a_side = std::ranges::count(matches, Match::same) > 0;
+  if (is_it) return {true, "", is_a_side ? unequal : ""};
+  if (matches.empty() || std::ranges::count(matches, Match::unread) > 0) return {};
+  return {false, text + " is typeset, which is " + seen, ""};
 }
 
 bool is_as_typeset(const Typesetting& typesetting) {

@@ -38,6 +38,9 @@ bool is_formula(std::string_view text);
 struct Typesetting {
   bool read = false;            ///< it is a formula of the letters that are known, and what is computed
   std::string difference = {};  ///< what it is instead
+  /// Where it is one side of an equation that is computed: what another side is instead. An equation that is not
+  /// true has this too.
+  std::string unequal = {};
 };
 
 /// A text, some samples' letters, and what is computed at each. An equation may stand for one of its sides,

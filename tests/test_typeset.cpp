@@ -176,6 +176,22 @@ TEST_CASE("what is typeset has to be what is computed", "[typeset]") {
   CHECK(compare_typeset("$m$", {{letters, Value(none)}, {letters, Value(2)}}).read);
 }
 
+TEST_CASE("an equation of which one side is computed has no other that is something else", "[typeset]") {
+  const auto unequal = [](const char* text, const Value& computed) {
+    const Typesetting typeset = compare_typeset(text, {{letters, computed}});
+    CHECK(typeset.read);
+    return !typeset.unequal.empty();
+  };
+  CHECK(unequal("$m+1=m_2+1$", 3));
+  CHECK(unequal("$m+1=m_2=m_2+1$", 3));
+  CHECK_FALSE(unequal("$m+1=m_2$", 3));
+  CHECK_FALSE(unequal("$m+1=q$", 3));  // which is not read
+  CHECK_FALSE(unequal("$m+1=0$", 3));  // which holds on some motion
+  CHECK_FALSE(unequal("$m=m_2$", 3));  // the letter that it is called by
+  CHECK_FALSE(unequal("$m_2=m$", 1));  // what the sides differ by
+  CHECK_FALSE(unequal("$m+1=m_2+1$", {3, 4}));
+}
+
 TEST_CASE("several numbers are an equation's sides in a row, or one number over and over", "[typeset]") {
   const auto typeset = [](const char* text, const Value& computed) {
     return compare_typeset(text, {{letters, computed}});
@@ -201,9 +217,9 @@ TEST_CASE("terms that cancel are compared by their size", "[typeset]") {
 }
 
 TEST_CASE("one who asks whether a formula is as typeset is told what it is instead", "[typeset]") {
-  CHECK(is_as_typeset({true, ""}));
-  CHECK_FALSE(is_as_typeset({false, ""}));
-  CHECK_THROWS_AS(is_as_typeset({false, "another"}), std::logic_error);
+  CHECK(is_as_typeset({true, "", ""}));
+  CHECK_FALSE(is_as_typeset({false, "", ""}));
+  CHECK_THROWS_AS(is_as_typeset({false, "another", ""}), std::logic_error);
 }
 
 TEST_CASE("letters are told as they are typeset", "[typeset]") {
