@@ -503,9 +503,9 @@ TEST_CASE("confirmed claims are a line each beneath what they were compared with
   other.claim.says = "x is still 1";
   results.exercises[0].claims = {one, judged(no_violations("the sign is right", 0, 200)), other};
   const std::string page = page_of(results);
-  CHECK(count(page, "<summary>3 confirmed claims</summary>\n\n*Against b:*<br>x is 1<br>x is still 1\n") ==
+  CHECK(count(page, "<summary>3 confirmed claims</summary>\n\n*Second route: b:*<br>x is 1<br>x is still 1\n") ==
         1);
-  CHECK(count(page, "*Against 200 samples:*<br>x is 1\n") == 1);
+  CHECK(count(page, "*In 200 samples:*<br>x is 1\n") == 1);
 }
 
 TEST_CASE("long decimals of a sample are cut to what identifies it", "[report]") {
@@ -536,7 +536,7 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
   results.exercises[0].claims.push_back(follows);
   const std::string page = page_of(results), index = index_page(results);
   const auto erratum = page.find("<a id=\"3.5-wrong\"></a>"), bar = page.find("<a id=\"3.5-lost_bar\"></a>"),
-             folded = page.find("<details><summary>1 confirmed claim</summary>\n\n*Against");
+             folded = page.find("<details><summary>1 confirmed claim</summary>\n\n*Second route");
   REQUIRE(erratum != std::string::npos);
   REQUIRE(folded != std::string::npos);
   CHECK(erratum < bar);

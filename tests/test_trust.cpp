@@ -83,12 +83,12 @@ TEST_CASE("trust counts what is on record, and says what is not", "[trust]") {
   has("proved,claims,1,3,1 printed value is proved wrong");
   has("provable,so,1,3");
   has("wording,as said,1,3");
-  has("killed,mutants tried,26,30,,2026-01-03,def");
+  has("killed,mutants tried,26,30,,2026-01-03,several commits");
   has("killed,chapters,17,20,\"2 survived with a reason, 1 without; 5 not reached; 30 in all\"");
   has("fuzzed,plan,999,1000,in 2.5 s,2026-01-02,abc");
   has("survived,faults,0,0,not on record");
   CHECK(trust_page(sample(), trust)
-            .find("- **killed**: 26 of 30 mutants tried (2026-01-03, def): chapters 17; solvers 9. *By") !=
+            .find("- **killed**: 26 of 30 mutants tried (2026-01-03, several commits): chapters 17; solvers 9. *By") !=
         std::string::npos);
 }
 

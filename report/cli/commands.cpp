@@ -207,12 +207,12 @@ void add_choose_need(CLI::App& choose, AskedNeed& need) {
   add_value(choose, "--budget", need.budget, "TIME", "the most that a frame may take: 5us, 300ns, 0.1ms");
   add_value(
       choose, "--bodies", need.bodies, "N",
-      "so many bodies alike, all of them in each frame: in lanes, where these have the method; else one "
+      "that many bodies of the same kind in each frame: in lanes, where these have the method; else one "
       "after the other")
       ->capture_default_str();
   add_value(choose, "--restart-every", need.restart_every, "TIME",
-            "contacts end a run this often: what starting anew costs a method is added to its time; its "
-            "error is that of a run without them");
+            "a contact restarts the integration this often: what that costs a method is added to its time; "
+            "its error is that of a run without contacts");
   add_value(choose, "--criterion", need.criterion, "WORD",
             "what has to hold: path; energy (whatever is conserved); period; bounded (nothing explodes); "
             "constraint (lengths that are held)")
@@ -287,12 +287,11 @@ void add_report(CLI::App& app, Session& s) {
 }
 
 void add_site(CLI::App& app, Session& s) {
-  auto* site =
-      verb(app, "site", "Write the report that runs: one folder, for a browser.",
-           "Open its index.html with a double click; nothing is asked of the net. The last results are "
-           "taken where they are fresh, else everything runs first.\n"
-           "Examples:\n  oddity site\n  oddity site --out /tmp/site",
-           [&] { verbs::site(s.folder, s.site_out); });
+  auto* site = verb(app, "site", "Write the report that runs: one folder, for a browser.",
+                    "Open its index.html with a double click; it needs no network. The last results are "
+                    "taken where they are fresh, else everything runs first.\n"
+                    "Examples:\n  oddity site\n  oddity site --out /tmp/site",
+                    [&] { verbs::site(s.folder, s.site_out); });
   add_path(*site, "--out", s.site_out, "the folder to write to");
 }
 
@@ -346,7 +345,7 @@ void add_bench(CLI::App& app, Session& s) {
       "Columns: part (race, contest, series, chain or suite), subject, measured, value, half_width (of its quartiles), unit, "
       "at_most, verdict (holds, undecided or BROKEN, where there is a limit); a row for each number.\n"
       "With --lanes: scene, model, algorithm, precision, registers, width, taken (the widest), seconds_alone and "
-      "seconds (a body a frame), share (of the width that lanes are faster), at_least, verdict, bodies, "
+      "seconds (a body a frame), share (how many times faster, of the width), at_least, verdict, bodies, "
       "same_bits (how many have them), and the half_width of each time and share.\n"
       "With --verbs: part (verb or growth), subject, amount (of what grows), seconds, cpu_seconds, peak_bytes, "
       "failure (how it ended, unless well).\n"
@@ -387,7 +386,7 @@ void add_engines(CLI::App& app, Session& s) {
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
   engines->add_flag("--all", s.all_rows, "every variant, not the defaults and the best of each engine");
-  auto* rows = engines->add_flag("--rows", s.rows, "the rows of engines.csv, instead");
+  auto* rows = engines->add_flag("--rows", s.rows, "print the rows of engines.csv instead");
   engines->add_flag("--kept", s.kept, "what earlier runs kept, and nothing is run");
   engines->add_flag("--report", s.page, "write the page engines.md of the report");
   add_formats(*engines, s, "every trial");
@@ -421,14 +420,14 @@ void add_trust(CLI::App& app, Session& s) {
 void add_prove(CLI::App& app, Session& s) {
   auto* prove = verb(
       app, "prove", "Prove claims by Coq, for all numbers and not for samples.",
-      "A file for each claim that a proof is had of, made of the formulas that the suite computes with, and checked by "
+      "Writes a file for each claim that has a proof, made of the formulas that the suite computes with, and checked by "
       "coqc. The exit code is 1 when one is refused.\n"
       "Columns: claim, proved, margin (of a printed value, which is off by no less), outcome, seconds, message.\n"
       "Examples:\n  oddity prove\n  oddity prove 3.5 7.9 --out /tmp/proofs",
       [&] {
         s.status = verbs::prove(s.folder, {s.exercises, s.proofs_out, s.approve}, s.format());
       });
-  add_exercises(*prove, s, "numbers, such as 3.5; all of which something is proved when none is given");
+  add_exercises(*prove, s, "numbers, such as 3.5; without any, all that have proofs");
   add_path(*prove, "--out", s.proofs_out, "the folder to write the files to");
   prove->add_flag("--approve", s.approve, "put on record what is proved");
   add_formats(*prove, s, "what is proved");
@@ -552,8 +551,8 @@ int command_line(int argc, char** argv, const Suite& suite) try {
       "oddity");
   app.formatter(help_for(screen_of(STDOUT_FILENO)));
   app.footer(
-      "Tables fit the terminal, and are whole in a pipe. There is colour on a terminal; NO_COLOR=1 takes it "
-      "away, CLICOLOR_FORCE=1 has it in a pipe too.\n"
+      "Tables fit the terminal, and are complete in a pipe. There is colour on a terminal; NO_COLOR=1 takes it "
+      "away, CLICOLOR_FORCE=1 turns it on in a pipe too.\n"
       "Exit codes: 0 green, 1 something differs from what is on record (or nothing meets the need), 2 bad input "
       "or output that could not be written, 130 interrupted.");
   Session session{suite};

@@ -113,7 +113,8 @@ std::string compared_with(const JudgedClaim& judged) {
   const Reading& reading = right_reading(judged);
   if (reading.checks.empty()) return "";
   const Check& c = tightest(reading);
-  return counts_violations(c) ? c.left.by.substr(std::string("violations in ").size()) : c.right.by;
+  return counts_violations(c) ? "In " + c.left.by.substr(std::string("violations in ").size())
+                              : "Second route: " + c.right.by;
 }
 
 /// A line a claim, those that were compared with the same together.
@@ -131,8 +132,7 @@ std::string confirmed_lines(const ExerciseResult& e, const ProvedClaims& proved)
       same->second += line;
   }
   std::string text;
-  for (const auto& [with, lines] : groups)
-    text += "*Against " + (with.empty() ? "nothing" : in_words(with)) + ":*" + lines + "\n\n";
+  for (const auto& [with, lines] : groups) text += "*" + in_words(with) + ":*" + lines + "\n\n";
   return text;
 }
 

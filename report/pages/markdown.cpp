@@ -215,10 +215,20 @@ std::string scenes_table(const Results& results, Links links) {
                 table({"scene", "model", "algorithm", "evaluations per frame"}, rows, "3"));
 }
 
-std::string count_of_errata(const Results& results) {
-  std::size_t roots = 0;
-  for (const ExerciseResult& e : results.exercises) roots += findings_of(e).size();
-  return counted(static_cast<int>(roots), "root", "roots");
+/// "60 causes: 40 wrong numbers or formulas, 16 cases left out, 4 wrong words or program lines".
+std::string causes_of_errata(const Results& results) {
+  int numbers = 0, cases = 0, words = 0;
+  for (const ExerciseResult& e : results.exercises)
+    for (const Finding& f : findings_of(e)) {
+      const Fault kind = f.claims.front()->claim.kind;
+      const bool number = kind == Fault::number || kind == Fault::formula,
+                 left_out = kind == Fault::left_out || kind == Fault::counterexample;
+      ++(number ? numbers : left_out ? cases : words);
+    }
+  return counted(numbers + cases + words, "cause", "causes") + ": " +
+         counted(numbers, "wrong number or formula", "wrong numbers or formulas") + ", " +
+         counted(cases, "case left out", "cases left out") + ", " +
+         counted(words, "wrong word or program line", "wrong words or program lines");
 }
 
 bool has_scenes(const Results& results) {
@@ -247,7 +257,7 @@ std::string head(const Results& results) {
   const std::string missing = not_encoded(results);
   return "# The solutions of *Game Physics*, checked by machine\n\n" + exercises_counted(results) + ", " +
          counted(total, "claim", "claims") + ": " + sentence(all) + "." +
-         (all[Verdict::erratum] > 0 ? " The errata come from " + count_of_errata(results) + "." : "") +
+         (all[Verdict::erratum] > 0 ? " The errata have " + causes_of_errata(results) + "." : "") +
          (missing.empty() ? "" : " Not yet encoded: " + missing + ".") + "\n\n";
 }
 

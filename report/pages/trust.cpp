@@ -118,11 +118,11 @@ Part errata_witnessed(const Results& results, const Witnessed& w) {
   for (const ExerciseResult& e : results.exercises)
     errata += static_cast<long>(claims_of(e, Verdict::erratum).size());
   return {"witnessed",
-          {"errata", w.right_and_printed + w.by_verdict, errata},
+          {"errata", w.right_and_printed + w.by_verdict, errata,
+           w.words == 0 ? "" : "of " + std::to_string(w.words) + " there is nothing to compute"},
           "PARI/GP's own scripts",
           {{"at the suite's letters, to ten digits", w.right_and_printed, errata},
-           {"at letters of their own", w.by_verdict, errata},
-           {"nothing to compute", w.words, errata}}};
+           {"at letters of their own", w.by_verdict, errata}}};
 }
 
 /// The shares of a record, added up.
@@ -130,8 +130,11 @@ Part recorded(std::string name, const std::string& subject, std::string rests_on
   Part part{std::move(name), {subject}, std::move(rests_on), std::move(shares)};
   for (const Share& s : part.shares) part.all.count += s.count, part.all.of += s.of;
   if (part.shares.empty()) part.all.says = not_on_record;
-  for (const Share& s : part.shares)
-    if (s.date >= part.all.date) part.all.date = s.date, part.all.commit = s.commit;
+  for (const Share& s : part.shares) {
+    const bool first = &s == &part.shares.front();
+    part.all.date = std::max(part.all.date, s.date);
+    part.all.commit = first || part.all.commit == s.commit ? s.commit : "several commits";
+  }
   return part;
 }
 
@@ -178,7 +181,10 @@ std::string amount(const Share& s) {
   return s.says == not_on_record ? "" : std::to_string(s.count) + " of " + std::to_string(s.of);
 }
 
-std::string when(const Share& s) { return s.date.empty() ? "" : s.date + ", " + s.commit.substr(0, 7); }
+std::string when(const Share& s) {
+  const bool one = s.commit.find(' ') == std::string::npos;
+  return s.date.empty() ? "" : s.date + ", " + (one ? s.commit.substr(0, 7) : s.commit);
+}
 
 /// "derivatives 200, limits 11, others 3".
 std::string largest(const std::vector<Share>& shares) {

@@ -95,9 +95,10 @@ fs::path compile(const fs::path& copy, bool makers) {
   const std::string flags =
       "-O1 -fno-ipa-modref -fconcepts -w -D_GLIBCXX_ASSERTIONS -fsanitize=bounds "
       "-fsanitize-undefined-trap-on-error";
-  shell("cmake -S '" + copy.string() + "' -B '" + build.string() +
-        "' -G Ninja -DCMAKE_BUILD_TYPE=Mutated '-DCMAKE_CXX_FLAGS_MUTATED=" + flags +
-        "' -DODDITY_FAST_BUILD=ON -DODDITY_MODULE=OFF -DODDITY_MPI=OFF -DODDITY_HDF5=OFF >&2");
+  shell(
+      "cmake -S '" + copy.string() + "' -B '" + build.string() +
+      "' -G Ninja -DCMAKE_BUILD_TYPE=Mutated '-DCMAKE_CXX_FLAGS_MUTATED=" + flags +
+      "' -DODDITY_FAST_BUILD=ON -DODDITY_TESTS=ON -DODDITY_MODULE=OFF -DODDITY_MPI=OFF -DODDITY_HDF5=OFF >&2");
   shell("cmake --build '" + build.string() + "' --target oddity oddity_tests" +
         (makers ? " make_reference" : "") + " >&2");
   return build / "oddity";

@@ -285,8 +285,9 @@ template <class... Arguments>
 Reading callable(const std::string& text, const std::string& arguments) {
   return {text,
           {{"`ComputeTerms(" + arguments + ")` can be called",
-            {"the text", 1},
-            {"the declared function", std::is_invocable_v<decltype(compute_terms), Arguments...> ? 1.0 : 0.0},
+            {"the call as it is written", 1},
+            {"the function as it is declared, 1 where it can be called",
+             std::is_invocable_v<decltype(compute_terms), Arguments...> ? 1.0 : 0.0},
             exact()}}};
 }
 
@@ -426,7 +427,7 @@ std::vector<Claim> claims(double seed) {
 std::vector<Root> roots() {
   return {
       {"R.Dot(U) for A.Dot(U)",
-       R"(A sphere turned by the listing leaves its curve: at $t=0.75$ the velocity is off by 0.37 in 5.71, )"
+       R"(A sphere turned by the listing leaves its curve: at $t=0.75$ the angular velocity is off by 0.37 in 5.71, )"
        R"(nearly four degrees for every radian that the sphere turns.)"}};
 }
 

@@ -319,6 +319,13 @@ void equations(Tables& tables, const std::vector<Anywhere>& samples) {
               return values(-s.c * s.x1 - factor * s.a * s.v1, -s.c * s.x2 - factor * s.a * s.v2);
             }};
   };
+  tables.anywhere.formula("generalized_forces", 1439,
+                          R"(the generalized forces $F_{x_1}$ and $F_{x_2}$ of spring and friction)", samples,
+                          {.quantity = R"($(F_{x_1},F_{x_2})$)",
+                           .truth = {"the spring's potential and Rayleigh's dissipation by dual numbers",
+                                     [](const auto& s) { return s.derived(); }},
+                           .printed = friction(R"($-cx-a\dot x$)", 1),
+                           .near_misses = {friction(R"($-cx+a\dot x$)", -1), friction("$-cx$", 0)}});
   tables.anywhere.formula(
       "equations", 1449, R"(each coordinate obeys $m\ddot x+a\dot x+cx=0$)", samples,
       {.quantity = R"($m\ddot x$)",
@@ -337,7 +344,7 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
   table.formula(
       "characteristic_polynomial", 1453, "the characteristic polynomial", polynomials,
       {.quantity = "$mr^2+ar$ at the roots that the text has for it",
-       .truth = {"$mr^2+ar$", [](const auto& s) { return s.without_last(); },
+       .truth = {"$mr^2+ar$ at the roots", [](const auto& s) { return s.without_last(); },
                  [](const Polynomial& s) { return s.a * s.a / s.m + s.c; }},
        .printed = rest("$mr^2+ar+{}$, the last term missing", 0),
        .meant = rest("the polynomial $mr^2+ar+c$", -1),
@@ -437,10 +444,11 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
   claims.statement<Frictions>(
       "larger_friction_sooner", 1477, "the larger the friction, the sooner the ball is nearly at the origin",
       next<Frictions>(random, 100),
-      {.printed = {"$|x(5)|$ falls with $a$", [](const Frictions& s) { return s.left(s.b) < s.left(s.a); }},
-       .corrected = {R"($|x(5)|$ grows with $a$ beyond the critical $2\sqrt{mc}$)",
+      {.printed = {"the distance left after 5 s falls with $a$",
+                   [](const Frictions& s) { return s.left(s.b) < s.left(s.a); }},
+       .corrected = {R"(it grows with $a$ beyond the critical $2\sqrt{mc}$)",
                      [](const Frictions& s) { return s.left(s.b) > s.left(s.a); }},
-       .near_misses = {{"$|x(5)|$ grows with $a$ from a fifteenth of that on",
+       .near_misses = {{"it grows with $a$ from a fifteenth of that on",
                         [](const Frictions& s) { return s.left(s.b / 15) > s.left(s.a / 15); }}},
        .kind = Fault::counterexample,
        .root = "too much friction",
@@ -460,6 +468,21 @@ void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
                    [](const auto& s) { return s.rate(1); }},
        .near_misses = {{R"($e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t)$)",
                         [](const auto& s) { return s.rate(0); }}}});
+  const auto turning = [](std::string text, double sign) -> ProvableFormula<OscillationOf> {
+    return {std::move(text),
+            [=](const auto& s) { return s.k1 * cos(s.beta * s.t) + sign * s.k2 * sin(s.beta * s.t); }};
+  };
+  tables.oscillation.formula(
+      "arrival_conditions", 1501,
+      R"(a coordinate is zero where $K_1\cos\beta t+K_2\sin\beta t$ is, the exponential never being zero)",
+      samples,
+      {.quantity = R"($x/e^{\alpha t}$)",
+       .truth = {R"($x$, divided by its exponential)",
+                 [](const auto& s) {
+                   return oscillation(s.alpha, s.beta, s.k1, s.k2)(s.t) / exp(s.alpha * s.t);
+                 }},
+       .printed = turning(R"($K_1\cos\beta t+K_2\sin\beta t$)", 1),
+       .near_misses = {turning(R"($K_1\cos\beta t-K_2\sin\beta t$)", -1)}});
   const auto constant = [](std::string text, double sign) -> ProvableFormula<StartOfOneOf> {
     return {std::move(text), [=](const auto& s) { return s.started(sign); }};
   };
@@ -640,7 +663,7 @@ void arrivals(Claims& claims, double seed) {
   };
   claims.add(
       "arrival_quotient", 1517,
-      "the arrival's arctangent is of a quotient, which any $p_1$ and $v_1$ have, where it is not $0/0$",
+      "the quotient in the arrival's arctangent exists for all $p_1$ and $v_1$ unless it is $0/0$",
       {.printed = of_pair(R"($-\beta p_1/(v_1-\alpha p_1)$, no number for $v_1=\alpha p_1$)",
                           [](double y, double x) {
                             return x == 0 ? std::numeric_limits<double>::quiet_NaN()
@@ -658,27 +681,31 @@ void arrivals(Claims& claims, double seed) {
        .kind = Fault::left_out,
        .root = "a zero denominator"});
 
+  const auto passing = [](std::string text, const std::vector<Start>& balls) -> Reading {
+    WorstSample worst(R"($x$ at the first sign change of $x\cdot p$)", "closed form", "the origin");
+    for (const auto& [b, where] : balls) {
+      const auto [time, known] = first_passage(b);
+      const double speed = std::hypot(derivative(damped_oscillation(b.m, b.c, b.a, b.p1, b.v1), time),
+                                      derivative(damped_oscillation(b.m, b.c, b.a, b.p2, b.v2), time));
+      worst.add(OneForm<double>{b}.at(time), {0, 0},
+                {known.allowed * speed, "the way that the ball goes in the uncertainty of its passage"},
+                std::hypot(b.p1, b.p2), where);
+    }
+    return {std::move(text), {worst.check()}};
+  };
   const Ball away{1, 4, 0.4, 1, 2, 1, 2}, aside{1, 4, 0.4, 1, 2, 1, 1};
   const auto [w1, w2] = OneForm<double>{away}.at(first_passage(away).time);
-  const auto back = [&](std::string text, const std::string& where, const Ball& b) -> Reading {
-    const auto [time, known] = first_passage(b);
-    const double speed = std::hypot(derivative(damped_oscillation(b.m, b.c, b.a, b.p1, b.v1), time),
-                                    derivative(damped_oscillation(b.m, b.c, b.a, b.p2, b.v2), time));
-    return {std::move(text),
-            {{R"($x$ at the first sign change of $x\cdot p$, )" + where,
-              {"closed form", OneForm<double>{b}.at(time)},
-              {"the origin", {0, 0}},
-              {known.allowed * speed, "the way that the ball goes in the uncertainty of its passage"},
-              std::hypot(b.p1, b.p2)}}};
-  };
+  claims.add("finite_time", 1523, "for $p$ and $v$ parallel the ball reaches the origin in finite time",
+             {.printed = passing("it passes through the origin", directions),
+              .near_misses = {passing("so it does for any $v$", {{aside, "$v=(1,1)$"}})}});
   claims.add(
       "velocity_points_to_origin", 1525,
       "what happens physically is that the velocity points to the origin at the start",
       {.printed = {R"($p\cdot v<0$ in every start that arrives)",
                    {no_violations(R"($p\cdot v\ge0$ though the ball arrives, $p=(1,2)$, $v=p$)",
                                   size_of({w1, w2}) < 1e-9, 1)}},
-       .corrected = back("$p$ and $v$ parallel, in either direction", "$v=p$", away),
-       .near_misses = {back("any direction", "$v=(1,1)$", aside)},
+       .corrected = passing("$p$ and $v$ parallel, in either direction", {{away, "$v=p$"}}),
+       .near_misses = {passing("any direction", {{aside, "$v=(1,1)$"}})},
        .why = "Parallel is enough: a ball moving straight away from the origin turns round and comes back "
               "through it.",
        .kind = Fault::counterexample,
@@ -735,6 +762,20 @@ void not_parallel(Tables& tables, const std::vector<Aside>& samples) {
        .near_misses = {momentum("the angular momentum is conserved: $p_1v_2-p_2v_1$", 0)}});
 }
 
+void comes_to_rest(Claims& claims, const std::vector<UnderDamped>& samples) {
+  const auto near_zero = [](std::string text, double friction) -> Statement<UnderDamped> {
+    return {std::move(text), [friction](const UnderDamped& s) {
+              const double t = 80 * s.m / s.a;
+              return abs(damped_oscillation(s.m, s.c, friction * s.a, s.p, s.v)(t)) < 1e-12;
+            }};
+  };
+  claims.statement<UnderDamped>(
+      "infinite_time", 1541,
+      R"(it reaches the origin in infinite time, since $e^{\alpha t}$ tends to zero, $\alpha<0$)", samples,
+      {.printed = near_zero(R"($|x|<10^{-12}$ at $t=40/|\alpha|$)", 1),
+       .near_misses = {near_zero(R"($|x|<10^{-12}$ then without friction, $\alpha=0$)", 0)}});
+}
+
 std::vector<Claim> claims(double seed) {
   Claims all("3.9");
   Random random(seed + 1);
@@ -748,6 +789,7 @@ std::vector<Claim> claims(double seed) {
   parallel(tables, draw<Vectors>(200, seed));
   arrivals(all, seed);
   not_parallel(tables, next<Aside>(random, 200));
+  comes_to_rest(all, draw<UnderDamped>(200, seed));
   return all.in_order();
 }
 
@@ -913,7 +955,8 @@ Provables proofs() {
   polynomial.given = positive({k.m, k.c, k.a});
   polynomial.example.m = 1, polynomial.example.c = 3, polynomial.example.a = 2;
   for (Provable& proof : table_of_roots(tables.polynomial, polynomial)) all.push_back(std::move(proof));
-  take(tables.oscillation, any<OscillationOf>({"alpha", "beta", "k1", "k2", "t"}, "ring"));
+  take(tables.oscillation,
+       any<OscillationOf>({"alpha", "beta", "k1", "k2", "t"}, "field; try apply Rgt_not_eq, exp_pos"));
   auto start =
       any<StartOfOneOf>({"alpha", "beta", "p", "v"}, "rewrite ?exp_0, ?cos_0, ?sin_0; field; trivial");
   start.given = {not_zero(start.any.beta.expression())};
@@ -944,7 +987,7 @@ std::vector<Root> roots() {
        R"(A game that rules the hit out for strong friction lets a ball, thrown from $p$ with $v=-9p$ at $m=1$, )"
        R"($c=4$, $a=5$, through its goal after 0.157 s, at 4.3 $|p|$ a second, unseen.)"},
       {"too much friction",
-       R"(Who turns the friction up to have the ball home sooner waits longer: for $m=1$, $c=4$ it is within a )"
+       R"(Whoever turns the friction up to have the ball home sooner waits longer: for $m=1$, $c=4$ it is within a )"
        R"(hundredth of its way after 3.3 s with $a=4$, after 8.7 s with $a=8$, and after 46 s with $a=40$.)"},
       {"the first equation alone",
        R"(A ball that swings along the $x_2$-axis gets NaN for its time: let go at rest with $m=1$, $c=4$, )"

@@ -846,7 +846,7 @@ std::vector<Root> roots() {
        "Started at a quarter of the segment instead of its middle, all parameters named being the same, the "
        "mass arrives at 0.252 m for 0.994 m."},
       {"a clock set to zero",
-       R"(Who loads a motion saved at $t=1$ sees the mass jump by 1.08 m, as the segment is turned back by )"
+       R"(Whoever loads a motion saved at $t=1$ sees the mass jump by 1.08 m, as the segment is turned back by )"
        R"($45^\circ$.)"}};
 }
 

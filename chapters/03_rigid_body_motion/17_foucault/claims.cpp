@@ -773,7 +773,7 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
        .near_misses = {{"with $rz^2(1-z/h)^2$", factored(1)}},
        .kind = Fault::formula,
        .why =
-           R"(The second term is $\rho^2z^2=r^2z^2(1-z/h)^2$; its $r^2$ is lost, and back in the next line.)"});
+           R"(The second term is $\rho^2z^2=r^2z^2(1-z/h)^2$; its $r^2$ is missing here and is back in the next line.)"});
   const auto closed = [](double by, double factor) {
     return [=]<class T>(const ConeSampleOf<T>& s) {
       return pi_of<T>() * s.r() * s.r() * s.h() * (2 * square(s.h()) + 3 * square(s.r())) * factor / by;
@@ -992,7 +992,7 @@ void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
       "cone_equations", 2429, R"(the cone's equations are those of the point with $\frac12w\cdot Jw$ in $T$)",
       samples,
       {.quantity = "Lagrange's equations, left sides less right sides, for $\\theta$ and $\\phi$",
-       .truth = {R"(those of a point mass at $(L^2+I_{xx})/L$ on the turning Earth, linear in $\omega$)",
+       .truth = {R"(those of a point mass at $(L^2+I_{xx}/m)/L$ on the turning Earth, linear in $\omega$)",
                  [](const auto& s) {
                    auto point = s.motion;
                    point.m = 1;
@@ -1003,9 +1003,9 @@ void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
                  }},
        .printed = {R"(the derivatives of $\frac12w\cdot Jw$ appended)", residual(true, false)},
        .corrected =
-           {"$L^2+I_{xx}$ for $L^2$, $I_{xx}$ about the center of mass, in $T$ and in the Coriolis force",
+           {"$L^2+I_{xx}/m$ for $L^2$, $I_{xx}$ about the center of mass, in $T$ and in the Coriolis force",
             residual(false, true)},
-       .near_misses = {{"$L^2+I_{xx}$ in $T$, the Coriolis force that of a point", residual(false, false)}},
+       .near_misses = {{"$L^2+I_{xx}/m$ in $T$, the Coriolis force that of a point", residual(false, false)}},
        .kind = Fault::left_out,
        .root = "the cone's own turning",
        .why =

@@ -424,8 +424,12 @@ void forces(Table& table, const Samples& samples) {
        .truth = {R"($m_3\ddot y_3$ by Lagrange's equations)",
                  [](const auto& s) { return s.p.m3 * s.by_lagrange()[1]; }, &Sample::size},
        .printed = {"$m_3g-c_2(S_2-L_2)$", on_mass(0)},
-       .corrected = {R"($m_3g-c_2(S_2-L_2)-(I_2/R_2^2)(\ddot y_3-\ddot y_2)$ of its motion)", on_mass(-1)},
-       .near_misses = {{R"($m_3g-c_2(S_2-L_2)+(I_2/R_2^2)(\ddot y_3-\ddot y_2)$ of its motion)", on_mass(1)}},
+       .corrected =
+           {R"($m_3g-c_2(S_2-L_2)-(I_2/R_2^2)(\ddot y_3-\ddot y_2)$, the accelerations those of its motion)",
+            on_mass(-1)},
+       .near_misses =
+           {{R"($m_3g-c_2(S_2-L_2)+(I_2/R_2^2)(\ddot y_3-\ddot y_2)$, the accelerations those of its motion)",
+             on_mass(1)}},
        .kind = Fault::left_out,
        .root = "the small pulley's inertia",
        .why = R"(The pulley between spring and mass has inertia: the rope pulls the mass with )"
@@ -477,7 +481,7 @@ void equations(Table& table, const Samples& samples) {
       R"(of $I_1/R_1^2$ restored)",
       samples,
       {.quantity = "the equation's left side less the second spring's part, " + two_routes,
-       .truth = {"$m_2g-c_1(K_1-L_1+y_2)$, twice",
+       .truth = {"the right side's $m_2g-c_1(K_1-L_1+y_2)$, for both",
                  [](const auto& s) {
                    const auto right = s.p.m2 * s.p.g - s.pull1();
                    return values(right, right);

@@ -159,11 +159,12 @@ void equations(Table& table, const std::vector<Sample>& samples) {
       samples,
       {.quantity = "Lagrange's left sides of an upright pipe under gravity",
        .truth = nothing,
-       .printed = {R"(of an upright pipe, too: $\ddot\theta$ the quotient, $\ddot\psi=-\ddot\theta\cos\phi$)",
-                   in_lagrange([]<class T>(const SampleOf<T>& up) {
-                     const T a = -up.m * up.g * up.lever()[2] / up.inertia(up.mu2);
-                     return Two<T>{a, -a};
-                   })},
+       .printed =
+           {R"(for an upright pipe as well: $\ddot\theta$ the quotient, $\ddot\psi=-\ddot\theta\cos\phi$)",
+            in_lagrange([]<class T>(const SampleOf<T>& up) {
+              const T a = -up.m * up.g * up.lever()[2] / up.inertia(up.mu2);
+              return Two<T>{a, -a};
+            })},
        .corrected =
            {R"(only where the pipe is inclined; upright $\ddot\theta$ is any number, and $\ddot\psi=-\ddot\theta$)",
             in_lagrange(any_turn)},

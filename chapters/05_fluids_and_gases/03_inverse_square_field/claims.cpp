@@ -145,7 +145,7 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
            R"(The first derivative is printed of $x_i/|\mathbf x|^3$, an index that nothing sums and )"
            R"(nothing else has: it must be $x_0$, which the next line has. At the point $(0.3,-0.7,0.9)$, )"
            R"(times $|\mathbf x|^3$, the three derivatives are 0.8058, $-0.0576$ and $-0.7482$, which add )"
-           R"(up to zero; with $x_1$ in the first one it is 0.4532.)",
+           R"(up to zero; with $x_1$ for $x_i$ the first is 0.4532 and the sum $-0.3526$.)",
        .kind = Fault::formula});
   derivatives("common_denominator", 3239, R"(the three summands over the common denominator $|\mathbf x|^5$)",
               1e55,
@@ -179,8 +179,8 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
   const auto out_of_a_ball = [&](const char* text, double said) {
     return Reading{text,
                    {{"flux out of a ball around the origin",
-                     {flux.source, flux.value},
                      {"the divergence over the ball", said},
+                     {flux.source, flux.value},
                      rounding(all_around),
                      all_around}}};
   };
@@ -203,8 +203,8 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
 std::vector<Root> roots() {
   return {
       {"the origin",
-       R"(A field that is put together from its sources, as smoke or gravity is, has none of this: nothing )"
-       R"(flows out of the sphere around the source, where $4\pi=12.566$ should, whatever its radius.)"}};
+       R"(A field that is put together from its sources, as smoke or gravity is, would have none: nothing )"
+       R"(would flow out of the sphere around a source, where $4\pi=12.566$ should, whatever its radius.)"}};
 }
 
 }  // namespace oddity::ex05_03

@@ -495,7 +495,7 @@ void what_follows(Claims& claims, double seed) {
                                         })}}}});
   claims.add(
       "finite_set", 3785, "to consider only a finite set of contact points is no approximation",
-      {.printed = {"for segments, triangles, parallelograms and trapezoids",
+      {.printed = {"for any contact: segments, triangles, parallelograms and trapezoids",
                    {segment, triangles, parallelograms, as_area(boxes, R"(trapezoids, $1:\frac12$)", 0.5)}},
        .corrected = {"for segments, and where the corners' mean is the area's centroid: triangles, "
                      "parallelograms",

@@ -66,9 +66,12 @@ Formula<Counts> priced(std::string text, const std::function<Cost(double n)>& co
   return counted(std::move(text), [=](const Counts& c) { return cost(c.n); });
 }
 
-Formula<Counts> six_times(const std::string& rest, Cost last) {
-  return priced("$n(n-1)[(2\\mu+\\alpha)n" + rest + "]$",
-                [=](double n) { return six_times_bracket(n, last); });
+/// A sixth of whole numbers that six divides, where the formula is right.
+Formula<Counts> with_rest(const std::string& rest, Cost last) {
+  return priced("$[n(n-1)/6][(2\\mu+\\alpha)n" + rest + "]$", [=](double n) {
+    const Cost six = six_times_bracket(n, last);
+    return Cost{six.mu / 6, six.alpha / 6, six.delta / 6};
+  });
 }
 
 Cost sum_over_columns(const Counts& c) {
@@ -155,23 +158,20 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
        .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)", printed_difference<double>),
        .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/6+(\mu+\alpha)n(n-1)/2$)",
                               [](double n) { return printed_difference(n) + n * (n - 1) * (mu + alpha); })}});
-  claim("factored", 3805, R"(this is $[n(n-1)/6][(2\mu+\alpha)n-\mu]$; below both are taken six times)",
-        {.truth =
-             counted("six times $C'-C$, both as printed", [=](const Counts& c) { return 6 * difference(c); }),
-         .printed = six_times(R"(-\mu)", printed_rest<double>()),
-         .corrected = six_times(R"(-\mu-2\alpha)", rest_of_totals<double>()),
-         .near_misses = {six_times(R"(-\mu-\alpha)", -1.0 * mu - alpha)},
+  claim("factored", 3805, R"(this is $[n(n-1)/6][(2\mu+\alpha)n-\mu]$)",
+        {.truth = counted("$C'-C$, both as printed", difference),
+         .printed = with_rest(R"(-\mu)", printed_rest<double>()),
+         .corrected = with_rest(R"(-\mu-2\alpha)", rest_of_totals<double>()),
+         .near_misses = {with_rest(R"(-\mu-\alpha)", -1.0 * mu - alpha)},
          .kind = Fault::formula,
          .root = "lost additions",
          .why = R"($(2\mu+\alpha)(n+1)-3(\mu+\alpha)=(2\mu+\alpha)n-\mu-2\alpha$: the $2\alpha$ was lost. )"
                 R"(For $n=2$ the difference is $\mu$, and as factored in print $\mu+\tfrac23\alpha$.)"});
-  claim("excess", 3805,
-        R"(full elimination costs $[n(n-1)/6][(2\mu+\alpha)n-\mu]$ more; below both are taken six times)",
-        {.truth = counted("six times the difference of the counts",
-                          [](const Counts& c) { return 6 * c.excess(); }),
-         .printed = six_times(R"(-\mu)", printed_rest<double>()),
-         .corrected = six_times(R"(+2\mu-2\alpha)", rest_of_counts<double>()),
-         .near_misses = {six_times(R"(+\mu-2\alpha)", mu - 2 * alpha)},
+  claim("excess", 3805, R"(full elimination costs $[n(n-1)/6][(2\mu+\alpha)n-\mu]$ more)",
+        {.truth = counted("the difference of the counts", &Counts::excess),
+         .printed = with_rest(R"(-\mu)", printed_rest<double>()),
+         .corrected = with_rest(R"(+2\mu-2\alpha)", rest_of_counts<double>()),
+         .near_misses = {with_rest(R"(+\mu-2\alpha)", mu - 2 * alpha)},
          .kind = Fault::left_out,
          .root = uncounted,
          .why = R"(The multiplied diagonal entries add $\mu\,n(n-1)/2$, and the factoring loses $2\alpha$. )"
@@ -396,7 +396,7 @@ std::vector<Root> roots() {
        R"(needs not one more.)"},
       {"no exchange of rows",
        R"(Of the 11808 invertible $3\times3$ matrices with entries $-1$, 0 and 1, 5528 have a zero pivot: )"
-       R"(nearly every second is answered with NaN.)"}};
+       R"(nearly half of them are answered with NaN.)"}};
 }
 
 }  // namespace oddity::ex07_01

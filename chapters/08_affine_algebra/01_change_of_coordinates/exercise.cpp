@@ -288,14 +288,16 @@ Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth,
 Quantity full_turns() {
   const Vector2d a(1234.567, -0.3333);
   constexpr long quarter_turn = 2;
-  Quantity q{"full_turns",
-             "m",
-             "coordinates after full turns of eight changes each, and a quarter turn of two more",
-             {"$(a_2,-a_1)$", Value{a[1], -a[0]}},
-             0,
-             {1e-12 * a.norm(), "a few thousand roundings"},
-             {},
-             {}};
+  Quantity q{
+      "full_turns",
+      "m",
+      "coordinates of $(1234.567,-0.3333)$ after full turns of eight changes each, and a quarter turn of two "
+      "more",
+      {"$(a_2,-a_1)$", Value{a[1], -a[0]}},
+      0,
+      {1e-12 * a.norm(), "a few thousand roundings"},
+      {},
+      {}};
   const Knob changes{"changes", {8, 256, 8192, 262144}};
   const auto add = [&](const char* model, const char* algorithm, const auto& step, Outcome expected,
                        const char* why) {
@@ -333,7 +335,8 @@ Quantity full_turns() {
          }});
   q.add(Breakdown{
       R"(The square of the double $1/\sqrt2$ is $9\cdot10^{-17}$ too small, and the length shrinks in )"
-      R"(every change. Two changes are a quarter turn, which rounds nothing.)",
+      R"(every change, though for many points, such as $(2,\frac12)$, the roundings fall into a cycle that hides )"
+      R"(it. Two changes are a quarter turn, which rounds nothing.)",
       "matrix, entries 1/sqrt(2)", 262144, Outcome::inaccurate, "two changes at once, (b1, b2) = (a2, -a1)",
       262144});
   return q;
