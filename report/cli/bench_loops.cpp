@@ -130,9 +130,9 @@ void symplectic_euler(const Hand& model, double* out, double h, long steps) {
   double q[n], v[n], a[n];
   unrolled<n>([&](auto i) { q[i] = out[i], v[i] = out[n + i]; });
   for (long s = 0; s < steps; ++s) {
-    unrolled<n>([&](auto i) { q[i] = q[i] + h * v[i]; });
     model.force(q, a);
     unrolled<n>([&](auto i) { v[i] = v[i] + h * a[i]; });
+    unrolled<n>([&](auto i) { q[i] = q[i] + h * v[i]; });
   }
   unrolled<n>([&](auto i) { out[i] = q[i], out[n + i] = v[i]; });
 }

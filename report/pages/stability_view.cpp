@@ -249,7 +249,9 @@ std::string how_it_breaks(const Limit& l, const Stability& s) {
   if (!l.broken) return "";
   const TimedTrial& t = *l.broken;
   const std::string unit = " " + s.time_unit;
-  return "at " + format_significant(l.unstable, 3) + unit + " neighbouring motions have parted after " +
+  return "at " + format_significant(l.unstable, 3) + unit +
+         (l.outgrown ? " the motion is twice its true size after "
+                     : " neighbouring motions have parted after ") +
          format_significant(l.lost, 2) + unit + "; the motion at " + format_significant(t.setting, 3) + unit +
          ": " + beyond(l) + ", " +
          (t.message.empty() ? "error " + in_unit(shown_error(t.error), s.unit) : t.message);
@@ -277,8 +279,9 @@ std::string stability_text(const ExerciseResult& e, const Screen& screen) {
   for (const auto& [reason, names] : reasons(s)) notes += "\n  " + names + ": " + reason + "\n";
   for (const std::string& line : reservations(s)) notes += "\n  " + line + "\n";
   return heading_of(e, screen) + s.quantity + " over " + format_significant(s.horizon, 4) + " " +
-         s.time_unit + "; needed to " + in_unit(format_significant(s.close, 3), s.unit) + "\n\n" +
-         limits_text(s, screen) + wrapped(notes, screen, 4) + map_text(s, screen);
+         s.time_unit + "; needed to " + in_unit(format_significant(s.close, 3), s.unit) +
+         " at the end of every step\n\n" + limits_text(s, screen) + wrapped(notes, screen, 4) +
+         map_text(s, screen);
 }
 
 std::string limit_row(const ExerciseResult& e, const Limit& l) {
@@ -314,7 +317,8 @@ std::string stability_page(const Results& results) {
   std::string text =
       "# Up to which step methods are stable\n\n"
       "A step is stable when a small disturbance of the motion does not grow in it, or, where it grows in truth, "
-      "grows at most twice as fast. That says nothing about accuracy. *None*: not even a step of 0.02 over the "
+      "grows at most twice as fast, and the motion does not become twice as large as the true one. That says "
+      "nothing about accuracy. *None*: not even a step of 0.02 over the "
       "fastest frequency is stable. On an undamped oscillation, such as a pendulum, explicit Euler is unconditionally unstable: "
       "disturbances grow at the rate $`h\\omega^2/2`$ however short the step $`h`$. A limit after \\~ is not sharp: those who watch half "
       "or twice as long, or who call a motion too large at another size, find it elsewhere by more than 5 %. After "
@@ -324,8 +328,8 @@ std::string stability_page(const Results& results) {
       "its own time. Theory's limit, in brackets, is the shortest step at which disturbances grow by the "
       "eigenvalues of the Jacobian along the motion. Where the two differ by more than a quarter, the reason "
       "stands below the table. The maps show how each method ends over the step and over the parameter that makes "
-      "the scene hard. Below a limit stands the error at that step. *Good to*: up to this step all are within what a game asks, "
-      "one centimetre or one degree; *good nowhere*: none that was tried is. `oddity stability` prints how each method breaks, and what cures it.\n\n";
+      "the scene hard. Below a limit stands the largest error at the end of any of its steps. *Good to*: up to this step all are "
+      "within what a game asks at the end of every step, one centimetre or one degree; *good nowhere*: none that was tried is. `oddity stability` prints how each method breaks, and what cures it.\n\n";
   text += differences(results);
   for (const ExerciseResult& e : results.exercises)
     if (e.stability) text += stability_of_scene(e);

@@ -4,7 +4,7 @@
 
 namespace oddity::plain {
 
-/// Order 1, one evaluation of the forces per step: q first, then v with the forces at the new q.
+/// Order 1, one evaluation of the forces per step: v first, then q with the new v.
 template <class Model>
 struct SymplecticEuler {
   using State = typename Model::State;
@@ -14,9 +14,9 @@ struct SymplecticEuler {
     Halves<State> halves(x);
     auto& [q, v] = halves;
     typename Halves<State>::Half a{};
-    for (std::size_t i = 0; i < q.size(); ++i) q[i] += h * v[i];
     model.acceleration(q, a);
     for (std::size_t i = 0; i < q.size(); ++i) v[i] += h * a[i];
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] += h * v[i];
     halves.put(x);
   }
 };

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 6;
+constexpr int format = 7;
 
 void require(bool holds, const char* otherwise) {
   if (!holds) throw std::runtime_error(otherwise);
@@ -403,6 +403,7 @@ Json from(const Stability& s) {
                       {"unstable", from(l.unstable)},
                       {"longest", from(l.longest)},
                       {"lost", from(l.lost)},
+                      {"outgrown", l.outgrown},
                       {"watched", from(l.watched)},
                       {"goes_on", l.goes_on},
                       {"soft", l.soft ? Json{from(l.soft->least), from(l.soft->most)} : Json(nullptr)},
@@ -440,9 +441,10 @@ Stability stability(const Json& json) {
   for (const Json& l : json.at("limits"))
     s.limits.push_back({l.at("model"), l.at("algorithm"), tongues(l.at("tongues")), number(l.at("stable")),
                         number(l.at("unstable")), number(l.at("longest")), number(l.at("lost")),
-                        number(l.at("watched")), l.at("goes_on"), maybe_between(l.at("soft")),
-                        maybe_trial(l.at("at")), maybe_trial(l.at("broken")), maybe_trial(l.at("within")),
-                        maybe_trial(l.at("cure")), l.at("why"), l.at("evidence")});
+                        l.at("outgrown"), number(l.at("watched")), l.at("goes_on"),
+                        maybe_between(l.at("soft")), maybe_trial(l.at("at")), maybe_trial(l.at("broken")),
+                        maybe_trial(l.at("within")), maybe_trial(l.at("cure")), l.at("why"),
+                        l.at("evidence")});
   require(!s.steps.empty(), "a map has no steps");
   for (const Json& r : json.at("map")) {
     MapRow row{r.at("model"), r.at("algorithm"), number(r.at("value")), limit_in(r.at("theory")), {}};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <numeric>
 
 #include "chapters/scene.hpp"
@@ -61,6 +62,10 @@ class Scan {
     return {low, high};
   }
   double time(const Observer& observer, double step) { return loss(step).time(observer.size); }
+  /// Whether it is lost by its size first.
+  bool outgrown(const Observer& observer, double step) {
+    return loss(step).outgrown[observer.size] < loss(step).parted;
+  }
 
  private:
   bool lost(const Observer& observer, double step) { return time(observer, step) <= observer.time; }
@@ -96,7 +101,10 @@ void measure(Limit& limit, const Disturbances& disturbances, double interval) {
   const Edge edge = scan.edge(usual, 0.002);
   limit.stable = told(edge);
   limit.unstable = edge.unstable;
-  if (edge.unstable > 0) limit.lost = scan.time(usual, edge.unstable);
+  if (edge.unstable > 0) {
+    limit.lost = scan.time(usual, edge.unstable);
+    limit.outgrown = scan.outgrown(usual, edge.unstable);
+  }
   Between all{limit.stable, limit.stable};
   for (const Observer& other : {Observer{usual.time / 2, 1}, Observer{disturbances.watched, 1},
                                 Observer{usual.time, 0}, Observer{usual.time, 2}}) {
@@ -106,9 +114,59 @@ void measure(Limit& limit, const Disturbances& disturbances, double interval) {
   if (all.most > sharp * all.least) limit.soft = all;
 }
 
+bool of_fixed_step(const Method& method) { return static_cast<bool>(method.unstable_steps); }
+
+/// Judges a motion at the end of every step, or of every second, third, ... where there are more than 4,096.
+/// What is true there is the cheapest trial that is within a thousandth of the need at the times of the
+/// reference. Without such a one, or a motion to look at, it is judged at those times alone.
+class EveryStep {
+ public:
+  using MotionAt = std::function<Quantity(const Horizon&)>;
+
+  EveryStep(Quantity at_looks, double horizon, MotionAt motion = {})
+      : at_looks_(std::move(at_looks)), horizon_(horizon), motion_(std::move(motion)) {
+    if (!motion_) return;
+    for (const Method& method : at_looks_.methods)
+      if (!of_fixed_step(method)) consider(method);
+  }
+
+  /// By so many steps between two times of the reference, or a few more.
+  Trial trial(const Method& method, long steps) const {
+    const long all = steps * at_looks_.samples;
+    if (!truest_) return run(at_looks_, method, horizon_ / static_cast<double>(all));
+    constexpr long most = 4096;
+    const long each = (all + most - 1) / most, looks = (all + each - 1) / each;
+    Quantity dense = motion_({horizon_, static_cast<int>(looks)});
+    dense.need = at_looks_.need;
+    dense.needs = at_looks_.needs;
+    dense.reference.value = method_of(dense, truest_->model, truest_->algorithm)->run(truest_->setting).value;
+    Trial judged = run(dense, *method_of(dense, method.model, method.algorithm),
+                       horizon_ / static_cast<double>(looks * each));
+    const Value& seen = judged.answer.value;
+    judged.answer.value = std::vector<double>(
+        seen.end() - static_cast<std::ptrdiff_t>(seen.size() / static_cast<std::size_t>(looks)), seen.end());
+    return judged;
+  }
+
+ private:
+  void consider(const Method& method) {
+    for (double setting : method.knob.settings) {
+      const Trial trial = run(at_looks_, method, setting);
+      if (!trial.answer.reached() || !(trial.in_needs <= 1e-3)) continue;
+      if (!truest_ || trial.answer.evaluations < truest_->answer.evaluations) truest_ = trial;
+      return;
+    }
+  }
+
+  Quantity at_looks_;
+  double horizon_;
+  MotionAt motion_;
+  std::optional<Trial> truest_;
+};
+
 /// The motion by the longest step that is no longer than this one and divides the interval.
-Trial run_at(const Quantity& quantity, const Method& method, double interval, double step) {
-  return run(quantity, method, interval / std::ceil(interval / step * (1 - 1e-9)));
+Trial run_at(const EveryStep& judge, const Method& method, double interval, double step) {
+  return judge.trial(method, std::lround(std::ceil(interval / step * (1 - 1e-9))));
 }
 
 /// By the shortest step that is no shorter than this one and divides the interval, or by the interval.
@@ -119,14 +177,13 @@ Trial run_beyond(const Quantity& quantity, const Method& method, double interval
 /// By the largest step below which all that were tried are within the need: 1, 2, 3, 5, 8, ... steps an
 /// interval up to 4,096 steps in all, and to 262,144 steps or 200,000 evaluations while none is; bisected to
 /// 1 %.
-std::optional<TimedTrial> within_need(const Quantity& quantity, const Method& method, double interval) {
+std::optional<TimedTrial> within_need(const EveryStep& judge, const Method& method, int intervals) {
   constexpr long enough_steps = 4096, most_steps = 262'144, most_evaluations = 200'000;
-  const auto trial = [&](long steps) { return run(quantity, method, interval / static_cast<double>(steps)); };
-  const auto holds = [&](const Trial& t) { return t.error <= quantity.need.allowed; };
+  const auto holds = [](const Trial& t) { return t.in_needs <= 1; };
   std::optional<TimedTrial> within;
   long coarse = 0, fine = 0;  // steps an interval: the finest that does not hold, the coarsest of those below
   for (long steps = 1;; steps = std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5))) {
-    const Trial here = trial(steps);
+    const Trial here = judge.trial(method, steps);
     if (!holds(here)) {
       coarse = steps;
       within.reset();
@@ -134,13 +191,13 @@ std::optional<TimedTrial> within_need(const Quantity& quantity, const Method& me
       fine = steps;
       within = as_result(here);
     }
-    const long all = steps * quantity.samples;
+    const long all = steps * intervals;
     if (all >= most_steps || here.answer.evaluations >= most_evaluations) break;
     if (within && all >= enough_steps) break;
   }
   while (within && fine - coarse > std::max(1L, fine / 100)) {
     const long middle = std::midpoint(coarse, fine);
-    const Trial here = trial(middle);
+    const Trial here = judge.trial(method, middle);
     (holds(here) ? fine : coarse) = middle;
     if (holds(here)) within = as_result(here);
   }
@@ -235,8 +292,6 @@ void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria
         from);
 }
 
-bool of_fixed_step(const Method& method) { return static_cast<bool>(method.unstable_steps); }
-
 double first_of(const std::vector<ode::Tongue>& tongues) {
   return tongues.empty() ? infinity : tongues.front().from;
 }
@@ -266,6 +321,7 @@ struct Motion {
   double interval;
   double value = 0;  ///< of the varied parameter
   bool varied = false;
+  std::shared_ptr<const EveryStep> judge = {};  ///< unless the parameter is varied
 };
 
 Motion motion_of(const Task& task, std::size_t place, const Reference& truth, std::optional<double> value) {
@@ -276,6 +332,11 @@ Motion motion_of(const Task& task, std::size_t place, const Reference& truth, st
   motion.interval = scene.horizon / motion.quantity.samples;
   motion.quantity.need = {scene.game_tolerance, "what a game asks"};
   for (std::string_view unit : motion.quantity.units()) motion.quantity.needs.push_back(game_error(unit));
+  if (!value)
+    motion.judge = std::make_shared<EveryStep>(
+        motion.quantity, scene.horizon, [&scene, parameters](const Horizon& horizon) {
+          return oddity::motion(scene, parameters, horizon, Reference::nothing());
+        });
   return motion;
 }
 
@@ -312,11 +373,22 @@ MapRow row_of(const Motion& motion, const Method& method) {
   return row;
 }
 
+/// A limit, and the trials beside it.
+Limit limit_by(const EveryStep& judge, const Quantity& quantity, const Method& method, double interval) {
+  Limit limit = measured_limit(method, interval);
+  while (limit.tongues.size() > 1 && limit.tongues.back().from > interval) limit.tongues.pop_back();
+  if (limit.stable > 0) limit.at = as_result(run_at(judge, method, interval, limit.stable));
+  if (limit.unstable > 0) limit.broken = as_result(run_beyond(quantity, method, interval, limit.unstable));
+  limit.within = within_need(judge, method, quantity.samples);
+  return limit;
+}
+
 void examine(Piece& piece) {
   if (piece.motion->varied) {
     piece.row = row_of(*piece.motion, *piece.method);
   } else {
-    piece.limit = limit_of(piece.motion->quantity, *piece.method, piece.motion->interval);
+    piece.limit =
+        limit_by(*piece.motion->judge, piece.motion->quantity, *piece.method, piece.motion->interval);
     piece.limit.cure = cure_of(piece.motion->quantity, piece.limit);
   }
 }
@@ -375,12 +447,7 @@ Limit measured_limit(const Method& method, double interval, const ode::Criteria&
 }
 
 Limit limit_of(const Quantity& quantity, const Method& method, double interval) {
-  Limit limit = measured_limit(method, interval);
-  while (limit.tongues.size() > 1 && limit.tongues.back().from > interval) limit.tongues.pop_back();
-  if (limit.stable > 0) limit.at = as_result(run_at(quantity, method, interval, limit.stable));
-  if (limit.unstable > 0) limit.broken = as_result(run_beyond(quantity, method, interval, limit.unstable));
-  limit.within = within_need(quantity, method, interval);
-  return limit;
+  return limit_by(EveryStep(quantity, interval * quantity.samples), quantity, method, interval);
 }
 
 bool ends_so_within_roundings(const Task& task, const MapRow& row, std::size_t k, Outcome outcome,

@@ -18,7 +18,7 @@ namespace oddity {
 /// last, from a quarter of theory's limit (or the finest that is told from none) to the longest, which is
 /// `interval` [s], the time between two looks at the motion, or what the measurement allows. Beside it the
 /// trials at and beyond the limit, whose steps divide the interval, and the largest step within the
-/// quantity's need. No cure is looked for.
+/// quantity's need, both at the times of its reference. No cure is looked for.
 Limit limit_of(const Quantity&, const Method&, double interval);
 
 /// The same without any trial.
