@@ -242,6 +242,8 @@ Reference::Reference(const fs::path& folder, fs::path cache)
       tables[name];
       continue;
     }
+    if (!fs::is_directory(room / "tables"))
+      throw BadInput("cannot read " + room.string() + ": a folder with tables/ and approved/ is needed");
     if (!fs::exists(file))
       throw BadInput("cannot read " + file.string() + ": it is not there; build/release/make_reference " +
                      folder.string() + " " + name + " makes it");
