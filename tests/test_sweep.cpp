@@ -310,6 +310,85 @@ TEST_CASE("a thousand million cells are planned and estimated", "[sweep]") {
   CHECK(says(ran, "on one thread"));
 }
 
+TEST_CASE("a small map has no cell that is guessed", "[sweep]") {
+  const ScratchFolder scratch;
+  const fs::path small_one = scratch.path() / "small", large = scratch.path() / "large";
+  const auto merged = [&](const fs::path& folder, const std::string& cells) {
+    plan(folder,
+         " 3.5 --model 'one angle' --algorithm 'velocity Verlet' --setting 1 --looks 4 --over a=0.1..3:" +
+             cells);
+    REQUIRE(run("sweep run " + quoted(folder)).status == 0);
+    return run("sweep merge " + quoted(folder) + " --out " + quoted(folder / "map.csv"));
+  };
+  CHECK(says(merged(small_one, "4096"), "4,096 cells, all of them looked at"));
+  CHECK(says(merged(large, "4097"), " of them looked at; "));
+
+  Map map;
+  map.ended.resize(5000);
+  map.looked.assign(5000, 0);
+  CHECK(summary(map).ends_with("looked at; none of the others was checked"));
+  map.checked = 3;
+  CHECK(summary(map).ends_with("none of 3 checked between them ended otherwise"));
+}
+
+TEST_CASE("a fixed step is no longer than the time between two looks, and it is said where it is shortened",
+          "[sweep]") {
+  const ScratchFolder scratch;
+  const auto planned = [&](const std::string& asked) {
+    const Ran ran = run("sweep plan " + quoted(scratch.path()) + " 3.5 --model 'one angle' " + asked);
+    INFO(ran.output);
+    CHECK((ran.status == 0 || ran.status == 2));
+    return ran;
+  };
+  const std::string fixed = "--algorithm 'Runge-Kutta 4' ";
+  const Ran axis = planned(fixed + "a=1 --over step=5ms..1s:8");
+  CHECK(axis.status == 2);
+  CHECK(says(axis,
+             "the axis step goes up to 1 s, and a step is no longer than the 0.0167 s between two looks"));
+  CHECK(says(axis, "--looks 10"));
+  const Ran setting = planned(fixed + "--over a=1..2:8 --setting 1s");
+  CHECK(setting.status == 2);
+  CHECK(says(setting, "--setting is 1 s"));
+  CHECK(planned(fixed + "--over a=1..2:8 --setting 11s --looks 1").status == 2);
+  CHECK_FALSE(fs::exists(plan_file(scratch.path())));
+
+  const Ran as_advised = planned(fixed + "a=1 --over step=5ms..1s:8 --looks 10");
+  CHECK(as_advised.status == 0);
+  CHECK(says(as_advised, "a whole number of them fills the 1 s between looks: by up to 29 %"));
+  const Ran whole = planned(fixed + "--over a=1..2:8 --setting 0.5 --looks 10");
+  CHECK(whole.status == 0);
+  CHECK_FALSE(says(whole, "shortened"));
+  const Ran tolerance = planned("--algorithm 'Dormand-Prince 5(4)' --over tolerance=1e-9..1:8 a=1");
+  CHECK(tolerance.status == 0);
+  CHECK_FALSE(says(tolerance, "shortened"));
+}
+
+TEST_CASE("a step in a time of the method's own may be longer than the time between two looks", "[sweep]") {
+  const ScratchFolder scratch;
+  const Ran ran = run("sweep plan " + quoted(scratch.path()) +
+                      " 3.31 --model 'time stretched by the speed' --algorithm 'Runge-Kutta 4' --over "
+                      "step=1ms..1:10 --horizon 1");
+  INFO(ran.output);
+  CHECK(ran.status == 0);
+}
+
+TEST_CASE("what merges and draws names a folder that is not there, and an ending that is none", "[sweep]") {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "sweep", nowhere = scratch.path() / "nowhere";
+  plan(folder);
+  REQUIRE(run("sweep run " + quoted(folder)).status == 0);
+  for (const std::string verb : {"merge", "draw"}) {
+    const Ran ran = run("sweep " + verb + " " + quoted(folder) + " " + quoted(nowhere));
+    INFO(ran.output);
+    CHECK(ran.status == 2);
+    CHECK(says(ran, "there is no folder " + nowhere.string()));
+  }
+  const Ran drawn = run("sweep draw " + quoted(folder) + " --out " + quoted(folder / "map.png"));
+  CHECK(drawn.status == 2);
+  CHECK(says(drawn, "--out ends with .svg, and is "));
+  CHECK_FALSE(fs::exists(folder / "map.png"));
+}
+
 TEST_CASE("each cell may be what to choose there", "[sweep]") {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "table", csv = scratch.path() / "table.csv";
@@ -344,6 +423,8 @@ TEST_CASE("sweeps that cannot be are refused with what would be right", "[sweep]
   refused("3.5" + method + " --over a=1..2:5 --over a=1..2:5 --setting 0.1", "given twice");
   refused("3.5" + method + " --over a=1..2:5", "needs a step");
   refused("3.5" + method + " --over tolerance=1e-9..1e-3:5", "has a step");
+  refused("3.5 a=1" + method + " --over a=1..2:5 --setting 0.01", "both say what a is");
+  refused("3.5" + method + " --over step=1ms..9ms:5 --setting 0.01", "both say what the step is");
   refused("3.5 --model 'one angle' --over a=1..2:5", "go together");
   refused("3.5 --model 'one angel' --algorithm 'Runge-Kutta 4' --over step=1ms..1:5", "has no method");
   refused("3.5 --over step=1ms..1:5", "has a setting of its own");

@@ -76,6 +76,20 @@ sweep::Axis axis_of(const Task& task, const std::string& text) {
   return axis;
 }
 
+/// What is swept over has no value besides.
+void require_once(const Words& w, const std::vector<sweep::Axis>& axes) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const bool setting = axes[i].name == "step" || axes[i].name == "tolerance";
+    if (setting && !w.setting.empty())
+      throw BadInput("--setting " + w.setting + " and --over '" + w.over[i] + "' both say what the " +
+                     axes[i].name + " is: leave one of them out");
+    for (const std::string& given : w.overrides)
+      if (given.starts_with(axes[i].name + "="))
+        throw BadInput("'" + given + "' and --over '" + w.over[i] + "' both say what " + axes[i].name +
+                       " is: leave one of them out");
+  }
+}
+
 sweep::Asked asked_of(const Words& w) {
   const Task task = task_of(w.exercise, w.overrides);
   if (!task.entry->exercise.scene) throw BadInput("exercise " + w.exercise + " has no motion to sweep over");
@@ -98,6 +112,7 @@ sweep::Asked asked_of(const Words& w) {
   asked.looks = w.looks;
   asked.every_cell = w.every_cell;
   for (const std::string& text : w.over) asked.axes.push_back(axis_of(task, text));
+  require_once(w, asked.axes);
   // The method's setting goes upward: the cells of a column share their truth.
   if (asked.axes.size() == 2 && (asked.axes[0].name == "step" || asked.axes[0].name == "tolerance"))
     std::swap(asked.axes[0], asked.axes[1]);
@@ -122,6 +137,17 @@ std::string cells_of(const Plan& plan) {
          with_commas(static_cast<long>(plan.chunks())) + (plan.chunks() == 1 ? " chunk" : " chunks");
 }
 
+/// What the map's axis would not tell; nothing where it is a hundredth or less.
+std::string shortened_steps(const sweep::Asked& asked) {
+  constexpr double unnoticed = 0.01;
+  const double part = sweep::most_shortened(asked);
+  if (part <= unnoticed) return "";
+  const Scene& scene = *entry_of(asked.exercise).exercise.scene;
+  return "a step is shortened so that a whole number of them fills the " +
+         format_significant(sweep::between_looks(asked), 3) + " " + std::string(scene.axes.time) +
+         " between looks: by up to " + format_significant(100 * part, 2) + " %\n";
+}
+
 void make_plan(const Words& w) {
   const fs::path folder = w.folder;
   if (fs::exists(folder / "chunks") && !fs::is_empty(folder / "chunks"))
@@ -133,7 +159,7 @@ void make_plan(const Words& w) {
   write_whole(sweep::plan_file(folder), to_json(plan));
   std::cout << sweep::plan_file(folder).string() << ": " << cells_of(plan) << ", about "
             << duration(sum(plan.seconds)) << " on one thread\n"
-            << "oddity sweep run " << folder.string() << "\n";
+            << shortened_steps(plan.asked) << "oddity sweep run " << folder.string() << "\n";
 }
 
 // ---- run --------------------------------------------------------------------------------------------------
@@ -239,6 +265,7 @@ void merge(const Words& w) {
 
 void draw(const Words& w) {
   const fs::path out = output_of(w, "map.svg");
+  if (out.extension() != ".svg") throw BadInput("--out ends with .svg, and is " + out.string());
   const std::vector<std::string> names{"outcome", "error", "cost"};
   const auto shown = std::ranges::find(names, w.shown);
   if (shown == names.end())
@@ -265,12 +292,12 @@ void add_folder(CLI::App& part, Words& w) {
 }
 
 void add_plan(CLI::App& sweep, const std::shared_ptr<Words>& w) {
-  auto* plan =
-      part(sweep, "plan", "Say what is swept over, and divide it into chunks.",
-           "Examples:\n  oddity sweep plan /tmp/map 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' "
-           "--over a=1deg..179deg:1000 --over step=1ms..2.5s:1000\n  oddity sweep plan /tmp/table 3.5 "
-           "--over a=1deg..179deg:90 --over L=0.1..10:50:log --error 1deg",
-           [w] { make_plan(*w); });
+  auto* plan = part(
+      sweep, "plan", "Say what is swept over, and divide it into chunks.",
+      "Examples:\n  oddity sweep plan /tmp/map 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' "
+      "--over a=1deg..179deg:1000 --over step=1ms..2.5s:1000 --looks 4\n  oddity sweep plan /tmp/table 3.5 "
+      "--over a=1deg..179deg:90 --over L=0.1..10:50:log --error 1deg",
+      [w] { make_plan(*w); });
   add_folder(*plan, *w);
   plan->add_option("exercise", w->exercise, "its number, such as 3.5")->required();
   plan->add_option("overrides", w->overrides, "name=value for parameters that stay as they are");
@@ -291,13 +318,13 @@ void add_plan(CLI::App& sweep, const std::shared_ptr<Words>& w) {
   value("--error", w->need.error, "ERROR", "as for 'choose'; unless given 1 cm, 1 degree");
   value("--horizon", w->need.horizon, "TIME", "how long the motion is watched")->capture_default_str();
   value("--fps", w->need.frames_per_second, "RATE",
-        "looks at the motion; a step divides the time between two")
+        "looks at the motion; steps divide the time between two evenly, and none is longer")
       ->capture_default_str();
   plan->add_option("--looks", w->looks,
                    "so many looks within the horizon instead, so that steps may be longer")
       ->check(CLI::Range(1, 1000000));
   plan->add_flag("--every-cell", w->every_cell,
-                 "look at all cells, not only where neighbours end differently");
+                 "look at all cells, not only where neighbours end differently; of up to 4096 cells all are");
   value("--chunk-time", w->chunk_time, "TIME", "how long a chunk takes, about")->capture_default_str();
 }
 

@@ -102,11 +102,11 @@ fs::path chunk_file(const fs::path& folder, std::size_t chunk) {
 
 std::vector<Tile> worked_out(const Plan& plan, std::size_t chunk, const Look& look,
                              const std::function<void()>& tick) {
+  const bool every_cell = looks_at_every_cell(plan.asked);
   std::vector<Tile> tiles;
   for (long tile = plan.first_tile[chunk]; tile < plan.first_tile[chunk + 1]; ++tile) {
     if (tick) tick();
-    tiles.push_back(plan.asked.every_cell ? all_looked_at(plan.tile(tile), look)
-                                          : quartered(plan.tile(tile), look));
+    tiles.push_back(every_cell ? all_looked_at(plan.tile(tile), look) : quartered(plan.tile(tile), look));
   }
   return tiles;
 }

@@ -31,6 +31,13 @@ const fs::path& folder_of(const std::vector<fs::path>& folders, std::size_t chun
   return *found;
 }
 
+void require_folders(const std::vector<fs::path>& folders) {
+  for (const fs::path& folder : folders)
+    if (!fs::is_directory(folder))
+      throw BadInput("there is no folder " + folder.string() +
+                     ": name those that have the sweep's chunks, each with its folder 'chunks'");
+}
+
 /// No folder has a chunk that the plan has not.
 void require_no_other(const Plan& plan, const std::vector<fs::path>& folders) {
   std::set<fs::path> names;
@@ -93,6 +100,7 @@ std::string percent(double part) { return format_significant(100 * part, 2) + " 
 }  // namespace
 
 Map merged(const Plan& plan, const std::vector<fs::path>& folders) {
+  require_folders(folders);
   require_no_other(plan, folders);
   Map map{plan.asked, plan.fingerprint, plan.width(), plan.height(), {}, {}, {}, {}, {}};
   const auto cells = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
@@ -113,6 +121,7 @@ std::string summary(const Map& map) {
   std::string text = with_commas(cells) + " cells";
   if (looked == cells) return text + ", all of them looked at";
   text += ", " + percent(static_cast<double>(looked) / static_cast<double>(cells)) + " of them looked at; ";
+  if (map.checked == 0) return text + "none of the others was checked";
   return text + (map.otherwise == 0 ? "none" : with_commas(map.otherwise)) + " of " +
          with_commas(map.checked) + " checked between them ended otherwise";
 }

@@ -27,7 +27,7 @@ struct Map {
 };
 
 /// The chunks of these folders, each of which has to be in one of them, and in one alone: throws BadInput for
-/// a hole, a double, and a chunk of another sweep, and names it.
+/// a folder that is not there, a hole, a double, and a chunk of another sweep, and names it.
 Map merged(const Plan&, const std::vector<std::filesystem::path>& folders);
 
 /// "1,000,000 cells, 1.6 % of them looked at; 3 of 985 checked between them ended otherwise".

@@ -27,6 +27,9 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr int tile_side = 64;  // cells
+/// A map of no more cells is looked at everywhere: one cell in a thousand of so few says nothing about the
+/// others, and all of them take no longer than one tile of a large map.
+constexpr long small_map = 4096;
 constexpr int format = 1;
 
 /// How a cell ends whose true motion cannot be found.
@@ -144,12 +147,13 @@ struct Speed {
       truth += std::max(0.0, first - again) / static_cast<double>(probes);
       at_probe.push_back(std::max(1e-9, shared ? again : first));
     }
-    const double looked = asked.every_cell ? 1 : 0.02;
+    const bool every_cell = looks_at_every_cell(asked);
+    const double looked = every_cell ? 1 : 0.02;
     const double cells = tile_side * std::min(height, tile_side);
     for (long row = 0; row < rows; ++row)
       tiles.push_back(between(at_probe, (static_cast<double>(row) + 0.5) / static_cast<double>(rows)) *
                       std::max(4.0, looked * cells));
-    truth *= shared ? (asked.every_cell ? 1 : 0.3) : 0;
+    truth *= shared ? (every_cell ? 1 : 0.3) : 0;
   }
 
  private:
@@ -201,13 +205,59 @@ void require_axis(const Asked& asked, const Axis& axis, const Method* method) {
   for (int cell = 0; cell < axis.count; ++cell) task.parameters.set(axis.name, axis.at(cell));
 }
 
+/// Of the scene's motion; null where what to choose is asked.
+const Method* method_asked(const Asked& asked, const Quantity& seen) {
+  return asked.algorithm.empty() ? nullptr : method_of(seen, asked.model, asked.algorithm);
+}
+
+Quantity motion_asked(const Asked& asked) {
+  return motion(scene_of(asked), task_of(asked).parameters, horizon_of(asked), Reference::nothing());
+}
+
+/// The method's steps end at each look, so that one twice as long as the time between two is shortened to
+/// it, and does the same work. Others step in a time of their own.
+bool ends_at_looks(const Quantity& seen, const Method& method, double between) {
+  return run(seen, method, 2 * between).answer.evaluations == run(seen, method, between).answer.evaluations;
+}
+
+/// All steps of the cells; none for a method that has none.
+std::vector<double> steps_of(const Asked& asked, const Method* method) {
+  if (!method || method->knob.name != "step") return {};
+  const auto axis = std::ranges::find_if(asked.axes, is_setting);
+  if (axis == asked.axes.end()) return {asked.setting};
+  std::vector<double> steps;
+  for (int cell = 0; cell < axis->count; ++cell) steps.push_back(axis->at(cell));
+  return steps;
+}
+
+/// Rounding aside, as the steps themselves do.
+double steps_between(double between, double step) {
+  return std::max(1.0, std::ceil(between / step * (1 - 1e-12)));
+}
+
+/// A longer step would be shortened, and stand in the map as what it is not.
+void require_steps_between_looks(const Asked& asked, const Quantity& seen, const Method* method) {
+  const std::vector<double> steps = steps_of(asked, method);
+  if (steps.empty()) return;
+  const double between = between_looks(asked), longest = *std::ranges::max_element(steps);
+  if (longest <= between * (1 + 1e-12) || !ends_at_looks(seen, *method, between)) return;
+  const std::string unit = " " + std::string(scene_of(asked).axes.time);
+  const double looks = std::floor(asked.need.horizon / longest * (1 + 1e-12));
+  throw BadInput(
+      (std::ranges::any_of(asked.axes, is_setting) ? "the axis step goes up to " : "--setting is ") +
+      format_significant(longest, 6) + unit + ", and a step is no longer than the " +
+      format_significant(between, 3) + unit + " between two looks at the motion: " +
+      (looks >= 1 ? "ask for shorter steps, or for --looks " + format_shortest(looks)
+                  : "it is to be no longer than the horizon either, " + format_shortest(asked.need.horizon) +
+                        unit + ", as with --looks 1"));
+}
+
 void require_sense(const Asked& asked) {
   if (asked.axes.empty() || asked.axes.size() > 2) throw BadInput("a sweep is over one or two numbers");
   if (asked.axes.size() == 2 && asked.axes[0].name == asked.axes[1].name)
     throw BadInput("the axis " + asked.axes[0].name + " is given twice");
-  const Task task = task_of(asked);
-  const Quantity seen = motion(scene_of(asked), task.parameters, horizon_of(asked), Reference::nothing());
-  const Method* method = asked.algorithm.empty() ? nullptr : method_of(seen, asked.model, asked.algorithm);
+  const Quantity seen = motion_asked(asked);
+  const Method* method = method_asked(asked, seen);
   if (!asked.algorithm.empty() && !method) {
     std::string names;
     for (const Method& m : seen.methods)
@@ -219,6 +269,7 @@ void require_sense(const Asked& asked) {
   if (method && !method->knob.name.empty() && std::ranges::none_of(asked.axes, is_setting) &&
       !(asked.setting > 0))
     throw BadInput(asked.algorithm + " needs a " + method->knob.name + ": as an axis, or by --setting");
+  require_steps_between_looks(asked, seen, method);
 }
 
 // ---- the file ---------------------------------------------------------------------------------------------
@@ -303,6 +354,27 @@ Cells Plan::tile(long number) const {
   const long rows = tiles_of(height());
   const int x = static_cast<int>(number / rows) * tile_side, y = static_cast<int>(number % rows) * tile_side;
   return {x, y, std::min(x + tile_side, width()) - 1, std::min(y + tile_side, height()) - 1};
+}
+
+bool looks_at_every_cell(const Asked& asked) {
+  long cells = 1;
+  for (const Axis& axis : asked.axes) cells *= axis.count;
+  return asked.every_cell || cells <= small_map;
+}
+
+double between_looks(const Asked& asked) {
+  return asked.looks > 0 ? asked.need.horizon / asked.looks : 1 / asked.need.frames_per_second;
+}
+
+double most_shortened(const Asked& asked) {
+  const Quantity seen = motion_asked(asked);
+  const Method* method = method_asked(asked, seen);
+  const std::vector<double> steps = steps_of(asked, method);
+  const double between = between_looks(asked);
+  if (steps.empty() || !ends_at_looks(seen, *method, between)) return 0;
+  double most = 0;
+  for (double step : steps) most = std::max(most, 1 - between / steps_between(between, step) / step);
+  return most;
 }
 
 Look looks_at(const Asked& asked, const Reference& truth) {

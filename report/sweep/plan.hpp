@@ -52,12 +52,23 @@ struct Plan {
   std::size_t chunks() const { return seconds.size(); }
 };
 
+/// Whether no cell is guessed from its neighbours: where that is asked for, and on a small map.
+bool looks_at_every_cell(const Asked&);
+
+/// Between two looks at the motion, in the scene's unit of time.
+double between_looks(const Asked&);
+
+/// By which part of itself a fixed step of these cells is shortened at most, so that a whole number of steps
+/// fills the time between two looks; 0 where the method's step does not end at each look.
+double most_shortened(const Asked&);
+
 /// A look at one cell after the other; neighbours share their truths. Whatever a cell throws but OutOfTime is
 /// how it ends.
 Look looks_at(const Asked&, const Reference&);
 
 /// In chunks of about so many seconds, by what cells here and there took just now. Throws BadInput for what
-/// cannot be asked: a method that is not the scene's, parameters out of their ranges.
+/// cannot be asked: a method that is not the scene's, parameters out of their ranges, a step that is longer
+/// than the time between two looks.
 Plan planned(const Asked&, const Reference&, const std::filesystem::path& tables, double seconds_a_chunk);
 
 /// In one line.
