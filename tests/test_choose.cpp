@@ -214,6 +214,171 @@ TEST_CASE("a need that nothing meets is said, with the nearest miss", "[choose]"
   CHECK(choice_text(impossible, false).find("Nothing here meets that") != std::string::npos);
 }
 
+TEST_CASE("where a start beside the one asked for decides, the answer says what holds on that", "[choose]") {
+  // Right at a = 5, and off by the distance from there.
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    const double a = p["a"];
+    Quantity q{"place", "m",
+               "",      {"exact", Value(std::vector<double>(static_cast<std::size_t>(horizon.count()), a))},
+               1e-16,   {1e-6, ""},
+               {},      {}};
+    q.add(method(
+        "there", "alone", no_knob(), a, horizon.count(), [a](double) { return std::abs(a - 5) + 1e-9; },
+        [](double) { return 30L; }));
+    return q;
+  };
+  const Entry one_place{{3, 97},
+                        "",
+                        {"one place", "", parameters,
+                         Scene{scene, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}}, nullptr}};
+  Task task(one_place);
+  task.parameters.set("a", 5);
+  static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  Need need = asked(1e-3, 3);
+  const Choice choice = choose(task, need, truth, counted_cost);
+  CHECK_FALSE(choice.chosen);
+  REQUIRE(choice.on_asked);
+  CHECK(choice.on_asked->holds());
+  CHECK(choice.on_asked->seconds_per_frame == Approx(1e-9));
+  REQUIRE(choice.beside_asked);
+  CHECK(choice.beside_asked->outcome == Outcome::inaccurate);
+  const std::string text = choice_text(choice, false);
+  CHECK(text.find("on the start asked for there by alone") != std::string::npos);
+  CHECK(text.find("this one is inaccurate at " + choice.beside_asked->where) != std::string::npos);
+  need.budget = 1e-10;
+  CHECK_FALSE(choose(task, need, truth, counted_cost).on_asked);
+}
+
+namespace {
+
+/// At 10 frames a second, in metres: a true path, and the same with its start off by `off(t)`.
+struct Neighbours {
+  Quantity motion{"place", "m", "", {"exact", Value(std::vector<double>())}, 1e-16, {1e-2, ""}, {}, {}};
+  std::vector<double> truth, beside;
+
+  template <class Off>
+  Neighbours(double horizon, const Off& off) {
+    for (int k = 1; k <= std::lround(10 * horizon); ++k) {
+      truth.push_back(std::sin(k / 10.0));
+      beside.push_back(truth.back() + off(k / 10.0));
+    }
+    motion.samples = static_cast<int>(truth.size());
+    motion.reference.value = Value(truth);
+    motion.norms = {{"m", {0}}};
+    motion.needs = {1e-2};
+  }
+
+  std::optional<double> told_until() const { return predictable_until(motion, Value(beside), 1e-9, 10); }
+};
+
+double chaotic(double t) { return std::min(1.0, 1e-9 * std::exp(3 * t)); }
+
+}  // namespace
+
+TEST_CASE("a chaotic motion is told from a regular one, however long one watches", "[choose]") {
+  for (double horizon : {7.0, 10.0, 20.0, 100.0}) {
+    const auto until = Neighbours(horizon, chaotic).told_until();
+    INFO("over " << horizon);
+    REQUIRE(until);
+    CHECK(*until == Approx(5.4));
+  }
+  const auto soon = Neighbours(5, chaotic).told_until();
+  REQUIRE(soon);
+  CHECK(std::isinf(*soon));
+  for (double horizon : {5.0, 100.0}) {
+    CHECK_FALSE(Neighbours(horizon, [](double t) { return 1e-9 * t; }).told_until());
+    CHECK_FALSE(Neighbours(horizon, [](double t) { return 1e-9 * t * t; }).told_until());
+    CHECK_FALSE(Neighbours(horizon, [](double t) { return t < 3 ? 1e-16 : 1e-9 * t; }).told_until());
+  }
+}
+
+TEST_CASE("each unit is lost by its own error", "[choose]") {
+  const Neighbours one(10, chaotic), other(10, [](double t) { return 1e-9 * t; });
+  Neighbours both = one;
+  std::vector<double> truth, beside;
+  for (std::size_t k = 0; k < one.truth.size(); ++k) {
+    truth.insert(truth.end(), {one.truth[k], other.truth[k]});
+    beside.insert(beside.end(), {one.beside[k], other.beside[k]});
+  }
+  both.motion.reference.value = Value(truth);
+  both.motion.norms = {{"m", {0}}, {"rad", {1}}};
+  both.motion.needs = {1e-2, 1e-7};  // the angle's is smaller, and kept
+  both.beside = beside;
+  REQUIRE(both.told_until());
+  CHECK(*both.told_until() == Approx(5.4));
+  both.motion.needs = {1e-2, 1e-9};
+  CHECK(*both.told_until() < 2);
+  both.beside.pop_back();
+  CHECK_FALSE(both.told_until());
+}
+
+TEST_CASE(
+    "without a path that is asked for nothing is said of chaos, and without a size nothing of exactness",
+    "[choose]") {
+  Need need = asked(1, 10);
+  need.criterion = Criterion::bounded;
+  const Choice choice = choose_for(need);
+  REQUIRE(choice.chosen);
+  CHECK_FALSE(choice.predictable);
+  CHECK(answer_text(choice).find("exact") == std::string::npos);
+  CHECK(answer_text(choice).find("on starts that it was not chosen on it is bounded, too") !=
+        std::string::npos);
+  CHECK(choice_json(choice).find("\"margin\": null") != std::string::npos);
+}
+
+TEST_CASE("how long was judged is said where the frames end elsewhere", "[choose]") {
+  CHECK(
+      asked_text(choose_for(asked(0.05, 0.1, 26))).find("over 3 frames, 0.115 s, at 26 frames per second") !=
+      std::string::npos);
+  CHECK(asked_text(choose_for(asked(0.05, 10))).find("over 10 s at 10 frames per second") !=
+        std::string::npos);
+}
+
+TEST_CASE("the next cheaper one that was tried may hold without the margin", "[choose]") {
+  Need need = asked(0.1, 0.3);
+  need.objective = Objective::simple;
+  need.only = {"stepping"};
+  const Choice choice = choose_for(need, 5);
+  REQUIRE(choice.chosen);
+  REQUIRE(choice.next_cheaper);
+  CHECK(choice.next_cheaper->holds());
+  CHECK(choice.next_cheaper->error > 1 / 3.0);
+  CHECK(answer_text(choice).find("the next cheaper one that was tried: stepping by explicit") !=
+        std::string::npos);
+  CHECK(answer_text(choice).find("instead of 3") != std::string::npos);
+}
+
+TEST_CASE("what came to an end where it failed first is not the next cheaper one if it does not elsewhere",
+          "[choose]") {
+  // The cheaper one is inaccurate everywhere, and below a = 5 not finite.
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    const double a = p["a"];
+    Quantity q{"place", "m",
+               "",      {"exact", Value(std::vector<double>(static_cast<std::size_t>(horizon.count()), a))},
+               1e-16,   {1e-6, ""},
+               {},      {}};
+    q.add(method(
+        "breaking", "here and there", no_knob(), a, horizon.count(),
+        [a](double) { return a < 5 ? std::numeric_limits<double>::quiet_NaN() : 0.5; },
+        [](double) { return 10L; }));
+    q.add(method(
+        "right", "everywhere", no_knob(), a, horizon.count(), [](double) { return 1e-9; },
+        [](double) { return 100L; }));
+    return q;
+  };
+  const Entry breaking{{3, 96},
+                       "",
+                       {"breaking", "", parameters,
+                        Scene{scene, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}}, nullptr}};
+  Task task(breaking);
+  task.parameters.set("a", 5);
+  static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  const Choice choice = choose(task, asked(1e-3, 3), truth, counted_cost);
+  REQUIRE(choice.chosen);
+  CHECK(choice.chosen->model == "right");
+  CHECK_FALSE(choice.next_cheaper);
+}
+
 TEST_CASE("an error is shown in the unit asked in", "[choose]") {
   Need need = asked(0.05, 10);
   need.shown = {{"m", {"cm", 0.01}}};
@@ -269,10 +434,19 @@ TEST_CASE("what fails at a higher cost than the chosen one's is not followed to 
   CHECK(left.chosen->model == "rich");
   CHECK(left.explanation.left == 1);
   CHECK(steps_of(left) == 16);
+  const auto stepping = std::ranges::find(left.candidates, "stepping", &Candidate::model);
+  CHECK_FALSE(left.was_followed(*stepping));
+  CHECK(left.was_followed(*left.chosen));
+  CHECK(choice_text(left, true).find("; not followed further") != std::string::npos);
+  CHECK(choice_text(left, true)
+            .find("what costs more than twice the choice is not followed to finer settings") !=
+        std::string::npos);
+  CHECK(choice_json(left).find("\"followed\": false") != std::string::npos);
   need.exclude = {"coarse", "rich"};
   const Choice followed = choose_for(need);
   REQUIRE(followed.chosen);
   CHECK(followed.explanation.left == 0);
+  CHECK(choice_text(followed, true).find("not followed") == std::string::npos);
   CHECK(steps_of(followed) == 256);
 }
 

@@ -128,5 +128,7 @@ TEST_CASE("prices are done without where they cannot be kept", "[prices]") {
   int calls = 0;
   KeptPrices prices(folder.file("a file", ""), "3.5", false, Noisy{&calls});
   CHECK(prices(verlet, 0.5).seconds == prices(verlet, 0.5).seconds);
+  CHECK(prices.source().ends_with("kept for the next"));
   CHECK_NOTHROW(prices.keep());
+  CHECK(prices.source().find("not kept, as ") != std::string::npos);
 }

@@ -139,6 +139,14 @@ bool is_in_unit(const std::string& text, std::string_view unit) {
   }
 }
 
+/// To six digits, no more than the number: what is asked for so is still allowed.
+std::string rounded_down(double x) {
+  const std::string nearest = format_significant(x, 6);
+  if (parse_number(nearest).value_or(x) <= x) return nearest;
+  const double last_digit = std::pow(10, std::floor(std::log10(x)) - 5);
+  return format_significant(x - last_digit / 2, 6);
+}
+
 /// Why a word that is no "name=value" may stand there, and what would be right.
 [[noreturn]] void refuse_assignment(const std::string& word) {
   const std::string refusal = "'" + word + "' is not name=value";
@@ -385,18 +393,20 @@ Need need_of(const Task& task, const AskedNeed& asked) {
   if (frames < 1) throw BadInput("the horizon is shorter than a frame");
   if (frames > most_frames) {
     const bool fast = need.frames_per_second > 1000;
-    throw BadInput(
-        "--horizon " + asked.horizon + " at --fps " + asked.frames_per_second + " asks for " +
-        format_significant(frames, 3) + " frames, of at most a million: " +
-        (fast ? "--fps may be " + format_significant(most_frames / need.horizon, 6) + " over that time"
-              : "--horizon may be " + format_significant(most_frames / need.frames_per_second, 6) + " " +
-                    time + " at that rate"));
+    throw BadInput("--horizon " + asked.horizon + " at --fps " + asked.frames_per_second + " asks for " +
+                   format_significant(frames, 3) + " frames, of at most a million: " +
+                   (fast ? "--fps may be " + rounded_down(most_frames / need.horizon) + " over that time"
+                         : "--horizon may be " + rounded_down(most_frames / need.frames_per_second) + " " +
+                               time + " at that rate"));
   }
   if (!asked.restart_every.empty())
     need.restart_every = positive("--restart-every", asked.restart_every, time);
   need.bodies = whole_of("--bodies", asked.bodies, 1, 1'000'000);
   if (!asked.budget.empty()) {
-    if (parse_number(asked.budget)) throw BadInput("--budget needs a unit, such as " + asked.budget + "us");
+    if (const auto number = parse_number(asked.budget))
+      throw BadInput(*number > 0
+                         ? "--budget needs a unit, such as " + asked.budget + "us"
+                         : "--budget must be positive, and have a unit, such as 5us, and is " + asked.budget);
     need.budget = positive("--budget", asked.budget, "s");
   }
   return need;

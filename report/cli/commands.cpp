@@ -251,8 +251,9 @@ void add_choose(CLI::App& app, Session& s) {
       "quarter, the most accurate. The exit code is 1 when nothing meets the need.\n"
       "Columns: model, algorithm, precision, setting, error [unit] (one for each unit), holds (1 or 0), outcome, "
       "evaluations per frame, seconds per frame, chosen (1 or 0); a row for each method.\n"
-      "Keys of the JSON: need, chosen (null when nothing is), in_float, ties, candidates, engine, predictable, "
-      "chosen_on, tested_on, times, explanation.\n"
+      "Keys of the JSON: need, chosen (null when nothing is), in_float, ties, candidates (followed: false where finer "
+      "settings were not tried), on_asked (when nothing is chosen, what holds on the start asked for), engine, "
+      "predictable, chosen_on, tested_on, times, explanation.\n"
       "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.33 --error 1deg "
       "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
       "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms",

@@ -123,8 +123,18 @@ std::string bodies_text(const Choice& choice) {
          " each.\n";
 }
 
+/// Of what is bounded, or held by construction, nothing is so many times better than asked.
+bool is_measured(const Choice& choice) {
+  return choice.need.criterion != Criterion::bounded &&
+         (choice.need.criterion != Criterion::constraint || choice.chosen->constrained);
+}
+
 std::string margin_text(const Choice& choice) {
   const double unseen = choice.chosen->unseen_error;
+  if (!is_measured(choice))
+    return std::string("  margin: none is measured; on starts that it was not chosen on ") +
+           (choice.need.criterion == Criterion::bounded ? "it is bounded, too.\n"
+                                                        : "it holds by construction, too.\n");
   return "  margin: on starts that it was not chosen on it is " +
          (unseen > 0 ? times_as(choice.margin()) + " better than asked.\n" : "exact.\n");
 }
@@ -152,13 +162,64 @@ std::string ties_text(const Choice& choice) {
   return text.empty() ? "" : text + ".\n";
 }
 
+/// Of what holds on the start asked for alone.
+std::string on_asked_text(const Choice& choice) {
+  if (!choice.on_asked || !choice.beside_asked) return "";
+  const Candidate &there = *choice.on_asked, &beside = *choice.beside_asked;
+  return "  on the start asked for " + described(there, choice.need) + ", " + cost_of(there) +
+         ", holds: error " + error_of(there, choice) +
+         ". What is taken has to hold on starts beside it, too, and this one is " +
+         std::string(name_of(beside.outcome)) + " at " + beside.where +
+         (std::isfinite(beside.error) ? ": error " + error_of(beside, choice) : "") + ".\n";
+}
+
 std::string miss_text(const Choice& choice, const Screen& screen) {
-  std::string text = screen.styled(Style::bad, "Nothing here meets that.") + "\n";
+  const std::string text = screen.styled(Style::bad, "Nothing here meets that.") + "\n";
   if (!choice.nearest_miss) return text;
   const Candidate& miss = *choice.nearest_miss;
-  if (!miss.holds()) return text + "  nearest miss: " + failing_of(miss, choice) + ".\n";
+  const double budgets = miss.seconds_per_frame / choice.need.budget;
+  if (!miss.holds())
+    return text + "  nearest miss: " + failing_of(miss, choice) + ".\n" + on_asked_text(choice);
+  if (!(budgets > 1)) return text + on_asked_text(choice);
   return text + "  nearest miss: " + described(miss, choice.need) + " is as accurate, but costs " +
-         cost_of(miss) + ", " + times_as(miss.seconds_per_frame / choice.need.budget) + " the budget.\n";
+         cost_of(miss) + ", " + times_as(budgets) + " the budget.\n" + on_asked_text(choice);
+}
+
+/// What was cheaper and tried, and why it was passed over.
+std::string next_cheaper_text(const Choice& choice) {
+  if (!choice.next_cheaper) return "";
+  const Candidate& t = *choice.next_cheaper;
+  const std::string text = "  the next cheaper one that was tried: ";
+  if (!t.holds()) return text + failing_of(t, choice) + ".\n";
+  const bool closely = t.error * choice.need.margin() > 1;
+  return text + described(t, choice.need) + ", " + cost_of(t) + ": holds, " +
+         (closely ? "but with a margin of " + format_significant(1 / t.error, 2) + " instead of " +
+                        format_shortest(choice.need.margin())
+                  : "but is no one-step method of fixed step and no closed form") +
+         ", error " + error_of(t, choice) + ".\n";
+}
+
+/// "10 s at 60 frames per second"; where the frames end elsewhere, how long is judged.
+std::string span_of(const Choice& choice) {
+  const Need& need = choice.need;
+  const std::string unit = choice.time_unit;
+  const double judged = need.frames() / need.frames_per_second;
+  const bool as_asked = std::abs(judged - need.horizon) <= 1e-9 * need.horizon;
+  return (as_asked ? format_shortest(need.horizon) + " " + unit
+                   : format_shortest(need.frames()) + (need.frames() == 1 ? " frame, " : " frames, ") +
+                         format_significant(judged, 3) + " " + unit + ",") +
+         " at " + format_shortest(need.frames_per_second) + " frames per " + (unit == "s" ? "second" : unit);
+}
+
+/// What the table's rows are.
+std::string rows_text(const Choice& choice) {
+  std::string text = "\nEach method at its cheapest setting that holds";
+  if (choice.need.margin() > 1) text += " with a margin of three, else at its cheapest that holds";
+  text += ", else at the best that was tried";
+  if (choice.left.empty()) return text + ":\n";
+  const bool settled = choice.chosen && choice.by_objective;
+  return text + (settled ? "; what costs more than twice the choice is not followed to finer settings:\n"
+                         : "; not all are followed to finer settings, as they cost too much already:\n");
 }
 
 std::string chaos_text(const Choice& choice) {
@@ -186,7 +247,9 @@ std::string verdict_of(const Candidate& candidate, const Choice& choice) {
   if (choice.chosen && candidate.model == choice.chosen->model &&
       candidate.algorithm == choice.chosen->algorithm)
     return "chosen";
-  if (!candidate.holds()) return std::string(name_of(candidate.outcome)) + " at " + candidate.where;
+  if (!candidate.holds())
+    return std::string(name_of(candidate.outcome)) + " at " + candidate.where +
+           (choice.was_followed(candidate) ? "" : "; not followed further");
   return candidate.seconds_per_frame > choice.need.budget ? "over the budget" : "holds";
 }
 
@@ -253,6 +316,7 @@ Json need_of(const Choice& choice) {
           {"error", error},
           {"unit", choice.need.criterion == Criterion::constraint ? Json("m") : units_of(choice)},
           {"horizon", choice.need.horizon},
+          {"frames", choice.need.frames()},
           {"time_unit", choice.time_unit},
           {"frames_per_second", choice.need.frames_per_second},
           {"budget", from(choice.need.budget)},
@@ -272,9 +336,7 @@ std::string csv_cell(const std::string& text) {
 
 std::string asked_text(const Choice& choice) {
   const Need& need = choice.need;
-  return what_holds(choice) + ", over " + format_shortest(need.horizon) + " " + choice.time_unit + " at " +
-         format_shortest(need.frames_per_second) + " frames per " +
-         (choice.time_unit == "s" ? "second" : choice.time_unit) +
+  return what_holds(choice) + ", over " + span_of(choice) +
          (need.bodies == 1 ? "" : ", " + std::to_string(need.bodies) + " bodies") +
          (std::isfinite(need.restart_every)
               ? ", started anew every " + format_shortest(need.restart_every) + " " + choice.time_unit
@@ -298,7 +360,7 @@ std::string answer_text(const Choice& choice, const Screen& screen) {
     text += "  every restart, as after a contact, costs it " + format_significant(choice.restart, 3) +
             " evaluations more" + (std::isfinite(choice.need.restart_every) ? ", which its time has" : "") +
             ".\n";
-  if (choice.next_cheaper) text += "  next cheaper: " + failing_of(*choice.next_cheaper, choice) + ".\n";
+  text += next_cheaper_text(choice);
   if (const auto& richer = choice.next_richer)
     text += "  next richer: " + described(*richer, choice.need) + ", " + cost_of(*richer) + ": " +
             times_as(richer->seconds_per_frame / best.seconds_per_frame) + " the cost, error " +
@@ -321,9 +383,7 @@ std::string choice_text(const Choice& choice, bool all_rows, const Screen& scree
   const std::string grounds = engine_text(choice) + "\nchosen on: " + listed(choice.seen) +
                               (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) +
                               (choice.prices_are.empty() ? "" : "\ntimes: " + choice.prices_are) + "\n";
-  return wrapped(asked_text(choice) + "\n\n" + answer + chaos_text(choice) +
-                     "\nEach method at its cheapest setting that holds, or else at its best:\n",
-                 screen, 4) +
+  return wrapped(asked_text(choice) + "\n\n" + answer + chaos_text(choice) + rows_text(choice), screen, 4) +
          aligned(
              rows, screen,
              {{"model", "algorithm", ""}, {"evaluations per frame", "setting", "error", "time per frame"}}) +
@@ -363,7 +423,7 @@ std::string choice_json(const Choice& choice) {
   Json json{{"need", need_of(choice)}, {"chosen", nullptr}};
   if (choice.chosen) {
     json["chosen"] = from(*choice.chosen, choice);
-    json["chosen"]["margin"] = from(choice.margin());
+    json["chosen"]["margin"] = is_measured(choice) ? from(choice.margin()) : Json(nullptr);
     json["chosen"]["restart_evaluations"] = choice.restart;
     json["chosen"]["by_objective"] = choice.by_objective;
     const auto registers =
@@ -374,6 +434,9 @@ std::string choice_json(const Choice& choice) {
   json["in_float"] = choice.in_float ? from(*choice.in_float, choice) : Json(nullptr);
   json["ties"] = from(choice.ties, choice);
   json["candidates"] = from(choice.candidates, choice);
+  for (std::size_t i = 0; i < choice.candidates.size(); ++i)
+    json["candidates"][i]["followed"] = choice.was_followed(choice.candidates[i]);
+  json["on_asked"] = choice.on_asked ? from(*choice.on_asked, choice) : Json(nullptr);
   json["engine"] = from(choice.engine, choice);
   json["predictable"] = choice.predictable ? from(*choice.predictable) : Json(nullptr);
   json["chosen_on"] = choice.seen;

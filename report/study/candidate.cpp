@@ -90,7 +90,7 @@ std::vector<double> settings(const Method& method, const Need& need) {
   return all;
 }
 
-Candidate evaluate(const std::vector<Start>& starts, const Method& method, double setting, const Need& need,
+Candidate evaluate(std::span<const Start> starts, const Method& method, double setting, const Need& need,
                    Over over) {
   Candidate candidate{method.model, method.algorithm, method.knob.name, setting};
   candidate.constrained = static_cast<bool>(method.off_constraint);

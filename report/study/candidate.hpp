@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ enum class Over { all_starts, until_one_fails };
 /// The method at a setting over the starts: its worst error by the need's criterion, how and on which start
 /// it ended worst where it does not hold, and its work on the first start. The time is not measured. Throws
 /// BadInput where the criterion does not fit the motion.
-Candidate evaluate(const std::vector<Start>&, const Method&, double setting, const Need&,
+Candidate evaluate(std::span<const Start>, const Method&, double setting, const Need&,
                    Over = Over::all_starts);
 
 /// "2 steps per frame", "tolerance 1e-06", "-".

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 #include <ranges>
+#include <set>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -251,12 +253,16 @@ class Search {
     Stage tally(progress_, "timing them", wanted.size());
     for (Candidate* candidate : wanted) {
       deadline_.check();
-      const Time time = price_(method(*candidate), candidate->setting);
-      const double with_restarts = 1 + restarting(*candidate);
-      candidate->seconds_per_frame = with_restarts * time.seconds / need_.frames();
-      candidate->spread = std::isfinite(time.spread) ? with_restarts * time.spread / need_.frames() : 0;
+      measure(*candidate);
       tally.add();
     }
+  }
+
+  void measure(Candidate& candidate) const {
+    const Time time = price_(method(candidate), candidate.setting);
+    const double with_restarts = 1 + restarting(candidate);
+    candidate.seconds_per_frame = with_restarts * time.seconds / need_.frames();
+    candidate.spread = std::isfinite(time.spread) ? with_restarts * time.spread / need_.frames() : 0;
   }
 
   bool meets_objective(const Candidate& t) const {
@@ -331,14 +337,20 @@ class Search {
     parallel_for_each(rows, [this](Candidate& candidate) { judge_failure(candidate); });
   }
 
-  /// Of the first model that an engine's step fits: semi-implicit Euler at 60, 120 and 240 Hz.
+  /// At 60, 120 and 240 Hz, or as soon above that a whole number of them fills the frame; each once.
+  std::set<double, std::greater<>> steps_of_engines() const {
+    std::set<double, std::greater<>> steps;
+    for (double rate : {60.0, 120.0, 240.0})
+      steps.insert(1 / (need_.frames_per_second * std::ceil(rate / need_.frames_per_second)));
+    return steps;
+  }
+
+  /// Of the first model that an engine's step fits: semi-implicit Euler.
   std::vector<Candidate> engine() const {
     std::vector<Candidate> rows;
     for (const Method& m : seen_.front().motion.methods) {
       if (m.algorithm != "symplectic Euler") continue;
-      for (double rate : {60.0, 120.0, 240.0})
-        rows.push_back(oddity::evaluate(
-            seen_, m, 1 / (need_.frames_per_second * std::ceil(rate / need_.frames_per_second)), need_));
+      for (double step : steps_of_engines()) rows.push_back(oddity::evaluate(seen_, m, step, need_));
       break;
     }
     return rows;
@@ -368,32 +380,65 @@ class Search {
     return restart(candidate) / candidate.evaluations_per_frame / frames;
   }
 
-  /// Where a motion is chaotic, the time after which a start known to 1e-9 no longer tells the path to the
-  /// error asked for. Chaotic: in the second half of the horizon neighbours separate by more than a thousand
-  /// times, where those of a regular motion separate in proportion to the time.
+  /// A path alone is asked for to an error in each unit.
   std::optional<double> predictable() const {
-    constexpr double small = 1e-9, chaotic = 1000;
-    Quantity beside = starts_.disturbed(small);
+    constexpr double small = 1e-9;
+    if (need_.criterion != Criterion::path) return {};
+    const Quantity beside = starts_.disturbed(small);
     const Method* best = nullptr;
     for (const Method& m : beside.methods)
       if (m.algorithm == "Fehlberg 7(8)") best = &m;
     if (!best) return {};
-    const Trial there = run(beside, *best, 1e-13);
-    const Quantity& motion = seen_.front().motion;
-    if (there.answer.value.size() != motion.reference.value.size()) return {};
-    const std::size_t parts = motion.reference.value.size() / static_cast<std::size_t>(motion.samples);
-    double half = 0, whole = 0;
-    std::optional<double> lost;
-    for (int k = 0; k < motion.samples; ++k) {
-      for (std::size_t i = 0; i < parts; ++i) {
-        const std::size_t at = static_cast<std::size_t>(k) * parts + i;
-        whole = std::max(whole, std::abs(there.answer.value[at] - motion.reference.value[at]));
-      }
-      if (k < motion.samples / 2) half = whole;
-      if (!lost && whole > motion.need.allowed) lost = (k + 1) / need_.frames_per_second;
+    return predictable_until(seen_.front().motion, run(beside, *best, 1e-13).answer.value, small,
+                             need_.frames_per_second);
+  }
+
+  /// Those tried that are cheaper and could not be chosen instead, the most expensive first.
+  std::vector<Candidate> cheaper_than(const Candidate& chosen, bool by_objective) const {
+    std::vector<Candidate> cheaper;
+    for (const Candidate& t : all_tried())
+      if (t.seconds_per_frame < chosen.seconds_per_frame && !eligible(t, by_objective)) cheaper.push_back(t);
+    std::ranges::stable_sort(cheaper, std::greater(), &Candidate::seconds_per_frame);
+    return cheaper;
+  }
+
+  /// What came to an end on the start where it failed first may not do so on another.
+  std::optional<Candidate> next_cheaper(const Candidate& chosen, bool by_objective) const {
+    for (Candidate& t : cheaper_than(chosen, by_objective)) {
+      if (!came_to_an_end(t)) continue;
+      judge_failure(t);
+      if (came_to_an_end(t)) return t;
     }
-    if (!(whole > chaotic * half)) return {};
-    return lost.value_or(std::numeric_limits<double>::infinity());
+    return {};
+  }
+
+  /// Those tried that hold on the start asked for, from the least work on: they fail elsewhere first, or
+  /// hold.
+  std::vector<Candidate> holding_on_asked() const {
+    std::vector<Candidate> held;
+    for (const Candidate& t : all_tried())
+      if (t.holds() || t.where != seen_.front().says) held.push_back(t);
+    std::ranges::stable_sort(held, {}, &Candidate::evaluations_per_frame);
+    return held;
+  }
+
+  /// Where starts beside the one asked for decide that nothing holds.
+  void tell_of_asked(Choice& choice) const {
+    const std::span<const Start> seen(seen_), unseen(unseen_);
+    for (Candidate& t : holding_on_asked()) {
+      deadline_.check();
+      const Method& tried = method(t);
+      const Candidate beside =
+          oddity::evaluate(t.holds() ? unseen : seen.subspan(1), tried, t.setting, need_);
+      if (beside.holds()) continue;
+      if (std::isnan(t.seconds_per_frame)) measure(t);
+      if (!(t.seconds_per_frame <= need_.budget)) continue;
+      choice.on_asked = oddity::evaluate(seen.first(1), tried, t.setting, need_);
+      choice.on_asked->seconds_per_frame = t.seconds_per_frame;
+      choice.on_asked->spread = t.spread;
+      choice.beside_asked = beside;
+      return;
+    }
   }
 
   /// Of all but the time of the rest.
@@ -428,6 +473,8 @@ class Search {
       if (chosen) choice.unseen.push_back(s.says);
     for (Tries& tries : tries_)
       if (const Candidate* t = tries.found(need_).representative()) choice.candidates.push_back(*t);
+    for (const Tries& tries : tries_)
+      if (!tries.is_over()) choice.left.emplace_back(tries.method().model, tries.method().algorithm);
     if (chosen)  // at another setting where its margin does not matter
       for (Candidate& t : choice.candidates)
         if (t.model == chosen->model && t.algorithm == chosen->algorithm) t = *chosen;
@@ -440,17 +487,13 @@ class Search {
     choice.explanation = explanation();
     if (!chosen) {
       choice.nearest_miss = miss(choice.candidates);
+      tell_of_asked(choice);
       return choice;
     }
     choice.ties = ties_;
     choice.restart = restart(*chosen);
     choice.in_float = chosen_in_float(*chosen);
-    for (const Candidate& candidate : all_tried())
-      if (!candidate.holds() && came_to_an_end(candidate) &&
-          candidate.seconds_per_frame < chosen->seconds_per_frame &&
-          (!choice.next_cheaper || candidate.seconds_per_frame > choice.next_cheaper->seconds_per_frame))
-        choice.next_cheaper = candidate;
-    if (choice.next_cheaper) judge_failure(*choice.next_cheaper);
+    choice.next_cheaper = next_cheaper(*chosen, picked.by_objective);
     choice.next_richer = least(choice.candidates, [&](const Candidate& t) {
       return t.holds() && t.model != chosen->model && t.seconds_per_frame > chosen->seconds_per_frame &&
              !same_cost(t, *chosen);
@@ -481,6 +524,10 @@ Time measured_price(const Method& method, double setting) {
     best = {std::min(best.seconds, again.seconds), std::min(best.spread, again.spread)};
   }
   return best;
+}
+
+bool Choice::was_followed(const Candidate& t) const {
+  return std::ranges::find(left, std::pair(t.model, t.algorithm)) == left.end();
 }
 
 Choice choose(const Task& task, const Need& need, const Reference& truth, const Price& price,

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/pages/screen.hpp"
@@ -29,19 +30,27 @@ struct Choice {
   std::string exercise, quantity, time_unit;
   std::vector<std::string> units;  ///< of the motion's errors
   std::vector<double> needs;       ///< the error asked for in each of them
-  std::vector<Candidate>
-      candidates;  ///< every method at its cheapest setting that holds, or else at its best; by cost
+  /// Every method at its cheapest setting that holds with the need's margin, else at the cheapest that holds,
+  /// else at the best that was tried; by cost.
+  std::vector<Candidate> candidates;
+  /// The models and algorithms that were not followed to their finest setting, as they cost too much already:
+  /// one that fails may hold at a finer one.
+  std::vector<std::pair<std::string, std::string>> left = {};
   std::optional<Candidate> chosen;
   bool by_objective =
       true;  ///< false: nothing that the objective wants holds, and this is the cheapest that does
   std::vector<Candidate>
       ties;  ///< what costs the same within a quarter, or within the spread, and was passed over
-  std::optional<Candidate>
-      next_cheaper;  ///< the most expensive of those that are cheaper, come to an end and fail
+  /// The most expensive of those tried that are cheaper and come to an end: it fails, or holds without what
+  /// the objective wants.
+  std::optional<Candidate> next_cheaper;
   std::optional<Candidate> next_richer;   ///< the cheapest other model that holds
   std::optional<Candidate> nearest_miss;  ///< when nothing is chosen
-  std::vector<Candidate> engine;          ///< semi-implicit Euler at 60, 120 and 240 Hz, as engines have it
-  std::optional<Candidate> in_float;      ///< the chosen one in float at its setting, unless it is in float
+  /// When nothing is chosen: what holds on the start asked for within the budget, with the least work, as it
+  /// ends there; and as it ends on those beside it.
+  std::optional<Candidate> on_asked = {}, beside_asked = {};
+  std::vector<Candidate> engine;      ///< semi-implicit Euler at 60, 120 and 240 Hz, as engines have it
+  std::optional<Candidate> in_float;  ///< the chosen one in float at its setting, unless it is in float
   double restart = 0;  ///< evaluations that a restart of the chosen one costs beside the steady ones
   std::optional<double>
       predictable;  ///< of a chaotic motion: until when a start known to 1e-9 tells the path
@@ -49,6 +58,7 @@ struct Choice {
   std::string prices_are = {};  ///< where they come from
   Explanation explanation = {};
 
+  bool was_followed(const Candidate&) const;
   /// How many times better than asked the chosen one was on starts that it was not chosen on.
   double margin() const { return 1 / chosen->unseen_error; }
 };
@@ -65,6 +75,14 @@ Time measured_price(const Method&, double setting);
 /// OutOfTime when the need's time limit is over.
 Choice choose(const Task&, const Need&, const Reference&, const Price& = measured_price,
               const Progress& = {});
+
+/// Of a chaotic motion: until when, in the unit of the frame rate's inverse, the path of a start that differs
+/// by this part of itself tells the true path to `motion.needs`, each unit to its own; infinite where it does
+/// so to the end. `beside` has that path's values at the motion's frames. Chaotic: some time within the
+/// horizon neighbours separate by more than a thousand times while the time doubles, where those of a regular
+/// motion separate as a low power of the time. Nothing where it is not chaotic, or `beside` not comparable.
+std::optional<double> predictable_until(const Quantity& motion, const Value& beside, double difference,
+                                        double frames_per_second);
 
 /// What was asked, and the answer with its margin.
 std::string asked_text(const Choice&);

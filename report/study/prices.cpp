@@ -6,6 +6,7 @@
 #include <sstream>
 #include <thread>
 
+#include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
 
@@ -95,7 +96,7 @@ Time KeptPrices::operator()(const Method& method, double setting) {
   return prices_[which] = measure_(method, setting);
 }
 
-void KeptPrices::keep() const {
+void KeptPrices::keep() {
   if (measured_.empty()) return;
   // What another run has kept meanwhile stays.
   std::map<Which, Time> all = anew_ ? std::map<Which, Time>() : in_file();
@@ -105,11 +106,18 @@ void KeptPrices::keep() const {
     if (std::isfinite(time.seconds))
       text += std::get<0>(which) + "\t" + std::get<1>(which) + "\t" + format_shortest(std::get<2>(which)) +
               "\t" + format_shortest(time.seconds) + "\t" + format_shortest(time.spread) + "\n";
-  keep_sealed(file_, text);
+  try {
+    write_sealed(file_, text);
+  } catch (const BadInput&) {  // they will be measured again
+    cannot_keep_ = true;
+  }
 }
 
 std::string KeptPrices::source() const {
-  if (!found_) return "measured in this run on this machine, and kept for the next";
+  if (!found_)
+    return "measured in this run on this machine, and " +
+           (cannot_keep_ ? "not kept, as " + file_.parent_path().string() + " cannot be written"
+                         : std::string("kept for the next"));
   return std::string(measured_.empty() ? "those" : "in part those") +
          " of an earlier run of this program on this machine; --measure measures them anew";
 }

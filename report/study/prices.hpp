@@ -27,7 +27,7 @@ class KeptPrices {
   /// As it was kept, or else measured and remembered. Not for several threads.
   Time operator()(const Method&, double setting);
   /// For the next run; does without where the folder cannot be written.
-  void keep() const;
+  void keep();
   /// Where the prices given out come from, in one sentence without its end.
   std::string source() const;
   const std::filesystem::path& file() const { return file_; }
@@ -42,6 +42,7 @@ class KeptPrices {
   Price measure_;
   std::map<Which, Time> prices_;
   std::set<Which> measured_;  ///< in this run
+  bool cannot_keep_ = false;  ///< as was found when it was tried
   bool found_ = false;        ///< one that an earlier run had kept was given out
 };
 
