@@ -131,4 +131,8 @@ TEST_CASE("prices are done without where they cannot be kept", "[prices]") {
   CHECK(prices.source().ends_with("kept for the next"));
   CHECK_NOTHROW(prices.keep());
   CHECK(prices.source().find("not kept, as ") != std::string::npos);
+  KeptPrices nowhere("/proc/foo/oddity/prices", "3.5", false, Noisy{&calls});
+  nowhere(verlet, 0.5);
+  CHECK_NOTHROW(nowhere.keep());
+  CHECK(nowhere.source().ends_with("not kept, as /proc/foo/oddity/prices cannot be written"));
 }
