@@ -437,7 +437,7 @@ TEST_CASE("what fails at a higher cost than the chosen one's is not followed to 
   const auto stepping = std::ranges::find(left.candidates, "stepping", &Candidate::model);
   CHECK_FALSE(left.was_followed(*stepping));
   CHECK(left.was_followed(*left.chosen));
-  CHECK(choice_text(left, true).find("; not followed further") != std::string::npos);
+  CHECK(choice_text(left, true).find("; not followed\n") != std::string::npos);
   CHECK(choice_text(left, true)
             .find("what costs more than twice the choice is not followed to finer settings") !=
         std::string::npos);

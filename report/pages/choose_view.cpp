@@ -249,7 +249,7 @@ std::string verdict_of(const Candidate& candidate, const Choice& choice) {
     return "chosen";
   if (!candidate.holds())
     return std::string(name_of(candidate.outcome)) + " at " + candidate.where +
-           (choice.was_followed(candidate) ? "" : "; not followed further");
+           (choice.was_followed(candidate) ? "" : "; not followed");
   return candidate.seconds_per_frame > choice.need.budget ? "over the budget" : "holds";
 }
 
