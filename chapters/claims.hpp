@@ -91,23 +91,25 @@ void see(WorstSample& worst, const Left& left, const Right& right, const std::ar
             std::max(size_of_terms(left, letters), size_of_terms(right, letters)), where);
 }
 
-/// Two formulas of a quantity over the samples, the worst of them shown. Where the quantity is compared with
-/// zero, the terms are what cancels, of which a sample's size() is the sum. Else their size is found from a
-/// sample's letters() where it has them, and is that of the largest value where it has not, times the
-/// sample's conditioning() if it has one.
+/// Two formulas of a quantity over the samples, the worst of them shown. Where one of them is zero, the terms
+/// are what cancels, of which a sample's size() is the sum. Else their size is found from a sample's
+/// letters() where it has them, and is that of the largest value where it has not, times the sample's
+/// conditioning() if it has one.
 template <class Sample>
 Check compare(std::string quantity, const Formula<Sample>& left, const Formula<Sample>& right,
               const std::vector<Sample>& samples) {
   std::vector<Value> lefts, rights;
   double largest = 0;
-  bool with_zero = true;
+  bool left_is_zero = true, right_is_zero = true;
   for (const Sample& sample : samples) {
     lefts.push_back(left.of(sample));
     rights.push_back(right.of(sample));
     for (const Value* value : {&lefts.back(), &rights.back()})
       if (finite(*value)) largest = std::max(largest, size_of(*value));
-    with_zero = with_zero && size_of(rights.back()) == 0;
+    left_is_zero = left_is_zero && size_of(lefts.back()) == 0;
+    right_is_zero = right_is_zero && size_of(rights.back()) == 0;
   }
+  const bool with_zero = left_is_zero || right_is_zero;
   const auto size = [&](const Sample& sample) {
     if constexpr (requires { sample.size(); })
       if (with_zero) return sample.size();

@@ -38,8 +38,8 @@ bool is_formula(std::string_view text);
 struct Typesetting {
   bool read = false;            ///< it is a formula of the letters that are known, and what is computed
   std::string difference = {};  ///< what it is instead
-  /// Where it is one side of an equation that is computed: what another side is instead. An equation that is not
-  /// true has this too.
+  /// Where it is one side of an equation that is computed: what another side is instead. An equation that is
+  /// not true has this too.
   std::string unequal = {};
 };
 

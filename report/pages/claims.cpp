@@ -92,29 +92,38 @@ std::string title_of(Verdict verdict) {
   return name;
 }
 
+/// What claims and headings say already needs no second time.
+bool is_told(const Claim& claim, const Reading& reading) {
+  std::string text = reading.text;
+  if (text.size() > 2 && text.front() == '$' && text.back() == '$') text = text.substr(1, text.size() - 2);
+  return text.empty() || claim.says.find(text) != std::string::npos;
+}
+
 /// What is wrong, what is right unless a table has it already, and how it shows.
 std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims& proved) {
   const Claim& claim = judged.claim;
   const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
-  const Reading& right = right_reading(judged);
-  const bool told = right.text.empty() || claim.says.find(right.text) != std::string::npos;
-  const std::string meant = told || in_table
-                                ? ""
-                                : (judged.verdict == Verdict::misprint ? " *Meant:* " : " *Right:* ") +
-                                      escaped(right.text, false) + ".";
+  const auto shown = [&](const std::string& what, const Reading& reading) {
+    return is_told(claim, reading) || in_table ? ""
+                                               : " *" + what + ":* " + escaped(reading.text, false) + ".";
+  };
+  const bool misprint = judged.verdict == Verdict::misprint;
+  const std::string readings = (misprint ? shown("As printed", claim.printed) : "") +
+                               shown(misprint ? "Meant" : "Right", right_reading(judged));
   return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
          "** (" + kind + "line " + std::to_string(claim.line) +
-         (proved.contains(claim.id) ? ", proved" : "") + "): " + escaped(claim.says, false) + "." + meant +
+         (proved.contains(claim.id) ? ", proved" : "") + "): " + escaped(claim.says, false) + "." + readings +
          "\n\n" + prose(claim.why) + "\n\n" + numbers_of(judged);
 }
 
-/// What a confirmed claim was compared with: another route, or samples.
+/// What a confirmed claim was compared with: another route, or samples. Of what is zero it is the route to
+/// it.
 std::string compared_with(const JudgedClaim& judged) {
   const Reading& reading = right_reading(judged);
   if (reading.checks.empty()) return "";
   const Check& c = tightest(reading);
   return counts_violations(c) ? "In " + c.left.by.substr(std::string("violations in ").size())
-                              : "Second route: " + c.right.by;
+                              : "Second route: " + (c.right.by == "zero" ? c.left.by : c.right.by);
 }
 
 /// A line a claim, those that were compared with the same together.
@@ -123,7 +132,10 @@ std::string confirmed_lines(const ExerciseResult& e, const ProvedClaims& proved)
   for (const JudgedClaim& c : e.claims) {
     if (c.verdict != Verdict::confirmed) continue;
     const std::string mark = proved.contains(c.claim.id) ? "†" : "";
-    const std::string line = "<br>" + mark + escaped(c.claim.says, false);
+    const Reading& printed = c.claim.printed;
+    const bool formula = printed.as_typeset && !is_told(c.claim, printed);
+    const std::string line =
+        "<br>" + mark + escaped(c.claim.says, false) + (formula ? ": " + escaped(printed.text, false) : "");
     const std::string with = compared_with(c);
     const auto same = std::ranges::find(groups, with, &std::pair<std::string, std::string>::first);
     if (same == groups.end())
@@ -214,8 +226,9 @@ std::string other_claims(const ExerciseResult& e, const ProvedClaims& proved) {
   int confirmed = 0, by_coq = 0;
   for (const JudgedClaim& c : e.claims) {
     if (c.verdict == Verdict::not_checkable)
-      open += "Not checkable, " + code(c.claim.id) + " (line " + std::to_string(c.claim.line) +
-              "): " + escaped(c.claim.says, false) + ": " + escaped(c.claim.not_checkable, false) + ".\n\n";
+      open += code(c.claim.id) + " (line " + std::to_string(c.claim.line) +
+              "): " + escaped(c.claim.says, false) + ". Not checkable because " +
+              escaped(c.claim.not_checkable, false) + ".\n\n";
     if (c.verdict != Verdict::confirmed) continue;
     ++confirmed;
     by_coq += proved.contains(c.claim.id);

@@ -113,8 +113,11 @@ std::string lost_in_float(const QuantityResult& q) {
       lost += m.trials[i].outcome != Outcome::ok;
     }
   if (held == 0) return "no method is within the need in double";
+  if (held == 1)
+    return "the one setting that is within the need in double " +
+           std::string(lost == 0 ? "stays within it" : "does not stay within it");
   const std::string within =
-      " of the " + counted(held, "setting that is", "settings that are") + " within the need in double ";
+      " of the " + std::to_string(held) + " settings that are within the need in double ";
   return lost == 0 ? "all" + within + "stay within it"
          : lost == held
              ? "none" + within + "stays within it"

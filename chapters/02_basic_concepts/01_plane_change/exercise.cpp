@@ -342,6 +342,14 @@ std::vector<Claim> claims(double h, double seed) {
   claims.add("acceleration_limit", 121, R"($\mathbf a$ tends to 0 from both sides)",
              {.printed = limits.tends(A, {before, after}, none, a_at),
               .near_misses = {limits.tends(A, {before, after}, 6.0 * y, a_at)}});
+  const auto plane = [&](const std::string& text, std::size_t i) -> Statement<Sample> {
+    return {text, [i](const Sample& s) { return piece(s.side())(s.t)[i] == 0; }};
+  };
+  const Statement<Sample> in_xy = plane("$z=0$", 2), in_xz = plane("$y=0$", 1);
+  claims.statement<Sample>("xy_plane", 133, "the piece before 0 lies in the $xy$-plane", left,
+                           {.printed = in_xy, .near_misses = {in_xz}});
+  claims.statement<Sample>("xz_plane", 159, "the piece from 0 on lies in the $xz$-plane", right,
+                           {.printed = in_xz, .near_misses = {in_xy}});
   frames(table, before, left);
   claims.add(
       "normal_from_below", 147, R"($\mathbf N$ tends to $(0,1,0)$ from below)",

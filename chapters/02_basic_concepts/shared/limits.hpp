@@ -43,13 +43,16 @@ Solved<Value> limit_at_zero(const F& f, double h, int halvings) {
   return limit;
 }
 
-/// What the text says is the limit of f(h), h -> 0, against Richardson's extrapolation from the distance h.
+/// What the text says is the limit of f(h), h -> 0, against Richardson's extrapolation from the distance h. A
+/// limit of zero stands on the right.
 template <class F>
 Check limit(std::string what, const Value& said, double h, const F& f) {
   const auto found = limit_at_zero([&](double x) { return Value(f(x)); }, h, 10);
+  const Route extrapolated{"Richardson's extrapolation from a distance", found.value};
+  const bool zero = size_of(said) == 0;
   return {std::move(what),
-          {"Richardson's extrapolation", found.value},
-          {"the text", said},
+          zero ? extrapolated : Route{"the value as it is written", said},
+          zero ? Route{"zero", said} : extrapolated,
           {found.error_estimate + 1e-15, "the extrapolation's error estimate, and one rounding"},
           1};
 }

@@ -402,14 +402,19 @@ std::vector<AnyStart> and_straight(std::vector<AnyStart> all) {
 // ---- Newton's law in polar coordinates: lines 945 to 1007 -------------------------------------------------
 
 void plane(SpaceTable& table, const std::vector<InSpaceOf<double>>& samples) {
-  table.formula("plane", 945,
-                R"(the normal $\mathbf c_0=\mathbf r\times\mathbf v$ is constant: the motion stays in the )"
-                R"(plane of $\mathbf r$ and $\mathbf v$)",
-                samples,
-                {.quantity = R"($\mathbf r\times\ddot{\mathbf r}$, the rate of $\mathbf r\times\mathbf v$)",
-                 .truth = {"zero", [](const auto&) { return values(0, 0, 0); }},
-                 .printed = {"under gravity", [](const auto& k) { return k.turned(0); }},
-                 .near_misses = {{"with drag", [](const auto& k) { return k.turned(0.1); }}}});
+  table.formula(
+      "plane", 945,
+      R"(the normal $\mathbf c_0=\mathbf r\times\mathbf v$ is constant: the motion stays in the )"
+      R"(plane of $\mathbf r$ and $\mathbf v$)",
+      samples,
+      {.quantity = R"($\mathbf r\times\ddot{\mathbf r}$, the rate of $\mathbf r\times\mathbf v$)",
+       .truth = {R"($\mathbf r\times\ddot{\mathbf r}$ with the slope of $GM/|\mathbf r|$ by dual numbers)",
+                 [](const auto& k) { return k.turned(0); }},
+       .printed = {"zero", [](const auto&) { return values(0, 0, 0); }},
+       .near_misses = {{R"(drag's $-0.1\,\mathbf r\times\mathbf v$)", [](const auto& k) {
+                          const auto dragged = k.turned(0.1), free = k.turned(0);
+                          return values(dragged[0] - free[0], dragged[1] - free[1], dragged[2] - free[2]);
+                        }}}});
 }
 
 void motion_in_a_plane(Claims& claims, const std::vector<Later>& orbits, double seed) {
@@ -433,7 +438,8 @@ void motion_in_a_plane(Claims& claims, const std::vector<Later>& orbits, double 
 }
 
 void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
-  const auto acceleration = pushed("any acceleration", [](const auto& k) { return values(k.ax, k.ay); });
+  const auto acceleration = pushed(R"($(\ddot x,\ddot y)$, any acceleration in Cartesian coordinates)",
+                                   [](const auto& k) { return values(k.ax, k.ay); });
   const auto polar = [](const auto& k) {
     return k.parts(k.r_dot_dot - k.r * k.w * k.w, k.r * k.w_dot + 2 * k.r_dot * k.w);
   };
@@ -496,8 +502,8 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
   table.formula(
       "radial", 967, R"($\ddot r-r\dot\theta^2=-GM\,r^2$)", moments,
       {.quantity = R"($\ddot r-r\dot\theta^2$)",
-       .truth = along(
-           "by dual numbers", [](const auto& k) { return k.r_dot_dot - k.r * k.w * k.w; }, &Along::of_radial),
+       .truth = along(R"($\ddot r-r\dot\theta^2$ by dual numbers)",
+                      [](const auto& k) { return k.r_dot_dot - k.r * k.w * k.w; }, &Along::of_radial),
        .printed = along(R"($-GM\,r^2$)", [](const auto& k) { return -k.mu * k.r * k.r; }),
        .meant = along(R"($-GM/r^2$)", [](const auto& k) { return -k.mu / (k.r * k.r); }),
        .near_misses = {along(R"($-GM/r^3$)", [](const auto& k) { return -k.mu / (k.r * k.r * k.r); })},
@@ -506,8 +512,8 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
   table.formula(
       "transverse", 967, R"($r\ddot\theta+2\dot r\dot\theta=0$)", moments,
       {.quantity = R"($r\ddot\theta$)",
-       .truth = along(
-           "by dual numbers", [](const auto& k) { return k.r * k.w_dot; }, &Along::of_transverse),
+       .truth = along(R"($r\ddot\theta$ by dual numbers)", [](const auto& k) { return k.r * k.w_dot; },
+                      &Along::of_transverse),
        .printed = along(R"($-2\dot r\dot\theta$)", [](const auto& k) { return -2 * k.r_dot * k.w; }),
        .near_misses = {along(R"($-\dot r\dot\theta$)", [](const auto& k) { return -k.r_dot * k.w; })}});
   const auto areal = [](double two) {
@@ -545,7 +551,8 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
        .kind = Fault::formula,
        .root = "the sun's mass for the planet's",
        .why =
-           R"($M$ is the mass that attracts, the sun's: $\partial L/\partial\dot\theta$ is $mr^2\dot\theta$ with )"
+           R"($M$ is the mass that attracts, the sun's: with Lagrange's function $L=T-V$ of the planet the angular )"
+           R"(momentum $\partial L/\partial\dot\theta$ is $mr^2\dot\theta$ with )"
            R"(the mass of the planet, for the Earth 1/333000 of it. $\alpha$ is constant all the same, and every )"
            R"(later line uses no more than that: only $\alpha/M=r^2\dot\theta$ ever enters.)"});
   const auto radial = [](double sign) {
@@ -620,8 +627,9 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
        .truth = along(R"($m$ times the slope of $GM/|\mathbf r|$ by dual numbers)",
                       [](const auto& k) { return k.m * (k.ax * k.c + k.ay * k.s); }),
        .printed = along(R"($-dV/dr$)", force),
-       .corrected = along(R"($-m\,dV/dr$: $-GM/r$ is the potential energy per unit mass of the planet)",
-                          [=](const auto& k) { return k.m * force(k); }),
+       .corrected =
+           along(R"(the force is $-m\,dV/dr$: $-GM/r$ is the potential energy per unit mass of the planet)",
+                 [=](const auto& k) { return k.m * force(k); }),
        .near_misses = {along(R"($-\frac m2dV/dr$)", [=](const auto& k) { return k.m / 2 * force(k); })},
        .kind = Fault::formula,
        .root = "the sun's mass for the planet's",
@@ -767,13 +775,13 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
       "characteristic", 1095, R"($\lambda^2+1=0$ has the roots $\pm i$)", moments,
       {.quantity = R"($V''$ on the path, real and imaginary part, twice)",
        .truth = along(
-           "by dual numbers", [](const auto& k) { return values(k.V2, 0, k.V2, 0); }, &Along::of_bend),
+           "$V''$ by dual numbers", [](const auto& k) { return values(k.V2, 0, k.V2, 0); }, &Along::of_bend),
        .printed =
            along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=i$ and with $\lambda=-i$)", by_roots(0, 1)),
        .near_misses = {along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=1$)", by_roots(1, 0))}});
   table.formula("independent", 1095, R"($\sin$ and $\cos$ solve $V''+V=0$, linearly independent)", moments,
                 {.quantity = "Wronski's determinant",
-                 .truth = along("by dual numbers",
+                 .truth = along("the determinant by dual numbers",
                                 [](const auto& k) {
                                   const auto sine = [](auto z) { return sin(z); };
                                   const auto cosine = [](auto z) { return cos(z); };
@@ -790,7 +798,7 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
   table.formula(
       "particular", 1101, R"($V_p=-G^2M^4/\alpha^2$ has $V_p''+V_p=0-G^2M^4/\alpha^2$)", moments,
       {.quantity = R"($(V,V',V'')$ on a circle, where $V$ is constant)",
-       .truth = along("by dual numbers",
+       .truth = along("$V$, $V'$ and $V''$ on a circle, by dual numbers",
                       []<class T>(const AlongOf<T>& k) {
                         const auto rate = sqrt(k.mu / (k.r * k.r * k.r)), x = k.r * k.c, y = k.r * k.s;
                         const AlongOf<T> circle({k.G, k.M, k.m, x, y, -rate * y, rate * x, 0, 0, {}}, false);
@@ -808,7 +816,8 @@ void time_by_angle(LaterTable& table, const std::vector<Later>& orbits) {
       R"($t$ is a function of $\theta$, $t=f^{-1}(\theta)$, and $r(f^{-1}(\theta))$ is the distance as a function of the angle)",
       orbits,
       {.quantity = R"($(t,r)$)",
-       .truth = {"later on the path", [](const auto& k) { return values(k.t, k.r()); }},
+       .truth = {"time and distance on a path by Newton's law",
+                 [](const auto& k) { return values(k.t, k.r()); }},
        .printed =
            {R"($\int r^2d\theta/(r_0^2\dot\theta_0)$ and $r(\theta)$, by $c_0$ and $c_1$ from two other places)",
             [](const auto& k) {
@@ -821,16 +830,17 @@ void time_by_angle(LaterTable& table, const std::vector<Later>& orbits) {
 }
 
 void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
-  table.formula(
-      "conserved", 979,
-      R"($r^2\dot\theta$ is constant, and so is $\alpha=Mr^2\dot\theta=Mr_0^2\dot\theta_0$)", orbits,
-      {.quantity = R"($r^2\dot\theta$ and $Mr^2\dot\theta$)",
-       .truth = {"later on the path", [](const auto& k) { return values(k.h(), k.start.M * k.h()); }},
-       .printed = {R"($r_0^2\dot\theta_0$ and $Mr_0^2\dot\theta_0$)",
-                   [](const auto& k) { return values(k.start.h(), k.start.M * k.start.h()); }},
-       .near_misses = {{R"($r_0\dot\theta_0$ and $Mr_0^2\dot\theta_0$)", [](const auto& k) {
-                          return values(k.start.h() / k.start.r0, k.start.M * k.start.h());
-                        }}}});
+  table.formula("conserved", 979,
+                R"($r^2\dot\theta$ is constant, and so is $\alpha=Mr^2\dot\theta=Mr_0^2\dot\theta_0$)",
+                orbits,
+                {.quantity = R"($r^2\dot\theta$ and $Mr^2\dot\theta$)",
+                 .truth = {R"($x\dot y-y\dot x$ later on a path by Newton's law, and $M$ times it)",
+                           [](const auto& k) { return values(k.h(), k.start.M * k.h()); }},
+                 .printed = {R"($r_0^2\dot\theta_0$ and $Mr_0^2\dot\theta_0$)",
+                             [](const auto& k) { return values(k.start.h(), k.start.M * k.start.h()); }},
+                 .near_misses = {{R"($r_0\dot\theta_0$ and $Mr_0^2\dot\theta_0$)", [](const auto& k) {
+                                    return values(k.start.h() / k.start.r0, k.start.M * k.start.h());
+                                  }}}});
   const auto rate = [](int power) {
     return
         [=](const auto& k) { return values(k.start.h() / pow(k.r(), 2), k.start.h() * pow(k.r(), power)); };
@@ -838,7 +848,8 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
   table.formula(
       "rate", 981, R"($\dot\theta=\alpha/(Mr^2)=r_0^2\dot\theta_0\,r^2$ (1))", orbits,
       {.quantity = R"($\dot\theta$, twice)",
-       .truth = {"later on the path", [](const auto& k) { return values(k.w(), k.w()); }},
+       .truth = {R"($(x\dot y-y\dot x)/r^2$ later on a path by Newton's law)",
+                 [](const auto& k) { return values(k.w(), k.w()); }},
        .printed = {R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0\,r^2$)", rate(2)},
        .meant = {R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0/r^2$)", rate(-2)},
        .near_misses = {{R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0/r$)", rate(-1)}},
@@ -848,13 +859,14 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
            R"(goes round four times as fast, and not at a quarter of its rate. The first form has its bar.)"});
   table.formula("constant", 1095, R"($-G^2M^4/\alpha^2$ is a constant)", orbits,
                 {.quantity = R"($-G^2M^4/\alpha^2$)",
-                 .truth = {"later on the path", [](const auto& k) { return -pow(k.start.mu() / k.h(), 2); }},
+                 .truth = {R"($-G^2M^4/\alpha^2$ by the angular momentum later on a path by Newton's law)",
+                           [](const auto& k) { return -pow(k.start.mu() / k.h(), 2); }},
                  .printed = {"at the start", [](const auto& k) { return -k.mean(); }},
                  .near_misses = {{R"($V$)", [](const auto& k) { return k.V(); }}}});
   const auto bent = [](double sign) { return [=](const auto& k) { return sign * (k.V() + k.mean()); }; };
   table.formula("homogeneous", 1097, R"($V_h=c_0\sin\theta+c_1\cos\theta$ has $V_h''+V_h=0$)", orbits,
                 {.quantity = R"($V_h''$)",
-                 .truth = {R"(by dual numbers, $c_0$ and $c_1$ from two places on the path)",
+                 .truth = {R"($V_h''$ by dual numbers, $c_0$ and $c_1$ from two places on the path)",
                            [](const auto& k) {
                              return second_derivative([&](auto z) { return k.c0 * sin(z) + k.c1 * cos(z); },
                                                       k.theta);
@@ -863,7 +875,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                  .near_misses = {{R"($+V_h$)", bent(1)}}});
   table.formula("potential", 1107, R"($V=c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2$ (3))", orbits,
                 {.quantity = R"($V$)",
-                 .truth = {R"($-GM/r$ later on the path)", [](const auto& k) { return k.V(); }},
+                 .truth = {R"($-GM/r$ later on a path by Newton's law)", [](const auto& k) { return k.V(); }},
                  .printed = {R"((3), $c_0$ and $c_1$ from two other places)",
                              [](const auto& k) { return k.potential(k.theta) - k.mean(); }},
                  .near_misses = {{R"((3) with $+G^2M^4/\alpha^2$)",
@@ -888,7 +900,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
       R"(at $\theta_0$: $c_0\sin\theta_0+c_1\cos\theta_0=V_0+G^2M^4/\alpha^2$, $c_0\cos\theta_0-c_1\sin\theta=V_0'$)",
       orbits,
       {.quantity = R"($V_0+G^2M^4/\alpha^2$ and $V_0'$)",
-       .truth = {"at the start, by dual numbers",
+       .truth = {R"($-GM/r_0+G^2M^4/\alpha^2$ and $\dot V/\dot\theta$ at the start, by dual numbers)",
                  [](const auto& k) {
                    const auto first = k.first();
                    return values(first.V + k.mean(), first.V1);
@@ -900,8 +912,6 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
        .why =
            "The second equation stands at the initial angle like the first; its sine has lost the index 0, and "
            "the solution given next has it."});
-  const OfStart constants{R"(from two later places on the path)",
-                          [](const auto& k) { return values(k.c0, k.c1); }};
   const auto solved = [](double sign) {
     return [=](const auto& k) {
       const auto first = k.first();
@@ -913,7 +923,8 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
       R"($c_0=(V_0+G^2M^4/\alpha^2)\sin\theta_0+V_0'\cos\theta_0$, $c_1=(V_0+G^2M^4/\alpha^2)\cos\theta_0-V_0'\sin\theta_0$)",
       orbits,
       {.quantity = R"($(c_1,c_0)$)",
-       .truth = {constants.text, [](const auto& k) { return values(k.c1, k.c0); }},
+       .truth = {R"($c_1$ and $c_0$ from two later places on the path)",
+                 [](const auto& k) { return values(k.c1, k.c0); }},
        .printed = {R"(the solution, $V_0$ and $V_0'$ by dual numbers)", solved(1)},
        .near_misses = {{R"(the solution with $-V_0'$)", solved(-1)}}});
   const auto V0 = [](double share) {
@@ -986,7 +997,8 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                               std::string why) {
     table.formula(slug, line, std::move(says), orbits,
                   {.quantity = fourth ? R"($c_0$)" : R"($c_1$)",
-                   .truth = {constants.text, [=](const auto& k) { return fourth ? k.c0 : k.c1; }},
+                   .truth = {std::string(fourth ? "$c_0$" : "$c_1$") + " from two later places on the path",
+                             [=](const auto& k) { return fourth ? k.c0 : k.c1; }},
                    .printed = {"as printed, the bars of its fractions restored", constant(fourth, 1, 1)},
                    .corrected = {R"(with $-GM/r_0$ for $GM/r_0$ in the bracket)", constant(fourth, -1, 1)},
                    .near_misses = {{R"(with $-GM/r_0$, and the last term with the other sign)",
@@ -1014,7 +1026,8 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
   const auto seven = [=](double sign) {
     return [=](const auto& k) { return to_rate(k) * pow(k.potential(k.theta) + sign * k.mean(), 2); };
   };
-  const OfStart later_rate{R"(later on the path)", [](const auto& k) { return k.w(); }};
+  const OfStart later_rate{R"($\dot\theta$ later on a path by Newton's law)",
+                           [](const auto& k) { return k.w(); }};
   table.formula("rate_by_angle", 1215,
                 R"($\dot\theta=\frac{\alpha}{G^2M^3}(c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2)^2$ (7))",
                 orbits,
@@ -1053,10 +1066,12 @@ T off_at_start(const Given<T>& start, double sign) {
 
 void any_start(Claims& claims, double seed) {
   const auto at_start = [](const std::string& text, const std::vector<AnyStart>& all, double sign) {
-    const Formula<AnyStart> sum{R"((3) with (4) and (5), times $r_0/(GM)$, plus 1)",
-                                [=](const AnyStart& k) { return off_at_start(k.start, sign); }};
-    const Formula<AnyStart> zero{"zero", [](const AnyStart&) { return 0.0; }};
-    return Reading{text, {compare(R"($(V(\theta_0)+GM/r_0)\,r_0/(GM)$)", sum, zero, all)}};
+    const Formula<AnyStart> sum{R"($V(\theta_0)\,r_0/(GM)$ by (3) with (4) and (5))",
+                                [=](const AnyStart& k) { return off_at_start(k.start, sign) - 1; },
+                                [](const AnyStart& k) { return k.size(); }};
+    const Formula<AnyStart> potential{R"($V(\theta_0)\,r_0/(GM)=-1$, the potential being $-GM/r$)",
+                                      [](const AnyStart&) { return -1.0; }};
+    return Reading{text, {compare(R"($V(\theta_0)\,r_0/(GM)$)", sum, potential, all)}};
   };
   const auto turning = starts(100, seed, 0.5, 1.3, 0.5);
   claims.add(
@@ -1075,20 +1090,124 @@ void any_start(Claims& claims, double seed) {
        .root = "a start without angular momentum"});
 }
 
-// ---- the orbit: lines 1197 and 1229 to 1269 ---------------------------------------------------------------
+// ---- solved numerically: lines 47 and 1007 ----------------------------------------------------------------
+
+/// A planet after ten turns from its aphelion, where it is again, by Runge-Kutta 4: how far off it is by
+/// (3.1) in Cartesian coordinates, by (2) and by (7), over half the axis.
+struct TenTurns {
+  double e, direct, distance, angle;
+  int steps;  ///< a turn
+
+  TenTurns(Random& random, double eccentricity, int steps_a_turn) : e(eccentricity), steps(steps_a_turn) {
+    const double G = abs(random.magnitude(0.2, 5)), M = abs(random.magnitude(0.2, 5)), a = 1 / (1 + e);
+    const double at_aphelion = sqrt(G * M / a * (1 - e) / (1 + e));
+    const Start start{G, M, 1, 0, random.between(-pi, pi), at_aphelion};
+    const auto q = start.position();
+    const double turn = 2 * pi * sqrt(a * a * a / (G * M));
+    const auto off = [&](const auto& model) {
+      const auto end =
+          ode::integrate<ode::RungeKutta4>(model, model.start(), 0, 10 * turn, turn / steps).value;
+      const auto seen = model.observe(end, 0.0);
+      return hypot(seen[0] - q[0], seen[1] - q[1]) / a;
+    };
+    direct = off(Cartesian<double>{start});
+    distance = off(Distance<double>{start});
+    angle = off(OneAngle<double>(start));
+  }
+  std::string where() const { return "$e$ = " + format_significant(e, 3); }
+};
+/// NaN is lost, too.
+bool is_lost(double off) { return !(off < 0.1); }
+
+void solved_numerically(Claims& claims, double seed) {
+  using K = const TenTurns&;
+  Random random(seed);
+  std::vector<TenTurns> earths, comets, all;
+  for (int i = 0; i < 20; ++i) earths.emplace_back(random, random.between(0, 0.1), 52);
+  for (int i = 0; i < 20; ++i) comets.emplace_back(random, random.between(0.94, 0.96), 365);
+  for (int i = 0; i < 20; ++i) all.emplace_back(random, random.between(0, 0.95), 365);
+  claims.statement<TenTurns>(
+      "direct_solution", 47,
+      R"(a solver that is given (3.1), $\ddot{\mathbf r}=-GM\,\mathbf r/r^3$, directly will likely have severe problems with stability)",
+      earths,
+      {.printed =
+           {R"(with 52 steps a turn and $e<0.1$ Runge-Kutta 4 is off by a tenth of the orbit within ten turns)",
+            [](K k) { return is_lost(k.direct); }},
+       .corrected =
+           {R"(with 52 steps a turn and $e<0.1$ it is off by less than a hundredth of the orbit after ten turns)",
+            [](K k) { return k.direct < 1e-2; }},
+       .near_misses = {{"it is off by less than a millionth", [](K k) { return k.direct < 1e-6; }}},
+       .kind = Fault::counterexample,
+       .root = "Newton's law solved directly",
+       .why =
+           R"(The Earth ($e=0.017$) comes round ten times to within 40 km by Runge-Kutta 4 with a step a day. The )"
+           R"(problems come with the eccentricity, as equal steps are too long at the perihelion: at $e=0.9$ these )"
+           R"(are off by the orbit's size, and at $e=0.95$ throw the planet out. Step control mends that in the same )"
+           R"(coordinates. By (7), which keeps the planet on its ellipse, the same steps are off by 1 m and, at )"
+           R"($e=0.95$, by a thousandth of the orbit.)"});
+  claims.statement<TenTurns>(
+      "stable_reformulation", 47,
+      "reformulated, as (7), the problem can be solved in a numerically stable manner", all,
+      {.printed =
+           {R"(with 365 steps a turn and $e<0.95$ Runge-Kutta 4 on (7) is off by less than a hundredth of the orbit after ten turns)",
+            [](K k) { return k.angle < 1e-2; }},
+       .near_misses = {{"on (3.1) likewise", [](K k) { return k.direct < 1e-2; }}}});
+  claims.statement<TenTurns>(
+      "singular_in_practice", 1007, "the singularity of (2) at $r=0$ can be a problem for a solver", comets,
+      {.printed =
+           {R"(at $e=0.95$ Runge-Kutta 4 with 365 steps a turn loses the planet by (2), and does not by (7))",
+            [](K k) { return is_lost(k.distance) && !is_lost(k.angle); }},
+       .near_misses = {{"it loses it by (7) too", [](K k) { return is_lost(k.angle); }}}});
+}
+
+/// The same start under four times the mass, twice as fast.
+void timing(Claims& claims, const std::vector<Later>& orbits) {
+  const auto same_orbit = [](const Later& k, double ratio) {
+    Later fast = k;
+    fast.start.M *= 4;
+    fast.start.r0_dot *= 2;
+    fast.start.theta0_dot *= 2;
+    fast.c0 *= 4;
+    fast.c1 *= 4;
+    const Elements slow(k), quick(fast);
+    return abs(quick.e - slow.e) < 1e-12 && abs(quick.rho / slow.rho - 1) < 1e-12 &&
+           abs(fast.turn() / k.turn() - ratio) < 1e-12;
+  };
+  claims.statement<Later>(
+      "no_timing", 47, R"((3.2), $r=e\rho/(1+e\cos\theta)$, says nothing of how the angle varies with time)",
+      orbits,
+      {.printed = {R"(the same $e$ and $\rho$ with half the period: four times the mass, twice the velocity)",
+                   [=](const Later& k) { return same_orbit(k, 0.5); }},
+       .near_misses = {{"the same $e$ and $\\rho$ have the same period",
+                        [=](const Later& k) { return same_orbit(k, 1); }}}});
+}
+
+void application(Claims& claims) {
+  const std::string why = "the program is on the book's CD-ROM; the text has no listing of it";
+  claims.add("textbook_end", 47, "textbooks end with (3.2)", {.not_checkable = "it is about other books"})
+      .add("kepler_polar_form", 1229,
+           "the application `KeplerPolarForm` solves (7) numerically and draws the path",
+           {.not_checkable = why})
+      .add("verifies_period", 1265, "the application verifies the equation of the period",
+           {.not_checkable = why})
+      .add("computes_axes", 1271, "the application computes $a$, $b$ and $T$", {.not_checkable = why});
+}
+
+// ---- the orbit: lines 1199 and 1229 to 1269 ---------------------------------------------------------------
 
 void momentum(Claims& claims, const std::vector<Later>& orbits) {
   using K = const Later&;
   const auto conserved = [&](const std::string& text, const std::string& what, const auto& of) {
-    const OfStart later{"later on the path", [=](K k) { return of(k.now.x, k.now.y, k.now.vx, k.now.vy); }};
-    const OfStart first{"at the start", [=](K k) {
+    const OfStart later{what + " later on a path by Newton's law",
+                        [=](K k) { return of(k.now.x, k.now.y, k.now.vx, k.now.vy); }};
+    const OfStart first{what + " at its start", [=](K k) {
                           const auto q = k.start.position(), v = k.start.velocity();
                           return of(q[0], q[1], v[0], v[1]);
                         }};
-    return Reading{text, {compare(what, later, first, orbits)}};
+    return Reading{text, {compare(what, first, later, orbits)}};
   };
   claims.add(
-      "momentum", 1197, R"(conservation of momentum says that $\alpha=Mr^2\dot\theta$ is constant)",
+      "momentum", 1199, R"(conservation of momentum says that $\alpha=Mr^2\dot\theta$ is constant)",
       {.printed = conserved("the momentum is conserved", R"($(\dot x,\dot y)$)",
                             [](double, double, double u, double v) { return values(u, v); }),
        .meant = conserved("the angular momentum is conserved", R"($x\dot y-y\dot x$)",
@@ -1222,26 +1341,29 @@ void vectors(LaterTable& table, const std::vector<Later>& orbits) {
 }
 
 void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
-  table.formula("e_and_rho", 1229, R"($e=\gamma_1/(GM)$, $\rho=\gamma_0^2/\gamma_1$)", orbits,
-                {.quantity = R"($e$ and $p/e$, $p$ the semi-latus rectum)",
-                 .truth = {"the apsides by the energy and the angular momentum later on the path",
-                           [](const auto& k) {
-                             const auto [nearest, farthest, half] = Apsides(k);
-                             const auto e = (farthest - nearest) / (farthest + nearest);
-                             return values(e, 2 * nearest * farthest / (nearest + farthest) / e);
-                           }},
-                 .printed = {R"($\gamma_1/(GM)$ and $\gamma_0^2/\gamma_1$)",
-                             [](const auto& k) { return values(Elements(k).e, Elements(k).rho); }},
-                 .near_misses = {{R"($\gamma_1/(GM)$ and $\gamma_0/\gamma_1$)", [](const Later& k) {
-                                    return values(Elements(k).e, Elements(k).gamma0 / Elements(k).gamma1);
-                                  }}}});
+  table.formula(
+      "e_and_rho", 1229,
+      R"($e=\gamma_1/(GM)$, $\rho=\gamma_0^2/\gamma_1$ with the lengths $\gamma_0=|\mathbf c_0|$, $\gamma_1=|\mathbf c_1|$)",
+      orbits,
+      {.quantity = R"($e$ and $p/e$, $p$ the semi-latus rectum)",
+       .truth = {"the apsides by the energy and the angular momentum later on the path",
+                 [](const auto& k) {
+                   const auto [nearest, farthest, half] = Apsides(k);
+                   const auto e = (farthest - nearest) / (farthest + nearest);
+                   return values(e, 2 * nearest * farthest / (nearest + farthest) / e);
+                 }},
+       .printed = {R"($\gamma_1/(GM)$ and $\gamma_0^2/\gamma_1$)",
+                   [](const auto& k) { return values(Elements(k).e, Elements(k).rho); }},
+       .near_misses = {{R"($\gamma_1/(GM)$ and $\gamma_0/\gamma_1$)", [](const Later& k) {
+                          return values(Elements(k).e, Elements(k).gamma0 / Elements(k).gamma1);
+                        }}}});
   const auto orbit = [](double turned) {
     return [=](const auto& k) { return Elements(k).orbit(k.theta + turned * Elements(k).omega); };
   };
   table.formula(
       "orbit", 1229, R"(with $\theta$ from (7) the distance is $r=e\rho/(1+e\cos\theta)$)", orbits,
       {.quantity = R"($r$)",
-       .truth = {"later on the path", [](const auto& k) { return k.r(); }},
+       .truth = {"$r$ later on a path by Newton's law", [](const auto& k) { return k.r(); }},
        .printed = {R"($e\rho/(1+e\cos\theta)$)", orbit(0)},
        .corrected = {R"($e\rho/(1+e\cos(\theta-\omega))$, $\omega$ the angle of the vector $\mathbf c_1$)",
                      orbit(-1)},
@@ -1249,7 +1371,8 @@ void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
        .kind = Fault::formula,
        .root = "angle from the axis for the angle from the perihelion",
        .why =
-           R"(The polar equation measures the angle from the perihelion, the direction of the vector $\mathbf c_1$; )"
+           R"(The polar equation measures the angle from the perihelion, the direction of the constant vector )"
+           R"($\mathbf c_1=\mathbf v\times\mathbf c_0-GM\,\mathbf R$, $\mathbf c_0=\mathbf r\times\mathbf v$; )"
            R"((7) measures it from the axis that $\theta_0$ is given in. They agree only when the user's start has )"
            R"(its perihelion at $\theta=0$: in general $r(\theta_0)\ne r_0$. The application draws the orbit of )"
            R"(`eccentric_path` below turned by $73^\circ$, and starts the planet on it 0.30 AU from the sun instead )"
@@ -1319,7 +1442,8 @@ void inputs_of_the_orbit(Claims& claims, double seed) {
   claims.statement<AnyStart>(
       "elliptical_path", 1229, "the path is an ellipse for the inputs that a user specifies",
       starts(200, seed, 0.1, 2, 1),
-      {.printed = {R"(any start has $e=\gamma_1/(GM)<1$)", below(std::numeric_limits<double>::infinity())},
+      {.printed = {R"(any start has $e=\gamma_1/(GM)<1$, $\gamma_1$ the length of $\mathbf c_1$)",
+                   below(std::numeric_limits<double>::infinity())},
        .corrected = {R"($\dot r_0^2+r_0^2\dot\theta_0^2<2GM/r_0$ has $e<1$)", below(2)},
        .near_misses = {{R"($\dot r_0^2+r_0^2\dot\theta_0^2<2.5\,GM/r_0$ has $e<1$)", below(2.5)}},
        .kind = Fault::left_out,
@@ -1336,13 +1460,14 @@ void inputs_of_the_orbit(Claims& claims, double seed) {
     return Reading{text,
                    {{R"($r$ at $\theta=1$)",
                      {text, of.radius(p, 1)},
-                     {"the circle", circle.start.r0},
+                     {"$r=r_0$ on a circle", circle.start.r0},
                      exact(),
                      0,
                      R"($GM=4$, $r_0=4$, $\dot\theta_0=1/4$)"}}};
   };
   claims.add(
-      "rho_of_a_circle", 1229, R"($\rho=\gamma_0^2/\gamma_1$ serves for the orbit of any start)",
+      "rho_of_a_circle", 1229,
+      R"($\rho=\gamma_0^2/\gamma_1$, of the lengths of $\mathbf c_0$ and $\mathbf c_1$, serves for the orbit of any start)",
       {.printed = radius(R"(with $e\rho=(\gamma_1/(GM))(\gamma_0^2/\gamma_1)$)", of.e * of.rho),
        .corrected = radius(R"(with $e\rho=\gamma_0^2/(GM)$)", of.gamma0 * of.gamma0 / of.mu),
        .near_misses = {radius(R"(with $e\rho=\gamma_0/(GM)$)", of.gamma0 / of.mu)},
@@ -1379,11 +1504,17 @@ std::vector<Claim> claims(double seed) {
   polar_orbit(later, all);
   inputs_of_the_orbit(claims, seed);
   ellipse(later, all);
+  solved_numerically(claims, seed);
+  timing(claims, all);
+  application(claims);
   return claims.in_order();
 }
 
 std::vector<Root> roots() {
   return {
+      {"Newton's law solved directly",
+       R"(A game with nearly circular orbits needs no reformulation: four evaluations of $-GM\,\mathbf r/r^3$ a day )"
+       R"(carry the Earth through ten years to within 40 km.)"},
       {"the sun's mass for the planet's",
        R"(A display shows the Earth's angular momentum as $8.9\cdot10^{45}\,\mathrm{kg\,m^2/s}$, 333000 times what )"
        R"(it is; the orbit is right.)"},
@@ -1397,7 +1528,8 @@ std::vector<Root> roots() {
        R"(The comet of `eccentric_path` is drawn 0.30 AU from the sun where the user put it at 1.75, on an ellipse )"
        R"(that is turned by $73^\circ$.)"},
       {"faster than escape",
-       R"(A body that leaves the Earth's place at 45 km/s never turns beyond $141^\circ$ from its perihelion, and )"
+       R"(A body that leaves the Earth's place at 45 km/s, at right angles to the sun, never turns beyond $141^\circ$ )"
+       R"(from its perihelion, and )"
        R"(its period is the root of a negative number.)"},
       {"a circle divides by zero",
        "A planet at exactly its circular speed, 29.8 km/s at the Earth's distance, is drawn nowhere: $0/0$."},

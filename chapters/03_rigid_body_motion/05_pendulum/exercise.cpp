@@ -192,7 +192,7 @@ double arcsine(double epsilon) { return std::asin(1 - epsilon * cos(book_angle) 
 /// most.
 Reading in_two_parts(const std::string& text, const Reference& truth, double (*tail)(double epsilon)) {
   const double a = book_angle, whole = truth("03_05_quarter_period", {a}).value[0];
-  WorstSample worst(R"($I(a)$, cut at $\epsilon=10^{-2},10^{-3}$)", R"(QAG to $a-\epsilon$ plus )" + text,
+  WorstSample worst(R"($I(a)$, cut at $\epsilon=10^{-2},10^{-3}$)", R"(QAG to $a-\epsilon$ )" + text,
                     R"($\sqrt2\,K$ by the arithmetic-geometric mean)");
   for (double epsilon : {1e-2, 1e-3}) {
     const double next_term = std::pow(epsilon, 2.5) / (30 * sqrt(sin(a)));
@@ -239,21 +239,39 @@ std::vector<Claim> claims(const Reference& truth) {
   const auto shifted = [](double psi) { return 1 / sqrt(cos(psi) - book_angle); };
   const auto by_rule = [&](const std::string& rule, const Solved<double>& sum) {
     return Reading{rule,
-                   {{"the listing's sum, weights 4 and 2 in turn",
+                   {{"the listing's sum, weights 4 and 2 in turn,",
                      {"in the listing's arithmetic", listed},
                      {rule + " of the same integrand", sum.value},
                      rounding(listed, book_panels)}}};
   };
   claims.add(
-      "simpson", 1307, "the listing integrates by Simpson's rule",
+      "simpson", 1307, R"(the listing integrates over $[0,\pi/6-\epsilon]$ by Simpson's rule)",
       {.printed = by_rule("Simpson's rule", simpson(shifted, 0, a - book_epsilon, book_panels)),
-       .near_misses = {by_rule("the trapezoid rule", trapezoid(shifted, 0, a - book_epsilon, book_panels))}});
+       .near_misses = {by_rule("the trapezoid rule", trapezoid(shifted, 0, a - book_epsilon, book_panels)),
+                       by_rule(R"(Simpson's rule over $[0,\pi/6]$)", simpson(shifted, 0, a, book_panels))}});
 
   claims.statement<Node>("positive_root", 1333, "the argument of the root is positive at every node", nodes(),
                          {.printed = {R"($\cos\psi-\pi/6>0$, the angle subtracted)",
                                       [](const Node& n) { return cos(n.psi) > book_angle; }},
                           .near_misses = {{R"($\cos\psi-\cos(\pi/12)>0$)",
                                            [](const Node& n) { return cos(n.psi) > cos(book_angle / 2); }}}});
+
+  const auto last = [&](const std::string& text, double from) {
+    // psi = a - s^2, and the difference of the cosines as a product
+    const auto smooth = [a](double s) {
+      return s == 0 ? 2 / sqrt(sin(a)) : 2 * s / sqrt(2 * sin(a - s * s / 2) * sin(s * s / 2));
+    };
+    return Reading{
+        text,
+        {{"the listing's `remainder`",
+          {R"($\sqrt{2/\cos a}\,(\pi/2-\arcsin(1-\epsilon\cos a/\sin a))$)", remainder(a, book_epsilon)},
+          {"QAG of the text's integrand, $\\psi=a-s^2$", qag(smooth, 0, sqrt(from), 1e-13).value},
+          {1e-11, "the roundings of $1-\\epsilon\\cos a/\\sin a$ under the arc sine's root"}}}};
+  };
+  claims.add("remainder_interval", 1357,
+             R"(the remainder is the term of $[\pi/6-\epsilon,\pi/6]$, for the text's integrand)",
+             {.printed = last(R"(from $\pi/6-\epsilon$ on)", book_epsilon),
+              .near_misses = {last(R"(from $\pi/6-1.001\,\epsilon$ on)", 1.001 * book_epsilon)}});
 
   claims.number("listing_output", 1373, "the listing computes `pendulumTime` = 0.800275",
                 {.truth = {"the listing's arithmetic", listed + remainder(a, book_epsilon)},
@@ -283,7 +301,7 @@ std::vector<Claim> claims(const Reference& truth) {
        .near_misses = {{"0.000281..., cut off", {as_cut_off("the remainder", "0.000281", tail)}},
                        {"0.000284", {as_written("the remainder", "0.000284", tail)}}},
        .why = "The remainder is 0.00028284...: the digits printed are cut off, where those of the time are "
-              "rounded. No digit of the time depends on it.",
+              "rounded. The listing adds the unrounded remainder; its time is not affected.",
        .kind = Fault::number});
   return claims.in_order();
 }
@@ -308,7 +326,7 @@ std::vector<Root> roots() {
   return {
       {"angle for its cosine",
        R"(A pendulum of one metre takes 0.510 s to its lowest point, $\sqrt2\,K(\sin15^\circ)=2.260114$ units of )"
-       R"($\sqrt{L/2g}$, not 0.181 s: an engine that takes the published number for its cue strikes when the bob )"
+       R"($\sqrt{L/2g}$, not 0.181 s: an engine that takes the published number as its cue strikes when the bob )"
        R"(has come 4.5 of its 30 degrees.)"}};
 }
 

@@ -309,7 +309,8 @@ void run_down(Claims& claims, const std::vector<State>& run) {
        .why =
            R"(The second term has the sign of $-q$, and at $q=0$ the first is zero as well: there )"
            R"($\ddot q=0$, and beyond it $\ddot q$ is positive: in the book's own run after each of the last )" +
-           std::to_string(positive_after) + " of its " + std::to_string(book_steps) + " steps.",
+           std::to_string(positive_after) + " of its " + std::to_string(book_steps) +
+           " steps. (The samples are the beginnings of its steps, and the first of these ends beyond the origin.)",
        .kind = Fault::counterexample,
        .root = "beyond the origin"});
 
@@ -465,6 +466,9 @@ std::vector<Claim> claims(double seed, const Reference& truth) {
   accelerations(all, samples);
   run_down(all, run);
   arrivals(all, run, truth);
+  all.add("bead_slide", 1417, "the program `BeadSlide` is an implementation of this",
+          {.not_checkable =
+               "the program is on the book's CD-ROM; what the text says of its run is judged apart"});
   return all.in_order();
 }
 

@@ -338,6 +338,9 @@ std::vector<Claim> claims(double seed) {
                                 [](const Sample& s) { return free_coordinates(s) == 3; }},
                     .near_misses = {{"four", [](const Sample& s) { return free_coordinates(s) == 4; }}}});
   const std::string rods = "three turned rods, by complex numbers";
+  claims.add("example_equations", 2643,
+             "the construction of Example 3.15 gives equations to which a few are added",
+             {.not_checkable = "the text does not repeat the example's equations"});
   claims.formula("x3", 2645, "the place $x_3$ of the third mass", samples,
                  {.truth = {rods, [](const Sample& s) { return three_rods(s)[0]; }},
                   .printed = {R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)", across<double>},

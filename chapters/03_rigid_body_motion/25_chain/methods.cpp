@@ -292,11 +292,12 @@ Quantity horizon_by_digits(const std::string& name, const std::string& from_A_to
   rate.value = {per_digit};
   rate.source = R"($\ln10$ over the growth rate of neighbours from )" + format_shortest(t0) + " to " +
                 format_shortest(t1) + " s, " + rate.source;
-  Quantity q =
-      quantity(name, "s",
-               "how much further ahead, to a centimetre, each decimal digit " + from_A_to_B +
-                   " predicts the start at rest at (2, 2.5, 3) rad",
-               rate, {0.25 * per_digit, "a quarter: neighbours do not part evenly along the motion"});
+  Quantity q = quantity(
+      name, "s",
+      "how much longer the motion from rest at (2, 2.5, 3) rad can be predicted to a centimetre with each "
+      "further decimal digit, " +
+          from_A_to_B,
+      rate, {0.25 * per_digit, "a quarter: neighbours do not part evenly along the motion"});
   const Value all = trajectory(truth, "03_25_chain", inputs(chaotic), seconds).value;
   q.add({from_A_to_B, "extrapolated midpoint, order 20", halving("step", 0x1p-5, 3),
          [=](double step) { return seconds_per_digit<A, B>(chaotic, seconds, all, close, step); }});

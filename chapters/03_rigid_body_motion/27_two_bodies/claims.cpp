@@ -225,13 +225,30 @@ void constants(Table& table, const std::vector<Sample>& all) {
                    [](const auto& k) { return values(k.m1 * k.m2 / (k.m1 + k.m2), k.G * k.m1 * k.m2); }},
        .near_misses = {{R"($m_1+m_2$ and $Gm_1m_2$)",
                         [](const auto& k) { return values(k.m1 + k.m2, k.G * k.m1 * k.m2); }}}});
+  const auto ratio = [=](const auto& factor) {
+    return [=](const auto& k) {
+      const auto reduced = k.m1 * k.m2 / (k.m1 + k.m2), of_potential = k.G * k.m1 * k.m2;
+      return values(of_potential / reduced, factor(k) * k.gamma());
+    };
+  };
   table.formula(
-      "gamma", 2769, R"($\gamma=c_2/c_1=G(m_1+m_2)$)", all,
-      {.quantity = R"($c_2/c_1$)",
-       .truth = {"the ratio by dual numbers", [=](const auto& k) { return c2(k) / c1(k); }},
-       .printed = {R"($G(m_1+m_2)$)", [](const auto& k) { return k.gamma(); }},
-       .near_misses = {{R"($Gm_1m_2(m_1+m_2)$)", [](const auto& k) { return k.gamma() * k.m1 * k.m2; }},
-                       {R"($Gm_1$)", [](const auto& k) { return k.G * k.m1; }}}});
+      "gamma", 2765, R"($\gamma=c_2c_1=Gm_1m_2/(m_1m_2/(m_1+m_2))=G(m_1+m_2)$)", all,
+      {.quantity = R"($\gamma$, twice)",
+       .truth = {R"($c_2/c_1$ by dual numbers of $V$ and $T$)",
+                 [=](const auto& k) { return values(c2(k) / c1(k), c2(k) / c1(k)); }},
+       .printed = {R"($c_2c_1$ and $G(m_1+m_2)$)",
+                   [](const auto& k) {
+                     return values(k.G * k.m1 * k.m2 * (k.m1 * k.m2 / (k.m1 + k.m2)), k.gamma());
+                   }},
+       .meant = {R"($c_2/c_1$ and $G(m_1+m_2)$)", ratio([](const auto&) { return 1.0; })},
+       .near_misses = {{R"($c_2/c_1$ and $Gm_1m_2(m_1+m_2)$)",
+                        ratio([](const auto& k) { return k.m1 * k.m2; })},
+                       {R"($c_2/c_1$ and $Gm_1$)",
+                        ratio([](const auto& k) { return k.m1 / (k.m1 + k.m2); })}},
+       .kind = Fault::lost_typography,
+       .why =
+           R"(The bar of $c_2/c_1$ is lost; the quotient that follows has its own. Of the scene's bodies, $m_1=2$ )"
+           R"(and $m_2=1$ with $G=1$, the product is $4/3$ and $\gamma=3$.)"});
 }
 
 void equations(Claims& claims, const std::vector<Sample>& all, const std::vector<PastThePole>& passing) {
@@ -340,7 +357,8 @@ void state_and_data(Claims& claims, const Reference& truth) {
   still.r0_dot = 0;
   claims.add(
       "state_and_data", 2787,
-      R"($r,u,\varphi$ with $m_1,m_2,G$ and the four initial values are all; $\beta$ and $\gamma$ follow from them)",
+      R"($r,u,\varphi$ with $m_1,m_2,G$ and the four initial values determine the motion in its plane; )"
+      R"($\beta$ and $\gamma$ follow from them)",
       {.printed = from("the motion from these alone", b),
        .near_misses = {from(R"($\gamma$ with the reduced mass for the sum)", reduced),
                        from(R"(without the rate $\dot r_0$)", still)}});
@@ -369,6 +387,8 @@ Provables proofs() {
                        .letters = quantified(names),
                        .tactic = by_distance,
                        .says = "it holds for any two bodies wherever they are"};
+  double x = 0.25;
+  for (double* letter : all.example.letters()) *letter = x += 0.25;
   for (const Shortened& positive : {all.any.G, all.any.m1, all.any.m2, all.any.q[0]})
     all.given.push_back(above(positive.expression(), 0));
   Provables proved = table.proofs("3.27", all);
@@ -393,6 +413,8 @@ std::vector<Claim> claims(double seed, const Reference& truth) {
   accelerations(table, samples);
   motions(claims, draw<Later>(20, seed));
   state_and_data(claims, truth);
+  claims.add("module_pattern", 2787, "the pattern of the `PhysicsModule` files may be used here",
+             {.not_checkable = "the files are on the book's CD-ROM; the text does not show their pattern"});
   return claims.in_order();
 }
 

@@ -371,7 +371,7 @@ void claim_forces(Table& table, const Samples& tops) {
 
 void claim_no_force_of_psi(Claims& claims, const Samples& tops) {
   const auto arm_is_zero = [&](const std::string& angle, std::size_t k) {
-    return compare(R"($\partial\mathbf r/\partial)" + angle + "$", arm(k), none, tops);
+    return compare(R"($\partial\mathbf r/\partial)" + angle + "$", none, arm(k), tops);
   };
   claims.add(
       "dr_dpsi", 3049, R"(the force of $\psi$ is zero, as its arm is)",

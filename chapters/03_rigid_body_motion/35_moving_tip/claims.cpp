@@ -65,14 +65,21 @@ Vector<T> tip(const SampleOf<T>& s) {
   return {s.body.A * sin(s.body.lambda * s.t), T(0), T(0)};
 }
 
-/// The rate of the angular momentum about the center of mass, less `sign` times the torque of the force on
-/// the tip: mass times the acceleration of the center of mass, less the weight.
+/// `sign` times the torque about the center of mass of the force on the tip: mass times the acceleration of
+/// the center of mass, less the weight.
 template <class T>
-auto unexplained(const SampleOf<T>& s, double sign) {
+auto torque_of_tip(const SampleOf<T>& s, double sign) {
   const Moving<T> c = motion_of(s, center(s));
   const Vector<T> force{s.m * c.a[0], s.m * c.a[1], s.m * (c.a[2] + s.body.g)};
-  const Vector<T> rate = momentum_rate_about(s, center(s)), torque = cross(less(tip(s), c.x), force);
-  return values(rate[0] - sign * torque[0], rate[1] - sign * torque[1], rate[2] - sign * torque[2]);
+  const Vector<T> torque = cross(less(tip(s), c.x), force);
+  return values(sign * torque[0], sign * torque[1], sign * torque[2]);
+}
+/// The rate of the angular momentum about the center of mass, less that.
+template <class T>
+auto unexplained(const SampleOf<T>& s, double sign) {
+  const Vector<T> rate = momentum_rate_about(s, center(s));
+  const auto torque = torque_of_tip(s, sign);
+  return values(rate[0] - torque[0], rate[1] - torque[1], rate[2] - torque[2]);
 }
 
 /// The rates of the state of a model at the start that it has.
@@ -142,7 +149,7 @@ using Reader = ProvableFormula<SampleOf>;
 using Table = ProvableClaims<SampleOf>;
 
 const Reader zero{"zero", []<class T>(const SampleOf<T>&) { return T(0); }},
-    none{"zero", []<class T>(const SampleOf<T>&) { return values(T(0), T(0), T(0)); }};
+    none{"no torque", []<class T>(const SampleOf<T>&) { return values(T(0), T(0), T(0)); }};
 
 const std::string rate_of_momentum =
     R"($\sum m(\mathbf x-\mathbf r)\times(\ddot{\mathbf x}-\ddot{\mathbf r})$ over the points)";
@@ -150,10 +157,15 @@ const Reader about_center{rate_of_momentum, [](const auto& s) { return momentum_
 Reader less_torque(double sign) {
   return {rate_of_momentum + ", less the torque", [=](const auto& s) { return unexplained(s, sign); }};
 }
+/// About the center of mass, of the force on the tip.
+Reader about_center_by_tip(const std::string& text, double sign) {
+  return {text, [=](const auto& s) { return torque_of_tip(s, sign); },
+          [](const Sample& s) { return s.size(); }};
+}
 
-const Reader change{"along Lagrange's accelerations, tip moving",
+const Reader change{R"($\dot{\mathbf w}$ along Lagrange's accelerations, tip moving)",
                     [](const auto&s) { return body_rates_change(s); }},
-    vertical{"its rate along Lagrange's accelerations, tip moving",
+    vertical{"rate of the vertical angular momentum along Lagrange's accelerations, tip moving",
              [](const auto&s) { return vertical_momentum_rate(s); }},
     drive{R"($m\ell\alpha\lambda^2\sin\lambda t\cos\theta\sin\phi$)",
           [](const auto&s) {
@@ -188,7 +200,7 @@ void claim_spin(Table& table, const std::vector<Sample>& tops) {
                 tops,
                 {.quantity = R"($\dot w_3$)",
                  .truth = zero,
-                 .printed = {R"($\dot w_3=0$ along Lagrange's accelerations)",
+                 .printed = {R"($\dot w_3=0$ along Lagrange's accelerations, tip moving)",
                              [](const auto& s) { return body_rates_change(s)[2]; }},
                  .near_misses = {{R"($\ddot\psi=0$ along them)", [](const auto& s) { return s.truth[2]; }}}});
 }
@@ -446,18 +458,16 @@ std::vector<Claim> claims(double seed) {
   Claims claims("3.35");
   Table table(claims);
 
-  // The accelerations are those of Lagrange's equations: what cancels is larger than the two sides.
+  const std::string about_center_of_mass = "rate of the angular momentum about the center of mass";
   const auto with_torque = [&](const std::string& text, double sign) {
-    return reading(
-        text,
-        R"(rate of the angular momentum about the center of mass, less the torque of the force on the tip)",
-        less_torque(sign), none);
+    return reading(text, about_center_of_mass,
+                   about_center_by_tip("the torque of the force on the tip", sign), about_center);
   };
   const std::string no_force_torque =
       "what moves the tip is a force on the center of mass: it has no torque about it";
   claims.add(
       "force_at_center", 3089, no_force_torque,
-      {.printed = reading("no torque about the center of mass", no_force_torque, about_center, none),
+      {.printed = reading("no torque about the center of mass", about_center_of_mass, none, about_center),
        .corrected = with_torque(
            R"(a force $\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$ on the tip, with the torque $(\mathbf p-\mathbf )"
            R"(r)\times\mathbf N$ about the center of mass $\mathbf r$)",
@@ -476,16 +486,18 @@ std::vector<Claim> claims(double seed) {
 
   const std::string in_body = R"($\dot{\mathbf w}$ in body coordinates)";
   const std::string constant = R"($\mu_1\dot\theta\sin^2\phi+c\,\mu_3\cos\phi$)";
-  const Check driven = compare("rate of the vertical angular momentum", vertical, drive, tops);
-  const Check by_euler = compare(in_body, change, euler, tops);
+  const Check driven = compare("rate of the vertical angular momentum", drive, vertical, tops);
+  const Check by_euler = compare(in_body, euler, change, tops);
   claims.add(
       "euler_about_vertical", 3089,
       "Euler's equations with the torque of gravity alone still apply about the vertical",
-      {.printed = reading(constant + " is a constant", constant + ", $c$ the spin", vertical, zero),
-       .corrected = {"its rate is " + driven.right.by, {driven, by_euler}},
-       .near_misses = {reading("Euler's equations with gravity alone", in_body, change,
+      {.printed =
+           reading(constant + " is a constant", "rate of " + constant + ", $c$ the spin", zero, vertical),
+       .corrected = {"the vertical angular momentum changes at the rate " + drive.text, {driven, by_euler}},
+       .near_misses = {reading("Euler's equations with gravity alone", in_body,
                                {R"(Euler's equations with the torque of $-mg\mathbf k$ alone)",
-                                [](const Sample& s) { return euler_equations(at_rest(s), s.t); }})},
+                                [](const Sample& s) { return euler_equations(at_rest(s), s.t); }},
+                               change)},
        .why =
            R"(With the tip as origin the frame is accelerated, and $-m\ddot{\mathbf p}$ acts at the center of )"
            R"(mass beside gravity. Its torque about the tip has the vertical component )"
@@ -514,7 +526,7 @@ std::vector<Claim> claims(double seed) {
            R"(That is so only where $\ddot{\mathbf p}=0$. The accelerated tip adds to gravity a horizontal )"
            R"(acceleration $\alpha\lambda^2\sin\lambda t$ that turns the top about its tip. With the values here )"
            R"(its axis is 0.016 rad from that of the fixed top after 4 s, 0.043 rad at twice the frequency, and )"
-           R"(0.73 rad at 14.17 rad/s, the frequency of the nutation.)",
+           R"(0.73 rad at 14.17 rad/s, which is its nutation and precession together, as seen from the world.)",
        .kind = Fault::left_out,
        .root = no_torque});
 
@@ -525,9 +537,9 @@ std::vector<Claim> claims(double seed) {
 std::vector<Root> roots() {
   return {
       {no_torque,
-       R"(Shaken at 14.17 rad/s, the frequency of its nutation, the top has tilted 0.73 rad (42 degrees) away )"
-       R"(from the published motion after 4 s: a game that carries the unshaken motion along with the tip shows )"
-       R"(a top that nobody can shake.)"},
+       R"(Shaken at 14.17 rad/s, its nutation and precession together, the top has its axis 0.73 rad (42 )"
+       R"(degrees) from that of the published motion after 4 s: a game that carries the unshaken motion along )"
+       R"(with the tip shows a top that nobody can shake.)"},
       {"tip for center of mass",
        R"(A top drawn with its center of mass at $\mathbf p$ stands $\ell=0.25$ m too low along its axis: tilted )"
        R"(by 0.5 rad, its tip is 22 cm below the floor.)"}};

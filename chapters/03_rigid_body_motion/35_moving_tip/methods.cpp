@@ -139,7 +139,7 @@ Quantity deviation(const Top& top, const Reference& truth) {
   Quantity q = quantity(
       "deviation", "rad",
       R"(angle after 4 s between the axis and that of the same top with its tip fixed, for $(A,\lambda)$, )"
-      R"($(A/8,\lambda)$, $(A,2\lambda)$ and $A$ at the nutation's frequency)",
+      R"($(A/8,\lambda)$, $(A,2\lambda)$ and $A$ at the frequency of nutation and precession together)",
       known, {1e-6, "a fifth of a second of arc"});
   q.add({fixed_tip, "no difference", no_knob(),
          [](double) {
@@ -177,8 +177,9 @@ std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
   strong.A *= 4;
   strong.lambda += 5;
   const Horizon horizon{ex03_33::duration};
-  return {shaken_axis("near_resonance", "the same with A / 8 at the nutation's frequency", resonant, horizon,
-                      truth),
+  return {shaken_axis("near_resonance",
+                      "the same with A / 8 at the frequency of nutation and precession together", resonant,
+                      horizon, truth),
           shaken_axis("strong_shaking", "the same with $4A$, 5 rad/s faster", strong, horizon, truth),
           nearly_upright(top, truth), deviation(top, truth)};
 }

@@ -39,7 +39,7 @@ const Names names{{"fgrad_g", R"(((\mathbf f\cdot\nabla)\mathbf g))"},
 
 Proof proof_of_lines(Random random) {
   Proof proof("5.1", sampled(random, fill), names);
-  const std::string turned = R"($\mathbf f\cdot\nabla$ along a turned frame)";
+  const std::string turned = R"($\mathbf f\cdot\nabla$ along a turned frame, by dual numbers)";
   proof.line(
       "operator", 3105,
       R"($\mathbf f\cdot\nabla$ is $f_0\,\partial/\partial x_0+f_1\,\partial/\partial x_1+f_2\,\partial/\partial x_2$ )"
@@ -57,18 +57,17 @@ Proof proof_of_lines(Random random) {
       {.printed = dot,
        .meant = proof.reading(distributed, turned),
        .near_misses = {proof.reading(each_component("fgrad_x#", "f0 x#,0 + f1 x#,1"), turned)},
-       .why =
-           R"(The operator is a number's, and what it is applied to a vector: no dot belongs between them. )"
-           R"(Read as a dot product the line is the number $f_0+f_1+f_2$, 6 for $\mathbf f=(1,2,3)$, and )"
-           R"(not the vector $\mathbf f$. The next line goes on without it.)",
+       .why = R"(The operator acts like a scalar and is applied to a vector: no dot belongs between them. )"
+              R"(Read as a dot product the line is the number $f_0+f_1+f_2$, 6 for $\mathbf f=(1,2,3)$, and )"
+              R"(not the vector $\mathbf f$. The next line goes on without it.)",
        .kind = Fault::formula});
   proof.lines.push_back({"dot", distributed, "meant"});
   for (std::size_t j = 0; j < 3; ++j) {
     const std::string by = digit(j), slope = "slope" + by + "#";
     proof.line(
         "unit_vector_" + by, 3125,
-        "the derivative of the position by $x_" + by + "$ is $\\mathbf e_" + by + "$",
-        each_component(slope, "e" + by + "#"), "the position along an axis, dual numbers",
+        "the derivative of the position with respect to $x_" + by + "$ is $\\mathbf e_" + by + "$",
+        each_component(slope, "e" + by + "#"), "the position differentiated along an axis, by dual numbers",
         {each_component(slope, "e" + digit((j + 1) % 3) + "#"), each_component(slope, "- e" + by + "#")});
   }
   proof.line("sum_of_unit_vectors", 3125, R"($(\mathbf f\cdot\nabla)\mathbf x$ is a sum of unit vectors)",
@@ -78,7 +77,8 @@ Proof proof_of_lines(Random random) {
   proof.line("components", 3127, "its components are those of $\\mathbf f$", each_component("fgrad_x#", "f#"),
              turned);
   proof.line("identity", 3129, R"($(\mathbf f\cdot\nabla)\mathbf x=\mathbf f$)",
-             each_component("along_f#", "f#"), R"(the position along $\mathbf f$, dual numbers)",
+             each_component("along_f#", "f#"),
+             R"(the position differentiated along $\mathbf f$, by dual numbers)",
              {each_component("along_f#", "- f#"), each_component("along_f#", "div_x f#")});
   return proof;
 }
@@ -141,7 +141,7 @@ Exercise exercise_5_1() {
   using namespace ex05_01;
   return {"Directional derivative of the position",
           "Show that $(\\mathbf f\\cdot\\nabla)\\mathbf x = \\mathbf f$, where $\\mathbf x$ is the position. "
-          "Below $x_{0,1}$ is the derivative of $x_0$ by $x_1$.",
+          "Below $x_{0,1}$ is the derivative of $x_0$ with respect to $x_1$.",
           field_parameters,
           {},
           study};

@@ -60,7 +60,7 @@ void fill(Sample& s, const Drawn& d) {
   }
   s.put("v", point(turn * f));
   s.put("u", point(turn * g));
-  s.put("x", d.x);
+  s.put("over_x", Point{1 / d.x[0], 1 / d.x[1], 1 / d.x[2]});
   s.put("g", point(g));
   s.put_scalar("phi", d.phi, d.x);
   s.put_vector("f", d.f, d.x);
@@ -68,6 +68,7 @@ void fill(Sample& s, const Drawn& d) {
 }
 
 const Names names{{"Mf", R"((M\mathbf f))"},
+                  {"over_x", R"((1/x))"},
                   {"gTM", R"((\mathbf g^TM))"},
                   {"MTg", R"((M^T\mathbf g))"},
                   {"MTgrad_phi", R"((M^T\nabla\varphi))"},
@@ -84,13 +85,14 @@ const Names names{{"Mf", R"((M\mathbf f))"},
 
 Proof proof_of_lines(Random random) {
   Proof proof("5.5", sampled(random, fill), names);
-  const std::string whole = R"($M\mathbf f$ differentiated as one field along a turned frame)";
+  const std::string whole =
+      R"($M\mathbf f$ differentiated as one field along a turned frame, by dual numbers)";
   const std::string by_eigen = "the product by Eigen";
   const std::string outside =
       "m00 f0,0 + m01 f1,0 + m02 f2,0 + m10 f0,1 + m11 f1,1 + m12 f2,1 + m20 f0,2 + m21 f1,2 + m22 f2,2";
-  const std::string product_with_x =
-      "m00 x0 f0 + m01 x0 f1 + m02 x0 f2 + m10 x1 f0 + m11 x1 f1 + m12 x1 f2 + m20 x2 f0 + m21 x2 f1 + m22 "
-      "x2 f2";
+  const std::string quotient =
+      "m00 over_x0 f0 + m01 over_x0 f1 + m02 over_x0 f2 + m10 over_x1 f0 + m11 over_x1 f1 + m12 over_x1 f2 + "
+      "m20 over_x2 f0 + m21 over_x2 f1 + m22 over_x2 f2";
 
   proof.line("product", 3271, R"($m_{ij}f_j$, summed over $j$, is $M\mathbf f$)",
              each_component("Mf#", "m#0 f0 + m#1 f1 + m#2 f2"), by_eigen);
@@ -100,12 +102,13 @@ Proof proof_of_lines(Random random) {
              each_component("turned_Mf#", "n#0 v0 + n#1 v1 + n#2 v2"), R"($M\mathbf f$, turned)");
   proof.line(
       "divergence", 3273,
-      R"($\nabla\cdot(M\mathbf f)$ is $\partial(m_{ij}f_j)/\partial x_i$; below $\mathbf h=M\mathbf f$)",
+      R"($\nabla\cdot(M\mathbf f)$ is $\partial(m_{ij}f_j)/\partial x_i$, with $\mathbf h=M\mathbf f$)",
       {{"div_Mf", "h0,0 + h1,1 + h2,2"}}, whole);
 
   const std::vector<Row> constants{{"div_Mf", outside}};
-  Reading lost = proof.reading({{"div_Mf", product_with_x}}, whole);
-  lost.text = "$m_{ij}x_if_j$, with nothing to differentiate: " + lost.text;
+  Reading lost = proof.reading({{"div_Mf", quotient}}, whole);
+  lost.text =
+      R"($(m_{ij}/\partial x_i)f_j$, a quotient, for which the best that can be had is $m_{ij}f_j/x_i$)";
   lost.as_typeset = false;
   auto changes = proof.single_changes(constants, whole);
   changes.push_back(proof.reading({{"div_phi_Mf", "phi (" + outside + ")"}}, whole));
@@ -118,10 +121,10 @@ Proof proof_of_lines(Random random) {
        .meant = proof.reading(constants, whole),
        .near_misses = std::move(changes),
        .why =
-           R"(The bar and the $\partial$ above it are lost in the text at hand, here and in line 3295: the )"
-           R"(operator is $m_{ij}\,\partial/\partial x_i$, as line 3287 has it. Without the $\partial$ )"
-           R"(nothing is differentiated: for $M=I$ and $\mathbf f=\mathbf x$ the divergence is 3, and the )"
-           R"(products $x_if_i$ add up to $|\mathbf x|^2$.)",
+           R"(A $\partial$ is lost above the bar in the text at hand, here and in line 3297: the operator is )"
+           R"($m_{ij}\,\partial/\partial x_i$, as line 3287 has it. In a quotient by $\partial x_i$ nothing is )"
+           R"(differentiated. The nearest that has a value, $m_{ij}f_j/x_i$, is another: for $M=I$ and )"
+           R"($\mathbf f=(x_0^2,0,0)$ it is $x_0$, where the divergence is $2x_0$.)",
        .kind = Fault::lost_typography});
   proof.lines.push_back({"constants_outside", constants, "meant"});
 
@@ -249,7 +252,7 @@ Exercise exercise_5_5() {
   using namespace ex05_05;
   return {"Divergence of a matrix times a vector",
           "Show that $\\nabla\\cdot(M\\mathbf f) = (M^T\\nabla)\\cdot\\mathbf f$ for a constant matrix $M$. "
-          "Below $f_{2,1}$ is the derivative of $f_2$ by $x_1$.",
+          "Below $f_{2,1}$ is the derivative of $f_2$ with respect to $x_1$.",
           parameters,
           {},
           study};

@@ -30,7 +30,8 @@ const Names names{{"curl_phi_f", R"((\nabla\times\varphi\mathbf f))"},
 
 Proof proof_of_lines(Random random) {
   Proof proof("5.7", sampled(random, fill), names);
-  const std::string whole = R"($\varphi\mathbf f$ differentiated as one field along a turned frame)";
+  const std::string whole =
+      R"($\varphi\mathbf f$ differentiated as one field along a turned frame, by dual numbers)";
   const auto component = [&](const std::string& step, std::size_t i, int at, const std::string& says,
                              const std::string& right) {
     proof.line(step + "_" + digit(i), at, says + ", component " + digit(i),
@@ -54,12 +55,12 @@ Proof proof_of_lines(Random random) {
              {{"phi curl_f0", "phi (f2,1 - f1,2)"},
               {"phi curl_f1", "phi (f0,2 - f2,0)"},
               {"phi curl_f2", "phi (f1,0 - f0,1)"}},
-             R"($\nabla\times\mathbf f$ along a turned frame)");
+             R"($\nabla\times\mathbf f$ along a turned frame, by dual numbers)");
   proof.line("second_vector", 3353, R"(the second of the two vectors is $\nabla\varphi\times\mathbf f$)",
              {{"grad_phi_x_f0", "phi,1 f2 - phi,2 f1"},
               {"grad_phi_x_f1", "phi,2 f0 - phi,0 f2"},
               {"grad_phi_x_f2", "phi,0 f1 - phi,1 f0"}},
-             R"($\nabla\varphi$ along a turned frame)");
+             R"($\nabla\varphi$ along a turned frame, by dual numbers)");
   proof.line(
       "identity", 3367,
       R"($\nabla\times(\varphi\mathbf f)=\varphi\,\nabla\times\mathbf f+\nabla\varphi\times\mathbf f$)",
@@ -111,12 +112,13 @@ Provables proofs_5_7() { return ex05_07::proofs(); }
 
 Exercise exercise_5_7() {
   using namespace ex05_07;
-  return {"Curl of a scalar times a vector",
-          "Show that $\\nabla\\times(\\varphi\\mathbf f) = \\varphi\\,\\nabla\\times\\mathbf f + "
-          "\\nabla\\varphi\\times\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ by $x_1$.",
-          field_parameters,
-          {},
-          study};
+  return {
+      "Curl of a scalar times a vector",
+      "Show that $\\nabla\\times(\\varphi\\mathbf f) = \\varphi\\,\\nabla\\times\\mathbf f + "
+      "\\nabla\\varphi\\times\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ with respect to $x_1$.",
+      field_parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

@@ -70,11 +70,11 @@ const std::vector<Row> either_order{
 Proof proof_of_lines(Random random) {
   Proof proof("5.9", sampled(random, fill), names);
   proof.line("gradient", 3373, "the gradient in coordinates", each_component("grad#", "phi,#"),
-             "the gradient along a turned frame");
+             "the gradient along a turned frame, by dual numbers");
   const auto component = [&](int at, const std::string& i, const std::vector<Row>& terms,
                              const std::string& any) {
-    const std::string slopes = "slopes of the gradient along a turned frame",
-                      pattern = R"(the curl of any field $\mathbf v$ along a turned frame)";
+    const std::string slopes = "slopes of the gradient along a turned frame, by nested dual numbers",
+                      pattern = R"(the curl of any field $\mathbf v$ along a turned frame, by dual numbers)";
     const std::vector<Row> of_any{{"curl_v" + i, any}};
     Claim claim{.printed = proof.reading(terms, slopes), .near_misses = proof.single_changes(terms, slopes)};
     const Reading same = proof.reading(of_any, pattern);
@@ -92,7 +92,7 @@ Proof proof_of_lines(Random random) {
   component(3387, "1", {{"grad0,2", "phi,02"}, {"- grad2,0", "- phi,20"}}, "v0,2 - v2,0");
   component(3395, "2", {{"grad1,0", "phi,10"}, {"- grad0,1", "- phi,01"}}, "v1,0 - v0,1");
   proof.line("identity", 3403, R"($\nabla\times\nabla\varphi=0$)", each_component("curl_grad#", "zero"),
-             R"($\nabla\times\nabla\varphi$ along a turned frame)",
+             R"($\nabla\times\nabla\varphi$ along a turned frame, by nested dual numbers)",
              {each_component("curl_v#", "zero"),
               {{"phi,21 + phi,12", "zero"}, {"phi,02 + phi,20", "zero"}, {"phi,10 + phi,01", "zero"}}});
   proof.lines.push_back({"order", either_order});
@@ -114,8 +114,8 @@ std::vector<Claim> claims(Random random, const Known& mixed) {
                                   {"iterated limits in 60 digits, in the other", other},
                                   rounding(size_of(one), 1)});
   proof.claims.add("order", 3405,
-                   "where second derivatives are continuous, their order is irrelevant (below "
-                   "$\\varphi'_{01}$ is one along two vectors of a turned frame)",
+                   "where second derivatives are continuous, their order is irrelevant, along any "
+                   "two axes of a turned frame too: $\\varphi'_{01}=\\varphi'_{10}$",
                    std::move(order));
   return proof.claims.in_order();
 }

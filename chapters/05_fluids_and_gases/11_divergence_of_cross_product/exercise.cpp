@@ -50,22 +50,23 @@ const Names names{{"div_fxg", R"(\nabla\cdot(\mathbf f\times\mathbf g))"},
 
 Proof proof_of_lines(Random random) {
   Proof proof("5.11", sampled(random, fill), names);
-  const std::string whole = R"($\mathbf f\times\mathbf g$ differentiated as one field along a turned frame)";
-  const std::string alone = "the bracket differentiated as one field";
-  const std::string curls = "curls along a turned frame";
+  const std::string whole =
+      R"($\mathbf f\times\mathbf g$ differentiated as one field along a turned frame, by dual numbers)";
+  const std::string alone = "the bracket differentiated as one field, by dual numbers";
+  const std::string curls = "curls along a turned frame, by dual numbers";
 
   proof.line("cross_product", 3413, R"(the brackets are the components of $\mathbf f\times\mathbf g$)",
              {{"fxg0", "f1 g2 - f2 g1"}, {"fxg1", "f2 g0 - f0 g2"}, {"fxg2", "f0 g1 - f1 g0"}},
              R"(determinants of $\mathbf f$, $\mathbf g$ and a unit vector, by LU)");
   proof.line(
       "definition", 3409,
-      R"(the divergence is the sum of the three brackets' derivatives; below $\mathbf h=\mathbf f\times\mathbf g$)",
+      R"(the divergence is the sum of the three brackets' derivatives, with $\mathbf h=\mathbf f\times\mathbf g$)",
       {{"div_fxg", "h0,0 + h1,1 + h2,2"}}, whole);
-  proof.line("product_rule_0", 3419, "the first bracket's derivative by $x_0$ has four terms",
+  proof.line("product_rule_0", 3419, "the first bracket's derivative with respect to $x_0$ has four terms",
              {{"h0,0", "f1,0 g2 + f1 g2,0 - f2,0 g1 - f2 g1,0"}}, alone);
-  proof.line("product_rule_1", 3425, "the second bracket's derivative by $x_1$ has four terms",
+  proof.line("product_rule_1", 3425, "the second bracket's derivative with respect to $x_1$ has four terms",
              {{"h1,1", "f2,1 g0 + f2 g0,1 - f0,1 g2 - f0 g2,1"}}, alone);
-  proof.line("product_rule_2", 3431, "the third bracket's derivative by $x_2$ has four terms",
+  proof.line("product_rule_2", 3431, "the third bracket's derivative with respect to $x_2$ has four terms",
              {{"h2,2", "f0,2 g1 + f0 g1,2 - f1,2 g0 - f1 g0,2"}}, alone);
   proof.line("product_rule", 3419, "the divergence is the sum of these twelve terms",
              {{"div_fxg",
@@ -140,7 +141,7 @@ Exercise exercise_5_11() {
   return {
       "Divergence of a cross product",
       "Show that $\\nabla\\cdot(\\mathbf f\\times\\mathbf g) = (\\nabla\\times\\mathbf f)\\cdot\\mathbf g "
-      "- (\\nabla\\times\\mathbf g)\\cdot\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ by $x_1$.",
+      "- (\\nabla\\times\\mathbf g)\\cdot\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ with respect to $x_1$.",
       field_parameters,
       {},
       study};

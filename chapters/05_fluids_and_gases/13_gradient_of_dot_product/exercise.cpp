@@ -85,9 +85,10 @@ Proof proof_of_lines(Random random) {
       proof.line(slug + "_" + digit(i), at[i], says + ", component " + digit(i),
                  {{left + digit(i), right[i]}}, by);
   };
-  components("gradient", {3481, 3495, 3509}, R"($\nabla(\mathbf f\cdot\mathbf g)$, equation (8))", "grad_fg",
-             left_8, R"($\mathbf f\cdot\mathbf g$ differentiated as one field along a turned frame)");
-  const std::string turned = "the operator along a turned frame";
+  components(
+      "gradient", {3481, 3495, 3509}, R"($\nabla(\mathbf f\cdot\mathbf g)$, equation (8))", "grad_fg", left_8,
+      R"($\mathbf f\cdot\mathbf g$ differentiated as one field along a turned frame, by dual numbers)");
+  const std::string turned = "the operator along a turned frame, by dual numbers";
   components("first_term", {3529, 3543, 3557}, R"($\mathbf f\times(\nabla\times\mathbf g)$, equation (9))",
              "f_x_curl_g", first_9, turned);
   components("second_term", {3577, 3591, 3605}, R"($\mathbf g\times(\nabla\times\mathbf f)$, equation (10))",
@@ -97,9 +98,10 @@ Proof proof_of_lines(Random random) {
   components("fourth_term", {3655, 3663, 3671}, R"($(\mathbf g\cdot\nabla)\mathbf f$, equation (12))",
              "ggrad_f", fourth_12, turned);
 
-  proof.line("sum", 3681, R"(the four terms add up to $\nabla(\mathbf f\cdot\mathbf g)$)",
-             each_component("grad_fg#", "f_x_curl_g# + g_x_curl_f# + fgrad_g# + ggrad_f#"),
-             R"($\mathbf f\cdot\mathbf g$ differentiated as one field along a turned frame)");
+  proof.line(
+      "sum", 3681, R"(the four terms add up to $\nabla(\mathbf f\cdot\mathbf g)$)",
+      each_component("grad_fg#", "f_x_curl_g# + g_x_curl_f# + fgrad_g# + ggrad_f#"),
+      R"($\mathbf f\cdot\mathbf g$ differentiated as one field along a turned frame, by dual numbers)");
   proof.claims.add(
       "cancellation", 3681, "in the sum of (9) to (12) quite a few terms cancel; (8) is left",
       {.printed = {"8 of 14 terms cancel in each component", cancellation(proof.samples[0], true)},
@@ -151,13 +153,14 @@ Provables proofs_5_13() { return ex05_13::proofs(); }
 
 Exercise exercise_5_13() {
   using namespace ex05_13;
-  return {"Gradient of a dot product",
-          "Show that $\\nabla(\\mathbf f\\cdot\\mathbf g) = \\mathbf f\\times(\\nabla\\times\\mathbf g) + "
-          "\\mathbf g\\times(\\nabla\\times\\mathbf f) + (\\mathbf f\\cdot\\nabla)\\mathbf g + "
-          "(\\mathbf g\\cdot\\nabla)\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ by $x_1$.",
-          field_parameters,
-          {},
-          study};
+  return {
+      "Gradient of a dot product",
+      "Show that $\\nabla(\\mathbf f\\cdot\\mathbf g) = \\mathbf f\\times(\\nabla\\times\\mathbf g) + "
+      "\\mathbf g\\times(\\nabla\\times\\mathbf f) + (\\mathbf f\\cdot\\nabla)\\mathbf g + "
+      "(\\mathbf g\\cdot\\nabla)\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ with respect to $x_1$.",
+      field_parameters,
+      {},
+      study};
 }
 
 }  // namespace oddity

@@ -145,11 +145,10 @@ class Tensorial {
 
   Check compare(const Said& said) const {
     const IndexExpression expression(said.right, said.free);
-    WorstSample worst("$" + typeset_left(said) + "$", "the operators, along a turned frame",
-                      "the index expression as it is written");
+    WorstSample worst("$" + typeset_left(said) + "$", "the index expression as it is written",
+                      "the operators along a turned frame, by dual numbers");
     for (const Sampled& s : samples_) {
-      const Point left = s.left.at(said.left);
-      worst.add(left, expression.value(s.tensors), expression.size(s.tensors), s.where);
+      worst.add(expression.value(s.tensors), s.left.at(said.left), expression.size(s.tensors), s.where);
     }
     return worst.check();
   }
@@ -232,8 +231,7 @@ Lines lines(Random random) {
   add("twice_vector", 3697,
       R"(with $i$ free it is a vector: it turns with the field, which is $v$ in the turned frame)",
       {{"curl2, turned", "e(i j k) e(k l m) v(m, j l)"}}, {{{"curl2", "e(i j k) e(k l m) v(m, j l)"}}});
-  add("comma", 3697,
-      R"($f_{m,jl}$ is the derivative of the component $f_m$ by $x_j$ and $x_l$: below along any $\mathbf a$, $\mathbf b$)",
+  add("comma", 3697, R"($f_{m,jl}$ is the derivative of the component $f_m$ with respect to $x_j$ and $x_l$)",
       {{"f along a, b", "f(m, j l) a(j) b(l)", "m"}}, {{{"f along a, b", "f(j, m l) a(j) b(l)", "m"}}});
   add("renamed_once", 3701, R"($\nabla\times\mathbf f$ in the new names)",
       {{"curl1", "e(i j1 k1) f(k1, j1)"}}, {{{"curl1", "e(i k1 j1) f(k1, j1)"}}});
@@ -247,8 +245,7 @@ Lines lines(Random random) {
       {{"curl3", "e(i j3 k3) e(k3 j2 k2) e(k2 j1 k1) f(k1, j1 j2 j3)"}},
       {{{"curl3", "e(i j3 k3) e(k2 j2 k3) e(k2 j1 k1) f(k1, j1 j2 j3)"}},
        {{"curl3", "e(i j3 k3) e(k3 j2 k2) e(k2 j1 k1) f(j1, k1 j2 j3)"}}});
-  add("appended", 3711,
-      R"(the derivative by $x_{j_3}$ is one more index behind the comma: below along any $\mathbf a$, $\mathbf b$, $\mathbf c$)",
+  add("appended", 3711, R"(the derivative with respect to $x_{j_3}$ is one more index behind the comma)",
       {{"f along a, b, c", "f(k1, j1 j2 j3) a(j1) b(j2) c(j3)", "k1"}},
       {{{"f along a, b, c", "f(j3, j1 j2 k1) a(j1) b(j2) c(j3)", "k1"}}});
 

@@ -14,7 +14,7 @@ using namespace fields;
 
 constexpr auto parameters = [] {
   std::array<Parameter, 6> all{
-      {{"n", most_curls, "", "how often the curl is applied, at most", 1, most_curls}}};
+      {{"n", most_curls, "", "how often the curl is applied, at most", 1, most_curls, whole_number}}};
   for (std::size_t i = 0; i < 5; ++i) all[1 + i] = field_parameters[i];
   return all;
 }();
@@ -30,7 +30,7 @@ Exercise exercise_5_15() {
   return {
       "Repeated curl in index notation",
       "Write $(\\nabla\\times)^n\\mathbf f$ with the permutation tensor $e_{ijk}$. Below $f_{m,jl}$ is the "
-      "derivative of $f_m$ by $x_j$ and $x_l$.",
+      "derivative of $f_m$ with respect to $x_j$ and $x_l$.",
       parameters,
       {},
       study};

@@ -209,7 +209,9 @@ Reading Proof::reading(const std::vector<Row>& rows, const std::string& by) cons
     sums.emplace_back(read_terms(row.left, samples[0]), read_terms(row.right, samples[0]));
     quantity += (quantity.empty() ? "$" : ", $") + typeset(row.left, names) + "$";
   }
-  WorstSample worst(quantity, by, "the line as it is written");
+  const bool zero =
+      std::ranges::all_of(rows, [&](const Row& row) { return row.right == "zero"; });  // stands on the right
+  WorstSample worst(quantity, zero ? by : "the line as it is written", zero ? "zero" : by);
   for (const Sample& s : samples) {
     std::vector<double> left, right;
     double size = 0;
@@ -218,7 +220,7 @@ Reading Proof::reading(const std::vector<Row>& rows, const std::string& by) cons
       right.push_back(value_of(r, s));
       size = std::max(size, size_of(r, s));
     }
-    worst.add(left, right, size, s.where);
+    worst.add(zero ? left : right, zero ? right : left, size, s.where);
   }
   const bool read =
       rows.size() == 1 && is_as_typeset(typeset(rows[0].right, names), sums[0].second, samples, names);

@@ -248,7 +248,7 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
   };
   claims.add(
       "constant_cost", 3737,
-      "with bins of a good size the number of tests is about constant, $O(1)$ for $O(n)$",
+      "with bins of a good size the number of tests is about constant, $O(1)$ instead of $O(n)$",
       {.printed = {"8 less what the border cuts off, at $r=h/2$",
                    {tests("$(2-1/N)^3$ for $N$ bins an axis", closed, rounding(8)),
                     tests("8", constant, {8 * 3 / 16.0, "the border cuts off $3/(2N)$ of 8, $N=8$"})}},

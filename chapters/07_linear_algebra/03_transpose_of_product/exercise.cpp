@@ -211,7 +211,7 @@ std::vector<Claim> claims(const Random& random) {
   claims.formula<Between>(
       "result", 3835, "$(AB)^T=B^TA^T$", between(random, true),
       {.quantity = R"(the transpose of $AB$, on the other side of a scalar product)",
-       .truth = {R"($y\cdot A(Bx)$)",
+       .truth = {R"($y\cdot A(Bx)$ with random vectors $x$, $y$)",
                  [](const Between& s) { return dot(s.y, applied(s.a, applied(s.b, s.x))); }},
        .printed = {R"($B^T(A^Ty)\cdot x$)",
                    [](const Between& s) {

@@ -196,7 +196,8 @@ std::vector<Claim> claims(const Random& random) {
        .near_misses = {z * volume(v, u, w)},
        .kind = Fault::formula,
        .why =
-           R"(A dot stands where the cross belongs: $v\cdot w\times u$. The solution for $z$ has it. With )"
+           R"($v\cdot w$ is a number, so $v\cdot w\cdot u$ is no triple product: a dot stands where the cross of )"
+           R"($v\cdot w\times u$ belongs. The solution for $z$ has it. With )"
            R"(twice the unit vectors for a basis the volume is 8, and no product of two dots is a number )"
            R"(at all.)"});
   for (const LostBar& b : lost_bars())
