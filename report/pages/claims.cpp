@@ -92,6 +92,9 @@ std::string title_of(Verdict verdict) {
   return name;
 }
 
+/// An equation in what a claim says is its formula.
+bool has_equation(const Claim& claim) { return claim.says.find('=') != std::string::npos; }
+
 /// What claims and headings say already needs no second time.
 bool is_told(const Claim& claim, const Reading& reading) {
   std::string text = reading.text;
@@ -108,7 +111,7 @@ std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims
                                                : " *" + what + ":* " + escaped(reading.text, false) + ".";
   };
   const bool misprint = judged.verdict == Verdict::misprint;
-  const std::string readings = (misprint ? shown("As printed", claim.printed) : "") +
+  const std::string readings = (misprint && !has_equation(claim) ? shown("As printed", claim.printed) : "") +
                                shown(misprint ? "Meant" : "Right", right_reading(judged));
   return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
          "** (" + kind + "line " + std::to_string(claim.line) +
@@ -133,7 +136,7 @@ std::string confirmed_lines(const ExerciseResult& e, const ProvedClaims& proved)
     if (c.verdict != Verdict::confirmed) continue;
     const std::string mark = proved.contains(c.claim.id) ? "†" : "";
     const Reading& printed = c.claim.printed;
-    const bool formula = printed.as_typeset && !is_told(c.claim, printed);
+    const bool formula = printed.as_typeset && !has_equation(c.claim) && !is_told(c.claim, printed);
     const std::string line =
         "<br>" + mark + escaped(c.claim.says, false) + (formula ? ": " + escaped(printed.text, false) : "");
     const std::string with = compared_with(c);

@@ -96,8 +96,8 @@ void equations(Table& table, const std::vector<Sample>& samples) {
   };
   table.formula(
       "first_equation", 1545,
-      R"(the first equation of motion, with )"
-      R"($B=\frac{x_1\ddot x_1+\dot x_1^2}{a_1^2}+\frac{x_2\ddot x_2+\dot x_2^2}{a_2^2}$)",
+      R"(the first equation of motion, $B$ being )"
+      R"($\frac{x_1\ddot x_1+\dot x_1^2}{a_1^2}+\frac{x_2\ddot x_2+\dot x_2^2}{a_2^2}$)",
       samples,
       {.quantity = "what is zero by the first equation of motion",
        .truth = {lagrange, [](const auto& s) { return s.lagrange(s.x, s.a)[0]; }},

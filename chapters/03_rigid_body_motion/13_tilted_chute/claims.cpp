@@ -354,7 +354,8 @@ void axis(ChuteTable& table, const std::vector<OnChute>& samples) {
 void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
   using Form = ProvableFormula<OnChuteOf>;
   const Form form{"$(X-P)^T(I-DD^T)(X-P)-R^2$ at any point", [](const auto& s) { return s.excess(); }};
-  const std::string equation = "what is zero on the cylinder, $P=(0,0,p_3)$, $D=(d_1,0,d_3)$";
+  const std::string equation =
+      "what is zero on the cylinder about the axis through $(0,0,p_3)$ along $(d_1,0,d_3)$";
   const auto expanded = [](double sign, double R2) {
     return [=](const auto& s) {
       const auto z = s.x3 - s.p3(), along = s.d1() * s.x1 + sign * s.d3() * z;

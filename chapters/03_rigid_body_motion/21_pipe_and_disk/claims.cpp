@@ -117,10 +117,10 @@ Reading unchanged(const std::string& text, const std::string& what, double seed,
                                 const auto x = s.after_two_seconds(along_x);
                                 return values(x[first], x[first + 1]);
                               }};
-  WorstSample worst(what + " after 2 s", later.text, "at the start", 512);
+  WorstSample worst(what + " after 2 s", what + " at the start", what + " after 2 s: " + later.text, 512);
   for (const Sample& s : draw<Sample>(20, seed)) {
     const std::array start{s.q[0], s.q[1], s.v[0], s.v[1]};
-    worst.add(later.of(s), {start[first], start[first + 1]}, size_of_terms(later, s), s.where());
+    worst.add({start[first], start[first + 1]}, later.of(s), size_of_terms(later, s), s.where());
   }
   return {text, {worst.check()}};
 }
