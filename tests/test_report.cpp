@@ -491,9 +491,9 @@ TEST_CASE("a finding says what it was compared with, and how the comparison ende
     return page_of(results);
   };
   CHECK(count(page({"squared", {"by hand", 2.5}, {"by sums", 1}, {1e-9, "a test"}}),
-              "Compared with *by sums* (1), the print is off by 1.5, the correction equal.") == 1);
+              "*by sums* (1): print off by 1.5, correction equal.") == 1);
   CHECK(count(page({"squared", {"by hand", 2.5}, {"by sums", 1}, {1e-9, "a test"}, 0, "worst of 3"}),
-              "Compared with *by sums*, the print is off by 1.5, the correction equal.") == 1);
+              "*by sums*: print off by 1.5, correction equal.") == 1);
   CHECK(count(page(no_violations("the sign is right", 49, 200)), "It fails in 49 of 200 samples.") == 1);
 }
 
@@ -503,8 +503,7 @@ TEST_CASE("confirmed claims are a line each beneath what they were compared with
   other.claim.says = "x is still 1";
   results.exercises[0].claims = {one, judged(no_violations("the sign is right", 0, 200)), other};
   const std::string page = page_of(results);
-  CHECK(count(page, "<summary>3 confirmed claims</summary>\n\n*Second route: b:*<br>x is 1<br>x is still 1\n") ==
-        1);
+  CHECK(count(page, "<summary>3 confirmed claims</summary>\n\n*b:*<br>x is 1<br>x is still 1\n") == 1);
   CHECK(count(page, "*In 200 samples:*<br>x is 1\n") == 1);
 }
 
@@ -536,7 +535,7 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
   results.exercises[0].claims.push_back(follows);
   const std::string page = page_of(results), index = index_page(results);
   const auto erratum = page.find("<a id=\"3.5-wrong\"></a>"), bar = page.find("<a id=\"3.5-lost_bar\"></a>"),
-             folded = page.find("<details><summary>1 confirmed claim</summary>\n\n*Second route");
+             folded = page.find("<details><summary>1 confirmed claim</summary>");
   REQUIRE(erratum != std::string::npos);
   REQUIRE(folded != std::string::npos);
   CHECK(erratum < bar);

@@ -59,20 +59,25 @@ std::string deviation(const Check& c) {
                                      : "no number";
 }
 
-/// "Compared with √2 K by the arithmetic-geometric mean (2.260114), the print is off by 1.5, the correction
-/// off by 9.4×10⁻⁸." The value is shown of a single sample. Lost typography needs no numbers.
+/// "by 1.5" of "off by 1.5".
+std::string without_off(const std::string& deviation) {
+  return deviation.starts_with("off ") ? deviation.substr(4) : deviation;
+}
+
+/// "√2 K by the arithmetic-geometric mean (2.260114): print off by 1.5, correction by 9.4×10⁻⁸." The
+/// value is shown of a single sample. Of a misprint what is meant says enough.
 std::string numbers_of(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
-  if (claim.printed.checks.empty() || claim.kind == Fault::lost_typography) return "";
+  if (claim.printed.checks.empty() || judged.verdict == Verdict::misprint) return "";
   const Check& printed = tightest(claim.printed);
   if (counts_violations(printed)) return failures(printed);
   const bool one = printed.where.empty() && printed.right.value.size() == 1;
-  std::string text = "Compared with *" + in_words(printed.right.by) + "*" +
-                     (one ? " (" + value_cell(printed.right.value, 7) + ")" : "") + ", the print is " +
+  std::string text = "*" + in_words(printed.right.by) + "*" +
+                     (one ? " (" + value_cell(printed.right.value, 7) + ")" : "") + ": print " +
                      deviation(printed);
   if (judged.verdict == Verdict::erratum && !claim.corrected.checks.empty() &&
       !counts_violations(tightest(claim.corrected)))
-    text += ", the correction " + deviation(tightest(claim.corrected));
+    text += ", correction " + without_off(deviation(tightest(claim.corrected)));
   return text + ".\n\n";
 }
 
@@ -126,7 +131,7 @@ std::string compared_with(const JudgedClaim& judged) {
   if (reading.checks.empty()) return "";
   const Check& c = tightest(reading);
   return counts_violations(c) ? "In " + c.left.by.substr(std::string("violations in ").size())
-                              : "Second route: " + (c.right.by == "zero" ? c.left.by : c.right.by);
+                              : (c.right.by == "zero" ? c.left.by : c.right.by);
 }
 
 /// A line a claim, those that were compared with the same together.
@@ -136,7 +141,7 @@ std::string confirmed_lines(const ExerciseResult& e, const ProvedClaims& proved)
     if (c.verdict != Verdict::confirmed) continue;
     const std::string mark = proved.contains(c.claim.id) ? "†" : "";
     const Reading& printed = c.claim.printed;
-    const bool formula = printed.as_typeset && !has_equation(c.claim) && !is_told(c.claim, printed);
+    const bool formula = printed.as_typeset && c.claim.says.find('$') == std::string::npos;
     const std::string line =
         "<br>" + mark + escaped(c.claim.says, false) + (formula ? ": " + escaped(printed.text, false) : "");
     const std::string with = compared_with(c);

@@ -258,6 +258,9 @@ std::string head(const Results& results) {
   return "# The solutions of *Game Physics*, checked by machine\n\n" + exercises_counted(results) + ", " +
          counted(total, "claim", "claims") + ": " + sentence(all) + "." +
          (all[Verdict::erratum] > 0 ? " The errata have " + causes_of_errata(results) + "." : "") +
+         (all[Verdict::confirmed] > 0
+              ? " Confirmed claims stand beneath the second route that they agree with."
+              : "") +
          (missing.empty() ? "" : " Not yet encoded: " + missing + ".") + "\n\n";
 }
 
