@@ -87,9 +87,11 @@ TEST_CASE("trust counts what is on record, and says what is not", "[trust]") {
   has("killed,chapters,17,20,\"2 survived with a reason, 1 without; 5 not reached; 30 in all\"");
   has("fuzzed,plan,999,1000,in 2.5 s,2026-01-02,abc");
   has("survived,faults,0,0,not on record");
-  CHECK(trust_page(sample(), trust)
-            .find("- **killed**: 26 of 30 mutants tried (2026-01-03, several commits): chapters 17; solvers 9. *By") !=
-        std::string::npos);
+  CHECK(
+      trust_page(sample(), trust)
+          .find(
+              "- **killed**: 26 of 30 mutants tried (2026-01-03, several commits): chapters 17; solvers 9. *By") !=
+      std::string::npos);
 }
 
 TEST_CASE("a record without a column is named", "[trust]") {
