@@ -214,28 +214,44 @@ TEST_CASE("a need that nothing meets is said, with the nearest miss", "[choose]"
   CHECK(choice_text(impossible, false).find("Nothing here meets that") != std::string::npos);
 }
 
+namespace {
+
+/// A motion that stays at a.
+Quantity staying(double a, const Horizon& horizon) {
+  return {"place", "m",
+          "",      {"exact", Value(std::vector<double>(static_cast<std::size_t>(horizon.count()), a))},
+          1e-16,   {1e-6, ""},
+          {},      {}};
+}
+
+/// What to choose for a scene of it at a = 5.
+Choice choose_at_5(Quantity (*motion)(const Parameters&, const Horizon&, const Reference&),
+                   const Need& need) {
+  const Entry staying_there{
+      {3, 97},
+      "",
+      {"staying", "", parameters, Scene{motion, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}},
+       nullptr}};
+  static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  Task task(staying_there);
+  task.parameters.set("a", 5);
+  return choose(task, need, truth, counted_cost);
+}
+
+}  // namespace
+
 TEST_CASE("where a start beside the one asked for decides, the answer says what holds on that", "[choose]") {
   // Right at a = 5, and off by the distance from there.
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     const double a = p["a"];
-    Quantity q{"place", "m",
-               "",      {"exact", Value(std::vector<double>(static_cast<std::size_t>(horizon.count()), a))},
-               1e-16,   {1e-6, ""},
-               {},      {}};
+    Quantity q = staying(a, horizon);
     q.add(method(
         "there", "alone", no_knob(), a, horizon.count(), [a](double) { return std::abs(a - 5) + 1e-9; },
         [](double) { return 30L; }));
     return q;
   };
-  const Entry one_place{{3, 97},
-                        "",
-                        {"one place", "", parameters,
-                         Scene{scene, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}}, nullptr}};
-  Task task(one_place);
-  task.parameters.set("a", 5);
-  static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   Need need = asked(1e-3, 3);
-  const Choice choice = choose(task, need, truth, counted_cost);
+  const Choice choice = choose_at_5(scene, need);
   CHECK_FALSE(choice.chosen);
   REQUIRE(choice.on_asked);
   CHECK(choice.on_asked->holds());
@@ -246,7 +262,7 @@ TEST_CASE("where a start beside the one asked for decides, the answer says what 
   CHECK(text.find("on the start asked for there by alone") != std::string::npos);
   CHECK(text.find("this one is inaccurate at " + choice.beside_asked->where) != std::string::npos);
   need.budget = 1e-10;
-  CHECK_FALSE(choose(task, need, truth, counted_cost).on_asked);
+  CHECK_FALSE(choose_at_5(scene, need).on_asked);
 }
 
 namespace {
@@ -353,10 +369,7 @@ TEST_CASE("what came to an end where it failed first is not the next cheaper one
   // The cheaper one is inaccurate everywhere, and below a = 5 not finite.
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     const double a = p["a"];
-    Quantity q{"place", "m",
-               "",      {"exact", Value(std::vector<double>(static_cast<std::size_t>(horizon.count()), a))},
-               1e-16,   {1e-6, ""},
-               {},      {}};
+    Quantity q = staying(a, horizon);
     q.add(method(
         "breaking", "here and there", no_knob(), a, horizon.count(),
         [a](double) { return a < 5 ? std::numeric_limits<double>::quiet_NaN() : 0.5; },
@@ -366,14 +379,7 @@ TEST_CASE("what came to an end where it failed first is not the next cheaper one
         [](double) { return 100L; }));
     return q;
   };
-  const Entry breaking{{3, 96},
-                       "",
-                       {"breaking", "", parameters,
-                        Scene{scene, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}}, nullptr}};
-  Task task(breaking);
-  task.parameters.set("a", 5);
-  static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
-  const Choice choice = choose(task, asked(1e-3, 3), truth, counted_cost);
+  const Choice choice = choose_at_5(scene, asked(1e-3, 3));
   REQUIRE(choice.chosen);
   CHECK(choice.chosen->model == "right");
   CHECK_FALSE(choice.next_cheaper);

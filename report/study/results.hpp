@@ -185,10 +185,10 @@ struct Limit {
   double stable = 0;                 ///< measured: up to here every step tried is stable; 0: none is
   double unstable = 0;               ///< measured: the shortest unstable step; 0: none up to `longest`
   double longest = 0;                ///< the longest step that the measurement may try
-  double lost = 0;                   ///< the time at which the motion is lost at that step:
-  bool outgrown = false;             ///< it is twice as large as the true one; else neighbours have parted
-  double watched = 0;                ///< the time for which neighbouring motions are watched
-  bool goes_on = false;              ///< the motion goes on alike: `watched` is not the horizon shown
+  double lost = 0;                   ///< the time at which the motion is lost at that step
+  bool outgrown = false;  ///< lost, as it is twice as large as the true one; else neighbours have parted
+  double watched = 0;     ///< the time for which neighbouring motions are watched
+  bool goes_on = false;   ///< the motion goes on alike: `watched` is not the horizon shown
   /// Where the limit is not sharp: between which it lies for observers who watch half or twice as long, or
   /// count a motion of 1.5 or 4 times the true size as too large, and not of twice. They differ by over 5 %.
   std::optional<Between> soft;

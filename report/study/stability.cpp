@@ -117,8 +117,9 @@ void measure(Limit& limit, const Disturbances& disturbances, double interval) {
 bool of_fixed_step(const Method& method) { return static_cast<bool>(method.unstable_steps); }
 
 /// Judges a motion at the end of every step, or of every second, third, ... where there are more than 4,096.
-/// What is true there is the cheapest trial that is within a thousandth of the need at the times of the
-/// reference. Without such a one, or a motion to look at, it is judged at those times alone.
+/// What is true there is a method without a fixed step: the cheapest trial that is within a millionth of the
+/// need at the times of the reference, or, where none is, the most exact. Without a motion to look at it is
+/// judged at those times alone.
 class EveryStep {
  public:
   using MotionAt = std::function<Quantity(const Horizon&)>;
@@ -152,10 +153,14 @@ class EveryStep {
   void consider(const Method& method) {
     for (double setting : method.knob.settings) {
       const Trial trial = run(at_looks_, method, setting);
-      if (!trial.answer.reached() || !(trial.in_needs <= 1e-3)) continue;
-      if (!truest_ || trial.answer.evaluations < truest_->answer.evaluations) truest_ = trial;
-      return;
+      if (trial.answer.reached() && std::isfinite(trial.in_needs) && (!truest_ || is_truer(trial, *truest_)))
+        truest_ = trial;
     }
+  }
+  static bool is_truer(const Trial& a, const Trial& b) {
+    constexpr double enough = 1e-6;
+    if (a.in_needs <= enough && b.in_needs <= enough) return a.answer.evaluations < b.answer.evaluations;
+    return a.in_needs < b.in_needs;
   }
 
   Quantity at_looks_;

@@ -199,7 +199,7 @@ std::string csv_of(const Scores& scores) {
          "# mutants: in those of the room's files that the run mutated; free: without a mutant, as nothing has "
          "to notice\n# which samples are drawn and how a number is made into text.\n"
          "# tried = killed + with_reason + survived + not_reached. with_reason: survivors that have a reason in "
-         "survivors.csv;\n# not_reached: no exercise runs that code. Rooms without a row were not tried.\n"
+         "survivors.csv;\n# not_reached: no test runs that code. Rooms without a row were not tried.\n"
       << score_columns << "\n";
   for (const auto& [room, s] : scores)
     out << s.date << "," << s.commit << "," << room << "," << s.mutants << "," << s.free << "," << s.tried
