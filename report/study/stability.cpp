@@ -131,10 +131,15 @@ class EveryStep {
       if (!of_fixed_step(method)) consider(method);
   }
 
-  /// By so many steps between two times of the reference, or a few more.
+  /// By so many steps between two times of the reference, judged at these alone.
+  Trial at_looks(const Method& method, long steps) const {
+    return run(at_looks_, method, horizon_ / static_cast<double>(steps * at_looks_.samples));
+  }
+
+  /// By as many, or a few more.
   Trial trial(const Method& method, long steps) const {
     const long all = steps * at_looks_.samples;
-    if (!truest_) return run(at_looks_, method, horizon_ / static_cast<double>(all));
+    if (!truest_) return at_looks(method, steps);
     constexpr long most = 4096;
     const long each = (all + most - 1) / most, looks = (all + each - 1) / each;
     Quantity dense = motion_({horizon_, static_cast<int>(looks)});
@@ -185,10 +190,14 @@ Trial run_beyond(const Quantity& quantity, const Method& method, double interval
 std::optional<TimedTrial> within_need(const EveryStep& judge, const Method& method, int intervals) {
   constexpr long enough_steps = 4096, most_steps = 262'144, most_evaluations = 200'000;
   const auto holds = [](const Trial& t) { return t.in_needs <= 1; };
+  const auto judged = [&](long steps) {  // what fails at a few times need not be judged at all
+    const Trial looked = judge.at_looks(method, steps);
+    return holds(looked) ? judge.trial(method, steps) : looked;
+  };
   std::optional<TimedTrial> within;
   long coarse = 0, fine = 0;  // steps an interval: the finest that does not hold, the coarsest of those below
   for (long steps = 1;; steps = std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5))) {
-    const Trial here = judge.trial(method, steps);
+    const Trial here = judged(steps);
     if (!holds(here)) {
       coarse = steps;
       within.reset();
@@ -202,7 +211,7 @@ std::optional<TimedTrial> within_need(const EveryStep& judge, const Method& meth
   }
   while (within && fine - coarse > std::max(1L, fine / 100)) {
     const long middle = std::midpoint(coarse, fine);
-    const Trial here = judge.trial(method, middle);
+    const Trial here = judged(middle);
     (holds(here) ? fine : coarse) = middle;
     if (holds(here)) within = as_result(here);
   }
