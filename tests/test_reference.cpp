@@ -54,9 +54,12 @@ TEST_CASE("a table is read around its comments and empty lines", "[reference]") 
   CHECK(read(quarter, {0.75}).source == "table 03_05_quarter_period.csv");
 }
 
-TEST_CASE("a missing table names its file", "[reference]") {
+TEST_CASE("a folder without tables says what is needed, and a missing table names its file", "[reference]") {
   const ScratchFolder folder;
-  const std::string said = complaint([&] { Reference read(folder.path()); });
+  const auto reading = [&] { Reference read(folder.path()); };
+  CHECK(complaint(reading).find("a folder with tables/ and approved/ is needed") != std::string::npos);
+  fs::create_directory(folder.path() / "tables");
+  const std::string said = complaint(reading);
   CHECK(said.find((folder.path() / "").string()) != std::string::npos);
   CHECK(said.find(".csv: it is not there; build/release/make_reference ") != std::string::npos);
 }

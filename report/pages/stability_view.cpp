@@ -278,10 +278,11 @@ std::string stability_text(const ExerciseResult& e, const Screen& screen) {
   std::string notes;
   for (const auto& [reason, names] : reasons(s)) notes += "\n  " + names + ": " + reason + "\n";
   for (const std::string& line : reservations(s)) notes += "\n  " + line + "\n";
-  return heading_of(e, screen) + s.quantity + " over " + format_significant(s.horizon, 4) + " " +
-         s.time_unit + "; needed to " + in_unit(format_significant(s.close, 3), s.unit) +
-         " at the end of every step; breaks and cures are judged at " +
-         format_significant(s.horizon / s.steps.front(), 4) + " times\n\n" + limits_text(s, screen) +
+  const std::string asked = s.quantity + " over " + format_significant(s.horizon, 4) + " " + s.time_unit +
+                            "; needed to " + in_unit(format_significant(s.close, 3), s.unit) +
+                            " at the end of every step; breaks and cures are judged at " +
+                            format_significant(s.horizon / s.steps.front(), 4) + " times\n\n";
+  return heading_of(e, screen) + wrapped(asked, screen) + limits_text(s, screen) +
          wrapped(notes, screen, 4) + map_text(s, screen);
 }
 
