@@ -151,17 +151,19 @@ leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of
   build/release/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-10}" ${PATHS:-$chapter}
 }
 
-leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60) with sanitizers, from the inputs in tests/fuzz/corpus; RECORD=1
+leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in tests/fuzz/corpus; RECORD=1
   tools clang
   build release fuzz
-  local target name found inputs seconds
+  local target name found inputs seconds until=-max_total_time=${FUZZ_SECONDS:-60}
+  [ -z "${FUZZ_INPUTS:-}" ] || until=-runs=$FUZZ_INPUTS
   found=$(mktemp -d)
   for target in build/release/tests/fuzz_*; do
     name=${target##*fuzz_}
     [[ ${FUZZ:-$name} == *$name* ]] || continue
     mkdir -p "$found/$name"
     seconds=$SECONDS
-    "$target" -max_total_time="${FUZZ_SECONDS:-60}" -timeout=60 -rss_limit_mb=1024 -print_final_stats=1 -verbosity=0 \
+    # Without the stacks of what is allocated, and without weighing inputs by how rare their paths are: several times the inputs.
+    ASAN_OPTIONS=malloc_context_size=0 "$target" $until -entropic=0 -timeout=60 -rss_limit_mb=1024 -print_final_stats=1 -verbosity=0 \
       -artifact_prefix="build/fuzz_$name-" "$found/$name" "tests/fuzz/corpus/$name" 2>&1 | tee "$found/said"
     inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$found/said")
     # A crash has ended the leg before.

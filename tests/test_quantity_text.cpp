@@ -59,6 +59,9 @@ TEST_CASE("what was meant is found by the fewest typing errors", "[reference]") 
   CHECK(typing_errors("solve", "sovle") == 1);
   CHECK(typing_errors("abc", "ABC") == 0);
   CHECK(typing_errors("", "abc") == 3);
+  CHECK(nearly_same("abc", "abcd", 1));
+  CHECK(!nearly_same("abc", "abcd", 0));
+  CHECK(!nearly_same("abc", "axyd", 2));
   const std::array<std::string, 4> verbs{"solve", "list", "chart", "choose"};
   CHECK(did_you_mean("sovle", verbs) == "; did you mean 'solve'?");
   CHECK(did_you_mean("CHART", verbs) == "; did you mean 'chart'?");

@@ -47,10 +47,11 @@ std::vector<std::string> words_of(std::string_view text) {
 
 /// Whether a title, or what a parameter says, has a word that may have been meant.
 bool mentions(std::string_view says, const std::string& text) {
+  const std::vector<std::string> words = words_of(says);
   for (const std::string& asked : words_of(text))
-    for (const std::string& word : words_of(says))
+    for (const std::string& word : words)
       if (std::min(asked.size(), word.size()) > 3 &&
-          typing_errors(asked, word) <= static_cast<int>(asked.size()) / 4)
+          nearly_same(asked, word, static_cast<int>(asked.size()) / 4))
         return true;
   return false;
 }

@@ -1,5 +1,5 @@
 // The words of a command line: an exercise, its parameters, a need, a share. The first line is the exercise,
-// each further one is what its first letter says.
+// or @ and a letter for its place; each further one is what its first letter says.
 #include <sstream>
 
 #include "report/cli/asked.hpp"
@@ -13,10 +13,16 @@ struct Words {
   oddity::AskedNeed need = {};
 };
 
+const oddity::Entry& entry_at(std::size_t place) {
+  return oddity::registry()[place % oddity::registry().size()];
+}
+
 Words words_in(std::string_view input) {
   Words all;
   std::istringstream lines{std::string(input)};
   std::getline(lines, all.exercise);
+  if (all.exercise.size() == 2 && all.exercise[0] == '@')
+    all.exercise = to_string(entry_at(static_cast<unsigned char>(all.exercise[1])).number);
   for (std::string line; std::getline(lines, line);) {
     if (line.empty()) continue;
     const std::string word = line.substr(1);
