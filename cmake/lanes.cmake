@@ -108,21 +108,18 @@ file(CONFIGURE OUTPUT ${lanes}/register.cpp CONTENT [[
 #include "report/lanes/scenes.hpp"
 
 @lanes_declared@
-namespace oddity::lanes {
-
-std::span<const SceneInLanes> scenes_in_lanes() {
-  static const SceneInLanes all[] = {
+const oddity::lanes::Library* oddity_lanes() {
+  static const oddity::lanes::SceneInLanes scenes[] = {
 @lanes_entries@  };
-  return all;
+  static const oddity::lanes::Library all = {scenes, {@lanes_repeated@}};
+  return &all;
 }
-
-const Repeated* repeated_operations(Registers registers) {
-  static const Repeated* const all[registers_count] = {@lanes_repeated@};
-  return all[static_cast<int>(registers)];
-}
-
-}  // namespace oddity::lanes
 ]] @ONLY)
 
-add_library(oddity_lanes STATIC ${lanes_files} ${lanes}/register.cpp)
-target_link_libraries(oddity_lanes PUBLIC oddity_options)
+# Few runs have bodies in lanes, which take a fifth of the time that all else takes to compile: they are a library
+# beside the program that is loaded where lanes are asked for.
+include(GNUInstallDirs)
+add_library(oddity_lanes MODULE ${lanes_files} ${lanes}/register.cpp)
+target_link_libraries(oddity_lanes PRIVATE oddity_options)
+set_target_properties(oddity_lanes PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+install(TARGETS oddity_lanes LIBRARY DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -428,7 +428,8 @@ Shard shard_of(const std::string& text) {
   const auto slash = text.find('/');
   const auto number = parse_number(text.substr(0, slash)),
              of = slash == std::string::npos ? std::optional<double>() : parse_number(text.substr(slash + 1));
-  if (!number || !of || *number < 1 || *of < *number || *number != std::round(*number) ||
+  constexpr double most = 1e9;
+  if (!number || !of || *number < 1 || *of < *number || *of > most || *number != std::round(*number) ||
       *of != std::round(*of))
     throw BadInput("--shard is a part of the whole, such as 1/4 to 4/4, and is '" + text + "'");
   return {static_cast<std::size_t>(*number), static_cast<std::size_t>(*of)};

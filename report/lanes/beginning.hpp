@@ -6,6 +6,15 @@
 /// Models of single numbers, as bodies begin; for every machine.
 namespace oddity::lanes {
 
+template <class Model>
+concept WithEvents = requires(const Model& model, typename Model::State x) {
+  model.guards(x, typename Model::State::value_type(0));
+};
+template <class Model>
+concept WithOwnEnd = requires(const Model& model) {
+  model.end();
+};
+
 template <template <class> class Given, class T, std::size_t i>
 struct Begun {
   using Alone = Model<Given, Single<T>, i>;
@@ -28,21 +37,21 @@ struct Begun {
   }
 
   static constexpr Beginning beginning() {
-    if constexpr (Integrated<Alone>) {
+    if constexpr (!Integrated<Alone>) {
+      return {.observables = std::tuple_size_v<decltype(std::declval<Alone>().at(Single<T>()))>};
+    } else {
       using State = typename Alone::State;
-      const bool has_events = requires(const Alone& model, const State& x) { model.guards(x, Single<T>(0)); };
-      return {std::tuple_size_v<State>, sizeof(Alone), sizeof(State),
-              std::tuple_size_v<decltype(std::declval<Alone>().observe(State(), Single<T>()))>, has_events,
-              requires(const Alone& model){model.end();
+      return {std::tuple_size_v<State>,
+              sizeof(Alone),
+              sizeof(State),
+              std::tuple_size_v<decltype(std::declval<Alone>().observe(State(), Single<T>()))>,
+              WithEvents<Alone>,
+              WithOwnEnd<Alone>,
+              begin,
+              observe};
     }
-    , begin, observe
-  };
-} else {
-  return {.observables = std::tuple_size_v<decltype(std::declval<Alone>().at(Single<T>()))>};
-}
-}  // namespace oddity::lanes
-}
-;
+  }
+};
 
 template <template <class> class Given>
 constexpr auto beginnings = []<std::size_t... i>(std::index_sequence<i...>) {

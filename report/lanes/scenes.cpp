@@ -4,10 +4,23 @@
 #include <string>
 
 #include "reference/bad_input.hpp"
+#include "report/study/beside_program.hpp"
 
 namespace oddity::lanes {
 
 namespace {
+
+const Library& library() {
+  static const Library& loaded = *[] {
+    const auto file = beside_program("liboddity_lanes.so");
+    if (!file)
+      throw BadInput(
+          "this program was built without its models in lanes: './oddity' builds them where they are asked for, and "
+          "so does 'cmake --build build/release --target oddity_lanes'");
+    return function_of<decltype(oddity_lanes)>(*file, "oddity_lanes")();
+  }();
+  return loaded;
+}
 
 struct Names {
   std::string_view number;
@@ -58,6 +71,12 @@ const std::vector<Names>& all_names() {
 }
 
 }  // namespace
+
+std::span<const SceneInLanes> scenes_in_lanes() { return library().scenes; }
+
+const Repeated* repeated_operations(Registers registers) {
+  return library().repeated[static_cast<int>(registers)];
+}
 
 const SceneInLanes& scene_in_lanes(std::string_view number) {
   for (const SceneInLanes& scene : scenes_in_lanes())

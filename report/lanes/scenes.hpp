@@ -33,6 +33,13 @@ struct SceneInLanes {
   const Compiled* compiled[registers_count];  ///< the same; null where this build has none
 };
 
+/// What the library beside the program has.
+struct Library {
+  std::span<const SceneInLanes> scenes;
+  const Repeated* repeated[registers_count];
+};
+
+/// The first that asks for lanes loads the library: throws BadInput where it is missing.
 std::span<const SceneInLanes> scenes_in_lanes();
 /// Of doubles, and then of floats; null where this build has none.
 const Repeated* repeated_operations(Registers);
@@ -51,3 +58,5 @@ bool can(Registers);
 Registers widest();
 
 }  // namespace oddity::lanes
+
+extern "C" [[gnu::visibility("default")]] const oddity::lanes::Library* oddity_lanes();
