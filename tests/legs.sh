@@ -233,7 +233,7 @@ leg_same() {  # one thread and another order: the same bits; functions that err 
 
 leg_odr() {  # link-time optimization: no name has two definitions in the program
   ./oddity packages
-  build odr oddity
+  build odr oddity oddity_lanes
 }
 
 leg_turn() {  # one of the legs that take long, by the commit's name

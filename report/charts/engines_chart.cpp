@@ -16,7 +16,7 @@ namespace {
 constexpr double least_error = 1e-6;  ///< in needs; what is below stands there
 constexpr std::size_t most_curves = svg_slots;
 
-struct Curve {
+struct NamedCurve {
   std::string name;
   std::vector<std::pair<double, double>> points;  ///< error in needs over what it is drawn against
 
@@ -24,24 +24,24 @@ struct Curve {
 };
 
 /// At every rate within a tenth of each other.
-bool alike(const Curve& a, const Curve& b) {
+bool alike(const NamedCurve& a, const NamedCurve& b) {
   return std::ranges::equal(a.points, b.points, [](const auto& p, const auto& q) {
     return p.first == q.first && std::abs(p.second - q.second) <= 0.1 * std::max(p.second, q.second);
   });
 }
 
 template <class Across>
-Curve curve_of(const EngineSeries& s, const Across& across) {
-  Curve curve{full_name(s), {}};
+NamedCurve curve_of(const EngineSeries& s, const Across& across) {
+  NamedCurve curve{full_name(s), {}};
   for (const EngineTrial& t : s.trials)
     if (std::isfinite(t.in_needs) && across(t) > 0) curve.points.emplace_back(across(t), t.in_needs);
   return curve;
 }
 
-std::vector<Curve> own_curves(const EngineContest& contest, const std::vector<OwnSteps>& own) {
-  std::vector<Curve> curves;
+std::vector<NamedCurve> own_curves(const EngineContest& contest, const std::vector<OwnSteps>& own) {
+  std::vector<NamedCurve> curves;
   for (const OwnSteps& steps : own) {
-    Curve curve{"our models by " + steps.algorithm, {}};
+    NamedCurve curve{"our models by " + steps.algorithm, {}};
     for (const auto& [count, error] : steps.errors)
       if (std::isfinite(error)) curve.points.emplace_back(count * contest.frames_per_second, error);
     if (!curve.points.empty()) curves.push_back(std::move(curve));
@@ -50,20 +50,20 @@ std::vector<Curve> own_curves(const EngineContest& contest, const std::vector<Ow
 }
 
 /// Of the defaults, from the least error on.
-std::vector<Curve> default_curves(const EngineContest& contest) {
-  std::vector<Curve> curves;
+std::vector<NamedCurve> default_curves(const EngineContest& contest) {
+  std::vector<NamedCurve> curves;
   for (const EngineSeries& s : contest.series) {
     if (!s.defaults || !s.cannot.empty()) continue;
-    Curve curve =
+    NamedCurve curve =
         curve_of(s, [&](const EngineTrial& t) { return t.steps_per_frame * contest.frames_per_second; });
     if (curve.points.empty()) continue;
-    const auto same = std::ranges::find_if(curves, [&](const Curve& c) { return alike(c, curve); });
+    const auto same = std::ranges::find_if(curves, [&](const NamedCurve& c) { return alike(c, curve); });
     if (same == curves.end())
       curves.push_back(std::move(curve));
     else
       same->name += ", " + curve.name;
   }
-  std::ranges::stable_sort(curves, {}, &Curve::last);
+  std::ranges::stable_sort(curves, {}, &NamedCurve::last);
   return curves;
 }
 
@@ -72,11 +72,11 @@ std::size_t places(const std::vector<OwnSteps>& own, const EngineContest& contes
 }
 
 /// Curves under what is enough, with their names at their ends.
-std::string drawn(const std::vector<Curve>& curves, const std::string& says, const std::string& of,
+std::string drawn(const std::vector<NamedCurve>& curves, const std::string& says, const std::string& of,
                   const std::string& across) {
   Range abscissas, errors;
   errors.see(1);
-  for (const Curve& curve : curves)
+  for (const NamedCurve& curve : curves)
     for (const auto& [x, y] : curve.points) abscissas.see(x), errors.see(std::max(y, least_error));
   if (abscissas.empty()) abscissas.see(1);
   errors = errors.decades();
@@ -90,7 +90,7 @@ std::string drawn(const std::vector<Curve>& curves, const std::string& says, con
   svg.line({plot_left, plot.y(1)}, {plot_right, plot.y(1)}, "need");
   std::vector<Label> labels;
   int slot = 0;
-  for (const Curve& curve : curves) {
+  for (const NamedCurve& curve : curves) {
     std::vector<Pixel> points;
     for (const auto& [x, y] : curve.points) points.push_back(plot(x, std::max(y, least_error)));
     svg.curve(points, "curve " + colour_class(slot));
@@ -118,7 +118,7 @@ std::string finding_of(const EngineContest& contest) {
 }  // namespace
 
 std::string engine_rates_svg(const EngineContest& contest, const std::vector<OwnSteps>& own) {
-  std::vector<Curve> curves = default_curves(contest);
+  std::vector<NamedCurve> curves = default_curves(contest);
   curves.resize(std::min(curves.size(), places(own, contest)));
   std::ranges::move(own_curves(contest, own), std::back_inserter(curves));
   return drawn(curves, finding_of(contest), title_of(contest), "steps a second");
@@ -126,7 +126,7 @@ std::string engine_rates_svg(const EngineContest& contest, const std::vector<Own
 
 std::vector<std::string> left_out_of_rates(const EngineContest& contest, const std::vector<OwnSteps>& own) {
   std::vector<std::string> names;
-  const std::vector<Curve> curves = default_curves(contest);
+  const std::vector<NamedCurve> curves = default_curves(contest);
   for (std::size_t i = places(own, contest); i < curves.size(); ++i) names.push_back(curves[i].name);
   return names;
 }
@@ -142,7 +142,7 @@ bool pays_less(const EngineSeries* a, const EngineSeries* b) {
   return price(a) < price(b);
 }
 
-Curve choice_curve(const EngineContest& contest) {
+NamedCurve choice_curve(const EngineContest& contest) {
   double error = 0;
   for (std::size_t i = 0; i < contest.needs.size(); ++i)
     error = std::max(error, contest.least->errors[i] / contest.needs[i]);
@@ -158,11 +158,11 @@ std::string engine_times_svg(const EngineContest& contest, bool webassembly) {
   std::ranges::stable_sort(series, pays_less);
   const bool ours = contest.least && !webassembly;
   series.resize(std::min(series.size(), most_curves - ours));
-  std::vector<Curve> curves;
+  std::vector<NamedCurve> curves;
   for (const EngineSeries* s : series)
     curves.push_back(curve_of(*s, [](const EngineTrial& t) { return t.seconds_per_frame; }));
   if (ours) curves.push_back(choice_curve(contest));
-  std::erase_if(curves, [](const Curve& c) { return c.points.empty(); });
+  std::erase_if(curves, [](const NamedCurve& c) { return c.points.empty(); });
   return drawn(curves,
                webassembly ? "Behind WebAssembly: times that no native program has"
                            : "Of the native variants, those that are enough for the least time",

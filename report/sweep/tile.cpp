@@ -77,10 +77,10 @@ class Quartering {
   /// The quarters share the lines between them.
   void quarter(const Cells& c, int x, int y, bool closely) {
     const bool across = c.width() > 2, upward = c.height() > 2;
-    const int right = across ? x : c.last_x, above = upward ? y : c.last_y;
-    refine({c.first_x, c.first_y, right, above}, closely);
-    if (across) refine({x, c.first_y, c.last_x, above}, closely);
-    if (upward) refine({c.first_x, y, right, c.last_y}, closely);
+    const int last_x = across ? x : c.last_x, last_y = upward ? y : c.last_y;
+    refine({c.first_x, c.first_y, last_x, last_y}, closely);
+    if (across) refine({x, c.first_y, c.last_x, last_y}, closely);
+    if (upward) refine({c.first_x, y, last_x, c.last_y}, closely);
     if (across && upward) refine({x, y, c.last_x, c.last_y}, closely);
   }
 

@@ -14,17 +14,18 @@
 namespace oddity::ex03_13 {
 
 using namespace tilted_chute;
-using std::abs, std::asin, std::atan2, std::cos, std::hypot, std::pow, std::sin, std::sqrt, std::numbers::pi;
+using std::abs, std::asin, std::cos, std::hypot, std::pow, std::sin, std::sqrt, std::numbers::pi;
 template <class T>
 using Three = std::array<T, 3>;
 using Point = Three<double>;
 
 inline Shortened asin(const Shortened& x) { return function("asin", x.expression()); }
-/// Of x > 0.
-inline Shortened atan2(const Shortened& y, const Shortened& x) {
-  return function("atan", (y / x).expression());
-}
 inline Shortened tan(const Shortened& x) { return function("tan", x.expression()); }
+/// The angle whose tangent is rise over run, of run > 0.
+inline Shortened slope_angle(const Shortened& rise, const Shortened& run) {
+  return function("atan", (rise / run).expression());
+}
+inline double slope_angle(double rise, double run) { return std::atan2(rise, run); }
 
 /// The Lagrangian of a unit mass in the distance along the axis and the angle about it, of the position
 /// alone.
@@ -320,7 +321,7 @@ void axis(ChuteTable& table, const std::vector<OnChute>& samples) {
   const auto run = [](const auto& s) { return sqrt((s.chute.L - s.chute.H) * (s.chute.L + s.chute.H)); };
   table.formula("sine", 1621, R"($\sin\theta$)", samples,
                 {.truth = {"the angle between the chute and the plane",
-                           [=](const auto& s) { return sin(atan2(s.chute.H, run(s))); }},
+                           [=](const auto& s) { return sin(slope_angle(s.chute.H, run(s))); }},
                  .printed = {"$H/L$", [](const auto& s) { return s.chute.H / s.chute.L; }},
                  .near_misses = {{"$L/H$", [](const auto& s) { return s.chute.L / s.chute.H; }}}});
   const auto direction = [](double sign) {
