@@ -122,4 +122,4 @@ include(GNUInstallDirs)
 add_library(oddity_lanes MODULE ${lanes_files} ${lanes}/register.cpp)
 target_link_libraries(oddity_lanes PRIVATE oddity_options)
 set_target_properties(oddity_lanes PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-install(TARGETS oddity_lanes LIBRARY DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS oddity_lanes LIBRARY DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)  # where it is built

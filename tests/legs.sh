@@ -120,7 +120,8 @@ leg_libcxx() {  # clang with libc++, without exceptions: every scene's models
 }
 
 leg_install() {  # what is installed works, and a program of another project finds the models
-  ./oddity list >/dev/null
+  ./oddity packages
+  build release oddity oddity_lanes
   tests/installed.sh build/release
 }
 
