@@ -282,8 +282,8 @@ std::string stability_text(const ExerciseResult& e, const Screen& screen) {
                             "; needed to " + in_unit(format_significant(s.close, 3), s.unit) +
                             " at the end of every step; breaks and cures are judged at " +
                             format_significant(s.horizon / s.steps.front(), 4) + " times\n\n";
-  return heading_of(e, screen) + wrapped(asked, screen) + limits_text(s, screen) +
-         wrapped(notes, screen, 4) + map_text(s, screen);
+  return heading_of(e, screen) + wrapped(asked, screen) + limits_text(s, screen) + wrapped(notes, screen, 4) +
+         map_text(s, screen);
 }
 
 std::string limit_row(const ExerciseResult& e, const Limit& l) {
