@@ -12,7 +12,7 @@ namespace oddity {
 int typing_errors(std::string_view a, std::string_view b);
 
 /// Whether there are no more than so many of these.
-bool nearly_same(std::string_view a, std::string_view b, int typing_errors);
+bool nearly_same(std::string_view a, std::string_view b, int most);
 
 /// The candidates that someone who wrote `word` is most likely to have meant, if any: with the fewest typing
 /// errors, at most one for each three letters.

@@ -431,7 +431,8 @@ Shard shard_of(const std::string& text) {
   constexpr double most = 1e9;
   if (!number || !of || *number < 1 || *of < *number || *of > most || *number != std::round(*number) ||
       *of != std::round(*of))
-    throw BadInput("--shard is a part of the whole, such as 1/4 to 4/4, and is '" + text + "'");
+    throw BadInput("--shard is a part of the whole, such as 1/4 to 4/4, of at most a billion, and is '" +
+                   text + "'");
   return {static_cast<std::size_t>(*number), static_cast<std::size_t>(*of)};
 }
 
