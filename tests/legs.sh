@@ -152,7 +152,7 @@ leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of
   build/release/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-10}" ${PATHS:-$chapter}
 }
 
-leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in tests/fuzz/corpus; RECORD=1
+leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in tests/fuzz/corpus; RECORD=1 adds these to those on record
   tools clang
   build release fuzz
   local target name found inputs seconds until=-max_total_time=${FUZZ_SECONDS:-60}
@@ -168,7 +168,9 @@ leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60), or with FU
       -artifact_prefix="build/fuzz_$name-" "$found/$name" "tests/fuzz/corpus/$name" 2>&1 | tee "$found/said"
     inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$found/said")
     # A crash has ended the leg before.
-    [ -z "${RECORD:-}" ] || echo "$name,$inputs,$((SECONDS - seconds)),0" | on_record tests/fuzz/record.csv
+    [ -z "${RECORD:-}" ] || awk -F, -v name="$name" -v inputs="$inputs" -v seconds=$((SECONDS - seconds)) '
+        $3 == name { inputs += $4; seconds += $5 }
+        END { printf "%s,%d,%d,0\n", name, inputs, seconds }' tests/fuzz/record.csv | on_record tests/fuzz/record.csv
   done
   rm -r "$found"
 }

@@ -84,6 +84,24 @@ TEST_CASE("sums of multiples are folded, and a mass's pull is one operation", "[
   CHECK(pull.cost_by_hand() == 1 + 4 + 1 + 4);
 }
 
+TEST_CASE("factors and terms take no operation before another needs them", "[taylor]") {
+  const auto cost = [](const auto& rhs) {
+    return Program(record<1>([&](const auto& x, auto& dxdt, const auto&) { dxdt = {rhs(x[0])}; }))
+        .cost_by_hand();
+  };
+  CHECK(cost([](const auto& x) { return (2 * x) * (-x / 2); }) == 1);                      // -(x x)
+  CHECK(cost([](const auto& x) { return (2 * x) * (3 * x); }) == 1 + 1);                   // 6 (x x)
+  CHECK(cost([](const auto& x) { return (x / 2 - 0.5) * (x / 4 - 0.25); }) == 1 + 1 + 1);  // (x - 1)^2 / 8
+  CHECK(cost([](const auto& x) { return sqrt(4 * x + 1); }) == 1 + 1 + 4);
+  CHECK(cost([](const auto& x) { return 3 / (2 * x) + 1; }) == 4 + 1);
+  const auto sum = [](const auto& x) { return x * x - x; };
+  CHECK(cost([&](const auto& x) { return 3 * sum(x) / (2 * sum(x)); }) == 1 + 1 + 4 + 1);
+  // x' = (x - 1)^2 / 8 from 9: 1 + 8 / (1 - t)
+  const auto c =
+      series_of([](const auto& x, const auto&) { return (x / 2 - 0.5) * (x / 4 - 0.25); }, 9, 0, 12);
+  CHECK(c == std::vector<double>{9, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8});
+}
+
 TEST_CASE("a right-hand side of constants costs something, and its motion is a line", "[taylor]") {
   const auto c = series_of([](const auto&, const auto&) { return 3.0; }, 2, 5, 6);
   CHECK(c == std::vector<double>{2, 3, 0, 0, 0, 0, 0});

@@ -35,7 +35,7 @@ struct Pairs {
 };
 using Both = Pairs<double>;
 /// One number, twice.
-inline Two twice(double x) { return Two{x, x}; }
+constexpr Two twice(double x) { return Two{x, x}; }
 struct Twice {
   double* first;
   Two operator[](int k) const { return twice(first[2L * k]); }

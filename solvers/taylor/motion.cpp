@@ -23,10 +23,6 @@ long cost_of_expansion(const Program& program, int order) {
              (3 * Weights::addition + 6 * Weights::multiplication + Weights::division);
 }
 
-double share_of_radius(double tolerance, int order) {
-  return std::pow(std::min(tolerance, 0.1), 1.0 / order);
-}
-
 constexpr int digits = 52, bias = 1023;
 
 /// Of a normal number within 1e-5, and exactly where it is whole.
@@ -49,13 +45,21 @@ double power_of_two(double x) {
   return std::bit_cast<double>(scale) * (even + f * odd);
 }
 
+/// Of what is asked, the part that decides.
+double most_tolerance(double tolerance) { return std::clamp(tolerance, 1e-300, 0.1); }
+
+double share_of_radius(double tolerance, int order) {
+  return std::pow(most_tolerance(tolerance), 1.0 / order);
+}
+
 }  // namespace
 
 int best_order(const Program& program, double tolerance) {
   constexpr int least = 4;
+  const double digits_asked = -binary_logarithm(most_tolerance(tolerance));
   const auto price = [&](int order) {
     const long work = cost_of_expansion(program, order) + cost_of_point(program, order);
-    return static_cast<double>(work + program.overhead(order)) / share_of_radius(tolerance, order);
+    return static_cast<double>(work + program.overhead(order)) * power_of_two(digits_asked / order);
   };
   int best = least;
   double lowest = price(least);

@@ -9,31 +9,6 @@ namespace oddity::taylor {
 
 namespace {
 
-/// What a node's value costs by hand.
-long by_hand(const Node& node) {
-  const auto times = [](double scale) { return scale == 1 || scale == -1 ? 0 : Weights::multiplication; };
-  switch (node.operation) {
-    case Operation::linear:
-      return times(node.alpha) + (node.b >= 0 ? times(node.beta) + Weights::addition : 0) +
-             (node.gamma != 0 ? Weights::addition : 0);
-    case Operation::multiply:
-      return Weights::multiplication;
-    case Operation::divide:
-      return Weights::division;
-    case Operation::inverse_cube:
-      return Weights::division + Weights::multiplication + Weights::root;
-    case Operation::square_root:
-      return Weights::root;
-    case Operation::sine:
-    case Operation::cosine:
-    case Operation::exponential:
-      return Weights::function;
-    case Operation::unknown:
-      break;
-  }
-  return 0;
-}
-
 int row_of(int node, const std::vector<int>& rows) {
   return node < 0 ? -1 : rows[static_cast<std::size_t>(node)];
 }
@@ -79,37 +54,35 @@ std::vector<bool> factors_of(const std::vector<Node>& nodes, const std::vector<b
   return all;
 }
 
-}  // namespace
+/// One operation of each kind, and what all orders below another cost.
+constexpr std::array<Node, 8> one_of_kind{{{Operation::multiply, 0, 1},
+                                           {Operation::multiply, 0, 0},
+                                           {Operation::divide, 0, 1},
+                                           {Operation::divide, -1, 1},
+                                           {Operation::inverse_cube},
+                                           {Operation::square_root},
+                                           {Operation::sine},
+                                           {Operation::exponential}}};
+constexpr auto costs_of_kind = [] {
+  std::array<std::array<long, most_orders + 1>, one_of_kind.size()> all{};
+  for (std::size_t kind = 0; kind < all.size(); ++kind)
+    for (int k = 0; k < most_orders; ++k) {
+      const auto order = static_cast<std::size_t>(k);
+      all[kind][order + 1] = all[kind][order] + cost_of(one_of_kind[kind], k);
+    }
+  return all;
+}();
 
-long cost_of(const Node& node, int k) {
-  const long inside = 2 * (k - 1) - 1, square = k == 2 ? 1 : k - k % 2;
-  switch (node.operation) {
-    case Operation::linear:
-      return by_hand(node) - (k > 0 && node.gamma != 0 ? Weights::addition : 0);
-    case Operation::multiply:
-      if (k == 0) return Weights::multiplication;
-      if (node.a == node.b) return k == 1 ? 2 : 3 + square;
-      return k == 1 ? 3 : 4 + inside;
-    case Operation::divide:
-      if (k == 0) return Weights::division + Weights::multiplication;
-      return (node.a >= 0) + (k == 1 ? 2 : 3 + inside);
-    case Operation::inverse_cube:
-      return k == 0 ? by_hand(node) + Weights::division : 3L * k;
-    case Operation::square_root:
-      if (k == 0) return Weights::root + Weights::division;
-      return k == 1 ? 1 : 2 + square;
-    case Operation::sine:
-      if (k == 0) return 2 * Weights::function;
-      return 1 + 2 * (k == 1 ? 2 : 3 + inside);
-    case Operation::exponential:
-      if (k == 0) return Weights::function;
-      return 1 + (k == 1 ? 2 : 3 + inside);
-    case Operation::unknown:
-    case Operation::cosine:
-      break;
-  }
-  return 0;
+std::size_t kind_of(const Node& node) {
+  const auto same = std::ranges::find_if(one_of_kind, [&](const Node& one) {
+    return one.operation == node.operation &&
+           (one.operation != Operation::multiply || (one.a == one.b) == (node.a == node.b)) &&
+           (one.operation != Operation::divide || (one.a < 0) == (node.a < 0));
+  });
+  return static_cast<std::size_t>(same - one_of_kind.begin());
 }
+
+}  // namespace
 
 /// A program on its way from a recording.
 struct Program::Making {
@@ -126,8 +99,12 @@ struct Program::Making {
 
 Program::Program(const Recording& recording) {
   const std::vector<Node>& nodes = recording.tape.nodes();
-  const std::vector<bool> needed = needed_of(recording);
-  Making making{nodes, needed, factors_of(nodes, needed), std::vector<int>(nodes.size(), -1)};
+  std::vector<bool> all = needed_of(recording);
+  std::vector<bool> factors = factors_of(nodes, all);
+  Making making{nodes, std::move(all), std::move(factors), std::vector<int>(nodes.size(), -1)};
+  const std::vector<bool>& needed = making.needed;
+  instructions_.reserve(nodes.size());
+  derivatives_.reserve(recording.derivatives.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node& node = nodes[i];
     if (needed[i]) by_hand_ += by_hand(node);
@@ -141,9 +118,12 @@ Program::Program(const Recording& recording) {
       put_one(making, i);
   }
   for (const Recorded& derivative : recording.derivatives)
-    derivatives_.push_back({row_of(derivative.node(), making.rows), derivative.constant()});
+    derivatives_.push_back({row_of(derivative.node(), making.rows), derivative.factor(), derivative.term()});
+  for (const Derivative& derivative : derivatives_)
+    if (derivative.row >= 0 && std::abs(derivative.factor) != 1) by_hand_ += Weights::multiplication;
   by_hand_ = std::max(by_hand_, 1L);
-  price();
+  for (const Instruction& instruction : instructions_)
+    for (int i = 0; i < (instruction.products == Products::one ? 1 : 2); ++i) count(instruction.node);
 }
 
 /// Two rows that are interleaved, of which this is the first.
@@ -174,8 +154,10 @@ void Program::put_one(Making& making, std::size_t i) {
   else if (operation != Operation::linear && operation != Operation::multiply)
     instruction.spare = rows_++;
   making.rows[i] = instruction.result;
-  making.doubled_rows.resize(static_cast<std::size_t>(rows_));
-  making.doubled_rows[static_cast<std::size_t>(instruction.result)] = is_doubled;
+  if (is_doubled) {
+    making.doubled_rows.resize(static_cast<std::size_t>(rows_));
+    making.doubled_rows[static_cast<std::size_t>(instruction.result)] = true;
+  }
   instructions_.push_back(instruction);
 }
 
@@ -203,44 +185,31 @@ bool Program::put_two(Making& making, std::size_t i) {
   return false;
 }
 
-/// Operations of one kind cost alike, but for the scales of a linear one, which are the same at all orders
-/// but 0.
-void Program::price() {
-  struct Kind {
-    Node node;
-    long count;
-  };
-  std::vector<Kind> kinds;
-  long linear_at_0 = 0, linear_later = 0;
-  for (const Instruction& instruction : instructions_) {
-    const Node& node = instruction.node;
-    const long times = instruction.products == Products::one ? 1 : 2;
-    operations_ += times;
-    if (node.operation == Operation::linear) {
-      linear_at_0 += cost_of(node, 0);
-      linear_later += cost_of(node, 1);
-      continue;
-    }
-    const auto same = std::ranges::find_if(kinds, [&](const Kind& kind) {
-      const Node& other = kind.node;
-      return other.operation == node.operation && (other.a < 0) == (node.a < 0) &&
-             (other.a == other.b) == (node.a == node.b);
-    });
-    if (same == kinds.end())
-      kinds.push_back({node, times});
-    else
-      same->count += times;
-  }
-  for (int k = 0; k < most_orders; ++k) {
-    long sum =
-        static_cast<long>(unknowns()) * Weights::multiplication + (k == 0 ? linear_at_0 : linear_later);
-    for (const Kind& kind : kinds) sum += kind.count * cost_of(kind.node, k);
-    const auto order = static_cast<std::size_t>(k);
-    costs_[order + 1] = costs_[order] + sum;
-  }
+void Program::count(const Node& node) {
+  static_assert(one_of_kind.size() == kinds);
+  ++operations_;
+  if (node.operation == Operation::linear)
+    linear_at_0_ += cost_of(node, 0), linear_later_ += cost_of(node, 1);
+  else
+    ++of_kind_[kind_of(node)];
+}
+
+long Program::cost(int order) const {
+  if (order <= 0) return 0;
+  long sum = order * static_cast<long>(unknowns()) * Weights::multiplication + linear_at_0_ +
+             (order - 1) * linear_later_;
+  for (std::size_t kind = 0; kind < kinds; ++kind)
+    sum += of_kind_[kind] * costs_of_kind[kind][static_cast<std::size_t>(order)];
+  return sum;
 }
 
 namespace {
+
+constexpr Shares shares_of_one = [] {
+  Shares all{};
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = twice(1.0 / static_cast<double>(k + 1));
+  return all;
+}();
 
 /// The operand's newest coefficient.
 [[gnu::always_inline]] inline double newest_of(From from, const Row<double>& row, int k, Two handed) {
@@ -268,13 +237,13 @@ template <int k>
     Both{step.rows.result.first}.put(k, both);
   else
     step.rows.result[k] = newest;
-  if (step.unknown.first) step.unknown[k + 1] = newest * (1.0 / (k + 1));
+  if (step.unknown.first) step.unknown[k + 1] = newest * step.shares[k][0];
   go_on<k>(step, both);
 }
 template <int k>
 [[gnu::always_inline]] inline void finish(const Step& step, Two newest) {
   Both{step.rows.result.first}.put(k, newest);
-  if (step.unknown.first) Both{step.unknown.first}.put(k + 1, newest * (1.0 / (k + 1)));
+  if (step.unknown.first) Both{step.unknown.first}.put(k + 1, newest * step.shares[k]);
   if (step.sum.first) newest = twice(step.sum[k] = newest[0] + newest[1]);
   go_on<k>(step, newest);
 }
@@ -297,6 +266,22 @@ struct InverseCube {
     const auto& [a, b, result, second, spare] = step.rows;
     const Rows<double, Operand> rows{{a, newest_of(step.a, a, k, handed)}, b, result, second, spare};
     finish<k>(step, inverse_cube_by_pairs<k>(step.node, rows, Both{spare.first}, Both{second.first}));
+  }
+};
+/// Of one operand and of two, their scales multiplied without asking whether they are 1.
+struct Multiple {
+  template <int k>
+  static void compute(const Step& step, Two handed) {
+    const double multiple = step.node.alpha * newest_of(step.a, step.rows.a, k, handed);
+    finish<k>(step, k == 0 ? multiple + step.node.gamma : multiple);
+  }
+};
+struct Sum {
+  template <int k>
+  static void compute(const Step& step, Two handed) {
+    const double sum = step.node.alpha * newest_of(step.a, step.rows.a, k, handed) +
+                       step.node.beta * newest_of(step.b, step.rows.b, k, handed);
+    finish<k>(step, k == 0 ? sum + step.node.gamma : sum);
   }
 };
 struct PlainSum {
@@ -335,14 +320,14 @@ struct TwoProducts {
 struct Next {
   template <int k>
   static void compute(const Step& step, Two handed) {
-    step.unknown[k + 1] = newest_of(step.a, step.rows.a, k, handed) * (1.0 / (k + 1));
+    step.unknown[k + 1] = newest_of(step.a, step.rows.a, k, handed) * step.shares[k][0];
     go_on<k>(step, handed);
   }
 };
 struct NextTwo {
   template <int k>
   static void compute(const Step& step, Two handed) {
-    Both{step.unknown.first}.put(k + 1, Both{step.rows.a.first}[k] * (1.0 / (k + 1)));
+    Both{step.unknown.first}.put(k + 1, Both{step.rows.a.first}[k] * step.shares[k]);
     go_on<k>(step, handed);
   }
 };
@@ -383,7 +368,9 @@ const Step::Kernel* kernels_of(const Node& node, Products products) {
   }
   switch (node.operation) {
     case Operation::linear:
-      return is_plain_sum(node) ? kernels<PlainSum>.data() : kernels<One<Operation::linear>>.data();
+      return is_plain_sum(node) ? kernels<PlainSum>.data()
+             : node.b >= 0      ? kernels<Sum>.data()
+                                : kernels<Multiple>.data();
     case Operation::multiply:
       return kernels<One<Operation::multiply>>.data();
     case Operation::divide:
@@ -424,25 +411,34 @@ struct Series::Making {
 
   Row<double> row(int i) { return i < 0 ? Row<double>() : series.row(i); }
 
-  /// An unknown whose derivative this row is, or two whose derivatives it and the next are; or none.
-  Row<double> take_unknown(int from, bool two) {
+  /// The factors over k + 1, by k.
+  const Two* shares(Two factors) {
+    if (factors[0] == 1 && factors[1] == 1) return shares_of_one.data();
+    Shares& made = series.shares_.emplace_back();
+    for (std::size_t k = 0; k < made.size(); ++k) made[k] = factors * shares_of_one[k];
+    return made.data();
+  }
+  /// For the step, an unknown whose derivative is this row's multiple, or two whose derivatives are its and
+  /// the next one's; whether there is one.
+  bool take_unknown(Step& step, int from, bool two) {
     const auto& all = series.program_.derivatives_;
     const std::size_t n = two ? 2 : 1;
     for (std::size_t i = 0; i + n <= all.size(); i += n) {
       if (has_next[i] || all[i].row != from || (two && (has_next[i + 1] || all[i + 1].row != from + 1)))
         continue;
       for (std::size_t j = i; j < i + n; ++j) has_next[j] = true;
-      return row(static_cast<int>(i));
+      step.unknown = row(static_cast<int>(i));
+      step.shares = shares(Two{all[i].factor, all[i + n - 1].factor});
+      return true;
     }
-    return {};
+    return false;
   }
   void put_next(int from, bool two) {
-    while (const auto unknown = take_unknown(from, two).first) {
-      Step& step = series.steps_.emplace_back();
+    for (Step step; take_unknown(step, from, two);) {
       step.kernels = two ? kernels<NextTwo>.data() : kernels<Next>.data();
       step.rows.a = row(from);
       step.a = handed.of_one(from);
-      step.unknown = {unknown};
+      series.steps_.push_back(step);
     }
   }
   void put_next_of_constants() {
@@ -460,7 +456,8 @@ struct Series::Making {
     const auto& [node, result, second, spare, products, is_doubled] = instruction;
     const bool two = products != Products::one || node.operation == Operation::sine;
     const bool with_sum = two && next && is_plain_sum(next->node) && !next->is_doubled &&
-                          next->node.a == result && next->node.b == result + 1;
+                          std::min(next->node.a, next->node.b) == result &&
+                          std::max(next->node.a, next->node.b) == result + 1;
     Step& step = series.steps_.emplace_back();
     step.kernels = kernels_of(node, products);
     step.rows = {row(node.a), row(node.b), row(result), row(second), row(spare)};
@@ -470,7 +467,7 @@ struct Series::Making {
     step.b = products == Products::of_both || products == Products::of_first_with_both
                  ? handed.of_two(node.b)
                  : handed.of_one(node.b);
-    step.unknown = take_unknown(result, two);
+    take_unknown(step, result, two);
     if (with_sum) step.sum = row(next->result);
     step.is_doubled = is_doubled;
     step.node = node;
@@ -481,6 +478,8 @@ struct Series::Making {
     return with_sum;
   }
   void put_all() {
+    series.shares_.reserve(series.program_.unknowns());
+    series.steps_.reserve(series.program_.instructions_.size() + 2 * series.program_.unknowns() + 1);
     const auto unknowns = static_cast<int>(series.program_.unknowns());
     has_next.resize(series.program_.unknowns());
     put_next_of_constants();
@@ -494,7 +493,8 @@ struct Series::Making {
 };
 
 Series::Series(Program program) : program_(std::move(program)) {
-  memory_.resize(start(program_.rows_ + program_.rows_ % 2));
+  memory_ = std::make_unique_for_overwrite<double[]>(start(program_.rows_ + program_.rows_ % 2));
+  for (int k = 0; k <= most_orders; ++k) row(static_cast<int>(program_.unknowns()))[k] = k == 1;
   Making{*this}.put_all();
 }
 
@@ -503,9 +503,7 @@ void Series::expand(const double* x, double t, int order) {
   const std::size_t n = program_.unknowns();
   for (std::size_t i = 0; i < n; i += 2)
     Both{row(static_cast<int>(i)).first}.put(0, Two{x[i], i + 1 < n ? x[i + 1] : t});
-  const Row<double> time = row(static_cast<int>(n));
-  time[0] = t;
-  time[1] = 1;
+  row(static_cast<int>(n))[0] = t;
   const Step& first = steps_.front();
   [&]<int... k>(std::integer_sequence<int, k...>) {
     ((k < order ? first.kernels[k](first, Two{}) : void()), ...);

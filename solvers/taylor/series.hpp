@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "solvers/taylor/coefficients.hpp"
@@ -19,8 +20,59 @@ struct Weights {
 
 inline constexpr int most_orders = 32;
 
-/// What coefficient k of an operation costs.
-long cost_of(const Node& node, int k);
+/// What an operation costs by hand, and what its coefficient k costs.
+constexpr long by_hand(const Node& node) {
+  const auto times = [](double scale) { return scale == 1 || scale == -1 ? 0 : Weights::multiplication; };
+  switch (node.operation) {
+    case Operation::linear:
+      return times(node.alpha) + (node.b >= 0 ? times(node.beta) + Weights::addition : 0) +
+             (node.gamma != 0 ? Weights::addition : 0);
+    case Operation::multiply:
+      return Weights::multiplication;
+    case Operation::divide:
+      return Weights::division;
+    case Operation::inverse_cube:
+      return Weights::division + Weights::multiplication + Weights::root;
+    case Operation::square_root:
+      return Weights::root;
+    case Operation::sine:
+    case Operation::cosine:
+    case Operation::exponential:
+      return Weights::function;
+    case Operation::unknown:
+      break;
+  }
+  return 0;
+}
+constexpr long cost_of(const Node& node, int k) {
+  const long inside = 2 * (k - 1) - 1, square = k == 2 ? 1 : k - k % 2;
+  switch (node.operation) {
+    case Operation::linear:
+      return by_hand(node) - (k > 0 && node.gamma != 0 ? Weights::addition : 0);
+    case Operation::multiply:
+      if (k == 0) return Weights::multiplication;
+      if (node.a == node.b) return k == 1 ? 2 : 3 + square;
+      return k == 1 ? 3 : 4 + inside;
+    case Operation::divide:
+      if (k == 0) return Weights::division + Weights::multiplication;
+      return (node.a >= 0) + (k == 1 ? 2 : 3 + inside);
+    case Operation::inverse_cube:
+      return k == 0 ? by_hand(node) + Weights::division : 3L * k;
+    case Operation::square_root:
+      if (k == 0) return Weights::root + Weights::division;
+      return k == 1 ? 1 : 2 + square;
+    case Operation::sine:
+      if (k == 0) return 2 * Weights::function;
+      return 1 + 2 * (k == 1 ? 2 : 3 + inside);
+    case Operation::exponential:
+      if (k == 0) return Weights::function;
+      return 1 + (k == 1 ? 2 : 3 + inside);
+    case Operation::unknown:
+    case Operation::cosine:
+      break;
+  }
+  return 0;
+}
 
 /// A product, or two at once, of two rows that are interleaved: with two such rows, or with one.
 enum class Products { one, of_both, of_first_with_both, of_both_with_second };
@@ -34,7 +86,7 @@ class Program {
   /// What the right-hand side costs when it is written by hand, its repetitions and constants taken out.
   long cost_by_hand() const { return by_hand_; }
   /// What the series up to an order cost.
-  long cost(int order) const { return costs_[static_cast<std::size_t>(order)]; }
+  long cost(int order) const;
   /// What it takes to get from operation to operation, in additions as well: it decides nothing but the
   /// order.
   long overhead(int order) const { return 20L * order * operations_; }
@@ -47,10 +99,10 @@ class Program {
     Products products = Products::one;
     bool is_doubled = false;  ///< the row beside the result has the same coefficients
   };
-  /// An unknown's derivative: a row, or else a constant.
+  /// An unknown's derivative: a row's multiple, or else a constant.
   struct Derivative {
     int row;
-    double constant;
+    double factor, constant;
   };
 
   struct Making;
@@ -58,11 +110,14 @@ class Program {
   void put_sine(Making&, std::size_t i);
   void put_one(Making&, std::size_t i);
   bool put_two(Making&, std::size_t i);
-  void price();
+  void count(const Node& node);
 
   std::vector<Instruction> instructions_;  ///< their nodes' operands are rows
   std::vector<Derivative> derivatives_;
-  std::array<long, most_orders + 1> costs_{};
+  /// Operations of one kind cost alike, but for linear ones.
+  static constexpr std::size_t kinds = 8;
+  std::array<long, kinds> of_kind_{};
+  long linear_at_0_ = 0, linear_later_ = 0;  ///< what linear ones cost
   long operations_ = 0;
   int rows_ = 0;  ///< of which the unknowns' are the first, and the time's the next
   long by_hand_ = 0;
@@ -72,6 +127,9 @@ class Program {
 /// over, which a row would have late.
 enum class From { row, first, second, both };
 
+/// By k, what makes an unknown's coefficient k + 1 of its derivative's coefficient k; for two unknowns.
+using Shares = std::array<Two, most_orders>;
+
 /// An operation, or unknowns' next coefficients from their derivatives'. Its kernel goes on with the next
 /// step's.
 struct Step {
@@ -79,8 +137,9 @@ struct Step {
 
   const Kernel* kernels = nullptr;  ///< by k
   Rows<double> rows = {};
-  Row<double> unknown = {};  ///< whose derivative the result is; of two results, the first of two
-  Row<double> sum = {};      ///< of two results, or none
+  Row<double> unknown = {};  ///< whose derivative is the result's multiple; of two results, the first of two
+  const Two* shares = nullptr;  ///< of the result's coefficients in that one's next, by k
+  Row<double> sum = {};         ///< of two results, or none
   From a = From::row, b = From::row;
   bool is_doubled = false;
   Node node = {};
@@ -124,15 +183,17 @@ class Series {
     const auto i = static_cast<std::size_t>(row);
     return i / 2 * stride + i % 2;
   }
-  Row<double> row(int i) { return {memory_.data() + start(i)}; }
-  Row<const double> row(int i) const { return {memory_.data() + start(i)}; }
+  Row<double> row(int i) { return {memory_.get() + start(i)}; }
+  Row<const double> row(int i) const { return {memory_.get() + start(i)}; }
   /// Of an unknown and of the next one, or of the time.
-  Pairs<const double> both(std::size_t i) const { return {memory_.data() + i / 2 * stride}; }
+  Pairs<const double> both(std::size_t i) const { return {memory_.get() + i / 2 * stride}; }
 
   Program program_;
   std::vector<Step> steps_;
+  std::vector<Shares> shares_;  ///< of multiples
   int order_ = 0;
-  std::vector<double> memory_;
+  /// What the time's row has is known; other rows are written before they are read.
+  std::unique_ptr<double[]> memory_;
 };
 
 }  // namespace oddity::taylor

@@ -1,23 +1,13 @@
 #include "solvers/taylor/tape.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace oddity::taylor {
 
 namespace {
-
-/// scale * node + shift, of a node that is itself such a multiple of another.
-struct Multiple {
-  int node;
-  double scale, shift;
-};
-
-Multiple multiple(const Tape& tape, int node, double scale) {
-  const Node& n = tape.nodes()[static_cast<std::size_t>(node)];
-  if (n.operation != Operation::linear || n.b >= 0) return {node, scale, 0};
-  return {n.a, scale * n.alpha, scale * n.gamma};
-}
 
 const Node* operation(const Tape& tape, int node, Operation operation) {
   const Node& n = tape.nodes()[static_cast<std::size_t>(node)];
@@ -53,37 +43,70 @@ int Tape::sine_and_cosine(int of) {
   return sine;
 }
 
-Recorded Recorded::sum(double alpha, const Recorded& a, double beta, const Recorded& b) {
-  if (a.is_constant() && b.is_constant()) return alpha * a.constant_ + beta * b.constant_;
-  if (a.is_constant()) return sum(beta, b, alpha, a);
-  Tape& tape = *a.tape_;
-  Multiple first = multiple(tape, a.node_, alpha);
-  Multiple second{-1, 0, beta * b.constant_};
-  if (!b.is_constant()) second = multiple(tape, b.node_, beta);
-  if (first.node == second.node) first.scale += std::exchange(second, {-1, 0, second.shift}).scale;
-  const double shift = first.shift + second.shift;
-  if (first.scale == 0 && second.node >= 0) std::swap(first, second);
-  if (second.scale == 0) second.node = -1;
-  if (first.scale == 0) return shift;
-  if (second.node < 0 && first.scale == 1 && shift == 0) return {tape, first.node};
-  return {tape, tape.put({Operation::linear, first.node, second.node, first.scale, second.scale, shift})};
+Recorded Recorded::times(double scale) const {
+  if (is_constant() || scale == 0) return scale * term_;
+  Recorded scaled(*tape_, node_, scale * factor_);
+  scaled.term_ = scale * term_;
+  return scaled;
+}
+
+Recorded Recorded::plus(double term) const {
+  Recorded moved = *this;
+  moved.term_ += term;
+  return moved;
+}
+
+int Recorded::node_of(double factor, double term) const {
+  if (factor == 1 && term == 0) return node_;
+  const Node& n = tape_->nodes()[static_cast<std::size_t>(node_)];
+  if (n.operation != Operation::linear) return tape_->put({Operation::linear, node_, -1, factor, 0, term});
+  return tape_->put(
+      {Operation::linear, n.a, n.b, factor * n.alpha, factor * n.beta, factor * n.gamma + term});
+}
+
+/// With its term for one of the unit factor, which others may share.
+Recorded Recorded::multiple() const {
+  if (is_constant() || term_ == 0) return *this;
+  const double of_one = term_ / factor_;
+  return std::isfinite(of_one) ? Recorded(*tape_, node_of(1, of_one), factor_) : Recorded(*tape_, whole());
+}
+
+/// The lower node comes first, and factors of one size are the sum's, so that it is found again.
+Recorded Recorded::sum(const Recorded& a, const Recorded& b) {
+  if (a.is_constant()) return b.plus(a.term_);
+  if (b.is_constant()) return a.plus(b.term_);
+  const double term = a.term_ + b.term_;
+  if (a.node_ == b.node_) {
+    const double factor = a.factor_ + b.factor_;
+    return factor == 0 ? Recorded(term) : Recorded(*a.tape_, a.node_, factor).plus(term);
+  }
+  const auto& [low, high] = a.node_ < b.node_ ? std::tie(a, b) : std::tie(b, a);
+  const double factor = std::abs(low.factor_) == std::abs(high.factor_) ? low.factor_ : 1;
+  const Node node{Operation::linear, low.node_, high.node_, low.factor_ / factor, high.factor_ / factor, 0};
+  return Recorded(*a.tape_, a.tape_->put(node), factor).plus(term);
 }
 
 Recorded Recorded::product(const Recorded& a, const Recorded& b) {
-  if (a.is_constant()) return sum(a.constant_, b, 0, 0);
-  if (b.is_constant()) return sum(b.constant_, a, 0, 0);
-  const auto [low, high] = std::minmax(a.node_, b.node_);
-  return {*a.tape_, a.tape_->put({Operation::multiply, low, high})};
+  if (a.is_constant()) return b.times(a.term_);
+  if (b.is_constant()) return a.times(b.term_);
+  const Recorded of_a = a.multiple(), of_b = b.multiple();
+  const auto [low, high] = std::minmax(of_a.node_, of_b.node_);
+  return {*a.tape_, a.tape_->put({Operation::multiply, low, high}), of_a.factor_ * of_b.factor_};
 }
 
 Recorded Recorded::quotient(const Recorded& a, const Recorded& b) {
-  if (b.is_constant()) return a.is_constant() ? a.constant_ / b.constant_ : sum(1 / b.constant_, a, 0, 0);
+  if (b.is_constant()) return a.is_constant() ? Recorded(a.term_ / b.term_) : a.times(1 / b.term_);
   Tape& tape = *b.tape_;
-  if (!a.is_constant()) return {tape, tape.put({Operation::divide, a.node_, b.node_})};
-  if (a.constant_ == 0) return 0;
-  if (const int c = under_three_halves(tape, b.node_); c >= 0)
-    return {tape, tape.put({Operation::inverse_cube, c, -1, 0, 0, a.constant_})};
-  return {tape, tape.put({Operation::divide, -1, b.node_, 0, 0, a.constant_})};
+  const Recorded of_b = b.multiple();
+  if (!a.is_constant()) {
+    const Recorded of_a = a.multiple();
+    return {tape, tape.put({Operation::divide, of_a.node_, of_b.node_}), of_a.factor_ / of_b.factor_};
+  }
+  if (a.term_ == 0) return 0;
+  const double over = a.term_ / of_b.factor_;
+  if (const int c = under_three_halves(tape, of_b.node_); c >= 0)
+    return {tape, tape.put({Operation::inverse_cube, c, -1, 0, 0, over})};
+  return {tape, tape.put({Operation::divide, -1, of_b.node_, 0, 0, over})};
 }
 
 }  // namespace oddity::taylor

@@ -47,20 +47,24 @@ class Tape {
   std::vector<Node> nodes_;
 };
 
-/// A number on a tape, or a constant beside it.
+/// A multiple of a number on a tape, and a term beside it, neither of which takes an operation before another
+/// needs it; or a constant.
 class Recorded {
  public:
   Recorded() = default;
   template <class U>
-  requires(std::is_arithmetic_v<U>) Recorded(U constant) : constant_(static_cast<double>(constant)) {}
-  Recorded(Tape& tape, int node) : tape_(&tape), node_(node) {}
+  requires(std::is_arithmetic_v<U>) Recorded(U constant) : term_(static_cast<double>(constant)) {}
+  Recorded(Tape& tape, int node, double factor = 1) : tape_(&tape), node_(node), factor_(factor) {}
 
   int node() const { return node_; }  ///< -1: a constant
-  double constant() const { return constant_; }
+  double factor() const { return factor_; }
+  double term() const { return term_; }
+  /// The same as a multiple, or as a constant.
+  Recorded multiple() const;
 
-  friend Recorded operator+(const Recorded& a, const Recorded& b) { return sum(1, a, 1, b); }
-  friend Recorded operator-(const Recorded& a, const Recorded& b) { return sum(1, a, -1, b); }
-  friend Recorded operator-(const Recorded& a) { return sum(-1, a, 0, 0); }
+  friend Recorded operator+(const Recorded& a, const Recorded& b) { return sum(a, b); }
+  friend Recorded operator-(const Recorded& a, const Recorded& b) { return sum(a, -b); }
+  friend Recorded operator-(const Recorded& a) { return a.times(-1); }
   friend Recorded operator*(const Recorded& a, const Recorded& b) { return product(a, b); }
   friend Recorded operator/(const Recorded& a, const Recorded& b) { return quotient(a, b); }
   Recorded& operator+=(const Recorded& b) { return *this = *this + b; }
@@ -69,39 +73,42 @@ class Recorded {
   Recorded& operator/=(const Recorded& b) { return *this = *this / b; }
 
   friend Recorded sqrt(const Recorded& a) {
-    return a.is_constant() ? std::sqrt(a.constant_) : function(Operation::square_root, a);
+    return a.is_constant() ? std::sqrt(a.term_) : a.under(Operation::square_root);
   }
   friend Recorded exp(const Recorded& a) {
-    return a.is_constant() ? std::exp(a.constant_) : function(Operation::exponential, a);
+    return a.is_constant() ? std::exp(a.term_) : a.under(Operation::exponential);
   }
   friend Recorded sin(const Recorded& a) {
-    return a.is_constant() ? std::sin(a.constant_) : Recorded(*a.tape_, a.tape_->sine_and_cosine(a.node_));
+    return a.is_constant() ? std::sin(a.term_) : Recorded(*a.tape_, a.tape_->sine_and_cosine(a.whole()));
   }
   friend Recorded cos(const Recorded& a) {
-    return a.is_constant() ? std::cos(a.constant_)
-                           : Recorded(*a.tape_, a.tape_->sine_and_cosine(a.node_) + 1);
+    return a.is_constant() ? std::cos(a.term_) : Recorded(*a.tape_, a.tape_->sine_and_cosine(a.whole()) + 1);
   }
   friend Recorded hypot(const Recorded& x, const Recorded& y) { return sqrt(x * x + y * y); }
 
  private:
   bool is_constant() const { return node_ < 0; }
-  /// alpha a + beta b.
-  static Recorded sum(double alpha, const Recorded& a, double beta, const Recorded& b);
+  Recorded times(double scale) const;
+  Recorded plus(double term) const;
+  /// The node of factor * it + term.
+  int node_of(double factor, double term) const;
+  /// The node of all of it.
+  int whole() const { return node_of(factor_, term_); }
+  Recorded under(Operation operation) const { return {*tape_, tape_->put({operation, whole()})}; }
+
+  static Recorded sum(const Recorded& a, const Recorded& b);
   static Recorded product(const Recorded& a, const Recorded& b);
   static Recorded quotient(const Recorded& a, const Recorded& b);
-  static Recorded function(Operation operation, const Recorded& of) {
-    return {*of.tape_, of.tape_->put({operation, of.node_})};
-  }
 
   Tape* tape_ = nullptr;
   int node_ = -1;
-  double constant_ = 0;
+  double factor_ = 0, term_ = 0;
 };
 
 /// A right-hand side as it was recorded: its unknowns are the tape's first nodes, time the next.
 struct Recording {
   Tape tape;
-  std::vector<Recorded> derivatives;
+  std::vector<Recorded> derivatives;  ///< multiples of nodes, or constants
 };
 
 /// rhs(x, dxdt, t) of n unknowns, which is generic in its number type.
@@ -112,7 +119,7 @@ Recording record(const Rhs& rhs) {
   for (Recorded& one : x) one = {made.tape, made.tape.unknown()};
   const Recorded time(made.tape, made.tape.unknown());
   rhs(x, dxdt, time);
-  made.derivatives.assign(dxdt.begin(), dxdt.end());
+  for (const Recorded& one : dxdt) made.derivatives.push_back(one.multiple());
   return made;
 }
 

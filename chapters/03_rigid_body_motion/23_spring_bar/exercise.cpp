@@ -84,8 +84,10 @@ Quantity stiff_swing(const Given<double>& bar, const Reference& truth) {
   return mass;
 }
 
-/// A whole period of the swing that passes theta = 0 with the speed w amplitude.
+/// A whole period of the swing that passes theta = 0 with the speed w amplitude, on the spring whose rest
+/// length balances the bar there: without it, the swing would be about another angle.
 Answer frequency_by_events(Given<double> bar, double amplitude) {
+  bar.ell = bar.h + bar.m * bar.g * bar.r / (bar.c * bar.s);
   bar.w0 = amplitude * bar.frequency();
   const OneAngle<double> one{bar};
   OneAngle<double>::State state{0, bar.w0};

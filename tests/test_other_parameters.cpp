@@ -1,0 +1,53 @@
+// At parameters that nobody chose: what a method is on record to find at the book's, it finds there as well.
+// Where a parameter is 1, many a wrong formula is right. A method that is just accurate enough there may be
+// off by more here, up to tenfold; a wrong formula is off by far more.
+
+#include "chapters/contents.hpp"
+#include "reference/reference.hpp"
+#include "tests/catch.hpp"
+
+using namespace oddity;
+
+namespace {
+
+/// Each by another factor, kept in its range; numbers that are whole, and seeds, stay.
+Parameters others(const Exercise& exercise) {
+  Parameters all(exercise.parameters);
+  double factor = 1.05;
+  for (const Parameter& p : exercise.parameters) {
+    if (p.whole || p.name == "seed") continue;
+    const double more = p.value * factor, less = p.value / factor;
+    const auto is_within = [&](double x) { return p.least <= x && x <= p.most; };
+    if (is_within(more))
+      all.set(p.name, more);
+    else if (is_within(less))
+      all.set(p.name, less);
+    factor += 0.02;
+  }
+  return all;
+}
+
+void check_methods(const Entry& entry) {
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  const Findings found = entry.exercise.study(others(entry.exercise), truth);
+  for (const Quantity& quantity : found.quantities)
+    for (const Method& method : quantity.methods) {
+      if (method.expected != Outcome::ok) continue;
+      const Trial trial = run(quantity, method, method.knob.settings.back());
+      INFO(quantity.name << ": " << method.model << ", " << method.algorithm << " at " << trial.setting
+                         << ": " << name_of(trial.outcome) << ", off by " << trial.error);
+      CHECK(trial.in_needs <= 10);
+    }
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const Entry& entry : registry())
+    if (of_the_book(entry.number))
+      register_test(
+          [&entry] { check_methods(entry); },
+          to_string(entry.number) + " at other parameters: its methods find what they find at the book's",
+          "[others][" + to_string(entry.number) + "]");
+  return true;
+}();
+
+}  // namespace
