@@ -428,6 +428,7 @@ TEST_CASE("sweeps that cannot be are refused with what would be right", "[sweep]
   refused("3.5 --model 'one angle' --over a=1..2:5", "go together");
   refused("3.5 --model 'one angel' --algorithm 'Runge-Kutta 4' --over step=1ms..1:5", "has no method");
   refused("3.5 --over step=1ms..1:5", "has a setting of its own");
+  refused("3.5 --over a=1..2:5 --setting 0.1", "is a method's: say which with --model and --algorithm");
   refused("2.3 --over a=1..2:5", "has no motion");
   CHECK(run("sweep").status == 2);
   CHECK(says(run("sweep"), "sweep needs one of its verbs: plan, run, status, merge, draw"));

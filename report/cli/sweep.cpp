@@ -96,6 +96,11 @@ sweep::Asked asked_of(const Words& w) {
   if (w.model.empty() != w.algorithm.empty())
     throw BadInput(
         "--model and --algorithm go together; without both, what to choose is found at every cell");
+  if (w.model.empty() && !w.setting.empty())
+    throw BadInput(
+        "--setting '" + w.setting +
+        "' is a method's: say which with --model and --algorithm; without both, 'choose' takes the "
+        "setting at every cell");
   sweep::Asked asked;
   asked.exercise = to_string(task.entry->number);
   asked.model = w.model;

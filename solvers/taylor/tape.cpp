@@ -81,7 +81,8 @@ Recorded Recorded::sum(const Recorded& a, const Recorded& b) {
     return factor == 0 ? Recorded(term) : Recorded(*a.tape_, a.node_, factor).plus(term);
   }
   const auto& [low, high] = a.node_ < b.node_ ? std::tie(a, b) : std::tie(b, a);
-  const double factor = std::abs(low.factor_) == std::abs(high.factor_) ? low.factor_ : 1;
+  const bool alike = std::abs(low.factor_) == std::abs(high.factor_) && low.factor_ != 0;
+  const double factor = alike ? low.factor_ : 1;
   const Node node{Operation::linear, low.node_, high.node_, low.factor_ / factor, high.factor_ / factor, 0};
   return Recorded(*a.tape_, a.tape_->put(node), factor).plus(term);
 }
