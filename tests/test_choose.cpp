@@ -5,6 +5,8 @@
 
 #include "reference/bad_input.hpp"
 #include "report/study/choose.hpp"
+#include "report/study/tries.hpp"
+#include "solvers/ode/integrate.hpp"
 #include "tests/catch.hpp"
 #include "tests/complaint.hpp"
 
@@ -463,6 +465,40 @@ TEST_CASE("what fails at a lower cost than the chosen one's is followed", "[choo
   const Choice choice = choose_for(asked(5e-4, 10), 1, price);
   REQUIRE(choice.chosen);
   CHECK(choice.chosen->model == "stepping");
+}
+
+TEST_CASE("a setting that takes far more work than is expected is given up until so much is allowed",
+          "[choose]") {
+  const Need need = asked(0.05, 10);  // 100 frames
+  const Horizon horizon{need.horizon, static_cast<int>(need.frames())};
+  Quantity q = place(Parameters(parameters), horizon, Reference::nothing());
+  constexpr long work = 100'000;
+  q.add(method(
+      "spinning", "on and on", tolerances(), 1, horizon.count(), [](double) { return 0; },
+      [](double) { return work; }));
+  const auto right = q.methods.back().run;
+  q.methods.back().run = [right](double setting) {
+    Answer answer = right(setting);
+    if (ode::most_evaluations < work)
+      answer.evaluations = ode::most_evaluations, answer.ending = Ending::stalled;
+    return answer;
+  };
+  const std::vector<Start> starts{{"here", q}};
+  Tries tries(q.methods.back(), need);
+  const auto go_on = [&](double most) {
+    tries.go_on(most, starts, need, [] {});
+    REQUIRE(tries.candidates.size() == 1);
+    return tries.candidates.back().outcome;
+  };
+  CHECK(go_on(16) == Outcome::stalled);  // 25,600 evaluations at most
+  CHECK(tries.is_given_up());
+  CHECK_FALSE(tries.is_over());
+  CHECK(tries.expected_evaluations() == 256);
+  CHECK(go_on(64) == Outcome::stalled);
+  CHECK(tries.expected_evaluations() == 256);
+  CHECK(go_on(256) == Outcome::ok);
+  CHECK(tries.is_over());
+  CHECK_FALSE(tries.is_given_up());
 }
 
 TEST_CASE("an answer explains what was tried and where its time went", "[choose]") {

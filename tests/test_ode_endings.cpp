@@ -255,6 +255,19 @@ TEST_CASE("the budget of evaluations ends an integration that goes on", "[solver
   CHECK(within(static_cast<double>(solved.evaluations), budget, budget + 100));
 }
 
+TEST_CASE("a limit lowers the budget while it lives", "[solvers]") {
+  const auto ended = [] {
+    return integrate<RungeKutta4>(oscillator.system, State{1, 0}, 0, 1, 1.0 / 500);  // 2000 evaluations
+  };
+  {
+    const EvaluationLimit limit(1000);
+    const EvaluationLimit higher(1e9);
+    CHECK(ended().ending == Ending::stalled);
+    CHECK(ended().evaluations < 1100);
+  }
+  CHECK(ended().reached());
+}
+
 TEST_CASE("a tolerance below rounding stalls or is met, and always ends", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);

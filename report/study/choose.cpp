@@ -206,7 +206,9 @@ class Search {
     const Stopwatch watch(spent_.search);
     std::atomic<bool> any = false;
     parallel_for_each(tries_, [&](Tries& tries) {
-      if (tries.is_over() || !(tries.candidates.back().seconds_per_frame < seconds_per_frame)) return;
+      if (tries.is_over() || tries.is_given_up() ||
+          !(tries.candidates.back().seconds_per_frame < seconds_per_frame))
+        return;
       tries.go_on(tries.expected_evaluations(), seen_, need_, [this] { deadline_.check(); });
       any = true;
     });
@@ -238,7 +240,7 @@ class Search {
     std::vector<Candidate*> wanted;
     for (Tries& tries : tries_) {
       const auto f = tries.found(need_);
-      Candidate* last = tries.is_over() ? nullptr : &tries.candidates.back();
+      Candidate* last = tries.is_over() || tries.is_given_up() ? nullptr : &tries.candidates.back();
       for (Candidate* t : {f.representative(), f.first, f.before, last})
         if (t && std::isnan(t->seconds_per_frame) && std::ranges::find(wanted, t) == wanted.end())
           wanted.push_back(t);

@@ -18,14 +18,17 @@ class Tries {
  public:
   Tries(const Method&, const Need&);
 
-  /// Goes on while a setting is expected to take no more than so many evaluations per frame. `check` is
-  /// called before each, and throws to end it.
+  /// Goes on while a setting is expected to take no more than so many evaluations per frame. One that takes
+  /// far more is given up, and tried again when so many are allowed. `check` is called before each, and
+  /// throws to end it.
   void go_on(double most_evaluations, const std::vector<Start>&, const Need&,
              const std::function<void()>& check);
 
   const Method& method() const { return *method_; }
   /// It holds with the margin, or no finer setting can help.
   bool is_over() const { return is_over_; }
+  /// The last candidate was: its cost is not known.
+  bool is_given_up() const { return given_up_at_ > 0; }
   /// Of the next setting, per frame.
   double expected_evaluations() const;
   /// Back to the first setting that holds, to be tried again on more starts: what failed on some fails on
@@ -44,9 +47,12 @@ class Tries {
   Found found(const Need&);
 
  private:
+  void step_back();
+
   const Method* method_;
   std::vector<double> left_;  ///< settings, the next last
   bool is_over_ = false;
+  double given_up_at_ = 0;  ///< evaluations per frame
 };
 
 }  // namespace oddity

@@ -24,7 +24,7 @@ struct CountedProblem {
   }
   static Call rhs(const void* self, const double* x, double* dxdt, double t) {
     const auto& problem = *static_cast<const CountedProblem*>(self);
-    if (problem.evaluations > budget) return Call::budget_spent;
+    if (problem.evaluations > most_evaluations) return Call::budget_spent;
     ++problem.evaluations;
     State derivative{};
     problem.system(state(x), derivative, t);
@@ -35,7 +35,7 @@ struct CountedProblem {
     const auto& problem = *static_cast<const CountedProblem*>(self);
     const auto counted = [&](long made) {
       problem.evaluations += made;
-      return problem.evaluations <= budget ? Call::ok : Call::budget_spent;
+      return problem.evaluations <= most_evaluations ? Call::ok : Call::budget_spent;
     };
     if constexpr (Differentiable<System, State>)
       return counted(ode::jacobian(problem.system, state(x), matrix, dfdt, t));

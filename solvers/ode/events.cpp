@@ -496,7 +496,8 @@ MotionWithEvents<std::array<double, n>> integrate_with_events(
     if (lookout.seen == Seen::failure)
       return end(Ending::stalled, "the algorithm did not reach a time inside a step");
     if (lookout.seen == Seen::grazing) return end(Ending::grazing, "a guard touches zero");
-    if (whole.evaluations > budget) return end(Ending::stalled, "the budget of evaluations is spent");
+    if (whole.evaluations > most_evaluations)
+      return end(Ending::stalled, "the budget of evaluations is spent");
     left.erase(left.begin(), left.begin() + (known - piece.value.begin() - 1));
     left[0] = event.time;
 

@@ -30,8 +30,23 @@ constexpr bool has_tolerance(Kind kind) {
   return kind == Kind::controlled || kind == Kind::implicit_controlled || kind == Kind::self_stepping;
 }
 
-/// Most evaluations of the right-hand side that one integration may take.
+/// Most evaluations of the right-hand side that one integration may take: on this thread fewer while a limit
+/// lives.
 constexpr long budget = 20'000'000;
+inline thread_local long most_evaluations = budget;
+
+class EvaluationLimit {
+ public:
+  explicit EvaluationLimit(double most) : before_(most_evaluations) {
+    if (most < static_cast<double>(before_)) most_evaluations = static_cast<long>(most);
+  }
+  EvaluationLimit(const EvaluationLimit&) = delete;
+  EvaluationLimit& operator=(const EvaluationLimit&) = delete;
+  ~EvaluationLimit() { most_evaluations = before_; }
+
+ private:
+  long before_;
+};
 
 template <class State>
 bool finite(const State& x) {

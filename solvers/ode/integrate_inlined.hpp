@@ -27,7 +27,8 @@ bool fail(Trajectory<State>& solved, Ending ending, const char* what, double t) 
 
 template <class State>
 bool check_budget(long evaluations, Trajectory<State>& solved, double t) {
-  return evaluations <= budget || fail(solved, Ending::stalled, "the budget of evaluations is spent", t);
+  return evaluations <= most_evaluations ||
+         fail(solved, Ending::stalled, "the budget of evaluations is spent", t);
 }
 
 /// What time is to a right-hand side: float where the state is.
@@ -54,7 +55,7 @@ template <class DoStep, class State, class OnStep>
                                                const long& evaluations, Trajectory<State>& solved,
                                                const OnStep& on_step) {
   const double count = std::max(1.0, std::ceil(std::abs(t1 - t0) / step * (1 - 1e-12)));
-  if (!(count <= static_cast<double>(budget)))
+  if (!(count <= static_cast<double>(most_evaluations)))
     return fail(solved, Ending::stalled, "the step would take more steps than the budget allows", t0);
   const auto n = static_cast<long>(count);
   using Time = TimeOf<State>;
