@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solvers/ode/integrate.hpp"
+#include "solvers/ode/catalog.hpp"
 
 namespace oddity {
 
