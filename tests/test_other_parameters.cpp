@@ -1,6 +1,6 @@
 // At parameters that nobody chose: what a method is on record to find at the book's, it finds there as well.
 // Where a parameter is 1, many a wrong formula is right. A method that is just accurate enough there may be
-// off by more here, up to tenfold; a wrong formula is off by far more.
+// off by more here, by 2.4 needs at most as observed; a wrong formula is off by far more than three.
 
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
@@ -30,14 +30,17 @@ Parameters others(const Exercise& exercise) {
 void check_methods(const Entry& entry) {
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   const Findings found = entry.exercise.study(others(entry.exercise), truth);
+  int checked = 0;
   for (const Quantity& quantity : found.quantities)
     for (const Method& method : quantity.methods) {
       if (method.expected != Outcome::ok) continue;
+      ++checked;
       const Trial trial = run(quantity, method, method.knob.settings.back());
       INFO(quantity.name << ": " << method.model << ", " << method.algorithm << " at " << trial.setting
                          << ": " << name_of(trial.outcome) << ", off by " << trial.error);
-      CHECK(trial.in_needs <= 10);
+      CHECK(trial.in_needs <= 3);
     }
+  CHECK(checked > 0);
 }
 
 [[maybe_unused]] const bool registered = [] {

@@ -45,18 +45,18 @@ double power_of_two(double x) {
   return std::bit_cast<double>(scale) * (even + f * odd);
 }
 
-/// Of what is asked, the part that decides.
-double most_tolerance(double tolerance) { return std::clamp(tolerance, 1e-300, 0.1); }
+/// No looser than a series is of use, and with a logarithm.
+double within_reason(double tolerance) { return std::clamp(tolerance, 1e-300, 0.1); }
 
 double share_of_radius(double tolerance, int order) {
-  return std::pow(most_tolerance(tolerance), 1.0 / order);
+  return std::pow(within_reason(tolerance), 1.0 / order);
 }
 
 }  // namespace
 
 int best_order(const Program& program, double tolerance) {
   constexpr int least = 4;
-  const double digits_asked = -binary_logarithm(most_tolerance(tolerance));
+  const double digits_asked = -binary_logarithm(within_reason(tolerance));
   const auto price = [&](int order) {
     const long work = cost_of_expansion(program, order) + cost_of_point(program, order);
     return static_cast<double>(work + program.overhead(order)) * power_of_two(digits_asked / order);
