@@ -1,3 +1,14 @@
+# Of a mutated tree: the files of these chapters (a|b), which oddity_mutate links before those of another build.
+if(ODDITY_MUTATED)
+  set(mutated_files ${chapter_files} ${claim_files} ${exercise_files})
+  list(FILTER mutated_files INCLUDE REGEX "^(${ODDITY_MUTATED})/")
+  add_library(mutated OBJECT ${mutated_files})
+  target_link_libraries(mutated PRIVATE oddity_solvers oddity_reference)
+  compile_headers_once(mutated <Eigen/Core> chapters/scene.hpp)
+  compile_files_together(mutated GROUP)
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/mutated.objects CONTENT "$<JOIN:$<FILTER:$<TARGET_OBJECTS:mutated>,EXCLUDE,[.]gch$>,\n>\n")
+endif()
+
 # oddity_mutate, where libclang is found (libclang-dev): tests/mutation/.
 
 find_path(ODDITY_LIBCLANG_INCLUDE clang-c/Index.h

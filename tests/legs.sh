@@ -155,7 +155,7 @@ leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of
 leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in tests/fuzz/corpus; RECORD=1 adds these to those on record
   tools clang
   build release fuzz
-  local target name found inputs seconds until=-max_total_time=${FUZZ_SECONDS:-60}
+  local target name found inputs seconds longest until=-max_total_time=${FUZZ_SECONDS:-60}
   [ -z "${FUZZ_INPUTS:-}" ] || until=-runs=$FUZZ_INPUTS
   found=$(mktemp -d)
   for target in build/release/tests/fuzz_*; do
@@ -163,8 +163,11 @@ leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60), or with FU
     [[ ${FUZZ:-$name} == *$name* ]] || continue
     mkdir -p "$found/$name"
     seconds=$SECONDS
-    # Without the stacks of what is allocated, and without weighing inputs by how rare their paths are: several times the inputs.
-    ASAN_OPTIONS=malloc_context_size=0 "$target" $until -entropic=0 -timeout=60 -rss_limit_mb=1024 -print_final_stats=1 -verbosity=0 \
+    longest=4096
+    case $name in words | quantity) longest=256 ;; esac  # what somebody types
+    # Without the stacks of what is allocated, with little kept of what is freed, and without weighing inputs by how
+    # rare their paths are: several times the inputs.
+    ASAN_OPTIONS=malloc_context_size=0:quarantine_size_mb=1 "$target" $until -max_len=$longest -entropic=0 -timeout=60 -rss_limit_mb=1024 -print_final_stats=1 -verbosity=0 \
       -artifact_prefix="build/fuzz_$name-" "$found/$name" "tests/fuzz/corpus/$name" 2>&1 | tee "$found/said"
     inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$found/said")
     # A crash has ended the leg before.

@@ -96,10 +96,13 @@ TEST_CASE("where survivors alone were tried again, those that are gone count as 
   const Survivors left{{"1", {"a", "a/x.cpp", "f: +", "the same"}},
                        {"2", {"a", "a/x.cpp", "f: -", ""}},
                        {"3", {"b", "b/x.cpp", "f: -", ""}}};
-  const Score after = after_again(before, "a", left);
+  Survivors on_record = left;
+  on_record["4"] = {"a", "a/x.cpp", "f: *", "the same"};
+  on_record["5"] = on_record["6"] = {"a", "a/x.cpp", "f: /", ""};
+  const Score after = after_again(before, "a", on_record, left);
   CHECK(after.tried == 100);
   CHECK(after.not_reached == 6);
-  CHECK(after.with_reason == 1);
+  CHECK(after.with_reason == 10);  // one that had none has been given one
   CHECK(after.survived == 1);
-  CHECK(after.killed == 92);
+  CHECK(after.killed == 83);
 }

@@ -35,21 +35,22 @@ std::vector<std::string> numbers_of(const auto& is_one) {
   return numbers;
 }
 
-std::vector<std::string> words_of(std::string_view text) {
-  std::vector<std::string> words(1);
-  for (char c : text)
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-      words.back() += c;
-    else if (!words.back().empty())
-      words.emplace_back();
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (auto end = text.begin(); end != text.end();) {
+    const auto begin = std::find_if(end, text.end(), in_word);
+    end = std::find_if_not(begin, text.end(), in_word);
+    if (begin != end) words.emplace_back(begin, end);
+  }
   return words;
 }
 
 /// Whether a title, or what a parameter says, has a word that may have been meant.
-bool mentions(std::string_view says, const std::string& text) {
-  const std::vector<std::string> words = words_of(says);
-  for (const std::string& asked : words_of(text))
-    for (const std::string& word : words)
+bool mentions(std::string_view says, std::string_view text) {
+  const std::vector<std::string_view> words = words_of(says);
+  for (const std::string_view asked : words_of(text))
+    for (const std::string_view word : words)
       if (std::min(asked.size(), word.size()) > 3 &&
           nearly_same(asked, word, static_cast<int>(asked.size()) / 4))
         return true;

@@ -142,12 +142,16 @@ Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& trie
   return scores;
 }
 
-Score after_again(Score before, const std::string& room, const Survivors& survivors) {
-  before.with_reason = before.survived = 0;
-  for (const auto& [id, s] : survivors)
-    if (s.room == room) ++(s.reason.empty() ? before.survived : before.with_reason);
-  before.killed = before.tried - before.not_reached - before.with_reason - before.survived;
-  return before;
+Score after_again(Score score, const std::string& room, const Survivors& before, const Survivors& left) {
+  int without_reason = 0;
+  for (const auto& [id, s] : before)
+    if (s.room == room && !left.contains(id))
+      ++score.killed, --(s.reason.empty() ? score.survived : score.with_reason);
+  for (const auto& [id, s] : left)
+    if (s.room == room && s.reason.empty()) ++without_reason;
+  score.with_reason += score.survived - without_reason;
+  score.survived = without_reason;
+  return score;
 }
 
 std::vector<std::string> noticed_less(const Scores& now, const Scores& on_record) {
