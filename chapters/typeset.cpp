@@ -107,10 +107,6 @@ Matrix sum(const Matrix& a, const Matrix& b, double sign) {
   for (std::size_t i = 0; i < y.entries.size(); ++i) y.entries[i] += sign * b.entries[i];
   return y;
 }
-std::optional<Value> difference(const std::optional<Value>& a, const std::optional<Value>& b) {
-  if (!a || !b || (a->size() != b->size() && !is_zero(*a) && !is_zero(*b))) return std::nullopt;
-  return sum({*a}, {*b}, -1).entries;
-}
 Matrix product(const Matrix& a, const Matrix& b) {
   if (is_number(a)) return scaled(b, number(a));
   if (is_number(b)) return scaled(a, number(b));
@@ -648,23 +644,7 @@ class IndexNotation {
   std::map<Index, int> values_;
 };
 
-std::string written(const Value& x) {
-  std::string all;
-  for (const double component : x) all += (all.empty() ? "" : ", ") + format_shortest(component);
-  return "(" + all + ")";
-}
-
 }  // namespace
-
-std::string told(const TypesetLetters& letters, std::size_t count) {
-  std::string all;
-  for (std::size_t i = 0; i < std::min(count, letters.size()); ++i) {
-    const auto& [letter, value] = letters[i];
-    all += (all.empty() ? "$" : ", $") + letter +
-           "$ = " + (value.size() == 1 ? format_shortest(value[0]) : written(value));
-  }
-  return all;
-}
 
 std::optional<Value> typeset_value(std::string_view formula, const TypesetLetters& letters) {
   const Tokens tokens = tokens_of(formula);
@@ -678,147 +658,6 @@ std::optional<Value> typeset_value(std::string_view formula, const TypesetLetter
   };
   const auto as_it_stands = read([&] { return Reader(tokens, all).all().entries; });
   return as_it_stands ? as_it_stands : read([&] { return IndexNotation(tokens, all).all(); });
-}
-
-bool is_formula(std::string_view text) {
-  return text.size() > 2 && text.front() == '$' && text.find('$', 1) == text.size() - 1;
-}
-
-namespace {
-
-using Values = std::vector<std::optional<Value>>;
-
-/// What a formula or an equation may stand for.
-struct Meanings {
-  Values sides;   ///< each, but not the letter that it is called by on the left
-  Values others;  ///< what two sides differ by, and sides in a row
-
-  Values all() const {
-    Values both = sides;
-    both.insert(both.end(), others.begin(), others.end());
-    return both;
-  }
-};
-
-bool is_lone_letter(const std::string& side, const TypesetLetters& letters) {
-  return std::ranges::find(letters, side, &TypesetLetters::value_type::first) != letters.end();
-}
-
-std::optional<Value> in_a_row(const Values& sides, std::size_t first, std::size_t end) {
-  std::vector<double> all;
-  for (std::size_t i = first; i < end; ++i) {
-    if (!sides[i]) return std::nullopt;
-    all.insert(all.end(), sides[i]->begin(), sides[i]->end());
-  }
-  return all;
-}
-
-/// At its equals signs, or where it tends to something.
-std::vector<std::string> sides_of(std::string formula) {
-  std::vector<std::string> sides;
-  if (const std::size_t limit = formula.find(R"(\to)");
-      limit < formula.size() && !is_letter(formula[limit + 3]))
-    formula.replace(limit, 3, "=");
-  for (std::size_t begin = 0; begin <= formula.size();) {
-    const std::size_t end = std::min(formula.find('=', begin), formula.size());
-    if (end > begin) sides.push_back(formula.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return sides;
-}
-
-Meanings meanings(const std::string& formula, const TypesetLetters& letters) {
-  const std::vector<std::string> sides = sides_of(formula);
-  Values all;
-  for (const std::string& side : sides) all.push_back(typeset_value(side, letters));
-  const std::size_t n = all.size();
-  if (n < 2) return {all, {}};
-  Values others{in_a_row(all, 0, n)};
-  if (n == 2)
-    others.push_back(difference(all[0], all[1]));
-  else
-    others.insert(others.end(), {in_a_row(all, 1, n), in_a_row(all, 0, n - 1)});
-  if (is_lone_letter(sides[0], letters)) all.erase(all.begin());
-  return {all, others};
-}
-
-/// The size of the terms that are added up, in each of the meanings: how much it changes with the letters'
-/// relative change.
-double size_of_terms(const std::string& formula, const TypesetLetters& letters, std::size_t meaning) {
-  constexpr double change = 0x1p-20;
-  const Value value = *meanings(formula, letters).all()[meaning];
-  double size = 0;
-  TypesetLetters moved = letters;
-  for (auto& [letter, x] : moved)
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const double before = std::exchange(x[i], x[i] * (1 + change));
-      if (const auto now = meanings(formula, moved).all()[meaning]) size += distance(*now, value) / change;
-      x[i] = before;
-    }
-  return size;
-}
-
-enum class Match { same, unread, other };
-
-/// A number that is computed several times over is one number.
-Value once(const Value& computed, double allowed) {
-  const Value repeated(std::vector<double>(computed.size(), computed[0]));
-  return distance(computed, repeated) <= allowed ? Value(computed[0]) : computed;
-}
-
-Match match(const std::optional<Value>& typeset, const Value& computed, double allowed) {
-  const auto off = difference(typeset, computed);
-  return !off ? Match::unread : size_of(*off) <= allowed ? Match::same : Match::other;
-}
-
-}  // namespace
-
-Typesetting compare_typeset(const std::string& text,
-                            const std::vector<std::pair<TypesetLetters, Value>>& computed) {
-  if (!is_formula(text)) return {};
-  double largest = 0;
-  for (const auto& [letters, value] : computed)
-    if (finite(value)) largest = std::max(largest, size_of(value));
-  // What is added up in another order differs by roundings of terms that may cancel; another formula by far
-  // more.
-  constexpr double precision = 1e-9;
-  const double allowed = precision * largest;
-  const std::string formula = text.substr(1, text.size() - 2);
-
-  std::vector<Match> matches;
-  std::size_t sides = 0;
-  std::string seen, unequal;
-  for (const auto& [letters, numbers] : computed) {
-    if (!finite(numbers)) continue;
-    const Meanings may_be = meanings(formula, letters);
-    const Values all = may_be.all();
-    sides = may_be.sides.size();
-    const bool is_number = sides == 1 && all[0] && all[0]->size() == 1;
-    const Value value = is_number ? once(numbers, allowed) : numbers;
-    matches.resize(all.size(), Match::same);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      Match found = match(all[i], value, allowed);
-      if (found == Match::other)
-        found = match(all[i], value, allowed + precision * size_of_terms(formula, letters, i));
-      if (found == Match::other && i < sides) {
-        seen = written(*all[i]) + ", and " + written(value) + " is computed";
-        if (size_of(*all[i]) > 0)
-          unequal = text + " is typeset, and one side is " + seen;  // = 0 is for motions
-      }
-      if (matches[i] == Match::same) matches[i] = found;
-    }
-  }
-  const bool is_it = std::ranges::count(matches, Match::same) > 0;
-  matches.resize(sides);
-  const bool is_a_side = std::ranges::count(matches, Match::same) > 0;
-  if (is_it) return {true, "", is_a_side ? unequal : ""};
-  if (matches.empty() || std::ranges::count(matches, Match::unread) > 0) return {};
-  return {false, text + " is typeset, which is " + seen, ""};
-}
-
-bool is_as_typeset(const Typesetting& typesetting) {
-  if (!typesetting.difference.empty()) throw std::logic_error(typesetting.difference);
-  return typesetting.read;
 }
 
 }  // namespace oddity

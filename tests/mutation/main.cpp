@@ -8,8 +8,6 @@
 #include <iostream>
 #include <map>
 #include <mutex>
-#include <regex>
-#include <set>
 #include <thread>
 
 #include "chapters/random.hpp"
@@ -17,12 +15,11 @@
 #include "reference/files.hpp"
 #include "reference/interrupted.hpp"
 #include "report/study/parallel.hpp"
-#include "report/study/run_program.hpp"
+#include "tests/mutation/compiled.hpp"
 #include "tests/mutation/record.hpp"
 
 using namespace oddity;
 using namespace oddity::mutation;
-using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
 namespace {
@@ -85,73 +82,6 @@ std::string today() {
   char text[16];
   std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
   return text;
-}
-
-void shell(const std::string& command) {
-  if (std::system(command.c_str()) != 0) throw BadInput("this failed: " + command);
-}
-
-/// Configures the mutated tree, at a level that costs the compiler little, and with the bounds of arrays
-/// checked. GCC 12 at -O1 takes a variable for unchanged that a lambda changes which has it by reference, by
-/// its analysis of memory that functions reach.
-void configure(const fs::path& copy, const fs::path& build, const std::string& options) {
-  const std::string flags =
-      "-O1 -fno-ipa-modref -fconcepts -w -D_GLIBCXX_ASSERTIONS -fsanitize=bounds "
-      "-fsanitize-undefined-trap-on-error";
-  shell("cmake -S '" + copy.string() + "' -B '" + build.string() +
-        "' -G Ninja -DCMAKE_BUILD_TYPE=Mutated '-DCMAKE_CXX_FLAGS_MUTATED=" + flags +
-        "' -DODDITY_FAST_BUILD=ON -DODDITY_MODULE=OFF -DODDITY_MPI=OFF -DODDITY_HDF5=OFF " + options +
-        " >&2");
-}
-
-void build_targets(const fs::path& build, const std::string& targets) {
-  shell("cmake --build '" + build.string() + "' --target " + targets + " >&2");
-}
-
-/// Compiles the mutated tree and returns its program.
-fs::path compile_all(const fs::path& copy, bool makers) {
-  const fs::path build = home / "build";
-  configure(copy, build, "-DODDITY_TESTS=ON -DODDITY_MUTATED=");
-  build_targets(build, std::string("oddity oddity_tests") + (makers ? " make_reference" : ""));
-  return build / "oddity";
-}
-
-/// The command that links the program of the build anew as `output`, with these objects before all others.
-std::string linking(const std::string& program, const std::string& objects, const fs::path& output) {
-  const Ended told = run_program({"ninja", "-C", built.string(), "-t", "commands", program}, "", 600s);
-  const auto last = told.output.rfind("\n: && ");
-  std::smatch parts;
-  const std::string line = last == std::string::npos ? "" : told.output.substr(last + 1);
-  static const std::regex link(R"(: && (\S+) (.*) -o \S+ (.*) && :\s*)");
-  if (!std::regex_match(line, parts, link))
-    throw BadInput(built.string() + ": Ninja does not say how it links " + program + ": " + told.words);
-  return "cd '" + built.string() + "' && " + parts[1].str() + " -Wl,--allow-multiple-definition " + objects +
-         " " + parts[2].str() + " -o '" + output.string() + "' " + parts[3].str();
-}
-
-/// Where chapters alone are mutated: compiles these, links them before all that the build has, whose copies
-/// come second and are not taken, and returns the program. What the rest has inlined of their headers, as
-/// unit tests have, is not mutated.
-fs::path compile_chapters(const fs::path& copy, const std::set<std::string>& chapters) {
-  const fs::path build = home / "chapters";
-  std::string list;
-  for (const std::string& chapter : chapters) list += (list.empty() ? "" : "|") + chapter;
-  configure(copy, build, "-DODDITY_TESTS=OFF '-DODDITY_MUTATED=" + list + "'");
-  build_targets(build, "mutated");
-  build_targets(built, "oddity oddity_tests");
-  const std::string objects = "'@" + (build / "mutated.objects").string() + "'";
-  fs::create_directories(build / "tests");
-  shell(linking("oddity", objects, build / "oddity"));
-  shell(linking("oddity_tests", objects, build / "tests/oddity_tests"));
-  return build / "oddity";
-}
-
-fs::path compile(const fs::path& copy, const std::vector<Mutant>& all) {
-  std::set<std::string> rooms;
-  for (const Mutant& m : all) rooms.insert(m.room());
-  const auto of_chapter = [](const std::string& room) { return room.starts_with("chapters/"); };
-  return std::ranges::all_of(rooms, of_chapter) ? compile_chapters(copy, rooms)
-                                                : compile_all(copy, rooms.contains("reference/make"));
 }
 
 Request request_of(int argc, char** argv) {
@@ -270,7 +200,9 @@ int mutate(const Request& request) {
     list(drawn);
     return 0;
   }
-  const fs::path program = request.program.empty() ? compile(home / "tree", all) : fs::path(request.program);
+  const fs::path program = request.program.empty()
+                               ? compiled_program({home / "tree", home / "build", built}, all)
+                               : fs::path(request.program);
   if (changed) fs::remove_all(home / "reached");
   Suite suite(program, home / "reached",
               static_cast<std::size_t>(std::ranges::max(all, {}, &Mutant::number).number));
