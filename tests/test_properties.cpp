@@ -3,6 +3,7 @@
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/03_rigid_body_motion/09_damped_ball/models.hpp"
 #include "chapters/03_rigid_body_motion/19_two_pulleys/models.hpp"
+#include "chapters/03_rigid_body_motion/23_spring_bar/models.hpp"
 #include "chapters/03_rigid_body_motion/25_chain/models.hpp"
 #include "chapters/03_rigid_body_motion/27_two_bodies/models.hpp"
 #include "chapters/examples/bouncing_ball/models.hpp"
@@ -118,6 +119,30 @@ TEST_CASE("a small swing is the small angle's, but for its longer period", "[pro
           const double allowed = 1.1 * a * a * a * (turns / 16 + 1.0 / 192) + 256 * epsilon * a * turns;
           wrong = more_than(std::abs(exact.at(turns / w)[0] - small.at(turns / w)[0]), allowed, turns / w);
         }
+        return wrong;
+      });
+}
+
+TEST_CASE("a small oscillation of the bar starts as the bar does, also where it is pushed",
+          "[properties][3.23]") {
+  properties::check(
+      entry_of("3.23"), "the same angle, angular speed and acceleration", 100, [](const Parameters& p) {
+        const spring_bar::Given<double> given{
+            p["m"], p["r"], p["s"], p["c"], p["h"], p["g"], p["ell"], 1e-6 * p["theta0"], p["w0"]};
+        const double w = given.frequency(), dt = 0x1p-10 / w;
+        const auto angle = [&](double t) {
+          const auto x = spring_bar::SmallOscillation<double>{given}.at(t);
+          return std::atan2(x[1], x[0]);
+        };
+        const double before = angle(-dt), now = angle(0), after = angle(dt);
+        const double pull = spring_bar::OneAngle<double>{given}.acceleration_at(given.theta0);
+        // The angles that are added up, and how fast and how much faster they change.
+        const double size = std::abs(pull) / (w * w) + std::abs(given.w0) / w + std::abs(given.theta0);
+        std::string wrong = more_than(std::abs(now - given.theta0), 8 * epsilon * size, 0);
+        if (wrong.empty())
+          wrong = more_than(std::abs((after - before) / (2 * dt) - given.w0), 1e-6 * size * w, 0);
+        if (wrong.empty())
+          wrong = more_than(std::abs((after - 2 * now + before) / (dt * dt) - pull), 1e-5 * size * w * w, 0);
         return wrong;
       });
 }
