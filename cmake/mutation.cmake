@@ -1,25 +1,32 @@
-# Of a mutated tree: the libraries' files of these rooms (a|b), which oddity_mutate links before another build's.
+# Of a mutated tree: the libraries' files of these rooms (a|b), which oddity_mutate links before another build's, and
+# the tests that it takes in place of that build's.
 if(ODDITY_MUTATED)
   add_custom_target(mutated)
-  # add_mutated(NAME MODE LIBRARY HEADER FILE...): those of the files that are in the rooms, compiled as this library's,
-  # and what comes of it listed in mutated_NAME.objects
+  # What comes of the target, if it is there, as TARGET.objects.
+  function(list_objects target)
+    set(objects "")
+    if(TARGET ${target})
+      add_dependencies(mutated ${target})
+      set(objects "$<FILTER:$<TARGET_OBJECTS:${target}>,EXCLUDE,[.]gch$>")
+    endif()
+    file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/${target}.objects CONTENT "$<JOIN:${objects},\n>\n")
+  endfunction()
+  # Those of the files that are in the rooms, compiled as this library's.
   function(add_mutated name mode library header)
     list(FILTER ARGN INCLUDE REGEX "(^|/)(${ODDITY_MUTATED})/")
-    set(objects "")
     if(ARGN)
       add_library(mutated_${name} OBJECT ${ARGN})
       target_link_libraries(mutated_${name} PRIVATE ${library})
       compile_headers_once(mutated_${name} ${header})
       compile_files_together(mutated_${name} ${mode})
-      add_dependencies(mutated mutated_${name})
-      set(objects "$<FILTER:$<TARGET_OBJECTS:mutated_${name}>,EXCLUDE,[.]gch$>")
     endif()
-    file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/mutated_${name}.objects CONTENT "$<JOIN:${objects},\n>\n")
+    list_objects(mutated_${name})
   endfunction()
   add_mutated(solvers GROUP oddity_solvers ${PROJECT_BINARY_DIR}/generated/solvers/ode/all.hpp ${solver_files} ${precompiled_files})
   add_mutated(makers BATCH oddity_reference reference/make/taylor.hpp ${route_files} ${truth_files})
   add_mutated(chapters GROUP oddity_chapters chapters/scene.hpp ${chapter_files} ${claim_files} ${exercise_files})
   add_mutated(report GROUP oddity_report report/study/run.hpp ${report_files})
+  list_objects(mutated_tests)
 endif()
 
 # oddity_mutate, where libclang is found (libclang-dev): tests/mutation/.

@@ -1,5 +1,6 @@
 #include "reference/made_again.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "reference/text.hpp"
@@ -51,6 +52,14 @@ std::vector<std::string> words_of(const Truth& truth, std::size_t row, std::size
   return words;
 }
 
+/// How far two right routes may be apart: by what so many digits leave open, or, where a table's are apart by
+/// more than its digits, by as many powers of ten more, but in chaos hardly more than these.
+Number most_apart(const Number& stored, const Number& size) {
+  const Number ten = 10, in_chaos = std::max<Number>(ten * stored, size * pow(ten, -10));
+  return std::max<Number>(size * pow(ten, 2 - digits_again),
+                          std::min<Number>(stored * pow(ten, 1 + table_digits - digits_again), in_chaos));
+}
+
 }  // namespace
 
 MadeAgain::MadeAgain(const Entry& entry)
@@ -64,7 +73,8 @@ void MadeAgain::make(std::size_t row) {
   }
 }
 
-/// The value agrees with the made one within both errors, of which the stored one is not the larger.
+/// The value agrees with the made one within both errors, of which the stored one is not the larger; and the
+/// two routes agree as far as fewer digits let them.
 std::vector<std::string> MadeAgain::row_differences(const std::vector<std::string>& cells, std::size_t row,
                                                     std::size_t component) const {
   std::vector<std::string> all;
@@ -79,6 +89,8 @@ std::vector<std::string> MadeAgain::row_differences(const std::vector<std::strin
   if (!(abs(value - made) <= error + made_[row].error)) all.push_back(unlike(value, made));
   if (!(error > 0 && error <= made_[row].error))
     all.push_back("its error: " + unlike(error, made_[row].error));
+  if (!(made_[row].error <= most_apart(error, size_of(made_[row].value))))
+    all.push_back("two routes: " + unlike(error, made_[row].error));
   return all;
 }
 

@@ -167,6 +167,23 @@ TEST_CASE("a table whose value, error, unit or rows are others differs from what
   CHECK(differences("1,x,2\n") == 1);
 }
 
+TEST_CASE("a table made again needs two routes that agree", "[reference]") {
+  const auto differences = [](const truth::Number& second, const std::string& error) {
+    static truth::Number other;
+    other = second;
+    truth::MadeAgain again({"a_test", [] { return two_routes(gives(2), gives(other)); }});
+    again.make(0);
+    std::istringstream stored(truth::heading("a_test", two_routes({}, {})) + "1,x,2," + error +
+                              ",agreement,1\n");
+    return again.differences(stored).size();
+  };
+  const truth::Number two("2.00000000000001");
+  CHECK(differences(2, "1e-40") == 0);
+  CHECK(differences(two, "1e-40") == 1);
+  CHECK(differences(two, "1e-20") == 0);  // it has few digits with 42 as well
+  CHECK(differences(3, "1e-6") == 1);
+}
+
 TEST_CASE("every table in the folder has a maker", "[reference]") {
   for (const auto& file : fs::directory_iterator(tables / "tables")) {
     const auto& all = truth::registry();

@@ -1,8 +1,9 @@
 #include "tests/mutation/compiled.hpp"
 
 #include <cstdlib>
-#include <regex>
+#include <fstream>
 #include <set>
+#include <string_view>
 
 #include "reference/bad_input.hpp"
 #include "report/study/run_program.hpp"
@@ -27,25 +28,57 @@ void configure(const Folders& folders, const std::string& rooms) {
       "-fsanitize-undefined-trap-on-error";
   shell("cmake -S '" + folders.tree.string() + "' -B '" + folders.build.string() +
         "' -G Ninja -DCMAKE_BUILD_TYPE=Mutated '-DCMAKE_CXX_FLAGS_MUTATED=" + flags + "' '-DODDITY_MUTATED=" +
-        rooms + "' -DODDITY_FAST_BUILD=ON -DODDITY_TESTS=OFF -DODDITY_MODULE=OFF >&2");
+        rooms + "' -DODDITY_FAST_BUILD=ON -DODDITY_TESTS=ON -DODDITY_MODULE=OFF >&2");
 }
 
 void build_targets(const fs::path& build, const std::string& targets) {
   shell("cmake --build '" + build.string() + "' --target " + targets + " >&2");
 }
 
-/// The command that links the program of the build anew as `output`, with these objects before all others.
-std::string linking(const fs::path& built, const std::string& program, const std::string& objects,
-                    const fs::path& output) {
+/// The command by which the build links the program.
+std::string linking(const fs::path& built, const std::string& program) {
   const Ended told = run_program({"ninja", "-C", built.string(), "-t", "commands", program}, "", 600s);
-  const auto last = told.output.rfind("\n: && ");
-  std::smatch parts;
-  const std::string line = last == std::string::npos ? "" : told.output.substr(last + 1);
-  static const std::regex link(R"(: && (\S+) (.*) -o \S+ (.*) && :\s*)");
-  if (!std::regex_match(line, parts, link))
+  const std::string_view before = ": && ", after = " && :";
+  const auto last = told.output.rfind("\n" + std::string(before)), end = told.output.rfind(after);
+  if (last == std::string::npos || end == std::string::npos || end < last)
     throw BadInput(built.string() + ": Ninja does not say how it links " + program + ": " + told.words);
-  return "cd '" + built.string() + "' && " + parts[1].str() + " -Wl,--allow-multiple-definition " + objects +
-         " " + parts[2].str() + " -o '" + output.string() + "' " + parts[3].str();
+  return told.output.substr(last + 1 + before.size(), end - last - 1 - before.size());
+}
+
+/// The same with this in place of that, which is there once.
+std::string replaced(std::string text, const std::string& that, const std::string& by) {
+  const auto at = text.find(that);
+  if (at == std::string::npos) throw BadInput("there is no " + that + "in this: " + text);
+  return text.replace(at, that.size(), by);
+}
+
+std::vector<fs::path> objects_in(const fs::path& list) {
+  std::ifstream in(list);
+  std::vector<fs::path> all;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty()) all.push_back(fs::path(line).lexically_normal());
+  return all;
+}
+
+/// Links the program anew: objects of the lists, which are those of libraries, before all others, and mutated
+/// tests in place of those that the build has.
+void link(const Folders& folders, const std::string& program, const std::vector<std::string>& lists) {
+  const std::string tests = "tests/CMakeFiles/", in_build = " " + tests + "oddity_tests.dir/";
+  fs::path output = program;
+  std::string line = linking(folders.beside, program);
+  if (program == "oddity_tests") {
+    output = "tests/oddity_tests";
+    for (const fs::path& object : objects_in(folders.build / "mutated_tests.objects")) {
+      const std::string name =
+          object.lexically_relative(folders.build / tests / "mutated_tests.dir").string();
+      line = replaced(line, in_build + name + " ", " '" + object.string() + "' ");
+    }
+  }
+  std::string first = " -Wl,--allow-multiple-definition";
+  for (const std::string& list : lists)
+    first += " '@" + (folders.build / ("mutated_" + list + ".objects")).string() + "'";
+  line = replaced(line, " -o " + output.string() + " ", " -o '" + (folders.build / output).string() + "' ");
+  shell("cd '" + folders.beside.string() + "' && " + line.insert(line.find(' '), first));
 }
 
 std::string joined(const std::set<std::string>& words, const std::string& between) {
@@ -67,14 +100,10 @@ fs::path compiled_program(const Folders& folders, const std::vector<Mutant>& mut
   build_targets(folders.build, "mutated");
   build_targets(folders.beside, joined(programs, " "));
   fs::create_directories(folders.build / "tests");
-  const auto objects = [&](const std::string& of) {
-    return "'@" + (folders.build / ("mutated_" + of + ".objects")).string() + "' ";
-  };
-  const std::string makers = objects("makers"),
-                    all = objects("solvers") + makers + objects("chapters") + objects("report");
   for (const std::string& program : programs)
-    shell(linking(folders.beside, program, program == "make_reference" ? makers : all,
-                  folders.build / (program == "oddity_tests" ? "tests" : "") / program));
+    link(folders, program,
+         program == "make_reference" ? std::vector<std::string>{"makers"}
+                                     : std::vector<std::string>{"solvers", "makers", "chapters", "report"});
   return folders.build / "oddity";
 }
 
