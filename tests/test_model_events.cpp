@@ -289,6 +289,16 @@ TEST_CASE("an event that passes is seen once, and one that rises is none", "[eve
   }
 }
 
+TEST_CASE("a guard below zero that rises and falls within one step is seen where it falls", "[events]") {
+  for (const char* name : {"velocity Verlet", "Runge-Kutta 4"}) {
+    INFO(name);
+    const auto motion = moved(name, Bouncing{1, 0, 1}, {-0.5, 2}, {0, 4}, 4);
+    CHECK(motion.trajectory.reached());
+    REQUIRE(motion.events.size() == 1);
+    CHECK(near(motion.events[0].time, 2 + std::sqrt(3), 1e-14));
+  }
+}
+
 TEST_CASE("two walls that are struck at once both strike", "[events]") {
   struct Corner {  // a point runs into a corner at unit speed in each direction
     void operator()(const std::array<double, 4>& x, std::array<double, 4>& dxdt, double) const {
