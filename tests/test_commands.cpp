@@ -440,7 +440,7 @@ TEST_CASE("parts of the suite's results are put together and judged as a whole",
   CHECK(says(again, "in 2 test cases"));
   CHECK(says(run(both + " --from " + one), "exercise 5.7 is in none of the files"));
   CHECK(says(run(both + " --from " + one + " --from " + all), "exercise 2.1 is there twice"));
-  const Ran listed = run("verify --shard 48/48 --list-test-names-only");
+  const Ran listed = run("verify --shard 48/48 --list-tests");
   CHECK(says(listed, "9.1"));
   CHECK_FALSE(says(listed, "8.5"));
   CHECK(says(run("verify --shard 49/49 --list-tests"), "there are 48 exercises"));
