@@ -8,6 +8,7 @@
 #include <iostream>
 #include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "chapters/random.hpp"
@@ -158,9 +159,12 @@ void record(const Request& request, const std::vector<Mutable>& files, const std
   const fs::path folder = tree / "tests/mutation";
   const Survivors survivors = updated(known, all, tried, outcomes);
   Scores scores = read_scores(folder / "mutation.csv");
+  std::set<std::string> killed;
+  for (const Mutant& m : tried)
+    if (outcomes.of(m)->fate == Fate::killed) killed.insert(m.id());
   for (auto [room, score] : scores_of(all, tried, outcomes, survivors)) {
     if (request.again) {
-      scores[room] = after_again(scores[room], room, known, survivors);
+      scores[room] = after_again(scores[room], room, known, survivors, killed);
       continue;
     }
     score.date = today();

@@ -142,11 +142,17 @@ Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& trie
   return scores;
 }
 
-Score after_again(Score score, const std::string& room, const Survivors& before, const Survivors& left) {
+Score after_again(Score score, const std::string& room, const Survivors& before, const Survivors& left,
+                  const std::set<std::string>& killed) {
   int without_reason = 0;
-  for (const auto& [id, s] : before)
-    if (s.room == room && !left.contains(id))
-      ++score.killed, --(s.reason.empty() ? score.survived : score.with_reason);
+  for (const auto& [id, s] : before) {
+    if (s.room != room || left.contains(id)) continue;
+    --(s.reason.empty() ? score.survived : score.with_reason);
+    if (killed.contains(id))
+      ++score.killed;
+    else
+      --score.tried;
+  }
   for (const auto& [id, s] : left)
     if (s.room == room && s.reason.empty()) ++without_reason;
   score.with_reason += score.survived - without_reason;

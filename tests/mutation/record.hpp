@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,9 +50,11 @@ using Scores = std::map<std::string, Score>;  ///< by room
 Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& tried, const Outcomes&,
                  const Survivors&);
 
-/// A room's score on record where its survivors alone were tried again, and these are left: the others are
-/// killed now, and what has no reason any more has been given one.
-Score after_again(Score score, const std::string& room, const Survivors& before, const Survivors& left);
+/// A room's score on record where its survivors alone were tried again, and these are left: of the others
+/// some are killed now, by id, and some are no more as the source has changed; what has no reason any more
+/// has been given one.
+Score after_again(Score score, const std::string& room, const Survivors& before, const Survivors& left,
+                  const std::set<std::string>& killed);
 
 /// The rooms of which the suite notices less, of the mutants that it reaches, than on record, by three times
 /// what such shares vary by; and those that are not on record.
