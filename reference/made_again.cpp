@@ -53,7 +53,8 @@ std::vector<std::string> words_of(const Truth& truth, std::size_t row, std::size
 }
 
 /// How far two right routes may be apart: by what so many digits leave open, or, where a table's are apart by
-/// more than its digits, by as many powers of ten more, but in chaos hardly more than these.
+/// more than its digits, by as many powers of ten more; in chaos that is no bound, and there by ten times the
+/// table's, or by 1e-10 of the size: the chaotic chain's last row is apart by 3e-12.
 Number most_apart(const Number& stored, const Number& size) {
   const Number ten = 10, in_chaos = std::max<Number>(ten * stored, size * pow(ten, -10));
   return std::max<Number>(size * pow(ten, 2 - digits_again),
@@ -90,7 +91,7 @@ std::vector<std::string> MadeAgain::row_differences(const std::vector<std::strin
   if (!(error > 0 && error <= made_[row].error))
     all.push_back("its error: " + unlike(error, made_[row].error));
   if (!(made_[row].error <= most_apart(error, size_of(made_[row].value))))
-    all.push_back("two routes: " + unlike(error, made_[row].error));
+    all.push_back("how far its routes are apart: " + unlike(error, made_[row].error));
   return all;
 }
 
