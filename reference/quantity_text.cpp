@@ -18,38 +18,46 @@ namespace {
 constexpr long double pi = std::numbers::pi;
 constexpr long double day = 86400, metres_in_au = 149597870700;
 
-/// How many of its base units a unit is, and the powers of those; powers of zero are left out.
+/// The powers of the base units.
+struct Powers {
+  int m = 0, s = 0, kg = 0, rad = 0, solar_mass = 0, bins = 0;
+
+  bool operator==(const Powers&) const = default;
+};
+
+/// How many of its base units a unit is, and the powers of those.
 struct Unit {
   long double size = 1;
-  std::map<std::string, int> powers = {};
+  Powers powers = {};
 
   void multiply(const Unit& other, int power) {
     size *= std::pow(other.size, power);
-    for (const auto& [base, p] : other.powers)
-      if ((powers[base] += p * power) == 0) powers.erase(base);
+    for (int Powers::*base :
+         {&Powers::m, &Powers::s, &Powers::kg, &Powers::rad, &Powers::solar_mass, &Powers::bins})
+      powers.*base += other.powers.*base * power;
   }
 };
 
 const std::map<std::string, Unit, std::less<>>& named_units() {
   static const std::map<std::string, Unit, std::less<>> units{
-      {"m", {1, {{"m", 1}}}},
-      {"s", {1, {{"s", 1}}}},
-      {"g", {1e-3L, {{"kg", 1}}}},
-      {"rad", {1, {{"rad", 1}}}},
-      {"N", {1, {{"kg", 1}, {"m", 1}, {"s", -2}}}},
-      {"J", {1, {{"kg", 1}, {"m", 2}, {"s", -2}}}},
-      {"W", {1, {{"kg", 1}, {"m", 2}, {"s", -3}}}},
-      {"Hz", {1, {{"s", -1}}}},
-      {"min", {60, {{"s", 1}}}},
-      {"h", {3600, {{"s", 1}}}},
-      {"d", {day, {{"s", 1}}}},
-      {"yr", {365.25L * day, {{"s", 1}}}},
-      {"AU", {metres_in_au, {{"m", 1}}}},
-      {"deg", {pi / 180, {{"rad", 1}}}},
-      {"°", {pi / 180, {{"rad", 1}}}},
-      {"rpm", {2 * pi / 60, {{"rad", 1}, {"s", -1}}}},
-      {"solar mass", {1, {{"solar mass", 1}}}},
-      {"bins", {1, {{"bins", 1}}}},
+      {"m", {1, {.m = 1}}},
+      {"s", {1, {.s = 1}}},
+      {"g", {1e-3L, {.kg = 1}}},
+      {"rad", {1, {.rad = 1}}},
+      {"N", {1, {.m = 1, .s = -2, .kg = 1}}},
+      {"J", {1, {.m = 2, .s = -2, .kg = 1}}},
+      {"W", {1, {.m = 2, .s = -3, .kg = 1}}},
+      {"Hz", {1, {.s = -1}}},
+      {"min", {60, {.s = 1}}},
+      {"h", {3600, {.s = 1}}},
+      {"d", {day, {.s = 1}}},
+      {"yr", {365.25L * day, {.s = 1}}},
+      {"AU", {metres_in_au, {.m = 1}}},
+      {"deg", {pi / 180, {.rad = 1}}},
+      {"°", {pi / 180, {.rad = 1}}},
+      {"rpm", {2 * pi / 60, {.s = -1, .rad = 1}}},
+      {"solar mass", {1, {.solar_mass = 1}}},
+      {"bins", {1, {.bins = 1}}},
       {"1", {}},
   };
   return units;
@@ -190,7 +198,7 @@ double in_unit(std::string_view text, std::string_view unit) {
   }
   throw BadInput(
       quoted + (given ? " has a unit that does not fit" : " is not a number, nor one with a unit") +
-      (wanted.powers.empty() ? ": this one has no unit" : "; units that fit: " + fitting(unit, wanted)));
+      (wanted.powers == Powers() ? ": this one has no unit" : "; units that fit: " + fitting(unit, wanted)));
 }
 
 }  // namespace oddity

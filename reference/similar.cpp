@@ -1,21 +1,28 @@
 #include "reference/similar.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace oddity {
 
-int typing_errors(std::string_view a, std::string_view b) {
-  const auto same = [](char x, char y) {
-    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
-  };
-  std::vector<int> all((a.size() + 1) * (b.size() + 1));
-  const auto errors = [&](std::size_t i, std::size_t j) -> int& { return all[i * (b.size() + 1) + j]; };
-  for (std::size_t i = 0; i <= a.size(); ++i)
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-      int& e = errors(i, j);
+namespace {
+
+char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// As typing_errors, or most + 1 where there are more.
+std::size_t errors_up_to(std::size_t most, std::string_view a, std::string_view b) {
+  const auto same = [](char x, char y) { return small(x) == small(y); };
+  // Between the first i letters of a and the first j of b: the last three rows, as far as i and j are no
+  // further apart than `most`.
+  const std::size_t columns = b.size() + 1;
+  std::vector<std::size_t> rows(3 * columns, most + 1);
+  const auto errors = [&](std::size_t i, std::size_t j) -> std::size_t& { return rows[i % 3 * columns + j]; };
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    const std::size_t first = i > most ? i - most : 0;
+    if (first > 0) errors(i, first - 1) = most + 1;
+    for (std::size_t j = first; j <= std::min(b.size(), i + most); ++j) {
+      std::size_t& e = errors(i, j);
       if (i == 0 || j == 0) {
-        e = static_cast<int>(i + j);
+        e = i + j;
         continue;
       }
       e = std::min({errors(i - 1, j) + 1, errors(i, j - 1) + 1,
@@ -23,12 +30,20 @@ int typing_errors(std::string_view a, std::string_view b) {
       if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]))
         e = std::min(e, errors(i - 2, j - 2) + 1);
     }
-  return errors(a.size(), b.size());
+  }
+  return std::min(errors(a.size(), b.size()), most + 1);
+}
+
+}  // namespace
+
+int typing_errors(std::string_view a, std::string_view b) {
+  return static_cast<int>(errors_up_to(std::max(a.size(), b.size()), a, b));
 }
 
 bool nearly_same(std::string_view a, std::string_view b, int most) {
+  const auto allowed = static_cast<std::size_t>(most);
   const std::size_t longer = std::max(a.size(), b.size()), shorter = std::min(a.size(), b.size());
-  return static_cast<int>(longer - shorter) <= most && typing_errors(a, b) <= most;
+  return longer - shorter <= allowed && errors_up_to(allowed, a, b) <= allowed;
 }
 
 std::vector<std::string> similar(std::string_view word, std::span<const std::string> candidates) {

@@ -1,5 +1,6 @@
 #include <array>
 #include <numbers>
+#include <random>
 
 #include "reference/quantity_text.hpp"
 #include "reference/similar.hpp"
@@ -53,6 +54,21 @@ TEST_CASE("a unit that does not fit is refused with those that do", "[reference]
     CHECK(refused(wrong, "m").find("is not a number, nor one with a unit; units that fit: m, cm") !=
           std::string::npos);
   CHECK(refused("1e999", "m") == "'1e999' is beyond what a number can hold");
+}
+
+TEST_CASE("whether two words are nearly the same does not take counting all their errors", "[reference]") {
+  std::mt19937 random(5);
+  const auto word = [&] {
+    std::string letters(random() % 9, 'a');
+    for (char& c : letters) c = static_cast<char>("abcA"[random() % 4]);
+    return letters;
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const std::string a = word(), b = word();
+    const int most = static_cast<int>(random() % 6);
+    CAPTURE(a, b, most);
+    REQUIRE(nearly_same(a, b, most) == (typing_errors(a, b) <= most));
+  }
 }
 
 TEST_CASE("what was meant is found by the fewest typing errors", "[reference]") {

@@ -35,25 +35,34 @@ std::vector<std::string> numbers_of(const auto& is_one) {
   return numbers;
 }
 
-std::vector<std::string_view> words_of(std::string_view text) {
-  std::vector<std::string_view> words;
+using WordsIn = std::vector<std::string_view>;
+
+/// The words of a text, without those that are too short to be mistaken for each other.
+WordsIn words_of(std::string_view text) {
+  WordsIn words;
   const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
   for (auto end = text.begin(); end != text.end();) {
     const auto begin = std::find_if(end, text.end(), in_word);
     end = std::find_if_not(begin, text.end(), in_word);
-    if (begin != end) words.emplace_back(begin, end);
+    if (end - begin > 3) words.emplace_back(begin, end);
   }
   return words;
 }
 
+const WordsIn& words_of_title(const Entry& entry) {
+  static const std::vector<WordsIn> titles = [] {
+    std::vector<WordsIn> all;
+    for (const Entry& one : registry()) all.push_back(words_of(one.exercise.title));
+    return all;
+  }();
+  return titles[static_cast<std::size_t>(&entry - registry().data())];
+}
+
 /// Whether a title, or what a parameter says, has a word that may have been meant.
-bool mentions(std::string_view says, std::string_view text) {
-  const std::vector<std::string_view> words = words_of(says);
-  for (const std::string_view asked : words_of(text))
-    for (const std::string_view word : words)
-      if (std::min(asked.size(), word.size()) > 3 &&
-          nearly_same(asked, word, static_cast<int>(asked.size()) / 4))
-        return true;
+bool mentions(const WordsIn& says, const WordsIn& asked) {
+  for (const std::string_view word : asked)
+    for (const std::string_view said : says)
+      if (nearly_same(word, said, static_cast<int>(word.size()) / 4)) return true;
   return false;
 }
 
@@ -86,9 +95,10 @@ std::string likely(const std::vector<std::string>& near) {
                    " has none; 'oddity list' shows all");
   }
   std::vector<std::string> meant;
+  const WordsIn asked = words_of(text);
   for (const Entry& entry : registry()) {
     const std::string number = to_string(entry.number);
-    if (std::ranges::find(near, number) != near.end() || mentions(entry.exercise.title, text))
+    if (std::ranges::find(near, number) != near.end() || mentions(words_of_title(entry), asked))
       meant.push_back(with_title(entry));
   }
   throw BadInput(refusal + suggested(meant) + (meant.empty() ? "; " : " ") + "'oddity list' shows all");
@@ -101,8 +111,9 @@ const Parameter& parameter_of(const Task& task, const std::string& name) {
   std::vector<std::string> names, meant;
   for (const Parameter& p : declared) names.emplace_back(p.name);
   const auto near = similar(name, names);
+  const WordsIn asked = words_of(name);
   for (const Parameter& p : declared)
-    if (std::ranges::find(near, p.name) != near.end() || mentions(p.says, name))
+    if (std::ranges::find(near, p.name) != near.end() || mentions(words_of(p.says), asked))
       meant.push_back(std::string(p.name) + " (" + readable(std::string(p.says)) + ")");
   throw BadInput("no parameter '" + name +
                  "'; the parameters are: " + (names.empty() ? "none" : joined(names)) + suggested(meant));
@@ -351,8 +362,8 @@ std::vector<Task> tasks_of(const std::vector<std::string>& exercises, bool scene
 std::vector<Task> tasks_about(const std::vector<std::string>& exercises) {
   std::vector<std::string> numbers;
   for (const std::string& text : exercises) {
-    const auto about = numbers_of(
-        [&](const Entry& e) { return !exercise_number(text) && mentions(e.exercise.title, text); });
+    const WordsIn asked = exercise_number(text) ? WordsIn() : words_of(text);
+    const auto about = numbers_of([&](const Entry& e) { return mentions(words_of_title(e), asked); });
     if (about.empty()) numbers.push_back(to_string(entry_of(text).number));
     std::ranges::copy(about, std::back_inserter(numbers));
   }

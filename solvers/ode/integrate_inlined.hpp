@@ -35,24 +35,32 @@ bool check_budget(long evaluations, Trajectory<State>& solved, double t) {
 template <class State>
 using TimeOf = std::conditional_t<std::is_same_v<typename State::value_type, float>, float, double>;
 
+/// Steps that can be copied with all that they remember: such a one is kept in registers, and made again.
+template <class DoStep>
+constexpr bool copied = std::is_copy_assignable_v<DoStep>;
+
 /// Steps first to last of size h. A function of its own, so that nothing around its loop takes registers.
 template <class DoStep, class State>
 [[gnu::noinline]] void steps_in_registers(DoStep& do_step, State& x, double t0, double h, long first,
                                           long last) {
   using Time = TimeOf<State>;
+  std::conditional_t<copied<DoStep>, DoStep, DoStep&> step = do_step;
   State now = x;
   for (long i = first; i < last; ++i)
-    do_step(now, static_cast<Time>(t0 + static_cast<double>(i) * h), static_cast<Time>(h));
+    step(now, static_cast<Time>(t0 + static_cast<double>(i) * h), static_cast<Time>(h));
   x = now;
+  if constexpr (copied<DoStep>) do_step = step;
 }
 
 /// Steps of equal size from t0 to t1, no longer than `step`; false when the integration is over. The state is
 /// stepped in a local copy, which the compiler can keep in registers. The steps are counted and their times
 /// computed in double, whatever the state is in: a state in float sees time and step rounded to float, and
 /// its time does not drift.
+/// The state is looked at after every 16 steps. Those that can be copied go on for 256; where these end in
+/// what is no state, or beyond the budget, they are made again, by 16.
 template <class DoStep, class State, class OnStep>
 [[gnu::always_inline]] inline bool equal_steps(DoStep& do_step, State& x, double t0, double t1, double step,
-                                               const long& evaluations, Trajectory<State>& solved,
+                                               long& evaluations, Trajectory<State>& solved,
                                                const OnStep& on_step) {
   const double count = std::max(1.0, std::ceil(std::abs(t1 - t0) / step * (1 - 1e-12)));
   if (!(count <= static_cast<double>(most_evaluations)))
@@ -62,7 +70,22 @@ template <class DoStep, class State, class OnStep>
   const double h = (t1 - t0) / count;
   const auto time_of = [=](long i) { return i == n ? t1 : t0 + static_cast<double>(i) * h; };
   State now = x;
+  bool by_many = copied<DoStep> && std::is_same_v<OnStep, NeverStop>;
   for (long i = 0; i < n;) {
+    if constexpr (copied<DoStep> && std::is_same_v<OnStep, NeverStop>) {
+      if (by_many) {
+        const long end = std::min(i + 256, n), evaluations_before = evaluations;
+        const DoStep step_before = do_step;
+        State after = now;
+        steps_in_registers(do_step, after, t0, h, i, end);
+        by_many = finite(after) && evaluations <= most_evaluations;
+        if (by_many)
+          now = after, i = end;
+        else
+          evaluations = evaluations_before, do_step = step_before;
+        continue;
+      }
+    }
     const long end = std::min(i + 16, n);
     if constexpr (std::is_same_v<OnStep, NeverStop>) {
       steps_in_registers(do_step, now, t0, h, i, end);
@@ -147,6 +170,17 @@ struct Counted {
   }
 };
 
+/// A step of an algorithm that remembers none.
+template <class Algorithm, class System>
+struct StepAlone {
+  const System* system;
+
+  template <class State, class Time>
+  void operator()(State& x, Time t, Time h) const {
+    Algorithm::template stepper<State>().do_step(*system, x, t, h);
+  }
+};
+
 /// Advances x from times[0] through all of them by advance(x, t0, t1), keeping the states.
 template <class State, class Advance>
 [[gnu::always_inline]] inline void through(std::span<const double> times, State x, Trajectory<State>& solved,
@@ -183,10 +217,8 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
       auto stepper = Algorithm::template stepper<State>();
       auto do_step = [&](State& x, auto t, auto h) { stepper.do_step(counted, x, t, h); };
       by(do_step);
-    } else {  // a stepper of its own for each step stays in registers
-      auto do_step = [&](State& x, auto t, auto h) {
-        Algorithm::template stepper<State>().do_step(counted, x, t, h);
-      };
+    } else {
+      detail::StepAlone<Algorithm, detail::Counted<System, State>> do_step{&counted};
       by(do_step);
     }
   } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <boost/numeric/odeint/stepper/velocity_verlet.hpp>
-#include <memory>
 #include <string_view>
 
 #include "solvers/ode/facts.hpp"
@@ -20,20 +19,40 @@ struct VelocityVerlet {
                                .evaluations = 1,
                                .imaginary_limit = 2,
                                .theory = Facts::trace};
+  /// Odeint's, with the acceleration here: its own is behind an address, five cycles from step to step.
   template <class State, class System>
-  static auto stepper(const System& system, long& evaluations) {
+  class Step {
+   public:
     using Half = typename detail::Halves<State>::Half;
     using Number = typename Half::value_type;
-    const auto verlet = std::make_shared<boost::numeric::odeint::velocity_verlet<Half, Half, Number>>();
-    return [&system, &evaluations, verlet](State& x, Number t, Number h) {
-      const auto force = [&](const Half& q, const Half&, Half& a, Number) {
-        ++evaluations;
-        system.acceleration(q, a);
+
+    Step(const System& system, long& evaluations) : system_(&system), evaluations_(&evaluations) {}
+
+    void operator()(State& x, Number t, Number h) {
+      const auto force = [this](const Half& q, const Half&, Half& a, Number) {
+        ++*evaluations_;
+        system_->acceleration(q, a);
       };
       detail::Halves<State> halves(x);
-      verlet->do_step(force, std::pair(std::ref(halves.q), std::ref(halves.v)), t, h);
+      if (!begun_) force(halves.q, halves.v, acceleration_, t);
+      begun_ = true;
+      Half next;
+      boost::numeric::odeint::velocity_verlet<Half, Half, Number>().do_step(
+          force, halves.q, halves.v, acceleration_, halves.q, halves.v, next, t, h);
+      acceleration_ = next;
       halves.put(x);
-    };
+    }
+
+   private:
+    const System* system_;
+    long* evaluations_;
+    Half acceleration_{};
+    bool begun_ = false;
+  };
+
+  template <class State, class System>
+  static auto stepper(const System& system, long& evaluations) {
+    return Step<State, System>(system, evaluations);
   }
 };
 
