@@ -55,7 +55,7 @@ leg_site() {  # chromium: every page and player of the site, opened from their f
   command -v npm >/dev/null || tools nodejs npm
   npm ci --prefix tests/site --no-audit --no-fund || exit 77
   ./oddity site
-  node --test tests/site/*.test.mjs
+  printf '%s\n' tests/site/*.test.mjs | xargs -P "$jobs" -n 1 node --test
 }
 
 leg_engines() {  # other people's engines do on the scenes what is on record of them
@@ -143,13 +143,13 @@ leg_thread() {  # thread sanitizer: a part of the suite in parallel
   TSAN_OPTIONS=halt_on_error=1 build/thread/oddity verify "${SUITE:-[3.5],[3.1],[2.13],[7.1]}"
 }
 
-leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of which the suite has to notice as many as on record; SAMPLE (300), MINUTES (6), PATHS
+leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of which the suite has to notice as many as on record; SAMPLE (300), MINUTES (12), PATHS
   ./oddity packages libclang-dev || exit 77
   build release oddity_mutate
   local recorded chapter
   mapfile -t recorded < <(sed -n 's/^[^#,]*,[^,]*,\(chapters\/[^,]*\),.*/\1/p' tests/mutation/mutation.csv)
   chapter=${recorded[0x$(git rev-parse --short=6 HEAD | cut -c1-6) % ${#recorded[@]}]}
-  build/release/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-6}" ${PATHS:-$chapter}
+  build/release/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-12}" ${PATHS:-$chapter}
 }
 
 leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in tests/fuzz/corpus; RECORD=1 adds these to those on record
