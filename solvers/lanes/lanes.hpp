@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstring>
 
 #include "solvers/lanes/functions.hpp"
 
@@ -61,7 +62,12 @@ class Lanes {
   [[gnu::always_inline]] explicit(!std::integral<A> && !std::same_as<A, T>) Lanes(A x)
       : Lanes(made([&](int) { return all<Register>(static_cast<T>(x)); })) {}
 
-  T operator[](std::size_t lane) const { return std::bit_cast<std::array<T, size()>>(v_)[lane]; }
+  /// From memory: g++ writes a whole register out for the one lane of it.
+  T operator[](std::size_t lane) const {
+    T x;
+    std::memcpy(&x, reinterpret_cast<const std::byte*>(v_) + lane * sizeof(T), sizeof(T));
+    return x;
+  }
   void set(std::size_t lane, T x) {
     if constexpr (Set::bytes == 0)
       v_[lane] = x;
