@@ -126,30 +126,38 @@ engines::State moved(engines::State s, double seconds) {
   return s;
 }
 
-void check_its_first_millisecond(const EngineScene& scene) {
+/// Of a scene that is looked at twice, a millisecond apart.
+void check_its_first_milliseconds(const EngineScene& scene) {
   INFO(scene.scene);
-  std::vector<engines::State> after;
-  for (const auto& body : scene.staging.world.bodies) after.push_back(moved(body.start, 1e-3));
-  // What accelerations of 200 m/s^2 or rad/s^2 add.
-  CHECK(distance(Value(scene.staging.observe(after, 1e-3)), scene.motion.reference.value) < 1e-4);
+  const Value& all = scene.motion.reference.value;
+  const std::size_t numbers = all.size() / 2;
+  for (std::size_t look : {1, 2}) {
+    const double t = 1e-3 * static_cast<double>(look);
+    std::vector<engines::State> after;
+    for (const auto& body : scene.staging.world.bodies) after.push_back(moved(body.start, t));
+    const auto truth = all.begin() + static_cast<std::ptrdiff_t>((look - 1) * numbers);
+    // What accelerations of 200 m/s^2 or rad/s^2 add.
+    CHECK(distance(Value(scene.staging.observe(after, t)),
+                   Value(std::vector(truth, truth + static_cast<std::ptrdiff_t>(numbers)))) < 100 * t * t);
+  }
 }
 
 }  // namespace
 
 TEST_CASE("every scene starts in engines where and as fast as in the book", "[engines]") {
-  const Need soon = need_of(1e-3, 1e3);
+  const Need soon = need_of(2e-3, 1e3);
   int scenes = 0;
   for (const Entry& entry : registry()) {
     if (!has_engine_scene(entry)) continue;
     ++scenes;
-    check_its_first_millisecond(engine_scene(Task(entry), soon, truth()));
+    check_its_first_milliseconds(engine_scene(Task(entry), soon, truth()));
     Task other(entry);
     other.parameters = a_tenth_more(entry);
-    check_its_first_millisecond(engine_scene(other, soon, truth()));
+    check_its_first_milliseconds(engine_scene(other, soon, truth()));
   }
   CHECK(scenes >= 10);
   for (const std::string& name : further_engine_scenes())
-    check_its_first_millisecond(further_engine_scene(name, soon));
+    check_its_first_milliseconds(further_engine_scene(name, soon));
 }
 
 namespace {

@@ -67,6 +67,16 @@ TEST_CASE("the coarse trials that follow another law are left out", "[fit]") {
   CHECK(f->first > 2);
 }
 
+TEST_CASE("trials over less than a factor of four have no order", "[fit]") {
+  const auto law_over = [](double factor) {
+    std::vector<double> x, y;
+    for (int i = 0; i < 5; ++i) x.push_back(std::pow(factor, -i / 4.0)), y.push_back(3 * x.back() * x.back());
+    return asymptotic_law(x, y);
+  };
+  CHECK(law_over(4));
+  CHECK(!law_over(3.9));
+}
+
 TEST_CASE("a count has its order in 1/n", "[fit]") {
   const auto m = method("panels", doubling("panels", 4, 6).settings, [](double n) { return 5 / (n * n); });
   const auto f = fitted(m);

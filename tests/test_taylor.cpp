@@ -141,6 +141,10 @@ TEST_CASE("every operation has the coefficients of a known series", "[taylor]") 
         binomial(0.4, 2.5), 1e-12);
   check(series_of([](const auto& x, const auto&) { return 1 / (sqrt(x) * x); }, 1, 0, order),
         binomial(0.4, 2.5), 1e-12);
+  // x' = x + 3: 4 exp(t) - 3
+  check(
+      series_of([](const auto& x, const auto&) { return x + 3; }, 1, 0, order),
+      [](int k) { return k == 0 ? 1 : 4 / std::tgamma(k + 1.0); }, 1e-15);
   // x' = exp(-x): log(1 + t)
   check(
       series_of([](const auto& x, const auto&) { return exp(-x); }, 0, 0, order),
