@@ -110,6 +110,29 @@ TEST_CASE("by fixed steps every body has the same bits in lanes as alone", "[lan
   CHECK(compared >= 150 * static_cast<int>(wide_ones().size()));
 }
 
+TEST_CASE("bodies stay side by side from call to call, and are where they are also when seen between",
+          "[lanes]") {
+  for_every_model([&](const SceneInLanes&, std::size_t, Precision, Batch& batch) {
+    if (batch.closed_form()) return;
+    constexpr double h = 1e-3;
+    Batch alone = batch, together = batch;
+    alone.steps(Registers::one, Fixed::runge_kutta_4, 0, h, 3);
+    alone.steps(Registers::one, Fixed::runge_kutta_4, 3 * h, h, 2);
+    together.steps(lanes::widest(), Fixed::runge_kutta_4, 0, h, 3);
+    CHECK(different(together, batch) == different(alone, batch));
+    together.steps(lanes::widest(), Fixed::runge_kutta_4, 3 * h, h, 2);
+    CHECK(different(together, alone) == 0);
+    for (Batch* one : {&alone, &together}) {  // on from there by others, and from the start again
+      one->steps(Registers::baseline, Fixed::runge_kutta_4, 5 * h, h, 2);
+      one->own_steps(Registers::one, 7 * h, 9 * h, 1e-5, h);
+      one->steps(lanes::widest(), Fixed::runge_kutta_4, 9 * h, h, 1);
+    }
+    CHECK(different(together, alone) == 0);
+    together.begin_again();
+    CHECK(different(together, batch) == 0);
+  });
+}
+
 TEST_CASE("by their own steps every body has the same bits in lanes as alone", "[lanes]") {
   for_every_model([&](const SceneInLanes& scene, std::size_t, Precision precision, Batch& batch) {
     if (batch.closed_form()) return;

@@ -16,6 +16,8 @@ Batch::Batch(const SceneInLanes& scene, std::size_t model, Precision precision,
 
 void Batch::begin_again() {
   if (closed_form()) return;
+  grouped_.reset();
+  behind_ = false;
   for (std::size_t i = 0; i < bodies_; ++i)
     beginning_.begin(&parameters_[i * scene_.parameters], &models_[i * beginning_.model_bytes],
                      &states_[i * beginning_.state_bytes]);
@@ -28,11 +30,40 @@ const Compiled& Batch::compiled(Registers registers) const {
 bool Batch::has(Fixed algorithm) const { return compiled(Registers::one).fixed[static_cast<int>(algorithm)]; }
 
 void Batch::steps(Registers registers, Fixed algorithm, double t0, double h, long steps) {
-  compiled(registers).fixed[static_cast<int>(algorithm)](bodies(), t0, h, steps);
+  group(registers);
+  const std::size_t together = compiled(registers).grouping.bodies;
+  compiled(registers).fixed[static_cast<int>(algorithm)](
+      {reinterpret_cast<const std::byte*>(group_models_.data()),
+       reinterpret_cast<std::byte*>(group_states_.data()), (bodies_ + together - 1) / together},
+      t0, h, steps);
+  behind_ = true;
+}
+
+void Batch::group(Registers registers) {
+  if (grouped_ == registers) return;
+  catch_up();
+  const Grouping& grouping = compiled(registers).grouping;
+  const std::size_t groups = (bodies_ + grouping.bodies - 1) / grouping.bodies;
+  const auto lines = [&](std::size_t bytes) {
+    return std::vector<Line>((groups * bytes + alignment - 1) / alignment);
+  };
+  group_models_ = lines(grouping.model_bytes);
+  group_states_ = lines(grouping.state_bytes);
+  grouping.in(bodies(), reinterpret_cast<std::byte*>(group_models_.data()),
+              reinterpret_cast<std::byte*>(group_states_.data()));
+  grouped_ = registers;
+}
+
+void Batch::catch_up() const {
+  if (!behind_) return;
+  compiled(*grouped_).grouping.out(reinterpret_cast<const std::byte*>(group_states_.data()), bodies());
+  behind_ = false;
 }
 
 std::vector<Ended> Batch::own_steps(Registers registers, double t0, double t1, double tolerance,
                                     double first_step) {
+  catch_up();
+  grouped_.reset();
   std::vector<Ended> ended(bodies_);
   compiled(registers).own_steps(bodies(), t0, t1, tolerance, first_step, ended.data());
   return ended;
@@ -44,6 +75,7 @@ std::vector<double> Batch::observed(Registers registers, double t) const {
     compiled(registers).at(parameters_.data(), bodies_, t, seen.data());
     return seen;
   }
+  catch_up();
   for (std::size_t i = 0; i < bodies_; ++i)
     beginning_.observe(&models_[i * beginning_.model_bytes], &states_[i * beginning_.state_bytes], t,
                        &seen[i * observables()]);
@@ -51,6 +83,7 @@ std::vector<double> Batch::observed(Registers registers, double t) const {
 }
 
 std::span<const std::byte> Batch::state(std::size_t body) const {
+  catch_up();
   return std::span(states_).subspan(body * beginning_.state_bytes, beginning_.state_bytes);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "chapters/exercise.hpp"
@@ -19,6 +20,9 @@ class Batch {
   std::size_t width(Registers registers) const { return compiled(registers).width; }
   bool has(Fixed algorithm) const;
 
+  /// Puts the bodies side by side for these registers, where fixed steps keep them; these do so themselves
+  /// where it is not done.
+  void group(Registers);
   /// From the bodies' states on; there is one of each algorithm for all registers, to the bit.
   void steps(Registers, Fixed, double t0, double h, long steps);
   std::vector<Ended> own_steps(Registers, double t0, double t1, double tolerance, double first_step);
@@ -32,14 +36,25 @@ class Batch {
 
  private:
   const Compiled& compiled(Registers) const;
-  Bodies bodies() { return {models_.data(), states_.data(), bodies_}; }
+  Bodies bodies() const { return {models_.data(), states_.data(), bodies_}; }
+  /// Where fixed steps have moved the groups, the bodies too.
+  void catch_up() const;
 
   const SceneInLanes& scene_;
   std::size_t of_all_;  ///< among the scene's models in double and then in float
   const Beginning& beginning_;
   std::vector<double> parameters_;
   std::size_t bodies_;
-  std::vector<std::byte> models_, states_;
+  std::vector<std::byte> models_;
+  mutable std::vector<std::byte> states_;
+
+  /// Memory as it is aligned for all registers.
+  struct alignas(alignment) Line {
+    std::byte bytes[alignment];
+  };
+  std::optional<Registers> grouped_;
+  std::vector<Line> group_models_, group_states_;
+  mutable bool behind_ = false;  ///< the bodies are, of their groups
 };
 
 /// The parameters of so many bodies, each a little off the exercise's: the k-th by k times `apart`.

@@ -41,6 +41,32 @@ Given<Number> given(const Value& value) {
   (std::make_index_sequence<parameter_count<Given>>());
 }
 
+/// A model by fixed steps.
+template <class Alone, class Together>
+struct FixedSteps {
+  using StateAlone = typename Alone::State;
+  using State = typename Together::State;
+  using In = Grouped<Alone, Together>;
+  static_assert(alignof(Together) <= alignment && alignof(State) <= alignment);
+
+  static void in(const Bodies& all, std::byte* models, std::byte* states) {
+    In::put_all(reinterpret_cast<const Alone*>(all.models), reinterpret_cast<const StateAlone*>(all.states),
+                all.count, reinterpret_cast<Room<Together>*>(models), reinterpret_cast<State*>(states));
+  }
+  static void out(const std::byte* states, const Bodies& all) {
+    In::take_all(reinterpret_cast<const State*>(states), reinterpret_cast<StateAlone*>(all.states),
+                 all.count);
+  }
+  static constexpr Grouping grouping() {
+    return {Pair<Alone, Together>::width, sizeof(Room<Together>), sizeof(State), in, out};
+  }
+  template <template <class> class Stepper>
+  static void by(const Groups& all, double t0, double h, long steps) {
+    fixed_steps<Stepper<Together>, Together>(reinterpret_cast<const Room<Together>*>(all.models),
+                                             reinterpret_cast<State*>(all.states), all.count, t0, h, steps);
+  }
+};
+
 template <class Set, template <class> class Given, class T, std::size_t i>
 struct Kernels {
   using Alone = Model<Given, Single<T>, i>;
@@ -51,13 +77,6 @@ struct Kernels {
   template <int registers>
   using Together = Model<Given, Lanes<T, Set, registers>, i>;
 
-  template <template <class> class Stepper>
-  static void fixed(const Bodies& all, double t0, double h, long steps) {
-    using State = typename Alone::State;
-    using Lanes = Together<std::tuple_size_v<State> <= 4 ? most : 1>;
-    fixed_steps<Stepper<Lanes>, Alone, Lanes>(reinterpret_cast<const Alone*>(all.models),
-                                              reinterpret_cast<State*>(all.states), all.count, t0, h, steps);
-  }
   static void own_steps(const Bodies& all, double t0, double t1, double tolerance, double first_step,
                         Ended* ended) {
     OwnSteps<Alone, Together<most>>(reinterpret_cast<const Alone*>(all.models),
@@ -87,10 +106,12 @@ struct Kernels {
     Compiled all{.width = Lanes<T, Set, 1>::size()};
     if constexpr (Integrated<Alone>) {
       all.own_steps = own_steps;
-      all.fixed[static_cast<int>(Fixed::runge_kutta_4)] = fixed<plain::RungeKutta4>;
+      using InGroups = FixedSteps<Alone, Together<std::tuple_size_v<typename Alone::State> <= 4 ? most : 1>>;
+      all.grouping = InGroups::grouping();
+      all.fixed[static_cast<int>(Fixed::runge_kutta_4)] = InGroups::template by<plain::RungeKutta4>;
       if constexpr (WithForces<Alone>) {
-        all.fixed[static_cast<int>(Fixed::velocity_verlet)] = fixed<plain::VelocityVerlet>;
-        all.fixed[static_cast<int>(Fixed::symplectic_euler)] = fixed<plain::SymplecticEuler>;
+        all.fixed[static_cast<int>(Fixed::velocity_verlet)] = InGroups::template by<plain::VelocityVerlet>;
+        all.fixed[static_cast<int>(Fixed::symplectic_euler)] = InGroups::template by<plain::SymplecticEuler>;
       }
     } else {
       all.at = at;

@@ -13,6 +13,25 @@ struct Bodies {
   std::size_t count;
 };
 
+/// The same in lanes, as they stay from call to call: groups of bodies side by side, each a model and a state
+/// of lanes.
+struct Groups {
+  const std::byte* models;
+  std::byte* states;
+  std::size_t count;
+};
+
+/// How bodies become groups. The last body stands in for those that there are not.
+struct Grouping {
+  std::size_t bodies = 0;                        ///< of a group
+  std::size_t model_bytes = 0, state_bytes = 0;  ///< of a group
+  void (*in)(const Bodies&, std::byte* models, std::byte* states) = nullptr;
+  void (*out)(const std::byte* states, const Bodies&) = nullptr;
+};
+
+/// What the groups' memory is aligned to, for all registers.
+constexpr std::size_t alignment = 64;
+
 /// How a body's own steps ended.
 struct Ended {
   long steps;    ///< tried
@@ -25,7 +44,8 @@ constexpr int fixed_count = 3;
 /// Null is what the model does not have: a closed form has no steps, and what is integrated no closed form.
 struct Compiled {
   std::size_t width = 0;  ///< numbers in a register
-  void (*fixed[fixed_count])(const Bodies&, double t0, double h, long steps) = {};
+  Grouping grouping = {};
+  void (*fixed[fixed_count])(const Groups&, double t0, double h, long steps) = {};
   void (*own_steps)(const Bodies&, double t0, double t1, double tolerance, double first_step,
                     Ended*) = nullptr;
   /// The observables of each body at t, of its parameters.

@@ -48,41 +48,44 @@ void take(Alone& one, const Together& all, std::size_t lane) {
   for (std::size_t i = 0; i < one.size(); ++i) one[i] = all[i][lane];
 }
 
-/// The states of bodies from `first` on, side by side; the last stands in for those that there are not. A
-/// function of its own, as is the next: where lanes are seen to be put one by one, g++ takes the registers
-/// apart in every step.
-template <class State, class Number, class Alone>
-[[gnu::noinline]] State put_all(const Alone* states, std::size_t first, std::size_t bodies) {
-  State x;
-  for (std::size_t lane = 0; lane < Number::size(); ++lane)
-    put<Number>(x, lane, states[first + lane < bodies ? first + lane : bodies - 1]);
-  return x;
-}
-template <class Number, class State, class Alone>
-[[gnu::noinline]] void take_all(const State& x, Alone* states, std::size_t first, std::size_t bodies) {
-  for (std::size_t lane = 0; lane < Number::size() && first + lane < bodies; ++lane)
-    take<Number>(states[first + lane], x, lane);
-}
-
-/// Steps of the size h from t0; Stepper is such as those of report/plain. The time is counted in double.
-template <class Stepper, class Alone, class Together>
-void fixed_steps(const Alone* models, typename Alone::State* states, std::size_t bodies, double t0, double h,
-                 long steps) {
+/// Groups of as many bodies as there are lanes.
+template <class Alone, class Together>
+struct Grouped {
   using P = Pair<Alone, Together>;
   using Number = typename P::Number;
-  using T = typename P::T;
-  for (std::size_t first = 0; first < bodies; first += P::width) {
-    Room<Together> room;
-    for (std::size_t lane = 0; lane < P::width; ++lane)
-      put<Number>(room.model, lane, models[first + lane < bodies ? first + lane : bodies - 1]);
-    const auto begun = put_all<typename P::State, Number>(states, first, bodies);
-    auto x = begun;
+
+  static std::size_t groups(std::size_t bodies) { return (bodies + P::width - 1) / P::width; }
+
+  /// The last body stands in for those that there are not.
+  static void put_all(const Alone* models, const typename Alone::State* states, std::size_t bodies,
+                      Room<Together>* models_in_lanes, typename P::State* states_in_lanes) {
+    for (std::size_t i = 0; i < groups(bodies) * P::width; ++i) {
+      const std::size_t body = i < bodies ? i : bodies - 1;
+      put<Number>(models_in_lanes[i / P::width].model, i % P::width, models[body]);
+      put<Number>(states_in_lanes[i / P::width], i % P::width, states[body]);
+    }
+  }
+  static void take_all(const typename P::State* states_in_lanes, typename Alone::State* states,
+                       std::size_t bodies) {
+    for (std::size_t i = 0; i < bodies; ++i)
+      take<Number>(states[i], states_in_lanes[i / P::width], i % P::width);
+  }
+};
+
+/// Steps of the size h from t0; Stepper is such as those of report/plain. The time is counted in double.
+template <class Stepper, class Together>
+void fixed_steps(const Room<Together>* models, typename Together::State* states, std::size_t groups,
+                 double t0, double h, long steps) {
+  using Number = typename Together::State::value_type;
+  using T = typename Number::value_type;
+  for (std::size_t group = 0; group < groups; ++group) {
+    const Together model = models[group].model;
+    auto x = states[group];
     Stepper stepper;
     for (long i = 0; i < steps; ++i)
-      stepper.step(room.model, x, Number(static_cast<T>(t0 + static_cast<double>(i) * h)),
+      stepper.step(model, x, Number(static_cast<T>(t0 + static_cast<double>(i) * h)),
                    Number(static_cast<T>(h)));
-    const auto ended = x;
-    take_all<Number>(ended, states, first, bodies);
+    states[group] = x;
   }
 }
 
