@@ -131,7 +131,7 @@ void check_its_first_milliseconds(const EngineScene& scene) {
   INFO(scene.scene);
   const Value& all = scene.motion.reference.value;
   const std::size_t numbers = all.size() / 2;
-  for (std::size_t look : {1, 2}) {
+  for (std::size_t look : {1u, 2u}) {
     const double t = 1e-3 * static_cast<double>(look);
     std::vector<engines::State> after;
     for (const auto& body : scene.staging.world.bodies) after.push_back(moved(body.start, t));
