@@ -90,6 +90,9 @@ TEST_CASE("the cheapest method that holds is chosen, and tested elsewhere", "[ch
   CHECK_FALSE(choice.next_cheaper);
   REQUIRE(choice.next_richer);
   CHECK(choice.next_richer->model == "rich");
+  std::set<std::pair<std::string, std::string>> methods;
+  for (const Candidate& c : choice.candidates) CHECK(methods.emplace(c.model, c.algorithm).second);
+  CHECK(methods.size() >= 2);
 }
 
 TEST_CASE("what restarts cost a method counts as often as runs are ended", "[choose]") {

@@ -86,6 +86,16 @@ TEST_CASE("a count has its order in 1/n", "[fit]") {
   CHECK(shown_fit(m, f) == "order 2.00");
 }
 
+TEST_CASE("errors that may scatter have a law where half of them follow it", "[fit]") {
+  const auto law_over_first = [](int count) {
+    return fitted(method("tolerance", halving("tolerance", 1e-3, 10).settings, [&](double tolerance) {
+      return 20 * std::max(tolerance, 1e-3 * std::pow(0.5, count - 1));
+    }));
+  };
+  CHECK(law_over_first(5));
+  CHECK(!law_over_first(4));
+}
+
 TEST_CASE("a tolerance has exponent and factor, and may scatter", "[fit]") {
   Random random(1);
   const auto m = method("tolerance", tolerances().settings,
