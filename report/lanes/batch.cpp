@@ -31,10 +31,9 @@ bool Batch::has(Fixed algorithm) const { return compiled(Registers::one).fixed[s
 
 void Batch::steps(Registers registers, Fixed algorithm, double t0, double h, long steps) {
   group(registers);
-  const std::size_t together = compiled(registers).grouping.bodies;
   compiled(registers).fixed[static_cast<int>(algorithm)](
       {reinterpret_cast<const std::byte*>(group_models_.data()),
-       reinterpret_cast<std::byte*>(group_states_.data()), (bodies_ + together - 1) / together},
+       reinterpret_cast<std::byte*>(group_states_.data()), groups(registers)},
       t0, h, steps);
   behind_ = true;
 }
@@ -43,15 +42,19 @@ void Batch::group(Registers registers) {
   if (grouped_ == registers) return;
   catch_up();
   const Grouping& grouping = compiled(registers).grouping;
-  const std::size_t groups = (bodies_ + grouping.bodies - 1) / grouping.bodies;
   const auto lines = [&](std::size_t bytes) {
-    return std::vector<Line>((groups * bytes + alignment - 1) / alignment);
+    return std::vector<Line>((groups(registers) * bytes + alignment - 1) / alignment);
   };
   group_models_ = lines(grouping.model_bytes);
   group_states_ = lines(grouping.state_bytes);
   grouping.in(bodies(), reinterpret_cast<std::byte*>(group_models_.data()),
               reinterpret_cast<std::byte*>(group_states_.data()));
   grouped_ = registers;
+}
+
+std::size_t Batch::groups(Registers registers) const {
+  const std::size_t each = compiled(registers).grouping.bodies;
+  return (bodies_ + each - 1) / each;
 }
 
 void Batch::catch_up() const {

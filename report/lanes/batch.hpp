@@ -37,6 +37,8 @@ class Batch {
  private:
   const Compiled& compiled(Registers) const;
   Bodies bodies() const { return {models_.data(), states_.data(), bodies_}; }
+  /// How many groups the bodies make.
+  std::size_t groups(Registers) const;
   /// Where fixed steps have moved the groups, the bodies too.
   void catch_up() const;
 
