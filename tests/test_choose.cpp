@@ -1,6 +1,7 @@
 // Choosing, on a made-up scene whose truth is a = x(t) for all t and whose methods err by known amounts.
 
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "reference/bad_input.hpp"
@@ -123,6 +124,32 @@ TEST_CASE("what restarts cost a method counts as often as runs are ended", "[cho
   need.restart_every = 2;
   CHECK(chosen().model == "without");
   CHECK(chosen().seconds_per_frame == Approx(2e-9));
+}
+
+TEST_CASE("a period is measured between passages of the mean, wherever the motion lies", "[choose]") {
+  // Once a second about 5; the method is slower by a hundredth.
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    const auto turning = [&](double period) {
+      std::vector<double> x;
+      for (double t : horizon.times()) x.push_back(5 + p["a"] * std::cos(2 * std::numbers::pi * t / period));
+      x.erase(x.begin());  // the start, at which nothing is judged
+      return x;
+    };
+    Quantity q{"place", "m", "", {"exact", Value(turning(1))}, 1e-16, {1e-6, ""}, {}, {}};
+    q.samples = horizon.count();
+    q.add({"slow", "exact", no_knob(), [slow = turning(1.01)](double) { return Answer{Value(slow), 1}; }});
+    return q;
+  };
+  const Entry turning{{3, 97},
+                      "",
+                      {"turning", "", parameters,
+                       Scene{scene, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}}, nullptr}};
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  Need need = asked(0.02, 10);
+  need.criterion = Criterion::period;
+  const Choice choice = choose(Task(turning), need, truth, counted_cost);
+  REQUIRE(choice.chosen);
+  CHECK(choice.chosen->error == Approx(0.5).epsilon(0.03));
 }
 
 TEST_CASE("a coarse model that fails beside the start asked for is not chosen", "[choose]") {

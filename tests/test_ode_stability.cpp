@@ -149,6 +149,10 @@ struct Oscillator {
   void acceleration(const std::array<double, 1>& q, std::array<double, 1>& a) const { a[0] = -q[0]; }
 };
 
+struct Growth {
+  void operator()(const std::array<double, 1>& x, std::array<double, 1>& dxdt, double) const { dxdt = x; }
+};
+
 }  // namespace
 
 TEST_CASE("two motions that start together part where theory says", "[solvers]") {
@@ -190,6 +194,16 @@ TEST_CASE("where the Jacobian stands still a disturbance of the true motion is l
     CHECK(std::isinf(disturbed.lost_along_truth(algorithm, 0.97 * limit)));
     CHECK(std::isfinite(disturbed.lost_along_truth(algorithm, 1.03 * limit)));
   }
+}
+
+TEST_CASE("what grows in truth is lost at the step at which a method has made too much of it", "[solvers]") {
+  // x' = x parts by t in truth; implicit Euler makes 1 / (1 - h) of it in a step.
+  const Adapted<AnySystem<1>, Growth> growth{Growth{}};
+  const Disturbed<1> disturbed(growth, {1}, 18);
+  const double h = 0.9, in_a_step = -std::log(1 - h);
+  int steps = 1;
+  while (steps * in_a_step <= Criteria{}.as_fast * steps * h + std::log(Criteria{}.granted)) ++steps;
+  CHECK(near(disturbed.lost_along_truth("linearly implicit Euler", h), steps * h, 1e-12));
 }
 
 TEST_CASE("an oscillation's turns are counted", "[solvers]") {

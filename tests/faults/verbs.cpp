@@ -129,7 +129,7 @@ std::vector<Verb> verbs(const Installed& program) {
        .prepare = with_tables},
       {.name = "new", .words = {"new", "20.1", "comet", "--topic", "space", "--in", "{}/out"}, .once = true},
       {.name = "engines", .words = {"engines", "free body", "--finest", "1"}},
-      {.name = "prove", .words = {"prove", "3.1", "--out", "{}/out"}},
+      {.name = "prove", .words = {"prove", "5.1", "--out", "{}/out"}},
   };
 }
 
