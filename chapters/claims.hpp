@@ -142,7 +142,8 @@ Typesetting compare_typeset(const Formula<Sample>& formula, const std::vector<Sa
     constexpr std::size_t enough = 8;
     std::vector<std::pair<TypesetLetters, Value>> computed;
     for (std::size_t i = 0; i < std::min(enough, samples.size()); ++i)
-      computed.emplace_back(samples[i].typeset(), formula.of(samples[i]));
+      if (const TypesetLetters letters = samples[i].typeset(); !letters.empty())
+        computed.emplace_back(letters, formula.of(samples[i]));
     return compare_typeset(formula.text, computed);
   }
   return {};
@@ -182,6 +183,19 @@ Check in_all(const std::string& text, const std::vector<Sample>& samples,
     if (++violations == 1) where = "one of them: " + sample.where();
   }
   return no_violations(text + ": cases against it", violations, static_cast<long>(samples.size()), where);
+}
+
+/// The sentence, where it is an inequality or an equation, beside whether the samples bear it out.
+template <class Sample>
+Typesetting compare_typeset(const Statement<Sample>& statement, const std::vector<Sample>& samples) {
+  if constexpr (requires(const Sample& s) { s.typeset(); }) {
+    constexpr std::size_t enough = 64;
+    std::vector<std::pair<TypesetLetters, bool>> said;
+    for (std::size_t i = 0; i < std::min(enough, samples.size()); ++i)
+      said.emplace_back(samples[i].typeset(), statement.holds(samples[i]));
+    return compare_typeset(statement.text, said);
+  }
+  return {};
 }
 
 /// What a claim that something is so in every case consists of.
@@ -244,7 +258,9 @@ class Claims {
                     const StatementClaim<Sample>& parts) {
     return judged(slug, line, std::move(says), parts, [&](const Statement<Sample>& statement) -> Reading {
       if (!statement.holds) return {};
-      return {statement.text, {in_all(statement.text, samples, statement.holds)}};
+      const Typesetting typeset = compare_typeset(statement, samples);
+      if (!typeset.difference.empty()) differences_.push_back(std::string(slug) + ": " + typeset.difference);
+      return {statement.text, {in_all(statement.text, samples, statement.holds)}, typeset.read};
     });
   }
 

@@ -1,7 +1,9 @@
 // What is typeset beside what is computed under it.
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -172,6 +174,72 @@ Typesetting compare_typeset(const std::string& text,
   if (is_it) return {true, "", is_a_side ? unequal : ""};
   if (matches.empty() || std::ranges::count(matches, Match::unread) > 0) return {};
   return {false, text + " is typeset, which is " + seen, ""};
+}
+
+namespace {
+
+constexpr std::array relations{R"(\le)", R"(\ge)", R"(\ne)", "=", "<", ">"};
+
+/// The first relation from there on, and where it is; that of a letter, \left, is none.
+std::pair<std::string, std::size_t> next_relation(std::string_view formula, std::size_t from) {
+  for (std::size_t at = from; at < formula.size(); ++at)
+    for (const std::string relation : relations) {
+      const std::size_t end = at + relation.size();
+      const bool goes_on = relation.size() > 1 && end < formula.size() &&
+                           std::isalpha(static_cast<unsigned char>(formula[end]));
+      if (formula.substr(at, relation.size()) == relation && !goes_on) return {relation, at};
+    }
+  return {"", formula.size()};
+}
+
+bool holds(const Value& left, const std::string& relation, const Value& right,
+           const std::function<double()>& terms) {
+  constexpr double precision = 1e-9;
+  const std::optional<Value> off = difference(left, right);
+  if (relation == "=" || relation == R"(\ne)")
+    return (size_of(*off) <= precision * terms()) == (relation == "=");
+  return std::ranges::all_of(*off, [&](double x) {
+    return relation == "<" ? x < 0 : relation == ">" ? x > 0 : relation == R"(\le)" ? x <= 0 : x >= 0;
+  });
+}
+
+}  // namespace
+
+std::optional<bool> typeset_relation(std::string_view formula, const TypesetLetters& letters) {
+  std::optional<Value> left;
+  std::string relation;
+  bool so = true;
+  for (std::size_t first = 0, begin = 0; begin <= formula.size();) {
+    const auto [next, end] = next_relation(formula, begin);
+    const std::optional<Value> right = typeset_value(formula.substr(begin, end - begin), letters);
+    if (!right || (!relation.empty() && !difference(left, right))) return std::nullopt;
+    if (!relation.empty()) {
+      const auto terms = [&](std::size_t from, std::size_t to) {
+        return size_of_terms(std::string(formula.substr(from, to - from)), letters, 0);
+      };
+      so = so && holds(*left, relation, *right,
+                       [&] { return terms(first, begin - relation.size()) + terms(begin, end); });
+    }
+    first = begin;
+    if (next.empty()) return relation.empty() ? std::nullopt : std::optional(so);
+    left = right;
+    relation = next;
+    begin = end + next.size();
+  }
+  return std::nullopt;
+}
+
+Typesetting compare_typeset(const std::string& text,
+                            const std::vector<std::pair<TypesetLetters, bool>>& said) {
+  if (!is_formula(text)) return {};
+  for (const auto& [letters, so] : said) {
+    const std::optional<bool> typeset = typeset_relation(text.substr(1, text.size() - 2), letters);
+    if (!typeset) return {};
+    if (*typeset != so)
+      return {false, text + " is typeset, which is " + (so ? "not so" : "so") + " at " + told(letters, 4),
+              ""};
+  }
+  return {!said.empty(), "", ""};
 }
 
 bool is_as_typeset(const Typesetting& typesetting) {

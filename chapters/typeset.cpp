@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 #include "reference/text.hpp"
@@ -343,6 +344,7 @@ class Reader {
   /// \sum_i m_ix_i, or \sum m_ix_i, is over all that there are letters of, and of one product.
   Matrix sum_over_index() {
     expect(R"(\sum)");
+    if (take_all({"_", R"(\sigma)"})) return sum_over_permutations();
     std::string index;
     double last = 99;
     if (take_all({"_", "{"})) {
@@ -358,6 +360,39 @@ class Reader {
       index = first_index();
     }
     return sum_over(index, static_cast<int>(last));
+  }
+  /// Of all that follows.
+  Matrix sum_over_permutations() {
+    const Tokens term = from(std::exchange(at_, tokens_.size()), tokens_.size());
+    std::vector<int> order(static_cast<std::size_t>(std::ranges::count(term, R"(\sigma)")));
+    if (std::ranges::count(term, R"(\varepsilon)") > 0 && !order.empty()) order.pop_back();  // the sign's own
+    if (order.empty() || order.size() > 6) throw Unread();
+    std::iota(order.begin(), order.end(), 1);
+    double total = 0;
+    do total += number(Reader(permuted(term, order), letters_).all());
+    while (std::ranges::next_permutation(order).found);
+    return {{total}};
+  }
+  /// \sigma(k) is the k-th, and \varepsilon_\sigma -1 where an odd number of pairs is out of order.
+  static Tokens permuted(const Tokens& term, const std::vector<int>& order) {
+    int inversions = 0;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      for (std::size_t k = i + 1; k < order.size(); ++k) inversions += order[i] > order[k];
+    Tokens all;
+    for (std::size_t i = 0; i < term.size(); ++i)
+      if (term[i] == R"(\varepsilon)" && i + 2 < term.size() && term[i + 2] == R"(\sigma)") {
+        if (inversions % 2 != 0) all.insert(all.end(), {"(", "-", "1", ")"});
+        i += 2;
+      } else if (term[i] == R"(\sigma)" && i + 3 < term.size() && term[i + 1] == "(" && term[i + 3] == ")" &&
+                 term[i + 2].size() == 1 && is_digit(term[i + 2][0])) {
+        const auto k = static_cast<std::size_t>(term[i + 2][0] - '1');
+        if (k >= order.size()) throw Unread();
+        all.push_back(std::to_string(order[k]));
+        i += 3;
+      } else {
+        all.push_back(term[i]);
+      }
+    return all;
   }
   std::string first_index() const {
     for (std::size_t i = at_; i + 1 < tokens_.size(); ++i)
@@ -421,6 +456,7 @@ class Reader {
     }
     if (take_all({R"(\frac)", "d", "{", "d", "t", "}"})) return time_derivative();
     if (take_all({R"(\int)", "_"})) return integral();
+    if (take(R"(\int)")) return along_curve();
     if (take_all({R"(\begin)", "{", "p", "m", "a", "t", "r", "i", "x", "}"})) return matrix();
     if (take(R"(\frac)")) {
       const Matrix above = argument();
@@ -512,6 +548,35 @@ class Reader {
       return number(Reader(integrand, letters).all());
     };
     return {{gauss_legendre(f, low, high, 64).value}};
+  }
+
+  /// \int f\,ds, by the nodes that ds has weights of: other letters of as many numbers or pairs are at these.
+  Matrix along_curve() {
+    const Tokens ds{"d", "s"};
+    const auto here = tokens_.begin() + static_cast<std::ptrdiff_t>(at_);
+    const auto end = std::search(here, tokens_.end(), ds.begin(), ds.end());
+    const Matrix* weights = value_of(letters_, ds);
+    if (end == tokens_.end() || !weights || weights->entries.size() < 10) throw Unread();
+    Tokens integrand(here, end);
+    if (integrand.empty()) integrand = {"1"};
+    at_ += static_cast<std::size_t>(end - here) + ds.size();
+    const std::size_t n = weights->entries.size();
+    double total = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      total += weights->entries[i] * number(Reader(integrand, at_node(i, n)).all());
+    return {{total}};
+  }
+  Letters at_node(std::size_t i, std::size_t n) const {
+    Letters all;
+    for (const auto& [letter, value] : letters_)
+      if (const std::size_t size = value.entries.size(); size >= n && size % n == 0) {
+        const auto first = value.entries.begin() + static_cast<std::ptrdiff_t>(i * (size / n));
+        const auto end = first + static_cast<std::ptrdiff_t>(size / n);
+        all.push_back({letter, {std::vector<double>(first, end)}});
+      }
+    all.insert(all.end(), letters_.begin(), letters_.end());
+    std::ranges::stable_sort(all, std::ranges::greater(), [](const auto& l) { return l.first.size(); });
+    return all;
   }
 
   /// The longest that fits and is not part of a longer one: R is not the beginning of R_1.

@@ -26,10 +26,16 @@ std::string told(const TypesetLetters&, std::size_t count);
 ///   e_{ijk}g_jf_k                  in index notation, over 0, 1, 2; f_i alone is a vector, a_{rc} a matrix
 ///   \frac{d}{dt}(m\dot x)          along the letters' rates \dot x, \ddot x, of the factor that follows
 ///   \int_0^T f\,dt                between numbers, by Gauss's rule
+///   \int f\,ds                     along a curve, ds a letter of at least ten numbers, the others' too: at nodes
+///   \sum_\sigma a_{\sigma(1)1}     over all permutations of as many digits, with the sign \varepsilon_\sigma
 ///   x\pm y, x\mp y                 where \pm is a letter, 1 or -1
 /// A quotient's bar / is over the one factor that follows; a function without parentheses is of what follows
 /// it up to \,, a sign, another function, or a letter with a dot.
 std::optional<Value> typeset_value(std::string_view formula, const TypesetLetters&);
+
+/// Whether it is so, \ddot q<0 or x_1=x_2=0, and for tuples in every component; equal is to a billionth of
+/// the terms that are added up. Nothing where a side is none that is known, or there is but one.
+std::optional<bool> typeset_relation(std::string_view formula, const TypesetLetters&);
 
 /// Whether all of the text is one formula.
 bool is_formula(std::string_view text);
@@ -47,6 +53,10 @@ struct Typesetting {
 /// but not for the lone letter on its left, for several of them in a row, or for what two differ by.
 Typesetting compare_typeset(const std::string& text,
                             const std::vector<std::pair<TypesetLetters, Value>>& computed);
+
+/// A text, some samples' letters, and whether it is said to be so of each.
+Typesetting compare_typeset(const std::string& text,
+                            const std::vector<std::pair<TypesetLetters, bool>>& said);
 
 /// Whether it has been read. Throws std::logic_error where it is something else.
 bool is_as_typeset(const Typesetting&);

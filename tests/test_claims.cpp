@@ -1,7 +1,9 @@
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "chapters/contents.hpp"
+#include "chapters/typeset.hpp"
 #include "reference/reference.hpp"
 #include "reference/verdicts.hpp"
 #include "tests/catch.hpp"
@@ -16,6 +18,13 @@ Findings studied(const Entry& entry, std::initializer_list<std::pair<std::string
   Parameters p(entry.exercise.parameters);
   for (const auto& [name, value] : values) p.set(name, value);
   return entry.exercise.study(p, Reference(tables));
+}
+
+/// With the usual parameters, once a run.
+const Findings& studied(const Entry& entry) {
+  static std::map<const Entry*, Findings> known;
+  const auto found = known.find(&entry);
+  return found != known.end() ? found->second : known.emplace(&entry, studied(entry, {})).first->second;
 }
 
 bool is_random(const Entry& entry) {
@@ -43,7 +52,7 @@ double resolution(const Check& check) {
 
 TEST_CASE("no tolerance is ten thousand times wider than what is observed, or than rounding", "[claims]") {
   for (const Entry& entry : registry())
-    for (const Claim& claim : studied(entry, {}).claims)
+    for (const Claim& claim : studied(entry).claims)
       for (const Check& check : deciding(claim).checks) {
         INFO(claim.id << ", " << check.quantity << ": " << check.tolerance.reason);
         CHECK(check.difference() <= check.tolerance.allowed);
@@ -51,12 +60,21 @@ TEST_CASE("no tolerance is ten thousand times wider than what is observed, or th
       }
 }
 
+TEST_CASE("a reading that is one formula is read from the page, and is what is computed", "[claims]") {
+  for (const Entry& entry : registry())
+    for (const Claim& claim : studied(entry).claims)
+      for_each_reading(claim, [&](const std::string& name, const Reading& reading) {
+        INFO(claim.id << ", " << name << ": " << reading.text);
+        CHECK((!is_formula(reading.text) || reading.as_typeset));
+      });
+}
+
 TEST_CASE("a near miss fails by a thousand tolerances, but where what is printed is no finer", "[claims]") {
   const auto as_printed = [](const Tolerance& t) {
     return t.reason.starts_with("half ") || t.reason == "the way of one step";
   };
   for (const Entry& entry : registry())
-    for (const Claim& claim : studied(entry, {}).claims)
+    for (const Claim& claim : studied(entry).claims)
       for (const Reading& near : claim.near_misses) {
         double most = 0;  // in tolerances
         for (const Check& check : near.checks)
@@ -96,7 +114,7 @@ TEST_CASE("a reference that is computed in doubles states its own rounding", "[c
 TEST_CASE("every finding in the book has a kind, and every erratum a root that is told with a number",
           "[claims]") {
   for (const Entry& entry : registry()) {
-    const Findings findings = studied(entry, {});
+    const Findings& findings = studied(entry);
     for (const Claim& claim : findings.claims) {
       const Verdict v = verdict(claim);
       if (v != Verdict::misprint && v != Verdict::erratum) continue;

@@ -144,6 +144,61 @@ TEST_CASE("derivatives are along the letters' rates, integrals between their bou
     CHECK_FALSE(typeset_value(formula, all));
 }
 
+TEST_CASE("an integral along a curve is over the nodes that its letters are known at", "[typeset]") {
+  // x = s from 0 to 2 at 20 midpoints, on which F is (1, s)
+  std::vector<double> ds, delta, F;
+  for (int i = 0; i < 20; ++i) {
+    const double s = (i + 0.5) / 10;
+    ds.push_back(0.1), delta.push_back(3 + s);
+    F.insert(F.end(), {1, s});
+  }
+  const TypesetLetters all{{"F", {7, 7}},        {"F", F},      {"ds", ds},
+                           {R"(\delta)", delta}, {"n", {0, 2}}, {"m", 5}};
+  const auto near = [&](const char* formula, double value) {
+    const auto typeset = typeset_value(formula, all);
+    return typeset && std::abs((*typeset)[0] - value) <= 1e-13 * std::abs(value);
+  };
+  CHECK(near(R"(\int ds)", 2));
+  CHECK(near(R"(m\int\delta\,ds+1)", 41));
+  CHECK(near(R"(\int F\cdot n\,ds)", 4));
+  CHECK(near(R"(F\cdot n+\int m\,ds)", 24));  // outside it is another letter
+  for (const char* formula : {R"(\int\delta)", R"(\int q\,ds)", R"(\int F\,ds)"})
+    CHECK_FALSE(typeset_value(formula, all));
+  CHECK_FALSE(typeset_value(R"(\int ds)", {{"ds", 1}}));
+}
+
+TEST_CASE("a sum over permutations has their signs", "[typeset]") {
+  const TypesetLetters all{{"a_{11}", 1}, {"a_{12}", 2}, {"a_{21}", 3}, {"a_{22}", 4}};
+  const auto value = [&](const char* formula) { return (*typeset_value(formula, all))[0]; };
+  CHECK(value(R"(\sum_\sigma\varepsilon_\sigma a_{\sigma(1)1}a_{\sigma(2)2})") == -2);
+  CHECK(value(R"(\sum_\sigma a_{\sigma(1)1}a_{\sigma(2)2})") == 10);
+  for (const char* formula : {R"(\sum_\sigma a_{11})", R"(\sum_\sigma a_{\sigma(3)1})",
+                              R"(\sum_\sigma\varepsilon_\sigma)", R"(\sum_\sigma a_{\sigma(1)3})"})
+    CHECK_FALSE(typeset_value(formula, all));
+}
+
+TEST_CASE("a sentence of a formula is so or not", "[typeset]") {
+  const TypesetLetters all{{"x", -2}, {"y", 3}, {"z", {1, -1}}, {"o", {0, 0}}, {"u", 1e8}, {"v", 1e-9}};
+  const auto so = [&](const char* formula) { return *typeset_relation(formula, all); };
+  for (const char* formula : {"x<0", "0<y", "y>x", R"(x\le-2)", R"(y\ge3)", R"(x\ne y)", "x+y=1", "o=0",
+                              "x<0<y", "x+y=y+x=1", R"(|x|<y^2)", "o=(0,0)", "u+v-u=0"})
+    CHECK(so(formula));
+  for (const char* formula : {"x>0", "y<0", R"(x\ge0)", R"(y\le2)", R"(x\ne-2)", "x=y", "z=0", "z<0", "z>0",
+                              "x<y<2", "v=0", "x+y=1=2"})
+    CHECK_FALSE(so(formula));
+  for (const char* formula : {"x", "q<0", "x<q", "z=(1,2,3)", "", "x<", R"(\left(x\right))"})
+    CHECK_FALSE(typeset_relation(formula, all));
+
+  using Said = std::vector<std::pair<TypesetLetters, bool>>;
+  CHECK(compare_typeset("$x<0$", Said{{all, true}}).read);
+  CHECK(compare_typeset("$x>0$", Said{{all, false}}).read);
+  CHECK(compare_typeset("$x>0$", Said{{all, true}}).difference ==
+        "$x>0$ is typeset, which is not so at $x$ = -2, $y$ = 3, $z$ = (1, -1), $o$ = (0, 0)");
+  CHECK_FALSE(compare_typeset("$x<0$", Said{{all, true}, {all, false}}).difference.empty());
+  CHECK_FALSE(compare_typeset("$x<0$, always", Said{{all, true}}).read);
+  CHECK_FALSE(compare_typeset("$x<0$", Said{}).read);
+}
+
 TEST_CASE("what has another meaning is not read", "[typeset]") {
   for (const char* formula :
        {"q", "m_1", "m'", "I_x", R"(\sum m)", "m>0", "(m", "m)", "", "m^T", R"(\frac m)"})
@@ -169,7 +224,7 @@ TEST_CASE("what is typeset has to be what is computed", "[typeset]") {
   CHECK_FALSE(typeset("$m_2=q$", 3).read);
   CHECK(typeset(R"($m\to2$)", 2).read);
   CHECK_FALSE(typeset(R"($m\to3$)", 2).read);
-  CHECK_FALSE(compare_typeset("$m$", {}).read);
+  CHECK_FALSE(compare_typeset("$m$", std::vector<std::pair<TypesetLetters, Value>>{}).read);
   const double none = std::numeric_limits<double>::quiet_NaN();
   CHECK_FALSE(typeset("$m$", none).read);  // there is nothing to compare with
   CHECK_FALSE(compare_typeset("$m/x$", {{{{"m", 2}, {"x", 0}}, Value(2)}}).difference.empty());

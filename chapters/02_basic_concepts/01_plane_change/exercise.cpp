@@ -128,7 +128,10 @@ struct SampleOf {
   T t;
   int of = after;  ///< the piece, where t is a letter
   std::array<T*, 1> letters() { return {&t}; }
-  TypesetLetters typeset() const { return {{"t", t}}; }
+  TypesetLetters typeset() const {
+    const auto r = piece(side())(t);
+    return {{"t", t}, {"x", r[0]}, {"y", r[1]}, {"z", r[2]}};
+  }
   std::string where() const { return "$t$ = " + format_shortest(t); }
   int side() const {
     if constexpr (std::same_as<T, double>)

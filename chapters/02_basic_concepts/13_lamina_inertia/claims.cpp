@@ -204,7 +204,8 @@ void steps(Claims& claims, double seed) {
           {text + " between $-1$ and 1", f(1.0) - f(-1.0)},
           {"Gauss-Legendre by rows", by_rows},
           rounding(1)}},
-        is_as_typeset(compare_typeset<Column>({text, [=](const Column& c) { return f(c.x); }}, columns_of))};
+        is_as_typeset(
+            compare_typeset(Formula<Column>{text, [=](const Column& c) { return f(c.x); }}, columns_of))};
   };
   claims.add(
       "ixx_antiderivative", 695, "the antiderivative, between $-1$ and 1, is $x-x^7/73$",

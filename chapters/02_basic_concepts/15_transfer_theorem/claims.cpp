@@ -272,8 +272,9 @@ void statements(Claims& claims, const Samples& samples) {
   const Sum from_center =
       seen("from the center, whatever the origin", [](S s, V) { return s[0].m * s[0].r; });
   lines(claims, "$m(x',y',z')$ of a particle", from_center)(
-      "relative_position", 743, samples.center, seen("$(x',y',z')=(x,y,z)-(c_x,c_y,c_z)$", positions(1)),
-      seen("$(x,y,z)+(c_x,c_y,c_z)$", positions(-1)));
+      "relative_position", 743, samples.center,
+      seen("$m_1(x_1',y_1',z_1')=m_1((x_1,y_1,z_1)-(c_x,c_y,c_z))$", positions(1)),
+      seen("the sum $(x,y,z)+(c_x,c_y,c_z)$", positions(-1)));
 
   const auto vanish = [&](std::string_view slug, int number, const std::string& says,
                           const std::string& quantity, std::size_t count, const Of& of) {

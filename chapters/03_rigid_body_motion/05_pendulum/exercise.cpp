@@ -206,6 +206,7 @@ Reading in_two_parts(const std::string& text, const Reference& truth, double (*t
 /// A node of the listing's sum.
 struct Node {
   double psi;
+  TypesetLetters typeset() const { return {{R"(\psi)", psi}}; }
   std::string where() const { return R"($\psi$ = )" + format_shortest(psi); }
 };
 

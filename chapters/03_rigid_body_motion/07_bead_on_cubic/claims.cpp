@@ -244,6 +244,7 @@ std::vector<State> book_run() {
 struct Step {
   int number;
   State from, to;
+  TypesetLetters typeset() const;
   std::string where() const {
     return "step " + std::to_string(number) + ", to $q$ = " + format_significant(to[0], 6);
   }
@@ -251,6 +252,7 @@ struct Step {
 
 /// q'' of the book's bead.
 double force(const State& x) { return lagrange_acceleration(Lagrangian<double>{1, 1}, x[0], x[1]); }
+TypesetLetters Step::typeset() const { return {{"q", from[0]}, {R"(\ddot q)", force(from)}}; }
 
 /// A second of the book's bead.
 struct Second {
@@ -290,10 +292,12 @@ void run_down(Claims& claims, const std::vector<State>& run) {
               .near_misses = {start_at(R"($q=-1$, $\dot q=0$)", -1)}});
 
   const auto positive_after = std::ranges::count_if(steps, [](const Step& s) { return force(s.to) > 0; });
+  const Statement<Step> negative{R"($\ddot q<0$)", [](const Step& s) { return force(s.from) < 0; }};
   claims.add(
       "rhs_negative", 1415, R"($\ddot q$ is always negative)",
-      {.printed = {R"($\ddot q<0$)",
-                   {everywhere(R"($\ddot q<0$)", [](const Step& s) { return force(s.from) < 0; })}},
+      {.printed = {negative.text,
+                   {everywhere(negative.text, negative.holds)},
+                   is_as_typeset(compare_typeset(negative, steps))},
        .corrected = {R"($\ddot q<0$ as long as $q>0$, $\ddot q=0$ at $q=0$, $\ddot q>0$ after it)",
                      {everywhere(R"($q\ddot q<0$)",
                                  [](const Step& s) { return s.from[0] * force(s.from) < 0; }),

@@ -80,6 +80,7 @@ struct PolynomialOf {
     return "$m$ = " + format_significant(m, 4) + ", $c$ = " + format_significant(c, 4) +
            ", $a$ = " + format_significant(a, 4);
   }
+  TypesetLetters typeset() const { return {{R"(\mathrm{Re}\,r)", {root(1).re, root(-1).re}}}; }
   ComplexOf<T> root(double sign, double factor = 4) const {
     const T square = a * a - factor * m * c, size = abs(square);
     return {(-a + sign * sqrt((size + square) / 2)) / (2 * m), sign * sqrt((size - square) / 2) / (2 * m)};
@@ -186,6 +187,7 @@ struct Constants {
     return "$a$ = " + format_significant(a, 4) + ", $K_1$ = " + format_significant(k1, 4) +
            ", $K_2$ = " + format_significant(k2, 4);
   }
+  TypesetLetters typeset() const { return {{"x(100)", at(100)}}; }
   double at(double t) const {
     const double root = sqrt(a * a - 16);
     return k1 * std::exp((-a + root) / 2 * t) + k2 * std::exp((-a - root) / 2 * t);

@@ -189,7 +189,8 @@ void conditions(Claims& claims, double seed) {
                      const double a = s.hill.a1 * s.v[0], b = s.hill.a2 * s.v[1];
                      return s.v[0] == 0 || s.satisfied(0) == s.is_half_g(a * a + b * b);
                    }},
-       .meant = {half, [](const FromTop& s) { return s.v[0] == 0 || s.satisfied(0) == s.condition(); }},
+       .meant = {half + " and nowhere else",
+                 [](const FromTop& s) { return s.v[0] == 0 || s.satisfied(0) == s.condition(); }},
        .near_misses = {{half + " for $v_1=0$ as well",
                         [](const FromTop& s) { return !s.satisfied(0) || s.condition(); }}},
        .kind = Fault::lost_typography,
@@ -199,7 +200,8 @@ void conditions(Claims& claims, double seed) {
            R"(1 m/s, at which the particle does not keep to a uniform motion.)"});
   claims.statement<FromTop>(
       "second_equation", 1581, R"(the second equation gives the same condition for $v_2\ne0$)", samples,
-      {.printed = {half, [](const FromTop& s) { return s.v[1] == 0 || s.satisfied(1) == s.condition(); }},
+      {.printed = {half + " and nowhere else",
+                   [](const FromTop& s) { return s.v[1] == 0 || s.satisfied(1) == s.condition(); }},
        .near_misses = {{half + " for $v_2=0$ as well",
                         [](const FromTop& s) { return !s.satisfied(1) || s.condition(); }}}});
 

@@ -123,9 +123,25 @@ struct OnChuteOf {
     return {&chute.R, &chute.L, &chute.H, &g, &x1, &x2, &x3, &v1, &v2, &k, &phi, &way};
   }
   TypesetLetters typeset() const {
-    return {{"R", chute.R}, {"L", chute.L}, {"H", chute.H}, {R"(\theta)", theta()}, {"g", g},
-            {"x_1", x1},    {"x_2", x2},    {"x_3", x3},    {R"(\dot x_1)", v1},    {R"(\dot x_2)", v2},
-            {"k", k},       {"d_1", d1()},  {"d_3", d3()},  {"p_3", p3()}};
+    return {{"R", chute.R},
+            {"L", chute.L},
+            {"H", chute.H},
+            {R"(\theta)", theta()},
+            {"g", g},
+            {"x_1", x1},
+            {"x_2", x2},
+            {"x_3", x3},
+            {R"(\dot x_1)", v1},
+            {R"(\dot x_2)", v2},
+            {"k", k},
+            {"d_1", d1()},
+            {"d_3", d3()},
+            {"p_3", p3()},
+            {R"(\ddot x_1)", accelerations()[0]},
+            {R"(\ddot x_2)", accelerations()[1]},
+            {"h_{x_1x_1}", second(1, 1)},
+            {"h_{x_1x_2}", second(1, 2)},
+            {"h_{x_2x_2}", second(2, 2)}};
   }
   std::string where() const {
     return R"($\theta$ = )" + format_significant(theta(), 4) + ", $R$ = " + format_significant(chute.R, 4) +
@@ -542,10 +558,16 @@ void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& 
     return vanishes(quantity, "$h$ by nested dual numbers", samples,
                     [=](const OnChute& s) { return std::pair(s.second(i, j), abs(s.second(2, 2))); });
   };
-  claims.add(
-      "h11_h12", 1679, "the second derivatives that are zero",
-      {.printed = {"$h_{x_1x_1}=h_{x_1x_2}=0$", {second("$h_{x_1x_1}$", 1, 1), second("$h_{x_1x_2}$", 1, 2)}},
-       .near_misses = {{"$h_{x_2x_2}=0$", {second("$h_{x_2x_2}$", 2, 2)}}}});
+  const auto zero = [&](const std::string& text, std::vector<Check> all) {
+    const bool holds = std::ranges::all_of(all, &Check::holds);
+    return Reading{text, std::move(all),
+                   is_as_typeset(compare_typeset(
+                       Statement<OnChute>{text, [=](const OnChute&) { return holds; }}, samples))};
+  };
+  claims.add("h11_h12", 1679, "the second derivatives that are zero",
+             {.printed = zero("$h_{x_1x_1}=h_{x_1x_2}=0$",
+                              {second("$h_{x_1x_1}$", 1, 1), second("$h_{x_1x_2}$", 1, 2)}),
+              .near_misses = {zero("$h_{x_2x_2}=0$", {second("$h_{x_2x_2}$", 2, 2)})}});
   table.formula(
       "h22", 1681, "$h_{x_2x_2}$", samples,
       {.truth = {"$h$ by nested dual numbers", [](const auto& s) { return s.second(2, 2); }},
@@ -769,7 +791,7 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
                                            samples));
   claims.add(
       "friction_form", 1739, R"(the form of $\ddot x_2$ with viscous friction, $S$ a scalar)",
-      {.printed = {R"($\ddot x_2=Sx_2$)",
+      {.printed = {R"(it is $\ddot x_2=Sx_2$)",
                    {vanishes(R"($\ddot x_2$ at $x_2=0$, $\dot x_2\ne0$)",
                              "Lagrange's equations with friction", samples,
                              [](OnChute s) {
@@ -778,7 +800,7 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
                                return std::pair(a[1], size_of(a));
                              })}},
        .corrected = corrected,
-       .near_misses = {slowed(R"($\ddot x_2=Sx_2-2k\dot x_2$)", 2)},
+       .near_misses = {slowed(R"(it is $\ddot x_2=Sx_2-2k\dot x_2$)", 2)},
        .why =
            R"(Friction adds $-k\dot x_2$: where the ball crosses the center line, $x_2=0$, the form says )"
            R"($\ddot x_2=0$, but friction slows it. In the corrected equation $S$ is the same as without friction.)",

@@ -110,6 +110,7 @@ struct SampleOf {
             {"r", spring_length()},
             {"p", p()},
             {"F", F(p())},
+            {R"(\mathbf F)", force_of(spring(ell), x())},
             {"L", length(segment())},
             {"D", D},
             {R"(\dot D)", D_dot}};
@@ -353,18 +354,20 @@ void spring(Claims& claims, Table& table, const Samples& samples) {
                                   at_start([](const auto& s) { return s.c; })}}});
   claims.statement<Sample>(
       "force_towards", 1819, "the force is towards $(c,0,0)$", samples,
-      {.printed = {R"($F\cdot(c\imath-x)>0$)",
+      {.printed = {R"($\mathbf F\cdot(c\imath-x)>0$)",
                    [](S s) { return dot(force_of(s.spring(s.ell), s.x()), s.from_end()) < 0; }},
-       .corrected = {R"($F\cdot(c\imath-x)>0$ where the spring is stretched, $r>\ell$, and there only)",
-                     [](S s) {
-                       const bool pulls = dot(force_of(s.spring(s.ell), s.x()), s.from_end()) < 0;
-                       return pulls == (s.spring_length() > s.ell);
-                     }},
-       .near_misses = {{R"($F\cdot(c\imath-x)>0$ where the spring is compressed, $r<\ell$, and there only)",
-                        [](S s) {
-                          const bool pulls = dot(force_of(s.spring(s.ell), s.x()), s.from_end()) < 0;
-                          return pulls != (s.spring_length() > s.ell);
-                        }}},
+       .corrected =
+           {R"($\mathbf F\cdot(c\imath-x)>0$ where the spring is stretched, $r>\ell$, and there only)",
+            [](S s) {
+              const bool pulls = dot(force_of(s.spring(s.ell), s.x()), s.from_end()) < 0;
+              return pulls == (s.spring_length() > s.ell);
+            }},
+       .near_misses =
+           {{R"($\mathbf F\cdot(c\imath-x)>0$ where the spring is compressed, $r<\ell$, and there only)",
+             [](S s) {
+               const bool pulls = dot(force_of(s.spring(s.ell), s.x()), s.from_end()) < 0;
+               return pulls != (s.spring_length() > s.ell);
+             }}},
        .kind = Fault::counterexample,
        .root = "a spring that always pulls",
        .why =
@@ -727,7 +730,7 @@ void output(Claims& claims, const Value& end) {
   long rises = 0;
   for (std::size_t i = 1; i < mended.lambda.size(); ++i) rises += !(mended.lambda[i] < mended.lambda[i - 1]);
   claims.add("slipped", 2181, R"($\lambda$ has decreased)",
-             {.printed = {R"($\lambda(2)<\lambda(0)$)",
+             {.printed = {R"($\lambda(2)<\lambda(0)$, however it is computed)",
                           {no_violations(R"($\lambda(2)<2$ by the listing, by the mended one, by the table)",
                                          !(s < 2) + !(mended.lambda.back() < 2) + !(lambda < 2), 3)}},
               .near_misses = {{R"($\lambda$ decreases all the time)",

@@ -65,27 +65,23 @@ struct SampleOf {
            " (1 + " + format_significant(wire.k, 4) + R"( $s/L$), $\theta$ = )" +
            format_significant(theta, 4);
   }
-  TypesetLetters typeset() const {
-    const double C = cos(theta), S = sin(theta);
-    const auto p = b();
-    return {{"x", x},
-            {"y", y},
-            {R"(\theta)", theta},
-            {R"(\dot x)", vx},
-            {R"(\dot y)", vy},
-            {R"(\dot\theta)", w},
-            {"c", {x, y}},
-            {R"(\dot c)", {vx, vy}},
-            {"L", p[0]},
-            {"b", {p[0], p[1]}},
-            {"b_0", p[0]},
-            {"b_1", p[1]},
-            {"R", {C, -S, S, C}},
-            {R"(R(\theta))", {C, -S, S, C}},
-            {R"(R(-\theta))", {C, S, -S, C}},
-            {R"(\frac{dR}{d\theta})", {-S, -C, C, -S}},
-            {R"(\mu_0)", mu0},
-            {R"(\mu_2)", mu2()}};
+  TypesetLetters typeset() const;
+  /// Where integrals over the wire look, and with what weights.
+  std::vector<double> nodes() const {
+    std::vector<double> all;
+    wire.along([&](double u) { return all.push_back(u), 0; });
+    return all;
+  }
+  double weight_of(double node) const {
+    return wire.along([=](double u) { return u == node ? 1 : 0; });
+  }
+  Value over_nodes(const auto& f) const {
+    std::vector<double> all;
+    for (const double u : nodes()) {
+      const Value at = f(u);
+      all.insert(all.end(), at.begin(), at.end());
+    }
+    return all;
   }
   Point body(double u) const {
     const Point p = wire.point(u);
@@ -173,6 +169,42 @@ Dual<Shortened> phi(const Dual<Shortened>& X, const Dual<Shortened>& Y) {
 }
 PointOf<Shortened> force(const PointOf<Shortened>& r) { return {-of_place("Ux", r), -of_place("Uy", r)}; }
 
+}  // namespace
+
+template <class T>
+TypesetLetters SampleOf<T>::typeset() const {
+  const double C = cos(theta), S = sin(theta);
+  const auto p = b();
+  return {{"x", x},
+          {"y", y},
+          {R"(\theta)", theta},
+          {R"(\dot x)", vx},
+          {R"(\dot y)", vy},
+          {R"(\dot\theta)", w},
+          {"c", {x, y}},
+          {R"(\dot c)", {vx, vy}},
+          {"L", p[0]},
+          {"b", {p[0], p[1]}},
+          {"b_0", p[0]},
+          {"b_1", p[1]},
+          {"R", {C, -S, S, C}},
+          {R"(R(\theta))", {C, -S, S, C}},
+          {R"(R(-\theta))", {C, S, -S, C}},
+          {R"(\frac{dR}{d\theta})", {-S, -C, C, -S}},
+          {R"(\mu_0)", mu0},
+          {R"(\mu_2)", mu2()},
+          {"ds", over_nodes([&](double u) { return weight_of(u); })},
+          {R"(\delta)", over_nodes([&](double u) { return wire.density(u); })},
+          {"b", over_nodes([&](double u) { return body(u); })},
+          {"v", velocity(p)},
+          {"v", over_nodes([&](double u) { return velocity(body(u)); })},
+          {"F", over_nodes([&](double u) { return force(position(body(u))); })},
+          {R"(\imath)", {1, 0}},
+          {R"(\jmath)", {0, 1}}};
+}
+
+namespace {
+
 /// Minus the slope of the total potential energy by a generalized coordinate: 0, 1, 2 for x, y, theta.
 template <class T>
 T slope_of_potential(const SampleOf<T>& s, int coordinate) {
@@ -259,6 +291,7 @@ Reading against_primitives(const std::string& text, std::size_t component, bool 
                            double seed) {
   Random random(seed);
   WorstSample worst(component == 0 ? R"($\mu_0$)" : R"($\mu_2$)", text, "primitives of the moments");
+  std::vector<std::pair<TypesetLetters, Value>> computed;
   for (int i = 0; i < 60; ++i) {
     Sample s(random);
     s.wire.k = 0;
@@ -267,22 +300,26 @@ Reading against_primitives(const std::string& text, std::size_t component, bool 
     const double mass =
         by_length ? s.wire.over_mass([](double) { return 1; })
                   : gauss_legendre([&](double u) { return s.wire.density(u); }, 0, s.wire.end(), 32).value;
-    worst.add(component == 0 ? mass : s.mu2(centered ? Point{} : Point{-s.center[0], -s.center[1]}),
-              exact[component], 1 + s.size(), s.where());
+    const double moment =
+        component == 0 ? mass : s.mu2(centered ? Point{} : Point{-s.center[0], -s.center[1]});
+    worst.add(moment, exact[component], 1 + s.size(), s.where());
+    if (i < 8) computed.emplace_back(s.typeset(), moment);
   }
-  return {text, {worst.check()}};
+  return {text, {worst.check()}, is_as_typeset(compare_typeset(text, computed))};
 }
 
 /// A multiple of the integral of |v|^2 against the energy of 2000 particles.
 Reading of_particles(const std::string& text, double factor, double seed) {
   Random random(seed);
   WorstSample worst("$T$", text, "2000 particles");
+  std::vector<std::pair<TypesetLetters, Value>> computed;
   for (int i = 0; i < 30; ++i) {
     const Sample s(random);
-    worst.add(integrated_energy(s, factor), s.of_particles(), {1e-4, "the midpoint rule's truncation"}, 1,
-              s.where());
+    const double energy = integrated_energy(s, factor);
+    worst.add(energy, s.of_particles(), {1e-4, "the midpoint rule's truncation"}, 1, s.where());
+    if (i < 8) computed.emplace_back(s.typeset(), energy);
   }
-  return {text, {worst.check()}};
+  return {text, {worst.check()}, is_as_typeset(compare_typeset(text, computed))};
 }
 
 /// Rough friction of size 1 a mass against the velocity of every point, its velocities times `speed`: the
@@ -492,7 +529,9 @@ void over_the_wire(Table& table, const std::vector<Sample>& samples) {
 
 void claim_force_theta(Claims& claims, const std::vector<Sample>& samples) {
   const auto against_slope = [&](const Reader& printed) {
-    return Reading{printed.text, {compare(R"($F_\theta$)", printed, slope(2), samples)}};
+    return Reading{printed.text,
+                   {compare(R"($F_\theta$)", printed, slope(2), samples)},
+                   is_as_typeset(compare_typeset(printed, samples))};
   };
   Reading moment = against_slope(moment_of_force);
   moment.checks.push_back(compare(R"($(F_x,F_y,F_\theta)$ of gravity)", moment_of_weight, weight, samples));

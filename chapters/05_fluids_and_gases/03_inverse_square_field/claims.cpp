@@ -83,7 +83,7 @@ Check divergence_is_zero(const std::string& field, const std::function<double(co
 }
 Reading divergence_of_power(int power, const Random& random) {
   const std::string field = R"(\mathbf x/|\mathbf x|^)" + std::to_string(power);
-  return {R"($\nabla\cdot()" + field + ")=0$",
+  return {R"($\nabla\cdot()" + field + ")=0$ everywhere else",
           {divergence_is_zero(
               field,
               [=](const Away& a) {
@@ -107,6 +107,11 @@ struct Whole {
   std::string where() const {
     return R"($\mathbf x$ = ()" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) +
            ")";
+  }
+  TypesetLetters typeset() const {
+    const auto real = [](long i) { return static_cast<double>(i); };
+    return {
+        {R"(\mathbf x)", {real(x), real(y), real(z)}}, {"x_0", real(x)}, {"x_1", real(y)}, {"x_2", real(z)}};
   }
   /// The brackets |x|^2 - factor x_i^2 add up to zero.
   bool cancels(long factor) const { return sum_of_brackets(Triple<long>{x, y, z}, factor) == 0; }
@@ -139,8 +144,8 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
       R"(the divergence is the sum of three derivatives, the first one of $x_i/|\mathbf x|^3$)",
       {.printed = {R"($\partial(x_i/|\mathbf x|^3)/\partial x_0$, for any $i$)",
                    {summands(0, random), summands(1, random), summands(2, random)}},
-       .meant = {R"($\partial(x_0/|\mathbf x|^3)/\partial x_0$)", {summands(0, random)}},
-       .near_misses = {{R"($\partial(x_1/|\mathbf x|^3)/\partial x_0$)", {summands(1, random)}}},
+       .meant = {R"($\partial(x_i/|\mathbf x|^3)/\partial x_0$ for $i=0$)", {summands(0, random)}},
+       .near_misses = {{R"($\partial(x_i/|\mathbf x|^3)/\partial x_0$ for $i=1$)", {summands(1, random)}}},
        .why =
            R"(The first derivative is printed of $x_i/|\mathbf x|^3$, an index that nothing sums and )"
            R"(nothing else has: it must be $x_0$, which the next line has. At the point $(0.3,-0.7,0.9)$, )"
@@ -165,7 +170,7 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
       R"(\mathbf x/|\mathbf x|^3)", [](const Away& a) { return divergence(inverse_square, a.frame)(a.x); },
       samples(random, 1e60));
   claims.add("zero", 3267, "the divergence is zero, where the field is defined",
-             {.printed = {R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=0$)", {zero}},
+             {.printed = {R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=0$ everywhere else)", {zero}},
               .near_misses = {divergence_of_power(2, random),
                               divergence_of_power(4, random),
                               {"and at the origin too: a sphere around it has no flux",

@@ -188,7 +188,7 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
              {.printed = {R"(below a fiftieth while $r\le h$; $(1+2r/h)^3$ less what the border cuts off)",
                           {small(1), mean("$(1+2r/h)^3$", 2)}},
               .near_misses = {{"for spheres of up to 8 bins' radius too", {small(8)}},
-                              {"$(1+r/h)^3$", {mean("$(1+r/h)^3$", 1)}}}});
+                              {"$(1+r/h)^3$ less what the border cuts off", {mean("$(1+r/h)^3$", 1)}}}});
 
   const auto everything = [](double widths) {
     return [=](const Center& center) {

@@ -517,8 +517,8 @@ std::vector<Claim> claims(double seed) {
   const auto all = samples(seed, 40, random_masses);
   Claims claims("6.5");
   claims.add("delta", 3743, "the average of two delta functions gives the average of $G$ at the two points",
-             {.printed = property(R"($\frac12(G(P_0)+G(P_1))$)", all, 0.5, false),
-              .near_misses = {property("$G(P_0)+G(P_1)$", all, 1, false),
+             {.printed = property(R"(the mean, $\frac12(G(P_0)+G(P_1))$)", all, 0.5, false),
+              .near_misses = {property("the sum, $G(P_0)+G(P_1)$", all, 1, false),
                               property("$G(M)$, $M$ the midpoint", all, 0.5, true)}});
   linear_lines(claims, all);
   angular_lines(claims, all);

@@ -210,8 +210,8 @@ void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
 
   claims.statement<Counts>(
       "factor_positive", 3807, "$n(n-1)/6$ is positive for $n>1$", sizes,
-      {.printed = {"$n>1$", [](const Counts& c) { return c.n <= 1 || c.n * (c.n - 1) / 6 > 0; }},
-       .near_misses = {{R"($n\ge1$)", [](const Counts& c) { return c.n * (c.n - 1) / 6 > 0; }}}});
+      {.printed = {"for $n>1$", [](const Counts& c) { return c.n <= 1 || c.n * (c.n - 1) / 6 > 0; }},
+       .near_misses = {{R"(for $n\ge1$)", [](const Counts& c) { return c.n * (c.n - 1) / 6 > 0; }}}});
 
   const auto exactly_from = [](double alphas) {
     return [=](const Prices& p) {

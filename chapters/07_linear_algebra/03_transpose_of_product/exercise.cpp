@@ -137,6 +137,13 @@ struct Between {
   static constexpr bool whole = true;
   Matrix<double> a, b;
   std::vector<double> x, y;
+  /// Where n is 3: as many numbers as a letter can have.
+  TypesetLetters typeset() const {
+    if (b.n != 3) return {};
+    const Value A = a.entries, B = b.entries, AT = transposed(a).entries, BT = transposed(b).entries;
+    return {{"A^T", AT}, {"B^T", BT},     {"A", A},          {"B", B},        {"x", x},
+            {"y", y},    {"[a_{rc}]", B}, {"[a'_{rc}]", BT}, {"[b_{rc}]", B}, {"[b'_{rc}]", BT}};
+  }
   std::string where() const { return "$n$ = " + std::to_string(b.n); }
 };
 

@@ -158,7 +158,7 @@ Line in_whole(std::string text, const auto& of) {
 }
 
 Line times_length(int factor) {
-  return in_whole("$" + std::to_string(factor) + R"(|u\times v|^2$)",
+  return in_whole("$" + std::to_string(factor) + R"(|u\times v|^2$ in whole numbers)",
                   [=](const auto& s) { return factor * dot(s.normal(), s.normal()); });
 }
 
@@ -186,13 +186,16 @@ void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<
   const auto in_plane = [&](const std::vector<Edges>& samples) {
     return compare<Edges>(R"($u\cdot v\times w$, in halves of 52 bits)", volume, nothing, samples);
   };
+  const Statement<Edges> flat{R"($u\cdot v\times w=0$)", [](const Edges& s) {
+                                return size_of(volume.of(s)) == 0;
+                              }};
   const auto perpendicular = [&](const std::vector<Edges>& samples) {
     return compare<Edges>(R"(what $u\times v$ has along the edges, in halves of 52 bits)", leaning, nothing,
                           samples);
   };
   claims
       .add("plane", 3853, "the three vectors lie in a plane",
-           {.printed = {R"($u\cdot v\times w=0$)", {in_plane(closed)}},
+           {.printed = {flat.text, {in_plane(closed)}, is_as_typeset(compare_typeset<Edges>(flat, closed))},
             .near_misses = {{"for any $u$, $v$, $w$", {in_plane(open)}}}})
       .add("any_two_edges", 3853,
            "any two of the edges give a normal vector, of the same length (in the order of the walk)",
@@ -215,7 +218,7 @@ void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<
           "triangle", 3853,
           R"(vectors with the sum zero are edges of a triangle, and $u\times v$ is its normal vector)",
           some_on_a_line(closed),
-          {.printed = {"$u+v+w=0$", [](const Edges& s) { return s.normal() != Vector3<double>{}; }},
+          {.printed = {"wherever $u+v+w=0$", [](const Edges& s) { return s.normal() != Vector3<double>{}; }},
            .corrected = {"$u+v+w=0$, $u$ and $v$ not parallel",
                          [](const Edges& s) { return !s.independent() || s.normal() != Vector3<double>{}; }},
            .near_misses = {{"$u+v+w=0$, none of them zero",

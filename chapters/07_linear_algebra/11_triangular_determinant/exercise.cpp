@@ -169,8 +169,8 @@ std::vector<Claim> claims(const Random& random) {
       in_whole(R"($+\det M$)", bareiss),
       in_whole(R"($(-1)^{n+1}\det M$)", [](M m) { return m.n % 2 == 0 ? -bareiss(m) : bareiss(m); }));
   add("product", 3971, R"($\det U$ is the product of the diagonal)", upper, R"($\det U$)", det,
-      in_whole(R"($u_{nn}\cdots u_{11}$)", [](M m) { return product_of(m, 0); }),
-      in_whole(R"($u_{nn}\cdots u_{22}$)", [](M m) { return product_of(m, 1); }));
+      in_whole(R"(the product $u_{nn}\cdots u_{11}$)", [](M m) { return product_of(m, 0); }),
+      in_whole(R"(the product $u_{nn}\cdots u_{22}$)", [](M m) { return product_of(m, 1); }));
   return claims.in_order();
 }
 
