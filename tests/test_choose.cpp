@@ -115,7 +115,12 @@ TEST_CASE("what restarts cost a method counts as often as runs are ended", "[cho
   const Task task(contacts);
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   Need need = asked(0.01, 100);
-  const auto chosen = [&] { return *choose(task, need, truth, counted_cost).chosen; };
+  const auto chosen = [&] {
+    const Choice choice = choose(task, need, truth, counted_cost);
+    std::set<std::string> models;  // of one algorithm, each listed once
+    for (const Candidate& c : choice.candidates) CHECK(models.insert(c.model).second);
+    return *choice.chosen;
+  };
   CHECK(chosen().model == "with a history");
   CHECK(chosen().seconds_per_frame == Approx(1.03e-9));
   need.restart_every = 10;

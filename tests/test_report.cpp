@@ -74,10 +74,11 @@ TEST_CASE("results survive the way to JSON and back", "[report]") {
   const Results results = sample();
   const std::string json = to_json(results);
   CHECK(to_json(results_from_json(json, "here")) == json);
-  for (const char* key : {"\"number\": \"3.5\"", "\"claims\"", "\"verdict\": \"confirmed\"",
-                          "\"reference_error\"", "\"trials\"", "\"evaluations\": 42", "\"seconds\"",
-                          "\"outcome\": \"ok\"", "\"knob\": 0.5", "\"trajectory\"",
-                          "\"readings\": {}"})  // of what is not checkable: none without a comparison
+  for (const char* key :
+       {"\"number\": \"3.5\"", "\"claims\"", "\"verdict\": \"confirmed\"", "\"reference_error\"",
+        "\"trials\"", "\"evaluations\": 42", "\"seconds\"", "\"outcome\": \"ok\"", "\"knob\": 0.5",
+        "\"trajectory\"", "\"printed\": \"y = 1\"", "\"reading\": \"meant\"",
+        "\"readings\": {}"})  // of what is not checkable: none without a comparison
     CHECK(json.find(key) != std::string::npos);
 }
 
