@@ -78,8 +78,8 @@ struct SampleOf {
   Value over_nodes(const auto& f) const {
     std::vector<double> all;
     for (const double u : nodes()) {
-      const Value at = f(u);
-      all.insert(all.end(), at.begin(), at.end());
+      const Value here = f(u);
+      all.insert(all.end(), here.begin(), here.end());
     }
     return all;
   }
