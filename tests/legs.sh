@@ -152,7 +152,14 @@ leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of
   build/release/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-12}" ${PATHS:-$chapter}
 }
 
-leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in tests/fuzz/corpus; RECORD=1 adds these to those on record
+# read_on_record READER INPUTS SECONDS: added to those on record, where RECORD is set. A crash has ended the leg before.
+read_on_record() {
+  [ -z "${RECORD:-}" ] || awk -F, -v name="$1" -v inputs="$2" -v seconds="$3" '
+      $3 == name { inputs += $4; seconds += $5 }
+      END { printf "%s,%d,%d,0\n", name, inputs, seconds }' tests/fuzz/record.csv | on_record tests/fuzz/record.csv
+}
+
+leg_fuzz() {  # libFuzzer, and links by our own: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in tests/fuzz/corpus; RECORD=1 adds these to those on record
   tools clang
   build release fuzz
   local target name found inputs seconds longest until=-max_total_time=${FUZZ_SECONDS:-60}
@@ -170,12 +177,15 @@ leg_fuzz() {  # libFuzzer: every reader (FUZZ) for FUZZ_SECONDS (60), or with FU
     ASAN_OPTIONS=malloc_context_size=0:quarantine_size_mb=1 "$target" $until -max_len=$longest -entropic=0 -timeout=60 -rss_limit_mb=1024 -print_final_stats=1 -verbosity=0 \
       -artifact_prefix="build/fuzz_$name-" "$found/$name" "tests/fuzz/corpus/$name" 2>&1 | tee "$found/said"
     inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$found/said")
-    # A crash has ended the leg before.
-    [ -z "${RECORD:-}" ] || awk -F, -v name="$name" -v inputs="$inputs" -v seconds=$((SECONDS - seconds)) '
-        $3 == name { inputs += $4; seconds += $5 }
-        END { printf "%s,%d,%d,0\n", name, inputs, seconds }' tests/fuzz/record.csv | on_record tests/fuzz/record.csv
+    read_on_record "$name" "$inputs" $((SECONDS - seconds))
   done
   rm -r "$found"
+  [[ ${FUZZ:-links} == *links* ]] || return 0
+  tools nodejs
+  seconds=$SECONDS
+  inputs=${FUZZ_INPUTS:-$((10000 * ${FUZZ_SECONDS:-60}))}  # to a player, and as many to the chooser
+  FUZZ_LINKS=$inputs node --test tests/site/links.test.mjs
+  read_on_record links $((2 * inputs)) $((SECONDS - seconds))
 }
 
 leg_faults() {  # kills, full disks, too little memory and more, at every verb that writes (FAULTS); ODDITY_KILLS (20); RECORD=1

@@ -157,7 +157,8 @@ test('a permalink holds everything, and comes back the same', () => {
     speed: 0.25,
     view: { azimuth: -171.5, elevation: 22.5 },
   };
-  assert.deepEqual(oddity.permalink.parse(oddity.permalink.format(state), known), { state });
+  for (const view of [state.view, { azimuth: 1e30, elevation: -1e-9 }])  // 1e+30, of which a link reads + as a space
+    assert.deepEqual(oddity.permalink.parse(oddity.permalink.format({ ...state, view }), known), { state: { ...state, view } });
 });
 
 test('a bad permalink is a sentence, and other anchors are none', () => {

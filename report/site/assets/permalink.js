@@ -84,12 +84,12 @@
         view, {azimuth, elevation} in degrees, may be missing. */
     format({ parameters, rows, time, speed, view }) {
       const parts = ['#play'];
-      for (const [name, value] of Object.entries(parameters)) parts.push(`p.${word(name)}=${value}`);
+      for (const [name, value] of Object.entries(parameters)) parts.push(`p.${word(name)}=${word(value)}`);
       for (const r of rows)
         parts.push('row=' + [r.model, r.algorithm, r.precision, r.setting].map((x) => word(x)).join('/'));
       if (time) parts.push(`at=${Number(time.toFixed(6))}`);
       if (speed !== 1) parts.push(`speed=${speed}`);
-      if (view) parts.push(`view=${view.azimuth},${view.elevation}`);
+      if (view) parts.push(`view=${word(view.azimuth)},${word(view.elevation)}`);  // 1e+30 has a plus
       return parts.join('&');
     },
 
