@@ -70,6 +70,23 @@ TEST_CASE("wrong readings, wide tolerances, needs, trials and breakdowns have a 
   CHECK(texts_of(unsettled) == std::vector(rows.begin() + 2, rows.end()));
 }
 
+TEST_CASE("whether there is a row at all may hang on the last bits", "[errors]") {
+  ErrorsOnRecord narrow = row({std::nullopt}, {}, "");
+  narrow.of = "claim value: tolerances";
+  CHECK(is_left_to_last_bits(narrow));
+  CHECK_FALSE(is_left_to_last_bits(row({}, {})));
+  CHECK_FALSE(is_left_to_last_bits(row({std::nullopt, 0.1}, {})));
+  CHECK_FALSE(is_left_to_last_bits(row({std::nullopt}, {3})));
+  ExerciseResult e = an_exercise();
+  const std::string kept = "3.5,claim value: tolerances,,~,";
+  CHECK(error_rows(e, {narrow})[1] == kept);
+  e.claims[0].claim.printed.checks[0].tolerance.allowed = 1e-12;  // no more than roundings
+  e.claims[0].claim.printed.checks[0].left.value = Value{1};
+  CHECK(texts_of(e).size() == 4);
+  CHECK(error_rows(e, {narrow}).back() == kept);
+  CHECK(error_rows(e, {}).size() == 4);
+}
+
 TEST_CASE("errors agree within 2 %, work exactly or within 10 % of a tolerance's, last bits with all",
           "[errors]") {
   const ErrorsOnRecord kept = row({0.1, std::nullopt}, {10, 20});

@@ -125,6 +125,9 @@ TEST_CASE("a perturbed result that a check does not notice is named", "[report]"
   CHECK(unnoticed_perturbations(judged(zero)).size() == 2);
   const Check scaled_zero{"x", {"a", 0}, {"b", 0}, {1e-9, "a test"}, 1};
   CHECK(unnoticed_perturbations(judged(scaled_zero)).empty());
+  Check rounded_zero = scaled_zero;
+  rounded_zero.right.value = Value{1e-16};
+  CHECK(unnoticed_perturbations(judged(rounded_zero)).empty());
 }
 
 TEST_CASE("a page escapes what Markdown would take for markup, but not mathematics", "[report]") {

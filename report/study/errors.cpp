@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "reference/csv.hpp"
 #include "reference/text.hpp"
@@ -110,6 +111,11 @@ bool agree(const ErrorsOnRecord& run, const ErrorsOnRecord& on_record) {
          all_same(run.work, on_record.work, steps_are_chosen ? 0.1 : 0);
 }
 
+bool is_left_to_last_bits(const ErrorsOnRecord& row) {
+  return !row.errors.empty() && std::ranges::none_of(row.errors, &std::optional<double>::has_value) &&
+         row.work.empty();
+}
+
 std::string text_of(const ErrorsOnRecord& row) {
   return row.exercise + "," + csv_cell(row.of) + "," + row.at + "," + text_of(row.errors, 3) + "," +
          text_of(row.work, 15);
@@ -117,6 +123,7 @@ std::string text_of(const ErrorsOnRecord& row) {
 
 std::vector<std::string> error_rows(const ExerciseResult& e, const std::vector<ErrorsOnRecord>& on_record) {
   std::vector<std::string> rows;
+  std::set<std::string> seen;
   for (ErrorsOnRecord& row : errors_of(e)) {
     const auto known = std::ranges::find_if(
         on_record, [&](const ErrorsOnRecord& r) { return r.exercise == row.exercise && r.of == row.of; });
@@ -125,7 +132,11 @@ std::vector<std::string> error_rows(const ExerciseResult& e, const std::vector<E
       leave_to_last_bits(row.work, known->work);
     }
     rows.push_back(text_of(known != on_record.end() && agree(row, *known) ? *known : row));
+    seen.insert(row.of);
   }
+  for (const ErrorsOnRecord& row : on_record)
+    if (row.exercise == to_string(e.number) && !seen.contains(row.of) && is_left_to_last_bits(row))
+      rows.push_back(text_of(row));
   return rows;
 }
 

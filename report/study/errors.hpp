@@ -16,6 +16,9 @@ std::vector<ErrorsOnRecord> errors_of(const ExerciseResult&);
 /// decide.
 bool agree(const ErrorsOnRecord& run, const ErrorsOnRecord& on_record);
 
+/// Whether the last bits decide all of it, even whether there is such a row.
+bool is_left_to_last_bits(const ErrorsOnRecord&);
+
 /// The row of errors.csv, without the line's end.
 std::string text_of(const ErrorsOnRecord&);
 
