@@ -178,18 +178,32 @@ Typesetting compare_typeset(const std::string& text,
 
 namespace {
 
-constexpr std::array relations{R"(\le)", R"(\ge)", R"(\ne)", "=", "<", ">"};
+constexpr std::array<std::string_view, 6> relations{R"(\le)", R"(\ge)", R"(\ne)", "=", "<", ">"};
 
-/// The first relation from there on, and where it is; that of a letter, \left, is none.
-std::pair<std::string, std::size_t> next_relation(std::string_view formula, std::size_t from) {
-  for (std::size_t at = from; at < formula.size(); ++at)
-    for (const std::string relation : relations) {
-      const std::size_t end = at + relation.size();
-      const bool goes_on = relation.size() > 1 && end < formula.size() &&
-                           std::isalpha(static_cast<unsigned char>(formula[end]));
-      if (formula.substr(at, relation.size()) == relation && !goes_on) return {relation, at};
+/// x<0<y: what stands between the relations, and these; \left is none.
+struct Sentence {
+  std::vector<std::string> sides{""}, relations;
+};
+
+Sentence sentence_of(std::string_view formula) {
+  Sentence sentence;
+  while (!formula.empty()) {
+    const auto begins = [&](std::string_view relation) {
+      const bool goes_on = relation.size() > 1 && relation.size() < formula.size() &&
+                           std::isalpha(static_cast<unsigned char>(formula[relation.size()])) != 0;
+      return formula.starts_with(relation) && !goes_on;
+    };
+    const auto relation = std::ranges::find_if(relations, begins);
+    if (relation == relations.end()) {
+      sentence.sides.back() += formula.front();
+      formula.remove_prefix(1);
+    } else {
+      sentence.relations.emplace_back(*relation);
+      sentence.sides.emplace_back();
+      formula.remove_prefix(relation->size());
     }
-  return {"", formula.size()};
+  }
+  return sentence;
 }
 
 bool holds(const Value& left, const std::string& relation, const Value& right,
@@ -206,27 +220,19 @@ bool holds(const Value& left, const std::string& relation, const Value& right,
 }  // namespace
 
 std::optional<bool> typeset_relation(std::string_view formula, const TypesetLetters& letters) {
-  std::optional<Value> left;
-  std::string relation;
+  const Sentence sentence = sentence_of(formula);
+  const std::size_t n = sentence.relations.size();
+  Values sides;
+  for (const std::string& side : sentence.sides) sides.push_back(typeset_value(side, letters));
   bool so = true;
-  for (std::size_t first = 0, begin = 0; begin <= formula.size();) {
-    const auto [next, end] = next_relation(formula, begin);
-    const std::optional<Value> right = typeset_value(formula.substr(begin, end - begin), letters);
-    if (!right || (!relation.empty() && !difference(left, right))) return std::nullopt;
-    if (!relation.empty()) {
-      const auto terms = [&](std::size_t from, std::size_t to) {
-        return size_of_terms(std::string(formula.substr(from, to - from)), letters, 0);
-      };
-      so = so && holds(*left, relation, *right,
-                       [&] { return terms(first, begin - relation.size()) + terms(begin, end); });
-    }
-    first = begin;
-    if (next.empty()) return relation.empty() ? std::nullopt : std::optional(so);
-    left = right;
-    relation = next;
-    begin = end + next.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!difference(sides[i], sides[i + 1])) return std::nullopt;
+    const auto terms = [&] {
+      return size_of_terms(sentence.sides[i], letters, 0) + size_of_terms(sentence.sides[i + 1], letters, 0);
+    };
+    so = so && holds(*sides[i], sentence.relations[i], *sides[i + 1], terms);
   }
-  return std::nullopt;
+  return n == 0 ? std::nullopt : std::optional(so);
 }
 
 Typesetting compare_typeset(const std::string& text,
