@@ -145,6 +145,10 @@ TEST_CASE("every operation has the coefficients of a known series", "[taylor]") 
   check(
       series_of([](const auto& x, const auto&) { return x + 3; }, 1, 0, order),
       [](int k) { return k == 0 ? 1 : 4 / std::tgamma(k + 1.0); }, 1e-15);
+  // x' = (x + 3)^2 from -2: 1/(1 - t) - 3; the constant is a part of what is multiplied
+  check(
+      series_of([](const auto& x, const auto&) { return (x + 3) * (x + 3); }, -2, 0, order),
+      [](int k) { return k == 0 ? -2.0 : 1.0; }, 1e-14);
   // x' = exp(-x): log(1 + t)
   check(
       series_of([](const auto& x, const auto&) { return exp(-x); }, 0, 0, order),
