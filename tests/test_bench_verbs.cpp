@@ -11,6 +11,13 @@ TEST_CASE("work that doubles with its amount grows by the power one", "[bench]")
   CHECK(Growth{"by cells", {1, 10, 100}, {2, 200, 20000}}.slope() == Approx(2));
 }
 
+TEST_CASE("a program reads what it is given, and what it says is had whole", "[bench]") {
+  const Ended said = run_program({"cat"}, "two\nlines", std::chrono::minutes(1));
+  CHECK(said.ok);
+  CHECK(said.output == "two\nlines");
+  CHECK(said.words.empty());
+}
+
 TEST_CASE("a verb's row has its time, its memory and how it failed; a growth has a row a point", "[bench]") {
   const VerbsBench bench{{{"list", 0.01, 0.02, 22e6, ""}, {"site", 1, 2, 82e6, "status 2"}},
                          {{"verify, by trials", {10, 20}, {1, 2}}}};

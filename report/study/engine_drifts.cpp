@@ -94,12 +94,6 @@ Vector momentum(const World& world, const States& states) {
   return sum;
 }
 
-Vector mass_center(const World& world, const States& states) {
-  Vector sum{};
-  for (std::size_t i = 0; i < states.size(); ++i) sum = sum + world.bodies[i].mass * states[i].position;
-  return 1 / mass_of(world) * sum;
-}
-
 /// About a point that moves at `velocity`.
 Vector angular_momentum(const World& world, const States& states, const Vector& point,
                         const Vector& velocity) {
@@ -160,7 +154,7 @@ std::vector<Keeps> kept_when_free(const World& world, const Vector& direction) {
   };
   const auto angular = [&world, direction](const States& s) {
     const Vector velocity = 1 / mass_of(world) * momentum(world, s);
-    const Vector L = angular_momentum(world, s, mass_center(world, s), velocity);
+    const Vector L = angular_momentum(world, s, {}, velocity);  // the same about any point that moves so
     return Momentum{L, world.floor == Vector{} ? L : along(direction, L)};
   };
   return {linear, angular};
