@@ -162,6 +162,19 @@ TEST_CASE("every operation has the coefficients of a known series", "[taylor]") 
       [](int k) { return std::cos(1 + k * std::numbers::pi / 2) / std::tgamma(k + 1.0); }, 1e-15);
 }
 
+TEST_CASE("a series is finite where each of its unknowns is", "[taylor]") {
+  Series series{Program(record<3>([](const auto& x, auto& dxdt, const auto&) {
+    dxdt = {1 / x[0], 1 / x[1], 1 / x[2]};
+  }))};
+  for (const auto& [x, finite] : {std::pair(std::array{1.0, 1.0, 1.0}, true),
+                                  {{0.0, 1.0, 1.0}, false},
+                                  {{1.0, 0.0, 1.0}, false},
+                                  {{1.0, 1.0, 0.0}, false}}) {
+    series.expand(x.data(), 0, 6);
+    CHECK(series.is_finite() == finite);
+  }
+}
+
 TEST_CASE("a motion of zero, with products of what vanishes, has the series zero", "[taylor]") {
   for (double c : series_of([](const auto&x, const auto&) { return x * sin(x) + x * x * x; }, 0, 0, 12))
     CHECK(c == 0);
