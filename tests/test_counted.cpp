@@ -24,6 +24,7 @@ TEST_CASE("counted numbers have the values of plain ones", "[counted]") {
   CHECK(x.value() == 3);
   CHECK(floor(x / Real(2)).value() == 1);
   CHECK(hypot(Real(3), Real(4)).value() == 5);
+  CHECK((Real(3) * Real(4)).value() == 12);
   CHECK((x > Real(2) && x == Real(3)));
 }
 

@@ -138,6 +138,7 @@ TEST_CASE("the work counted is the published number of multiplications", "[solve
   CHECK(solve(Factorization::householder_qr, a, b).evaluations == 30 + 24 + (2 * 91 - 21) + 21);
   CHECK(solve(Factorization::cholesky, a, b).evaluations == 15 + 35 + 15 + 36);
   CHECK(determinant(a).evaluations == 6 * 35 / 3 + 5);
+  CHECK(solve(Factorization::partial_pivot_lu, MatrixXd::Identity(1, 1), VectorXd::Ones(1)).evaluations == 1);
 }
 
 TEST_CASE("determinants of whole numbers", "[solvers]") {
