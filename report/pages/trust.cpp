@@ -154,7 +154,8 @@ Part inputs_survived(const std::vector<Fuzzed>& record) {
   for (const Fuzzed& f : record)
     shares.push_back({f.subject, f.inputs - f.crashes, f.inputs,
                       "in " + format_significant(f.seconds, 3) + " s", f.date, f.commit});
-  return recorded("fuzzed", "inputs read without a crash", "libFuzzer and sanitizers, and links by our own", shares);
+  return recorded("fuzzed", "inputs read without a crash", "libFuzzer and sanitizers, and links by our own",
+                  shares);
 }
 
 Part faults_survived(const std::vector<Faulted>& record) {
