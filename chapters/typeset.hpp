@@ -26,8 +26,8 @@ std::string told(const TypesetLetters&, std::size_t count);
 ///   e_{ijk}g_jf_k                  in index notation, over 0, 1, 2; f_i alone is a vector, a_{rc} a matrix
 ///   \frac{d}{dt}(m\dot x)          along the letters' rates \dot x, \ddot x, of the factor that follows
 ///   \int_0^T f\,dt                between numbers, by Gauss's rule
-///   \int f\,ds                     along a curve, ds a letter of at least ten numbers, the others' too: at nodes
-///   \sum_\sigma a_{\sigma(1)1}     over all permutations of as many digits, with the sign \varepsilon_\sigma
+///   \int f\,ds                     along a curve, by nodes: ds and others are ten numbers or more
+///   \sum_\sigma a_{\sigma(1)1}     over permutations, of the sign \varepsilon_\sigma
 ///   x\pm y, x\mp y                 where \pm is a letter, 1 or -1
 /// A quotient's bar / is over the one factor that follows; a function without parentheses is of what follows
 /// it up to \,, a sign, another function, or a letter with a dot.

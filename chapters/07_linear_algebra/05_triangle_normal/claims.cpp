@@ -186,9 +186,8 @@ void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<
   const auto in_plane = [&](const std::vector<Edges>& samples) {
     return compare<Edges>(R"($u\cdot v\times w$, in halves of 52 bits)", volume, nothing, samples);
   };
-  const Statement<Edges> flat{R"($u\cdot v\times w=0$)", [](const Edges& s) {
-                                return size_of(volume.of(s)) == 0;
-                              }};
+  const Statement<Edges> flat{R"($u\cdot v\times w=0$)",
+                              [](const Edges& s) { return size_of(volume.of(s)) == 0; }};
   const auto perpendicular = [&](const std::vector<Edges>& samples) {
     return compare<Edges>(R"(what $u\times v$ has along the edges, in halves of 52 bits)", leaning, nothing,
                           samples);
