@@ -246,17 +246,20 @@ TEST_CASE("what cannot be told from a graze shrinks as the error of a step", "[e
 
 // ---- stop, switch, and what is no event -------------------------------------------------------------------
 
-TEST_CASE("a guard of the time is asked at each step's own end", "[events]") {
+TEST_CASE("a guard of the time is asked at its own time, within a step and at its end", "[events]") {
   struct Timed : Bouncing {
-    std::array<double, 1> guards(const State&, double t) const { return {1 - t}; }
+    double when;
+    std::array<double, 1> guards(const State&, double t) const { return {when - t}; }
     Happening<State> at_event(std::size_t, const State& x, double) const { return {x, true}; }
   };
-  for (const CatalogEntry& a : catalog()) {
-    INFO(a.name);
-    const auto motion = moved(a.name, Timed{{1, 1, 0}}, {9, 0}, {0, 1}, has_tolerance(a.kind) ? 1e-6 : 0.25);
-    REQUIRE(motion.events.size() == 1);
-    CHECK(near(motion.events[0].time, 1, 1e-12));
-  }
+  for (const CatalogEntry& a : catalog())
+    for (double when : {0.9, 1.0}) {
+      INFO(a.name << ", at " << when);
+      const auto motion =
+          moved(a.name, Timed{{1, 1, 0}, when}, {9, 0}, {0, 1}, has_tolerance(a.kind) ? 1e-6 : 0.25);
+      REQUIRE(motion.events.size() == 1);
+      CHECK(near(motion.events[0].time, when, 1e-12));
+    }
 }
 
 TEST_CASE("where a motion ends, its state stays", "[events]") {

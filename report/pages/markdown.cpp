@@ -91,7 +91,7 @@ std::string for_games(const ExerciseResult& e) {
   const std::string places = " ([models](models.md#" + heading_anchor(e) + ")" +
                              (e.stability ? ", [stability](stability.md#" + heading_anchor(e) + ")" : "") +
                              ").\n\n";
-  return "To " + escaped(row.says, false) + ", as a game needs it, " +
+  return "To " + escaped(row.says, false) + ", as games need it, " +
          (row.least ? "*" + escaped(row.least->model, false) + "* by " +
                           escaped(row.least->algorithm, false) + " is enough"
                     : "nothing here is enough") +
@@ -197,7 +197,7 @@ std::string worst_errata(const Results& results, Links links) {
                         address_of(*f.exercise, f.claims.front()->claim, links) + ")",
                     escaped(f.shows())});
   }
-  return rows.empty() ? "" : table({"erratum", "what one would see"}, rows);
+  return rows.empty() ? "" : table({"erratum", "what one sees"}, rows);
 }
 
 /// What is enough for a game, a row a scene.

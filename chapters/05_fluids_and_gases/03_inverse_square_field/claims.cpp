@@ -83,7 +83,7 @@ Check divergence_is_zero(const std::string& field, const std::function<double(co
 }
 Reading divergence_of_power(int power, const Random& random) {
   const std::string field = R"(\mathbf x/|\mathbf x|^)" + std::to_string(power);
-  return {R"($\nabla\cdot()" + field + ")=0$ everywhere else",
+  return {R"($\nabla\cdot()" + field + ")=0$ where it is defined",
           {divergence_is_zero(
               field,
               [=](const Away& a) {
@@ -170,7 +170,7 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
       R"(\mathbf x/|\mathbf x|^3)", [](const Away& a) { return divergence(inverse_square, a.frame)(a.x); },
       samples(random, 1e60));
   claims.add("zero", 3267, "the divergence is zero, where the field is defined",
-             {.printed = {R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=0$ everywhere else)", {zero}},
+             {.printed = {R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=0$ where it is defined)", {zero}},
               .near_misses = {divergence_of_power(2, random),
                               divergence_of_power(4, random),
                               {"and at the origin too: a sphere around it has no flux",
