@@ -208,8 +208,7 @@ std::pair<VectorXd, bool> solution(Factorization how, const MatrixXd& a, const V
       if (!symmetric(a))  // of which Eigen would read one half only
         return {VectorXd::Constant(a.cols(), std::numeric_limits<double>::quiet_NaN()), false};
       const Eigen::LDLT<MatrixXd> ldlt(a);
-      return {ldlt.solve(b),
-              ldlt.info() == Eigen::Success && ldlt.isPositive() && ldlt.vectorD().minCoeff() > 0};
+      return {ldlt.solve(b), ldlt.info() == Eigen::Success && ldlt.vectorD().minCoeff() > 0};
     }
   }
   return {};
