@@ -13,6 +13,16 @@ double step_in(const CsvRow& row, std::size_t i) {
   return step;
 }
 
+/// Stars and dots, one for each of the outcomes, or nothing.
+std::string marks_in(const CsvRow& row, std::size_t i, const std::string& outcomes) {
+  const std::string& marks = row.cells[i];
+  const bool one_each = marks.size() == outcomes.size() && marks.find_first_not_of(".*") == std::string::npos;
+  if (!marks.empty() && !one_each)
+    throw BadInput(row.place + ": '" + marks + "' in column " + std::to_string(i + 1) +
+                   " must be a dot or a star for each outcome, or empty");
+  return marks;
+}
+
 std::optional<double> number_or_none(const CsvRow& row, std::size_t i) {
   return row.cells[i].empty() ? std::nullopt : std::optional(row.number(i));
 }
@@ -33,9 +43,10 @@ Limits read_limits(const std::filesystem::path& folder) {
 
 Maps read_maps(const std::filesystem::path& folder) {
   Maps maps;
-  for (const CsvRow& row :
-       read_rows(folder / "stability_maps.csv", {"exercise", "model", "algorithm", "value", "outcomes"}, 4))
-    maps.push_back({row.cells[0], row.cells[1], row.cells[2], row.number(3), row.cells[4], row.place});
+  for (const CsvRow& row : read_rows(folder / "stability_maps.csv",
+                                     {"exercise", "model", "algorithm", "value", "outcomes", "fragile"}, 4))
+    maps.push_back({row.cells[0], row.cells[1], row.cells[2], row.number(3), row.cells[4],
+                    marks_in(row, 5, row.cells[4]), row.place});
   return maps;
 }
 

@@ -28,6 +28,7 @@ struct ApprovedMap {
   std::string exercise, model, algorithm;
   double value = 0;
   std::string outcomes;
+  std::string fragile;  ///< a star for each letter that roundings decide, a dot for each other; empty: none
   std::string place;
 };
 

@@ -83,7 +83,7 @@ inline Results sample() {
       "a",
       "rad",
       {1, 0.5},
-      {{"model", "algorithm", 0.1, 0.7, {Outcome::drifted, Outcome::ok}}}};
+      {{"model", "algorithm", 0.1, 0.7, {Outcome::drifted, Outcome::ok}, {true, false}}}};
   return {{e}};
 }
 

@@ -114,6 +114,7 @@ TEST_CASE("a results file that would lead to nonsense is refused", "[report]") {
         }).find("path") != std::string::npos);
   CHECK(refused([](E& e) { e.stability->steps.clear(); }).find("map") != std::string::npos);
   CHECK(refused([](E& e) { e.stability->map[0].outcomes.pop_back(); }).find("map") != std::string::npos);
+  CHECK(refused([](E& e) { e.stability->map[0].fragile.pop_back(); }).find("map") != std::string::npos);
 }
 
 TEST_CASE("a perturbed result that a check does not notice is named", "[report]") {
@@ -389,10 +390,18 @@ TEST_CASE("a map is as wide as a page, and its letters are legible", "[report]")
   s.time_unit = "s";
   for (int i = 0; i < 30; ++i)
     for (double value : {0.1, 0.2, 0.3})
-      s.map.push_back(
-          {"model", "algorithm " + std::to_string(i), value, 0.7, {Outcome::diverged, Outcome::ok}});
+      s.map.push_back({"model",
+                       "algorithm " + std::to_string(i),
+                       value,
+                       0.7,
+                       {Outcome::diverged, Outcome::ok},
+                       {false, false}});
   s.map.back().outcomes = {Outcome::ok, Outcome::inaccurate};
+  CHECK(count(map_svg(e), "roundings decide") == 0);
+  s.map.back().fragile = {false, true};
   const std::string svg = map_svg(e);
+  CHECK(count(svg, "roundings decide") == 1);
+  CHECK(count(svg, "<path class=\"on-i\"") == 2);  // the corner of the cell, and of the legend's
   CHECK(count(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\"") == 1);
   CHECK(count(svg, "algorithm 0 (model) is ok at every a up to the longest step, 0.5 s</text>") == 1);
   CHECK(count(svg, ">X</text>") == 29 * 3 + 2 + 1);  // the last in the legend

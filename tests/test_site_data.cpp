@@ -195,6 +195,7 @@ TEST_CASE("A map has a list of letters for each value of the parameter", "[site]
       CHECK(method["algorithm"] == s.map[rows].algorithm);
       CHECK(row[0] == s.map[rows].value);
       CHECK(row[2] == letters(s.map[rows]));
+      CHECK(row[3] == fragile_cells(s.map[rows]));
       ++rows;
     }
   CHECK(rows == s.map.size());

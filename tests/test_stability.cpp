@@ -336,7 +336,7 @@ TEST_CASE("stability survives the way to JSON and back, infinite limits too", "[
   limit.cure = limit.at;
   const Limit none = found(method([](double) { return true; }, {{0, 1.5}, {1.6, infinity}}));
   s.limits = {limit, found(method([](double) { return false; })), none};
-  s.map = {{"model", "algorithm", 0.1, infinity, {Outcome::diverged, Outcome::ok}}};
+  s.map = {{"model", "algorithm", 0.1, infinity, {Outcome::diverged, Outcome::ok}, {true, false}}};
   const std::string json = to_json(results);
   const Results read = results_from_json(json, "here");
   CHECK(to_json(read) == json);
@@ -346,7 +346,7 @@ TEST_CASE("stability survives the way to JSON and back, infinite limits too", "[
   CHECK(stability_text(read.exercises[0]) == stability_text(e));
   CHECK(map_svg(read.exercises[0]) == map_svg(e));
   CHECK(limit_rows(read) == limit_rows(results));
-  CHECK(map_rows(results) == "3.5,model,algorithm,0.1,Xo\n");
+  CHECK(map_rows(results) == "3.5,model,algorithm,0.1,Xo,*.\n");
 }
 
 TEST_CASE("limits and maps on record are read, broken ones named by line", "[stability]") {
@@ -377,8 +377,16 @@ TEST_CASE("limits and maps on record are read, broken ones named by line", "[sta
   CHECK(said("exercise,step\n3.5,1\n") ==
         ":1: the columns must be "
         "exercise,model,algorithm,step,theory,unstable,watched,soft,error,needed,beyond,why");
-  folder.file("stability_maps.csv", "exercise,model,algorithm,value,outcomes\n3.5,m,a,1,Xo\n3.5,m,a,2,oo\n");
-  CHECK(read_maps(folder.path()).at(1).outcomes == "oo");
+  const auto maps = [&](const std::string& rows) {
+    folder.file("stability_maps.csv", "exercise,model,algorithm,value,outcomes,fragile\n" + rows);
+    return read_maps(folder.path());
+  };
+  CHECK(maps("3.5,m,a,1,Xo,\n3.5,m,a,2,oo,.*\n").at(1).outcomes == "oo");
+  CHECK(maps("3.5,m,a,1,Xo,\n3.5,m,a,2,oo,.*\n").at(1).fragile == ".*");
+  for (const std::string marks : {"*", "***", "o*"})
+    CHECK(complaint([&] {
+            maps("3.5,m,a,1,Xo," + marks + "\n");
+          }).find(":2: '" + marks + "' in column 6 must be a dot") != std::string::npos);
 }
 
 TEST_CASE("stability does not depend on the number of threads", "[stability]") {
@@ -398,7 +406,7 @@ TEST_CASE("stability does not depend on the number of threads", "[stability]") {
 
 TEST_CASE("a letter of a map may be another's machine only where the last bits decide", "[stability]") {
   const auto ends_so = [](double a, Outcome outcome) {
-    const MapRow row{"model", "algorithm", a, infinity, {Outcome::ok}};
+    const MapRow row{"model", "algorithm", a, infinity, {Outcome::ok}, {false}};
     return ends_so_within_roundings(Task(edge), row, 0, outcome, Reference::nothing());
   };
   CHECK(ends_so(0.01, Outcome::ok));
@@ -407,4 +415,28 @@ TEST_CASE("a letter of a map may be another's machine only where the last bits d
   CHECK(ends_so(0.01 * (1 - 1e-12), Outcome::ok));
   CHECK_FALSE(ends_so(0.01 * (1 - 1e-12), Outcome::inaccurate));
   CHECK_FALSE(ends_so(0.011, Outcome::ok));
+}
+
+TEST_CASE("a letter that roundings decide is marked, and no other", "[stability]") {
+  const std::vector<Task> tasks{Task(edge)};
+  Results blank;
+  blank.exercises.emplace_back().number = edge.number;
+  const Results results = with_stability(blank, tasks, Reference::nothing());
+  for (const MapRow& row : results.exercises[0].stability->map) {
+    INFO("an error of " << row.value << " ends " << letters(row));
+    CHECK(fragile_cells(row) == (row.value == 0.01 ? "*..........." : ""));
+    CHECK(letters(row).substr(0, 2) == (row.value <= 0.01 ? "oo" : "io"));
+  }
+  CHECK(stability_text(results.exercises[0])
+            .find("decide how these end: model, algorithm at 0.01 m, step 1 ") != std::string::npos);
+}
+
+TEST_CASE("roundings decide no more than one in a hundred letters on record", "[stability]") {
+  std::ptrdiff_t letters = 0, marked = 0;
+  for (const ApprovedMap& row : read_maps(std::filesystem::path(ODDITY_SOURCE) / "reference" / "approved")) {
+    letters += std::ssize(row.outcomes);
+    marked += std::ranges::count(row.fragile, '*');
+  }
+  CHECK(marked > 0);
+  CHECK(100 * marked <= letters);
 }

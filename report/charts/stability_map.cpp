@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -111,6 +112,23 @@ void add_cells(Svg& svg, const Panel& p, const Stability& s, Outcome outcome) {
   if (outcome != Outcome::ok) svg.letters(places, letter, std::string("on-") + letter);
 }
 
+/// A corner of the cell whose upper right corner this is, in the colour of the letter.
+void add_corner(Svg& svg, Pixel at, Outcome outcome) {
+  constexpr double side = 6;
+  svg.area({{at.x - side, at.y}, at, {at.x, at.y + side}}, std::string("on-") + letter_of(outcome));
+}
+
+/// The cells that roundings decide have a corner.
+void add_corners(Svg& svg, const Panel& p) {
+  for (std::size_t column = 0; column < p.columns.size(); ++column)
+    for (std::size_t k = 0; k < p.columns[column]->fragile.size(); ++k)
+      if (p.columns[column]->fragile[k])
+        add_corner(svg,
+                   {p.across + cell_width * static_cast<double>(column + 1) - 0.5,
+                    p.down + cell_height * static_cast<double>(k) + 0.5},
+                   p.columns[column]->outcomes[k]);
+}
+
 /// Theory's limits as lines, those beyond the steps shown along the edge.
 std::string theory_lines(const Panel& p, const Stability& s) {
   std::string data;
@@ -131,6 +149,7 @@ void add_panel(Svg& svg, const Panel& p, const Stability& s, int height) {
   const int width = cell_width * static_cast<int>(p.columns.size());
   svg.text({p.across + width / 2.0, p.down - 6.0}, p.columns[0]->algorithm, "t", Svg::Anchor::middle);
   for (Outcome outcome : outcomes_of_a_map) add_cells(svg, p, s, outcome);
+  add_corners(svg, p);
   const std::string theory = theory_lines(p, s);
   svg.path(theory, "rim");
   svg.path(theory, "theory");
@@ -144,6 +163,14 @@ void add_panel(Svg& svg, const Panel& p, const Stability& s, int height) {
     svg.text({p.across - 6.0, middle_of(p.down, k, cell_height) + 4},
              with_powers(format_significant(s.steps[k], 3)), "dim small", Svg::Anchor::end);
   svg.upward_text({14, p.down + height / 2.0}, axis_name("step", s.time_unit), "t");
+}
+
+/// How a cell ends that roundings decide, if there is one.
+std::optional<Outcome> first_fragile(const Stability& s) {
+  for (const MapRow& row : s.map)
+    for (std::size_t k = 0; k < row.fragile.size(); ++k)
+      if (row.fragile[k]) return row.outcomes[k];
+  return std::nullopt;
 }
 
 /// The outcomes that the map has, in a line above the panels.
@@ -164,6 +191,12 @@ void add_legend(Svg& svg, const Stability& s) {
   svg.line({x, y + 8}, {x + 20, y + 8}, "rim");
   svg.line({x, y + 8}, {x + 20, y + 8}, "theory");
   svg.text({x + 25, y + 13}, "limit of linear theory", "t");
+  if (const auto ends = first_fragile(s)) {
+    x += 160;
+    svg.rectangle({x, y}, 20, 17, std::string(1, letter_of(*ends)));
+    add_corner(svg, {x + 20, y}, *ends);
+    svg.text({x + 25, y + 13}, "roundings decide", "t");
+  }
 }
 
 /// The longest step from which on a method ends ok at every value of the parameter; 0: none.

@@ -109,6 +109,18 @@ std::string letters_and_theory(const MapRow& row, const std::vector<double>& ste
   return text.insert(static_cast<std::size_t>(above), "|");
 }
 
+/// The cells that roundings decide, in a sentence; empty: none.
+std::string fragile_text(const Stability& s) {
+  std::string cells;
+  for (const MapRow& row : s.map)
+    for (std::size_t k = 0; k < row.fragile.size(); ++k)
+      if (row.fragile[k])
+        cells += (cells.empty() ? "" : "; ") + row.model + ", " + row.algorithm + " at " +
+                 in_unit(format_significant(row.value, 4), s.parameter_unit) + ", step " +
+                 in_unit(format_significant(s.steps[k], 3), s.time_unit);
+  return cells.empty() ? "" : "\nA few roundings at the start decide how these end: " + cells + ".\n";
+}
+
 std::string map_text(const Stability& s, const Screen& screen) {
   std::string text = "\nmap: each letter a step, from " + format_significant(s.steps.front(), 3) + " " +
                      s.time_unit + ", halved and halved again, to " + format_significant(s.steps.back(), 3) +
@@ -124,7 +136,8 @@ std::string map_text(const Stability& s, const Screen& screen) {
                     in_unit(format_significant(row.value, 4), s.parameter_unit),
                     letters_and_theory(row, s.steps)});
   }
-  return wrapped(text + "\n", screen, 4) + aligned(rows, screen, {{"model", "algorithm"}, {}, true});
+  return wrapped(text + "\n", screen, 4) + aligned(rows, screen, {{"model", "algorithm"}, {}, true}) +
+         wrapped(fragile_text(s), screen, 4);
 }
 
 std::string step_cell(double step) { return format_significant(step, 3); }
@@ -223,6 +236,12 @@ std::string letters(const MapRow& row) {
   return text;
 }
 
+std::string fragile_cells(const MapRow& row) {
+  std::string text;
+  for (bool fragile : row.fragile) text += fragile ? '*' : '.';
+  return row.fragile.end() == std::ranges::find(row.fragile, true) ? "" : text;
+}
+
 std::string shown_step(const Limit& l) {
   if (std::isinf(l.step())) return "every step";
   if (l.stable == 0) return "none";
@@ -304,7 +323,7 @@ std::string limit_rows(const Results& results) {
 
 std::string map_row(const ExerciseResult& e, const MapRow& row) {
   return to_string(e.number) + "," + csv_cell(row.model) + "," + csv_cell(row.algorithm) + "," +
-         format_shortest(row.value) + "," + letters(row) + "\n";
+         format_shortest(row.value) + "," + letters(row) + "," + fragile_cells(row) + "\n";
 }
 
 std::string map_rows(const Results& results) {
@@ -330,7 +349,7 @@ std::string stability_page(const Results& results) {
       "its own time. Theory's limit, in brackets, is the shortest step at which disturbances grow by the "
       "eigenvalues of the Jacobian along the motion. Where the two differ by more than a quarter, the reason "
       "stands below the table. The maps show how each method ends over the step and over the parameter that makes "
-      "the scene hard. Below a limit stands the largest error at the end of any of its steps. *Good to*: up to this step all are "
+      "the scene hard; a cell with a corner ends otherwise where the start is a few roundings off. Below a limit stands the largest error at the end of any of its steps. *Good to*: up to this step all are "
       "within what a game asks at the end of every step, one centimetre or one degree; *good nowhere*: none that was tried is. `oddity stability` prints how each method breaks, and what cures it.\n\n";
   text += differences(results);
   for (const ExerciseResult& e : results.exercises)

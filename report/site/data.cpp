@@ -30,8 +30,9 @@
 //                16 bits, least byte first, in base64, between `least` and `most`
 //   stability    null, or {limits: [{model, algorithm, shown, stable, unstable, theory, within, tongues:
 //                [[from, to]]}], parameter, unit, steps: [step], map: [{model, algorithm, rows: [[value,
-//                theory, outcomes], ...]}]}; `shown` is the largest stable step in words; a theory of null
-//                has every step stable; outcomes are the letters of the steps
+//                theory, outcomes, fragile], ...]}]}; `shown` is the largest stable step in words; a theory
+//                of null has every step stable; outcomes are the letters of the steps, and fragile has a star
+//                for each that roundings decide and a dot for each other, or nothing where they decide none
 //   least        null, or [{says, horizon, fps, unit, model, algorithm, knob, setting, errors, evaluations}]
 //   example      of the one that is no exercise: {truth, opening: [...]}, the methods that are the truth
 //   where the
@@ -472,7 +473,7 @@ Json from(const std::optional<Stability>& stability) {
   for (const MapRow& row : stability->map) {
     if (map.empty() || map.back()["model"] != row.model || map.back()["algorithm"] != row.algorithm)
       map.push_back({{"model", row.model}, {"algorithm", row.algorithm}, {"rows", Json::array()}});
-    map.back()["rows"].push_back({row.value, brief(row.theory), letters(row)});
+    map.back()["rows"].push_back({row.value, brief(row.theory), letters(row), fragile_cells(row)});
   }
   return {{"limits", limits},
           {"parameter", stability->parameter},

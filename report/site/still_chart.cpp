@@ -159,6 +159,16 @@ std::string table_of(const QuantityResult& q, const std::vector<std::size_t>& sh
          (others > 0 ? element("p", "", std::to_string(others) + " more were tried.") : "");
 }
 
+/// The letters of a row, those that roundings decide in bold.
+std::string marked_letters(const MapRow& row) {
+  std::string text;
+  for (std::size_t k = 0; k < row.outcomes.size(); ++k) {
+    const std::string letter(1, letter_of(row.outcomes[k]));
+    text += row.fragile[k] ? element("b", "", letter) : letter;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string still_chart(const QuantityResult& q) {
@@ -191,14 +201,17 @@ std::string still_map(const Stability& s) {
     const MapRow& row = s.map[i];
     if (i == 0 || !same(row, s.map[i - 1]))
       rows += (i == 0 ? "<tr>" : "</tr>\n<tr>") + element("th", "", in_xml(row.model + ", " + row.algorithm));
-    rows += cell(element("code", "", letters(row)));
+    rows += cell(element("code", "", marked_letters(row)));
   }
   const std::string unit = s.time_unit.empty() ? "" : " " + in_xml(s.time_unit);
+  const bool fragile =
+      std::ranges::any_of(s.map, [](const MapRow& row) { return !fragile_cells(row).empty(); });
+  const std::string in_bold = fragile ? " Bold: a few roundings at the start decide." : "";
   return "<noscript>" +
          element("p", "",
                  "How each trial ends over <var>" + in_xml(s.parameter) + "</var>: a letter a step, from " +
                      format_significant(s.steps.front(), 3) + unit + " to " +
-                     format_significant(s.steps.back(), 3) + unit + key + ".") +
+                     format_significant(s.steps.back(), 3) + unit + key + "." + in_bold) +
          "<div class=\"wide\"><table class=\"still\"><tr><th>method</th>" + head + "</tr>\n" + rows +
          "</tr></table></div></noscript>";
 }

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 7;
+constexpr int format = 8;
 
 void require(bool holds, const char* otherwise) {
   if (!holds) throw std::runtime_error(otherwise);
@@ -420,7 +420,8 @@ Json from(const Stability& s) {
                    {"algorithm", row.algorithm},
                    {"value", from(row.value)},
                    {"theory", from_limit(row.theory)},
-                   {"outcomes", ends}});
+                   {"outcomes", ends},
+                   {"fragile", row.fragile}});
   }
   return {{"quantity", s.quantity},   {"unit", s.unit},
           {"time_unit", s.time_unit}, {"horizon", from(s.horizon)},
@@ -447,9 +448,11 @@ Stability stability(const Json& json) {
                         l.at("evidence")});
   require(!s.steps.empty(), "a map has no steps");
   for (const Json& r : json.at("map")) {
-    MapRow row{r.at("model"), r.at("algorithm"), number(r.at("value")), limit_in(r.at("theory")), {}};
+    MapRow row{r.at("model"),  r.at("algorithm"), number(r.at("value")), limit_in(r.at("theory")), {},
+               r.at("fragile")};
     for (const Json& outcome : r.at("outcomes")) row.outcomes.push_back(named(outcome, outcomes));
     require(row.outcomes.size() == s.steps.size(), "a row of a map has not one outcome for each step");
+    require(row.fragile.size() == s.steps.size(), "a row of a map has not one mark for each step");
     s.map.push_back(std::move(row));
   }
   return s;

@@ -211,6 +211,7 @@ struct MapRow {
   double value = 0;
   double theory = 0;  ///< infinity: every step is stable
   std::vector<Outcome> outcomes;
+  std::vector<bool> fragile;  ///< whether it ends otherwise from a start that is a few roundings off
 };
 
 /// Where the methods of a scene break: over the step, and over the parameter that makes the scene hard.

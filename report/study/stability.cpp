@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -335,8 +336,33 @@ struct Motion {
   double interval;
   double value = 0;  ///< of the varied parameter
   bool varied = false;
-  std::shared_ptr<const EveryStep> judge = {};  ///< unless the parameter is varied
+  std::vector<Quantity> beside = {};            ///< where it is: from starts that are a few roundings off
+  std::shared_ptr<const EveryStep> judge = {};  ///< unless it is
 };
+
+/// What differs from start to start, and the varied parameter, each so many roundings off and in its range.
+Parameters moved(Parameters parameters, const Scene& scene, int roundings) {
+  for (const Parameter& p : parameters.declared())
+    if (p.name == scene.sweep_parameter || std::ranges::count(scene.perturbed_parameters, p.name) > 0) {
+      constexpr double rounding = std::numeric_limits<double>::epsilon();
+      if (!p.whole)
+        parameters.set(p.name, std::clamp(parameters[p.name] * (1 + roundings * rounding), p.least, p.most));
+    }
+  return parameters;
+}
+
+/// The same motion, judged by the same truth, from starts that differ by a few roundings.
+std::vector<Quantity> motions_beside(const Quantity& quantity, const Scene& scene,
+                                     const Parameters& parameters) {
+  std::vector<Quantity> all;
+  for (int roundings : {-16, -4, -1, 1, 4, 16}) {
+    all.push_back(motion(scene, moved(parameters, scene, roundings), Reference::nothing()));
+    all.back().reference = quantity.reference;
+    all.back().need = quantity.need;
+    all.back().needs = quantity.needs;
+  }
+  return all;
+}
 
 Motion motion_of(const Task& task, std::size_t place, const Reference& truth, std::optional<double> value) {
   const Scene& scene = *task.entry->exercise.scene;
@@ -346,7 +372,9 @@ Motion motion_of(const Task& task, std::size_t place, const Reference& truth, st
   motion.interval = scene.horizon / motion.quantity.samples;
   motion.quantity.need = {scene.game_tolerance, "what a game asks"};
   for (std::string_view unit : motion.quantity.units()) motion.quantity.needs.push_back(game_error(unit));
-  if (!value)
+  if (value)
+    motion.beside = motions_beside(motion.quantity, scene, parameters);
+  else
     motion.judge = std::make_shared<EveryStep>(
         motion.quantity, scene.horizon, [&scene, parameters](const Horizon& horizon) {
           return oddity::motion(scene, parameters, horizon, Reference::nothing());
@@ -380,10 +408,29 @@ struct Piece {
   MapRow row = {};
 };
 
+/// Whether this holds of the outcome from any of the starts a few roundings off.
+bool any_beside(const Motion& motion, const Method& method, int k,
+                const std::function<bool(Outcome)>& holds) {
+  return std::ranges::any_of(motion.beside, [&](const Quantity& beside) {
+    const Method* same = method_of(beside, method.model, method.algorithm);
+    return same && holds(run(beside, *same, std::ldexp(motion.interval, -k)).outcome);
+  });
+}
+
+/// Whether roundings decide how the method ends by its k-th step. They do not where it is well within the
+/// need.
+bool is_fragile(const Motion& motion, const Method& method, int k, const Trial& trial) {
+  if (trial.outcome == Outcome::ok && trial.in_needs < 0.5) return false;
+  return any_beside(motion, method, k, [&](Outcome beside) { return beside != trial.outcome; });
+}
+
 MapRow row_of(const Motion& motion, const Method& method) {
-  MapRow row{method.model, method.algorithm, motion.value, first_of(method.unstable_steps()), {}};
-  for (int k = 0; k < map_steps; ++k)
-    row.outcomes.push_back(run(motion.quantity, method, std::ldexp(motion.interval, -k)).outcome);
+  MapRow row{method.model, method.algorithm, motion.value, first_of(method.unstable_steps()), {}, {}};
+  for (int k = 0; k < map_steps; ++k) {
+    const Trial trial = run(motion.quantity, method, std::ldexp(motion.interval, -k));
+    row.outcomes.push_back(trial.outcome);
+    row.fragile.push_back(is_fragile(motion, method, k, trial));
+  }
   return row;
 }
 
@@ -405,17 +452,6 @@ void examine(Piece& piece) {
         limit_by(*piece.motion->judge, piece.motion->quantity, *piece.method, piece.motion->interval);
     piece.limit.cure = cure_of(piece.motion->quantity, piece.limit);
   }
-}
-
-/// What differs from start to start, and the varied parameter, each so many roundings off and in its range.
-Parameters moved(Parameters parameters, const Scene& scene, int roundings) {
-  for (const Parameter& p : parameters.declared())
-    if (p.name == scene.sweep_parameter || std::ranges::count(scene.perturbed_parameters, p.name) > 0) {
-      constexpr double rounding = std::numeric_limits<double>::epsilon();
-      if (!p.whole)
-        parameters.set(p.name, std::clamp(parameters[p.name] * (1 + roundings * rounding), p.least, p.most));
-    }
-  return parameters;
 }
 
 /// The motions at the defaults and at every value of the varied parameter; their references may take a while.
@@ -466,18 +502,10 @@ Limit limit_of(const Quantity& quantity, const Method& method, double interval) 
 
 bool ends_so_within_roundings(const Task& task, const MapRow& row, std::size_t k, Outcome outcome,
                               const Reference& truth) {
-  const Scene& scene = *task.entry->exercise.scene;
-  Parameters at_row = task.parameters;
-  at_row.set(scene.sweep_parameter, row.value);
-  const Motion here = motion_of(task, 0, truth, row.value);
-  return std::ranges::any_of(std::array{-16, -4, -1, 1, 4, 16}, [&](int roundings) {
-    Quantity beside = motion(scene, moved(at_row, scene, roundings), Reference::nothing());
-    beside.reference = here.quantity.reference;
-    beside.need = here.quantity.need;
-    beside.needs = here.quantity.needs;
-    const Method* method = method_of(beside, row.model, row.algorithm);
-    return method && run(beside, *method, std::ldexp(here.interval, -static_cast<int>(k))).outcome == outcome;
-  });
+  const Motion motion = motion_of(task, 0, truth, row.value);
+  const Method* method = method_of(motion.quantity, row.model, row.algorithm);
+  return method &&
+         any_beside(motion, *method, static_cast<int>(k), [&](Outcome beside) { return beside == outcome; });
 }
 
 Results with_stability(Results results, std::span<const Task> tasks, const Reference& truth,

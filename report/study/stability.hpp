@@ -47,6 +47,8 @@ char letter_of(Outcome);
 std::optional<Outcome> outcome_of(char letter);
 /// The letters of a row's outcomes, from the coarsest step to the finest.
 std::string letters(const MapRow&);
+/// "..*.........": a star for each of a row's outcomes that a few roundings at the start decide; empty: none.
+std::string fragile_cells(const MapRow&);
 /// "0.625", "at least 2.5", "every step", "none".
 std::string shown_step(const Limit&);
 /// "0.464 to 0.555, from 0.882 on".

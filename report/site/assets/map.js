@@ -56,7 +56,7 @@
       cell.method.algorithm + ' (' + cell.method.model + ')',
       context.parameter + ' = ' + inUnit(cell.value, context.unit, 4),
       'step ' + number(cell.step, 3) + ' ' + context.timeUnit,
-      context.outcomes[cell.letter],
+      context.outcomes[cell.letter] + (cell.fragile ? ', which a few roundings at the start decide' : ''),
     ].join(', ');
 
   function panel(method, context, cells) {
@@ -66,16 +66,18 @@
     const body = element('tbody');
     steps.forEach((step, k) => {
       const row = element('tr', {}, element('th', { scope: 'row' }, String(Number(step.toPrecision(2)))));
-      for (const [value, , outcomes] of method.rows) {
+      for (const [value, , outcomes, marks] of method.rows) {
+        const fragile = marks[k] === '*';
         const cell = {
           method,
           value,
           step,
           letter: outcomes[k],
+          fragile,
           panel: body,
-          node: element('td', { tabindex: '-1', class: 'cell cell-' + outcomes[k] }, outcomes[k]),
+          node: element('td', { tabindex: '-1', class: 'cell cell-' + outcomes[k] + (fragile ? ' fragile' : '') }, outcomes[k]),
         };
-        cell.node.setAttribute('aria-label', context.outcomes[cell.letter]);
+        cell.node.setAttribute('aria-label', context.outcomes[cell.letter] + (fragile ? ', by roundings' : ''));
         cells.set(cell.node, cell);
         row.append(cell.node);
       }
@@ -119,6 +121,15 @@
             name,
           ),
         );
+    if (map.some((m) => m.rows.some(([, , , marks]) => marks)))
+      made.append(
+        element(
+          'span',
+          {},
+          element('b', { class: 'cell fragile', 'aria-hidden': 'true' }),
+          'a few roundings at the start decide',
+        ),
+      );
     made.append(
       element(
         'span',
