@@ -124,18 +124,6 @@ template <int k, class A>
 }
 
 template <int k, class Rows>
-[[gnu::always_inline]] inline auto linear(const Node& node, const Rows& rows) {
-  using T = std::decay_t<decltype(rows.result[k])>;
-  const auto times = [](double scale, const T& x) {
-    return scale == 1 ? x : scale == -1 ? -x : T(scale) * x;
-  };
-  T sum = times(node.alpha, rows.a[k]);
-  if (node.b >= 0) sum = node.beta == -1 ? sum - rows.b[k] : sum + times(node.beta, rows.b[k]);
-  if (k == 0 && node.gamma != 0) sum += T(node.gamma);
-  return sum;
-}
-
-template <int k, class Rows>
 [[gnu::always_inline]] inline auto multiply(const Node& node, const Rows& rows) {
   return node.a == node.b ? square<k>(rows.a) : product<k>(rows.a, rows.b);
 }
@@ -241,13 +229,11 @@ template <int k, class Rows>
   }
 }
 
-/// Coefficient k of the operation, which goes into its row.
+/// Coefficient k of the operation, unless it is linear; it goes into its row.
 template <int k, class Rows>
 [[gnu::always_inline]] inline auto compute(Operation operation, const Node& node, const Rows& rows) {
   auto& result = rows.result[k];
   switch (operation) {
-    case Operation::linear:
-      return result = linear<k>(node, rows);
     case Operation::multiply:
       return result = multiply<k>(node, rows);
     case Operation::divide:
@@ -260,6 +246,7 @@ template <int k, class Rows>
       return result = sine_and_cosine<k>(rows);
     case Operation::exponential:
       return result = exponential<k>(rows);
+    case Operation::linear:
     case Operation::unknown:
     case Operation::cosine:
       break;
