@@ -36,7 +36,7 @@ struct HeightCubic {
   double alpha, a, b, e, u0;
 
   explicit HeightCubic(const Top& t)
-      : alpha(t.alpha()), a(t.a()), b(t.b()), e(HeightAlone<double>{t}.constant()), u0(std::cos(t.phi)) {}
+      : alpha(t.alpha()), a(t.a()), b(t.b()), e(HeightAlone<double>{t}.e), u0(std::cos(t.phi)) {}
   double operator()(double u) const { return (e - 2 * alpha * u) * (1 - u * u) - (b - a * u) * (b - a * u); }
   /// Its three roots in ascending order, the last beyond 1, by Viete's angles.
   Vector<double> roots() const {

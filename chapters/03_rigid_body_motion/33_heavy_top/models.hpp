@@ -57,17 +57,19 @@ struct Given {
     const Matrix<T> r = rotation(theta, phi, psi);
     return {dphi * cos(psi) + dtheta * r[2][0], -dphi * sin(psi) + dtheta * r[2][1], dpsi + dtheta * r[2][2]};
   }
+};
 
-  /// theta' at a tilt.
+/// What the tilt alone decides; the constants of the motion are made once.
+template <class T>
+struct ByTilt {
+  T a, b, alpha;
+
+  explicit ByTilt(const Given<T>& p) : a(p.a()), b(p.b()), alpha(p.alpha()) {}
+  /// theta' and phi'' at a tilt.
   template <class X>
-  X precession(const X& tilt) const {
-    return (b() - a() * cos(tilt)) / (sin(tilt) * sin(tilt));
-  }
-  /// phi'' at a tilt.
-  template <class X>
-  X tilting(const X& tilt) const {
-    const X rate = precession(tilt);
-    return sin(tilt) * (alpha() + rate * (rate * cos(tilt) - a()));
+  std::array<X, 2> rates(const X& tilt) const {
+    const X s = sin(tilt), c = cos(tilt), rate = (b - a * c) / (s * s);
+    return {rate, s * (alpha + rate * (rate * c - a))};
   }
 };
 
@@ -102,20 +104,21 @@ struct MeanPrecession {
 template <class T>
 struct Nutation {
   Given<T> p;
+  ByTilt<T> by_tilt = ByTilt<T>(p);
   using State = std::array<T, 2>;
   State start() const { return {p.phi, p.dphi}; }
   template <class X>
   void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X&) const {
-    dxdt = {x[1], p.tilting(x[0])};
+    dxdt = {x[1], by_tilt.rates(x[0])[1]};
   }
   template <class X>
   void acceleration(const std::array<X, 1>& q, std::array<X, 1>& dv) const {
-    dv = {p.tilting(q[0])};
+    dv = {by_tilt.rates(q[0])[1]};
   }
   std::array<T, 1> observe(const State& x, const T&) const { return {cos(x[0])}; }
   auto conserved(const State& x, const T&) const {
-    const T turning = p.precession(x[0]) * sin(x[0]);
-    return energy_of<T>(x[1] * x[1] + turning * turning, 2 * p.alpha() * cos(x[0]));
+    const T turning = by_tilt.rates(x[0])[0] * sin(x[0]);
+    return energy_of<T>(x[1] * x[1] + turning * turning, 2 * by_tilt.alpha * cos(x[0]));
   }
 };
 
@@ -123,6 +126,7 @@ struct Nutation {
 template <class T>
 struct HeightAlone {
   Given<T> p;
+  T a = p.a(), b = p.b(), alpha = p.alpha(), e = constant();
   using State = std::array<T, 2>;
   State start() const { return {cos(p.phi), -sin(p.phi) * p.dphi}; }
   T constant() const {
@@ -132,8 +136,7 @@ struct HeightAlone {
   template <class X>
   void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X&) const {
     const X& u = x[0];
-    dxdt = {x[1],
-            -p.alpha() * (1 - u * u) - (constant() - 2 * p.alpha() * u) * u + p.a() * (p.b() - p.a() * u)};
+    dxdt = {x[1], -alpha * (1 - u * u) - (e - 2 * alpha * u) * u + a * (b - a * u)};
   }
   std::array<T, 1> observe(const State& x, const T&) const { return {x[0]}; }
 };
@@ -142,11 +145,13 @@ struct HeightAlone {
 template <class T>
 struct OneAngle {
   Given<T> p;
+  ByTilt<T> by_tilt = ByTilt<T>(p);
   using State = std::array<T, 3>;
   State start() const { return {p.phi, p.dphi, p.theta}; }
   template <class X>
   void operator()(const std::array<X, 3>& x, std::array<X, 3>& dxdt, const X&) const {
-    dxdt = {x[1], p.tilting(x[0]), p.precession(x[0])};
+    const auto [turning, tilting] = by_tilt.rates(x[0]);
+    dxdt = {x[1], tilting, turning};
   }
   Vector<T> observe(const State& x, const T&) const { return axis_of(x[2], x[0]); }
   auto conserved(const State& x, const T& t) const { return Nutation<T>{p}.conserved({x[0], x[1]}, t); }
