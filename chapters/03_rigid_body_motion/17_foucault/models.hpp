@@ -60,15 +60,17 @@ template <class T>
 struct TwoAngles {
   Given<T> p;
   T centrifugal = T(1);
+  std::array<T, 3> w = p.w();
+  T pull = p.g / p.L;
   using State = std::array<T, 4>;
   State start() const { return {p.theta, p.phi, p.theta_dot, p.phi_dot}; }
   template <class X>
   void operator()(const std::array<X, 4>& x, std::array<X, 4>& dxdt, const X&) const {
     const X c = cos(x[1]), s = sin(x[1]), ct = cos(x[0]), st = sin(x[0]);
-    const auto [wx, wy, wz] = p.w();
-    const X wP = wy * ct, wQ = -wy * st * c + wz * s, wR = wy * st * s + wz * c;
-    dxdt = {x[2], x[3], (-2 * x[3] * wR - 2 * x[2] * x[3] * c - centrifugal * wP * wR) / s,
-            x[2] * x[2] * s * c + 2 * x[2] * s * wR - p.g / p.L * s + centrifugal * wQ * wR};
+    const X level = w[1] * st, wP = w[1] * ct, wQ = w[2] * s - level * c, wR = level * s + w[2] * c;
+    const X outward = centrifugal * wR, turn = wR + x[2] * c;
+    dxdt = {x[2], x[3], -(2 * x[3] * turn + wP * outward) / s,
+            s * (x[2] * (turn + wR) - pull) + wQ * outward};
   }
   /// (x, y, x', y')
   std::array<T, 4> flat(const State& x) const {
@@ -80,7 +82,7 @@ struct TwoAngles {
   }
   auto conserved(const State& x, const T&) const {
     const T s = sin(x[1]);
-    const auto turned = cross(p.w(), Axes<T>({x[0], x[1]}).R);
+    const auto turned = cross(w, Axes<T>({x[0], x[1]}).R);
     return energy_of<T>(p.L * p.L * (s * s * x[2] * x[2] + x[3] * x[3]) / 2,
                         -p.L * p.L * centrifugal * dot(turned, turned) / 2 - p.g * p.L * cos(x[1]));
   }
@@ -90,16 +92,16 @@ struct TwoAngles {
 template <class T>
 struct Cartesian {
   Given<T> p;
+  std::array<T, 3> w = p.w();
+  T square = w[1] * w[1] + w[2] * w[2];
   using State = std::array<T, 6>;
   State start() const { return p.cartesian(); }
   template <class X>
   void operator()(const std::array<X, 6>& s, std::array<X, 6>& dsdt, const X&) const {
-    const auto [wx, wy, wz] = p.w();
-    const T square = wy * wy + wz * wz;
-    const X along = wy * s[1] + wz * s[2];
-    const X ax = -2 * (wy * s[5] - wz * s[4]) + square * s[0];
-    const X ay = -2 * wz * s[3] + square * s[1] - wy * along;
-    const X az = 2 * wy * s[3] + square * s[2] - wz * along + p.g;
+    // -2 w x r' - w x (w x r) + g, of which what is along y and z has one factor in common
+    const X across = w[2] * s[1] - w[1] * s[2] - 2 * s[3];
+    const X ax = 2 * (w[2] * s[4] - w[1] * s[5]) + square * s[0], ay = w[2] * across,
+            az = p.g - w[1] * across;
     const X tension = (s[0] * ax + s[1] * ay + s[2] * az + s[3] * s[3] + s[4] * s[4] + s[5] * s[5]) /
                       (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
     dsdt = {s[3], s[4], s[5], ax - tension * s[0], ay - tension * s[1], az - tension * s[2]};
@@ -108,7 +110,7 @@ struct Cartesian {
   std::array<T, 4> flat(const State& s) const { return {s[0], s[1], s[3], s[4]}; }
   std::array<T, 2> observe(const State& s, const T&) const { return {s[0], s[1]}; }
   auto conserved(const State& s, const T&) const {
-    const std::array<T, 3> r{s[0], s[1], s[2]}, u{s[3], s[4], s[5]}, turned = cross(p.w(), r);
+    const std::array<T, 3> r{s[0], s[1], s[2]}, u{s[3], s[4], s[5]}, turned = cross(w, r);
     return energy_of<T>(dot(u, u) / 2, -dot(turned, turned) / 2 - p.g * s[2]);
   }
   T off_constraint(const State& s, const T&) const { return abs(hypot(s[0], s[1], s[2]) - p.L); }
