@@ -35,12 +35,12 @@ struct ConstantSpeeds {
 template <class T>
 struct OneAngle {
   Given<T> p;
+  T arm = p.radius(), inertia = p.inertia();
   using State = std::array<T, 2>;
   State start() const { return {p.theta, p.theta_dot}; }
   template <class X>
   void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X&) const {
-    const T arm = p.radius();
-    dxdt = {x[1], (-p.f * arm * sin(x[0]) - p.k * arm * arm * x[1]) / p.inertia()};
+    dxdt = {x[1], (-p.f * arm * sin(x[0]) - p.k * arm * arm * x[1]) / inertia};
   }
   std::array<T, 3> observe(const State& x, const T& t) const {
     return p.seen(x[0], p.spin() * t - cos(p.phi) * (x[0] - p.theta));
@@ -51,19 +51,19 @@ struct OneAngle {
 template <class T>
 struct TwoAngles {
   Given<T> p;
+  T arm = p.radius(), inertia = p.inertia(), cosine = cos(p.phi);
   using State = std::array<T, 5>;
   State start() const { return {p.theta, T(0), p.theta_dot, p.psi_dot, T(0)}; }
   template <class X>
   void operator()(const std::array<X, 5>& x, std::array<X, 5>& dxdt, const X&) const {
-    const X speed = p.radius() * x[2];
-    const X force = -p.f * p.radius() * sin(x[0]) - p.k * p.radius() * speed;
-    dxdt = {x[2], x[3], force / p.inertia(), -force * cos(p.phi) / p.inertia(), p.k * speed * speed};
+    const X speed = arm * x[2];
+    const X force = -p.f * arm * sin(x[0]) - p.k * arm * speed;
+    dxdt = {x[2], x[3], force / inertia, -force * cosine / inertia, p.k * speed * speed};
   }
   std::array<T, 3> observe(const State& x, const T&) const { return p.seen(x[0], x[1]); }
   auto conserved(const State& x, const T&) const {
-    const T turn = x[3] + x[2] * cos(p.phi);
-    return energy_of<T>(p.inertia() * x[2] * x[2] / 2 + p.mu3() * turn * turn / 2,
-                        x[4] - p.f * p.radius() * cos(x[0]));
+    const T turn = x[3] + x[2] * cosine;
+    return energy_of<T>(inertia * x[2] * x[2] / 2 + p.mu3() * turn * turn / 2, x[4] - p.f * arm * cos(x[0]));
   }
 };
 
@@ -71,23 +71,23 @@ struct TwoAngles {
 template <class T>
 struct Center {
   Given<T> p;
+  T mass = p.m + p.mu2() / (p.L * p.L), spin = p.spin(), cosine = cos(p.phi);
   using State = std::array<T, 6>;
   State start() const {
     const T x = p.radius() * cos(p.theta), y = p.radius() * sin(p.theta);
     return {x, y, -y * p.theta_dot, x * p.theta_dot, T(0), T(0)};
   }
-  T mass() const { return p.m + p.mu2() / (p.L * p.L); }
   template <class X>
   void operator()(const std::array<X, 6>& s, std::array<X, 6>& dsdt, const X&) const {
     const X square = s[0] * s[0] + s[1] * s[1], speeds = s[2] * s[2] + s[3] * s[3];
-    const X a = (p.f - p.k * s[2]) / mass(), b = -p.k * s[3] / mass();
+    const X a = (p.f - p.k * s[2]) / mass, b = -p.k * s[3] / mass;
     const X inward = (a * s[0] + b * s[1] + speeds) / square;
     const X turning = (s[0] * s[3] - s[1] * s[2]) / square;
-    dsdt = {s[2], s[3], a - inward * s[0], b - inward * s[1], p.spin() - turning * cos(p.phi), p.k * speeds};
+    dsdt = {s[2], s[3], a - inward * s[0], b - inward * s[1], spin - turning * cosine, p.k * speeds};
   }
   std::array<T, 3> observe(const State& s, const T&) const { return {s[0], s[1], s[4]}; }
   auto conserved(const State& s, const T&) const {
-    return energy_of<T>(mass() * (s[2] * s[2] + s[3] * s[3]) / 2 + p.spin_energy(), s[5] - p.f * s[0]);
+    return energy_of<T>(mass * (s[2] * s[2] + s[3] * s[3]) / 2 + p.spin_energy(), s[5] - p.f * s[0]);
   }
   T off_constraint(const State& s, const T&) const { return abs(hypot(s[0], s[1]) - p.radius()); }
 };
