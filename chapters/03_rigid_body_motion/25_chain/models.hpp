@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
@@ -14,18 +15,17 @@ namespace oddity::chain {
 
 // ---- accelerations, for any containers of the constants and of the angles ---------------------------------
 
-/// theta'' from Newton's law for each mass and the rods' tensions: each rod's length, twice differentiated,
-/// is a row of a tridiagonal system. Nine multiplications, four divisions, a sine and a cosine per link.
-template <class Lengths, class G, class Angles>
-void by_tensions(const Lengths& m, const Lengths& r, const G& g, const Angles& theta, const Angles& omega,
-                 Angles& alpha) {
+/// r theta'' from Newton's law for each mass and the rods' tensions: each rod's length, twice differentiated,
+/// is a row of a tridiagonal system.
+template <class Numbers, class Lengths, class G, class Angles>
+void across_by_tensions(const Numbers& inverse_mass, const Lengths& r, const G& g, const Angles& theta,
+                        const Angles& omega, Angles& alpha) {
   using X = std::decay_t<decltype(theta[0])>;
   const std::size_t n = theta.size();
-  const X gravity = X(g), one = X(1);
-  Angles diagonal = theta, tension = theta, normal = theta, inverse_mass = theta;
+  const X gravity = X(g);
+  Angles diagonal = theta, tension = theta, normal = theta;
   for (std::size_t k = 0; k < n; ++k) {
-    inverse_mass[k] = one / X(m[k]);
-    diagonal[k] = k == 0 ? inverse_mass[0] : inverse_mass[k] + inverse_mass[k - 1];
+    diagonal[k] = k == 0 ? X(inverse_mass[0]) : X(inverse_mass[k] + inverse_mass[k - 1]);
     tension[k] = X(r[k]) * omega[k] * omega[k];
     if (k == 0) {
       tension[0] += gravity * cos(theta[0]);
@@ -45,8 +45,19 @@ void by_tensions(const Lengths& m, const Lengths& r, const G& g, const Angles& t
   for (std::size_t k = 0; k < n; ++k) {
     X force = k == 0 ? -gravity * sin(theta[0]) : -tension[k - 1] * normal[k];
     if (k + 1 < n) force += tension[k + 1] * normal[k + 1];
-    alpha[k] = force / X(r[k]);
+    alpha[k] = force;
   }
+}
+
+/// theta'' by the tensions: nine multiplications, four divisions, a sine and a cosine per link.
+template <class Lengths, class G, class Angles>
+void by_tensions(const Lengths& m, const Lengths& r, const G& g, const Angles& theta, const Angles& omega,
+                 Angles& alpha) {
+  using X = std::decay_t<decltype(theta[0])>;
+  Angles inverse_mass = theta;
+  for (std::size_t k = 0; k < theta.size(); ++k) inverse_mass[k] = X(1) / X(m[k]);
+  across_by_tensions(inverse_mass, r, g, theta, omega, alpha);
+  for (std::size_t k = 0; k < theta.size(); ++k) alpha[k] /= X(r[k]);
 }
 
 /// Row i of the dense equations, sum over j of M_ij theta_j'' = f_i: the pattern for n masses.
@@ -62,16 +73,30 @@ void dense_row(std::size_t i, const Lengths& mu, const Lengths& r, const G& g, c
   }
 }
 
-/// theta'' from the dense mass matrix by Gauss's elimination: M is positive definite and needs no pivots.
+/// theta'' from the dense mass matrix by Gauss's elimination: M is positive definite and needs no pivots. Of
+/// what is symmetric the upper half; a sine and a cosine per link, those of differences by their theorem.
 template <std::size_t n, class T, class X>
 void by_mass_matrix(const std::array<T, n>& mu, const std::array<T, n>& r, const T& g,
                     const std::array<X, n>& theta, const std::array<X, n>& omega, std::array<X, n>& alpha) {
   std::array<std::array<X, n>, n> M;
-  for (std::size_t i = 0; i < n; ++i) dense_row(i, mu, r, g, theta, omega, M[i].data(), alpha[i]);
+  std::array<X, n> across, down, square;
+  for (std::size_t i = 0; i < n; ++i) {
+    across[i] = r[i] * sin(theta[i]);
+    down[i] = r[i] * cos(theta[i]);
+    square[i] = omega[i] * omega[i];
+    alpha[i] = -(mu[i] * g) * across[i];
+    M[i][i] = X(mu[i] * r[i] * r[i]);
+    for (std::size_t k = 0; k < i; ++k) {
+      M[k][i] = mu[i] * (down[i] * down[k] + across[i] * across[k]);
+      const X turning = mu[i] * (across[i] * down[k] - down[i] * across[k]);
+      alpha[i] -= turning * square[k];
+      alpha[k] += turning * square[i];
+    }
+  }
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t i = k + 1; i < n; ++i) {
-      const X factor = M[i][k] / M[k][k];
-      for (std::size_t j = k + 1; j < n; ++j) M[i][j] -= factor * M[k][j];
+      const X factor = M[k][i] / M[k][k];
+      for (std::size_t j = i; j < n; ++j) M[i][j] -= factor * M[k][j];
       alpha[i] -= factor * alpha[k];
     }
   for (std::size_t i = n; i-- > 0;) {
@@ -105,20 +130,41 @@ struct Given {
 
 enum class Equations { dense, tensions };
 
+/// What the equations take of masses and lengths alone.
+template <class T, Equations how>
+struct Links;
+template <class T>
+struct Links<T, Equations::dense> {
+  std::array<T, 3> mass_from_here_on;
+  explicit Links(const Given<T>& p) : mass_from_here_on{p.m[0] + p.m[1] + p.m[2], p.m[1] + p.m[2], p.m[2]} {}
+};
+template <class T>
+struct Links<T, Equations::tensions> {
+  std::array<T, 3> inverse_mass, inverse_length;
+  explicit Links(const Given<T>& p)
+      : inverse_mass{1 / p.m[0], 1 / p.m[1], 1 / p.m[2]},
+        inverse_length{1 / p.r[0], 1 / p.r[1], 1 / p.r[2]} {}
+};
+
 /// (theta1..3, theta1'..3').
 template <class T, Equations how>
 struct Angles {
   Given<T> p;
+  Links<T, how> links = Links<T, how>(p);
   using State = std::array<T, 6>;
   State start() const { return {p.theta[0], p.theta[1], p.theta[2], p.omega[0], p.omega[1], p.omega[2]}; }
   template <class X>
   void operator()(const std::array<X, 6>& x, std::array<X, 6>& dxdt, const X&) const {
     const std::array<X, 3> q{x[0], x[1], x[2]}, v{x[3], x[4], x[5]};
     std::array<X, 3> a{};
-    if constexpr (how == Equations::dense)
-      by_mass_matrix({p.m[0] + p.m[1] + p.m[2], p.m[1] + p.m[2], p.m[2]}, p.r, p.g, q, v, a);
-    else
+    if constexpr (how == Equations::dense) {
+      by_mass_matrix(links.mass_from_here_on, p.r, p.g, q, v, a);
+    } else if constexpr (std::same_as<X, T>) {
+      across_by_tensions(links.inverse_mass, p.r, p.g, q, v, a);
+      for (std::size_t k = 0; k < 3; ++k) a[k] *= links.inverse_length[k];
+    } else {  // a number of more digits has reciprocals of its own
       by_tensions(p.m, p.r, p.g, q, v, a);
+    }
     dxdt = {x[3], x[4], x[5], a[0], a[1], a[2]};
   }
   std::array<T, 6> observe(const State& x, const T&) const { return p.positions(x); }
