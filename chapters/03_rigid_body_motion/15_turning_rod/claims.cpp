@@ -616,7 +616,7 @@ Run listing(double factor) {
 double fcos_near_half_pi(double x) { return 0x234Cp-67 - (x - pi / 2); }
 
 void output(Claims& claims, const Value& end) {
-  const Run run = listing(root_half<double>), mended = listing(quarter);
+  const Run run = listing(root_half<double>()), mended = listing(quarter);
   const double s = run.lambda.back(), angle = quarter * run.time;
   const Route listed{"the listing's arithmetic", s},
       by_text{"the listing with `aux[1]`", mended.lambda.back()};
@@ -636,7 +636,7 @@ void output(Claims& claims, const Value& end) {
                        const std::string& text = "") -> Reading {
     return {lambda + " and " + x + text,
             {as_written(R"($\lambda$)", lambda, by),
-             as_written("$x_2$", x, {by.by, root_half<double> * by.value[0]})}};
+             as_written("$x_2$", x, {by.by, root_half<double>() * by.value[0]})}};
   };
   claims.add("listing_output", 2179, R"(the listing ends with $\lambda=1.15214$, $x_2=x_3=0.814683$)",
              {.printed = last("1.15214", "0.814683", listed),
@@ -644,7 +644,7 @@ void output(Claims& claims, const Value& end) {
                               last("1.15214", "0.814683", by_text, " with `aux[1]`")}});
 
   const auto digits = [&](const std::string& by, double cosine) -> Reading {
-    return {by, {as_written("$x_1$", "-8.54596e-16", {by, root_half<double> * s * cosine})}};
+    return {by, {as_written("$x_1$", "-8.54596e-16", {by, root_half<double>() * s * cosine})}};
   };
   claims.add(
       "listing_x1", 2179, R"(the listing ends with $x_1=-8.54596\cdot10^{-16}$)",
@@ -655,7 +655,7 @@ void output(Claims& claims, const Value& end) {
   const auto x1_after = [&](const std::string& text, int steps) -> Reading {
     return {text,
             {{"$x_1$ after step " + std::to_string(steps),
-              {"the listing", root_half<double> * s * cos(angle * steps / 200)},
+              {"the listing", root_half<double>() * s * cos(angle * steps / 200)},
               {"zero", 0.0},
               {200 * 0x1p-53 * 2, "the rounding of a clock that adds 200 steps"},
               1}}};

@@ -112,7 +112,7 @@ Quantity runaway(const Given<double>& rod) {
   const Knob foldings = doubling("e-foldings", 2, 5);
   growth.add({"no spring", "closed form", no_knob(),
               [=](double) {
-                return Answer{rod.w * root_half<double>, 1};
+                return Answer{rod.w * root_half<double>(), 1};
               },
               Outcome::inaccurate, "the spring holds back in proportion"});
   growth.add({"along the rod", std::string(ode::info<ode::RungeKutta4>().name), foldings,

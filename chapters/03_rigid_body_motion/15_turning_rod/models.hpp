@@ -12,7 +12,9 @@
 namespace oddity::turning_rod {
 
 template <class T>
-inline const T root_half = T(std::numbers::sqrt2 / 2);
+T root_half() {
+  return T(std::numbers::sqrt2 / 2);
+}
 
 /// The exercise's parameters; s0 is the start.
 template <class T>
@@ -25,10 +27,26 @@ struct Given {
 
 template <class T>
 struct Rod : Given<T> {
-  T ell = this->spring();
+  T ell = this->spring(), pull = this->K / this->m, foot = this->c * root_half<T>();
+
+  /// The spring's fixed end projected on the rod.
+  template <class X>
+  X end_along(const X& t) const {
+    return foot * cos(this->w * t);
+  }
+  /// The spring's length with the mass at s and its end projected to p.
+  template <class X>
+  X length(const X& s, const X& p) const {
+    return sqrt(s * s - 2 * p * s + this->c * this->c);
+  }
+  /// s'' there, the spring's length being r.
+  template <class X>
+  X acceleration(const X& s, const X& p, const X& r) const {
+    return this->w * this->w / 2 * s - pull * (1 - ell / r) * (s - p);
+  }
 
   std::array<T, 3> place(const T& s, const T& t) const {
-    const T across = root_half<T> * s;
+    const T across = root_half<T>() * s;
     return {across * cos(this->w * t), across * sin(this->w * t), across};
   }
   /// The spring's energy when the mass is at x.
@@ -42,7 +60,7 @@ struct Rod : Given<T> {
 template <class T>
 struct NoSpring {
   Rod<T> rod;
-  std::array<T, 3> at(const T& t) const { return rod.place(rod.s0 * cosh(rod.w * root_half<T> * t), t); }
+  std::array<T, 3> at(const T& t) const { return rod.place(rod.s0 * cosh(rod.w * root_half<T>() * t), t); }
 };
 
 /// The spring's fixed end at the origin: linear.
@@ -63,7 +81,7 @@ template <class T>
 struct RigidSpring {
   Rod<T> rod;
   std::array<T, 3> at(const T& t) const {
-    const T p = rod.c * root_half<T> * cos(rod.w * t);
+    const T p = rod.c * root_half<T>() * cos(rod.w * t);
     return rod.place(p + sqrt(rod.ell * rod.ell - rod.c * rod.c + p * p), t);
   }
 };
@@ -72,18 +90,18 @@ struct RigidSpring {
 template <class T>
 struct AsListed {
   Rod<T> rod;
-  T factor = root_half<T>;
+  T factor = root_half<T>();
   using State = std::array<T, 2>;
   State start() const { return {rod.s0, T(0)}; }
   template <class X>
   void operator()(const std::array<X, 2>& state, std::array<X, 2>& output, const X& time) const {
-    const X tmp0 = rod.c * root_half<T> * cos(factor * time);
+    const X tmp0 = rod.foot * cos(factor * time);
     const X tmp1 = state[0] - tmp0;
     const X tmp2 = state[0] - 2 * tmp0;
     const X tmp3 = state[0] * tmp2 + rod.c * rod.c;
     const X tmp4 = 1 - rod.ell * (1 / sqrt(tmp3));
     const T pi = T(std::numbers::pi);
-    output = {state[1], pi * pi / 32 * state[0] - rod.K / rod.m * tmp4 * tmp1};
+    output = {state[1], pi * pi / 32 * state[0] - rod.pull * tmp4 * tmp1};
   }
   std::array<T, 3> observe(const State& x, const T& t) const { return rod.place(x[0], t); }
 };
@@ -91,7 +109,7 @@ struct AsListed {
 /// With the rest length sqrt((b-c)^2 + c^2), the rod's turning mended.
 template <class T>
 AsListed<T> listed_with_other_rest_length(const Given<T>& p) {
-  const T b = root_half<T> * p.s0;
+  const T b = root_half<T>() * p.s0;
   return {{p, hypot(b - p.c, p.c)}, T(std::numbers::pi) / 4};
 }
 
@@ -102,14 +120,9 @@ struct AlongTheRod {
   using State = std::array<T, 2>;
   State start() const { return {rod.s0, T(0)}; }
   template <class X>
-  X acceleration_at(const X& s, const X& t) const {
-    const X p = rod.c * root_half<T> * cos(rod.w * t);
-    const X r = sqrt(s * s - 2 * p * s + rod.c * rod.c);
-    return rod.w * rod.w / 2 * s - rod.K / rod.m * (1 - rod.ell / r) * (s - p);
-  }
-  template <class X>
   void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X& t) const {
-    dxdt = {x[1], acceleration_at(x[0], t)};
+    const X p = rod.end_along(t);
+    dxdt = {x[1], rod.acceleration(x[0], p, rod.length(x[0], p))};
   }
   std::array<T, 3> observe(const State& x, const T& t) const { return rod.place(x[0], t); }
 };
@@ -122,18 +135,14 @@ struct AlongTheRodWithWork {
   using State = std::array<T, 3>;
   State start() const { return {rod.s0, T(0), T(0)}; }
   template <class X>
-  X length(const X& s, const X& t) const {
-    return sqrt(s * s - T(std::numbers::sqrt2) * rod.c * cos(rod.w * t) * s + rod.c * rod.c);
-  }
-  template <class X>
   void operator()(const std::array<X, 3>& x, std::array<X, 3>& dxdt, const X& t) const {
-    const X pull = rod.K * (1 - rod.ell / length(x[0], t));
-    dxdt = {x[1], AlongTheRod<T>{rod}.acceleration_at(x[0], t),
-            pull * rod.c * root_half<T> * x[0] * rod.w * sin(rod.w * t)};
+    const X p = rod.end_along(t), r = rod.length(x[0], p);
+    dxdt = {x[1], rod.acceleration(x[0], p, r),
+            rod.K * (1 - rod.ell / r) * rod.foot * x[0] * rod.w * sin(rod.w * t)};
   }
   std::array<T, 3> observe(const State& x, const T& t) const { return rod.place(x[0], t); }
   auto conserved(const State& x, const T& t) const {
-    const T stretch = length(x[0], t) - rod.ell;
+    const T stretch = rod.length(x[0], rod.end_along(t)) - rod.ell;
     return energy_of<T>(rod.m * x[1] * x[1] / 2,
                         rod.K * stretch * stretch / 2 - rod.m * rod.w * rod.w * x[0] * x[0] / 4 - x[2]);
   }
@@ -150,18 +159,18 @@ struct InTheTurningPlane {
   /// From the spring's end to (s, y): along the rod, across it, and out of the plane.
   template <class X>
   std::array<X, 3> spring(const X& s, const X& y, const X& t) const {
-    const X p = root_half<T> * rod.c * cos(rod.w * t);
+    const X p = rod.end_along(t);
     return {s - p, y + rod.c * sin(rod.w * t), p};
   }
   template <class X>
   void operator()(const std::array<X, 5>& x, std::array<X, 5>& dxdt, const X& t) const {
     const T w = rod.w;
     const auto d = spring(x[0], x[1], t);
-    const X pull = -rod.K / rod.m * (1 - rod.ell / sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
-    const X along = pull * d[0] + w * w / 2 * x[0] + 2 * w * root_half<T> * x[3];
-    const X across = pull * d[1] + w * w * x[1] - 2 * w * root_half<T> * x[2], push = -across;
+    const X pull = -rod.pull * (1 - rod.ell / sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+    const X along = pull * d[0] + w * w / 2 * x[0] + 2 * w * root_half<T>() * x[3];
+    const X across = pull * d[1] + w * w * x[1] - 2 * w * root_half<T>() * x[2], push = -across;
     const X C = cos(w * t), S = sin(w * t);
-    const X by_end = -rod.m * pull * rod.c * w * (root_half<T> * S * (d[0] - d[2]) + C * d[1]);
+    const X by_end = -rod.m * pull * rod.c * w * (root_half<T>() * S * (d[0] - d[2]) + C * d[1]);
     dxdt = {x[2], x[3], along, across + push, by_end + rod.m * push * x[3]};
   }
   std::array<T, 3> observe(const State& x, const T& t) const {
@@ -184,14 +193,19 @@ struct CartesianWithConstraints {
   Rod<T> rod;
   using State = std::array<T, 7>;
   State start() const {
-    return {
-        root_half<T> * rod.s0, T(0), root_half<T> * rod.s0, T(0), root_half<T> * rod.s0 * rod.w, T(0), T(0)};
+    return {root_half<T>() * rod.s0,
+            T(0),
+            root_half<T>() * rod.s0,
+            T(0),
+            root_half<T>() * rod.s0 * rod.w,
+            T(0),
+            T(0)};
   }
   template <class X>
   void operator()(const std::array<X, 7>& x, std::array<X, 7>& dxdt, const X& t) const {
-    const T w = rod.w, h = root_half<T>;
+    const T w = rod.w, h = root_half<T>();
     const X C = cos(w * t), S = sin(w * t);
-    const X y = x[0] - rod.c, pull = -rod.K / rod.m * (1 - rod.ell / sqrt(y * y + x[1] * x[1] + x[2] * x[2]));
+    const X y = x[0] - rod.c, pull = -rod.pull * (1 - rod.ell / sqrt(y * y + x[1] * x[1] + x[2] * x[2]));
     const std::array<X, 3> f{pull * y, pull * x[1], pull * x[2]};
     const X m1 = S * f[0] - C * f[1] + 2 * w * (C * x[3] + S * x[4]) + w * w * (C * x[1] - S * x[0]);
     const X m2 =
@@ -213,7 +227,7 @@ struct CartesianWithConstraints {
   /// From the rod: across it in the level, and in its upright plane.
   T off_constraint(const State& x, const T& t) const {
     const T C = cos(rod.w * t), S = sin(rod.w * t), outward = C * x[0] + S * x[1];
-    return hypot(C * x[1] - S * x[0], root_half<T> * (outward - x[2]));
+    return hypot(C * x[1] - S * x[0], root_half<T>() * (outward - x[2]));
   }
 };
 
