@@ -13,12 +13,14 @@ if(CMAKE_BUILD_TYPE STREQUAL "Mutated")
   set(lanes_level -O0)  # as the suite has no lanes
 endif()
 # Else g++ copies states of a few registers by `rep movs`, which takes longer than many a right-hand side.
-set(lanes_copies "")
+set(lanes_options "")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   foreach(copies memcpy memset)
-    list(APPEND lanes_copies "-m${copies}-strategy=vector_loop:8192:noalign,libcall:-1:noalign")
+    list(APPEND lanes_options "-m${copies}-strategy=vector_loop:8192:noalign,libcall:-1:noalign")
   endforeach()
 endif()
+# A loop's speed should not hang on where the one before it ends.
+list(APPEND lanes_options -falign-functions=64)
 set(lanes_scenes_each 6)
 
 set(lanes_files "")
@@ -40,7 +42,7 @@ macro(write_lanes nth)
     # Optimized in any build: what is not inlined would have the names of what is compiled for every machine.
     # Without sanitizers, with which they take longer to compile than all else: the suite has no lanes.
     set_source_files_properties(${file} PROPERTIES
-      COMPILE_OPTIONS "${lanes_copies};${lanes_flags_${set}};$<$<NOT:$<CONFIG:Release>>:${lanes_level};-fno-sanitize=all>")
+      COMPILE_OPTIONS "${lanes_options};${lanes_flags_${set}};$<$<NOT:$<CONFIG:Release>>:${lanes_level};-fno-sanitize=all>")
     list(APPEND lanes_files ${file})
     set(lanes_text_${set} "")
   endforeach()

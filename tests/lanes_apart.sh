@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Of what is compiled for AVX2 and AVX-512 nothing may stand for what is compiled for every machine: each inline
-# function that these objects define, and that a linker might take for another's, has their registers in its name.
+# function that these objects define, and that a linker might take for another's, has their registers in its name;
+# and nothing of it runs when the library is loaded, on whatever machine.
 #   tests/lanes_apart.sh BUILD
 set -euo pipefail
 build=${1:?the build}
@@ -16,9 +17,13 @@ for object in "$build"/CMakeFiles/oddity_lanes.dir/lanes/Avx*_*.o; do
     echo "lanes_apart: $object defines these, which another file may have too" >&2
     exit 1
   fi
+  if nm -C --defined-only "$object" | grep '_GLOBAL__sub_I_' >&2; then
+    echo "lanes_apart: what $object defines is made where the library is loaded" >&2
+    exit 1
+  fi
 done
 if [ "$found" = 0 ] && [ "$(uname -m)" = x86_64 ]; then
   echo "lanes_apart: $build has no objects of lanes for AVX2 and AVX-512: build oddity_lanes first" >&2
   exit 1
 fi
-echo "lanes_apart: $found objects share no inline function"
+echo "lanes_apart: $found objects share no inline function, and run nothing when they are loaded"
